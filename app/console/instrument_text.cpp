@@ -32,8 +32,8 @@ std::vector<std::string> rowOf(const StationCheck& station) {
           displayText(station.vertical.dof, 0),
           withU(station.collimation.value, station.collimation.u, "″"),
           withU(station.index.value, station.index.u, "″"),
-          otherCause(station.tilt, "″"),
-          otherCause(station.eccentricity, " mm")};
+          otherCause(station.causes.tilt, "″"),
+          otherCause(station.causes.lineOfSight, " mm")};
 }
 
 std::string stationsTable(const InstrumentCheck& check) {
@@ -44,7 +44,9 @@ std::string stationsTable(const InstrumentCheck& check) {
     rows.push_back({"pooled", "", "", scatterText(check.direction), displayText(check.direction.dof, 0),
                     scatterText(check.vertical), displayText(check.vertical.dof, 0),
                     withU(check.collimation.value, check.collimation.u, "″"),
-                    withU(check.index.value, check.index.u, "″")});
+                    withU(check.index.value, check.index.u, "″"),
+                    check.tilt ? withU(check.tilt->value, check.tilt->u, "″") : "—",
+                    otherCause(check.lineOfSight, " mm")});
   return alignedColumns(rows);
 }
 

@@ -30,6 +30,9 @@ constexpr double usualSigmaCompensator = 1;
 // Compensators work within some 4′; a tilt beyond this was typed in another unit.
 constexpr double largestTiltArcsec = 3600;
 
+// The line of sight passes the vertical axis within some tenths of a millimetre.
+constexpr double largestOffsetMm = 10;
+
 // In any unit of the catalogue; far below, weights lose their digits.
 constexpr double leastKnownSigma = 1e-6, largestKnown = 1e6;
 
@@ -69,6 +72,16 @@ constexpr std::array numberRules = {
                noSigma},
     NumberRule{"instrument.sigma_compensator_arcsec", leastSigmaArcsec, Bound::Included, largestSigmaArcsec,
                usualSigmaCompensator, noSigma},
+    NumberRule{"instrument.line_of_sight_mm",
+               -largestOffsetMm,
+               Bound::Excluded,
+               largestOffsetMm,
+               {},
+               PHRASE_LATER("Phrase", "%1 is out of range: it must be above -10 and below 10 mm")},
+    NumberRule{"instrument.sigma_line_of_sight_mm", 0, Bound::Included, largestOffsetMm, 0,
+               PHRASE_LATER("Phrase", "%1 is out of range: it must be 0 or more and below 10 mm")},
+    NumberRule{"instrument.line_of_sight_correlation", -1, Bound::Excluded, 1, 0,
+               PHRASE_LATER("Phrase", "%1 is out of range: it must be above -1 and below 1")},
     NumberRule{"environment.temperature_c",
                -273.15,
                Bound::Included,

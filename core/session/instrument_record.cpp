@@ -34,6 +34,7 @@ InstrumentRecord recordFrom(const ObjectReader& reader) {
           .sigmaHorizontalArcsec = reader.number("sigma_horizontal_arcsec"),
           .sigmaVerticalArcsec = reader.number("sigma_vertical_arcsec"),
           .sigmaZeroArcsec = reader.number("sigma_zero_arcsec"),
+          .lineOfSight = readLineOfSight(reader),
           .known = readKnown(reader),
           .origin = reader.origin({"known"})};
 }
@@ -42,9 +43,12 @@ InstrumentRecord recordFrom(const ObjectReader& reader) {
 class RecordExaminer {
  public:
   std::optional<Problem> examine(const InstrumentRecord& record) {
-    sigma("sigma_horizontal_arcsec", record.sigmaHorizontalArcsec);
-    sigma("sigma_vertical_arcsec", record.sigmaVerticalArcsec);
-    sigma("sigma_zero_arcsec", record.sigmaZeroArcsec);
+    number("sigma_horizontal_arcsec", record.sigmaHorizontalArcsec);
+    number("sigma_vertical_arcsec", record.sigmaVerticalArcsec);
+    number("sigma_zero_arcsec", record.sigmaZeroArcsec);
+    number("line_of_sight_mm", record.lineOfSight.offsetMm);
+    number("sigma_line_of_sight_mm", record.lineOfSight.sigmaMm);
+    number("line_of_sight_correlation", record.lineOfSight.correlation);
     if (record.date.empty())
       tell(Problem{Phrase::of("is empty: say on which day this was found, as year-month-day")}, "date");
     date("date", record.date);
@@ -62,7 +66,7 @@ class RecordExaminer {
     check(knownSigmaEntry(size.sigma), entry + ".sigma");
     date(entry + ".date", size.date);
   }
-  void sigma(const std::string& key, const std::string& text) {
+  void number(const std::string& key, const std::string& text) {
     check(numberEntry("instrument." + key, text), key);
   }
   void date(const std::string& key, const std::string& text) {
@@ -107,6 +111,7 @@ std::string writeInstrumentRecord(const InstrumentRecord& record) {
   writer.number("sigma_horizontal_arcsec", record.sigmaHorizontalArcsec);
   writer.number("sigma_vertical_arcsec", record.sigmaVerticalArcsec);
   writer.number("sigma_zero_arcsec", record.sigmaZeroArcsec);
+  writeLineOfSight(writer, record.lineOfSight);
   writer.part("known", knownJson(record.known));
   return layoutJson(writer.take());
 }

@@ -9,6 +9,9 @@
 
 namespace alidade {
 
+/// What `KnownSize::from` says of a size that the instrument check found.
+inline constexpr std::string_view fromInstrumentCheck = "instrument check after ISO 17123-3";
+
 /// What is known of an instrument from one session to the next: how its circles scatter, and the sizes of its
 /// errors with their standard uncertainties. A file of its own, `*.alidade-instrument`; as in a session,
 /// every number is kept as its text.
@@ -18,6 +21,7 @@ struct InstrumentRecord {
   std::string date = {};                            ///< on which all of it was found; required
   // Empty: not stated.
   std::string sigmaHorizontalArcsec = {}, sigmaVerticalArcsec = {}, sigmaZeroArcsec = {};
+  LineOfSight lineOfSight = {};
   std::vector<KnownSize> known = {};
   JsonOrigin origin = {};
 

@@ -2,8 +2,6 @@
 
 #include <nlohmann/json.hpp>
 
-#include "core/session/json_object_writer.h"
-
 namespace alidade {
 
 namespace {
@@ -42,6 +40,18 @@ nlohmann::ordered_json knownJson(const std::vector<KnownSize>& known) {
     entries.push_back(writer.take());
   }
   return entries;
+}
+
+LineOfSight readLineOfSight(const ObjectReader& reader) {
+  return {.offsetMm = reader.number("line_of_sight_mm"),
+          .sigmaMm = reader.number("sigma_line_of_sight_mm"),
+          .correlation = reader.number("line_of_sight_correlation")};
+}
+
+void writeLineOfSight(ObjectWriter& writer, const LineOfSight& lineOfSight) {
+  writer.number("line_of_sight_mm", lineOfSight.offsetMm);
+  writer.number("sigma_line_of_sight_mm", lineOfSight.sigmaMm);
+  writer.number("line_of_sight_correlation", lineOfSight.correlation);
 }
 
 }  // namespace alidade

@@ -107,6 +107,17 @@ struct NamedRecord {
   bool operator==(const NamedRecord&) const = default;
 };
 
+/// The line of sight passes the vertical axis at a distance e. For e > 0 face 1 reads e/(D cos(elevation))
+/// too much on the horizontal circle and face 2 as much too little, D along the line of sight: at one
+/// distance that is a collimation of e/D, which adds to the known collimation.
+struct LineOfSight {
+  std::string offsetMm = {};     ///< e; empty: not known
+  std::string sigmaMm = {};      ///< its standard uncertainty; empty: 0
+  std::string correlation = {};  ///< with the known collimation, −1 … 1; empty: 0
+
+  bool operator==(const LineOfSight&) const = default;
+};
+
 struct Instrument {
   std::string name, serial;
   std::string certificate;   ///< of its calibration
@@ -118,6 +129,7 @@ struct Instrument {
   std::string sigmaZeroArcsec;         ///< empty: as the circles'
   std::string sigmaSliderArcsec;       ///< empty: 5
   std::string sigmaCompensatorArcsec;  ///< setting accuracy; empty: 1
+  LineOfSight lineOfSight = {};
   NamedRecord record = {};
   std::vector<KnownSize> known = {};
   JsonOrigin origin;

@@ -66,6 +66,7 @@ Instrument readInstrument(const ObjectReader& reader) {
           .sigmaZeroArcsec = reader.number("sigma_zero_arcsec"),
           .sigmaSliderArcsec = reader.number("sigma_slider_arcsec"),
           .sigmaCompensatorArcsec = reader.number("sigma_compensator_arcsec"),
+          .lineOfSight = readLineOfSight(reader),
           .record = readNamedRecord(reader.object("record")),
           .known = readKnown(reader),
           .origin = reader.origin({"record", "known"})};

@@ -51,6 +51,7 @@ Json instrumentJson(const Instrument& instrument) {
   writer.number("sigma_zero_arcsec", instrument.sigmaZeroArcsec);
   writer.number("sigma_slider_arcsec", instrument.sigmaSliderArcsec);
   writer.number("sigma_compensator_arcsec", instrument.sigmaCompensatorArcsec);
+  writeLineOfSight(writer, instrument.lineOfSight);
   writer.part("record", namedRecordJson(instrument.record));
   writer.part("known", knownJson(instrument.known));
   return writer.take();

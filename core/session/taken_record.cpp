@@ -37,6 +37,15 @@ KnownSize withoutCitation(KnownSize size, const NamedRecord& record) {
   return size;
 }
 
+/// With the collimation that it belongs to: a collimation of a record that states no offset has e/D in it, as
+/// does one whose record stated an offset that this one does not.
+void takeLineOfSight(Instrument& own, const InstrumentRecord& record) {
+  const bool hasCollimation =
+      std::ranges::any_of(record.known, [](const KnownSize& size) { return size.effect == "collimation"; });
+  if (!record.lineOfSight.offsetMm.empty() || hasCollimation || !own.record.file.empty())
+    own.lineOfSight = record.lineOfSight;
+}
+
 }  // namespace
 
 std::string citationOf(const NamedRecord& record) {
@@ -60,6 +69,7 @@ std::optional<Problem> takeRecord(Session& session, const InstrumentRecord& reco
   takeUnlessEmpty(own.sigmaHorizontalArcsec, record.sigmaHorizontalArcsec);
   takeUnlessEmpty(own.sigmaVerticalArcsec, record.sigmaVerticalArcsec);
   takeUnlessEmpty(own.sigmaZeroArcsec, record.sigmaZeroArcsec);
+  takeLineOfSight(own, record);
   std::erase_if(own.known, [&](const KnownSize& size) {
     return isTakenFrom(own.record, size) || std::ranges::any_of(record.known, [&](const KnownSize& taken) {
              return isOfSameNumber(size, taken);
@@ -85,7 +95,8 @@ InstrumentRecord recordOf(const Session& session) {
                           .date = own.record.date.empty() ? session.measuredOn : own.record.date,
                           .sigmaHorizontalArcsec = own.sigmaHorizontalArcsec,
                           .sigmaVerticalArcsec = own.sigmaVerticalArcsec,
-                          .sigmaZeroArcsec = own.sigmaZeroArcsec};
+                          .sigmaZeroArcsec = own.sigmaZeroArcsec,
+                          .lineOfSight = own.lineOfSight};
   for (const KnownSize& size : own.known) record.known.push_back(withoutCitation(size, own.record));
   return record;
 }

@@ -39,6 +39,12 @@ sound_tree
 for rule in format includes names headers repository scripts; do must pass "$rule" "the sound tree"; done
 
 offence format core/base/one.cpp 'int  two( ) {return 2;}\n'
+offence format core/base/README.md '#Title\n\nText.\n'
+offence format core/base/README.md '# Title\n\n            **is** torn\n'
+sound_tree
+# shellcheck disable=SC2016
+printf '# Title\n\n```sh\n#comment\n             indented\n```\n' >core/base/README.md
+must pass format 'code in a Markdown file'
 offence includes core/base/one.h '#include "core/session/two.h"\n'
 offence includes core/base/one.h '#include <QString>\n'
 offence includes core/base/one.h '#include "one.h"\n'

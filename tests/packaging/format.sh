@@ -1,7 +1,17 @@
 #!/usr/bin/env bash
-# Every C++ file is as clang-format 14 writes it.
+# Every C++ file is as clang-format 14 writes it, and no Markdown file is: it takes headings for preprocessor lines
+# (`#Title`) and indents paragraphs as expressions.
 set -euo pipefail
 # shellcheck source=tests/packaging/lib.sh
 source "$(dirname -- "${BASH_SOURCE[0]}")/lib.sh"
 
 sources app core examples ui tests -- '*.h' '*.cpp' | xargs -r -d '\n' clang-format-14 --dry-run -Werror
+
+mapfile -t texts < <(sources . -- '*.md')
+[[ ${#texts[@]} == 0 ]] || awk '
+  FNR == 1 { isCode = 0 }
+  /^ *```/ { isCode = !isCode }
+  isCode { next }
+  /^ *#+[^# ]/ { print FILENAME ":" FNR ": a heading without a blank behind #: was clang-format run over it?" }
+  /^            / { print FILENAME ":" FNR ": text indented by 12 blanks or more: was clang-format run over it?" }
+' "${texts[@]}" | report

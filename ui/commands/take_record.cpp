@@ -18,6 +18,8 @@ Place recordPlace() {
 std::string said(const Instrument& instrument) {
   std::string text = instrument.name + ", " + instrument.serial + ", σ " + instrument.sigmaHorizontalArcsec +
                      "/" + instrument.sigmaVerticalArcsec + "/" + instrument.sigmaZeroArcsec + " arcsec";
+  if (!instrument.lineOfSight.offsetMm.empty())
+    text += ", line of sight off by " + instrument.lineOfSight.offsetMm + " mm";
   if (!instrument.record.file.empty()) text += ", " + citationOf(instrument.record);
   return text + ", " + std::to_string(instrument.known.size()) + " known sizes";
 }

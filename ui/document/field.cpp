@@ -66,6 +66,14 @@ constexpr Field fields[] = {
         "instrument.sigma_slider_arcsec", QT_TRANSLATE_NOOP("Field", "σ of the slider")),
     ofSession<&Session::instrument, &Instrument::sigmaCompensatorArcsec>(
         "instrument.sigma_compensator_arcsec", QT_TRANSLATE_NOOP("Field", "σ of the compensator")),
+    ofSession<&Session::instrument, &Instrument::lineOfSight, &LineOfSight::offsetMm>(
+        "instrument.line_of_sight_mm", QT_TRANSLATE_NOOP("Field", "offset of the line of sight")),
+    ofSession<&Session::instrument, &Instrument::lineOfSight, &LineOfSight::sigmaMm>(
+        "instrument.sigma_line_of_sight_mm",
+        QT_TRANSLATE_NOOP("Field", "u of the offset of the line of sight")),
+    ofSession<&Session::instrument, &Instrument::lineOfSight, &LineOfSight::correlation>(
+        "instrument.line_of_sight_correlation",
+        QT_TRANSLATE_NOOP("Field", "correlation of the offset with the collimation")),
     ofSession<&Session::environment, &Environment::temperatureC>("environment.temperature_c",
                                                                  QT_TRANSLATE_NOOP("Field", "temperature")),
     ofSession<&Session::environment, &Environment::sigmaTemperatureC>(

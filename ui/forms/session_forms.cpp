@@ -144,6 +144,19 @@ QWidget* createInstrumentForm(SessionDocument& document) {
           {"instrument.sigma_compensator_arcsec", Forms::tr("σ compensator"), seconds, Forms::tr("1"),
            Forms::tr("Setting accuracy of the compensator, by its data sheet; of use where the readings have "
                      "tilts, or say what the instrument corrected")},
+          {"instrument.line_of_sight_mm", Forms::tr("Line of sight e"), QStringLiteral("mm"),
+           Forms::tr("not known"),
+           Forms::tr(
+               "Offset of the line of sight from the vertical axis, by the instrument check: e/D at the "
+               "distance of this session adds to the known collimation")},
+          {"instrument.sigma_line_of_sight_mm", Forms::tr("u of e"), QStringLiteral("mm"), Forms::tr("0"),
+           Forms::tr("Standard uncertainty of the offset of the line of sight")},
+          {"instrument.line_of_sight_correlation",
+           Forms::tr("Correlation of e"),
+           {},
+           Forms::tr("0"),
+           Forms::tr("Of the offset of the line of sight with the known collimation, −1 to 1: one fit found "
+                     "both")},
       },
       2)});
 }

@@ -71,10 +71,12 @@ DataTable* CheckTable::createTable() {
              [](const InstrumentCheck& c) { return meanText(c.index); })},
        {tr("Trunnion tilt"),
         tr("i, estimated together with the collimation, from targets at several elevations"), sample,
-        text([](const StationCheck& s) { return otherText(s.tilt, "″"); }, none)},
+        text([](const StationCheck& s) { return otherText(s.causes.tilt, "″"); },
+             [](const InstrumentCheck& c) { return c.tilt ? meanText(*c.tilt) : notStated(); })},
        {tr("Line of sight"), tr("e, by which it passes the axis, from targets at several distances"),
         QStringLiteral("−0.123 mm ± 0.045 mm"),
-        text([](const StationCheck& s) { return otherText(s.eccentricity, " mm"); }, none)}});
+        text([](const StationCheck& s) { return otherText(s.causes.lineOfSight, " mm"); },
+             [](const InstrumentCheck& c) { return otherText(c.lineOfSight, " mm"); })}});
   table->setAccessibleName(tr("Result by station"));
   table->setPlaceholder(tr("Open files, or type rounds in two faces to several targets."));
   return table;

@@ -89,7 +89,8 @@ QWidget* InstrumentDialog::createButtons() {
   m_json = row->add(tr("Export &JSON…"), "export check json");
   m_csv = row->add(tr("Export &CSV…"), "export check csv");
   m_record = row->add(tr("&Save as Instrument Record…"), "save check record");
-  m_record->setToolTip(tr("Collimation, index, tilt and σ of the circles, for sessions to take"));
+  m_record->setToolTip(
+      tr("Collimation, index, tilt, offset of the line of sight and σ of the circles, for sessions to take"));
   row->addRoom();
   auto* close = row->add(tr("Close"), "close");
   connect(m_json, &QPushButton::clicked, this, &InstrumentDialog::exportJson);
@@ -123,7 +124,7 @@ void InstrumentDialog::take(const SharedInstrument& answer) {
   m_chart->setCheck(answer);
   m_json->setEnabled(answer->check.has_value());
   m_csv->setEnabled(answer->check.has_value());
-  m_record->setEnabled(answer->check && answer->check->index.u > 0);
+  m_record->setEnabled(answer->check && (answer->check->index.u > 0 || answer->check->collimation.u > 0));
 }
 
 QString InstrumentDialog::said() const {

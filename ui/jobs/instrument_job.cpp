@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "core/series/instrument_check/check_findings.h"
+#include "core/series/instrument_check/checked_readings.h"
 #include "ui/jobs/failed_job.h"
 
 namespace alidade::ui {
@@ -18,7 +19,12 @@ CheckedInstrument checkInstrument(const InstrumentQuestion& question) {
     answer.problem = readings.problem().text();
     return answer;
   }
-  answer.check = alidade::checkInstrument(completeRounds(*readings), question.stated);
+  Result<InstrumentCheck> check = checkReadings(*readings, question.stated);
+  if (!check) {
+    answer.problem = check.problem().text();
+    return answer;
+  }
+  answer.check = *std::move(check);
   answer.findings = checkFindings(*answer.check);
   answer.remarks = readings->remarks;
   answer.instrumentName = readings->instrumentName;

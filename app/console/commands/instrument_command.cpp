@@ -1,17 +1,22 @@
 #include "app/console/commands/instrument_command.h"
 
 #include <CLI/CLI.hpp>
+#include <ctime>
 #include <filesystem>
 
 #include "app/console/channels.h"
 #include "app/console/commands/option_checks.h"
 #include "app/console/format_texts.h"
 #include "app/console/instrument_text.h"
+#include "app/console/output_file.h"
 #include "core/base/file_bytes.h"
 #include "core/base/visible_text.h"
 #include "core/series/instrument_check/check_files.h"
 #include "core/series/instrument_check/check_findings.h"
+#include "core/series/instrument_check/check_record.h"
+#include "core/series/instrument_check/checked_readings.h"
 #include "core/series/instrument_check/instrument_json.h"
+#include "core/session/entry.h"
 
 namespace alidade::console {
 
@@ -33,6 +38,32 @@ AngleUnit unitNamed(const std::string& name) {
 /// What a file is called in sentences.
 std::string checkFileName(const std::string& file) {
   return file == "-" ? inputName(file) : wellFormed(std::filesystem::path(file).filename().string());
+}
+
+/// Year-month-day, where the computer is.
+std::string today() {
+  const std::time_t now = std::time(nullptr);
+  std::tm local{};
+  localtime_r(&now, &local);
+  char text[16];
+  return std::string(text, std::strftime(text, sizeof text, "%Y-%m-%d", &local));
+}
+
+/// None is written without anything to hold. Its day is today where nothing says that of the readings.
+std::optional<Problem> writeRecord(const InstrumentRequest& request, CheckReadings& readings,
+                                   const InstrumentCheck& check) {
+  if (const auto problem = dateProblem(request.date)) return Problem{"--date " + problem->what};
+  std::string date = request.date.empty() ? readings.measuredOn : request.date;
+  if (date.empty() || dateProblem(date)) {
+    date = today();
+    readings.remarks.push_back("the files do not say the day of the readings: the record is of today, " +
+                               date + "; --date states another day");
+  }
+  const InstrumentRecord record =
+      checkedRecord(check, readings.instrumentName, readings.instrumentSerial, date);
+  if (record.known.empty() && record.sigmaHorizontalArcsec.empty() && record.sigmaVerticalArcsec.empty())
+    return Problem{"--record: no figure of this check has an uncertainty: observe three rounds or more"};
+  return writeOutputs({{"--record", request.record, writeInstrumentRecord(record)}}, request.files);
 }
 
 }  // namespace
@@ -59,6 +90,12 @@ void addInstrumentCommand(CLI::App& app, InstrumentRequest& request) {
       ->check(CLI::IsMember({"deg", "gon", "dms"}));
   instrument->add_option("--vertical-circle", request.verticalCircle, "zenith or elevation; else as read")
       ->check(CLI::IsMember({"zenith", "elevation"}));
+  instrument->add_option(
+      "--record", request.record,
+      "Instrument record to write (*.alidade-instrument), for sessions to take: σ, collimation, "
+      "index, tilt, offset of the line of sight");
+  instrument->add_option("--date", request.date,
+                         "Day of the record, year-month-day; else as the files have it");
   instrument->add_flag("--json", request.json, "Print one JSON document");
   instrument->footer(readableFormatsSentence() + aboutInstrumentFiles);
 }
@@ -74,20 +111,23 @@ Result<InstrumentAnswer> runInstrument(const InstrumentRequest& request) {
   }
   std::vector<CheckFile> files;
   for (std::size_t i = 0; i < bytes.size(); ++i) files.push_back({checkFileName(request.files[i]), bytes[i]});
-  const auto readings =
+  Result<CheckReadings> read =
       readCheckFiles(files, {.unit = unitNamed(request.unit), .verticalCircle = request.verticalCircle});
-  if (!readings) return readings.problem();
-  const InstrumentCheck check =
-      checkInstrument(completeRounds(*readings),
-                      {.sigmaDirection = request.sigma,
-                       .sigmaVertical = request.sigmaVertical ? request.sigmaVertical : request.sigma});
-  const std::vector<Finding> findings = checkFindings(check);
+  if (!read) return read.problem();
+  CheckReadings readings = *std::move(read);
+  const Result<InstrumentCheck> check = checkReadings(
+      readings, {.sigmaDirection = request.sigma,
+                 .sigmaVertical = request.sigmaVertical ? request.sigmaVertical : request.sigma});
+  if (!check) return check.problem();
+  if (!request.record.empty())
+    if (auto problem = writeRecord(request, readings, *check)) return *std::move(problem);
+  const std::vector<Finding> findings = checkFindings(*check);
   std::string name = files.front().name;
-  if (!readings->instrumentName.empty()) name = readings->instrumentName;
-  if (!readings->instrumentSerial.empty()) name += ", " + readings->instrumentSerial;
-  return InstrumentAnswer{request.json ? instrumentJson(check, findings, readings->remarks)
-                                       : instrumentText(name, check, findings),
-                          readings->remarks};
+  if (!readings.instrumentName.empty()) name = readings.instrumentName;
+  if (!readings.instrumentSerial.empty()) name += ", " + readings.instrumentSerial;
+  return InstrumentAnswer{request.json ? instrumentJson(*check, findings, readings.remarks)
+                                       : instrumentText(name, *check, findings),
+                          readings.remarks};
 }
 
 }  // namespace alidade::console

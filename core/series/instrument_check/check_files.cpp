@@ -39,35 +39,35 @@ std::string stemOf(const std::string& name) {
 TableLayout layoutOf(const Recognised& recognised, AngleUnit unit) {
   TableLayout layout;
   layout.unit = unit;
+  layout.seriesIsStation = true;
   if (recognised.table.headRows == 0) return layout;
   layout.separator = recognised.table.separator;
   layout.headRows = recognised.table.headRows;
-  std::vector<std::string> names;
-  for (const std::string& title : recognised.titles) names.push_back(lowerCase(trimmed(title)));
-  const auto has = [&names](std::string_view name) { return std::ranges::find(names, name) != names.end(); };
-  if (!has("series") || has("station") || (!has("round") && !has("set"))) return layout;
-  for (const std::string& name : names) {
-    const auto column = columnName(name).column;
-    layout.columns.emplace_back(name == "series" ? "station" : column ? column->key() : "");
-  }
   return layout;
 }
 
-/// How far the vertical readings of a target's faces are from a full turn, degrees, in the middle of all;
-/// infinite where they cannot be read in this unit.
+/// How far both faces of a target are from closing, degrees: their vertical readings from a full turn, or,
+/// where there are none, their horizontal ones from half a turn. Infinite: cannot be read in this unit.
+double openingOf(double before, double after, bool isVertical) {
+  const Angle sum = Angle::fromDegrees(isVertical ? after + before : after - before - 180);
+  return std::abs(wrapped(sum).degrees());
+}
+
+/// In the middle of all targets; infinite where the readings cannot be read in this unit.
 double closureIn(AngleUnit unit, const Recording& recording) {
   const double unreadable = std::numeric_limits<double>::infinity();
   std::map<std::pair<std::size_t, std::string>, double> last;
   std::vector<double> closures;
   for (const RecordedSighting& sighting : recording.sightings) {
-    const auto vertical = parseAngle(withUnit(sighting.row.vertical, unit));
+    const bool isVertical = !sighting.row.vertical.empty();
     const auto horizontal = parseAngle(withUnit(sighting.row.horizontal, unit));
-    if (!vertical || !horizontal) return unreadable;
-    const double degrees = vertical->degrees();
+    const auto closing = isVertical ? parseAngle(withUnit(sighting.row.vertical, unit)) : horizontal;
+    if (!closing || (!horizontal && !sighting.row.horizontal.empty())) return unreadable;
+    const double degrees = closing->degrees();
     const auto [before, isFirst] = last.try_emplace({sighting.station, sighting.row.point}, degrees);
     constexpr double betweenFaces = 90;
     if (!isFirst && std::abs(degrees - before->second) > betweenFaces)
-      closures.push_back(std::abs(wrapped(Angle::fromDegrees(degrees + before->second)).degrees()));
+      closures.push_back(openingOf(before->second, degrees, isVertical));
     before->second = degrees;
   }
   if (closures.empty()) return unreadable;
@@ -109,14 +109,16 @@ class CheckFiles {
                                 recording.distanceProblems.end());
       if (!recording.problems.empty()) return problemOf(std::move(recording.problems));
       if (recording.sightings.empty())
-        return named(Problem{
-            Phrase::of("holds no readings with a horizontal and a vertical circle: choose another file")});
+        return named(Problem{Phrase::of("holds no readings of a circle: choose another file")});
       rows += recording.sightings.size();
       if (rows > limits::mostRows) return named(limits::tooManyRows());
       recordings.push_back(std::move(recording));
     }
     if (recordings.empty()) return Problem{Phrase::of("no file was chosen: choose one")};
+    if (auto problem = takeCircles(recordings)) return *std::move(problem);
     if (auto problem = takeCircle(recordings)) return *std::move(problem);
+    if (areSeveral())
+      for (const CheckFile& file : m_files) m_result.files.push_back(file.name);
     nameStations(recordings);
     for (m_file = 0; m_file < m_files.size(); ++m_file)
       if (auto problem = take(recordings[m_file])) return *std::move(problem);
@@ -165,6 +167,7 @@ class CheckFiles {
 
   Result<Recording> readTableOf(std::string_view text, TableLayout layout) {
     if (layout.unit == AngleUnit::Unstated) layout.unit = m_options.unit;
+    layout.needsVertical = false;
     Recording recording = readTable(text, layout);
     if (layout.unit != AngleUnit::Unstated || !recording.problems.empty() || !asksUnit(recording))
       return recording;
@@ -178,6 +181,32 @@ class CheckFiles {
                    "a full turn",
                    spokenUnit(layout.unit)));
     return readTable(text, layout);
+  }
+
+  /// Both circles, or one and the same that all files have.
+  std::optional<Problem> takeCircles(const std::vector<Recording>& recordings) {
+    m_result.circles = circlesOf(recordings.front());
+    const auto isOther = [this](const Recording& each) { return circlesOf(each) != m_result.circles; };
+    if (std::ranges::any_of(recordings, isOther))
+      return Problem{
+          Phrase::of("files with both circles and files with one of them cannot be checked together: check "
+                     "them one after the other")};
+    return std::nullopt;
+  }
+
+  static CheckCircles circlesOf(const Recording& recording) {
+    const auto lacks = [&recording](std::string Reading::*circle) {
+      return std::ranges::all_of(recording.sightings, [circle](const RecordedSighting& sighting) {
+        return (sighting.row.*circle).empty();
+      });
+    };
+    if (lacks(&Reading::vertical)) return CheckCircles::HorizontalOnly;
+    return lacks(&Reading::horizontal) ? CheckCircles::VerticalOnly : CheckCircles::Both;
+  }
+
+  bool isRead(std::string Reading::*circle) const {
+    return m_result.circles == CheckCircles::Both ||
+           (circle == &Reading::horizontal) == (m_result.circles == CheckCircles::HorizontalOnly);
   }
 
   /// One kind of circle for all; where nothing says it, what the readings lie around.
@@ -264,31 +293,47 @@ class CheckFiles {
     FaceReading reading;
     for (const auto& [field, angle] : {std::pair(&Reading::horizontal, &reading.horizontal),
                                        std::pair(&Reading::vertical, &reading.vertical)}) {
+      if (!isRead(field)) continue;
       const auto entry = angleEntry(eitherCircle, row.*field, m_result.circle);
       if (!entry) return refuse(rowField(field), entry.problem().what);
       *angle = **entry;
     }
-    reading.face = isFaceTwo(wrapped(reading.vertical, Angle::fromDegrees(180)), m_result.circle) ? 2 : 1;
-    noteFace(row.face, countsFromZero, reading.face);
+    if (isRead(&Reading::vertical)) {
+      reading.face = isFaceTwo(wrapped(reading.vertical, Angle::fromDegrees(180)), m_result.circle) ? 2 : 1;
+      noteFace(row.face, countsFromZero, reading.face);
+    } else if (const auto face = statedFace(row.face, countsFromZero)) {
+      reading.face = *face;
+    } else {
+      return refuse(rowField(&Reading::face),
+                    Phrase::of("has no vertical reading and no face, 1 or 2: state the face of each row"));
+    }
     reading.station = m_firstStation[m_file] + sighting.station;
     const auto [target, isNew] = m_targets.try_emplace(row.point, m_result.targets.size());
     if (isNew) m_result.targets.push_back(row.point);
     reading.target = target->second;
     reading.round = row.round;
     reading.distanceM = slopeOf(sighting, reading);
+    reading.file = m_file;
+    reading.line = sighting.line;
     m_result.readings.push_back(std::move(reading));
     return std::nullopt;
+  }
+
+  static std::optional<int> statedFace(const std::string& stated, bool countsFromZero) {
+    const Result<int> number = parseWhole(stated);
+    if (!number) return std::nullopt;
+    const int face = *number + (countsFromZero ? 1 : 0);
+    return face == 1 || face == 2 ? std::optional(face) : std::nullopt;
   }
 
   /// What the file calls the face is compared only: the circle knows.
   void noteFace(const std::string& stated, bool countsFromZero, int face) {
     if (stated.empty()) return;
-    const Result<int> number = parseWhole(stated);
-    if (!number || *number + (countsFromZero ? 1 : 0) != face) ++m_otherFaces;
+    if (statedFace(stated, countsFromZero) != face) ++m_otherFaces;
   }
 
   double slopeOf(const RecordedSighting& sighting, const FaceReading& reading) const {
-    if (!sighting.isDistanceHorizontal) return sighting.distanceM;
+    if (!sighting.isDistanceHorizontal || !isRead(&Reading::vertical)) return sighting.distanceM;
     const double v = reading.vertical.radians();
     const double cosine = std::abs(m_result.circle == VerticalCircle::Zenith ? std::sin(v) : std::cos(v));
     return cosine > 0 ? sighting.distanceM / cosine : 0;

@@ -8,16 +8,13 @@
 #include "core/base/list_text.h"
 #include "core/base/phrase.h"
 #include "core/base/quantity_text.h"
-#include "core/base/statistics.h"
 #include "core/base/visible_text.h"
 
 namespace alidade {
 
 namespace {
 
-constexpr double plausibleTilt = 30;    // arcsec, as in the catalogue
-constexpr double leastVisible = 3;      // standard uncertainties
-constexpr double halfMillimetre = 0.5;  // mm
+constexpr double halfMillimetre = plausibleOffset;  // as the sentences call it
 
 std::string arcsec(double value) {
   return displayText(value, std::abs(value) < 100 ? 1 : 0) + "″";
@@ -45,13 +42,17 @@ class StationFindings {
       : m_station(station), m_isNamed(isNamed), m_findings(findings) {}
 
   void tell() {
+    if (!m_station.parted.empty()) add(Severity::Warning, m_station.parted);
     tellLeftOut();
     tellExtent();
     if (m_station.pairs() == 0) return;
     tellIdentical();
     tellIndex();
-    tellTilt();
-    tellDistance();
+    if (m_station.circles == CheckCircles::Both) {
+      tellTilt();
+      tellDistance();
+    }
+    tellCircles();
     tellTargets();
     tellCourse();
   }
@@ -113,6 +114,7 @@ class StationFindings {
           Severity::Warning,
           Phrase::of("One complete round shows collimation and index, but not how far readings scatter."),
           Phrase::of("Observe three rounds or more."));
+    if (m_station.circles == CheckCircles::VerticalOnly) return;
     if (m_station.targets == 1)
       return add(Severity::Warning,
                  Phrase::of("With one target directions have nothing to scatter against; only the vertical "
@@ -127,8 +129,19 @@ class StationFindings {
               displayText(m_station.direction.dof, 0)));
   }
 
+  void tellCircles() {
+    if (m_station.circles == CheckCircles::HorizontalOnly)
+      add(Severity::Note,
+          Phrase::of("Directions alone were read: the collimation holds for targets near the horizon, and "
+                     "nothing is said of the index and of zenith angles."));
+    if (m_station.circles == CheckCircles::VerticalOnly)
+      add(Severity::Note,
+          Phrase::of("Zenith angles alone were read: nothing is said of the collimation and of "
+                     "directions."));
+  }
+
   void tellIdentical() {
-    if (m_station.vertical.dof > 0 && m_station.direction.sumOfSquares == 0 &&
+    if (m_station.vertical.dof + m_station.direction.dof > 0 && m_station.direction.sumOfSquares == 0 &&
         m_station.vertical.sumOfSquares == 0)
       add(Severity::Warning, Phrase::of("All rounds are identical: s is 0."),
           Phrase::of("Check whether one round was entered several times."));
@@ -138,39 +151,50 @@ class StationFindings {
   void tellIndex() {
     const PairMean& index = m_station.index;
     if (!(index.u > 0)) return;
-    const auto lower = studentLowerTail(-std::abs(index.value / index.u), index.dof);
-    if (lower && 2 * *lower < levelOfTests)
+    const double p = twoSidedStudent(index.value, index.u, index.dof);
+    if (p < levelOfTests)
       add(Severity::Note, Phrase::of("The index of %1 differs from zero by more than its scatter (%2): "
                                      "readings in one face need it.",
-                                     withU(index.value, index.u, "″"), probability(2 * *lower)));
+                                     withU(index.value, index.u, "″"), probability(p)));
   }
 
   void tellTilt() {
     constexpr double spread = 0.5;  // degrees, from which on it is looked for
-    if (!m_station.tilt && m_station.highestDeg - m_station.lowestDeg > spread) return;  // too few pairs
-    if (!m_station.tilt)
+    if (m_station.causes.tilt) return tellStatedTilt(*m_station.causes.tilt);
+    if (!(m_station.highestDeg - m_station.lowestDeg > spread))
       return add(
           Severity::Note,
           Phrase::of("All targets lie at about the same elevation (%1° to %2°): a tilt of the trunnion axis "
                      "cannot be told from collimation.",
                      displayText(m_station.lowestDeg, 1), displayText(m_station.highestDeg, 1)),
           Phrase::of("Sight a steep target besides."));
-    const TwoCauses& tilt = *m_station.tilt;
-    const double visible = plausibleTilt / tilt.uOther;
-    if (!showsTilt(m_station))
-      add(Severity::Note,
-          Phrase::of(
-              "A tilt of the trunnion axis cannot be told from collimation here: one of 30″ would show as %1 "
-              "standard uncertainties, with elevations from %2° to %3°.",
-              displayText(visible, 1), displayText(m_station.lowestDeg, 1),
-              displayText(m_station.highestDeg, 1)),
-          Phrase::of("Sight a steep target besides."));
-    else if (tilt.pValue < levelOfTests)
+    if (!std::isfinite(m_station.causes.tiltShows) || m_station.causes.isEither) return;
+    add(Severity::Note,
+        Phrase::of(
+            "A tilt of the trunnion axis cannot be told from collimation here: one of 30″ would show as %1 "
+            "standard uncertainties, with elevations from %2° to %3°.",
+            displayText(m_station.causes.tiltShows, 1), displayText(m_station.lowestDeg, 1),
+            displayText(m_station.highestDeg, 1)),
+        Phrase::of("Sight a steep target besides."));
+  }
+
+  void tellStatedTilt(const TwoCauses& tilt) {
+    if (m_station.causes.isEither) tellEither();
+    if (tilt.pValue < levelOfTests)
       add(Severity::Warning,
           Phrase::of("The trunnion axis is tilted by %1 (%2); with that the collimation is %3.",
-                     withU(tilt.other, tilt.uOther, "″"), probability(tilt.pValue),
-                     withU(tilt.collimation, tilt.uCollimation, "″")));
+                     withU(tilt.other, tilt.uOther, "″"), probability(tilt.pValue), collimation()));
   }
+
+  void tellEither() {
+    add(Severity::Warning,
+        Phrase::of(
+            "These targets cannot tell a tilt of the trunnion axis from a line of sight that passes the "
+            "axis: the one of the more usual size is stated."),
+        Phrase::of("Sight near and far targets at the same elevation besides."));
+  }
+
+  std::string collimation() const { return withU(m_station.collimation.value, m_station.collimation.u, "″"); }
 
   void tellDistance() {
     const double nearest = m_station.nearestM;
@@ -181,49 +205,51 @@ class StationFindings {
               "Not all distances are known. A line of sight that passes the axis at e shows as e/D, "
               "and at short distances looks like collimation: half a millimetre is 43″ at 2.4 m and 2″ "
               "at 50 m."));
-    const auto& eccentricity = m_station.eccentricity;
+    if (m_station.causes.lineOfSight) return tellStatedOffset(*m_station.causes.lineOfSight);
+    if (m_station.causes.isEither) return;
     const std::string half = arcsec(shownAt(nearest, halfMillimetre));
-    if (!eccentricity) {
-      constexpr double farAway = 200;  // m, where half a millimetre is half a second
-      if (nearest < farAway)
-        add(Severity::Note,
-            Phrase::of("All targets are about as far away. A line of sight that passes the axis at e shows "
-                       "as e/D and "
-                       "looks like collimation: half a millimetre is %1 at %2.",
-                       half, metresText(nearest)),
-            Phrase::of("Sight targets at other distances besides."));
-      return;
-    }
-    const double shown = shownAt(nearest, eccentricity->other);
-    if (eccentricity->pValue < levelOfTests)
+    if (!std::isfinite(m_station.causes.offsetShows)) return tellSameDistance(half);
+    add(Severity::Note,
+        Phrase::of(
+            "A line of sight that passes the axis at e shows as e/D and looks like collimation; these "
+            "distances (%1 to %2) cannot tell: half a millimetre, %3 at the nearest target, would show "
+            "as %4 standard uncertainties.",
+            metresText(nearest), metresText(m_station.farthestM), half,
+            displayText(m_station.causes.offsetShows, 1)));
+  }
+
+  void tellSameDistance(const std::string& half) {
+    constexpr double farAway = 200;  // m, where half a millimetre is half a second
+    if (m_station.nearestM < farAway)
+      add(Severity::Note,
+          Phrase::of("All targets are about as far away. A line of sight that passes the axis at e shows "
+                     "as e/D and "
+                     "looks like collimation: half a millimetre is %1 at %2.",
+                     half, metresText(m_station.nearestM)),
+          Phrase::of("Sight targets at other distances besides."));
+  }
+
+  void tellStatedOffset(const TwoCauses& sight) {
+    if (m_station.causes.isEither) tellEither();
+    if (sight.pValue < levelOfTests)
       return add(
           Severity::Warning,
           Phrase::of("What the faces differ by goes with 1/D: the line of sight passes the axis at %1 (%2), "
                      "which shows as %3 at %4 and looks like collimation; without it that is %5.",
-                     withU(eccentricity->other, eccentricity->uOther, " mm"),
-                     probability(eccentricity->pValue), arcsec(shown), metresText(nearest),
-                     withU(eccentricity->collimation, eccentricity->uCollimation, "″")));
-    const double visible = eccentricity->uOther > 0 ? halfMillimetre / eccentricity->uOther : INFINITY;
-    if (visible < leastVisible)
-      return add(
-          Severity::Note,
-          Phrase::of(
-              "A line of sight that passes the axis at e shows as e/D and looks like collimation; these "
-              "distances (%1 to %2) cannot tell: half a millimetre, %3 at the nearest target, would show "
-              "as %4 standard uncertainties.",
-              metresText(nearest), metresText(m_station.farthestM), half, displayText(visible, 1)));
+                     withU(sight.other, sight.uOther, " mm"), probability(sight.pValue),
+                     arcsec(shownAt(m_station.nearestM, sight.other)), metresText(m_station.nearestM),
+                     collimation()));
     add(Severity::Note, Phrase::of("What the faces differ by does not go with the distance: the line of "
                                    "sight passes the axis at %1.",
-                                   withU(eccentricity->other, eccentricity->uOther, " mm")));
+                                   withU(sight.other, sight.uOther, " mm")));
   }
 
   void tellTargets() {
-    if (m_station.targetsDifferP < levelOfTests)
+    if (m_station.targetsDifferP < levelOfTests && !m_station.causes.collimation)
       add(Severity::Note,
           Phrase::of(
-              "The collimation differs from target to target by more than it scatters (%1), so that its u is "
-              "too small for another target: tilt of the trunnion axis, distance, or how a target is "
-              "sighted.",
+              "The collimation differs from target to target by more than it scatters (%1): tilt of the "
+              "trunnion axis, distance, or how a target is sighted. Its u is that of the targets.",
               probability(m_station.targetsDifferP)));
   }
 
@@ -292,12 +318,9 @@ void tellStations(const InstrumentCheck& check, std::vector<Finding>& findings) 
 
 }  // namespace
 
-bool showsTilt(const StationCheck& station) {
-  return station.tilt && plausibleTilt >= leastVisible * station.tilt->uOther;
-}
-
 std::string withU(double value, double u, const std::string& unit) {
   constexpr int mostDecimals = 4, usual = 1;
+  if (!std::isfinite(value)) return displayText(value, 0);
   const int decimals = std::min(decimalsFor(u, usual), mostDecimals);
   const std::string text = displayText(value, decimals) + unit;
   return std::isfinite(u) ? text + " ± " + displayText(u, decimals) + unit : text;

@@ -12,9 +12,6 @@ namespace alidade {
 /// cannot tell apart, and how s compares with what is stated and from station to station.
 std::vector<Finding> checkFindings(const InstrumentCheck& check);
 
-/// Would a tilt of the trunnion axis of a plausible size (30″) show, by three standard uncertainties or more?
-bool showsTilt(const StationCheck& station);
-
 /// `3.2″ ± 0.4″`: a value with its standard uncertainty, to two digits of it; a dash where there is none.
 std::string withU(double value, double u, const std::string& unit);
 

@@ -9,13 +9,17 @@
 
 namespace alidade {
 
+/// The circles that were read. ISO 17123-3 checks each by itself, too.
+enum class CheckCircles { Both, HorizontalOnly, VerticalOnly };
+
 /// One sighting of a target in one face, as the circles had it.
 struct FaceReading {
   std::size_t station = 0, target = 0;  ///< indices of `CheckReadings`
   std::string round = {};               ///< as the file has it; empty: it does not say
   int face = 1;
-  Angle horizontal = {}, vertical = {};
-  double distanceM = 0;  ///< along the line of sight; 0: not known
+  Angle horizontal = {}, vertical = {};  ///< 0 of a circle that was not read
+  double distanceM = 0;                  ///< along the line of sight; 0: not known
+  std::size_t file = 0, line = 0;        ///< `file`: index of `CheckReadings::files`; `line` from 1, 0: none
 
   bool operator==(const FaceReading&) const = default;
 };
@@ -24,7 +28,9 @@ struct FaceReading {
 struct CheckReadings {
   std::vector<std::string> stations, targets;
   std::vector<FaceReading> readings;
+  std::vector<std::string> files = {};  ///< names for sentences; empty where there is one file
   VerticalCircle circle = VerticalCircle::Zenith;
+  CheckCircles circles = CheckCircles::Both;
   std::string instrumentName, instrumentSerial, measuredOn;  ///< may be empty
   std::vector<std::string> remarks = {};  ///< sentences: what was taken how, and what was not used
 };

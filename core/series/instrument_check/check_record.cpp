@@ -3,54 +3,27 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <optional>
-#include <vector>
 
 #include "core/base/number_text.h"
-#include "core/base/square.h"
-#include "core/series/instrument_check/check_findings.h"
 
 namespace alidade {
 
 namespace {
 
-struct Estimate {
-  double value, u;
-};
-
-/// The mean over targets: where these differ by more than scatter, by their own differences.
-Estimate collimationOf(const StationCheck& station) {
-  if (station.tilt) return {station.tilt->collimation, station.tilt->uCollimation};
-  if (station.eccentricity) return {station.eccentricity->collimation, station.eccentricity->uCollimation};
-  if (!(station.targetsDifferP < levelOfTests)) return {station.collimation.value, station.collimation.u};
-  double squares = 0;
-  for (const TargetMean& target : station.perTarget)
-    squares += square(target.collimation - station.collimation.value);
-  const auto count = static_cast<double>(station.perTarget.size());
-  return {station.collimation.value, std::sqrt(squares / (count - 1) / count)};
+/// To a thousandth of a second or so.
+double rounded(double value, double perUnit = 1000) {
+  return std::round(value * perUnit) / perUnit;
 }
 
-std::optional<Estimate> weighted(const std::vector<Estimate>& estimates) {
-  double weights = 0, sum = 0, misfit = 0;
-  std::size_t count = 0;
-  for (const auto& [value, u] : estimates)
-    if (u > 0) {
-      weights += 1 / square(u);
-      sum += value / square(u);
-      ++count;
-    }
-  if (count == 0) return std::nullopt;
-  const double mean = sum / weights;
-  for (const auto& [value, u] : estimates)
-    if (u > 0) misfit += square((value - mean) / u);
-  const double spread = count > 1 ? std::sqrt(misfit / static_cast<double>(count - 1)) : 1;
-  return Estimate{mean, std::max(1.0, spread) / std::sqrt(weights)};
-}
-
-/// To a thousandth of a second.
-double rounded(double value) {
-  constexpr double perArcsecond = 1000;
-  return std::round(value * perArcsecond) / perArcsecond;
+/// With its u and its correlation with the collimation, as the check's own fit has them.
+LineOfSight lineOfSightOf(const InstrumentCheck& check) {
+  if (!check.lineOfSight) return {};
+  constexpr double perMillimetre = 10000, most = 0.9999;
+  const TwoCauses& sight = *check.lineOfSight;
+  const double u = std::max(rounded(sight.uOther, perMillimetre), 1 / perMillimetre);
+  return {.offsetMm = shortestText(rounded(sight.other, perMillimetre)),
+          .sigmaMm = shortestText(u),
+          .correlation = shortestText(std::clamp(rounded(sight.correlation, perMillimetre), -most, most))};
 }
 
 }  // namespace
@@ -63,26 +36,20 @@ InstrumentRecord checkedRecord(const InstrumentCheck& check, const std::string& 
   };
   record.sigmaHorizontalArcsec = sigmaText(check.direction);
   record.sigmaVerticalArcsec = sigmaText(check.vertical);
-  std::vector<Estimate> collimations, indices, tilts;
-  for (const StationCheck& station : check.stations) {
-    if (station.pairs() == 0) continue;
-    collimations.push_back(collimationOf(station));
-    indices.push_back({station.index.value, station.index.u});
-    if (showsTilt(station)) tilts.push_back({station.tilt->other, station.tilt->uOther});
-  }
-  const auto addKnown = [&](const char* effect, const std::vector<Estimate>& estimates) {
+  record.lineOfSight = lineOfSightOf(check);
+  const auto addKnown = [&](const char* effect, const PairMean& mean) {
     constexpr double leastU = 1e-3;
-    if (const auto known = weighted(estimates))
-      record.known.push_back({.effect = effect,
-                              .value = shortestText(rounded(known->value)),
-                              .sigma = shortestText(std::max(rounded(known->u), leastU)),
-                              .unit = "arcsec",
-                              .from = "instrument check after ISO 17123-3",
-                              .date = date});
+    if (!(mean.u > 0)) return;
+    record.known.push_back({.effect = effect,
+                            .value = shortestText(rounded(mean.value)),
+                            .sigma = shortestText(std::max(rounded(mean.u), leastU)),
+                            .unit = "arcsec",
+                            .from = std::string(fromInstrumentCheck),
+                            .date = date});
   };
-  addKnown("collimation", collimations);
-  addKnown("trunnion_tilt", tilts);
-  addKnown("vertical_index", indices);
+  addKnown("collimation", check.collimation);
+  if (check.tilt) addKnown("trunnion_tilt", *check.tilt);
+  addKnown("vertical_index", check.index);
   return record;
 }
 

@@ -6,41 +6,13 @@
 
 #include "core/base/square.h"
 #include "core/base/statistics.h"
+#include "core/series/instrument_check/pooled_faces.h"
 
 namespace alidade {
 
 namespace {
 
 constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
-
-/// Of all stations: the mean of all pairs, u of the scatter within stations, and the chance that stations
-/// differ as much by that scatter.
-struct Together {
-  PairMean mean;
-  double differP;
-};
-
-Together together(const std::vector<StationCheck>& stations, PairMean StationCheck::*of) {
-  double count = 0, sum = 0, squares = 0, dof = 0, between = 0, areThere = 0;
-  for (const StationCheck& station : stations) {
-    const PairMean& mean = station.*of;
-    const auto pairs = static_cast<double>(station.pairs());
-    if (pairs == 0) continue;
-    ++areThere;
-    count += pairs;
-    sum += pairs * mean.value;
-    if (mean.dof > 0) squares += mean.dof * square(mean.scatter);
-    dof += mean.dof;
-  }
-  if (count == 0) return {{nothing, nothing, nothing, 0}, nothing};
-  const double mean = sum / count;
-  for (const StationCheck& station : stations)
-    if (station.pairs() > 0)
-      between += static_cast<double>(station.pairs()) * square((station.*of).value - mean);
-  const double variance = dof > 0 ? squares / dof : nothing;
-  const auto p = variance > 0 ? fUpperTail(between / variance, areThere - 1, dof) : std::nullopt;
-  return {{mean, std::sqrt(variance / count), std::sqrt(variance), dof}, p.value_or(nothing)};
-}
 
 /// The value that χ² of `dof` > 0 degrees of freedom exceeds with probability `tail`.
 double chiSquareLimit(double tail, double dof) {
@@ -60,6 +32,17 @@ double differ(const CheckScatter& one, const CheckScatter& two) {
   return above ? 2 * std::min(*above, 1 - *above) : nothing;
 }
 
+void takeFaces(InstrumentCheck& check) {
+  const PooledSight sight = pooledSight(check.stations);
+  const Pooled index = pooledIndex(check.stations);
+  check.collimation = sight.collimation.mean;
+  check.collimationsDifferP = sight.collimation.differP;
+  check.lineOfSight = sight.lineOfSight;
+  check.tilt = pooledTilt(check.stations);
+  check.index = index.mean;
+  check.indicesDifferP = index.differP;
+}
+
 CheckScatter without(const CheckScatter& all, const CheckScatter& part) {
   return part.dof > 0 ? CheckScatter{all.sumOfSquares - part.sumOfSquares, all.dof - part.dof} : all;
 }
@@ -73,12 +56,7 @@ InstrumentCheck checkInstrument(const std::vector<StationRounds>& stations, cons
     check.direction.add(check.stations.back().direction);
     check.vertical.add(check.stations.back().vertical);
   }
-  const Together collimation = together(check.stations, &StationCheck::collimation),
-                 index = together(check.stations, &StationCheck::index);
-  check.collimation = collimation.mean;
-  check.index = index.mean;
-  check.collimationsDifferP = collimation.differP;
-  check.indicesDifferP = index.differP;
+  takeFaces(check);
   check.directionTest = testedAgainst(options.sigmaDirection, check.direction);
   check.verticalTest = testedAgainst(options.sigmaVertical, check.vertical);
   const auto& checks = check.stations;

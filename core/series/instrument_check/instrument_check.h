@@ -8,9 +8,6 @@
 
 namespace alidade {
 
-/// What chance alone seldom exceeds, in all tests of the check: 95 %, as the standard has it.
-inline constexpr double levelOfTests = 0.05;
-
 /// Is s no larger than a stated σ? ISO 17123-3, question a): s ≤ σ √(χ²₀.₉₅(ν)/ν).
 struct SigmaTest {
   double sigma;
@@ -33,8 +30,10 @@ struct CheckOptions {
 /// The field check of an instrument: every station by itself, and all pooled.
 struct InstrumentCheck {
   std::vector<StationCheck> stations;
-  CheckScatter direction, vertical;  ///< Σ r² and ν of all stations added
-  PairMean collimation, index;       ///< of all pairs; u of the scatter within stations
+  CheckScatter direction, vertical;           ///< Σ r² and ν of all stations added
+  PairMean collimation, index;                ///< of all stations (pooled_faces.h)
+  std::optional<TwoCauses> lineOfSight = {};  ///< with the same collimation; absent: not stated
+  std::optional<PairMean> tilt = {};          ///< of the trunnion axis; absent: not stated
   double collimationsDifferP = 1,
          indicesDifferP = 1;  ///< chance that stations differ as much by scatter alone
   std::optional<SigmaTest> directionTest, verticalTest;  ///< of the pooled s

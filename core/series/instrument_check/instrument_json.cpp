@@ -94,8 +94,8 @@ const char* reasonName(LeftOut why) {
 Json stationJson(const StationCheck& station) {
   Json json = {{"station", station.station}, {"targets", station.targets}, {"rounds", station.rounds}};
   json.update(scatterJson(station.direction, station.vertical, station.collimation, station.index));
-  json["trunnion_tilt"] = causesJson(station.tilt, "tilt", "arcsec");
-  json["line_of_sight"] = causesJson(station.eccentricity, "eccentricity", "mm");
+  json["trunnion_tilt"] = causesJson(station.causes.tilt, "tilt", "arcsec");
+  json["line_of_sight"] = causesJson(station.causes.lineOfSight, "eccentricity", "mm");
   json["targets_differ_p_value"] = finite(station.targetsDifferP);
   json["drift"] = {{"collimation", slopeJson(station.collimationSlope)},
                    {"index", slopeJson(station.indexSlope)},
@@ -135,6 +135,7 @@ std::string instrumentJson(const InstrumentCheck& check, const std::vector<Findi
   Json stations = Json::array();
   for (const StationCheck& station : check.stations) stations.push_back(stationJson(station));
   Json pooled = scatterJson(check.direction, check.vertical, check.collimation, check.index);
+  pooled["line_of_sight"] = causesJson(check.lineOfSight, "eccentricity", "mm");
   pooled["collimations_differ_p_value"] = finite(check.collimationsDifferP);
   pooled["indices_differ_p_value"] = finite(check.indicesDifferP);
   return jsonText({{"stations", std::move(stations)},

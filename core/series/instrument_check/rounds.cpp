@@ -6,6 +6,8 @@
 #include <set>
 #include <utility>
 
+#include "core/base/phrase.h"
+#include "core/series/instrument_check/station_parting.h"
 #include "core/session/face.h"
 
 namespace alidade {
@@ -132,10 +134,14 @@ struct FaceMean {
   Angle horizontal = {}, vertical = {};  ///< sums of the differences from the first
   double distanceM = 0;                  ///< sum
   int distances = 0;
+  std::size_t line = 0;  ///< of the first
 
   void add(const FaceReading& reading, VerticalCircle circle) {
     const FaceOneReading read = inFaceOne(reading.horizontal, reading.vertical, reading.face, circle);
-    if (count++ == 0) first = read;
+    if (count++ == 0) {
+      first = read;
+      line = reading.line;
+    }
     horizontal = horizontal + wrapped(read.horizontal - first.horizontal);
     vertical = vertical + wrapped(read.vertical - first.vertical);
     if (reading.distanceM > 0) {
@@ -159,6 +165,8 @@ FacePair pairOf(const FaceMean& one, const FaceMean& two, std::size_t target, Ve
   pair.elevation = circle == VerticalCircle::Zenith ? Angle::fromDegrees(90) - pair.vertical : pair.vertical;
   const int distances = one.distances + two.distances;
   if (distances > 0) pair.distanceM = (one.distanceM + two.distanceM) / distances;
+  pair.lineOfFaceOne = one.line;
+  pair.lineOfFaceTwo = two.line;
   return pair;
 }
 
@@ -243,44 +251,72 @@ class Completion {
   std::set<std::size_t> m_targets;  ///< that are kept
 };
 
-StationRounds roundsAt(const CheckReadings& readings, std::size_t station, Numbered numbered) {
-  numberRounds(numbered);
-  StationRounds result;
-  result.station = readings.stations[station];
-  std::map<std::size_t, std::size_t> targets;  // of all stations to those of this one, as they come first
-  std::map<std::pair<std::size_t, std::size_t>, std::pair<FaceMean, FaceMean>> means;  // by round and target
-  for (std::size_t i = 0; i < numbered.readings.size(); ++i) {
-    const FaceReading& reading = *numbered.readings[i];
-    const auto [known, isNew] = targets.try_emplace(reading.target, targets.size());
-    if (isNew) result.targets.push_back(readings.targets[reading.target]);
-    auto& [one, two] = means[{numbered.rounds[i], known->second}];
+/// Puts the sightings of one station together, target by target in each round.
+class StationSorting {
+ public:
+  StationSorting(const CheckReadings& readings, std::size_t station, Numbered numbered)
+      : m_readings(readings), m_numbered(std::move(numbered)) {
+    m_result.station = readings.stations[station];
+    m_result.circles = readings.circles;
+    numberRounds(m_numbered);
+    if (const std::size_t file = m_numbered.readings.front()->file; file < readings.files.size())
+      m_result.file = readings.files[file];
+  }
+
+  /// Rounds as observed, complete or not.
+  StationRounds sort() {
+    for (std::size_t i = 0; i < m_numbered.readings.size(); ++i)
+      take(*m_numbered.readings[i], m_numbered.rounds[i]);
+    for (const std::string& name : m_numbered.names) m_result.rounds.push_back({name, {}});
+    for (const auto& [key, faces] : m_means) pairUp(key.first, key.second, faces.first, faces.second);
+    return std::move(m_result);
+  }
+
+ private:
+  void take(const FaceReading& reading, std::size_t round) {
+    const auto [known, isNew] = m_targets.try_emplace(reading.target, m_targets.size());
+    if (isNew) m_result.targets.push_back(m_readings.targets[reading.target]);
+    auto& [one, two] = m_means[{round, known->second}];
     FaceMean& mean = reading.face == 1 ? one : two;
-    mean.add(reading, readings.circle);
-    if (mean.count == 2)
-      result.leftOut.push_back(
-          {LeftOut::Repeated, numbered.names[numbered.rounds[i]], result.targets[known->second]});
+    mean.add(reading, m_readings.circle);
+    if (mean.count == 2) leaveOut(LeftOut::Repeated, round, known->second, {});
   }
-  for (const std::string& name : numbered.names) result.rounds.push_back({name, {}});
-  for (const auto& [key, faces] : means) {
-    const std::size_t round = key.first, target = key.second;
-    const auto leaveOut = [&](LeftOut why) {
-      result.leftOut.push_back({why, numbered.names[round], result.targets[target]});
-    };
-    if (faces.first.count == 0 || faces.second.count == 0) {
-      leaveOut(LeftOut::OneFace);
-      continue;
-    }
-    const FacePair pair = pairOf(faces.first, faces.second, target, readings.circle);
+
+  void pairUp(std::size_t round, std::size_t target, const FaceMean& one, const FaceMean& two) {
+    if (one.count == 0 || two.count == 0) return leaveOut(LeftOut::OneFace, round, target, {});
+    const FacePair pair = pairIn(one, two, target);
     if (areFarApart(pair))
-      leaveOut(LeftOut::FarApart);
+      leaveOut(LeftOut::FarApart, round, target, linesOf(pair));
     else
-      result.rounds[round].pairs.push_back(pair);
+      m_result.rounds[round].pairs.push_back(pair);
   }
-  Completion(result).keep();
-  return result;
-}
+
+  FacePair pairIn(const FaceMean& one, const FaceMean& two, std::size_t target) const {
+    FacePair pair = pairOf(one, two, target, m_readings.circle);
+    if (m_readings.circles == CheckCircles::VerticalOnly) pair.direction = pair.halfDirection = {};
+    if (m_readings.circles == CheckCircles::HorizontalOnly)
+      pair.vertical = pair.halfVertical = pair.elevation = {};
+    return pair;
+  }
+
+  void leaveOut(LeftOut why, std::size_t round, std::size_t target, const std::string& lines) {
+    m_result.leftOut.push_back({why, m_numbered.names[round], m_result.targets[target], lines});
+  }
+
+  const CheckReadings& m_readings;
+  Numbered m_numbered;
+  std::map<std::size_t, std::size_t> m_targets;  ///< of all stations to those of this one, as they come first
+  std::map<std::pair<std::size_t, std::size_t>, std::pair<FaceMean, FaceMean>>
+      m_means;  ///< by round and target
+  StationRounds m_result;
+};
 
 }  // namespace
+
+std::string linesOf(const FacePair& pair) {
+  return Phrase::of("lines %1 and %2", std::min(pair.lineOfFaceOne, pair.lineOfFaceTwo),
+                    std::max(pair.lineOfFaceOne, pair.lineOfFaceTwo));
+}
 
 std::vector<StationRounds> completeRounds(const CheckReadings& readings) {
   std::vector<Numbered> numbered(readings.stations.size());
@@ -288,7 +324,11 @@ std::vector<StationRounds> completeRounds(const CheckReadings& readings) {
   std::vector<StationRounds> stations;
   for (std::size_t station = 0; station < numbered.size(); ++station)
     if (!numbered[station].readings.empty())
-      stations.push_back(roundsAt(readings, station, std::move(numbered[station])));
+      for (StationRounds& part :
+           partedByGeometry(StationSorting(readings, station, std::move(numbered[station])).sort())) {
+        Completion(part).keep();
+        stations.push_back(std::move(part));
+      }
   return stations;
 }
 

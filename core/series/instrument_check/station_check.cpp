@@ -1,6 +1,5 @@
 #include "core/series/instrument_check/station_check.h"
 
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -14,17 +13,6 @@ namespace {
 
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
-double twoSided(double t, double dof) {
-  const auto lower = studentLowerTail(-std::abs(t), dof);
-  return lower ? 2 * *lower : unknown;
-}
-
-/// t of a value whose u may be nothing.
-double inUnitsOf(double u, double value) {
-  if (u > 0) return value / u;
-  return value == 0 ? 0 : std::copysign(std::numeric_limits<double>::infinity(), value);
-}
-
 PairMean meanOf(const std::vector<double>& values) {
   const auto count = static_cast<double>(values.size());
   if (values.empty()) return {unknown, unknown, unknown, 0};
@@ -32,9 +20,9 @@ PairMean meanOf(const std::vector<double>& values) {
   for (const double value : values) sum += value;
   const double mean = sum / count;
   for (const double value : values) squares += square(value - mean);
-  if (values.size() == 1) return {mean, unknown, unknown, 0};
+  if (values.size() == 1) return {mean, unknown, unknown, 0, 1};
   const double scatter = std::sqrt(squares / (count - 1));
-  return {mean, scatter / std::sqrt(count), scatter, count - 1};
+  return {mean, scatter / std::sqrt(count), scatter, count - 1, 1 / count};
 }
 
 std::optional<RoundTrend> slopeOf(const std::vector<double>& values) {
@@ -53,63 +41,19 @@ std::optional<RoundTrend> slopeOf(const std::vector<double>& values) {
   for (std::size_t i = 0; i < values.size(); ++i)
     left += square(values[i] - mean - slope * (static_cast<double>(i) - centre));
   const double dof = count - 2, u = std::sqrt(left / dof / along);
-  return RoundTrend{slope, u, dof, twoSided(inUnitsOf(u, slope), dof)};
+  return RoundTrend{slope, u, dof, twoSidedStudent(slope, u, dof)};
 }
-
-/// Least squares of half differences of the faces: c, and what else is to be told from it.
-class FaceFit {
- public:
-  explicit FaceFit(Eigen::Index unknowns)
-      : m_normal(Eigen::MatrixXd::Zero(unknowns, unknowns)), m_right(Eigen::VectorXd::Zero(unknowns)) {}
-
-  void add(double value, const Eigen::VectorXd& factors) {
-    m_normal += factors * factors.transpose();
-    m_right += factors * value;
-    m_squares += value * value;
-    ++m_count;
-  }
-
-  /// False where the unknowns cannot be told apart, or nothing is left over to tell how well.
-  bool solve() {
-    m_dof = static_cast<double>(m_count - m_right.size());
-    if (!(m_dof > 0)) return false;
-    const Eigen::VectorXd lengths = m_normal.diagonal().cwiseSqrt();
-    const Eigen::MatrixXd cosines = m_normal.cwiseQuotient(lengths * lengths.transpose());
-    constexpr double leastIndependent = 1e-10;  // rounding leaves 1e-16 of columns that are alike
-    if (!(cosines.determinant() > leastIndependent)) return false;
-    m_inverse = m_normal.inverse();
-    m_solution = m_inverse * m_right;
-    m_variance = std::max(m_squares - m_solution.dot(m_right), 0.0) / m_dof;
-    return true;
-  }
-
-  TwoCauses with(Eigen::Index other) const {
-    const auto u = [this](Eigen::Index k) { return std::sqrt(m_variance * m_inverse(k, k)); };
-    const double correlation = m_inverse(0, other) / std::sqrt(m_inverse(0, 0) * m_inverse(other, other));
-    return {m_solution(0),
-            u(0),
-            m_solution(other),
-            u(other),
-            correlation,
-            m_dof,
-            twoSided(inUnitsOf(u(other), m_solution(other)), m_dof)};
-  }
-
- private:
-  Eigen::MatrixXd m_normal, m_inverse;
-  Eigen::VectorXd m_right, m_solution;
-  double m_squares = 0, m_variance = 0, m_dof = 0;
-  Eigen::Index m_count = 0;
-};
 
 /// Evaluates the complete rounds of a station; residuals in arcseconds.
 class StationEvaluation {
  public:
   explicit StationEvaluation(const StationRounds& station) : m_station(station) {
     m_check.station = station.station;
+    m_check.circles = station.circles;
     m_check.targets = station.targets.size();
     m_check.rounds = station.rounds.size();
     m_check.leftOut = station.leftOut;
+    m_check.parted = station.parted;
     if (m_check.pairs() == 0) m_check.targets = m_check.rounds = 0;
   }
 
@@ -124,10 +68,33 @@ class StationEvaluation {
       followRounds();
       separateCauses();
     }
+    if (m_check.circles == CheckCircles::VerticalOnly) forgetDirections();
+    if (m_check.circles == CheckCircles::HorizontalOnly) forgetVerticals();
     return std::move(m_check);
   }
 
  private:
+  /// Of a circle that was not read nothing is stated.
+  void forgetDirections() {
+    m_check.direction = {};
+    m_check.collimation = meanOf({});
+    m_check.causes = {};
+    m_check.collimationSlope = m_check.orientationSlope = std::nullopt;
+    m_check.targetsDifferP = unknown;
+    m_check.isCircleSetAnew = false;
+    for (RoundCourse& round : m_check.course) round.collimation = round.orientation = unknown;
+    for (TargetMean& target : m_check.perTarget) target.collimation = unknown;
+    for (PairResidual& residual : m_check.residuals) residual.direction = unknown;
+  }
+  void forgetVerticals() {
+    m_check.vertical = {};
+    m_check.index = meanOf({});
+    m_check.indexSlope = std::nullopt;
+    for (RoundCourse& round : m_check.course) round.index = unknown;
+    for (TargetMean& target : m_check.perTarget) target.index = target.elevationDeg = unknown;
+    for (PairResidual& residual : m_check.residuals) residual.vertical = unknown;
+  }
+
   const FacePair& pair(std::size_t round, std::size_t target) const {
     return m_station.rounds[round].pairs[target];
   }
@@ -236,8 +203,9 @@ class StationEvaluation {
     const double dofBetween = static_cast<double>(targets()) - 1,
                  dofWithin = static_cast<double>(targets() * (rounds() - 1));
     const double variance = within / dofWithin;
-    m_check.targetsDifferP =
-        variance > 0 ? fUpperTail(between / variance, dofBetween, dofWithin).value_or(unknown) : unknown;
+    m_check.targetsDifferP = variance > square(roundingArcsec)
+                                 ? fUpperTail(between / variance, dofBetween, dofWithin).value_or(unknown)
+                                 : unknown;
   }
 
   double elevationDeg(std::size_t target) const {
@@ -269,41 +237,35 @@ class StationEvaluation {
     m_check.orientationSlope = slopeOf(m_orientations);
   }
 
-  /// h cos e = c + i sin e + e/D, with what of it these targets can show.
+  /// The collimation is that of the causes that these targets can show.
   void separateCauses() {
     measureSpread();
     // What differs by pointing noise alone is no spread.
     constexpr double leastDegrees = 0.5, leastRatio = 1.1;
     const bool hasTilt = m_check.highestDeg - m_check.lowestDeg > leastDegrees;
     const bool hasDistance = m_check.nearestM > 0 && m_check.farthestM > leastRatio * m_check.nearestM;
-    if (hasTilt && hasDistance && fitFaces(true, true)) return;
-    if (hasTilt) fitFaces(true, false);
-    if (hasDistance) fitFaces(false, true);
-  }
-
-  /// False: these cannot be told apart.
-  bool fitFaces(bool ofTilt, bool ofDistance) {
-    FaceFit fit(fitSize(ofTilt, ofDistance));
+    std::vector<HalfDifference> differences;
     for (std::size_t j = 0; j < rounds(); ++j)
-      for (std::size_t k = 0; k < targets(); ++k) {
-        const FacePair& faces = pair(j, k);
-        const double e = faces.elevation.radians();
-        Eigen::VectorXd factors(fitSize(ofTilt, ofDistance));
-        factors(0) = 1 / std::cos(e);
-        if (ofTilt) factors(1) = std::tan(e);
-        if (ofDistance)
-          factors(factors.size() - 1) =
-              Angle::fromRadians(1e-3 / m_check.perTarget[k].distanceM).arcseconds() / std::cos(e);
-        fit.add(faces.halfDirection.arcseconds(), factors);
-      }
-    if (!fit.solve()) return false;
-    if (ofTilt) m_check.tilt = fit.with(1);
-    if (ofDistance) m_check.eccentricity = fit.with(fitSize(ofTilt, ofDistance) - 1);
-    return true;
+      for (std::size_t k = 0; k < targets(); ++k)
+        differences.push_back({pair(j, k).halfDirection.arcseconds(), pair(j, k).elevation.radians(),
+                               m_check.perTarget[k].distanceM});
+    m_check.causes = separateFaceCauses(differences, hasTilt, hasDistance);
+    if (m_check.causes.collimation)
+      m_check.collimation = *m_check.causes.collimation;
+    else if (m_check.targetsDifferP < levelOfTests)
+      widenByTargets();
   }
 
-  static Eigen::Index fitSize(bool ofTilt, bool ofDistance) {
-    return 1 + (ofTilt ? 1 : 0) + (ofDistance ? 1 : 0);
+  /// Targets that differ by more than scatter make u, with t − 1 degrees of freedom.
+  void widenByTargets() {
+    double squares = 0;
+    for (const TargetMean& target : m_check.perTarget)
+      squares += square(target.collimation - m_check.collimation.value);
+    const auto count = static_cast<double>(targets());
+    PairMean& mean = m_check.collimation;
+    mean.u = std::sqrt(squares / (count - 1) / count);
+    mean.scatter = mean.u / std::sqrt(mean.cofactor);
+    mean.dof = count - 1;
   }
 
   /// Distances only where those of all targets are known.

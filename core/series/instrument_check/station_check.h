@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/base/angle.h"
+#include "core/series/instrument_check/face_causes.h"
 #include "core/series/instrument_check/rounds.h"
 
 namespace alidade {
@@ -19,14 +20,9 @@ namespace alidade {
 //
 // Half the difference of the faces is h = c/cos e + i tan e on the horizontal circle and j on the vertical
 // one, signs as of face 1 (core/effects). Every pair gives a collimation c = h cos e and an index j; stated
-// are their means, with u = s/√N and N − 1 degrees of freedom, s being their scatter. Lengths in mm, angles
-// in arcseconds.
-
-/// A mean of N values: u = s/√N. NaN where there are too few.
-struct PairMean {
-  double value, u, scatter;
-  double dof;
-};
+// are their means, with u = s/√N and N − 1 degrees of freedom, s being their scatter. Where a trunnion tilt
+// or an offset of the line of sight is stated, the collimation is that of the same fit (face_causes.h).
+// Lengths in mm, angles in arcseconds.
 
 /// A standard deviation by its sum of squares; `s` is NaN without degrees of freedom.
 struct CheckScatter {
@@ -41,15 +37,6 @@ struct RoundTrend {
   double perRound, u;
   double dof;     ///< rounds − 2
   double pValue;  ///< two-sided, of a slope as large by chance
-};
-
-/// c and another cause of what the faces differ by, from least squares of all that can be told apart.
-struct TwoCauses {
-  double collimation, uCollimation;
-  double other, uOther;
-  double correlation;  ///< of both
-  double dof;          ///< pairs − unknowns
-  double pValue;       ///< two-sided, of an `other` as large by chance
 };
 
 /// What one round says.
@@ -74,21 +61,22 @@ struct PairResidual {
 
 struct StationCheck {
   std::string station;
+  CheckCircles circles = CheckCircles::Both;
   std::size_t targets = 0, rounds = 0;
-  CheckScatter direction, vertical;
-  PairMean collimation, index;
-  std::optional<TwoCauses> tilt;          ///< trunnion tilt i; absent: elevations do not differ
-  std::optional<TwoCauses> eccentricity;  ///< e of the line of sight, mm: h cos e = c + e/D; absent:
-                                          ///< distances do not differ, or are not known
-  double nearestM = 0, farthestM = 0;     ///< 0: not known of all targets
-  double lowestDeg = 0, highestDeg = 0;   ///< elevations
-  bool isCircleSetAnew = false;           ///< between rounds
+  CheckScatter direction, vertical;  ///< without degrees of freedom where the circle was not read
+  PairMean collimation = {};         ///< the one that all answers state
+  PairMean index = {};
+  FaceCauses causes = {};
+  double nearestM = 0, farthestM = 0;    ///< 0: not known of all targets
+  double lowestDeg = 0, highestDeg = 0;  ///< elevations
+  bool isCircleSetAnew = false;          ///< between rounds
   std::optional<RoundTrend> collimationSlope, indexSlope, orientationSlope;
   double targetsDifferP = 1;  ///< chance that c of targets differs as much by scatter alone; NaN: not known
   std::vector<RoundCourse> course;
   std::vector<TargetMean> perTarget;
   std::vector<PairResidual> residuals;
   std::vector<LeftOutReadings> leftOut;
+  std::string parted = {};  ///< sentence: why these rounds are a station of their own; else empty
 
   std::size_t pairs() const { return targets * rounds; }
 };

@@ -99,9 +99,9 @@ TEST(StationCheck, AgreesWithPlainLoops) {
 TEST(StationCheck, FindsTheErrorsOfAnInstrumentWithoutNoise) {
   const StationCheck check = checkOf(
       simulatedRounds({.collimation = 12, .tilt = 20, .index = -7.5}, {{0, 0}, {120, 30}, {240, -20}}, 3, 1));
-  ASSERT_TRUE(check.tilt);
-  EXPECT_NEAR(check.tilt->collimation, 12, 1e-6);
-  EXPECT_NEAR(check.tilt->other, 20, 1e-6);
+  ASSERT_TRUE(check.causes.tilt);
+  EXPECT_NEAR(check.causes.tilt->collimation, 12, 1e-6);
+  EXPECT_NEAR(check.causes.tilt->other, 20, 1e-6);
   EXPECT_NEAR(check.index.value, -7.5, 1e-6);
   EXPECT_NEAR(check.direction.s(), 0, 1e-6);
 }
@@ -110,11 +110,12 @@ TEST(StationCheck, TellsALineOfSightOffTheAxisFromCollimation) {
   // 0.5 mm at 2.4 m are 43″.
   const std::vector<Target> room{{0, 0, 2.4}, {70, 0, 5}, {150, 0, 12}, {260, 0, 30}};
   const StationCheck check = checkOf(simulatedRounds({.collimation = 5, .eccentricityMm = 0.5}, room, 3, 1));
-  ASSERT_TRUE(check.eccentricity);
-  EXPECT_NEAR(check.eccentricity->other, 0.5, 1e-7);
-  EXPECT_NEAR(check.eccentricity->collimation, 5, 1e-6);
+  ASSERT_TRUE(check.causes.lineOfSight);
+  EXPECT_NEAR(check.causes.lineOfSight->other, 0.5, 1e-7);
+  EXPECT_NEAR(check.causes.lineOfSight->collimation, 5, 1e-6);
   EXPECT_NEAR(check.perTarget[0].collimation, 5 + 42.97, 0.01);
-  EXPECT_FALSE(checkOf(simulatedRounds({.collimation = 5}, {{0, 0, 9}, {70, 0, 9.2}}, 3, 1)).eccentricity)
+  EXPECT_FALSE(
+      checkOf(simulatedRounds({.collimation = 5}, {{0, 0, 9}, {70, 0, 9.2}}, 3, 1)).causes.lineOfSight)
       << "two percent of distance are no spread";
 }
 
@@ -130,11 +131,42 @@ TEST(StationCheck, FollowsTheCourseOverTheRounds) {
   EXPECT_FALSE(set.orientationSlope);
 }
 
+/// ISO 17123-3 tests each circle by itself: what the other one reads changes nothing.
+TEST(StationCheck, EvaluatesEachCircleByItself) {
+  const std::vector<Target> level{{10, 0}, {95, 0}, {200, 0}, {290, 0}};
+  CheckReadings readings = simulatedRounds({.collimation = 5, .index = -3, .noise = 1}, level, 4, 8);
+  const StationCheck both = checkOf(readings);
+  readings.circles = CheckCircles::HorizontalOnly;
+  const StationCheck directions = checkOf(readings);
+  EXPECT_EQ(directions.direction.s(), both.direction.s());
+  EXPECT_NEAR(directions.collimation.value, both.collimation.value, 1e-6) << "level targets: cos e is 1";
+  EXPECT_TRUE(std::isnan(directions.vertical.s()));
+  EXPECT_TRUE(std::isnan(directions.index.value));
+  readings.circles = CheckCircles::VerticalOnly;
+  const StationCheck zeniths = checkOf(readings);
+  EXPECT_EQ(zeniths.vertical.s(), both.vertical.s());
+  EXPECT_EQ(zeniths.index.value, both.index.value);
+  EXPECT_TRUE(std::isnan(zeniths.direction.s()));
+  EXPECT_TRUE(std::isnan(zeniths.collimation.value));
+}
+
+/// Two targets, near and steep against far and level: a tilt of 140″ would show as the offset of 0.12 mm
+/// does.
+TEST(StationCheck, StatesTheMoreUsualOfTwoCausesThatLookAlike) {
+  const StationCheck check = checkOf(simulatedRounds(
+      {.collimation = 8, .eccentricityMm = 0.117, .noise = 0.5}, {{20, 4, 2.4}, {140, 0, 60}}, 8, 4));
+  EXPECT_TRUE(check.causes.isEither);
+  EXPECT_FALSE(check.causes.tilt);
+  ASSERT_TRUE(check.causes.lineOfSight);
+  EXPECT_NEAR(check.causes.lineOfSight->other, 0.117, 4 * check.causes.lineOfSight->uOther);
+  EXPECT_NEAR(check.collimation.value, 8, 4 * check.collimation.u);
+}
+
 TEST(StationCheck, HasNoScatterWhereNothingRepeats) {
   const StationCheck oneRound = checkOf(simulatedRounds({.collimation = 3, .noise = 1}, fourTargets, 1, 5));
   EXPECT_EQ(oneRound.direction.dof, 0);
   EXPECT_TRUE(std::isnan(oneRound.direction.s()));
-  EXPECT_EQ(oneRound.collimation.dof, 3);
+  EXPECT_EQ(oneRound.collimation.dof, 4 - 2) << "collimation and tilt of four pairs";
   const StationCheck oneTarget = checkOf(simulatedRounds({.noise = 1}, {{10, 2}}, 5, 5));
   EXPECT_EQ(oneTarget.direction.dof, 0);
   EXPECT_EQ(oneTarget.vertical.dof, 4);
@@ -170,10 +202,11 @@ TEST(StationCheck, StatesItsUncertaintyAsItIs) {
     };
     collimation += holds(plain.collimation.value, plain.collimation.u, plain.collimation.dof, 6);
     index += holds(plain.index.value, plain.index.u, plain.index.dof, 4);
-    eccentricity += holds(plain.eccentricity->other, plain.eccentricity->uOther, plain.eccentricity->dof, 0);
+    eccentricity += holds(plain.causes.lineOfSight->other, plain.causes.lineOfSight->uOther,
+                          plain.causes.lineOfSight->dof, 0);
     const StationCheck tilted = checkOf(simulatedRounds(
         {.collimation = 6, .tilt = 15, .noise = noise, .circleStepDeg = 61}, targets, 4, seed));
-    tilt += holds(tilted.tilt->other, tilted.tilt->uOther, tilted.tilt->dof, 15);
+    tilt += holds(tilted.causes.tilt->other, tilted.causes.tilt->uOther, tilted.causes.tilt->dof, 15);
     ofDirections += plain.direction.s() * plain.direction.s() / draws;
     ofVerticals += plain.vertical.s() * plain.vertical.s() / draws;
   }

@@ -1,0 +1,133 @@
+#include "core/series/instrument_check/pooled_faces.h"
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/square.h"
+#include "core/base/statistics.h"
+
+namespace alidade {
+
+namespace {
+
+constexpr double notKnown = std::numeric_limits<double>::quiet_NaN();
+
+/// One or two numbers of a station, with their cofactors and the variance that these are multiplied with.
+struct StationNumbers {
+  Eigen::VectorXd values;
+  Eigen::MatrixXd cofactors;
+  double variance, dof;  ///< the variance NaN without degrees of freedom
+};
+
+/// Least squares of the numbers of all stations.
+struct NumbersTogether {
+  Eigen::VectorXd values;
+  Eigen::MatrixXd cofactors;
+  double variance = notKnown, dof = 0;  ///< pooled, within stations
+  double widening = 1;                  ///< of u, ≥ 1: √F of the differences between stations
+  double differP = notKnown;
+
+  double u(Eigen::Index k) const { return widening * std::sqrt(variance * cofactors(k, k)); }
+  PairMean mean(Eigen::Index k) const {
+    return {values(k), u(k), widening * std::sqrt(variance), dof, cofactors(k, k)};
+  }
+};
+
+std::optional<NumbersTogether> putTogether(const std::vector<StationNumbers>& stations) {
+  if (stations.empty()) return std::nullopt;
+  const Eigen::Index size = stations.front().values.size();
+  Eigen::MatrixXd weights = Eigen::MatrixXd::Zero(size, size);
+  Eigen::VectorXd weighted = Eigen::VectorXd::Zero(size);
+  NumbersTogether all;
+  double squares = 0;
+  for (const StationNumbers& station : stations) {
+    const Eigen::MatrixXd weight = station.cofactors.inverse();
+    weights += weight;
+    weighted += weight * station.values;
+    all.dof += station.dof;
+    if (station.dof > 0) squares += station.dof * station.variance;
+  }
+  all.cofactors = weights.inverse();
+  all.values = all.cofactors * weighted;
+  if (all.dof > 0) all.variance = squares / all.dof;
+  if (stations.size() == 1 || !(all.variance > square(roundingArcsec))) return all;
+  double between = 0;
+  for (const StationNumbers& station : stations) {
+    const Eigen::VectorXd off = station.values - all.values;
+    between += off.dot(station.cofactors.inverse() * off);
+  }
+  const auto conditions = static_cast<double>(size) * (static_cast<double>(stations.size()) - 1);
+  all.differP = fUpperTail(between / all.variance, conditions, all.dof).value_or(notKnown);
+  all.widening = std::sqrt(std::max(1.0, between / conditions / all.variance));
+  return all;
+}
+
+Eigen::Matrix2d cofactorsOf(const TwoCauses& causes) {
+  Eigen::Matrix2d cofactors;
+  cofactors << causes.cofactorCollimation, causes.cofactorBoth, causes.cofactorBoth, causes.cofactorOther;
+  return cofactors;
+}
+
+StationNumbers numbersOf(const PairMean& mean) {
+  return {Eigen::VectorXd::Constant(1, mean.value), Eigen::MatrixXd::Constant(1, 1, mean.cofactor),
+          square(mean.scatter), mean.dof};
+}
+
+Pooled pooledOf(const std::vector<StationCheck>& stations, PairMean StationCheck::*of) {
+  std::vector<StationNumbers> numbers;
+  for (const StationCheck& station : stations)
+    if (station.pairs() > 0 && (station.*of).cofactor > 0) numbers.push_back(numbersOf(station.*of));
+  const auto all = putTogether(numbers);
+  if (!all) return {{notKnown, notKnown, notKnown, 0}, notKnown};
+  return {all->mean(0), all->differP};
+}
+
+}  // namespace
+
+Pooled pooledIndex(const std::vector<StationCheck>& stations) {
+  return pooledOf(stations, &StationCheck::index);
+}
+
+PooledSight pooledSight(const std::vector<StationCheck>& stations) {
+  std::vector<StationNumbers> numbers;
+  for (const StationCheck& station : stations) {
+    if (!station.causes.lineOfSight) continue;
+    const TwoCauses& sight = *station.causes.lineOfSight;
+    numbers.push_back({Eigen::Vector2d(station.collimation.value, sight.other), cofactorsOf(sight),
+                       square(station.collimation.scatter), station.collimation.dof});
+  }
+  const auto all = putTogether(numbers);
+  if (!all) return {pooledOf(stations, &StationCheck::collimation), std::nullopt};
+  const Eigen::MatrixXd& q = all->cofactors;
+  TwoCauses sight{.collimation = all->values(0),
+                  .uCollimation = all->u(0),
+                  .other = all->values(1),
+                  .uOther = all->u(1),
+                  .correlation = q(0, 1) / std::sqrt(q(0, 0) * q(1, 1)),
+                  .dof = all->dof,
+                  .pValue = twoSidedStudent(all->values(1), all->u(1), all->dof)};
+  return {{all->mean(0), all->differP}, sight};
+}
+
+std::optional<PairMean> pooledTilt(const std::vector<StationCheck>& stations) {
+  double weights = 0, sum = 0, misfit = 0, count = 0, dof = 0;
+  const auto forEachTilt = [&](const auto& use) {
+    for (const StationCheck& station : stations)
+      if (const auto& tilt = station.causes.tilt; tilt && tilt->uOther > 0) use(*tilt);
+  };
+  forEachTilt([&](const TwoCauses& tilt) {
+    weights += 1 / square(tilt.uOther);
+    sum += tilt.other / square(tilt.uOther);
+    dof += tilt.dof;
+    ++count;
+  });
+  if (count == 0) return std::nullopt;
+  const double mean = sum / weights;
+  forEachTilt([&](const TwoCauses& tilt) { misfit += square((tilt.other - mean) / tilt.uOther); });
+  const double widening = count > 1 ? std::sqrt(std::max(1.0, misfit / (count - 1))) : 1;
+  const double u = widening / std::sqrt(weights);
+  return PairMean{mean, u, u, dof, 1};
+}
+
+}  // namespace alidade
