@@ -98,6 +98,11 @@ std::optional<TableColumn> tableColumn(std::string_view key) {
 }
 
 ColumnName columnName(const std::string& text) {
+  if (const RowField* field = rowFieldNamed(lowerCase(text)); field && isFreeText(*field)) {
+    ColumnName own;
+    own.column = TableColumn{field};
+    return own;
+  }
   const std::vector<std::string> words = partsOfName(text);
   if (auto tilt = tiltName(words)) return *std::move(tilt);
   if (auto distance = distanceName(words)) return *std::move(distance);
