@@ -16,7 +16,7 @@ class SessionDocument;
 
 /// Where a reading of an instrument goes, and what was asked for there.
 struct Landing {
-  EntryToCome asked;                    ///< what the protocol has next, or what the rows have
+  EntryToCome asked = {};               ///< what the protocol has next, or what the rows have
   std::optional<std::size_t> row = {};  ///< the one after the last: a new one; absent: a pointing zero
   std::string zero = {};                ///< "pointing_zero", "pointing_zero.face_2", …; empty: a row
   bool isProposed = false;              ///< nobody asked for this zero; the reading looks at it

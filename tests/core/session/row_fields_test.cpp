@@ -39,9 +39,9 @@ TEST(RowFields, AreWrittenInTheOrderOfTheFile) {
   const auto json = nlohmann::ordered_json::parse(writeSession(session));
   std::vector<std::string> keys;
   for (const auto& [key, value] : json["positions"][0]["readings"][0].items()) keys.push_back(key);
-  EXPECT_THAT(keys,
-              ElementsAre("point", "round", "face", "horizontal", "vertical", "slider", "tilt_cross_arcsec",
-                          "tilt_length_arcsec", "corrections", "excluded", "note"));
+  EXPECT_THAT(keys, ElementsAre("point", "round", "face", "horizontal", "vertical", "slider",
+                                "tilt_cross_arcsec", "tilt_length_arcsec", "corrections", "taken_at",
+                                "return_code", "instrument_serial", "excluded", "note"));
 }
 
 TEST(RowFields, SurviveTheFile) {

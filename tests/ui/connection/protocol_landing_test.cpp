@@ -78,12 +78,16 @@ InstrumentReading firstZero(const Session& session, std::size_t position) {
   return readingOf(zero.horizontal, zero.vertical);
 }
 
-struct Window {
+struct LandingWindow {
   OpenWindow open;
 
-  explicit Window(const Session& session) {
+  explicit LandingWindow(const Session& session) {
     open->document().startWith(session);
     open.settle();
+  }
+  /// A tab that the user has chosen; a session that is opened begins with what it lacks.
+  void putInFront(std::size_t position) {
+    flow().setFront([position] { return ReadingFlow::Front{position, {}}; });
   }
   ReadingFlow& flow() { return open->instrumentDesk().flow(); }
   const Session& session() { return open->document().session(); }
@@ -159,14 +163,14 @@ struct Cable {
   }
 };
 
-struct Run {
+struct CableRun {
   std::vector<std::string> ofFaults;  ///< questions about readings that are wrong
   std::vector<std::string> ofSound;   ///< about those that are right
   std::size_t unasked = 0;            ///< wrong readings that were taken without a question
 };
 
 /// Takes what the instrument vouches for in the end, leaves what it tells with a fault.
-void answer(Window& window, const InstrumentReading& reading, bool isRight, Run& run) {
+void answer(LandingWindow& window, const InstrumentReading& reading, bool isRight, CableRun& run) {
   const std::string question = window.add(reading);
   if (question.empty()) {
     run.unasked += isRight ? 0 : 1;
@@ -179,8 +183,8 @@ void answer(Window& window, const InstrumentReading& reading, bool isRight, Run&
     window.flow().discard();
 }
 
-Run readByGeoCom(Window& window, Cable& cable) {
-  Run run;
+CableRun readByGeoCom(LandingWindow& window, Cable& cable) {
+  CableRun run;
   cable.follow(cable.talk.begin(cable.now));
   for (int turn = 0; turn < 400 && !cable.instrument.isDone(); ++turn) {
     const std::size_t told = cable.instrument.told();
@@ -193,8 +197,8 @@ Run readByGeoCom(Window& window, Cable& cable) {
   return run;
 }
 
-Run readByGsi(Window& window, Cable& cable) {
-  Run run;
+CableRun readByGsi(LandingWindow& window, Cable& cable) {
+  CableRun run;
   cable.follow(cable.talk.begin(cable.now));
   for (int turn = 0; turn < 400 && !cable.instrument.isDone(); ++turn) {
     const std::size_t told = cable.instrument.told();
@@ -231,10 +235,10 @@ SimulatedOptions optionsOf(const Session& sent, InstrumentProtocol protocol) {
 TEST(ProtocolLanding, EverySightingByGeoComLandsWhereTheProtocolAsksForItWithEveryFault) {
   const Session sent = sightedInFull();
   ASSERT_EQ(sightingsOf(sent).size(), 80U);
-  Window window(askedInFull(sent));
+  LandingWindow window(askedInFull(sent));
   GeoComTalk talk({});
   Cable cable{SimulatedInstrument(optionsOf(sent, InstrumentProtocol::GeoCom)), talk};
-  const Run run = readByGeoCom(window, cable);
+  const CableRun run = readByGeoCom(window, cable);
   expectSameCells(window.session(), sent, 5.1e-4);  // half of the last place that is written
   EXPECT_EQ(run.unasked, 0U);
   ASSERT_EQ(run.ofSound.size(), 1U) << "of the first sighting at 180°";
@@ -252,10 +256,10 @@ TEST(ProtocolLanding, EverySightingByGeoComLandsWhereTheProtocolAsksForItWithEve
 
 TEST(ProtocolLanding, EverySightingByGsiLandsWhereTheProtocolAsksForItWithEveryFault) {
   const Session sent = sightedInFull();
-  Window window(askedInFull(sent));
+  LandingWindow window(askedInFull(sent));
   GsiTalk talk({});
   Cable cable{SimulatedInstrument(optionsOf(sent, InstrumentProtocol::Gsi)), talk};
-  const Run run = readByGsi(window, cable);
+  const CableRun run = readByGsi(window, cable);
   expectSameCells(window.session(), sent, 0.051);  // half of a tenth of a second
   EXPECT_EQ(run.unasked, 0U);
   EXPECT_EQ(run.ofSound.size(), 1U);
@@ -297,11 +301,11 @@ TEST(ProtocolLanding, AZeroAfterTheReadingsIsNotThatOfTheNextPosition) {
   EXPECT_GT(std::abs(intersectionOf(misplaced) - before), 0.1);
   RecordProperty("intersection_um", static_cast<int>(1000 * before));
   RecordProperty("misplaced_um", static_cast<int>(1000 * intersectionOf(misplaced)));
-  Window window(askedInFull(sent));
+  LandingWindow window(askedInFull(sent));
   SimulatedOptions options{.sightings = sightingsOf(sent)};
   GeoComTalk talk({});
   Cable cable{SimulatedInstrument(options), talk};
-  const Run run = readByGeoCom(window, cable);
+  const CableRun run = readByGeoCom(window, cable);
   expectSameCells(window.session(), sent, 5.1e-4);
   EXPECT_NEAR(intersectionOf(window.session()), before, 1e-3);
 }
@@ -316,7 +320,8 @@ Session begunWithoutProtocol() {
 }
 
 TEST(ReadingQuestion, AZeroInFaceTwoIsNoPointWithoutAProtocolEither) {
-  Window window(begunWithoutProtocol());
+  LandingWindow window(begunWithoutProtocol());
+  window.putInFront(0);
   InstrumentReading zero = readingOf("152°32'51\"", "270°00'05\"");
   EXPECT_THAT(window.add(zero), AllOf(HasSubstr("looks at the pointing zero"), HasSubstr("face 2")));
   EXPECT_EQ(window.session().positions[0].readings.size(), 4U) << "nothing is stored before it is answered";
@@ -331,7 +336,7 @@ TEST(ReadingQuestion, AnotherPositionIsAsked) {
   const Session paper = session;
   session.positions[1].zero = {};
   for (Reading& row : session.positions[1].readings) row.horizontal = row.vertical = "";
-  Window window(session);
+  LandingWindow window(session);
   EXPECT_THAT(window.add(firstZero(paper, 1)), HasSubstr("has the axis been turned?"));
   EXPECT_EQ(window.session().positions[1].zero.horizontal, "");
   window.take();
@@ -342,7 +347,8 @@ TEST(ReadingQuestion, AnotherPositionIsAsked) {
 
 TEST(ReadingQuestion, ABlockThatCameAlreadyIsAskedAlsoAsOneOfAPair) {
   const Session paper = paperSession();
-  Window window(begunWithoutProtocol());
+  LandingWindow window(begunWithoutProtocol());
+  window.putInFront(0);
   const InstrumentReading a = readingOf(paper.positions[0].readings[4]),
                           b = readingOf(paper.positions[0].readings[5]);
   EXPECT_THAT(window.add(a), IsEmpty());
@@ -361,7 +367,8 @@ TEST(ReadingQuestion, AnotherSerialNumberIsAskedOnce) {
   Session session = begunWithoutProtocol();
   session.instrument.serial = "111";
   const Session paper = paperSession();
-  Window window(session);
+  LandingWindow window(session);
+  window.putInFront(0);
   const auto from = [&](std::size_t row, const char* serial) {
     InstrumentReading reading = readingOf(paper.positions[0].readings[row]);
     reading.serial = serial;
@@ -377,7 +384,8 @@ TEST(ReadingQuestion, AnotherSerialNumberIsAskedOnce) {
 
 TEST(ReadingQuestion, WhatTheInstrumentDoesNotVouchForIsAskedAndKeepsItsCode) {
   const Session paper = paperSession();
-  Window window(begunWithoutProtocol());
+  LandingWindow window(begunWithoutProtocol());
+  window.putInFront(0);
   InstrumentReading reading = readingOf(paper.positions[0].readings[4]);
   reading.returnCode = "1284";
   reading.reservation = geoComSentence(1284);
@@ -389,7 +397,8 @@ TEST(ReadingQuestion, WhatTheInstrumentDoesNotVouchForIsAskedAndKeepsItsCode) {
 
 TEST(ReadingQuestion, ACompensatorThatIsOffAndOtherCorrectionsAreAskedOnce) {
   const Session paper = paperSession();
-  Window window(begunWithoutProtocol());
+  LandingWindow window(begunWithoutProtocol());
+  window.putInFront(0);
   const auto with = [&](std::size_t row, bool isCompensated, const char* corrections) {
     InstrumentReading reading = readingOf(paper.positions[0].readings[row]);
     reading.isCompensated = isCompensated;
@@ -406,21 +415,23 @@ TEST(ReadingQuestion, ACompensatorThatIsOffAndOtherCorrectionsAreAskedOnce) {
 TEST(ReadingQuestion, TheOtherFaceIsAskedOfANewRowAndLandsInItsFace) {
   Session session = begunWithoutProtocol();
   for (Reading& row : session.positions[0].readings) row.face = "1";
-  Window window(session);
+  LandingWindow window(session);
+  window.putInFront(0);
   EXPECT_THAT(window.add(readingOf("160°00'00\"", "275°00'00\"")), HasSubstr("face 1 is asked for"));
   window.take();
   EXPECT_EQ(window.session().positions[0].readings[4].face, "2");
 }
 
 TEST(ReadingQuestion, AReadingThatNoPlaceIsAskedForIsAQuestion) {
-  Window window(paperSession());
+  LandingWindow window(paperSession());
   EXPECT_THAT(window.add(readingOf("20°00'00\"", "80°00'00\"")), HasSubstr("all is read that was to be"));
   window.flow().takeAnyway();
   EXPECT_EQ(window.flow().waiting(), 1U) << "there is no place for it";
 }
 
 TEST(ReadingQuestion, WhatFailedIsOverOnceTheNextThingSucceeds) {
-  Window window(begunWithoutProtocol());
+  LandingWindow window(begunWithoutProtocol());
+  window.putInFront(0);
   InstrumentDesk& desk = window.open->instrumentDesk();
   QString shown;
   QObject::connect(&desk, &InstrumentDesk::remark, &desk, [&](const QString& sentence) { shown = sentence; });
