@@ -7,6 +7,7 @@
 #include "core/adjustment/gross_errors/suspects.h"
 #include "core/adjustment/monte_carlo/monte_carlo.h"
 #include "core/adjustment/result/session_fit.h"
+#include "core/answers/arrivals.h"
 #include "core/diagnosis/result/diagnosis.h"
 #include "core/session/measurement.h"
 
@@ -20,6 +21,7 @@ struct FitAnswer {
   std::vector<Suspect> suspects = {};
   std::optional<MonteCarlo> check = {};     ///< where asked for
   std::optional<Diagnosis> diagnosis = {};  ///< unless left out
+  std::vector<Arrival> arrivals = {};       ///< of the session
 
   const Diagnosis* found() const { return diagnosis ? &*diagnosis : nullptr; }
 };

@@ -9,6 +9,7 @@
 #include "core/adjustment/result/two_faces.h"
 #include "core/answers/findings_json.h"
 #include "core/answers/json_text.h"
+#include "core/session/value_text.h"
 #include "core/wording/budget.h"
 #include "core/wording/findings.h"
 #include "core/wording/suspects.h"
@@ -185,12 +186,21 @@ Json inputsJson(const Measurement& measurement, const SessionFit& fit) {
   return json;
 }
 
-LongList reliabilityList(const Measurement& measurement, const SessionFit& fit, const Detection& detection) {
+/// As a session file has it.
+void takeArrival(const Arrival* arrival, const TakeMember& take) {
+  if (!arrival) return;
+  if (!arrival->takenAt.empty()) take("taken_at", arrival->takenAt);
+  if (!arrival->returnCode.empty()) take("return_code", valueOf(arrival->returnCode, ValueKind::Number));
+  if (!arrival->instrumentSerial.empty()) take("instrument_serial", arrival->instrumentSerial);
+}
+
+LongList reliabilityList(const Measurement& measurement, const SessionFit& fit, const Detection& detection,
+                         const std::vector<Arrival>& arrivals) {
   std::vector<const std::vector<Sighting>*> sightings;  // of each fitted arc
   for (const ArcFit& arc : fit.arcs)
     sightings.push_back(
         &std::ranges::find(measurement.arcs, arc.position, &ArcMeasurement::position)->sightings);
-  const auto members = [&fit, sightings, detection](std::size_t i, const TakeMember& take) {
+  const auto members = [&fit, &arrivals, sightings, detection](std::size_t i, const TakeMember& take) {
     const AdjustedReading& reading = fit.joint.readings[i];
     const Sighting& sighting = (*sightings[reading.arc])[reading.sighting];
     const Reliability reliability = reliabilityOf(reading, detection);
@@ -205,6 +215,7 @@ LongList reliabilityList(const Measurement& measurement, const SessionFit& fit, 
     take("redundancy", reading.redundancy);
     take("minimal_detectable_bias_arcsec", reliability.minimalDetectableBias.arcseconds());
     take("influence_mm", fit.intersection ? reliability.influence : undefined);
+    takeArrival(arrivalAt(arrivals, fit.arcs[reading.arc].position, sighting.row), take);
   };
   return {"/reliability", fit.joint.readings.size(), members};
 }
@@ -342,7 +353,7 @@ std::string fitJson(const FitAnswer& answer) {
   document["reading_test"] = readingTestJson(detection);
   document["reliability"] = Json::array();
   document["input_reliability"] = inputsJson(measurement, fit);
-  std::vector<LongList> lists{reliabilityList(measurement, fit, detection)};
+  std::vector<LongList> lists{reliabilityList(measurement, fit, detection, answer.arrivals)};
   const std::optional<TwoFaces> faces = compareFaces(measurement);
   if (faces) {
     document["two_faces"] = twoFacesJson(*faces);

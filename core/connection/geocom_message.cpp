@@ -43,23 +43,35 @@ std::string joined(const std::vector<std::string>& parts) {
   return text;
 }
 
-/// Behind the last `mark` of a line, noise before it being none of it: its heads as numbers, up to three, and
-/// what stands behind the colon.
-std::optional<std::pair<std::vector<int>, std::string_view>> headBehind(std::string_view mark,
-                                                                        std::string_view line) {
+struct Message {
+  std::vector<int> heads;  ///< before the colon, up to three; the third is a check sum
+  std::string_view rest;   ///< behind it
+  bool isSound = true;     ///< the check sum is that of the line, or there is none
+};
+
+/// Is the third number before the colon the check sum of what stands without it?
+bool fitsItsChecksum(std::string_view message, std::size_t colon, int checksum) {
+  const std::size_t comma = message.rfind(',', colon);
+  const std::string without = std::string(message.substr(0, comma)) + std::string(message.substr(colon));
+  return geoComChecksum(without) == checksum;
+}
+
+/// From the last `mark` of a line on, noise before it being none of it.
+std::optional<Message> messageFrom(std::string_view mark, std::string_view line) {
   const std::size_t at = line.rfind(mark);
   if (at == std::string_view::npos) return std::nullopt;
-  line.remove_prefix(at + mark.size());
+  line.remove_prefix(at);
   const std::size_t colon = line.find(':');
   if (colon == std::string_view::npos) return std::nullopt;
-  std::vector<int> heads;
-  for (const std::string& part : partsOf(line.substr(0, colon))) {
+  Message message{{}, line.substr(colon + 1)};
+  for (const std::string& part : partsOf(line.substr(mark.size(), colon - mark.size()))) {
     const auto number = wholeOf(part);
     if (!number || *number < 0) return std::nullopt;
-    heads.push_back(*number);
+    message.heads.push_back(*number);
   }
-  if (heads.size() > 3) return std::nullopt;
-  return std::pair(heads, line.substr(colon + 1));
+  if (message.heads.size() > 3) return std::nullopt;
+  if (message.heads.size() == 3) message.isSound = fitsItsChecksum(line, colon, message.heads[2]);
+  return message;
 }
 
 constexpr std::array<std::pair<int, const char*>, 16> sentences = {{
@@ -100,21 +112,31 @@ std::string geoComLine(const GeoComAnswer& answer) {
 }
 
 std::optional<GeoComQuestion> geoComQuestion(std::string_view line) {
-  const auto head = headBehind("%R1Q,", line);
-  if (!head || head->first.empty()) return std::nullopt;
-  GeoComQuestion question{.rpc = head->first[0], .parameters = partsOf(head->second)};
-  if (head->first.size() > 1) question.transaction = head->first[1];
+  const auto message = messageFrom("%R1Q,", line);
+  if (!message || message->heads.empty()) return std::nullopt;
+  GeoComQuestion question{.rpc = message->heads[0], .parameters = partsOf(message->rest)};
+  if (message->heads.size() > 1) question.transaction = message->heads[1];
   return question;
 }
 
 std::optional<GeoComAnswer> geoComAnswer(std::string_view line) {
-  const auto head = headBehind("%R1P,", line);
-  if (!head || head->first.size() < 2) return std::nullopt;
-  std::vector<std::string> parts = partsOf(head->second);
+  const auto message = messageFrom("%R1P,", line);
+  if (!message || message->heads.size() < 2) return std::nullopt;
+  std::vector<std::string> parts = partsOf(message->rest);
   const auto code = parts.empty() ? std::nullopt : wholeOf(parts.front());
   if (!code) return std::nullopt;
   parts.erase(parts.begin());
-  return GeoComAnswer{head->first[0], head->first[1], *code, std::move(parts)};
+  return GeoComAnswer{message->heads[0], message->heads[1], *code, std::move(parts), message->isSound};
+}
+
+int geoComChecksum(std::string_view text) {
+  constexpr unsigned reflected = 0xa001;
+  unsigned sum = 0;
+  for (const char c : text) {
+    sum ^= static_cast<unsigned char>(c);
+    for (int bit = 0; bit < 8; ++bit) sum = (sum & 1U) != 0 ? (sum >> 1U) ^ reflected : sum >> 1U;
+  }
+  return static_cast<int>(sum);
 }
 
 bool hasAngles(int returnCode) {
@@ -122,6 +144,10 @@ bool hasAngles(int returnCode) {
   constexpr std::array good = {done,       notFullyCorrected,       accuracyUncertain,
                                anglesOnly, anglesNotFullyCorrected, anglesUncertain};
   return std::find(good.begin(), good.end(), returnCode) != good.end();
+}
+
+bool isVouchedFor(int returnCode) {
+  return returnCode == geocom::done || returnCode == geocom::anglesOnly;
 }
 
 bool isBusy(int returnCode) {

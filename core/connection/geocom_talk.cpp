@@ -53,7 +53,7 @@ void GeoComTalk::onTake(Milliseconds now, TalkStep& step) {
   m_isCompensated.reset();
   const bool isIdle = m_questions.empty();
   if (!m_isAwake && isIdle) m_questions.push_back({geocom::null, Need::Wakes});
-  for (const int rpc : {geocom::corrections, geocom::compensator})
+  for (const int rpc : {geocom::instrumentNumber, geocom::corrections, geocom::compensator})
     if (m_notAnswered.count(rpc) == 0) m_questions.push_back({rpc});
   const bool isPlain = m_notAnswered.count(geocom::angles) > 0;
   m_questions.push_back({isPlain ? geocom::plainAngles : geocom::angles, Need::Angles});
@@ -86,6 +86,7 @@ void GeoComTalk::askAgain(Milliseconds now, TalkStep& step) {
 
 void GeoComTalk::next(Milliseconds now, TalkStep& step) {
   m_questions.pop_front();
+  m_wasSpoiled = false;
   m_waitsFor.reset();
   m_askAt.reset();
   if (m_isTaking && m_hasAngles) finishReading(step);
@@ -101,7 +102,18 @@ void GeoComTalk::onLine(const std::string& line, Milliseconds now, TalkStep& ste
   if (!m_waitsFor || answer->transaction != *m_waitsFor)
     return step.remarks.push_back(
         Phrase::of("An answer came late or twice and was dropped: %1", shownLine(line.substr(0, 60))));
+  if (!answer->isSound)
+    return askAgainAsSpoiled(Phrase::of("The check sum of an answer is not that of its text, and it is asked "
+                                        "for again: %1",
+                                        shownLine(line.substr(0, 60))),
+                             now, step);
   use(*answer, now, step);
+}
+
+void GeoComTalk::askAgainAsSpoiled(const std::string& remark, Milliseconds now, TalkStep& step) {
+  step.remarks.push_back(remark);
+  m_wasSpoiled = true;
+  askAgain(now, step);
 }
 
 void GeoComTalk::use(const GeoComAnswer& answer, Milliseconds now, TalkStep& step) {
@@ -117,11 +129,10 @@ void GeoComTalk::use(const GeoComAnswer& answer, Milliseconds now, TalkStep& ste
   }
   const bool isAngles = question.need == Need::Angles;
   if (isAngles ? !hasAngles(code) : code != geocom::done) return giveUp(code, now, step);
-  if (!isWhole(question.rpc, answer) || (isAngles && !takeAngles(answer, step))) {
-    step.remarks.push_back(Phrase::of("An answer was spoiled on its way and is asked for again: %1",
-                                      shownLine(geoComLine(answer).substr(0, 60))));
-    return askAgain(now, step);
-  }
+  if (!isWhole(question.rpc, answer) || (isAngles && !takeAngles(answer, step)))
+    return askAgainAsSpoiled(Phrase::of("An answer was spoiled on its way and is asked for again: %1",
+                                        shownLine(geoComLine(answer).substr(0, 60))),
+                             now, step);
   m_isAwake = true;
   if (!isAngles) takeIdentity(question.rpc, answer);
   next(now, step);
@@ -156,7 +167,9 @@ bool GeoComTalk::takeAngles(const GeoComAnswer& answer, TalkStep& step) {
   m_reading.horizontal = circleText(m_reading.horizontalAngle, m_circles.unit);
   m_reading.vertical = circleText(m_reading.verticalAngle, m_circles.unit);
   m_reading.face = isFaceTwo(zenith, VerticalCircle::Zenith) ? 2 : 1;
-  m_reading.code = answer.returnCode;
+  m_reading.returnCode = std::to_string(answer.returnCode);
+  m_reading.reservation = isVouchedFor(answer.returnCode) ? "" : geoComSentence(answer.returnCode);
+  m_reading.isCompensated = m_isCompensated;
   if (values.size() == anglesCount) {
     const auto accuracy = radiansOf(values[2]), cross = radiansOf(values[4]), length = radiansOf(values[5]);
     if (!accuracy || !cross || !length) return false;
@@ -182,7 +195,7 @@ void GeoComTalk::takeIdentity(int rpc, const GeoComAnswer& answer) {
       m_identity.name = values[0];
       break;
     case geocom::instrumentNumber:
-      m_identity.serial = values[0];
+      takeSerial(values[0]);
       break;
     case geocom::softwareVersion:
       for (const std::string& part : values)
@@ -206,6 +219,16 @@ void GeoComTalk::takeIdentity(int rpc, const GeoComAnswer& answer) {
   }
 }
 
+/// Another instrument at the same cable has another name, too.
+void GeoComTalk::takeSerial(const std::string& serial) {
+  const bool isOther = !m_identity.serial.empty() && m_identity.serial != serial;
+  m_identity.serial = serial;
+  if (!isOther) return;
+  m_isIdentified = false;
+  m_identity.name.clear();
+  m_questions.push_back({geocom::instrumentName});
+}
+
 /// What can be done without is done without, from now on where it was refused; angles of an older kind stand
 /// in for those with tilts. `code`: what was answered, absent: nothing.
 void GeoComTalk::giveUp(std::optional<int> code, Milliseconds now, TalkStep& step) {
@@ -220,7 +243,9 @@ void GeoComTalk::giveUp(std::optional<int> code, Milliseconds now, TalkStep& ste
     return ask(now, step);
   }
   const std::string why =
-      code ? geoComSentence(*code) : Phrase::of("The instrument did not answer %1 times.", question.attempts);
+      code           ? geoComSentence(*code)
+      : m_wasSpoiled ? Phrase::of("The answers of the instrument were spoiled %1 times.", question.attempts)
+                     : Phrase::of("The instrument did not answer %1 times.", question.attempts);
   step.remarks.push_back(
       m_isTaking
           ? Phrase::of("%1 No reading was taken; sight again.", why)
@@ -228,11 +253,13 @@ void GeoComTalk::giveUp(std::optional<int> code, Milliseconds now, TalkStep& ste
   m_questions.clear();
   m_waitsFor.reset();
   m_askAt.reset();
+  m_wasSpoiled = false;
   m_isTaking = false;
   m_isAwake = m_isAwake && code.has_value();
 }
 
 void GeoComTalk::finishReading(TalkStep& step) {
+  m_reading.serial = m_identity.serial;
   step.readings.push_back(m_reading);
   m_isTaking = m_hasAngles = false;
 }

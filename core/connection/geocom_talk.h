@@ -11,7 +11,8 @@ namespace alidade {
 
 // The program asks: twice nothing, since the first may be lost while the instrument wakes, then how fine its
 // numbers are and what it is; for a reading both circles with the tilts of the compensator (RPC 2003), and
-// what the instrument corrects and whether the compensator is on (2014, 2007). One question at a time; what
+// before them which instrument it is, what it corrects and whether the compensator is on (5003, 2014, 2007):
+// all of it may have been changed between two readings. One question at a time; what
 // is answered with busy is asked again a little later, what is not answered is asked again with another
 // number, and an answer that comes late or twice has a number that nobody waits for.
 
@@ -42,10 +43,12 @@ class GeoComTalk : public InstrumentTalk {
 
   void ask(Milliseconds now, TalkStep& step);
   void askAgain(Milliseconds now, TalkStep& step);
+  void askAgainAsSpoiled(const std::string& remark, Milliseconds now, TalkStep& step);
   void next(Milliseconds now, TalkStep& step);
   void use(const GeoComAnswer& answer, Milliseconds now, TalkStep& step);
   bool takeAngles(const GeoComAnswer& answer, TalkStep& step);
   void takeIdentity(int rpc, const GeoComAnswer& answer);
+  void takeSerial(const std::string& serial);
   void giveUp(std::optional<int> code, Milliseconds now, TalkStep& step);
   void finishReading(TalkStep& step);
   static bool isWhole(int rpc, const GeoComAnswer& answer);
@@ -58,6 +61,7 @@ class GeoComTalk : public InstrumentTalk {
   bool m_isAwake = false, m_isTaking = false, m_isIdentified = false;
   std::set<int> m_notAnswered;  ///< questions that this instrument has no answer to
   bool m_hasAngles = false;
+  bool m_wasSpoiled = false;                 ///< the last answer to the first question
   std::optional<bool> m_isCompensated = {};  ///< the compensator is on; absent: not told
   InstrumentReading m_reading;               ///< of which `m_hasAngles` tells
 };

@@ -1,9 +1,13 @@
 #include "core/connection/gsi_talk.h"
 
 #include <algorithm>
+#include <utility>
+#include <variant>
+#include <vector>
 
 #include "core/base/angle_text.h"
 #include "core/base/phrase.h"
+#include "core/connection/gsi_information.h"
 #include "core/exchange/gsi_word.h"
 #include "core/session/face.h"
 #include "core/session/row_fields.h"
@@ -12,15 +16,21 @@ namespace alidade {
 
 namespace {
 
-constexpr int pointWord = 11, horizontalWord = 21, verticalWord = 22;
+constexpr int pointWord = 11, serialWord = 12, horizontalWord = 21, verticalWord = 22;
 constexpr const char* acknowledgement = "?";
 constexpr const char* measureBoth = "GET/M/WI21/WI22";
+constexpr const char* askSerial = "GET/I/WI12";
 
 /// Noise before a block is no part of it, nor is half a block that the whole one came after: from the last *
 /// on.
 std::string blockIn(const std::string& line) {
   const std::size_t star = line.rfind('*');
   return star != std::string::npos && looksLikeGsi(line.substr(star)) ? line.substr(star) : line;
+}
+
+const GsiWord* wordIn(const std::vector<GsiWord>& words, int index) {
+  const auto found = std::ranges::find(words, index, &GsiWord::index);
+  return found == words.end() ? nullptr : &*found;
 }
 
 /// The circle of a word, as a text and checked like one that is typed.
@@ -32,18 +42,21 @@ Result<Angle> circleOf(const GsiWord& word, const RowField& field, VerticalCircl
   return parseAngle(text);
 }
 
+void takeInformation(const std::string& block, InstrumentReading& reading) {
+  const GsiInformation horizontal = gsiInformation(block, horizontalWord),
+                       vertical = gsiInformation(block, verticalWord);
+  reading.isCompensated = vertical.isCompensated ? vertical.isCompensated : horizontal.isCompensated;
+  reading.corrections = gsiCorrections(horizontal, vertical);
+  reading.reservation = gsiReservation(horizontal, vertical);
+}
+
 }  // namespace
 
 Result<InstrumentReading> gsiReading(const std::string& block, VerticalCircle circle) {
   const auto parsed = gsiWords({0, block});
   if (const auto* problem = std::get_if<LineProblem>(&parsed)) return Problem{problem->what};
   const auto& words = std::get<std::vector<GsiWord>>(parsed);
-  const auto wordOf = [&words](int index) {
-    const auto found = std::find_if(words.begin(), words.end(),
-                                    [index](const GsiWord& word) { return word.index == index; });
-    return found == words.end() ? nullptr : &*found;
-  };
-  const GsiWord *horizontal = wordOf(horizontalWord), *vertical = wordOf(verticalWord);
+  const GsiWord *horizontal = wordIn(words, horizontalWord), *vertical = wordIn(words, verticalWord);
   if (!horizontal || !vertical)
     return Problem{
         Phrase::of("a block needs both circles, words 21 and 22: set the recording mask of the "
@@ -57,11 +70,16 @@ Result<InstrumentReading> gsiReading(const std::string& block, VerticalCircle ci
   reading.horizontalAngle = *alpha;
   reading.verticalAngle = *beta;
   reading.face = isFaceTwo(*beta, circle) ? 2 : 1;
-  if (const GsiWord* point = wordOf(pointWord)) reading.point = gsiText(*point);
+  if (const GsiWord* point = wordIn(words, pointWord)) reading.point = gsiText(*point);
+  if (const GsiWord* serial = wordIn(words, serialWord)) reading.serial = gsiText(*serial);
+  takeInformation(block, reading);
   return reading;
 }
 
-void GsiTalk::onBegin(Milliseconds, TalkStep&) {}
+void GsiTalk::onBegin(Milliseconds now, TalkStep& step) {
+  m_serialUntil = now + m_times.wakeWithin;
+  send(askSerial, step);
+}
 
 void GsiTalk::onTake(Milliseconds now, TalkStep& step) {
   if (m_askedUntil)
@@ -70,7 +88,13 @@ void GsiTalk::onTake(Milliseconds now, TalkStep& step) {
   send(measureBoth, step);
 }
 
+std::optional<Milliseconds> GsiTalk::onWakeAt() const {
+  if (m_askedUntil && m_serialUntil) return std::min(*m_askedUntil, *m_serialUntil);
+  return m_askedUntil ? m_askedUntil : m_serialUntil;
+}
+
 void GsiTalk::onTick(Milliseconds now, TalkStep& step) {
+  if (m_serialUntil && now >= *m_serialUntil) m_serialUntil.reset();
   if (!m_askedUntil || now < *m_askedUntil) return;
   m_askedUntil.reset();
   step.remarks.push_back(
@@ -87,7 +111,22 @@ void GsiTalk::onLine(const std::string& line, Milliseconds now, TalkStep& step) 
   takeBlock(blockIn(text), now, step);
 }
 
+/// Is this the answer to the question for it? A block of the circles is none.
+bool GsiTalk::takeSerial(const std::string& line, TalkStep& step) {
+  if (!m_serialUntil) return false;
+  const auto parsed = gsiWords({0, line});
+  const auto* words = std::get_if<std::vector<GsiWord>>(&parsed);
+  const GsiWord* serial = words ? wordIn(*words, serialWord) : nullptr;
+  if (!serial || wordIn(*words, horizontalWord)) return false;
+  m_serialUntil.reset();
+  m_identity.serial = gsiText(*serial);
+  step.isIdentified = true;
+  return true;
+}
+
+/// An instrument that does not tell its serial number may answer with a code: nobody needs to hear of it.
 void GsiTalk::takeCode(const std::string& code, TalkStep& step) {
+  if (std::exchange(m_serialUntil, std::nullopt)) return;
   const std::string shown = shownLine(code.substr(0, 40));
   const bool isError = code.size() > 1 && code[1] == 'E';
   const std::string told =
@@ -106,6 +145,7 @@ void GsiTalk::takeBlock(const std::string& line, Milliseconds now, TalkStep& ste
   const std::string shown = shownLine(line.substr(0, 60));
   if (!looksLikeGsi(line))
     return step.remarks.push_back(Phrase::of("This is no block of GSI and was passed over: %1", shown));
+  if (takeSerial(line, step)) return;
   const Result<InstrumentReading> reading = gsiReading(line, m_circles.vertical);
   if (!reading)  // without an acknowledgement the instrument sends it again
     return step.remarks.push_back(
@@ -120,6 +160,7 @@ void GsiTalk::takeBlock(const std::string& line, Milliseconds now, TalkStep& ste
   if (isAgain)
     return step.remarks.push_back(Phrase::of("The same block came again and was taken once: %1", shown));
   step.readings.push_back(*reading);
+  if (reading->serial.empty()) step.readings.back().serial = m_identity.serial;
 }
 
 }  // namespace alidade

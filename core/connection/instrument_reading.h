@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "core/base/angle.h"
@@ -18,8 +19,13 @@ struct InstrumentReading {
   /// standing_axis collimation tilting_axis` with blanks between, or `none`; empty: it did not say.
   std::string corrections;
   std::string accuracyArcsec;  ///< of the angles, as the instrument states it
-  int code = 0;                ///< return code of GeoCOM that came with the angles; 0: nothing to say
-  std::string point;           ///< number that the instrument gave the point
+  std::string returnCode;      ///< of GeoCOM, that came with the angles; empty: another protocol
+  /// Why the instrument does not vouch for these angles, as a sentence; empty: it does.
+  std::string reservation;
+  std::optional<bool> isCompensated = {};  ///< the compensator was on; absent: it did not say
+  std::string serial;                      ///< of the instrument; empty: it did not say
+  std::string takenAt;                     ///< when it came, ISO 8601 with zone; empty: nobody looked yet
+  std::string point;                       ///< number that the instrument gave the point
 };
 
 /// What an instrument says it is.

@@ -1,7 +1,9 @@
 #include "core/connection/simulated_instrument.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <utility>
 
 #include "core/base/number_text.h"
@@ -16,6 +18,14 @@ constexpr const char* lineEnd = "\r\n";
 constexpr const char* noise = "\x01\xf3~0{\r";
 constexpr double wrongBy = 20;  // degrees: another target
 constexpr double accuracyArcsec = 0.5;
+constexpr std::array notVouchedFor = {geocom::notFullyCorrected, geocom::accuracyUncertain,
+                                      geocom::anglesNotFullyCorrected, geocom::anglesUncertain};
+
+/// Is the sighting told with it, so that the telescope goes on?
+bool isTold(std::optional<InstrumentFault> fault) {
+  using enum InstrumentFault;
+  return !fault || *fault == Garbage || *fault == Twice;
+}
 
 std::string radians(Angle angle) {
   return fixedText(angle.radians(), radiansDecimals);
@@ -33,6 +43,20 @@ long long gsiNumber(Angle angle, char unit) {
   if (unit == '3') return std::llround(angle.degrees() * 1e5) % fullDegrees;
   const long long tenths = std::llround(angle.arcseconds() * 10) % fullTenths;
   return tenths / 36000 * 100'000 + tenths / 600 % 60 * 1000 + tenths % 600;
+}
+
+std::string serialWordOf(const std::string& serial, bool isWide) {
+  const std::size_t width = isWide ? 16 : 8;
+  return "12....+" + std::string(width - std::min(width, serial.size()), '0') + serial + " ";
+}
+
+std::string withOtherChecksum(std::string line) {
+  const std::size_t colon = line.find(':');
+  if (std::count(line.begin(), line.begin() + static_cast<std::ptrdiff_t>(colon), ',') == 2)
+    return line.insert(colon, "," + std::to_string(geoComChecksum(line) ^ 1));
+  const std::size_t comma = line.rfind(',', colon);
+  const int sound = std::stoi(line.substr(comma + 1));
+  return line.replace(comma + 1, colon - comma - 1, std::to_string(sound ^ 1));
 }
 
 }  // namespace
@@ -54,6 +78,10 @@ std::string SimulatedInstrument::answer(const std::string& line) {
     const auto question = geoComQuestion(line);
     return question ? answerGeoCom(*question) : std::string();
   }
+  return answerGsi(line);
+}
+
+std::string SimulatedInstrument::answerGsi(const std::string& line) {
   if (line == "?") {
     if (!m_waiting) return {};
     if (std::exchange(m_waiting->losesOne, false)) return {};
@@ -61,15 +89,17 @@ std::string SimulatedInstrument::answer(const std::string& line) {
     m_waiting.reset();
     return {};
   }
+  if (line == "GET/I/WI12")
+    return (m_options.isWide ? "*" : "") + serialWordOf(m_options.serial, m_options.isWide) + lineEnd;
   if (line.starts_with("GET/") && line.find("WI21") != std::string::npos) {
     if (isDone() || m_waiting)
       return std::string("@W100") + lineEnd;  // a block waits for its acknowledgement
     const auto fault = faultNow();
     if (fault == InstrumentFault::Busy) return std::string("@W100") + lineEnd;
     if (fault == InstrumentFault::Silent) return {};
-    const std::string told = block(pointedAt(fault), true);
+    const std::string told = block(fault, true);
     if (fault == InstrumentFault::Cut) return told.substr(0, told.size() / 2);
-    if (fault != InstrumentFault::Wrong) ++m_at;
+    if (isTold(fault)) ++m_at;
     return withFault(told + lineEnd, fault);
   }
   const bool isSet = line.starts_with("SET/") || line.starts_with("PUT/") || line.starts_with("CONF/");
@@ -81,8 +111,8 @@ std::string SimulatedInstrument::record(Milliseconds now) {
   const auto fault = faultNow();
   if (fault == InstrumentFault::Silent) return {};
   if (fault == InstrumentFault::Busy) return std::string("@W100") + lineEnd;
-  m_waiting = Waiting{block(pointedAt(fault), false) + lineEnd, now, fault != InstrumentFault::Wrong,
-                      fault == InstrumentFault::Twice};
+  const bool isToldNow = isTold(fault) || fault == InstrumentFault::Cut;
+  m_waiting = Waiting{block(fault, false) + lineEnd, now, isToldNow, fault == InstrumentFault::Twice};
   if (fault == InstrumentFault::Cut) return m_waiting->block.substr(0, m_waiting->block.size() / 2);
   return withFault(m_waiting->block, fault == InstrumentFault::Twice ? std::nullopt : fault);
 }
@@ -110,7 +140,7 @@ std::string SimulatedInstrument::answerGeoCom(const GeoComQuestion& question) {
     case geocom::softwareVersion:
       return give({"9", "10", "0"});
     case geocom::instrumentNumber:
-      return give({m_options.serial});
+      return give({serialNow()});
     case geocom::instrumentName:
       return give({"\"" + m_options.name + "\""});
     case geocom::temperature:
@@ -132,7 +162,8 @@ std::string SimulatedInstrument::answerGeoCom(const GeoComQuestion& question) {
 
 std::string SimulatedInstrument::answerAngles(const GeoComQuestion& question) {
   if (isDone()) return geoComText(geocom::busy, {}, question) + lineEnd;
-  const auto fault = faultNow();
+  const auto fault =
+      std::exchange(m_isOther, false) ? std::optional(InstrumentFault::OtherSerial) : faultNow();
   if (fault == InstrumentFault::Busy) return geoComText(geocom::busy, {}, question) + lineEnd;
   if (fault == InstrumentFault::Silent) return {};
   const SimulatedSighting sighting = pointedAt(fault);
@@ -145,27 +176,42 @@ std::string SimulatedInstrument::answerAngles(const GeoComQuestion& question) {
       values.push_back(value);
     values.emplace_back(isFaceTwo ? "1" : "0");
   }
-  const std::string line = geoComText(geocom::done, values, question);
+  std::string line = geoComText(codeNow(fault), values, question);
   if (fault == InstrumentFault::Cut) return line.substr(0, line.size() / 2);
-  if (fault != InstrumentFault::Wrong) ++m_at;
+  if (fault == InstrumentFault::WrongChecksum) line = withOtherChecksum(line);
+  if (isTold(fault)) ++m_at;
   return withFault(line + lineEnd, fault);
+}
+
+/// Asked before each reading: with its fault the next one is another instrument's.
+std::string SimulatedInstrument::serialNow() {
+  m_isOther = faultDue() == InstrumentFault::OtherSerial;
+  if (m_isOther) faultNow();
+  return m_isOther ? m_options.otherSerial : m_options.serial;
+}
+
+int SimulatedInstrument::codeNow(std::optional<InstrumentFault> fault) {
+  if (fault != InstrumentFault::NotVouchedFor) return geocom::done;
+  return notVouchedFor.at(m_codes++ % notVouchedFor.size());
 }
 
 std::string SimulatedInstrument::geoComText(int returnCode, std::vector<std::string> parameters,
                                             const GeoComQuestion& question) const {
   std::string line =
       geoComLine(GeoComAnswer{0, question.transaction.value_or(0), returnCode, std::move(parameters)});
-  if (m_options.hasChecksums) line.insert(line.find(':'), ",51234");
+  if (m_options.hasChecksums) line.insert(line.find(':'), "," + std::to_string(geoComChecksum(line)));
   return line;
 }
 
-std::string SimulatedInstrument::block(const SimulatedSighting& sighting, bool isAnswer) const {
+std::string SimulatedInstrument::block(std::optional<InstrumentFault> fault, bool isAnswer) const {
+  const SimulatedSighting sighting = pointedAt(fault);
   const std::size_t width = m_options.isWide ? 16 : 8;
-  const std::string info = std::string(".32") + m_options.gsiUnit;
+  const auto number = static_cast<long long>(pointedAtIndex(fault) + 1);
+  const std::string info =
+      (fault == InstrumentFault::NotVouchedFor ? ".01" : ".32") + std::string(1, m_options.gsiUnit);
   std::string text = m_options.isWide ? "*" : "";
-  if (!isAnswer)
-    text += "11" + padded(static_cast<long long>(m_at + 1) % 10000, 4) + "+" +
-            padded(static_cast<long long>(m_at + 1), width) + " ";
+  if (!isAnswer) text += "11" + padded(number % 10000, 4) + "+" + padded(number, width) + " ";
+  if (fault == InstrumentFault::OtherSerial) text += serialWordOf(m_options.otherSerial, m_options.isWide);
   text += "21" + info + "+" + padded(gsiNumber(sighting.horizontal, m_options.gsiUnit), width) + " ";
   return text + "22" + info + "+" + padded(gsiNumber(sighting.zenith, m_options.gsiUnit), width) + " ";
 }
@@ -176,17 +222,37 @@ std::string SimulatedInstrument::withFault(const std::string& line, std::optiona
 }
 
 /// The next of the faults where it is its turn and this sighting had none.
-std::optional<InstrumentFault> SimulatedInstrument::faultNow() {
+std::optional<InstrumentFault> SimulatedInstrument::faultDue() const {
   if (m_options.faults.empty() || m_options.faultEvery == 0 || isDone()) return std::nullopt;
   if ((m_at + 1) % m_options.faultEvery != 0 || m_hadFault[m_at]) return std::nullopt;
-  m_hadFault[m_at] = true;
-  return m_options.faults[m_faults++ % m_options.faults.size()];
+  return m_options.faults[m_faults % m_options.faults.size()];
+}
+
+/// The same, which is had with it.
+std::optional<InstrumentFault> SimulatedInstrument::faultNow() {
+  const auto fault = faultDue();
+  if (fault) {
+    m_hadFault[m_at] = true;
+    ++m_faults;
+  }
+  return fault;
+}
+
+std::size_t SimulatedInstrument::pointedAtIndex(std::optional<InstrumentFault> fault) const {
+  const std::size_t count = m_options.sightings.size();
+  if (fault == InstrumentFault::Again) return m_at - std::min<std::size_t>(m_at, 2);
+  return fault == InstrumentFault::Turned ? (m_at + count / 2) % count : m_at;
 }
 
 SimulatedSighting SimulatedInstrument::pointedAt(std::optional<InstrumentFault> fault) const {
-  SimulatedSighting sighting = m_options.sightings[m_at];
+  constexpr Angle half = Angle::fromDegrees(180);
+  SimulatedSighting sighting = m_options.sightings[pointedAtIndex(fault)];
   if (fault == InstrumentFault::Wrong)
-    sighting.horizontal = wrapped(sighting.horizontal + Angle::fromDegrees(wrongBy), Angle::fromDegrees(180));
+    sighting.horizontal = wrapped(sighting.horizontal + Angle::fromDegrees(wrongBy), half);
+  if (fault == InstrumentFault::OtherFace) {
+    sighting.horizontal = wrapped(sighting.horizontal + half, half);
+    sighting.zenith = wrapped(-sighting.zenith, half);
+  }
   return sighting;
 }
 

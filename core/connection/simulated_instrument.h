@@ -19,24 +19,37 @@ namespace alidade {
 
 /// What goes wrong with one sighting, once; then it is told.
 enum class InstrumentFault {
-  Garbage,  ///< noise before the line
-  Cut,      ///< half a line, as of a cable that is pulled
-  Silent,   ///< no answer, no block
-  Twice,    ///< the line comes a second time
-  Busy,     ///< busy at first
-  Wrong,    ///< the telescope points elsewhere
+  Garbage,        ///< noise before the line
+  Cut,            ///< half a line, as of a cable that is pulled
+  Silent,         ///< no answer, no block
+  Twice,          ///< the line comes a second time
+  Busy,           ///< busy at first
+  Wrong,          ///< the telescope points elsewhere
+  OtherFace,      ///< at the same target in the other face
+  Turned,         ///< the axis was turned too early: the same place in the other position
+  Again,          ///< the sighting before the last one a second time, long after it was acknowledged
+  NotVouchedFor,  ///< GeoCOM: with a return code that says so; GSI: keyed in, the compensator off
+  OtherSerial,    ///< another instrument is at the cable
+  WrongChecksum,  ///< GeoCOM: of an answer
 };
 
 struct InstrumentFaultName {
   const char* name;
   InstrumentFault fault;
 };
-inline constexpr std::array instrumentFaults = {InstrumentFaultName{"garbage", InstrumentFault::Garbage},
-                                                InstrumentFaultName{"cut", InstrumentFault::Cut},
-                                                InstrumentFaultName{"silent", InstrumentFault::Silent},
-                                                InstrumentFaultName{"twice", InstrumentFault::Twice},
-                                                InstrumentFaultName{"busy", InstrumentFault::Busy},
-                                                InstrumentFaultName{"wrong", InstrumentFault::Wrong}};
+inline constexpr std::array instrumentFaults = {
+    InstrumentFaultName{"garbage", InstrumentFault::Garbage},
+    InstrumentFaultName{"cut", InstrumentFault::Cut},
+    InstrumentFaultName{"silent", InstrumentFault::Silent},
+    InstrumentFaultName{"twice", InstrumentFault::Twice},
+    InstrumentFaultName{"busy", InstrumentFault::Busy},
+    InstrumentFaultName{"wrong", InstrumentFault::Wrong},
+    InstrumentFaultName{"other-face", InstrumentFault::OtherFace},
+    InstrumentFaultName{"turned", InstrumentFault::Turned},
+    InstrumentFaultName{"again", InstrumentFault::Again},
+    InstrumentFaultName{"not-vouched-for", InstrumentFault::NotVouchedFor},
+    InstrumentFaultName{"other-serial", InstrumentFault::OtherSerial},
+    InstrumentFaultName{"wrong-checksum", InstrumentFault::WrongChecksum}};
 
 enum class InstrumentProtocol { GeoCom, Gsi };
 
@@ -50,8 +63,8 @@ struct SimulatedOptions {
   std::array<bool, 4> corrections = {true, true, true,
                                      true};  ///< inclination, standing axis, collimation, tilting
   bool isCompensated = true;
-  bool hasChecksums = false;  ///< answers of GeoCOM have a field more
-  std::string name = "Alidade simulated instrument", serial = "1000001";
+  bool hasChecksums = false;  ///< of answers of GeoCOM
+  std::string name = "Alidade simulated instrument", serial = "1000001", otherSerial = "2000002";
 };
 
 class SimulatedInstrument {
@@ -78,17 +91,24 @@ class SimulatedInstrument {
   std::string answer(const std::string& line);
   std::string answerGeoCom(const GeoComQuestion& question);
   std::string answerAngles(const GeoComQuestion& question);
+  std::string answerGsi(const std::string& line);
+  std::string serialNow();
+  int codeNow(std::optional<InstrumentFault> fault);
   std::string geoComText(int returnCode, std::vector<std::string> parameters,
                          const GeoComQuestion& question) const;
-  std::string block(const SimulatedSighting& sighting, bool isAnswer) const;
+  std::string block(std::optional<InstrumentFault> fault, bool isAnswer) const;
   std::string withFault(const std::string& line, std::optional<InstrumentFault> fault);
+  std::optional<InstrumentFault> faultDue() const;
   std::optional<InstrumentFault> faultNow();
+  std::size_t pointedAtIndex(std::optional<InstrumentFault> fault) const;
   SimulatedSighting pointedAt(std::optional<InstrumentFault> fault) const;
 
   SimulatedOptions m_options;
   std::vector<bool> m_hadFault;
   std::size_t m_at = 0;
   std::size_t m_faults = 0;  ///< so many were put in
+  std::size_t m_codes = 0;   ///< so many answers were not vouched for
+  bool m_isOther = false;    ///< the answer to come is that of another instrument
   std::string m_line;        ///< without its end
   struct Waiting {
     std::string block;

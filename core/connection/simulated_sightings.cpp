@@ -31,9 +31,16 @@ std::vector<SimulatedSighting> sightingsOf(const Session& session, Angle noise, 
   };
   for (const std::size_t index : positionsAsTaken(session)) {
     const Position& position = session.positions[index];
+    const auto addZeros = [&](bool isAfter) {
+      for (const ZeroSlot& slot : furtherZeros)
+        if (slot.isAfter == isAfter)
+          add((position.zero.*slot.sighting).horizontal, (position.zero.*slot.sighting).vertical);
+    };
     add(position.zero.horizontal, position.zero.vertical);
+    addZeros(false);
     for (const Reading& row : position.readings)
       add(row.horizontal, row.vertical, row.tiltCrossArcsec, row.tiltLengthArcsec);
+    addZeros(true);
   }
   return sightings;
 }

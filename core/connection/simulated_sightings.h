@@ -14,8 +14,9 @@ struct SimulatedSighting {
   Angle tiltCross = {}, tiltLength = {};
 };
 
-/// The sightings of a session in the order taken: of each position its pointing zero in face 1, then its
-/// rows. Rows whose circles cannot be read are left out. `noise`: σ of what is added to each, drawn from
+/// The sightings of a session in the order taken: of each position its pointing zero before the readings, in
+/// face 1 and in face 2, then its rows, then the zero after them likewise. Zeros that were not sighted and
+/// rows whose circles cannot be read are left out. `noise`: σ of what is added to each, drawn from
 /// `seed`.
 std::vector<SimulatedSighting> sightingsOf(const Session& session, Angle noise = {}, std::uint64_t seed = 1);
 

@@ -7,6 +7,7 @@
 #include "core/base/number_text.h"
 #include "core/base/typed_text.h"
 #include "core/exchange/heading_words.h"
+#include "core/exchange/words.h"
 
 namespace alidade {
 
@@ -271,6 +272,12 @@ class NameReader {
 }  // namespace
 
 ColumnName columnName(const std::string& text) {
+  if (const RowField* field = rowFieldNamed(lowerCase(text)); field && isFreeText(*field)) {
+    ColumnName own;
+    own.column = TableColumn{field};
+    own.isUnderstood = true;
+    return own;
+  }
   const std::vector<std::string> words = headingWords(text);
   if (auto tilt = tiltName(words)) return *std::move(tilt);
   return NameReader(words).read();

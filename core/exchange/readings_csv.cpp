@@ -30,12 +30,13 @@ class ReadingsTable {
         m_turns(turnsOf(session)),
         m_hasTurns(std::ranges::any_of(m_turns, [](int turn) { return turn > 1; })),
         m_hasCompensator(tellsOfCompensator(session)),
+        m_hasArrival(tellsOfArrival(session)),
         m_csv(titles()) {}
 
   std::string written() {
     for (m_position = 0; m_position < m_session.positions.size(); ++m_position) {
       const Position& position = m_session.positions[m_position];
-      addZero("1", position.zero.horizontal, position.zero.vertical);
+      addZero("1", firstSighting(position.zero));
       addZeros(position.zero, false);
       for (std::size_t row = 0; row < position.readings.size(); ++row)
         if (!isBlank(position.readings[row])) addRow(position.readings[row], std::to_string(row + 1));
@@ -53,6 +54,8 @@ class ReadingsTable {
     names.emplace_back("slider");
     if (m_hasCompensator)
       for (const auto text : compensatorTexts) names.push_back(rowField(text).key);
+    if (m_hasArrival)
+      for (const auto text : arrivalTexts) names.push_back(rowField(text).key);
     for (const std::string_view name : {"excluded", "note"}) names.push_back(name);
     return names;
   }
@@ -70,15 +73,16 @@ class ReadingsTable {
 
   void addZeros(const PointingZero& zero, bool isAfter) {
     for (const ZeroSlot& slot : furtherZeros)
-      if (slot.isAfter == isAfter)
-        addZero(slot.face == 2 ? "2" : "1", (zero.*slot.sighting).horizontal, (zero.*slot.sighting).vertical);
+      if (slot.isAfter == isAfter) addZero(slot.face == 2 ? "2" : "1", zero.*slot.sighting);
   }
 
-  void addZero(std::string_view face, const std::string& horizontal, const std::string& vertical) {
-    if (horizontal.empty() && vertical.empty()) return;
-    beginRow().word("ZERO").word("").word(face).typed(horizontal).typed(vertical);
+  void addZero(std::string_view face, const ZeroSighting& zero) {
+    if (zero.horizontal.empty() && zero.vertical.empty()) return;
+    beginRow().word("ZERO").word("").word(face).typed(zero.horizontal).typed(zero.vertical).word("");
     if (m_hasCompensator) m_csv.word("").word("").word("");
-    m_csv.word("").word("").word("").endRow();
+    if (m_hasArrival)
+      for (const auto text : zeroArrivalTexts) m_csv.typed(zero.*text);
+    m_csv.word("").word("").endRow();
   }
 
   void addRow(const Reading& row, const std::string& number) {
@@ -91,12 +95,14 @@ class ReadingsTable {
     m_csv.typed(row.horizontal).typed(row.vertical).typed(row.slider);
     if (m_hasCompensator)
       for (const auto text : compensatorTexts) m_csv.typed(row.*text);
+    if (m_hasArrival)
+      for (const auto text : arrivalTexts) m_csv.typed(row.*text);
     m_csv.word(row.excluded ? "yes" : "").typed(row.note).endRow();
   }
 
   const Session& m_session;
   std::vector<int> m_turns;
-  bool m_hasTurns, m_hasCompensator;
+  bool m_hasTurns, m_hasCompensator, m_hasArrival;
   CsvText m_csv;
   std::size_t m_position = 0;
 };

@@ -312,7 +312,8 @@ std::optional<std::string> entryProblem(const Session& session, const std::strin
   if (field.ends_with(".known.sigma")) return sentence(knownSigmaEntry(text));
   if (field == "pointing_zero.horizontal") return sentence(angleEntry(horizontalRule, text, circle));
   if (field == "pointing_zero.vertical") return sentence(angleEntry(verticalRule, text, circle));
-  if (field.starts_with("pointing_zero.") && !text.empty())
+  const bool isFurtherCircle = field.ends_with(".horizontal") || field.ends_with(".vertical");
+  if (field.starts_with("pointing_zero.") && isFurtherCircle && !text.empty())
     return sentence(angleEntry(field.ends_with(".horizontal") ? horizontalRule : verticalRule, text, circle));
   if (field == "axis_deg") return sentence(axisEntry(text));
   if (field == "instrument.angle_unit") return sentence(circleUnitEntry(text));

@@ -40,7 +40,9 @@ ValueKind kindOfField(const std::string& field, bool isCell) {
     const RowField* known = rowFieldNamed(field);
     return known ? kindOf(*known) : ValueKind::Text;
   }
-  if (field.starts_with("pointing_zero.")) return ValueKind::Angle;
+  if (field.ends_with(".return_code")) return ValueKind::Number;
+  const bool isCircle = field.ends_with(".horizontal") || field.ends_with(".vertical");
+  if (field.starts_with("pointing_zero.") && isCircle) return ValueKind::Angle;
   for (const std::string_view unit : {"_mm", "_arcsec", "_c", "_k", "_deg", "coverage"})
     if (field.ends_with(unit)) return ValueKind::Number;
   return ValueKind::Text;

@@ -27,7 +27,16 @@ static_assert(memberCount<Reading>() == rowFields.size() + 2,
 static_assert(std::ranges::all_of(rowFields,
                                   [](const RowField& field) { return !field.text != !field.flag; }));
 
+template <typename Owner, typename Texts>
+bool hasAny(const Owner& owner, const Texts& texts) {
+  return std::ranges::any_of(texts, [&owner](const auto text) { return !(owner.*text).empty(); });
+}
+
 std::optional<Problem> ruleProblem(const FreeText&, const std::string&, VerticalCircle) {
+  return std::nullopt;
+}
+
+std::optional<Problem> ruleProblem(const NumberText&, const std::string&, VerticalCircle) {
   return std::nullopt;
 }
 
@@ -65,9 +74,27 @@ std::optional<Problem> entryProblem(const RowField& field, const std::string& te
 bool tellsOfCompensator(const Session& session) {
   for (const Position& position : session.positions)
     for (const Reading& row : position.readings)
-      for (const auto text : compensatorTexts)
-        if (!(row.*text).empty()) return true;
+      if (hasAny(row, compensatorTexts)) return true;
   return false;
+}
+
+bool tellsOfArrival(const Session& session) {
+  for (const Position& position : session.positions) {
+    if (hasAny(firstSighting(position.zero), zeroArrivalTexts)) return true;
+    for (const ZeroSlot& slot : furtherZeros)
+      if (hasAny(position.zero.*slot.sighting, zeroArrivalTexts)) return true;
+    for (const Reading& row : position.readings)
+      if (hasAny(row, arrivalTexts)) return true;
+  }
+  return false;
+}
+
+ZeroSighting firstSighting(const PointingZero& zero) {
+  ZeroSighting first{zero.horizontal, zero.vertical};
+  first.takenAt = zero.takenAt;
+  first.returnCode = zero.returnCode;
+  first.instrumentSerial = zero.instrumentSerial;
+  return first;
 }
 
 bool isBlank(const Reading& row) {

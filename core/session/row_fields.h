@@ -32,13 +32,15 @@ inline constexpr AngleRule sliderRule{
     .low = -360, .lowOfElevation = -360, .high = 360, .isHighIncluded = true, .mayBeEmpty = true};
 
 struct FreeText {};
+/// A number as a rule; whatever it says is kept, as nothing is computed from it.
+struct NumberText {};
 /// Arcseconds, by `tiltEntry`.
 struct TiltRule {};
 /// Words, by `correctionsEntry`.
 struct CorrectionsRule {};
 
 /// What a text of a row must be.
-using RowRule = std::variant<FreeText, WholeRule, AngleRule, TiltRule, CorrectionsRule>;
+using RowRule = std::variant<FreeText, NumberText, WholeRule, AngleRule, TiltRule, CorrectionsRule>;
 
 /// One field of a row: a text, or a flag.
 struct RowField {
@@ -66,6 +68,9 @@ inline constexpr std::array rowFields{
     RowField{.key = "tilt_cross_arcsec", .text = &Reading::tiltCrossArcsec, .rule = TiltRule()},
     RowField{.key = "tilt_length_arcsec", .text = &Reading::tiltLengthArcsec, .rule = TiltRule()},
     RowField{.key = "corrections", .text = &Reading::corrections, .rule = CorrectionsRule()},
+    RowField{.key = "taken_at", .text = &Reading::takenAt, .rule = FreeText()},
+    RowField{.key = "return_code", .text = &Reading::returnCode, .rule = NumberText()},
+    RowField{.key = "instrument_serial", .text = &Reading::instrumentSerial, .rule = FreeText()},
     RowField{.key = "excluded", .text = nullptr, .flag = &Reading::excluded, .rule = FreeText()},
     RowField{.key = "note", .text = &Reading::note, .rule = FreeText()},
 };
@@ -87,14 +92,16 @@ constexpr bool isAngle(const RowField& field) {
   return std::holds_alternative<AngleRule>(field.rule);
 }
 constexpr bool isFreeText(const RowField& field) {
-  return field.text && std::holds_alternative<FreeText>(field.rule);
+  return field.text &&
+         (std::holds_alternative<FreeText>(field.rule) || std::holds_alternative<NumberText>(field.rule));
 }
 
 /// How its text becomes JSON.
 constexpr ValueKind kindOf(const RowField& field) {
   if (isAngle(field)) return ValueKind::Angle;
-  const bool isNumber =
-      std::holds_alternative<WholeRule>(field.rule) || std::holds_alternative<TiltRule>(field.rule);
+  const bool isNumber = std::holds_alternative<WholeRule>(field.rule) ||
+                        std::holds_alternative<TiltRule>(field.rule) ||
+                        std::holds_alternative<NumberText>(field.rule);
   return isNumber ? ValueKind::Number : ValueKind::Text;
 }
 
@@ -109,6 +116,18 @@ inline constexpr std::string Reading::*compensatorTexts[] = {
     &Reading::tiltCrossArcsec, &Reading::tiltLengthArcsec, &Reading::corrections};
 /// Does any row of the session?
 bool tellsOfCompensator(const Session& session);
+
+/// What came with a row from the instrument: when, with which return code, from which instrument.
+inline constexpr std::string Reading::*arrivalTexts[] = {&Reading::takenAt, &Reading::returnCode,
+                                                         &Reading::instrumentSerial};
+/// The same of a pointing zero, in the same order.
+inline constexpr std::string ZeroSighting::*zeroArrivalTexts[] = {
+    &ZeroSighting::takenAt, &ZeroSighting::returnCode, &ZeroSighting::instrumentSerial};
+/// Did anything come with any row of the session or with any pointing zero?
+bool tellsOfArrival(const Session& session);
+
+/// A sighting of a pointing zero, the first as the further ones are.
+ZeroSighting firstSighting(const PointingZero& zero);
 
 /// Is nothing typed in this row?
 bool isBlank(const Reading& row);

@@ -28,7 +28,10 @@ struct Reading {
   std::string tiltLengthArcsec;  ///< along it; signs: compensator.h
   std::string corrections;  ///< that the instrument had on, words of `correctionSwitches` or "none"; empty:
                             ///< not known
-  bool excluded = false;    ///< kept and shown, but no part of any fit
+  std::string takenAt;      ///< when the instrument sent it, ISO 8601 with zone; may be empty, as the next
+  std::string returnCode;   ///< of GeoCOM, that came with the angles
+  std::string instrumentSerial;  ///< of the instrument that sent it
+  bool excluded = false;         ///< kept and shown, but no part of any fit
   std::string note;
   FirstTexts asRead;  ///< of what was changed since it was entered
   JsonOrigin origin;
@@ -40,6 +43,7 @@ struct Reading {
 struct ZeroSighting {
   std::string horizontal, vertical;
   JsonOrigin origin = {};
+  std::string takenAt = {}, returnCode = {}, instrumentSerial = {};  ///< as of a row
 
   bool operator==(const ZeroSighting&) const = default;
 };
@@ -51,6 +55,7 @@ struct PointingZero {
   ZeroSighting after = {};       ///< after them in face 1
   ZeroSighting afterInTwo = {};  ///< after them in face 2
   JsonOrigin origin = {};
+  std::string takenAt = {}, returnCode = {}, instrumentSerial = {};  ///< of the first, as of a row
 
   bool operator==(const PointingZero&) const = default;
 };

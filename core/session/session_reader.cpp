@@ -116,10 +116,14 @@ PointingZero readPointingZero(const ObjectReader& reader) {
   PointingZero zero;
   zero.horizontal = reader.requiredAngle("horizontal", remedy);
   zero.vertical = reader.requiredAngle("vertical", remedy);
+  zero.takenAt = reader.text("taken_at");
+  zero.returnCode = reader.number("return_code");
+  zero.instrumentSerial = reader.text("instrument_serial");
   std::vector<const char*> parts;
   for (const ZeroSlot& slot : furtherZeros) {
     const ObjectReader own = reader.object(slot.key);
-    zero.*slot.sighting = {own.angle("horizontal"), own.angle("vertical"), own.origin()};
+    zero.*slot.sighting = {own.angle("horizontal"), own.angle("vertical"),     own.origin(),
+                           own.text("taken_at"),    own.number("return_code"), own.text("instrument_serial")};
     parts.push_back(slot.key);
   }
   zero.origin = reader.origin(parts);

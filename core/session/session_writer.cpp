@@ -96,15 +96,23 @@ Json modelJson(const Model& model) {
   return writer.take();
 }
 
+void writeArrival(ObjectWriter& writer, const ZeroSighting& sighting) {
+  writer.text("taken_at", sighting.takenAt);
+  writer.number("return_code", sighting.returnCode);
+  writer.text("instrument_serial", sighting.instrumentSerial);
+}
+
 Json pointingZeroJson(const PointingZero& zero) {
   ObjectWriter writer(zero.origin);
   writer.angle("horizontal", zero.horizontal, Presence::Required);
   writer.angle("vertical", zero.vertical, Presence::Required);
+  writeArrival(writer, firstSighting(zero));
   for (const ZeroSlot& slot : furtherZeros) {
     const ZeroSighting& sighting = zero.*slot.sighting;
     ObjectWriter own(sighting.origin);
     own.angle("horizontal", sighting.horizontal);
     own.angle("vertical", sighting.vertical);
+    writeArrival(own, sighting);
     writer.part(slot.key, own.take());
   }
   return writer.take();

@@ -92,6 +92,10 @@ void ConnectionDialog::showRemark(const QString& sentence) {
   m_log->addRemark(sentence);
 }
 
+void ConnectionDialog::clearRemark() {
+  m_said->clear();
+}
+
 void ConnectionDialog::showState() {
   m_status->setText(connectionText(m_link));
   m_form->setOpen(m_link.isOpen());

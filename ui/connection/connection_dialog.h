@@ -25,6 +25,8 @@ class ConnectionDialog : public QDialog {
   bool saveLog();
   /// What there is to say of the connection; the log keeps it.
   void showRemark(const QString& sentence);
+  /// It is over; the log keeps it.
+  void clearRemark();
 
  signals:
   void connectWanted();

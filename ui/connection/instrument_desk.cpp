@@ -2,6 +2,7 @@
 
 #include <QLabel>
 #include <algorithm>
+#include <utility>
 
 #include "core/base/visible_text.h"
 #include "core/session/entry.h"
@@ -42,6 +43,7 @@ InstrumentDesk::InstrumentDesk(SessionDocument& document, Dialogs& dialogs, cons
   connect(&m_flow, &ReadingFlow::landed, this, &InstrumentDesk::goOn);
   connect(&m_link, &InstrumentLink::readingTaken, &m_flow, &ReadingFlow::add);
   connect(&m_link, &InstrumentLink::remark, this, &InstrumentDesk::tell);
+  connect(&m_link, &InstrumentLink::succeeded, this, &InstrumentDesk::forgetRemark);
   connect(&m_link, &InstrumentLink::identified, this, &InstrumentDesk::noteIdentity);
   connect(&m_link, &InstrumentLink::stateChanged, this, &InstrumentDesk::showState);
   connect(&document, &SessionDocument::changed, this, [this] { m_link.setCircles(circles()); });
@@ -127,7 +129,15 @@ void InstrumentDesk::noteIdentity() {
 
 void InstrumentDesk::tell(const QString& sentence) {
   dialog().showRemark(sentence);
+  m_hasRemark = true;
   emit remark(sentence);
+}
+
+/// What failed is over, in the status bar too.
+void InstrumentDesk::forgetRemark() {
+  if (!std::exchange(m_hasRemark, false)) return;
+  dialog().clearRemark();
+  emit remark({});
 }
 
 /// Shown from the first connection on.

@@ -47,6 +47,7 @@ class InstrumentDesk : public QObject {
   TalkCircles circles() const;
   ReadingFlow::Front front() const;
   void tell(const QString& sentence);
+  void forgetRemark();
   void showState();
   void noteIdentity();
   void goOn(const Place& place);
@@ -57,6 +58,7 @@ class InstrumentDesk : public QObject {
   InstrumentLink m_link;
   ReadingFlow m_flow;
   PositionTabs* m_positions = nullptr;
+  bool m_hasRemark = false;              ///< one is shown that nothing has succeeded since
   ConnectionDialog* m_dialog = nullptr;  ///< null until it is wanted
   ReadingQuestionBar* m_bar;
   QLabel* m_status;

@@ -55,6 +55,7 @@ bool InstrumentLink::open(const ConnectionSettings& settings, const TalkCircles&
                           .arg(name, why));
     return false;
   }
+  emit succeeded();
   m_talk = createTalk(settings.protocol, circles);
   emit stateChanged();
   follow(m_talk->begin(m_clock.elapsed()));
@@ -102,6 +103,7 @@ void InstrumentLink::fail(QSerialPort::SerialPortError error) {
 void InstrumentLink::follow(const TalkStep& step) {
   for (const TalkLine& one : step.lines) emit line(one.isSent, qText(shownLine(one.text)));
   send(step.toSend);
+  if (step.isIdentified || !step.readings.empty()) emit succeeded();
   for (const std::string& sentence : step.remarks) emit remark(visibleLine(sentence));
   for (const InstrumentReading& reading : step.readings) emit readingTaken(reading);
   if (!m_talk) return;  // a slot, or the port, has closed it

@@ -35,6 +35,7 @@ class InstrumentLink : public QObject {
  signals:
   void stateChanged();  ///< opened, closed, taking or not, identified
   void identified();
+  void succeeded();  ///< the port was opened, an answer or a reading came: what failed before is over
   void readingTaken(const alidade::InstrumentReading& reading);
   void remark(const QString& sentence);
   void line(bool isSent, const QString& shown);  ///< as it went over the wire, all visible

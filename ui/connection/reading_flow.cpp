@@ -1,13 +1,30 @@
 #include "ui/connection/reading_flow.h"
 
+#include <QDateTime>
+
 #include "ui/document/session_document.h"
 #include "ui/text/entry_text.h"
 
 namespace alidade::ui {
 
+namespace {
+
+/// To the second, with the zone of this computer: "2026-03-14T15:09:26+01:00".
+std::string timeOfNow() {
+  const QDateTime now = QDateTime::currentDateTime();
+  return now.toOffsetFromUtc(now.offsetFromUtc()).toString(Qt::ISODate).toStdString();
+}
+
+}  // namespace
+
 ReadingFlow::ReadingFlow(SessionDocument& document, QObject* parent)
     : QObject(parent), m_document(document), m_front([] { return Front(); }) {
-  connect(&document, &SessionDocument::changed, this, [this] { m_evaluation.reset(); });
+  connect(&document, &SessionDocument::changed, this, [this](const SessionChange& change) {
+    m_evaluation.reset();
+    const bool isOfOthers =
+        change.kind == SessionChange::Kind::Everything || change.kind == SessionChange::Kind::Positions;
+    if (isOfOthers) m_before = {};
+  });
   // Later: an entry that is handed in has not changed the session yet.
   connect(
       &document.halfTyped(), &HalfTyped::changed, this,
@@ -21,6 +38,7 @@ ReadingFlow::ReadingFlow(SessionDocument& document, QObject* parent)
 
 void ReadingFlow::add(const InstrumentReading& reading) {
   m_waiting.push_back(reading);
+  if (reading.takenAt.empty()) m_waiting.back().takenAt = timeOfNow();
   if (!m_question.isEmpty()) emit questionChanged();  // one more waits
   proceed();
   emit heldChanged();
@@ -39,25 +57,22 @@ void ReadingFlow::setEvaluation(const SharedEvaluation& evaluation) {
 
 std::optional<Landing> ReadingFlow::landing() const {
   const Front front = m_front();
-  if (front.selected) return Landing{front.position, front.selected};
-  return nextLanding(*m_evaluation, front.position);
+  if (front.selected) return landingInRow(m_evaluation->session, front.position, *front.selected);
+  return nextLanding(*m_evaluation, front.position, m_waiting.front());
 }
 
 void ReadingFlow::proceed() {
   if (m_waiting.empty() || !m_evaluation || !m_question.isEmpty() || isHeld()) return;
   const auto where = landing();
-  if (!where)
-    return ask(
-        tr("A reading came, and all is read that was to be: %1 and %2. Add a row, or choose one to be read "
-           "again, then take it.")
-            .arg(qText(m_waiting.front().horizontal), qText(m_waiting.front().vertical)));
-  const QString doubt = landingDoubt(*m_evaluation, *where, m_waiting.front());
-  doubt.isEmpty() ? landFirst(*where) : ask(doubt);
+  const QString question = where ? readingQuestion(*m_evaluation, *where, m_waiting.front(), m_before)
+                                 : placelessQuestion(*m_evaluation, m_waiting.front());
+  question.isEmpty() ? landFirst(*where) : ask(question);
 }
 
 void ReadingFlow::landFirst(const Landing& where) {
   const InstrumentReading reading = m_waiting.front();
   m_waiting.pop_front();
+  m_before.add(reading, where.position());
   land(m_document, where, reading);
   emit landed(where.place());
 }

@@ -6,6 +6,7 @@
 #include <functional>
 
 #include "core/connection/instrument_reading.h"
+#include "ui/connection/reading_doubts.h"
 #include "ui/connection/reading_landing.h"
 #include "ui/jobs/fit_job.h"
 
@@ -14,9 +15,9 @@ namespace alidade::ui {
 class SessionDocument;
 
 /// Takes readings of an instrument into the session, one after the other: each where it belongs, once what
-/// was read before it is evaluated, so that it is held against what is expected there. One that is not as
-/// expected waits for an answer, and all that come meanwhile wait behind it. Nothing is lost, and nothing
-/// waited for.
+/// was read before it is evaluated, so that it is held against what is expected there. One that anything
+/// speaks against (`readingQuestion`) waits for an answer, and all that come meanwhile wait behind it.
+/// Nothing is lost, and nothing waited for.
 class ReadingFlow : public QObject {
   Q_OBJECT
 
@@ -30,6 +31,7 @@ class ReadingFlow : public QObject {
   };
   void setFront(std::function<Front()> front) { m_front = std::move(front); }
 
+  /// A reading that does not say when it was taken was taken now.
   void add(const InstrumentReading& reading);
   /// Of the session as it is now, or of an earlier state while `isOld`.
   void setEvaluation(const SharedEvaluation& evaluation);
@@ -59,6 +61,7 @@ class ReadingFlow : public QObject {
   std::function<Front()> m_front;
   SharedEvaluation m_evaluation;  ///< null: the session has changed since
   std::deque<InstrumentReading> m_waiting;
+  TakenBefore m_before;
   QString m_question;  ///< about the first that waits
 };
 

@@ -8,7 +8,7 @@
 
 #include "core/base/angle_text.h"
 #include "core/session/entry.h"
-#include "core/session/face.h"
+#include "core/session/row_fields.h"
 #include "core/session/sighting_order.h"
 #include "ui/commands/change_field.h"
 #include "ui/commands/replace_readings.h"
@@ -16,7 +16,6 @@
 #include "ui/document/session_document.h"
 #include "ui/text/entry_text.h"
 #include "ui/text/next_reading_text.h"
-#include "ui/text/position_text.h"
 
 namespace alidade::ui {
 
@@ -26,166 +25,173 @@ struct ReadingLanding {
   Q_DECLARE_TR_FUNCTIONS(ReadingLanding)
 };
 
-/// Pointing zeros of one set-up look in one direction; no two targets of a bench are as near to each other.
-constexpr Angle zeroTolerance = Angle::fromDegrees(1);
-
-bool hasNoZero(const Position& position) {
-  return position.zero.horizontal.empty() || position.zero.vertical.empty();
-}
-
-bool isOpenRow(const Reading& row) {
-  return !row.excluded && (row.horizontal.empty() || row.vertical.empty());
-}
-
-/// Of a position that has its zero: the row to be read; a row more only where `mayAdd`.
-std::optional<std::size_t> rowToRead(const Evaluation& evaluation, std::size_t position, bool mayAdd) {
-  const std::vector<Reading>& rows = evaluation.session.positions[position].readings;
-  const auto open = std::ranges::find_if(rows, isOpenRow);
-  if (open != rows.end()) return static_cast<std::size_t>(open - rows.begin());
-  const bool isKnown = evaluation.next.size() == evaluation.session.positions.size();
-  return mayAdd && (!isKnown || evaluation.next[position]) ? std::optional(rows.size()) : std::nullopt;
-}
+/// Sightings of one pointing zero differ by no more, whatever the errors of the instrument.
+constexpr Angle zeroWithin = Angle::fromDegrees(0.5);
 
 int faceOf(const Reading& row) {
   const auto face = wholeEntry(faceRule, row.face);
   return face && *face ? **face : 1;
 }
 
-bool isFar(const FaceOneReading& read, const FaceOneReading& expected, Angle tolerance) {
-  const auto off = [](Angle a, Angle b) { return std::abs(wrapped(a - b).radians()); };
-  return off(read.horizontal, expected.horizontal) > tolerance.radians() ||
-         off(read.vertical, expected.vertical) > tolerance.radians();
+bool isOpenRow(const Reading& row) {
+  return !row.excluded && row.horizontal.empty() && row.vertical.empty();
 }
 
-FaceOneReading inOne(const InstrumentReading& reading, VerticalCircle circle) {
-  return inFaceOne(reading.horizontalAngle, reading.verticalAngle, reading.face, circle);
+/// Does a protocol that can be followed say what comes next?
+bool isLed(const Evaluation& evaluation) {
+  return evaluation.guide && evaluation.guide->problem.empty();
 }
 
-QString readAngles(const InstrumentReading& reading, CircleUnit unit) {
-  return ReadingLanding::tr("%1 and %2")
-      .arg(shownAngle(reading.horizontal, unit), shownAngle(reading.vertical, unit));
+/// What comes next in the protocol is of a position that the session lacks.
+bool isBeyondSession(const Evaluation& evaluation) {
+  if (!isLed(evaluation)) return false;
+  const ProtocolProgress& progress = evaluation.guide->progress;
+  return progress.next && !progress.sightings[*progress.next].position;
 }
 
-const char* zeroField(const InstrumentReading& reading, bool isVertical) {
-  if (reading.face == 2)
-    return isVertical ? "pointing_zero.face_2.vertical" : "pointing_zero.face_2.horizontal";
-  return isVertical ? "pointing_zero.vertical" : "pointing_zero.horizontal";
+std::string zeroOf(int face, bool isAfter) {
+  PlannedSighting planned;
+  planned.face = face;
+  planned.isAfter = isAfter;
+  return zeroField(planned);
 }
 
-QString zeroDoubt(const Evaluation& evaluation, const Landing& landing, const InstrumentReading& reading,
-                  VerticalCircle circle, CircleUnit unit) {
-  const auto& positions = evaluation.session.positions;
-  for (const bool isVertical : {false, true}) {
-    const std::string stands = fieldText(
-        evaluation.session, {.position = landing.position, .field = zeroField(reading, isVertical)});
-    if (!stands.empty())
-      return ReadingLanding::tr("The pointing zero of %1 in face %2 stands already (%3), and %4 was read.")
-          .arg(positionText(evaluation.session, landing.position))
-          .arg(reading.face)
-          .arg(shownAngle(stands, unit), readAngles(reading, unit));
-  }
-  for (std::size_t i = 0; i < positions.size(); ++i) {
-    const auto horizontal = parseAngle(positions[i].zero.horizontal),
-               vertical = parseAngle(positions[i].zero.vertical);
-    if (i == landing.position || !horizontal || !vertical) continue;
-    if (isFar(inOne(reading, circle), {*horizontal, *vertical}, zeroTolerance))
-      return ReadingLanding::tr("Pointing zero of %1: %2 was read, and that of %3 is %4 and %5.")
-          .arg(positionText(evaluation.session, landing.position), readAngles(reading, unit),
-               positionText(evaluation.session, i), shownAngle(positions[i].zero.horizontal, unit),
-               shownAngle(positions[i].zero.vertical, unit));
-  }
-  return {};
+bool isEmptyZero(const ZeroSighting& zero) {
+  return zero.horizontal.empty() && zero.vertical.empty();
+}
+
+/// Of the point and round that were asked for, the open row in the face that was read, where there is one:
+/// else the row that was asked for.
+std::size_t rowInItsFace(const Session& session, const EntryToCome& asked, int face) {
+  const std::vector<Reading>& rows = session.positions[asked.position].readings;
+  const Reading& wanted = asked.sighting;
+  const auto isIt = [&](const Reading& row) {
+    return isOpenRow(row) && row.point == wanted.point && row.round == wanted.round && faceOf(row) == face;
+  };
+  if (faceOf(wanted) == face) return asked.row;
+  const auto found = std::ranges::find_if(rows, isIt);
+  return found == rows.end() ? asked.row : static_cast<std::size_t>(found - rows.begin());
+}
+
+Landing landingOf(const Session& session, const EntryToCome& asked, int face) {
+  if (!asked.zero.empty()) return {.asked = asked, .zero = zeroOf(face, asked.isAfter)};
+  return {.asked = asked, .row = rowInItsFace(session, asked, face)};
+}
+
+/// Where the reading looks at the zero of the position and that has no such sighting yet.
+std::optional<Landing> furtherZero(const Session& session, std::size_t position,
+                                   const InstrumentReading& reading) {
+  if (!looksAt(reading, session, position, zeroWithin)) return std::nullopt;
+  const std::vector<Reading>& rows = session.positions[position].readings;
+  const bool isAfter = std::ranges::any_of(rows, [](const Reading& row) { return !row.horizontal.empty(); });
+  Landing landing{.zero = zeroOf(reading.face, isAfter), .isProposed = true};
+  landing.asked = {.position = position, .zero = landing.zero, .zeroFace = reading.face, .isAfter = isAfter};
+  if (!isEmptyZero(zeroAt(session, position, landing.zero))) return std::nullopt;
+  return landing;
 }
 
 /// The row as it will stand: what is there, or the row to follow.
-Reading landed(const Session& session, const Landing& landing, const InstrumentReading& reading) {
-  const std::vector<Reading>& rows = session.positions[landing.position].readings;
-  const bool isNew = *landing.row >= rows.size();
-  Reading row = isNew ? followingReading(session, landing.position) : rows[*landing.row];
+Reading landedRow(const Session& session, const Landing& landing, const InstrumentReading& reading) {
+  const std::vector<Reading>& rows = session.positions[landing.position()].readings;
+  Reading row =
+      *landing.row < rows.size() ? rows[*landing.row] : followingReading(session, landing.position());
   row.horizontal = reading.horizontal;
   row.vertical = reading.vertical;
   row.tiltCrossArcsec = reading.tiltCrossArcsec;
   row.tiltLengthArcsec = reading.tiltLengthArcsec;
   row.corrections = reading.corrections;
+  row.takenAt = reading.takenAt;
+  row.returnCode = reading.returnCode;
+  row.instrumentSerial = reading.serial;
   if (faceOf(row) != reading.face) row.face = std::to_string(reading.face);
   return row;
+}
+
+void landInZero(SessionDocument& document, const Landing& landing, const InstrumentReading& reading) {
+  const std::pair<const char*, const std::string&> texts[] = {{".horizontal", reading.horizontal},
+                                                              {".vertical", reading.vertical},
+                                                              {".taken_at", reading.takenAt},
+                                                              {".return_code", reading.returnCode},
+                                                              {".instrument_serial", reading.serial}};
+  document.beginTogether(ReadingLanding::tr("Take pointing zero from the instrument"));
+  for (const auto& [key, text] : texts)
+    changeField(document, {.position = landing.position(), .field = landing.zero + key}, text);
+  document.endTogether();
 }
 
 }  // namespace
 
 Place Landing::place() const {
-  if (row) return {.position = position, .reading = row, .field = "horizontal"};
-  return {.position = position, .field = "pointing_zero.horizontal"};
+  if (row) return {.position = position(), .reading = row, .field = "horizontal"};
+  return {.position = position(), .field = zero + ".horizontal"};
 }
 
-std::optional<Landing> nextLanding(const Evaluation& evaluation, std::size_t position) {
-  const auto& positions = evaluation.session.positions;
-  for (std::size_t i = 0; i < positions.size(); ++i) {
-    const std::size_t at = (position + i) % positions.size();
-    if (hasNoZero(positions[at])) return Landing{at, {}};
-    if (const auto row = rowToRead(evaluation, at, i == 0)) return Landing{at, row};
-  }
-  return {};
-}
-
-QString landingDoubt(const Evaluation& evaluation, const Landing& landing, const InstrumentReading& reading) {
+std::optional<Landing> nextLanding(const Evaluation& evaluation, std::size_t here,
+                                   const InstrumentReading& reading) {
   const Session& session = evaluation.session;
-  const auto kind = verticalCircleEntry(session.geometry.verticalCircle);
-  const VerticalCircle circle = kind ? *kind : VerticalCircle::Zenith;
-  const CircleUnit unit = circleUnitOf(session);
-  if (!landing.row) return zeroDoubt(evaluation, landing, reading, circle, unit);
-  const std::vector<Reading>& rows = session.positions[landing.position].readings;
-  const bool isThere = *landing.row < rows.size();
-  const QString read = readAngles(reading, unit);
-  if (isThere) {
-    const Reading& row = rows[*landing.row];
-    const std::string& stands = row.horizontal.empty() ? row.vertical : row.horizontal;
-    if (!stands.empty())
-      return ReadingLanding::tr("%1: %2 stands there already, and %3 was read.")
-          .arg(sightingText(row), shownAngle(stands, unit), read);
-    if (faceOf(row) != reading.face)
-      return ReadingLanding::tr("%1: face %2 is asked for, and the circle reads face %3 (%4).")
-          .arg(sightingText(row))
-          .arg(faceOf(row))
-          .arg(reading.face)
-          .arg(read);
-  }
-  const bool isKnown = landing.position < evaluation.next.size() && evaluation.next[landing.position];
-  if (!isKnown || evaluation.next[landing.position]->row != *landing.row) return {};
-  const NextReading& next = *evaluation.next[landing.position];
-  if (!next.expected) return {};
-  const FaceOneReading expected =
-      inFaceOne(next.expected->horizontal, next.expected->vertical, faceOf(next.sighting), circle);
-  if (!isFar(inOne(reading, circle), expected, next.expected->tolerance)) return {};
-  return ReadingLanding::tr("%1: %2 was read where about %3 and %4 was expected. Is it the right target?")
-      .arg(sightingText(next.sighting), read, coarseAngleText(next.expected->horizontal, unit),
-           coarseAngleText(next.expected->vertical, unit));
+  if (here >= session.positions.size() || isBeyondSession(evaluation)) return std::nullopt;
+  const bool isTyped = !evaluation.next.empty();  // else it has more rows than anyone types
+  const auto asked = isTyped ? entryToCome(evaluation, here) : entryToComeOf(session, here);
+  const bool isRow = !asked || asked->zero.empty();
+  if (isRow && !isLed(evaluation))
+    if (auto zero = furtherZero(session, asked ? asked->position : here, reading)) {
+      if (asked) zero->asked = *asked;
+      return zero;
+    }
+  return asked ? std::optional(landingOf(session, *asked, reading.face)) : std::nullopt;
+}
+
+Landing landingInRow(const Session& session, std::size_t position, std::size_t row) {
+  const std::vector<Reading>& rows = session.positions.at(position).readings;
+  Landing landing;
+  landing.asked.position = position;
+  landing.asked.row = row;
+  landing.asked.sighting = row < rows.size() ? rows[row] : followingReading(session, position);
+  landing.row = row;
+  landing.isChosen = true;
+  return landing;
 }
 
 void land(SessionDocument& document, const Landing& landing, const InstrumentReading& reading) {
   const Session& session = document.session();
-  if (landing.position >= session.positions.size()) return;
-  if (!landing.row) {
-    document.beginTogether(ReadingLanding::tr("Take pointing zero from the instrument"));
-    changeField(document, {.position = landing.position, .field = zeroField(reading, false)},
-                reading.horizontal);
-    changeField(document, {.position = landing.position, .field = zeroField(reading, true)},
-                reading.vertical);
-    document.endTogether();
-    return;
-  }
-  const std::vector<Reading>& rows = session.positions[landing.position].readings;
-  const Reading row = landed(session, landing, reading);
+  if (landing.position() >= session.positions.size()) return;
+  if (!landing.row) return landInZero(document, landing, reading);
+  const std::vector<Reading>& rows = session.positions[landing.position()].readings;
+  const Reading row = landedRow(session, landing, reading);
   const QString text = ReadingLanding::tr("Take point %1 from the instrument").arg(qText(row.point));
   if (*landing.row >= rows.size())
-    return replaceReadings(document, landing.position, rows.size(), 0, {row}, text,
+    return replaceReadings(document, landing.position(), rows.size(), 0, {row}, text,
                            journal_reasons::inserted);
   std::vector<NewText> texts;
   for (const ReadingColumnInfo& info : allReadingColumns())
     if (isEntered(info.column) &&
         enteredText(row, info.column) != enteredText(rows[*landing.row], info.column))
       texts.push_back({*landing.row, info.column, enteredText(row, info.column)});
-  patchReadings(document, landing.position, ReadingsPatch(rows, texts), text, journal_reasons::retyped);
+  patchReadings(document, landing.position(), ReadingsPatch(rows, texts), text, journal_reasons::retyped);
+}
+
+ZeroSighting zeroAt(const Session& session, std::size_t position, const std::string& zero) {
+  const PointingZero& all = session.positions.at(position).zero;
+  for (const ZeroSlot& slot : furtherZeros)
+    if (zero == std::string("pointing_zero.") + slot.key) return all.*slot.sighting;
+  return firstSighting(all);
+}
+
+FaceOneReading inFaceOne(const InstrumentReading& reading, const Session& session) {
+  const auto kind = verticalCircleEntry(session.geometry.verticalCircle);
+  return inFaceOne(reading.horizontalAngle, reading.verticalAngle, reading.face,
+                   kind ? *kind : VerticalCircle::Zenith);
+}
+
+bool looksAt(const InstrumentReading& reading, const Session& session, std::size_t position,
+             Angle tolerance) {
+  const PointingZero& zero = session.positions.at(position).zero;
+  const auto horizontal = parseAngle(zero.horizontal), vertical = parseAngle(zero.vertical);
+  if (!horizontal || !vertical) return false;
+  const FaceOneReading read = inFaceOne(reading, session);
+  const auto off = [](Angle a, Angle b) { return std::abs(wrapped(a - b).radians()); };
+  return off(read.horizontal, *horizontal) <= tolerance.radians() &&
+         off(read.vertical, *vertical) <= tolerance.radians();
 }
 
 }  // namespace alidade::ui

@@ -129,6 +129,40 @@ constexpr Field fields[] = {
     ofPosition<&Position::zero, &PointingZero::afterInTwo, &ZeroSighting::vertical>(
         "pointing_zero.after_face_2.vertical",
         QT_TRANSLATE_NOOP("Field", "pointing zero β0 after the readings in face 2")),
+    ofPosition<&Position::zero, &PointingZero::takenAt>(
+        "pointing_zero.taken_at", QT_TRANSLATE_NOOP("Field", "time of the pointing zero")),
+    ofPosition<&Position::zero, &PointingZero::returnCode>(
+        "pointing_zero.return_code", QT_TRANSLATE_NOOP("Field", "return code of the pointing zero")),
+    ofPosition<&Position::zero, &PointingZero::instrumentSerial>(
+        "pointing_zero.instrument_serial",
+        QT_TRANSLATE_NOOP("Field", "instrument serial number of the pointing zero")),
+    ofPosition<&Position::zero, &PointingZero::faceTwo, &ZeroSighting::takenAt>(
+        "pointing_zero.face_2.taken_at", QT_TRANSLATE_NOOP("Field", "time of the pointing zero in face 2")),
+    ofPosition<&Position::zero, &PointingZero::faceTwo, &ZeroSighting::returnCode>(
+        "pointing_zero.face_2.return_code",
+        QT_TRANSLATE_NOOP("Field", "return code of the pointing zero in face 2")),
+    ofPosition<&Position::zero, &PointingZero::faceTwo, &ZeroSighting::instrumentSerial>(
+        "pointing_zero.face_2.instrument_serial",
+        QT_TRANSLATE_NOOP("Field", "instrument serial number of the pointing zero in face 2")),
+    ofPosition<&Position::zero, &PointingZero::after, &ZeroSighting::takenAt>(
+        "pointing_zero.after.taken_at",
+        QT_TRANSLATE_NOOP("Field", "time of the pointing zero after the readings")),
+    ofPosition<&Position::zero, &PointingZero::after, &ZeroSighting::returnCode>(
+        "pointing_zero.after.return_code",
+        QT_TRANSLATE_NOOP("Field", "return code of the pointing zero after the readings")),
+    ofPosition<&Position::zero, &PointingZero::after, &ZeroSighting::instrumentSerial>(
+        "pointing_zero.after.instrument_serial",
+        QT_TRANSLATE_NOOP("Field", "instrument serial number of the pointing zero after the readings")),
+    ofPosition<&Position::zero, &PointingZero::afterInTwo, &ZeroSighting::takenAt>(
+        "pointing_zero.after_face_2.taken_at",
+        QT_TRANSLATE_NOOP("Field", "time of the pointing zero after the readings in face 2")),
+    ofPosition<&Position::zero, &PointingZero::afterInTwo, &ZeroSighting::returnCode>(
+        "pointing_zero.after_face_2.return_code",
+        QT_TRANSLATE_NOOP("Field", "return code of the pointing zero after the readings in face 2")),
+    ofPosition<&Position::zero, &PointingZero::afterInTwo, &ZeroSighting::instrumentSerial>(
+        "pointing_zero.after_face_2.instrument_serial",
+        QT_TRANSLATE_NOOP("Field",
+                          "instrument serial number of the pointing zero after the readings in face 2")),
 };
 
 }  // namespace

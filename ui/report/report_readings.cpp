@@ -79,11 +79,31 @@ QStringList ofCompensator(const Reading& reading) {
   return parts;
 }
 
-/// The note, what the compensator says, and what the reading was before it was changed.
+/// When a sighting came from the instrument, with which return code, and from which instrument.
+QStringList ofArrival(const std::string& takenAt, const std::string& code, const std::string& serial) {
+  QStringList parts;
+  const auto add = [&parts](const QString& says, const std::string& text) {
+    if (!text.empty()) parts.append(says.arg(shortLine(text, longestCell)));
+  };
+  //: %1: date, time and zone, as 2026-03-14T15:09:26+01:00
+  add(Report::tr("taken at %1"), takenAt);
+  //: of the instrument, as 0 or 1284
+  add(Report::tr("return code %1"), code);
+  add(Report::tr("instrument %1"), serial);
+  return parts;
+}
+
+QString zeroArrival(const ZeroSighting& zero) {
+  const QStringList parts = ofArrival(zero.takenAt, zero.returnCode, zero.instrumentSerial);
+  return parts.isEmpty() ? QString() : QStringLiteral(" (%1)").arg(parts.join(QStringLiteral(", ")));
+}
+
+/// The note, what the compensator says, what came with it, and what the reading was before it was changed.
 QString remarks(const Reading& reading) {
   QStringList parts;
   if (const QString note = visibleLine(qText(reading.note).trimmed()); !note.isEmpty()) parts.append(note);
   parts.append(ofCompensator(reading));
+  parts.append(ofArrival(reading.takenAt, reading.returnCode, reading.instrumentSerial));
   for (const auto& [key, text] : reading.asRead.all())
     parts.append(
         //: %1: what was read, as "vertical reading"; %2: as it was typed at first
@@ -174,14 +194,16 @@ void addPosition(ReportSheet& sheet, const Evaluation& evaluation, std::size_t i
   sheet.keepTogether(35);
   sheet.heading(Report::tr("Readings with the axis at %1").arg(positionText(evaluation.session, index)));
   sheet.paragraph(Report::tr("Pointing zero: horizontal α0 = %1, vertical β0 = %2")
-                      .arg(zero(position.zero.horizontal), zero(position.zero.vertical)));
+                      .arg(zero(position.zero.horizontal), zero(position.zero.vertical)) +
+                  zeroArrival(firstSighting(position.zero)));
   QStringList further;
   for (const ZeroSlot& slot : furtherZeros) {
     const ZeroSighting& sighting = position.zero.*slot.sighting;
     if (sighting.horizontal.empty() && sighting.vertical.empty()) continue;
     const QString says = slot.isAfter ? Report::tr("after the readings in face %1: %2, %3")
                                       : Report::tr("before them in face %1: %2, %3");
-    further.append(says.arg(QString::number(slot.face), zero(sighting.horizontal), zero(sighting.vertical)));
+    further.append(says.arg(QString::number(slot.face), zero(sighting.horizontal), zero(sighting.vertical)) +
+                   zeroArrival(sighting));
   }
   if (!further.isEmpty()) {
     //: %1: "before them in face 2: 170°, 90°; after the readings in face 1: …"

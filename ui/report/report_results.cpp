@@ -19,6 +19,7 @@ std::optional<FitAnswer> fitAnswerOf(const Gap& gap, const std::string& name) {
   if (!evaluation.isSearched)
     answer.suspects = findSuspects(evaluation.session, *measurement, evaluation.fit);
   answer.diagnosis = gap.diagnosis;
+  answer.arrivals = arrivalsOf(evaluation.session);
   return answer;
 }
 

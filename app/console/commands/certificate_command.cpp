@@ -104,6 +104,7 @@ Result<CertificateAnswer> runCertificate(const CertificateRequest& request) {
   if (auto problem = absence(*measurement, fit.arcs.size(), fit.findings)) return *std::move(problem);
   const std::string name = nameOf(session, request.file);
   FitAnswer answer{name, *measurement, fit, findSuspects(session, *measurement, fit)};
+  answer.arrivals = arrivalsOf(session);
   if (Result<Diagnosis, DiagnosisFault> diagnosis = diagnose(*measurement, fit, {.withAttainable = true}))
     answer.diagnosis = *std::move(diagnosis);
 

@@ -36,6 +36,7 @@ Result<std::string> rigorousAnswer(const FitRequest& request, SessionInput input
   if (auto problem = absence(measurement, fit.arcs.size(), fit.findings)) return *std::move(problem);
   FitAnswer answer{input.name, measurement, fit,
                    findSuspects(input.session, measurement, fit, {.risk = request.risk})};
+  answer.arrivals = arrivalsOf(input.session);
   input.session = {};  // of no more use, and as long as its rows
   if (!request.monteCarlo.empty()) {
     MonteCarloOptions options{.seed = request.seed};

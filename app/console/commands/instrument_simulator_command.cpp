@@ -62,6 +62,7 @@ SimulatedOptions optionsOf(const SimulatorRequest& request, const Session& sessi
       if (fault.name == name) options.faults.push_back(fault.fault);
   options.faultEvery = static_cast<std::size_t>(request.faultEvery.value_or(5));
   options.isWide = request.width == 16;
+  options.hasChecksums = request.hasChecksums;
   for (const auto& [name, unit] : units)
     if (request.unit == name) options.gsiUnit = unit;
   for (std::size_t i = 0; i < corrections.size(); ++i)
@@ -141,7 +142,9 @@ void addSimulatorCommand(CLI::App& app, SimulatorRequest& request) {
   simulator->add_option("--noise", request.noise, "σ added to each circle reading, arcsec")
       ->check(numberFrom(0, largestNoiseArcsec));
   simulator
-      ->add_option("--fault", request.faults, "garbage, cut, silent, twice, busy or wrong; several in turn")
+      ->add_option("--fault", request.faults,
+                   "garbage, cut, silent, twice, busy, wrong, other-face, turned, again, not-vouched-for, "
+                   "other-serial or wrong-checksum; several in turn")
       ->check(CLI::IsMember(faultNames()))
       ->take_all()
       ->expected(1);
@@ -163,6 +166,7 @@ void addSimulatorCommand(CLI::App& app, SimulatorRequest& request) {
       ->check(CLI::IsMember(namesOf(corrections, [](const char* name) { return name; })))
       ->take_all()
       ->expected(1);
+  simulator->add_flag("--checksums", request.hasChecksums, "geocom: answers have a check sum");
   simulator->add_flag("--until-told", request.endsWhenTold, "End once every reading was told");
 }
 

@@ -25,6 +25,7 @@ struct SimulatorRequest {
   int width = 16;
   std::string unit = "dms";
   std::vector<std::string> uncorrected;
+  bool hasChecksums = false;
   bool endsWhenTold = false;
 };
 

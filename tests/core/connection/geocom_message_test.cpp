@@ -14,13 +14,30 @@ TEST(GeoComMessage, WritesQuestions) {
 }
 
 TEST(GeoComMessage, ReadsAnswersWithAndWithoutChecksum) {
-  for (const char* line : {"%R1P,0,3:0,\"TS16 A, 1\",7", "%R1P,0,3,48113:0,\"TS16 A, 1\",7"}) {
+  for (const char* line : {"%R1P,0,3:0,\"TS16 A, 1\",7", "%R1P,0,3,1117:0,\"TS16 A, 1\",7"}) {
     const auto answer = geoComAnswer(line);
     ASSERT_TRUE(answer) << line;
     EXPECT_EQ(answer->transaction, 3);
     EXPECT_EQ(answer->returnCode, 0);
     EXPECT_THAT(answer->parameters, ElementsAre("TS16 A, 1", "7"));
+    EXPECT_TRUE(answer->isSound);
   }
+}
+
+// The sums by polynomial division, bit by bit; the first is the check value of CRC catalogues.
+TEST(GeoComMessage, ChecksItsChecksum) {
+  EXPECT_EQ(geoComChecksum("123456789"), 0xBB3D);
+  EXPECT_EQ(geoComChecksum(""), 0);
+  EXPECT_TRUE(geoComAnswer("%R1P,0,1,34666:0")->isSound);
+  EXPECT_TRUE(geoComAnswer("~noise%R1P,0,1,34666:0")->isSound);
+  for (const char* line :
+       {"%R1P,0,1,34667:0", "%R1P,0,2,34666:0", "%R1P,0,1,34666:1", "%R1P,0,1,34666:0,1", "%R1P,0,1,0:0"})
+    EXPECT_FALSE(geoComAnswer(line)->isSound) << line;
+}
+
+TEST(GeoComMessage, KnowsWhichCodesAreVouchedFor) {
+  for (const int code : {0, 1285}) EXPECT_TRUE(isVouchedFor(code)) << code;
+  for (const int code : {1283, 1284, 1288, 1289, 1290}) EXPECT_FALSE(isVouchedFor(code)) << code;
 }
 
 TEST(GeoComMessage, PassesOverNoiseBeforeAnAnswerAndHalfAnAnswer) {

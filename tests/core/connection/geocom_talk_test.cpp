@@ -30,9 +30,15 @@ struct GeoComBench {
     for (const char* rest : {"0", "0", "0,15", "0,\"TS16\"", "0,123456", "0,9,10,1", "0,24"})
       answerLast(rest);
   }
+  /// Asked for a reading, and said which instrument it is.
+  void take(const std::string& serial = "123456") {
+    bench.keep(talk.take(bench.now));
+    EXPECT_THAT(bench.sent, HasSubstr("%R1Q,5003,"));
+    answerLast("0," + serial);
+  }
   /// Up to the question for the angles.
   void askForAngles() {
-    bench.keep(talk.take(bench.now));
+    take();
     EXPECT_THAT(bench.sent, HasSubstr("%R1Q,2014,"));
     answerLast("0,1,1,0,1");
     EXPECT_THAT(bench.sent, HasSubstr("%R1Q,2007,"));
@@ -120,7 +126,7 @@ TEST(GeoComTalk, TheFaceIsReadFromTheCircle) {
 TEST(GeoComTalk, TiltsOfACompensatorThatIsOffAreNone) {
   GeoComBench geocom;
   geocom.wake();
-  geocom.bench.keep(geocom.talk.take(0));
+  geocom.take();
   geocom.answerLast("0,0,0,0,0");
   geocom.answerLast("0,0");
   geocom.answerLast(angles);
@@ -174,6 +180,64 @@ TEST(GeoComTalk, ASpoiledAnswerIsAskedForAgainAndNeverTaken) {
   }
 }
 
+TEST(GeoComTalk, AWrongChecksumIsAskedAgainAndARightOnePasses) {
+  GeoComBench geocom;
+  geocom.wake();
+  geocom.askForAngles();
+  const auto answer = [&](int change) {
+    const std::string told = "%R1P,0," + std::to_string(*geoComQuestion(geocom.bench.told())->transaction);
+    const int sum = geoComChecksum(told + ":" + angles) ^ change;
+    geocom.bench.receive(told + "," + std::to_string(sum) + ":" + angles + "\r\n");
+  };
+  answer(1);
+  EXPECT_TRUE(geocom.bench.readings.empty());
+  EXPECT_TRUE(geocom.bench.said("The check sum of an answer is not that of its text"));
+  answer(0);
+  EXPECT_EQ(geocom.bench.readings.size(), 1U);
+}
+
+TEST(GeoComTalk, ChecksumsThatNeverFitEndInASentence) {
+  GeoComBench geocom;
+  geocom.wake();
+  geocom.askForAngles();
+  for (int i = 0; i < 3; ++i)
+    geocom.bench.receive("%R1P,0," + std::to_string(*geoComQuestion(geocom.bench.told())->transaction) +
+                         ",7:" + angles + "\r\n");
+  EXPECT_TRUE(geocom.bench.readings.empty());
+  EXPECT_TRUE(geocom.bench.said("The answers of the instrument were spoiled 3 times."));
+  EXPECT_FALSE(geocom.talk.isTaking());
+}
+
+TEST(GeoComTalk, AReadingSaysItsCodeAndWhetherTheInstrumentVouchesForIt) {
+  for (const char* code : {"0", "1283", "1284", "1285", "1288", "1289"}) {
+    GeoComBench geocom;
+    geocom.wake();
+    geocom.askForAngles();
+    geocom.answerLast(code + angles.substr(1));
+    ASSERT_EQ(geocom.bench.readings.size(), 1U) << code;
+    const InstrumentReading& reading = geocom.bench.readings[0];
+    EXPECT_EQ(reading.returnCode, code);
+    const bool isVouchedFor = code == std::string("0") || code == std::string("1285");
+    EXPECT_EQ(reading.reservation.empty(), isVouchedFor) << code;
+    EXPECT_EQ(reading.serial, "123456");
+  }
+}
+
+TEST(GeoComTalk, AnotherInstrumentAtTheSameCableIsKnown) {
+  GeoComBench geocom;
+  geocom.wake();
+  geocom.take("654321");
+  geocom.answerLast("0,1,1,0,1");
+  geocom.answerLast("0,1");
+  geocom.answerLast(angles);
+  ASSERT_EQ(geocom.bench.readings.size(), 1U);
+  EXPECT_EQ(geocom.bench.readings[0].serial, "654321");
+  EXPECT_THAT(geocom.bench.sent, HasSubstr("%R1Q,5004,")) << "its name is another one";
+  geocom.answerLast("0,\"TM50\"");
+  EXPECT_EQ(geocom.talk.identity().name, "TM50");
+  EXPECT_EQ(geocom.talk.identity().serial, "654321");
+}
+
 TEST(GeoComTalk, ABadCodeEndsInASentenceAndTheNextReadingGoesOn) {
   GeoComBench geocom;
   geocom.wake();
@@ -189,7 +253,7 @@ TEST(GeoComTalk, ABadCodeEndsInASentenceAndTheNextReadingGoesOn) {
 TEST(GeoComTalk, DoesWithoutWhatAnInstrumentDoesNotKnow) {
   GeoComBench geocom;
   geocom.wake();
-  geocom.bench.keep(geocom.talk.take(0));
+  geocom.take();
   geocom.answerLast("5");  // 2014
   geocom.answerLast("5");  // 2007
   geocom.answerLast("5");  // 2003
@@ -198,7 +262,7 @@ TEST(GeoComTalk, DoesWithoutWhatAnInstrumentDoesNotKnow) {
   ASSERT_EQ(geocom.bench.readings.size(), 1U);
   EXPECT_EQ(geocom.bench.readings[0].corrections, "") << "not told";
   EXPECT_EQ(geocom.bench.readings[0].tiltCrossArcsec, "");
-  geocom.bench.keep(geocom.talk.take(0));
+  geocom.take();
   EXPECT_THAT(geocom.bench.sent, HasSubstr("%R1Q,2107,")) << "asked at once the next time";
 }
 
@@ -229,8 +293,8 @@ TEST(GeoComTalk, AskedTwiceTakesOnce) {
 /// Each once and in order, with every fault, as sharp as told.
 TEST(GeoComTalk, TakesTwoFacesWithEveryFault) {
   SimulatedOptions options{.sightings = twoFaceSightings(36), .faultEvery = 3};
-  options.faults = {InstrumentFault::Garbage, InstrumentFault::Cut, InstrumentFault::Silent,
-                    InstrumentFault::Twice, InstrumentFault::Busy};
+  options.faults = {InstrumentFault::Garbage, InstrumentFault::Cut,  InstrumentFault::Silent,
+                    InstrumentFault::Twice,   InstrumentFault::Busy, InstrumentFault::WrongChecksum};
   options.hasChecksums = true;
   SimulatedInstrument instrument(options);
   GeoComTalk talk({});

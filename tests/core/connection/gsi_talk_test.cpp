@@ -95,6 +95,67 @@ TEST(GsiTalk, AsksForAReadingAndDoesNotAcknowledgeTheAnswer) {
   EXPECT_EQ(gsi.bench.readings[0].face, 2);
 }
 
+TEST(GsiTalk, AsksForTheSerialNumberOnce) {
+  for (const char* answer : {"12....+00640054 \r\n", "*12....+0000000000640054 \r\n"}) {
+    GsiBench gsi;
+    gsi.bench.keep(gsi.talk.begin(0));
+    EXPECT_EQ(gsi.bench.told(), "GET/I/WI12\r\n");
+    gsi.bench.receive(answer);
+    EXPECT_EQ(gsi.talk.identity().serial, "640054");
+    EXPECT_TRUE(gsi.bench.told().empty()) << "an answer is not acknowledged";
+    gsi.bench.receive(wide + "\r\n");
+    ASSERT_EQ(gsi.bench.readings.size(), 1U);
+    EXPECT_EQ(gsi.bench.readings[0].serial, "640054");
+    EXPECT_TRUE(gsi.bench.remarks.empty());
+  }
+}
+
+TEST(GsiTalk, WhoDoesNotTellItsSerialNumberHasNone) {
+  GsiBench gsi;
+  gsi.bench.keep(gsi.talk.begin(0));
+  gsi.bench.receive("@W127\r\n");
+  EXPECT_TRUE(gsi.bench.remarks.empty()) << "nobody asked the instrument for more than it knows";
+  gsi.bench.receive(wide + "\r\n");
+  EXPECT_EQ(gsi.bench.readings.at(0).serial, "");
+  gsi.bench.receive("@W127\r\n");
+  EXPECT_TRUE(gsi.bench.said("@W127"));
+}
+
+TEST(GsiTalk, ABlockMayHoldTheSerialNumber) {
+  GsiBench gsi;
+  gsi.bench.receive("110001+00000001 12....+00640054 21.102+17920860 22.102+10012345 \r\n");
+  EXPECT_EQ(gsi.bench.readings.at(0).serial, "640054");
+}
+
+// Digits after the GSI ONLINE manual: position 4 the compensator, 5 the input.
+TEST(GsiTalk, ReadsWhatTheDigitsSayOfCompensatorAndCorrections) {
+  struct Case {
+    const char *horizontal, *vertical, *corrections;
+    std::optional<bool> isCompensated;
+    bool isVouchedFor;
+  };
+  const Case cases[] = {
+      {"21.324", "22.324", "inclination standing_axis collimation tilting_axis", true, true},
+      {"21.124", "22.124", "inclination standing_axis collimation tilting_axis", true, true},
+      {"21.334", "22.334", "inclination", true, true},
+      {"21.024", "22.024", "collimation tilting_axis", false, true},
+      {"21.034", "22.034", "none", false, true},
+      {"21.304", "22.304", "", true, true},
+      {"21...4", "22...4", "", std::nullopt, true},
+      {"21.314", "22.324", "", true, false},
+      {"21.324", "22.344", "inclination standing_axis collimation tilting_axis", true, false}};
+  for (const Case& one : cases) {
+    const std::string block =
+        std::string(one.horizontal) + "+24943030 " + one.vertical + "+08336237 32...0+00021324 ";
+    const auto reading = gsiReading(block, VerticalCircle::Zenith);
+    ASSERT_TRUE(reading) << block;
+    EXPECT_EQ(reading->corrections, one.corrections) << block;
+    EXPECT_EQ(reading->isCompensated, one.isCompensated) << block;
+    EXPECT_EQ(reading->reservation.empty(), one.isVouchedFor) << block;
+    EXPECT_EQ(reading->returnCode, "") << block;
+  }
+}
+
 TEST(GsiTalk, NoAnswerAndErrorsAreSentences) {
   GsiBench gsi;
   gsi.bench.keep(gsi.talk.take(0));

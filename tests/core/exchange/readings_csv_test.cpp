@@ -123,6 +123,26 @@ TEST(ReadingsCsv, WhatSomebodyWroteReadsBack) {
   expectRoundTrip(session);
 }
 
+TEST(ReadingsCsv, WhatCameFromTheInstrumentReadsBack) {
+  Session session = paperSession();
+  EXPECT_THAT(readingsCsv(session), Not(HasSubstr("taken_at"))) << "nothing came with any row";
+  Reading& row = session.positions[1].readings[2];
+  row.takenAt = "2026-03-14T15:09:26+01:00";
+  row.returnCode = "1284";
+  row.instrumentSerial = "0012";
+  session.positions[0].zero.takenAt = "2026-03-14T15:00:00Z";
+  const std::string csv = readingsCsv(session);
+  EXPECT_THAT(csv, HasSubstr("2026-03-14T15:00:00Z"));
+  const Import import = importedInto(withoutRows(session), csv);
+  EXPECT_TRUE(import.problems.empty());
+  expectSameRows(import.session, session);
+  const Reading& read = import.session.positions[1].readings[2];
+  EXPECT_EQ(read.takenAt, row.takenAt);
+  EXPECT_EQ(read.returnCode, row.returnCode);
+  EXPECT_EQ(read.instrumentSerial, row.instrumentSerial);
+  expectSameMeasurement(import.session, session);
+}
+
 TEST(ReadingsCsv, NamesTheVerticalCircle) {
   Session session = paperSession();
   EXPECT_THAT(readingsCsv(session),

@@ -37,9 +37,9 @@ TEST(RowFields, AreWrittenInTheOrderOfTheFile) {
   const auto json = nlohmann::ordered_json::parse(writeSession(session));
   std::vector<std::string> keys;
   for (const auto& [key, value] : json["positions"][0]["readings"][0].items()) keys.push_back(key);
-  EXPECT_THAT(keys,
-              ElementsAre("point", "round", "face", "horizontal", "vertical", "slider", "tilt_cross_arcsec",
-                          "tilt_length_arcsec", "corrections", "excluded", "note"));
+  EXPECT_THAT(keys, ElementsAre("point", "round", "face", "horizontal", "vertical", "slider",
+                                "tilt_cross_arcsec", "tilt_length_arcsec", "corrections", "taken_at",
+                                "return_code", "instrument_serial", "excluded", "note"));
 }
 
 TEST(RowFields, SurviveTheFile) {
@@ -71,6 +71,7 @@ TEST(RowFields, AreCheckedByTheirRules) {
 /// A text that its rule lets through.
 std::string soundText(const RowField& field) {
   if (std::holds_alternative<CorrectionsRule>(field.rule)) return "collimation";
+  if (std::holds_alternative<NumberText>(field.rule)) return "1284";
   return isAngle(field) ? "12 00 00" : isFreeText(field) ? "said" : "2";
 }
 

@@ -92,11 +92,24 @@ TEST(SessionFile, ReadsEveryKey) {
   EXPECT_EQ(s.positions[0].axisDeg, "0");
   EXPECT_EQ(s.positions[0].zero, (PointingZero{"332°32'54\"", "89.99916°", {}}));
   ASSERT_EQ(s.positions[0].readings.size(), 2u);
-  EXPECT_EQ(
-      s.positions[0].readings[0],
-      (Reading{"1", "1", "1", "341°52'24\"", "88°16'49\"", "10°00'00\"", "", "", "", true, "wind", {}, {}}));
+  EXPECT_EQ(s.positions[0].readings[0], (Reading{"1",
+                                                 "1",
+                                                 "1",
+                                                 "341°52'24\"",
+                                                 "88°16'49\"",
+                                                 "10°00'00\"",
+                                                 "",
+                                                 "",
+                                                 "",
+                                                 "",
+                                                 "",
+                                                 "",
+                                                 true,
+                                                 "wind",
+                                                 {},
+                                                 {}}));
   EXPECT_EQ(s.positions[0].readings[1],
-            (Reading{"", "", "", "341°", "86 41 24", "", "", "", "", false, "", {}, {}}));
+            (Reading{"", "", "", "341°", "86 41 24", "", "", "", "", "", "", "", false, "", {}, {}}));
   EXPECT_EQ(s.positions[1].axisDeg, "180");
 }
 

@@ -7,6 +7,7 @@
 #include <string>
 #include <utility>
 
+#include "core/session/measurement.h"
 #include "core/session/session.h"
 
 namespace alidade {
@@ -55,7 +56,26 @@ TEST(SessionWriter, SpellsOutEverythingThatASessionHolds) {
   Position& position = session.positions.emplace_back();
   position.axisDeg = "180";
   position.zero = {"1°", "90 0 0", {"181 0 0", "270 0 1"}, {"1 0 1", ""}, {"", "x"}, {}};
-  position.readings = {{"1", "2", "x", "10", "20", "30", "-1.5", "2", "none", true, "r", {}, {}}, {}};
+  position.zero.takenAt = "2026-03-14T15:00:00Z";
+  position.zero.after.takenAt = "2026-03-14T16:00:00Z";
+  position.zero.after.returnCode = "0";
+  position.readings = {{"1",
+                        "2",
+                        "x",
+                        "10",
+                        "20",
+                        "30",
+                        "-1.5",
+                        "2",
+                        "none",
+                        "2026-03-14T15:09:26+01:00",
+                        "1284",
+                        "123",
+                        true,
+                        "r",
+                        {},
+                        {}},
+                       {}};
   const Json expected = Json::parse(R"({
     "format": "alidade-session", "version": 1, "title": "t", "notes": "n", "operator": "o", "place": "p",
     "measured_on": "2018-01-01",
@@ -69,12 +89,35 @@ TEST(SessionWriter, SpellsOutEverythingThatASessionHolds) {
     "acceptance": {"tolerance_mm": 2.5, "measurand": "distance", "coverage": 0.95, "reference_intersection_mm": -1, "sigma_reference_mm": 0.1},
     "model": {"vertical_angle": "planar", "radius": "known", "effects": ["b", "a"]},
     "positions": [{"axis_deg": 180, "pointing_zero": {"horizontal": "1°", "vertical": "90 0 0",
-      "face_2": {"horizontal": "181 0 0", "vertical": "270 0 1"}, "after": {"horizontal": "1 0 1"},
+      "taken_at": "2026-03-14T15:00:00Z", "face_2": {"horizontal": "181 0 0", "vertical": "270 0 1"}, "after": {"horizontal": "1 0 1",
+      "taken_at": "2026-03-14T16:00:00Z", "return_code": 0},
       "after_face_2": {"vertical": "x"}}, "readings": [
       {"point": 1, "round": 2, "face": "x", "horizontal": "10", "vertical": "20", "slider": "30",
-       "tilt_cross_arcsec": -1.5, "tilt_length_arcsec": 2, "corrections": "none", "excluded": true, "note": "r"},
+       "tilt_cross_arcsec": -1.5, "tilt_length_arcsec": 2, "corrections": "none", "taken_at": "2026-03-14T15:09:26+01:00",
+       "return_code": 1284, "instrument_serial": "123", "excluded": true, "note": "r"},
       {"horizontal": "", "vertical": ""}]}]})");
   EXPECT_EQ(written(session), expected.dump());
+}
+
+// What came with rows and zeros is read and comes back as it was read, whatever it says.
+TEST(SessionWriter, KeepsWhatCameFromTheInstrument) {
+  const Json document = Json::parse(R"({"format": "alidade-session", "version": 1,
+    "geometry": {"distance_mm": 2405, "radius_mm": 400}, "positions": [{"axis_deg": 0,
+    "pointing_zero": {"horizontal": "1 0 0", "taken_at": "2026-03-14T15:00:00Z", "vertical": "90 0 0",
+      "after": {"taken_at": "then", "horizontal": "1 0 1", "vertical": "90 0 1", "return_code": 1284}},
+    "readings": [{"return_code": 1283, "horizontal": "10 0 0", "vertical": "80 0 0", "taken_at": "2026-03-14T15:09:26+01:00"},
+      {"horizontal": "11 0 0", "vertical": "80 0 0", "return_code": "C7", "instrument_serial": "123"}]}]})");
+  Session session = read(document);
+  EXPECT_EQ(written(session), document.dump());
+  EXPECT_EQ(session.positions[0].zero.takenAt, "2026-03-14T15:00:00Z");
+  EXPECT_EQ(session.positions[0].zero.after.takenAt, "then");
+  EXPECT_EQ(session.positions[0].zero.after.returnCode, "1284");
+  EXPECT_EQ(session.positions[0].readings[0].returnCode, "1283");
+  EXPECT_EQ(session.positions[0].readings[1].returnCode, "C7");
+  EXPECT_TRUE(examine(session).problems.empty()) << "nothing is computed from it";
+  Session other = session;
+  other.positions[0].readings[0].takenAt = "later";
+  EXPECT_NE(other, session);
 }
 
 TEST(SessionWriter, LeavesOutWhatNobodyTyped) {

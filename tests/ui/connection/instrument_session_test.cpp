@@ -119,6 +119,14 @@ struct Bench {
     desk().toggle();
     ASSERT_TRUE(desk().link().isOpen()) << log();
   }
+  /// The first sighting at 180° is asked about, though nothing else is wrong with it.
+  bool takeAtNextPosition() {
+    const QString question = desk().flow().question();
+    if (!question.contains(QStringLiteral("has the axis been turned?"))) return false;
+    if (question.contains(QStringLiteral("is it the right target?"))) return false;
+    desk().flow().takeAnyway();
+    return true;
+  }
   std::size_t landed() {
     std::size_t count = 0;
     for (const Position& position : session().positions) {
@@ -129,8 +137,11 @@ struct Bench {
   }
 };
 
+/// That the digits of the simulator's GSI words tell.
+const std::string allCorrections = "inclination standing_axis collimation tilting_axis";
+
 /// Each cell as it was sent, to `within` arcseconds.
-void expectSame(const Session& read, const Session& sent, double within) {
+void expectSame(const Session& read, const Session& sent, double within, bool isGsi = false) {
   ASSERT_EQ(read.positions.size(), sent.positions.size());
   const auto expectAngle = [&](const std::string& is, const std::string& was, const std::string& where) {
     const auto a = parseAngle(is), b = parseAngle(was);
@@ -150,7 +161,7 @@ void expectSame(const Session& read, const Session& sent, double within) {
       EXPECT_EQ(is.face, was.face) << where;
       EXPECT_EQ(is.tiltCrossArcsec, was.tiltCrossArcsec) << where;
       EXPECT_EQ(is.tiltLengthArcsec, was.tiltLengthArcsec) << where;
-      EXPECT_EQ(is.corrections, was.corrections) << where;
+      EXPECT_EQ(is.corrections, isGsi ? allCorrections : was.corrections) << where;
       EXPECT_EQ(is.point, was.point) << where;
     }
   }
@@ -188,6 +199,7 @@ TEST_F(InstrumentSession, SeventyTwoSightingsByGeoComWithFaults) {
     if (bench.desk().flow().question().isEmpty()) continue;
     EXPECT_FALSE(bench.desk().questionBar()->isHidden());
     EXPECT_EQ(bench.landed(), before) << "nothing is taken before it is answered";
+    if (bench.takeAtNextPosition()) continue;
     ++wrong;
     bench.desk()
         .questionBar()
@@ -224,10 +236,11 @@ TEST_F(InstrumentSession, SeventyTwoSightingsByGsiWithFaults) {
                bench.log().find("@W100", logBefore.size()) != std::string::npos;
       })) << bench.log();
       if (bench.desk().flow().question().isEmpty()) continue;
+      if (bench.takeAtNextPosition()) continue;
       ++wrong;
       bench.desk().flow().discard();
     }
-    expectSame(bench.session(), sent, 0.051);  // half of a tenth of a second
+    expectSame(bench.session(), sent, 0.051, true);  // half of a tenth of a second
     EXPECT_EQ(wrong, 2);
     EXPECT_THAT(bench.log(), HasSubstr("taken once"));
   }

@@ -1,0 +1,445 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <QPushButton>
+
+#include "core/adjustment/result/session_fit.h"
+#include "core/base/angle_text.h"
+#include "core/connection/geocom_talk.h"
+#include "core/connection/gsi_talk.h"
+#include "core/connection/simulated_instrument.h"
+#include "core/session/face.h"
+#include "core/session/measurement.h"
+#include "core/session/row_fields.h"
+#include "core/simulation/protocol.h"
+#include "core/simulation/protocol_template.h"
+#include "core/simulation/simulate.h"
+#include "tests/ui/support.h"
+#include "ui/connection/instrument_desk.h"
+#include "ui/connection/reading_question_bar.h"
+#include "ui/main_window.h"
+
+// Where readings land while a protocol is followed, and what is asked before one lands: the simulated
+// instrument, the talk of its protocol and the window's flow of readings, with a clock set by hand.
+
+namespace alidade::ui {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::Not;
+
+alidade::Protocol planInFull() {
+  alidade::Protocol plan = *protocolByName("two-face");
+  plan.points = 18;
+  plan.first = Angle::fromDegrees(5);
+  plan.rounds = 1;
+  return plan;
+}
+
+/// 18 places in both faces in both positions, each with its zero in both faces before and after: 80
+/// sightings.
+Session sightedInFull() {
+  Truth truth = drawTruth(11);
+  truth.sightsZerosInFull = true;
+  return *simulate(planInFull(), truth, 11);
+}
+
+/// The same, with nothing read and a protocol that asks for all of it.
+Session askedInFull(Session session) {
+  SightingProtocol protocol = templateOf(planInFull());
+  for (ProtocolPosition& position : protocol.positions) position.zeros.before = position.zeros.after = {1, 2};
+  session.protocol = protocolText(protocol);
+  session.instrument.serial = "1000001";
+  for (Position& position : session.positions) {
+    position.zero = {};
+    position.readings.clear();
+  }
+  return session;
+}
+
+InstrumentReading readingOf(const std::string& horizontal, const std::string& vertical) {
+  InstrumentReading reading;
+  reading.horizontal = horizontal;
+  reading.vertical = vertical;
+  reading.horizontalAngle = *parseAngle(horizontal);
+  reading.verticalAngle = *parseAngle(vertical);
+  reading.face = isFaceTwo(reading.verticalAngle, VerticalCircle::Zenith) ? 2 : 1;
+  return reading;
+}
+
+InstrumentReading readingOf(const Reading& row) {
+  return readingOf(row.horizontal, row.vertical);
+}
+
+InstrumentReading firstZero(const Session& session, std::size_t position) {
+  const PointingZero& zero = session.positions[position].zero;
+  return readingOf(zero.horizontal, zero.vertical);
+}
+
+struct LandingWindow {
+  OpenWindow open;
+
+  explicit LandingWindow(const Session& session) {
+    open->document().startWith(session);
+    open.settle();
+  }
+  /// A tab that the user has chosen; a session that is opened begins with what it lacks.
+  void putInFront(std::size_t position) {
+    flow().setFront([position] { return ReadingFlow::Front{position, {}}; });
+  }
+  ReadingFlow& flow() { return open->instrumentDesk().flow(); }
+  const Session& session() { return open->document().session(); }
+  std::string question() { return flow().question().toStdString(); }
+
+  /// What is asked of it; empty: it landed.
+  std::string add(const InstrumentReading& reading) {
+    flow().add(reading);
+    EXPECT_TRUE(waitFor([&] { return flow().waiting() == 0 || !flow().question().isEmpty(); }));
+    return question();
+  }
+  void take() {
+    flow().takeAnyway();
+    EXPECT_TRUE(waitFor([&] { return flow().waiting() == 0; }));
+  }
+};
+
+void expectAngle(const std::string& is, const std::string& was, double within, const std::string& where) {
+  const auto a = parseAngle(is), b = parseAngle(was);
+  ASSERT_TRUE(a) << where << ": " << is;
+  EXPECT_NEAR(wrapped(*a - *b).arcseconds(), 0, within) << where;
+}
+
+void expectZero(const ZeroSighting& is, const ZeroSighting& was, double within, const std::string& where) {
+  expectAngle(is.horizontal, was.horizontal, within, where);
+  expectAngle(is.vertical, was.vertical, within, where);
+  EXPECT_THAT(is.takenAt, Not(IsEmpty())) << where;
+}
+
+/// Each cell as it was sent, to `within` arcseconds, with the time at which it came.
+void expectSameCells(const Session& read, const Session& sent, double within) {
+  for (std::size_t p = 0; p < sent.positions.size(); ++p) {
+    const std::string position = "position " + std::to_string(p);
+    const PointingZero &zero = read.positions[p].zero, &sentZero = sent.positions[p].zero;
+    expectZero(firstSighting(zero), firstSighting(sentZero), within, position + " zero");
+    for (const ZeroSlot& slot : furtherZeros)
+      expectZero(zero.*slot.sighting, sentZero.*slot.sighting, within, position + " zero " + slot.key);
+    ASSERT_EQ(read.positions[p].readings.size(), sent.positions[p].readings.size()) << position;
+    for (std::size_t i = 0; i < sent.positions[p].readings.size(); ++i) {
+      const Reading &is = read.positions[p].readings[i], &was = sent.positions[p].readings[i];
+      const std::string where = position + " row " + std::to_string(i);
+      expectAngle(is.horizontal, was.horizontal, within, where);
+      expectAngle(is.vertical, was.vertical, within, where);
+      EXPECT_EQ(is.point, was.point) << where;
+      EXPECT_EQ(*wholeEntry(faceRule, is.face), *wholeEntry(faceRule, was.face)) << where;
+      EXPECT_THAT(is.takenAt, Not(IsEmpty())) << where;
+      EXPECT_EQ(is.instrumentSerial, "1000001") << where;
+    }
+  }
+}
+
+/// The instrument at its cable.
+struct Cable {
+  SimulatedInstrument instrument;
+  InstrumentTalk& talk;
+  Milliseconds now = 0;
+  std::vector<InstrumentReading> readings = {};
+
+  void follow(TalkStep step) {
+    while (true) {
+      readings.insert(readings.end(), step.readings.begin(), step.readings.end());
+      if (step.toSend.empty()) return;
+      const std::string sent = instrument.receive(step.toSend);
+      if (sent.empty()) return;
+      step = talk.receive(sent, now);
+    }
+  }
+  void wait(Milliseconds time) {
+    now += time;
+    follow(talk.tick(now));
+    const std::string again = instrument.tick(now);
+    if (!again.empty()) follow(talk.receive(again, now));
+  }
+};
+
+struct CableRun {
+  std::vector<std::string> ofFaults;  ///< questions about readings that are wrong
+  std::vector<std::string> ofSound;   ///< about those that are right
+  std::size_t unasked = 0;            ///< wrong readings that were taken without a question
+};
+
+/// Takes what the instrument vouches for in the end, leaves what it tells with a fault.
+void answer(LandingWindow& window, const InstrumentReading& reading, bool isRight, CableRun& run) {
+  const std::string question = window.add(reading);
+  if (question.empty()) {
+    run.unasked += isRight ? 0 : 1;
+    return;
+  }
+  (isRight ? run.ofSound : run.ofFaults).push_back(question);
+  if (isRight)
+    window.take();
+  else
+    window.flow().discard();
+}
+
+CableRun readByGeoCom(LandingWindow& window, Cable& cable) {
+  CableRun run;
+  cable.follow(cable.talk.begin(cable.now));
+  for (int turn = 0; turn < 400 && !cable.instrument.isDone(); ++turn) {
+    const std::size_t told = cable.instrument.told();
+    cable.readings.clear();
+    cable.follow(cable.talk.take(cable.now));
+    for (int i = 0; i < 200 && cable.talk.isTaking(); ++i) cable.wait(100);
+    for (const InstrumentReading& reading : cable.readings)
+      answer(window, reading, cable.instrument.told() > told, run);
+  }
+  return run;
+}
+
+CableRun readByGsi(LandingWindow& window, Cable& cable) {
+  CableRun run;
+  cable.follow(cable.talk.begin(cable.now));
+  for (int turn = 0; turn < 400 && !cable.instrument.isDone(); ++turn) {
+    const std::size_t told = cable.instrument.told();
+    cable.readings.clear();
+    const std::string sent = cable.instrument.record(cable.now);
+    if (!sent.empty()) cable.follow(cable.talk.receive(sent, cable.now));
+    for (int i = 0; i < 60; ++i) cable.wait(500);  // half a minute: no block counts as sent again
+    for (const InstrumentReading& reading : cable.readings)
+      answer(window, reading, cable.instrument.told() > told, run);
+  }
+  return run;
+}
+
+const std::vector<InstrumentFault> everyInstrumentFault = {
+    InstrumentFault::Garbage,       InstrumentFault::Cut,         InstrumentFault::Silent,
+    InstrumentFault::Twice,         InstrumentFault::Busy,        InstrumentFault::Wrong,
+    InstrumentFault::OtherFace,     InstrumentFault::Turned,      InstrumentFault::Again,
+    InstrumentFault::NotVouchedFor, InstrumentFault::OtherSerial, InstrumentFault::WrongChecksum};
+
+std::size_t askedAbout(const std::vector<std::string>& questions, const char* part) {
+  return static_cast<std::size_t>(std::ranges::count_if(
+      questions, [part](const std::string& one) { return one.find(part) != std::string::npos; }));
+}
+
+/// `faultEvery` 3: each fault twice, at sightings 3, 6, … 72 of 80.
+SimulatedOptions optionsOf(const Session& sent, InstrumentProtocol protocol) {
+  SimulatedOptions options{.protocol = protocol, .sightings = sightingsOf(sent), .faultEvery = 3};
+  options.faults = everyInstrumentFault;
+  options.hasChecksums = protocol == InstrumentProtocol::GeoCom;
+  if (!options.hasChecksums) std::erase(options.faults, InstrumentFault::WrongChecksum);
+  return options;
+}
+
+TEST(ProtocolLanding, EverySightingByGeoComLandsWhereTheProtocolAsksForItWithEveryFault) {
+  const Session sent = sightedInFull();
+  ASSERT_EQ(sightingsOf(sent).size(), 80U);
+  LandingWindow window(askedInFull(sent));
+  GeoComTalk talk({});
+  Cable cable{SimulatedInstrument(optionsOf(sent, InstrumentProtocol::GeoCom)), talk};
+  const CableRun run = readByGeoCom(window, cable);
+  expectSameCells(window.session(), sent, 5.1e-4);  // half of the last place that is written
+  EXPECT_EQ(run.unasked, 0U);
+  ASSERT_EQ(run.ofSound.size(), 1U) << "of the first sighting at 180°";
+  EXPECT_THAT(run.ofSound[0],
+              AllOf(HasSubstr("180°: pointing zero"), HasSubstr("has the axis been turned?")));
+  for (const char* part : {"is asked for", "did the instrument send them again?", "Return code 128",
+                           "serial number 2000002", "is it the right target?"})
+    EXPECT_GE(askedAbout(run.ofFaults, part), 2U) << part;
+  for (const Position& position : window.session().positions) {
+    EXPECT_EQ(position.zero.returnCode, "0");
+    EXPECT_EQ(position.zero.afterInTwo.instrumentSerial, "1000001");
+    for (const Reading& row : position.readings) EXPECT_EQ(row.returnCode, "0");
+  }
+}
+
+TEST(ProtocolLanding, EverySightingByGsiLandsWhereTheProtocolAsksForItWithEveryFault) {
+  const Session sent = sightedInFull();
+  LandingWindow window(askedInFull(sent));
+  GsiTalk talk({});
+  Cable cable{SimulatedInstrument(optionsOf(sent, InstrumentProtocol::Gsi)), talk};
+  const CableRun run = readByGsi(window, cable);
+  expectSameCells(window.session(), sent, 0.051);  // half of a tenth of a second
+  EXPECT_EQ(run.unasked, 0U);
+  EXPECT_EQ(run.ofSound.size(), 1U);
+  for (const char* part : {"is asked for", "did the instrument send them again?", "was keyed in",
+                           "serial number 2000002", "is it the right target?"})
+    EXPECT_GE(askedAbout(run.ofFaults, part), 2U) << part;
+  for (const Position& position : window.session().positions)
+    for (const Reading& row : position.readings) {
+      EXPECT_EQ(row.returnCode, "") << "GSI has none";
+      EXPECT_EQ(row.corrections, "inclination standing_axis collimation tilting_axis");
+    }
+}
+
+double intersectionOf(const Session& session) {
+  const Examined examined = examine(session);
+  return fitSession(*examined.measurement).intersection->value;
+}
+
+// The tripod is knocked by 30″ between the positions: the zero of 180° is sighted anew, and nothing comes of
+// it.
+TEST(ProtocolLanding, AZeroAfterTheReadingsIsNotThatOfTheNextPosition) {
+  Session sent = sightedInFull();
+  const double before = intersectionOf(sent);
+  const auto knocked = [](std::string& vertical) {
+    vertical = formatDms(
+        *parseAngle(vertical) +
+            Angle::fromArcseconds(isFaceTwo(*parseAngle(vertical), VerticalCircle::Zenith) ? -30 : 30),
+        2);
+  };
+  Position& turned = sent.positions[1];
+  knocked(turned.zero.vertical);
+  for (const ZeroSlot& slot : furtherZeros) knocked((turned.zero.*slot.sighting).vertical);
+  for (Reading& row : turned.readings) knocked(row.vertical);
+  EXPECT_NEAR(intersectionOf(sent), before, 1e-3);
+  Session misplaced = sent;  // as it was read when one zero was known of a position
+  misplaced.positions[1].zero = {sent.positions[0].zero.after.horizontal,
+                                 sent.positions[0].zero.after.vertical};
+  misplaced.positions[0].zero = {sent.positions[0].zero.horizontal, sent.positions[0].zero.vertical};
+  EXPECT_GT(std::abs(intersectionOf(misplaced) - before), 0.1);
+  RecordProperty("intersection_um", static_cast<int>(1000 * before));
+  RecordProperty("misplaced_um", static_cast<int>(1000 * intersectionOf(misplaced)));
+  LandingWindow window(askedInFull(sent));
+  SimulatedOptions options{.sightings = sightingsOf(sent)};
+  GeoComTalk talk({});
+  Cable cable{SimulatedInstrument(options), talk};
+  const CableRun run = readByGeoCom(window, cable);
+  expectSameCells(window.session(), sent, 5.1e-4);
+  EXPECT_NEAR(intersectionOf(window.session()), before, 1e-3);
+}
+
+/// Point 1 to 4 in face 1 at 0°, each as read in the paper; nothing at 180°.
+Session begunWithoutProtocol() {
+  Session session = paperSession();
+  session.positions[0].readings.resize(4);
+  session.positions[1].zero = {};
+  session.positions[1].readings.clear();
+  return session;
+}
+
+TEST(ReadingQuestion, AZeroInFaceTwoIsNoPointWithoutAProtocolEither) {
+  LandingWindow window(begunWithoutProtocol());
+  window.putInFront(0);
+  InstrumentReading zero = readingOf("152°32'51\"", "270°00'05\"");
+  EXPECT_THAT(window.add(zero), AllOf(HasSubstr("looks at the pointing zero"), HasSubstr("face 2")));
+  EXPECT_EQ(window.session().positions[0].readings.size(), 4U) << "nothing is stored before it is answered";
+  window.take();
+  EXPECT_EQ(window.session().positions[0].zero.afterInTwo.horizontal, "152°32'51\"");
+  EXPECT_THAT(window.session().positions[0].zero.afterInTwo.takenAt, Not(IsEmpty()));
+  EXPECT_EQ(window.session().positions[0].readings.size(), 4U);
+}
+
+TEST(ReadingQuestion, AnotherPositionIsAsked) {
+  Session session = paperSession();
+  const Session paper = session;
+  session.positions[1].zero = {};
+  for (Reading& row : session.positions[1].readings) row.horizontal = row.vertical = "";
+  LandingWindow window(session);
+  EXPECT_THAT(window.add(firstZero(paper, 1)), HasSubstr("has the axis been turned?"));
+  EXPECT_EQ(window.session().positions[1].zero.horizontal, "");
+  window.take();
+  EXPECT_EQ(window.session().positions[1].zero.horizontal, paper.positions[1].zero.horizontal);
+  EXPECT_THAT(window.add(readingOf(paper.positions[1].readings[0])), IsEmpty()) << "asked once";
+  EXPECT_EQ(window.session().positions[1].readings[0].horizontal, paper.positions[1].readings[0].horizontal);
+}
+
+TEST(ReadingQuestion, ABlockThatCameAlreadyIsAskedAlsoAsOneOfAPair) {
+  const Session paper = paperSession();
+  LandingWindow window(begunWithoutProtocol());
+  window.putInFront(0);
+  const InstrumentReading a = readingOf(paper.positions[0].readings[4]),
+                          b = readingOf(paper.positions[0].readings[5]);
+  EXPECT_THAT(window.add(a), IsEmpty());
+  EXPECT_THAT(window.add(b), IsEmpty());
+  for (const InstrumentReading& again : {a, b, a}) {
+    EXPECT_THAT(window.add(again), HasSubstr("did the instrument send them again?"));
+    window.flow().discard();
+  }
+  EXPECT_THAT(window.add(readingOf(paper.positions[0].readings[2])), HasSubstr("Point 3"))
+      << "what stands counts, whoever entered it";
+  window.flow().discard();
+  EXPECT_EQ(window.session().positions[0].readings.size(), 6U);
+}
+
+TEST(ReadingQuestion, AnotherSerialNumberIsAskedOnce) {
+  Session session = begunWithoutProtocol();
+  session.instrument.serial = "111";
+  const Session paper = paperSession();
+  LandingWindow window(session);
+  window.putInFront(0);
+  const auto from = [&](std::size_t row, const char* serial) {
+    InstrumentReading reading = readingOf(paper.positions[0].readings[row]);
+    reading.serial = serial;
+    return reading;
+  };
+  EXPECT_THAT(window.add(from(4, "222")),
+              AllOf(HasSubstr("111"), HasSubstr("222"), HasSubstr("The session states")));
+  window.take();
+  EXPECT_EQ(window.session().positions[0].readings[4].instrumentSerial, "222");
+  EXPECT_THAT(window.add(from(5, "222")), IsEmpty()) << "it was taken";
+  EXPECT_THAT(window.add(from(6, "111")), HasSubstr("The readings before are of the instrument"));
+}
+
+TEST(ReadingQuestion, WhatTheInstrumentDoesNotVouchForIsAskedAndKeepsItsCode) {
+  const Session paper = paperSession();
+  LandingWindow window(begunWithoutProtocol());
+  window.putInFront(0);
+  InstrumentReading reading = readingOf(paper.positions[0].readings[4]);
+  reading.returnCode = "1284";
+  reading.reservation = geoComSentence(1284);
+  EXPECT_THAT(window.add(reading), AllOf(HasSubstr("does not vouch"), HasSubstr("Return code 1284")));
+  EXPECT_FALSE(window.open->instrumentDesk().questionBar()->isHidden());
+  window.take();
+  EXPECT_EQ(window.session().positions[0].readings[4].returnCode, "1284");
+}
+
+TEST(ReadingQuestion, ACompensatorThatIsOffAndOtherCorrectionsAreAskedOnce) {
+  const Session paper = paperSession();
+  LandingWindow window(begunWithoutProtocol());
+  window.putInFront(0);
+  const auto with = [&](std::size_t row, bool isCompensated, const char* corrections) {
+    InstrumentReading reading = readingOf(paper.positions[0].readings[row]);
+    reading.isCompensated = isCompensated;
+    reading.corrections = corrections;
+    return reading;
+  };
+  EXPECT_THAT(window.add(with(4, true, "inclination")), IsEmpty());
+  EXPECT_THAT(window.add(with(5, false, "none")),
+              AllOf(HasSubstr("compensator is off"), HasSubstr("“none”")));
+  window.take();
+  EXPECT_THAT(window.add(with(6, false, "none")), IsEmpty());
+}
+
+TEST(ReadingQuestion, TheOtherFaceIsAskedOfANewRowAndLandsInItsFace) {
+  Session session = begunWithoutProtocol();
+  for (Reading& row : session.positions[0].readings) row.face = "1";
+  LandingWindow window(session);
+  window.putInFront(0);
+  EXPECT_THAT(window.add(readingOf("160°00'00\"", "275°00'00\"")), HasSubstr("face 1 is asked for"));
+  window.take();
+  EXPECT_EQ(window.session().positions[0].readings[4].face, "2");
+}
+
+TEST(ReadingQuestion, AReadingThatNoPlaceIsAskedForIsAQuestion) {
+  LandingWindow window(paperSession());
+  EXPECT_THAT(window.add(readingOf("20°00'00\"", "80°00'00\"")), HasSubstr("all is read that was to be"));
+  window.flow().takeAnyway();
+  EXPECT_EQ(window.flow().waiting(), 1U) << "there is no place for it";
+}
+
+TEST(ReadingQuestion, WhatFailedIsOverOnceTheNextThingSucceeds) {
+  LandingWindow window(begunWithoutProtocol());
+  window.putInFront(0);
+  InstrumentDesk& desk = window.open->instrumentDesk();
+  QString shown;
+  QObject::connect(&desk, &InstrumentDesk::remark, &desk, [&](const QString& sentence) { shown = sentence; });
+  desk.take();
+  EXPECT_THAT(shown.toStdString(), HasSubstr("No instrument is connected"));
+  emit desk.link().succeeded();
+  EXPECT_TRUE(shown.isEmpty());
+}
+
+}  // namespace
+}  // namespace alidade::ui

@@ -1,0 +1,338 @@
+#include "ui/connection/reading_doubts.h"
+
+#include <QCoreApplication>
+#include <QStringList>
+#include <algorithm>
+#include <cmath>
+#include <ranges>
+#include <vector>
+
+#include "core/base/angle_text.h"
+#include "core/session/entry.h"
+#include "core/session/row_fields.h"
+#include "core/wording/guidance.h"
+#include "ui/text/entry_text.h"
+#include "ui/text/next_reading_text.h"
+#include "ui/text/position_text.h"
+#include "ui/text/visible_text.h"
+
+namespace alidade::ui {
+
+namespace {
+
+struct ReadingDoubts {
+  Q_DECLARE_TR_FUNCTIONS(ReadingDoubts)
+};
+
+/// Pointing zeros of one set-up look in one direction; no two targets of a bench are as near to each other.
+constexpr Angle zeroTolerance = Angle::fromDegrees(1);
+/// Two sightings as near to each other as this are one: no circle is read so finely.
+constexpr double sameWithin = 1e-4;  // arcsec
+/// Beyond this many rows only texts are compared.
+constexpr std::size_t mostCompared = 10'000;
+constexpr int longestSerial = 40;
+
+bool isFar(const FaceOneReading& read, const FaceOneReading& expected, Angle tolerance) {
+  const auto off = [](Angle a, Angle b) { return std::abs(wrapped(a - b).radians()); };
+  return off(read.horizontal, expected.horizontal) > tolerance.radians() ||
+         off(read.vertical, expected.vertical) > tolerance.radians();
+}
+
+int askedFace(const EntryToCome& asked) {
+  if (!asked.zero.empty()) return asked.zeroFace;
+  const auto face = wholeEntry(faceRule, asked.sighting.face);
+  return face && *face ? **face : 1;
+}
+
+bool isAnythingRead(const Position& position) {
+  if (!position.zero.horizontal.empty() || !position.zero.vertical.empty()) return true;
+  return std::ranges::any_of(
+      position.readings, [](const Reading& row) { return !row.horizontal.empty() || !row.vertical.empty(); });
+}
+
+/// "pointing zero in face 2", of the field of a sighting.
+QString zeroName(const std::string& zero) {
+  PlannedSighting planned;
+  planned.isZero = true;
+  for (const ZeroSlot& slot : furtherZeros)
+    if (zero == std::string("pointing_zero.") + slot.key) {
+      planned.face = slot.face;
+      planned.isAfter = slot.isAfter;
+    }
+  return qText(sightingName(planned));
+}
+
+/// Speaks against one reading.
+class Doubts {
+ public:
+  Doubts(const Evaluation& evaluation, const Landing& landing, const InstrumentReading& reading,
+         const TakenBefore& before)
+      : m_evaluation(evaluation),
+        m_session(evaluation.session),
+        m_landing(landing),
+        m_reading(reading),
+        m_before(before),
+        m_unit(circleUnitOf(evaluation.session)) {}
+
+  QString question() {
+    if (!m_landing.isChosen) doubtPosition();
+    doubtSerial();
+    if (!m_reading.reservation.empty()) doubtWarrant();
+    doubtCorrections();
+    doubtRepeat();
+    doubtFace();
+    doubtWhatStands();
+    doubtTarget();
+    if (m_said.isEmpty()) return {};
+    //: where a reading would go, and what was read: "0°: point 3", two angles and a face
+    m_said.prepend(ReadingDoubts::tr("%1: %2 and %3 in face %4 was read.")
+                       .arg(entryText(m_session, m_landing.asked), shownAngle(m_reading.horizontal, m_unit),
+                            shownAngle(m_reading.vertical, m_unit))
+                       .arg(m_reading.face));
+    return m_said.join(u' ');
+  }
+
+ private:
+  void say(const QString& sentence) { m_said.append(sentence); }
+
+  const Position& position() const { return m_session.positions[m_landing.position()]; }
+
+  /// The position of what was read last, where it is another one.
+  std::optional<std::size_t> positionBefore() const {
+    if (m_before.position())
+      return m_before.position() != m_landing.position() ? m_before.position() : std::nullopt;
+    if (isAnythingRead(position())) return std::nullopt;
+    for (std::size_t i = 0; i < m_session.positions.size(); ++i)
+      if (isAnythingRead(m_session.positions[i])) return i;
+    return std::nullopt;
+  }
+
+  void doubtPosition() {
+    const auto last = positionBefore();
+    if (!last || *last >= m_session.positions.size()) return;
+    const QString here = positionText(m_session, m_landing.position());
+    say(ReadingDoubts::tr(
+            "The readings before are of %1, and this one would be of %2: has the axis been turned?")
+            .arg(positionText(m_session, *last), here));
+  }
+
+  std::string lastOfRows(std::string Reading::*text) const {
+    for (const Position& one : std::views::reverse(m_session.positions))
+      for (const Reading& row : std::views::reverse(one.readings))
+        if (!(row.*text).empty()) return row.*text;
+    return {};
+  }
+
+  void doubtSerial() {
+    if (m_reading.serial.empty()) return;
+    const std::string& stated = m_session.instrument.serial;
+    const bool isStated = m_before.serial().empty() && !stated.empty();
+    const std::string usual = isStated                    ? stated
+                              : m_before.serial().empty() ? lastOfRows(&Reading::instrumentSerial)
+                                                          : m_before.serial();
+    if (usual.empty() || usual == m_reading.serial) return;
+    const QString was = shortLine(usual, longestSerial), is = shortLine(m_reading.serial, longestSerial);
+    say(isStated ? ReadingDoubts::tr(
+                       "The session states the instrument with serial number %1, and this reading is "
+                       "of serial number %2.")
+                       .arg(was, is)
+                 : ReadingDoubts::tr(
+                       "The readings before are of the instrument with serial number %1, and this one "
+                       "is of serial number %2.")
+                       .arg(was, is));
+  }
+
+  void doubtWarrant() {
+    const QString why = visibleLine(qText(m_reading.reservation));
+    say(m_reading.returnCode.empty()
+            ? why
+            : ReadingDoubts::tr("%1 (Return code %2.)").arg(why, qText(m_reading.returnCode)));
+  }
+
+  void doubtCorrections() {
+    const std::string usual =
+        m_before.corrections().empty() ? lastOfRows(&Reading::corrections) : m_before.corrections();
+    const bool wasOff = !usual.empty() && usual.find("inclination") == std::string::npos;
+    if (m_reading.isCompensated == false && m_before.isCompensated().value_or(!wasOff))
+      say(ReadingDoubts::tr(
+          "The compensator is off: the readings are not free of the tilt of the instrument."));
+    if (usual.empty() || m_reading.corrections.empty() || usual == m_reading.corrections) return;
+    //: words such as "inclination collimation", or "none"
+    say(ReadingDoubts::tr("The instrument corrected “%1” before and corrects “%2” now.")
+            .arg(visibleLine(qText(usual)), visibleLine(qText(m_reading.corrections))));
+  }
+
+  bool isSame(const std::string& horizontal, const std::string& vertical, bool mayParse) const {
+    if (horizontal == m_reading.horizontal && vertical == m_reading.vertical) return true;
+    if (!mayParse || horizontal.empty() || vertical.empty()) return false;
+    const auto a = parseAngle(horizontal), b = parseAngle(vertical);
+    const auto isNear = [](Angle one, Angle other) {
+      return std::abs(wrapped(one - other).arcseconds()) < sameWithin;
+    };
+    return a && b && isNear(*a, m_reading.horizontalAngle) && isNear(*b, m_reading.verticalAngle);
+  }
+
+  /// Where the same angles stand already; empty: nowhere.
+  QString placeOfSame(std::size_t at) const {
+    const Position& one = m_session.positions[at];
+    const bool mayParse = one.readings.size() <= mostCompared;
+    std::vector<std::string> zeros{"pointing_zero"};
+    for (const ZeroSlot& slot : furtherZeros) zeros.push_back(std::string("pointing_zero.") + slot.key);
+    for (const std::string& zero : zeros)
+      if (const ZeroSighting there = zeroAt(m_session, at, zero);
+          isSame(there.horizontal, there.vertical, mayParse))
+        return zeroName(zero);
+    const auto row = std::ranges::find_if(one.readings, [&](const Reading& reading) {
+      return isSame(reading.horizontal, reading.vertical, mayParse);
+    });
+    return row == one.readings.end() ? QString() : sightingText(*row);
+  }
+
+  void doubtRepeat() {
+    for (std::size_t i = 0; i < m_session.positions.size(); ++i) {
+      const QString where = placeOfSame(i);
+      if (where.isEmpty()) continue;
+      //: a position of the axis and a sighting there: "0°" and "Point 3"
+      return say(
+          ReadingDoubts::tr("The same angles stand at %1 already (%2): did the instrument send them again?")
+              .arg(positionText(m_session, i), where));
+    }
+    const auto isIt = [&](const InstrumentReading& one) {
+      return isSame(one.horizontal, one.vertical, false);
+    };
+    if (std::ranges::any_of(m_before.readings(), isIt))
+      say(ReadingDoubts::tr("The same angles came before: did the instrument send them again?"));
+  }
+
+  void doubtFace() {
+    if (m_landing.isProposed) return;
+    const int asked = askedFace(m_landing.asked);
+    if (asked != m_reading.face)
+      say(ReadingDoubts::tr("The circle reads face %1, and face %2 is asked for.")
+              .arg(m_reading.face)
+              .arg(asked));
+  }
+
+  /// What would go: a reading, or a sighting of the zero.
+  QString standing() const {
+    if (!m_landing.row) {
+      const ZeroSighting zero = zeroAt(m_session, m_landing.position(), m_landing.zero);
+      return zero.horizontal.empty() && zero.vertical.empty()
+                 ? QString()
+                 : ReadingDoubts::tr("%1 and %2")
+                       .arg(shownAngle(zero.horizontal, m_unit), shownAngle(zero.vertical, m_unit));
+    }
+    if (*m_landing.row >= position().readings.size()) return {};
+    const Reading& row = position().readings[*m_landing.row];
+    if (row.horizontal.empty() && row.vertical.empty()) return {};
+    if (row.horizontal.empty() || row.vertical.empty())
+      return shownAngle(row.horizontal.empty() ? row.vertical : row.horizontal, m_unit);
+    return ReadingDoubts::tr("%1 and %2")
+        .arg(shownAngle(row.horizontal, m_unit), shownAngle(row.vertical, m_unit));
+  }
+
+  void doubtWhatStands() {
+    if (const QString there = standing(); !there.isEmpty())
+      say(m_landing.row ? ReadingDoubts::tr("%1 stands there already and would go.").arg(there)
+                        : ReadingDoubts::tr("The %1 stands already, %2, and would go.")
+                              .arg(zeroName(m_landing.zero), there));
+  }
+
+  /// What the protocol expects there, else what the rows do.
+  std::optional<ExpectedReading> expected() const {
+    const EntryToCome& asked = m_landing.asked;
+    const Guide* guide = m_evaluation.guide.get();
+    if (guide && guide->problem.empty())
+      for (std::size_t i = 0; i < guide->progress.sightings.size() && i < guide->expected.size(); ++i)
+        if (isAsked(guide->progress.sightings[i])) return guide->expected[i];
+    return asked.position < m_evaluation.next.size() ? expectedOf(m_evaluation, asked) : std::nullopt;
+  }
+
+  bool isAsked(const FollowedSighting& followed) const {
+    const EntryToCome& asked = m_landing.asked;
+    const PlannedSighting& planned = followed.planned;
+    if (followed.position != asked.position || planned.isZero == asked.zero.empty()) return false;
+    if (planned.isZero) return planned.face == asked.zeroFace && planned.isAfter == asked.isAfter;
+    const auto point = wholeEntry(pointRule, asked.sighting.point);
+    const auto round = wholeEntry(roundRule, asked.sighting.round);
+    return point && round && *point == planned.point && *round == planned.round &&
+           askedFace(asked) == planned.face;
+  }
+
+  void doubtTarget() {
+    if (m_landing.isProposed)
+      return say(ReadingDoubts::tr("It looks at the pointing zero: taken, it is the %1.")
+                     .arg(zeroName(m_landing.zero)));
+    if (const auto there = expected()) {
+      const auto kind = verticalCircleEntry(m_session.geometry.verticalCircle);
+      const FaceOneReading wanted = inFaceOne(there->horizontal, there->vertical, askedFace(m_landing.asked),
+                                              kind ? *kind : VerticalCircle::Zenith);
+      if (isFar(inFaceOne(m_reading, m_session), wanted, there->tolerance))
+        say(ReadingDoubts::tr("About %1 and %2 was expected: is it the right target?")
+                .arg(coarseAngleText(there->horizontal, m_unit), coarseAngleText(there->vertical, m_unit)));
+      return;
+    }
+    m_landing.row ? doubtZeroInRow() : doubtZero();
+  }
+
+  /// Nothing is expected there, but what is no reading of the arc is known.
+  void doubtZeroInRow() {
+    if (looksAt(m_reading, m_session, m_landing.position(), zeroTolerance))
+      say(ReadingDoubts::tr("It looks at the pointing zero: is it the right target?"));
+  }
+
+  void doubtZero() {
+    for (std::size_t i = 0; i < m_session.positions.size(); ++i) {
+      const PointingZero& zero = m_session.positions[i].zero;
+      const auto horizontal = parseAngle(zero.horizontal), vertical = parseAngle(zero.vertical);
+      if (!horizontal || !vertical || looksAt(m_reading, m_session, i, zeroTolerance)) continue;
+      return say(ReadingDoubts::tr("The pointing zero of %1 is %2 and %3: is it the right target?")
+                     .arg(positionText(m_session, i), shownAngle(zero.horizontal, m_unit),
+                          shownAngle(zero.vertical, m_unit)));
+    }
+  }
+
+  const Evaluation& m_evaluation;
+  const Session& m_session;
+  const Landing& m_landing;
+  const InstrumentReading& m_reading;
+  const TakenBefore& m_before;
+  const CircleUnit m_unit;
+  QStringList m_said;
+};
+
+}  // namespace
+
+void TakenBefore::add(const InstrumentReading& reading, std::size_t position) {
+  m_position = position;
+  if (!reading.serial.empty()) m_serial = reading.serial;
+  if (!reading.corrections.empty()) m_corrections = reading.corrections;
+  if (reading.isCompensated) m_isCompensated = reading.isCompensated;
+  m_readings.push_back(reading);
+  if (m_readings.size() > mostKept) m_readings.pop_front();
+}
+
+QString readingQuestion(const Evaluation& evaluation, const Landing& landing,
+                        const InstrumentReading& reading, const TakenBefore& before) {
+  return Doubts(evaluation, landing, reading, before).question();
+}
+
+QString placelessQuestion(const Evaluation& evaluation, const InstrumentReading& reading) {
+  const CircleUnit unit = circleUnitOf(evaluation.session);
+  const Guide* guide = evaluation.guide.get();
+  const bool isLacking = guide && guide->problem.empty() && guide->progress.next &&
+                         !guide->progress.sightings[*guide->progress.next].position;
+  const QString horizontal = shownAngle(reading.horizontal, unit),
+                vertical = shownAngle(reading.vertical, unit);
+  if (isLacking)
+    return ReadingDoubts::tr(
+               "A reading came, %1 and %2, and the protocol asks for a position of the axis that the "
+               "session lacks. Add the position, then take it.")
+        .arg(horizontal, vertical);
+  return ReadingDoubts::tr(
+             "A reading came, and all is read that was to be: %1 and %2. Add a row, or choose one to "
+             "be read again, then take it.")
+      .arg(horizontal, vertical);
+}
+
+}  // namespace alidade::ui
