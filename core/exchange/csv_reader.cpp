@@ -45,6 +45,13 @@ std::string plainNumber(std::string text) {
   return !isPlain && parseWhole(text) ? plainSigns(text) : text;
 }
 
+/// Is there a digit, and no word before it?
+bool mayBeReading(const std::string& cell) {
+  const char first = cell.empty() ? '\0' : cell.front();
+  const bool isWord = (first >= 'a' && first <= 'z') || (first >= 'A' && first <= 'Z');
+  return !isWord && hasAnyDigit(cell);
+}
+
 /// What the vertical readings tell of their circle where no heading does.
 class CircleKind {
  public:
@@ -197,7 +204,7 @@ class CsvReader {
     if (isOfMean(row)) return Kind::Mean;
     for (const PlannedAngle& angle : m_plan.angles)
       for (const std::size_t at : angle.at)
-        if (angle.field->remedy && at < row.cells.size() && hasAnyDigit(row.cells[at].text))
+        if (angle.field->remedy && at < row.cells.size() && mayBeReading(row.cells[at].text))
           return std::nullopt;
     const bool isHeading = std::ranges::any_of(m_plan.headings, [&row](const TableCells& names) {
       return std::ranges::equal(names, row.cells, {}, {}, &CsvCell::text);

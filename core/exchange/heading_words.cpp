@@ -53,7 +53,7 @@ constexpr RoleWords vocabulary[] = {
      "Hzablesung HWinkel "
      "水平角 水平 水平盘 水平度盘 水平方向 水平方向值 方向值 方向 hor horizontales horizontale horizontalc "
      "dirección direcciones горизонтальный горизонтальная горизонтальные горизонтального горизонтальному "
-     "горизонтальное горизонт гориз гк гу направление направления"},
+     "горизонтальное горизонт гориз гор гк гу направление направления"},
     {HeadingRole::MaybeHorizontal, "h"},
     {HeadingRole::Vertical,
      "vertical verticals v va vert beta β vz Vertikal Vertikalwinkel Vertikalkreis Vertikalablesung VWinkel "
@@ -102,9 +102,10 @@ constexpr RoleWords vocabulary[] = {
     {HeadingRole::Radians, "rad radian radians Radiant 弧度 radianes радиан рад"},
     {HeadingRole::Dms, "dms gms gmss dmmss mmss ddmmss dddmmss 度分秒 гмс"},
     {HeadingRole::DegreePart,
-     "deg degs degree degrees d ° 度 grad grado grados degré degrés град градус градусы градусов g gon gr"},
+     "deg degs degree degrees d dd ddd ° 度 grad grado grados degré degrés град градус градусы градусов g "
+     "gon gr"},
     {HeadingRole::MinutePart,
-     "min mins minute minutes m ' Minuten 分 minuto minutos мин минут минута минуты мн arcmin"},
+     "min mins minute minutes m mm ' Minuten 分 minuto minutos мин минут минута минуты мн arcmin"},
     {HeadingRole::SecondPart,
      "sec secs second seconds s \" Sek Sekunde Sekunden 秒 segundo segundos seg ss seconde secondes сек "
      "секунд секунда "

@@ -14,6 +14,7 @@ std::string faceWordOf(const std::string& cell) {
   std::string found;
   for (const std::string& word : headingWords(cell)) {
     const bool saysNothing = means(HeadingRole::Filler, word) || means(HeadingRole::CircleWord, word) ||
+                             means(HeadingRole::Axis, word) ||
                              (means(HeadingRole::Face, word) && word != "kl");
     if (saysNothing) continue;
     if (!found.empty()) return {};

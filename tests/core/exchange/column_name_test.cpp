@@ -106,6 +106,9 @@ TEST(TableRows, ThatAreNoReadingsAreTold) {
   EXPECT_THAT(recording.unused, ElementsAre("rows of means or sums are not used: lines 3, 4, 5",
                                             "rows that name the columns again are passed over: line 6",
                                             "rows without a reading of a circle are not used: lines 7, 8"));
+  EXPECT_THAT(readCsv("Pt,Hz,V\n1,1°,2°\nsunny, wind 3 m/s, no clouds\n").problems, IsEmpty());
+  EXPECT_FALSE(readCsv("Pt,Hz,V\n1,1°,2°\n2, x107 12 23, 88°\n").sightings.size() == 1)
+      << "is refused by its rules";
   EXPECT_THAT(readCsv("Pt;Hz;V\n1;1°;2°\nPt;V;Hz\n2;1°;2°\n").problems.at(0).text(), HasSubstr("named anew"));
 }
 
@@ -125,8 +128,8 @@ TEST(FaceWords, DependOnTheirCompany) {
   EXPECT_EQ(of({"D", "I"}, false), "D1") << "which is refused as no face";
   for (const auto& [one, two] :
        {std::pair("FL", "FR"), std::pair("F1", "F2"), std::pair("盘左", "盘右"), std::pair("КЛ", "КП"),
-        std::pair("VL", "VR"), std::pair("Lage 1", "Lage II"), std::pair("left", "Right"),
-        std::pair("CL", "CR"), std::pair("正镜", "倒镜")})
+        std::pair("VL", "VR"), std::pair("Lage 1", "Lage II"), std::pair("Pos. I", "Pos. II"),
+        std::pair("left", "Right"), std::pair("CL", "CR"), std::pair("正镜", "倒镜")})
     EXPECT_EQ(of({one, two}, false), "12") << one;
 }
 
