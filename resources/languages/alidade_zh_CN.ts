@@ -616,6 +616,66 @@ Sealed by:</source>
         <source>protocol</source>
         <translation>测量方案</translation>
     </message>
+    <message>
+        <source>offset of the line of sight</source>
+        <translation>视线偏距</translation>
+    </message>
+    <message>
+        <source>u of the offset of the line of sight</source>
+        <translation>视线偏距的 u</translation>
+    </message>
+    <message>
+        <source>correlation of the offset with the collimation</source>
+        <translation>视线偏距与照准差的相关系数</translation>
+    </message>
+    <message>
+        <source>time of the pointing zero</source>
+        <translation>瞄准零位的时间</translation>
+    </message>
+    <message>
+        <source>return code of the pointing zero</source>
+        <translation>瞄准零位的返回码</translation>
+    </message>
+    <message>
+        <source>instrument serial number of the pointing zero</source>
+        <translation>瞄准零位的仪器序列号</translation>
+    </message>
+    <message>
+        <source>time of the pointing zero in face 2</source>
+        <translation>盘右瞄准零位的时间</translation>
+    </message>
+    <message>
+        <source>return code of the pointing zero in face 2</source>
+        <translation>盘右瞄准零位的返回码</translation>
+    </message>
+    <message>
+        <source>instrument serial number of the pointing zero in face 2</source>
+        <translation>盘右瞄准零位的仪器序列号</translation>
+    </message>
+    <message>
+        <source>time of the pointing zero after the readings</source>
+        <translation>读数之后瞄准零位的时间</translation>
+    </message>
+    <message>
+        <source>return code of the pointing zero after the readings</source>
+        <translation>读数之后瞄准零位的返回码</translation>
+    </message>
+    <message>
+        <source>instrument serial number of the pointing zero after the readings</source>
+        <translation>读数之后瞄准零位的仪器序列号</translation>
+    </message>
+    <message>
+        <source>time of the pointing zero after the readings in face 2</source>
+        <translation>读数之后盘右瞄准零位的时间</translation>
+    </message>
+    <message>
+        <source>return code of the pointing zero after the readings in face 2</source>
+        <translation>读数之后盘右瞄准零位的返回码</translation>
+    </message>
+    <message>
+        <source>instrument serial number of the pointing zero after the readings in face 2</source>
+        <translation>读数之后盘右瞄准零位的仪器序列号</translation>
+    </message>
 </context>
 <context>
     <name>FileLock</name>
@@ -1021,6 +1081,38 @@ Sealed by:</source>
     <message>
         <source>Setting accuracy of the compensator, by its data sheet; of use where the readings have tilts, or say what the instrument corrected</source>
         <translation>补偿器的安置精度，见其技术资料；当读数带有倾斜量，或说明了仪器作了哪些改正时使用</translation>
+    </message>
+    <message>
+        <source>Line of sight e</source>
+        <translation>视线偏距 e</translation>
+    </message>
+    <message>
+        <source>not known</source>
+        <translation>未知</translation>
+    </message>
+    <message>
+        <source>Offset of the line of sight from the vertical axis, by the instrument check: e/D at the distance of this session adds to the known collimation</source>
+        <translation>视线偏离竖轴的距离，由仪器检查得出：本测量记录距离处的 e/D 计入已知的照准差</translation>
+    </message>
+    <message>
+        <source>u of e</source>
+        <translation>e 的 u</translation>
+    </message>
+    <message>
+        <source>0</source>
+        <translation>0</translation>
+    </message>
+    <message>
+        <source>Standard uncertainty of the offset of the line of sight</source>
+        <translation>视线偏距的标准不确定度</translation>
+    </message>
+    <message>
+        <source>Correlation of e</source>
+        <translation>e 的相关系数</translation>
+    </message>
+    <message>
+        <source>Of the offset of the line of sight with the known collimation, −1 to 1: one fit found both</source>
+        <translation>视线偏距与已知照准差的相关系数，−1 至 1：两者由同一拟合得出</translation>
     </message>
 </context>
 <context>
@@ -2338,10 +2430,6 @@ Sealed by:</source>
         <translation>坐标记录（08）</translation>
     </message>
     <message>
-        <source>another record of a station (02)</source>
-        <translation>另一条测站记录（02）</translation>
-    </message>
-    <message>
         <source>%1 is no record of an SDR file: transfer the file anew, or mend or delete the line</source>
         <translation>%1 不是 SDR 文件的记录：请重新传输文件，或改正、删除该行</translation>
     </message>
@@ -2380,10 +2468,6 @@ Sealed by:</source>
     <message>
         <source>the note %1</source>
         <translation>备注 %1</translation>
-    </message>
-    <message>
-        <source>is UTF-16: save it as UTF-8 text</source>
-        <translation>是 UTF-16：请另存为 UTF-8 文本</translation>
     </message>
     <message>
         <source>is no text: choose a GSI file, or a table saved as CSV</source>
@@ -3722,10 +3806,6 @@ Sealed by:</source>
     <message>
         <source>What the faces differ by does not go with the distance: the line of sight passes the axis at %1.</source>
         <translation>两个盘位之差不随距离变化：视线偏离轴 %1。</translation>
-    </message>
-    <message>
-        <source>The collimation differs from target to target by more than it scatters (%1), so that its u is too small for another target: tilt of the trunnion axis, distance, or how a target is sighted.</source>
-        <translation>视准误差在目标之间的差异超过其散布（%1），因此对其他目标而言其 u 过小：原因可能是横轴倾斜、距离，或目标的照准方式。</translation>
     </message>
     <message>
         <source>The circle was set anew between rounds, so that a drift of the orientation between them does not show.</source>
@@ -5181,6 +5261,378 @@ Sealed by:</source>
         <source>is a pipe or a device: choose a file</source>
         <translation>是管道或设备：请选择文件</translation>
     </message>
+    <message>
+        <source>%1 has digits of another script: type the digits 0 to 9</source>
+        <translation>%1 含有其他文字的数字：请键入数字 0 到 9</translation>
+    </message>
+    <message>
+        <source>The check sum of an answer is not that of its text, and it is asked for again: %1</source>
+        <translation>应答的校验和与其内容不符，重新询问：%1</translation>
+    </message>
+    <message>
+        <source>The answers of the instrument were spoiled %1 times.</source>
+        <translation>仪器的应答有 %1 次损坏。</translation>
+    </message>
+    <message>
+        <source>The instrument says that an angle was keyed in, not measured.</source>
+        <translation>仪器表明有一个角度是键入的，而非测得。</translation>
+    </message>
+    <message>
+        <source>The instrument says that an angle is the result of one of its functions, not of a circle.</source>
+        <translation>仪器表明有一个角度是其某项功能的结果，而非度盘读数。</translation>
+    </message>
+    <message>
+        <source>%1 lacks one of its parts: fill in 0 where there are none</source>
+        <translation>%1 缺少度、分、秒中的一项：没有的请填 0</translation>
+    </message>
+    <message>
+        <source>%1 has a sign within: put it before the degrees</source>
+        <translation>%1 的正负号在中间：请将其放在度之前</translation>
+    </message>
+    <message>
+        <source>%1 has %2 minutes: minutes go from 0 to %3</source>
+        <translation>%1 的分为 %2：分应在 0 到 %3 之间</translation>
+    </message>
+    <message>
+        <source>%1 has %2 seconds: seconds stay below %3</source>
+        <translation>%1 的秒为 %2：秒应小于 %3</translation>
+    </message>
+    <message>
+        <source>%1 can only be gon, as degrees end at 360: name the unit in the heading, such as Hz [gon], or choose gon as the unit (--unit gon)</source>
+        <translation>%1 只能是 gon，因为度到 360 为止：请在列标题中写明单位，如 Hz [gon]，或选择 gon 作为单位（--unit gon）</translation>
+    </message>
+    <message>
+        <source>the vertical readings are taken for elevations, as some are negative</source>
+        <translation>竖直度盘读数中有负值，按高度角处理</translation>
+    </message>
+    <message>
+        <source>the columns are named anew and otherwise: put what follows into a file of its own</source>
+        <translation>各列在此重新命名，且与前面不同：请将其后的内容另存为一个文件</translation>
+    </message>
+    <message>
+        <source>angles with 60 seconds or minutes, read as the next minute or degree: %1, first in line %2</source>
+        <translation>秒或分为 60 的角度，已进位为下一分或下一度：%1 个，首见于第 %2 行</translation>
+    </message>
+    <message>
+        <source>what stands behind the end of the file (^Z)</source>
+        <translation>文件结束符（^Z）之后的内容</translation>
+    </message>
+    <message>
+        <source>a further line of no format</source>
+        <translation>另一行非本格式的文本</translation>
+    </message>
+    <message>
+        <source>the text %1, no GSI word,</source>
+        <translation>非 GSI 字的文本 %1</translation>
+    </message>
+    <message>
+        <source>a further text that is no GSI word</source>
+        <translation>另一段非 GSI 字的文本</translation>
+    </message>
+    <message>
+        <source>is a file of the format %1, which is not read here: export GSI, SDR, JobXML or a table (CSV) instead</source>
+        <translation>是 %1 格式的文件，本程序不读取该格式：请改为导出 GSI、SDR、JobXML 或表格（CSV）</translation>
+    </message>
+    <message>
+        <source>is a file of the format %1, which is not read here: save its table as CSV and choose that file</source>
+        <translation>是 %1 格式的文件，本程序不读取该格式：请将其中的表格另存为 CSV，再选择该文件</translation>
+    </message>
+    <message>
+        <source>is a file of the format %1, which holds no readings of circles: choose the file of the instrument (GSI, SDR, M5, JobXML, LandXML) or a table (CSV)</source>
+        <translation>是 %1 格式的文件，其中没有度盘读数：请选择仪器文件（GSI、SDR、M5、JobXML、LandXML）或表格（CSV）</translation>
+    </message>
+    <message>
+        <source>its lines begin with For R4 or For R5</source>
+        <translation>各行以 For R4 或 For R5 开头</translation>
+    </message>
+    <message>
+        <source>its outermost element is JOBFile</source>
+        <translation>其最外层元素为 JOBFile</translation>
+    </message>
+    <message>
+        <source>its outermost element is LandXML</source>
+        <translation>其最外层元素为 LandXML</translation>
+    </message>
+    <message>
+        <source>is a file of the format %1: unpack it and choose the file in it</source>
+        <translation>是 %1 格式的文件：请先解压，再选择其中的文件</translation>
+    </message>
+    <message>
+        <source>has 8 characters, and a block that starts with * has 16: transfer the file anew</source>
+        <translation>只有 8 个字符，而以 * 开头的块为 16 个：请重新传输文件</translation>
+    </message>
+    <message>
+        <source>has neither 8 nor 16 characters: transfer the file anew, or mend or delete the line</source>
+        <translation>既非 8 也非 16 个字符：请重新传输文件，或改正、删除该行</translation>
+    </message>
+    <message>
+        <source>angles keyed in by hand, not measured: %1, first in line %2</source>
+        <translation>手工键入、非测得的角度：%1 个，首见于第 %2 行</translation>
+    </message>
+    <message>
+        <source>angles that a program of the instrument worked out, not measured: %1, first in line %2</source>
+        <translation>由仪器程序算得、非测得的角度：%1 个，首见于第 %2 行</translation>
+    </message>
+    <message>
+        <source>words with neither 8 nor 16 characters, taken as they stand: %1, first in line %2</source>
+        <translation>既非 8 也非 16 个字符、按原样采用的字：%1 个，首见于第 %2 行</translation>
+    </message>
+    <message>
+        <source>is a second reading of its circle in one block: delete one of the two</source>
+        <translation>是同一块中该度盘的第二个读数：请删除其中一个</translation>
+    </message>
+    <message>
+        <source>the Trimble JobXML file holds no readings of circles in its field book: export the job with its observations, or export a table (CSV)</source>
+        <translation>Trimble JobXML 文件的外业手簿中没有度盘读数：请连同观测值一起导出作业，或导出表格（CSV）</translation>
+    </message>
+    <message>
+        <source>a deleted observation</source>
+        <translation>已删除的观测</translation>
+    </message>
+    <message>
+        <source>a mean of observations (MeanTurnedAngle)</source>
+        <translation>多次观测的平均值（MeanTurnedAngle）</translation>
+    </message>
+    <message>
+        <source>an observation that is no direct reading (%1)</source>
+        <translation>不是直接读数的观测（%1）</translation>
+    </message>
+    <message>
+        <source>a point without readings of circles</source>
+        <translation>没有度盘读数的点</translation>
+    </message>
+    <message>
+        <source>an observation without one of the circles</source>
+        <translation>缺少一个度盘读数的观测</translation>
+    </message>
+    <message>
+        <source>the LandXML file holds no raw observations with both circles: export the observations as they were read (RawObservation), or GSI or a table (CSV)</source>
+        <translation>LandXML 文件中没有同时含两个度盘读数的原始观测：请按原始读数导出观测值（RawObservation），或导出 GSI 或表格（CSV）</translation>
+    </message>
+    <message>
+        <source>%1 is no unit of angles of LandXML (radians, grads, decimal degrees, decimal dd.mm.ss): export the file in one of them</source>
+        <translation>%1 不是 LandXML 的角度单位（radians、grads、decimal degrees、decimal dd.mm.ss）：请用其中一种单位导出文件</translation>
+    </message>
+    <message>
+        <source>a reduced observation, no reading of circles</source>
+        <translation>归算后的观测，不是度盘读数</translation>
+    </message>
+    <message>
+        <source>%1 and %2 are no readings of circles in radians, the unit of a LandXML file that names none: export the file with its unit of angles (angularUnit)</source>
+        <translation>LandXML 文件未注明角度单位时以弧度为单位，而 %1 和 %2 按弧度不是度盘读数：请连同角度单位（angularUnit）一起导出文件</translation>
+    </message>
+    <message>
+        <source>sightings of a point 0 when the station was set up (KN STAT), taken as the pointing zero: %1, first in line %2</source>
+        <translation>设站（KN STAT）时对点 0 的照准，已作为瞄准零位：%1 次，首见于第 %2 行</translation>
+    </message>
+    <message>
+        <source>upright lines part the columns</source>
+        <translation>各列以竖线分隔</translation>
+    </message>
+    <message>
+        <source>degrees, minutes and seconds stand in columns of their own</source>
+        <translation>度、分、秒各占一列</translation>
+    </message>
+    <message>
+        <source>the collimation of the instrument (04)</source>
+        <translation>仪器照准差（04）</translation>
+    </message>
+    <message>
+        <source>a reduced observation (11)</source>
+        <translation>归算后的观测值（11）</translation>
+    </message>
+    <message>
+        <source>a record of a set (12)</source>
+        <translation>测回记录（12）</translation>
+    </message>
+    <message>
+        <source>is a corrected mean (09MC), and the file holds nothing else: send the observations raw (09F1, 09F2)</source>
+        <translation>是改正后的平均值（09MC），文件中别无其他观测：请发送原始观测值（09F1、09F2）</translation>
+    </message>
+    <message>
+        <source>a deleted record</source>
+        <translation>已删除的记录</translation>
+    </message>
+    <message>
+        <source>a record of the unknown type %1</source>
+        <translation>未知类型 %1 的记录</translation>
+    </message>
+    <message>
+        <source>the columns hold the horizontal circle in both faces and the vertical in one: name the columns of both faces, such as V I and V II</source>
+        <translation>水平度盘有盘左和盘右两列，竖直度盘只有一列：请为两个盘位的列命名，如 V I 和 V II</translation>
+    </message>
+    <message>
+        <source>the columns hold the vertical circle in both faces and the horizontal in one: name the columns of both faces, such as Hz I and Hz II</source>
+        <translation>竖直度盘有盘左和盘右两列，水平度盘只有一列：请为两个盘位的列命名，如 Hz I 和 Hz II</translation>
+    </message>
+    <message>
+        <source>%1 holds a part of an angle whose degrees or minutes have no column: name their columns, such as Hz deg, Hz min, Hz sec</source>
+        <translation>%1 是角度的一部分，但没有其度或分的列：请为这些列命名，如 Hz deg、Hz min、Hz sec</translation>
+    </message>
+    <message>
+        <source>%1 and the columns of its parts name units that do not go together: name them deg, min and sec, or g, c and cc</source>
+        <translation>%1 与其分、秒各列的单位不一致：请命名为 deg、min、sec 或 g、c、cc</translation>
+    </message>
+    <message>
+        <source>%1 holds whole degrees and %2 may hold their minutes or seconds: name the columns, such as Hz deg, Hz min, Hz sec, or choose what each holds</source>
+        <translation>%1 只有整度，而 %2 可能是其分或秒：请为这些列命名，如 Hz deg、Hz min、Hz sec，或选定各列的内容</translation>
+    </message>
+    <message>
+        <source>%1 holds signs, which no angle would have: put them before the degrees</source>
+        <translation>%1 只有正负号，而角度会因此失去符号：请将其放在度之前</translation>
+    </message>
+    <message>
+        <source>%1 names the unit grad, which may be degrees or gon: name it deg or gon, or state the unit (--unit deg, --unit gon)</source>
+        <translation>%1 的单位写作 grad，可能是度，也可能是 gon：请写作 deg 或 gon，或指明单位（--unit deg、--unit gon）</translation>
+    </message>
+    <message>
+        <source>minutes or seconds of 60 carry to the next degree or minute: %1 in all, the first in line %2</source>
+        <translation>分或秒为 60 的进为下一度或下一分：共 %1 处，首处在第 %2 行</translation>
+    </message>
+    <message>
+        <source>a full circle is taken as the zero of the circle: %1 in all, the first in line %2</source>
+        <translation>整圆读数作为度盘的 0：共 %1 处，首处在第 %2 行</translation>
+    </message>
+    <message>
+        <source>texts beyond the last named column are not used: %1 in all, the first in line %2</source>
+        <translation>最后一个命名列之后的文字不使用：共 %1 处，首处在第 %2 行</translation>
+    </message>
+    <message>
+        <source>looks to be text in %1, but is not: save it as UTF-8 text</source>
+        <translation>看似 %1 编码的文本，实则不是：请另存为 UTF-8 文本</translation>
+    </message>
+    <message>
+        <source>is text in %1, which cannot be read on this computer: save it as UTF-8 text</source>
+        <translation>是 %1 编码的文本，本机无法读取：请另存为 UTF-8 文本</translation>
+    </message>
+    <message>
+        <source>rows of means or sums are not used: %1</source>
+        <translation>平均值或合计的行不使用：%1</translation>
+    </message>
+    <message>
+        <source>rows that name the columns again are passed over: %1</source>
+        <translation>重复列标题的行已略过：%1</translation>
+    </message>
+    <message>
+        <source>rows without a reading of a circle are not used: %1</source>
+        <translation>没有度盘读数的行不使用：%1</translation>
+    </message>
+    <message>
+        <source>has more than %1 elements and attributes: export the job in parts</source>
+        <translation>元素和属性超过 %1 个：请分部分导出</translation>
+    </message>
+    <message>
+        <source>the elements of the XML file are broken off or do not close: export it again</source>
+        <translation>XML 文件的元素中断或未闭合：请重新导出</translation>
+    </message>
+    <message>
+        <source>%1 is no reading of a circle in the unit of the file: export the file again, or delete the observation</source>
+        <translation>按文件的单位，%1 不是度盘读数：请重新导出文件，或删除该观测</translation>
+    </message>
+    <message>
+        <source>is of face %1, yet its vertical reading %2 is of the other face, so the readings were reduced: export the circles as they were read</source>
+        <translation>标明为盘位 %1，但其竖直度盘读数 %2 属于另一盘位，可见读数已经过归算：请按原始读数导出度盘读数</translation>
+    </message>
+    <message>
+        <source>holds no readings of a circle: choose another file</source>
+        <translation>不含度盘读数：请选择其他文件</translation>
+    </message>
+    <message>
+        <source>files with both circles and files with one of them cannot be checked together: check them one after the other</source>
+        <translation>同时有两个度盘的文件与只有一个度盘的文件不能一起检查：请逐个检查</translation>
+    </message>
+    <message>
+        <source>has no vertical reading and no face, 1 or 2: state the face of each row</source>
+        <translation>没有竖直读数，也没有盘位 1 或 2：请注明每行的盘位</translation>
+    </message>
+    <message>
+        <source>Directions alone were read: the collimation holds for targets near the horizon, and nothing is said of the index and of zenith angles.</source>
+        <translation>只有方向读数：照准差适用于水平线附近的目标，指标差和天顶角不作说明。</translation>
+    </message>
+    <message>
+        <source>Zenith angles alone were read: nothing is said of the collimation and of directions.</source>
+        <translation>只有天顶角读数：照准差和方向不作说明。</translation>
+    </message>
+    <message>
+        <source>These targets cannot tell a tilt of the trunnion axis from a line of sight that passes the axis: the one of the more usual size is stated.</source>
+        <translation>这些目标无法区分横轴误差与视线偏离竖轴：给出的是大小更常见的一个。</translation>
+    </message>
+    <message>
+        <source>Sight near and far targets at the same elevation besides.</source>
+        <translation>请另外照准同一高度角上的近目标和远目标。</translation>
+    </message>
+    <message>
+        <source>The collimation differs from target to target by more than it scatters (%1): tilt of the trunnion axis, distance, or how a target is sighted. Its u is that of the targets.</source>
+        <translation>照准差在目标之间的差异大于其散布（%1）：横轴误差、距离或照准目标的方式所致。其 u 由各目标得出。</translation>
+    </message>
+    <message>
+        <source>%1: the faces of target %2 differ by more than 2°, which is no collimation or index: check the face and the target of these lines</source>
+        <translation>%1：目标 %2 的盘左与盘右相差超过 2°，不可能是照准差或指标差：请检查这些行的盘位和目标</translation>
+    </message>
+    <message>
+        <source>%1: the horizontal circle counts in the opposite direction of that in %2 (target %3): set the same direction in all rounds, or check them one by one</source>
+        <translation>%1：水平度盘的计数方向与%2相反（目标 %3）：请在所有测回中采用同一方向，或逐一检查</translation>
+    </message>
+    <message>
+        <source>%1: target %2 is %3 from its place in %4: name the stations where the instrument was moved, give each target a name of its own, or correct the reading</source>
+        <translation>%1：目标 %2 偏离其在%4中的位置 %3：仪器移动过时请注明测站，给每个目标各自的名称，或改正读数</translation>
+    </message>
+    <message>
+        <source>direction</source>
+        <translation>方向</translation>
+    </message>
+    <message>
+        <source>zenith angle</source>
+        <translation>天顶角</translation>
+    </message>
+    <message>
+        <source>%1: the %2 of target %3 departs by %4 from its median over the rounds: a reading is wrong, or the circle or the tripod moved within the round; correct these lines or leave the round out</source>
+        <translation>%1：目标 %3 的%2与其各测回的中位数相差 %4：读数有误，或度盘、三脚架在测回内移动过；请改正这些行或去掉该测回</translation>
+    </message>
+    <message>
+        <source>s of a direction</source>
+        <translation>方向的 s</translation>
+    </message>
+    <message>
+        <source>s of a zenith angle</source>
+        <translation>天顶角的 s</translation>
+    </message>
+    <message>
+        <source>tilt of the trunnion axis</source>
+        <translation>横轴误差</translation>
+    </message>
+    <message>
+        <source>offset of the line of sight</source>
+        <translation>视线偏距</translation>
+    </message>
+    <message>
+        <source>lines %1 to %2: %3 would be %4, which no theodolite has: these are not rounds in two faces to fixed targets</source>
+        <translation>第 %1 行至第 %2 行：%3将为 %4，没有经纬仪会如此：这些不是对固定目标的双面测回</translation>
+    </message>
+    <message>
+        <source>lines %1 and %2</source>
+        <translation>第 %1 行和第 %2 行</translation>
+    </message>
+    <message>
+        <source>Rounds from %1 on show other targets than those before: they are evaluated as another station.</source>
+        <translation>从%1起的测回观测的目标与此前不同：按另一测站评定。</translation>
+    </message>
+    <message>
+        <source>Target %1 (%2) is %3° from its place in an earlier round (%4): these rounds are evaluated as another station.</source>
+        <translation>目标 %1（%2）偏离其在先前测回（%4）中的位置 %3°：这些测回按另一测站评定。</translation>
+    </message>
+    <message>
+        <source>%1 is out of range: it must be above -10 and below 10 mm</source>
+        <translation>%1 超出范围：必须大于 -10 且小于 10 mm</translation>
+    </message>
+    <message>
+        <source>%1 is out of range: it must be 0 or more and below 10 mm</source>
+        <translation>%1 超出范围：必须不小于 0 且小于 10 mm</translation>
+    </message>
+    <message>
+        <source>%1 is out of range: it must be above -1 and below 1</source>
+        <translation>%1 超出范围：必须大于 -1 且小于 1</translation>
+    </message>
 </context>
 <context>
     <name>PlaceText</name>
@@ -5397,33 +5849,139 @@ as read</source>
         <source>Corrections Column</source>
         <translation>改正列</translation>
     </message>
+    <message>
+        <source>Taken at</source>
+        <translation>读取时间</translation>
+    </message>
+    <message>
+        <source>When the instrument sent the reading, with the time zone</source>
+        <translation>仪器发送该读数的时间，含时区</translation>
+    </message>
+    <message>
+        <source>time of the reading</source>
+        <translation>读数时间</translation>
+    </message>
+    <message>
+        <source>Time Column</source>
+        <translation>时间列</translation>
+    </message>
+    <message>
+        <source>Code</source>
+        <translation>返回码</translation>
+    </message>
+    <message>
+        <source>Return code of GeoCOM that came with the angles; 0: the instrument vouches for them</source>
+        <translation>随角度返回的 GeoCOM 返回码；0：仪器保证该读数</translation>
+    </message>
+    <message>
+        <source>return code</source>
+        <translation>返回码</translation>
+    </message>
+    <message>
+        <source>Return Code Column</source>
+        <translation>返回码列</translation>
+    </message>
+    <message>
+        <source>Serial No.</source>
+        <translation>序列号</translation>
+    </message>
+    <message>
+        <source>Serial number of the instrument that sent the reading</source>
+        <translation>发送该读数的仪器的序列号</translation>
+    </message>
+    <message>
+        <source>instrument serial number</source>
+        <translation>仪器序列号</translation>
+    </message>
+    <message>
+        <source>Serial Number Column</source>
+        <translation>序列号列</translation>
+    </message>
 </context>
 <context>
-    <name>ReadingLanding</name>
+    <name>ReadingDoubts</name>
+    <message>
+        <source>%1: %2 and %3 in face %4 was read.</source>
+        <extracomment>where a reading would go, and what was read: &quot;0°: point 3&quot;, two angles and a face</extracomment>
+        <translation>%1：读到 %2 和 %3，盘位 %4。</translation>
+    </message>
+    <message>
+        <source>The readings before are of %1, and this one would be of %2: has the axis been turned?</source>
+        <translation>此前的读数属于 %1，本读数将属于 %2：轴是否已转动？</translation>
+    </message>
+    <message>
+        <source>The session states the instrument with serial number %1, and this reading is of serial number %2.</source>
+        <translation>会话所述仪器的序列号为 %1，而本读数来自序列号 %2。</translation>
+    </message>
+    <message>
+        <source>The readings before are of the instrument with serial number %1, and this one is of serial number %2.</source>
+        <translation>此前的读数来自序列号为 %1 的仪器，而本读数来自序列号 %2。</translation>
+    </message>
+    <message>
+        <source>%1 (Return code %2.)</source>
+        <translation>%1（返回码 %2。）</translation>
+    </message>
+    <message>
+        <source>The compensator is off: the readings are not free of the tilt of the instrument.</source>
+        <translation>补偿器已关闭：读数未消除仪器的倾斜。</translation>
+    </message>
+    <message>
+        <source>The instrument corrected “%1” before and corrects “%2” now.</source>
+        <extracomment>words such as &quot;inclination collimation&quot;, or &quot;none&quot;</extracomment>
+        <translation>仪器此前改正“%1”，现在改正“%2”。</translation>
+    </message>
+    <message>
+        <source>The same angles stand at %1 already (%2): did the instrument send them again?</source>
+        <extracomment>a position of the axis and a sighting there: &quot;0°&quot; and &quot;Point 3&quot;</extracomment>
+        <translation>相同的角度已在 %1（%2）：仪器是否重发？</translation>
+    </message>
+    <message>
+        <source>The same angles came before: did the instrument send them again?</source>
+        <translation>相同的角度此前已到来：仪器是否重发？</translation>
+    </message>
+    <message>
+        <source>The circle reads face %1, and face %2 is asked for.</source>
+        <translation>度盘读得盘位 %1，而要求的是盘位 %2。</translation>
+    </message>
     <message>
         <source>%1 and %2</source>
         <translation>%1 和 %2</translation>
     </message>
     <message>
-        <source>The pointing zero of %1 in face %2 stands already (%3), and %4 was read.</source>
-        <translation>%1 的瞄准零位在盘位 %2 中已有（%3），现读得 %4。</translation>
+        <source>%1 stands there already and would go.</source>
+        <translation>该处已有 %1，将被替换。</translation>
     </message>
     <message>
-        <source>Pointing zero of %1: %2 was read, and that of %3 is %4 and %5.</source>
-        <translation>%1 的瞄准零位：读得 %2，而 %3 的为 %4 和 %5。</translation>
+        <source>The %1 stands already, %2, and would go.</source>
+        <translation>%1已有 %2，将被替换。</translation>
     </message>
     <message>
-        <source>%1: %2 stands there already, and %3 was read.</source>
-        <translation>%1：此处已有 %2，现读得 %3。</translation>
+        <source>It looks at the pointing zero: taken, it is the %1.</source>
+        <translation>它照准瞄准零位：采用后即为%1。</translation>
     </message>
     <message>
-        <source>%1: face %2 is asked for, and the circle reads face %3 (%4).</source>
-        <translation>%1：待读的是盘位 %2，而度盘为盘位 %3（%4）。</translation>
+        <source>About %1 and %2 was expected: is it the right target?</source>
+        <translation>预期约为 %1 和 %2：目标是否正确？</translation>
     </message>
     <message>
-        <source>%1: %2 was read where about %3 and %4 was expected. Is it the right target?</source>
-        <translation>%1：读得 %2，而预期约为 %3 和 %4。目标是否正确？</translation>
+        <source>It looks at the pointing zero: is it the right target?</source>
+        <translation>它照准瞄准零位：目标是否正确？</translation>
     </message>
+    <message>
+        <source>The pointing zero of %1 is %2 and %3: is it the right target?</source>
+        <translation>%1 的瞄准零位为 %2 和 %3：目标是否正确？</translation>
+    </message>
+    <message>
+        <source>A reading came, %1 and %2, and the protocol asks for a position of the axis that the session lacks. Add the position, then take it.</source>
+        <translation>读数 %1 和 %2 已到来，而方案要求的轴位在会话中没有。请添加该轴位，然后采用。</translation>
+    </message>
+    <message>
+        <source>A reading came, and all is read that was to be: %1 and %2. Add a row, or choose one to be read again, then take it.</source>
+        <translation>读数已到来，而应读的均已读完：%1 和 %2。请添加一行，或选择要重读的一行，然后采用。</translation>
+    </message>
+</context>
+<context>
+    <name>ReadingLanding</name>
     <message>
         <source>Take pointing zero from the instrument</source>
         <translation>从仪器读取瞄准零位</translation>
@@ -6588,6 +7146,24 @@ a clause as a sentence</extracomment>
         <source>no entry was changed after it was recorded</source>
         <translation>记录后没有任何条目被更改</translation>
     </message>
+    <message>
+        <source>Line of sight off the axis</source>
+        <translation>视线偏离竖轴</translation>
+    </message>
+    <message>
+        <source>taken at %1</source>
+        <extracomment>%1: date, time and zone, as 2026-03-14T15:09:26+01:00</extracomment>
+        <translation>读取于 %1</translation>
+    </message>
+    <message>
+        <source>return code %1</source>
+        <extracomment>of the instrument, as 0 or 1284</extracomment>
+        <translation>返回码 %1</translation>
+    </message>
+    <message>
+        <source>instrument %1</source>
+        <translation>仪器 %1</translation>
+    </message>
 </context>
 <context>
     <name>ReportPart</name>
@@ -7713,6 +8289,18 @@ and a plausible size of %1 (1σ)</source>
         <source>typed</source>
         <translation>录入</translation>
     </message>
+    <message>
+        <source>Until they are cleared the rows stay, also over the end of the program</source>
+        <translation>各行在清除之前一直保留，程序结束后也保留</translation>
+    </message>
+    <message>
+        <source>Bring &amp;Back</source>
+        <translation>恢复(&amp;B)</translation>
+    </message>
+    <message>
+        <source>C&amp;lear</source>
+        <translation>清除(&amp;L)</translation>
+    </message>
 </context>
 <context>
     <name>alidade::ui::CheckPlot</name>
@@ -7857,6 +8445,10 @@ and a plausible size of %1 (1σ)</source>
     <message>
         <source>Type, or paste from a spreadsheet (Ctrl+V); a first row that names columns is followed</source>
         <translation>录入，或从电子表格粘贴 (Ctrl+V)；首行若为列名则照其排列</translation>
+    </message>
+    <message>
+        <source>The clipboard was not pasted: %1.</source>
+        <translation>剪贴板内容未粘贴：%1。</translation>
     </message>
 </context>
 <context>
@@ -8155,6 +8747,13 @@ and a plausible size of %1 (1σ)</source>
     <message>
         <source> or </source>
         <translation>或</translation>
+    </message>
+</context>
+<context>
+    <name>alidade::ui::Drafts</name>
+    <message>
+        <source>What is typed into this form would be lost in a crash: %1</source>
+        <translation>键入该表单的内容在崩溃时会丢失：%1</translation>
     </message>
 </context>
 <context>
@@ -9209,6 +9808,18 @@ sizes</source>
         <source>Below it stands as you took such a file the last time.</source>
         <translation>以下按您上次导入此类文件的方式给出。</translation>
     </message>
+    <message>
+        <source>Horizontal, &amp;2nd face:</source>
+        <translation>水平度盘，盘右(&amp;2)：</translation>
+    </message>
+    <message>
+        <source>Vertical, 2nd fa&amp;ce:</source>
+        <translation>竖直度盘，盘右(&amp;C)：</translation>
+    </message>
+    <message>
+        <source>columns %1</source>
+        <translation>第 %1 列</translation>
+    </message>
 </context>
 <context>
     <name>alidade::ui::ImportPage</name>
@@ -9540,10 +10151,6 @@ sizes</source>
         <translation>另存为仪器档案(&amp;S)…</translation>
     </message>
     <message>
-        <source>Collimation, index, tilt and σ of the circles, for sessions to take</source>
-        <translation>视准误差、指标差、倾斜和度盘的 σ，供会话采用</translation>
-    </message>
-    <message>
         <source>Close</source>
         <translation>关闭</translation>
     </message>
@@ -9562,6 +10169,10 @@ sizes</source>
     <message>
         <source>Save instrument record</source>
         <translation>保存仪器档案</translation>
+    </message>
+    <message>
+        <source>Collimation, index, tilt, offset of the line of sight and σ of the circles, for sessions to take</source>
+        <translation>照准差、指标差、横轴误差、视线偏距与度盘的 σ，供测量记录采用</translation>
     </message>
 </context>
 <context>
@@ -10359,6 +10970,10 @@ sizes</source>
         <source>%1 sightings</source>
         <translation>%1 次照准</translation>
     </message>
+    <message>
+        <source>As it was typed when the program ended.</source>
+        <translation>与程序结束时键入的内容相同。</translation>
+    </message>
 </context>
 <context>
     <name>alidade::ui::ProtocolFlow</name>
@@ -10397,10 +11012,6 @@ sizes</source>
 </context>
 <context>
     <name>alidade::ui::ReadingFlow</name>
-    <message>
-        <source>A reading came, and all is read that was to be: %1 and %2. Add a row, or choose one to be read again, then take it.</source>
-        <translation>收到一个读数，而该读的都已读完：%1 和 %2。请添加一行，或选择要重读的一行，然后采用。</translation>
-    </message>
     <message>
         <source>A reading was not taken, as you wished: %1 and %2, face %3.</source>
         <translation>按您的意愿未采用一个读数：%1 和 %2，盘位 %3。</translation>
@@ -10508,6 +11119,10 @@ sizes</source>
     <message>
         <source>The last %1 columns of the clipboard found no room and were not pasted.</source>
         <translation>剪贴板的最后 %1 列没有位置，未粘贴。</translation>
+    </message>
+    <message>
+        <source>The clipboard was not pasted: %1.</source>
+        <translation>剪贴板内容未粘贴：%1。</translation>
     </message>
 </context>
 <context>

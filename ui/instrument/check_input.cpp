@@ -89,6 +89,8 @@ QWidget* CheckInput::createRows() {
   auto* layout = new QHBoxLayout(rows);
   layout->addWidget(m_table, 1);
   layout->addWidget(m_clear, 0, Qt::AlignTop);
+  connect(m_table, &EntryTable::remark, this,
+          [this](const QString& text) { m_dialogs.showProblem(tr("Instrument check"), text); });
   connect(m_clear, &QPushButton::clicked, this, &CheckInput::clearRows);
   connect(&m_table->rows(), &CheckRowsModel::edited, this, &CheckInput::showButtons);
   return rows;

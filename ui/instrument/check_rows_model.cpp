@@ -4,6 +4,7 @@
 
 #include "core/base/limits.h"
 #include "core/exchange/csv_text.h"
+#include "core/exchange/joined_table.h"
 #include "ui/text/visible_text.h"
 
 namespace alidade::ui {
@@ -68,33 +69,37 @@ void CheckRowsModel::tidy() {
   m_rows.push_back(blankRow());
 }
 
-void CheckRowsModel::paste(const ReadingBlock& block, int row, int column) {
-  if (block.isEmpty()) return;
-  std::vector<std::string> names;
-  for (const QString& cell : block.first()) names.push_back(cell.toStdString());
-  const bool isNamed = block.size() > 1 && areColumnNames(names);
-  std::vector<int> into;
-  std::vector<AngleUnit> units;
-  for (std::size_t i = 0; i < names.size(); ++i) {
-    const ColumnName name = isNamed ? columnName(names[i]) : ColumnName{};
-    const auto* const known =
-        name.column ? std::find(std::begin(keys), std::end(keys), name.column->key()) : std::end(keys);
-    into.push_back(isNamed ? (known == std::end(keys) ? -1 : static_cast<int>(known - std::begin(keys)))
-                           : column + static_cast<int>(i));
-    units.push_back(name.unit);
+std::optional<Problem> CheckRowsModel::paste(const ReadingBlock& block, int row, int column) {
+  std::vector<TableCells> cells;
+  for (const QStringList& texts : block) {
+    cells.emplace_back();
+    for (const QString& text : texts) cells.back().push_back(text.toStdString());
   }
+  const auto named = joinedTable(cells);
+  if (named && !*named) return named->problem();
   beginResetModel();
-  for (qsizetype i = isNamed ? 1 : 0; i < block.size() && m_rows.size() < limits::mostRows; ++i, ++row)
-    for (qsizetype j = 0; j < block[i].size(); ++j) {
-      const auto at = static_cast<std::size_t>(j);
-      const int to = at < into.size() ? into[at] : isNamed ? -1 : column + static_cast<int>(j);
-      const bool isAngle = at < units.size() && to >= firstAngle && to <= lastAngle;
-      put(row, to,
-          isAngle ? QString::fromStdString(withUnit(block[i][j].toStdString(), units[at])) : block[i][j]);
-    }
+  if (named)
+    putNamed(**named, row);
+  else
+    for (qsizetype i = 0; i < block.size() && m_rows.size() < limits::mostRows; ++i)
+      for (qsizetype j = 0; j < block[i].size(); ++j)
+        put(row + static_cast<int>(i), column + static_cast<int>(j), block[i][j]);
   tidy();
   endResetModel();
   emit edited();
+  return {};
+}
+
+/// Columns that a check has no place for stay out.
+void CheckRowsModel::putNamed(const JoinedTable& table, int row) {
+  std::vector<int> into;
+  for (const TableColumn& column : table.columns) {
+    const auto* const known = std::find(std::begin(keys), std::end(keys), column.key());
+    into.push_back(known == std::end(keys) ? -1 : static_cast<int>(known - std::begin(keys)));
+  }
+  for (std::size_t i = 0; i < table.rows.size() && m_rows.size() < limits::mostRows; ++i)
+    for (std::size_t j = 0; j < into.size(); ++j)
+      put(row + static_cast<int>(i), into[j], QString::fromStdString(table.rows[i][j]));
 }
 
 void CheckRowsModel::clear(const QModelIndexList& cells) {

@@ -2,11 +2,17 @@
 
 #include <QAbstractTableModel>
 #include <QStringList>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "core/base/problem.h"
 #include "core/exchange/table_layout.h"
 #include "ui/commands/reading_block.h"
+
+namespace alidade {
+struct JoinedTable;
+}
 
 namespace alidade::ui {
 
@@ -28,9 +34,10 @@ class CheckRowsModel : public QAbstractTableModel {
   bool isEmpty() const { return countOfUse() == 0; }
   std::string csv() const;  ///< line by line the rows, without one at the end that is still being typed
 
-  /// Into the cells from this one on; further rows are added. A block whose first row names columns goes
-  /// where the names say.
-  void paste(const ReadingBlock& block, int row, int column);
+  /// Into the cells from this one on; further rows are added. A block whose first rows name columns goes
+  /// where the names say, degrees, minutes and seconds in columns of their own joined; the problem says why
+  /// such a block cannot be taken, and nothing of it is.
+  std::optional<Problem> paste(const ReadingBlock& block, int row, int column);
   void clear(const QModelIndexList& cells);  ///< rows that are empty then go
 
   ReadingBlock block() const;  ///< all rows but the empty one at the end
@@ -49,6 +56,7 @@ class CheckRowsModel : public QAbstractTableModel {
 
  private:
   void put(int row, int column, const QString& text);
+  void putNamed(const JoinedTable& table, int row);
   void tidy();
   std::size_t countOfUse() const;
 

@@ -5,6 +5,7 @@
 #include <QHeaderView>
 
 #include "ui/panels/parts/cell_delegate.h"
+#include "ui/text/visible_text.h"
 
 namespace alidade::ui {
 
@@ -40,8 +41,9 @@ void CheckRowsTable::cut() {
 
 void CheckRowsTable::paste() {
   const QModelIndex corner = currentIndex();
-  m_model.paste(parseBlock(QApplication::clipboard()->text()), std::max(corner.row(), 0),
-                std::max(corner.column(), 0));
+  if (const auto problem = m_model.paste(parseBlock(QApplication::clipboard()->text()),
+                                         std::max(corner.row(), 0), std::max(corner.column(), 0)))
+    emit remark(tr("The clipboard was not pasted: %1.").arg(visibleLine(problem->what)));
 }
 
 void CheckRowsTable::clearCells() {

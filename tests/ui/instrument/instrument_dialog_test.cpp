@@ -69,6 +69,26 @@ TEST(InstrumentDialog, ShowsWhatAFileOfTwoStationsSays) {
                    .isEmpty());
 }
 
+TEST(InstrumentDialog, JoinsDegreesMinutesAndSecondsThatArePasted) {
+  CheckBench bench;
+  QApplication::clipboard()->setText(
+      QStringLiteral("target\thz deg\thz min\thz sec\tv deg\tv min\tv sec\n"
+                     "A\t10\t20\t30\t88\t1\t2\n"));
+  bench.dialog.input().table().paste();
+  const CheckRowsModel& rows = bench.dialog.input().table().rows();
+  EXPECT_EQ(rows.index(0, 4).data().toString(), QStringLiteral("10 20 30"));
+  EXPECT_EQ(rows.index(0, 5).data().toString(), QStringLiteral("88 1 2"));
+}
+
+TEST(InstrumentDialog, RefusesAPasteOfTwoColumnsForOneCircle) {
+  CheckBench bench;
+  QApplication::clipboard()->setText(QStringLiteral("target\tHz\tHz\tV\nA\t10 20 30\t11 20 30\t88 1 2\n"));
+  bench.dialog.input().table().paste();
+  EXPECT_TRUE(bench.dialog.input().table().rows().isBlank());
+  ASSERT_EQ(bench.dialogs.problems.size(), 1);
+  EXPECT_THAT(bench.dialogs.problems[0].toStdString(), HasSubstr("not pasted"));
+}
+
 TEST(InstrumentDialog, ChecksRowsAsTheyArePasted) {
   CheckBench bench;
   QApplication::clipboard()->setText(
