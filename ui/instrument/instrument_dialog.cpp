@@ -40,7 +40,7 @@ InstrumentDialog::InstrumentDialog(Dialogs& dialogs, QWidget* parent)
   auto* layout = new QVBoxLayout(this);
   layout->addWidget(parts, 1);
   layout->addWidget(createButtons());
-  resize(980, 640);
+  resize(1060, 640);
   connect(m_input, &CheckInput::changed, this, [this] { m_job.ask(m_input->question()); });
   connect(&m_job, &InstrumentJob::checked, this, &InstrumentDialog::take);
   take(std::make_shared<const CheckedInstrument>());
