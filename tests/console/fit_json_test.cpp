@@ -288,6 +288,26 @@ TEST(FitJson, FallsBackToTheFilesNameWithoutATitle) {
   EXPECT_EQ(fitOf(folder.file("bench 7.alidade", untitled))["session"], "bench 7.alidade");
 }
 
+TEST(FitJson, EchoesWhatCameWithARow) {
+  const TemporaryFolder folder;
+  const auto text = changedPaperSession([](Json& session) {
+    Json& row = session["positions"][0]["readings"][2];
+    row["taken_at"] = "2026-03-14T15:09:26+01:00";
+    row["return_code"] = 1284;
+    row["instrument_serial"] = "0012";
+  });
+  int echoed = 0;
+  for (const Json& reading : fitOf(folder.file("arrived.alidade", text))["reliability"]) {
+    if (!reading.contains("taken_at")) continue;
+    ++echoed;
+    EXPECT_EQ(reading["point"], 3);
+    EXPECT_EQ(reading["taken_at"], "2026-03-14T15:09:26+01:00");
+    EXPECT_EQ(reading["return_code"], 1284);
+    EXPECT_EQ(reading["instrument_serial"], "0012");
+  }
+  EXPECT_EQ(echoed, 2) << "both circles of one row";
+}
+
 // The redundancies are the diagonal of a projector, so they add up to the degrees of freedom of both arcs.
 TEST(FitJson, ListsTheReliabilityOfEveryReading) {
   const Json fit = fitOf(paperSession);

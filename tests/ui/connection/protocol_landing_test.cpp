@@ -1,8 +1,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <QPushButton>
-
 #include "core/adjustment/result/session_fit.h"
 #include "core/base/angle_text.h"
 #include "core/connection/geocom_talk.h"
@@ -14,10 +12,7 @@
 #include "core/simulation/protocol.h"
 #include "core/simulation/protocol_template.h"
 #include "core/simulation/simulate.h"
-#include "tests/ui/support.h"
-#include "ui/connection/instrument_desk.h"
-#include "ui/connection/reading_question_bar.h"
-#include "ui/main_window.h"
+#include "tests/ui/connection/landing_window.h"
 
 // Where readings land while a protocol is followed, and what is asked before one lands: the simulated
 // instrument, the talk of its protocol and the window's flow of readings, with a clock set by hand.
@@ -58,52 +53,6 @@ Session askedInFull(Session session) {
   }
   return session;
 }
-
-InstrumentReading readingOf(const std::string& horizontal, const std::string& vertical) {
-  InstrumentReading reading;
-  reading.horizontal = horizontal;
-  reading.vertical = vertical;
-  reading.horizontalAngle = *parseAngle(horizontal);
-  reading.verticalAngle = *parseAngle(vertical);
-  reading.face = isFaceTwo(reading.verticalAngle, VerticalCircle::Zenith) ? 2 : 1;
-  return reading;
-}
-
-InstrumentReading readingOf(const Reading& row) {
-  return readingOf(row.horizontal, row.vertical);
-}
-
-InstrumentReading firstZero(const Session& session, std::size_t position) {
-  const PointingZero& zero = session.positions[position].zero;
-  return readingOf(zero.horizontal, zero.vertical);
-}
-
-struct LandingWindow {
-  OpenWindow open;
-
-  explicit LandingWindow(const Session& session) {
-    open->document().startWith(session);
-    open.settle();
-  }
-  /// A tab that the user has chosen; a session that is opened begins with what it lacks.
-  void putInFront(std::size_t position) {
-    flow().setFront([position] { return ReadingFlow::Front{position, {}}; });
-  }
-  ReadingFlow& flow() { return open->instrumentDesk().flow(); }
-  const Session& session() { return open->document().session(); }
-  std::string question() { return flow().question().toStdString(); }
-
-  /// What is asked of it; empty: it landed.
-  std::string add(const InstrumentReading& reading) {
-    flow().add(reading);
-    EXPECT_TRUE(waitFor([&] { return flow().waiting() == 0 || !flow().question().isEmpty(); }));
-    return question();
-  }
-  void take() {
-    flow().takeAnyway();
-    EXPECT_TRUE(waitFor([&] { return flow().waiting() == 0; }));
-  }
-};
 
 void expectAngle(const std::string& is, const std::string& was, double within, const std::string& where) {
   const auto a = parseAngle(is), b = parseAngle(was);
@@ -308,137 +257,6 @@ TEST(ProtocolLanding, AZeroAfterTheReadingsIsNotThatOfTheNextPosition) {
   const CableRun run = readByGeoCom(window, cable);
   expectSameCells(window.session(), sent, 5.1e-4);
   EXPECT_NEAR(intersectionOf(window.session()), before, 1e-3);
-}
-
-/// Point 1 to 4 in face 1 at 0°, each as read in the paper; nothing at 180°.
-Session begunWithoutProtocol() {
-  Session session = paperSession();
-  session.positions[0].readings.resize(4);
-  session.positions[1].zero = {};
-  session.positions[1].readings.clear();
-  return session;
-}
-
-TEST(ReadingQuestion, AZeroInFaceTwoIsNoPointWithoutAProtocolEither) {
-  LandingWindow window(begunWithoutProtocol());
-  window.putInFront(0);
-  InstrumentReading zero = readingOf("152°32'51\"", "270°00'05\"");
-  EXPECT_THAT(window.add(zero), AllOf(HasSubstr("looks at the pointing zero"), HasSubstr("face 2")));
-  EXPECT_EQ(window.session().positions[0].readings.size(), 4U) << "nothing is stored before it is answered";
-  window.take();
-  EXPECT_EQ(window.session().positions[0].zero.afterInTwo.horizontal, "152°32'51\"");
-  EXPECT_THAT(window.session().positions[0].zero.afterInTwo.takenAt, Not(IsEmpty()));
-  EXPECT_EQ(window.session().positions[0].readings.size(), 4U);
-}
-
-TEST(ReadingQuestion, AnotherPositionIsAsked) {
-  Session session = paperSession();
-  const Session paper = session;
-  session.positions[1].zero = {};
-  for (Reading& row : session.positions[1].readings) row.horizontal = row.vertical = "";
-  LandingWindow window(session);
-  EXPECT_THAT(window.add(firstZero(paper, 1)), HasSubstr("has the axis been turned?"));
-  EXPECT_EQ(window.session().positions[1].zero.horizontal, "");
-  window.take();
-  EXPECT_EQ(window.session().positions[1].zero.horizontal, paper.positions[1].zero.horizontal);
-  EXPECT_THAT(window.add(readingOf(paper.positions[1].readings[0])), IsEmpty()) << "asked once";
-  EXPECT_EQ(window.session().positions[1].readings[0].horizontal, paper.positions[1].readings[0].horizontal);
-}
-
-TEST(ReadingQuestion, ABlockThatCameAlreadyIsAskedAlsoAsOneOfAPair) {
-  const Session paper = paperSession();
-  LandingWindow window(begunWithoutProtocol());
-  window.putInFront(0);
-  const InstrumentReading a = readingOf(paper.positions[0].readings[4]),
-                          b = readingOf(paper.positions[0].readings[5]);
-  EXPECT_THAT(window.add(a), IsEmpty());
-  EXPECT_THAT(window.add(b), IsEmpty());
-  for (const InstrumentReading& again : {a, b, a}) {
-    EXPECT_THAT(window.add(again), HasSubstr("did the instrument send them again?"));
-    window.flow().discard();
-  }
-  EXPECT_THAT(window.add(readingOf(paper.positions[0].readings[2])), HasSubstr("Point 3"))
-      << "what stands counts, whoever entered it";
-  window.flow().discard();
-  EXPECT_EQ(window.session().positions[0].readings.size(), 6U);
-}
-
-TEST(ReadingQuestion, AnotherSerialNumberIsAskedOnce) {
-  Session session = begunWithoutProtocol();
-  session.instrument.serial = "111";
-  const Session paper = paperSession();
-  LandingWindow window(session);
-  window.putInFront(0);
-  const auto from = [&](std::size_t row, const char* serial) {
-    InstrumentReading reading = readingOf(paper.positions[0].readings[row]);
-    reading.serial = serial;
-    return reading;
-  };
-  EXPECT_THAT(window.add(from(4, "222")),
-              AllOf(HasSubstr("111"), HasSubstr("222"), HasSubstr("The session states")));
-  window.take();
-  EXPECT_EQ(window.session().positions[0].readings[4].instrumentSerial, "222");
-  EXPECT_THAT(window.add(from(5, "222")), IsEmpty()) << "it was taken";
-  EXPECT_THAT(window.add(from(6, "111")), HasSubstr("The readings before are of the instrument"));
-}
-
-TEST(ReadingQuestion, WhatTheInstrumentDoesNotVouchForIsAskedAndKeepsItsCode) {
-  const Session paper = paperSession();
-  LandingWindow window(begunWithoutProtocol());
-  window.putInFront(0);
-  InstrumentReading reading = readingOf(paper.positions[0].readings[4]);
-  reading.returnCode = "1284";
-  reading.reservation = geoComSentence(1284);
-  EXPECT_THAT(window.add(reading), AllOf(HasSubstr("does not vouch"), HasSubstr("Return code 1284")));
-  EXPECT_FALSE(window.open->instrumentDesk().questionBar()->isHidden());
-  window.take();
-  EXPECT_EQ(window.session().positions[0].readings[4].returnCode, "1284");
-}
-
-TEST(ReadingQuestion, ACompensatorThatIsOffAndOtherCorrectionsAreAskedOnce) {
-  const Session paper = paperSession();
-  LandingWindow window(begunWithoutProtocol());
-  window.putInFront(0);
-  const auto with = [&](std::size_t row, bool isCompensated, const char* corrections) {
-    InstrumentReading reading = readingOf(paper.positions[0].readings[row]);
-    reading.isCompensated = isCompensated;
-    reading.corrections = corrections;
-    return reading;
-  };
-  EXPECT_THAT(window.add(with(4, true, "inclination")), IsEmpty());
-  EXPECT_THAT(window.add(with(5, false, "none")),
-              AllOf(HasSubstr("compensator is off"), HasSubstr("“none”")));
-  window.take();
-  EXPECT_THAT(window.add(with(6, false, "none")), IsEmpty());
-}
-
-TEST(ReadingQuestion, TheOtherFaceIsAskedOfANewRowAndLandsInItsFace) {
-  Session session = begunWithoutProtocol();
-  for (Reading& row : session.positions[0].readings) row.face = "1";
-  LandingWindow window(session);
-  window.putInFront(0);
-  EXPECT_THAT(window.add(readingOf("160°00'00\"", "275°00'00\"")), HasSubstr("face 1 is asked for"));
-  window.take();
-  EXPECT_EQ(window.session().positions[0].readings[4].face, "2");
-}
-
-TEST(ReadingQuestion, AReadingThatNoPlaceIsAskedForIsAQuestion) {
-  LandingWindow window(paperSession());
-  EXPECT_THAT(window.add(readingOf("20°00'00\"", "80°00'00\"")), HasSubstr("all is read that was to be"));
-  window.flow().takeAnyway();
-  EXPECT_EQ(window.flow().waiting(), 1U) << "there is no place for it";
-}
-
-TEST(ReadingQuestion, WhatFailedIsOverOnceTheNextThingSucceeds) {
-  LandingWindow window(begunWithoutProtocol());
-  window.putInFront(0);
-  InstrumentDesk& desk = window.open->instrumentDesk();
-  QString shown;
-  QObject::connect(&desk, &InstrumentDesk::remark, &desk, [&](const QString& sentence) { shown = sentence; });
-  desk.take();
-  EXPECT_THAT(shown.toStdString(), HasSubstr("No instrument is connected"));
-  emit desk.link().succeeded();
-  EXPECT_TRUE(shown.isEmpty());
 }
 
 }  // namespace

@@ -652,5 +652,17 @@ TEST(AcceptanceReport, LeavesAnOldReportAloneUntilTheNewOneIsWhole) {
   EXPECT_EQ(QDir(folder.path()).entryList(QDir::Files).size(), 1);
 }
 
+TEST(AcceptanceReport, ListsWhatCameFromTheInstrumentWhereAnyRowHasIt) {
+  EXPECT_FALSE(Printed(paperSession()).contains("return code"));
+  Session session = paperSession();
+  session.positions[0].readings[2].takenAt = "2026-03-14T15:09:26+01:00";
+  session.positions[0].readings[2].returnCode = "1284";
+  session.positions[0].zero.takenAt = "2026-03-14T15:00:00Z";
+  const Printed report(session);
+  for (const char* text :
+       {"taken at 2026-03-14T15:09:26+01:00", "return code 1284", "taken at 2026-03-14T15:00:00Z"})
+    EXPECT_TRUE(report.contains(text)) << text;
+}
+
 }  // namespace
 }  // namespace alidade::ui
