@@ -83,7 +83,7 @@ TEST(SessionFile, ReadsEveryKey) {
   EXPECT_EQ(s.title + s.notes + s.operatorName + s.place + s.measuredOn, "Table Inop2018-01-01");
   EXPECT_EQ(s.report, (ReportEntries{"17", "l", "c", "a", "r", {}}));
   EXPECT_EQ(s.device, (Device{"d", "1", {}, {}}));
-  EXPECT_EQ(s.instrument, (Instrument{"i", "2", "3", "t", "gon", "2", "2.5", "1", "5", "", {}, {}, {}}));
+  EXPECT_EQ(s.instrument, (Instrument{"i", "2", "3", "t", "gon", "2", "2.5", "1", "5", "", {}, {}, {}, {}}));
   EXPECT_EQ(s.environment, (Environment{"20", "", {}}));
   EXPECT_EQ(s.geometry, (Geometry{"2405", "1", "400", "0.1", "zenith", "each", "tape", "", "", {}}));
   EXPECT_EQ(s.acceptance, (Acceptance{"2.5", "distance", "0.95", "2", "0.02", {}}));

@@ -48,7 +48,7 @@ TEST(SessionWriter, SpellsOutEverythingThatASessionHolds) {
   session.measuredOn = "2018-01-01";
   session.report = {"17", "l", "c", "a", "r", {}};
   session.device = {"d", "1", {}, {}};
-  session.instrument = {"i", "2", "c", "t", "degrees", "2,5", "3", "about 1", "5.0", "0.5", {}, {}, {}};
+  session.instrument = {"i", "2", "c", "t", "degrees", "2,5", "3", "about 1", "5.0", "0.5", {}, {}, {}, {}};
   session.environment = {"-3", "0.5", {}};
   session.geometry = {"2405", "0.5", "400", "0", "elevation", "one", "laser", "1", "11.5", {}};
   session.acceptance = {"2.5", "distance", "0.95", "-1", "0.1", {}};
