@@ -131,6 +131,7 @@ class Assembly {
       const std::string& named = recording.verticalCircle;
       if (named.empty()) continue;
       std::string& stated = session.geometry.verticalCircle;
+      if (!recording.circleRemark.empty() && stated != named) remark(recording.circleRemark);
       if (!stated.empty() && stated != named)
         remark(Phrase::of("the vertical circle is stated as %1, but the file says %2: the file is followed",
                           quotation(stated), spokenKey(named)));

@@ -149,7 +149,8 @@ class CsvReader {
     for (const std::string& sentence : m_counts.sentences()) unused.push_back(sentence);
     if (m_recording.verticalCircle.empty() && m_circleKind.isElevation()) {
       m_recording.verticalCircle = "elevation";
-      unused.push_back(Phrase::of("the vertical readings are taken for elevations, as some are negative"));
+      m_recording.circleRemark =
+          Phrase::of("the vertical readings are taken for elevations, as some are negative");
     }
     for (const std::size_t line : m_remarksWithReading)
       unused.push_back(Phrase::of("line %1 begins with # and is not used, though it holds a reading", line));

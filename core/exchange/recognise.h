@@ -19,8 +19,8 @@ struct JoinableColumns {
 /// What a file of readings looks to be, from its beginning: a proposal with its reasons.
 struct Recognised {
   const FileFormat* format = nullptr;  ///< a row of `fileFormats` that is read; null: a table
-  std::string name;                 ///< for people: "Leica GSI", "Table"
-  TableLayout table;                ///< of a table, as proposed: its `columns` are one key for each
+  std::string name;                    ///< for people: "Leica GSI", "Table"
+  TableLayout table;                   ///< of a table, as proposed: its `columns` are one key for each
   std::vector<std::string> titles;  ///< of a table's columns as the file names them; empty where it does not
   std::vector<JoinableColumns> joinable;  ///< of a table, in the order of their first
   bool saysAxis = false;                  ///< how the axis stood stands in the file

@@ -57,6 +57,7 @@ struct Recording {
   std::string instrumentName, instrumentSerial;
   std::string measuredOn;             ///< year-month-day
   std::string verticalCircle;         ///< "zenith", "elevation", or empty where the file does not say
+  std::string circleRemark;           ///< why the vertical circle is taken so where no name says it
   bool tellsTurns = false;            ///< the file says which position at its axis a row is of
   std::vector<LineProblem> problems;  ///< lines that cannot be read; nothing of them is in `sightings`
   /// A sentence for each kind of thing that a session has no place for, or that was read in a way of its own.

@@ -12,10 +12,11 @@ namespace {
 
 constexpr char endOfFile = '\x1A';
 
+/// As instruments send them around their lines. ESC is none of these: it stands where somebody put it.
 bool isControl(char c) {
-  constexpr unsigned char firstPrinting = 0x20, deletion = 0x7F;
+  constexpr unsigned char firstPrinting = 0x20, deletion = 0x7F, escape = 0x1B;
   const auto byte = static_cast<unsigned char>(c);
-  return (byte < firstPrinting && c != '\t' && c != '\r' && c != '\n') || byte == deletion;
+  return (byte < firstPrinting && byte != escape && c != '\t' && c != '\r' && c != '\n') || byte == deletion;
 }
 
 bool isBesideText(char c) {

@@ -297,7 +297,8 @@ TEST(FitJson, EchoesWhatCameWithARow) {
     row["instrument_serial"] = "0012";
   });
   int echoed = 0;
-  for (const Json& reading : fitOf(folder.file("arrived.alidade", text))["reliability"]) {
+  const Json fit = fitOf(folder.file("arrived.alidade", text));
+  for (const Json& reading : fit["reliability"]) {
     if (!reading.contains("taken_at")) continue;
     ++echoed;
     EXPECT_EQ(reading["point"], 3);

@@ -23,7 +23,8 @@ namespace alidade::console {
 namespace {
 
 constexpr const char* aboutInstrumentFiles =
-    "The first row of a table names the columns: horizontal, vertical and target, and perhaps station, round,\n"
+    "The first row of a table names the columns: horizontal, vertical and target, and perhaps station, "
+    "round,\n"
     "face and distance (m). A file is a station unless it names stations, in GSI by a code block STATION 5,\n"
     "word 16 or a block with 84-86 or 88. Rounds follow from targets that come again. --sigma is what is\n"
     "stated of a direction and a zenith angle observed once in both faces, as in a data sheet after\n"

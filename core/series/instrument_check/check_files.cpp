@@ -261,6 +261,7 @@ class CheckFiles {
 
   std::optional<Problem> take(const Recording& recording) {
     for (const std::string& sentence : recording.unused) remark(sentence);
+    if (!recording.circleRemark.empty() && m_options.verticalCircle.empty()) remark(recording.circleRemark);
     const auto fill = [](std::string& text, const std::string& value) {
       if (text.empty()) text = value;
     };

@@ -61,7 +61,7 @@ INSTANTIATE_TEST_SUITE_P(
         NamedFile{"plan.dwg", "DWG"}, NamedFile{"table.rtf", "RTF,"}, NamedFile{"page.html", "HTML,"},
         NamedFile{"track.gpx", "XML,"}, NamedFile{"report.pdf", "PDF,"}, NamedFile{"table.xlsx", "Excel"},
         NamedFile{"table.ods", "OpenDocument"}, NamedFile{"arc.zip", "ZIP archive:"},
-        NamedFile{"table.xls", "Excel"}, NamedFile{"photo.png", "PNG"}, NamedFile{"photo.jpg", "PNG, JPEG"},
+        NamedFile{"table.xls", "Excel"}, NamedFile{"png.bin", "PNG"}, NamedFile{"jpg.bin", "PNG, JPEG"},
         NamedFile{"job.sqlite", "SQLite"}, NamedFile{"points.crd", "Carlson CRD"},
         NamedFile{"job.dbx", "Leica DBX,"}),
     [](const auto& tested) {

@@ -77,7 +77,7 @@ TEST(InstrumentDialog, JoinsDegreesMinutesAndSecondsThatArePasted) {
   bench.dialog.input().table().paste();
   const CheckRowsModel& rows = bench.dialog.input().table().rows();
   EXPECT_EQ(rows.index(0, 4).data().toString(), QStringLiteral("10 20 30"));
-  EXPECT_EQ(rows.index(0, 5).data().toString(), QStringLiteral("88 1 2"));
+  EXPECT_EQ(rows.index(0, 5).data().toString(), QStringLiteral("88 01 02"));
 }
 
 TEST(InstrumentDialog, RefusesAPasteOfTwoColumnsForOneCircle) {

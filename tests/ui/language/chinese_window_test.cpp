@@ -41,8 +41,8 @@ QStringList englishIn(const QString& text) {
       u"Backspace"_s, u"Delete"_s, u"Page"_s,
       // formats and standards
       u"GSI"_s, u"CSV"_s, u"PDF"_s, u"JSON"_s, u"SVG"_s, u"PNG"_s, u"SDR"_s, u"SHA"_s, u"UTF"_s, u"DCC"_s,
-      u"ISO"_s, u"IEC"_s, u"JCGM"_s, u"ILAC"_s, u"GUM"_s, u"alidade"_s, u"txt"_s, u"gsi"_s, u"UTC"_s,
-      u"csv"_s, u"pdf"_s, u"json"_s, u"svg"_s, u"png"_s,
+      u"GeoCOM"_s, u"ISO"_s, u"IEC"_s, u"JCGM"_s, u"ILAC"_s, u"GUM"_s, u"alidade"_s, u"txt"_s, u"gsi"_s,
+      u"UTC"_s, u"csv"_s, u"pdf"_s, u"json"_s, u"svg"_s, u"png"_s,
       // words of a session file, to be typed as they are
       u"inclination"_s, u"standing"_s, u"collimation"_s, u"tilting"_s, u"axis"_s, u"none"_s,
       // names
