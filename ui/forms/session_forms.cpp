@@ -139,11 +139,6 @@ QWidget* createInstrumentForm(SessionDocument& document) {
            Forms::tr("Standard uncertainty of one sighting of the pointing zeros α0 and β0")},
           {"instrument.sigma_slider_arcsec", Forms::tr("σ slider"), seconds, Forms::tr("5"),
            Forms::tr("Standard deviation of one slider reading")},
-          {"device.name", Forms::tr("Dev&ice"), {}, Forms::tr("simulator measured"), {}, {}, true},
-          {"device.serial", Forms::tr("Serial no."), {}, {}, {}},
-          {"instrument.sigma_compensator_arcsec", Forms::tr("σ compensator"), seconds, Forms::tr("1"),
-           Forms::tr("Setting accuracy of the compensator, by its data sheet; of use where the readings have "
-                     "tilts, or say what the instrument corrected")},
           {"instrument.line_of_sight_mm", Forms::tr("Line of sight e"), QStringLiteral("mm"),
            Forms::tr("not known"),
            Forms::tr(
@@ -157,6 +152,11 @@ QWidget* createInstrumentForm(SessionDocument& document) {
            Forms::tr("0"),
            Forms::tr("Of the offset of the line of sight with the known collimation, −1 to 1: one fit found "
                      "both")},
+          {"instrument.sigma_compensator_arcsec", Forms::tr("σ compensator"), seconds, Forms::tr("1"),
+           Forms::tr("Setting accuracy of the compensator, by its data sheet; of use where the readings have "
+                     "tilts, or say what the instrument corrected")},
+          {"device.name", Forms::tr("Dev&ice"), {}, Forms::tr("simulator measured"), {}, {}, true},
+          {"device.serial", Forms::tr("Serial no."), {}, {}, {}},
       },
       2)});
 }
