@@ -31,6 +31,11 @@ Angle asWritten(Angle angle) {
   return wrapped(Angle::fromArcseconds(std::round(angle.arcseconds() * 1000) / 1000), half);
 }
 
+/// Did the instrument answer that it does not know the question?
+bool isUnknown(std::optional<int> code) {
+  return code && (*code == geocom::notImplemented || *code == geocom::notAvailable);
+}
+
 std::string arcsecondsText(Angle angle) {
   return fixedText(angle.arcseconds(), tiltDecimals);
 }
@@ -237,7 +242,7 @@ void GeoComTalk::giveUp(std::optional<int> code, Milliseconds now, TalkStep& ste
     if (code) m_notAnswered.insert(question.rpc);
     return next(now, step);
   }
-  if (question.rpc == geocom::angles && (code == geocom::notImplemented || code == geocom::notAvailable)) {
+  if (question.rpc == geocom::angles && isUnknown(code)) {
     m_notAnswered.insert(question.rpc);
     m_questions.front() = {geocom::plainAngles, Need::Angles};
     return ask(now, step);

@@ -206,7 +206,7 @@ std::string SimulatedInstrument::geoComText(int returnCode, std::vector<std::str
 std::string SimulatedInstrument::block(std::optional<InstrumentFault> fault, bool isAnswer) const {
   const SimulatedSighting sighting = pointedAt(fault);
   const std::size_t width = m_options.isWide ? 16 : 8;
-  const auto number = static_cast<long long>(pointedAtIndex(fault) + 1);
+  const auto number = static_cast<long long>(pointedAtIndex(fault)) + 1;
   const std::string info =
       (fault == InstrumentFault::NotVouchedFor ? ".01" : ".32") + std::string(1, m_options.gsiUnit);
   std::string text = m_options.isWide ? "*" : "";

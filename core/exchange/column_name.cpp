@@ -183,11 +183,9 @@ class NameReader {
       m_isCircleNamed = true;
     else if (column && !m_name.column)
       m_name.column = column;
-    else if (isOfOther(column))
-      m_isStrange = true;
-    else if (means(Role::Numbering, word))
+    else if (!isOfOther(column) && means(Role::Numbering, word))
       m_counts = true;
-    else if (!column && !takeFace(word, true) && !saysNothing(word))
+    else if (isOfOther(column) || (!column && !takeFace(word, true) && !saysNothing(word)))
       m_isStrange = true;
   }
 

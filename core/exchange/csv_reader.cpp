@@ -289,11 +289,12 @@ class CsvReader {
     if (const auto problem = otherSignIn(angle, row)) return *problem;
     Result<FileAngle> read = angleIn(angle, cellTexts(angle, row), m_layout.unit);
     if (!read) return read.problem();
-    if (read->text.empty()) return false;
-    if (read->isCarried) m_counts.add(FileCounts::Kind::Carried, row.line);
-    if (read->isFullCircle) m_counts.add(FileCounts::Kind::FullCircle, row.line);
-    if (angle.field->text == &Reading::vertical) m_circleKind.take(read->text);
-    sighting.enter(*angle.field, std::move(read->text), columnOf(angle, row));
+    FileAngle found = *std::move(read);
+    if (found.text.empty()) return false;
+    if (found.isCarried) m_counts.add(FileCounts::Kind::Carried, row.line);
+    if (found.isFullCircle) m_counts.add(FileCounts::Kind::FullCircle, row.line);
+    if (angle.field->text == &Reading::vertical) m_circleKind.take(found.text);
+    sighting.enter(*angle.field, std::move(found.text), columnOf(angle, row));
     return true;
   }
 

@@ -23,6 +23,11 @@ bool hasTooManyMarks(std::string_view text) {
   return static_cast<std::size_t>(marks) > mostMarks;
 }
 
+/// ^Z ends a file, as in `TextLines`.
+std::string_view untilEnd(std::string_view text) {
+  return text.substr(0, text.find('\x1A'));
+}
+
 /// Lines end with LF, CR LF or CR, as in `TextLines`.
 std::vector<std::size_t> lineStartsOf(std::string_view text) {
   std::vector<std::size_t> starts{0};
@@ -74,8 +79,9 @@ constexpr double fullXmlCircle = 360, xmlRounding = 1e-9;
 
 }  // namespace
 
-XmlFile::XmlFile(std::string_view text)
-    : m_document(std::make_unique<pugi::xml_document>()), m_lineStarts(lineStartsOf(text)) {
+XmlFile::XmlFile(std::string_view file)
+    : m_document(std::make_unique<pugi::xml_document>()), m_lineStarts(lineStartsOf(untilEnd(file))) {
+  const std::string_view text = untilEnd(file);
   if (text.empty()) return;
   if (hasTooManyMarks(text)) {
     m_problem = {1, 0,
