@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <cstdint>
 #include <memory>
 #include <type_traits>
 
@@ -141,7 +142,7 @@ Problem notIn(const char* encoding) {
 
 Result<std::string> converted(std::string_view bytes, const char* encoding) {
   const iconv_t opened = iconv_open("UTF-8", encoding);
-  if (opened == reinterpret_cast<iconv_t>(-1))
+  if (reinterpret_cast<std::intptr_t>(opened) == -1)
     return Problem{
         Phrase::of("is text in %1, which cannot be read on this computer: save it as UTF-8 text", encoding)};
   const Converter converter(opened);

@@ -27,6 +27,7 @@ CommonPairs commonPairs(const ObservedRound& first, const ObservedRound& second)
 /// The value farthest from the middle one, and how far: degrees, relative to the first one.
 std::pair<std::size_t, double> farthest(const std::vector<Angle>& values) {
   std::vector<double> degrees;
+  degrees.reserve(values.size());
   for (const Angle value : values) degrees.push_back(wrapped(value - values.front()).degrees());
   std::vector<double> sorted = degrees;
   const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>((sorted.size() - 1) / 2);
