@@ -124,7 +124,7 @@ MainWindow::MainWindow(std::unique_ptr<Dialogs> dialogs)
   m_entry->goToNextEntry();
 }
 
-/// Of the session, of the instrument check, and the logo of reports.
+/// Those of the session and of the instrument check, and the logo of reports.
 QStringList MainWindow::readFiles() const {
   QStringList files = m_document.paths() + m_document.readPaths();
   if (m_instrumentCheck) files += m_instrumentCheck->input().paths();

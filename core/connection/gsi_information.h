@@ -2,7 +2,8 @@
 
 #include <optional>
 #include <string>
-#include <string_view>
+
+#include "core/exchange/gsi_word.h"
 
 namespace alidade {
 
@@ -24,8 +25,7 @@ struct GsiInformation {
   bool isComputed = false;                         ///< by a function of the instrument
 };
 
-/// Of the first word of that index in a block; all unknown where the block has none.
-GsiInformation gsiInformation(std::string_view block, int index);
+GsiInformation gsiInformation(const GsiWord& word);
 
 /// What both circles tell of the corrections, as a row has it; empty: they do not tell all of it.
 std::string gsiCorrections(const GsiInformation& horizontal, const GsiInformation& vertical);

@@ -42,9 +42,10 @@ Result<Angle> circleOf(const GsiWord& word, const RowField& field, VerticalCircl
   return parseAngle(text);
 }
 
-void takeInformation(const std::string& block, InstrumentReading& reading) {
-  const GsiInformation horizontal = gsiInformation(block, horizontalWord),
-                       vertical = gsiInformation(block, verticalWord);
+void takeInformation(const GsiWord& horizontalCircle, const GsiWord& verticalCircle,
+                     InstrumentReading& reading) {
+  const GsiInformation horizontal = gsiInformation(horizontalCircle),
+                       vertical = gsiInformation(verticalCircle);
   reading.isCompensated = vertical.isCompensated ? vertical.isCompensated : horizontal.isCompensated;
   reading.corrections = gsiCorrections(horizontal, vertical);
   reading.reservation = gsiReservation(horizontal, vertical);
@@ -72,7 +73,7 @@ Result<InstrumentReading> gsiReading(const std::string& block, VerticalCircle ci
   reading.face = isFaceTwo(*beta, circle) ? 2 : 1;
   if (const GsiWord* point = wordIn(words, pointWord)) reading.point = gsiText(*point);
   if (const GsiWord* serial = wordIn(words, serialWord)) reading.serial = gsiText(*serial);
-  takeInformation(block, reading);
+  takeInformation(*horizontal, *vertical, reading);
   return reading;
 }
 

@@ -15,7 +15,6 @@
 #include "core/exchange/csv_table.h"
 #include "core/exchange/csv_text.h"
 #include "core/exchange/table_beginning.h"
-#include "core/exchange/table_faces.h"
 #include "core/exchange/table_plan.h"
 #include "core/exchange/table_row.h"
 #include "core/exchange/unread_rows.h"
@@ -121,19 +120,8 @@ class CsvReader {
     }
     m_recording.verticalCircle = m_plan.verticalCircle;
     m_unusedCells.resize(m_plan.columns.size());
-    takeFaceWords(beginning.sample);
+    m_faces = faceWordsIn(m_plan, beginning.sample);
     return true;
-  }
-
-  void takeFaceWords(const std::vector<TableCells>& sample) {
-    for (std::size_t i = 0; i < m_plan.columns.size(); ++i) {
-      const ColumnName& name = m_plan.columns[i];
-      if (!name.column || !name.column->isOf(&Reading::face)) continue;
-      std::vector<std::string> cells;
-      for (const TableCells& row : sample)
-        if (i < row.size()) cells.push_back(row[i]);
-      m_faces = FaceWords(cells, name.isSpanish);
-    }
   }
 
   void takeRemark(const CsvRow& row) {
@@ -214,11 +202,7 @@ class CsvReader {
   }
 
   /// Does a row without a reading name both circles? It then is the heading of another table.
-  static bool namesOthers(const CsvRow& row) {
-    TableCells cells;
-    for (const CsvCell& cell : row.cells) cells.push_back(cell.text);
-    return nameCircles(cells);
-  }
+  static bool namesOthers(const CsvRow& row) { return nameCircles(row.texts()); }
 
   /// Its first cell with a text, its point or its face says so.
   bool isOfMean(const CsvRow& row) const {

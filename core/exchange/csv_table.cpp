@@ -11,6 +11,13 @@
 
 namespace alidade {
 
+std::vector<std::string> CsvRow::texts() const {
+  std::vector<std::string> texts;
+  texts.reserve(cells.size());
+  for (const CsvCell& cell : cells) texts.push_back(cell.text);
+  return texts;
+}
+
 namespace {
 
 constexpr std::string_view blanks = " \t";

@@ -19,6 +19,8 @@ struct CsvRow {
   std::size_t line = 0;  ///< its first, from 1
   bool isRemark = false;
   std::vector<CsvCell> cells;
+
+  std::vector<std::string> texts() const;  ///< of its cells
 };
 
 /// Takes a table apart row by row (RFC 4180): cells are parted by tabs, semicolons, | or commas, whichever of

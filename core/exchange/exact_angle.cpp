@@ -60,23 +60,12 @@ SexagesimalParts partsOf(const std::string& number) {
           .decimals = decimals.substr(minuteAndSecond)};
 }
 
-ExactAngle fromDms(const std::string& number) {
-  SexagesimalParts parts = partsOf(number);
-  ExactAngle angle;
-  angle.isCarried = parts.carry();
-  parts.wrapFullTurn();
-  angle.text =
-      std::to_string(parts.degrees) + " " + twoDigits(parts.minutes) + " " + twoDigits(parts.seconds);
-  if (!parts.decimals.empty()) angle.text += "." + parts.decimals;
-  return angle;
-}
-
 /// Of a number without a sign.
 std::optional<ExactAngle> inUnit(const std::string& plain, const std::string& unit) {
   if (unit == "GON" || unit == "GRD")
     return ExactAngle{withUnit(withoutFullTurn(plain, "400"), AngleUnit::Gon)};
   if (unit == "DEG") return ExactAngle{withUnit(withoutFullTurn(plain, "360"), AngleUnit::Degrees)};
-  if (unit == "DMS") return fromDms(plain);
+  if (unit == "DMS") return exactAngle(partsOf(plain), false);
   if (unit == "MIL") return ExactAngle{milInDegrees(withoutFullTurn(plain, "6400"))};
   return std::nullopt;
 }
@@ -99,6 +88,19 @@ void SexagesimalParts::wrapFullTurn() {
   constexpr unsigned long long turn = 360;
   const bool isWhole = minutes == 0 && seconds == 0 && decimals.find_first_not_of('0') == std::string::npos;
   if (degrees == turn && isWhole) degrees = 0;
+}
+
+std::string SexagesimalParts::text(bool hasSigns) const {
+  std::string text = std::to_string(degrees) + (hasSigns ? "°" : " ") + twoDigits(minutes) +
+                     (hasSigns ? "'" : " ") + twoDigits(seconds);
+  if (!decimals.empty()) text += "." + decimals;
+  return hasSigns ? text + '"' : text;
+}
+
+ExactAngle exactAngle(SexagesimalParts parts, bool hasSigns) {
+  const bool isCarried = parts.carry();
+  parts.wrapFullTurn();
+  return {.text = parts.text(hasSigns), .isCarried = isCarried};
 }
 
 std::optional<ExactAngle> exactAngle(const std::string& number, const std::string& unit) {

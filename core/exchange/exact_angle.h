@@ -21,7 +21,12 @@ struct SexagesimalParts {
   bool carry();
   /// A full turn becomes 0.
   void wrapFullTurn();
+  /// `89 14 13.5`, or `89°14'13.5"` with the signs.
+  std::string text(bool hasSigns) const;
 };
+
+/// Carried and wrapped, as a circle reads.
+ExactAngle exactAngle(SexagesimalParts parts, bool hasSigns);
 
 /// A plain number with a unit that an instrument names (gon, grd, deg, DMS, mil; capitals do not matter):
 /// `34.9078` and `gon` as `34.9078gon`, `89.1413` and `DMS` as `89 14 13`, mil of 6400 to a turn exactly as

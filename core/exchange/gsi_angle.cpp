@@ -55,10 +55,6 @@ std::optional<GsiNumber> numberOf(std::string_view data, std::size_t implied) {
   return GsiNumber{withoutZerosBefore(whole), std::string(decimals)};
 }
 
-std::string twoPlaces(std::uint64_t number) {
-  return (number < 10 ? "0" : "") + std::to_string(number);
-}
-
 /// The parts of DDDMMSS and decimals.
 SexagesimalParts partsOfRun(const std::string& run, const std::string& decimals) {
   constexpr std::uint64_t perMinute = 100, perDegree = 10'000;
@@ -76,15 +72,7 @@ ExactAngle sexagesimal(GsiNumber number, GsiPoint point) {
     number.whole += number.decimals.substr(0, minuteAndSecond);
     number.decimals.erase(0, minuteAndSecond);
   }
-  SexagesimalParts parts = partsOfRun(number.whole, number.decimals);
-  ExactAngle angle;
-  angle.isCarried = parts.carry();
-  parts.wrapFullTurn();
-  angle.text =
-      std::to_string(parts.degrees) + "°" + twoPlaces(parts.minutes) + "'" + twoPlaces(parts.seconds);
-  if (!parts.decimals.empty()) angle.text += "." + parts.decimals;
-  angle.text += '"';
-  return angle;
+  return exactAngle(partsOfRun(number.whole, number.decimals), true);
 }
 
 std::string withSign(const GsiNumber& number) {

@@ -219,6 +219,7 @@ GsiWord GsiBlocks::takeWord() {
                      .sign = m_rest[6],
                      .data = m_rest.substr(dataAt, end.at),
                      .column = m_column,
+                     .compensator = m_rest[3],
                      .input = m_rest[4],
                      .isWhole = end.isWhole,
                      .isNumbered = std::all_of(m_rest.begin() + 2, m_rest.begin() + 6, isDigit)};

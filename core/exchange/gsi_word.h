@@ -31,6 +31,7 @@ struct GsiWord {
   char sign = '+';          ///< + or −, as '-'
   std::string_view data;    ///< 8 or 16 characters, one more with a decimal sign, where `isWhole`
   std::size_t column = 0;   ///< of its first character, from 1
+  char compensator = '.';   ///< position 4
   char input = '.';         ///< position 5
   bool isWhole = true;      ///< the data has one of the widths
   bool isNumbered = false;  ///< positions 3-6 are the number of a block: "110001"

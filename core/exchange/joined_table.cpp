@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "core/exchange/table_faces.h"
 #include "core/exchange/table_row.h"
 
 namespace alidade {
@@ -22,7 +21,7 @@ std::string sideBySide(const std::array<std::string, 3>& parts) {
 class TableJoiner {
  public:
   TableJoiner(TablePlan plan, std::vector<TableCells> readings)
-      : m_plan(std::move(plan)), m_readings(std::move(readings)) {}
+      : m_plan(std::move(plan)), m_readings(std::move(readings)), m_faces(faceWordsIn(m_plan, m_readings)) {}
 
   JoinedTable joined() {
     takeColumns();
@@ -43,7 +42,6 @@ class TableJoiner {
       const bool isPart = column && (column->part != AnglePart::Degrees || column->isFaceTwo);
       if (!column || isPart) continue;
       hasFace = hasFace || column == face;
-      if (column == face) takeFaceWords(i);
       m_joined.columns.push_back(*column);
       m_joined.names.push_back(m_plan.names[i]);
       m_sources.push_back(i);
@@ -52,13 +50,6 @@ class TableJoiner {
     m_joined.columns.push_back(face);
     m_joined.names.emplace_back();
     m_sources.push_back(PlannedAngle::none);
-  }
-
-  void takeFaceWords(std::size_t at) {
-    std::vector<std::string> cells;
-    for (const TableCells& row : m_readings)
-      if (at < row.size()) cells.push_back(row[at]);
-    m_faces = FaceWords(cells, m_plan.columns[at].isSpanish);
   }
 
   const PlannedAngle* angleOf(const TableColumn& column, bool isFaceTwo) const {
@@ -117,8 +108,7 @@ class TableJoiner {
 
 std::optional<Result<JoinedTable>> joinedTable(const std::vector<TableCells>& rows) {
   if (rows.size() < 2 || !areColumnNames(rows.front())) return std::nullopt;
-  const bool isAbove =
-      rows.size() > 2 && nameCircles(rows[0]) && !isRowBelowNames(rows[1]) && areColumnNames(rows[1]);
+  const bool isAbove = rows.size() > 2 && standsAboveNames(rows[0], rows[1]);
   const auto names = rows.begin() + (isAbove ? 2 : 1);
   TableLayout layout;
   layout.needsVertical = false;

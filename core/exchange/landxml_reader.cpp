@@ -9,10 +9,9 @@
 #include "core/base/number_text.h"
 #include "core/base/phrase.h"
 #include "core/base/visible_text.h"
-#include "core/exchange/field_book.h"
 #include "core/exchange/foreign_files.h"
 #include "core/exchange/words.h"
-#include "core/exchange/xml_file.h"
+#include "core/exchange/xml_book.h"
 
 namespace alidade {
 
@@ -45,24 +44,19 @@ double metresOf(const std::string& name) {
 /// Goes through the surveys of a file.
 class LandXmlReader {
  public:
-  LandXmlReader(std::string_view text, const std::string& zeroPoint) : m_file(text), m_book(zeroPoint) {}
+  LandXmlReader(std::string_view text, const std::string& zeroPoint) : m_book(text, zeroPoint) {}
 
   Recording read() {
     m_book.recording().verticalCircle = "zenith";
-    const pugi::xml_node root = m_file.root();
+    const pugi::xml_node root = m_book.file().root();
     if (takeUnits(xmlChild(root, "Units"))) {
       takePoints(xmlChild(root, "CgPoints"));
       for (const pugi::xml_node survey : root.children())
         if (xmlName(survey) == "Survey") readSurvey(survey);
     }
-    if (const auto& problem = m_file.problem()) {
-      m_book.refuse(problem->line, problem->column, problem->what);
-    } else if (m_file.root() && m_book.recording().sightings.empty() && m_book.recording().problems.empty()) {
-      m_book.refuse(1, 0,
-                    Phrase::of("the LandXML file holds no raw observations with both circles: export the "
-                               "observations as they were read (RawObservation), or GSI or a table (CSV)"));
-    }
-    return m_book.finish("LandXML");
+    return m_book.finish(
+        "LandXML", Phrase::of("the LandXML file holds no raw observations with both circles: export the "
+                              "observations as they were read (RawObservation), or GSI or a table (CSV)"));
   }
 
  private:
@@ -76,7 +70,7 @@ class LandXmlReader {
       m_unit = *unit;
       return true;
     }
-    m_book.refuse(m_file.lineOf(system ? system : m_file.root()), 0,
+    m_book.refuse(m_book.file().lineOf(system ? system : m_book.file().root()), 0,
                   Phrase::of("%1 is no unit of angles of LandXML (radians, grads, decimal degrees, decimal "
                              "dd.mm.ss): export the file in one of them",
                              quotation(angular)));
@@ -95,7 +89,8 @@ class LandXmlReader {
     takePoints(xmlChild(survey, "CgPoints"));
     readInstrument(xmlChild(xmlChild(survey, "Equipment"), "InstrumentDetails"));
     for (const pugi::xml_node setUp : survey.children())
-      if (xmlName(setUp) == "InstrumentSetup") nameStation(setUp);
+      if (xmlName(setUp) == "InstrumentSetup")
+        m_book.addSetUp(xmlValue(setUp, "id"), xmlValue(setUp, "stationName"));
     for (const pugi::xml_node part : survey.children()) {
       if (xmlName(part) == "InstrumentSetup") readObservations(part, xmlValue(part, "id"));
       if (xmlName(part) == "ObservationGroup") readObservations(part, xmlValue(part, "setupID"));
@@ -104,26 +99,16 @@ class LandXmlReader {
   }
 
   void readInstrument(const pugi::xml_node& details) {
-    const std::string name = trimmed(xmlValue(details, "manufacturer") + " " + xmlValue(details, "model")),
-                      serial = xmlValue(details, "serialNumber"), what = Phrase::of("instrument");
-    const std::size_t line = details ? m_file.lineOf(details) : 1;
-    if (!name.empty()) m_book.keep(m_book.recording().instrumentName, name, what, line);
-    if (!serial.empty()) m_book.keep(m_book.recording().instrumentSerial, serial, what, line);
-  }
-
-  /// A point may be set up on again, with another orientation of the circle.
-  void nameStation(const pugi::xml_node& setUp) {
-    std::string name = xmlValue(setUp, "stationName");
-    const int uses = ++m_setUps[name];
-    if (uses > 1) name += " (" + std::to_string(uses) + ")";
-    m_stations[xmlValue(setUp, "id")] = name;
+    const std::string name = trimmed(xmlValue(details, "manufacturer") + " " + xmlValue(details, "model"));
+    m_book.takeInstrument(name, xmlValue(details, "serialNumber"),
+                          details ? m_book.file().lineOf(details) : 1);
   }
 
   void readObservations(const pugi::xml_node& group, const std::string& setUp) {
     readInstrument(xmlChild(group, "InstrumentDetails"));
     for (const pugi::xml_node part : group.children()) {
       const std::string_view kind = xmlName(part);
-      m_line = m_file.lineOf(part);
+      m_line = m_book.file().lineOf(part);
       if (m_book.isFull(m_line)) return;
       if (kind == "RawObservation") readObservation(part, setUp);
       if (kind == "ReducedObservation")
@@ -133,9 +118,7 @@ class LandXmlReader {
   }
 
   void readNote(const pugi::xml_node& part) {
-    const std::string note = trimmed(part.text().get());
-    if (const auto mark = fieldMark(note)) return m_book.take(*mark);
-    if (!note.empty()) m_book.setAside(Phrase::of("the note %1", quotation(note)), m_file.lineOf(part));
+    m_book.takeNote(trimmed(part.text().get()), m_book.file().lineOf(part));
   }
 
   void readObservation(const pugi::xml_node& observation, const std::string& groupSetUp) {
@@ -159,9 +142,8 @@ class LandXmlReader {
       return m_book.refuse(m_line, 0, m_hasUnit ? *problem : withoutUnit(circles));
     takeDistance(observation, sighting);
     const std::string own = xmlValue(observation, "setupID");
-    takeStation(own.empty() ? groupSetUp : own);
-    std::string& date = m_book.recording().measuredOn;
-    if (date.empty()) date = dateOfTime(xmlValue(observation, "timeStamp"));
+    m_book.goTo(own.empty() ? groupSetUp : own, m_line);
+    m_book.takeTime(xmlValue(observation, "timeStamp"));
     m_book.add(std::move(sighting));
   }
 
@@ -195,22 +177,11 @@ class LandXmlReader {
     }
   }
 
-  void takeStation(const std::string& setUp) {
-    const auto station = m_stations.find(setUp);
-    if (station == m_stations.end() || station->second == m_station) return;
-    m_station = station->second;
-    m_book.beginStation(m_station, m_line);
-  }
-
-  XmlFile m_file;
-  FieldBook m_book;
+  XmlBook m_book;
   AngleUnit m_unit = AngleUnit::Radians;
-  bool m_hasUnit = false;                         ///< else the schema's default holds
-  double m_metres = 1;                            ///< to the file's unit of length; 0: of an unknown one
-  std::map<std::string, std::string> m_points;    ///< oID by name
-  std::map<std::string, std::string> m_stations;  ///< names by the IDs of the set-ups
-  std::map<std::string, int> m_setUps;            ///< how often each point was set up on
-  std::string m_station;
+  bool m_hasUnit = false;                       ///< else the schema's default holds
+  double m_metres = 1;                          ///< to the file's unit of length; 0: of an unknown one
+  std::map<std::string, std::string> m_points;  ///< oID by name
   std::size_t m_line = 1;
 };
 

@@ -149,8 +149,8 @@ class TableRecognition {
     std::size_t first = 0;
     while (first < std::min(m_rows.size(), mostTitleRows) && !holdsReading(m_rows[first]))
       if (nameCircles(m_rows[first++])) break;
-    const bool areBelow = first > 0 && first < m_rows.size() && nameCircles(m_rows[first - 1]) &&
-                          !isRowBelowNames(m_rows[first]) && areColumnNames(m_rows[first]);
+    const bool areBelow =
+        first > 0 && first < m_rows.size() && standsAboveNames(m_rows[first - 1], m_rows[first]);
     if (areBelow) ++first;  // the row of circles stands above that of their parts
     if (first == mostTitleRows || first == m_rows.size()) {
       const bool isNamed = !m_rows.empty() && first > 0 && areColumnNames(m_rows[first - 1]);

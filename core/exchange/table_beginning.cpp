@@ -1,7 +1,5 @@
 #include "core/exchange/table_beginning.h"
 
-#include <utility>
-
 namespace alidade {
 
 TableBeginning beginningOfTable(std::string_view text, char separator, std::size_t headRows) {
@@ -13,14 +11,12 @@ TableBeginning beginningOfTable(std::string_view text, char separator, std::size
     if (!row) break;
     if (row->isRemark) continue;
     const bool isHead = beginning.head.size() < headRows;
-    TableCells cells;
-    for (const CsvCell& cell : row->cells) cells.push_back(cell.text);
     if (isHead) {
       beginning.nameLine = row->line;
       beginning.nameColumns.clear();
       for (const CsvCell& cell : row->cells) beginning.nameColumns.push_back(cell.column);
     }
-    (isHead ? beginning.head : beginning.sample).push_back(std::move(cells));
+    (isHead ? beginning.head : beginning.sample).push_back(row->texts());
   }
   beginning.problem = table.problem();
   return beginning;

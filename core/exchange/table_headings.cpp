@@ -73,6 +73,10 @@ bool isRowBelowNames(const TableCells& cells) {
   return isAny;
 }
 
+bool standsAboveNames(const TableCells& above, const TableCells& below) {
+  return nameCircles(above) && !isRowBelowNames(below) && areColumnNames(below);
+}
+
 TableHeadings::TableHeadings(const std::vector<TableCells>& head, const std::vector<TableCells>& sample) {
   findLevels(head, sample);
   for (const TableCells& level : m_levels) m_width = std::max(m_width, level.size());

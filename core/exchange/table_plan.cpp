@@ -136,18 +136,17 @@ class TablePlanner {
 
   /// A heading that may mean several things gives way to one that means the field.
   void dropWeak() {
-    std::vector<std::pair<TableColumn, bool>> strong;
+    std::vector<TableColumn> strong;
     for (const ColumnName& name : m_plan.columns)
-      if (name.column && !name.isWeak) strong.emplace_back(wholeOf(*name.column), true);
+      if (name.column && !name.isWeak) strong.push_back(wholeOf(*name.column));
     const bool hasCoordinates = std::ranges::any_of(m_plan.names, [](const std::string& name) {
       return isOneOf(lowerCase(name), {"x", "y"});
     });
     for (ColumnName& name : m_plan.columns) {
       if (hasCoordinates && name.isWeak && name.column && name.column->isOf(&Reading::vertical))
         name.column.reset();
-      const bool isTaken = name.isWeak && name.column && std::ranges::any_of(strong, [&](const auto& other) {
-                             return other.first == wholeOf(*name.column);
-                           });
+      const bool isTaken =
+          name.isWeak && name.column && std::ranges::find(strong, wholeOf(*name.column)) != strong.end();
       if (isTaken) name.column.reset();
     }
     std::set<std::string> beside;

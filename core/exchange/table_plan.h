@@ -49,6 +49,9 @@ struct TablePlan {
 TablePlan planTable(const std::vector<TableCells>& head, const std::vector<TableCells>& sample,
                     const TableLayout& layout);
 
+/// Do both rows name columns, the upper one the circles, and the lower one more than units, parts and faces?
+bool standsAboveNames(const TableCells& above, const TableCells& below);
+
 /// Does the row stand below names, and tell units, parts of angles or faces: `;[gon];[gon]`, `;deg;min;sec`?
 bool isRowBelowNames(const TableCells& cells);
 

@@ -18,6 +18,19 @@ Result<FileAngle> angleIn(const PlannedAngle& angle, const std::array<std::strin
   return isCircle ? angleOfFile(std::move(text)) : FileAngle{.text = std::move(text)};
 }
 
+FaceWords faceWordsIn(const TablePlan& plan, const std::vector<TableCells>& rows) {
+  FaceWords words;
+  for (std::size_t i = 0; i < plan.columns.size(); ++i) {
+    const ColumnName& name = plan.columns[i];
+    if (!name.column || !name.column->isOf(&Reading::face)) continue;
+    std::vector<std::string> cells;
+    for (const TableCells& row : rows)
+      if (i < row.size()) cells.push_back(row[i]);
+    words = FaceWords(cells, name.isSpanish);
+  }
+  return words;
+}
+
 void FileCounts::add(Kind kind, std::size_t line) {
   Count& count = m_counts[static_cast<std::size_t>(kind)];
   if (count.count++ == 0) count.firstLine = line;

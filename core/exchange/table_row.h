@@ -7,6 +7,7 @@
 
 #include "core/base/result.h"
 #include "core/exchange/angle_parts.h"
+#include "core/exchange/table_faces.h"
 #include "core/exchange/table_plan.h"
 
 namespace alidade {
@@ -14,6 +15,9 @@ namespace alidade {
 /// The angle that the cells of a row make: `texts` of its degrees or all of it, its minutes and its seconds.
 /// Empty where none has a text. Plain numbers are of the unit of the heading, else of `unit`.
 Result<FileAngle> angleIn(const PlannedAngle& angle, const std::array<std::string, 3>& texts, AngleUnit unit);
+
+/// How the cells of the column of faces call them; of a table without one, nothing.
+FaceWords faceWordsIn(const TablePlan& plan, const std::vector<TableCells>& rows);
 
 /// How often something was read otherwise than it is written, or left out: for one sentence each.
 class FileCounts {

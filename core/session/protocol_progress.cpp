@@ -332,9 +332,12 @@ Reading rowFor(const PlannedSighting& planned) {
 
 std::string zeroField(const PlannedSighting& planned) {
   for (const ZeroSlot& slot : furtherZeros)
-    if (slot.face == planned.face && slot.isAfter == planned.isAfter)
-      return std::string("pointing_zero.") + slot.key;
+    if (slot.face == planned.face && slot.isAfter == planned.isAfter) return zeroField(slot);
   return "pointing_zero";
+}
+
+std::string zeroField(const ZeroSlot& slot) {
+  return std::string("pointing_zero.") + slot.key;
 }
 
 std::vector<int> positionsLacking(const Session& session, const SightingProtocol& protocol) {

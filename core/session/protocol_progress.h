@@ -74,6 +74,7 @@ Reading rowFor(const PlannedSighting& planned);
 
 /// "pointing_zero", "pointing_zero.face_2", … of a sighting of a zero.
 std::string zeroField(const PlannedSighting& planned);
+std::string zeroField(const ZeroSlot& slot);
 
 /// Positions that the protocol has and the session lacks, with their axes, in the order of the protocol.
 std::vector<int> positionsLacking(const Session& session, const SightingProtocol& protocol);

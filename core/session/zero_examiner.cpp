@@ -13,6 +13,7 @@
 #include "core/session/entry.h"
 #include "core/session/face.h"
 #include "core/session/problem_reporter.h"
+#include "core/session/protocol_progress.h"
 #include "core/session/row_fields.h"
 
 namespace alidade {
@@ -54,7 +55,7 @@ class ZeroExaminer : private ProblemReporter {
     for (const ZeroSlot& slot : furtherZeros) {
       const ZeroSighting& texts = m_zero.*slot.sighting;
       if (texts.horizontal.empty() && texts.vertical.empty()) continue;
-      const std::string field = std::string("pointing_zero.") + slot.key;
+      const std::string field = zeroField(slot);
       const auto circles = sighting(texts.horizontal, texts.vertical, field, slot.face);
       if (!circles || !read.first) continue;
       const FromFirst from{slot.face, slot.isAfter, wrapped(circles->horizontal - read.first->horizontal),

@@ -8290,7 +8290,7 @@ and a plausible size of %1 (1σ)</source>
         <translation>录入</translation>
     </message>
     <message>
-        <source>Until they are cleared the rows stay, also over the end of the program</source>
+        <source>The rows stay until they are cleared, even when the program ends</source>
         <translation>各行在清除之前一直保留，程序结束后也保留</translation>
     </message>
     <message>

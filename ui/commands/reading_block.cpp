@@ -5,8 +5,6 @@
 #include <string>
 #include <utility>
 
-#include "core/exchange/joined_table.h"
-
 namespace alidade::ui {
 
 namespace {
@@ -34,13 +32,17 @@ QString usedText(const QString& excluded) {
 
 }  // namespace
 
-std::optional<NamedBlock> namedBlock(const ReadingBlock& block) {
+std::optional<Result<JoinedTable>> joinedBlock(const ReadingBlock& block) {
   std::vector<TableCells> rows;
   for (const QStringList& cells : block) {
     rows.emplace_back();
     for (const QString& cell : cells) rows.back().push_back(cell.toStdString());
   }
-  const auto table = joinedTable(rows);
+  return joinedTable(rows);
+}
+
+std::optional<NamedBlock> namedBlock(const ReadingBlock& block) {
+  const auto table = joinedBlock(block);
   if (!table) return std::nullopt;
   NamedBlock named;
   if (!*table) {

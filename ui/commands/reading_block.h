@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "core/exchange/joined_table.h"
 #include "ui/document/reading_column.h"
 
 namespace alidade::ui {
@@ -26,6 +27,9 @@ struct NamedBlock {
   QStringList unplaced;                ///< names of columns that a position has none for
   QString problem;                     ///< why nothing of it can be taken; else empty
 };
+
+/// The block as a table whose first rows name its columns; absent where they name none.
+std::optional<Result<JoinedTable>> joinedBlock(const ReadingBlock& block);
 
 /// Absent where the first row names no columns (`areColumnNames`), or stands alone.
 std::optional<NamedBlock> namedBlock(const ReadingBlock& block);

@@ -32,12 +32,6 @@ constexpr double sameWithin = 1e-4;  // arcsec
 constexpr std::size_t mostCompared = 10'000;
 constexpr int longestSerial = 40;
 
-bool isFar(const FaceOneReading& read, const FaceOneReading& expected, Angle tolerance) {
-  const auto off = [](Angle a, Angle b) { return std::abs(wrapped(a - b).radians()); };
-  return off(read.horizontal, expected.horizontal) > tolerance.radians() ||
-         off(read.vertical, expected.vertical) > tolerance.radians();
-}
-
 int askedFace(const EntryToCome& asked) {
   if (!asked.zero.empty()) return asked.zeroFace;
   const auto face = wholeEntry(faceRule, asked.sighting.face);
@@ -55,7 +49,7 @@ QString zeroName(const std::string& zero) {
   PlannedSighting planned;
   planned.isZero = true;
   for (const ZeroSlot& slot : furtherZeros)
-    if (zero == std::string("pointing_zero.") + slot.key) {
+    if (zero == zeroField(slot)) {
       planned.face = slot.face;
       planned.isAfter = slot.isAfter;
     }
@@ -177,7 +171,7 @@ class Doubts {
     const Position& one = m_session.positions[at];
     const bool mayParse = one.readings.size() <= mostCompared;
     std::vector<std::string> zeros{"pointing_zero"};
-    for (const ZeroSlot& slot : furtherZeros) zeros.push_back(std::string("pointing_zero.") + slot.key);
+    for (const ZeroSlot& slot : furtherZeros) zeros.push_back(zeroField(slot));
     for (const std::string& zero : zeros)
       if (const ZeroSighting there = zeroAt(m_session, at, zero);
           isSame(there.horizontal, there.vertical, mayParse))

@@ -173,7 +173,7 @@ void land(SessionDocument& document, const Landing& landing, const InstrumentRea
 ZeroSighting zeroAt(const Session& session, std::size_t position, const std::string& zero) {
   const PointingZero& all = session.positions.at(position).zero;
   for (const ZeroSlot& slot : furtherZeros)
-    if (zero == std::string("pointing_zero.") + slot.key) return all.*slot.sighting;
+    if (zero == zeroField(slot)) return all.*slot.sighting;
   return firstSighting(all);
 }
 
@@ -183,15 +183,18 @@ FaceOneReading inFaceOne(const InstrumentReading& reading, const Session& sessio
                    kind ? *kind : VerticalCircle::Zenith);
 }
 
+bool isFar(const FaceOneReading& read, const FaceOneReading& expected, Angle tolerance) {
+  const auto off = [](Angle a, Angle b) { return std::abs(wrapped(a - b).radians()); };
+  return off(read.horizontal, expected.horizontal) > tolerance.radians() ||
+         off(read.vertical, expected.vertical) > tolerance.radians();
+}
+
 bool looksAt(const InstrumentReading& reading, const Session& session, std::size_t position,
              Angle tolerance) {
   const PointingZero& zero = session.positions.at(position).zero;
   const auto horizontal = parseAngle(zero.horizontal), vertical = parseAngle(zero.vertical);
   if (!horizontal || !vertical) return false;
-  const FaceOneReading read = inFaceOne(reading, session);
-  const auto off = [](Angle a, Angle b) { return std::abs(wrapped(a - b).radians()); };
-  return off(read.horizontal, *horizontal) <= tolerance.radians() &&
-         off(read.vertical, *vertical) <= tolerance.radians();
+  return !isFar(inFaceOne(reading, session), {*horizontal, *vertical}, tolerance);
 }
 
 }  // namespace alidade::ui

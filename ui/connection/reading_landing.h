@@ -45,6 +45,9 @@ ZeroSighting zeroAt(const Session& session, std::size_t position, const std::str
 /// Both circles as face 1 reads them, in the session's kind of vertical circle.
 FaceOneReading inFaceOne(const InstrumentReading& reading, const Session& session);
 
+/// Is either circle farther from what is expected than `tolerance`?
+bool isFar(const FaceOneReading& read, const FaceOneReading& expected, Angle tolerance);
+
 /// Does it look at that sighting of the pointing zero? No two targets of a bench are as near to each other as
 /// `tolerance`.
 bool looksAt(const InstrumentReading& reading, const Session& session, std::size_t position, Angle tolerance);

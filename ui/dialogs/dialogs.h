@@ -33,7 +33,7 @@ class Dialogs {
   explicit Dialogs(QWidget* parent = nullptr) : m_parent(parent) {}
   virtual ~Dialogs() = default;
 
-  /// The files that what stands in the window was read from: nothing that is written may replace one of them.
+  /// The files that were read for this window. Nothing that is written may replace one of them.
   QStringList readFiles() const { return m_readFiles ? m_readFiles() : QStringList(); }
   void setReadFiles(std::function<QStringList()> files) { m_readFiles = std::move(files); }
 

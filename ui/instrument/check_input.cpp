@@ -79,12 +79,12 @@ QWidget* CheckInput::createFiles() {
   return files;
 }
 
-/// Those that an earlier window kept stand there again.
+/// Rows that an earlier window kept stand there again.
 QWidget* CheckInput::createRows() {
   new CheckRowsDraft(*m_table);
   m_clear = new QPushButton;
   m_clear->setObjectName(QStringLiteral("clear check rows"));
-  m_clear->setToolTip(tr("Until they are cleared the rows stay, also over the end of the program"));
+  m_clear->setToolTip(tr("The rows stay until they are cleared, even when the program ends"));
   auto* rows = new QWidget;
   auto* layout = new QHBoxLayout(rows);
   layout->addWidget(m_table, 1);
@@ -152,7 +152,7 @@ void CheckInput::removeFiles() {
   emit changed();
 }
 
-/// Or brings them back.
+/// Takes all rows away, or brings back those that were taken away last.
 void CheckInput::clearRows() {
   m_table->commitOpenEditor();
   CheckRowsModel& rows = m_table->rows();

@@ -4,7 +4,6 @@
 
 #include "core/base/limits.h"
 #include "core/exchange/csv_text.h"
-#include "core/exchange/joined_table.h"
 #include "ui/text/visible_text.h"
 
 namespace alidade::ui {
@@ -70,12 +69,7 @@ void CheckRowsModel::tidy() {
 }
 
 std::optional<Problem> CheckRowsModel::paste(const ReadingBlock& block, int row, int column) {
-  std::vector<TableCells> cells;
-  for (const QStringList& texts : block) {
-    cells.emplace_back();
-    for (const QString& text : texts) cells.back().push_back(text.toStdString());
-  }
-  const auto named = joinedTable(cells);
+  const auto named = joinedBlock(block);
   if (named && !*named) return named->problem();
   beginResetModel();
   if (named)

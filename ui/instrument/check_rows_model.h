@@ -10,10 +10,6 @@
 #include "core/exchange/table_layout.h"
 #include "ui/commands/reading_block.h"
 
-namespace alidade {
-struct JoinedTable;
-}
-
 namespace alidade::ui {
 
 /// Rows of an instrument check as they are typed: station, round, target, face, both circles, distance. There
@@ -41,7 +37,7 @@ class CheckRowsModel : public QAbstractTableModel {
   void clear(const QModelIndexList& cells);  ///< rows that are empty then go
 
   ReadingBlock block() const;  ///< all rows but the empty one at the end
-  /// All rows as `block` had them.
+  /// Puts `block` in place of all rows.
   void restore(const ReadingBlock& block);
 
   int rowCount(const QModelIndex& parent = {}) const override;

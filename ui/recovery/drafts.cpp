@@ -67,7 +67,7 @@ void Drafts::startWriter() {
       [this](const std::shared_ptr<const Written>& problem) { finishWriting(*problem); });
 }
 
-/// Not put off by further keys.
+/// Further keys do not put the writing off.
 void Drafts::set(const QString& form, const QJsonObject& draft) {
   if (!isKept() || of(form) == draft) return;
   if (draft.isEmpty())

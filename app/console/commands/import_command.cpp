@@ -2,13 +2,12 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <array>
-#include <ctime>
 #include <filesystem>
 #include <optional>
 #include <utility>
 
 #include "app/console/channels.h"
+#include "app/console/clock.h"
 #include "app/console/commands/option_checks.h"
 #include "app/console/format_texts.h"
 #include "app/console/output_file.h"
@@ -173,18 +172,9 @@ Result<std::vector<std::string>> readAll(const std::vector<std::string>& files) 
   return bytes;
 }
 
-std::string now() {
-  const std::time_t time = std::time(nullptr);
-  std::tm parts{};
-  gmtime_r(&time, &parts);
-  std::array<char, sizeof "0000-00-00T00:00:00Z"> text{};
-  std::strftime(text.data(), text.size(), "%Y-%m-%dT%H:%M:%SZ", &parts);
-  return text.data();
-}
-
 /// Where its rows came from.
 void enterOrigins(Session& session, const Import& import, const std::vector<ReadingsFile>& files) {
-  const std::string at = now();
+  const std::string at = timeInUtc();
   std::vector<ImportedFile> read;
   for (const ReadingsFile& file : files) read.push_back({file.name, sha256(file.bytes)});
   for (JournalEntry& entry : importEntries(import, read)) {

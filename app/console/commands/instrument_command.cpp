@@ -1,10 +1,10 @@
 #include "app/console/commands/instrument_command.h"
 
 #include <CLI/CLI.hpp>
-#include <ctime>
 #include <filesystem>
 
 #include "app/console/channels.h"
+#include "app/console/clock.h"
 #include "app/console/commands/option_checks.h"
 #include "app/console/format_texts.h"
 #include "app/console/instrument_text.h"
@@ -41,22 +41,13 @@ std::string checkFileName(const std::string& file) {
   return file == "-" ? inputName(file) : wellFormed(std::filesystem::path(file).filename().string());
 }
 
-/// Year-month-day, where the computer is.
-std::string today() {
-  const std::time_t now = std::time(nullptr);
-  std::tm local{};
-  localtime_r(&now, &local);
-  char text[16];
-  return std::string(text, std::strftime(text, sizeof text, "%Y-%m-%d", &local));
-}
-
 /// None is written without anything to hold. Its day is today where nothing says that of the readings.
 std::optional<Problem> writeRecord(const InstrumentRequest& request, CheckReadings& readings,
                                    const InstrumentCheck& check) {
   if (const auto problem = dateProblem(request.date)) return Problem{"--date " + problem->what};
   std::string date = request.date.empty() ? readings.measuredOn : request.date;
   if (date.empty() || dateProblem(date)) {
-    date = today();
+    date = localDay();
     readings.remarks.push_back("the files do not say the day of the readings: the record is of today, " +
                                date + "; --date states another day");
   }

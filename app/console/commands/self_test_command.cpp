@@ -1,9 +1,9 @@
 #include "app/console/commands/self_test_command.h"
 
 #include <CLI/CLI.hpp>
-#include <ctime>
 
 #include "app/console/channels.h"
+#include "app/console/clock.h"
 #include "app/console/self_test_text.h"
 #include "core/base/file_bytes.h"
 #include "core/self_test/self_test.h"
@@ -12,15 +12,6 @@
 namespace alidade::console {
 
 namespace {
-
-std::string nowInUtc() {
-  const std::time_t now = std::time(nullptr);
-  std::tm parts{};
-  gmtime_r(&now, &parts);
-  std::string text(32, '\0');
-  text.resize(std::strftime(text.data(), text.size(), "%Y-%m-%dT%H:%M:%SZ", &parts));
-  return text;
-}
 
 /// False: refused.
 bool take(const std::string& path, std::string& into) {
@@ -54,7 +45,7 @@ int giveSelfTest(const SelfTestRequest& request) {
   if (!take(request.fits, references.fits) || !take(request.numbers, references.numbers)) return BadInput;
   SelfTest test = runSelfTest(installedShare(), references);
   test.environment.insert(test.environment.begin(), {"CLI11", CLI11_VERSION});
-  const std::string program = "alidade-cli " ALIDADE_VERSION, at = nowInUtc();
+  const std::string program = "alidade-cli " ALIDADE_VERSION, at = timeInUtc();
   const int written =
       writeResult(request.json ? selfTestJson(test, program, at) : selfTestText(test, program, at));
   if (written != Done) return written;
