@@ -41,8 +41,11 @@ Json closureJson(const ClosureStep& step) {
                {"after_sigmas", step.after ? Json(step.after->sigmas()) : Json()}};
   if (const auto& repeated = step.before.repeated) {
     json["axis_deg"] = repeated->axisDeg;
-    json["time"] = repeated->time;
-    json["of"] = nameOf(repeated->quantity);
+    if (repeated->time > 1) json["time"] = repeated->time;
+    if (step.before.isOfZeros())
+      json["circle"] = step.before.of == Closure::Of::ZeroAzimuth ? "horizontal" : "vertical";
+    else
+      json["of"] = nameOf(repeated->quantity);
   }
   return json;
 }

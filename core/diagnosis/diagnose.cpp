@@ -74,6 +74,8 @@ std::vector<Closure> closuresOf(const GapModel& model) {
   std::vector<Closure> closures = closuresOf(*model.measurement, *model.fit);
   if (const auto apart = fitApart(*model.measurement, model.starts, model.options))
     std::ranges::move(repeatsOf(*model.measurement, *apart), std::back_inserter(closures));
+  std::ranges::move(zeroClosuresOf(*model.measurement, *model.fit, model.options),
+                    std::back_inserter(closures));
   return closures;
 }
 

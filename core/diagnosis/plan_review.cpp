@@ -185,7 +185,8 @@ Result<PlanReview, NoModel> reviewPlan(const Measurement& measurement, const Ses
   own = NoModel{};  // of no more use, and as long as its readings
   const Leftover leftover(linearise(*model.measurement, *model.fit, model.options), model.options.terms);
   const std::vector<Planned> effects = plannedEffects(model, leftover);
-  review.readings = model.fit->readings.size();
+  review.readings = static_cast<std::size_t>(
+      std::ranges::count(leftover.equations().readings, false, &LinearReading::isZero));
   for (const Planned& planned : effects) review.effects.push_back(planned.summary);
   review.attainable = attainableUncertainties(model, 1);
   const std::vector<Planned> inQuestion = effectsInQuestion(effects);

@@ -89,6 +89,7 @@ std::optional<ProtocolArcs> arcsOf(const Measurement& measurement, const Sightin
         like.zeroHorizontal + circleTurn(protocol.positions[p]) - circleTurn(protocol.positions[known]),
         Angle::fromDegrees(180));
     arc.zeroVertical = like.zeroVertical;
+    arc.zeroElevation = like.zeroElevation;
     arcs.measurement.arcs.push_back(std::move(arc));
   }
   return arcs;

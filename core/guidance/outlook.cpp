@@ -15,6 +15,7 @@
 #include "core/guidance/forecast.h"
 #include "core/observation/half_turn.h"
 #include "core/observation/observe.h"
+#include "core/observation/zero_line.h"
 
 namespace alidade {
 
@@ -35,15 +36,14 @@ class Placement {
   /// Of a visit, in which the slider stands still, all where its first sighting is.
   void place(ArcMeasurement& arc, bool readsSlider) const {
     const Circle circle = circleOf(m_plan, m_fit, arc);
+    const ZeroLine line(m_plan, arc);
     std::map<std::pair<int, int>, double> places;  // arc angles, by point and round
     for (Sighting& sighting : arc.sightings) {
-      const PlanePoint<double> seen =
-          sightedPoint({sighting.a.radians(), sighting.e.radians()}, m_plan.distance, m_plan.relation);
+      const PlanePoint<double> seen = line.sightedPoint(sighting);
       const double phi =
           places.emplace(std::pair(sighting.point, sighting.round), nearestArcAngle(circle, seen))
               .first->second;
-      const Direction<double> direction =
-          observe(targetOnArc(circle.x, circle.y, circle.radius, phi), m_plan.distance, m_plan.relation);
+      const Direction<double> direction = line.observe(targetOnArc(circle.x, circle.y, circle.radius, phi));
       sighting.a = Angle::fromRadians(direction.a);
       sighting.e = Angle::fromRadians(direction.e);
       if (readsSlider || sighting.slider)
@@ -56,6 +56,13 @@ class Placement {
   const SessionFit& m_fit;
 };
 
+std::vector<SightedZero> sightingsOf(const ProtocolZeros& planned) {
+  std::vector<SightedZero> zeros;
+  for (const int face : planned.before) zeros.push_back({face, false, {}, {}});
+  for (const int face : planned.after) zeros.push_back({face, true, {}, {}});
+  return zeros;
+}
+
 ZeroSightings zerosOf(const ProtocolZeros& planned) {
   const auto countOf = [&](int face) {
     return std::ranges::count(planned.before, face) + std::ranges::count(planned.after, face);
@@ -65,10 +72,8 @@ ZeroSightings zerosOf(const ProtocolZeros& planned) {
   zeros.count = static_cast<int>(planned.before.size() + planned.after.size());
   zeros.isInBothFaces = faces == 2;
   zeros.factor = 0;
-  zeros.isSpanning = true;
   for (int face = 1; face <= faces; ++face) {
     zeros.factor += 1.0 / static_cast<double>(countOf(face));
-    zeros.isSpanning = zeros.isSpanning && countOf(face) == 2;
   }
   zeros.factor = std::sqrt(zeros.factor) / faces;
   return zeros;
@@ -234,11 +239,19 @@ std::optional<Measurement> carriedOut(const Measurement& measurement, const Sess
     });
     const auto p = std::ranges::find(arcs->positions, arc.position) - arcs->positions.begin();
     const bool isPlanned = p < std::ssize(arcs->positions);
-    if (isPlanned) arc.zero = zerosOf(protocol.positions[static_cast<std::size_t>(p)].zeros);
+    if (isPlanned) {
+      const ProtocolZeros& zeros = protocol.positions[static_cast<std::size_t>(p)].zeros;
+      arc.zero = zerosOf(zeros);
+      arc.zeroSightings = sightingsOf(zeros);
+    }
     placement.place(arc, isPlanned && protocol.readsSlider);
-    for (Sighting& sighting : arc.sightings) sighting.sequence = plan.rows++;
+    for (Sighting& sighting : arc.sightings) {
+      sighting.sequence = plan.rows++;
+      sighting.minutes.reset();
+    }
   }
   std::erase_if(plan.arcs, [](const ArcMeasurement& arc) { return arc.sightings.empty(); });
+  setMoments(plan);
   return std::move(plan);
 }
 

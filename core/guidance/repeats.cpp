@@ -16,6 +16,7 @@
 #include "core/observation/guideway.h"
 #include "core/observation/perfect_theodolite.h"
 #include "core/observation/visits.h"
+#include "core/observation/zero_line.h"
 
 namespace alidade {
 
@@ -156,8 +157,7 @@ class Comparison {
     }
     if (offset.sightings.empty()) return {};
     const Measurement& measurement = m_fitted.measurement;
-    const PlanePoint<double> point =
-        sightedPoint(visit.mean.direction, measurement.distance, measurement.relation);
+    const PlanePoint<double> point = ZeroLine(measurement, arc).sightedPoint(visit.mean.direction);
     const double phi = nearestArcAngle(circle, point);
     const double millimetres = std::hypot(point.x - circle.x, point.y - circle.y) - circle.radius;
     offset.outward = Angle::fromRadians(millimetres / measurement.distance).arcseconds();

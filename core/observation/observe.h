@@ -7,6 +7,7 @@
 #include "core/observation/guideway.h"
 #include "core/observation/half_turn.h"
 #include "core/observation/perfect_theodolite.h"
+#include "core/observation/zero_line.h"
 #include "core/session/measurement.h"
 
 namespace alidade {
@@ -27,9 +28,10 @@ namespace alidade {
 //   sin e = (u + sin c sin i)/(cos c cos i)
 //   a = atan2(r, f) ± atan2(sin c cos i + cos c sin e sin i, cos c cos e)
 //
-// with + in face 1, (r, u, f) of unit length. The circles read α0 + a and β0 − e of face 1, 180° and 360°
-// away in face 2, each with its eccentricity. Source: the geometry of the instrument; to first order the
-// formulas of any textbook (δα = ±c/cos e, ±i tan e).
+// with + in face 1, (r, u, f) of unit length. The circles read α0 + a and 90° − e (e on an elevation circle)
+// of face 1, 180° and 360° away in face 2, each with its eccentricity. The pointing zero may be inclined
+// against the horizon: zero_line.h. Source: the geometry of the instrument; to first order the formulas of
+// any textbook (δα = ±c/cos e, ±i tan e).
 
 /// Where the arc of one position lies and how its readings are oriented.
 template <typename T>
@@ -40,24 +42,15 @@ struct ArcPose {
   T sliderZero;      ///< slider reading at s = 0, rad
 };
 
-/// When a pointing zero counts as taken, as far as drift goes: the middle of the session, in both positions.
-inline constexpr double midSession = 0.5;
-
 /// What is known beforehand about one pointing: everything but the unknowns of the fit.
 struct Pointing {
   int face = 1;
   double elapsed = 0;         ///< share of the session gone by when it was taken, 0…1
-  bool afterJump = false;     ///< taken after the orientation jumped
+  double jumpShare = 0;       ///< of the step of the orientation: 1 after the jump; between of a mean
   bool isSetUpAgain = false;  ///< of a place in a position after the first
-  double horizontalZero = 0;  ///< α0 and β0 as read, rad: the circle positions at which eccentricity acts
-  double verticalZero = 0;
+  double horizontalZero = 0;  ///< α0 as read, rad: the circle position at which eccentricity acts
   VerticalCircle circle = VerticalCircle::Zenith;
   VerticalAngleRelation relation = VerticalAngleRelation::Exact;
-};
-
-template <typename T>
-struct SpacePoint {
-  T x, y, z;
 };
 
 /// Where the target stands, mm in o0, for the slider at arc angle φ (rad).
@@ -88,7 +81,8 @@ SpacePoint<T> targetAt(const ErrorTerms<T>& errors, const ArcPose<T>& arc, const
 }
 
 /// The direction to `target` as read on the circles in `pointing`'s face, as its face 1 equivalent before the
-/// zero is taken off: azimuth a from the perpendicular of the arc plane and elevation e, rad.
+/// zero is taken off: azimuth a from the perpendicular of the arc plane and elevation e over the horizon,
+/// rad.
 template <typename T>
 Direction<T> circleDirection(const ErrorTerms<T>& errors, SpacePoint<T> target, const Pointing& pointing) {
   using std::asin, std::atan2, std::cos, std::sin, std::sqrt;
@@ -124,7 +118,8 @@ Direction<T> circleDirection(const ErrorTerms<T>& errors, SpacePoint<T> target, 
   const T alpha = pointing.horizontalZero + a;
   a += side * (errors[HorizontalCircleSine] * sin(alpha) + errors[HorizontalCircleCosine] * cos(alpha));
   const double down = pointing.circle == VerticalCircle::Zenith ? 1 : -1;
-  const T beta1 = pointing.verticalZero - down * e;
+  const double horizon = pointing.circle == VerticalCircle::Zenith ? std::numbers::pi / 2 : 0;
+  const T beta1 = horizon - down * e;
   const double fullTurn = pointing.circle == VerticalCircle::Zenith ? 2 * std::numbers::pi : std::numbers::pi;
   const T beta = side > 0 ? beta1 : T(fullTurn - beta1);
   e -= down * side *
@@ -133,9 +128,9 @@ Direction<T> circleDirection(const ErrorTerms<T>& errors, SpacePoint<T> target, 
 
   a += errors[HorizontalDrift] * pointing.elapsed;
   e -= down * errors[VerticalDrift] * pointing.elapsed;
-  if (pointing.afterJump) {
-    a += errors[HorizontalJump];
-    e -= down * errors[VerticalJump];
+  if (pointing.jumpShare != 0) {
+    a += errors[HorizontalJump] * pointing.jumpShare;
+    e -= down * pointing.jumpShare * errors[VerticalJump];
   }
   return {a, e};
 }

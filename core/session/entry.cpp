@@ -257,6 +257,21 @@ Result<PointingZeros> pointingZerosEntry(const std::string& text) {
   return Problem{Phrase::of("%1 is no way to sight the pointing zeros: choose each or one", quotation(text))};
 }
 
+Result<ArcPlane> arcPlaneEntry(const std::string& text) {
+  if (text.empty() || text == "vertical") return ArcPlane::Vertical;
+  if (text == "square") return ArcPlane::Square;
+  return Problem{Phrase::of("%1 is no plane of the arc: choose vertical or square", quotation(text))};
+}
+
+Result<ZeroIs> zeroIsEntry(const std::string& text) {
+  if (text.empty()) return ZeroIs::Unstated;
+  if (text == "mark") return ZeroIs::Mark;
+  if (text == "normal") return ZeroIs::Normal;
+  if (text == "unknown") return ZeroIs::Unknown;
+  return Problem{
+      Phrase::of("%1 is nothing a pointing zero sights: choose mark, normal or unknown", quotation(text))};
+}
+
 Result<Measurand> measurandEntry(const std::string& text) {
   if (text.empty() || text == "intersection") return Measurand::Intersection;
   if (text == "distance") return Measurand::Distance;
@@ -319,6 +334,8 @@ std::optional<std::string> entryProblem(const Session& session, const std::strin
   if (field == "instrument.angle_unit") return sentence(circleUnitEntry(text));
   if (field == "geometry.vertical_circle") return sentence(verticalCircleEntry(text));
   if (field == "geometry.pointing_zeros") return sentence(pointingZerosEntry(text));
+  if (field == "geometry.plane") return sentence(arcPlaneEntry(text));
+  if (field == "geometry.zero_is") return sentence(zeroIsEntry(text));
   if (field == "acceptance.measurand") return sentence(measurandEntry(text));
   if (field == "model.vertical_angle") return sentence(verticalAngleEntry(text));
   if (field == "model.radius") return sentence(radiusModelEntry(text));

@@ -73,6 +73,8 @@ CircleUnit circleUnitOf(const Session& session);
 Result<VerticalCircle> verticalCircleEntry(const std::string& text);
 Result<Measurand> measurandEntry(const std::string& text);
 Result<PointingZeros> pointingZerosEntry(const std::string& text);
+Result<ArcPlane> arcPlaneEntry(const std::string& text);
+Result<ZeroIs> zeroIsEntry(const std::string& text);
 Result<VerticalAngleRelation> verticalAngleEntry(const std::string& text);
 Result<RadiusModel> radiusModelEntry(const std::string& text);
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <limits>
 #include <map>
 #include <utility>
 
@@ -137,6 +138,15 @@ class Examiner : private ProblemReporter {
     const auto zeros = take(pointingZerosEntry(geometry.pointingZeros), {.field = "geometry.pointing_zeros"});
     if (zeros) m_measurement.pointingZeros = *zeros;
     m_usable = m_usable && zeros;
+    if (const auto plane = take(arcPlaneEntry(geometry.plane), {.field = "geometry.plane"}))
+      m_measurement.plane = *plane;
+    else
+      m_usable = false;
+    m_measurement.isPlaneStated = !geometry.plane.empty();
+    if (const auto sighted = take(zeroIsEntry(geometry.zeroIs), {.field = "geometry.zero_is"}))
+      m_measurement.zeroIs = *sighted;
+    else
+      m_usable = false;
   }
 
   /// From 20 °C, for which the lengths are stated, to the temperature of the session.
@@ -232,11 +242,28 @@ class Examiner : private ProblemReporter {
       std::ranges::move(own.problems, std::back_inserter(m_problems));
       const auto& zero = zeros.ofPositions[i].direction;
       if (axis && zero)
-        arcs[i] = {i,    *axis,          zero->horizontal, zero->vertical, std::move(own.sightings),
-                   time, zero->sightings};
+        arcs[i] = {i,
+                   *axis,
+                   zero->horizontal,
+                   zero->vertical,
+                   std::move(own.sightings),
+                   time,
+                   zero->sightings,
+                   zero->each,
+                   zeroElevation(zero->vertical)};
     }
     for (const std::size_t i : positionsAsTaken(m_session))
       if (arcs[i]) m_measurement.arcs.push_back(*std::move(arcs[i]));
+    setMoments(m_measurement);
+  }
+
+  /// A zero more than half a right angle off the horizon is of the other kind of circle, or of none that
+  /// counts from the plumb line.
+  Angle zeroElevation(Angle vertical) const {
+    constexpr double steepest = 45;  // degrees
+    const bool isZenith = m_measurement.verticalCircle == VerticalCircle::Zenith;
+    const Angle elevation = wrapped(isZenith ? Angle::fromDegrees(90) - vertical : vertical);
+    return std::abs(elevation.degrees()) <= steepest ? elevation : Angle();
   }
 
   /// Zeros that differ are not one.
@@ -260,6 +287,115 @@ class Examiner : private ProblemReporter {
 };
 
 }  // namespace
+
+namespace {
+
+/// Of the rows of a session, as shares of it.
+class Clock {
+ public:
+  explicit Clock(const Measurement& measurement)
+      : m_pause(measurement.pauseRows),
+        m_length(static_cast<double>(measurement.rows) - 1 +
+                 m_pause * (static_cast<double>(measurement.arcs.size()) - 1)),
+        m_isTimed(hasTimes(measurement)) {
+    if (!m_isTimed) return;
+    for (const ArcMeasurement& arc : measurement.arcs)
+      for (const Sighting& sighting : arc.sightings) {
+        m_first = std::min(m_first, *sighting.minutes);
+        m_last = std::max(m_last, *sighting.minutes);
+      }
+    m_isTimed = m_last > m_first;
+  }
+
+  /// Of a row of the `arc`-th arc.
+  double at(const Sighting& sighting, std::size_t arc) const {
+    if (m_isTimed) return share(*sighting.minutes);
+    const double since = static_cast<double>(sighting.sequence) + m_pause * static_cast<double>(arc);
+    return m_length > 0 ? since / m_length : 0;
+  }
+  double at(const SightedZero& zero, double besideRow) const {
+    return m_isTimed && zero.minutes ? share(*zero.minutes) : besideRow;
+  }
+
+ private:
+  double share(double minutes) const { return (minutes - m_first) / (m_last - m_first); }
+
+  double m_pause, m_length;  ///< in rows
+  double m_first = std::numeric_limits<double>::infinity(), m_last = -m_first;
+  bool m_isTimed;
+};
+
+/// When a zero is sighted that reads as the mean of the sightings in either face, both faces alike.
+double meanMoment(const std::vector<SightedZero>& sightings) {
+  double sum = 0;
+  int faces = 0;
+  for (const int face : {1, 2}) {
+    double ofFace = 0;
+    int count = 0;
+    for (const SightedZero& zero : sightings) {
+      if (zero.face != face) continue;
+      ofFace += zero.elapsed;
+      ++count;
+    }
+    if (count == 0) continue;
+    sum += ofFace / count;
+    ++faces;
+  }
+  return faces > 0 ? sum / faces : 0;
+}
+
+/// The sightings of one zero for all: those before the readings belong to the first arc, those behind to the
+/// last.
+std::vector<std::vector<SightedZero>> sightingsBesideTheirRows(const Measurement& measurement) {
+  std::vector<std::vector<SightedZero>> zeros;
+  for (const ArcMeasurement& arc : measurement.arcs) zeros.push_back(arc.zeroSightings);
+  if (!measurement.hasOneZero() || zeros.size() < 2) return zeros;
+  for (std::size_t arc = 0; arc < zeros.size(); ++arc)
+    std::erase_if(zeros[arc],
+                  [&](const SightedZero& zero) { return arc != (zero.isAfter ? zeros.size() - 1 : 0); });
+  return zeros;
+}
+
+}  // namespace
+
+bool hasTimes(const Measurement& measurement) {
+  return std::ranges::all_of(measurement.arcs, [](const ArcMeasurement& arc) {
+    return std::ranges::all_of(arc.sightings, [](const Sighting& s) { return s.isZero || s.minutes; });
+  });
+}
+
+void setMoments(Measurement& measurement) {
+  const Clock clock(measurement);
+  std::vector<std::vector<SightedZero>> zeros = sightingsBesideTheirRows(measurement);
+  std::vector<double> beginnings;  // of the positions
+  std::size_t zerosBefore = 0;
+  for (std::size_t i = 0; i < zeros.size(); ++i) {
+    ArcMeasurement& arc = measurement.arcs[i];
+    const auto [first, last] = std::ranges::minmax_element(arc.sightings, {}, &Sighting::sequence);
+    const bool hasRows = first != arc.sightings.end();
+    const auto number = [&](bool isAfter, std::size_t row, double elapsed) {
+      for (SightedZero& zero : zeros[i]) {
+        if (zero.isAfter != isAfter) continue;
+        zero.order = row + zerosBefore++;
+        zero.elapsed = clock.at(zero, elapsed);
+      }
+    };
+    beginnings.push_back(hasRows ? clock.at(*first, i) : 0);
+    number(false, hasRows ? first->sequence : 0, beginnings.back());
+    for (Sighting& sighting : arc.sightings) {
+      sighting.order = sighting.sequence + zerosBefore;
+      sighting.elapsed = clock.at(sighting, i);
+    }
+    number(true, hasRows ? last->sequence + 1 : 0, hasRows ? clock.at(*last, i) : 0);
+  }
+  std::vector<SightedZero> all;
+  for (const auto& own : zeros) all.insert(all.end(), own.begin(), own.end());
+  for (std::size_t i = 0; i < zeros.size(); ++i) {
+    const std::vector<SightedZero>& own = measurement.hasOneZero() ? all : zeros[i];
+    measurement.arcs[i].zero.elapsed = own.empty() ? beginnings[measurement.hasOneZero() ? 0 : i] : meanMoment(own);
+    measurement.arcs[i].zeroSightings = std::move(zeros[i]);
+  }
+}
 
 std::vector<std::size_t> firstAtTheirAxes(const Measurement& measurement) {
   std::vector<std::size_t> firsts;

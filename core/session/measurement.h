@@ -20,6 +20,20 @@ enum class PointingZeros {
   One,       ///< sighted once, for all positions
 };
 
+/// How the plane of the arc stands where the pointing zero is inclined against the horizon.
+enum class ArcPlane {
+  Vertical,  ///< plumb, whatever the zero's elevation
+  Square,    ///< perpendicular to the pointing zero
+};
+
+/// What the pointing zeros of the positions sight.
+enum class ZeroIs {
+  Unstated,  ///< a mark where they agree
+  Mark,      ///< one fixed direction
+  Normal,    ///< the guideway's own normal, set anew in each position
+  Unknown,
+};
+
 enum class VerticalCircle { Zenith, Elevation };
 
 /// How a vertical circle reading follows from the target (x, y, −L).
@@ -56,6 +70,8 @@ struct Corrections {
 struct Sighting {
   std::size_t row = 0;       ///< index into the position's readings
   std::size_t sequence = 0;  ///< index into all rows of the session, excluded ones too, in the order taken
+  std::size_t order = 0;     ///< the same with the sightings of the zeros counted among the rows
+  double elapsed = 0;        ///< share of the session gone by when it was taken, 0…1
   int point = 0;
   int round = 1;
   int face = 1;
@@ -64,6 +80,18 @@ struct Sighting {
   std::optional<Angle> slider;
   std::optional<Angle> tiltCross = {}, tiltLength = {};  ///< of the vertical axis, as compensator.h has them
   std::optional<Corrections> corrections = {};           ///< that were on, where that is known
+  std::optional<double> minutes = {};                    ///< when, on any clock; where its time is stated
+  bool isZero = false;  ///< of a pointing zero, where it takes part as an observation
+};
+
+/// One sighting of a pointing zero.
+struct SightedZero {
+  int face = 1;
+  bool isAfter = false;  ///< behind the rows of its position; else before them
+  Angle a, e;            ///< from the position's zero, as face 1 has it; right and up positive
+  std::optional<double> minutes = {};
+  std::size_t order = 0;  ///< as of a row
+  double elapsed = 0;
 };
 
 /// How a pointing zero was sighted, that is the mean of some sightings.
@@ -71,7 +99,7 @@ struct ZeroSightings {
   int count = 1;
   bool isInBothFaces = false;   ///< which weigh alike; else in face 1
   double factor = 1;            ///< σ of the mean over that of a single sighting
-  bool isSpanning = false;      ///< before and after the readings: a drift counts from the middle of them
+  double elapsed = 0;           ///< when a zero is sighted that reads as their mean: a drift counts from then
   bool hasLeftOutFace = false;  ///< face 2 was left out, since not all positions have it
   /// By what it moved from before to after, as face 1 reads it; where it was sighted both times in one face.
   struct Move {
@@ -89,6 +117,10 @@ struct ArcMeasurement {
   std::vector<Sighting> sightings;
   int time = 1;  ///< the how many-th position of the session at this axis
   ZeroSightings zero = {};
+  std::vector<SightedZero> zeroSightings = {};  ///< that count; of one zero for all, in the arc next to it
+  /// e0: of the pointing zero over the horizon, up positive; 0 where the vertical circle cannot count from
+  /// the plumb line.
+  Angle zeroElevation = {};
 };
 
 /// What is known beforehand of one number of an effect, as it stands at `where`. Which number of the
@@ -100,6 +132,13 @@ struct KnownNumber {
   /// Chance that it holds no longer: the instrument was knocked or adjusted since. Of such records, one in
   /// fifty.
   double staleChance = 0.02;
+};
+
+/// In which of their directions the zeros of all positions sight one mark, its circle as it was.
+struct CommonZeros {
+  bool horizontal = false, vertical = false;
+
+  bool operator==(const CommonZeros&) const = default;
 };
 
 /// What a session means: every value present, in range and in the reference frame o0. Lengths in mm.
@@ -119,6 +158,11 @@ struct Measurement {
   /// By how much sightings of one zero differ from one to the next more than their σ has it; ≥ 1.
   double zeroScatter = 1;
   PointingZeros pointingZeros = PointingZeros::Unstated;
+  /// The sightings of the zeros stand behind the rows of their arcs, as observations (sighted_zeros.h).
+  std::optional<CommonZeros> sightedZeros = {};
+  ArcPlane plane = ArcPlane::Vertical;
+  bool isPlaneStated = true;  ///< else it may as well be square to the zero
+  ZeroIs zeroIs = ZeroIs::Unstated;
   Angle sigmaSlider;                                  ///< > 0
   Angle sigmaCompensator = Angle::fromArcseconds(1);  ///< of what it sets to or reads, > 0
   VerticalCircle verticalCircle = VerticalCircle::Zenith;
@@ -131,8 +175,9 @@ struct Measurement {
   std::optional<double> sigmaReference;           ///< mm, > 0; only with a reference, where stated
   std::vector<ArcMeasurement> arcs;               ///< of each position, in the order taken
   std::size_t rows = 0;                           ///< of the whole session, excluded ones too
-  std::vector<std::string> effects;               ///< ids of model.effects, to be estimated along
-  std::vector<KnownNumber> known;                 ///< of the instrument, then of the device
+  double pauseRows = 0;  ///< how many rows would fit between two positions; of use where rows have no times
+  std::vector<std::string> effects;  ///< ids of model.effects, to be estimated along
+  std::vector<KnownNumber> known;    ///< of the instrument, then of the device
 
   /// One zero, wrong by the same in every arc.
   bool hasOneZero() const { return pointingZeros == PointingZeros::One; }
@@ -145,6 +190,14 @@ struct Measurement {
     return sigmaZeroVertical * (zeroScatter * arc.zero.factor);
   }
 };
+
+/// Every row says when it was read, so that the moments need no rows to count them.
+bool hasTimes(const Measurement& measurement);
+
+/// Numbers rows and sightings of zeros in the order taken, and says how much of the session was gone by: by
+/// their times where every row has one, else by the rows. A zero without a time of its own is sighted just
+/// before the first row of its position, or just behind the last; one for all, before the first of all.
+void setMoments(Measurement& measurement);
 
 /// Of each arc the first one at its axis, itself unless its position is one measured again: the arcs of one
 /// axis have one centre and radius.

@@ -10,6 +10,7 @@
 #include "core/base/visible_text.h"
 #include "core/session/entry.h"
 #include "core/session/face.h"
+#include "core/session/instant.h"
 #include "core/session/problem_reporter.h"
 #include "core/session/row_fields.h"
 
@@ -104,6 +105,7 @@ class PositionExaminer : private ProblemReporter {
     Sighting sighting;
     sighting.row = *place.reading;
     sighting.sequence = m_firstSequence + sighting.row;
+    sighting.minutes = minutesOf(row.takenAt);
     examineVisit(row, place, sighting);
     const auto horizontal = angle(horizontalRule, row.horizontal, place, "horizontal");
     const auto vertical = angle(verticalRule, row.vertical, place, "vertical");
@@ -112,6 +114,7 @@ class PositionExaminer : private ProblemReporter {
       reduce(inFaceOne(*horizontal, *vertical, sighting.face, *m_circle), *m_zero, sighting);
       checkWidth(sighting.a, row.horizontal, place, "horizontal");
       checkWidth(sighting.e, row.vertical, place, "vertical");
+      checkSteepness(*m_zero, sighting.e, row.vertical, place);
     }
     sighting.slider = angle(sliderRule, row.slider, place, "slider");
     sighting.tiltCross = tilt(row.tiltCrossArcsec, place, "tilt_cross_arcsec");
@@ -154,6 +157,22 @@ class PositionExaminer : private ProblemReporter {
                        "degrees and the face",
                        quotation(text), fixedText(degrees, 0))},
            at(place, field));
+  }
+
+  /// From an inclined zero the horizon is not where e is 0.
+  void checkSteepness(const ZeroDirection& zero, Angle e, const std::string& text, const Place& place) {
+    const Angle zeroUp = *m_circle == VerticalCircle::Zenith ? wrapped(Angle::fromDegrees(90) - zero.vertical)
+                                                             : wrapped(zero.vertical);
+    constexpr double steepestZero = 45;
+    const double degrees = std::abs((zeroUp + e).degrees());
+    if (std::abs(zeroUp.degrees()) > steepestZero || degrees < widestDegrees ||
+        std::abs(e.degrees()) >= widestDegrees)
+      return;
+    report(
+        {Phrase::of("%1 lies %2° off the horizon, steeper than the arc can be sighted: check the degrees and "
+                    "the face",
+                    quotation(text), fixedText(degrees, 0))},
+        at(place, "vertical"));
   }
 
   const Position& m_position;

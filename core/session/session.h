@@ -157,7 +157,11 @@ struct Geometry {
   std::string sigmaRadiusMm;    ///< of R0 where the model takes it as known; empty: 0, taken as exact
   std::string verticalCircle;   ///< "zenith" or "elevation"; empty: zenith
   std::string pointingZeros;    ///< "each": sighted in each position; "one": once, for all; empty: each
-  std::string distanceFrom;     ///< how L was measured, and its traceability
+  std::string plane = {};       ///< of the arc: "vertical", or "square" to the pointing zero; empty: vertical
+  /// What the pointing zeros sight: "mark", one fixed direction; "normal", that of the guideway, set anew;
+  /// "unknown"; empty: a mark where they agree.
+  std::string zeroIs = {};
+  std::string distanceFrom;              ///< how L was measured, and its traceability
   std::string distanceExpansionPpmPerK;  ///< of L, as stated for 20 °C; empty: 0, as it is at the temperature
   std::string radiusExpansionPpmPerK;    ///< of R0 likewise
   JsonOrigin origin;

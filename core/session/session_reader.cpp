@@ -88,6 +88,8 @@ Geometry readGeometry(const ObjectReader& reader) {
           .sigmaRadiusMm = reader.number("sigma_radius_mm"),
           .verticalCircle = reader.text("vertical_circle"),
           .pointingZeros = reader.text("pointing_zeros"),
+          .plane = reader.text("plane"),
+          .zeroIs = reader.text("zero_is"),
           .distanceFrom = reader.text("distance_from"),
           .distanceExpansionPpmPerK = reader.number("distance_expansion_ppm_per_k"),
           .radiusExpansionPpmPerK = reader.number("radius_expansion_ppm_per_k"),

@@ -72,6 +72,8 @@ Json geometryJson(const Geometry& geometry) {
   writer.number("sigma_radius_mm", geometry.sigmaRadiusMm);
   writer.text("vertical_circle", geometry.verticalCircle);
   writer.text("pointing_zeros", geometry.pointingZeros);
+  writer.text("plane", geometry.plane);
+  writer.text("zero_is", geometry.zeroIs);
   writer.text("distance_from", geometry.distanceFrom);
   writer.number("distance_expansion_ppm_per_k", geometry.distanceExpansionPpmPerK);
   writer.number("radius_expansion_ppm_per_k", geometry.radiusExpansionPpmPerK);

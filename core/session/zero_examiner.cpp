@@ -12,6 +12,7 @@
 #include "core/base/visible_text.h"
 #include "core/session/entry.h"
 #include "core/session/face.h"
+#include "core/session/instant.h"
 #include "core/session/problem_reporter.h"
 #include "core/session/protocol_progress.h"
 #include "core/session/row_fields.h"
@@ -28,6 +29,7 @@ struct FromFirst {
   int face = 1;
   bool isAfter = false;
   Angle horizontal, vertical;
+  std::optional<double> minutes = {};
 
   bool operator==(const FromFirst&) const = default;
 };
@@ -51,7 +53,7 @@ class ZeroExaminer : private ProblemReporter {
   std::pair<PositionZero, std::vector<Problem>> examine() {
     PositionZero read;
     read.first = sighting(m_zero.horizontal, m_zero.vertical, "pointing_zero", 1);
-    if (read.first) read.sightings.push_back({});
+    if (read.first) read.sightings.push_back({1, false, {}, {}, minutesOf(m_zero.takenAt)});
     for (const ZeroSlot& slot : furtherZeros) {
       const ZeroSighting& texts = m_zero.*slot.sighting;
       if (texts.horizontal.empty() && texts.vertical.empty()) continue;
@@ -59,7 +61,7 @@ class ZeroExaminer : private ProblemReporter {
       const auto circles = sighting(texts.horizontal, texts.vertical, field, slot.face);
       if (!circles || !read.first) continue;
       const FromFirst from{slot.face, slot.isAfter, wrapped(circles->horizontal - read.first->horizontal),
-                           wrapped(circles->vertical - read.first->vertical)};
+                           wrapped(circles->vertical - read.first->vertical), minutesOf(texts.takenAt)};
       const bool isNear = checkDistance(from.horizontal, texts.horizontal, field + ".horizontal") &&
                           checkDistance(from.vertical, texts.vertical, field + ".vertical");
       if (isNear) read.sightings.push_back(from);
@@ -143,8 +145,22 @@ std::optional<ZeroSightings::Move> moveOf(const std::vector<FromFirst>& sighting
                              std::sqrt(move.factor) / faces};
 }
 
-/// The mean of the faces that count, each the mean of its sightings.
-ZeroDirection directionOf(const PositionZero& zero, bool withFaceTwo) {
+/// As they are apart from their mean, face 1 having `horizontal` and `vertical` of it.
+std::vector<SightedZero> apartFrom(const std::vector<FromFirst>& sightings, Angle horizontal, Angle vertical,
+                                   double up) {
+  std::vector<SightedZero> apart;
+  for (const FromFirst& one : sightings)
+    apart.push_back({.face = one.face,
+                     .isAfter = one.isAfter,
+                     .a = one.horizontal - horizontal,
+                     .e = (one.vertical - vertical) * up,
+                     .minutes = one.minutes});
+  return apart;
+}
+
+/// The mean of the faces that count, each the mean of its sightings. `up`: 1 where the vertical circle grows
+/// upwards, else −1.
+ZeroDirection directionOf(const PositionZero& zero, bool withFaceTwo, double up) {
   std::vector<FromFirst> counting = zero.sightings;
   std::erase_if(counting, [&](const FromFirst& one) { return one.face == 2 && !withFaceTwo; });
   ZeroSightings how{.count = static_cast<int>(counting.size()),
@@ -154,16 +170,15 @@ ZeroDirection directionOf(const PositionZero& zero, bool withFaceTwo) {
                     .moved = moveOf(counting)};
   const int faces = withFaceTwo ? 2 : 1;
   Angle horizontal, vertical;
-  how.isSpanning = true;
   for (int face = 1; face <= faces; ++face) {
     const FaceMean mean = meanOfFace(counting, face);
     horizontal = horizontal + mean.horizontal * (1.0 / faces);
     vertical = vertical + mean.vertical * (1.0 / faces);
     how.factor += 1.0 / mean.count;
-    how.isSpanning = how.isSpanning && mean.count == 2;
   }
   how.factor = std::sqrt(how.factor) / faces;
-  return {zero.first->horizontal + horizontal, zero.first->vertical + vertical, how};
+  return {zero.first->horizontal + horizontal, zero.first->vertical + vertical, how,
+          apartFrom(counting, horizontal, vertical, up)};
 }
 
 /// χ² of the sightings about the means of their faces, with its degrees of freedom.
@@ -236,7 +251,8 @@ ExaminedZeros examineZeros(const Session& session, const std::optional<VerticalC
   bool isCounted = false;
   for (std::size_t i = 0; i < zeros.size(); ++i) {
     if (!zeros[i].first) continue;
-    examined.ofPositions[i].direction = directionOf(zeros[i], withFaceTwo);
+    const double up = circle.value_or(VerticalCircle::Zenith) == VerticalCircle::Zenith ? -1 : 1;
+    examined.ofPositions[i].direction = directionOf(zeros[i], withFaceTwo, up);
     if (!isOne || !isCounted) addScatter(scatter, zeros[i].sightings, sigmaHorizontal, sigmaVertical);
     isCounted = true;
   }

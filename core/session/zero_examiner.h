@@ -16,6 +16,7 @@ namespace alidade {
 struct ZeroDirection {
   Angle horizontal, vertical;
   ZeroSightings sightings = {};
+  std::vector<SightedZero> each = {};  ///< of those that count; without their moments
 };
 
 struct ExaminedZero {

@@ -97,6 +97,8 @@ class Simulator {
     session.geometry.radiusMm = shortestText(m_truth.nominalRadius);
     session.geometry.verticalCircle =
         m_truth.verticalCircle == VerticalCircle::Zenith ? "zenith" : "elevation";
+    session.geometry.pointingZeros = "each";
+    if (m_truth.plane == ArcPlane::Square) session.geometry.plane = "square";
   }
 
   /// Behind all readings, whose noise is the same with and without it.
@@ -115,7 +117,12 @@ class Simulator {
     Position position;
     position.axisDeg = std::to_string(axisDeg);
     const bool inFull = m_truth.sightsZerosInFull;
-    const ZeroSighting first = zero(inFull ? perfect.zero(1, moment(m_plan.front())) : perfect.zero());
+    CircleReadings misread = perfect.zero(1, moment(m_plan.front()));
+    if (const auto& slip = m_truth.zeroSlip; slip && slip->axisDeg == axisDeg && slip->time == m_time) {
+      misread.horizontal = misread.horizontal - slip->horizontal;
+      misread.vertical = misread.vertical - slip->vertical;
+    }
+    const ZeroSighting first = zero(misread);
     position.zero.horizontal = first.horizontal;
     position.zero.vertical = first.vertical;
     if (inFull) position.zero.faceTwo = zero(perfect.zero(2, moment(m_plan.front())));
@@ -149,11 +156,6 @@ class Simulator {
     const double factor = m_truth.noiseFactor;
     circles.horizontal = circles.horizontal + noise(m_truth.sigmaHorizontal * factor);
     circles.vertical = circles.vertical + noise(m_truth.sigmaVertical * factor);
-    if (const auto& slip = m_truth.zeroSlip; slip && slip->axisDeg == axisDeg && slip->time == m_time) {
-      circles.horizontal = circles.horizontal + slip->horizontal;
-      circles.vertical =
-          row.face == 1 ? circles.vertical + slip->vertical : circles.vertical - slip->vertical;
-    }
     for (const TrueGrossError& m : m_truth.grossErrors) {
       if (m.axisDeg != axisDeg || m.time != m_time || PlannedRow{m.round, m.point, m.face} != row) continue;
       circles.horizontal = circles.horizontal + m.horizontal;
@@ -200,10 +202,9 @@ Pointing PerfectReadings::pointing(int face, const Moment& moment) const {
   Pointing pointing;
   pointing.face = face;
   pointing.elapsed = moment.elapsed;
-  pointing.afterJump = moment.afterJump;
+  pointing.jumpShare = moment.afterJump ? 1 : 0;
   pointing.isSetUpAgain = moment.isSetUpAgain;
   pointing.horizontalZero = m_horizontalZero.radians();
-  pointing.verticalZero = m_truth.verticalZero.radians();
   pointing.circle = m_truth.verticalCircle;
   return pointing;
 }
@@ -226,25 +227,31 @@ CircleReadings PerfectReadings::onCircles(const Direction<double>& direction, in
   const bool zenith = m_truth.verticalCircle == VerticalCircle::Zenith;
   const Angle e = Angle::fromRadians(direction.e);
   const CircleReadings faceOne{m_horizontalZero + Angle::fromRadians(direction.a),
-                               zenith ? m_truth.verticalZero - e : m_truth.verticalZero + e};
+                               zenith ? Angle::fromDegrees(90) - e : e};
   if (face == 1) return faceOne;
   return {faceOne.horizontal + Angle::fromDegrees(180),
           Angle::fromDegrees(zenith ? 360 : 180) - faceOne.vertical};
 }
 
+SpacePoint<double> PerfectReadings::inRoom(const SpacePoint<double>& target) const {
+  const bool zenith = m_truth.verticalCircle == VerticalCircle::Zenith;
+  const Angle elevation = zenith ? Angle::fromDegrees(90) - m_truth.verticalZero : m_truth.verticalZero;
+  return roomFromZeroLine(target, m_truth.distance, elevation.radians(), m_truth.plane);
+}
+
 CircleReadings PerfectReadings::zero(int face, const Moment& moment) const {
-  const SpacePoint<double> straightAhead{0, 0, -m_truth.distance};
   Pointing asDirection = pointing(face, moment);
   asDirection.isSetUpAgain = false;
-  return onCircles(circleDirection(m_errors, straightAhead, asDirection), face);
+  return onCircles(circleDirection(m_errors, inRoom({0, 0, -m_truth.distance}), asDirection), face);
 }
 
 CircleReadings PerfectReadings::target(Angle s, int face, const Moment& moment) const {
   SpacePoint<double> target = targetAt(m_errors, poseAt(s), m_truth.distance, arcAngle(s), m_axisDeg);
-  if (!m_truth.foreign) return onCircles(circleDirection(m_errors, target, pointing(face, moment)), face);
+  if (!m_truth.foreign)
+    return onCircles(circleDirection(m_errors, inRoom(target), pointing(face, moment)), face);
   const ForeignEffect& foreign = *m_truth.foreign;
   target.z += halfTurnSign(m_axisDeg) * offPlaneBy(foreign, s) - distanceBy(foreign, moment.elapsed);
-  Direction<double> direction = circleDirection(m_errors, target, pointing(face, moment));
+  Direction<double> direction = circleDirection(m_errors, inRoom(target), pointing(face, moment));
   const Angle circle = onCircles(direction, face).horizontal;
   direction.a += azimuthBy(foreign, circle, moment.elapsed, moment.wayBack).radians();
   direction.e += elevationBy(foreign, Angle::fromRadians(direction.e), moment.elapsed).radians();

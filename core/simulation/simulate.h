@@ -12,8 +12,8 @@ namespace alidade {
 
 // The situation: a theodolite and a guideway with known errors (the truth) are read by a plan (the protocol).
 // What would be read comes from the one forward model (observe.h), with white normal noise of the stated σ on
-// every reading, and is typed rounded to the truth's step. The pointing zero of each position is read before
-// its rows, in face 1, at the start of the session as far as drift and jump go: the fit takes it so, too.
+// every reading, and is typed rounded to the truth's step. The pointing zero of each position is sighted just
+// before its rows, in face 1, and again just behind them where the truth has it so.
 
 /// Circle readings of face `face`, unrounded, and not wrapped.
 struct CircleReadings {
@@ -31,11 +31,11 @@ struct Moment {
 /// The readings of a truth without noise and gross errors, one position at a time.
 class PerfectReadings {
  public:
-  /// `horizontalZero`: the circle's reading in the direction perpendicular to the arc plane.
+  /// `horizontalZero`: the circle's reading in the direction of the pointing zero.
   PerfectReadings(const Truth& truth, int axisDeg, Angle horizontalZero);
 
-  /// Of the pointing zero; by default as a zero counts that is sighted once.
-  CircleReadings zero(int face = 1, const Moment& moment = {.elapsed = midSession}) const;
+  /// Of the pointing zero.
+  CircleReadings zero(int face = 1, const Moment& moment = {}) const;
   /// With the slider at coordinate `s` (equal to φ at 0°, to −φ at 180°).
   CircleReadings target(Angle s, int face, const Moment& moment) const;
   Angle slider(Angle s) const;
@@ -43,6 +43,7 @@ class PerfectReadings {
  private:
   Pointing pointing(int face, const Moment& moment) const;
   ArcPose<double> poseAt(Angle s) const;
+  SpacePoint<double> inRoom(const SpacePoint<double>& target) const;
   double arcAngle(Angle s) const;
   CircleReadings onCircles(const Direction<double>& direction, int face) const;
 

@@ -24,8 +24,8 @@ struct OrientationJump {
   Angle horizontal, vertical;  ///< steps of the circle readings, of their face 1 equivalents
 };
 
-/// A jump between the pointing zero of a position and its first place, or that zero misread: all readings of
-/// the position stand shifted against it.
+/// The pointing zero of a position misread, in face 1 before its rows: all readings of the position stand
+/// shifted against it.
 struct TrueZeroSlip {
   int axisDeg = 0;
   Angle horizontal, vertical;  ///< of the circle readings, of their face 1 equivalents
@@ -65,8 +65,11 @@ struct Truth {
   double radius = 400;
   double centreX = 0, axisHeight = 0, intersection = 0;
   Angle horizontalZero = Angle::fromDegrees(332);  ///< α0 in the first position
-  Angle verticalZero = Angle::fromDegrees(90);  ///< β0: 90° on a zenith circle, 0° on an elevation circle
-  Angle sliderZero;                             ///< slider reading at s = 0
+  /// β0 of a perfect instrument: 90° on a zenith circle and 0° on an elevation circle where it stands at the
+  /// height of the axis.
+  Angle verticalZero = Angle::fromDegrees(90);
+  ArcPlane plane = ArcPlane::Vertical;  ///< where it does not
+  Angle sliderZero;                     ///< slider reading at s = 0
 
   std::vector<TrueSize> effects;  ///< each term at most once
   std::optional<OrientationJump> jump = {};

@@ -19,6 +19,15 @@ std::string nameInWords(const Closure::Repeated& repeated) {
          positionName(repeated.axisDeg) + ")";
 }
 
+/// The misclosure is told at the distance of the arc.
+std::string nameOfZeros(const Closure& closure) {
+  const Closure::Repeated later = closure.repeated.value_or(Closure::Repeated{180, 1, {}});
+  const std::string position = positionName(later.axisDeg, later.time);
+  return closure.of == Closure::Of::ZeroAzimuth
+             ? Phrase::of("pointing zero of %1 less that of the first position, horizontally", position)
+             : Phrase::of("pointing zero of %1 less that of the first position, vertically", position);
+}
+
 }  // namespace
 
 std::string nameInWords(const Closure& closure) {
@@ -33,6 +42,9 @@ std::string nameInWords(const Closure& closure) {
       return nameInWords(closure.repeated.value_or(Closure::Repeated{}));
     case Closure::Of::Reference:
       return Phrase::of("Δd − reference");
+    case Closure::Of::ZeroAzimuth:
+    case Closure::Of::ZeroElevation:
+      return nameOfZeros(closure);
   }
   return {};
 }
@@ -47,8 +59,8 @@ std::string misclosureSentence(const Diagnosis& diagnosis) {
   std::vector<std::string> ofPositions, ofKnown;
   for (const ClosureStep& step : diagnosis.closures) {
     const Closure::Of of = step.before.of;
-    const bool isOfPositions =
-        of == Closure::Of::Radius || of == Closure::Of::Centre || of == Closure::Of::Repeat;
+    const bool isOfPositions = of == Closure::Of::Radius || of == Closure::Of::Centre ||
+                               of == Closure::Of::Repeat || step.before.isOfZeros();
     if (step.isOpen()) (isOfPositions ? ofPositions : ofKnown).push_back(textOf(step.latest()));
   }
   std::string text;

@@ -94,6 +94,16 @@ Words wordsOf(const ZerosAlike& finding) {
       Phrase::of("State geometry.pointing_zeros: one, if it was sighted once, or each.")};
 }
 
+Words wordsOf(const ZerosDiffer& finding) {
+  const auto arcseconds = [](Angle angle) { return displayText(angle.arcseconds(), 1) + "″"; };
+  return {
+      Phrase::of("The pointing zeros differ by %1 horizontally and %2 vertically, more than two sightings of "
+                 "one mark.",
+                 arcseconds(finding.horizontal), arcseconds(finding.vertical)),
+      Phrase::of("State what they sight (geometry.zero_is): mark, one fixed mark; normal, the guideway's "
+                 "own normal, set anew; or unknown.")};
+}
+
 Words wordsOf(const ZeroMoved& finding) {
   const auto moved = [](Angle move, Angle sigma) {
     return displayText(move.arcseconds(), 1) + "″ ± " + displayText(sigma.arcseconds(), 1) + "″";

@@ -49,7 +49,7 @@ TEST(ProtocolCommand, SaysWhatTheRestBrings) {
   EXPECT_NEAR(now, 0.2112, 0.001) << "the README's 0.211 mm";
   EXPECT_NEAR(then, now / std::sqrt(2), 0.03 * now) << "and Student's factor is smaller";
   EXPECT_EQ(outlook.at("enough_now"), true);
-  EXPECT_NEAR(outlook.at("needed").at("of_fit_mm").get<double>(), 2.5 - 1.30764, 1e-4);
+  EXPECT_NEAR(outlook.at("needed").at("of_fit_mm").get<double>(), 2.5 - 1.30782, 1e-4);
   EXPECT_THAT(outlook.at("sentence").get<std::string>(), HasSubstr("It is enough"));
 }
 

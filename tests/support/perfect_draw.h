@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/adjustment/monte_carlo/refit.h"
+#include "core/observation/zero_line.h"
 #include "tests/support/perfect_session.h"
 
 namespace alidade::test {
@@ -43,18 +44,25 @@ inline Measurement withPerfectArcs(Measurement measurement, const std::array<Cir
       if (sliders) sighting.slider = Angle::fromDegrees(10) + (axisDeg == 0 ? phi : -phi);
     }
   }
+  setMoments(measurement);
   return measurement;
 }
 
 /// A drift of the vertical circle by so much: zenith readings grow over the session, so that e, counted from
-/// a zero that counts as taken in its middle, shrinks.
+/// the zero that was sighted with the first row of its position, shrinks.
 inline void addVerticalDrift(Measurement& measurement, Angle drift) {
-  for (ArcMeasurement& arc : measurement.arcs)
+  for (ArcMeasurement& arc : measurement.arcs) {
+    // Read as level, the zero stood higher by what it had drifted.
+    const Angle ofZero = drift * arc.sightings.front().elapsed;
+    ArcMeasurement level = {}, asItStood = {};
+    asItStood.zeroElevation = ofZero;
     for (Sighting& sighting : arc.sightings) {
-      const auto row = static_cast<double>(sighting.sequence),
-                 last = static_cast<double>(measurement.rows - 1);
-      sighting.e = sighting.e - drift * (row / last - 0.5);
+      const Direction<double> seen =
+          ZeroLine(measurement, asItStood).observe(ZeroLine(measurement, level).sightedPoint(sighting));
+      sighting.a = Angle::fromRadians(seen.a);
+      sighting.e = Angle::fromRadians(seen.e) + ofZero - drift * sighting.elapsed;
     }
+  }
 }
 
 /// A measurement with its fit, and what is drawn of it.
@@ -99,8 +107,16 @@ inline Draw drawOf(const RefitTask& task, const Measurement& wanted, double scal
     zeros[0] = normal(random);
     zeros[1] = normal(random);
     const Angle zeroA = read.sigmaZeroHorizontal * zeros[0], zeroE = read.sigmaZeroVertical * zeros[1];
+    // An e that comes out greater is a zero that lies lower: the same place stands lower in the room.
+    ArcMeasurement level = {}, lower = {};
+    lower.zeroElevation = -zeroE;
     for (std::size_t i = 0; i < read.arcs[arc].sightings.size(); ++i) {
-      const Sighting &from = read.arcs[arc].sightings[i], &to = wanted.arcs[arc].sightings[i];
+      const Sighting& from = read.arcs[arc].sightings[i];
+      Sighting to = wanted.arcs[arc].sightings[i];
+      const Direction<double> seen =
+          ZeroLine(wanted, lower).observe(ZeroLine(wanted, level).sightedPoint(to));
+      to.a = Angle::fromRadians(seen.a);
+      to.e = Angle::fromRadians(seen.e);
       double* noise = &draw.normals[task.plan.readings(arc, i)];
       noise[0] = (to.a - from.a - zeroA).radians() / (read.sigmaHorizontal * scale).radians();
       noise[1] = (to.e - from.e - zeroE).radians() / (read.sigmaVertical * scale).radians();

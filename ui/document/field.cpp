@@ -90,6 +90,10 @@ constexpr Field fields[] = {
                                                              QT_TRANSLATE_NOOP("Field", "vertical circle")),
     ofSession<&Session::geometry, &Geometry::pointingZeros>("geometry.pointing_zeros",
                                                             QT_TRANSLATE_NOOP("Field", "pointing zeros")),
+    ofSession<&Session::geometry, &Geometry::plane>("geometry.plane",
+                                                    QT_TRANSLATE_NOOP("Field", "plane of the arc")),
+    ofSession<&Session::geometry, &Geometry::zeroIs>("geometry.zero_is",
+                                                     QT_TRANSLATE_NOOP("Field", "what the zeros sight")),
     ofSession<&Session::geometry, &Geometry::distanceFrom>(
         "geometry.distance_from", QT_TRANSLATE_NOOP("Field", "how the distance was measured")),
     ofSession<&Session::geometry, &Geometry::distanceExpansionPpmPerK>(

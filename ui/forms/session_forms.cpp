@@ -43,6 +43,8 @@ QWidget* createMeasurementForm(SessionDocument& document) {
   const QString mm = Forms::tr("mm");
   const QVector<Choice> circles = {{QStringLiteral("zenith"), Forms::tr("Zenith")},
                                    {QStringLiteral("elevation"), Forms::tr("Elevation")}};
+  const QVector<Choice> planes = {{QStringLiteral("vertical"), Forms::tr("Vertical")},
+                                  {QStringLiteral("square"), Forms::tr("Square")}};
   const QVector<Choice> relations = {{QStringLiteral("exact"), Forms::tr("Exact")},
                                      {QStringLiteral("planar"), Forms::tr("Planar")}};
   const QVector<Choice> radii = {{QStringLiteral("free"), Forms::tr("Free")},
@@ -79,6 +81,14 @@ QWidget* createMeasurementForm(SessionDocument& document) {
            Forms::tr(
                "What the vertical circle reads: zenith angles grow downwards, elevation angles upwards"),
            circles},
+          {"geometry.plane",
+           Forms::tr("Arc's plane"),
+           {},
+           {},
+           Forms::tr(
+               "Where the instrument stands above or below the axis, its pointing zero is inclined. "
+               "Vertical: the plane of the arc is plumb all the same. Square: it is square to the zero"),
+           planes},
           {"model.vertical_angle",
            Forms::tr("Relation"),
            {},
@@ -115,6 +125,10 @@ QWidget* createMeasurementForm(SessionDocument& document) {
 
 QWidget* createInstrumentForm(SessionDocument& document) {
   const QString seconds = Forms::tr("″");
+  const QVector<Choice> marks = {{{}, Forms::tr("Unstated")},
+                                 {QStringLiteral("mark"), Forms::tr("A mark")},
+                                 {QStringLiteral("normal"), Forms::tr("The normal")},
+                                 {QStringLiteral("unknown"), Forms::tr("Not known")}};
   const QVector<Choice> zeros = {{{}, Forms::tr("Unstated")},
                                  {QStringLiteral("each"), Forms::tr("Each")},
                                  {QStringLiteral("one"), Forms::tr("One for all")}};
@@ -131,6 +145,14 @@ QWidget* createInstrumentForm(SessionDocument& document) {
                "Each: sighted anew in every position. One: sighted once for all, so that an error of it "
                "cancels in Δd"),
            zeros},
+          {"geometry.zero_is",
+           Forms::tr("Zeros sight"),
+           {},
+           {},
+           Forms::tr("A mark: one fixed direction, so that zeros which differ show a drift or a knock. The "
+                     "normal: that of the guideway, set anew in each position. Unstated: a mark where the "
+                     "zeros agree within 30″"),
+           marks},
           {"instrument.sigma_horizontal_arcsec", Forms::tr("σ ho&rizontal"), seconds, Forms::tr("2"),
            Forms::tr("Stated standard deviation of one horizontal reading")},
           {"instrument.sigma_vertical_arcsec", Forms::tr("σ vertical"), seconds, Forms::tr("2"),

@@ -15,6 +15,7 @@
 #include "core/adjustment/numerics/least_squares.h"
 #include "core/base/square.h"
 #include "core/observation/visits.h"
+#include "core/observation/zero_line.h"
 
 namespace alidade {
 
@@ -35,9 +36,11 @@ class ArcProblem {
   using State = Circle;
   using System = NormalEquations;
 
-  ArcProblem(const ArcView& view, const ArcMeasurement& arc) : m_visits(visitsOf(arc)), m_feet(view) {
+  ArcProblem(const ArcView& view, const ArcMeasurement& arc, const ZeroLine& line)
+      : m_visits(visitsOf(arc)), m_feet(view) {
     m_feet.reserve(m_visits.size());
-    for (const Visit& visit : m_visits) m_feet.add(VisitReading(visit.mean.direction, visit.mean.rows));
+    for (const Visit& visit : m_visits)
+      m_feet.add(VisitReading(line.levelled(visit.mean.direction), visit.mean.rows));
   }
 
   const std::vector<Visit>& visits() const { return m_visits; }
@@ -113,17 +116,22 @@ void fillResiduals(ArcFit& fit, const Measurement& measurement, const ArcMeasure
                    VerticalAngleRelation relation) {
   ArcView view(measurement, arc.axisDeg);
   view.relation = relation;
-  const ArcProblem problem(view, arc);
-  fillResiduals(fit, problem, arc, *problem.system(fit.circle).feet);
+  const ZeroLine line(measurement, arc);
+  const ArcProblem problem(view, arc, line);
+  Circle circle = fit.circle;
+  circle.y += line.height();
+  fillResiduals(fit, problem, arc, *problem.system(circle).feet);
 }
 
 Result<ArcFit, ArcFault> fitArc(const Measurement& measurement, const ArcMeasurement& arc,
                                 const ArcFitOptions& options) {
-  const ArcProblem problem(ArcView(measurement, arc.axisDeg), arc);
+  const ZeroLine line(measurement, arc);
+  const ArcProblem problem(ArcView(measurement, arc.axisDeg), arc, line);
   if (const auto fault = tooFewPlaces(measurement, problem.sightedPoints())) return *fault;
   std::optional<Circle> start = options.start;
+  if (start) start->y += line.height();
   if (!start)  // to be confirmed by the general equations
-    if (const auto fast = fitVisitsFast(measurement, problem.visits())) start = fast->circle;
+    if (const auto fast = fitVisitsFast(measurement, problem.visits(), line)) start = fast->circle;
   if (!start) start = algebraicCircle(problem.sightedPoints());
   if (!start) return ArcFault(arc_fault::PlacesOnALine{});
 
@@ -135,6 +143,7 @@ Result<ArcFit, ArcFault> fitArc(const Measurement& measurement, const ArcMeasure
   fit.time = arc.time;
   fit.degreesOfFreedom = static_cast<int>(2 * arc.sightings.size() - problem.visits().size()) - 3;
   fit.circle = minimum.state;
+  fit.circle.y -= line.height();
   fit.iterations = minimum.iterations;
   fit.status = minimum.status;
   fillCovariance(fit, minimum.system);

@@ -27,23 +27,25 @@ double chiSquareWithinVisits(const Whitening& whitening, const ArcMeasurement& a
 }
 
 /// Are three of the places different ones? Looks no further than to the third.
-bool areApart(const Measurement& measurement, const ArcView& view, const std::vector<Visit>& visits) {
+bool areApart(const Measurement& measurement, const ZeroLine& line, const std::vector<Visit>& visits) {
   DifferentPlaces different(measurement);
   return std::ranges::any_of(visits, [&](const Visit& visit) {
-    return different.areEnoughWith(sightedPoint(view, VisitReading(visit.mean.direction)));
+    return different.areEnoughWith(line.sightedPoint(visit.mean.direction));
   });
 }
 
 }  // namespace
 
-std::optional<FastArcFit> fitVisitsFast(const Measurement& measurement, const std::vector<Visit>& visits) {
+std::optional<FastArcFit> fitVisitsFast(const Measurement& measurement, const std::vector<Visit>& visits,
+                                        const ZeroLine& line) {
   const std::size_t count = visits.size();
   std::vector<double> columns(3 * count);
   const std::span<double> all(columns);
   const auto a = all.first(count), e = all.subspan(count, count), rows = all.last(count);
   for (std::size_t i = 0; i < count; ++i) {
-    a[i] = visits[i].mean.direction.a;
-    e[i] = visits[i].mean.direction.e;
+    const Direction<double> level = line.levelled(visits[i].mean.direction);
+    a[i] = level.a;
+    e[i] = level.e;
     rows[i] = visits[i].mean.rows;
   }
   const ArcSetup setup{measurement.distance, measurement.sigmaHorizontal.radians(),
@@ -55,9 +57,10 @@ Result<ArcFit, ArcFault> firstFit(const Measurement& measurement, const ArcMeasu
   constexpr double surelyDetermined = 0.1;  // of R: the limit is a third
   const std::vector<Visit> visits = visitsOf(arc);
   const ArcView view(measurement, arc.axisDeg);
-  const auto fast = fitVisitsFast(measurement, visits);
+  const ZeroLine line(measurement, arc);
+  const auto fast = fitVisitsFast(measurement, visits, line);
   if (!fast || !(std::sqrt(fast->cofactor[2][2]) < surelyDetermined * fast->circle.radius) ||
-      !areApart(measurement, view, visits))
+      !areApart(measurement, line, visits))
     return fitArc(measurement, arc);
   ArcFit fit;
   fit.position = arc.position;
@@ -65,6 +68,7 @@ Result<ArcFit, ArcFault> firstFit(const Measurement& measurement, const ArcMeasu
   fit.time = arc.time;
   fit.degreesOfFreedom = static_cast<int>(2 * arc.sightings.size() - visits.size()) - 3;
   fit.circle = fast->circle;
+  fit.circle.y -= line.height();
   fit.cofactor = fast->cofactor;
   fit.chiSquare = fast->chiSquare + chiSquareWithinVisits(view.whitening, arc, visits);
   fit.iterations = fast->iterations;

@@ -7,6 +7,7 @@
 
 #include "core/adjustment/numerics/algebraic_circle.h"
 #include "core/observation/half_turn.h"
+#include "core/observation/zero_line.h"
 
 namespace alidade {
 
@@ -20,9 +21,8 @@ constexpr double apartFrom = 6;  ///< scatters of the majority
 
 Points sightedPoints(const Measurement& measurement, const ArcMeasurement& arc) {
   Points points;
-  for (const Sighting& sighting : arc.sightings)
-    points.push_back(sightedPoint({sighting.a.radians(), sighting.e.radians()}, measurement.distance,
-                                  measurement.relation));
+  const ZeroLine line(measurement, arc);
+  for (const Sighting& sighting : arc.sightings) points.push_back(line.sightedPoint(sighting));
   return points;
 }
 

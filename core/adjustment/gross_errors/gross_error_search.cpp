@@ -13,6 +13,7 @@
 #include "core/adjustment/joint/reading_test.h"
 #include "core/adjustment/numerics/arc_angle_step.h"
 #include "core/base/statistics.h"
+#include "core/observation/zero_line.h"
 
 namespace alidade {
 
@@ -169,11 +170,9 @@ class Search {
       Sighting& sighting = m_shifted.arcs[cell.arc].sightings[cell.sighting];
       if (cell.kind == ReadingKind::Slider) continue;
       const Circle& circle = m_circles[cell.arc];
-      const PlanePoint<double> place =
-          sightedPoint({sighting.a.radians(), sighting.e.radians()}, m_shifted.distance, m_shifted.relation);
-      const double phi = nearestArcAngle(circle, place);
-      const Direction<double> near = observe(targetOnArc(circle.x, circle.y, circle.radius, phi),
-                                             m_shifted.distance, m_shifted.relation);
+      const ZeroLine line(m_shifted, m_shifted.arcs[cell.arc]);
+      const double phi = nearestArcAngle(circle, line.sightedPoint(sighting));
+      const Direction<double> near = line.observe(targetOnArc(circle.x, circle.y, circle.radius, phi));
       sighting.a = Angle::fromRadians(near.a);
       sighting.e = Angle::fromRadians(near.e);
     }
@@ -294,6 +293,10 @@ class Search {
       startFromFit();
       m_projector.emplace(m_shifted, m_fitOptions, m_fit, m_stop);
       if (isStopped()) return;
+      // Where the fit ran away a reading may hang on nothing any more.
+      std::erase_if(m_shifts, [&](const Shift& shift) {
+        return m_projector->indexOf(shift.cell) == m_projector->readings().size();
+      });
       const std::vector<std::size_t> cells = called();
       m_inverse = calledProjector(cells).inverse();
       VectorXd residual(static_cast<Index>(cells.size()));

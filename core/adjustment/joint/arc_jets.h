@@ -40,9 +40,10 @@ struct ArcJets {
   ArcPose<GuidewayJet> pose{constant<GuidewayJet>(0), constant<GuidewayJet>(0), constant<GuidewayJet>(0),
                             constant<GuidewayJet>(0), constant<GuidewayJet>(0), constant<GuidewayJet>(0)};
   GuidewayJet distance = constant<GuidewayJet>(0);
-  Direction<InstrumentJet> zero{constant<InstrumentJet>(0),
-                                constant<InstrumentJet>(0)};  ///< to the pointing zero
-  double horizontalZero = 0, verticalZero = 0;                ///< their errors
+  /// What the instrument's errors make of the pointing zero, as its circles read it.
+  Direction<InstrumentJet> zero{constant<InstrumentJet>(0), constant<InstrumentJet>(0)};
+  double horizontalZero = 0;  ///< error of α0
+  double zeroElevation = 0;   ///< e0 without the errors of the instrument and of β0
 
   template <typename Jet>
   static Jet constant(double value) {

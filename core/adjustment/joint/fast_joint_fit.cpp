@@ -13,6 +13,7 @@
 #include "core/base/threads.h"
 #include "core/observation/half_turn.h"
 #include "core/observation/visits.h"
+#include "core/observation/zero_line.h"
 
 namespace alidade {
 
@@ -42,8 +43,11 @@ class ArcApart {
       : m_measurement(measurement),
         m_index(index),
         m_arc(measurement.arcs[index]),
+        m_line(measurement, m_arc),
         m_feet(ArcView(measurement, m_arc.axisDeg)),
-        m_unknowns{start} {}
+        m_unknowns{start} {
+    m_unknowns.circle.y += m_line.height();
+  }
 
   /// False where refused. Once, before all else.
   bool settle(const JointFitOptions& options) {
@@ -78,12 +82,18 @@ class ArcApart {
 
   /// ∂estimated/∂considered.
   Eigen::Matrix<double, estimatedCount, consideredCount> perConsidered() const {
-    return -m_cofactor * m_normal.middleCols<consideredCount>(estimatedCount);
+    Eigen::Matrix<double, estimatedCount, consideredCount> rates =
+        -m_cofactor * m_normal.middleCols<consideredCount>(estimatedCount);
+    // The kernel knows the horizon, not the zero, from whose line y counts.
+    const double cosine = std::cos(m_line.elevation());
+    rates.col(1) << 0, -m_measurement.distance / (cosine * cosine), 0, 0;
+    rates(1, 2) -= std::tan(m_line.elevation());
+    return rates;
   }
 
   Vector4d values() const {
     const double zero = wrapped(Angle::fromRadians(m_unknowns.sliderZero)).radians();
-    return {m_unknowns.circle.x, m_unknowns.circle.y, m_unknowns.circle.radius, zero};
+    return {m_unknowns.circle.x, m_unknowns.circle.y - m_line.height(), m_unknowns.circle.radius, zero};
   }
 
   /// What is the arc's own in `fit`, which has room for all; its readings from `next` on. `gradient`: ∂Δd/∂
@@ -135,7 +145,7 @@ class ArcApart {
     m_feet.reserve(m_visits.size());
     m_sliders.reserve(m_visits.size());
     for (const Visit& visit : m_visits) {
-      VisitReading reading(visit.mean.direction, visit.mean.rows);
+      VisitReading reading(m_line.levelled(visit.mean.direction), visit.mean.rows);
       if (const Sighting* row = m_sliders.emplace_back(sliderOf(m_arc, visit))) {
         reading.slider = row->slider->radians();
         if (!m_hasSlider) m_unknowns.sliderZero = sliderZeroBy(reading);
@@ -165,6 +175,7 @@ class ArcApart {
   std::size_t m_index;
   const ArcMeasurement& m_arc;
   std::vector<Visit> m_visits;
+  ZeroLine m_line;
   VisitFeet m_feet;
   std::vector<const Sighting*> m_sliders;
   bool m_hasSlider = false;
@@ -236,8 +247,13 @@ void fillMatrices(JointFit& fit, const std::vector<ArcApart>& arcs) {
 }
 
 bool isUsualCase(const Measurement& measurement, const JointFitOptions& options) {
-  return measurement.radiusModel == RadiusModel::Free && options.terms.empty() && options.without.empty() &&
-         !options.isClosed && !options.estimatesZeros && (options.isApart || !hasRepeats(measurement));
+  const auto isLevelExact = [&](const ArcMeasurement& arc) {
+    return ZeroLine(measurement, arc).isLevelExact();
+  };
+  return measurement.radiusModel == RadiusModel::Free &&
+         std::ranges::all_of(measurement.arcs, isLevelExact) && options.terms.empty() &&
+         options.without.empty() && !options.isClosed && !options.estimatesZeros &&
+         (options.isApart || !hasRepeats(measurement));
 }
 
 }  // namespace

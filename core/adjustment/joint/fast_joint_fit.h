@@ -17,7 +17,8 @@ namespace alidade {
 // single arcs nothing is left to do but to look, and with slider readings some three steps.
 //
 // Refused, and left to the general adjustment: error terms or a radius that is common or known, readings that
-// take no part, and a start so far off that the steps are not short from the first on.
+// take no part, a plane square to an inclined zero, and a start so far off that the steps are not short from
+// the first on.
 
 /// Absent where refused. Otherwise what `fitJointly` answers, to rounding.
 std::optional<JointFit> fitJointlyFast(const Measurement& measurement, const std::vector<Circle>& starts,

@@ -10,6 +10,7 @@
 
 #include "core/adjustment/joint/fast_joint_fit.h"
 #include "core/adjustment/joint/joint_problem.h"
+#include "core/adjustment/joint/sighted_zeros.h"
 #include "core/adjustment/numerics/least_squares.h"
 #include "core/observation/half_turn.h"
 
@@ -112,6 +113,16 @@ std::vector<std::vector<double>> anglesOfSightings(const Measurement& measuremen
   return angles;
 }
 
+bool isOfZero(const Measurement& measurement, const ReadingRef& cell) {
+  return cell.kind != ReadingKind::Slider && measurement.arcs[cell.arc].sightings[cell.sighting].isZero;
+}
+
+std::vector<double> spreadOf(const JointProblem& problem, const Slots& row, std::size_t arc,
+                             std::size_t unknowns) {
+  const VectorXd all = problem.spread(row, arc);
+  return {all.data(), all.data() + static_cast<Index>(unknowns)};
+}
+
 void fillReadings(JointFit& fit, const Measurement& measurement, const JointProblem& problem,
                   const std::vector<VisitEquations>& all, const MatrixXd& cofactor) {
   const VectorXd gradient = cofactor * intersectionGradient(measurement, fit.unknowns);
@@ -140,13 +151,15 @@ void fillReadings(JointFit& fit, const Measurement& measurement, const JointProb
                               .sighting = cell.sighting,
                               .kind = cell.kind,
                               .visit = static_cast<std::uint32_t>(v - first)};
-      reading.sigma = statedSigma(measurement, cell.kind).radians();
+      reading.sigma = sigmaOf(measurement, cell).radians();
       reading.residual = equations.residual[row] * reading.sigma;
       const bool takesPart = !equations.jacobian.row(row).isZero(0);
       misfit.degreesOfFreedom += takesPart ? 1 : 0;
       reading.redundancy = std::clamp(
           (takesPart ? 1 : 0) - equations.along[row] * equations.along[row] - reduced.dot(turned), 0.0, 1.0);
       reading.perReading = gradients[arc].dot(reduced) / reading.sigma;
+      if (isOfZero(measurement, cell))
+        fit.zeroRows.push_back(spreadOf(problem, reduced, arc, fit.unknowns.size()));
       fit.readings.push_back(reading);
     }
   }

@@ -100,7 +100,7 @@ struct ArcMisfit {
 struct JointFitOptions {
   /// Each term at most once.
   std::vector<EstimatedTerm> terms = {};
-  /// `Sighting::sequence` of the first row after the orientation jumped; the terms of a jump act from there.
+  /// `Sighting::order` of the first row after the orientation jumped; the terms of a jump act from there.
   std::optional<std::size_t> jumpBefore = {};
   /// Of the first row on which they act no longer, since its zero was sighted after the jump; absent: on all.
   std::optional<std::size_t> jumpEnd = {};
@@ -141,6 +141,8 @@ struct JointFit {
   /// ∂unknown/∂considered, unknowns × considered, row by row.
   std::vector<double> perConsidered;
 
+  /// Of each reading of a pointing zero that is an observation: ∂reading/∂unknowns, over its σ.
+  std::vector<std::vector<double>> zeroRows = {};
   std::vector<std::vector<double>> arcAngles;  ///< φ of each sighting of each arc, rad in (−π, π]
   std::vector<AdjustedReading> readings;       ///< visit by visit
   std::vector<ArcMisfit> misfits;              ///< of each arc of the measurement

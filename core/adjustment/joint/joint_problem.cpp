@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "core/adjustment/joint/arc_jets.h"
+#include "core/adjustment/joint/sighted_zeros.h"
 #include "core/adjustment/numerics/arc_angle_elimination.h"
 #include "core/adjustment/numerics/arc_angle_step.h"
 
@@ -90,6 +91,12 @@ void JointProblem::addArc(std::size_t arc) {
   }
   if (hasSliderReadings(m_measurement.arcs[arc])) kinds.push_back(SliderZero);
   for (const auto kind : kinds) estimate({.kind = kind, .arc = arc}, {});
+  if (const auto& sighted = m_measurement.sightedZeros) {
+    for (const auto& [kind, isCommon] :
+         {std::pair(HorizontalZero, sighted->horizontal), std::pair(VerticalZero, sighted->vertical)})
+      if (!isCommon || arc == 0) estimate({.kind = kind, .arc = isCommon ? Unknown::everyArc : arc}, {});
+    return;
+  }
   if (m_measurement.hasOneZero() && arc > 0) return;
   const std::size_t of = m_measurement.hasOneZero() ? Unknown::everyArc : arc;
   const ArcMeasurement& own = m_measurement.arcs[arc];
@@ -171,8 +178,8 @@ JointState JointProblem::start(const std::vector<Circle>& circles) const {
       if (unknown.kind == Error && unknown.term == term.term) value = term.start - term.priorValue;
   }
   for (std::size_t v = 0; v < m_visits.size(); ++v) {
-    const PlanePoint<double> place =
-        sightedPoint(m_visits[v].visit.mean.direction, m_measurement.distance, m_measurement.relation);
+    const ZeroLine line(m_measurement, m_measurement.arcs[m_visits[v].arc]);
+    const PlanePoint<double> place = line.sightedPoint(m_visits[v].visit.mean.direction);
     state.arcAngles[static_cast<Index>(v)] = nearestArcAngle(circles[m_visits[v].arc], place);
   }
   return state;
@@ -219,47 +226,58 @@ Jets JointProblem::jetsOf(const JointState& state, std::size_t arc) const {
   jets.distance =
       Jets::template variable<GuidewayJet>(value(distanceSlot, m_measurement.distance), Jets::farSlot);
   jets.horizontalZero = value(static_cast<std::size_t>(HorizontalZero), 0);
-  jets.verticalZero = value(static_cast<std::size_t>(VerticalZero), 0);
   for (std::size_t t = 0; t < m_terms.size(); ++t)
     jets.set(m_terms[t].term, value(firstTermSlot + t, m_terms[t].priorValue));
-  const auto straightAhead = Jets::asTarget(0, 0, -jets.distance.value());
+  const double elevation = m_measurement.arcs[arc].zeroElevation.radians(),
+               ofVerticalZero = value(static_cast<std::size_t>(VerticalZero), 0);
+  if (m_measurement.sightedZeros) {  // the zeros are observations of their own
+    jets.zeroElevation = elevation + ofVerticalZero;
+    return jets;
+  }
+  const double distance = jets.distance.value();
+  const auto ahead =
+      roomFromZeroLine(SpacePoint<double>{0, 0, -distance}, distance, elevation, m_measurement.plane);
+  const auto mark = Jets::asTarget(ahead.x, ahead.y, ahead.z);
   Pointing pointing = zeroPointing(m_measurement.arcs[arc]);
-  jets.zero = circleDirection(jets.instrumentErrors, straightAhead, pointing);
+  jets.zero = circleDirection(jets.instrumentErrors, mark, pointing);
   if (m_measurement.arcs[arc].zero.isInBothFaces) {
     pointing.face = 2;
-    const auto inTwo = circleDirection(jets.instrumentErrors, straightAhead, pointing);
+    const auto inTwo = circleDirection(jets.instrumentErrors, mark, pointing);
     jets.zero.a = (jets.zero.a + inTwo.a) / 2.0;
     jets.zero.e = (jets.zero.e + inTwo.e) / 2.0;
   }
+  jets.zero.e -= elevation;
+  jets.zeroElevation = elevation - jets.zero.e.value() + ofVerticalZero;
   return jets;
-}
-
-double JointProblem::elapsedAt(std::size_t sequence) const {
-  return m_measurement.rows > 1 ? static_cast<double>(sequence) / static_cast<double>(m_measurement.rows - 1)
-                                : 0;
 }
 
 Pointing JointProblem::zeroPointing(const ArcMeasurement& arc) const {
   Pointing pointing;
   pointing.horizontalZero = arc.zeroHorizontal.radians();
-  pointing.verticalZero = arc.zeroVertical.radians();
   pointing.circle = m_measurement.verticalCircle;
   pointing.relation = m_measurement.relation;
-  pointing.elapsed = midSession;
-  if (arc.zero.isSpanning && !arc.sightings.empty())
-    pointing.elapsed =
-        (elapsedAt(arc.sightings.front().sequence) + elapsedAt(arc.sightings.back().sequence)) / 2;
+  pointing.elapsed = arc.zero.elapsed;
+  // A jump before everything stands for one behind the zeros, which `linearise` asks for.
+  if (!arc.zeroSightings.empty() && m_jumpBefore.value_or(0) > 0)
+    pointing.jumpShare =
+        static_cast<double>(std::ranges::count_if(
+            arc.zeroSightings, [&](const SightedZero& zero) { return hasJumped(zero.order); })) /
+        static_cast<double>(arc.zeroSightings.size());
   return pointing;
 }
 
 Pointing JointProblem::pointingOf(const ArcMeasurement& arc, const Sighting& sighting) const {
   Pointing pointing = zeroPointing(arc);
   pointing.face = sighting.face;
-  pointing.elapsed = elapsedAt(sighting.sequence);
+  pointing.elapsed = sighting.elapsed;
   pointing.isSetUpAgain = &arc != m_measurement.arcs.data();
-  pointing.afterJump =
-      m_jumpBefore && sighting.sequence >= *m_jumpBefore && (!m_jumpEnd || sighting.sequence < *m_jumpEnd);
+  pointing.jumpShare = hasJumped(sighting.order) ? 1 : 0;
+  pointing.isSetUpAgain = pointing.isSetUpAgain && !sighting.isZero;
   return pointing;
+}
+
+bool JointProblem::hasJumped(std::size_t order) const {
+  return m_jumpBefore && order >= *m_jumpBefore && (!m_jumpEnd || order < *m_jumpEnd);
 }
 
 bool JointProblem::takesPart(std::size_t arc, std::size_t sighting, ReadingKind kind) const {
@@ -317,20 +335,39 @@ void JointProblem::eachVisit(const JointState& state,
 
 namespace {
 
-/// The row of a circle reading: by the target's place and the instrument's terms, both less those of the
-/// zero.
+/// How a target moves in the room when the elevation of the zero line grows.
+struct PerElevation {
+  double y = 0, z = 0;  ///< mm per rad
+
+  template <typename Der>
+  double of(const Der& byTarget) const {
+    return byTarget[1] * y + byTarget[2] * z;
+  }
+};
+
+/// Of a target at `y` and `z` in the room.
+PerElevation perElevation(double y, double z, double distance, double elevation, ArcPlane plane) {
+  if (plane == ArcPlane::Square) return {-z, y};
+  const double cosine = std::cos(elevation);
+  return {distance / (cosine * cosine), 0};
+}
+
+/// The row of a circle reading: by the target's place in the room and by the instrument's terms, which turn
+/// the zero line, too.
 template <typename Jets>
 void fillRow(VisitEquations::Jacobian::RowXpr row, const typename Jets::InstrumentJet& sighted,
-             const typename Jets::InstrumentJet& zero, const SpacePoint<typename Jets::GuidewayJet>& target,
-             const std::vector<EstimatedTerm>& terms) {
+             const typename Jets::InstrumentJet& zeroElevation, const PerElevation& perElevation,
+             const SpacePoint<typename Jets::GuidewayJet>& target, const std::vector<EstimatedTerm>& terms) {
   const auto& by = sighted.derivatives();
   const typename Jets::GuidewayJet::DerType place =
       by[0] * target.x.derivatives() + by[1] * target.y.derivatives() + by[2] * target.z.derivatives();
+  const double turn = perElevation.of(by);
   row.setZero();
   row[static_cast<int>(Unknown::Kind::CentreX)] = place[Jets::xSlot];
   row[static_cast<int>(Unknown::Kind::CentreY)] = place[Jets::ySlot];
   row[static_cast<int>(Unknown::Kind::Radius)] = place[Jets::radiusSlot];
-  row[distanceSlot] = place[Jets::farSlot] + zero.derivatives()[2];  // the zero's target stands at −L
+  row[static_cast<int>(Unknown::Kind::VerticalZero)] = turn;
+  row[distanceSlot] = place[Jets::farSlot];
   row[phiSlot] = place[Jets::angleSlot];
   for (std::size_t t = 0; t < terms.size(); ++t) {
     const auto term = static_cast<std::size_t>(terms[t].term);
@@ -339,9 +376,21 @@ void fillRow(VisitEquations::Jacobian::RowXpr row, const typename Jets::Instrume
       row[slot] = place[static_cast<Index>(Jets::guidewayTermSlot + term - firstGuidewayTerm)];
     } else {
       const auto own = static_cast<Index>(Jets::instrumentTermSlot + term);
-      row[slot] = by[own] - zero.derivatives()[own];
+      row[slot] = by[own] - turn * zeroElevation.derivatives()[own];
     }
   }
+}
+
+/// Directions count from the zero as it was read.
+template <typename Jets>
+void takeOffZero(VisitEquations::Jacobian::RowXpr row, const typename Jets::InstrumentJet& zero,
+                 const std::vector<EstimatedTerm>& terms) {
+  row[static_cast<int>(Unknown::Kind::HorizontalZero)] = -1;
+  for (std::size_t t = 0; t < terms.size(); ++t)
+    if (!isOfGuideway(terms[t].term))
+      row[static_cast<Index>(firstTermSlot + t)] -=
+          zero.derivatives()[static_cast<Index>(Jets::instrumentTermSlot) +
+                             static_cast<Index>(terms[t].term)];
 }
 
 template <typename Jets>
@@ -359,17 +408,61 @@ void fillSliderRow(VisitEquations::Jacobian::RowXpr row, const typename Jets::Gu
 
 }  // namespace
 
+/// A sighting of the zero: of its mark, whose direction hangs on nothing of the guideway.
+template <typename Jets>
+void JointProblem::fillZeroEquations(const Jets& jets, std::size_t visitIndex,
+                                     VisitEquations& equations) const {
+  const auto& [arcIndex, visit, slider] = m_visits[visitIndex];
+  const ArcMeasurement& arc = m_measurement.arcs[arcIndex];
+  const std::size_t index = visit.sightings.front();
+  const Sighting& sighting = arc.sightings[index];
+  const double distance = jets.distance.value();
+  const auto mark = roomFromZeroLine(SpacePoint<double>{0, 0, -distance}, distance, jets.zeroElevation,
+                                     m_measurement.plane);
+  const auto sighted = circleDirection(jets.instrumentErrors, Jets::asTarget(mark.x, mark.y, mark.z),
+                                       pointingOf(arc, sighting));
+  const PerElevation turn = perElevation(mark.y, mark.z, distance, jets.zeroElevation, m_measurement.plane);
+  equations.residual.resize(2);
+  equations.jacobian.setZero(2, slots());
+  const auto fill = [&](Index row, const auto& reading, double difference, ReadingKind kind) {
+    equations.jacobian(row, static_cast<int>(Unknown::Kind::VerticalZero)) = turn.of(reading.derivatives());
+    for (std::size_t t = 0; t < m_terms.size(); ++t)
+      if (!isOfGuideway(m_terms[t].term))
+        equations.jacobian(row, static_cast<Index>(firstTermSlot + t)) =
+            reading.derivatives()[static_cast<Index>(Jets::instrumentTermSlot) +
+                                  static_cast<Index>(m_terms[t].term)];
+    if (kind == ReadingKind::Horizontal)
+      equations.jacobian(row, static_cast<int>(Unknown::Kind::HorizontalZero)) = -1;
+    const double sigma = sigmaOf(m_measurement, sighting, kind == ReadingKind::Vertical).radians();
+    const double weight = takesPart(arcIndex, index, kind) ? 1 / sigma : 0;
+    equations.residual[row] = difference * weight;
+    equations.jacobian.row(row) *= weight;
+  };
+  fill(0, sighted.a, sighting.a.radians() - (sighted.a.value() - jets.horizontalZero),
+       ReadingKind::Horizontal);
+  fill(1, sighted.e, sighting.e.radians() + arc.zeroElevation.radians() - sighted.e.value(),
+       ReadingKind::Vertical);
+  equations.along.setZero(2);
+}
+
 template <typename Jets>
 void JointProblem::fillEquations(const Jets& jets, const JointState& state, std::size_t visitIndex,
                                  VisitEquations& equations) const {
   const auto& [arcIndex, visit, slider] = m_visits[visitIndex];
   const ArcMeasurement& arc = m_measurement.arcs[arcIndex];
+  if (arc.sightings[visit.sightings.front()].isZero) {
+    fillZeroEquations(jets, visitIndex, equations);
+    return;
+  }
   using GuidewayJet = typename Jets::GuidewayJet;
   using InstrumentJet = typename Jets::InstrumentJet;
   const GuidewayJet phi =
       Jets::template variable<GuidewayJet>(state.arcAngles[static_cast<Index>(visitIndex)], Jets::angleSlot);
   const SpacePoint<GuidewayJet> place =
-      targetAt(jets.guidewayErrors, jets.pose, jets.distance, phi, arc.axisDeg);
+      roomFromZeroLine(targetAt(jets.guidewayErrors, jets.pose, jets.distance, phi, arc.axisDeg),
+                       jets.distance, jets.zeroElevation, m_measurement.plane);
+  const PerElevation turn = perElevation(place.y.value(), place.z.value(), jets.distance.value(),
+                                         jets.zeroElevation, m_measurement.plane);
   const SpacePoint<InstrumentJet> target = Jets::asTarget(place.x.value(), place.y.value(), place.z.value());
   // A perfect instrument reads alike whatever the face.
   const bool isPerfect = jets.instrumentErrors.isPerfect();
@@ -389,13 +482,12 @@ void JointProblem::fillEquations(const Jets& jets, const JointState& state, std:
   for (const std::size_t i : visit.sightings) {
     const Sighting& sighting = arc.sightings[i];
     if (!isPerfect) sighted = circleDirection(jets.instrumentErrors, target, pointingOf(arc, sighting));
-    fillRow<Jets>(equations.jacobian.row(row), sighted.a, jets.zero.a, place, m_terms);
-    equations.jacobian(row, static_cast<int>(Unknown::Kind::HorizontalZero)) = -1;
+    fillRow<Jets>(equations.jacobian.row(row), sighted.a, jets.zero.e, turn, place, m_terms);
+    takeOffZero<Jets>(equations.jacobian.row(row), jets.zero.a, m_terms);
     weigh(sighting.a.radians() - (sighted.a.value() - jets.zero.a.value() - jets.horizontalZero),
           m_measurement.sigmaHorizontal.radians(), takesPart(arcIndex, i, ReadingKind::Horizontal));
-    fillRow<Jets>(equations.jacobian.row(row), sighted.e, jets.zero.e, place, m_terms);
-    equations.jacobian(row, static_cast<int>(Unknown::Kind::VerticalZero)) = 1;
-    weigh(sighting.e.radians() - (sighted.e.value() - jets.zero.e.value() + jets.verticalZero),
+    fillRow<Jets>(equations.jacobian.row(row), sighted.e, jets.zero.e, turn, place, m_terms);
+    weigh(sighting.e.radians() + arc.zeroElevation.radians() - sighted.e.value(),
           m_measurement.sigmaVertical.radians(), takesPart(arcIndex, i, ReadingKind::Vertical));
   }
   if (slider) {

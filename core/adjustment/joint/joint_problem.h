@@ -120,13 +120,15 @@ class JointProblem {
   template <typename Jets>
   Jets jetsOf(const JointState& state, std::size_t arc) const;
   template <typename Jets>
+  void fillZeroEquations(const Jets& jets, std::size_t visit, VisitEquations& equations) const;
+  template <typename Jets>
   void fillEquations(const Jets& jets, const JointState& state, std::size_t visit,
                      VisitEquations& equations) const;
   void fillEquations(const JointState& state, std::vector<VisitEquations>& equations) const;
   /// Calls `fill` with the jets of its arc for each visit.
   template <typename Fill>
   void withJetsOfEachVisit(const JointState& state, const Fill& fill) const;
-  double elapsedAt(std::size_t sequence) const;
+  bool hasJumped(std::size_t order) const;
   Pointing zeroPointing(const ArcMeasurement& arc) const;
   Pointing pointingOf(const ArcMeasurement& arc, const Sighting& sighting) const;
   bool takesPart(std::size_t arc, std::size_t sighting, ReadingKind kind) const;

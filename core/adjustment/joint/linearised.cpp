@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/adjustment/joint/joint_problem.h"
+#include "core/adjustment/joint/sighted_zeros.h"
 
 namespace alidade {
 
@@ -90,15 +91,16 @@ void linearise(const Measurement& measurement, const JointProblem& problem, cons
     for (Index row = 0; row < equations.residual.size(); ++row) {
       const ReadingRef cell = problem.cellOf(v, row);
       const std::uint32_t number = counts[static_cast<std::size_t>(cell.kind)]++;
-      const std::size_t sequence = measurement.arcs[arc].sightings[cell.sighting].sequence;
+      const Sighting& sighting = measurement.arcs[arc].sightings[cell.sighting];
       piece.readings.push_back({.sighting = static_cast<std::uint32_t>(cell.sighting),
                                 .visit = static_cast<std::uint32_t>(v),
-                                .sequence = static_cast<std::uint32_t>(sequence),
+                                .sequence = static_cast<std::uint32_t>(sighting.order),
                                 .number = number,
                                 .arc = static_cast<std::uint16_t>(arc),
                                 .kind = cell.kind,
                                 .takesPart = !equations.jacobian.row(row).isZero(0),
-                                .sigma = statedSigma(measurement, cell.kind).radians(),
+                                .isZero = sighting.isZero,
+                                .sigma = sigmaOf(measurement, cell).radians(),
                                 .residual = equations.residual[row],
                                 .along = equations.along[row]});
       for (std::size_t slot = 0; slot < unknownKinds; ++slot)
@@ -112,6 +114,19 @@ void linearise(const Measurement& measurement, const JointProblem& problem, cons
 }
 
 }  // namespace
+
+void Linearised::weighZeros(double weight) {
+  const double factor = weight / zeroWeight;
+  zeroWeight = weight;
+  if (factor == 1) return;
+  for (LinearReading& reading : readings) {
+    if (!reading.isZero) continue;
+    reading.residual *= factor;
+    reading.sigma /= factor;
+    perUnknown.scale(reading.kind, reading.number, factor);
+    perTerm.scale(reading.kind, reading.number, factor);
+  }
+}
 
 bool Linearised::isClosed() const {
   const Unknown shared{.kind = Unknown::Kind::CentreX, .arc = Unknown::everyArc};

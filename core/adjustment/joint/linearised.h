@@ -21,11 +21,12 @@ namespace alidade {
 struct LinearReading {
   std::uint32_t sighting = 0;  ///< index into the arc's sightings
   std::uint32_t visit = 0;     ///< readings of one visit share their arc angle
-  std::uint32_t sequence = 0;  ///< of its row in the session, in the order taken
+  std::uint32_t sequence = 0;  ///< `Sighting::order` of its row
   std::uint32_t number = 0;    ///< among the readings of its kind
   std::uint16_t arc = 0;       ///< index into the measurement's arcs
   ReadingKind kind = ReadingKind::Horizontal;
   bool takesPart = true;
+  bool isZero = false;  ///< of a pointing zero
   double sigma = 0;     ///< stated, rad
   double residual = 0;  ///< (observed − adjusted)/σ
   double along = 0;     ///< (∂reading/∂φ)/σ, scaled to unit length over the visit
@@ -60,6 +61,10 @@ struct Linearised {
   /// (∂reading/∂term)/σ, a column for each `ErrorTerm`: rad, mm or 1 per unit of the term. The terms of a
   /// jump as if it had come before every reading.
   ReadingColumns perTerm;
+
+  /// Readings of zeros weigh so many times what they are stated to.
+  double zeroWeight = 1;
+  void weighZeros(double weight);
 
   /// Of a closed model: the positions are held against each other.
   bool isClosed() const;

@@ -31,6 +31,11 @@ class ReadingColumns {
     }
     values.push_back(value);
   }
+  /// Every column of one reading.
+  void scale(ReadingKind kind, std::size_t number, double factor) {
+    for (std::vector<double>& values : ofKind(kind).columns)
+      if (!values.empty()) values[number] *= factor;
+  }
   double at(ReadingKind kind, std::size_t number, std::size_t column) const {
     const std::span<const double> values = of(kind, column);
     return values.empty() ? 0 : values[number];

@@ -5,11 +5,14 @@
 #include "core/adjustment/arc/fast_arc_fit.h"
 #include "core/adjustment/monte_carlo/refit.h"
 #include "core/observation/visits.h"
+#include "core/observation/zero_line.h"
 
 namespace alidade {
 
 bool haveNothingInCommon(const Measurement& fitted) {
-  return estimatedTerms(fitted).empty() && !hasRepeats(fitted) && fitted.radiusModel == RadiusModel::Free &&
+  const auto isLevelExact = [&](const ArcMeasurement& arc) { return ZeroLine(fitted, arc).isLevelExact(); };
+  return estimatedTerms(fitted).empty() && std::ranges::all_of(fitted.arcs, isLevelExact) &&
+         !hasRepeats(fitted) && fitted.radiusModel == RadiusModel::Free &&
          std::ranges::none_of(fitted.arcs, hasSliderReadings);
 }
 
@@ -22,9 +25,11 @@ struct VisitColumns {
   int rows = 0;                    ///< of a visit
 
   VisitColumns(const RefitTask& task, std::size_t arc) {
+    const ZeroLine line(task.fitted, task.fitted.arcs[arc]);
     for (const Visit& visit : visitsOf(task.fitted.arcs[arc])) {
-      a.push_back(visit.mean.direction.a);
-      e.push_back(visit.mean.direction.e);
+      const Direction<double> level = line.levelled(visit.mean.direction);
+      a.push_back(level.a);
+      e.push_back(level.e);
       for (const std::size_t sighting : visit.sightings) noise.push_back(task.plan.readings(arc, sighting));
       rows = visit.mean.rows;
     }
@@ -63,13 +68,11 @@ class ArcsRefit : public Refit {
     m_a.resize(draws.size() * visits.a.size());
     m_e.resize(m_a.size());
     const double sigmaA = read.sigmaHorizontal.radians(), sigmaE = read.sigmaVertical.radians(),
-                 sigmaZeroA = read.sigmaOfZeroHorizontal(read.arcs[arc]).radians(),
-                 sigmaZeroE = read.sigmaOfZeroVertical(read.arcs[arc]).radians();
+                 sigmaZeroA = read.sigmaOfZeroHorizontal(read.arcs[arc]).radians();
     std::size_t next = 0;
     for (const Draw& draw : draws) {
       const double* zeros = &draw.normals[m_task.plan.zeros(arc)];
-      const double zeroA = sigmaZeroA * draw.zeroScale * zeros[0],
-                   zeroE = sigmaZeroE * draw.zeroScale * zeros[1];
+      const double zeroA = sigmaZeroA * draw.zeroScale * zeros[0];
       const double perRow = draw.scale / visits.rows;
       const std::size_t* noiseAt = visits.noise.data();
       for (std::size_t visit = 0; visit < visits.a.size(); ++visit, ++next) {
@@ -79,7 +82,7 @@ class ArcsRefit : public Refit {
           noiseE += draw.normals[*noiseAt + 1];
         }
         m_a[next] = visits.a[visit] + zeroA + sigmaA * perRow * noiseA;
-        m_e[next] = visits.e[visit] + zeroE + sigmaE * perRow * noiseE;
+        m_e[next] = visits.e[visit] + sigmaE * perRow * noiseE;
       }
     }
   }
@@ -96,6 +99,8 @@ class ArcsRefit : public Refit {
     const double tolerance =
         farBelowScatter * std::min(sigma.x, sigma.y) / m_task.fit.arcs[arc].circle.radius;
     fitArcsFast(setup, m_a, m_e, m_fits, 1, std::max(usualTolerance, tolerance));
+    const double elevation = read.arcs[arc].zeroElevation.radians(),
+                 sigmaZeroE = read.sigmaOfZeroVertical(read.arcs[arc]).radians();
     for (std::size_t i = 0; i < draws.size(); ++i) {
       double* own = &centres[i * m_task.centres() + 2 * arc];
       const std::optional<FastArcFit>& fit = m_fits[i];
@@ -103,7 +108,10 @@ class ArcsRefit : public Refit {
       // Angles alone fix the shape; all lengths are in proportion to L.
       const double longer = 1 + read.sigmaDistance / read.distance * draws[i].normals[DrawPlan::distance];
       own[0] = isFound ? fit->circle.x * longer : missingCentre;
-      own[1] = isFound ? fit->circle.y * longer : missingCentre;
+      // An e that comes out greater is a zero that lies lower.
+      const double zeroE = sigmaZeroE * draws[i].zeroScale * draws[i].normals[m_task.plan.zeros(arc) + 1];
+      const double overZero = fit ? fit->circle.y - read.distance * std::tan(elevation - zeroE) : 0;
+      own[1] = isFound ? overZero * longer : missingCentre;
     }
   }
 

@@ -47,7 +47,7 @@ std::vector<Index> slotsWith(bool zeros, std::size_t terms) {
 struct ReadingRow {
   std::size_t noise = 0;            ///< its number among a draw's
   std::optional<std::size_t> zero;  ///< that of the pointing zero it is counted from
-  double zeroRatio = 0;             ///< σ of the zero in units of the reading's
+  double perZero = 0;               ///< what 1 σ of it changes, in σ of the reading
   double left = 0;                  ///< residual of the fit, σ
   std::size_t first = 0;            ///< where J, then H, stand
 };
@@ -127,8 +127,13 @@ class ExpandedModel {
         ReadingRow reading;
         reading.noise = task.plan.readings(arc, cell.sighting) + kind;
         if (cell.kind != ReadingKind::Slider) {
+          // A zero read too great on the horizontal circle lets readings come out smaller, and an e that
+          // comes out greater is a zero that lies lower.
+          const bool isHorizontal = cell.kind == ReadingKind::Horizontal;
+          const auto slot =
+              static_cast<Index>(isHorizontal ? Unknown::Kind::HorizontalZero : Unknown::Kind::VerticalZero);
           reading.zero = task.plan.zeros(arc) + kind;
-          reading.zeroRatio = zeroSigmas[kind].radians() / statedSigma(read, cell.kind).radians();
+          reading.perZero = (isHorizontal ? -1 : 1) * all[v].jacobian(row, slot) * zeroSigmas[kind].radians();
         }
         reading.left = all[v].residual[row];
         reading.first = m_numbers.size();
@@ -223,8 +228,8 @@ ALIDADE_WIDE void addGradient(const ExpandedModel& model, const VisitBlock& visi
   for (std::size_t r = visit.firstRow; r < visit.firstRow + visit.rows; ++r) {
     const ReadingRow& row = model.rows()[r];
     const double *first = model.numbers(row.first), *second = first + slots;
-    Eight left = row.left + scale.at * normals[row.noise].at +
-                 row.zeroRatio * normals[row.zero.value_or(row.noise)].at;
+    Eight left =
+        row.left + scale.at * normals[row.noise].at + row.perZero * normals[row.zero.value_or(row.noise)].at;
     if (isFirst) {
       left -= first[distanceAt] * delta[distanceAt].at;
       for (std::size_t i = 0; i < slots; ++i) gradient[i].at += first[i] * left;

@@ -44,6 +44,7 @@ class GeneralRefit : public Refit {
     const double* zeros = &draw.normals[m_task.plan.zeros(arc)];
     const Angle zeroA = read.sigmaOfZeroHorizontal(read.arcs[arc]) * (draw.zeroScale * zeros[0]),
                 zeroE = read.sigmaOfZeroVertical(read.arcs[arc]) * (draw.zeroScale * zeros[1]);
+    m_drawn.arcs[arc].zeroElevation = read.arcs[arc].zeroElevation - zeroE;
     for (std::size_t i = 0; i < read.arcs[arc].sightings.size(); ++i) {
       const Sighting& sighting = read.arcs[arc].sightings[i];
       const double* noise = &draw.normals[m_task.plan.readings(arc, i)];

@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <optional>
 
+#include "core/adjustment/joint/sighted_zeros.h"
 #include "core/adjustment/result/intersection.h"
 #include "core/base/square.h"
 #include "core/base/statistics.h"
@@ -42,6 +44,9 @@ std::string_view nameOf(Closure::Of of) {
       return "repeat";
     case Closure::Of::Reference:
       return "reference";
+    case Closure::Of::ZeroAzimuth:
+    case Closure::Of::ZeroElevation:
+      return "zeros";
   }
   return "";
 }
@@ -121,6 +126,57 @@ std::vector<Closure> repeatsOf(const Measurement& measurement, const JointFit& a
       closures.push_back(closureOf(Closure::Of::Repeat, *misclosure, noise));
       closures.back().repeated = {measurement.arcs[arc].axisDeg, measurement.arcs[arc].time, quantity};
     }
+  return closures;
+}
+
+namespace {
+
+/// Of how much of a jump the zero of an arc was sighted after.
+double jumpShare(const ArcMeasurement& arc, const JointFitOptions& options) {
+  if (!options.jumpBefore || arc.zeroSightings.empty()) return 0;
+  const auto after = std::ranges::count_if(arc.zeroSightings, [&](const SightedZero& zero) {
+    return zero.order >= *options.jumpBefore && (!options.jumpEnd || zero.order < *options.jumpEnd);
+  });
+  return static_cast<double>(after) / static_cast<double>(arc.zeroSightings.size());
+}
+
+}  // namespace
+
+std::vector<Closure> zeroClosuresOf(const Measurement& measurement, const JointFit& fit,
+                                    const JointFitOptions& options) {
+  constexpr double exact = std::numeric_limits<double>::infinity();
+  std::vector<Closure> closures;
+  if (measurement.hasOneZero() || !fit.isDetermined() || measurement.arcs.empty()) return closures;
+  const CommonZeros common = commonZeros(measurement);
+  const auto sizeOf = [&](ErrorTerm term) {
+    const std::size_t index = fit.indexOf({.kind = Unknown::Kind::Error, .arc = 0, .term = term});
+    return index < fit.values.size() ? fit.values[index] : 0;
+  };
+  const ArcMeasurement& first = measurement.arcs.front();
+  const auto add = [&](Closure::Of of, const ArcMeasurement& later, double angle, Angle sigma,
+                       Angle sigmaFirst) {
+    const double together = std::hypot(sigma.radians(), sigmaFirst.radians());
+    if (!(together > 0)) return;
+    closures.push_back(closureOf(of, measurement.distance * angle, measurement.distance * together, exact));
+    closures.back().repeated = {later.axisDeg, later.time, Unknown::Kind::CentreX};
+  };
+  const double down = measurement.verticalCircle == VerticalCircle::Zenith ? 1 : -1;
+  for (const ArcMeasurement& later : measurement.arcs) {
+    if (&later == &first) continue;
+    const double elapsed = later.zero.elapsed - first.zero.elapsed,
+                 jumped = jumpShare(later, options) - jumpShare(first, options);
+    const double turned =
+        sizeOf(ErrorTerm::HorizontalDrift) * elapsed + sizeOf(ErrorTerm::HorizontalJump) * jumped;
+    const double raised =
+        -down * (sizeOf(ErrorTerm::VerticalDrift) * elapsed + sizeOf(ErrorTerm::VerticalJump) * jumped);
+    if (common.horizontal)
+      add(Closure::Of::ZeroAzimuth, later,
+          wrapped(later.zeroHorizontal - first.zeroHorizontal).radians() - turned,
+          measurement.sigmaOfZeroHorizontal(later), measurement.sigmaOfZeroHorizontal(first));
+    if (common.vertical)
+      add(Closure::Of::ZeroElevation, later, (later.zeroElevation - first.zeroElevation).radians() - raised,
+          measurement.sigmaOfZeroVertical(later), measurement.sigmaOfZeroVertical(first));
+  }
   return closures;
 }
 

@@ -24,6 +24,8 @@ struct Closure {
     NominalRadius,  ///< R, of two free ones their mean, less R0
     Repeat,         ///< Δx, Δy or R of a position measured again less that of the first at its axis
     Reference,      ///< Δd less the reference
+    ZeroAzimuth,    ///< α0 of a later position less that of the first, as far as they go at the distance L
+    ZeroElevation,  ///< the same of the zeros' elevations, up positive
   };
 
   Of of = Of::Radius;
@@ -39,8 +41,9 @@ struct Closure {
 
     bool operator==(const Repeated&) const = default;
   };
-  std::optional<Repeated> repeated = {};  ///< of a Repeat
+  std::optional<Repeated> repeated = {};  ///< of a Repeat; of zeros the later position alone
 
+  bool isOfZeros() const { return of == Of::ZeroAzimuth || of == Of::ZeroElevation; }
   /// Its size in σ.
   double sigmas() const { return std::abs(value) / sigma; }
 };
@@ -48,7 +51,7 @@ struct Closure {
 /// With its chance by Student's distribution; `degreesOfFreedom` behind σ, may be infinite.
 Closure closureOf(Closure::Of of, double value, double sigma, double degreesOfFreedom);
 
-/// "radius", "centre", "nominal_radius", "repeat", "reference".
+/// "radius", "centre", "nominal_radius", "repeat", "reference", "zeros".
 std::string_view nameOf(Closure::Of of);
 
 /// `fit` is of `measurement`. The radius is left out where the model has one for both arcs, and R0 where the
@@ -64,6 +67,12 @@ std::optional<JointFit> fitApart(const Measurement& measurement, const std::vect
 /// What positions measured again disagree by with the first at their axes, in the order taken; of radii only
 /// where they are free. `apart`: from `fitApart` of `measurement`.
 std::vector<Closure> repeatsOf(const Measurement& measurement, const JointFit& apart);
+
+/// What zeros of one mark (`commonZeros`) differ by beyond what the error terms of `fit` do to the
+/// orientation between them, in the order taken. `options`: of `fit`; σ is √2 σ of a zero, whatever the
+/// readings scatter.
+std::vector<Closure> zeroClosuresOf(const Measurement& measurement, const JointFit& fit,
+                                    const JointFitOptions& options);
 
 /// The misclosure between two arcs of the fit without its chance, which takes longer than all the rest.
 struct Misclosure {

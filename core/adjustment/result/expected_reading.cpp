@@ -7,6 +7,7 @@
 
 #include "core/observation/guideway.h"
 #include "core/observation/half_turn.h"
+#include "core/observation/zero_line.h"
 #include "core/session/face.h"
 
 namespace alidade {
@@ -106,8 +107,7 @@ class Expectations {
   }
 
   double coordinateOf(const ArcMeasurement& arc, const Sighting& sighting) const {
-    const PlanePoint<double> point = sightedPoint({sighting.a.radians(), sighting.e.radians()},
-                                                  m_measurement.distance, m_measurement.relation);
+    const PlanePoint<double> point = ZeroLine(m_measurement, arc).sightedPoint(sighting);
     return sliderCoordinateOf(nearestArcAngle(circleOf(arc), point), arc.axisDeg);
   }
 
@@ -142,7 +142,7 @@ class Expectations {
     const Circle circle = circleOf(arc);
     const PlanePoint<double> target =
         targetOnArc(circle.x, circle.y, circle.radius, arcAngleOf(place.s, arc.axisDeg));
-    const Direction<double> direction = observe(target, m_measurement.distance, m_measurement.relation);
+    const Direction<double> direction = ZeroLine(m_measurement, arc).observe(target);
     const bool isZenith = m_measurement.verticalCircle == VerticalCircle::Zenith;
     const Angle e = Angle::fromRadians(direction.e);
     const FaceOneReading circles =  // the way to face 2 is the way back from it, but for whole turns

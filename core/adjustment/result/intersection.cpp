@@ -6,6 +6,7 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <numeric>
 
 #include "core/adjustment/result/uncertain_length.h"
 #include "core/base/square.h"
@@ -97,9 +98,21 @@ bool isAny(const Unknown&) {
   return true;
 }
 
+/// The variance that zeros bring which are observations.
+double varianceOfSightedZeros(const JointFit& fit, const SquareMatrix& cofactor, const Weights& weights) {
+  if (fit.zeroRows.empty()) return 0;
+  std::vector<double> turned(fit.unknowns.size());
+  for (std::size_t u = 0; u < turned.size(); ++u) turned[u] = covarianceWith(cofactor, weights, u);
+  double variance = 0;
+  for (const std::vector<double>& row : fit.zeroRows)
+    variance += square(std::inner_product(row.begin(), row.end(), turned.begin(), 0.0));
+  return variance;
+}
+
 /// The variance from readings at their stated σ.
 double varianceOfReadings(const JointFit& fit, const SquareMatrix& cofactor, const Weights& weights) {
-  const double known = varianceOfKnown(fit, cofactor, weights, isAny);
+  const double known =
+      varianceOfKnown(fit, cofactor, weights, isAny) + varianceOfSightedZeros(fit, cofactor, weights);
   // In this order of its arguments max() lets NaN pass: what is unknown is not nothing.
   return std::max(quadraticForm(cofactor, weights) - known, 0.0);
 }
@@ -168,7 +181,8 @@ Budget budgetOf(const JointFit& fit, const Weights& weights, double scale) {
     budget.push_back(
         {UncertaintySource::KnownRadius, std::sqrt(varianceOfKnown(fit, fit.cofactor, weights, isRadius))});
   const double ofZeros = std::sqrt(consideredVariance(fit, weights, false) +
-                                   varianceOfKnown(fit, fit.cofactor, weights, &Unknown::isPointingZero));
+                                   varianceOfKnown(fit, fit.cofactor, weights, &Unknown::isPointingZero) +
+                                   varianceOfSightedZeros(fit, fit.cofactor, weights));
   const bool zerosScatter = fit.zerosAreReadings && scale > fit.zeroScatter;
   const double asTheyScatter = zerosScatter ? scale / fit.zeroScatter * ofZeros : ofZeros;
   budget.push_back({UncertaintySource::PointingZeros, asTheyScatter, zerosScatter ? asTheyScatter : 0});

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "core/adjustment/joint/sighted_zeros.h"
 #include "core/observation/half_turn.h"
 #include "core/observation/visits.h"
 
@@ -69,6 +70,21 @@ void judgeZeros(std::vector<FitFinding>& findings, const Measurement& measuremen
   findings.push_back({Severity::Note,
                       Place{.position = {}, .reading = {}, .field = "geometry.pointing_zeros"},
                       ZerosAlike{measurement.arcs.size()}});
+}
+
+void judgeMarks(std::vector<FitFinding>& findings, const Measurement& measurement) {
+  if (!areZerosInDoubt(measurement)) return;
+  ZerosDiffer differ;
+  const auto greatest = [](Angle so, Angle other) {
+    return std::abs(other.radians()) > std::abs(so.radians()) ? other : so;
+  };
+  const ArcMeasurement& first = measurement.arcs.front();
+  for (const ArcMeasurement& arc : measurement.arcs) {
+    differ.horizontal = greatest(differ.horizontal, wrapped(arc.zeroHorizontal - first.zeroHorizontal));
+    differ.vertical = greatest(differ.vertical, arc.zeroElevation - first.zeroElevation);
+  }
+  findings.push_back(
+      {Severity::Note, Place{.position = {}, .reading = {}, .field = "geometry.zero_is"}, differ});
 }
 
 /// Beyond what two sightings differ by in one case of a thousand.
@@ -154,6 +170,7 @@ std::vector<FitFinding> setupFindings(const Measurement& measurement, const Sess
   judgeSides(findings, fit);
   judgeVerticalCircle(findings, measurement);
   judgeZeros(findings, measurement);
+  judgeMarks(findings, measurement);
   judgeMoves(findings, measurement, fit);
   judgeZeroFaces(findings, measurement);
   for (const ArcMeasurement& arc : measurement.arcs) judgeSliders(findings, arc);

@@ -37,7 +37,8 @@ void GrossErrorComponent::addTo(JointFitOptions& model, const Leftover& leftover
 std::vector<GrossErrorComponent> grossErrorComponents(const Leftover& leftover) {
   std::vector<GrossErrorComponent> components;
   components.reserve(static_cast<std::size_t>(leftover.readings()));
-  for (Index i = 0; i < leftover.readings(); ++i) components.emplace_back(i, leftover.redundancy(i));
+  for (Index i = 0; i < leftover.readings(); ++i)
+    components.emplace_back(i, leftover.reading(i).isZero ? 0 : leftover.redundancy(i));
   return components;
 }
 

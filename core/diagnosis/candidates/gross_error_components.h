@@ -36,7 +36,7 @@ class GrossErrorComponent final : public Component {
 
 const std::vector<Width>& grossErrorWidths();
 
-/// Of every reading, in their order.
+/// Of every reading, in their order. A misread zero is a jump of its position: those of zeros show nothing.
 std::vector<GrossErrorComponent> grossErrorComponents(const Leftover& leftover);
 
 }  // namespace alidade

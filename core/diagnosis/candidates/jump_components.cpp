@@ -78,34 +78,78 @@ void JumpComponent::addTo(JointFitOptions& model, const Leftover&, const VectorX
   model.terms.push_back({ErrorTerm::VerticalJump, sigma});
 }
 
+namespace {
+
+/// `Sighting::sequence` of the first row in `order` or behind it.
+std::size_t firstRowFrom(std::size_t order, const Measurement& measurement) {
+  std::size_t first = measurement.rows;
+  for (const ArcMeasurement& arc : measurement.arcs)
+    for (const Sighting& sighting : arc.sightings)
+      if (!sighting.isZero && sighting.order >= order) first = std::min(first, sighting.sequence);
+  return first;
+}
+
+}  // namespace
+
 std::vector<CauseParameter> JumpComponent::parameters(const GapModel& after) const {
   return {
       estimatedParameter(after, PHRASE_LATER("Phrase", "horizontal step"), ErrorTerm::HorizontalJump,
                          "arcsec"),
       estimatedParameter(after, PHRASE_LATER("Phrase", "vertical step"), ErrorTerm::VerticalJump, "arcsec"),
-      {"before row", static_cast<double>(moment().first) + 1, 0, "-"}};
+      {"before row", static_cast<double>(firstRowFrom(moment().first, *after.measurement)) + 1, 0, "-"}};
 }
 
 namespace {
 
-/// Sequences of the rows of each arc, ascending.
-using RowsOfArcs = std::map<std::size_t, std::vector<std::size_t>>;
+/// Orders of the rows of each arc, ascending, and those of its zero before them.
+struct ArcInOrder {
+  std::vector<std::size_t> rows, zeros;
+  std::size_t last = 0;  ///< of rows and zeros
 
-RowsOfArcs rowsOfArcs(const Leftover& leftover) {
-  RowsOfArcs arcs;
-  for (Index i = 0; i < leftover.readings(); ++i)
-    arcs[leftover.reading(i).arc].push_back(leftover.reading(i).sequence);
-  for (auto& [arc, rows] : arcs) {
-    std::ranges::sort(rows);
-    rows.erase(std::unique(rows.begin(), rows.end()), rows.end());
+  std::size_t begin() const { return zeros.empty() ? rows.front() : std::min(zeros.front(), rows.front()); }
+};
+using ArcsInOrder = std::map<std::size_t, ArcInOrder>;
+
+void sortEachOnce(std::vector<std::size_t>& orders) {
+  std::ranges::sort(orders);
+  orders.erase(std::unique(orders.begin(), orders.end()), orders.end());
+}
+
+ArcsInOrder arcsInOrder(const Leftover& leftover) {
+  ArcsInOrder arcs;
+  for (Index i = 0; i < leftover.readings(); ++i) {
+    ArcInOrder& arc = arcs[leftover.reading(i).arc];
+    const std::size_t order = leftover.reading(i).sequence;
+    (leftover.reading(i).isZero ? arc.zeros : arc.rows).push_back(order);
+    arc.last = std::max(arc.last, order);
+  }
+  std::erase_if(arcs, [](const auto& arc) { return arc.second.rows.empty(); });
+  for (auto& [index, arc] : arcs) {
+    sortEachOnce(arc.rows);
+    sortEachOnce(arc.zeros);
+    std::erase_if(arc.zeros, [&rows = arc.rows](std::size_t order) { return order > rows.front(); });
   }
   return arcs;
+}
+
+/// The zeros of all positions sight one mark, in either circle: what they differ by tells of jumps.
+bool haveCommonZeros(const Leftover& leftover) {
+  return std::ranges::any_of(leftover.equations().unknowns, [](const Unknown& unknown) {
+    return unknown.isPointingZero() && unknown.arc == Unknown::everyArc;
+  });
+}
+
+/// Before the next position is begun.
+std::size_t endOf(const ArcsInOrder& arcs, ArcsInOrder::const_iterator arc) {
+  const auto next = std::next(arc);
+  return next == arcs.end() ? JumpMoment::never : next->second.begin();
 }
 
 std::set<std::size_t> rowsAloneInTheirVisit(const Leftover& leftover) {
   std::set<std::size_t> rows;
   for (Index v = 0; v < leftover.visits(); ++v)
-    if (const Leftover::Run visit = leftover.readingsOf(v); visit.length() == 2)
+    if (const Leftover::Run visit = leftover.readingsOf(v);
+        visit.length() == 2 && !leftover.reading(visit.first).isZero)
       rows.insert(leftover.reading(visit.first).sequence);
   return rows;
 }
@@ -115,14 +159,15 @@ std::set<std::size_t> rowsAloneInTheirVisit(const Leftover& leftover) {
 class ShownByOneRow {
  public:
   /// `arcs` have to live as long.
-  ShownByOneRow(const Leftover& leftover, const RowsOfArcs& arcs)
+  ShownByOneRow(const Leftover& leftover, const ArcsInOrder& arcs)
       : m_alone(rowsAloneInTheirVisit(leftover)), m_arcs(arcs), m_isClosed(leftover.equations().isClosed()) {}
 
   std::optional<std::size_t> of(const JumpMoment& moment) const {
-    for (const auto& [arc, rows] : m_arcs) {
+    for (auto arc = m_arcs.begin(); arc != m_arcs.end(); ++arc) {
+      const std::vector<std::size_t>& rows = arc->second.rows;
       if (rows.size() < 2) continue;
       // Where the positions are held against each other they show what moves a position as a whole.
-      const bool endsHere = moment.end == rows.back() + 1 || arc == m_arcs.rbegin()->first;
+      const bool endsHere = moment.end == endOf(m_arcs, arc);
       if (moment.first == rows.back() && (endsHere || !m_isClosed) && m_alone.contains(rows.back()))
         return rows.back();
       if (moment.first == rows[1] && !m_isClosed && m_alone.contains(rows.front())) return rows.front();
@@ -132,7 +177,7 @@ class ShownByOneRow {
 
  private:
   std::set<std::size_t> m_alone;
-  const RowsOfArcs& m_arcs;
+  const ArcsInOrder& m_arcs;
   bool m_isClosed;
 };
 
@@ -159,17 +204,22 @@ std::vector<JumpMoment> someOf(const std::vector<JumpMoment>& moments) {
 
 std::vector<JumpComponent> jumpComponents(const Leftover& leftover) {
   const bool isClosed = leftover.equations().isClosed();
-  const RowsOfArcs arcs = rowsOfArcs(leftover);
+  const ArcsInOrder arcs = arcsInOrder(leftover);
+  const bool areCommon = haveCommonZeros(leftover);
   std::vector<JumpMoment> lasting, ofOnePosition;
   for (auto arc = arcs.begin(); arc != arcs.end(); ++arc) {
-    const bool isLast = std::next(arc) == arcs.end();
-    for (const std::size_t row : arc->second) {
-      if (row == arc->second.front() && (isClosed || arc == arcs.begin())) continue;
-      lasting.push_back({row});
-      if (isClosed && !isLast) ofOnePosition.push_back({row, arc->second.back() + 1});
+    const std::vector<std::size_t>&rows = arc->second.rows, &zeros = arc->second.zeros;
+    if (areCommon && arc != arcs.begin() && !zeros.empty()) lasting.push_back({zeros.front()});
+    for (const std::size_t row : rows) {
+      if (row == rows.front() && (isClosed || arc == arcs.begin())) continue;
+      const std::size_t end = endOf(arcs, arc);
+      const bool mayEnd = isClosed && end != JumpMoment::never;
+      if (mayEnd) ofOnePosition.push_back({row, end});
+      // Beyond a zero of its own nothing shows it.
+      if (!mayEnd || areCommon || zeros.empty()) lasting.push_back({row});
     }
   }
-  if (lasting.size() < 2) return {};
+  if (lasting.size() + ofOnePosition.size() < 2) return {};
   const ShownByOneRow shown(leftover, arcs);
   std::vector<JumpComponent> components = componentsOf(leftover, someOf(lasting), shown);
   std::ranges::move(componentsOf(leftover, someOf(ofOnePosition), shown), std::back_inserter(components));
@@ -178,11 +228,22 @@ std::vector<JumpComponent> jumpComponents(const Leftover& leftover) {
 
 std::vector<JumpComponent> zeroSlips(const Leftover& leftover) {
   if (!leftover.equations().isClosed()) return {};
-  const RowsOfArcs arcs = rowsOfArcs(leftover);
-  std::vector<JumpMoment> moments;
-  for (const auto& [arc, rows] : arcs) moments.push_back({rows.front(), rows.back() + 1});
-  std::vector<JumpComponent> slips = componentsOf(leftover, std::move(moments), {leftover, arcs});
-  for (auto slip = slips.begin(); const auto& [arc, rows] : arcs) (slip++)->setSlippedArc(arc);
+  const ArcsInOrder arcs = arcsInOrder(leftover);
+  const bool areCommon = haveCommonZeros(leftover);
+  std::vector<JumpComponent> slips;
+  const auto add = [&](std::size_t arc, const JumpMoment& moment) {
+    std::vector<JumpComponent> own = componentsOf(leftover, {moment}, {leftover, arcs});
+    own.front().setSlippedArc(arc);
+    slips.push_back(std::move(own.front()));
+  };
+  for (auto arc = arcs.begin(); arc != arcs.end(); ++arc) {
+    const std::vector<std::size_t>&rows = arc->second.rows, &zeros = arc->second.zeros;
+    const bool isLast = std::next(arc) == arcs.end();
+    add(arc->first, {rows.front(), isLast ? arc->second.last + 1 : endOf(arcs, arc)});
+    if (zeros.empty() || !areCommon) continue;
+    if (!isLast) add(arc->first, {rows.front()});
+    if (arc != arcs.begin()) add(arc->first, {zeros.front(), rows.front()});
+  }
   return slips;
 }
 

@@ -53,16 +53,16 @@ const std::vector<Width>& jumpWidths();
 /// Of a jump that shows: as of any, and now and then 30 times its plausible size.
 const std::vector<Width>& usualAndFarWiderJumpWidths();
 
-/// A jump before any row; of long sessions before every n-th. Where the positions are held against each other
-/// (`Linearised::isClosed`), one that lasts to the end of the session and, before the last position, one that
-/// lasts to the end of its own, after which the zero was sighted anew; those before the first row of a
-/// position are `zeroSlips`. One that a single row alone in its visit would show leaves what a gross error of
-/// that row leaves, which is the commoner: it is for comparison only.
+/// A jump before any row, or before the zero of a position after the first; of long sessions before every
+/// n-th. Where the positions are held against each other (`Linearised::isClosed`), one that lasts and, before
+/// the last position, one that lasts to the end of its own, the circle having been set anew on the mark;
+/// those before the first row of a position are `zeroSlips`. One that a single row alone in its visit would
+/// show leaves what a gross error of that row leaves, which is the commoner: it is for comparison only.
 std::vector<JumpComponent> jumpComponents(const Leftover& leftover);
 
-/// A jump between the pointing zero of a position and its first place, or a zero misread, which leaves the
-/// same: the whole position is moved against its zero. One for each position, where they are held against
-/// each other; else nothing would show it.
+/// A jump between the pointing zero of a position and its first place, that lasts or ends with the position,
+/// and that zero misread or its mark moved, where the positions are held against each other; else nothing
+/// would show it.
 std::vector<JumpComponent> zeroSlips(const Leftover& leftover);
 
 }  // namespace alidade

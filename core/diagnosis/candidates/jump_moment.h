@@ -4,7 +4,7 @@
 
 namespace alidade {
 
-/// On which rows a jump of the orientation acts, by their sequence in the session.
+/// On which sightings a jump of the orientation acts, by their order in the session (`Sighting::order`).
 struct JumpMoment {
   static constexpr std::size_t never = static_cast<std::size_t>(-1);
 

@@ -52,8 +52,11 @@ class BentGuideway {
     const ArcPose<double> pose{circle.x, circle.y, circle.radius, 0, 0, 0};
     const double phi = m_model.fit->arcAngles[reading.arc][reading.sighting];
     Targets targets;
+    const Measurement& measurement = *m_model.measurement;
+    const ArcMeasurement& arc = arcOf(reading);
     for (std::size_t n = 0; n < nodes.size(); ++n)
-      targets[n] = targetAt(m_guideways[n], pose, m_model.measurement->distance, phi, arcOf(reading).axisDeg);
+      targets[n] = roomFromZeroLine(targetAt(m_guideways[n], pose, measurement.distance, phi, arc.axisDeg),
+                                    measurement.distance, arc.zeroElevation.radians(), measurement.plane);
     return targets;
   }
 
@@ -62,7 +65,6 @@ class BentGuideway {
     const ArcMeasurement& arc = arcOf(reading);
     const Pointing pointing{.face = arc.sightings[reading.sighting].face,
                             .horizontalZero = arc.zeroHorizontal.radians(),
-                            .verticalZero = arc.zeroVertical.radians(),
                             .circle = measurement.verticalCircle,
                             .relation = measurement.relation};
     Differences differences{};
@@ -100,8 +102,8 @@ MatrixXd secondDerivatives(const GapModel& model, const Leftover& leftover, cons
     std::optional<std::size_t> sighting;
     for (Index i = visit.first; i < visit.end; ++i) {
       const LinearReading& reading = leftover.reading(i);
-      // The slider is read along its scale, wherever the target stands.
-      if (reading.kind == ReadingKind::Slider || !reading.takesPart) continue;
+      // The slider is read along its scale, wherever the target stands, and the mark of a zero stands still.
+      if (reading.kind == ReadingKind::Slider || reading.isZero || !reading.takesPart) continue;
       // A perfect instrument reads alike in both faces.
       if (!sighting || (*sighting != reading.sighting && !guideway.isOfPerfectInstrument()))
         differences = guideway.of(targets, reading);

@@ -56,10 +56,10 @@ class Surroundings {
                  (at(i).sighting == at(j).sighting || at(j).kind == ReadingKind::Slider);
         })) {
     s = visits->values([&](Index i) {
+      if (at(i).isZero) return sliderCoordinateOf(fit.arcAngles[at(i).arc].front(), arcOf(i).axisDeg);
       return sliderCoordinateOf(fit.arcAngles[at(i).arc][at(i).sighting], arcOf(i).axisDeg);
     });
-    const auto last = static_cast<double>(std::max<std::size_t>(measurement.rows, 2) - 1);
-    elapsed = rows->values([&](Index i) { return static_cast<double>(rowOf(i).sequence) / last; });
+    elapsed = rows->values([&](Index i) { return rowOf(i).elapsed; });
     const auto directions = adjustedDirections(measurement, fit);
     a = rows->values([&](Index i) { return directions[at(i).arc][at(i).sighting].a; });
     e = rows->values([&](Index i) { return directions[at(i).arc][at(i).sighting].e; });
@@ -323,7 +323,8 @@ std::vector<ShapeComponent> shapeComponents(const Leftover& leftover, const Meas
             all.ofInstrument(ofVertical, isFace2), alongElevation);
   maker.startSource(ErrorSource::Time);
   const auto block = [&](Index i) {
-    return std::tuple(all.at(i).arc, all.rowOf(i).round, all.rowOf(i).face);
+    const Sighting& row = all.at(i).isZero ? all.arcOf(i).sightings.front() : all.rowOf(i);
+    return std::tuple(all.at(i).arc, row.round, row.face);
   };
   maker.addGroups(PHRASE_LATER("Phrase", "horizontal orientation from round to round"), horizontal, all.rows,
                   block);

@@ -7,6 +7,7 @@
 #include "core/adjustment/gross_errors/visit_check.h"
 #include "core/adjustment/numerics/arc_angle_step.h"
 #include "core/observation/observe.h"
+#include "core/observation/zero_line.h"
 
 namespace alidade {
 
@@ -37,8 +38,8 @@ bool isAlone(const Measurement& measurement, const Located& at) {
 /// Corrects one circle of a sighting so that it meets the circle, the other one kept; false where it cannot.
 class Correction {
  public:
-  Correction(const Measurement& measurement, const Circle& circle)
-      : m_measurement(measurement), m_circle(circle) {}
+  Correction(const Measurement& measurement, const ArcMeasurement& arc, const Circle& circle)
+      : m_line(measurement, arc), m_distance(measurement.distance), m_circle(circle) {}
 
   bool correct(Sighting& sighting, ReadingKind kind, double phi) const {
     constexpr int steps = 30;
@@ -48,7 +49,7 @@ class Correction {
     for (int i = 0; i < steps; ++i) {
       const Direction<double> seen = at(phi), next = at(phi + small);
       const double slope = ((keepsA ? next.a : next.e) - (keepsA ? seen.a : seen.e)) / small;
-      if (std::abs(slope) < flat * m_circle.radius / m_measurement.distance) return false;
+      if (std::abs(slope) < flat * m_circle.radius / m_distance) return false;
       const double off = wanted - (keepsA ? seen.a : seen.e);
       if (std::abs(off) < found) {
         (keepsA ? sighting.e : sighting.a) = Angle::fromRadians(keepsA ? seen.e : seen.a);
@@ -60,12 +61,12 @@ class Correction {
   }
 
  private:
-  const Measurement& m_measurement;
+  ZeroLine m_line;
+  double m_distance;
   Circle m_circle;
 
   Direction<double> at(double phi) const {
-    return observe(targetOnArc(m_circle.x, m_circle.y, m_circle.radius, phi), m_measurement.distance,
-                   m_measurement.relation);
+    return m_line.observe(targetOnArc(m_circle.x, m_circle.y, m_circle.radius, phi));
   }
 };
 
@@ -89,7 +90,7 @@ std::vector<ReadingDeviation> withLikelierCircles(const GapModel& model,
     const Located at = *locate(measurement, grossErrors[i]);
     const VisitCheck check(measurement, at.arc, options.without, fit, options);
     if (!check.canCheck()) continue;
-    const Correction correction(measurement, fit.circleOf(at.arc));
+    const Correction correction(measurement, measurement.arcs[at.arc], fit.circleOf(at.arc));
     const Sighting& read = measurement.arcs[at.arc].sightings[at.sighting];
     const double phi = model.fit->arcAngles[at.arc][at.sighting];
     Sighting horizontal = read, vertical = read;

@@ -15,6 +15,9 @@ using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
 
 LinearMoves::LinearMoves(const Inquiry& inquiry, Besides besides)
     : m_inquiry(inquiry), m_besides(besides), m_perReading(influencePerSigma(inquiry.base)) {
+  // Zeros do not scatter as the readings do.
+  for (Index i = 0; i < std::min(m_perReading.size(), inquiry.leftover.readings()); ++i)
+    if (!inquiry.leftover.reading(i).isZero) m_ofReadings += m_perReading[i] * m_perReading[i];
   if (besides == Besides::EveryEffect) addEffects();
 }
 
@@ -131,7 +134,7 @@ std::optional<Move> LinearMoves::of(const Explanation& explanation) {
 }
 
 Move LinearMoves::moveOf(const Explanation& explanation, const System& system) const {
-  double chiSquare = system.chiSquare, ofReadings = m_perReading.squaredNorm(), ofWidths = 0, ofPattern = 0;
+  double chiSquare = system.chiSquare, ofReadings = m_ofReadings, ofWidths = 0, ofPattern = 0;
   Move move;
   if (system.right.size() > 0) {
     const Eigen::LDLT<MatrixXd> factor(system.matrix());

@@ -77,6 +77,7 @@ class LinearMoves {
   const Inquiry& m_inquiry;
   Besides m_besides;
   Eigen::VectorXd m_perReading;  ///< ∂Δd/∂reading, mm per σ
+  double m_ofReadings = 0;       ///< variance of Δd by the readings alone, mm²
   Effects m_effects;
   std::map<std::size_t, Columns> m_columns;
 

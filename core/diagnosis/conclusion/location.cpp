@@ -107,7 +107,7 @@ std::vector<GapShare> sharesOfReadings(const Leftover& leftover, const Measureme
     double squares = 0, expectations = 0;
     bool any = false;
     for (; next < readings && isOfSameRow(first, next); ++next) {
-      if (!leftover.reading(next).takesPart) continue;
+      if (!leftover.reading(next).takesPart || leftover.reading(next).isZero) continue;
       const double square = std::pow(leftover.residual()[next], 2), expected = leftover.redundancy(next);
       tally.add(Division::Circle, static_cast<int>(leftover.reading(next).kind), square, expected);
       squares += square;
@@ -146,6 +146,10 @@ std::vector<GapShare> sharesOfClosures(const GapModel& own) {
   if (apart)
     add(nameOf(Closure::Of::Repeat), own.fit->chiSquare - apart->chiSquare,
         own.fit->degreesOfFreedom - apart->degreesOfFreedom);
+  double ofZeros = 0;
+  const std::vector<Closure> zeros = zeroClosuresOf(*own.measurement, *own.fit, own.options);
+  for (const Closure& closure : zeros) ofZeros += std::pow(closure.sigmas(), 2);
+  if (!zeros.empty()) add(nameOf(Closure::Of::ZeroAzimuth), ofZeros, static_cast<double>(zeros.size()));
   if (shares.empty()) return shares;
   const JointFit& fit = apart ? *apart : *own.fit;
   add("readings", fit.chiSquare, fit.degreesOfFreedom);

@@ -1,6 +1,8 @@
 #include "core/diagnosis/gap/every_effect.h"
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 #include <optional>
 #include <utility>
 
@@ -16,18 +18,34 @@ bool isOfSlider(ErrorTerm term) {
   return term == ErrorTerm::SliderScale || term == ErrorTerm::SliderSine;
 }
 
+/// Of the tilt about x, where it is not stated whether the plane is vertical or square to an inclined zero:
+/// as likely the one as the other.
+std::optional<Prior> tiltInDoubt(const Measurement& measurement) {
+  constexpr double level = 0.1 * std::numbers::pi / 180;  // below it neither the readings nor Δd tell
+  if (measurement.isPlaneStated || measurement.arcs.empty()) return std::nullopt;
+  const double elevation = measurement.arcs.front().zeroElevation.radians();
+  if (std::abs(elevation) < level) return std::nullopt;
+  return Prior{elevation / 2, std::abs(elevation) / 2};
+}
+
 }  // namespace
 
 std::vector<EstimatedTerm> everyEffect(const Measurement& measurement) {
   const bool hasSlider = std::ranges::any_of(measurement.arcs, hasSliderReadings);
+  const std::optional<Prior> tilt = tiltInDoubt(measurement);
   std::vector<EstimatedTerm> terms;
   for (const Effect& effect : effectCatalogue()) {
     if (!hasSizes(effect)) continue;
     for (const EffectParameter& parameter : effect.parameters) {
       if (!hasSlider && isOfSlider(parameter.term)) continue;
       const std::optional<KnownPrior> known = knownOf(measurement, parameter);
-      terms.push_back(known ? EstimatedTerm{parameter.term, known->sigma, known->value, known->value}
-                            : EstimatedTerm{parameter.term, plausibleSize(parameter)});
+      if (known)
+        terms.push_back({parameter.term, known->sigma, known->value, known->value});
+      else if (tilt && parameter.term == ErrorTerm::PlaneTiltX)
+        terms.push_back(
+            {parameter.term, std::hypot(plausibleSize(parameter), tilt->sigma), tilt->value, tilt->value});
+      else
+        terms.push_back({parameter.term, plausibleSize(parameter)});
     }
   }
   return terms;
@@ -35,10 +53,15 @@ std::vector<EstimatedTerm> everyEffect(const Measurement& measurement) {
 
 std::vector<EstimatedTerm> knownTerms(const Measurement& measurement) {
   std::vector<EstimatedTerm> terms = everyEffect(measurement);
+  const std::optional<Prior> tilt = tiltInDoubt(measurement);
   std::erase_if(terms, [&](const EstimatedTerm& term) {
     const auto& parameters = effectOf(term.term)->parameters;
-    return !knownOf(measurement, *std::ranges::find(parameters, term.term, &EffectParameter::term));
+    return !knownOf(measurement, *std::ranges::find(parameters, term.term, &EffectParameter::term)) &&
+           !(tilt && term.term == ErrorTerm::PlaneTiltX);
   });
+  if (tilt)
+    for (EstimatedTerm& term : terms)
+      if (term.term == ErrorTerm::PlaneTiltX && term.priorValue == tilt->value) term.priorSigma = tilt->sigma;
   return terms;
 }
 

@@ -14,7 +14,8 @@ namespace alidade {
 /// vertical circle is a matter of the model, and the slider's effects are there only where it is read.
 std::vector<EstimatedTerm> everyEffect(const Measurement& measurement);
 
-/// Those of them that something is known of beforehand.
+/// Those of them that something is known of beforehand: a tilt of the plane, too, that may be square to an
+/// inclined zero (`Measurement::isPlaneStated`).
 std::vector<EstimatedTerm> knownTerms(const Measurement& measurement);
 
 /// A model with what is known beforehand in it: each known number estimated along, as known as it is. What

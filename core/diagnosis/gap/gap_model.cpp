@@ -4,6 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "core/adjustment/joint/sighted_zeros.h"
+
 namespace alidade {
 
 namespace {
@@ -68,6 +70,7 @@ std::optional<GapModel> closedModelOf(const GapModel& own) {
   if (!hasBothAxes(*own.measurement)) return std::nullopt;
   GapModel closed = own;
   closed.options.isClosed = true;
+  closed.measurement = std::make_shared<const Measurement>(withZerosSighted(*own.measurement));
   closed.refit();
   if (!closed.fit->converged()) return std::nullopt;
   return closed;
@@ -78,6 +81,10 @@ GapModel openedModelOf(const GapModel& closed, const GapModel& own) {
   if (!closed.options.isClosed) return closed;
   GapModel opened = closed;
   opened.options.isClosed = false;
+  opened.measurement = own.measurement;
+  if (closed.noise != own.noise)
+    opened.measurement =
+        std::make_shared<const Measurement>(withNoise(*own.measurement, closed.noise / own.noise));
   for (EstimatedTerm& term : opened.options.terms) {
     if (std::ranges::find(own.options.terms, term.term, &EstimatedTerm::term) != own.options.terms.end())
       continue;

@@ -51,9 +51,9 @@ void addVisit(Equations& equations, const Linearised& set, const MatrixXd& colum
   equations.observed.segment(next, count) = own.col(columns.cols());
   for (const std::size_t i : taking) {
     const LinearReading& reading = set.readings[i];
-    const bool counts = reading.kind != ReadingKind::Slider;
-    equations.rows.push_back(
-        {reading.visit % folds, counts ? Angle::fromRadians(reading.sigma).arcseconds() : 0});
+    const bool counts = reading.kind != ReadingKind::Slider && !reading.isZero;
+    equations.rows.push_back({reading.isZero ? folds : reading.visit % folds,
+                              counts ? Angle::fromRadians(reading.sigma).arcseconds() : 0});
   }
 }
 

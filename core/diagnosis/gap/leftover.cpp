@@ -15,6 +15,7 @@ using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
 
 Leftover::Leftover(Linearised equations, const std::vector<EstimatedTerm>& inModel, double noise)
     : m_equations(std::move(equations)) {
+  m_equations.weighZeros(noise);
   markVisits();
   MatrixXd base = layOutUnknowns(inModel, noise);
   eliminateArcAngles(base);
@@ -35,8 +36,12 @@ Leftover::Leftover(Linearised equations, const std::vector<EstimatedTerm>& inMod
   for (Index v = 0; v < visits(); ++v) {
     const Run own = readingsOf(v);
     Index taking = 0;
-    for (Index i = own.first; i < own.end; ++i) taking += reading(i).takesPart ? 1 : 0;
-    counted -= own.length() - taking + (taking > 0 ? 1 : 0);
+    bool hasArcAngle = false;
+    for (Index i = own.first; i < own.end; ++i) {
+      taking += reading(i).takesPart ? 1 : 0;
+      hasArcAngle = hasArcAngle || reading(i).along != 0;
+    }
+    counted -= own.length() - taking + (hasArcAngle ? 1 : 0);
   }
   m_degreesOfFreedom = static_cast<int>(counted);
 }

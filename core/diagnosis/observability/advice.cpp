@@ -129,7 +129,7 @@ Eigen::Vector2d sigmasOfTwoSightings(const Measurement& measurement) {
 }
 
 /// What a suspect would leave in sightings of the zero after the last place of each position, both circles of
-/// each, in σ of the difference of two sightings: a drift the way from the middle of the session, a jump what
+/// each, in σ of the difference of two sightings: a drift the way since the zero was sighted, a jump what
 /// it moved, what belongs to the guideway nothing.
 VectorXd atTheZeros(const Measurement& measurement, const PossibleCause& suspect) {
   VectorXd left = VectorXd::Zero(2 * std::ssize(measurement.arcs));
@@ -139,11 +139,12 @@ VectorXd atTheZeros(const Measurement& measurement, const PossibleCause& suspect
     Eigen::Vector2d moved = Eigen::Vector2d::Zero();
     if (suspect.arc == arc) moved = suspect.weights * plausibleJump;
     if (effect && !measurement.arcs[arc].sightings.empty()) {
-      const double elapsed = static_cast<double>(measurement.arcs[arc].sightings.back().sequence + 1) /
-                             static_cast<double>(std::max<std::size_t>(measurement.rows, 1));
+      const double since =
+          std::ranges::max(measurement.arcs[arc].sightings, {}, &Sighting::sequence).elapsed -
+          measurement.arcs[arc].zero.elapsed;
       for (std::size_t p = 0; p < effect->parameters.size(); ++p) {
-        const double size = suspect.weights[static_cast<Index>(p)] * plausibleSize(effect->parameters[p]) *
-                            (elapsed - midSession);
+        const double size =
+            suspect.weights[static_cast<Index>(p)] * plausibleSize(effect->parameters[p]) * since;
         if (effect->parameters[p].term == ErrorTerm::HorizontalDrift) moved[0] += size;
         if (effect->parameters[p].term == ErrorTerm::VerticalDrift) moved[1] += size;
       }

@@ -5,9 +5,11 @@
 #include <optional>
 #include <utility>
 
+#include "core/adjustment/joint/sighted_zeros.h"
 #include "core/observation/half_turn.h"
 #include "core/observation/observe.h"
 #include "core/observation/visits.h"
+#include "core/observation/zero_line.h"
 
 namespace alidade {
 
@@ -17,9 +19,8 @@ double arcAngle(const GapModel& model, std::size_t arc, std::size_t sighting) {
   return model.fit->arcAngles[arc][sighting];
 }
 
-void sightPerfectly(Sighting& sighting, const Measurement& measurement, const Circle& circle, double phi) {
-  const Direction<double> seen = observe(targetOnArc(circle.x, circle.y, circle.radius, phi),
-                                         measurement.distance, measurement.relation);
+void sightPerfectly(Sighting& sighting, const ZeroLine& line, const Circle& circle, double phi) {
+  const Direction<double> seen = line.observe(targetOnArc(circle.x, circle.y, circle.radius, phi));
   sighting.a = Angle::fromRadians(seen.a);
   sighting.e = Angle::fromRadians(seen.e);
 }
@@ -28,10 +29,15 @@ void sightPerfectly(Sighting& sighting, const Measurement& measurement, const Ci
 void renumber(Measurement& plan) {
   plan.rows = 0;
   for (ArcMeasurement& arc : plan.arcs)
-    for (Sighting& sighting : arc.sightings) sighting.sequence = plan.rows++;
+    for (Sighting& sighting : arc.sightings) {
+      sighting.sequence = plan.rows++;
+      sighting.minutes.reset();
+    }
+  setMoments(plan);
 }
 
 FurtherReadings further(Measure measure, Measurement more) {
+  if (more.sightedZeros) putInZeros(more);
   FurtherReadings readings{{measure}, {}};
   readings.sets.push_back(std::move(more));
   return readings;
@@ -40,6 +46,7 @@ FurtherReadings further(Measure measure, Measurement more) {
 /// The session, and a set-up of its own.
 FurtherReadings besides(const Measurement& session, Measure measure, Measurement more) {
   FurtherReadings readings = further(measure, session);
+  if (more.sightedZeros) putInZeros(more);
   readings.sets.push_back(std::move(more));
   readings.besideSession = true;
   return readings;
@@ -113,7 +120,8 @@ std::optional<FurtherReadings> withSecondStandOff(const GapModel& model, const M
   more.distance *= farther;
   for (std::size_t arc = 0; arc < more.arcs.size(); ++arc)
     for (std::size_t i = 0; i < more.arcs[arc].sightings.size(); ++i)
-      sightPerfectly(more.arcs[arc].sightings[i], more, model.fit->circleOf(arc), arcAngle(model, arc, i));
+      sightPerfectly(more.arcs[arc].sightings[i], ZeroLine(more, more.arcs[arc]), model.fit->circleOf(arc),
+                     arcAngle(model, arc, i));
   return besides(plan, Measure::SecondStandOff, std::move(more));
 }
 
@@ -133,7 +141,7 @@ std::optional<FurtherReadings> withMoreArc(const GapModel& model, Measurement mo
       if (phi >= least && phi <= most) continue;
       Sighting sighting;
       sighting.point = ++point;
-      sightPerfectly(sighting, more, model.fit->circleOf(arc), phi);
+      sightPerfectly(sighting, ZeroLine(more, more.arcs[arc]), model.fit->circleOf(arc), phi);
       more.arcs[arc].sightings.push_back(sighting);
       added = true;
     }
@@ -154,8 +162,12 @@ std::optional<FurtherReadings> withPositionAgain(const Measurement& plan, int ax
   std::size_t next = plan.rows;
   for (const ArcMeasurement& arc : plan.arcs)
     for (const Sighting& sighting : arc.sightings) next = std::max(next, sighting.sequence + 1);
-  for (Sighting& sighting : again.sightings) sighting.sequence = next++;
+  for (Sighting& sighting : again.sightings) {
+    sighting.sequence = next++;
+    sighting.minutes.reset();
+  }
   more.arcs.push_back(std::move(again));
+  setMoments(more);
   FurtherReadings readings = further(axisDeg == 0 ? Measure::At0Again : Measure::At180Again, std::move(more));
   readings.goesOn = true;
   return readings;
@@ -165,6 +177,7 @@ std::optional<FurtherReadings> withPositionAgain(const Measurement& plan, int ax
 template <typename Add>
 std::optional<FurtherReadings> together(std::optional<FurtherReadings> first, const Add& add) {
   if (!first) return std::nullopt;
+  leaveOutZeros(first->sets.back());
   std::optional<FurtherReadings> both = add(std::move(first->sets.back()));
   if (both) both->measures.insert(both->measures.begin(), first->measures.begin(), first->measures.end());
   return both;
@@ -176,23 +189,31 @@ auto offering(const std::function<void(const FurtherReadings&)>& take) {
   };
 }
 
-}  // namespace
-
-Measurement readWithoutError(const GapModel& model) {
+/// Without the sightings of the zeros, whose places follow when the rows are complete.
+Measurement rowsWithoutError(const GapModel& model) {
   Measurement plan = *model.measurement;
+  leaveOutZeros(plan);
   for (std::size_t arc = 0; arc < plan.arcs.size(); ++arc)
     for (std::size_t i = 0; i < plan.arcs[arc].sightings.size(); ++i) {
       Sighting& sighting = plan.arcs[arc].sightings[i];
       const double phi = arcAngle(model, arc, i);
-      sightPerfectly(sighting, plan, model.fit->circleOf(arc), phi);
+      sightPerfectly(sighting, ZeroLine(plan, plan.arcs[arc]), model.fit->circleOf(arc), phi);
       if (sighting.slider)
         sighting.slider = Angle::fromRadians(sliderCoordinateOf(phi, plan.arcs[arc].axisDeg));
     }
   return plan;
 }
 
+}  // namespace
+
+Measurement readWithoutError(const GapModel& model) {
+  Measurement plan = rowsWithoutError(model);
+  if (plan.sightedZeros) putInZeros(plan);
+  return plan;
+}
+
 void eachFurtherReadings(const GapModel& model, const std::function<void(const FurtherReadings&)>& take) {
-  const Measurement plan = readWithoutError(model);
+  const Measurement plan = rowsWithoutError(model);
   const auto offer = offering(take);
   offer(withBothFaces(plan));
   offer(withWayBack(plan));
@@ -207,15 +228,15 @@ void eachFurtherReadings(const GapModel& model, const std::function<void(const F
 /// Of a million rows each plan fills hundreds of megabytes: none is kept for longer than it serves.
 void eachCombination(const GapModel& model, const std::function<void(const FurtherReadings&)>& take) {
   const auto offer = offering(take);
-  offer(together(withBothFaces(readWithoutError(model)), withWayBack));
-  auto slider = withSlider(model, readWithoutError(model));
+  offer(together(withBothFaces(rowsWithoutError(model)), withWayBack));
+  auto slider = withSlider(model, rowsWithoutError(model));
   offer(together(slider, withBothFaces));
   offer(together(slider, withWayBack));
   auto both = together(std::move(slider), withBothFaces);
   offer(together(std::move(both), withWayBack));
   constexpr std::size_t manyRows = 100'000;  // twice as many fill the memory, and tell nothing new of a zero
   if (hasBothAxes(*model.measurement) && model.measurement->rows < manyRows)
-    offer(together(withPositionAgain(readWithoutError(model), 0),
+    offer(together(withPositionAgain(rowsWithoutError(model), 0),
                    [](const Measurement& more) { return withPositionAgain(more, 180); }));
 }
 

@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "core/diagnosis/search/pause.h"
+
 namespace alidade {
 
 namespace {
@@ -30,6 +32,7 @@ GapModel modelWith(const GapModel& base, const Explanation& explanation, const C
     const Component& component = candidates[part.component];
     component.addTo(model.options, leftover, part.weights, component.widthOfFit(part.width, part.weights));
   }
+  addPause(model.options, *base.measurement, explanation, candidates);
   model.refit();
   if (explanation.noisy) findNoise(model, base);
   return model;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <optional>
 
+#include "core/adjustment/joint/sighted_zeros.h"
 #include "core/adjustment/result/intersection.h"
 #include "core/diagnosis/candidates/effect_components.h"
 #include "core/diagnosis/candidates/gross_error_components.h"
@@ -11,6 +12,7 @@
 #include "core/diagnosis/candidates/shape_components.h"
 #include "core/diagnosis/gap/every_effect.h"
 #include "core/diagnosis/search/explained_model.h"
+#include "core/diagnosis/search/pause.h"
 #include "core/effects/cause_ids.h"
 #include "core/effects/known_sizes.h"
 #include "core/observation/half_turn.h"
@@ -22,6 +24,9 @@ namespace {
 bool considered(const DiagnosisOptions& options, std::string_view id) {
   return std::ranges::find(options.without, id) == options.without.end();
 }
+
+/// Odds that zeros which differ too much for one mark, and are not stated to be one, are none.
+constexpr double doubtfulZeros = 1;
 
 Candidates candidatesFor(const GapModel& base, const Leftover& leftover, const DiagnosisOptions& options,
                          const PriorOdds& odds) {
@@ -45,7 +50,8 @@ Candidates candidatesFor(const GapModel& base, const Leftover& leftover, const D
   }
   if (considered(options, jumpId)) {
     addSharing(odds.jump, jumpComponents(leftover), {.offered = 2, .oneAtMost = true});
-    addSharing(odds.zeroSlip, zeroSlips(leftover), {.offered = 2, .oneAtMost = true});
+    addSharing(areZerosInDoubt(*base.measurement) ? doubtfulZeros : odds.zeroSlip, zeroSlips(leftover),
+               {.offered = 2, .oneAtMost = true});
   }
   addSharing(odds.shape, shapeComponents(leftover, *base.measurement, *base.fit, options.without));
   if (considered(options, grossErrorId))
@@ -177,7 +183,15 @@ Inquiry inquireOnce(GapModel own, const DiagnosisOptions& options, const std::st
             before, [&](const Part& part) { return inquiry.explanations.front().has(part.component); }))
       break;
   }
-  return inquiry;
+  if (inquiry.own.measurement->pauseRows > 0 || stop.stop_requested()) return inquiry;
+  const double pause = likeliestPause(inquiry).value_or(0);
+  if (pause == 0) return inquiry;
+  Measurement paused = *inquiry.own.measurement;
+  paused.pauseRows = pause;
+  setMoments(paused);
+  GapModel withPause = inquiry.own;
+  withPause.measurement = std::make_shared<const Measurement>(std::move(paused));
+  return inquireOnce(std::move(withPause), options, stop);
 }
 
 /// Readings so far off that the equations at the fit they have spoiled say little.

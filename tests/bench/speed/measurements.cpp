@@ -28,6 +28,7 @@ Measurement usualMeasurement(std::size_t arcs) {
     }
     measurement.arcs.push_back(arc);
   }
+  setMoments(measurement);
   return measurement;
 }
 

@@ -7,6 +7,7 @@
 #include <algorithm>
 
 #include "core/adjustment/result/session_fit.h"
+#include "core/diagnosis/gap/gap_model.h"
 #include "core/effects/catalogue.h"
 #include "core/simulation/simulate.h"
 #include "tests/support/paper_table.h"
@@ -39,8 +40,14 @@ Truth withPlausible(const std::string& id) {
   return truth;
 }
 
+/// As one rigid guideway has it, whose zeros sight one mark.
+double closedIntersection(const Measurement& measurement) {
+  const GapModel closed = *closedModelOf(*modelOf(measurement));
+  return intersect(*closed.measurement, *closed.fit)->value;
+}
+
 // Against sessions that hold the effect at its plausible size: how far it shows, and where Δd goes. The
-// review is linear in the effect, so 2 %; and 0.01 σ and 0.2 µm, where there is next to nothing.
+// review is linear in the effect, so 2 %; and 0.01 σ and 0.3 µm, where there is next to nothing.
 TEST(PlanReview, SeesWhatAnEffectDoes) {
   for (const char* protocol : {"paper", "full"}) {
     const PlanReview review = reviewOf(protocol);
@@ -52,16 +59,16 @@ TEST(PlanReview, SeesWhatAnEffectDoes) {
       const double visible = visibilityOf(measurement, id)->sigma;
       EXPECT_NEAR(effect.mostVisible, visible, 0.02 * visible + 0.01);
       EXPECT_EQ(effect.leastVisible, effect.mostVisible);
-      const double moved = std::abs(fitSession(measurement).intersection->value -
-                                    fitSession(measurementBy(protocol, drawTruth(11))).intersection->value);
-      EXPECT_NEAR(effect.influence, moved, 0.02 * moved + 2e-4);
+      const double moved = std::abs(closedIntersection(measurement) -
+                                    closedIntersection(measurementBy(protocol, drawTruth(11))));
+      EXPECT_NEAR(effect.influence, moved, 0.02 * moved + 3e-4);
     }
   }
 }
 
 TEST(PlanReview, FindsWhatMovesTheIntersectionUnseen) {
   const PlanReview paper = reviewOf("paper"), full = reviewOf("full");
-  for (const char* id : {"horizontal_drift", "vertical_drift", "horizontal_circle_eccentricity"}) {
+  for (const char* id : {"vertical_drift", "horizontal_circle_eccentricity"}) {
     EXPECT_TRUE(of(paper, id).unseen) << id;
     EXPECT_FALSE(of(full, id).unseen) << id;
   }
@@ -100,12 +107,11 @@ TEST(PlanReview, SaysWhatToAdd) {
     return *std::ranges::find(paper.advice, std::vector{measure}, &PlanAdvice::measures);
   };
   EXPECT_THAT(advice(Measure::WayBack).reveals, Contains("vertical_drift"));
-  EXPECT_THAT(advice(Measure::WayBack).reveals, Contains("horizontal_drift"));
   EXPECT_THAT(advice(Measure::SliderReadings).reveals, Contains("plane_tilt"));
   EXPECT_THAT(advice(Measure::SliderReadings).separates,
               Contains(testing::Pair("plane_offset", "plane_warp")));
   for (const Measure measure : {Measure::At0Again, Measure::WayBack})
-    EXPECT_THAT(advice(measure).separates, Contains(testing::Pair("axial_shift", "horizontal_drift")));
+    EXPECT_THAT(advice(measure).separates, Contains(testing::Pair("horizontal_drift", "axial_shift")));
   // No single one tells as much as all together.
   EXPECT_THAT(paper.advice.front().measures,
               testing::UnorderedElementsAre(Measure::BothFaces, Measure::WayBack, Measure::SliderReadings));

@@ -30,7 +30,6 @@ Pointing pointing(int face) {
   p.elapsed = 0.7;
   p.isSetUpAgain = true;
   p.horizontalZero = 0.4;
-  p.verticalZero = std::numbers::pi / 2 + 1e-5;
   return p;
 }
 

@@ -18,12 +18,15 @@ namespace {
 using enum ErrorTerm;
 
 // The situation of the derivatives: 17 places there and back, both faces, slider readings, an elevation
-// circle in one case and a zenith circle in the other, the horizontal circle shifted between the positions,
-// and every error term of the model well away from zero.
+// circle in one case and a zenith circle in the other, the instrument 30 mm off the height of the axis, a
+// plane square to the zero and a vertical one, the horizontal circle shifted between the positions, and every
+// error term of the model well away from zero.
 Measurement everythingAtOnce(VerticalCircle circle) {
   Truth truth = drawTruth(11);
   truth.verticalCircle = circle;
-  if (circle == VerticalCircle::Elevation) truth.verticalZero = Angle();
+  const bool isZenith = circle == VerticalCircle::Zenith;
+  truth.verticalZero = Angle::fromDegrees(isZenith ? 89.3 : 0.7);
+  truth.plane = isZenith ? ArcPlane::Vertical : ArcPlane::Square;
   truth.sigmaDistance = 1;
   for (const Effect& effect : effectCatalogue())
     for (const EffectParameter& parameter : effect.parameters)
@@ -65,25 +68,29 @@ class ReadingModel {
     const double distance = m_measurement.distance + value({.kind = Distance});
     const double phi = m_fit.arcAngles[reading.arc][reading.sighting] + change.angle;
     if (reading.kind == ReadingKind::Slider) return observeSlider(errors, pose, phi, arc.axisDeg);
-    const SpacePoint<double> target = targetAt(errors, pose, distance, phi, arc.axisDeg);
+    const auto inRoom = [&](const SpacePoint<double>& point, double elevation) {
+      return roomFromZeroLine(point, distance, elevation, m_measurement.plane);
+    };
+    const double asRead = arc.zeroElevation.radians();
     const Direction<double> zero =
-        circleDirection(errors, SpacePoint<double>{0, 0, -distance}, pointing(arc, nullptr));
+        circleDirection(errors, inRoom({0, 0, -distance}, asRead), pointing(arc, nullptr));
+    const double elevation = 2 * asRead - zero.e + pose.verticalZero;
+    const SpacePoint<double> target = inRoom(targetAt(errors, pose, distance, phi, arc.axisDeg), elevation);
     const Direction<double> sighted = circleDirection(errors, target, pointing(arc, &sighting));
     return reading.kind == ReadingKind::Horizontal ? sighted.a - zero.a - pose.horizontalZero
-                                                   : sighted.e - zero.e + pose.verticalZero;
+                                                   : sighted.e - asRead;
   }
 
  private:
   Pointing pointing(const ArcMeasurement& arc, const Sighting* sighting) const {
     Pointing pointing;
     pointing.horizontalZero = arc.zeroHorizontal.radians();
-    pointing.verticalZero = arc.zeroVertical.radians();
     pointing.circle = m_measurement.verticalCircle;
-    pointing.elapsed = midSession;
+    pointing.elapsed = arc.zero.elapsed;
     if (!sighting) return pointing;
     pointing.face = sighting->face;
-    pointing.elapsed = static_cast<double>(sighting->sequence) / static_cast<double>(m_measurement.rows - 1);
-    pointing.afterJump = true;
+    pointing.elapsed = sighting->elapsed;
+    pointing.jumpShare = 1;
     pointing.isSetUpAgain = &arc != m_measurement.arcs.data();
     return pointing;
   }

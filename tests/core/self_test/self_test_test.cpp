@@ -65,8 +65,8 @@ TEST(SelfTest, EveryReferenceThatIsWrongFailsInItsLine) {
 
 TEST(SelfTest, FindsAReferenceThatIsWrongInTheEleventhDigit) {
   Json wrong = Json::parse(compiledReferences().fits);
-  ASSERT_EQ(wrong[0]["intersection"].get<std::string>().substr(0, 12), "1.3076401434");
-  wrong[0]["intersection"] = "1.3076401534952937992936";  // 1e-8 mm off, ten times what is allowed
+  ASSERT_EQ(wrong[0]["intersection"].get<std::string>().substr(0, 12), "1.3078182569");
+  wrong[0]["intersection"] = "1.3078182669992802395610";  // 1e-8 mm off, ten times what is allowed
   SelfTestReferences references = compiledReferences();
   references.fits = wrong.dump();
   const SelfTest test = runSelfTest({}, references);

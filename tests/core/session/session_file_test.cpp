@@ -29,7 +29,7 @@ Json completeSession() {
                    "sigma_zero_arcsec": 1, "sigma_slider_arcsec": 5},
     "environment": {"temperature_c": 20.0},
     "geometry": {"distance_mm": 2405, "sigma_distance_mm": 1.0, "radius_mm": 400, "sigma_radius_mm": 0.1,
-                 "vertical_circle": "zenith", "pointing_zeros": "each", "distance_from": "tape"},
+                 "vertical_circle": "zenith", "pointing_zeros": "each", "plane": "vertical", "zero_is": "mark", "distance_from": "tape"},
     "acceptance": {"tolerance_mm": 2.5, "measurand": "distance", "coverage": 0.95, "reference_intersection_mm": 2.0, "sigma_reference_mm": 0.02},
     "model": {"vertical_angle": "exact", "radius": "known", "effects": ["trunnion_tilt"]},
     "positions": [
@@ -85,7 +85,8 @@ TEST(SessionFile, ReadsEveryKey) {
   EXPECT_EQ(s.device, (Device{"d", "1", {}, {}}));
   EXPECT_EQ(s.instrument, (Instrument{"i", "2", "3", "t", "gon", "2", "2.5", "1", "5", "", {}, {}, {}, {}}));
   EXPECT_EQ(s.environment, (Environment{"20", "", {}}));
-  EXPECT_EQ(s.geometry, (Geometry{"2405", "1", "400", "0.1", "zenith", "each", "tape", "", "", {}}));
+  EXPECT_EQ(s.geometry,
+            (Geometry{"2405", "1", "400", "0.1", "zenith", "each", "vertical", "mark", "tape", "", "", {}}));
   EXPECT_EQ(s.acceptance, (Acceptance{"2.5", "distance", "0.95", "2", "0.02", {}}));
   EXPECT_EQ(s.model, (Model{"exact", "known", {"trunnion_tilt"}, {}}));
   ASSERT_EQ(s.positions.size(), 2u);

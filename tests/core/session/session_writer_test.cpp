@@ -50,7 +50,8 @@ TEST(SessionWriter, SpellsOutEverythingThatASessionHolds) {
   session.device = {"d", "1", {}, {}};
   session.instrument = {"i", "2", "c", "t", "degrees", "2,5", "3", "about 1", "5.0", "0.5", {}, {}, {}, {}};
   session.environment = {"-3", "0.5", {}};
-  session.geometry = {"2405", "0.5", "400", "0", "elevation", "one", "laser", "1", "11.5", {}};
+  session.geometry = {"2405",   "0.5",    "400",   "0", "elevation", "one",
+                      "square", "normal", "laser", "1", "11.5",      {}};
   session.acceptance = {"2.5", "distance", "0.95", "-1", "0.1", {}};
   session.model = {"planar", "known", {"b", "a"}, {}};
   Position& position = session.positions.emplace_back();
@@ -85,7 +86,7 @@ TEST(SessionWriter, SpellsOutEverythingThatASessionHolds) {
                    "sigma_zero_arcsec": "about 1", "sigma_slider_arcsec": 5, "sigma_compensator_arcsec": 0.5},
     "environment": {"temperature_c": -3, "sigma_temperature_c": 0.5},
     "geometry": {"distance_mm": 2405, "sigma_distance_mm": 0.5, "radius_mm": 400, "sigma_radius_mm": 0,
-                 "vertical_circle": "elevation", "pointing_zeros": "one", "distance_from": "laser", "distance_expansion_ppm_per_k": 1, "radius_expansion_ppm_per_k": 11.5},
+                 "vertical_circle": "elevation", "pointing_zeros": "one", "plane": "square", "zero_is": "normal", "distance_from": "laser", "distance_expansion_ppm_per_k": 1, "radius_expansion_ppm_per_k": 11.5},
     "acceptance": {"tolerance_mm": 2.5, "measurand": "distance", "coverage": 0.95, "reference_intersection_mm": -1, "sigma_reference_mm": 0.1},
     "model": {"vertical_angle": "planar", "radius": "known", "effects": ["b", "a"]},
     "positions": [{"axis_deg": 180, "pointing_zero": {"horizontal": "1°", "vertical": "90 0 0",

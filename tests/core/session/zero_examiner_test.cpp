@@ -50,7 +50,8 @@ TEST(ZeroExaminer, TakesOneSightingAsItIs) {
   EXPECT_EQ(zero.sightings.count, 1);
   EXPECT_EQ(zero.sightings.factor, 1);
   EXPECT_FALSE(zero.sightings.moved);
-  EXPECT_FALSE(zero.sightings.isSpanning);
+  ASSERT_EQ(zero.each.size(), 1u);
+  EXPECT_EQ(zero.each.front().a.radians(), 0);
   EXPECT_EQ(zeros.scatter, 1);
 }
 
@@ -70,7 +71,10 @@ TEST(ZeroExaminer, TakesTheMeanOfBothFacesBeforeAndAfter) {
   EXPECT_NEAR(arcsecondsFrom(zero.vertical, 90), 4, 1e-9);
   EXPECT_EQ(zero.sightings.count, 4);
   EXPECT_DOUBLE_EQ(zero.sightings.factor, 0.5);
-  EXPECT_TRUE(zero.sightings.isInBothFaces && zero.sightings.isSpanning);
+  EXPECT_TRUE(zero.sightings.isInBothFaces);
+  ASSERT_EQ(zero.each.size(), 4u);
+  EXPECT_NEAR(zero.each[0].a.arcseconds(), -7, 1e-9);
+  EXPECT_NEAR(zero.each[0].e.arcseconds(), 4, 1e-9) << "up, as a zenith circle counts down";
   ASSERT_TRUE(zero.sightings.moved);
   EXPECT_NEAR(zero.sightings.moved->horizontal.arcseconds(), 4, 1e-9);
   EXPECT_NEAR(zero.sightings.moved->vertical.arcseconds(), 2, 1e-9);
@@ -98,7 +102,7 @@ TEST(ZeroExaminer, WeighsTheFacesAlike) {
   const ZeroDirection zero = *examined(session).ofPositions[0].direction;
   EXPECT_NEAR(arcsecondsFrom(zero.horizontal, 10), 5, 1e-9);
   EXPECT_DOUBLE_EQ(zero.sightings.factor, std::sqrt(1.5) / 2);
-  EXPECT_FALSE(zero.sightings.isSpanning) << "face 2 was sighted before alone";
+  EXPECT_EQ(zero.each.size(), 3u);
 }
 
 TEST(ZeroExaminer, TurnsFaceTwoOfAnElevationCircle) {

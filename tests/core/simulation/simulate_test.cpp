@@ -58,15 +58,15 @@ class Leftover {
   using Visit = std::pair<int, int>;
 
   Moment momentOf(const Sighting& sighting) const {
-    const double elapsed =
-        static_cast<double>(sighting.sequence) / static_cast<double>(m_measurement.rows - 1);
+    const double elapsed = sighting.elapsed;
     return {elapsed, m_truth.jump && elapsed >= m_truth.jump->moment};
   }
 
   /// Horizontal, vertical for each row, then the slider.
   std::vector<double> residuals(const Visit& key, double place) const {
     const PerfectReadings perfect(m_truth, m_arc.axisDeg, m_arc.zeroHorizontal);
-    const CircleReadings zero = perfect.zero();
+    const double sighted = m_arc.zero.elapsed;
+    const CircleReadings zero = perfect.zero(1, {sighted, m_truth.jump && sighted >= m_truth.jump->moment});
     std::vector<double> all;
     for (const Sighting* row : m_visits.at(key)) {
       const CircleReadings read = perfect.target(Angle::fromRadians(place), row->face, momentOf(*row));

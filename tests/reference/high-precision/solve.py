@@ -6,7 +6,8 @@ iteration on the full gradient of
 
     chi^2 = sum ((a - a(P(phi)))/sigma_h)^2 + ((e - e(P(phi)))/sigma_v)^2 + ((s - s0 - s(phi))/sigma_s)^2,
 
-whose Hessian is taken by differences at 60 digits. Nothing is eliminated, linearised or rounded on the way. Covariances
+with P(phi) = (x + R cos phi, y + L tan e0 + R sin phi, -L): vertical angles count from the plumb line, y from the pointing
+zero, which is inclined by e0. Its Hessian is taken by differences at 60 digits. Nothing is eliminated, linearised or rounded on the way. Covariances
 are those of the linearised problem at the minimum from the stated sigma, (J^T W J)^-1 over all unknowns.
 """
 
@@ -44,8 +45,8 @@ class Visit:
 
     def terms(self, x, y, radius, zero, phi):
         """(observed - computed)/sigma of every reading."""
-        px, py = x + radius * cos(phi), y + radius * sin(phi)
         distance = self.model["distance"]
+        px, py = x + radius * cos(phi), y + distance * tan(self.model["e0"]) + radius * sin(phi)
         a = atan2(px, distance)
         e = atan2(py, sqrt(px**2 + distance**2) if self.model["exact"] else distance)
         for read_a, read_e in self.readings:
@@ -76,6 +77,8 @@ def visits_of(document, position, relation):
              "sigma_s": mpf(str(instrument.get("sigma_slider_arcsec", 5))) * SECOND}
     zenith = geometry.get("vertical_circle", "zenith") == "zenith"
     zero_h, zero_v = angle(position["pointing_zero"]["horizontal"]), angle(position["pointing_zero"]["vertical"])
+    horizon = pi / 2 if zenith else mpf(0)
+    model["e0"] = wrapped(horizon - zero_v if zenith else zero_v)
     visits = {}
     for reading in position["readings"]:
         key = (reading.get("round", 1), reading["point"])
@@ -83,7 +86,7 @@ def visits_of(document, position, relation):
         h, v = angle(reading["horizontal"]), angle(reading["vertical"])
         if reading.get("face", 1) == 2:
             h, v = h - pi, (2 * pi if zenith else pi) - v
-        visit.readings.append((wrapped(h - zero_h), wrapped(zero_v - v if zenith else v - zero_v)))
+        visit.readings.append((wrapped(h - zero_h), wrapped(horizon - v if zenith else v)))
         if "slider" in reading and visit.slider is None:
             visit.slider = angle(reading["slider"])
     return list(visits.values())
@@ -98,7 +101,7 @@ def solve(visits):
     unknowns = [mpf(0), mpf(0), mpf(400)] + ([mpf(0)] if with_slider else [])
     for visit in visits:
         a, e = visit.readings[0]
-        unknowns.append(atan2(distance * tan(e), distance * tan(a)))
+        unknowns.append(atan2(distance * (tan(e) - tan(visits[0].model["e0"])), distance * tan(a)))
     if with_slider:
         unknowns[3] = next(wrapped(v.slider - v.turn * phi) for v, phi in zip(visits, unknowns[4:]) if v.slider is not None)
 

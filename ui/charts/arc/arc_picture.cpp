@@ -4,6 +4,7 @@
 #include <cmath>
 #include <string>
 
+#include "core/observation/zero_line.h"
 #include "ui/charts/plotting/round_numbers.h"
 
 namespace alidade::ui {
@@ -20,8 +21,7 @@ DrawnSighting drawnSighting(const Measurement& measurement, const ArcMeasurement
           .point = sighting.point,
           .round = sighting.round,
           .face = sighting.face,
-          .sighted = sightedPoint(Direction<double>{sighting.a.radians(), sighting.e.radians()},
-                                  measurement.distance, measurement.relation),
+          .sighted = ZeroLine(measurement, arc).sightedPoint(sighting),
           .adjusted = {}};
 }
 
@@ -49,11 +49,11 @@ DrawnArc drawnArc(const SessionFit& fit, const ArcFit& first) {
 }
 
 /// Where the sighting would have met the arc plane without its residual, to where it did meet it, `sighted`.
-PlanePoint<double> residualInPlane(const Measurement& measurement, const PlanePoint<double>& sighted,
+PlanePoint<double> residualInPlane(const ZeroLine& line, const PlanePoint<double>& sighted,
                                    const Sighting& sighting, const SightingResidual& residual) {
   const Direction<double> adjusted{(sighting.a - residual.horizontal).radians(),
                                    (sighting.e - residual.vertical).radians()};
-  const PlanePoint<double> from = sightedPoint(adjusted, measurement.distance, measurement.relation);
+  const PlanePoint<double> from = line.sightedPoint(adjusted);
   return {sighted.x - from.x, sighted.y - from.y};
 }
 
@@ -66,7 +66,8 @@ void addAdjusted(ArcPicture& picture, std::size_t first, const Measurement& meas
     if (next == picture.sightings.size()) return;
     DrawnSighting& drawn = picture.sightings[next];
     drawn.adjusted = targetOnArc(fit.circle.x, fit.circle.y, fit.circle.radius, residual.arcAngle);
-    drawn.residual = residualInPlane(measurement, drawn.sighted, arc.sightings[next - first], residual);
+    drawn.residual =
+        residualInPlane(ZeroLine(measurement, arc), drawn.sighted, arc.sightings[next - first], residual);
   }
 }
 

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <random>
 
+#include "core/observation/zero_line.h"
 #include "tests/support/high_precision.h"
 #include "tests/support/perfect_session.h"
 
@@ -23,18 +24,21 @@ struct Columns {
   std::vector<double> a, e;
 };
 
+/// From the horizon.
 Columns columnsOf(const ArcMeasurement& arc) {
   Columns columns;
   for (const Sighting& sighting : arc.sightings) {
     columns.a.push_back(sighting.a.radians());
-    columns.e.push_back(sighting.e.radians());
+    columns.e.push_back((sighting.e + arc.zeroElevation).radians());
   }
   return columns;
 }
 
 std::optional<FastArcFit> fitFast(const Measurement& measurement, const ArcMeasurement& arc) {
   const Columns columns = columnsOf(arc);
-  return fitArcFast(setupOf(measurement), columns.a, columns.e);
+  std::optional<FastArcFit> fit = fitArcFast(setupOf(measurement), columns.a, columns.e);
+  if (fit) fit->circle.y -= ZeroLine(measurement, arc).height();
+  return fit;
 }
 
 /// By Levenberg and Marquardt with the general foot points, from a start far off.

@@ -108,7 +108,7 @@ TEST(FirstFit, TakesTheGeneralFitWhereTheFastOneIsRefused) {
   Measurement measurement = test::usualMeasurement();
   measurement.distance = 300;
   const ArcMeasurement arc = test::perfectArc(measurement, circleSighted, test::spread(9, 160));
-  ASSERT_FALSE(fitVisitsFast(measurement, visitsOf(arc)));
+  ASSERT_FALSE(fitVisitsFast(measurement, visitsOf(arc), ZeroLine(measurement, arc)));
   const auto fit = firstFit(measurement, arc);
   ASSERT_TRUE(fit);
   EXPECT_NEAR(fit->circle.y, circleSighted.y, 1e-9);
@@ -149,9 +149,9 @@ TEST(FirstFit, WeighsVisitsByTheirRows) {
   again.face = 1;
   again.round = 2;
   rounds.sightings.push_back(again);
-  const auto once = fitVisitsFast(measurement, visitsOf(arc)),
-             twice = fitVisitsFast(measurement, visitsOf(faces)),
-             apart = fitVisitsFast(measurement, visitsOf(rounds));
+  const auto once = fitVisitsFast(measurement, visitsOf(arc), ZeroLine(measurement, arc)),
+             twice = fitVisitsFast(measurement, visitsOf(faces), ZeroLine(measurement, faces)),
+             apart = fitVisitsFast(measurement, visitsOf(rounds), ZeroLine(measurement, rounds));
   ASSERT_TRUE(once && twice && apart);
   EXPECT_NEAR(twice->circle.y, apart->circle.y, 1e-8);
   EXPECT_NEAR(twice->circle.radius, apart->circle.radius, 1e-8);

@@ -59,7 +59,8 @@ std::vector<Case> cases() {
 }
 
 // Readings of perfect arcs, from zeros that are off: by their definition horizontal readings come out smaller
-// by the zero's error, vertical ones greater. Rounding in a reading is 1e-16 rad, 1e-11 σ.
+// by the zero's error, vertical ones greater, and a zero read as level is not. Rounding in a reading is 1e-16
+// rad, 1e-11 σ.
 TEST(JointProblem, PerfectReadingsLeaveNothing) {
   for (const auto relation : {VerticalAngleRelation::Exact, VerticalAngleRelation::Planar}) {
     Measurement measurement = test::usualMeasurement();
@@ -67,14 +68,18 @@ TEST(JointProblem, PerfectReadingsLeaveNothing) {
     const std::vector<Circle> circles{{1, -2, 398}, {-3, 4, 403}};
     const std::vector<double> angles = test::spread(7, 300, 20);
     const Angle horizontal = Angle::fromArcseconds(40), vertical = Angle::fromArcseconds(70);
+    ArcMeasurement asItStands = {};
+    asItStands.zeroElevation = vertical;
     for (std::size_t i = 0; i < 2; ++i) {
       ArcMeasurement& arc =
           measurement.arcs.emplace_back(test::perfectArc(measurement, circles[i], angles, i == 0 ? 0 : 180));
       for (std::size_t k = 0; k < angles.size(); ++k) {
         arc.sightings[k].slider = Angle::fromRadians(i == 0 ? angles[k] : -angles[k]);
         if (i == 0) continue;
-        arc.sightings[k].a = arc.sightings[k].a - horizontal;
-        arc.sightings[k].e = arc.sightings[k].e + vertical;
+        const Direction<double> seen = ZeroLine(measurement, asItStands)
+                                           .observe(ZeroLine(measurement, {}).sightedPoint(arc.sightings[k]));
+        arc.sightings[k].a = Angle::fromRadians(seen.a) - horizontal;
+        arc.sightings[k].e = Angle::fromRadians(seen.e) + vertical;
       }
     }
     const JointProblem problem(measurement, {});
@@ -139,8 +144,9 @@ TEST(JointProblem, JacobianIsHowTheResidualsChange) {
   }
 }
 
-// A drift acts by the time gone by, counted from the middle of the session where the zeros count as taken, a
-// jump from its row on; zenith readings grow by either. Both add to the reading itself, so rounding is all.
+// A drift acts by the time gone by since the zero of the position was sighted, beside its first row; a jump
+// from its row on, and on a later zero as well, so that its position stands as before; zenith readings grow
+// by either. Both add to the reading itself, so rounding is all.
 TEST(JointProblem, DriftsAndJumpsActByTheRowsPlaceInTime) {
   using enum ErrorTerm;
   const Measurement measurement = test::trialMeasurement("full");
@@ -148,18 +154,25 @@ TEST(JointProblem, DriftsAndJumpsActByTheRowsPlaceInTime) {
   const JointProblem problem(
       measurement,
       {.terms = {{HorizontalDrift, 1}, {VerticalDrift, 1}, {HorizontalJump, 1}, {VerticalJump, 1}},
-       .jumpBefore = knocked});
+       .jumpBefore = measurement.arcs[0].sightings[knocked].order});
   const JointState state = problem.start(arcsAlone(measurement));
   for (std::size_t v = 0; v < problem.visits().size(); ++v) {
     const VisitEquations equations = problem.equationsOf(state, v);
     for (Index row = 0; row < equations.residual.size(); ++row) {
       const ReadingRef cell = problem.cellOf(v, row);
-      const auto sequence = measurement.arcs[cell.arc].sightings[cell.sighting].sequence;
-      const double time = static_cast<double>(sequence) / static_cast<double>(measurement.rows - 1) - 0.5,
-                   jump = sequence >= knocked ? 1 : 0;
+      const std::vector<Sighting>& rows = measurement.arcs[cell.arc].sightings;
+      const auto sequence = rows[cell.sighting].sequence;
+      const double last = static_cast<double>(measurement.rows - 1);
+      const double time = static_cast<double>(sequence) / last,
+                   ofZero = static_cast<double>(rows.front().sequence) / last;
+      const double jump = cell.arc == 1 || sequence >= knocked ? 1 : 0, jumpOfZero = cell.arc == 1 ? 1 : 0;
       Eigen::Vector4d expected = Eigen::Vector4d::Zero();
-      if (cell.kind == ReadingKind::Horizontal) expected << time, 0, jump, 0;
-      if (cell.kind == ReadingKind::Vertical) expected << 0, -time, 0, -jump;
+      // A zero that was read lower for the drift stood higher, and so did the arc that counts from it.
+      const double turn = equations.jacobian(row, static_cast<int>(Unknown::Kind::VerticalZero)) *
+                          statedSigma(measurement, ReadingKind::Vertical).radians();
+      if (cell.kind == ReadingKind::Horizontal) expected << time - ofZero, 0, jump - jumpOfZero, 0;
+      if (cell.kind == ReadingKind::Vertical)
+        expected << 0, turn * ofZero - time, 0, turn * jumpOfZero - jump;
       const double sigma = statedSigma(measurement, cell.kind).radians();
       EXPECT_LT((equations.jacobian.row(row).tail(4).transpose() * sigma - expected).norm(), 1e-12)
           << sequence;

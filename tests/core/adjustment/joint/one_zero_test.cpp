@@ -39,12 +39,14 @@ Measurement shifted(Measurement measurement, Angle horizontal, Angle vertical) {
       sighting.a = sighting.a + horizontal;
       sighting.e = sighting.e + vertical;
     }
+  // What was read stands in the room as before, the zero lies lower.
+  for (ArcMeasurement& arc : measurement.arcs) arc.zeroElevation = arc.zeroElevation - vertical;
   return measurement;
 }
 
-// What a zero wrong in all arcs by its σ moves Δd by, fitted anew; the budget is its derivative, and 2″ bend
-// nothing by 1 %. Of two zeros apart the share is some L σ/√2, 16 µm, and 3 % on top since the arc lies off
-// the horizon.
+// What a zero wrong in all arcs by its σ moves Δd by, fitted anew. Its elevation cancels, and so does next to all
+// of its azimuth: of what is left residuals of 9″, which the derivative leaves out, bend a tenth. Of two zeros
+// apart the share is L σ/√2, 16 µm.
 TEST(OneZero, BringsWhatAnErrorOfItMovesTheIntersectionBy) {
   const Measurement measurement = withOneZero();
   const auto movedBy = [&](Angle horizontal, Angle vertical) {
@@ -54,7 +56,7 @@ TEST(OneZero, BringsWhatAnErrorOfItMovesTheIntersectionBy) {
   };
   const double moved =
       std::hypot(movedBy(measurement.sigmaZeroHorizontal, {}), movedBy({}, measurement.sigmaZeroVertical));
-  EXPECT_NEAR(shareOfZeros(measurement) / moved, 1, 0.01);
+  EXPECT_NEAR(shareOfZeros(measurement) / moved, 1, 0.15);
   Measurement apart = measurement;
   apart.pointingZeros = PointingZeros::Each;
   EXPECT_NEAR(shareOfZeros(apart) / (2405 * Angle::fromArcseconds(2).radians() / std::sqrt(2)), 1, 0.05);

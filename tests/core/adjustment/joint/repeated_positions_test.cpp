@@ -30,6 +30,7 @@ Measurement measuredAgain(int points = 13) {
     measurement.arcs[i].position = i;
     for (Sighting& sighting : measurement.arcs[i].sightings) sighting.sequence = measurement.rows++;
   }
+  setMoments(measurement);
   return measurement;
 }
 

@@ -31,6 +31,8 @@ class ComponentTest : public testing::TestWithParam<const char*> {
   void eachComponent(const Check& check) {
     for (std::size_t i = 0; i < inquiry.candidates.size(); ++i) {
       const Component& component = inquiry.candidates[i];
+      if (const auto reading = component.grossErrorAt(); reading && leftover.reading(*reading).isZero)
+        continue;
       SCOPED_TRACE(std::to_string(i) + " " + std::string(component.id()));
       check(component);
     }

@@ -54,12 +54,18 @@ VectorXd readingsWith(const std::vector<TrueSize>& effects, const std::string& p
   VectorXd readings(leftover.readings());
   for (Index i = 0; i < readings.size(); ++i) {
     const LinearReading& reading = leftover.reading(i);
-    const Sighting& sighting = measurement.arcs[reading.arc].sightings[reading.sighting];
-    readings[i] = (reading.kind == ReadingKind::Horizontal ? sighting.a
-                   : reading.kind == ReadingKind::Vertical ? sighting.e
-                                                           : *sighting.slider)
-                      .radians() /
-                  reading.sigma;
+    const ArcMeasurement& arc = measurement.arcs[reading.arc];
+    const Sighting& sighting = arc.sightings[reading.sighting];
+    // What the instrument's errors do to the zero as read turns the line from which y counts.
+    const double turned = leftover.equations().perUnknown.at(
+        reading.kind, reading.number, static_cast<std::size_t>(Unknown::Kind::VerticalZero));
+    const double ofZero = arc.zeroElevation.radians() *
+                          ((reading.kind == ReadingKind::Vertical ? 1 / reading.sigma : 0) - turned);
+    readings[i] = ofZero + (reading.kind == ReadingKind::Horizontal ? sighting.a
+                            : reading.kind == ReadingKind::Vertical ? sighting.e
+                                                                    : *sighting.slider)
+                                   .radians() /
+                               reading.sigma;
   }
   return readings;
 }

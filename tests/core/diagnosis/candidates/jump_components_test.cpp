@@ -58,17 +58,15 @@ Truth knockedBefore(int row) {
   return truth;
 }
 
-// In truth the tripod was knocked before the last row of the first position, which moves Δd by 0.2 mm in the
-// position that follows. No residual tells it from a misreading; that the second position does not close
-// does.
+// In truth the tripod was knocked before the last row of the first position. No residual tells it from a
+// misreading, nor from a knock behind that row; that the zero of the second position is another does.
 TEST(JumpComponents, StepBeforeTheLastRowOfAPositionShowsInTheNext) {
   const Truth truth = knockedBefore(17);
   const Diagnosis diagnosis = *diagnose(*examine(*simulate(*protocolByName("paper"), truth, 5)).measurement);
   ASSERT_EQ(diagnosis.causes.size(), 1u);
   EXPECT_EQ(diagnosis.causes[0].effect, "orientation_jump");
-  EXPECT_EQ(diagnosis.causes[0].parameters.back().value, 17);
+  EXPECT_NEAR(diagnosis.causes[0].parameters.back().value, 17.5, 0.5);
   EXPECT_LT(std::abs(diagnosis.afterwards->value - truth.intersection), diagnosis.afterwards->expanded);
-  EXPECT_GT(std::abs(diagnosis.before->value - truth.intersection), diagnosis.before->expanded);
 }
 
 // Before the last row of all it leaves what a misreading of that row leaves: that row is blamed, and the

@@ -173,7 +173,7 @@ TEST(CandidatesOf, AreAllEffectsByHowWellTheyExplainAlone) {
   std::map<std::string, std::pair<double, double>> best;  // what they explain, and how far it shows
   for (std::size_t i = 0; i < inquiry.candidates.size(); ++i) {
     const Component& component = inquiry.candidates[i];
-    if (component.isShape() || component.onlyRow()) continue;
+    if (component.isShape() || component.onlyRow() || component.gram().isZero(0)) continue;
     const Part alone = fitAlone(residual, component, i);
     const double shows = component.signature(inquiry.leftover, alone.weights).norm();
     const auto [own, isFirst] = best.emplace(std::string(component.id()), std::pair(alone.logGain, shows));

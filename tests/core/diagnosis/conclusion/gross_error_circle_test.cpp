@@ -33,6 +33,7 @@ Measurement misreadMeasurement(const std::vector<Misread>& errors, double step =
       sighting.sequence = measurement.rows++;
     }
   }
+  setMoments(measurement);
   for (const Misread& error : errors) {
     Sighting& sighting = measurement.arcs[error.arc].sightings[error.sighting];
     const Angle off = Angle::fromArcseconds(error.arcseconds);

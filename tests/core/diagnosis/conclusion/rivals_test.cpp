@@ -28,6 +28,7 @@ Measurement misreadAtTheEnd() {
     test::addNoise(measurement.arcs.back(), measurement, generator);
     for (Sighting& sighting : measurement.arcs.back().sightings) sighting.sequence = measurement.rows++;
   }
+  setMoments(measurement);
   Angle& misread = measurement.arcs[0].sightings[lastRow].a;
   misread = misread + Angle::fromArcseconds(60);
   return measurement;
@@ -69,8 +70,8 @@ TEST(Rivals, JumpStandsAgainstAGrossErrorOfEitherCircle) {
   }
   const PriorOdds odds;
   const double rows = 34, readings = 2 * rows;
-  // Before each row but the first of a position: to the end of the session, and in 0° to that of its own.
-  const double moments = 16 + 16 + 16;
+  // Before each row but the first of a position, to the end of its own: the zeros may be none of one mark.
+  const double moments = 16 + 16;
   const double expected = odds.jump / moments * evidence(usualAndFarWiderJumpWidths(), shown, gain) /
                           (odds.grossError / readings * ofGrossErrors);
   EXPECT_NEAR(answer.rivals[0][0].odds, expected, 0.1 * expected);

@@ -95,6 +95,7 @@ TEST(GapModel, ReadingRefsNameTheReadingsOfTheLeftover) {
     std::ranges::stable_sort(arc.sightings, {}, &Sighting::face);
     for (Sighting& sighting : arc.sightings) sighting.sequence = measurement.rows++;
   }
+  setMoments(measurement);
   const GapModel model = *modelOf(measurement);
   const Leftover leftover(linearise(*model.measurement, *model.fit, model.options));
   ASSERT_EQ(leftover.readings(), std::ssize(model.fit->readings));

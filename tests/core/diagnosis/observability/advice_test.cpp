@@ -28,7 +28,9 @@ GapModel modelBy(const Protocol& protocol, const std::vector<TrueSize>& effects)
   Truth truth = drawTruth(11);
   truth.placeSpread = Angle();
   truth.effects = effects;
-  return *modelOf(test::measurementOf(*simulateWithoutNoise(protocol, truth, 11)));
+  Measurement measurement = test::measurementOf(*simulateWithoutNoise(protocol, truth, 11));
+  measurement.zeroIs = ZeroIs::Unknown;  // else the zeros tell drifts and knocks by themselves
+  return *modelOf(measurement);
 }
 
 /// Into a session of which nothing has been explained yet.
@@ -144,9 +146,8 @@ TEST(Advice, PromisesOfEveryTwoWhatSessionsWithTheFurtherReadingsShow) {
   EXPECT_GE(told, 2);
 }
 
-// A drift of 60″ has turned the zero by 15″ after the first of two positions, by 30″ after the last; a slip
-// of 30″ after the last zero too, but by nothing after the first, and a shift along the axis by nothing at
-// all.
+// A drift of 60″ has turned the zero by 29″ when 17 of 34 rows are read, in either position; a slip of 30″
+// after the last zero turns it there alone, and a shift along the axis not at all.
 TEST(Advice, SightsTheZerosAgainToTellASlipFromADriftAndAShift) {
   const Inquiry inquiry = inquiryInto(*closedModelOf(modelBy(*protocolByName("paper"), {})));
   const std::vector<Advice> list = adviceFor(
@@ -164,7 +165,7 @@ TEST(Advice, SightsTheZerosAgainToTellASlipFromADriftAndAShift) {
 /// A jump between the zero and the first place of a position of the paper's plan.
 PossibleCause slipAt(std::size_t arc, double horizontal) {
   PossibleCause slip = slipOf(arc, horizontal);
-  slip.moment = JumpMoment{17 * arc, 17 * (arc + 1)};
+  slip.moment = JumpMoment{18 * arc + 1, 18 * (arc + 1)};  // with the zero before the 17 rows
   return slip;
 }
 
@@ -189,22 +190,6 @@ TEST(Advice, MeasuresAPositionAgainToTellASlipOfItsZeroFromAShift) {
       adviceFor(inquiry, {possibleCauseOf("axial_shift", 0.35), slipAt(0, 30), slipAt(1, -30)}, {}, {});
   EXPECT_FALSE(adviceTo(Measure::At0Again, ofEither));
   EXPECT_FALSE(adviceTo(Measure::At180Again, ofEither));
-}
-
-// A drift goes on as it did, so that over 51 rows instead of 34 it comes to half as much again: what a
-// session by the plan with 0° again shows apart, of readings without error, is what was promised. It is
-// linear: 2 %.
-TEST(Advice, MeasuresAPositionAgainToTellADriftFromAShift) {
-  const Inquiry inquiry = inquiryInto(*closedModelOf(modelBy(*protocolByName("paper"), {})));
-  const std::vector<Advice> list = adviceFor(
-      inquiry, {possibleCauseOf("axial_shift", 0.3), possibleCauseOf("horizontal_drift", 60)}, {}, {});
-  const Advice* again = adviceTo(Measure::At0Again, list);
-  ASSERT_TRUE(again);
-  const Protocol& plan = *protocolByName("again");
-  const double least =
-      std::min(shownApart(plan, {ErrorTerm::AxialShift, 0.3}, "horizontal_drift"),
-               shownApart(plan, {ErrorTerm::HorizontalDrift, 60 * 50 / 33.0}, "axial_shift"));
-  EXPECT_NEAR(again->bySigma, least, 0.02 * least);
 }
 
 // The distances differ by twice the offset of the plane, a radius that differs changes none.

@@ -81,6 +81,7 @@ Measurement mixedMeasurement(VerticalAngleRelation relation) {
     for (Sighting& sighting : arc.sightings) sighting.sequence = measurement.rows++;
     measurement.arcs.push_back(arc);
   }
+  setMoments(measurement);
   return measurement;
 }
 

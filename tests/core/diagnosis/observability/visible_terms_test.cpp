@@ -114,7 +114,8 @@ TEST(VisibleTerms, TellHowFarEffectsAreApart) {
     const VectorXd combination = combinationOf(one.effect()) * weights;
     const Trace trace(leftover, one.signature(leftover, weights));
     for (const EffectComponent& other : components)
-      EXPECT_NEAR(linearDifferenceFrom(terms, combination, other.effect()), trace.differenceFrom(other), 1e-4)
+      EXPECT_NEAR(linearDifferenceFrom(terms, combination, other.effect()), trace.differenceFrom(other),
+                  1e-4 + 2e-5 * trace.differenceFrom(other))
           << one.id() << " from " << other.id();
   }
 }

@@ -87,12 +87,12 @@ TEST(ExplainedModel, GivesBackWhatASessionHolds) {
       arc.sightings, [](const Sighting& s) { return s.round == 1 && s.point == 3 && s.face == 2; });
   const ReadingRef misread{1, static_cast<std::size_t>(row - arc.sightings.begin()), ReadingKind::Horizontal};
   std::vector<Part> parts{session.effect("collimation", VectorXd::Ones(1)),
-                          session.effect("plane_warp", VectorXd::Zero(2)), session.jumpBefore(40),
+                          session.effect("plane_warp", VectorXd::Zero(2)), session.jumpBefore(41),
                           session.grossError(misread)};
   const GapModel model = session.with({.parts = parts});
   ASSERT_TRUE(model.fit->converged());
   EXPECT_EQ(model.options.without, std::vector{misread});
-  EXPECT_EQ(model.options.jumpBefore, 40u);
+  EXPECT_EQ(model.options.jumpBefore, 41u);  // with the zero before them
   const double second = Angle::fromArcseconds(1).radians();
   EXPECT_NEAR(valueOf(model, ErrorTerm::Collimation) / second, 25, 0.25);
   EXPECT_NEAR(valueOf(model, ErrorTerm::WarpCosine), 0.3, 0.03);

@@ -65,7 +65,7 @@ TEST(Inquiry, AnswersAlikeOnBothSidesOfWhereAReadingIsFarOff) {
           std::max(candidate.visibleSigma, 1.0),
           std::max(std::ranges::find(above.candidates, candidate.effect, &Candidate::effect)->visibleSigma,
                    1.0),
-          0.1 * candidate.visibleSigma + 1)
+          0.3 * candidate.visibleSigma + 1)
           << candidate.effect;
   }
 }

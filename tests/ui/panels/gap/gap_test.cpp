@@ -331,7 +331,7 @@ TEST(Gap, SetsTheVerticalAngleRelationRight) {
 
 TEST(Gap, LeadsToAMisreadValueAndExcludesItsRow) {
   GapBench bench(slipTrial);
-  EXPECT_THAT(bench.shown(), HasSubstr("0°, point 11, horizontal: off by +29.0″\n"));
+  EXPECT_THAT(bench.shown(), HasSubstr("0°, point 11, horizontal: off by +29.1″\n"));
   EXPECT_FALSE(bench.button("add gross_error"));
   bench.press("go to reading");
   EXPECT_EQ(bench.open->currentTable()->currentIndex().row(), 10);
