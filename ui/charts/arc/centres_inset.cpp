@@ -47,6 +47,11 @@ void CentresInset::setStyle(const PlotStyle& style) {
   updateScale();
 }
 
+void CentresInset::setHeadline(const Headline& headline) {
+  m_headline = headline;
+  updateScale();
+}
+
 void CentresInset::setIntersection(const std::optional<DrawnIntersection>& intersection) {
   m_intersection = intersection;
   setVisible(intersection.has_value());
@@ -64,7 +69,9 @@ void CentresInset::updateScale() {
   update();
   if (!m_intersection || m_square.isEmpty() || m_style.font.pixelSize() <= 0) return;
   const double line = QFontMetricsF(m_style.font).height();
-  m_picture = m_square.adjusted(1.2 * line, 2.6 * line, -1.2 * line, -1.9 * line);
+  double titles = 0.6 * line;
+  for (const TitleLine& title : titleLines()) titles += QFontMetricsF(title.font).height();
+  m_picture = m_square.adjusted(1.2 * line, titles, -1.2 * line, -1.9 * line);
   m_isCompact = m_picture.width() < 2 * line || m_picture.height() < 2 * line;
   if (m_isCompact) m_picture = m_square.adjusted(0.4 * line, 0.4 * line, -0.4 * line, -1.9 * line);
   if (m_picture.width() < 2 * line || m_picture.height() < 1.5 * line) return;
@@ -298,28 +305,40 @@ void CentresInset::paintScaleBar(QPainter* painter) const {
                     text);
 }
 
+QList<CentresInset::TitleLine> CentresInset::titleLines() const {
+  QFont large = m_style.font, small = m_style.font;
+  large.setPixelSize(qRound(1.25 * small.pixelSize()));
+  large.setBold(true);
+  const Headline& head = m_headline;
+  const QColor figureColour = head.isProvisional ? m_style.mutedText : m_style.text;
+  QList<TitleLine> lines;
+  // The longest wording that fits.
+  const auto add = [&](const QFont& font, const QColor& colour, const QStringList& wordings) {
+    const double room = m_square.width() - 0.8 * QFontMetricsF(m_style.font).height();
+    for (const QString& text : wordings) {
+      if (text.isEmpty() || QFontMetricsF(font).horizontalAdvance(text) > room) continue;
+      return lines.append({text, font, colour});
+    }
+  };
+  add(large, figureColour, {head.nameAndFigure(), head.figure});
+  add(large, figureColour, {head.toleranceAndVerdict(), head.verdict.word});
+  add(small, m_style.mutedText, {head.fitOnly});
+  add(small, m_style.mutedText,
+      {InsetText::tr("Centres of the fit, enlarged"), InsetText::tr("Centres, enlarged"),
+       InsetText::tr("Centres")});
+  return lines;
+}
+
 void CentresInset::paintTitle(QPainter* painter) const {
   if (m_isCompact) return;
-  const QFontMetricsF metrics(m_style.font);
-  const double room = m_square.width() - 0.8 * metrics.height();
-  QPointF at(m_square.left() + 0.4 * metrics.height(),
-             m_square.top() + metrics.ascent() + 0.2 * metrics.height());
-  painter->setPen(m_style.text);
-  // Of each line the longest wording that fits.
-  const DrawnIntersection& i = *m_intersection;
-  const QString value = valueWithUncertainty(i.value, i.expanded, QStringLiteral("mm"));
-  const QString coverage = QStringLiteral(" (%1 %)").arg(plainNumberText(i.coverage * 100));
-  const std::array<QStringList, 2> lines{
-      QStringList{InsetText::tr("Centres and axis, enlarged"), InsetText::tr("Centres, enlarged"),
-                  InsetText::tr("Centres")},
-      QStringList{QStringLiteral("Δd = ") + value + coverage, QStringLiteral("Δd = ") + value, value}};
-  for (const QStringList& wordings : lines) {
-    const auto fits = std::find_if(wordings.begin(), wordings.end(), [&](const QString& text) {
-      return metrics.horizontalAdvance(text) <= room;
-    });
-    if (fits == wordings.end()) continue;
-    painter->drawText(at, *fits);
-    at.ry() += metrics.height();
+  const double line = QFontMetricsF(m_style.font).height();
+  double top = m_square.top() + 0.2 * line;
+  for (const TitleLine& title : titleLines()) {
+    const QFontMetricsF metrics(title.font);
+    painter->setFont(title.font);
+    painter->setPen(title.colour);
+    painter->drawText(QPointF(m_square.left() + 0.4 * line, top + metrics.ascent()), title.text);
+    top += metrics.height();
   }
 }
 
