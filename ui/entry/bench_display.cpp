@@ -18,7 +18,7 @@ namespace {
 
 /// Of the height of the window, for each line.
 constexpr double placeShare = 0.10, anglesShare = 0.17, resultShare = 0.11, verdictShare = 0.08,
-                 smallShare = 0.055;
+                 lastShare = 0.055, smallShare = 0.045;
 
 void setHeight(QLabel& label, double pixels) {
   QFont font = label.font();
@@ -115,6 +115,7 @@ void BenchDisplay::showHeadline() {
   m_verdict->setText(m_headline.toleranceAndVerdict());
   setColour(*m_verdict, stateColor(palette(), stateOf(m_headline.verdict)));
   m_fitOnly->setText(m_headline.fitOnly);
+  setColour(*m_fitOnly, stateColor(palette(), State::Quiet));
 }
 
 void BenchDisplay::fitText() {
@@ -124,7 +125,7 @@ void BenchDisplay::fitText() {
   setHeightWithin(*m_result, resultShare * height(), width);
   setHeightWithin(*m_verdict, verdictShare * height(), width);
   setHeightWithin(*m_fitOnly, smallShare * height(), width);
-  setHeight(*m_last, smallShare * height());
+  setHeight(*m_last, lastShare * height());
 }
 
 void BenchDisplay::showEvent(QShowEvent* event) {

@@ -216,8 +216,8 @@ void addReference(ReportSheet& sheet, const Gap& gap) {
   const QString given = plainNumberText(*reference) + QStringLiteral(" mm") +
                         (sigma ? QStringLiteral(" (u %1 mm)").arg(plainNumberText(*sigma)) : QString());
   const QString says =
-      measured ? Report::tr("Reference (never enters the fit): %1; Δd, measured, − reference = %2")
-               : Report::tr("Reference (never enters the fit): %1; Δd, fit only, − reference = %2");
+      measured ? Report::tr("Reference (never enters the fit): %1; Δd, measured, minus reference = %2")
+               : Report::tr("Reference (never enters the fit): %1; Δd, fit only, minus reference = %2");
   sheet.paragraph(
       says.arg(given, valueWithUncertainty(found.value - *reference, found.expanded, QStringLiteral("mm"))));
 }
@@ -238,7 +238,12 @@ void addVerdict(ReportSheet& sheet, const Gap& gap) {
     if (!text.isEmpty()) parts.push_back({sheet.lines(text, style, inner), style});
   };
   if (evaluation.fit.intersection) add(headline.nameAndFigure(), large);
-  add(headline.toleranceAndVerdict(), large);
+  if (sheet.textWidth(headline.toleranceAndVerdict(), large) <= inner) {
+    add(headline.toleranceAndVerdict(), large);
+  } else {
+    add(headline.tolerance, large);
+    add(headline.verdict.word, large);
+  }
   add(headline.fitOnly, type::body);
   add(headline.verdict.sentence, type::body);
   if (evaluation.fit.intersection) add(coverageLine(gap), type::label);

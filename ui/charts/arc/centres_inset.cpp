@@ -69,10 +69,10 @@ void CentresInset::updateScale() {
   update();
   if (!m_intersection || m_square.isEmpty() || m_style.font.pixelSize() <= 0) return;
   const double line = QFontMetricsF(m_style.font).height();
-  double titles = 0.6 * line;
-  for (const TitleLine& title : titleLines()) titles += QFontMetricsF(title.font).height();
-  m_picture = m_square.adjusted(1.2 * line, titles, -1.2 * line, -1.9 * line);
+  layOutTitles();
+  m_picture = m_square.adjusted(1.2 * line, titlesHeight() + 0.6 * line, -1.2 * line, -1.9 * line);
   m_isCompact = m_picture.width() < 2 * line || m_picture.height() < 2 * line;
+  if (m_isCompact) m_titles.clear();
   if (m_isCompact) m_picture = m_square.adjusted(0.4 * line, 0.4 * line, -0.4 * line, -1.9 * line);
   if (m_picture.width() < 2 * line || m_picture.height() < 1.5 * line) return;
   const DrawnIntersection& i = *m_intersection;
@@ -305,40 +305,72 @@ void CentresInset::paintScaleBar(QPainter* painter) const {
                     text);
 }
 
-QList<CentresInset::TitleLine> CentresInset::titleLines() const {
-  QFont large = m_style.font, small = m_style.font;
-  large.setPixelSize(qRound(1.25 * small.pixelSize()));
-  large.setBold(true);
-  const Headline& head = m_headline;
-  const QColor figureColour = head.isProvisional ? m_style.mutedText : m_style.text;
-  QList<TitleLine> lines;
-  // The longest wording that fits.
-  const auto add = [&](const QFont& font, const QColor& colour, const QStringList& wordings) {
-    const double room = m_square.width() - 0.8 * QFontMetricsF(m_style.font).height();
-    for (const QString& text : wordings) {
-      if (text.isEmpty() || QFontMetricsF(font).horizontalAdvance(text) > room) continue;
-      return lines.append({text, font, colour});
-    }
+double CentresInset::titlesHeight() const {
+  double height = 0;
+  for (const TitleLine& title : m_titles) height += title.height;
+  return height;
+}
+
+double CentresInset::titleRoom() const {
+  return m_square.width() - 0.8 * QFontMetricsF(m_style.font).height();
+}
+
+/// As large as it fits, shortened where it does not; all take up the same height.
+CentresInset::TitleLine CentresInset::largeLine(const QString& text) const {
+  QFont font = m_style.font;
+  font.setBold(true);
+  double height = 0;
+  for (const double factor : {1.25, 1.1, 1.0}) {
+    font.setPixelSize(qRound(factor * m_style.font.pixelSize()));
+    height = std::max(height, QFontMetricsF(font).height());
+    if (QFontMetricsF(font).horizontalAdvance(text) <= titleRoom()) break;
+  }
+  return {QFontMetricsF(font).elidedText(text, Qt::ElideRight, titleRoom()), font,
+          m_headline.isProvisional ? m_style.mutedText : m_style.text, height};
+}
+
+/// On two lines where these fit in large type, else each part on its own; none where a figure does not fit.
+QList<CentresInset::TitleLine> CentresInset::headlineLines() const {
+  if (m_headline.name.isEmpty()) return {};
+  const auto isLarge = [&](const TitleLine& line) {
+    return line.font.pixelSize() > m_style.font.pixelSize();
   };
-  add(large, figureColour, {head.nameAndFigure(), head.figure});
-  add(large, figureColour, {head.toleranceAndVerdict(), head.verdict.word});
-  add(small, m_style.mutedText, {head.fitOnly});
-  add(small, m_style.mutedText,
-      {InsetText::tr("Centres of the fit, enlarged"), InsetText::tr("Centres, enlarged"),
-       InsetText::tr("Centres")});
+  Headline shown = m_headline;
+  if (shown.isProvisional) shown.verdict.word = InsetText::tr("Provisional");
+  const TitleLine first = largeLine(shown.nameAndFigure()), second = largeLine(shown.toleranceAndVerdict());
+  if (isLarge(first) && isLarge(second)) return {first, second};
+  QList<TitleLine> lines{{shown.name, m_style.font, m_style.mutedText}};
+  for (const QString& part : {shown.figure, shown.tolerance}) {
+    if (part.isEmpty()) continue;
+    lines.append(largeLine(part));
+    if (lines.back().text != part) return {};  // a figure that is cut short says something else
+  }
+  lines.append(largeLine(shown.verdict.word));
   return lines;
 }
 
+/// What is in small type goes first where the picture needs the room.
+void CentresInset::layOutTitles() {
+  const double line = QFontMetricsF(m_style.font).height();
+  m_titles = headlineLines();
+  const double left = m_square.height() - titlesHeight() - 2.5 * line;
+  QStringList small;
+  if (left >= 6 * line) small.append(m_headline.fitOnly);
+  if (left >= 8 * line) small.append(InsetText::tr("Centres of the fit, enlarged"));
+  for (const QString& text : small)
+    if (QFontMetricsF(m_style.font).horizontalAdvance(text) <= titleRoom())
+      m_titles.append({text, m_style.font, m_style.mutedText});
+}
+
 void CentresInset::paintTitle(QPainter* painter) const {
-  if (m_isCompact) return;
   const double line = QFontMetricsF(m_style.font).height();
   double top = m_square.top() + 0.2 * line;
   for (const TitleLine& title : titleLines()) {
-    const QFontMetricsF metrics(title.font);
     painter->setFont(title.font);
     painter->setPen(title.colour);
-    painter->drawText(QPointF(m_square.left() + 0.4 * line, top + metrics.ascent()), title.text);
-    top += metrics.height();
+    painter->drawText(QPointF(m_square.left() + 0.4 * line, top + QFontMetricsF(title.font).ascent()),
+                      title.text);
+    top += title.height;
   }
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <QFontMetricsF>
 #include <QGraphicsItem>
 #include <optional>
 
@@ -40,15 +41,22 @@ class CentresInset : public QGraphicsItem {
     QString text;
     QFont font;
     QColor colour;
+    double height = QFontMetricsF(font).height();  ///< that it takes up
   };
   /// Those that fit, from the top: the headline in large type, then in small type what the picture is of.
-  QList<TitleLine> titleLines() const;
+  /// None in a small picture.
+  const QList<TitleLine>& titleLines() const { return m_titles; }
 
   QRectF boundingRect() const override { return m_square; }
   void paint(QPainter* painter, const QStyleOptionGraphicsItem* option, QWidget* widget) override;
 
  private:
   void updateScale();
+  void layOutTitles();
+  QList<TitleLine> headlineLines() const;
+  TitleLine largeLine(const QString& text) const;
+  double titlesHeight() const;
+  double titleRoom() const;
   /// What the picture may reach into: text stands above and below it.
   QRectF frame() const;
   QRectF nameRect(const PlanePoint<double>& centre, const DrawnEllipse& ellipse, const QString& name) const;
@@ -66,6 +74,7 @@ class CentresInset : public QGraphicsItem {
   Headline m_headline;
   std::optional<DrawnIntersection> m_intersection;
   QRectF m_square;
+  QList<TitleLine> m_titles;
   QRectF m_picture;          // where the centres may lie; the rest is text
   bool m_isCompact = false;  // where there is little room there is no title
   double m_scale = 0;

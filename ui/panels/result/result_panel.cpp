@@ -127,7 +127,7 @@ void ResultPanel::setComparisonShown(bool shown) {
 
 void ResultPanel::setHeadline(const Headline& headline) {
   m_name->setText(headline.name);
-  m_value->setText(unbroken(headline.figure));
+  m_value->setText(headline.figure);
   m_value->setToolTip(headline.tip);
   m_tolerance->setText(headline.tolerance);
   m_tolerance->setVisible(!headline.tolerance.isEmpty());
@@ -191,9 +191,9 @@ void ResultPanel::settleWidth() {
   setMinimumWidth(std::max(value, figures) + margins.left() + margins.right() + bar + 2 * frameWidth());
 }
 
-/// Δd, fit only, with its own U, and the reference.
+/// Below the reference, with its own U.
 void ResultPanel::showFitOnly(const Headline& headline) {
-  QStringList lines{headline.fitOnly, headline.fitOnlyDetails, headline.reference};
+  QStringList lines{headline.reference, headline.fitOnly, headline.fitOnlyDetails};
   lines.removeAll(QString());
   QString text = unbroken(lines.join(u'\n'));
   text.replace(QStringLiteral("u = "), QStringLiteral("u%1=%1").arg(QChar(QChar::Nbsp)));
