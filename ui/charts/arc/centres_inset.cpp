@@ -134,12 +134,13 @@ void CentresInset::paintBare(QPainter* painter) const {
                     QStringLiteral("O1, O2"));
 }
 
-/// All of the picture where its edges lie beyond.
+/// All of the picture below the titles where its edges lie beyond.
 void CentresInset::paintTolerance(QPainter* painter) const {
   const double tolerance = m_intersection->tolerance.value_or(0) * m_scale;
   if (tolerance <= 0) return;
   const double unit = m_style.unit(), centre = m_picture.center().y();
-  const QRectF inside = m_square.adjusted(unit, unit, -unit, -unit);
+  const double titles = m_titles.isEmpty() ? unit : titlesHeight() + 4 * unit;
+  const QRectF inside = m_square.adjusted(unit, titles, -unit, -unit);
   const double top = std::max(centre - tolerance, inside.top());
   const double bottom = std::min(centre + tolerance, inside.bottom());
   painter->fillRect(QRectF(inside.left(), top, inside.width(), bottom - top), m_style.outerBand);
