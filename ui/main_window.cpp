@@ -18,6 +18,7 @@
 
 #include "core/session/entry.h"
 #include "ui/charts/arc/arc_chart.h"
+#include "ui/charts/arc/arc_plot.h"
 #include "ui/charts/residuals/residual_chart.h"
 #include "ui/commands/add_position.h"
 #include "ui/commands/apply_changes.h"
@@ -71,6 +72,7 @@
 #include "ui/start/start_page.h"
 #include "ui/text/cause_text.h"
 #include "ui/text/entry_text.h"
+#include "ui/text/headline.h"
 #include "ui/text/visible_text.h"
 
 namespace alidade::ui {
@@ -568,7 +570,14 @@ void MainWindow::showEvaluation(const SharedEvaluation& evaluation) {
   m_arcChart->setEvaluation(*evaluation);
   m_figures->setEvaluation(evaluation);
   m_details->setEvaluation(evaluation);
+  showHeadline(headlineOf(*evaluation));
   markForms();
+}
+
+void MainWindow::showHeadline(const Headline& headline) {
+  m_result->setHeadline(headline);
+  m_arcChart->plot()->setHeadline(headline);
+  m_entry->setHeadline(headline);
 }
 
 /// Only what comes after the fit: the figures have not changed.
@@ -582,6 +591,7 @@ void MainWindow::showSuspects(const SharedEvaluation& evaluation) {
 
 void MainWindow::showGap(const SharedGap& gap) {
   const QString headline = gap->isOpen() ? gapHeadline(*gap->diagnosis) : QString();
+  showHeadline(headlineOf(*gap));
   m_gap->setGap(gap);
   m_result->setGap(*gap);
   m_budget->setGap(*gap);
@@ -597,6 +607,7 @@ void MainWindow::showGapAsOld() {
   if (std::exchange(m_isGapOld, true)) return;
   m_gap->setStale();
   m_result->setGapStale();
+  if (m_shown) showHeadline(headlineOf(*m_shown));
   m_budget->setGapStale();
   m_findings->setGapStale();
   const int page = m_details->indexOf(m_gap);
@@ -608,6 +619,7 @@ void MainWindow::showGapAsOld() {
 void MainWindow::showNoGap() {
   m_gap->clear();
   m_result->clearGap();
+  if (m_shown) showHeadline(headlineOf(*m_shown));
   m_budget->clearGap();
   m_findings->clearGap();
   m_details->setTabIcon(m_details->indexOf(m_gap), QIcon());
@@ -624,12 +636,8 @@ void MainWindow::stopJobs() {
   }
   if (m_gapJob.isIdle()) return;
   m_gapJob.cancel();
-  showNoGap();
-  m_gap->setGap(std::make_shared<const Gap>(
-      Gap{.evaluation = m_shown,
-          .diagnosis = {},
-          .reason = tr("The diagnosis was stopped. The next edit takes it up again.").toStdString(),
-          .stages = {}}));
+  showGap(std::make_shared<const Gap>(
+      noGap(m_shown, tr("The diagnosis was stopped. The next edit takes it up again.").toStdString())));
 }
 
 void MainWindow::markForms() {

@@ -46,6 +46,7 @@ class SeriesWindow;
 class StartPage;
 class SuspectBar;
 class WindowActions;
+struct Headline;
 
 /// The workstation's window: puts the parts together and leads from one to the other. What the parts do is
 /// theirs.
@@ -131,6 +132,7 @@ class MainWindow : public QMainWindow {
   void showTitle();
   void showEvaluation(const SharedEvaluation& evaluation);
   void showSuspects(const SharedEvaluation& evaluation);
+  void showHeadline(const Headline& headline);
   void showGap(const SharedGap& gap);
   void showGapAsOld();
   void showNoGap();

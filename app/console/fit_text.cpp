@@ -63,25 +63,39 @@ std::string coverageText(const Intersection& intersection) {
 }
 
 std::string intersectionText(const Measurement& measurement, const Intersection& intersection) {
-  return "\nIntersection Δd = " + fixedText(intersection.value, 6) + " mm ± " +
-         fixedText(intersection.expanded, 4) + " mm " + coverageText(intersection) + ", of the fit alone" +
+  return "\nΔd, fit only = " + fixedText(intersection.value, 6) + " mm ± " +
+         fixedText(intersection.expanded, 4) + " mm " + coverageText(intersection) +
          "\nCentres apart in the plane: |O1 - O2|/2 = " + fixedText(intersection.inPlane, 6) + " mm ± " +
          fixedText(intersection.inPlaneExpanded, 4) + " mm\n" +
          referenceLine(measurement, intersection.value);
 }
 
+std::string toleranceText(const Measurement& measurement) {
+  if (!measurement.tolerance) return "";
+  const bool isOfDistance = measurement.measurand == Measurand::Distance;
+  return (isOfDistance ? "; tolerance of the distance d " : "; tolerance ± ") +
+         shortestText(*measurement.tolerance) + " mm";
+}
+
 std::string measuredText(const FitAnswer& answer) {
-  if (!answer.diagnosis || !answer.fit.intersection) return "";
+  if (!answer.fit.intersection) return "";
+  const std::string tolerance = toleranceText(answer.measurement);
+  if (!answer.diagnosis) return "Δd, measured: no diagnosis was made" + tolerance + "\n";
   const auto& measured = answer.diagnosis->measured;
-  if (!measured) return "\nWith what was found below, these readings do not determine Δd.\n";
-  return "\nMeasured: Δd = " + fixedText(measured->estimate.value, 4) + " mm ± " +
+  if (!measured) return "Δd, measured: not determined by these readings" + tolerance + "\n";
+  return "Δd, measured = " + fixedText(measured->estimate.value, 4) + " mm ± " +
          fixedText(measured->estimate.expanded, 4) + " mm (" + percent(answer.measurement.coverage) +
-         " coverage)\n" +
+         " coverage)" + tolerance + "\n";
+}
+
+/// What Δd, measured, includes, and how to lower its U.
+std::string measuredNote(const FitAnswer& answer) {
+  if (!answer.fit.intersection || !answer.diagnosis || !answer.diagnosis->measured) return "";
+  return "\n" +
          paragraph(
-             std::string(
-                 "Every effect of the catalogue takes part, as large as these readings and what is plausible "
-                 "leave it. ") +
-             acrossSentence(*measured)) +
+             "Δd, measured, includes every catalogued effect, limited by these readings or by its "
+             "plausible size. " +
+             acrossSentence(*answer.diagnosis->measured)) +
          paragraph(attainableSentence(answer.diagnosis->attainable));
 }
 
@@ -93,14 +107,15 @@ std::string gapText(const FitAnswer& answer) {
 
 std::string verdictText(const FitAnswer& answer) {
   const auto decision = decideAcceptance(answer.measurement, answer.fit, answer.found());
-  if (!decision) return answer.fit.intersection ? "\nVerdict: none, the session states no tolerance.\n" : "";
-  return "\n" + paragraph("Verdict: " + verdictName(decision->verdict) + ". " +
-                          verdictSentence(answer.measurement, answer.fit, answer.found(), *decision));
+  if (!decision) return answer.fit.intersection ? "Verdict: none, the session states no tolerance.\n" : "";
+  const char* basis = answer.diagnosis ? "Verdict: " : "Verdict, fit only: ";
+  return paragraph(basis + verdictName(decision->verdict) + ". " +
+                   verdictSentence(answer.measurement, answer.fit, answer.found(), *decision));
 }
 
 std::string budgetText(const MeasuredIntersection& measured) {
   const double sigma = measured.estimate.sigma, negligible = 1e-3;  // of the variance
-  Rows rows{{"Standard uncertainty of Δd as measured", "u (mm)", "share", "type", "1σ", "from"}};
+  Rows rows{{"Standard uncertainty of Δd, measured", "u (mm)", "share", "type", "1σ", "from"}};
   for (const UncertaintyShare& share : measured.budget) {
     const double part = share.sigma * share.sigma / (sigma * sigma);
     if (!(part > negligible)) continue;
@@ -118,7 +133,7 @@ std::string budgetText(const Intersection& intersection) {
     rows.push_back({"  " + textOf(entry.source), fixedText(entry.sigma, 4) + " mm"});
   }
   rows.push_back({"  together", fixedText(intersection.sigma, 4) + " mm"});
-  return "\nStandard uncertainty of Δd, of the fit alone\n" + alignedColumns(rows);
+  return "\nStandard uncertainty of Δd, fit only\n" + alignedColumns(rows);
 }
 
 std::vector<std::string> spreadRow(const std::string& name, const Spread& spread) {
@@ -240,12 +255,10 @@ std::string intersectionText(const Measurement& measurement, const PublishedSess
 std::string fitText(const FitAnswer& answer) {
   const Measurement& measurement = answer.measurement;
   const SessionFit& fit = answer.fit;
-  std::string text =
-      heading(answer.session) +
-      "Rigorous fit: orthogonal least squares on the readings of both circles; x right, y up\n\n" +
-      arcsText(fit);
-  if (fit.intersection) text += intersectionText(measurement, *fit.intersection);
-  text += measuredText(answer) + verdictText(answer) + gapText(answer);
+  std::string text = heading(answer.session) + measuredText(answer) + verdictText(answer);
+  if (fit.intersection) text += intersectionText(measurement, *fit.intersection) + "\n";
+  text += "Rigorous fit: orthogonal least squares on the readings of both circles; x right, y up\n\n" +
+          arcsText(fit) + measuredNote(answer) + gapText(answer);
   if (answer.diagnosis && answer.diagnosis->measured) text += budgetText(*answer.diagnosis->measured);
   if (fit.intersection) text += budgetText(*fit.intersection);
   if (answer.check) text += monteCarloText(*answer.check);

@@ -27,26 +27,39 @@ const char* shapeOf(const IntersectionEstimate& estimate) {
   return estimate.accounts.size() > 1 ? "mixture of Student's t" : shapeOf(estimate.degreesOfFreedom);
 }
 
+std::string measuredName() {
+  return Phrase::of("Intersection Δd, measured");
+}
+
 StatedQuantity asMeasured(const IntersectionEstimate& estimate, double coverage) {
   return {.id = "intersection_as_measured",
           .refType = "basic_measuredValue",
-          .name = [] { return Phrase::of("Intersection Δd as measured"); },
+          .name = [] { return measuredName(); },
           .value = estimate.value,
           .unit = millimetres,
           .uncertainty = StatedUncertainty{estimate.sigma, estimate.expanded, coverage, shapeOf(estimate)},
           .description =
               [] {
                 return Phrase::of(
-                    "With every effect of the catalogue as large as is plausible or known, and these "
-                    "readings leave it.");
+                    "Includes every catalogued effect, limited by these readings or by its plausible size.");
               }};
+}
+
+/// Says in its place why there is no Δd, measured.
+void addNoneMeasured(const Element& data, bool isDiagnosed) {
+  const Element quantity = data.add("quantity");
+  quantity.attribute("id", "intersection_as_measured");
+  quantity.say("name", measuredName);
+  quantity.say("noQuantity", [=] {
+    return isDiagnosed ? Phrase::of("not determined by these readings") : Phrase::of("no diagnosis was made");
+  });
 }
 
 StatedQuantity ofTheFit(const Intersection& intersection, bool isHeadline) {
   return {
       .id = "intersection_of_fit",
       .refType = isHeadline ? "basic_measuredValue" : nullptr,
-      .name = [] { return Phrase::of("Intersection Δd of the fit alone"); },
+      .name = [] { return Phrase::of("Intersection Δd, fit only"); },
       .value = intersection.value,
       .unit = millimetres,
       .uncertainty = StatedUncertainty{intersection.sigma, intersection.expanded, intersection.coverage,
@@ -64,7 +77,10 @@ void addIntersection(const Element& results, const FitAnswer& answer) {
   result.attribute("id", "intersection");
   result.say("name", [] { return Phrase::of("Intersection Δd"); });
   const Element data = result.add("data");
-  if (measured) addQuantity(data, asMeasured(measured->estimate, answer.measurement.coverage));
+  if (measured)
+    addQuantity(data, asMeasured(measured->estimate, answer.measurement.coverage));
+  else
+    addNoneMeasured(data, answer.diagnosis.has_value());
   addQuantity(data, ofTheFit(*fitted, !measured));
   addQuantity(
       data, {.id = "in_plane",

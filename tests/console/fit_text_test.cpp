@@ -22,7 +22,7 @@ TEST(FitText, TellsCentresRadiiAndIntersectionOfThePapersReadings) {
   const std::string text = textOf(paperSession);
   EXPECT_THAT(text, ContainsRegex("O1, axis 0° +-0\\.834463 +1\\.034903 +401\\.954263 +17 +14"));
   EXPECT_THAT(text, ContainsRegex("O2, axis 180° +-1\\.482783 +-1\\.580378 +403\\.913696 +17 +14"));
-  EXPECT_THAT(text, ContainsRegex("Intersection Δd = 1\\.307640 mm ± 0\\.2[0-9]+ mm \\(95 % coverage"));
+  EXPECT_THAT(text, ContainsRegex("Δd, fit only = 1\\.307640 mm ± 0\\.2[0-9]+ mm \\(95 % coverage"));
   EXPECT_THAT(text,
               ContainsRegex("Correlation of the radius with x and y: at 0° 0\\.00 and -0\\.48; at 180°"));
   EXPECT_THAT(
@@ -32,14 +32,22 @@ TEST(FitText, TellsCentresRadiiAndIntersectionOfThePapersReadings) {
 }
 
 // Δd is 0.40 mm.
-TEST(FitText, TellsWhatWasMeasuredBesideTheFitAlone) {
+TEST(FitText, TellsTheMeasuredResultFirstAndThatOfTheFitBelow) {
   const std::string two = textOf(ALIDADE_SAMPLES_DIR "/two-causes.alidade");
-  EXPECT_THAT(two, ContainsRegex("Intersection Δd = 0\\.458[0-9]* mm ± 0\\.0[0-9]+ mm .*, of the fit alone"));
-  EXPECT_THAT(two, ContainsRegex("Measured: Δd = 0\\.41[0-9]* mm ± 0\\.0[89][0-9]* mm"));
+  EXPECT_THAT(two, ContainsRegex("^[^\n]+\nΔd, measured = 0\\.41[0-9]* mm ± 0\\.0[89][0-9]* mm \\(95 % "
+                                 "coverage\\); tolerance ± 0\\.5 mm\nVerdict: "))
+      << "right below the name of the session";
+  EXPECT_THAT(two, ContainsRegex("\n\nΔd, fit only = 0\\.458[0-9]* mm ± 0\\.0[0-9]+ mm "));
   EXPECT_THAT(two, ContainsRegex("  arc_ellipticity +0\\.01[0-9]* +[0-9.]+ % +B +0\\.05 mm +default"));
   EXPECT_THAT(two, HasSubstr("\nGap: The gap is best explained by several causes together: "));
   EXPECT_THAT(textOf(ALIDADE_SAMPLES_DIR "/noisy-readings.alidade"), Not(HasSubstr("\nGap: ")))
       << "noise alone";
+}
+
+TEST(FitText, SaysPlainlyThatNoDiagnosisWasMade) {
+  const ProgramRun run = alidadeCli({"fit", "--no-diagnosis", paperSession});
+  EXPECT_THAT(run.out, HasSubstr("\nΔd, measured: no diagnosis was made; tolerance ± 2.5 mm\n"
+                                 "Verdict, fit only: accept. "));
 }
 
 TEST(FitText, GivesTheBudgetAndTheFindings) {
@@ -87,7 +95,7 @@ TEST(FitText, TellsOneArcWithoutAnIntersection) {
       changedPaperSession([](nlohmann::ordered_json& session) { session["positions"].erase(0); })));
   EXPECT_THAT(text, HasSubstr("O2, axis 180°"));
   EXPECT_THAT(text, Not(HasSubstr("O1, axis")));
-  EXPECT_THAT(text, Not(HasSubstr("Intersection Δd")));
+  EXPECT_THAT(text, Not(HasSubstr("Δd, ")));
   EXPECT_THAT(text, HasSubstr("0°, so no intersection."));
 }
 

@@ -249,8 +249,37 @@ TEST(BenchEntry, TheLargeDisplayShowsWhatIsNext) {
   std::string texts;
   for (const QLabel* label : display->findChildren<QLabel*>()) texts += label->text().toStdString() + "\n";
   EXPECT_THAT(texts, HasSubstr("180°: Point 10"));
-  EXPECT_THAT(texts, HasSubstr("Δd = "));
+  EXPECT_THAT(texts, HasSubstr("Δd, "));
   EXPECT_THAT(texts, HasSubstr("330°"));
+}
+
+TEST(BenchEntry, TheLargeDisplayHasTheMeasuredResultAloneInLargeType) {
+  EntryBench bench;
+  bench.start(paperSession());
+  bench.open->entry().setLargeDisplayShown(true);
+  const auto* display = bench.open->findChild<BenchDisplay*>();
+  const auto labelWith = [&](const char* text) -> const QLabel* {
+    for (const QLabel* label : display->findChildren<QLabel*>())
+      if (label->text().contains(QString::fromUtf8(text))) return label;
+    return nullptr;
+  };
+  const auto isQuiet = [&](const QLabel* label) {
+    return label->palette().color(QPalette::WindowText) == stateColor(display->palette(), State::Quiet);
+  };
+  ASSERT_FALSE(bench.open->gapJob().isIdle()) << "the diagnosis waits for half a second of rest";
+  ASSERT_TRUE(labelWith("Provisional: the diagnosis is running.") && labelWith("Δd, fit only: 1.31"));
+  EXPECT_TRUE(isQuiet(labelWith("Provisional: the diagnosis is running.")));
+  EXPECT_TRUE(isQuiet(labelWith("Δd, fit only: 1.31")));
+  ASSERT_TRUE(waitFor([&] { return bench.open->gapJob().isIdle(); }));
+  const QLabel* measured = labelWith("Δd, measured: 1.30 ± 0.74 mm");
+  const QLabel* verdict = labelWith("Tolerance ± 2.5 mm · Accepted");
+  const QLabel* fitOnly = labelWith("Δd, fit only: 1.31 ± 0.21 mm");
+  ASSERT_TRUE(measured && verdict && fitOnly);
+  EXPECT_FALSE(isQuiet(measured) || isQuiet(verdict));
+  EXPECT_LT(measured->y(), verdict->y());
+  EXPECT_LT(verdict->y(), fitOnly->y());
+  EXPECT_LT(1.5 * fitOnly->font().pixelSize(), verdict->font().pixelSize());
+  EXPECT_LE(verdict->font().pixelSize(), measured->font().pixelSize());
 }
 
 TEST(BenchEntry, GonIsTypedAndShownWhereTheInstrumentHasIt) {

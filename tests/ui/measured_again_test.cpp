@@ -101,6 +101,8 @@ TEST(MeasuredAgain, IsTypedFittedSavedAndOpened) {
     other.settle();
     EXPECT_EQ(other->document().session(), open->document().session());
     EXPECT_THAT(tabsOf(other), ElementsAre("Axis at 0°", "Axis at 180°", name));
+    for (OpenWindow* window : {&open, &other})
+      ASSERT_TRUE(waitFor([&] { return (*window)->gapJob().isIdle(); }));
     EXPECT_EQ(textsOf(*other->findChild<ResultPanel*>()).substr(0, 40),
               textsOf(*open->findChild<ResultPanel*>()).substr(0, 40));
   }
@@ -116,7 +118,7 @@ TEST(MeasuredAgain, IsNoTroubleHalfTyped) {
   open.settle();
   measureAgain(open, 0);
   const std::string result = textsOf(*open->findChild<ResultPanel*>());
-  EXPECT_THAT(result, HasSubstr("Δd = ")) << "the new position is still empty";
+  EXPECT_THAT(result, HasSubstr("Δd, fit only: ")) << "the new position is still empty";
   typePosition(open, 2, whole.positions[2], 1);
   open.settle();
   EXPECT_THAT(textsOf(*open->findChild<ResultPanel*>()), HasSubstr("Sightings used\n17\n17\n"));

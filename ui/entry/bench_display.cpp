@@ -11,19 +11,25 @@
 #include "ui/text/next_reading_text.h"
 #include "ui/text/position_text.h"
 #include "ui/text/quantity_text.h"
-#include "ui/text/verdict_text.h"
 
 namespace alidade::ui {
 
 namespace {
 
 /// Of the height of the window, for each line.
-constexpr double placeShare = 0.10, anglesShare = 0.17, resultShare = 0.11, lastShare = 0.055;
+constexpr double placeShare = 0.10, anglesShare = 0.17, resultShare = 0.11, verdictShare = 0.08,
+                 lastShare = 0.055, smallShare = 0.045;
 
 void setHeight(QLabel& label, double pixels) {
   QFont font = label.font();
   font.setPixelSize(std::max(8, static_cast<int>(pixels)));
   label.setFont(font);
+}
+
+void setColour(QLabel& label, const QColor& colour) {
+  QPalette coloured = label.palette();
+  coloured.setColor(QPalette::WindowText, colour);
+  label.setPalette(coloured);
 }
 
 /// No wider than the window.
@@ -40,12 +46,14 @@ BenchDisplay::BenchDisplay(QWidget* parent)
       m_place(new QLabel),
       m_angles(new QLabel),
       m_last(new QLabel),
-      m_result(new QLabel) {
+      m_result(new QLabel),
+      m_verdict(new QLabel),
+      m_fitOnly(new QLabel) {
   setWindowTitle(tr("Large Display"));
   setAttribute(Qt::WA_ShowWithoutActivating);
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(24, 16, 24, 16);
-  for (QLabel* label : {m_place, m_angles, m_last, m_result}) {
+  for (QLabel* label : {m_place, m_angles, m_last, m_result, m_verdict, m_fitOnly}) {
     label->setAlignment(Qt::AlignCenter);
     label->setTextInteractionFlags(Qt::NoTextInteraction);
     layout->addWidget(label, label == m_angles ? 2 : 1);
@@ -54,6 +62,8 @@ BenchDisplay::BenchDisplay(QWidget* parent)
   m_angles->setAccessibleName(tr("Expected reading"));
   m_last->setAccessibleName(tr("Reading entered last"));
   m_result->setAccessibleName(tr("Result so far"));
+  m_verdict->setAccessibleName(tr("Tolerance and verdict"));
+  m_fitOnly->setAccessibleName(tr("Result of the fit only"));
   m_last->setWordWrap(true);
   QFont bold = m_angles->font();
   bold.setBold(true);
@@ -64,6 +74,11 @@ BenchDisplay::BenchDisplay(QWidget* parent)
 
 void BenchDisplay::setEvaluation(const SharedEvaluation& evaluation) {
   m_evaluation = evaluation;
+  refresh();
+}
+
+void BenchDisplay::setHeadline(const Headline& headline) {
+  m_headline = headline;
   refresh();
 }
 
@@ -88,14 +103,19 @@ void BenchDisplay::refresh() {
                                                  coarseAngleText(expected->vertical, unit))
                              : notStated());
   m_last->setText(m_doubt);
-  QPalette warning = palette();
-  warning.setColor(QPalette::WindowText, stateColor(palette(), State::Bad));
-  m_last->setPalette(warning);
-  const auto& intersection = m_evaluation->fit.intersection;
-  m_result->setText(intersection ? intersectionText(*m_evaluation->examined.measurement, intersection->value,
-                                                    intersection->expanded)
-                                 : tr("Δd = —"));
+  setColour(*m_last, stateColor(palette(), State::Bad));
+  showHeadline();
   fitText();
+}
+
+void BenchDisplay::showHeadline() {
+  m_result->setText(m_headline.nameAndFigure());
+  setColour(*m_result, m_headline.isProvisional ? stateColor(palette(), State::Quiet)
+                                                : palette().color(QPalette::WindowText));
+  m_verdict->setText(m_headline.toleranceAndVerdict());
+  setColour(*m_verdict, stateColor(palette(), stateOf(m_headline.verdict)));
+  m_fitOnly->setText(m_headline.fitOnly);
+  setColour(*m_fitOnly, stateColor(palette(), State::Quiet));
 }
 
 void BenchDisplay::fitText() {
@@ -103,6 +123,8 @@ void BenchDisplay::fitText() {
   setHeightWithin(*m_place, placeShare * height(), width);
   setHeightWithin(*m_angles, anglesShare * height(), width);
   setHeightWithin(*m_result, resultShare * height(), width);
+  setHeightWithin(*m_verdict, verdictShare * height(), width);
+  setHeightWithin(*m_fitOnly, smallShare * height(), width);
   setHeight(*m_last, lastShare * height());
 }
 

@@ -3,14 +3,15 @@
 #include <QWidget>
 
 #include "ui/jobs/fit_job.h"
+#include "ui/text/headline.h"
 
 class QLabel;
 
 namespace alidade::ui {
 
 /// What one wants to read from the tripod, in letters as large as the window lets them be: the next place
-/// with the angles expected there, what was last entered and whether it is as expected, and Δd so far. Never
-/// takes the keyboard: what is typed into it goes to the window.
+/// with the angles expected there, what was last entered and whether it is as expected, and the headline with
+/// Δd, fit only, in small type below. Never takes the keyboard: what is typed into it goes to the window.
 class BenchDisplay : public QWidget {
   Q_OBJECT
 
@@ -18,6 +19,7 @@ class BenchDisplay : public QWidget {
   explicit BenchDisplay(QWidget* parent);
 
   void setEvaluation(const SharedEvaluation& evaluation);
+  void setHeadline(const Headline& headline);
   /// The position that is being read.
   void setPosition(std::size_t position);
   /// Of the reading entered last; empty: it is as expected.
@@ -30,12 +32,14 @@ class BenchDisplay : public QWidget {
 
  private:
   void refresh();
+  void showHeadline();
   void fitText();
 
   SharedEvaluation m_evaluation;  ///< null before the first
   std::size_t m_position = 0;
   QString m_doubt;
-  QLabel *m_place, *m_angles, *m_last, *m_result;
+  Headline m_headline;
+  QLabel *m_place, *m_angles, *m_last, *m_result, *m_verdict, *m_fitOnly;
 };
 
 }  // namespace alidade::ui

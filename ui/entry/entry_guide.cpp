@@ -162,9 +162,15 @@ void EntryGuide::setEvaluation(const SharedEvaluation& evaluation) {
   showNext();
 }
 
+void EntryGuide::setHeadline(const Headline& headline) {
+  m_headline = headline;
+  if (m_bench) m_bench->setHeadline(headline);
+}
+
 void EntryGuide::setLargeDisplayShown(bool shown) {
   if (!m_bench && shown) {
     m_bench = new BenchDisplay(&m_window);
+    m_bench->setHeadline(m_headline);
     m_bench->setEvaluation(m_evaluation);
   }
   if (m_bench) m_bench->setVisible(shown);

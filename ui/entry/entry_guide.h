@@ -7,6 +7,7 @@
 #include "core/base/place.h"
 #include "core/session/entry_to_come.h"
 #include "ui/jobs/fit_job.h"
+#include "ui/text/headline.h"
 
 class QKeyEvent;
 class QWidget;
@@ -32,6 +33,7 @@ class EntryGuide : public QObject {
   void goToNextEntry();
   void setLargeDisplayShown(bool shown);
   void setEvaluation(const SharedEvaluation& evaluation);
+  void setHeadline(const Headline& headline);
 
  signals:
   void commitWanted();  ///< what is half typed belongs into the session first
@@ -55,6 +57,7 @@ class EntryGuide : public QObject {
   QWidget& m_window;
   BenchDisplay* m_bench = nullptr;  ///< null until it is wanted
   SharedEvaluation m_evaluation;    ///< null before the first
+  Headline m_headline;
 };
 
 }  // namespace alidade::ui

@@ -70,7 +70,7 @@ void layOut(ReportSheet& sheet, const Gap& gap, const ReportOptions& options) {
   const Evaluation& evaluation = *gap.evaluation;
   const auto prints = [&](ReportPart part) { return isPrinted(part, options.contents, gap); };
   FrontPage front = addSummary(sheet, gap, options);
-  addPlots(sheet, evaluation, prints(ReportPart::Arcs), prints(ReportPart::Residuals));
+  addPlots(sheet, gap, prints(ReportPart::Arcs), prints(ReportPart::Residuals));
   prints(ReportPart::Readings) ? addReadings(sheet, evaluation) : addRemarkableReadings(sheet, evaluation);
   if (prints(ReportPart::Journal)) addJournal(sheet, evaluation);
   if (!front.hasMethod) front.hasMethod = addMethodInTheRest(sheet, evaluation);

@@ -41,8 +41,8 @@ QStringList markSentences(const std::vector<Drawn>& drawn, const RowKinds& kinds
 
 QStringList insetSentences(const DrawnIntersection& intersection) {
   QStringList sentences{
-      Report::tr("Inset: the arc centres O1 and O2 with the axis midway between them; the heavy line is Δd, "
-                 "the bar at its end its expanded uncertainty U of the fit alone, the ellipses hold the "
+      Report::tr("Inset: the arc centres O1 and O2 of the fit with the axis midway between them; the heavy "
+                 "line is Δd, fit only, the bar at its end its expanded uncertainty U, the ellipses hold the "
                  "centres at %1 %.")
           .arg(plainNumberText(100 * intersection.coverage))};
   if (intersection.tolerance)
@@ -87,7 +87,7 @@ QString residualCaption(const ResidualPicture& picture, int figure) {
 
 }  // namespace
 
-void addPlots(ReportSheet& sheet, const Evaluation& evaluation, bool hasArcs, bool hasResiduals) {
+void addPlots(ReportSheet& sheet, const Gap& gap, bool hasArcs, bool hasResiduals) {
   if (!hasArcs && !hasResiduals) return;
   const double lacking = 252 - sheet.height();  // of A4's
   const double arcsHeight = 126 - 0.6 * lacking, residualsHeight = 86 - 0.4 * lacking;
@@ -101,7 +101,8 @@ void addPlots(ReportSheet& sheet, const Evaluation& evaluation, bool hasArcs, bo
                               : Report::tr("Residuals"));
   if (hasArcs) {
     const auto arcs = std::make_shared<ArcPlot>();
-    addPlot(sheet, arcs, evaluation, arcsHeight);
+    arcs->setHeadline(headlineOf(gap));
+    addPlot(sheet, arcs, *gap.evaluation, arcsHeight);
     sheet.paragraph(arcCaption(arcs->picture()), type::small);
   }
   if (!hasResiduals) return;
@@ -110,7 +111,7 @@ void addPlots(ReportSheet& sheet, const Evaluation& evaluation, bool hasArcs, bo
     sheet.mayBreak();
   }
   const auto residuals = std::make_shared<ResidualPlot>();
-  addPlot(sheet, residuals, evaluation, residualsHeight);
+  addPlot(sheet, residuals, *gap.evaluation, residualsHeight);
   sheet.paragraph(residualCaption(residuals->picture(), hasArcs ? 2 : 1), type::small);
 }
 

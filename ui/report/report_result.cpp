@@ -12,10 +12,10 @@
 #include "ui/text/effect_text.h"
 #include "ui/text/entry_text.h"
 #include "ui/text/finding_text.h"
+#include "ui/text/headline.h"
 #include "ui/text/position_text.h"
 #include "ui/text/quantity_text.h"
 #include "ui/text/spoken_place.h"
-#include "ui/text/verdict_text.h"
 
 namespace alidade::ui {
 namespace {
@@ -23,34 +23,10 @@ namespace {
 const QColor red(0xb0, 0x00, 0x20);
 const QColor pale(0xf2, 0xf2, 0xf2);
 constexpr double rowHeight = 4.5;  // mm, about
-const TextStyle wordStyle{.points = 15, .bold = true};
-const TextStyle valueStyle{.points = 11, .bold = true};
+const TextStyle large{.points = 15, .bold = true};
 
 QString percent(double share) {
   return plainNumberText(std::round(share * 1e6) / 1e4) + QStringLiteral(" %");
-}
-
-QString toleranceText(const Evaluation& evaluation) {
-  const std::optional<double> tolerance = evaluation.examined.measurement->tolerance;
-  return tolerance ? Report::tr("tolerance ± %1 mm").arg(plainNumberText(*tolerance))
-                   : Report::tr("no tolerance stated");
-}
-
-/// The result of the measurement, and below it what the fit alone has; without a diagnosis that only.
-QStringList intersectionLines(const Gap& gap) {
-  const auto& fitted = gap.evaluation->fit.intersection;
-  if (!fitted) return {};
-  const Measurement& measurement = *gap.evaluation->examined.measurement;
-  const QString ofFit = intersectionText(measurement, fitted->value, fitted->expanded);
-  const QString tolerance = QStringLiteral("     ") + toleranceText(*gap.evaluation);
-  if (!gap.diagnosis) return {Report::tr("%1 of the fit alone").arg(ofFit) + tolerance};
-  const MeasuredIntersection* measured = gap.measured();
-  const QString first =
-      measured
-          ? Report::tr("Measured: %1")
-                .arg(intersectionText(measurement, measured->estimate.value, measured->estimate.expanded))
-          : Report::tr("Measured: these readings do not determine Δd");
-  return {first + tolerance, Report::tr("of the fit alone: %1").arg(ofFit)};
 }
 
 QString coverageLine(const Gap& gap) {
@@ -59,9 +35,9 @@ QString coverageLine(const Gap& gap) {
   QStringList sentences{Report::tr("U: coverage %1.").arg(percent(fitted.coverage))};
   if (const MeasuredIntersection* measured = gap.measured())
     sentences.append(
-        Report::tr("As measured: u = %1, ν = %2.")
+        Report::tr("Δd, measured: u = %1, ν = %2.")
             .arg(u(measured->estimate.sigma), degreesOfFreedomText(measured->estimate.degreesOfFreedom)));
-  sentences.append(Report::tr("Of the fit alone: k = %1, u = %2, ν = %3.")
+  sentences.append(Report::tr("Δd, fit only: k = %1, u = %2, ν = %3.")
                        .arg(numberText(fitted.coverageFactor, 2), u(fitted.sigma),
                             degreesOfFreedomText(fitted.effectiveDegreesOfFreedom)));
   return Report::sentences(sentences);
@@ -125,7 +101,7 @@ void addBudget(ReportSheet& sheet, const MeasuredIntersection& measured, const Q
   const QString beside = QStringLiteral("  ");  // room beside the column before
   const IntersectionEstimate& found = measured.estimate;
   sheet.keepTogether(static_cast<double>(lines.size() + 5) * rowHeight);
-  sheet.heading(Report::tr("Uncertainty of the intersection as measured"));
+  sheet.heading(Report::tr("Uncertainty of Δd, measured"));
   //: heads of the budget: what of, how large it may be, type A or B, where that is known from, share
   ReportTable table(sheet, {{Report::tr("Source"), 62},
                             {Report::tr("1σ of its size"), 24, right},
@@ -163,7 +139,7 @@ void addBudget(ReportSheet& sheet, const MeasuredIntersection& measured, const Q
 void addBudget(ReportSheet& sheet, const Intersection& found) {
   constexpr auto right = Qt::AlignRight;
   sheet.keepTogether(static_cast<double>(found.budget.size() + 4) * rowHeight);
-  sheet.heading(Report::tr("Uncertainty of the intersection of the fit alone"));
+  sheet.heading(Report::tr("Uncertainty of Δd, fit only"));
   ReportTable table(sheet, {{Report::tr("Source"), 62},
                             {QStringLiteral("u (mm)"), 26, right},
                             {Report::tr("share of variance"), 34, right}});
@@ -240,10 +216,8 @@ void addReference(ReportSheet& sheet, const Gap& gap) {
   const QString given = plainNumberText(*reference) + QStringLiteral(" mm") +
                         (sigma ? QStringLiteral(" (u %1 mm)").arg(plainNumberText(*sigma)) : QString());
   const QString says =
-      measured ? Report::tr("Reference (never enters the fit): %1; Δd − reference = %2 as measured")
-               : Report::tr(
-                     "Reference (never enters the fit): %1; Δd − reference = %2 of the fit "
-                     "alone");
+      measured ? Report::tr("Reference (never enters the fit): %1; Δd, measured, minus reference = %2")
+               : Report::tr("Reference (never enters the fit): %1; Δd, fit only, minus reference = %2");
   sheet.paragraph(
       says.arg(given, valueWithUncertainty(found.value - *reference, found.expanded, QStringLiteral("mm"))));
 }
@@ -253,30 +227,35 @@ void addReference(ReportSheet& sheet, const Gap& gap) {
 void addVerdict(ReportSheet& sheet, const Gap& gap) {
   constexpr double inset = 3;
   const Evaluation& evaluation = *gap.evaluation;
-  const VerdictText verdict = verdictText(evaluation, gap.found());
+  const Headline headline = headlineOf(gap);
   const double inner = ReportSheet::width - 2 * inset;
   struct Part {
     QStringList lines;
     TextStyle style;
   };
-  std::vector<Part> parts{{sheet.lines(verdict.word, wordStyle, inner), wordStyle}};
-  for (const QString& line : intersectionLines(gap))
-    parts.push_back({sheet.lines(line, valueStyle, inner), valueStyle});
-  parts.push_back({sheet.lines(verdict.sentence, type::body, inner), type::body});
-  if (evaluation.fit.intersection)
-    parts.push_back({sheet.lines(coverageLine(gap), type::label, inner), type::label});
-  const QString unseen = unseenBeyondUText(gap);
-  if (!unseen.isEmpty()) parts.push_back({sheet.lines(unseen, type::body, inner), type::body});
-  const QString findings = findingsLine(gap);
-  if (!findings.isEmpty())
-    parts.push_back({sheet.lines(findings, type::body.inBold(), inner), type::body.inBold()});
+  std::vector<Part> parts;
+  const auto add = [&](const QString& text, const TextStyle& style) {
+    if (!text.isEmpty()) parts.push_back({sheet.lines(text, style, inner), style});
+  };
+  if (evaluation.fit.intersection) add(headline.nameAndFigure(), large);
+  if (sheet.textWidth(headline.toleranceAndVerdict(), large) <= inner) {
+    add(headline.toleranceAndVerdict(), large);
+  } else {
+    add(headline.tolerance, large);
+    add(headline.verdict.word, large);
+  }
+  add(headline.fitOnly, type::body);
+  add(headline.verdict.sentence, type::body);
+  if (evaluation.fit.intersection) add(coverageLine(gap), type::label);
+  add(unseenBeyondUText(gap), type::body);
+  add(findingsLine(gap), type::body.inBold());
   double height = inset;
   for (const Part& part : parts) height += part.lines.size() * sheet.lineHeight(part.style) + 0.4;
   sheet.skip(3.5);
   sheet.keepTogether(height + 2);
   const QRectF box(0, sheet.y(), ReportSheet::width, height);
   sheet.fill(box, pale);
-  sheet.outline(box, verdict.verdict == Verdict::Accept ? 0.4 : 0.8);
+  sheet.outline(box, headline.verdict.verdict == Verdict::Accept ? 0.4 : 0.8);
   double top = sheet.y() + inset / 2;
   for (const Part& part : parts) {
     for (const QString& line : part.lines) {

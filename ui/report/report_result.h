@@ -5,7 +5,7 @@
 
 namespace alidade::ui {
 
-/// The verdict in a frame: the word, the intersection, the sentence.
+/// The headline in a frame, alone in large type; then Δd, fit only, and the sentence.
 void addVerdict(ReportSheet& sheet, const Gap& gap);
 
 /// Every entry that could not be used, beside a red bar; nothing where all could.
@@ -14,7 +14,7 @@ void addProblems(ReportSheet& sheet, const Evaluation& evaluation);
 /// Both arcs with standard uncertainties, the intersection, and the reference where one is given.
 void addResult(ReportSheet& sheet, const Gap& gap);
 
-/// The budget of the measurement, then that of the fit alone; nothing without an intersection.
+/// The budget of the measurement, then that of Δd, fit only; nothing without an intersection.
 void addUncertainty(ReportSheet& sheet, const Gap& gap);
 
 }  // namespace alidade::ui

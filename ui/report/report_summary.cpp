@@ -151,9 +151,9 @@ QString methodText(const Evaluation& evaluation) {
       "The intersection Δd = (y(O1) − y(O2))/2 is half the distance of the arc centres at 0° (O1) "
       "and 180° (O2) across the axis. The share of the readings in its uncertainty is scaled by "
       "their scatter (s0), pointing zeros and distance enter as stated; the expanded uncertainty U "
-      "of the fit alone is k times the combined standard uncertainty, k from Student's "
-      "distribution with ν effective degrees of freedom. As measured, every effect of the "
-      "catalogue takes part, known beforehand to 1σ of its plausible size, and U also holds what "
+      "of Δd, fit only, is k times the combined standard uncertainty, k from Student's "
+      "distribution with ν effective degrees of freedom. Δd, measured, includes every effect of the "
+      "catalogue, known beforehand to 1σ of its plausible size, and its U also holds what "
       "else may explain the readings."));
   return Report::sentences(sentences);
 }

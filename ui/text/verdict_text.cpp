@@ -37,7 +37,7 @@ QString reasonForNoResult(const Evaluation& evaluation) {
   return VerdictWords::tr("The intersection needs an arc at 0° and an arc at 180°; not both are there.");
 }
 
-/// `isFinal`: as far as it goes the diagnosis has spoken.
+/// `isFinal`: the diagnosis has ended.
 VerdictText verdictText(const Evaluation& evaluation, const Diagnosis* diagnosis, bool isFinal) {
   const std::size_t unusable = hindrances(evaluation.session, evaluation.examined.problems).size();
   if (unusable > 0)
@@ -50,20 +50,19 @@ VerdictText verdictText(const Evaluation& evaluation, const Diagnosis* diagnosis
   if (!fit.intersection)
     return {.word = VerdictWords::tr("No result"), .sentence = reasonForNoResult(evaluation)};
   const Measurement& measurement = *evaluation.examined.measurement;
+  const QString provisional = VerdictWords::tr("Provisional: the diagnosis is running.");
   auto decision = decideAcceptance(measurement, fit, diagnosis);
+  if (!decision && !isFinal) return {.word = provisional, .sentence = {}};
   if (!decision)
     return {.word = VerdictWords::tr("No verdict"),
             .sentence = VerdictWords::tr("No tolerance stated, so nothing to decide against.")};
-  const auto sentence = [&] {
-    return qText(verdictSentence(measurement, fit, diagnosis, *decision, causeNameInCore));
-  };
-  if (!isFinal) {
-    decision->conformance.reset();
-    return {.word = VerdictWords::tr("%1 as modelled").arg(wordOf(decision->verdict)),
-            .sentence = sentence() + u' ' + VerdictWords::tr("Not final: the diagnosis is still to speak.")};
-  }
-  return {.word = wordOf(decision->verdict),
-          .sentence = sentence(),
+  if (!isFinal) decision->conformance.reset();
+  const QString sentence = qText(verdictSentence(measurement, fit, diagnosis, *decision, causeNameInCore));
+  if (!isFinal) return {.word = provisional, .sentence = sentence};
+  const QString word = wordOf(decision->verdict);
+  if (!diagnosis) return {.word = VerdictWords::tr("%1, fit only").arg(word), .sentence = sentence};
+  return {.word = word,
+          .sentence = sentence,
           .verdict = decision->verdict,
           .tellsAcross = tellsAcross(diagnosis, *decision)};
 }
@@ -74,14 +73,27 @@ VerdictText verdictText(const Evaluation& evaluation, const Diagnosis* diagnosis
   return verdictText(evaluation, diagnosis, true);
 }
 
-VerdictText verdictAsModelled(const Evaluation& evaluation) {
+VerdictText provisionalVerdict(const Evaluation& evaluation) {
   return verdictText(evaluation, nullptr, false);
+}
+
+State stateOf(const VerdictText& verdict) {
+  if (!verdict.verdict) return State::Quiet;
+  switch (*verdict.verdict) {
+    case Verdict::Accept:
+      return State::Good;
+    case Verdict::Reject:
+      return State::Bad;
+    case Verdict::Undecided:
+      break;
+  }
+  return State::Open;
 }
 
 QString intersectionText(const Measurement& measurement, double value, double expanded) {
   const int decimals = measurement.tolerance ? decimalsToDecide(value, expanded, *measurement.tolerance)
                                              : decimalsFor(expanded);
-  return QStringLiteral("Δd = ") + valueWithUncertainty(value, expanded, QStringLiteral("mm"), decimals);
+  return valueWithUncertainty(value, expanded, QStringLiteral("mm"), decimals);
 }
 
 }  // namespace alidade::ui

@@ -7,6 +7,7 @@
 #include <QDir>
 #include <QFile>
 #include <QRegularExpression>
+#include <QXmlStreamReader>
 #include <algorithm>
 
 #include "core/session/session_file.h"
@@ -33,9 +34,9 @@ TEST(AcceptanceReport, PrintsTheResultWithItsUncertaintyAndVerdict) {
   EXPECT_TRUE(front.contains(QStringLiteral("Acceptance report")));
   EXPECT_TRUE(front.contains(QString::fromStdString(evaluation.session.title)));
   EXPECT_TRUE(front.contains(QStringLiteral("Accepted")));
-  EXPECT_TRUE(front.contains(QStringLiteral("Δd = ") +
+  EXPECT_TRUE(front.contains(QStringLiteral("Δd, fit only: ") +
                              valueWithUncertainty(found.value, found.expanded, QStringLiteral("mm"))));
-  for (const char* value : {"tolerance ± 2.5 mm", "2405 mm", "400 mm", "O1 at 0° −0.834", "401.954",
+  for (const char* value : {"Tolerance ± 2.5 mm", "2405 mm", "400 mm", "O1 at 0° −0.834", "401.954",
                             "O2 at 180°", "403.914", "53.36", "42.19", "9.37″", "8.34″", "1.35 ± 0.21 mm",
                             "zenith", "σ pointing zero", "95 %", "Warning", "Operator, date"}) {
     EXPECT_TRUE(front.contains(QString::fromUtf8(value))) << value << "\n" << front.toStdString();
@@ -160,7 +161,7 @@ TEST(AcceptanceReport, PutsBothAccountsAndWhatIsUnseenBesideTheVerdict) {
   const QString contradicted = Printed(session).page(0).simplified();
   EXPECT_TRUE(contradicted.contains(QStringLiteral("Undecided"))) << contradicted.toStdString();
   EXPECT_TRUE(contradicted.contains(
-      QStringLiteral("Measured: Δd = 0.413 ± 0.092 mm tolerance ± 0.415 mm of the fit alone: Δd = 0.458 ± "
+      QStringLiteral("Δd, measured: 0.413 ± 0.092 mm Tolerance ± 0.415 mm · Undecided Δd, fit only: 0.458 ± "
                      "0.039 mm")))
       << contradicted.toStdString();
   EXPECT_FALSE(contradicted.contains(QStringLiteral("Rejected")));
@@ -173,6 +174,52 @@ TEST(AcceptanceReport, PutsBothAccountsAndWhatIsUnseenBesideTheVerdict) {
       front.contains(QStringLiteral("moves Δd by more than U: ") + causeName(diagnosis.unseen[0].effect)))
       << front.toStdString();
   EXPECT_FALSE(front.contains(QStringLiteral("nothing in the data speaks against")));
+}
+
+/// A line of the first page and the size of its letters, as poppler has it.
+struct PrintedLine {
+  QString text;
+  int size = 0;
+};
+
+QList<PrintedLine> firstPageOf(const Printed& report) {
+  const QString xml = report.tool(QStringLiteral("pdftohtml"),
+                                  {QStringLiteral("-xml"), QStringLiteral("-i"), QStringLiteral("-l"),
+                                   QStringLiteral("1"), QStringLiteral("-stdout"), report.path()});
+  QMap<QString, int> sizes;
+  QList<PrintedLine> lines;
+  QXmlStreamReader reader(xml);
+  while (!reader.atEnd()) {
+    if (reader.readNext() != QXmlStreamReader::StartElement) continue;
+    const QXmlStreamAttributes is = reader.attributes();
+    if (reader.name() == QStringLiteral("fontspec"))
+      sizes[is.value(QStringLiteral("id")).toString()] = is.value(QStringLiteral("size")).toInt();
+    if (reader.name() == QStringLiteral("text"))
+      lines.append({reader.readElementText(QXmlStreamReader::IncludeChildElements),
+                    sizes.value(is.value(QStringLiteral("font")).toString())});
+  }
+  return lines;
+}
+
+// Beside the title of the report.
+TEST(AcceptanceReport, HasTheMeasuredResultAloneInLargeTypeOnTheFirstPage) {
+  const QString measured = QStringLiteral("Δd, measured: 1.30 ± 0.74 mm");
+  const QString fitOnly = QStringLiteral("Δd, fit only: 1.31 ± 0.21 mm");
+  const QList<PrintedLine> lines = firstPageOf(Printed(paperSession()));
+  const auto at = std::ranges::find(lines, measured, &PrintedLine::text);
+  const auto below = std::ranges::find(lines, fitOnly, &PrintedLine::text);
+  ASSERT_TRUE(at != lines.end() && below != lines.end());
+  EXPECT_LT(at, below);
+  EXPECT_GT(at->size, 1.5 * below->size);
+  QStringList large;
+  for (const PrintedLine& line : lines)
+    if (line.size >= at->size) large.append(line.text);
+  EXPECT_EQ(large, QStringList({QStringLiteral("Acceptance report"), measured,
+                                QStringLiteral("Tolerance ± 2.5 mm · Accepted")}))
+      << large.join(u'\n').toStdString();
+  EXPECT_TRUE(std::none_of(lines.begin(), at, [](const PrintedLine& line) {
+    return line.text.contains(QStringLiteral("Δd"));
+  })) << "it comes first";
 }
 
 /// The first page, with what is known of the gap.
@@ -189,13 +236,14 @@ TEST(AcceptanceReport, StatesNoMoreOfTheMeasurementThanIsKnown) {
   Gap gap = assessGap(std::make_shared<const Evaluation>(evaluateFit(paperSession())));
   gap.diagnosis->measured.reset();
   EXPECT_TRUE(
-      frontPage(gap).contains(QStringLiteral("Measured: these readings do not determine Δd tolerance ± 2.5 "
-                                             "mm of the fit alone: Δd = 1.31 ± 0.21 mm")))
+      frontPage(gap).contains(QStringLiteral("Δd, measured: not determined by these readings Tolerance ± "
+                                             "2.5 mm · Undecided Δd, fit only: 1.31 ± 0.21 mm")))
       << frontPage(gap).toStdString();
   const QString undiagnosed = frontPage(noGap(gap.evaluation, "Stopped."));
-  EXPECT_TRUE(undiagnosed.contains(QStringLiteral("Δd = 1.31 ± 0.21 mm of the fit alone tolerance ± 2.5 mm")))
+  EXPECT_TRUE(
+      undiagnosed.contains(QStringLiteral("Δd, measured: no diagnosis was made Tolerance ± 2.5 mm · "
+                                          "Accepted, fit only Δd, fit only: 1.31 ± 0.21 mm")))
       << undiagnosed.toStdString();
-  EXPECT_FALSE(undiagnosed.contains(QStringLiteral("Measured:")));
 }
 
 // An effect that U as measured holds is not beyond it, though it is beyond U of the fit alone.
@@ -226,9 +274,9 @@ TEST(AcceptanceReport, PrintsTheBudgetOfTheMeasurementAboveThatOfTheFit) {
                             .simplified();
     EXPECT_TRUE(text.contains(row)) << row.toStdString() << text.toStdString();
   }
-  const auto asMeasured = text.indexOf(QStringLiteral("Uncertainty of the intersection as measured"));
+  const auto asMeasured = text.indexOf(QStringLiteral("Uncertainty of Δd, measured"));
   EXPECT_GE(asMeasured, 0);
-  EXPECT_GT(text.indexOf(QStringLiteral("Uncertainty of the intersection of the fit alone")), asMeasured);
+  EXPECT_GT(text.indexOf(QStringLiteral("Uncertainty of Δd, fit only")), asMeasured);
   EXPECT_FALSE(text.contains(QStringLiteral("arc_ellipticity"))) << "names, not ids";
 }
 

@@ -9,15 +9,22 @@
 namespace alidade::ui {
 namespace {
 
-VerdictText verdictAt(const char* tolerance) {
-  Session session = paperSession();
-  session.acceptance.toleranceMm = tolerance;
-  return verdictText(evaluate(session), nullptr);
-}
-
 MeasuredIntersection measuredAt(double value) {
   return {.estimate = {value, 0.1, 0.2, {{1, value, 0.1}}, std::numeric_limits<double>::infinity()},
           .budget = {{.effect = "plane_warp", .sigma = 0.1}}};
+}
+
+Evaluation evaluationAt(const char* tolerance) {
+  Session session = paperSession();
+  session.acceptance.toleranceMm = tolerance;
+  return evaluate(session);
+}
+
+/// Where the diagnosis finds what the fit has.
+VerdictText verdictAt(const char* tolerance) {
+  Diagnosis diagnosis;
+  diagnosis.measured = measuredAt(1.308);
+  return verdictText(evaluationAt(tolerance), &diagnosis);
 }
 
 TEST(VerdictText, SaysTheDecisionInAWord) {
@@ -26,6 +33,9 @@ TEST(VerdictText, SaysTheDecisionInAWord) {
   EXPECT_EQ(verdictAt("1.3").word, QStringLiteral("Undecided"));
   EXPECT_EQ(verdictAt("0.5").word, QStringLiteral("Rejected"));
   EXPECT_EQ(verdictAt("0.5").verdict, Verdict::Reject);
+  EXPECT_EQ(stateOf(verdictAt("2.5")), State::Good);
+  EXPECT_EQ(stateOf(verdictAt("1.3")), State::Open);
+  EXPECT_EQ(stateOf(verdictAt("0.5")), State::Bad);
   EXPECT_TRUE(verdictAt("0.5").sentence.contains(QStringLiteral("0.5 mm")));
 }
 
@@ -53,11 +63,15 @@ TEST(VerdictText, NamesWhatBringsTheMostToU) {
       << text.sentence.toStdString();
 }
 
+TEST(VerdictText, SaysThatItRestsOnTheFitOnlyWithoutADiagnosis) {
+  const VerdictText text = verdictText(evaluationAt("2.5"), nullptr);
+  EXPECT_EQ(text.word, QStringLiteral("Accepted, fit only"));
+  EXPECT_EQ(stateOf(text), State::Quiet);
+}
+
 TEST(VerdictText, AcceptsNothingBeforeTheDiagnosis) {
-  Session session = paperSession();
-  session.acceptance.toleranceMm = "2.5";
-  const VerdictText text = verdictAsModelled(evaluate(session));
-  EXPECT_EQ(text.word, QStringLiteral("Accepted as modelled"));
+  const VerdictText text = provisionalVerdict(evaluationAt("2.5"));
+  EXPECT_EQ(text.word, QStringLiteral("Provisional: the diagnosis is running."));
   EXPECT_EQ(text.verdict, std::nullopt);
   EXPECT_FALSE(text.sentence.contains(QStringLiteral("probability")));
 }

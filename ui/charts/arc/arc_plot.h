@@ -20,6 +20,8 @@ class ArcPlot : public Plot {
   explicit ArcPlot(QObject* parent = nullptr);
 
   void setEvaluation(const Evaluation& evaluation) override;
+  /// Of the same evaluation, in the inset.
+  void setHeadline(const Headline& headline) { m_inset->setHeadline(headline); }
   QString describe(const Mark& mark) const override;
   QString summary() const override;
   QString standard() const override;

@@ -47,6 +47,11 @@ void CentresInset::setStyle(const PlotStyle& style) {
   updateScale();
 }
 
+void CentresInset::setHeadline(const Headline& headline) {
+  m_headline = headline;
+  updateScale();
+}
+
 void CentresInset::setIntersection(const std::optional<DrawnIntersection>& intersection) {
   m_intersection = intersection;
   setVisible(intersection.has_value());
@@ -64,8 +69,10 @@ void CentresInset::updateScale() {
   update();
   if (!m_intersection || m_square.isEmpty() || m_style.font.pixelSize() <= 0) return;
   const double line = QFontMetricsF(m_style.font).height();
-  m_picture = m_square.adjusted(1.2 * line, 2.6 * line, -1.2 * line, -1.9 * line);
+  layOutTitles();
+  m_picture = m_square.adjusted(1.2 * line, titlesHeight() + 0.6 * line, -1.2 * line, -1.9 * line);
   m_isCompact = m_picture.width() < 2 * line || m_picture.height() < 2 * line;
+  if (m_isCompact) m_titles.clear();
   if (m_isCompact) m_picture = m_square.adjusted(0.4 * line, 0.4 * line, -0.4 * line, -1.9 * line);
   if (m_picture.width() < 2 * line || m_picture.height() < 1.5 * line) return;
   const DrawnIntersection& i = *m_intersection;
@@ -127,12 +134,13 @@ void CentresInset::paintBare(QPainter* painter) const {
                     QStringLiteral("O1, O2"));
 }
 
-/// All of the picture where its edges lie beyond.
+/// All of the picture below the titles where its edges lie beyond.
 void CentresInset::paintTolerance(QPainter* painter) const {
   const double tolerance = m_intersection->tolerance.value_or(0) * m_scale;
   if (tolerance <= 0) return;
   const double unit = m_style.unit(), centre = m_picture.center().y();
-  const QRectF inside = m_square.adjusted(unit, unit, -unit, -unit);
+  const double titles = m_titles.isEmpty() ? unit : titlesHeight() + 4 * unit;
+  const QRectF inside = m_square.adjusted(unit, titles, -unit, -unit);
   const double top = std::max(centre - tolerance, inside.top());
   const double bottom = std::min(centre + tolerance, inside.bottom());
   painter->fillRect(QRectF(inside.left(), top, inside.width(), bottom - top), m_style.outerBand);
@@ -298,28 +306,72 @@ void CentresInset::paintScaleBar(QPainter* painter) const {
                     text);
 }
 
+double CentresInset::titlesHeight() const {
+  double height = 0;
+  for (const TitleLine& title : m_titles) height += title.height;
+  return height;
+}
+
+double CentresInset::titleRoom() const {
+  return m_square.width() - 0.8 * QFontMetricsF(m_style.font).height();
+}
+
+/// As large as it fits, shortened where it does not; all take up the same height.
+CentresInset::TitleLine CentresInset::largeLine(const QString& text) const {
+  QFont font = m_style.font;
+  font.setBold(true);
+  double height = 0;
+  for (const double factor : {1.25, 1.1, 1.0}) {
+    font.setPixelSize(qRound(factor * m_style.font.pixelSize()));
+    height = std::max(height, QFontMetricsF(font).height());
+    if (QFontMetricsF(font).horizontalAdvance(text) <= titleRoom()) break;
+  }
+  return {QFontMetricsF(font).elidedText(text, Qt::ElideRight, titleRoom()), font,
+          m_headline.isProvisional ? m_style.mutedText : m_style.text, height};
+}
+
+/// On two lines where these fit in large type, else each part on its own; none where a figure does not fit.
+QList<CentresInset::TitleLine> CentresInset::headlineLines() const {
+  if (m_headline.name.isEmpty()) return {};
+  const auto isLarge = [&](const TitleLine& line) {
+    return line.font.pixelSize() > m_style.font.pixelSize();
+  };
+  Headline shown = m_headline;
+  if (shown.isProvisional) shown.verdict.word = InsetText::tr("Provisional");
+  const TitleLine first = largeLine(shown.nameAndFigure()), second = largeLine(shown.toleranceAndVerdict());
+  if (isLarge(first) && isLarge(second)) return {first, second};
+  QList<TitleLine> lines{{shown.name, m_style.font, m_style.mutedText}};
+  for (const QString& part : {shown.figure, shown.tolerance}) {
+    if (part.isEmpty()) continue;
+    lines.append(largeLine(part));
+    if (lines.back().text != part) return {};  // a figure that is cut short says something else
+  }
+  lines.append(largeLine(shown.verdict.word));
+  return lines;
+}
+
+/// What is in small type goes first where the picture needs the room.
+void CentresInset::layOutTitles() {
+  const double line = QFontMetricsF(m_style.font).height();
+  m_titles = headlineLines();
+  const double left = m_square.height() - titlesHeight() - 2.5 * line;
+  QStringList small;
+  if (left >= 6 * line) small.append(m_headline.fitOnly);
+  if (left >= 8 * line) small.append(InsetText::tr("Centres of the fit, enlarged"));
+  for (const QString& text : small)
+    if (QFontMetricsF(m_style.font).horizontalAdvance(text) <= titleRoom())
+      m_titles.append({text, m_style.font, m_style.mutedText});
+}
+
 void CentresInset::paintTitle(QPainter* painter) const {
-  if (m_isCompact) return;
-  const QFontMetricsF metrics(m_style.font);
-  const double room = m_square.width() - 0.8 * metrics.height();
-  QPointF at(m_square.left() + 0.4 * metrics.height(),
-             m_square.top() + metrics.ascent() + 0.2 * metrics.height());
-  painter->setPen(m_style.text);
-  // Of each line the longest wording that fits.
-  const DrawnIntersection& i = *m_intersection;
-  const QString value = valueWithUncertainty(i.value, i.expanded, QStringLiteral("mm"));
-  const QString coverage = QStringLiteral(" (%1 %)").arg(plainNumberText(i.coverage * 100));
-  const std::array<QStringList, 2> lines{
-      QStringList{InsetText::tr("Centres and axis, enlarged"), InsetText::tr("Centres, enlarged"),
-                  InsetText::tr("Centres")},
-      QStringList{QStringLiteral("Δd = ") + value + coverage, QStringLiteral("Δd = ") + value, value}};
-  for (const QStringList& wordings : lines) {
-    const auto fits = std::find_if(wordings.begin(), wordings.end(), [&](const QString& text) {
-      return metrics.horizontalAdvance(text) <= room;
-    });
-    if (fits == wordings.end()) continue;
-    painter->drawText(at, *fits);
-    at.ry() += metrics.height();
+  const double line = QFontMetricsF(m_style.font).height();
+  double top = m_square.top() + 0.2 * line;
+  for (const TitleLine& title : titleLines()) {
+    painter->setFont(title.font);
+    painter->setPen(title.colour);
+    painter->drawText(QPointF(m_square.left() + 0.4 * line, top + QFontMetricsF(title.font).ascent()),
+                      title.text);
+    top += title.height;
   }
 }
 

@@ -8,7 +8,6 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
-#include "core/wording/across.h"
 #include "ui/panels/parts/figure_grid.h"
 #include "ui/panels/result/axis_misfit.h"
 #include "ui/panels/result/findings_panel.h"
@@ -18,7 +17,6 @@
 #include "ui/text/entry_text.h"
 #include "ui/text/position_text.h"
 #include "ui/text/quantity_text.h"
-#include "ui/text/verdict_text.h"
 
 namespace alidade::ui {
 
@@ -50,19 +48,6 @@ QString unbroken(QString text) {
   return text;
 }
 
-/// Out of sight where its room is kept, so that what stands below stays where it is.
-void keepRoom(QLabel& label, bool kept) {
-  QSizePolicy policy = label.sizePolicy();
-  policy.setRetainSizeWhenHidden(kept);
-  label.setSizePolicy(policy);
-  if (kept) label.hide();
-}
-
-State stateOf(const std::optional<Verdict>& verdict) {
-  if (!verdict) return State::Quiet;
-  return *verdict == Verdict::Accept ? State::Good : *verdict == Verdict::Reject ? State::Bad : State::Open;
-}
-
 QString iconOf(const std::optional<Verdict>& verdict) {
   return verdict ? qText(verdictName(*verdict)) : QStringLiteral("none");
 }
@@ -71,10 +56,13 @@ QString iconOf(const std::optional<Verdict>& verdict) {
 
 ResultPanel::ResultPanel(QWidget* parent)
     : ScrollPage(tr("Result"), parent),
-      m_value(new QLabel),
-      m_valueNote(wrappedLabel()),
+      m_head(new QWidget),
+      m_name(new QLabel),
+      m_value(wrappedLabel()),
+      m_tolerance(wrappedLabel()),
+      m_fitOnly(wrappedLabel()),
+      m_missing(wrappedLabel()),
       m_unseen(wrappedLabel()),
-      m_measured(wrappedLabel()),
       m_badgeIcon(new QLabel),
       m_badge(new QLabel),
       m_sentence(wrappedLabel()),
@@ -85,23 +73,14 @@ ResultPanel::ResultPanel(QWidget* parent)
       m_published(new FigureGrid) {
   QFont bold = font();
   bold.setBold(true);
-  for (QLabel* figure : {m_value, m_measured, m_badge}) figure->setFont(bold);
-  for (QLabel* figure : {m_value, m_measured}) scaleFont(*figure, 1.5);
-  scaleFont(*m_badge, 1.25);
-  m_value->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  for (QLabel* large : {m_value, m_tolerance, m_badge}) large->setFont(bold);
+  scaleFont(*m_value, 1.5);
+  for (QLabel* large : {m_tolerance, m_badge}) scaleFont(*large, 1.25);
   m_badge->setWordWrap(true);
 
+  layOutHead();
   QVBoxLayout* layout = column();
-  layout->addWidget(m_value);
-  layout->addWidget(m_valueNote);
-  layout->addWidget(m_measured);
-  auto* badgeRow = new QHBoxLayout;
-  badgeRow->addWidget(m_badgeIcon);
-  badgeRow->addWidget(m_badge, 1);
-  layout->addLayout(badgeRow);
-  layout->addWidget(m_sentence);
-  layout->addWidget(m_unseen);
-  layout->addWidget(m_gapHint);
+  layout->addWidget(m_head);
   layout->addWidget(panelHeading(tr("Arcs")));
   layout->addWidget(m_arcs);
   layout->addSpacing(8);
@@ -118,7 +97,6 @@ ResultPanel::ResultPanel(QWidget* parent)
   layout->addWidget(m_comparison);
   layout->addStretch();
   m_comparison->hide();
-  m_measured->setTextInteractionFlags(Qt::TextSelectableByMouse);
   m_gapHint->setTextFormat(Qt::RichText);
   m_gapHint->setObjectName(QStringLiteral("gap hint"));
   m_gapHint->setAlignment(Qt::AlignLeft | Qt::AlignTop);
@@ -127,67 +105,68 @@ ResultPanel::ResultPanel(QWidget* parent)
   clearGap();
   connect(m_compare, &QCheckBox::toggled, m_comparison, &QWidget::setVisible);
   layOutByFont(*this, [this] { settleWidth(); });
+  setHeadline(headlineOf(Evaluation()));
   setEvaluation({});
+}
+
+void ResultPanel::layOutHead() {
+  auto* layout = new QVBoxLayout(m_head);
+  layout->setContentsMargins(0, 0, 0, 0);
+  for (QLabel* label : {m_name, m_value, m_tolerance}) layout->addWidget(label);
+  auto* badgeRow = new QHBoxLayout;
+  badgeRow->addWidget(m_badgeIcon);
+  badgeRow->addWidget(m_badge, 1);
+  layout->addLayout(badgeRow);
+  for (QLabel* label : {m_sentence, m_missing, m_fitOnly, m_unseen, m_gapHint}) layout->addWidget(label);
+  layout->addStretch();
 }
 
 void ResultPanel::setComparisonShown(bool shown) {
   m_compare->setChecked(shown);
 }
 
+void ResultPanel::setHeadline(const Headline& headline) {
+  m_name->setText(headline.name);
+  m_value->setText(headline.figure);
+  m_value->setToolTip(headline.tip);
+  m_tolerance->setText(headline.tolerance);
+  m_tolerance->setVisible(!headline.tolerance.isEmpty());
+  m_isProvisional = headline.isProvisional;
+  const bool hasResult = !headline.fitOnly.isEmpty();
+  showVerdict(hasResult ? headline.verdict : VerdictText{.word = tr("No result"), .sentence = {}});
+  showFitOnly(headline);
+}
+
 void ResultPanel::setGap(const Gap& gap) {
-  const VerdictText text = verdictText(*gap.evaluation, gap.found());
-  if (gap.evaluation->fit.intersection) showVerdict(text.word, text.sentence, text.verdict);
-  for (QLabel* label : {m_measured, m_unseen}) keepRoom(*label, false);
-  showMeasured(gap);
+  m_head->setMinimumHeight(0);
   m_unseen->setText(unbroken(unseenBeyondUText(gap)));
   m_unseen->setVisible(!m_unseen->text().isEmpty());
   m_gapHeadline = gap.isOpen() ? gapHeadline(*gap.diagnosis) : QString();
   m_gapHint->setVisible(!m_gapHeadline.isEmpty());
-  m_gapHint->setMinimumHeight(0);
   m_gapHint->setForegroundRole(QPalette::WindowText);
   m_gapHint->setText(
       tr("Model and readings disagree: <a href=\"gap\">%1</a>").arg(m_gapHeadline.toHtmlEscaped()));
 }
 
 void ResultPanel::clearGap() {
-  for (QLabel* label : {m_measured, m_unseen}) keepRoom(*label, false);
+  m_head->setMinimumHeight(0);
   m_gapHeadline.clear();
   m_gapHint->hide();
-  m_measured->hide();
   m_unseen->hide();
-}
-
-void ResultPanel::showMeasured(const Gap& gap) {
-  const bool isToShow = gap.diagnosis && gap.evaluation->fit.intersection;
-  m_measured->setVisible(isToShow);
-  m_measured->setToolTip({});
-  if (!isToShow) return;
-  const MeasuredIntersection* measured = gap.measured();
-  if (!measured) return m_measured->setText(tr("Measured:\nthese readings do not determine Δd"));
-  const IntersectionEstimate& found = measured->estimate;
-  m_measured->setText(
-      tr("Measured:\n%1")
-          .arg(intersectionText(*gap.evaluation->examined.measurement, found.value, found.expanded)));
-  m_measured->setToolTip(
-      tr("Δd = %1 mm, U = %2 mm at %3 % coverage.\nEvery effect of the catalogue takes part, as large as "
-         "these readings and what is plausible leave it. What each brings is on the page Budget.\n%4")
-          .arg(numberText(found.value, 6), numberText(found.expanded, 6),
-               plainNumberText(100 * gap.evaluation->examined.measurement->coverage),
-               qText(acrossSentence(*measured))));
 }
 
 /// What stands below stays where it is.
 void ResultPanel::setGapStale() {
-  for (QLabel* label : {m_measured, m_unseen}) keepRoom(*label, !label->isHidden());
+  m_head->setMinimumHeight(m_head->height());
+  m_unseen->hide();
   if (m_gapHeadline.isEmpty()) return;
-  m_gapHint->setMinimumHeight(m_gapHint->height());
   m_gapHint->setForegroundRole(QPalette::PlaceholderText);
   m_gapHint->setText(tr("Before what was changed since: %1").arg(m_gapHeadline.toHtmlEscaped()));
 }
 
 void ResultPanel::setEvaluation(const Evaluation& evaluation) {
-  showHeadline(evaluation);
-  showVerdict(evaluation);
+  m_missing->setText(evaluation.fit.intersection ? QString() : whatIsMissing(evaluation));
+  m_missing->setVisible(!evaluation.fit.intersection);
   showArcs(evaluation.fit);
   showComparison(evaluation);
 }
@@ -208,34 +187,18 @@ void ResultPanel::settleWidth() {
                                widthOf(wrapped, tr("Redundancy"), QStringLiteral("400.1234 (0.1234)")));
   const QMargins margins = widget()->layout()->contentsMargins();
   const int bar = verticalScrollBar()->sizeHint().width();
-  const int value =
-      QFontMetrics(m_value->font()).horizontalAdvance(QStringLiteral("Δd = −2.167 ± 0.042 mm")) + 4;
+  const int value = QFontMetrics(m_value->font()).horizontalAdvance(QStringLiteral("−2.167 ± 0.042 mm")) + 4;
   setMinimumWidth(std::max(value, figures) + margins.left() + margins.right() + bar + 2 * frameWidth());
 }
 
-void ResultPanel::showHeadline(const Evaluation& evaluation) {
-  const auto& intersection = evaluation.fit.intersection;
-  if (!intersection) {
-    m_value->setText(QStringLiteral("Δd = —"));
-    m_valueNote->setText(whatIsMissing(evaluation));
-    return;
-  }
-  m_value->setText(
-      intersectionText(*evaluation.examined.measurement, intersection->value, intersection->expanded));
-  m_value->setToolTip(tr("Δd = %1 mm, U = %2 mm")
-                          .arg(numberText(intersection->value, 6), numberText(intersection->expanded, 6)));
-  QString note = unbroken(tr("Of the fit alone, U at %1 % coverage (k = %2); u = %3")
-                              .arg(plainNumberText(intersection->coverage * 100),
-                                   numberText(intersection->coverageFactor, 2),
-                                   lengthText(intersection->sigma, decimalsFor(intersection->sigma))));
-  note.replace(QStringLiteral("u = "), QStringLiteral("u%1=%1").arg(QChar(QChar::Nbsp)));
-  const auto& measurement = evaluation.examined.measurement;
-  if (measurement && measurement->referenceIntersection) {
-    note += tr("\nReference %1, difference %2")
-                .arg(lengthText(*measurement->referenceIntersection, 3),
-                     lengthText(intersection->value - *measurement->referenceIntersection, 3));
-  }
-  m_valueNote->setText(note);
+/// Below the reference, with its own U.
+void ResultPanel::showFitOnly(const Headline& headline) {
+  QStringList lines{headline.reference, headline.fitOnly, headline.fitOnlyDetails};
+  lines.removeAll(QString());
+  QString text = unbroken(lines.join(u'\n'));
+  text.replace(QStringLiteral("u = "), QStringLiteral("u%1=%1").arg(QChar(QChar::Nbsp)));
+  m_fitOnly->setText(text);
+  m_fitOnly->setVisible(!lines.isEmpty());
 }
 
 QString ResultPanel::whatIsMissing(const Evaluation& evaluation) {
@@ -253,28 +216,28 @@ QString ResultPanel::whatIsMissing(const Evaluation& evaluation) {
       "at 0° and at 180°.");
 }
 
-void ResultPanel::showVerdict(const Evaluation& evaluation) {
-  if (!evaluation.fit.intersection) return showVerdict(tr("No result"), {}, {});
-  const VerdictText text = verdictAsModelled(evaluation);
-  showVerdict(text.word, text.sentence, text.verdict);
-}
-
-void ResultPanel::showVerdict(const QString& word, const QString& sentence, std::optional<Verdict> verdict) {
-  m_verdict = verdict;
-  m_badge->setText(word);
-  m_sentence->setText(unbroken(sentence));
-  m_sentence->setVisible(!sentence.isEmpty());
-  if (m_iconName != iconOf(verdict)) {
-    m_iconName = iconOf(verdict);
+void ResultPanel::showVerdict(const VerdictText& verdict) {
+  m_state = stateOf(verdict);
+  m_badge->setText(verdict.word);
+  m_sentence->setText(unbroken(verdict.sentence));
+  m_sentence->setVisible(!verdict.sentence.isEmpty());
+  if (const QString icon = iconOf(verdict.verdict); m_iconName != icon) {
+    m_iconName = icon;
     m_badgeIcon->setPixmap(themeIcon(m_iconName).pixmap(24, 24));
   }
-  colorVerdict();
+  colorHeadline();
 }
 
-void ResultPanel::colorVerdict() {
-  QPalette colored = palette();
-  colored.setColor(QPalette::WindowText, stateColor(palette(), stateOf(m_verdict)));
-  m_badge->setPalette(colored);
+/// A figure that is not the result is grey.
+void ResultPanel::colorHeadline() {
+  const auto colour = [&](QLabel* label, const QColor& text) {
+    QPalette coloured = palette();
+    coloured.setColor(QPalette::WindowText, text);
+    label->setPalette(coloured);
+  };
+  colour(m_badge, stateColor(palette(), m_state));
+  colour(m_value,
+         m_isProvisional ? stateColor(palette(), State::Quiet) : palette().color(QPalette::WindowText));
 }
 
 void ResultPanel::showArcs(const SessionFit& fit) {
@@ -352,7 +315,7 @@ void ResultPanel::showComparison(const Evaluation& evaluation) {
 void ResultPanel::changeEvent(QEvent* event) {
   ScrollPage::changeEvent(event);
   if (event->type() != QEvent::PaletteChange) return;
-  colorVerdict();
+  colorHeadline();
   const QString hint = m_gapHint->text();
   m_gapHint->clear();  // links take their colour when the text is set
   m_gapHint->setText(hint);

@@ -4,6 +4,7 @@
 
 #include "ui/jobs/gap.h"
 #include "ui/panels/parts/scroll_page.h"
+#include "ui/text/headline.h"
 
 class QCheckBox;
 class QGridLayout;
@@ -11,20 +12,22 @@ class QLabel;
 
 namespace alidade::ui {
 
-/// The result at a glance: Δd ± U and the verdict, then both arcs and, on request, the published method's
-/// figures. Says what is missing where there is no result. All figures can be selected and copied.
+/// The result at a glance: the headline alone in large type, Δd, fit only, below it in small type, then both
+/// arcs and, on request, the published method's figures. Says what is missing where there is no result. All
+/// figures can be selected and copied.
 class ResultPanel : public ScrollPage {
   Q_OBJECT
 
  public:
   explicit ResultPanel(QWidget* parent = nullptr);
 
+  void setHeadline(const Headline& headline);
+  /// The arcs, and what is missing where there is no result.
   void setEvaluation(const Evaluation& evaluation);
   /// The same evaluation, searched: the published method may have come with it.
   void setSearched(const Evaluation& evaluation);
   void setComparisonShown(bool shown);
-  /// What the diagnosis of the evaluation found: only now is the verdict final. Says with a link where model
-  /// and readings disagree.
+  /// Says what is undetectable here, and with a link where model and readings disagree.
   void setGap(const Gap& gap);
   /// The session has changed: what is said is said as of before.
   void setGapStale();
@@ -38,22 +41,25 @@ class ResultPanel : public ScrollPage {
   void changeEvent(QEvent* event) override;
 
  private:
-  void showHeadline(const Evaluation& evaluation);
-  void showVerdict(const Evaluation& evaluation);
-  void showVerdict(const QString& word, const QString& sentence, std::optional<Verdict> verdict);
-  void showMeasured(const Gap& gap);
+  void layOutHead();
+  void showVerdict(const VerdictText& verdict);
+  void showFitOnly(const Headline& headline);
   void showArcs(const SessionFit& fit);
   void showComparison(const Evaluation& evaluation);
-  void colorVerdict();
+  void colorHeadline();
   void settleWidth();
   static QString whatIsMissing(const Evaluation& evaluation);
 
-  std::optional<Verdict> m_verdict;
+  State m_state = State::Quiet;  ///< of the verdict
+  bool m_isProvisional = false;
   QString m_iconName, m_gapHeadline;
+  QWidget* m_head;  ///< all that changes with the diagnosis
+  QLabel* m_name;
   QLabel* m_value;
-  QLabel* m_valueNote;
-  QLabel* m_unseen;    ///< what may move Δd by more than U unseen
-  QLabel* m_measured;  ///< Δd as it was measured, beside that of the fit alone
+  QLabel* m_tolerance;
+  QLabel* m_fitOnly;
+  QLabel* m_missing;  ///< what is missing where there is no result
+  QLabel* m_unseen;   ///< what may move Δd by more than U unseen
   QLabel* m_badgeIcon;
   QLabel* m_badge;
   QLabel* m_sentence;

@@ -18,10 +18,10 @@ namespace alidade::ui {
 
 BudgetPanel::BudgetPanel(const SessionDocument& document, QWidget* parent)
     : ScrollPage(tr("Budget"), parent),
-      m_measuredTitle(panelHeading(tr("Standard uncertainty of Δd, as measured"))),
+      m_measuredTitle(panelHeading(tr("Standard uncertainty of Δd, measured"))),
       m_measured(new FigureGrid(nullptr, FigureGrid::Captions::Wrapped)),
       m_measuredNote(wrappedLabel()),
-      m_intersectionTitle(panelHeading(tr("Standard uncertainty of Δd, fit alone"))),
+      m_intersectionTitle(panelHeading(tr("Standard uncertainty of Δd, fit only"))),
       m_intersection(new FigureGrid),
       m_simulation(new SimulationBox(document)),
       m_centresTitle(panelHeading(tr("Standard uncertainty of the centres  mm"))),

@@ -164,6 +164,68 @@ TEST(CentresInset, WritesNoNameOverAnother) {
   EXPECT_GT(silent, 0);
 }
 
+Headline headlineOfPaper() {
+  Headline headline;
+  headline.name = QStringLiteral("Δd, measured");
+  headline.figure = QStringLiteral("1.30 ± 0.74 mm");
+  headline.tolerance = QStringLiteral("Tolerance ± 2.5 mm");
+  headline.verdict.word = QStringLiteral("Accepted");
+  headline.fitOnly = QStringLiteral("Δd, fit only: 1.31 ± 0.21 mm");
+  headline.isMeasured = true;
+  return headline;
+}
+
+const CentresInset::TitleLine* titleWith(const CentresInset& inset, const char* text) {
+  for (const CentresInset::TitleLine& line : inset.titleLines())
+    if (line.text.contains(QString::fromUtf8(text))) return &line;
+  return nullptr;
+}
+
+TEST(CentresInset, HasTheMeasuredResultAloneInLargeType) {
+  const int small = insetStyle().font.pixelSize();
+  int titled = 0;
+  for (int side = 60; side <= 600; side += 10) {
+    SCOPED_TRACE(side);
+    CentresInset inset;
+    inset.setStyle(insetStyle());
+    inset.setSquare(QRectF(0, 0, side, side));
+    inset.setIntersection(drawnIntersection());
+    inset.setHeadline(headlineOfPaper());
+    if (inset.titleLines().isEmpty()) continue;
+    ++titled;
+    EXPECT_TRUE(inset.titleLines().front().text.startsWith(QStringLiteral("Δd, measured"))) << "first";
+    for (const char* part : {"1.30 ± 0.74 mm", "Tolerance ± 2.5 mm", "Accepted"}) {
+      const CentresInset::TitleLine* line = titleWith(inset, part);
+      EXPECT_TRUE(line && line->font.bold()) << part;
+    }
+    EXPECT_GT(titleWith(inset, "1.30")->font.pixelSize(), small);
+    for (const CentresInset::TitleLine& line : inset.titleLines()) {
+      EXPECT_LE(QFontMetricsF(line.font).horizontalAdvance(line.text), side);
+      if (!line.text.contains(QStringLiteral("fit"))) continue;
+      EXPECT_TRUE(line.font.pixelSize() == small && !line.font.bold()) << line.text.toStdString();
+    }
+  }
+  EXPECT_GT(titled, 40) << "from a width of 190 on";
+}
+
+TEST(CentresInset, ShowsAProvisionalResultInAnotherColour) {
+  CentresInset inset;
+  inset.setStyle(insetStyle());
+  inset.setSquare(QRectF(0, 0, 400, 400));
+  inset.setIntersection(drawnIntersection());
+  inset.setHeadline(headlineOfPaper());
+  EXPECT_EQ(titleWith(inset, "1.30")->colour, insetStyle().text);
+  const double scale = inset.scale();
+  Headline provisional = headlineOfPaper();
+  provisional.name = QStringLiteral("Δd, fit only");
+  provisional.isProvisional = true;
+  inset.setHeadline(provisional);
+  EXPECT_EQ(titleWith(inset, "1.30")->colour, insetStyle().mutedText);
+  EXPECT_TRUE(titleWith(inset, "Provisional"));
+  EXPECT_FALSE(titleWith(inset, "Accepted"));
+  EXPECT_EQ(inset.scale(), scale) << "the picture stays as it is";
+}
+
 TEST(CentresInset, IsThereInASmallPicture) {
   ArcPlot plot;
   plot.setStyle(screenStyle(QApplication::palette(), QApplication::font()));

@@ -21,10 +21,15 @@ class Bench {
  public:
   explicit Bench(const Gap& gap) {
     panel.setEvaluation(*gap.evaluation);
-    panel.setGap(gap);
+    assess(gap);
     panel.resize(panel.minimumWidth(), 330);
     panel.show();
     QCoreApplication::processEvents();
+  }
+
+  void assess(const Gap& gap) {
+    panel.setHeadline(headlineOf(gap));
+    panel.setGap(gap);
   }
 
   QLabel* label(const QString& beginning) const {
@@ -33,65 +38,85 @@ class Bench {
     return nullptr;
   }
 
+  /// The visible texts in letters of at least this size in proportion to the panel's, from the top.
+  QStringList textsFrom(double factor) const {
+    std::map<int, QString> texts;
+    for (QLabel* label : panel.findChildren<QLabel*>())
+      if (label->isVisible() && !label->text().isEmpty() &&
+          label->font().pointSizeF() >= factor * panel.font().pointSizeF() - 0.01)
+        texts[label->mapTo(panel.widget(), QPoint()).y()] = label->text().simplified();
+    QStringList list;
+    for (const auto& [y, text] : texts) list.append(text);
+    return list;
+  }
+
   ResultPanel panel;
 };
 
 QString measuredText(const Gap& gap) {
   const IntersectionEstimate& found = gap.measured()->estimate;
-  return QStringLiteral("Measured: Δd = ") +
-         valueWithUncertainty(found.value, found.expanded, QStringLiteral("mm"));
+  return valueWithUncertainty(found.value, found.expanded, QStringLiteral("mm"));
 }
 
-TEST(ResultPanel, StatesTheMeasurementAlsoWhereThereIsNoGap) {
+TEST(ResultPanel, HasTheMeasuredResultAloneInLargeType) {
   for (const char* sample : {"clean-session.alidade", "paper-table-1.alidade"}) {
     const Gap gap = gapOf(sample);
     const Bench bench(gap);
-    const QLabel* measured = bench.label(QStringLiteral("Measured"));
-    ASSERT_TRUE(measured && measured->isVisible()) << sample;
-    EXPECT_EQ(measured->text().simplified().toStdString(), measuredText(gap).toStdString());
-    EXPECT_TRUE(measured->toolTip().contains(QStringLiteral("Every effect of the catalogue"))) << sample;
-    EXPECT_EQ(measured->font(), bench.label(QStringLiteral("Δd"))->font()) << "no less than the fit alone";
-    EXPECT_TRUE(bench.label(QStringLiteral("Of the fit alone")));
+    const Headline headline = headlineOf(gap);
+    EXPECT_EQ(bench.textsFrom(1.5), QStringList{measuredText(gap)}) << sample;
+    EXPECT_EQ(bench.textsFrom(1.25),
+              QStringList({measuredText(gap), headline.tolerance, headline.verdict.word}));
+    const QLabel* name = bench.label(QStringLiteral("Δd, measured"));
+    const QLabel* fitOnly = bench.label(headline.reference.isEmpty() ? QStringLiteral("Δd, fit only: ")
+                                                                     : QStringLiteral("Reference "));
+    ASSERT_TRUE(name && fitOnly);
+    EXPECT_EQ(name->y(), 0) << "it comes first";
+    EXPECT_TRUE(fitOnly->text().contains(QStringLiteral("Δd, fit only: "))) << fitOnly->text().toStdString();
+    EXPECT_GT(fitOnly->y(), bench.label(headline.verdict.word)->y());
   }
 }
 
-TEST(ResultPanel, SaysSoWhereTheReadingsDoNotDetermineTheIntersection) {
+TEST(ResultPanel, SaysInLargeTypeWhereThereIsNoMeasuredResult) {
   Gap gap = gapOf("clean-session.alidade");
   gap.diagnosis->measured.reset();
-  const Bench bench(gap);
-  const QLabel* measured = bench.label(QStringLiteral("Measured"));
-  EXPECT_EQ(measured->text(), QStringLiteral("Measured:\nthese readings do not determine Δd"));
-  EXPECT_TRUE(measured->toolTip().isEmpty());
+  EXPECT_EQ(Bench(gap).textsFrom(1.5), QStringList{QStringLiteral("not determined by these readings")});
+  EXPECT_EQ(Bench(noGap(gap.evaluation, "Stopped.")).textsFrom(1.5),
+            QStringList{QStringLiteral("no diagnosis was made")});
 }
 
-TEST(ResultPanel, SaysNothingOfTheMeasurementWithoutADiagnosis) {
-  const Gap gap = gapOf("clean-session.alidade");
-  const Bench bench(noGap(gap.evaluation, "Stopped."));
-  EXPECT_FALSE(bench.label(QStringLiteral("Measured")));
-  EXPECT_TRUE(bench.label(QStringLiteral("Δd"))->isVisible());
-}
-
-TEST(ResultPanel, StaysWhereItIsWhileTheDiagnosisIsOld) {
+TEST(ResultPanel, ShowsAProvisionalFigureGreyAndWithoutAVerdict) {
   const Gap gap = gapOf("paper-table-1.alidade");
   Bench bench(gap);
-  const QLabel* measured = bench.label(QStringLiteral("Measured"));
+  const auto colourOf = [&](const QString& beginning) {
+    return bench.label(beginning)->palette().color(QPalette::WindowText);
+  };
+  const QColor good = stateColor(bench.panel.palette(), State::Good);
+  const QColor quiet = stateColor(bench.panel.palette(), State::Quiet);
+  EXPECT_EQ(colourOf(QStringLiteral("Accepted")), good);
+  EXPECT_NE(colourOf(QStringLiteral("1.30")), quiet);
+  bench.panel.setHeadline(headlineOf(*gap.evaluation));
+  EXPECT_EQ(colourOf(QStringLiteral("1.31")), quiet);
+  EXPECT_EQ(colourOf(QStringLiteral("Provisional: the diagnosis is running.")), quiet);
+  EXPECT_FALSE(bench.label(QStringLiteral("Accepted")));
+}
+
+TEST(ResultPanel, StaysWhereItIsWhileTheDiagnosisIsRunning) {
+  const Gap gap = gapOf("paper-table-1.alidade");
+  Bench bench(gap);
   QLabel* arcs = bench.label(QStringLiteral("Arcs"));
   const int y = arcs->y();
   bench.panel.setGapStale();
+  bench.panel.setHeadline(headlineOf(*gap.evaluation));
   QCoreApplication::processEvents();
-  EXPECT_FALSE(measured->isVisible()) << "it is of before";
   EXPECT_EQ(arcs->y(), y);
-  bench.panel.setGap(gap);
+  bench.assess(gap);
   QCoreApplication::processEvents();
-  EXPECT_TRUE(measured->isVisible());
   EXPECT_EQ(arcs->y(), y);
 }
 
 TEST(ResultPanel, IsNoWiderThanItsPage) {
   const Bench bench(gapOf("paper-table-1.alidade"));
   EXPECT_LE(bench.panel.widget()->minimumSizeHint().width(), bench.panel.viewport()->width());
-  const QLabel* measured = bench.label(QStringLiteral("Measured"));
-  EXPECT_LT(measured->height(), 3 * measured->fontMetrics().height()) << "on two lines";
 }
 
 }  // namespace

@@ -20,7 +20,7 @@ namespace {
 using testing::HasSubstr;
 using testing::Not;
 
-const char* const asMeasured = "Standard uncertainty of Δd, as measured\n";
+const char* const asMeasured = "Standard uncertainty of Δd, measured\n";
 
 std::string shownBy(const QWidget* page) {
   QString texts;
@@ -64,7 +64,7 @@ TEST(BudgetOfTheMeasurement, StandsAboveThatOfTheFitAlone) {
   EXPECT_THAT(shown, HasSubstr(acrossSentence(*gap.measured())));
   EXPECT_THAT(shown, HasSubstr("Sessions like this one come to U = "));
   EXPECT_THAT(shown, Not(HasSubstr("_"))) << "names, not ids";
-  EXPECT_LT(shown.find(asMeasured), shown.find("Standard uncertainty of Δd, fit alone\n"));
+  EXPECT_LT(shown.find(asMeasured), shown.find("Standard uncertainty of Δd, fit only\n"));
 }
 
 TEST(BudgetOfTheMeasurement, IsGreyWhileItIsOldAndGoesWithTheSession) {
