@@ -19,8 +19,11 @@
 #include "core/effects/cause_ids.h"
 #include "core/series/shared_causes/diagnose_series.h"
 #include "core/session/session_file.h"
+#include "core/simulation/blind_trial.h"
 #include "core/simulation/protocol.h"
+#include "core/simulation/sealed_truth.h"
 #include "core/simulation/simulate.h"
+#include "core/simulation/truth_text.h"
 #include "core/wording/diagnosis_fault.h"
 
 namespace alidade {
@@ -35,7 +38,8 @@ constexpr std::uint64_t farApart = 1'000'003;  // seeds of the sessions of a ser
 /// Draws one series, step by step.
 class SeriesDraw {
  public:
-  explicit SeriesDraw(std::uint64_t seed) : m_seed(seed), m_random(seed, stream) {
+  explicit SeriesDraw(std::uint64_t seed)
+      : m_seed(seed), m_random(seed, stream), m_further(seed, furtherStream) {
     constexpr std::array names{"paper", "paper-slider", "there-and-back", "two-face"};
     m_protocol = protocolByName(names[static_cast<std::size_t>(m_random.whole(0, names.size() - 1))]);
     const auto count = static_cast<std::size_t>(m_random.whole(8, 12));
@@ -46,13 +50,18 @@ class SeriesDraw {
   }
 
   Result<SeriesTrial> trial() {
-    constexpr double nothing = 0.25, spoiled = 1.0 / 3;
+    constexpr double nothing = 0.25, spoiled = 1.0 / 3, foreign = 0.25;
     m_seal.id = std::to_string(m_seed);
     m_seal.protocol = m_protocol->name;
     const bool isEmpty = m_random.uniform() < nothing;
-    const Effect* effect = isEmpty ? nullptr : anyEffect();
-    layOut(effect);
-    if (effect && !put(*effect)) return Problem{"no effect shows in series " + m_seal.id};
+    if (m_further.uniform() < foreign) {
+      putUnknown();
+      if (!m_seal.visible) return Problem{"nothing of no catalogue shows in series " + m_seal.id};
+    } else {
+      const Effect* effect = isEmpty ? nullptr : anyEffect();
+      layOut(effect ? std::optional(effect->source) : std::nullopt);
+      if (effect && !put(*effect)) return Problem{"no effect shows in series " + m_seal.id};
+    }
     if (m_random.uniform() < spoiled) spoil();
     SeriesTrial trial{m_seal, {}};
     for (std::size_t s = 0; s < m_truths.size(); ++s) {
@@ -68,9 +77,9 @@ class SeriesDraw {
   }
 
  private:
-  static constexpr std::uint64_t stream = 5;  // apart from those of single trials
+  static constexpr std::uint64_t stream = 5, furtherStream = 6;  // apart from those of single trials
   std::uint64_t m_seed;
-  RandomSource m_random;
+  RandomSource m_random, m_further;
   const Protocol* m_protocol = nullptr;
   std::vector<Truth> m_truths;
   std::vector<std::string> m_instruments, m_guideways;
@@ -112,9 +121,9 @@ class SeriesDraw {
   }
 
   /// Which instrument reads which guideway in each session.
-  void layOut(const Effect* effect) {
+  void layOut(std::optional<ErrorSource> source) {
     const bool crossed = m_random.uniform() < 0.4;
-    const bool ofInstrument = effect && effect->source == ErrorSource::Instrument;
+    const bool ofInstrument = source == ErrorSource::Instrument;
     for (std::size_t s = 0; s < m_truths.size(); ++s) {
       const auto number = [&](std::size_t of) { return std::to_string(s % of + 1); };
       if (crossed) {
@@ -123,10 +132,9 @@ class SeriesDraw {
         continue;
       }
       m_instruments.push_back(ofInstrument ? "T-1" : "T-" + number(4));
-      m_guideways.push_back(!effect || ofInstrument ? "G-" + std::to_string(s + 1) : "G-1");
+      m_guideways.push_back(source != ErrorSource::Guideway ? "G-" + std::to_string(s + 1) : "G-1");
     }
-    if (!effect) return;
-    m_seal.kind = effect->id;
+    if (!source || source == ErrorSource::Time) return;
     m_seal.owner = ofInstrument ? CauseOwner::Instrument : CauseOwner::Guideway;
     m_seal.serial = ofInstrument ? "T-1" : "G-1";
   }
@@ -136,6 +144,7 @@ class SeriesDraw {
   bool put(const Effect& effect) {
     constexpr double least = 6, most = 10, mostPlausible = 6;
     const double angle = m_random.uniform(0, 2 * std::numbers::pi), target = m_random.uniform(least, most);
+    m_seal.kind = effect.id;
     const auto& serials = m_seal.owner == CauseOwner::Instrument ? m_instruments : m_guideways;
     double square = 0;
     for (std::size_t s = 0; s < m_truths.size(); ++s)
@@ -147,9 +156,88 @@ class SeriesDraw {
     return true;
   }
 
+  /// Whose a disturbance of no catalogue is.
+  static ErrorSource sourceOf(const Truth& truth) {
+    using enum ForeignEffect::Kind;
+    if (!truth.foreign) return ErrorSource::Guideway;
+    switch (truth.foreign->kind) {
+      case LocalDent:
+      case HighWarp:
+        return ErrorSource::Guideway;
+      case CirclePeriods:
+      case Refraction:
+      case Backlash:
+        return ErrorSource::Instrument;
+      case Settling:
+      case DistanceRamp:
+        break;
+    }
+    return ErrorSource::Time;
+  }
+
+  /// One that all sessions of its owner share, what the time brings in all alike. Of sessions without noise
+  /// how far it shows, and how far beyond whatever effect of the catalogue is nearest in each, is in
+  /// proportion to its size.
+  void putUnknown() {
+    constexpr double least = 8, most = 16, beyond = 6, mostSize = 300;
+    Truth drawn = m_truths.front();
+    putForeign(drawn, m_further);
+    const ErrorSource source = sourceOf(drawn);
+    layOut(source);
+    const auto has = [&](std::size_t s) {
+      if (m_seal.owner == CauseOwner::Time) return true;
+      return (m_seal.owner == CauseOwner::Instrument ? m_instruments : m_guideways)[s] == m_seal.serial;
+    };
+    double square = 0, nearest = 0;
+    for (std::size_t s = 0; s < m_truths.size(); ++s) {
+      if (!has(s)) continue;
+      m_truths[s].foreign = drawn.foreign;
+      m_truths[s].harmonic = drawn.harmonic;
+      const std::optional<Visibility> shown = shownIn(s);
+      square += std::pow(shown ? shown->sigma : 0, 2);
+      nearest += std::pow(shown ? shown->nearest : 0, 2);
+    }
+    const double target = m_further.uniform(least, most);
+    const double size = (m_further.uniform() < 0.5 ? -1 : 1) * target / std::max(std::sqrt(square), 1e-9);
+    if (std::abs(size) > mostSize || std::abs(size) * std::sqrt(nearest) < beyond) return;
+    for (std::size_t s = 0; s < m_truths.size(); ++s)
+      if (has(s)) setForeignSize(m_truths[s], size);
+    m_seal.kind = kindOf(m_truths[firstWith(has)]);
+    m_seal.visible = target;
+  }
+
+  template <typename Has>
+  std::size_t firstWith(const Has& has) const {
+    std::size_t s = 0;
+    while (!has(s)) ++s;
+    return s;
+  }
+
+  std::optional<Visibility> shownIn(std::size_t s) const {
+    const Result<Session> perfect = simulateWithoutNoise(*m_protocol, m_truths[s], m_seed * farApart + s);
+    if (!perfect) return std::nullopt;
+    const auto found = visibilityOf(*examine(*perfect).measurement, {});
+    return found ? std::optional(*found) : std::nullopt;
+  }
+
+  /// By a knock that nobody overlooks, or by a session that scatters as a whole.
+  void spoilFurther(Truth& truth) {
+    const auto step = [&] {
+      return Angle::fromArcseconds((m_further.uniform() < 0.5 ? -1 : 1) * m_further.uniform(60, 600));
+    };
+    if (m_further.uniform() < 0.5) {
+      truth.noiseFactor = m_further.uniform(2, 5);
+      m_seal.spoiledBy = noiseId;
+      return;
+    }
+    truth.jump = {.moment = m_further.uniform(0.1, 0.9), .horizontal = step(), .vertical = step()};
+    m_seal.spoiledBy = jumpId;
+  }
+
   void spoil() {
     const auto s = static_cast<std::size_t>(m_random.whole(0, static_cast<int>(m_truths.size()) - 1));
     m_seal.spoiled = s;
+    if (m_further.uniform() < 0.5) return spoilFurther(m_truths[s]);
     const double sign = m_random.uniform() < 0.5 ? -1 : 1;
     const int way = m_random.whole(0, 2);
     if (way == 0) {
@@ -243,16 +331,25 @@ Result<Json> truthsOf(const std::string& folder) {
   return json;
 }
 
-bool isSeries(const Json& entry) {
-  return entry.is_object() && entry.contains("shared") && entry.contains("sessions") &&
-         entry["sessions"].is_object() && entry.contains("kind") && entry["kind"].is_string();
+/// Without one that the truth states, that of the effect; of no catalogue by what the scenario says.
+CauseOwner ownerIn(const Json& entry, const std::string& kind) {
+  const auto says = [&](const char* key, std::string_view what) {
+    return entry.contains(key) && entry[key].is_string() &&
+           entry[key].get<std::string>().find(what) != std::string::npos;
+  };
+  for (const CauseOwner owner : {CauseOwner::Instrument, CauseOwner::Guideway})
+    if (says("shared", nameOf(owner)) || says("scenario", nameOf(owner))) return owner;
+  const Effect* effect = effectById(kind);
+  if (!effect || entry.contains("shared")) return CauseOwner::Time;
+  if (effect->source == ErrorSource::Instrument) return CauseOwner::Instrument;
+  return effect->source == ErrorSource::Guideway ? CauseOwner::Guideway : CauseOwner::Time;
 }
 
 SeriesSeal sealOf(const std::string& id, const Json& entry) {
   SeriesSeal seal{.id = id, .kind = entry["kind"].get<std::string>()};
-  if (entry["shared"] == "instrument") seal.owner = CauseOwner::Instrument;
-  if (entry["shared"] == "guideway") seal.owner = CauseOwner::Guideway;
-  if (entry.contains("protocol") && entry["protocol"].is_string()) seal.protocol = entry["protocol"];
+  seal.owner = ownerIn(entry, seal.kind);
+  for (const char* key : {"plan", "protocol"})
+    if (entry.contains(key) && entry[key].is_string()) seal.protocol = entry[key];
   if (entry.contains("visible_sigma_together") && entry["visible_sigma_together"].is_number())
     seal.visible = entry["visible_sigma_together"];
   return seal;
@@ -279,16 +376,21 @@ ScoredSeries scoreSeries(const SeriesSeal& seal, const SeriesDiagnosis& diagnosi
   for (const SharedCause& cause : diagnosis.causes) {
     const bool isShared = cause.owner != CauseOwner::Time || !cause.sizes.empty();
     if (!isShared) continue;
+    scored.isNoiseOfAll |= cause.cause.effect == noiseId && cause.sessions.size() > 1;
     if (!first) first = &cause;
     scored.answer += (scored.answer.empty() ? "" : ", ") + cause.cause.effect + " (" +
                      std::string(nameOf(cause.owner)) + (cause.serial.empty() ? "" : " " + cause.serial) +
                      ")";
   }
-  scored.isAlarm = first != nullptr;
+  const bool isUnknown = diagnosis.verdict == DiagnosisVerdict::NotInCatalogue;
+  scored.isAlarm = first != nullptr || isUnknown;
+  if (isUnknown) scored.answer = std::string(nameOf(diagnosis.verdict)) + (first ? ", " : "") + scored.answer;
   if (scored.answer.empty()) scored.answer = "nothing shared";
   for (const SeriesMember& member : diagnosis.sessions)
     scored.namedAlone += !member.causesAlone.empty() && blames(member.causesAlone.front(), seal.kind) ? 1 : 0;
-  if (first) {
+  if (isOfNoCatalogue(seal.kind)) {
+    scored.isNamed = scored.isFirst = scored.isOwnerRight = isUnknown && !first;
+  } else if (first && !isUnknown) {
     scored.isFirst = first->cause.effect == seal.kind;
     scored.isNamed = blames(first->cause, seal.kind);
     scored.isOwnerRight = first->owner == seal.owner && (seal.serial.empty() || first->serial == seal.serial);
@@ -309,15 +411,13 @@ Result<std::vector<ScoredSeries>> scoreStoredSeries(const std::string& folder, s
   if (!truths) return truths.problem();
   std::vector<std::pair<std::string, Json>> entries;
   for (const auto& [id, entry] : truths->items()) {
-    if (!isSeries(entry))
-      return Problem{(fs::path(folder) / "truth.json").string() + ": " + quotation(id) +
-                     " needs kind, shared and sessions"};
-    entries.emplace_back(id, entry);
+    if (isTruthOfSeries(entry)) entries.emplace_back(id, entry);
   }
   return scoreEach(entries.size(), threads, [&](std::size_t i) -> Result<SeriesTrial> {
     const auto& [id, entry] = entries[i];
     SeriesTrial trial{sealOf(id, entry), {}};
-    for (const auto& [session, truth] : entry["sessions"].items()) {
+    const char* sessions = entry.contains("sessions") ? "sessions" : "intersection_mm";
+    for (const auto& [session, truth] : entry[sessions].items()) {
       const std::string file = (fs::path(folder) / id / (session + ".alidade")).string();
       Result<Session> read = loadSession(file);
       if (!read) return Problem{file + ": " + read.problem().text()};
@@ -329,7 +429,12 @@ Result<std::vector<ScoredSeries>> scoreStoredSeries(const std::string& folder, s
 
 bool holdsSeries(const std::string& folder) {
   const Result<Json> truths = truthsOf(folder);
-  return truths && !truths->empty() && isSeries(truths->begin().value());
+  return truths && std::ranges::any_of(*truths, isTruthOfSeries);
+}
+
+bool holdsSessions(const std::string& folder) {
+  const Result<Json> truths = truthsOf(folder);
+  return !truths || !std::ranges::all_of(*truths, isTruthOfSeries) || truths->empty();
 }
 
 }  // namespace alidade
