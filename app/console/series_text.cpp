@@ -59,7 +59,8 @@ std::string patternText(const SharedPattern& pattern) {
   text += ", probability of no catalogue " + shortProbabilityText(pattern.probability) + "\n";
   if (pattern.visibleTogether > 0)
     text += "  shows by " + fixedText(pattern.visibleInOne, 1) + " σ in a session, by " +
-            fixedText(pattern.visibleTogether, 1) + " σ in " + counted(pattern.sessions.size(), "session") + "\n";
+            fixedText(pattern.visibleTogether, 1) + " σ in " + counted(pattern.sessions.size(), "session") +
+            "\n";
   return text;
 }
 

@@ -60,15 +60,16 @@ Json adviceJson(const SeriesAdvice& advice) {
 /// What a session's `shape` tells, and whose it is.
 Json shapeJson(const SeriesDiagnosis& series) {
   const SharedPattern& pattern = *series.pattern;
-  return {{"follows", pattern.follows},
-          {"order", pattern.order},
-          {"owner", nameOf(pattern.owner)},
-          {"serial", pattern.serial},
-          {"sessions", jsonOf(pattern.sessions, [&](std::size_t s) -> Json { return series.sessions[s].name; })},
-          {"of_each", pattern.isOfEach},
-          {"probability", pattern.probability},
-          {"visible_sigma_each", pattern.visibleInOne},
-          {"visible_sigma_together", pattern.visibleTogether}};
+  return {
+      {"follows", pattern.follows},
+      {"order", pattern.order},
+      {"owner", nameOf(pattern.owner)},
+      {"serial", pattern.serial},
+      {"sessions", jsonOf(pattern.sessions, [&](std::size_t s) -> Json { return series.sessions[s].name; })},
+      {"of_each", pattern.isOfEach},
+      {"probability", pattern.probability},
+      {"visible_sigma_each", pattern.visibleInOne},
+      {"visible_sigma_together", pattern.visibleTogether}};
 }
 
 /// The keys that a session's diagnosis has, filled with what the series says.

@@ -64,8 +64,7 @@ MatrixXd columnsOf(const Inquiry& inquiry) {
     if (columns.cols() == static_cast<Index>(own->count))
       all.middleCols(static_cast<Index>(own->first), columns.cols()) = columns;
   }
-  const MatrixXd patterns =
-      patternColumns(inquiry.leftover, *inquiry.base.measurement, *inquiry.base.fit);
+  const MatrixXd patterns = patternColumns(inquiry.leftover, *inquiry.base.measurement, *inquiry.base.fit);
   all.rightCols(patterns.cols()) = patterns;
   return all;
 }

@@ -18,9 +18,9 @@ namespace alidade {
 // together: an effect of one size x in all of them has the normal equations Σ N x = Σ b.
 //
 // Columns are those of all sought effects, then of patterns of no catalogue (`session_patterns.h`), one after
-// the other, the same for every session; a weight of 1 is a plausible size. N = CᵀC and b = Cᵀr of the visible columns C and the leftover r, both in σ of the
-// readings (`Leftover`). Of an effect that the readings cannot show, or that is in the model, the columns
-// are 0.
+// the other, the same for every session; a weight of 1 is a plausible size. N = CᵀC and b = Cᵀr of the
+// visible columns C and the leftover r, both in σ of the readings (`Leftover`). Of an effect that the
+// readings cannot show, or that is in the model, the columns are 0.
 
 /// The columns of one effect: of what bends with its second derivatives, (x, y, ½x², xy, ½y²).
 struct EffectColumns {

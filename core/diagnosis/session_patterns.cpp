@@ -84,22 +84,30 @@ std::vector<Recipe> makeRecipes() {
   addHarmonics(list, {slider, source, Slider, Of::Guideway, {}}, {2, 3, 4, 5, 6, 7, 8});
   add(PHRASE_LATER("Phrase", "radius from place to place, turning with the guideway"), Radius, Of::Guideway,
       Form::Smooth, manyWaves);
-  add(PHRASE_LATER("Phrase", "guideway out of its plane from place to place"), Across, Of::Guideway, Form::Smooth,
-      manyWaves);
+  add(PHRASE_LATER("Phrase", "guideway out of its plane from place to place"), Across, Of::Guideway,
+      Form::Smooth, manyWaves);
   add(PHRASE_LATER("Phrase", "slider readings from place to place"), Slider, Of::Guideway, Form::Smooth,
       manyWaves);
   add(PHRASE_LATER("Phrase", "radius on the way back"), Radius, Of::Leg, Form::WayBack);
   source = ErrorSource::Instrument;
   addHarmonics(list,
-               {PHRASE_LATER("Phrase", "horizontal readings along their circle"), source, HorizontalCircle,
-                Of::Circle, {}},
+               {PHRASE_LATER("Phrase", "horizontal readings along their circle"),
+                source,
+                HorizontalCircle,
+                Of::Circle,
+                {}},
                {2, 3, 4, 5, 6, 8, 10, 12, 14, 16, 18, 20, 22, 24});
   addHarmonics(list,
-               {PHRASE_LATER("Phrase", "vertical readings along their circle"), source, VerticalCircle,
-                Of::Circle, {}},
+               {PHRASE_LATER("Phrase", "vertical readings along their circle"),
+                source,
+                VerticalCircle,
+                Of::Circle,
+                {}},
                {2, 3, 4, 5, 6, 8, 12, 16, 24});
-  add(PHRASE_LATER("Phrase", "horizontal readings with azimuth"), Horizontal, Of::Azimuth, Form::Smooth, waves);
-  add(PHRASE_LATER("Phrase", "vertical readings with elevation"), Vertical, Of::Elevation, Form::Smooth, waves);
+  add(PHRASE_LATER("Phrase", "horizontal readings with azimuth"), Horizontal, Of::Azimuth, Form::Smooth,
+      waves);
+  add(PHRASE_LATER("Phrase", "vertical readings with elevation"), Vertical, Of::Elevation, Form::Smooth,
+      waves);
   add(PHRASE_LATER("Phrase", "horizontal readings with elevation"), Horizontal, Of::Elevation, Form::Smooth,
       waves);
   add(PHRASE_LATER("Phrase", "vertical readings with azimuth"), Vertical, Of::Azimuth, Form::Smooth, waves);
@@ -168,8 +176,9 @@ class Readings {
       case Along::Slider:
         return slider * m_leftover.column(Unknown::Kind::SliderZero);
       case Along::Distance:
-        return m_leftover.column(ErrorTerm::PlaneOffset)
-            .cwiseProduct(each([&](Index i) { return halfTurnSign(arcOf(i).axisDeg); }));
+        return m_leftover.column(ErrorTerm::PlaneOffset).cwiseProduct(each([&](Index i) {
+          return halfTurnSign(arcOf(i).axisDeg);
+        }));
       case Along::Horizontal:
       case Along::HorizontalCircle:
       case Along::Both:
@@ -185,8 +194,8 @@ class Readings {
     return seconds * m_vertical.cwiseProduct(face);
   }
 
-  /// Cosine and sine of so many periods of the circle as it stood, less those of the pointing zero, which was read
-  /// on it in face 1. Of the vertical circle what face 2 reads counts the other way round.
+  /// Cosine and sine of so many periods of the circle as it stood, less those of the pointing zero, which was
+  /// read on it in face 1. Of the vertical circle what face 2 reads counts the other way round.
   MatrixXd circleFunctions(const Recipe& recipe) const {
     const bool isHorizontal = recipe.along == Along::HorizontalCircle,
                isZenith = m_measurement.verticalCircle == VerticalCircle::Zenith;

@@ -8,9 +8,10 @@
 
 namespace alidade {
 
-// Patterns of no catalogued cause as several sessions may share them: functions of what means the same in each,
-// the guideway's coordinate, the circles as they are read, azimuth and elevation, the share of the session gone
-// by. Those of a session's own search (`shape_components.h`) follow what one session has in common instead.
+// Patterns of no catalogued cause as several sessions may share them: functions of what means the same in
+// each, the guideway's coordinate, the circles as they are read, azimuth and elevation, the share of the
+// session gone by. Those of a session's own search (`shape_components.h`) follow what one session has in
+// common instead.
 
 /// A pattern, as an effect whose id is what it follows. It has no numbers that people would know.
 struct SessionPattern {

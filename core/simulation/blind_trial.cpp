@@ -139,9 +139,8 @@ class Draw {
       putForeign(m_truth, m_random);
       const double target = farther * m_random.uniform(m_options.leastVisible, m_options.mostVisible);
       const double sign = this->sign();
-      scale(target, mostSize, [&](double size) {
-        setForeignSize(m_truth, m_truth.harmonic ? size : sign * size);
-      });
+      scale(target, mostSize,
+            [&](double size) { setForeignSize(m_truth, m_truth.harmonic ? size : sign * size); });
       const std::optional<Visibility> shown = shownAs({});
       if (shown && shown->sigma > 0.9 * target && shown->nearest > clearVisibility) return;
     }

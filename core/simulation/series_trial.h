@@ -45,9 +45,9 @@ struct ScoredSeries {
   bool isNamed = false;  ///< the truth is the first shared cause, or in its group; of no catalogue: told so
   bool isFirst = false;  ///< it is that cause
   bool isOwnerRight = false;
-  bool isAlarm = false;       ///< a shared cause is named, or a shared gap of no catalogue told
-  bool isNoiseOfAll = false;  ///< larger noise of several sessions is told
-  bool isSpoilerFound = false;               ///< the spoiled session is told to hold a cause of its own
+  bool isAlarm = false;         ///< a shared cause is named, or a shared gap of no catalogue told
+  bool isNoiseOfAll = false;    ///< larger noise of several sessions is told
+  bool isSpoilerFound = false;  ///< the spoiled session is told to hold a cause of its own
   std::size_t namedAlone = 0, sessions = 0;  ///< sessions that name it, or have it in their group, alone
   std::string answer;
 };
@@ -59,9 +59,9 @@ Result<std::vector<ScoredSeries>> scoreDrawnSeries(std::size_t count, std::uint6
                                                    std::size_t threads);
 
 /// Series made elsewhere: `folder`/truth.json, an object of series with `kind`, `shared` and `sessions`, and
-/// `folder`/SERIES/SESSION.alidade; where the truth does not say `shared`, the owner is the one that an effect
-/// of this kind has, and where it holds no `sessions`, they are those of its `intersection_mm`. Truths of
-/// sessions beside them are passed over. The sentence of a problem names the file.
+/// `folder`/SERIES/SESSION.alidade; where the truth does not say `shared`, the owner is the one that an
+/// effect of this kind has, and where it holds no `sessions`, they are those of its `intersection_mm`. Truths
+/// of sessions beside them are passed over. The sentence of a problem names the file.
 Result<std::vector<ScoredSeries>> scoreStoredSeries(const std::string& folder, std::size_t threads);
 
 /// Does the truth file hold series, and does it hold sessions?

@@ -35,9 +35,9 @@ struct DetectionBin {
 /// What became of the trials of one kind.
 struct KindTally {
   Tally right = {}, named = {};
-  Tally quiet = {};            ///< no gap was found
-  Tally after = {};            ///< true Δd within Δd ± U with the causes found, whatever they are
-  Tally measured = {};         ///< and as measured
+  Tally quiet = {};     ///< no gap was found
+  Tally after = {};     ///< true Δd within Δd ± U with the causes found, whatever they are
+  Tally measured = {};  ///< and as measured
 };
 
 struct TrialSummary {

@@ -45,14 +45,16 @@ std::string patternText(const SharedPattern& pattern) {
 
 std::string unknownText(const SeriesDiagnosis& series, const std::vector<std::string>& shared) {
   const SharedPattern& pattern = *series.pattern;
-  std::string text =
-      Phrase::of("The sessions (%1) share a gap that no effect of the catalogue explains.", pattern.sessions.size());
+  std::string text = Phrase::of("The sessions (%1) share a gap that no effect of the catalogue explains.",
+                                pattern.sessions.size());
   if (pattern.isOfEach)
-    text = Phrase::of("The gap of most sessions (%1) is explained by no effect of the catalogue, in each by itself.",
-                      pattern.sessions.size());
+    text = Phrase::of(
+        "The gap of most sessions (%1) is explained by no effect of the catalogue, in each by itself.",
+        pattern.sessions.size());
   text = Phrase::of("%1 It follows a pattern: %2.", text, patternText(pattern));
-  return shared.empty() ? text
-                        : Phrase::of("%1 Beside it they share %2.", text, listed(shared, Phrase::of(" and ")));
+  return shared.empty()
+             ? text
+             : Phrase::of("%1 Beside it they share %2.", text, listed(shared, Phrase::of(" and ")));
 }
 
 std::string together(const SeriesDiagnosis& series, const CauseNamer& name) {

@@ -79,9 +79,8 @@ std::vector<CommonNoise> noiseOf(const std::string& instrument, const Left& left
   const Range asStated = weighed(left, std::exp(-4 * knownTo), std::exp(4 * knownTo), [](double log) {
     return -0.5 * std::pow(log / knownTo, 2) - std::log(knownTo * std::sqrt(2 * M_PI));
   });
-  const Range larger = weighed(left, leastNoise, mostNoise, [](double) {
-    return std::log(noiseOdds / std::log(mostNoise / leastNoise));
-  });
+  const Range larger = weighed(left, leastNoise, mostNoise,
+                               [](double) { return std::log(noiseOdds / std::log(mostNoise / leastNoise)); });
   CommonNoise all{.instrument = instrument, .sessions = {}};
   all.probability = 1 / (1 + std::exp(std::clamp(asStated.log - larger.log, -700.0, 700.0)));
   all.isLarger = all.probability > certain;
@@ -145,13 +144,13 @@ std::vector<CommonNoise> commonNoise(const std::vector<SessionSums>& sums,
     if (owners[s].instrument.empty()) continue;
     Left& left = ofInstruments[owners[s].instrument];
     left.chiSquares.push_back(chiSquareLeft(sums[s], s, set));
-    left.f.push_back(
-        std::max(0, sums[s].evidence().degreesOfFreedom - static_cast<int>(account.directions)));
+    left.f.push_back(std::max(0, sums[s].evidence().degreesOfFreedom - static_cast<int>(account.directions)));
     left.isNoisy.push_back(account.noisy);
     left.sessions.push_back(s);
   }
   std::vector<CommonNoise> list;
-  for (const auto& [instrument, left] : ofInstruments) std::ranges::move(noiseOf(instrument, left), std::back_inserter(list));
+  for (const auto& [instrument, left] : ofInstruments)
+    std::ranges::move(noiseOf(instrument, left), std::back_inserter(list));
   return list;
 }
 

@@ -7,8 +7,8 @@
 namespace alidade {
 
 /// How much more than stated an instrument scatters in all its sessions: a few percent show in hundreds of
-/// readings that one session cannot show, and would pass for effects. A session may scatter by itself, a stand
-/// that was knocked say, and says nothing of the others then.
+/// readings that one session cannot show, and would pass for effects. A session may scatter by itself, a
+/// stand that was knocked say, and says nothing of the others then.
 struct CommonNoise {
   std::string instrument;
   std::vector<std::size_t> sessions;

@@ -181,7 +181,8 @@ class Conclusion {
     const SharedSet* simplest = &*best;
     const double enough = isUnknown ? certain : namedFrom;
     for (const SharedSet& other : m_sets)
-      if (!other.parts.empty() && other.isShaped() == isUnknown && other.parts.size() < simplest->parts.size() &&
+      if (!other.parts.empty() && other.isShaped() == isUnknown &&
+          other.parts.size() < simplest->parts.size() &&
           other.logPosteriorOdds > best->logPosteriorOdds - nearlyAsGood && isPartOf(other, *best))
         simplest = &other;
     m_best = *simplest;
@@ -213,7 +214,9 @@ class Conclusion {
       m_rivals.emplace_back();
       if (m_best.parts[p].block.isPattern()) continue;
       for (const auto& [block, odds] : rivalBlocks(p))
-        if (!block.isPattern()) m_rivals.back().push_back({std::string(block.columns().effect->id), block.owner, block.serial, odds});
+        if (!block.isPattern())
+          m_rivals.back().push_back(
+              {std::string(block.columns().effect->id), block.owner, block.serial, odds});
     }
   }
 
@@ -328,8 +331,8 @@ class Conclusion {
     return rivals;
   }
 
-  /// Where more than half of the sessions each hold a pattern of no catalogue by themselves: what most of these
-  /// follow.
+  /// Where more than half of the sessions each hold a pattern of no catalogue by themselves: what most of
+  /// these follow.
   std::optional<SharedPattern> patternOfMost() const {
     SharedPattern pattern{.follows = {}, .probability = 1, .isOfEach = true};
     std::map<std::string, std::size_t> counts;
@@ -569,7 +572,9 @@ class Conclusion {
     for (std::size_t p = 0; p < m_best.parts.size(); ++p) {
       const EffectBlock& block = m_best.parts[p].block;
       const Effect& effect = *block.columns().effect;
-      if (block.isPattern() || block.sizes == SizesKind::PerSession || effect.response == Response::AllOrNothing) continue;
+      if (block.isPattern() || block.sizes == SizesKind::PerSession ||
+          effect.response == Response::AllOrNothing)
+        continue;
       for (std::size_t i = 0; i < block.sessions.size(); ++i) {
         const std::size_t s = block.sessions[i];
         const SharedSet& others = folds[s % foldCount()];

@@ -26,8 +26,8 @@ const EffectColumns& pattern(const std::string& follows, int order) {
   return sharedColumns().back();
 }
 
-/// N w = b holds for the weights of what was put in, to a few percent of the length of b: readings follow it in
-/// proportion but for what bends.
+/// N w = b holds for the weights of what was put in, to a few percent of the length of b: readings follow it
+/// in proportion but for what bends.
 void expectToExplain(const SessionEvidence& evidence, const EffectColumns& columns,
                      const std::vector<double>& weights) {
   double length = 0, missed = 0;

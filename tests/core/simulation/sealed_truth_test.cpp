@@ -71,7 +71,8 @@ TEST(SealedTruth, RefusesWhatNoAnswerCanBeRightFor) {
 
 // Sets made elsewhere may hold what nobody here has seen.
 TEST(SealedTruth, TakesEveryKindOfNoCatalogue) {
-  for (const char* kind : {"unknown_refraction", "unknown_tripod_of_wood", "unknown", "radial_bump", "settling"}) {
+  for (const char* kind :
+       {"unknown_refraction", "unknown_tripod_of_wood", "unknown", "radial_bump", "settling"}) {
     const auto truths = readSealedTruths(
         R"({"a1": {"intersection_mm": 0, "look_alikes": [["moonlight", 0.9, 2]], "kind": ")" +
         std::string(kind) + "\"}}");

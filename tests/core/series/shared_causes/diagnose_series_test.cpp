@@ -153,13 +153,16 @@ TEST(DiagnoseSeries, OneMisreadValueSpoilsNothing) {
 
 /// In the sessions' own guideway, faint in each (some 3 σ).
 Drawn ofOneGuideway(double amplitude) {
-  return {.put = [amplitude](Truth& truth, std::size_t) { truth.harmonic = {5, amplitude, 0}; },
+  return {.put =
+              [amplitude](Truth& truth, std::size_t) {
+                truth.harmonic = {5, amplitude, 0};
+              },
           .instrument = [](std::size_t s) { return "T-" + std::to_string(s % 4); },
           .guideway = [](std::size_t) { return std::string("G-1"); }};
 }
 
-// A fifth harmonic of the radius is in no catalogue, and sessions share it with their guideway, whether or not a
-// session shows it alone.
+// A fifth harmonic of the radius is in no catalogue, and sessions share it with their guideway, whether or
+// not a session shows it alone.
 TEST(DiagnoseSeries, WhatNoCatalogueHoldsIsToldAsThat) {
   for (const double amplitude : {0.01, 0.14}) {
     const SeriesDiagnosis series = answerTo(drawn(ofOneGuideway(amplitude)));
