@@ -62,6 +62,7 @@ Json shapeJson(const SeriesDiagnosis& series) {
   const SharedPattern& pattern = *series.pattern;
   return {
       {"follows", pattern.follows},
+      {"share", pattern.share},
       {"order", pattern.order},
       {"owner", nameOf(pattern.owner)},
       {"serial", pattern.serial},

@@ -366,8 +366,11 @@ class Conclusion {
 
   SharedPattern patternOf(const SharedPart& part) const {
     const double together = m_search.visibleLength(part);
+    double excess = 1e-9;
+    for (const SessionEvidence& session : m_evidence) excess += session.chiSquare - session.degreesOfFreedom;
     return {.follows = std::string(part.block.columns().effect->id),
             .order = part.block.columns().order,
+            .share = together * together / std::max(excess, together * together),
             .owner = part.block.owner,
             .serial = part.block.serial,
             .sessions = part.block.sessions,

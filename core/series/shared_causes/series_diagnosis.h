@@ -85,6 +85,8 @@ struct SeriesCopy {
 struct SharedPattern {
   std::string follows;  ///< "radius along the guideway", …
   int order = 0;        ///< periods in a turn; 0: it is no harmonic
+  /// Of the gap of all sessions that it takes up, 0…1; not a number where each session holds one by itself.
+  double share = std::numeric_limits<double>::quiet_NaN();
   CauseOwner owner = CauseOwner::Time;
   std::string serial = {};                 ///< of the owner
   std::vector<std::size_t> sessions = {};  ///< that it acts in
