@@ -53,6 +53,17 @@ std::string causeText(const SharedCause& cause, const SeriesDiagnosis& series) {
   return text;
 }
 
+std::string patternText(const SharedPattern& pattern) {
+  std::string text = "\nPattern: " + pattern.follows;
+  if (pattern.order > 0) text += ", " + std::to_string(pattern.order) + " periods in a turn";
+  text += ", probability of no catalogue " + shortProbabilityText(pattern.probability) + "\n";
+  if (pattern.visibleTogether > 0)
+    text += "  shows by " + fixedText(pattern.visibleInOne, 1) + " σ in a session, by " +
+            fixedText(pattern.visibleTogether, 1) + " σ in " + counted(pattern.sessions.size(), "session") +
+            "\n";
+  return text;
+}
+
 std::string causesOf(const std::vector<Cause>& causes) {
   std::vector<std::string> ids;
   for (const Cause& cause : causes) ids.push_back(cause.effect);
@@ -97,7 +108,7 @@ std::string gapText(const SeriesDiagnosis& series) {
   std::string text = "\n" + alignedColumns({{"", "rms (″)", "reduced χ²"},
                                             row("as modelled", series.gap),
                                             row("with what is shared", series.after)});
-  if (!series.causes.empty() && !std::isnan(series.shrink.heldOut))
+  if ((!series.causes.empty() || series.pattern) && !std::isnan(series.shrink.heldOut))
     text += "Sessions held out shrink by " + fixedText(100 * series.shrink.heldOut, 1) + " %.\n";
   return text;
 }
@@ -123,8 +134,9 @@ std::string unseenText(const SeriesDiagnosis& series) {
 std::string seriesText(const std::string& name, const SeriesDiagnosis& series) {
   std::string text = heading(name) + "\nVerdict: " + std::string(nameOf(series.verdict)) + "\n" +
                      paragraph(sentenceOf(series)) + gapText(series);
+  if (series.pattern) text += patternText(*series.pattern);
   for (const SharedCause& cause : series.causes) text += causeText(cause, series);
-  if (!series.causes.empty()) text += whereText(series);
+  if (!series.causes.empty() || series.pattern) text += whereText(series);
   return text + sessionsText(series) + adviceText(series) + unseenText(series) +
          findingsText(findingsOf(series));
 }

@@ -16,7 +16,7 @@ using Json = nlohmann::ordered_json;
 constexpr double clear = 6;  // σ of all sessions together
 
 struct SeriesSummary {
-  Tally named, first, owner, silent, alone, spoiled, spoilers;
+  Tally named, first, owner, silent, alone, spoiled, spoilers, unknown, noiseOfAll;
 };
 
 SeriesSummary summaryOf(const std::vector<ScoredSeries>& series) {
@@ -25,11 +25,16 @@ SeriesSummary summaryOf(const std::vector<ScoredSeries>& series) {
     const bool isEmpty = one.seal.kind == "none";
     const bool isRight = isEmpty ? !one.isAlarm : one.isNamed;
     if (isEmpty) summary.silent.add(!one.isAlarm);
+    summary.noiseOfAll.add(one.isNoiseOfAll);
     if (one.seal.spoiled) {
       summary.spoiled.add(isRight);
       summary.spoilers.add(one.isSpoilerFound);
     }
     if (isEmpty || (one.seal.visible && *one.seal.visible < clear)) continue;
+    if (isOfNoCatalogue(one.seal.kind)) {
+      summary.unknown.add(one.isNamed);
+      continue;
+    }
     summary.named.add(one.isNamed);
     summary.first.add(one.isFirst);
     summary.owner.add(one.isOwnerRight);
@@ -57,9 +62,11 @@ std::string seriesTrialText(const std::vector<ScoredSeries>& series) {
       heading(std::to_string(series.size()) + " series") + "\n" +
       alignedColumns({scoreRow("named, or in its group", summary.named),
                       scoreRow("named first", summary.first), scoreRow("right owner", summary.owner),
+                      scoreRow("told as of no catalogue", summary.unknown),
                       scoreRow("silent where nothing is shared", summary.silent),
                       scoreRow("right though a session is spoiled", summary.spoiled),
                       scoreRow("the spoiled session told", summary.spoilers),
+                      scoreRow("larger noise told of several sessions", summary.noiseOfAll),
                       scoreRow("named by a session alone", summary.alone)});
   for (const ScoredSeries& one : series)
     if (one.seal.kind == "none" ? one.isAlarm : !one.isNamed || !one.isOwnerRight)
@@ -93,6 +100,8 @@ std::string seriesTrialJson(const std::vector<ScoredSeries>& series) {
                      {"named", scoreJson(summary.named)},
                      {"named_first", scoreJson(summary.first)},
                      {"owner_right", scoreJson(summary.owner)},
+                     {"of_no_catalogue", scoreJson(summary.unknown)},
+                     {"noise_of_several", scoreJson(summary.noiseOfAll)},
                      {"silent_where_empty", scoreJson(summary.silent)},
                      {"right_though_spoiled", scoreJson(summary.spoiled)},
                      {"spoiler_told", scoreJson(summary.spoilers)},

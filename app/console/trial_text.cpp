@@ -68,6 +68,19 @@ std::string confusionText(const TrialSummary& summary) {
   return text;
 }
 
+/// "12/15", or nothing where it does not apply.
+std::string countText(const Tally& tally) {
+  return tally.count == 0 ? "-" : std::to_string(tally.hits) + "/" + std::to_string(tally.count);
+}
+
+std::string kindsText(const TrialSummary& summary) {
+  Rows rows{{"  kind", "right", "named", "quiet", "after covers Δd", "measured covers Δd"}};
+  for (const auto& [kind, tally] : summary.kinds)
+    rows.push_back({"  " + kind, countText(tally.right), countText(tally.named), countText(tally.quiet),
+                    countText(tally.after), countText(tally.measured)});
+  return "\nBy kind of truth\n" + alignedColumns(rows);
+}
+
 /// Those that went wrong.
 std::string missedText(const std::vector<ScoredTrial>& trials) {
   constexpr std::size_t most = 40;
@@ -106,6 +119,8 @@ Json scoredJson(const ScoredTrial& trial) {
           {"detected", trial.score.detected},
           {"named", trial.score.named},
           {"covered", orNull(trial.score.covered)},
+          {"covered_after", orNull(trial.score.coveredAfter)},
+          {"covered_measured", orNull(trial.score.coveredMeasured)},
           {"back_to_noise", orNull(trial.score.backToNoise)},
           {"wrong_without", orNull(trial.wrongWithout)}};
 }
@@ -114,11 +129,17 @@ Json scoredJson(const ScoredTrial& trial) {
 
 std::string trialText(const std::vector<ScoredTrial>& trials, const TrialSummary& summary) {
   return std::to_string(summary.count) + " blind trials\n" + scoresText(summary) + checksText(summary) +
-         detectionText(summary) + confusionText(summary) + missedText(trials);
+         detectionText(summary) + kindsText(summary) + confusionText(summary) + missedText(trials);
 }
 
 std::string trialJson(const std::vector<ScoredTrial>& trials, const TrialSummary& summary) {
-  Json right = Json::object(), detection = Json::array(), list = Json::array();
+  Json right = Json::object(), kinds = Json::object(), detection = Json::array(), list = Json::array();
+  for (const auto& [kind, tally] : summary.kinds)
+    kinds[kind] = {{"right", tallyJson(tally.right)},
+                   {"named", tallyJson(tally.named)},
+                   {"quiet", tallyJson(tally.quiet)},
+                   {"covered_after", tallyJson(tally.after)},
+                   {"covered_measured", tallyJson(tally.measured)}};
   for (const auto& [trialClass, tally] : summary.right)
     right[std::string(nameOf(trialClass))] = tallyJson(tally);
   for (const DetectionBin& bin : summary.detection)
@@ -133,6 +154,7 @@ std::string trialJson(const std::vector<ScoredTrial>& trials, const TrialSummary
                      {"back_to_noise", tallyJson(summary.backToNoise)},
                      {"covered", tallyJson(summary.covered)},
                      {"wrong_without", tallyJson(summary.wrongWithout)},
+                     {"kinds", kinds},
                      {"detection", detection},
                      {"confusion", summary.confusion},
                      {"trials", list}};

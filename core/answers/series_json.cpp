@@ -57,6 +57,22 @@ Json adviceJson(const SeriesAdvice& advice) {
           {"instrument", advice.instrument}, {"guideway", advice.guideway},   {"sessions", advice.sessions}};
 }
 
+/// What a session's `shape` tells, and whose it is.
+Json shapeJson(const SeriesDiagnosis& series) {
+  const SharedPattern& pattern = *series.pattern;
+  return {
+      {"follows", pattern.follows},
+      {"share", pattern.share},
+      {"order", pattern.order},
+      {"owner", nameOf(pattern.owner)},
+      {"serial", pattern.serial},
+      {"sessions", jsonOf(pattern.sessions, [&](std::size_t s) -> Json { return series.sessions[s].name; })},
+      {"of_each", pattern.isOfEach},
+      {"probability", pattern.probability},
+      {"visible_sigma_each", pattern.visibleInOne},
+      {"visible_sigma_together", pattern.visibleTogether}};
+}
+
 /// The keys that a session's diagnosis has, filled with what the series says.
 Json together(const std::string& name, const SeriesDiagnosis& series) {
   Diagnosis all;
@@ -71,6 +87,8 @@ Json together(const std::string& name, const SeriesDiagnosis& series) {
   json["verdict"] = nameOf(series.verdict);
   json["sentence"] = sentenceOf(series);
   json["causes"] = jsonOf(series.causes, [&](const SharedCause& cause) { return causeJson(cause, series); });
+  if (series.pattern) json["shape"] = shapeJson(series);
+  json["of_no_catalogue"] = series.unknownChance;
   json["advice"] = jsonOf(series.advice, adviceJson);
   return json;
 }

@@ -10,6 +10,7 @@
 #include "core/diagnosis/evidence/bent_fit.h"
 #include "core/diagnosis/observability/look_alikes.h"
 #include "core/diagnosis/search/inquiry.h"
+#include "core/diagnosis/session_patterns.h"
 #include "core/effects/cause_ids.h"
 
 namespace alidade {
@@ -24,14 +25,32 @@ std::vector<double> listed(const VectorXd& vector) {
   return {vector.begin(), vector.end()};
 }
 
-std::vector<double> lowerTriangle(const MatrixXd& matrix) {
+/// Of the catalogue.
+std::size_t effectColumnCount() {
+  return effectColumns().back().first + effectColumns().back().count;
+}
+
+/// The inner products that are kept of columns, by `productAt`.
+std::vector<double> productsOf(const MatrixXd& columns) {
+  const auto ofEffects = static_cast<Index>(effectColumnCount());
+  const MatrixXd withEffects = columns.transpose() * columns.leftCols(ofEffects);
   std::vector<double> list;
-  for (Index row = 0; row < matrix.rows(); ++row)
-    for (Index column = 0; column <= row; ++column) list.push_back(matrix(row, column));
+  list.reserve(productAt(columnCount() - 1, columnCount() - 1) + 1);
+  for (Index row = 0; row < ofEffects; ++row)
+    for (Index column = 0; column <= row; ++column) list.push_back(withEffects(row, column));
+  for (const EffectColumns& pattern : sharedColumns()) {
+    if (!pattern.isPattern) continue;
+    const auto first = static_cast<Index>(pattern.first), count = static_cast<Index>(pattern.count);
+    const MatrixXd own = columns.middleCols(first, count).transpose() * columns.middleCols(first, count);
+    for (Index i = 0; i < count; ++i) {
+      for (Index column = 0; column < ofEffects; ++column) list.push_back(withEffects(first + i, column));
+      for (Index j = 0; j <= i; ++j) list.push_back(own(i, j));
+    }
+  }
   return list;
 }
 
-/// The visible columns of all effects.
+/// The visible columns of all effects and patterns.
 MatrixXd columnsOf(const Inquiry& inquiry) {
   MatrixXd all = MatrixXd::Zero(inquiry.leftover.rows(), static_cast<Index>(columnCount()));
   for (std::size_t i = 0; i < inquiry.candidates.size(); ++i) {
@@ -45,6 +64,8 @@ MatrixXd columnsOf(const Inquiry& inquiry) {
     if (columns.cols() == static_cast<Index>(own->count))
       all.middleCols(static_cast<Index>(own->first), columns.cols()) = columns;
   }
+  const MatrixXd patterns = patternColumns(inquiry.leftover, *inquiry.base.measurement, *inquiry.base.fit);
+  all.rightCols(patterns.cols()) = patterns;
   return all;
 }
 
@@ -161,7 +182,7 @@ void addCircleSums(const Inquiry& inquiry, const MatrixXd& columns, SessionEvide
   const MatrixXd scaled = scales.asDiagonal() * columns;
   evidence.circleSquares = residual.squaredNorm();
   evidence.circleRight = listed(scaled.transpose() * residual);
-  evidence.circleNormal = lowerTriangle(scaled.transpose() * scaled);
+  evidence.circleNormal = productsOf(scaled);
 }
 
 std::vector<double> influenceOf(const Inquiry& inquiry) {
@@ -207,8 +228,41 @@ const std::vector<EffectColumns>& effectColumns() {
   return all;
 }
 
+const std::vector<EffectColumns>& sharedColumns() {
+  static const std::vector<EffectColumns> all = [] {
+    std::vector<EffectColumns> columns = effectColumns();
+    std::size_t first = effectColumnCount();
+    for (const SessionPattern& pattern : sessionPatterns()) {
+      const auto count = static_cast<std::size_t>(pattern.columns);
+      columns.push_back({&pattern.effect, first, count, true, pattern.order});
+      first += count;
+    }
+    return columns;
+  }();
+  return all;
+}
+
 std::size_t columnCount() {
-  return effectColumns().back().first + effectColumns().back().count;
+  return sharedColumns().back().first + sharedColumns().back().count;
+}
+
+std::size_t productAt(std::size_t a, std::size_t b) {
+  static const std::size_t ofEffects = effectColumnCount();
+  struct Row {
+    std::size_t start, first;  ///< of what is kept; the first column of the pattern
+  };
+  static const std::vector<Row> rows = [] {
+    std::vector<Row> all;
+    std::size_t start = 0;
+    for (const EffectColumns& columns : sharedColumns())
+      for (std::size_t i = 0; i < columns.count; ++i) {
+        all.push_back({start, columns.first});
+        start += columns.isPattern ? ofEffects + i + 1 : columns.first + i + 1;
+      }
+    return all;
+  }();
+  const std::size_t row = std::max(a, b), column = std::min(a, b);
+  return rows[row].start + (column < ofEffects ? column : ofEffects + column - rows[row].first);
 }
 
 Result<SessionEvidence, DiagnosisFault> evidenceOf(const Measurement& measurement,
@@ -225,7 +279,7 @@ Result<SessionEvidence, DiagnosisFault> evidenceOf(const Measurement& measuremen
   if (const auto fault = undetermined(inquiry)) return DiagnosisFault(*fault);
   const MatrixXd columns = columnsOf(inquiry);
   SessionEvidence evidence;
-  evidence.normal = lowerTriangle(columns.transpose() * columns);
+  evidence.normal = productsOf(columns);
   evidence.accounts = Accounts(inquiry, columns).likeliest();
   evidence.chiSquare = inquiry.leftover.chiSquare();
   evidence.degreesOfFreedom = inquiry.leftover.degreesOfFreedom();

@@ -17,19 +17,29 @@ namespace alidade {
 // What one session says of every effect of the catalogue, handed out so that several sessions can be weighed
 // together: an effect of one size x in all of them has the normal equations Σ N x = Σ b.
 //
-// Columns are those of all sought effects, one after the other, the same for every session; a weight of 1 is
-// a plausible size. N = CᵀC and b = Cᵀr of the visible columns C and the leftover r, both in σ of the
-// readings (`Leftover`). Of an effect that the readings cannot show, or that is in the model, the columns
-// are 0.
+// Columns are those of all sought effects, then of patterns of no catalogue (`session_patterns.h`), one after
+// the other, the same for every session; a weight of 1 is a plausible size. N = CᵀC and b = Cᵀr of the
+// visible columns C and the leftover r, both in σ of the readings (`Leftover`). Of an effect that the
+// readings cannot show, or that is in the model, the columns are 0.
 
 /// The columns of one effect: of what bends with its second derivatives, (x, y, ½x², xy, ½y²).
 struct EffectColumns {
   const Effect* effect;
   std::size_t first, count;
+  bool isPattern = false;
+  int order = 0;  ///< of a pattern: periods in a turn; 0: it is no harmonic
 };
+/// Of the catalogue.
 const std::vector<EffectColumns>& effectColumns();
-/// Of all effects.
+/// The same, and then the patterns.
+const std::vector<EffectColumns>& sharedColumns();
+/// Of all of these.
 std::size_t columnCount();
+
+/// Where the product of two columns stands among those that are kept (`SessionEvidence::normal`): of each
+/// column those with the catalogue's up to itself, of a pattern's then those with its own. Of two patterns no
+/// product is kept.
+std::size_t productAt(std::size_t a, std::size_t b);
 
 /// One account of what a session holds by itself, so that it does not spoil what it says of an effect that it
 /// shares: nothing, misread values, a jump, larger noise, a cause of its own. Its columns A, with the weights
@@ -47,7 +57,7 @@ struct OwnAccount {
 };
 
 struct SessionEvidence {
-  std::vector<double> normal;        ///< N, the lower triangle row by row
+  std::vector<double> normal;        ///< N, by `productAt`
   std::vector<OwnAccount> accounts;  ///< the first: nothing
   double chiSquare = 0;              ///< of the leftover
   int degreesOfFreedom = 0;

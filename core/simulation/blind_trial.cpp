@@ -136,44 +136,14 @@ class Draw {
     constexpr double mostSize = 300;  // mm or arcsec: never needed where it shows at all
     constexpr double farther = 1.6;
     for (int i = 0; i < tries; ++i) {
-      drawForeign();
+      putForeign(m_truth, m_random);
       const double target = farther * m_random.uniform(m_options.leastVisible, m_options.mostVisible);
       const double sign = this->sign();
-      scale(target, mostSize, [&](double size) {
-        if (m_truth.harmonic) {
-          const double phase = std::atan2(m_truth.harmonic->sine, m_truth.harmonic->cosine);
-          m_truth.harmonic = {m_truth.harmonic->order, size * std::cos(phase), size * std::sin(phase)};
-        } else {
-          m_truth.foreign->size = sign * size;
-        }
-      });
+      scale(target, mostSize,
+            [&](double size) { setForeignSize(m_truth, m_truth.harmonic ? size : sign * size); });
       const std::optional<Visibility> shown = shownAs({});
       if (shown && shown->sigma > 0.9 * target && shown->nearest > clearVisibility) return;
     }
-  }
-
-  /// Of size 1.
-  void drawForeign() {
-    using Kind = ForeignEffect::Kind;
-    m_truth.harmonic.reset();
-    m_truth.foreign.reset();
-    const auto kinds = foreignEffectNames();
-    const auto kind = static_cast<std::size_t>(m_random.whole(0, static_cast<int>(kinds.size())));
-    const double phase = m_random.uniform(0, 360);
-    if (kind == kinds.size()) {
-      const double angle = Angle::fromDegrees(phase).radians();
-      m_truth.harmonic = {.order = m_random.whole(4, 9), .cosine = std::cos(angle), .sine = std::sin(angle)};
-      return;
-    }
-    ForeignEffect foreign{.kind = kinds[kind].kind, .size = 1, .first = 0, .second = phase};
-    if (foreign.kind == Kind::LocalDent) {
-      foreign.first = m_random.uniform(20, 160);
-      foreign.second = m_random.uniform(6, 20);
-    }
-    if (foreign.kind == Kind::CirclePeriods) foreign.first = 2 * m_random.whole(4, 12);
-    if (foreign.kind == Kind::Settling) foreign.first = m_random.uniform(0.05, 0.3);
-    if (foreign.kind == Kind::HighWarp) foreign.first = m_random.whole(3, 7);
-    m_truth.foreign = foreign;
   }
 
   /// Two that tell themselves apart from everything else, where the protocol allows it.
@@ -307,6 +277,36 @@ std::vector<TrialKind> kindsOf(const BlindTrialOptions& options, const Protocol&
 }
 
 }  // namespace
+
+void putForeign(Truth& truth, RandomSource& random) {
+  using Kind = ForeignEffect::Kind;
+  truth.harmonic.reset();
+  truth.foreign.reset();
+  const auto kinds = foreignEffectNames();
+  const auto kind = static_cast<std::size_t>(random.whole(0, static_cast<int>(kinds.size())));
+  const double phase = random.uniform(0, 360);
+  if (kind == kinds.size()) {
+    const double angle = Angle::fromDegrees(phase).radians();
+    truth.harmonic = {.order = random.whole(4, 9), .cosine = std::cos(angle), .sine = std::sin(angle)};
+    return;
+  }
+  ForeignEffect foreign{.kind = kinds[kind].kind, .size = 1, .first = 0, .second = phase};
+  if (foreign.kind == Kind::LocalDent) {
+    foreign.first = random.uniform(20, 160);
+    foreign.second = random.uniform(6, 20);
+  }
+  if (foreign.kind == Kind::CirclePeriods) foreign.first = 2 * random.whole(4, 12);
+  if (foreign.kind == Kind::Settling) foreign.first = random.uniform(0.05, 0.3);
+  if (foreign.kind == Kind::HighWarp) foreign.first = random.whole(3, 7);
+  truth.foreign = foreign;
+}
+
+void setForeignSize(Truth& truth, double size) {
+  if (truth.foreign) truth.foreign->size = size;
+  if (!truth.harmonic) return;
+  const double phase = std::atan2(truth.harmonic->sine, truth.harmonic->cosine);
+  truth.harmonic = {truth.harmonic->order, size * std::cos(phase), size * std::sin(phase)};
+}
 
 const std::vector<TrialKind>& trialKinds() {
   static const std::vector<TrialKind> kinds = makeKinds();

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "core/base/random_source.h"
 #include "core/base/result.h"
 #include "core/session/session.h"
 #include "core/simulation/sealed_truth.h"
@@ -43,5 +44,10 @@ struct BlindTrial {
 
 /// The same seed and options give the same trial. Fails where the protocol or a kind is not known.
 Result<BlindTrial> drawBlindTrial(const BlindTrialOptions& options, std::uint64_t seed);
+
+/// Puts a disturbance of no catalogue into the truth, of size 1 (mm or arcsec), its place and form drawn.
+void putForeign(Truth& truth, RandomSource& random);
+/// Gives it another size, mm or arcsec.
+void setForeignSize(Truth& truth, double size);
 
 }  // namespace alidade

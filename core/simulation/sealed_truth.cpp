@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <numeric>
+#include <utility>
 
 #include "core/base/limits.h"
 #include "core/base/utf8.h"
@@ -53,9 +55,44 @@ bool isSeveral(const std::string& kind) {
   return kind == "two_causes" || kind == "several_causes";
 }
 
+bool isDiagnosable(const std::string& id) {
+  return std::ranges::find(diagnosableEffects(), id) != diagnosableEffects().end();
+}
+
 /// A diagnosis may name it, or it is in no catalogue.
 bool isCause(const std::string& id) {
-  return isOfNoCatalogue(id) || std::ranges::find(diagnosableEffects(), id) != diagnosableEffects().end();
+  return id.starts_with("unknown") || isDiagnosable(id);
+}
+
+/// Letters to put in, leave out or exchange (Levenshtein).
+std::size_t lettersApart(std::string_view a, std::string_view b) {
+  std::vector<std::size_t> row(b.size() + 1);
+  std::iota(row.begin(), row.end(), std::size_t{0});
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    std::size_t before = std::exchange(row[0], i + 1);
+    for (std::size_t j = 0; j < b.size(); ++j) {
+      const std::size_t exchanged = before + (a[i] == b[j] ? 0 : 1);
+      before = row[j + 1];
+      row[j + 1] = std::min({exchanged, row[j] + 1, before + 1});
+    }
+  }
+  return row.back();
+}
+
+/// An effect that can be diagnosed was meant, and mistyped.
+bool isMistyped(const std::string& kind) {
+  constexpr std::size_t longest = 64, slips = 2;
+  return !isDiagnosable(kind) && kind.size() <= longest &&
+         std::ranges::any_of(diagnosableEffects(),
+                             [&](const auto& id) { return lettersApart(kind, id) <= slips; });
+}
+
+/// The effect's id of what other referees call otherwise: a drift with its zeros sighted as it goes on, and
+/// readings written to coarse steps, which scatter more than stated.
+std::string kindCalled(const std::string& kind) {
+  if (kind == "drift_real_h") return "horizontal_drift";
+  if (kind == "drift_real_v") return "vertical_drift";
+  return kind == "rounding" ? noiseId : kind;
 }
 
 /// Why no answer to this truth could be right, the key at fault first.
@@ -66,10 +103,8 @@ std::optional<std::string> whyUnscorable(const SealedTruth& truth) {
              ", which is neither an effect that can be diagnosed nor unknown_…";
   if (isSeveral(truth.kind) && truth.causes.size() < 2)
     return "causes must name them where the kind is " + truth.kind;
-  if (truth.kind != "none" && truth.causes.size() < 2 && !isCause(truth.kind))
-    return "kind is " + quotation(truth.kind) +
-           ", which is neither none, an effect that can be diagnosed, two_causes, several_causes nor "
-           "unknown_…";
+  if (truth.causes.size() < 2 && isMistyped(truth.kind))
+    return "kind is " + quotation(truth.kind) + ", which is no effect but nearly one: correct its name";
   if (truth.kind == grossErrorId && truth.grossErrors.empty())
     return "blunders must list the readings that are wrong where the kind is " + truth.kind;
   if (truth.visible && *truth.visible < 0) return "visible_sigma must not be negative";
@@ -84,9 +119,14 @@ std::optional<SealedTruth> readTruth(const std::string& id, const Json& json, st
     key = name;
     return json.contains(name) && !json.at(name).is_null();
   };
-  truth.kind = at("kind").get<std::string>();
+  truth.kind = kindCalled(at("kind").get<std::string>());
   truth.intersection = at("intersection_mm").get<double>();
   if (given("protocol")) truth.protocol = json.at(key).get<std::string>();
+  if (given("plan")) truth.protocol = json.at(key).get<std::string>();
+  if (truth.kind == "all" && given("there")) {
+    truth.kind = "several_causes";
+    for (const auto& [effect, size] : json.at(key).items()) truth.causes.push_back(effect);
+  }
   if (given("causes")) truth.causes = json.at(key).get<std::vector<std::string>>();
   if (truth.causes.empty() && truth.kind != "none" && !isSeveral(truth.kind)) truth.causes = {truth.kind};
   if (given("visible_sigma")) truth.visible = json.at(key).get<double>();
@@ -99,7 +139,13 @@ std::optional<SealedTruth> readTruth(const std::string& id, const Json& json, st
 }  // namespace
 
 bool isOfNoCatalogue(const std::string& kind) {
-  return kind.starts_with("unknown");
+  return kind != "none" && !isSeveral(kind) && !isDiagnosable(kind);
+}
+
+bool isTruthOfSeries(const Json& entry) {
+  return entry.is_object() && entry.contains("kind") && entry["kind"].is_string() &&
+         ((entry.contains("shared") && entry.contains("sessions") && entry["sessions"].is_object()) ||
+          (entry.contains("intersection_mm") && entry["intersection_mm"].is_object()));
 }
 
 SealedTruth sealed(const std::string& id, const Truth& truth, const std::optional<Visibility>& visibility) {
@@ -138,6 +184,7 @@ Result<std::vector<SealedTruth>> readSealedTruths(const std::string& text) {
         "it holds no truth, so there is nothing to score: take the truth.json that belongs to the sessions"};
   std::vector<SealedTruth> truths;
   for (const auto& [id, entry] : json.items()) {
+    if (isTruthOfSeries(entry)) continue;
     std::string key;
     std::optional<SealedTruth> truth;
     try {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <compare>
+#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
 #include <vector>
@@ -33,8 +34,11 @@ struct SealedTruth {
   std::vector<GrossErrorCell> grossErrors = {};  ///< in order
 };
 
-/// Put in on purpose, though no catalogue holds it: `unknown_…`, whatever follows.
+/// Put in on purpose, though no catalogue holds it: whatever the diagnosis has no name for.
 bool isOfNoCatalogue(const std::string& kind);
+
+/// Of a truth file: the truth of a series of sessions, which has a Δd for each of them.
+bool isTruthOfSeries(const nlohmann::json& entry);
 
 /// `visibility` of the truth's only effect, where there is one.
 SealedTruth sealed(const std::string& id, const Truth& truth, const std::optional<Visibility>& visibility);
@@ -42,8 +46,10 @@ SealedTruth sealed(const std::string& id, const Truth& truth, const std::optiona
 /// The truth file of a set of trials: a JSON object {id: {kind, intersection_mm, protocol, causes, blunders:
 /// [[position, round, point, face, horizontal, vertical], …] with positions by `NumberedPosition`,
 /// visible_sigma, look_alikes: [[id, cosine, σ], …]}, …}; kind and intersection_mm are required, other keys
-/// are passed over. In the order of the ids. Fails, with the id and the key, on what could not be scored: a
-/// value of the wrong type, a kind or cause that no answer can name, a gross_error without blunders,
+/// are passed over, `plan` stands for protocol, and of `all` the keys of `there` are the causes. A kind that
+/// the diagnosis has no name for is one of no catalogue. Truths of series are passed over. In the order of
+/// the ids. Fails, with the id and the key, on what could not be scored: a value of the wrong type, a kind
+/// that is an effect but for two letters, a cause that no answer can name, a gross_error without blunders,
 /// two_causes without causes; and where there is no truth.
 Result<std::vector<SealedTruth>> readSealedTruths(const std::string& text);
 

@@ -1,26 +1,20 @@
 #include "core/simulation/series_trial.h"
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
-#include <numbers>
 #include <sstream>
 #include <thread>
 
 #include "core/base/file_bytes.h"
-#include "core/base/random_source.h"
 #include "core/base/threads.h"
 #include "core/base/visible_text.h"
-#include "core/diagnosis/visibility.h"
 #include "core/effects/catalogue.h"
 #include "core/effects/cause_ids.h"
 #include "core/series/shared_causes/diagnose_series.h"
 #include "core/session/session_file.h"
-#include "core/simulation/protocol.h"
-#include "core/simulation/simulate.h"
+#include "core/simulation/sealed_truth.h"
 #include "core/wording/diagnosis_fault.h"
 
 namespace alidade {
@@ -29,167 +23,6 @@ namespace {
 
 namespace fs = std::filesystem;
 using Json = nlohmann::json;
-
-constexpr std::uint64_t farApart = 1'000'003;  // seeds of the sessions of a series
-
-/// Draws one series, step by step.
-class SeriesDraw {
- public:
-  explicit SeriesDraw(std::uint64_t seed) : m_seed(seed), m_random(seed, stream) {
-    constexpr std::array names{"paper", "paper-slider", "there-and-back", "two-face"};
-    m_protocol = protocolByName(names[static_cast<std::size_t>(m_random.whole(0, names.size() - 1))]);
-    const auto count = static_cast<std::size_t>(m_random.whole(8, 12));
-    for (std::size_t s = 0; s < count; ++s) {
-      m_truths.push_back(drawTruth(m_seed * farApart + s));
-      m_truths.back().protocol = m_protocol->name;
-    }
-  }
-
-  Result<SeriesTrial> trial() {
-    constexpr double nothing = 0.25, spoiled = 1.0 / 3;
-    m_seal.id = std::to_string(m_seed);
-    m_seal.protocol = m_protocol->name;
-    const bool isEmpty = m_random.uniform() < nothing;
-    const Effect* effect = isEmpty ? nullptr : anyEffect();
-    layOut(effect);
-    if (effect && !put(*effect)) return Problem{"no effect shows in series " + m_seal.id};
-    if (m_random.uniform() < spoiled) spoil();
-    SeriesTrial trial{m_seal, {}};
-    for (std::size_t s = 0; s < m_truths.size(); ++s) {
-      Result<Session> simulated = simulate(*m_protocol, m_truths[s], m_seed * farApart + s);
-      if (!simulated) return simulated.problem();
-      Session session = *std::move(simulated);
-      session.title = "Series " + m_seal.id + ", session " + std::to_string(s + 1);
-      session.instrument.serial = m_instruments[s];
-      session.device.serial = m_guideways[s];
-      trial.sessions.push_back(std::move(session));
-    }
-    return trial;
-  }
-
- private:
-  static constexpr std::uint64_t stream = 5;  // apart from those of single trials
-  std::uint64_t m_seed;
-  RandomSource m_random;
-  const Protocol* m_protocol = nullptr;
-  std::vector<Truth> m_truths;
-  std::vector<std::string> m_instruments, m_guideways;
-  SeriesSeal m_seal;
-
-  const Effect* anyEffect() {
-    const std::vector<const Effect*> effects = soughtEffects();
-    while (true) {
-      const Effect* effect =
-          effects[static_cast<std::size_t>(m_random.whole(0, static_cast<int>(effects.size()) - 1))];
-      const bool isShared =
-          effect->source == ErrorSource::Instrument || effect->source == ErrorSource::Guideway;
-      if (isShared && effect->response == Response::Linear && shows(*effect)) return effect;
-    }
-  }
-
-  /// In one session of this plan at all, at a few plausible sizes.
-  bool shows(const Effect& effect) const {
-    constexpr double least = 1;
-    const std::optional<double> visible = visibleIn(0, effect, 0.7);
-    return visible && *visible > least;
-  }
-
-  std::optional<double> visibleIn(std::size_t s, const Effect& effect, double angle) const {
-    Truth truth = m_truths[s];
-    setSize(truth, effect, angle, 1);
-    const Result<Session> perfect = simulateWithoutNoise(*m_protocol, truth, m_seed * farApart + s);
-    if (!perfect) return std::nullopt;
-    const auto found = visibilityOf(*examine(*perfect).measurement, std::string(effect.id));
-    return found ? std::optional(found->sigma) : std::nullopt;
-  }
-
-  static void setSize(Truth& truth, const Effect& effect, double angle, double size) {
-    const auto& parameters = effect.parameters;
-    const double first = parameters.size() == 1 ? (std::cos(angle) < 0 ? -1 : 1) : std::cos(angle);
-    truth.effects.push_back({parameters[0].term, size * first * parameters[0].plausible});
-    if (parameters.size() > 1)
-      truth.effects.push_back({parameters[1].term, size * std::sin(angle) * parameters[1].plausible});
-  }
-
-  /// Which instrument reads which guideway in each session.
-  void layOut(const Effect* effect) {
-    const bool crossed = m_random.uniform() < 0.4;
-    const bool ofInstrument = effect && effect->source == ErrorSource::Instrument;
-    for (std::size_t s = 0; s < m_truths.size(); ++s) {
-      const auto number = [&](std::size_t of) { return std::to_string(s % of + 1); };
-      if (crossed) {
-        m_instruments.push_back("T-" + number(2));
-        m_guideways.push_back("G-" + number(3));
-        continue;
-      }
-      m_instruments.push_back(ofInstrument ? "T-1" : "T-" + number(4));
-      m_guideways.push_back(!effect || ofInstrument ? "G-" + std::to_string(s + 1) : "G-1");
-    }
-    if (!effect) return;
-    m_seal.kind = effect->id;
-    m_seal.owner = ofInstrument ? CauseOwner::Instrument : CauseOwner::Guideway;
-    m_seal.serial = ofInstrument ? "T-1" : "G-1";
-  }
-
-  /// In all sessions of its owner, as large as makes it visible by what is drawn; false where it would have
-  /// to be far larger than plausible.
-  bool put(const Effect& effect) {
-    constexpr double least = 6, most = 10, mostPlausible = 6;
-    const double angle = m_random.uniform(0, 2 * std::numbers::pi), target = m_random.uniform(least, most);
-    const auto& serials = m_seal.owner == CauseOwner::Instrument ? m_instruments : m_guideways;
-    double square = 0;
-    for (std::size_t s = 0; s < m_truths.size(); ++s)
-      if (serials[s] == m_seal.serial) square += std::pow(visibleIn(s, effect, angle).value_or(0), 2);
-    if (!(target < mostPlausible * std::sqrt(square))) return false;
-    for (std::size_t s = 0; s < m_truths.size(); ++s)
-      if (serials[s] == m_seal.serial) setSize(m_truths[s], effect, angle, target / std::sqrt(square));
-    m_seal.visible = target;
-    return true;
-  }
-
-  void spoil() {
-    const auto s = static_cast<std::size_t>(m_random.whole(0, static_cast<int>(m_truths.size()) - 1));
-    m_seal.spoiled = s;
-    const double sign = m_random.uniform() < 0.5 ? -1 : 1;
-    const int way = m_random.whole(0, 2);
-    if (way == 0) {
-      const std::vector<PlannedRow> rows = plannedRows(*m_protocol);
-      const PlannedRow& row = rows[rows.size() / 2];
-      m_truths[s].grossErrors = {{.axisDeg = 0,
-                                  .round = row.round,
-                                  .point = row.point,
-                                  .face = row.face,
-                                  .horizontal = Angle::fromArcseconds(sign * m_random.uniform(60, 300)),
-                                  .vertical = {}}};
-      m_seal.spoiledBy = grossErrorId;
-    } else if (way == 1) {
-      m_truths[s].jump = {.moment = m_random.uniform(0.2, 0.8),
-                          .horizontal = Angle::fromArcseconds(sign * m_random.uniform(30, 60)),
-                          .vertical = Angle::fromArcseconds(m_random.uniform(30, 60))};
-      m_seal.spoiledBy = jumpId;
-    } else {
-      spoilByEffect(s);
-    }
-  }
-
-  /// By one that shows by 12 σ in this session, and is not the one shared.
-  void spoilByEffect(std::size_t s) {
-    constexpr double visible = 12, mostPlausible = 8;
-    for (int tries = 0; tries < 50; ++tries) {
-      const Effect* effect = anyEffect();
-      const double angle = m_random.uniform(0, 2 * std::numbers::pi);
-      const double one = visibleIn(s, *effect, angle).value_or(0);
-      if (effect->id == m_seal.kind || !(visible < mostPlausible * one)) continue;
-      // What the session shares is put in already, and `visibleIn` has seen it.
-      Truth clean = m_truths[s];
-      setSize(clean, *effect, angle, visible / std::max(one, 1e-9));
-      m_truths[s] = clean;
-      m_seal.spoiledBy = effect->id;
-      return;
-    }
-    m_seal.spoiled.reset();
-  }
-};
 
 bool blames(const Cause& cause, const std::string& id) {
   const auto& alike = cause.indistinguishableFrom;
@@ -243,16 +76,25 @@ Result<Json> truthsOf(const std::string& folder) {
   return json;
 }
 
-bool isSeries(const Json& entry) {
-  return entry.is_object() && entry.contains("shared") && entry.contains("sessions") &&
-         entry["sessions"].is_object() && entry.contains("kind") && entry["kind"].is_string();
+/// Without one that the truth states, that of the effect; of no catalogue by what the scenario says.
+CauseOwner ownerIn(const Json& entry, const std::string& kind) {
+  const auto says = [&](const char* key, std::string_view what) {
+    return entry.contains(key) && entry[key].is_string() &&
+           entry[key].get<std::string>().find(what) != std::string::npos;
+  };
+  for (const CauseOwner owner : {CauseOwner::Instrument, CauseOwner::Guideway})
+    if (says("shared", nameOf(owner)) || says("scenario", nameOf(owner))) return owner;
+  const Effect* effect = effectById(kind);
+  if (!effect || entry.contains("shared")) return CauseOwner::Time;
+  if (effect->source == ErrorSource::Instrument) return CauseOwner::Instrument;
+  return effect->source == ErrorSource::Guideway ? CauseOwner::Guideway : CauseOwner::Time;
 }
 
 SeriesSeal sealOf(const std::string& id, const Json& entry) {
   SeriesSeal seal{.id = id, .kind = entry["kind"].get<std::string>()};
-  if (entry["shared"] == "instrument") seal.owner = CauseOwner::Instrument;
-  if (entry["shared"] == "guideway") seal.owner = CauseOwner::Guideway;
-  if (entry.contains("protocol") && entry["protocol"].is_string()) seal.protocol = entry["protocol"];
+  seal.owner = ownerIn(entry, seal.kind);
+  for (const char* key : {"plan", "protocol"})
+    if (entry.contains(key) && entry[key].is_string()) seal.protocol = entry[key];
   if (entry.contains("visible_sigma_together") && entry["visible_sigma_together"].is_number())
     seal.visible = entry["visible_sigma_together"];
   return seal;
@@ -260,35 +102,27 @@ SeriesSeal sealOf(const std::string& id, const Json& entry) {
 
 }  // namespace
 
-Result<SeriesTrial> drawSeriesTrial(std::uint64_t seed) {
-  constexpr std::uint64_t again = 1'000'000'007;  // where a plan cannot show what was drawn
-  constexpr int tries = 20;
-  for (std::uint64_t i = 0;; ++i) {
-    Result<SeriesTrial> drawn = SeriesDraw(seed + i * again).trial();
-    if (!drawn && i < tries) continue;
-    if (!drawn) return drawn.problem();
-    SeriesTrial trial = *std::move(drawn);
-    trial.seal.id = std::to_string(seed);
-    return trial;
-  }
-}
-
 ScoredSeries scoreSeries(const SeriesSeal& seal, const SeriesDiagnosis& diagnosis) {
   ScoredSeries scored{.seal = seal, .sessions = diagnosis.sessions.size(), .answer = {}};
   const SharedCause* first = nullptr;
   for (const SharedCause& cause : diagnosis.causes) {
     const bool isShared = cause.owner != CauseOwner::Time || !cause.sizes.empty();
     if (!isShared) continue;
+    scored.isNoiseOfAll |= cause.cause.effect == noiseId && cause.sessions.size() > 1;
     if (!first) first = &cause;
     scored.answer += (scored.answer.empty() ? "" : ", ") + cause.cause.effect + " (" +
                      std::string(nameOf(cause.owner)) + (cause.serial.empty() ? "" : " " + cause.serial) +
                      ")";
   }
-  scored.isAlarm = first != nullptr;
+  const bool isUnknown = diagnosis.verdict == DiagnosisVerdict::NotInCatalogue;
+  scored.isAlarm = first != nullptr || isUnknown;
+  if (isUnknown) scored.answer = std::string(nameOf(diagnosis.verdict)) + (first ? ", " : "") + scored.answer;
   if (scored.answer.empty()) scored.answer = "nothing shared";
   for (const SeriesMember& member : diagnosis.sessions)
     scored.namedAlone += !member.causesAlone.empty() && blames(member.causesAlone.front(), seal.kind) ? 1 : 0;
-  if (first) {
+  if (isOfNoCatalogue(seal.kind)) {
+    scored.isNamed = scored.isFirst = scored.isOwnerRight = isUnknown && !first;
+  } else if (first && !isUnknown) {
     scored.isFirst = first->cause.effect == seal.kind;
     scored.isNamed = blames(first->cause, seal.kind);
     scored.isOwnerRight = first->owner == seal.owner && (seal.serial.empty() || first->serial == seal.serial);
@@ -309,15 +143,13 @@ Result<std::vector<ScoredSeries>> scoreStoredSeries(const std::string& folder, s
   if (!truths) return truths.problem();
   std::vector<std::pair<std::string, Json>> entries;
   for (const auto& [id, entry] : truths->items()) {
-    if (!isSeries(entry))
-      return Problem{(fs::path(folder) / "truth.json").string() + ": " + quotation(id) +
-                     " needs kind, shared and sessions"};
-    entries.emplace_back(id, entry);
+    if (isTruthOfSeries(entry)) entries.emplace_back(id, entry);
   }
   return scoreEach(entries.size(), threads, [&](std::size_t i) -> Result<SeriesTrial> {
     const auto& [id, entry] = entries[i];
     SeriesTrial trial{sealOf(id, entry), {}};
-    for (const auto& [session, truth] : entry["sessions"].items()) {
+    const char* sessions = entry.contains("sessions") ? "sessions" : "intersection_mm";
+    for (const auto& [session, truth] : entry[sessions].items()) {
       const std::string file = (fs::path(folder) / id / (session + ".alidade")).string();
       Result<Session> read = loadSession(file);
       if (!read) return Problem{file + ": " + read.problem().text()};
@@ -329,7 +161,12 @@ Result<std::vector<ScoredSeries>> scoreStoredSeries(const std::string& folder, s
 
 bool holdsSeries(const std::string& folder) {
   const Result<Json> truths = truthsOf(folder);
-  return truths && !truths->empty() && isSeries(truths->begin().value());
+  return truths && std::ranges::any_of(*truths, isTruthOfSeries);
+}
+
+bool holdsSessions(const std::string& folder) {
+  const Result<Json> truths = truthsOf(folder);
+  return !truths || !std::ranges::all_of(*truths, isTruthOfSeries) || truths->empty();
 }
 
 }  // namespace alidade

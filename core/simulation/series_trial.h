@@ -18,7 +18,7 @@ namespace alidade {
 /// What a series holds.
 struct SeriesSeal {
   std::string id;
-  std::string kind = "none";  ///< an effect of the catalogue, or none
+  std::string kind = "none";  ///< an effect of the catalogue, one of no catalogue, or none
   CauseOwner owner = CauseOwner::Time;
   std::string serial = {};  ///< of the owner; empty where the truth does not say
   std::string protocol = {};
@@ -33,18 +33,21 @@ struct SeriesTrial {
 };
 
 /// 8 to 12 sessions: nothing, or one effect of an instrument or a guideway that shows by 6 to 10 σ in all of
-/// them together. Either each session has another guideway (or instrument), or two instruments and three
-/// guideways are crossed. A third of them has one session spoiled: by a misread value, by a knocked tripod,
-/// or by another effect. The same seed gives the same trial.
+/// them together, or, in a quarter of the series, one of no catalogue that shows by 8 to 16 σ and by 6 σ and
+/// more beside any effect of the catalogue. Either each session has another guideway (or instrument), or two
+/// instruments and three guideways are crossed. A third of them has one session spoiled: by a misread value,
+/// by a knocked tripod, or by another effect; in half of these the knock is a hard one, or the whole session
+/// scatters more. The same seed gives the same trial.
 Result<SeriesTrial> drawSeriesTrial(std::uint64_t seed);
 
 struct ScoredSeries {
   SeriesSeal seal;
-  bool isNamed = false;  ///< the truth is the first shared cause, or in its group
+  bool isNamed = false;  ///< the truth is the first shared cause, or in its group; of no catalogue: told so
   bool isFirst = false;  ///< it is that cause
   bool isOwnerRight = false;
-  bool isAlarm = false;                      ///< a shared cause is named
-  bool isSpoilerFound = false;               ///< the spoiled session is told to hold a cause of its own
+  bool isAlarm = false;         ///< a shared cause is named, or a shared gap of no catalogue told
+  bool isNoiseOfAll = false;    ///< larger noise of several sessions is told
+  bool isSpoilerFound = false;  ///< the spoiled session is told to hold a cause of its own
   std::size_t namedAlone = 0, sessions = 0;  ///< sessions that name it, or have it in their group, alone
   std::string answer;
 };
@@ -56,10 +59,13 @@ Result<std::vector<ScoredSeries>> scoreDrawnSeries(std::size_t count, std::uint6
                                                    std::size_t threads);
 
 /// Series made elsewhere: `folder`/truth.json, an object of series with `kind`, `shared` and `sessions`, and
-/// `folder`/SERIES/SESSION.alidade. The sentence of a problem names the file.
+/// `folder`/SERIES/SESSION.alidade; where the truth does not say `shared`, the owner is the one that an
+/// effect of this kind has, and where it holds no `sessions`, they are those of its `intersection_mm`. Truths
+/// of sessions beside them are passed over. The sentence of a problem names the file.
 Result<std::vector<ScoredSeries>> scoreStoredSeries(const std::string& folder, std::size_t threads);
 
-/// Is this a truth file of series, rather than of sessions?
+/// Does the truth file hold series, and does it hold sessions?
 bool holdsSeries(const std::string& folder);
+bool holdsSessions(const std::string& folder);
 
 }  // namespace alidade

@@ -66,6 +66,12 @@ bool isRight(TrialClass trialClass, const SealedTruth& truth, const Diagnosis& d
   return false;
 }
 
+/// Whether the interval holds the true Δd.
+std::optional<bool> covers(const std::optional<IntersectionEstimate>& estimate, const SealedTruth& truth) {
+  if (!estimate) return std::nullopt;
+  return std::abs(estimate->value - truth.intersection) <= estimate->expanded;
+}
+
 std::string answerOf(const Diagnosis& diagnosis) {
   if (diagnosis.causes.empty()) return std::string(nameOf(diagnosis.verdict));
   return diagnosis.causes.size() == 1 ? diagnosis.causes.front().effect : "several-causes";
@@ -111,10 +117,11 @@ TrialScore scoreTrial(const SealedTruth& truth, const Diagnosis& diagnosis) {
   score.right = isRight(score.trialClass, truth, diagnosis);
   score.detected = diagnosis.verdict != DiagnosisVerdict::WithinNoise;
   score.named = isFirst(diagnosis, truth.kind);
+  score.coveredAfter = covers(diagnosis.afterwards, truth);
+  if (diagnosis.measured) score.coveredMeasured = covers(diagnosis.measured->estimate, truth);
   if (diagnosis.causes.empty()) return score;
   score.backToNoise = diagnosis.after.pValue > leastChance;
-  if (const auto& estimate = diagnosis.afterwards)
-    score.covered = std::abs(estimate->value - truth.intersection) <= estimate->expanded;
+  score.covered = score.coveredAfter;
   return score;
 }
 

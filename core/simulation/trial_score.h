@@ -41,6 +41,8 @@ struct TrialScore {
   bool named = false;     ///< the truth, alone or in a group, is the first cause
   /// With a cause named: is the true Δd within Δd ± U afterwards? Absent without cause or without Δd.
   std::optional<bool> covered = {};
+  /// Whatever the answer: is it within Δd ± U with the causes found, and as measured? Absent without Δd.
+  std::optional<bool> coveredAfter = {}, coveredMeasured = {};
   /// With a cause named: is reduced χ² afterwards what noise leaves (above its 0.1 % point)?
   std::optional<bool> backToNoise = {};
 };

@@ -100,11 +100,13 @@ Result<std::vector<ScoredTrial>> scoreStoredTrials(const TrialSeriesOptions& opt
   if (!text) return text.problem();
   const Result<std::vector<SealedTruth>> truths = readSealedTruths(*text);
   if (!truths) return Problem{truthFile.string() + ": " + truths.problem().text()};
+  std::error_code none;
+  const std::filesystem::path own = root / "sessions", sessions = is_directory(own, none) ? own : root;
   TrialSeriesOptions all = options;
   all.count = truths->size();
   return scoreTrials(all, [&](std::size_t i) -> Result<TrialCase> {
     const SealedTruth& truth = (*truths)[i];
-    const std::filesystem::path file = root / "sessions" / (truth.id + ".alidade");
+    const std::filesystem::path file = sessions / (truth.id + ".alidade");
     const Result<Session> session = loadSession(file.string());
     if (!session) return Problem{file.string() + ": " + session.problem().text()};
     return TrialCase{*session, truth};

@@ -45,8 +45,9 @@ Result<std::vector<ScoredTrial>> scoreTrials(const TrialSeriesOptions& options,
 Result<std::vector<ScoredTrial>> scoreDrawnTrials(const TrialSeriesOptions& options,
                                                   const BlindTrialOptions& draw, std::uint64_t seed);
 
-/// Trials made elsewhere: `folder`/truth.json and `folder`/sessions/ID.alidade for each id in it; the count
-/// of the options does not matter. The sentence of a problem names the file.
+/// Trials made elsewhere: `folder`/truth.json and `folder`/sessions/ID.alidade for each id in it, or
+/// `folder`/ID.alidade where there is no such folder; the count of the options does not matter. The sentence
+/// of a problem names the file.
 Result<std::vector<ScoredTrial>> scoreStoredTrials(const TrialSeriesOptions& options,
                                                    const std::string& folder);
 

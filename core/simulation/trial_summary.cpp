@@ -23,6 +23,12 @@ TrialSummary summarise(const std::vector<ScoredTrial>& trials) {
     const TrialScore& score = trial.score;
     summary.right[score.trialClass].add(score.right);
     ++summary.confusion[trial.truth.kind][score.answer];
+    KindTally& kind = summary.kinds[trial.truth.kind];
+    kind.right.add(score.right);
+    kind.named.add(score.named);
+    kind.quiet.add(!score.detected);
+    if (score.coveredAfter) kind.after.add(*score.coveredAfter);
+    if (score.coveredMeasured) kind.measured.add(*score.coveredMeasured);
     if (score.trialClass == TrialClass::None) summary.falseAlarms.add(score.detected);
     if (score.covered) summary.covered.add(*score.covered);
     if (score.backToNoise) summary.backToNoise.add(*score.backToNoise);

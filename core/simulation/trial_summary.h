@@ -32,10 +32,19 @@ struct DetectionBin {
   Tally named = {};     ///< and the truth named, alone or in a group
 };
 
+/// What became of the trials of one kind.
+struct KindTally {
+  Tally right = {}, named = {};
+  Tally quiet = {};     ///< no gap was found
+  Tally after = {};     ///< true Δd within Δd ± U with the causes found, whatever they are
+  Tally measured = {};  ///< and as measured
+};
+
 struct TrialSummary {
   std::size_t count = 0;
   std::map<TrialClass, Tally> right = {};                                    ///< of the classes that occur
   std::map<std::string, std::map<std::string, std::size_t>> confusion = {};  ///< kind → answer → how often
+  std::map<std::string, KindTally> kinds = {};
   Tally falseAlarms = {};  ///< a gap found where there is none
   std::vector<DetectionBin> detection = {};
   Tally covered = {};       ///< true Δd within Δd ± U after the cause is added

@@ -6,6 +6,7 @@
 #include "core/base/phrase.h"
 #include "core/base/quantity_text.h"
 #include "core/wording/copies.h"
+#include "core/wording/verdict.h"
 
 namespace alidade {
 
@@ -33,10 +34,34 @@ bool isOfOne(const SharedCause& cause) {
   return cause.owner == CauseOwner::Time && cause.sizes.empty();
 }
 
+/// "radius along the guideway (7 periods in a turn), guideway G-1".
+std::string patternText(const SharedPattern& pattern) {
+  std::string text = Phrase::of(pattern.follows.c_str());
+  if (pattern.order > 0) text = Phrase::of("%1 (%2 periods in a turn)", text, pattern.order);
+  if (pattern.owner == CauseOwner::Instrument) return Phrase::of("%1, instrument %2", text, pattern.serial);
+  if (pattern.owner == CauseOwner::Guideway) return Phrase::of("%1, guideway %2", text, pattern.serial);
+  return text;
+}
+
+std::string unknownText(const SeriesDiagnosis& series, const std::vector<std::string>& shared) {
+  const SharedPattern& pattern = *series.pattern;
+  std::string text = Phrase::of("The sessions (%1) share a gap that no effect of the catalogue explains.",
+                                pattern.sessions.size());
+  if (pattern.isOfEach)
+    text = Phrase::of(
+        "The gap of most sessions (%1) is explained by no effect of the catalogue, in each by itself.",
+        pattern.sessions.size());
+  text = Phrase::of("%1 It follows a pattern: %2.", text, patternText(pattern));
+  return shared.empty()
+             ? text
+             : Phrase::of("%1 Beside it they share %2.", text, listed(shared, Phrase::of(" and ")));
+}
+
 std::string together(const SeriesDiagnosis& series, const CauseNamer& name) {
   std::vector<std::string> shared;
   for (const SharedCause& cause : series.causes)
     if (!isOfOne(cause)) shared.push_back(ofOwner(cause, name));
+  if (series.pattern) return unknownText(series, shared);
   if (shared.empty())
     return Phrase::of("The sessions (%1) share no effect that shows beyond their stated noise.",
                       series.sessions.size());
@@ -54,6 +79,10 @@ std::string together(const SeriesDiagnosis& series, const CauseNamer& name) {
                       Phrase::of("They cannot tell %1 from %2.", name(cause.cause.effect),
                                  listed(named(alike, name), Phrase::of(" or "))));
   }
+  if (series.unknownChance >= 0.01)
+    text = Phrase::of("%1 %2", text,
+                      Phrase::of("With a probability of %1 it is of no catalogue.",
+                                 shortProbabilityText(series.unknownChance)));
   return text;
 }
 

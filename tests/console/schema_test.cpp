@@ -90,6 +90,15 @@ TEST_F(SchemaTest, IsMetByTheDiagnosesOfAllSamplesAndOfTheirSeries) {
   std::string documents;
   for (const std::string& file : samples()) documents += answer({"diagnose", file, "--json"});
   documents += answer({"diagnose", ALIDADE_SAMPLES_DIR "/series", "--json"});
+  // Of no catalogue, and shared by whatever sessions there are.
+  const TemporaryFolder series;
+  for (const char* seed : {"1", "2", "3", "4"})
+    alidadeCli({"simulate", "--protocol", "two-face", "--effect", "settling=40,0.2", "--seed", seed,
+                "--truth", m_folder.path().string() + "/truth.json", "--out",
+                series.path().string() + "/" + seed + ".alidade"});
+  const std::string unknown = answer({"diagnose", series.path().string(), "--json"});
+  EXPECT_EQ(Json::parse(unknown)["series"]["shape"]["follows"], "orientation settling with time");
+  documents += unknown;
   const std::string referred = m_folder.file("referred.alidade", changedPaperSession([](Json& session) {
                                                session["acceptance"]["sigma_reference_mm"] = 0.02;
                                              }));

@@ -18,6 +18,18 @@ void report(std::size_t done) {
   if (done % every == 0) std::fprintf(stderr, "alidade-cli: %zu trials done\n", done);
 }
 
+Result<std::string> sessionTrials(const TrialRequest& request) {
+  const TrialSeriesOptions options{
+      .count = request.count, .withheld = request.withheld, .threads = request.threads, .progress = report};
+  const BlindTrialOptions draw{.protocol = request.protocol};
+  const Result<std::vector<ScoredTrial>> trials = request.folder.empty()
+                                                      ? scoreDrawnTrials(options, draw, request.seed)
+                                                      : scoreStoredTrials(options, request.folder);
+  if (!trials) return trials.problem();
+  const TrialSummary summary = summarise(*trials);
+  return request.json ? trialJson(*trials, summary) : trialText(*trials, summary);
+}
+
 }  // namespace
 
 void addTrialCommand(CLI::App& app, TrialRequest& request) {
@@ -47,8 +59,8 @@ void addTrialCommand(CLI::App& app, TrialRequest& request) {
           ->excludes(protocol);
   trial
       ->add_option("--score", request.folder,
-                   "Score trials made elsewhere: a folder with truth.json and sessions/*.alidade, or with "
-                   "truth.json of series and SERIES/*.alidade")
+                   "Score trials made elsewhere: a folder with truth.json and the sessions, in sessions/ or "
+                   "beside it, or with truth.json of series and SERIES/*.alidade")
       ->excludes(count)
       ->excludes(series)
       ->excludes(seed)
@@ -72,17 +84,14 @@ Result<std::string> runTrial(const TrialRequest& request) {
     const auto series = isStoredSeries ? scoreStoredSeries(request.folder, request.threads)
                                        : scoreDrawnSeries(request.series, request.seed, request.threads);
     if (!series) return series.problem();
-    return request.json ? seriesTrialJson(*series) : seriesTrialText(*series);
+    const std::string text = request.json ? seriesTrialJson(*series) : seriesTrialText(*series);
+    if (!isStoredSeries || !holdsSessions(request.folder)) return text;
+    const Result<std::string> sessions = sessionTrials(request);
+    if (!sessions) return sessions.problem();
+    return request.json ? "{\"sessions\": " + *sessions + ", \"series\": " + text + "}\n"
+                        : *sessions + "\n" + text;
   }
-  const TrialSeriesOptions options{
-      .count = request.count, .withheld = request.withheld, .threads = request.threads, .progress = report};
-  const BlindTrialOptions draw{.protocol = request.protocol};
-  const Result<std::vector<ScoredTrial>> trials = request.folder.empty()
-                                                      ? scoreDrawnTrials(options, draw, request.seed)
-                                                      : scoreStoredTrials(options, request.folder);
-  if (!trials) return trials.problem();
-  const TrialSummary summary = summarise(*trials);
-  return request.json ? trialJson(*trials, summary) : trialText(*trials, summary);
+  return sessionTrials(request);
 }
 
 }  // namespace alidade::console

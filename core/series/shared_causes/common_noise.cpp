@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <limits>
 #include <map>
+#include <numeric>
 
 namespace alidade {
 
@@ -12,42 +15,99 @@ constexpr double knownTo = 0.1;  // the stated σ holds to a tenth
 constexpr double leastNoise = 1.25, mostNoise = 20;
 constexpr double noiseOdds = 0.04;  // larger than stated
 
+/// What the sessions of an instrument leave, one entry for each.
 struct Left {
-  double chiSquare = 0, f = 0;
   std::vector<std::size_t> sessions;
+  std::vector<bool> isNoisy;  ///< by its own account, which tells it where the session does so by itself
+  std::vector<double> chiSquares, f;
+
+  double sumOfF() const { return std::accumulate(f.begin(), f.end(), 0.0); }
 };
 
 /// −f ln scale − ½ χ²/scale².
-double logOf(const Left& left, double scale) {
-  return -left.f * std::log(scale) - left.chiSquare / (2 * scale * scale);
+double logOf(double chiSquare, double f, double scale) {
+  return -f * std::log(scale) - chiSquare / (2 * scale * scale);
 }
 
-/// The likeliest scale that is a tenth off at 1σ, by Newton's steps of its logarithm.
-double nominalScale(const Left& left) {
-  double log = 0;
-  for (int i = 0; i < 30; ++i) {
-    const double rest = left.chiSquare * std::exp(-2 * log);
-    const double slope = -left.f + rest - log / (knownTo * knownTo),
-                 curvature = 2 * rest + 1 / (knownTo * knownTo);
-    log += slope / curvature;
+/// Of a session that scatters by itself, whatever the others do: its likeliest scale, and the logarithm of
+/// its odds and evidence (by Laplace's method, every scale as likely by its logarithm).
+struct OwnNoise {
+  double scale = 1, log = 0;
+};
+
+OwnNoise ownNoise(const Left& left, std::size_t i) {
+  const double f = std::max(left.f[i], 1.0);
+  const double scale = std::clamp(std::sqrt(left.chiSquares[i] / f), leastNoise, mostNoise);
+  const double spread = std::sqrt(M_PI / f) / std::log(mostNoise / leastNoise);
+  return {scale, logOf(left.chiSquares[i], left.f[i], scale) + std::log(std::min(spread, 1.0)) +
+                     std::log(noiseOdds / static_cast<double>(left.sessions.size()))};
+}
+
+double logSumOfTwo(double a, double b) {
+  return std::max(a, b) + std::log1p(std::exp(-std::abs(a - b)));
+}
+
+/// All scales of a range, each weighed by what the sessions say of it.
+struct Range {
+  double likeliest = 1, log = -std::numeric_limits<double>::infinity();
+};
+
+/// `prior`: density of the logarithm of the scale.
+template <typename Prior>
+Range weighed(const Left& left, double from, double to, const Prior& prior) {
+  constexpr int steps = 200;
+  const double step = (std::log(to) - std::log(from)) / steps;
+  Range range;
+  double most = range.log;
+  for (int i = 0; i <= steps; ++i) {
+    const double scale = from * std::exp(i * step);
+    double log = std::log(step) + prior(std::log(scale));
+    for (std::size_t s = 0; s < left.sessions.size(); ++s)
+      log += logSumOfTwo(logOf(left.chiSquares[s], left.f[s], scale), ownNoise(left, s).log);
+    range.log = std::isinf(range.log) ? log : logSumOfTwo(range.log, log);
+    if (log <= most) continue;
+    most = log;
+    range.likeliest = scale;
   }
-  return std::exp(std::clamp(log, -4 * knownTo, 4 * knownTo));
+  return range;
 }
 
-CommonNoise noiseOf(const std::string& instrument, const Left& left) {
-  CommonNoise noise{.instrument = instrument, .sessions = left.sessions};
-  if (left.f < 1) return noise;
-  const double nominal = nominalScale(left), log = std::log(nominal);
-  const double width = 1 / std::sqrt(2 * left.f + 1 / (knownTo * knownTo));
-  const double asStated = logOf(left, nominal) - 0.5 * std::pow(log / knownTo, 2) + std::log(width / knownTo);
-  const double larger = std::clamp(std::sqrt(left.chiSquare / left.f), leastNoise, mostNoise);
-  const double spread = std::sqrt(M_PI / left.f) / std::log(mostNoise / leastNoise);
-  const double asLarger = logOf(left, larger) + std::log(std::min(spread, 1.0)) + std::log(noiseOdds);
-  noise.probability = 1 / (1 + std::exp(std::clamp(asStated - asLarger, -700.0, 700.0)));
-  noise.isLarger = noise.probability > 0.9;
-  noise.scale = noise.isLarger ? larger : std::max(nominal, 1.0);
-  noise.sigma = noise.scale / std::sqrt(2 * left.f);
-  return noise;
+/// As stated to a tenth, or larger, in all sessions but those that scatter by themselves.
+std::vector<CommonNoise> noiseOf(const std::string& instrument, const Left& left) {
+  constexpr double certain = 0.9;
+  if (left.sumOfF() < 1) return {{.instrument = instrument, .sessions = left.sessions}};
+  const Range asStated = weighed(left, std::exp(-4 * knownTo), std::exp(4 * knownTo), [](double log) {
+    return -0.5 * std::pow(log / knownTo, 2) - std::log(knownTo * std::sqrt(2 * M_PI));
+  });
+  const Range larger = weighed(left, leastNoise, mostNoise,
+                               [](double) { return std::log(noiseOdds / std::log(mostNoise / leastNoise)); });
+  CommonNoise all{.instrument = instrument, .sessions = {}};
+  all.probability = 1 / (1 + std::exp(std::clamp(asStated.log - larger.log, -700.0, 700.0)));
+  all.isLarger = all.probability > certain;
+  all.scale = all.isLarger ? larger.likeliest : std::max(asStated.likeliest, 1.0);
+  std::vector<CommonNoise> list;
+  double f = 0;
+  for (std::size_t i = 0; i < left.sessions.size(); ++i) {
+    const OwnNoise own = ownNoise(left, i);
+    const double others = logOf(left.chiSquares[i], left.f[i], all.scale);
+    const double chance = 1 / (1 + std::exp(std::clamp(others - own.log, -700.0, 700.0)));
+    if (left.sessions.size() == 1 || chance <= certain || own.scale <= all.scale) {
+      all.sessions.push_back(left.sessions[i]);
+      f += left.f[i];
+      continue;
+    }
+    if (left.isNoisy[i]) continue;
+    list.push_back({.instrument = instrument,
+                    .sessions = {left.sessions[i]},
+                    .scale = own.scale,
+                    .sigma = own.scale / std::sqrt(2 * std::max(left.f[i], 1.0)),
+                    .isLarger = true,
+                    .isOfOne = true,
+                    .probability = chance});
+  }
+  all.sigma = all.scale / std::sqrt(2 * std::max(f, 1.0));
+  list.insert(list.begin(), std::move(all));
+  return list;
 }
 
 }  // namespace
@@ -81,14 +141,16 @@ std::vector<CommonNoise> commonNoise(const std::vector<SessionSums>& sums,
   std::map<std::string, Left> ofInstruments;
   for (std::size_t s = 0; s < sums.size(); ++s) {
     const OwnAccount& account = sums[s].account(set.accounts[s]);
-    if (account.noisy || owners[s].instrument.empty()) continue;
+    if (owners[s].instrument.empty()) continue;
     Left& left = ofInstruments[owners[s].instrument];
-    left.chiSquare += chiSquareLeft(sums[s], s, set);
-    left.f += std::max(0, sums[s].evidence().degreesOfFreedom - static_cast<int>(account.directions));
+    left.chiSquares.push_back(chiSquareLeft(sums[s], s, set));
+    left.f.push_back(std::max(0, sums[s].evidence().degreesOfFreedom - static_cast<int>(account.directions)));
+    left.isNoisy.push_back(account.noisy);
     left.sessions.push_back(s);
   }
   std::vector<CommonNoise> list;
-  for (const auto& [instrument, left] : ofInstruments) list.push_back(noiseOf(instrument, left));
+  for (const auto& [instrument, left] : ofInstruments)
+    std::ranges::move(noiseOf(instrument, left), std::back_inserter(list));
   return list;
 }
 

@@ -49,6 +49,24 @@ std::vector<std::size_t> everySession(std::size_t count) {
   return all;
 }
 
+void addPatternBlocks(std::vector<EffectBlock>& blocks, const std::vector<SessionOwners>& owners) {
+  constexpr double odds = 0.04;  // of any, as in one session
+  constexpr std::size_t fewest = 3;
+  const std::size_t before = blocks.size();
+  for (std::size_t e = effectColumns().size(); e < sharedColumns().size(); ++e) {
+    const CauseOwner owner = ownerOf(*sharedColumns()[e].effect);
+    if (owner == CauseOwner::Time) {
+      blocks.push_back({.effect = e, .owner = owner, .sessions = everySession(owners.size())});
+      continue;
+    }
+    for (const auto& [serial, sessions] : sessionsOf(owners, owner))
+      if (!serial.empty() && sessions.size() >= fewest)
+        blocks.push_back({.effect = e, .owner = owner, .serial = serial, .sessions = sessions});
+  }
+  for (std::size_t i = before; i < blocks.size(); ++i)
+    blocks[i].logPrior = std::log(odds / static_cast<double>(blocks.size() - before));
+}
+
 }  // namespace
 
 double effectOdds() {
@@ -99,6 +117,7 @@ std::vector<EffectBlock> effectBlocks(const std::vector<SessionOwners>& owners,
            .logPrior = std::log(owner == CauseOwner::Time || groups.size() == owners.size() ? effectOdds()
                                                                                             : differing)});
   }
+  if (owners.size() > 1) addPatternBlocks(blocks, owners);
   return blocks;
 }
 
@@ -106,7 +125,7 @@ EffectBlock drifting(const EffectBlock& block, const std::vector<SessionOwners>&
   constexpr std::size_t fewest = 4;
   constexpr Index sines = 4;
   constexpr double odds = 0.1;  // against a size that stays
-  if (block.sizes != SizesKind::One || block.sessions.size() < fewest ||
+  if (block.sizes != SizesKind::One || block.isPattern() || block.sessions.size() < fewest ||
       block.columns().effect->response != Response::Linear)
     return {};
   EffectBlock drifting = block;

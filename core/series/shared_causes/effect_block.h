@@ -25,9 +25,9 @@ enum class SizesKind {
   Drifting,    ///< a random walk beside the one size: its first sines (Karhunen and Loève)
 };
 
-/// An effect in the sessions of an owner.
+/// An effect, or a pattern of no catalogue, in the sessions of an owner.
 struct EffectBlock {
-  std::size_t effect = 0;  ///< index into `effectColumns()`
+  std::size_t effect = 0;  ///< index into `sharedColumns()`
   CauseOwner owner = CauseOwner::Time;
   SizesKind sizes = SizesKind::One;
   std::string serial = {};                 ///< with One
@@ -35,7 +35,8 @@ struct EffectBlock {
   Eigen::MatrixXd features = {};           ///< F, a row for each session; empty: one column of ones
   double logPrior = 0;                     ///< odds against nothing, natural
 
-  const EffectColumns& columns() const { return effectColumns()[effect]; }
+  const EffectColumns& columns() const { return sharedColumns()[effect]; }
+  bool isPattern() const { return columns().isPattern; }
   Eigen::Index rank() const { return features.size() > 0 ? features.cols() : 1; }
   Eigen::RowVectorXd featuresOf(std::size_t index) const {
     return features.size() > 0 ? Eigen::RowVectorXd(features.row(static_cast<Eigen::Index>(index)))
@@ -47,7 +48,7 @@ struct EffectBlock {
 };
 
 /// Every effect with every owner it may have, and each with sizes of its own in each owner or session where
-/// these are few.
+/// these are few; then every pattern with an owner that has several sessions.
 std::vector<EffectBlock> effectBlocks(const std::vector<SessionOwners>& owners,
                                       const std::vector<std::string>& leftOut);
 

@@ -18,8 +18,8 @@ int sessionsFor(double inOne) {
 /// Something may be there, but it shows too faintly so far.
 void addMore(SeriesDiagnosis& diagnosis, const SettledSeries& series) {
   constexpr double likely = 0.2, clear = 6;  // probability; σ together from which a cause is named
-  const auto best =
-      std::ranges::find_if(series.sets, [](const SharedSet& set) { return !set.parts.empty(); });
+  const auto best = std::ranges::find_if(
+      series.sets, [](const SharedSet& set) { return !set.parts.empty() && !set.isShaped(); });
   if (best == series.sets.end() || best->chance < likely) return;
   const SharedPart& part = best->parts.front();
   const double together = series.search.visibleLength(part);

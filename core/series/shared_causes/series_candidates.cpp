@@ -8,6 +8,7 @@ namespace alidade {
 void addCandidates(SeriesDiagnosis& diagnosis, const SettledSeries& series) {
   for (const EffectBlock& block : series.blocks) {
     if (series.stop.stop_requested()) return;
+    if (block.isPattern()) continue;
     if (block.sizes != SizesKind::One && block.owner != CauseOwner::Time) continue;
     const ColumnGain gain = series.search.alone(block);
     const SharedSet set = series.search.fitted({block}, std::vector<std::size_t>(series.sessions(), 0));

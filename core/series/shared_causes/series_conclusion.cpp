@@ -5,6 +5,7 @@
 #include <cmath>
 #include <iterator>
 #include <limits>
+#include <map>
 #include <optional>
 #include <set>
 
@@ -94,11 +95,17 @@ class Conclusion {
     if (!m_stop.stop_requested()) settle();
     SeriesConclusion conclusion;
     SeriesDiagnosis& diagnosis = conclusion.diagnosis;
-    for (std::size_t p = 0; p < m_best.parts.size(); ++p)
-      std::ranges::move(causesOf(p), std::back_inserter(diagnosis.causes));
-    addNoise(diagnosis);
+    for (std::size_t p = 0; p < m_best.parts.size(); ++p) {
+      if (m_best.parts[p].block.isPattern())
+        diagnosis.pattern = patternOf(m_best.parts[p]);
+      else
+        std::ranges::move(causesOf(p), std::back_inserter(diagnosis.causes));
+    }
+    addNoise(conclusion);
     addOwn(conclusion);
-    diagnosis.verdict = verdictOf(diagnosis.causes);
+    diagnosis.unknownChance = chanceOfPattern();
+    if (!diagnosis.pattern) diagnosis.pattern = patternOfMost();
+    diagnosis.verdict = diagnosis.pattern ? DiagnosisVerdict::NotInCatalogue : verdictOf(diagnosis.causes);
     addSizes(diagnosis);
     const SettledSeries settled{m_evidence, m_owners, m_names,  m_leftOut, m_stop,
                                 m_sums,     m_blocks, m_search, m_sets,    m_best};
@@ -152,25 +159,42 @@ class Conclusion {
     return std::min(sum, 1.0);
   }
 
+  double chanceOfPattern() const {
+    double sum = 0;
+    for (const SharedSet& set : m_sets)
+      if (set.isShaped()) sum += set.chance;
+    return std::min(sum, 1.0);
+  }
+
   /// The likeliest set, or a smaller one of the same that is nearly as good; nothing unless something is
-  /// likely enough.
+  /// likely enough. With a pattern of no catalogue where that is likelier than all effects of the catalogue.
   void choose() {
-    constexpr double nearlyAsGood = 2;  // natural logarithm
+    constexpr double nearlyAsGood = 2, certain = 0.95;  // natural logarithm; beside a pattern
     const auto nothing = std::ranges::find_if(m_sets, [](const SharedSet& set) { return set.parts.empty(); });
-    const auto best = std::ranges::find_if(m_sets, [](const SharedSet& set) { return !set.parts.empty(); });
+    const double unknown = chanceOfPattern();
+    const bool isUnknown = unknown > 1 - nothing->chance - unknown;
+    const auto best = std::ranges::find_if(m_sets, [&](const SharedSet& set) {
+      return isUnknown ? set.isShaped() : !set.parts.empty() && !set.isShaped();
+    });
     m_best = *nothing;
     if (best == m_sets.end() || 1 - nothing->chance < namedFrom) return;
     const SharedSet* simplest = &*best;
+    const double enough = isUnknown ? certain : namedFrom;
     for (const SharedSet& other : m_sets)
-      if (!other.parts.empty() && other.parts.size() < simplest->parts.size() &&
+      if (!other.parts.empty() && other.isShaped() == isUnknown &&
+          other.parts.size() < simplest->parts.size() &&
           other.logPosteriorOdds > best->logPosteriorOdds - nearlyAsGood && isPartOf(other, *best))
         simplest = &other;
     m_best = *simplest;
     // A part that is not likely by itself, with whatever looks like it, is not named.
     for (std::size_t p = 0; p < m_best.parts.size();) {
+      if (m_best.parts[p].block.isPattern()) {
+        ++p;
+        continue;
+      }
       std::vector<EffectBlock> group{m_best.parts[p].block};
       for (const auto& [block, odds] : rivalBlocks(p)) group.push_back(block);
-      if (chanceOfAny(group) >= namedFrom) {
+      if (chanceOfAny(group) >= enough) {
         ++p;
         continue;
       }
@@ -184,11 +208,15 @@ class Conclusion {
   /// Sessions that do not share a part, then whether it drifts, then what looks like it.
   void settle() {
     m_apart.assign(m_best.parts.size(), {});
-    for (std::size_t p = 0; p < m_best.parts.size(); ++p) settle(p);
+    for (std::size_t p = 0; p < m_best.parts.size(); ++p)
+      if (!m_best.parts[p].block.isPattern()) settle(p);
     for (std::size_t p = 0; p < m_best.parts.size(); ++p) {
       m_rivals.emplace_back();
+      if (m_best.parts[p].block.isPattern()) continue;
       for (const auto& [block, odds] : rivalBlocks(p))
-        m_rivals.back().push_back({std::string(block.columns().effect->id), block.owner, block.serial, odds});
+        if (!block.isPattern())
+          m_rivals.back().push_back(
+              {std::string(block.columns().effect->id), block.owner, block.serial, odds});
     }
   }
 
@@ -282,7 +310,8 @@ class Conclusion {
       const bool isOther = std::ranges::none_of(
           m_best.parts, [&](const SharedPart& any) { return any.block.effect == block.effect; });
       // Sizes of its own in each session, or with each owner, take up much; whether they do is for the odds.
-      if (!isOther || 2 * block.sessions.size() < part.block.sessions.size()) continue;
+      if (!isOther || (block.isPattern() && m_best.isShaped())) continue;
+      if (2 * block.sessions.size() < part.block.sessions.size()) continue;
       const double difference = m_search.differenceFrom(part, block) / noise;
       if (difference > clearlyToldApart()) continue;
       blocks[p] = block;
@@ -300,6 +329,54 @@ class Conclusion {
     }
     std::ranges::sort(rivals, [](const auto& a, const auto& b) { return a.second > b.second; });
     return rivals;
+  }
+
+  /// Where more than half of the sessions each hold a pattern of no catalogue by themselves: what most of
+  /// these follow.
+  std::optional<SharedPattern> patternOfMost() const {
+    SharedPattern pattern{.follows = {}, .probability = 1, .isOfEach = true};
+    std::map<std::string, std::size_t> counts;
+    for (std::size_t s = 0; s < sessions(); ++s) {
+      double chance = 0, most = 0;
+      std::string follows;
+      const std::vector<double> chances = m_search.accountChances(s, m_best);
+      for (std::size_t k = 1; k < chances.size(); ++k) {
+        const std::string own = shapeIn(m_sums[s].account(k));
+        if (own.empty()) continue;
+        chance += chances[k];
+        if (chances[k] > most) follows = own;
+        most = std::max(most, chances[k]);
+      }
+      if (chance < namedFrom) continue;
+      pattern.sessions.push_back(s);
+      pattern.probability = std::min(pattern.probability, chance);
+      ++counts[follows];
+    }
+    if (pattern.sessions.size() < 2 || 2 * pattern.sessions.size() <= sessions()) return std::nullopt;
+    pattern.follows = std::ranges::max_element(counts, {}, [](const auto& one) { return one.second; })->first;
+    return pattern;
+  }
+
+  /// What a pattern among an account's causes follows; empty without one.
+  static std::string shapeIn(const OwnAccount& account) {
+    for (const std::string& id : account.causes)
+      if (std::ranges::find(diagnosableEffects(), id) == diagnosableEffects().end()) return id;
+    return {};
+  }
+
+  SharedPattern patternOf(const SharedPart& part) const {
+    const double together = m_search.visibleLength(part);
+    double excess = 1e-9;
+    for (const SessionEvidence& session : m_evidence) excess += session.chiSquare - session.degreesOfFreedom;
+    return {.follows = std::string(part.block.columns().effect->id),
+            .order = part.block.columns().order,
+            .share = together * together / std::max(excess, together * together),
+            .owner = part.block.owner,
+            .serial = part.block.serial,
+            .sessions = part.block.sessions,
+            .probability = chanceOfPattern(),
+            .visibleInOne = together / std::sqrt(static_cast<double>(part.block.sessions.size())),
+            .visibleTogether = together};
   }
 
   /// A cause for each owner with a size of its own.
@@ -369,17 +446,17 @@ class Conclusion {
     return causes;
   }
 
-  void addNoise(SeriesDiagnosis& diagnosis) const {
+  void addNoise(SeriesConclusion& conclusion) const {
     for (const CommonNoise& noise : m_noise) {
       if (!noise.isLarger || std::ranges::find(m_leftOut, noiseId) != m_leftOut.end()) continue;
       SharedCause cause;
       cause.cause = named(noiseId);
       cause.cause.probability = noise.probability;
       cause.cause.parameters = {{PHRASE_LATER("Phrase", "ratio"), noise.scale, noise.sigma, "1"}};
-      cause.owner = CauseOwner::Instrument;
-      cause.serial = noise.instrument;
+      cause.owner = noise.isOfOne ? CauseOwner::Time : CauseOwner::Instrument;
+      if (!noise.isOfOne) cause.serial = noise.instrument;
       cause.sessions = noise.sessions;
-      diagnosis.causes.push_back(std::move(cause));
+      conclusion.diagnosis.causes.push_back(std::move(cause));
     }
   }
 
@@ -387,6 +464,11 @@ class Conclusion {
   void addOwn(SeriesConclusion& conclusion) const {
     conclusion.own.resize(sessions());
     conclusion.ownChance.assign(sessions(), 0);
+    for (const CommonNoise& noise : m_noise)
+      if (noise.isOfOne && noise.isLarger) {
+        conclusion.own[noise.sessions.front()].emplace_back(noiseId);
+        conclusion.ownChance[noise.sessions.front()] = noise.probability;
+      }
     for (std::size_t s = 0; s < sessions(); ++s) {
       const std::vector<double> chances = m_search.accountChances(s, m_best);
       double something = 0;
@@ -493,7 +575,9 @@ class Conclusion {
     for (std::size_t p = 0; p < m_best.parts.size(); ++p) {
       const EffectBlock& block = m_best.parts[p].block;
       const Effect& effect = *block.columns().effect;
-      if (block.sizes == SizesKind::PerSession || effect.response == Response::AllOrNothing) continue;
+      if (block.isPattern() || block.sizes == SizesKind::PerSession ||
+          effect.response == Response::AllOrNothing)
+        continue;
       for (std::size_t i = 0; i < block.sessions.size(); ++i) {
         const std::size_t s = block.sessions[i];
         const SharedSet& others = folds[s % foldCount()];

@@ -81,13 +81,30 @@ struct SeriesCopy {
   std::string file, first;
 };
 
+/// What sessions share, where no effect of the catalogue explains it.
+struct SharedPattern {
+  std::string follows;  ///< "radius along the guideway", …
+  int order = 0;        ///< periods in a turn; 0: it is no harmonic
+  /// Of the gap of all sessions that it takes up, 0…1; not a number where each session holds one by itself.
+  double share = std::numeric_limits<double>::quiet_NaN();
+  CauseOwner owner = CauseOwner::Time;
+  std::string serial = {};                 ///< of the owner
+  std::vector<std::size_t> sessions = {};  ///< that it acts in
+  double probability = 0;                  ///< that what they share is of no catalogue, 0…1
+  bool isOfEach = false;                   ///< each of these sessions holds one by itself, not all the same
+  double visibleInOne = 0;                 ///< what it leaves in a session, σ: root mean square
+  double visibleTogether = 0;              ///< in all of them
+};
+
 struct SeriesDiagnosis {
   DiagnosisVerdict verdict = DiagnosisVerdict::WithinNoise;
   GapSize gap, after;  ///< of all sessions, with what the positions of each must agree on
   Shrinkage shrink;    ///< held out: each session predicted by the sizes the others give
   std::vector<SharedCause> causes;
-  std::vector<Candidate> candidates;  ///< as shared by all sessions of an owner, the best owner of each
-  std::vector<GapShare> where;        ///< by frame, session, instrument and guideway
+  std::optional<SharedPattern> pattern;  ///< with NotInCatalogue; beside it `causes` that are certain
+  double unknownChance = 0;              ///< that the sessions share a pattern of no catalogue, 0…1
+  std::vector<Candidate> candidates;     ///< as shared by all sessions of an owner, the best owner of each
+  std::vector<GapShare> where;           ///< by frame, session, instrument and guideway
   std::vector<UnseenEffect> unseen;
   std::vector<SeriesAdvice> advice;
   std::vector<SeriesMember> sessions;                      ///< in the order in which they were measured

@@ -7,14 +7,11 @@ namespace alidade {
 
 using Eigen::Index, Eigen::VectorXd;
 
-EffectMatrix blockOf(const std::vector<double>& lowerTriangle, const EffectColumns& a,
-                     const EffectColumns& b) {
+EffectMatrix blockOf(const std::vector<double>& products, const EffectColumns& a, const EffectColumns& b) {
   EffectMatrix block(static_cast<Index>(a.count), static_cast<Index>(b.count));
   for (std::size_t i = 0; i < a.count; ++i)
-    for (std::size_t j = 0; j < b.count; ++j) {
-      const std::size_t row = std::max(a.first + i, b.first + j), column = std::min(a.first + i, b.first + j);
-      block(static_cast<Index>(i), static_cast<Index>(j)) = lowerTriangle[row * (row + 1) / 2 + column];
-    }
+    for (std::size_t j = 0; j < b.count; ++j)
+      block(static_cast<Index>(i), static_cast<Index>(j)) = products[productAt(a.first + i, b.first + j)];
   return block;
 }
 
@@ -44,9 +41,11 @@ double SessionSums::logOdds(std::size_t account) const {
   const OwnAccount& own = m_evidence->accounts[account];
   if (m_noise == 1) return own.logOdds;
   if (own.noisy && own.noise <= m_noise) return own.logOdds - 1e3;  // that is how the noise is already
-  // What the account takes away counts by the noise.
+  // What the account takes away counts by the noise; what larger noise gains, the noise has in part already.
   const double gained = (m_evidence->chiSquare - own.chiSquare) / 2;
-  return own.noisy ? own.logOdds : own.logOdds - gained + gained / variance(account);
+  if (!own.noisy) return own.logOdds - gained + gained / variance(account);
+  return own.logOdds - m_evidence->chiSquare / 2 * (1 - 1 / (m_noise * m_noise)) +
+         m_evidence->degreesOfFreedom * std::log(m_noise);
 }
 
 EffectMatrix SessionSums::plainNormal(const EffectColumns& a, const EffectColumns& b) const {

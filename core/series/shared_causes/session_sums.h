@@ -9,7 +9,7 @@
 namespace alidade {
 
 /// Of one effect, or two: there are many, so none of them takes room on the heap.
-inline constexpr int mostColumns = 5;
+inline constexpr int mostColumns = 12;
 using EffectMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, mostColumns, mostColumns>;
 using EffectVector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, mostColumns, 1>;
 
@@ -41,8 +41,7 @@ class SessionSums {
   double variance(std::size_t account) const;
 };
 
-/// A block of a symmetric matrix of which the lower triangle is kept row by row.
-EffectMatrix blockOf(const std::vector<double>& lowerTriangle, const EffectColumns& a,
-                     const EffectColumns& b);
+/// A block of the inner products that are kept (`productAt`).
+EffectMatrix blockOf(const std::vector<double>& products, const EffectColumns& a, const EffectColumns& b);
 
 }  // namespace alidade

@@ -268,34 +268,41 @@ SharedSet SharedSearch::madeOf(const std::vector<EffectBlock>& blocks,
 }
 
 bool SharedSearch::mayTake(const SharedSet& set, const EffectBlock& block) const {
+  if (block.isPattern() && set.isShaped()) return false;
   return std::ranges::none_of(set.parts, [&](const SharedPart& part) {
     return part.block.effect == block.effect && overlap(part.block, block);
   });
 }
 
 /// Those that gain the most beside the set: with what sessions hold by themselves, and with misread values
-/// and noise alone, since an effect that shows in each session is an account of each.
+/// and noise alone, since an effect that shows in each session is an account of each. Patterns take no place
+/// from effects.
 std::vector<SharedSearch::Growth> SharedSearch::promising(const SharedSet& set) const {
-  constexpr std::size_t most = 6;
+  constexpr std::size_t most = 6, mostPatterns = 3;
   std::vector<Growth> all;
   const auto offer = [&](const std::vector<std::size_t>& accounts) {
     std::vector<EffectBlock> blocks;
     for (const SharedPart& part : set.parts) blocks.push_back(part.block);
     const SharedSet from = fitted(blocks, accounts);
-    std::vector<Growth> growths;
+    std::vector<Growth> effects, patterns;
     for (std::size_t i = 0; i < m_blocks.size() && !m_stop.stop_requested(); ++i) {
       if (!mayTake(set, m_blocks[i])) continue;
       const Beside own = beside(from, from.covariance, m_blocks[i], accounts, {});
       const RowMajor gram = own.gram;
       const ColumnGain gain =
           columnGain(m_blocks[i].columns().effect->response, spanOf(gram), spanOf(own.right), widths);
-      if (std::isfinite(gain.log)) growths.push_back({i, gain.log + m_blocks[i].logPrior});
+      if (std::isfinite(gain.log))
+        (m_blocks[i].isPattern() ? patterns : effects).push_back({i, gain.log + m_blocks[i].logPrior});
     }
-    const std::size_t kept = std::min(most, growths.size());
-    std::ranges::partial_sort(growths, growths.begin() + static_cast<std::ptrdiff_t>(kept), std::greater{},
-                              &Growth::log);
-    for (std::size_t i = 0; i < kept; ++i)
-      if (std::ranges::find(all, growths[i].block, &Growth::block) == all.end()) all.push_back(growths[i]);
+    const auto keep = [&](std::vector<Growth>& growths, std::size_t count) {
+      const std::size_t kept = std::min(count, growths.size());
+      std::ranges::partial_sort(growths, growths.begin() + static_cast<std::ptrdiff_t>(kept), std::greater{},
+                                &Growth::log);
+      for (std::size_t i = 0; i < kept; ++i)
+        if (std::ranges::find(all, growths[i].block, &Growth::block) == all.end()) all.push_back(growths[i]);
+    };
+    keep(effects, most);
+    keep(patterns, mostPatterns);
   };
   const std::vector<std::size_t> plain = likeliestAccounts(set, false);
   offer(plain);
@@ -333,7 +340,8 @@ std::vector<SharedSet> SharedSearch::grown() const {
         }
         if (!std::isfinite(made.logPosteriorOdds)) continue;
         found.push_back(made);
-        if (made.logPosteriorOdds > set.logPosteriorOdds) next.push_back(std::move(made));
+        const bool mayGrow = made.logPosteriorOdds > set.logPosteriorOdds && !made.isShaped();
+        if (mayGrow) next.push_back(std::move(made));
       }
     }
     std::ranges::sort(next, std::greater{}, &SharedSet::logPosteriorOdds);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <cstddef>
 #include <functional>
 #include <stop_token>
@@ -37,6 +38,11 @@ struct SharedSet {
   double logPosteriorOdds = 0;             ///< against nothing in any session, natural
   double chance = 0;                       ///< 0…1, of those found
   Eigen::MatrixXd covariance = {};         ///< of z of all parts, one after the other
+
+  /// Holds a pattern of no catalogue.
+  bool isShaped() const {
+    return std::ranges::any_of(parts, [](const SharedPart& part) { return part.block.isPattern(); });
+  }
 };
 
 class SharedSearch {

@@ -71,13 +71,28 @@ TEST(SealedTruth, RefusesWhatNoAnswerCanBeRightFor) {
 
 // Sets made elsewhere may hold what nobody here has seen.
 TEST(SealedTruth, TakesEveryKindOfNoCatalogue) {
-  for (const char* kind : {"unknown_refraction", "unknown_tripod_of_wood", "unknown"}) {
+  for (const char* kind :
+       {"unknown_refraction", "unknown_tripod_of_wood", "unknown", "radial_bump", "settling"}) {
     const auto truths = readSealedTruths(
         R"({"a1": {"intersection_mm": 0, "look_alikes": [["moonlight", 0.9, 2]], "kind": ")" +
         std::string(kind) + "\"}}");
     ASSERT_TRUE(truths) << kind;
     EXPECT_THAT(truths->front().causes, ElementsAre(kind));
   }
+}
+
+// Other referees have other names for an effect, and for all of them at once; a series is no session.
+TEST(SealedTruth, KnowsWhatOtherRefereesCallIt) {
+  const auto truths = *readSealedTruths(R"({
+    "a": {"kind": "drift_real_v", "intersection_mm": 0, "plan": "far"},
+    "b": {"kind": "all", "intersection_mm": 0, "there": {"collimation": 1.0, "arc_lobing": 1.0}},
+    "c": {"kind": "trunnion_tilt", "intersection_mm": {"01": 1.5, "02": -1.5}},
+    "d": {"kind": "none", "shared": "none", "sessions": {"01": {"intersection_mm": 1}}}})");
+  ASSERT_EQ(truths.size(), 2u);
+  EXPECT_EQ(truths[0].kind, "vertical_drift");
+  EXPECT_EQ(truths[0].protocol, "far");
+  EXPECT_EQ(truths[1].kind, "several_causes");
+  EXPECT_THAT(truths[1].causes, ElementsAre("arc_lobing", "collimation"));
 }
 
 TEST(SealedTruth, IsMadeOfASimulatedTruth) {

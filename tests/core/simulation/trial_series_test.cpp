@@ -109,6 +109,9 @@ TEST(TrialSummary, CountsByClassKindAndSize) {
   EXPECT_EQ(summary.covered, (Tally{1, 2}));
   EXPECT_EQ(summary.backToNoise, (Tally{1, 1}));
   EXPECT_EQ(summary.confusion.at("arc_lobing").at("collimation"), 1u);
+  EXPECT_EQ(summary.kinds.at("none").quiet, (Tally{1, 2}));
+  EXPECT_EQ(summary.kinds.at("arc_lobing").named, (Tally{1, 2}));
+  EXPECT_EQ(summary.kinds.at("arc_lobing").measured, (Tally{}));
   ASSERT_EQ(summary.detection.size(), 1u);
   EXPECT_EQ(summary.detection[0].from, 6);
   EXPECT_EQ(summary.detection[0].detected, (Tally{2, 2}));

@@ -151,6 +151,71 @@ TEST(DiagnoseSeries, OneMisreadValueSpoilsNothing) {
   EXPECT_THAT(series.sessions[2].own, IsEmpty());
 }
 
+/// In the sessions' own guideway, faint in each (some 3 σ).
+Drawn ofOneGuideway(double amplitude) {
+  return {.put =
+              [amplitude](Truth& truth, std::size_t) {
+                truth.harmonic = {5, amplitude, 0};
+              },
+          .instrument = [](std::size_t s) { return "T-" + std::to_string(s % 4); },
+          .guideway = [](std::size_t) { return std::string("G-1"); }};
+}
+
+// A fifth harmonic of the radius is in no catalogue, and sessions share it with their guideway, whether or
+// not a session shows it alone.
+TEST(DiagnoseSeries, WhatNoCatalogueHoldsIsToldAsThat) {
+  for (const double amplitude : {0.01, 0.14}) {
+    const SeriesDiagnosis series = answerTo(drawn(ofOneGuideway(amplitude)));
+    EXPECT_EQ(series.verdict, DiagnosisVerdict::NotInCatalogue) << amplitude;
+    ASSERT_TRUE(series.pattern) << amplitude;
+    EXPECT_EQ(series.pattern->follows, "radius along the guideway");
+    EXPECT_EQ(series.pattern->order, 5);
+    EXPECT_EQ(series.pattern->owner, CauseOwner::Guideway);
+    EXPECT_EQ(series.pattern->serial, "G-1");
+    EXPECT_EQ(series.pattern->sessions.size(), 8u);
+    EXPECT_GT(series.pattern->probability, 0.9);
+    EXPECT_THAT(series.causes, IsEmpty()) << amplitude;
+    EXPECT_GT(series.shrink.heldOut, 0);
+  }
+}
+
+// Where nothing is shared, or an effect of the catalogue, no pattern is told.
+TEST(DiagnoseSeries, NoPatternStandsInForNothingOrForAnEffect) {
+  for (const bool isTilted : {false, true}) {
+    const SeriesDiagnosis series =
+        isTilted ? answerTo(drawn({.put = tiltTrunnion})) : answerTo(drawn({.seed = 5}));
+    EXPECT_FALSE(series.pattern) << isTilted;
+    EXPECT_LT(series.unknownChance, 0.2) << isTilted;
+  }
+}
+
+// One session that scatters four times as much says nothing of the seven others.
+TEST(DiagnoseSeries, NoiseOfOneSessionIsNotThatOfAll) {
+  const SeriesDiagnosis series = answerTo(drawn({.put = [](Truth& truth, std::size_t s) {
+    tiltTrunnion(truth, s);
+    if (s == 3) truth.noiseFactor = 4;
+  }}));
+  ASSERT_FALSE(series.causes.empty());
+  EXPECT_EQ(series.causes.front().cause.effect, "trunnion_tilt");
+  for (const SharedCause& cause : series.causes) {
+    if (cause.cause.effect != "underestimated_noise") continue;
+    EXPECT_THAT(cause.sessions, testing::ElementsAre(3));
+  }
+  ASSERT_EQ(series.sessions[3].own.size(), 1u);
+  EXPECT_EQ(series.sessions[3].own.front().effect, "underestimated_noise");
+}
+
+// And where all scatter so, it is the instrument.
+TEST(DiagnoseSeries, NoiseOfAllIsThatOfTheInstrument) {
+  const SeriesDiagnosis series =
+      answerTo(drawn({.put = [](Truth& truth, std::size_t) { truth.noiseFactor = 1.6; }}));
+  ASSERT_EQ(series.causes.size(), 1u);
+  EXPECT_EQ(series.causes.front().cause.effect, "underestimated_noise");
+  EXPECT_EQ(series.causes.front().sessions.size(), 8u);
+  const CauseParameter& ratio = series.causes.front().cause.parameters.front();
+  EXPECT_NEAR(ratio.value, 1.6, 3.3 * ratio.sigma);
+}
+
 TEST(DiagnoseSeries, ASessionThatDoesNotShareItIsSetApart) {
   const SeriesDiagnosis series = answerTo(drawn({.put = [](Truth& truth, std::size_t s) {
     truth.effects = {{ErrorTerm::TrunnionTilt, s == 5 ? -25.0 : 12.0}};
