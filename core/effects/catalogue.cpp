@@ -108,6 +108,14 @@ constexpr std::vector<Effect> makeCatalogue() {
        Linear,
        //: how far something lies off
        {{PHRASE_LATER("Phrase", "offset"), PlaneOffset, "mm", 1}}},
+      {"plane_skew",
+       PHRASE_LATER("Phrase", "plane skew"),
+       PHRASE_LATER("Phrase", "the arc plane is askew to the rotation axis, and turns over with the guideway"),
+       PHRASE_LATER("Phrase", "read the slider, and square the guideway to its axis"),
+       ErrorSource::Guideway,
+       Linear,
+       //: how far something is askew
+       {{PHRASE_LATER("Phrase", "skew"), PlaneSkew, "deg", 0.1}}},
       {"axial_shift",
        PHRASE_LATER("Phrase", "axial shift"),
        PHRASE_LATER("Phrase", "the guideway moves along its axis when it is turned"),

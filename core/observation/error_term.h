@@ -29,6 +29,7 @@ enum class ErrorTerm : std::size_t {
   PlaneTiltX,         ///< the arc plane turned about +x through the arc centre
   PlaneTiltY,         ///< about +y
   PlaneOffset,        ///< the arc plane off the rotation axis: nearer by this at 0°, farther at 180°
+  PlaneSkew,          ///< the plane askew to its own axis: off it by ε R cos s, turning with the guideway
   AxialShift,         ///< of the guideway along its axis, +x, when it is turned from 0° to 180°
   RadiusChange,       ///< of the radius when it is turned so
   EllipticityCosine,  ///< radius + A cos 2s + B sin 2s: A

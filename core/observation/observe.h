@@ -76,10 +76,11 @@ SpacePoint<T> targetAt(const ErrorTerms<T>& errors, const ArcPose<T>& arc, const
   const double turned = (1 - turn) / 2;
   const T radius = arc.radius + turned * errors[RadiusChange] + errors[EllipticityCosine] * cos2 +
                    errors[EllipticitySine] * sin2 + errors[LobingCosine] * cos3 + errors[LobingSine] * sin3;
-  // In the guideway's plane, then off it; the plane's tilt turns about the arc centre and, like the warp,
-  // with the guideway.
+  // In the guideway's plane, then off it; the plane's tilt turns about the arc centre and, like the warp
+  // and the skew, with the guideway.
   const T x = radius * cos(phi), y = radius * sin(phi);
-  const T off = turn * (errors[WarpCosine] * cos2 + errors[WarpSine] * sin2);
+  const T off = turn * (errors[WarpCosine] * cos2 + errors[WarpSine] * sin2 +
+                        errors[PlaneSkew] * arc.radius * cos(s));
   const T &tiltX = errors[PlaneTiltX], &tiltY = errors[PlaneTiltY];
   const T yTilted = y * cos(tiltX) - off * sin(tiltX), zTilted = y * sin(tiltX) + off * cos(tiltX);
   const T xTurned = x * cos(tiltY) + zTilted * sin(tiltY), zTurned = zTilted * cos(tiltY) - x * sin(tiltY);

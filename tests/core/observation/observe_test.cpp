@@ -148,6 +148,7 @@ TEST_P(DerivativeTest, OfEveryErrorTermMeetsTheNumericOne) {
                                              {GravitySag, 0.3},
                                              {WarpCosine, 0.3},
                                              {WarpSine, 0.3},
+                                             {PlaneSkew, 1e-3},
                                              {PlaneTiltX, 1e-3},
                                              {PlaneTiltY, 1e-3}};
   for (std::size_t t = 0; t < errorTermCount; ++t) {
@@ -195,6 +196,7 @@ TEST(Target, MovesAsTheErrorsOfTheGuidewayAreDescribed) {
           {PlaneTiltX, {0, 0, 400 * d}},
           {PlaneTiltY, {0, 0, -400 * c}},
           {PlaneOffset, {0, 0, turn}},
+          {PlaneSkew, {0, 0, turn * 400 * std::cos(s)}},
           {EllipticityCosine, {std::cos(2 * s) * c, std::cos(2 * s) * d, 0}},
           {EllipticitySine, {std::sin(2 * s) * c, std::sin(2 * s) * d, 0}},
           {LobingCosine, {std::cos(3 * s) * c, std::cos(3 * s) * d, 0}},
