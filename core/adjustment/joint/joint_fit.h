@@ -141,7 +141,9 @@ struct JointFit {
   /// ∂unknown/∂considered, unknowns × considered, row by row.
   std::vector<double> perConsidered;
 
-  std::vector<std::vector<double>> arcAngles;  ///< φ of each sighting of each arc, rad in (−π, π]
+  /// φ of each sighting of each arc, rad in (−π, π]; where the slider is read, without a seam
+  /// (`unwrapAlongSlider`).
+  std::vector<std::vector<double>> arcAngles;
   std::vector<AdjustedReading> readings;       ///< visit by visit
   std::vector<ArcMisfit> misfits;              ///< of each arc of the measurement
   double chiSquare = 0;                        ///< of circles, slider and priors

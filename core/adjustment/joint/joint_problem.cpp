@@ -4,12 +4,14 @@
 #include <cassert>
 #include <cmath>
 #include <numeric>
+#include <span>
 #include <tuple>
 #include <utility>
 
 #include "core/adjustment/joint/arc_jets.h"
 #include "core/adjustment/numerics/arc_angle_elimination.h"
 #include "core/adjustment/numerics/arc_angle_step.h"
+#include "core/observation/slider_turns.h"
 
 namespace alidade {
 
@@ -175,6 +177,7 @@ JointState JointProblem::start(const std::vector<Circle>& circles) const {
         sightedPoint(m_visits[v].visit.mean.direction, m_measurement.distance, m_measurement.relation);
     state.arcAngles[static_cast<Index>(v)] = nearestArcAngle(circles[m_visits[v].arc], place);
   }
+  unwrap(state);
   return state;
 }
 
@@ -188,7 +191,19 @@ JointState JointProblem::stateOf(const JointFit& fit) const {
   for (std::size_t v = 0; v < m_visits.size(); ++v)
     state.arcAngles[static_cast<Index>(v)] =
         fit.arcAngles[m_visits[v].arc][m_visits[v].visit.sightings.front()];
+  unwrap(state);
   return state;
+}
+
+void JointProblem::unwrap(JointState& state) const {
+  std::vector<const Sighting*> sliders;
+  for (const VisitOfArc& visit : m_visits) sliders.push_back(visit.slider);
+  for (std::size_t first = 0, end = 0; first < m_visits.size(); first = end) {
+    while (end < m_visits.size() && m_visits[end].arc == m_visits[first].arc) ++end;
+    unwrapAlongSlider(std::span(state.arcAngles.data() + first, end - first),
+                      std::span(sliders).subspan(first, end - first),
+                      m_measurement.arcs[m_visits[first].arc].axisDeg);
+  }
 }
 
 ReadingRef JointProblem::cellOf(std::size_t visitIndex, Index row) const {

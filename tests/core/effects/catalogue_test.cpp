@@ -159,6 +159,22 @@ TEST(EffectCatalogue, FindsEffectsByTheirId) {
   EXPECT_EQ(effectById("moonlight"), nullptr);
 }
 
+// A plane askew by 0.28° on the plan of Table I, worked out apart from this program: Δx opens by −0.53 to
+// −0.68 mm, and Δd stays where the guideway's turn takes it off.
+TEST(Effects, OpenTheCentreByAPlaneAskewAndLeaveTheIntersection) {
+  Truth truth = drawTruth(7);
+  const auto fitted = [&] {
+    return fitSession(*examine(*simulateWithoutNoise(*protocolByName("paper"), truth, 7)).measurement);
+  };
+  const SessionFit none = fitted();
+  truth.effects = {{PlaneSkew, 0.28}};
+  const SessionFit askew = fitted();
+  const auto opened = [](const SessionFit& fit) { return fit.arcs[1].circle.x - fit.arcs[0].circle.x; };
+  EXPECT_GT(opened(askew) - opened(none), -0.68);
+  EXPECT_LT(opened(askew) - opened(none), -0.53);
+  EXPECT_NEAR(askew.intersection->value, none.intersection->value, 0.01);
+}
+
 // The first-order formulas of the textbooks, at 1″, where what they leave out is below 1e-5 of the effect.
 TEST(Effects, MeetTheTextbookFormulasOfTheInstrument) {
   const double size = Angle::fromArcseconds(1).radians();
