@@ -156,6 +156,15 @@ constexpr std::vector<Effect> makeCatalogue() {
        Linear,
        //: how far something sags
        {{PHRASE_LATER("Phrase", "sag"), GravitySag, "mm", 0.05}}},
+      // Bending of a radial arm under a weight at its end goes with its horizontal part, cos φ, and square to
+      // it: along the arc.
+      {"arm_sag",
+       PHRASE_LATER("Phrase", "arm sag"),
+       PHRASE_LATER("Phrase", "the slider's arm bends under its weight, the more the nearer to the horizontal"),
+       PHRASE_LATER("Phrase", "read the slider, and stiffen its arm"),
+       ErrorSource::Guideway,
+       Linear,
+       {{PHRASE_LATER("Phrase", "sag"), ArmSag, "mm", 0.05}}},
       {"plane_warp",
        PHRASE_LATER("Phrase", "plane warp"),
        PHRASE_LATER("Phrase", "the guideway is warped out of its plane"),

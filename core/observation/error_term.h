@@ -37,6 +37,7 @@ enum class ErrorTerm : std::size_t {
   LobingCosine,       ///< radius + A cos 3s + B sin 3s: A
   LobingSine,         ///< B
   GravitySag,         ///< y − g sin s, downwards however the guideway is turned
+  ArmSag,             ///< along the arc by −g cos φ, which lowers the target however the guideway is turned
   WarpCosine,         ///< target off the plane by A cos 2s + B sin 2s, turning with the guideway: A
   WarpSine,           ///< B
   SliderScale,        ///< slider reading = s (1 + k) + …

@@ -84,8 +84,9 @@ SpacePoint<T> targetAt(const ErrorTerms<T>& errors, const ArcPose<T>& arc, const
   const T &tiltX = errors[PlaneTiltX], &tiltY = errors[PlaneTiltY];
   const T yTilted = y * cos(tiltX) - off * sin(tiltX), zTilted = y * sin(tiltX) + off * cos(tiltX);
   const T xTurned = x * cos(tiltY) + zTilted * sin(tiltY), zTurned = zTilted * cos(tiltY) - x * sin(tiltY);
-  return {arc.x + turned * errors[AxialShift] + xTurned, arc.y + yTilted - errors[GravitySag] * sin(s),
-          zTurned + turn * errors[PlaneOffset] - distance};
+  const T drop = errors[GravitySag] * sin(s) + errors[ArmSag] * cos(phi) * cos(phi);
+  return {arc.x + turned * errors[AxialShift] + xTurned + errors[ArmSag] * cos(phi) * sin(phi),
+          arc.y + yTilted - drop, zTurned + turn * errors[PlaneOffset] - distance};
 }
 
 /// The direction to `target` as read on the circles in `pointing`'s face, as its face 1 equivalent before the
