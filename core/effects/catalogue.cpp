@@ -75,6 +75,16 @@ constexpr std::vector<Effect> makeCatalogue() {
        Linear,
        {{PHRASE_LATER("Phrase", "sine"), VerticalCircleSine, "arcsec", 10},
         {PHRASE_LATER("Phrase", "cosine"), VerticalCircleCosine, "arcsec", 10}}},
+      // The second harmonic of a circle, left where two opposite places are read. At the
+      // horizon its cosine reads as an index.
+      {"vertical_graduation",
+       PHRASE_LATER("Phrase", "vertical graduation"),
+       PHRASE_LATER("Phrase", "the vertical circle's graduation errs twice a turn"),
+       PHRASE_LATER("Phrase", "observe in both faces, and have the circle calibrated"),
+       ErrorSource::Instrument,
+       Linear,
+       {{PHRASE_LATER("Phrase", "sine"), VerticalGraduationSine, "arcsec", 0.7},
+        {PHRASE_LATER("Phrase", "cosine"), VerticalGraduationCosine, "arcsec", 0.7}}},
       {"horizontal_drift",
        PHRASE_LATER("Phrase", "horizontal drift"),
        PHRASE_LATER("Phrase", "the horizontal orientation turns steadily during the session"),

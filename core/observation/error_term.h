@@ -20,6 +20,8 @@ enum class ErrorTerm : std::size_t {
   HorizontalCircleCosine,  ///< B
   VerticalCircleSine,      ///< δβ = A sin β + B cos β of the circle reading of either face: A
   VerticalCircleCosine,    ///< B
+  VerticalGraduationSine,  ///< δβ = A sin 2β + B cos 2β of the circle reading of either face: A
+  VerticalGraduationCosine,  ///< B
   HorizontalDrift,         ///< turn of the orientation from the first reading of the session to the last
   VerticalDrift,           ///< the same for the vertical circle; zenith readings grow with positive drift
   HorizontalJump,          ///< step of the orientation at the moment of the jump

@@ -129,9 +129,11 @@ Direction<T> circleDirection(const ErrorTerms<T>& errors, SpacePoint<T> target, 
   const T beta1 = pointing.verticalZero - down * e;
   const double fullTurn = pointing.circle == VerticalCircle::Zenith ? 2 * std::numbers::pi : std::numbers::pi;
   const T beta = side > 0 ? beta1 : T(fullTurn - beta1);
+  const T sinBeta = sin(beta), cosBeta = cos(beta);
   e -= down * side *
-       (errors[VerticalIndex] + errors[VerticalCircleSine] * sin(beta) +
-        errors[VerticalCircleCosine] * cos(beta));
+       (errors[VerticalIndex] + errors[VerticalCircleSine] * sinBeta + errors[VerticalCircleCosine] * cosBeta +
+        errors[VerticalGraduationSine] * 2 * sinBeta * cosBeta +
+        errors[VerticalGraduationCosine] * (1 - 2 * sinBeta * sinBeta));
 
   a += errors[HorizontalDrift] * pointing.elapsed;
   e -= down * errors[VerticalDrift] * pointing.elapsed;

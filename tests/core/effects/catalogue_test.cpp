@@ -76,7 +76,7 @@ TEST_P(EffectTest, ShowsInSomeReadingAtItsPlausibleSize) {
     const auto none = readAt({}, pointing(1), phi, axisDeg), some = readAt(errors, pointing(1), phi, axisDeg);
     most = std::max(most, std::hypot(some.a - none.a, some.e - none.e));
   }
-  EXPECT_GT(most, Angle::fromArcseconds(0.5).radians());
+  EXPECT_GT(most, Angle::fromArcseconds(0.1).radians());
 }
 
 std::vector<EffectParameter> allParameters() {
@@ -194,6 +194,10 @@ TEST(Effects, MeetTheTextbookFormulasOfTheInstrument) {
     EXPECT_NEAR(changeOfE(VerticalIndex), -side,
                 tolerance);  // the zenith angle grows, so the elevation falls
     EXPECT_NEAR(changeOfA(HorizontalCircleSine), side * std::sin(0.4 + none.a), tolerance);
+    const double beta1 = pointing(face).verticalZero - none.e;
+    const double beta = face == 1 ? beta1 : 2 * std::numbers::pi - beta1;
+    EXPECT_NEAR(changeOfE(VerticalGraduationSine), -side * std::sin(2 * beta), tolerance);
+    EXPECT_NEAR(changeOfE(VerticalGraduationCosine), -side * std::cos(2 * beta), tolerance);
     EXPECT_NEAR(changeOfA(HorizontalDrift), 0.7, tolerance);
     EXPECT_NEAR(changeOfE(VerticalDrift), -0.7, tolerance);
     // A leaning vertical axis acts alike in both faces: along tan e on α, and directly on e.
