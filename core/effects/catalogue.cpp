@@ -85,6 +85,18 @@ constexpr std::vector<Effect> makeCatalogue() {
        Linear,
        {{PHRASE_LATER("Phrase", "sine"), VerticalGraduationSine, "arcsec", 0.7},
         {PHRASE_LATER("Phrase", "cosine"), VerticalGraduationCosine, "arcsec", 0.7}}},
+      // What bends lines of sight alike above and below the horizon; its constant part is in the zero. Half
+      // an arcsecond is what a gradient of 2 K/m bends a line of 2.4 m by: δ = 0.93e-6/K · 2 K/m · L/2.
+      {"vertical_refraction",
+       PHRASE_LATER("Phrase", "vertical refraction"),
+       PHRASE_LATER(
+           "Phrase",
+           "layers of warm air bend the lines of sight, as the square of the elevation (size at 10°)"),
+       PHRASE_LATER("Phrase", "keep sources of heat away, and stir the air"),
+       ErrorSource::Instrument,
+       Linear,
+       //: how far a line of sight is bent
+       {{PHRASE_LATER("Phrase", "bend"), VerticalRefraction, "arcsec", 0.5}}},
       {"horizontal_drift",
        PHRASE_LATER("Phrase", "horizontal drift"),
        PHRASE_LATER("Phrase", "the horizontal orientation turns steadily during the session"),
@@ -120,7 +132,8 @@ constexpr std::vector<Effect> makeCatalogue() {
        {{PHRASE_LATER("Phrase", "offset"), PlaneOffset, "mm", 1}}},
       {"plane_skew",
        PHRASE_LATER("Phrase", "plane skew"),
-       PHRASE_LATER("Phrase", "the arc plane is askew to the rotation axis, and turns over with the guideway"),
+       PHRASE_LATER("Phrase",
+                    "the arc plane is askew to the rotation axis, and turns over with the guideway"),
        PHRASE_LATER("Phrase", "read the slider, and square the guideway to its axis"),
        ErrorSource::Guideway,
        Linear,
@@ -170,7 +183,8 @@ constexpr std::vector<Effect> makeCatalogue() {
       // it: along the arc.
       {"arm_sag",
        PHRASE_LATER("Phrase", "arm sag"),
-       PHRASE_LATER("Phrase", "the slider's arm bends under its weight, the more the nearer to the horizontal"),
+       PHRASE_LATER("Phrase",
+                    "the slider's arm bends under its weight, the more the nearer to the horizontal"),
        PHRASE_LATER("Phrase", "read the slider, and stiffen its arm"),
        ErrorSource::Guideway,
        Linear,

@@ -79,8 +79,8 @@ SpacePoint<T> targetAt(const ErrorTerms<T>& errors, const ArcPose<T>& arc, const
   // In the guideway's plane, then off it; the plane's tilt turns about the arc centre and, like the warp
   // and the skew, with the guideway.
   const T x = radius * cos(phi), y = radius * sin(phi);
-  const T off = turn * (errors[WarpCosine] * cos2 + errors[WarpSine] * sin2 +
-                        errors[PlaneSkew] * arc.radius * cos(s));
+  const T off =
+      turn * (errors[WarpCosine] * cos2 + errors[WarpSine] * sin2 + errors[PlaneSkew] * arc.radius * cos(s));
   const T &tiltX = errors[PlaneTiltX], &tiltY = errors[PlaneTiltY];
   const T yTilted = y * cos(tiltX) - off * sin(tiltX), zTilted = y * sin(tiltX) + off * cos(tiltX);
   const T xTurned = x * cos(tiltY) + zTilted * sin(tiltY), zTurned = zTilted * cos(tiltY) - x * sin(tiltY);
@@ -122,6 +122,9 @@ Direction<T> circleDirection(const ErrorTerms<T>& errors, SpacePoint<T> target, 
   const double isPlanar = pointing.relation == VerticalAngleRelation::Planar ? 1 : 0;
   e += (isPlanar + (1 - 2 * isPlanar) * errors[VerticalAngleRelation]) * (planar - exact);
 
+  constexpr double perTenDegrees = 18 / std::numbers::pi;
+  e += errors[VerticalRefraction] * (perTenDegrees * perTenDegrees) * e * e;
+
   // The circles, each where it stands in this face.
   const T alpha = pointing.horizontalZero + a;
   a += side * (errors[HorizontalCircleSine] * sin(alpha) + errors[HorizontalCircleCosine] * cos(alpha));
@@ -131,8 +134,8 @@ Direction<T> circleDirection(const ErrorTerms<T>& errors, SpacePoint<T> target, 
   const T beta = side > 0 ? beta1 : T(fullTurn - beta1);
   const T sinBeta = sin(beta), cosBeta = cos(beta);
   e -= down * side *
-       (errors[VerticalIndex] + errors[VerticalCircleSine] * sinBeta + errors[VerticalCircleCosine] * cosBeta +
-        errors[VerticalGraduationSine] * 2 * sinBeta * cosBeta +
+       (errors[VerticalIndex] + errors[VerticalCircleSine] * sinBeta +
+        errors[VerticalCircleCosine] * cosBeta + errors[VerticalGraduationSine] * 2 * sinBeta * cosBeta +
         errors[VerticalGraduationCosine] * (1 - 2 * sinBeta * sinBeta));
 
   a += errors[HorizontalDrift] * pointing.elapsed;

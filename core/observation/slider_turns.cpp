@@ -22,8 +22,7 @@ struct SliderPlace {
 double turnoverOf(std::vector<SliderPlace>& places) {
   constexpr double smallest = std::numbers::pi / 4;
   std::ranges::sort(places, {}, &SliderPlace::reading);
-  double widest =
-      std::max(smallest, 2 * std::numbers::pi - places.back().reading + places.front().reading);
+  double widest = std::max(smallest, 2 * std::numbers::pi - places.back().reading + places.front().reading);
   double turnover = std::numeric_limits<double>::infinity();
   for (std::size_t i = 1; i < places.size(); ++i) {
     const double gap = places[i].reading - places[i - 1].reading;

@@ -198,6 +198,8 @@ TEST(Effects, MeetTheTextbookFormulasOfTheInstrument) {
     const double beta = face == 1 ? beta1 : 2 * std::numbers::pi - beta1;
     EXPECT_NEAR(changeOfE(VerticalGraduationSine), -side * std::sin(2 * beta), tolerance);
     EXPECT_NEAR(changeOfE(VerticalGraduationCosine), -side * std::cos(2 * beta), tolerance);
+    const double tens = none.e * 18 / std::numbers::pi;
+    EXPECT_NEAR(changeOfE(VerticalRefraction), tens * tens, tolerance);  // the same in both faces
     EXPECT_NEAR(changeOfA(HorizontalDrift), 0.7, tolerance);
     EXPECT_NEAR(changeOfE(VerticalDrift), -0.7, tolerance);
     // A leaning vertical axis acts alike in both faces: along tan e on α, and directly on e.
