@@ -75,6 +75,28 @@ constexpr std::vector<Effect> makeCatalogue() {
        Linear,
        {{PHRASE_LATER("Phrase", "sine"), VerticalCircleSine, "arcsec", 10},
         {PHRASE_LATER("Phrase", "cosine"), VerticalCircleCosine, "arcsec", 10}}},
+      // The second harmonic of a circle, left where two opposite places are read. At the
+      // horizon its cosine reads as an index.
+      {"vertical_graduation",
+       PHRASE_LATER("Phrase", "vertical graduation"),
+       PHRASE_LATER("Phrase", "the vertical circle's graduation errs twice a turn"),
+       PHRASE_LATER("Phrase", "observe in both faces, and have the circle calibrated"),
+       ErrorSource::Instrument,
+       Linear,
+       {{PHRASE_LATER("Phrase", "sine"), VerticalGraduationSine, "arcsec", 0.7},
+        {PHRASE_LATER("Phrase", "cosine"), VerticalGraduationCosine, "arcsec", 0.7}}},
+      // What bends lines of sight alike above and below the horizon; its constant part is in the zero. Half
+      // an arcsecond is what a gradient of 2 K/m bends a line of 2.4 m by: δ = 0.93e-6/K · 2 K/m · L/2.
+      {"vertical_refraction",
+       PHRASE_LATER("Phrase", "vertical refraction"),
+       PHRASE_LATER(
+           "Phrase",
+           "layers of warm air bend the lines of sight, as the square of the elevation (size at 10°)"),
+       PHRASE_LATER("Phrase", "keep sources of heat away, and stir the air"),
+       ErrorSource::Instrument,
+       Linear,
+       //: how far a line of sight is bent
+       {{PHRASE_LATER("Phrase", "bend"), VerticalRefraction, "arcsec", 0.5}}},
       {"horizontal_drift",
        PHRASE_LATER("Phrase", "horizontal drift"),
        PHRASE_LATER("Phrase", "the horizontal orientation turns steadily during the session"),
@@ -108,6 +130,15 @@ constexpr std::vector<Effect> makeCatalogue() {
        Linear,
        //: how far something lies off
        {{PHRASE_LATER("Phrase", "offset"), PlaneOffset, "mm", 1}}},
+      {"plane_skew",
+       PHRASE_LATER("Phrase", "plane skew"),
+       PHRASE_LATER("Phrase",
+                    "the arc plane is askew to the rotation axis, and turns over with the guideway"),
+       PHRASE_LATER("Phrase", "read the slider, and square the guideway to its axis"),
+       ErrorSource::Guideway,
+       Linear,
+       //: how far something is askew
+       {{PHRASE_LATER("Phrase", "skew"), PlaneSkew, "deg", 0.1}}},
       {"axial_shift",
        PHRASE_LATER("Phrase", "axial shift"),
        PHRASE_LATER("Phrase", "the guideway moves along its axis when it is turned"),
@@ -148,6 +179,16 @@ constexpr std::vector<Effect> makeCatalogue() {
        Linear,
        //: how far something sags
        {{PHRASE_LATER("Phrase", "sag"), GravitySag, "mm", 0.05}}},
+      // Bending of a radial arm under a weight at its end goes with its horizontal part, cos φ, and square to
+      // it: along the arc.
+      {"arm_sag",
+       PHRASE_LATER("Phrase", "arm sag"),
+       PHRASE_LATER("Phrase",
+                    "the slider's arm bends under its weight, the more the nearer to the horizontal"),
+       PHRASE_LATER("Phrase", "read the slider, and stiffen its arm"),
+       ErrorSource::Guideway,
+       Linear,
+       {{PHRASE_LATER("Phrase", "sag"), ArmSag, "mm", 0.05}}},
       {"plane_warp",
        PHRASE_LATER("Phrase", "plane warp"),
        PHRASE_LATER("Phrase", "the guideway is warped out of its plane"),

@@ -16,19 +16,23 @@ enum class ErrorTerm : std::size_t {
   VerticalIndex,      ///< j: added to the vertical circle's reading in both faces
   VerticalAxisTiltX,  ///< the vertical axis leans towards the observer (turned about +x)
   VerticalAxisTiltZ,  ///< the vertical axis leans to the left (turned about +z)
-  HorizontalCircleSine,    ///< δα = A sin α + B cos α of the circle reading of either face: A
-  HorizontalCircleCosine,  ///< B
-  VerticalCircleSine,      ///< δβ = A sin β + B cos β of the circle reading of either face: A
-  VerticalCircleCosine,    ///< B
-  HorizontalDrift,         ///< turn of the orientation from the first reading of the session to the last
-  VerticalDrift,           ///< the same for the vertical circle; zenith readings grow with positive drift
-  HorizontalJump,          ///< step of the orientation at the moment of the jump
+  HorizontalCircleSine,      ///< δα = A sin α + B cos α of the circle reading of either face: A
+  HorizontalCircleCosine,    ///< B
+  VerticalCircleSine,        ///< δβ = A sin β + B cos β of the circle reading of either face: A
+  VerticalCircleCosine,      ///< B
+  VerticalGraduationSine,    ///< δβ = A sin 2β + B cos 2β of the circle reading of either face: A
+  VerticalGraduationCosine,  ///< B
+  VerticalRefraction,        ///< k: e comes out greater by k (e/10°)²
+  HorizontalDrift,           ///< turn of the orientation from the first reading of the session to the last
+  VerticalDrift,             ///< the same for the vertical circle; zenith readings grow with positive drift
+  HorizontalJump,            ///< step of the orientation at the moment of the jump
   VerticalJump,
   SetupShiftX,        ///< of what is sighted against the instrument, +x, in every position after the first
   SetupShiftY,        ///< +y
   PlaneTiltX,         ///< the arc plane turned about +x through the arc centre
   PlaneTiltY,         ///< about +y
   PlaneOffset,        ///< the arc plane off the rotation axis: nearer by this at 0°, farther at 180°
+  PlaneSkew,          ///< the plane askew to its own axis: off it by ε R cos s, turning with the guideway
   AxialShift,         ///< of the guideway along its axis, +x, when it is turned from 0° to 180°
   RadiusChange,       ///< of the radius when it is turned so
   EllipticityCosine,  ///< radius + A cos 2s + B sin 2s: A
@@ -36,10 +40,11 @@ enum class ErrorTerm : std::size_t {
   LobingCosine,       ///< radius + A cos 3s + B sin 3s: A
   LobingSine,         ///< B
   GravitySag,         ///< y − g sin s, downwards however the guideway is turned
-  WarpCosine,         ///< target off the plane by A cos 2s + B sin 2s, turning with the guideway: A
-  WarpSine,           ///< B
-  SliderScale,        ///< slider reading = s (1 + k) + …
-  SliderSine,         ///< … + A sin s
+  ArmSag,       ///< along the arc by −g cos φ, which lowers the target however the guideway is turned
+  WarpCosine,   ///< target off the plane by A cos 2s + B sin 2s, turning with the guideway: A
+  WarpSine,     ///< B
+  SliderScale,  ///< slider reading = s (1 + k) + …
+  SliderSine,   ///< … + A sin s
   Count,
 };
 

@@ -69,15 +69,17 @@ SpacePoint<T> targetAt(const ErrorTerms<T>& errors, const ArcPose<T>& arc, const
   const double turned = (1 - turn) / 2;
   const T radius = arc.radius + turned * errors[RadiusChange] + errors[EllipticityCosine] * cos2 +
                    errors[EllipticitySine] * sin2 + errors[LobingCosine] * cos3 + errors[LobingSine] * sin3;
-  // In the guideway's plane, then off it; the plane's tilt turns about the arc centre and, like the warp,
-  // with the guideway.
+  // In the guideway's plane, then off it; the plane's tilt turns about the arc centre and, like the warp
+  // and the skew, with the guideway.
   const T x = radius * cos(phi), y = radius * sin(phi);
-  const T off = turn * (errors[WarpCosine] * cos2 + errors[WarpSine] * sin2);
+  const T off =
+      turn * (errors[WarpCosine] * cos2 + errors[WarpSine] * sin2 + errors[PlaneSkew] * arc.radius * cos(s));
   const T &tiltX = errors[PlaneTiltX], &tiltY = errors[PlaneTiltY];
   const T yTilted = y * cos(tiltX) - off * sin(tiltX), zTilted = y * sin(tiltX) + off * cos(tiltX);
   const T xTurned = x * cos(tiltY) + zTilted * sin(tiltY), zTurned = zTilted * cos(tiltY) - x * sin(tiltY);
-  return {arc.x + turned * errors[AxialShift] + xTurned, arc.y + yTilted - errors[GravitySag] * sin(s),
-          zTurned + turn * errors[PlaneOffset] - distance};
+  const T drop = errors[GravitySag] * sin(s) + errors[ArmSag] * cos(phi) * cos(phi);
+  return {arc.x + turned * errors[AxialShift] + xTurned + errors[ArmSag] * cos(phi) * sin(phi),
+          arc.y + yTilted - drop, zTurned + turn * errors[PlaneOffset] - distance};
 }
 
 /// The direction to `target` as read on the circles in `pointing`'s face, as its face 1 equivalent before the
@@ -114,6 +116,9 @@ Direction<T> circleDirection(const ErrorTerms<T>& errors, SpacePoint<T> target, 
   const double isPlanar = pointing.relation == VerticalAngleRelation::Planar ? 1 : 0;
   e += (isPlanar + (1 - 2 * isPlanar) * errors[VerticalAngleRelation]) * (planar - exact);
 
+  constexpr double perTenDegrees = 18 / std::numbers::pi;
+  e += errors[VerticalRefraction] * (perTenDegrees * perTenDegrees) * e * e;
+
   // The circles, each where it stands in this face.
   const T alpha = pointing.horizontalZero + a;
   a += side * (errors[HorizontalCircleSine] * sin(alpha) + errors[HorizontalCircleCosine] * cos(alpha));
@@ -122,9 +127,11 @@ Direction<T> circleDirection(const ErrorTerms<T>& errors, SpacePoint<T> target, 
   const T beta1 = horizon - down * e;
   const double fullTurn = pointing.circle == VerticalCircle::Zenith ? 2 * std::numbers::pi : std::numbers::pi;
   const T beta = side > 0 ? beta1 : T(fullTurn - beta1);
+  const T sinBeta = sin(beta), cosBeta = cos(beta);
   e -= down * side *
-       (errors[VerticalIndex] + errors[VerticalCircleSine] * sin(beta) +
-        errors[VerticalCircleCosine] * cos(beta));
+       (errors[VerticalIndex] + errors[VerticalCircleSine] * sinBeta +
+        errors[VerticalCircleCosine] * cosBeta + errors[VerticalGraduationSine] * 2 * sinBeta * cosBeta +
+        errors[VerticalGraduationCosine] * (1 - 2 * sinBeta * sinBeta));
 
   a += errors[HorizontalDrift] * pointing.elapsed;
   e -= down * errors[VerticalDrift] * pointing.elapsed;

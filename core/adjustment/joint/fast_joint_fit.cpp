@@ -12,6 +12,7 @@
 #include "core/adjustment/arc/visit_feet.h"
 #include "core/base/threads.h"
 #include "core/observation/half_turn.h"
+#include "core/observation/slider_turns.h"
 #include "core/observation/visits.h"
 #include "core/observation/zero_line.h"
 
@@ -111,6 +112,7 @@ class ArcApart {
     angles.resize(m_arc.sightings.size());
     ArcMisfit misfit{0, -static_cast<int>(m_visits.size()) - unknowns()};
     std::array<VisitReliability, eight> reliability;
+    const std::vector<double> arcAngles = unwrappedArcAngles();
     for (std::size_t v = 0; v < m_visits.size(); ++v) {
       if (v % eight == 0) reliability = m_feet.reliabilityOf(v / eight, cofactor, perUnknown);
       const VisitReliability& own = reliability[v % eight];
@@ -123,12 +125,11 @@ class ArcApart {
         misfit.chiSquare += residual * perReading * residual * perReading;
         ++misfit.degreesOfFreedom;
       };
-      const double phi = m_feet.arcAngle(v);
       const Direction<double>& mean = m_visits[v].mean.direction;
       const Direction<double> left = m_feet.left(v);
       for (const std::size_t i : m_visits[v].sightings) {
         const Sighting& row = m_arc.sightings[i];
-        angles[i] = phi;
+        angles[i] = arcAngles[v];
         add(i, ReadingKind::Horizontal, row.a.radians() - mean.a + left.a, whitening.horizontal);
         add(i, ReadingKind::Vertical, row.e.radians() - mean.e + left.e, whitening.vertical);
       }
@@ -140,6 +141,13 @@ class ArcApart {
   }
 
  private:
+  std::vector<double> unwrappedArcAngles() const {
+    std::vector<double> arcAngles(m_visits.size());
+    for (std::size_t v = 0; v < m_visits.size(); ++v) arcAngles[v] = m_feet.arcAngle(v);
+    if (m_hasSlider) unwrapAlongSlider(arcAngles, m_sliders, m_arc.axisDeg);
+    return arcAngles;
+  }
+
   void readVisits() {
     m_visits = visitsOf(m_arc);
     m_feet.reserve(m_visits.size());

@@ -106,9 +106,10 @@ std::vector<std::vector<double>> anglesOfSightings(const Measurement& measuremen
   std::vector<std::vector<double>> angles;
   for (const ArcMeasurement& arc : measurement.arcs) angles.emplace_back(arc.sightings.size());
   for (std::size_t v = 0; v < problem.visits().size(); ++v) {
-    const Angle phi = wrapped(Angle::fromRadians(state.arcAngles[static_cast<Index>(v)]));
-    for (const std::size_t i : problem.visits()[v].visit.sightings)
-      angles[problem.visits()[v].arc][i] = phi.radians();
+    const auto& [arc, visit, slider] = problem.visits()[v];
+    const double phi = state.arcAngles[static_cast<Index>(v)];
+    for (const std::size_t i : visit.sightings)
+      angles[arc][i] = slider ? phi : wrapped(Angle::fromRadians(phi)).radians();
   }
   return angles;
 }

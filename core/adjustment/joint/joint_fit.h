@@ -143,7 +143,9 @@ struct JointFit {
 
   /// Of each reading of a pointing zero that is an observation: ∂reading/∂unknowns, over its σ.
   std::vector<std::vector<double>> zeroRows = {};
-  std::vector<std::vector<double>> arcAngles;  ///< φ of each sighting of each arc, rad in (−π, π]
+  /// φ of each sighting of each arc, rad in (−π, π]; where the slider is read, without a seam
+  /// (`unwrapAlongSlider`).
+  std::vector<std::vector<double>> arcAngles;
   std::vector<AdjustedReading> readings;       ///< visit by visit
   std::vector<ArcMisfit> misfits;              ///< of each arc of the measurement
   double chiSquare = 0;                        ///< of circles, slider and priors

@@ -4,6 +4,7 @@
 #include <cassert>
 #include <cmath>
 #include <numeric>
+#include <span>
 #include <tuple>
 #include <utility>
 
@@ -11,6 +12,7 @@
 #include "core/adjustment/joint/sighted_zeros.h"
 #include "core/adjustment/numerics/arc_angle_elimination.h"
 #include "core/adjustment/numerics/arc_angle_step.h"
+#include "core/observation/slider_turns.h"
 
 namespace alidade {
 
@@ -182,6 +184,7 @@ JointState JointProblem::start(const std::vector<Circle>& circles) const {
     const PlanePoint<double> place = line.sightedPoint(m_visits[v].visit.mean.direction);
     state.arcAngles[static_cast<Index>(v)] = nearestArcAngle(circles[m_visits[v].arc], place);
   }
+  unwrap(state);
   return state;
 }
 
@@ -195,7 +198,19 @@ JointState JointProblem::stateOf(const JointFit& fit) const {
   for (std::size_t v = 0; v < m_visits.size(); ++v)
     state.arcAngles[static_cast<Index>(v)] =
         fit.arcAngles[m_visits[v].arc][m_visits[v].visit.sightings.front()];
+  unwrap(state);
   return state;
+}
+
+void JointProblem::unwrap(JointState& state) const {
+  std::vector<const Sighting*> sliders;
+  for (const VisitOfArc& visit : m_visits) sliders.push_back(visit.slider);
+  for (std::size_t first = 0, end = 0; first < m_visits.size(); first = end) {
+    while (end < m_visits.size() && m_visits[end].arc == m_visits[first].arc) ++end;
+    unwrapAlongSlider(std::span(state.arcAngles.data() + first, end - first),
+                      std::span(sliders).subspan(first, end - first),
+                      m_measurement.arcs[m_visits[first].arc].axisDeg);
+  }
 }
 
 ReadingRef JointProblem::cellOf(std::size_t visitIndex, Index row) const {

@@ -115,6 +115,8 @@ class JointProblem {
   void estimate(const Unknown& unknown, const Prior& prior);
   void consider(const Unknown& unknown, double sigma);
   void buildSlotMaps();
+  /// The arc angles without a seam, each arc's apart.
+  void unwrap(JointState& state) const;
   template <typename Function>
   auto withJets(const Function& function) const;
   template <typename Jets>

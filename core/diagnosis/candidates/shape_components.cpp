@@ -280,7 +280,8 @@ std::vector<ShapeComponent> shapeComponents(const Leftover& leftover, const Meas
     if (order > 3 || isLeft(order == 2 ? ErrorTerm::EllipticityCosine : ErrorTerm::LobingCosine))
       radialOrders.push_back(order);
   for (int order = 1; order <= 8; ++order)
-    if (order != 2 || isLeft(ErrorTerm::WarpCosine)) planeOrders.push_back(order);
+    if (order > 2 || isLeft(order == 1 ? ErrorTerm::PlaneSkew : ErrorTerm::WarpCosine))
+      planeOrders.push_back(order);
   maker.addHarmonics(PHRASE_LATER("Phrase", "radius along the guideway"), radial, harmonics, radialOrders);
   maker.addHarmonics(PHRASE_LATER("Phrase", "guideway out of its plane"), offPlane, harmonics, planeOrders);
   maker.addHarmonics(PHRASE_LATER("Phrase", "slider readings along the scale"), slider, harmonics,

@@ -49,6 +49,20 @@ TEST(Diagnosis, FindsNothingWhereThereIsNothing) {
   }
 }
 
+// An arc from 20° to 200° reads on beyond half a turn, and so does its scale.
+TEST(Diagnosis, NamesTheScaleOfASliderBeyondHalfATurn) {
+  Protocol protocol = *protocolByName("full");
+  protocol.first = Angle::fromDegrees(20);
+  protocol.step = Angle::fromDegrees(11.25);
+  for (const std::uint64_t seed : {1, 2, 3, 4}) {
+    Truth truth = drawTruth(seed);
+    truth.effects = {{ErrorTerm::SliderScale, 4e-4}};
+    const Diagnosis diagnosis = diagnosed(*examine(*simulate(protocol, truth, seed)).measurement);
+    ASSERT_FALSE(diagnosis.causes.empty()) << seed;
+    EXPECT_EQ(diagnosis.causes.front().effect, "slider_scale") << seed;
+  }
+}
+
 class WithheldEffect : public testing::TestWithParam<const char*> {};
 
 // The truth is the first cause, or the first cause says that it cannot be told from the truth; with the cause

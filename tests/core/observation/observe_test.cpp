@@ -153,8 +153,10 @@ TEST_P(DerivativeTest, OfEveryErrorTermMeetsTheNumericOne) {
                                              {LobingCosine, 0.3},
                                              {LobingSine, 0.3},
                                              {GravitySag, 0.3},
+                                             {ArmSag, 0.3},
                                              {WarpCosine, 0.3},
                                              {WarpSine, 0.3},
+                                             {PlaneSkew, 1e-3},
                                              {PlaneTiltX, 1e-3},
                                              {PlaneTiltY, 1e-3}};
   for (std::size_t t = 0; t < errorTermCount; ++t) {
@@ -202,11 +204,13 @@ TEST(Target, MovesAsTheErrorsOfTheGuidewayAreDescribed) {
           {PlaneTiltX, {0, 0, 400 * d}},
           {PlaneTiltY, {0, 0, -400 * c}},
           {PlaneOffset, {0, 0, turn}},
+          {PlaneSkew, {0, 0, turn * 400 * std::cos(s)}},
           {EllipticityCosine, {std::cos(2 * s) * c, std::cos(2 * s) * d, 0}},
           {EllipticitySine, {std::sin(2 * s) * c, std::sin(2 * s) * d, 0}},
           {LobingCosine, {std::cos(3 * s) * c, std::cos(3 * s) * d, 0}},
           {LobingSine, {std::sin(3 * s) * c, std::sin(3 * s) * d, 0}},
           {GravitySag, {0, -std::sin(s), 0}},
+          {ArmSag, {c * d, -c * c, 0}},
           {WarpCosine, {0, 0, turn * std::cos(2 * s)}},
           {WarpSine, {0, 0, turn * std::sin(2 * s)}}};
       const SpacePoint<double> none = targetAt(ErrorTerms<double>(), pose, 2405.0, phi, axisDeg);
