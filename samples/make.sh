@@ -57,7 +57,7 @@ done
 mkdir -p -- "$folder/series"
 for n in 1 2 3 4 5 6 7 8; do
   sample "series/session-$n" --seed $((40 + n)) --protocol paper --points 17 \
-    --effect trunnion_tilt=26 --instrument-serial T-7 --device-serial "G-$(((n - 1) % 4 + 1))" --measured-on "2026-0$n-15" \
+    --effect trunnion_tilt=14 --instrument-serial T-7 --device-serial "G-$(((n - 1) % 4 + 1))" --measured-on "2026-0$n-15" \
     --title "Guideway G-$(((n - 1) % 4 + 1)) in month $n" \
-    --notes "Simulated: the trunnion axis of theodolite T-7 is tilted by 26 arcseconds, too little to show in one session of one face."
+    --notes "Simulated: the trunnion axis of theodolite T-7 is tilted by 14 arcseconds, too little to show in one session of one face."
 done

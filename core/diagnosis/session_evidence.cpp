@@ -6,11 +6,11 @@
 #include <cmath>
 
 #include "core/diagnosis/candidates/effect_components.h"
+#include "core/diagnosis/candidates/session_patterns.h"
 #include "core/diagnosis/conclusion/causes.h"
 #include "core/diagnosis/evidence/bent_fit.h"
 #include "core/diagnosis/observability/look_alikes.h"
 #include "core/diagnosis/search/inquiry.h"
-#include "core/diagnosis/session_patterns.h"
 #include "core/effects/cause_ids.h"
 
 namespace alidade {

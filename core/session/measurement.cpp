@@ -392,7 +392,8 @@ void setMoments(Measurement& measurement) {
   for (const auto& own : zeros) all.insert(all.end(), own.begin(), own.end());
   for (std::size_t i = 0; i < zeros.size(); ++i) {
     const std::vector<SightedZero>& own = measurement.hasOneZero() ? all : zeros[i];
-    measurement.arcs[i].zero.elapsed = own.empty() ? beginnings[measurement.hasOneZero() ? 0 : i] : meanMoment(own);
+    measurement.arcs[i].zero.elapsed =
+        own.empty() ? beginnings[measurement.hasOneZero() ? 0 : i] : meanMoment(own);
     measurement.arcs[i].zeroSightings = std::move(zeros[i]);
   }
 }

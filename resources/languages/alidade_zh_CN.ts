@@ -676,6 +676,14 @@ Sealed by:</source>
         <source>instrument serial number of the pointing zero after the readings in face 2</source>
         <translation>读数之后盘右瞄准零位的仪器序列号</translation>
     </message>
+    <message>
+        <source>plane of the arc</source>
+        <translation>圆弧平面</translation>
+    </message>
+    <message>
+        <source>what the zeros sight</source>
+        <translation>瞄准零位所瞄准的对象</translation>
+    </message>
 </context>
 <context>
     <name>FileLock</name>
@@ -1114,6 +1122,42 @@ Sealed by:</source>
         <source>Of the offset of the line of sight with the known collimation, −1 to 1: one fit found both</source>
         <translation>视线偏距与已知照准差的相关系数，−1 至 1：两者由同一拟合得出</translation>
     </message>
+    <message>
+        <source>Vertical</source>
+        <translation>铅垂</translation>
+    </message>
+    <message>
+        <source>Square</source>
+        <translation>垂直于零位</translation>
+    </message>
+    <message>
+        <source>Arc&apos;s plane</source>
+        <translation>圆弧平面</translation>
+    </message>
+    <message>
+        <source>Where the instrument stands above or below the axis, its pointing zero is inclined. Vertical: the plane of the arc is plumb all the same. Square: it is square to the zero</source>
+        <translation>仪器高于或低于轴线时，其瞄准零位是倾斜的。铅垂：圆弧平面仍然铅垂。垂直于零位：圆弧平面与零位方向垂直</translation>
+    </message>
+    <message>
+        <source>A mark</source>
+        <translation>标志</translation>
+    </message>
+    <message>
+        <source>The normal</source>
+        <translation>法线</translation>
+    </message>
+    <message>
+        <source>Not known</source>
+        <translation>未知</translation>
+    </message>
+    <message>
+        <source>Zeros sight</source>
+        <translation>零位瞄准</translation>
+    </message>
+    <message>
+        <source>A mark: one fixed direction, so that zeros which differ show a drift or a knock. The normal: that of the guideway, set anew in each position. Unstated: a mark where the zeros agree within 30″</source>
+        <translation>标志：一个固定方向，因此零位之差反映漂移或碰动。法线：导轨自身的法线，在每个位置重新设定。未说明：零位相差在 30″ 以内时视为标志</translation>
+    </message>
 </context>
 <context>
     <name>GapText</name>
@@ -1233,6 +1277,58 @@ Sealed by:</source>
     </message>
 </context>
 <context>
+    <name>HeadlineText</name>
+    <message>
+        <source>%1: %2</source>
+        <extracomment>a name and what it is: &quot;Δd, measured: 1.30 ± 0.74 mm&quot;</extracomment>
+        <translation>%1：%2</translation>
+    </message>
+    <message>
+        <source>Δd, measured</source>
+        <translation>Δd，实测</translation>
+    </message>
+    <message>
+        <source>Δd, fit only</source>
+        <translation>Δd，仅拟合</translation>
+    </message>
+    <message>
+        <source>Tolerance of the distance d: %1 mm</source>
+        <translation>距离 d 的允差：%1 mm</translation>
+    </message>
+    <message>
+        <source>Tolerance ± %1 mm</source>
+        <translation>允差 ± %1 mm</translation>
+    </message>
+    <message>
+        <source>Δd = %1 mm, U = %2 mm</source>
+        <translation>Δd = %1 mm，U = %2 mm</translation>
+    </message>
+    <message>
+        <source>Reference %1, difference %2</source>
+        <translation>参考值 %1，差值 %2</translation>
+    </message>
+    <message>
+        <source>U at %1 % coverage (k = %2); u = %3</source>
+        <translation>U 的包含概率为 %1 %（k = %2）；u = %3</translation>
+    </message>
+    <message>
+        <source>%1 at %2 % coverage.
+Includes every catalogued effect, limited by these readings or by its plausible size. The page Budget lists what each contributes.
+%3</source>
+        <translation>%1，包含概率 %2 %。
+包含目录中的每个效应，其大小受这些读数或其合理大小约束。各效应的贡献见“预算”页。
+%3</translation>
+    </message>
+    <message>
+        <source>not determined by these readings</source>
+        <translation>这些读数不能确定</translation>
+    </message>
+    <message>
+        <source>no diagnosis was made</source>
+        <translation>未作诊断</translation>
+    </message>
+</context>
+<context>
     <name>HelpPage</name>
     <message>
         <source>First measurement in ten steps</source>
@@ -1298,16 +1394,12 @@ Sealed by:</source>
         <translation>轴</translation>
     </message>
     <message>
-        <source>Centres and axis, enlarged</source>
-        <translation>圆心与轴（放大）</translation>
+        <source>Provisional</source>
+        <translation>暂定</translation>
     </message>
     <message>
-        <source>Centres, enlarged</source>
-        <translation>圆心（放大）</translation>
-    </message>
-    <message>
-        <source>Centres</source>
-        <translation>圆心</translation>
+        <source>Centres of the fit, enlarged</source>
+        <translation>拟合的圆心，放大</translation>
     </message>
 </context>
 <context>
@@ -4636,18 +4728,6 @@ Sealed by:</source>
         <translation>%1约定方：%2</translation>
     </message>
     <message>
-        <source>Intersection Δd as measured</source>
-        <translation>实测的相交度 Δd</translation>
-    </message>
-    <message>
-        <source>With every effect of the catalogue as large as is plausible or known, and these readings leave it.</source>
-        <translation>目录中的每种效应都按合理或已知、且这些读数所容许的大小计入。</translation>
-    </message>
-    <message>
-        <source>Intersection Δd of the fit alone</source>
-        <translation>仅拟合的相交度 Δd</translation>
-    </message>
-    <message>
         <source>By the scatter of the readings, the pointing zeros and the distance.</source>
         <translation>按读数的离散、瞄准零位和距离。</translation>
     </message>
@@ -5633,6 +5713,164 @@ Sealed by:</source>
         <source>%1 is out of range: it must be above -1 and below 1</source>
         <translation>%1 超出范围：必须大于 -1 且小于 1</translation>
     </message>
+    <message>
+        <source>Intersection Δd, measured</source>
+        <translation>相交度 Δd，实测</translation>
+    </message>
+    <message>
+        <source>Includes every catalogued effect, limited by these readings or by its plausible size.</source>
+        <translation>包含目录中的每个效应，其大小受这些读数或其合理大小约束。</translation>
+    </message>
+    <message>
+        <source>not determined by these readings</source>
+        <translation>这些读数不能确定</translation>
+    </message>
+    <message>
+        <source>no diagnosis was made</source>
+        <translation>未作诊断</translation>
+    </message>
+    <message>
+        <source>Intersection Δd, fit only</source>
+        <translation>相交度 Δd，仅拟合</translation>
+    </message>
+    <message>
+        <source>radius on the way back</source>
+        <translation>返程半径</translation>
+    </message>
+    <message>
+        <source>horizontal readings along their circle</source>
+        <translation>水平读数随度盘位置的变化</translation>
+    </message>
+    <message>
+        <source>vertical readings along their circle</source>
+        <translation>竖直读数随度盘位置的变化</translation>
+    </message>
+    <message>
+        <source>horizontal readings on the way back</source>
+        <translation>返程水平读数</translation>
+    </message>
+    <message>
+        <source>vertical readings on the way back</source>
+        <translation>返程竖直读数</translation>
+    </message>
+    <message>
+        <source>vertical graduation</source>
+        <translation>垂直度盘分度误差</translation>
+    </message>
+    <message>
+        <source>the vertical circle&apos;s graduation errs twice a turn</source>
+        <translation>垂直度盘分度误差每周变化两次（二次谐波）</translation>
+    </message>
+    <message>
+        <source>observe in both faces, and have the circle calibrated</source>
+        <translation>盘左盘右观测，并校准度盘</translation>
+    </message>
+    <message>
+        <source>vertical refraction</source>
+        <translation>垂直折光</translation>
+    </message>
+    <message>
+        <source>layers of warm air bend the lines of sight, as the square of the elevation (size at 10°)</source>
+        <translation>暖空气层使视线弯曲，弯曲量与高度角的平方成正比（数值为10°时的大小）</translation>
+    </message>
+    <message>
+        <source>keep sources of heat away, and stir the air</source>
+        <translation>远离热源，并使空气流通</translation>
+    </message>
+    <message>
+        <source>bend</source>
+        <extracomment>how far a line of sight is bent</extracomment>
+        <translation>弯曲</translation>
+    </message>
+    <message>
+        <source>plane skew</source>
+        <translation>平面歪斜</translation>
+    </message>
+    <message>
+        <source>the arc plane is askew to the rotation axis, and turns over with the guideway</source>
+        <translation>圆弧平面相对旋转轴歪斜，且随导轨一同翻转</translation>
+    </message>
+    <message>
+        <source>read the slider, and square the guideway to its axis</source>
+        <translation>读取滑块读数，并将导轨调至与其轴线正交</translation>
+    </message>
+    <message>
+        <source>skew</source>
+        <extracomment>how far something is askew</extracomment>
+        <translation>歪斜</translation>
+    </message>
+    <message>
+        <source>arm sag</source>
+        <translation>滑块臂下垂</translation>
+    </message>
+    <message>
+        <source>the slider&apos;s arm bends under its weight, the more the nearer to the horizontal</source>
+        <translation>滑块臂因自重弯曲，越接近水平弯曲越大</translation>
+    </message>
+    <message>
+        <source>read the slider, and stiffen its arm</source>
+        <translation>读取滑块读数，并加固滑块臂</translation>
+    </message>
+    <message>
+        <source>%1 is no plane of the arc: choose vertical or square</source>
+        <translation>%1 不是圆弧平面的取值：请选择 vertical 或 square</translation>
+    </message>
+    <message>
+        <source>%1 is nothing a pointing zero sights: choose mark, normal or unknown</source>
+        <translation>%1 不是瞄准零位所瞄准的对象：请选择 mark、normal 或 unknown</translation>
+    </message>
+    <message>
+        <source>%1 lies %2° off the horizon, steeper than the arc can be sighted: check the degrees and the face</source>
+        <translation>%1 偏离水平方向 %2°，比能够瞄准圆弧的方向更陡：请检查度数和盘位</translation>
+    </message>
+    <message>
+        <source>pointing zero of %1 less that of the first position, horizontally</source>
+        <translation>%1 的瞄准零位减第一位置的瞄准零位（水平方向）</translation>
+    </message>
+    <message>
+        <source>pointing zero of %1 less that of the first position, vertically</source>
+        <translation>%1 的瞄准零位减第一位置的瞄准零位（竖直方向）</translation>
+    </message>
+    <message>
+        <source>%1 (%2 periods in a turn)</source>
+        <translation>%1（每周 %2 个周期）</translation>
+    </message>
+    <message>
+        <source>%1, instrument %2</source>
+        <translation>%1，仪器 %2</translation>
+    </message>
+    <message>
+        <source>%1, guideway %2</source>
+        <translation>%1，导轨 %2</translation>
+    </message>
+    <message>
+        <source>The sessions (%1) share a gap that no effect of the catalogue explains.</source>
+        <translation>各次测量（共 %1 次）存在共同的差异，目录中没有任何效应能够解释。</translation>
+    </message>
+    <message>
+        <source>The gap of most sessions (%1) is explained by no effect of the catalogue, in each by itself.</source>
+        <translation>大多数测量（共 %1 次）各自的差异，目录中没有任何效应能够解释。</translation>
+    </message>
+    <message>
+        <source>%1 It follows a pattern: %2.</source>
+        <translation>%1 该差异遵循以下规律：%2。</translation>
+    </message>
+    <message>
+        <source>%1 Beside it they share %2.</source>
+        <translation>%1 此外它们共有 %2。</translation>
+    </message>
+    <message>
+        <source>With a probability of %1 it is of no catalogue.</source>
+        <translation>它不属于目录的概率为 %1。</translation>
+    </message>
+    <message>
+        <source>The pointing zeros differ by %1 horizontally and %2 vertically, more than two sightings of one mark.</source>
+        <translation>各瞄准零位水平相差 %1、竖直相差 %2，超过对同一标志两次瞄准的差异。</translation>
+    </message>
+    <message>
+        <source>State what they sight (geometry.zero_is): mark, one fixed mark; normal, the guideway&apos;s own normal, set anew; or unknown.</source>
+        <translation>请说明它们瞄准的是什么（geometry.zero_is）：mark，同一固定标志；normal，重新设定的导轨自身法线；或 unknown。</translation>
+    </message>
 </context>
 <context>
     <name>PlaceText</name>
@@ -6386,10 +6624,6 @@ a clause as a sentence</extracomment>
         <translation>各测回并列。</translation>
     </message>
     <message>
-        <source>Inset: the arc centres O1 and O2 with the axis midway between them; the heavy line is Δd, the bar at its end its expanded uncertainty U of the fit alone, the ellipses hold the centres at %1 %.</source>
-        <translation>插图：圆心 O1 和 O2，轴在其正中；粗线为 Δd，其端部的误差棒为仅拟合的扩展不确定度 U，椭圆以 %1 % 包含圆心。</translation>
-    </message>
-    <message>
         <source>Grey: where they may lie at the tolerance of ± %1 mm.</source>
         <translation>灰色：允差 ± %1 mm 时圆心可在的范围。</translation>
     </message>
@@ -6506,40 +6740,8 @@ a clause as a sentence</extracomment>
         <translation>轴位 %1 中更改、排除或无法使用的读数</translation>
     </message>
     <message>
-        <source>tolerance ± %1 mm</source>
-        <translation>允差 ± %1 mm</translation>
-    </message>
-    <message>
-        <source>no tolerance stated</source>
-        <translation>未给出允差</translation>
-    </message>
-    <message>
-        <source>%1 of the fit alone</source>
-        <translation>仅拟合为 %1</translation>
-    </message>
-    <message>
-        <source>Measured: %1</source>
-        <translation>实测：%1</translation>
-    </message>
-    <message>
-        <source>Measured: these readings do not determine Δd</source>
-        <translation>实测：这些读数不能确定 Δd</translation>
-    </message>
-    <message>
-        <source>of the fit alone: %1</source>
-        <translation>仅拟合：%1</translation>
-    </message>
-    <message>
         <source>U: coverage %1.</source>
         <translation>U：包含概率 %1。</translation>
-    </message>
-    <message>
-        <source>As measured: u = %1, ν = %2.</source>
-        <translation>实测：u = %1，ν = %2。</translation>
-    </message>
-    <message>
-        <source>Of the fit alone: k = %1, u = %2, ν = %3.</source>
-        <translation>仅拟合：k = %1，u = %2，ν = %3。</translation>
     </message>
     <message>
         <source>%1: %2</source>
@@ -6562,10 +6764,6 @@ a clause as a sentence</extracomment>
         <source>%1 at %2</source>
         <extracomment>an arc and the position of its axis: &quot;O1 at 0°&quot;</extracomment>
         <translation>%1，%2</translation>
-    </message>
-    <message>
-        <source>Uncertainty of the intersection as measured</source>
-        <translation>实测相交度的不确定度</translation>
     </message>
     <message>
         <source>Source</source>
@@ -6599,10 +6797,6 @@ a clause as a sentence</extracomment>
     <message>
         <source>Every effect of the catalogue takes part, as large as these readings and what is plausible leave it. Type A: by the scatter of these readings; B: by other knowledge.</source>
         <translation>目录中的每个效应都参与，其大小为这些读数和合理范围所允许。A 类：由这些读数的离散得出；B 类：由其他知识得出。</translation>
-    </message>
-    <message>
-        <source>Uncertainty of the intersection of the fit alone</source>
-        <translation>仅拟合的相交度的不确定度</translation>
     </message>
     <message>
         <source>share of variance</source>
@@ -6644,14 +6838,6 @@ a clause as a sentence</extracomment>
         <source>Both faces, %1 visits: %2.</source>
         <extracomment>%2: errors of the instrument, &quot;collimation c = −3.2″ (u 0.4)&quot;</extracomment>
         <translation>双盘位，%1 次停靠：%2。</translation>
-    </message>
-    <message>
-        <source>Reference (never enters the fit): %1; Δd − reference = %2 as measured</source>
-        <translation>参考值（从不进入拟合）：%1；实测的 Δd − 参考值 = %2</translation>
-    </message>
-    <message>
-        <source>Reference (never enters the fit): %1; Δd − reference = %2 of the fit alone</source>
-        <translation>参考值（从不进入拟合）：%1；仅拟合的 Δd − 参考值 = %2</translation>
     </message>
     <message>
         <source>Entries that could not be used</source>
@@ -6746,10 +6932,6 @@ a clause as a sentence</extracomment>
     <message>
         <source>Where an axis is measured again its positions have one centre and one radius, and all pointing zeros are estimated along, as well known as stated.</source>
         <translation>复测的轴位共有一个圆心和一个半径，所有瞄准零位按声明的精度一并估计。</translation>
-    </message>
-    <message>
-        <source>The intersection Δd = (y(O1) − y(O2))/2 is half the distance of the arc centres at 0° (O1) and 180° (O2) across the axis. The share of the readings in its uncertainty is scaled by their scatter (s0), pointing zeros and distance enter as stated; the expanded uncertainty U of the fit alone is k times the combined standard uncertainty, k from Student&apos;s distribution with ν effective degrees of freedom. As measured, every effect of the catalogue takes part, known beforehand to 1σ of its plausible size, and U also holds what else may explain the readings.</source>
-        <translation>相交度 Δd = (y(O1) − y(O2))/2 是 0°（O1）和 180°（O2）两圆心在垂直于轴方向上距离的一半。读数对其不确定度的贡献按离散（s0）放大，瞄准零位和距离按声明计入；仅拟合的扩展不确定度 U 为合成标准不确定度的 k 倍，k 取自有效自由度为 ν 的 t 分布。实测时目录中的每个效应都参与，事先已知至其合理大小的 1σ，U 还包含其他可能解释读数的原因。</translation>
     </message>
     <message>
         <source>Notes</source>
@@ -7163,6 +7345,38 @@ a clause as a sentence</extracomment>
     <message>
         <source>instrument %1</source>
         <translation>仪器 %1</translation>
+    </message>
+    <message>
+        <source>Inset: the arc centres O1 and O2 of the fit with the axis midway between them; the heavy line is Δd, fit only, the bar at its end its expanded uncertainty U, the ellipses hold the centres at %1 %.</source>
+        <translation>插图：拟合的圆心 O1 和 O2，轴在其正中；粗线为 Δd，仅拟合，其端部的误差棒为其扩展不确定度 U，椭圆以 %1 % 包含圆心。</translation>
+    </message>
+    <message>
+        <source>Δd, measured: u = %1, ν = %2.</source>
+        <translation>Δd，实测：u = %1，ν = %2。</translation>
+    </message>
+    <message>
+        <source>Δd, fit only: k = %1, u = %2, ν = %3.</source>
+        <translation>Δd，仅拟合：k = %1，u = %2，ν = %3。</translation>
+    </message>
+    <message>
+        <source>Uncertainty of Δd, measured</source>
+        <translation>Δd，实测的不确定度</translation>
+    </message>
+    <message>
+        <source>Uncertainty of Δd, fit only</source>
+        <translation>Δd，仅拟合的不确定度</translation>
+    </message>
+    <message>
+        <source>Reference (never enters the fit): %1; Δd, measured, minus reference = %2</source>
+        <translation>参考值（从不进入拟合）：%1；Δd，实测减参考值 = %2</translation>
+    </message>
+    <message>
+        <source>Reference (never enters the fit): %1; Δd, fit only, minus reference = %2</source>
+        <translation>参考值（从不进入拟合）：%1；Δd，仅拟合减参考值 = %2</translation>
+    </message>
+    <message>
+        <source>The intersection Δd = (y(O1) − y(O2))/2 is half the distance of the arc centres at 0° (O1) and 180° (O2) across the axis. The share of the readings in its uncertainty is scaled by their scatter (s0), pointing zeros and distance enter as stated; the expanded uncertainty U of Δd, fit only, is k times the combined standard uncertainty, k from Student&apos;s distribution with ν effective degrees of freedom. Δd, measured, includes every effect of the catalogue, known beforehand to 1σ of its plausible size, and its U also holds what else may explain the readings.</source>
+        <translation>相交度 Δd = (y(O1) − y(O2))/2 是 0°（O1）和 180°（O2）两圆心在垂直于轴方向上距离的一半。读数对其不确定度的贡献按离散（s0）放大，瞄准零位和距离按给定值计入；Δd，仅拟合的扩展不确定度 U 为合成标准不确定度的 k 倍，k 取自有效自由度为 ν 的 t 分布。Δd，实测包含目录中的每个效应，事先已知至其合理大小的 1σ，其 U 还包含其他可能解释读数的原因。</translation>
     </message>
 </context>
 <context>
@@ -7694,12 +7908,12 @@ a clause as a sentence</extracomment>
         <translation>未给出允差，因此无从判定。</translation>
     </message>
     <message>
-        <source>%1 as modelled</source>
-        <translation>按模型为%1</translation>
+        <source>Provisional: the diagnosis is running.</source>
+        <translation>暂定：诊断正在进行。</translation>
     </message>
     <message>
-        <source>Not final: the diagnosis is still to speak.</source>
-        <translation>尚未最终确定：诊断尚未给出结论。</translation>
+        <source>%1, fit only</source>
+        <translation>%1，仅拟合</translation>
     </message>
 </context>
 <context>
@@ -7794,8 +8008,12 @@ a clause as a sentence</extracomment>
         <translation>%1   %2</translation>
     </message>
     <message>
-        <source>Δd = —</source>
-        <translation>Δd = —</translation>
+        <source>Tolerance and verdict</source>
+        <translation>允差和判定</translation>
+    </message>
+    <message>
+        <source>Result of the fit only</source>
+        <translation>仅拟合的结果</translation>
     </message>
 </context>
 <context>
@@ -7916,14 +8134,6 @@ a clause as a sentence</extracomment>
         <translation>预算</translation>
     </message>
     <message>
-        <source>Standard uncertainty of Δd, as measured</source>
-        <translation>Δd 的标准不确定度，实测</translation>
-    </message>
-    <message>
-        <source>Standard uncertainty of Δd, fit alone</source>
-        <translation>Δd 的标准不确定度，仅拟合</translation>
-    </message>
-    <message>
         <source>Standard uncertainty of the centres  mm</source>
         <translation>圆心的标准不确定度  mm</translation>
     </message>
@@ -7990,6 +8200,14 @@ a clause as a sentence</extracomment>
     <message>
         <source>How far a wrong radius takes the centre along, −1 to 1: on half an arc it decides the height</source>
         <translation>错误的半径会把圆心带动多少，−1 到 1：半个圆弧时它决定高度</translation>
+    </message>
+    <message>
+        <source>Standard uncertainty of Δd, measured</source>
+        <translation>Δd，实测的标准不确定度</translation>
+    </message>
+    <message>
+        <source>Standard uncertainty of Δd, fit only</source>
+        <translation>Δd，仅拟合的标准不确定度</translation>
     </message>
 </context>
 <context>
@@ -11734,26 +11952,6 @@ sizes</source>
         <translation>模型与读数不符：&lt;a href=&quot;gap&quot;&gt;%1&lt;/a&gt;</translation>
     </message>
     <message>
-        <source>Measured:
-these readings do not determine Δd</source>
-        <translation>实测：
-这些读数不能确定 Δd</translation>
-    </message>
-    <message>
-        <source>Measured:
-%1</source>
-        <translation>实测：
-%1</translation>
-    </message>
-    <message>
-        <source>Δd = %1 mm, U = %2 mm at %3 % coverage.
-Every effect of the catalogue takes part, as large as these readings and what is plausible leave it. What each brings is on the page Budget.
-%4</source>
-        <translation>Δd = %1 mm，U = %2 mm，包含概率 %3 %。
-目录中的每个效应都参与，其大小为这些读数和合理范围所允许。各自的贡献见“预算”页。
-%4</translation>
-    </message>
-    <message>
         <source>Before what was changed since: %1</source>
         <translation>在此后的更改之前：%1</translation>
     </message>
@@ -11772,20 +11970,6 @@ Every effect of the catalogue takes part, as large as these readings and what is
     <message>
         <source>Redundancy</source>
         <translation>多余观测数</translation>
-    </message>
-    <message>
-        <source>Δd = %1 mm, U = %2 mm</source>
-        <translation>Δd = %1 mm，U = %2 mm</translation>
-    </message>
-    <message>
-        <source>Of the fit alone, U at %1 % coverage (k = %2); u = %3</source>
-        <translation>仅拟合，U 的包含概率为 %1 %（k = %2）；u = %3</translation>
-    </message>
-    <message>
-        <source>
-Reference %1, difference %2</source>
-        <translation>
-参考值 %1，相差 %2</translation>
     </message>
     <message>
         <source>Some entries cannot be used. They are marked and listed with the reason.</source>

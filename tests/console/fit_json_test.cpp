@@ -176,8 +176,8 @@ TEST(FitJson, DecidesByTheGuardBand) {
   EXPECT_EQ(verdictAt(value + expanded - 0.001), "undecided");
 }
 
-// Two causes were put in, Δd is 0.40 mm; the model without them says 0.458 ± 0.039 mm, and with all that may
-// be there it is 0.414 ± 0.078 mm. Between the two no verdict stands.
+// Two causes were put in, Δd is 0.40 mm; the model without them says 0.383 ± 0.038 mm, and with all that may
+// be there U is twice as large. Where only the one lies within the tolerance no verdict stands.
 TEST(FitJson, DecidesNothingThatTheDiagnosisContradicts) {
   const TemporaryFolder folder;
   const auto answerAt = [&](double tolerance, std::vector<std::string> more) {
@@ -186,27 +186,24 @@ TEST(FitJson, DecidesNothingThatTheDiagnosisContradicts) {
     more.insert(more.begin(), {"fit", folder.file("s.alidade", session.dump()), "--json"});
     return Json::parse(alidadeCli(more).out);
   };
-  const Json open = answerAt(0.415, {});
-  EXPECT_EQ(open["decision"]["as_modelled"], "reject");
+  const Json open = answerAt(0.43, {});
+  EXPECT_EQ(open["decision"]["as_modelled"], "accept");
   EXPECT_EQ(open["decision"]["as_found"], "undecided");
   EXPECT_EQ(open["decision"]["verdict"], "undecided");
   EXPECT_THAT(open["decision"]["reason"].get<std::string>(),
               ::testing::HasSubstr("with all that these readings leave possible"));
   const Json found = open["intersection_as_found"];
   EXPECT_NEAR(found["value_mm"], 0.40, found["expanded_mm"]);
-  EXPECT_GT(
-      open["intersection"]["value_mm"].get<double>() - open["intersection"]["expanded_mm"].get<double>(),
-      0.40);
   EXPECT_EQ(answerAt(1, {})["decision"]["verdict"], "accept");
   EXPECT_EQ(answerAt(1, {})["decision"]["reason"], "");
   EXPECT_EQ(answerAt(0.2, {})["decision"]["verdict"], "reject");
-  const Json alone = answerAt(0.415, {"--no-diagnosis"});
-  EXPECT_EQ(alone["decision"]["verdict"], "reject");
+  const Json alone = answerAt(0.43, {"--no-diagnosis"});
+  EXPECT_EQ(alone["decision"]["verdict"], "accept");
   EXPECT_TRUE(alone["decision"]["as_found"].is_null());
   EXPECT_FALSE(alone.contains("intersection_as_found"));
 }
 
-// The paper's positions do not close. What may have closed them makes U four times as large, and Δd still
+// The paper's positions do not close. What may have closed them makes U twice as large and more, and Δd still
 // conforms.
 TEST(FitJson, DecidesByWhatMayHaveClosedThePositions) {
   const Json answer = fitOf(paperSession), &decision = answer["decision"];
@@ -215,7 +212,7 @@ TEST(FitJson, DecidesByWhatMayHaveClosedThePositions) {
   EXPECT_EQ(decision["verdict"], "accept");
   EXPECT_GT(decision["conformance_probability"], 0.99);
   EXPECT_GT(answer["intersection_as_found"]["expanded_mm"],
-            3 * answer["intersection"]["expanded_mm"].get<double>());
+            2 * answer["intersection"]["expanded_mm"].get<double>());
 }
 
 // With metres for millimetres every length of the fit is a thousandth, its uncertainty too: "accept" of

@@ -23,7 +23,7 @@ TEST(Plan, ReviewsAPlanThatHasBeenRead) {
   const Json review = reviewOf(paperSession);
   EXPECT_EQ(review.at("session"), "Table I");
   EXPECT_EQ(review.at("readings"), 68);
-  EXPECT_EQ(review.at("effects").size(), 19u);
+  EXPECT_EQ(review.at("effects").size(), 23u);
   for (const Json& effect : review.at("effects"))
     for (const char* key : {"effect", "plausible", "visible_sigma", "look_alikes", "influence_mm", "unseen"})
       EXPECT_TRUE(effect.contains(key)) << key;

@@ -108,21 +108,21 @@ TEST(MainWindow, FitsAMeasurementTypedByKeyboardAlone) {
   EXPECT_THAT(resultOf(open), Not(HasSubstr("Provisional")));
 }
 
-// The file's two causes put Δd lower than the model without them has it: outside the limit by the fit alone,
-// not clearly so as measured.
+// Within the limit by the fit alone, not clearly so with all that may be there besides.
 TEST(MainWindow, ShowsNoVerdictThatTheDiagnosisContradicts) {
   OpenWindow open;
   ASSERT_TRUE(open->files().open(samplePath(QStringLiteral("two-causes.alidade"))));
   field(open, "acceptance.tolerance_mm").selectAll();
-  typeInto(field(open, "acceptance.tolerance_mm"), QStringLiteral("0.415"));
+  typeInto(field(open, "acceptance.tolerance_mm"), QStringLiteral("0.43"));
   open.settle();
   EXPECT_THAT(resultOf(open), HasSubstr("Provisional: the diagnosis is running.\n"));
-  EXPECT_THAT(resultOf(open), Not(HasSubstr("Rejected")));
+  EXPECT_THAT(resultOf(open), Not(HasSubstr("Accepted\n")));
   ASSERT_TRUE(waitFor([&] { return open->gapJob().isIdle(); }));
   EXPECT_THAT(resultOf(open), HasSubstr("Undecided\n"));
   const std::string shown = QString::fromStdString(resultOf(open)).simplified().toStdString();
-  EXPECT_THAT(shown, HasSubstr("Δd, measured 0.413 ± 0.092 mm Tolerance ± 0.415 mm"));
-  EXPECT_THAT(shown, HasSubstr("Δd, fit only: 0.458 ± 0.039 mm"));
+  EXPECT_THAT(shown,
+              testing::ContainsRegex("Δd, measured 0\\.4[0-9]+ ± 0\\.[01][0-9]+ mm Tolerance ± 0\\.43 mm"));
+  EXPECT_THAT(shown, HasSubstr("Δd, fit only: 0.383 ± 0.038 mm"));
 }
 
 // Only the page in front is fed with evaluations.

@@ -81,14 +81,6 @@ QWidget* createMeasurementForm(SessionDocument& document) {
            Forms::tr(
                "What the vertical circle reads: zenith angles grow downwards, elevation angles upwards"),
            circles},
-          {"geometry.plane",
-           Forms::tr("Arc's plane"),
-           {},
-           {},
-           Forms::tr(
-               "Where the instrument stands above or below the axis, its pointing zero is inclined. "
-               "Vertical: the plane of the arc is plumb all the same. Square: it is square to the zero"),
-           planes},
           {"model.vertical_angle",
            Forms::tr("Relation"),
            {},
@@ -117,6 +109,14 @@ QWidget* createMeasurementForm(SessionDocument& document) {
           {"acceptance.sigma_reference_mm", Forms::tr("σ of ref."), mm, Forms::tr("none"),
            Forms::tr("How well the reference is known (1σ). With it the reference is a closure, and may help "
                      "the diagnosis to tell causes apart; it never enters Δd")},
+          {"geometry.plane",
+           Forms::tr("Arc's plane"),
+           {},
+           {},
+           Forms::tr(
+               "Where the instrument stands above or below the axis, its pointing zero is inclined. "
+               "Vertical: the plane of the arc is plumb all the same. Square: it is square to the zero"),
+           planes},
       },
       2);
   sayWhatNoSigmaMeans(document, *form->findChild<FieldEdit*>(QStringLiteral("geometry.sigma_radius_mm")));

@@ -22,7 +22,8 @@ std::string twoDigits(double value) {
 std::optional<Jump> jumpOf(const Gap& gap, const Cause& cause) {
   if (cause.effect != jumpId || cause.parameters.empty()) return std::nullopt;
   const auto sequence = static_cast<std::size_t>(cause.parameters.back().value) - 1;
-  const auto& arcs = gap.evaluation->examined.measurement->arcs;
+  const Measurement& measurement = *gap.evaluation->examined.measurement;
+  const std::vector<ArcMeasurement>& arcs = measurement.arcs;
   for (const ArcMeasurement& arc : arcs) {
     const auto split = std::find_if(arc.sightings.begin(), arc.sightings.end(),
                                     [&](const Sighting& sighting) { return sighting.sequence == sequence; });
@@ -31,7 +32,9 @@ std::optional<Jump> jumpOf(const Gap& gap, const Cause& cause) {
     Jump jump{.place = {.position = arc.position, .reading = split->row, .field = "horizontal"}};
     jump.isAtZero = split == arc.sightings.begin();
     jump.isLast = &arc == &arcs.back();  // they stand in the order taken
-    if (!jump.isLast && std::distance(split, arc.sightings.end()) >= fewestSightings && split->row > 0)
+    // What was read before it goes with the zero of its position, but for one zero for all.
+    if (measurement.hasOneZero() && !jump.isLast &&
+        std::distance(split, arc.sightings.end()) >= fewestSightings && split->row > 0)
       jump.before = RowRange{arc.position, 0, split->row};
     if (std::distance(arc.sightings.begin(), split) >= fewestSightings)
       jump.after = RowRange{arc.position, split->row, rows - split->row};

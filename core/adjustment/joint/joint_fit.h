@@ -146,9 +146,9 @@ struct JointFit {
   /// φ of each sighting of each arc, rad in (−π, π]; where the slider is read, without a seam
   /// (`unwrapAlongSlider`).
   std::vector<std::vector<double>> arcAngles;
-  std::vector<AdjustedReading> readings;       ///< visit by visit
-  std::vector<ArcMisfit> misfits;              ///< of each arc of the measurement
-  double chiSquare = 0;                        ///< of circles, slider and priors
+  std::vector<AdjustedReading> readings;  ///< visit by visit
+  std::vector<ArcMisfit> misfits;         ///< of each arc of the measurement
+  double chiSquare = 0;                   ///< of circles, slider and priors
   int degreesOfFreedom = 0;
   int iterations = 0;
   /// `Undetermined` where a number of the fit is not finite or a variance negative, and where it did not

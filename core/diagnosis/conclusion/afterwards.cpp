@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <tuple>
 #include <utility>
 
 #include "core/base/normal_mixture.h"
@@ -38,9 +40,23 @@ bool isInTheNoise(const Explanation& explanation, const Explanation& answer) {
   return answer.noisy && isPartOf(answer, explanation);
 }
 
-/// What a pattern moves the Δd of a model by.
+/// What a pattern moves the Δd of a model by; zeros that the model does not sight move nothing.
 double movedBy(const GapModel& model, const Inquiry& inquiry, const Part& pattern) {
-  return influencePerSigma(model).dot(inquiry.of(pattern).times(inquiry.leftover, pattern.weights));
+  using Place = std::tuple<std::size_t, std::size_t, ReadingKind>;
+  const Eigen::VectorXd influence = influencePerSigma(model),
+                        along = inquiry.of(pattern).times(inquiry.leftover, pattern.weights);
+  std::map<Place, double> perSigma;
+  for (Eigen::Index i = 0; i < influence.size(); ++i) {
+    const AdjustedReading& reading = model.fit->readings[static_cast<std::size_t>(i)];
+    perSigma[{reading.arc, reading.sighting, reading.kind}] = influence[i];
+  }
+  double moved = 0;
+  for (Eigen::Index i = 0; i < along.size(); ++i) {
+    const LinearReading& reading = inquiry.leftover.reading(i);
+    if (const auto own = perSigma.find({reading.arc, reading.sighting, reading.kind}); own != perSigma.end())
+      moved += own->second * along[i];
+  }
+  return moved;
 }
 
 /// Collects what else may be the case.

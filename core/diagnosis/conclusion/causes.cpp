@@ -43,8 +43,10 @@ DiagnosisVerdict verdictOf(const Answer& answer, const std::vector<Cause>& cause
 std::vector<Cause> causesOf(const Inquiry& inquiry, const Answer& answer) {
   std::vector<Cause> causes;
   std::vector<ReadingDeviation> grossErrors;
+  const Measurement& measurement = *inquiry.base.measurement;
   for (const LargeGrossError& far : inquiry.largeGrossErrors)
-    grossErrors.push_back(deviationAt(inquiry, far.reading, far.sigmas));
+    grossErrors.push_back(deviationAt(measurement, far.reading,
+                                      far.sigmas * statedSigma(measurement, far.reading.kind).arcseconds()));
   bool likeJump = false;
   const Explanation& explanation = answer.explanation;
   for (std::size_t p = 0; p < explanation.parts.size(); ++p) {

@@ -160,6 +160,17 @@ std::vector<GapShare> sharesOfClosures(const GapModel& own) {
   return shares;
 }
 
+namespace {
+
+/// Among its readings, of which it is one.
+Index indexOf(const Leftover& leftover, const ReadingRef& reading) {
+  Index index = 0;
+  while (!(readingRef(leftover, index) == reading)) ++index;
+  return index;
+}
+
+}  // namespace
+
 std::vector<GapShare> sharesOfFrames(const Inquiry& inquiry) {
   constexpr double negligible = 1e-6;
   const Leftover& leftover = inquiry.leftover;
@@ -170,7 +181,8 @@ std::vector<GapShare> sharesOfFrames(const Inquiry& inquiry) {
   const auto square = [&](Index reading, double sigmas) {
     return sigmas * sigmas * inquiry.ofAll().leftover.redundancy(reading);
   };
-  for (const LargeGrossError& far : inquiry.largeGrossErrors) readings += square(far.reading, far.sigmas);
+  for (const LargeGrossError& far : inquiry.largeGrossErrors)
+    readings += square(indexOf(inquiry.ofAll().leftover, far.reading), far.sigmas);
   for (const Explanation& explanation : inquiry.explanations) {
     const double chance = explanation.chance;
     if (chance < negligible) continue;

@@ -127,6 +127,19 @@ std::optional<Account> byMoves(const Inquiry& inquiry, const Answer& answer, Lin
   return account;
 }
 
+/// Where no jump is an answer, a step of the orientation is what the pause adds to a drift (`addPause`).
+std::map<ErrorTerm, TermShare> withPausesInDrifts(std::map<ErrorTerm, TermShare> terms) {
+  using enum ErrorTerm;
+  for (const auto& [step, drift] :
+       {std::pair{HorizontalJump, HorizontalDrift}, std::pair{VerticalJump, VerticalDrift}}) {
+    const auto ofPause = terms.find(step), ofDrift = terms.find(drift);
+    if (ofPause == terms.end() || ofDrift == terms.end()) continue;
+    ofDrift->second.variance += ofPause->second.variance;
+    terms.erase(ofPause);
+  }
+  return terms;
+}
+
 std::vector<UncertaintyShare> sharesOfEffects(const Account& account, const Measurement& measurement) {
   std::vector<UncertaintyShare> shares;
   for (const Effect& effect : effectCatalogue()) {
@@ -196,6 +209,9 @@ std::optional<MeasuredIntersection> measuredIntersection(const Inquiry& inquiry,
   if (isLarge(measurement)) account = byMoves(inquiry, answer, moves);
   if (!account) account = byFit(answer);
   if (!account) return std::nullopt;
+  const auto isJump = [&](const Part& part) { return inquiry.of(part).isJump(); };
+  if (std::ranges::none_of(answer.explanation.parts, isJump))
+    account->terms = withPausesInDrifts(std::move(account->terms));
   const IntersectionEstimate estimate = averaged(inquiry, answer, account->estimate, moves);
   MeasuredIntersection measured{estimate, budgetOf(*account, measurement, estimate)};
   if (account->across) {

@@ -28,6 +28,17 @@ bool considered(const DiagnosisOptions& options, std::string_view id) {
 /// Odds that zeros which differ too much for one mark, and are not stated to be one, are none.
 constexpr double doubtfulZeros = 1;
 
+/// Odds of an effect that is met more seldom, over those of others.
+constexpr double seldom = 0.4;
+
+/// A bearing has axial play more often than a machined guideway is askew to it, an axis is out of plumb more
+/// often than an arm bends or air layers, and a circle is off its centre more often than it is badly divided.
+bool isMetSeldom(const Effect& effect) {
+  using enum ErrorTerm;
+  constexpr ErrorTerm seldomMet[] = {PlaneSkew, ArmSag, VerticalGraduationSine, VerticalRefraction};
+  return std::ranges::find(seldomMet, effect.parameters.front().term) != std::ranges::end(seldomMet);
+}
+
 Candidates candidatesFor(const GapModel& base, const Leftover& leftover, const DiagnosisOptions& options,
                          const PriorOdds& odds) {
   std::vector<std::string> leftOut = options.without;
@@ -40,10 +51,11 @@ Candidates candidatesFor(const GapModel& base, const Leftover& leftover, const D
     const double each = all / static_cast<double>(std::max<std::size_t>(components.size(), 1));
     candidates.add(std::move(components), each, offer);
   };
-  std::vector<EffectComponent> unknown, known;
+  std::vector<EffectComponent> usual, rare, known;
   for (EffectComponent& effect : effectsBeyond(base, leftover, leftOut))
-    (effect.isKnown() ? known : unknown).push_back(std::move(effect));
-  candidates.add(std::move(unknown), odds.effect);
+    (effect.isKnown() ? known : isMetSeldom(effect.effect()) ? rare : usual).push_back(std::move(effect));
+  candidates.add(std::move(usual), odds.effect);
+  candidates.add(std::move(rare), odds.effect * seldom);
   for (EffectComponent& effect : known) {
     const double stale = staleChanceOf(*base.measurement, effect.effect());
     candidates.add(std::vector{std::move(effect)}, odds.effect * stale);
@@ -201,7 +213,7 @@ std::vector<LargeGrossError> largeGrossErrorsOf(const Inquiry& inquiry) {
   for (const Part& part : inquiry.explanations.front().parts)
     if (const auto reading = inquiry.of(part).grossErrorAt();
         reading && std::abs(part.weights[0]) > largeSigma)
-      found.push_back({*reading, part.weights[0]});
+      found.push_back({readingRef(inquiry.leftover, *reading), part.weights[0]});
   return found;
 }
 
@@ -232,7 +244,7 @@ Inquiry inquire(GapModel model, const DiagnosisOptions& options, const std::stop
     GapModel next = inquiry.own;
     for (const LargeGrossError& far : found) {
       all.push_back(far);
-      next.options.without.push_back(readingRef(inquiry.leftover, far.reading));
+      next.options.without.push_back(far.reading);
     }
     next.refit();
     if (!next.fit->isDetermined()) break;

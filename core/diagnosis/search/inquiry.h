@@ -17,8 +17,8 @@ namespace alidade {
 
 /// A reading that was left out before the search, since it is off by far more than the equations bear.
 struct LargeGrossError {
-  Eigen::Index reading = 0;  ///< index into the leftover's readings
-  double sigmas = 0;         ///< how far it is off, in its σ
+  ReadingRef reading;
+  double sigmas = 0;  ///< how far it is off, in its σ
 };
 
 /// The model it starts from, what it leaves over, and what explains that.

@@ -11,6 +11,12 @@
 namespace alidade {
 namespace {
 
+/// Its tools compared with the effects that there were then.
+bool isKnownToTheRayTracer(const std::string& effect) {
+  return effect != "plane_skew" && effect != "arm_sag" && effect != "vertical_graduation" &&
+         effect != "vertical_refraction";
+}
+
 Visibility visibilityOfTrial(const test::Trial& trial) {
   Truth truth = test::truthOf(trial);
   truth.horizontalZero = trial.measurement.arcs[0].zeroHorizontal;
@@ -41,6 +47,7 @@ TEST(Visibility, AgreesWithTheRayTracer) {
     }
     for (const LookAlike& other : visibility.lookAlikes)
       if (other.difference < clearlyInside && trial.visibleSigma >= 6) {
+        if (!isKnownToTheRayTracer(other.effect)) continue;
         EXPECT_TRUE(trial.lookAlikes.contains(other.effect)) << other.effect;
         ++alike;
       }

@@ -14,6 +14,7 @@
 #include "ui/panels/result/result_panel.h"
 #include "ui/panels/window/job_status.h"
 #include "ui/panels/window/page_tabs.h"
+#include "ui/text/headline.h"
 #include "ui/text/session_difference.h"
 
 namespace alidade::ui {
@@ -194,8 +195,14 @@ void Monkey::lookAtResult() {
                     difference(m_evaluation->session, session));
   m_window->pageTabs().first()->setCurrentIndex(0);
   ResultPanel alone;
-  alone.setEvaluation(evaluateFit(session));
-  if (m_window->gapJob().isIdle() && m_gap && m_gap->evaluation->session == session) alone.setGap(*m_gap);
+  const Evaluation evaluation = evaluateFit(session);
+  alone.setEvaluation(evaluation);
+  if (m_window->gapJob().isIdle() && m_gap && m_gap->evaluation->session == session) {
+    alone.setGap(*m_gap);
+    alone.setHeadline(headlineOf(*m_gap));
+  } else {
+    alone.setHeadline(headlineOf(evaluation));
+  }
   const auto* shown = m_window->findChild<ResultPanel*>();
   alone.setComparisonShown(!shown->findChildren<QCheckBox*>().isEmpty() &&
                            shown->findChildren<QCheckBox*>().first()->isChecked());

@@ -44,9 +44,9 @@ Measurement shifted(Measurement measurement, Angle horizontal, Angle vertical) {
   return measurement;
 }
 
-// What a zero wrong in all arcs by its σ moves Δd by, fitted anew. Its elevation cancels, and so does next to all
-// of its azimuth: of what is left residuals of 9″, which the derivative leaves out, bend a tenth. Of two zeros
-// apart the share is L σ/√2, 16 µm.
+// What a zero wrong in all arcs by its σ moves Δd by, fitted anew. Its elevation cancels, and so does next to
+// all of its azimuth: of what is left residuals of 9″, which the derivative leaves out, bend a tenth. Of two
+// zeros apart the share is L σ/√2, 16 µm.
 TEST(OneZero, BringsWhatAnErrorOfItMovesTheIntersectionBy) {
   const Measurement measurement = withOneZero();
   const auto movedBy = [&](Angle horizontal, Angle vertical) {

@@ -27,17 +27,17 @@ Candidates ofThreeKinds() {
 TEST(Candidates, AreNumberedThrough) {
   const Candidates candidates = ofThreeKinds();
   ASSERT_EQ(candidates.groups().size(), 3u);
-  EXPECT_EQ(candidates.size(), 19u + 135u + static_cast<std::size_t>(leftover().readings()));
+  EXPECT_EQ(candidates.size(), 23u + 135u + static_cast<std::size_t>(leftover().readings()));
   EXPECT_EQ(candidates[1].id(), "collimation");
-  EXPECT_TRUE(candidates[18].isEffect());
-  EXPECT_TRUE(candidates[19].isJump());
-  EXPECT_TRUE(candidates[19 + 134].isJump());
+  EXPECT_TRUE(candidates[22].isEffect());
+  EXPECT_TRUE(candidates[23].isJump());
+  EXPECT_TRUE(candidates[23 + 134].isJump());
   for (Eigen::Index i = 0; i < leftover().readings(); ++i)
-    EXPECT_EQ(candidates[154 + static_cast<std::size_t>(i)].grossErrorAt(), i);
-  EXPECT_EQ(candidates.groupOf(18).logPrior, std::log(0.04));
-  EXPECT_EQ(candidates.groupOf(19).logPrior, std::log(1e-3));
-  EXPECT_TRUE(candidates.groupOf(153).oneAtMost);
-  EXPECT_EQ(candidates.groupOf(154).offered, 4u);
+    EXPECT_EQ(candidates[158 + static_cast<std::size_t>(i)].grossErrorAt(), i);
+  EXPECT_EQ(candidates.groupOf(22).logPrior, std::log(0.04));
+  EXPECT_EQ(candidates.groupOf(23).logPrior, std::log(1e-3));
+  EXPECT_TRUE(candidates.groupOf(157).oneAtMost);
+  EXPECT_EQ(candidates.groupOf(158).offered, 4u);
 }
 
 TEST(Candidates, HaveMisreadingsWhereThoseWereAdded) {

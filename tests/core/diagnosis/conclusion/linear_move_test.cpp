@@ -51,8 +51,9 @@ TEST(LinearMoves, AgreeWithAFitOfTheWholeModel) {
       EXPECT_NEAR(move->shift, shift, 0.1 * fitted->sigma + 0.01 * std::abs(shift)) << trial.id;
       const double variance = before->sigma * before->sigma + move->variance - byNothing;
       // Zeros do not scatter as the readings do where these leave much.
-      if (noiseScale(*inquiry.base.fit).factor < 2)
+      if (noiseScale(*inquiry.base.fit).factor < 2) {
         EXPECT_NEAR(std::sqrt(variance) / fitted->sigma, 1, 0.05) << trial.id;
+      }
       ++compared;
       moved += std::abs(shift) > fitted->sigma;
     }
@@ -87,8 +88,9 @@ TEST(LinearMoves, AgreeWithAFitOfEveryEffect) {
       EXPECT_NEAR(move->shift - ofNothing.shift, shift, 0.1 * fitted->sigma + 0.02 * std::abs(shift))
           << trial.id;
       const double variance = base->sigma * base->sigma + move->variance - ofNothing.variance;
-      if (noiseScale(*inquiry.base.fit).factor < 2)
+      if (noiseScale(*inquiry.base.fit).factor < 2) {
         EXPECT_NEAR(std::sqrt(variance) / fitted->sigma, 1, 0.1) << trial.id;
+      }
       ++compared;
     }
   }

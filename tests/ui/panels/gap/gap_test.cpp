@@ -388,14 +388,10 @@ TEST(Gap, SaysWhenWhichRowsOfAJumpMayBeLeftOut) {
     for (const QPushButton* button : list.findChildren<QPushButton*>()) texts += u'\n' + button->text();
     return texts.toStdString();
   };
-  const std::string goTo = "\nGo to the reading", before = "\nExclude the rows before",
-                    after = "\nExclude the rows from there on";
-  const std::string beforeIf =
-      " Or leave out the rows before the jump, if the pointing zero of the next position was not sighted "
-      "after it.";
-  EXPECT_THAT(told(35), EndsWith(beforeIf + " Or leave out the rows from there on, if it was." + goTo +
-                                 before + after));
-  EXPECT_THAT(told(4), EndsWith("read this position again." + beforeIf + goTo + before));
+  const std::string goTo = "\nGo to the reading", after = "\nExclude the rows from there on";
+  EXPECT_THAT(told(35),
+              EndsWith("if the pointing zero of the next position was sighted after it." + goTo + after));
+  EXPECT_THAT(told(4), EndsWith("read this position again." + goTo)) << "too few are left";
   EXPECT_THAT(told(67),
               EndsWith("again. Or leave out the rows from there on, if the pointing zero of the next "
                        "position was sighted after it." +
@@ -403,25 +399,17 @@ TEST(Gap, SaysWhenWhichRowsOfAJumpMayBeLeftOut) {
   EXPECT_THAT(told(68 + 35), EndsWith("again. Or leave out the rows from there on." + goTo + after));
 }
 
-/// Left out, the rows before the jump take nothing from Δd: what is left was all read after it, and both arcs
-/// stand shifted alike. So the ray tracer knocks its tripod, its pointing zeros untouched.
+/// Left out, the rows behind the jump take nothing from Δd: what is left of the position was read before it,
+/// as was its zero, and the other position has a zero that was sighted after it.
 TEST(Gap, LeavesOutTheRowsOnOneSideOfAJump) {
   constexpr double truth = 2.329085876961523;
   GapBench bench(jumpTrial);
-  bench.press("exclude before");
+  bench.press("exclude after");
   const auto& readings = bench.open->document().session().positions[0].readings;
-  for (std::size_t row = 0; row < readings.size(); ++row) EXPECT_EQ(readings[row].excluded, row < 34) << row;
+  for (std::size_t row = 0; row < readings.size(); ++row) EXPECT_EQ(readings[row].excluded, row >= 34) << row;
   EXPECT_EQ(bench.open->document().undoStack().count(), 1);
-  EXPECT_THAT(bench.shown(), HasSubstr("No gap: within the noise\n"));
   const Intersection found = *evaluate(bench.open->document().session()).fit.intersection;
   EXPECT_LT(std::abs(found.value - truth), found.expanded);
-  bench.open->undo();
-  bench.settle();
-  bench.press("exclude after");
-  EXPECT_FALSE(readings[33].excluded);
-  EXPECT_TRUE(readings[34].excluded && readings[67].excluded);
-  // What is left of the one position was read before the knock, of the other after it.
-  EXPECT_THAT(bench.shown(), HasSubstr("Jump of the orientation\n"));
 }
 
 TEST(Gap, LeavesOutOnlyTheRowsAfterAJumpInTheLastPosition) {

@@ -1,4 +1,4 @@
-#include "core/diagnosis/session_patterns.h"
+#include "core/diagnosis/candidates/session_patterns.h"
 
 #include <algorithm>
 #include <cmath>
