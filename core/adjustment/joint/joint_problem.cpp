@@ -427,9 +427,8 @@ void fillSliderRow(VisitEquations::Jacobian::RowXpr row, const typename Jets::Gu
 template <typename Jets>
 void JointProblem::fillZeroEquations(const Jets& jets, std::size_t visitIndex,
                                      VisitEquations& equations) const {
-  const auto& [arcIndex, visit, slider] = m_visits[visitIndex];
+  const std::size_t arcIndex = m_visits[visitIndex].arc, index = m_visits[visitIndex].visit.sightings.front();
   const ArcMeasurement& arc = m_measurement.arcs[arcIndex];
-  const std::size_t index = visit.sightings.front();
   const Sighting& sighting = arc.sightings[index];
   const double distance = jets.distance.value();
   const auto mark = roomFromZeroLine(SpacePoint<double>{0, 0, -distance}, distance, jets.zeroElevation,
