@@ -12,6 +12,7 @@
 #include "core/wording/across.h"
 #include "core/wording/attainable.h"
 #include "core/wording/budget.h"
+#include "core/wording/conditions.h"
 #include "core/wording/diagnosis_sentence.h"
 #include "core/wording/findings.h"
 #include "core/wording/position_name.h"
@@ -95,7 +96,8 @@ std::string verdictText(const FitAnswer& answer) {
   const auto decision = decideAcceptance(answer.measurement, answer.fit, answer.found());
   if (!decision) return answer.fit.intersection ? "\nVerdict: none, the session states no tolerance.\n" : "";
   return "\n" + paragraph("Verdict: " + verdictName(decision->verdict) + ". " +
-                          verdictSentence(answer.measurement, answer.fit, answer.found(), *decision));
+                          inTurn(verdictSentence(answer.measurement, answer.fit, answer.found(), *decision),
+                                 dependenceSentence(answer.dependences)));
 }
 
 std::string budgetText(const MeasuredIntersection& measured) {

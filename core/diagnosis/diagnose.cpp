@@ -10,6 +10,7 @@
 #include "core/diagnosis/conclusion/location.h"
 #include "core/diagnosis/conclusion/measured.h"
 #include "core/diagnosis/conclusion/required.h"
+#include "core/diagnosis/conclusion/unexplained.h"
 #include "core/diagnosis/gap/gap_size.h"
 #include "core/diagnosis/gap/held_out.h"
 #include "core/diagnosis/observability/advice.h"
@@ -69,19 +70,11 @@ std::optional<Closure> againstReference(const Measurement& measurement,
                    std::hypot(estimate.sigma, *measurement.sigmaReference), estimate.degreesOfFreedom);
 }
 
-/// With the repeats.
-std::vector<Closure> closuresOf(const GapModel& model) {
-  std::vector<Closure> closures = closuresOf(*model.measurement, *model.fit);
-  if (const auto apart = fitApart(*model.measurement, model.starts, model.options))
-    std::ranges::move(repeatsOf(*model.measurement, *apart), std::back_inserter(closures));
-  return closures;
-}
-
 std::vector<ClosureStep> closuresOf(const GapModel& own, const GapModel& opened,
                                     const std::optional<MeasuredIntersection>& measured) {
-  const std::vector<Closure> then = closuresOf(opened);
+  const std::vector<Closure> then = closuresWithRepeats(opened);
   std::vector<ClosureStep> steps;
-  for (const Closure& closure : closuresOf(own)) {
+  for (const Closure& closure : closuresWithRepeats(own)) {
     steps.push_back({closure});
     if (closure.of == Closure::Of::Reference) {
       steps.back().after = againstReference(*own.measurement, measured);
@@ -93,6 +86,12 @@ std::vector<ClosureStep> closuresOf(const GapModel& own, const GapModel& opened,
     if (same != then.end()) steps.back().after = *same;
   }
   return steps;
+}
+
+std::optional<Closure> referenceIn(const std::vector<ClosureStep>& closures) {
+  for (const ClosureStep& step : closures)
+    if (step.before.of == Closure::Of::Reference) return step.after;
+  return std::nullopt;
 }
 
 /// The first part that looks like others, with those; none of gross errors.
@@ -184,8 +183,12 @@ Result<Diagnosis, DiagnosisFault> diagnose(const Measurement& measurement, const
   diagnosis.afterwards = found;
   diagnosis.measured = std::move(measured);
   diagnosis.closures = closuresOf(own, answer.opened, diagnosis.measured);
+  diagnosis.unexplained = unexplainedOf(inquiry, referenceIn(diagnosis.closures));
+  const Eigen::VectorXd perReading = influencePerSigma(inquiry.base);
   const std::vector<Detectability> unseen =
-      undetectableEffects(inquiry.leftover, inquiry.candidates, influencePerSigma(inquiry.base));
+      undetectableEffects(inquiry.leftover, inquiry.candidates, perReading);
+  diagnosis.undetectableJumps =
+      undetectableJumps(inquiry.leftover, inquiry.candidates, perReading, *inquiry.base.measurement);
   for (const Detectability& detectability : unseen)
     diagnosis.unseen.push_back(
         {std::string(detectability.effect), detectability.influence, detectability.visible});

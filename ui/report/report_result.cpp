@@ -5,6 +5,7 @@
 
 #include "core/wording/across.h"
 #include "core/wording/budget.h"
+#include "core/wording/conditions.h"
 #include "ui/report/report_table.h"
 #include "ui/report/report_text.h"
 #include "ui/text/budget_text.h"
@@ -248,6 +249,16 @@ void addReference(ReportSheet& sheet, const Gap& gap) {
       says.arg(given, valueWithUncertainty(found.value - *reference, found.expanded, QStringLiteral("mm"))));
 }
 
+/// On which rows the verdict depends; empty where it does not.
+QString dependencesLine(const Gap& gap) {
+  const Evaluation& evaluation = *gap.evaluation;
+  if (!evaluation.fit.intersection) return {};
+  const Measurement& measurement = *evaluation.examined.measurement;
+  const auto decision = decideAcceptance(measurement, evaluation.fit, gap.found());
+  if (!decision) return {};
+  return qText(dependenceSentence(dependencesOf(measurement, evaluation.fit, gap.found(), *decision)));
+}
+
 }  // namespace
 
 void addVerdict(ReportSheet& sheet, const Gap& gap) {
@@ -263,6 +274,8 @@ void addVerdict(ReportSheet& sheet, const Gap& gap) {
   for (const QString& line : intersectionLines(gap))
     parts.push_back({sheet.lines(line, valueStyle, inner), valueStyle});
   parts.push_back({sheet.lines(verdict.sentence, type::body, inner), type::body});
+  const QString dependences = dependencesLine(gap);
+  if (!dependences.isEmpty()) parts.push_back({sheet.lines(dependences, type::body, inner), type::body});
   if (evaluation.fit.intersection)
     parts.push_back({sheet.lines(coverageLine(gap), type::label, inner), type::label});
   const QString unseen = unseenBeyondUText(gap);
