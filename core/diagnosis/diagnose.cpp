@@ -162,15 +162,24 @@ Result<Diagnosis, DiagnosisFault> diagnose(const Measurement& measurement, const
   if (stop.stop_requested()) return stopped;
 
   if (!heedsReference) {
-    found = modelAveragedIntersection(inquiry, answer);
     measured = measuredIntersection(inquiry, answer);
-    required = whatItWouldTake(inquiry);
+    if (!options.forVerdict) {
+      found = modelAveragedIntersection(inquiry, answer);
+      required = whatItWouldTake(inquiry);
+    }
   }
 
   Diagnosis diagnosis;
+  const GapModel& own = inquiry.ofAll().own;
   diagnosis.causes = causesOf(inquiry, answer);
   diagnosis.verdict = verdictOf(answer, diagnosis.causes);
-  const GapModel& own = inquiry.ofAll().own;
+  diagnosis.measured = std::move(measured);
+  diagnosis.closures = closuresOf(own, answer.opened, diagnosis.measured);
+  diagnosis.unexplained = unexplainedOf(inquiry, referenceIn(diagnosis.closures));
+  const Eigen::VectorXd perReading = influencePerSigma(inquiry.base);
+  diagnosis.undetectableJumps =
+      undetectableJumps(inquiry.leftover, inquiry.candidates, perReading, *inquiry.base.measurement);
+  if (options.forVerdict) return diagnosis;
   diagnosis.gap = sizeOf(own);
   diagnosis.after = sizeOf(answer.opened);
   diagnosis.shrink = shrinkageOf(inquiry, answer);
@@ -181,14 +190,8 @@ Result<Diagnosis, DiagnosisFault> diagnose(const Measurement& measurement, const
   diagnosis.steps = stepsOf(inquiry, answer);
   diagnosis.before = estimateOf(own);
   diagnosis.afterwards = found;
-  diagnosis.measured = std::move(measured);
-  diagnosis.closures = closuresOf(own, answer.opened, diagnosis.measured);
-  diagnosis.unexplained = unexplainedOf(inquiry, referenceIn(diagnosis.closures));
-  const Eigen::VectorXd perReading = influencePerSigma(inquiry.base);
   const std::vector<Detectability> unseen =
       undetectableEffects(inquiry.leftover, inquiry.candidates, perReading);
-  diagnosis.undetectableJumps =
-      undetectableJumps(inquiry.leftover, inquiry.candidates, perReading, *inquiry.base.measurement);
   for (const Detectability& detectability : unseen)
     diagnosis.unseen.push_back(
         {std::string(detectability.effect), detectability.influence, detectability.visible});

@@ -1,8 +1,12 @@
 #pragma once
 
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/base/random_source.h"
@@ -25,7 +29,7 @@ struct JudgedSession {
 inline std::optional<JudgedSession> judged(Measurement measurement) {
   JudgedSession session{std::move(measurement), {}, {}, {}};
   session.fit = fitSession(session.measurement);
-  auto diagnosis = diagnose(session.measurement, session.fit);
+  auto diagnosis = diagnose(session.measurement, session.fit, {.forVerdict = true});
   if (!diagnosis) return std::nullopt;
   session.diagnosis = *std::move(diagnosis);
   const auto decision = decideAcceptance(session.measurement, session.fit, &session.diagnosis);
@@ -77,8 +81,8 @@ inline Changes changesOf(const JudgedSession& session, int count, std::uint64_t 
       changed = without(std::move(changed), arc, row);
     } else {
       Sighting& sighting = changed.arcs[arc].sightings[row];
-      (random.uniform() < 0.5 ? sighting.a : sighting.e) +=
-          Angle::fromArcseconds(random.uniform() < 0.5 ? 60 : -60);
+      Angle& circle = random.uniform() < 0.5 ? sighting.a : sighting.e;
+      circle = circle + Angle::fromArcseconds(random.uniform() < 0.5 ? 60 : -60);
     }
     const auto then = judged(std::move(changed));
     ++changes.all;

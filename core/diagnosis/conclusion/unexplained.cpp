@@ -21,15 +21,18 @@ double logBayesFactorOfMore(double chance) {
   return z > 1 ? (z * z - 1) / 2 - std::log(z) : 0;
 }
 
+bool isShaped(const Explanation& explanation) {
+  return explanation.shaped;
+}
+
 /// (m² − s²)₊, mm².
 double excessOf(const Closure& closure) {
   return std::max(square(closure.value) - square(closure.sigma), 0.0);
 }
 
-/// Of one explanation.
+/// By one explanation without a pattern.
 Unexplained leftBy(const Inquiry& inquiry, const Explanation& explanation) {
   constexpr double perMisclosure = 0.5;  // Δd is half of what y differs by
-  if (explanation.shaped) return {1, 0};
   const ExplainedModel model = explainedModel(inquiry, explanation);
   const double ofNoise = sizeOf(model.closed).pValue;
   double most = std::isnan(ofNoise) ? 0 : chanceOfMore(ofNoise), variance = 0;
@@ -40,6 +43,25 @@ Unexplained leftBy(const Inquiry& inquiry, const Explanation& explanation) {
     variance += more * square(perMisclosure) * excessOf(closure);
   }
   return {most, std::sqrt(variance)};
+}
+
+/// By the likeliest explanations without a pattern, on average.
+Unexplained leftByNamed(const Inquiry& inquiry) {
+  constexpr std::size_t mostFitted = 8;
+  constexpr double leastChance = 0.01;
+  double all = 0, chance = 0, variance = 0;
+  std::size_t fitted = 0;
+  for (const Explanation& explanation : inquiry.explanations) {
+    if (explanation.shaped) continue;
+    if (fitted > 0 && (fitted == mostFitted || explanation.chance < leastChance)) break;
+    const Unexplained left = leftBy(inquiry, explanation);
+    all += explanation.chance;
+    chance += explanation.chance * left.chance;
+    variance += explanation.chance * square(left.sigma);
+    ++fitted;
+  }
+  if (!(all > 0)) return {};
+  return {std::min(chance / all, 1.0), std::sqrt(variance / all)};
 }
 
 }  // namespace
@@ -56,25 +78,13 @@ double chanceOfMore(double chance) {
 }
 
 Unexplained unexplainedOf(const Inquiry& inquiry, const std::optional<Closure>& reference) {
-  constexpr std::size_t most = 16;
-  constexpr double leastChance = 0.01;
-  double all = 0, chance = 0, variance = 0;
-  const std::size_t count = std::min(most, inquiry.explanations.size());
-  for (std::size_t i = 0; i < count; ++i) {
-    const Explanation& explanation = inquiry.explanations[i];
-    if (i > 0 && explanation.chance < leastChance) break;
-    const Unexplained left = leftBy(inquiry, explanation);
-    all += explanation.chance;
-    chance += explanation.chance * left.chance;
-    variance += explanation.chance * square(left.sigma);
-  }
-  Unexplained unexplained;
-  if (all > 0) unexplained = {std::min(chance / all, 1.0), std::sqrt(variance / all)};
-  if (reference) {
-    const double more = chanceOfMore(reference->chance);
-    unexplained.chance = std::max(unexplained.chance, more);
-    unexplained.sigma = std::sqrt(square(unexplained.sigma) + more * excessOf(*reference));
-  }
+  const double shaped = inquiry.chanceOf(&isShaped);
+  const Unexplained named = shaped < 1 ? leftByNamed(inquiry) : Unexplained{};
+  Unexplained unexplained{shaped + (1 - shaped) * named.chance, std::sqrt(1 - shaped) * named.sigma};
+  if (!reference) return unexplained;
+  const double more = chanceOfMore(reference->chance);
+  unexplained.chance = std::max(unexplained.chance, more);
+  unexplained.sigma = std::sqrt(square(unexplained.sigma) + more * excessOf(*reference));
   return unexplained;
 }
 

@@ -276,6 +276,9 @@ struct DiagnosisOptions {
   bool withReference = false;
   /// `Diagnosis::attainable` is worked out, which takes two thirds as long as all the rest.
   bool withAttainable = false;
+  /// Only what a verdict is decided by (`decideAcceptance`), in half the time: causes, `measured`, closures,
+  /// `unexplained` and `undetectableJumps`.
+  bool forVerdict = false;
 };
 
 /// What `Diagnosis::afterwards` holds beyond the fit with the causes.
