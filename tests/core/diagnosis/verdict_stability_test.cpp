@@ -76,7 +76,8 @@ TEST(VerdictStability, TellsOfALongSessionToFirstOrder) {
       }
   }
   // One elevation that is 0.3° off moves Δd across the edge of what is accepted.
-  measurement.arcs[0].sightings[3].e += Angle::fromDegrees(0.3);
+  Angle& elevation = measurement.arcs[0].sightings[3].e;
+  elevation = elevation - Angle::fromDegrees(0.3);
   SessionFit fit = fitSession(measurement);
   Measurement less = test::without(measurement, 0, 3);
   const SessionFit then = fitSession(less);
