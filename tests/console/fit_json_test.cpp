@@ -103,7 +103,9 @@ TEST(FitJson, HasTheKeysOfTheContract) {
   }
   EXPECT_EQ(keysOf(fit["decision"]),
             (std::set<std::string>{"tolerance_mm", "measurand", "verdict", "conformance_probability",
-                                   "as_modelled", "as_found", "reason"}));
+                                   "as_modelled", "as_found", "unexplained_probability",
+                                   "unexplained_sigma_mm", "conditions", "condition_sentence", "hangs_on",
+                                   "hangs_on_sentence", "reason"}));
   EXPECT_EQ(fit["decision"]["measurand"], "intersection");
   for (const char* length : {"across_plane", "distance_from_axis"})
     EXPECT_EQ(keysOf(fit[length]), (std::set<std::string>{"value_mm", "sigma_mm", "expanded_mm"}));
@@ -214,6 +216,14 @@ TEST(FitJson, DecidesByWhatMayHaveClosedThePositions) {
   EXPECT_EQ(decision["as_found"], "accept");
   EXPECT_EQ(decision["verdict"], "accept");
   EXPECT_GT(decision["conformance_probability"], 0.99);
+  // Each left out in earnest, three rows of the 34 make it undecided: 180° points 13, 14 and 17.
+  ASSERT_FALSE(decision["hangs_on"].empty());
+  for (const Json& row : decision["hangs_on"]) {
+    EXPECT_EQ(row["axis_deg"], 180);
+    EXPECT_THAT(row["point"].get<int>(), ::testing::AnyOf(13, 14, 17));
+    EXPECT_EQ(row["verdict"], "undecided");
+  }
+  EXPECT_THAT(decision["hangs_on_sentence"].get<std::string>(), HasSubstr("undecided without 180° point"));
   EXPECT_GT(answer["intersection_as_found"]["expanded_mm"],
             3 * answer["intersection"]["expanded_mm"].get<double>());
 }
