@@ -144,22 +144,23 @@ std::string accountsText(const Measurement& measurement, const SessionFit& fit, 
 }
 
 std::string unexplainedText(const Diagnosis& diagnosis) {
-  return Phrase::of(
-      "The verdict is open: with a probability of %1 the gap is real and no effect of the catalogue explains "
-      "it.",
-      probabilityText(diagnosis.unexplained.chance));
+  return Phrase::of("With a probability of %1 the gap is real and no effect of the catalogue explains it.",
+                    probabilityText(diagnosis.unexplained.chance));
 }
 
-/// What misclosures without an explanation add, where that is worth a word.
-std::string spreadText(const Diagnosis* diagnosis) {
-  constexpr double noticeable = 0.2;  // of the standard uncertainty: 2 % more of it
+/// How probably the gap is unexplained, and what misclosures without an explanation add, where that is worth
+/// a word.
+std::string doubtText(const Diagnosis* diagnosis) {
+  constexpr double probable = 0.2, noticeable = 0.2;  // of the standard uncertainty: 2 % more of it
   if (!diagnosis || !diagnosis->measured) return "";
-  const double sigma = diagnosis->unexplained.sigma;
-  if (sigma < noticeable * diagnosis->measured->estimate.sigma) return "";
-  return Phrase::of(
+  const auto& [chance, sigma] = diagnosis->unexplained;
+  const std::string doubt = chance < probable ? "" : unexplainedText(*diagnosis);
+  if (sigma < noticeable * diagnosis->measured->estimate.sigma) return doubt;
+  const std::string spread = Phrase::of(
       "Misclosures that may have no cause of the catalogue add ± %1 mm (1σ), which verdict and probability "
       "take into account.",
       displayText(sigma, decimalsFor(sigma)));
+  return inTurn(doubt, spread);
 }
 
 /// Nothing is certain.
@@ -218,8 +219,9 @@ std::string verdictSentence(const Measurement& measurement, const SessionFit& fi
         "or state it (device.known: plane_offset). %1",
         rests);
   if (decision.obstacle == AcceptanceDecision::Obstacle::Unexplained)
-    return inTurn(inTurn(unexplainedText(*diagnosis), misclosureSentence(*diagnosis)), rests);
-  const std::string believed = inTurn(rests, spreadText(diagnosis));
+    return inTurn(Phrase::of("The verdict is open. %1", unexplainedText(*diagnosis)),
+                  inTurn(misclosureSentence(*diagnosis), rests));
+  const std::string believed = inTurn(rests, doubtText(diagnosis));
   if (!decision.conformance) return believed;
   const std::string probability = probabilityText(*decision.conformance);
   const std::string conforms =

@@ -216,14 +216,10 @@ TEST(FitJson, DecidesByWhatMayHaveClosedThePositions) {
   EXPECT_EQ(decision["as_found"], "accept");
   EXPECT_EQ(decision["verdict"], "accept");
   EXPECT_GT(decision["conformance_probability"], 0.99);
-  // Each left out in earnest, three rows of the 34 make it undecided: 180° points 13, 14 and 17.
-  ASSERT_FALSE(decision["hangs_on"].empty());
-  for (const Json& row : decision["hangs_on"]) {
-    EXPECT_EQ(row["axis_deg"], 180);
-    EXPECT_THAT(row["point"].get<int>(), ::testing::AnyOf(13, 14, 17));
-    EXPECT_EQ(row["verdict"], "undecided");
-  }
-  EXPECT_THAT(decision["hangs_on_sentence"].get<std::string>(), HasSubstr("undecided without 180° point"));
+  // None of the rows decides it, though with 39 % nothing explains the gap.
+  EXPECT_TRUE(decision["hangs_on"].empty());
+  EXPECT_EQ(decision["hangs_on_sentence"], "");
+  EXPECT_NEAR(decision["unexplained_probability"], 0.39, 0.1);
   EXPECT_GT(answer["intersection_as_found"]["expanded_mm"],
             3 * answer["intersection"]["expanded_mm"].get<double>());
 }
