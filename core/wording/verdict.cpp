@@ -151,7 +151,8 @@ std::string unexplainedText(const Diagnosis& diagnosis) {
 /// How probably the gap is unexplained, and what misclosures without an explanation add, where that is worth
 /// a word.
 std::string doubtText(const Diagnosis* diagnosis) {
-  constexpr double probable = 0.2, noticeable = 0.2;  // of the standard uncertainty: 2 % more of it
+  constexpr double probable = 0.5;
+  constexpr double noticeable = 0.2;  // of the standard uncertainty: 2 % more of it
   if (!diagnosis || !diagnosis->measured) return "";
   const auto& [chance, sigma] = diagnosis->unexplained;
   const std::string doubt = chance < probable ? "" : unexplainedText(*diagnosis);

@@ -153,6 +153,7 @@ namespace {
 /// The verdict holds on a condition, which its sentence states.
 bool isConditional(const Gap& gap) {
   const Evaluation& evaluation = *gap.evaluation;
+  if (!evaluation.examined.measurement) return false;
   const auto decision = decideAcceptance(*evaluation.examined.measurement, evaluation.fit, gap.found());
   return decision && !decision->conditions.empty();
 }
