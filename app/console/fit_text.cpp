@@ -12,6 +12,7 @@
 #include "core/wording/across.h"
 #include "core/wording/attainable.h"
 #include "core/wording/budget.h"
+#include "core/wording/conditions.h"
 #include "core/wording/diagnosis_sentence.h"
 #include "core/wording/findings.h"
 #include "core/wording/position_name.h"
@@ -110,7 +111,8 @@ std::string verdictText(const FitAnswer& answer) {
   if (!decision) return answer.fit.intersection ? "Verdict: none, the session states no tolerance.\n" : "";
   const char* basis = answer.diagnosis ? "Verdict: " : "Verdict, fit only: ";
   return paragraph(basis + verdictName(decision->verdict) + ". " +
-                   verdictSentence(answer.measurement, answer.fit, answer.found(), *decision));
+                   inTurn(verdictSentence(answer.measurement, answer.fit, answer.found(), *decision),
+                          dependenceSentence(answer.dependences)));
 }
 
 std::string budgetText(const MeasuredIntersection& measured) {

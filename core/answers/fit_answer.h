@@ -8,6 +8,7 @@
 #include "core/adjustment/monte_carlo/monte_carlo.h"
 #include "core/adjustment/result/session_fit.h"
 #include "core/answers/arrivals.h"
+#include "core/diagnosis/dependence.h"
 #include "core/diagnosis/result/diagnosis.h"
 #include "core/session/measurement.h"
 
@@ -21,9 +22,16 @@ struct FitAnswer {
   std::vector<Suspect> suspects = {};
   std::optional<MonteCarlo> check = {};     ///< where asked for
   std::optional<Diagnosis> diagnosis = {};  ///< unless left out
-  std::vector<Arrival> arrivals = {};       ///< of the session
+  /// On which single rows the verdict depends.
+  std::vector<Dependence> dependences = {};
+  std::vector<Arrival> arrivals = {};  ///< of the session
 
   const Diagnosis* found() const { return diagnosis ? &*diagnosis : nullptr; }
+  /// Fills `dependences`; the last, since it takes some diagnoses more.
+  void findDependences() {
+    if (const auto decision = decideAcceptance(measurement, fit, found()))
+      dependences = dependencesOf(measurement, fit, found(), *decision);
+  }
 };
 
 }  // namespace alidade

@@ -9,8 +9,10 @@
 #include "core/adjustment/result/two_faces.h"
 #include "core/answers/findings_json.h"
 #include "core/answers/json_text.h"
+#include "core/effects/cause_ids.h"
 #include "core/session/value_text.h"
 #include "core/wording/budget.h"
+#include "core/wording/conditions.h"
 #include "core/wording/findings.h"
 #include "core/wording/suspects.h"
 #include "core/wording/verdict.h"
@@ -93,6 +95,37 @@ Json asFoundJson(const IntersectionEstimate& found, double coverage) {
           {"in_plane_expanded_mm", undefined}};
 }
 
+Json conditionsJson(const FitAnswer& answer, const AcceptanceDecision& decision) {
+  Json conditions = Json::array();
+  for (const std::size_t i : decision.conditions) {
+    const UndetectableJump& jump = answer.diagnosis->undetectableJumps[i];
+    double odds = 0;
+    for (const NormalPart& move : jump.moves) odds += move.share;
+    Json json = {{"effect", jumpId},
+                 {"axis_deg", jump.axisDeg},
+                 {"when", jump.isAfterZero ? "after_zero" : "during_readings"},
+                 {"influence_mm", jump.influence},
+                 {"probability", odds / (1 + odds)}};
+    if (jump.time > 1) json["time"] = jump.time;
+    conditions.push_back(std::move(json));
+  }
+  return conditions;
+}
+
+Json dependencesJson(const std::vector<Dependence>& dependences) {
+  Json rows = Json::array();
+  for (const Dependence& dependence : dependences) {
+    rows.push_back({{"axis_deg", dependence.axisDeg},
+                    {"round", dependence.round},
+                    {"point", dependence.point},
+                    {"face", dependence.face},
+                    {"verdict", verdictName(dependence.without)},
+                    {"by", dependence.isExact ? "re-evaluation" : "linear_estimate"}});
+    if (dependence.time > 1) rows.back()["time"] = dependence.time;
+  }
+  return rows;
+}
+
 Json decisionJson(const FitAnswer& answer, const AcceptanceDecision& decision) {
   const bool isOpen = decision.verdict == Verdict::Undecided;
   return {{"tolerance_mm", answer.measurement.tolerance.value()},
@@ -101,6 +134,12 @@ Json decisionJson(const FitAnswer& answer, const AcceptanceDecision& decision) {
           {"conformance_probability", decision.conformance.value_or(undefined)},
           {"as_modelled", verdictName(decision.asModelled)},
           {"as_found", decision.asFound ? Json(verdictName(*decision.asFound)) : Json()},
+          {"unexplained_probability", answer.diagnosis ? answer.diagnosis->unexplained.chance : undefined},
+          {"unexplained_sigma_mm", answer.diagnosis ? answer.diagnosis->unexplained.sigma : undefined},
+          {"conditions", conditionsJson(answer, decision)},
+          {"condition_sentence", conditionSentence(answer.found(), decision)},
+          {"hangs_on", dependencesJson(answer.dependences)},
+          {"hangs_on_sentence", dependenceSentence(answer.dependences)},
           {"reason", isOpen ? verdictSentence(answer.measurement, answer.fit, answer.found(), decision)
                             : std::string()}};
 }

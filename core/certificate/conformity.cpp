@@ -7,6 +7,8 @@
 #include "core/base/quantity_text.h"
 #include "core/certificate/quantity.h"
 #include "core/diagnosis/decision.h"
+#include "core/wording/conditions.h"
+#include "core/wording/findings.h"
 #include "core/wording/verdict.h"
 
 namespace alidade {
@@ -29,7 +31,7 @@ std::optional<double> sizeAsFound(const FitAnswer& answer) {
 std::optional<std::string_view> conditional(const FitAnswer& answer, const AcceptanceDecision& decision) {
   if (decision.obstacle != Obstacle::Uncertainty && decision.obstacle != Obstacle::Contradiction)
     return std::nullopt;
-  if (answer.found() && isMisclosed(*answer.found())) return std::nullopt;
+  if (answer.found() && answer.found()->unexplained.chance > mostUnexplained) return std::nullopt;
   const std::optional<double> found = sizeAsFound(answer);
   if (!found) return std::nullopt;
   const double tolerance = *answer.measurement.tolerance;
@@ -59,7 +61,8 @@ std::string ruleText(const Measurement& measurement) {
 
 /// What the schema's word means here, or why there is none.
 std::string statementText(const FitAnswer& answer, const AcceptanceDecision& decision) {
-  std::string sentence = verdictSentence(answer.measurement, answer.fit, answer.found(), decision);
+  std::string sentence = inTurn(verdictSentence(answer.measurement, answer.fit, answer.found(), decision),
+                                dependenceSentence(answer.dependences));
   const auto conformity = conformityOf(answer);
   if (!conformity) return Phrase::of("No statement of conformity. %1", sentence);
   if (*conformity == "conditionalPass")

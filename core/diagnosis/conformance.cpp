@@ -23,6 +23,34 @@ std::optional<double> conformanceOf(const IntersectionEstimate& estimate, double
   return std::clamp(within / all, 0.0, 1.0);  // of rounding
 }
 
+std::optional<TailRisk> tailRiskOf(const IntersectionEstimate& estimate, double tolerance) {
+  TailRisk risk;
+  double all = 0;
+  for (const NormalPart& account : estimate.accounts) {
+    const auto beyond = [&](double mean) {
+      return studentLowerTail((mean - tolerance) / account.sigma, estimate.degreesOfFreedom);
+    };
+    const std::optional<double> above = beyond(account.mean), below = beyond(-account.mean);
+    if (!above || !below) return std::nullopt;
+    risk.above += account.share * *above;
+    risk.below += account.share * *below;
+    all += account.share;
+  }
+  if (!(all > 0)) return std::nullopt;
+  risk.above /= all;
+  risk.below /= all;
+  return risk;
+}
+
+IntersectionEstimate widened(IntersectionEstimate estimate, double sigma) {
+  if (!(sigma > 0)) return estimate;
+  const double factor = estimate.sigma > 0 ? std::hypot(estimate.sigma, sigma) / estimate.sigma : 1;
+  estimate.sigma *= factor;
+  estimate.expanded *= factor;
+  for (NormalPart& account : estimate.accounts) account.sigma = std::hypot(account.sigma, sigma);
+  return estimate;
+}
+
 std::optional<double> conformanceOf(const IntersectionEstimate& inPlane, const MeasuredLength& across,
                                     double tolerance) {
   constexpr int steps = 1000;  // equally probable ones of Δz: the sum is right to 0.1 %

@@ -12,6 +12,21 @@ namespace alidade {
 /// |Δd + shift| ≤ `tolerance`, mm.
 std::optional<double> conformanceOf(const IntersectionEstimate& estimate, double tolerance, double shift = 0);
 
+/// How probably Δd lies beyond a tolerance on either side, 0…1.
+struct TailRisk {
+  double below = 0;  ///< P(Δd < −tolerance)
+  double above = 0;  ///< P(Δd > tolerance)
+
+  bool areAtMost(double risk) const { return below <= risk && above <= risk; }
+};
+
+/// Of |Δd| against `tolerance`, mm. Absent as above.
+std::optional<TailRisk> tailRiskOf(const IntersectionEstimate& estimate, double tolerance);
+
+/// What is believed of Δd where something else adds `sigma` (≥ 0, mm) to its standard uncertainty, whichever
+/// account is right.
+IntersectionEstimate widened(IntersectionEstimate estimate, double sigma);
+
 /// √(Δd² + Δz²) ≤ `tolerance`, mm, Δz as uncertain as Student's variable and independent of Δd.
 std::optional<double> conformanceOf(const IntersectionEstimate& inPlane, const MeasuredLength& across,
                                     double tolerance);

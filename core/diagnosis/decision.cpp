@@ -1,5 +1,8 @@
 #include "core/diagnosis/decision.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include "core/diagnosis/conformance.h"
 #include "core/effects/cause_ids.h"
 
@@ -7,16 +10,30 @@ namespace alidade {
 
 namespace {
 
+/// `more`: further standard uncertainty, mm.
+Verdict verdictOf(const IntersectionEstimate& estimate, double more, const Measurement& measurement) {
+  const double tolerance = *measurement.tolerance, risk = (1 - measurement.coverage) / 2;
+  const Verdict guarded = decide(estimate.value, estimate.expanded, tolerance);
+  if (guarded == Verdict::Undecided || (estimate.accounts.size() < 2 && !(more > 0))) return guarded;
+  const std::optional<TailRisk> beyond = tailRiskOf(widened(estimate, more), tolerance);
+  if (!beyond) return Verdict::Undecided;
+  const bool holds = guarded == Verdict::Accept ? beyond->areAtMost(risk)
+                                                : std::max(beyond->above, beyond->below) >= 1 - risk;
+  return holds ? guarded : Verdict::Undecided;
+}
+
 /// Undecided where the causes leave the measurand undetermined. Of a part alone no more can be said than that
 /// it is too long.
-Verdict verdictOf(const std::optional<MeasuredIntersection>& measured, const Measurement& measurement) {
+Verdict verdictOf(const std::optional<MeasuredIntersection>& measured, double more,
+                  const Measurement& measurement) {
   if (!measured) return Verdict::Undecided;
-  const auto decided = [&](const auto& length) {
-    return decide(length.value, length.expanded, *measurement.tolerance);
-  };
-  const Verdict inPlane = decided(measured->estimate);
+  const Verdict inPlane = verdictOf(measured->estimate, more, measurement);
   if (measurement.measurand == Measurand::Intersection) return inPlane;
-  if (measured->distance) return decided(*measured->distance);
+  if (measured->distance) {
+    const MeasuredLength& distance = *measured->distance;
+    const double wider = std::hypot(distance.sigma, more) / distance.sigma;
+    return decide(distance.value, wider * distance.expanded, *measurement.tolerance);
+  }
   return inPlane == Verdict::Reject ? inPlane : Verdict::Undecided;
 }
 
@@ -34,15 +51,42 @@ bool isAcrossMissing(const AcceptanceDecision& decision, Measurand measurand, co
          decision.asFound.value_or(decision.asModelled) != Verdict::Reject;
 }
 
+/// `more`: further standard uncertainty, mm.
+std::optional<double> conformanceWith(double more, const MeasuredIntersection& measured,
+                                      const Measurement& measurement) {
+  const IntersectionEstimate estimate = widened(measured.estimate, more);
+  return measurement.measurand == Measurand::Distance && measured.across
+             ? conformanceOf(estimate, *measured.across, *measurement.tolerance)
+             : conformanceOf(estimate, *measurement.tolerance);
+}
+
 std::optional<double> conformanceOf(const Measurement& measurement, const SessionFit& fit,
                                     const Diagnosis* diagnosis) {
-  const double tolerance = *measurement.tolerance;
-  if (!diagnosis) return conformanceOf(estimateOf(*fit.intersection), tolerance);
+  if (!diagnosis) return conformanceOf(estimateOf(*fit.intersection), *measurement.tolerance);
   if (!diagnosis->measured) return std::nullopt;
-  const MeasuredIntersection& measured = *diagnosis->measured;
-  return measurement.measurand == Measurand::Distance && measured.across
-             ? conformanceOf(measured.estimate, *measured.across, tolerance)
-             : conformanceOf(measured.estimate, tolerance);
+  const double more = diagnosis->unexplained.sigma;
+  auto conformance = conformanceWith(more, *diagnosis->measured, measurement);
+  if (!conformance) return conformance;
+  double odds = 1;  // against no undetectable knock
+  for (const UndetectableJump& jump : diagnosis->undetectableJumps)
+    for (const NormalPart& move : jump.moves) {
+      const auto with = conformanceWith(std::hypot(more, move.sigma), *diagnosis->measured, measurement);
+      *conformance += move.share * with.value_or(0);
+      odds += move.share;
+    }
+  return *conformance / odds;
+}
+
+/// The knocks that would make another verdict of it, had one occurred and the readings were what they are.
+std::vector<std::size_t> conditionsOf(const Measurement& measurement, const Diagnosis& diagnosis,
+                                      Verdict verdict) {
+  std::vector<std::size_t> conditions;
+  if (verdict == Verdict::Undecided) return conditions;
+  for (std::size_t i = 0; i < diagnosis.undetectableJumps.size(); ++i) {
+    const double more = std::hypot(diagnosis.unexplained.sigma, diagnosis.undetectableJumps[i].influence);
+    if (verdictOf(diagnosis.measured, more, measurement) != verdict) conditions.push_back(i);
+  }
+  return conditions;
 }
 
 }  // namespace
@@ -56,7 +100,7 @@ std::optional<AcceptanceDecision> decideAcceptance(const Measurement& measuremen
                                                    const Diagnosis* diagnosis) {
   if (!fit.verdict) return std::nullopt;
   AcceptanceDecision decision{.asModelled = *fit.verdict};
-  if (diagnosis) decision.asFound = verdictOf(diagnosis->measured, measurement);
+  if (diagnosis) decision.asFound = verdictOf(diagnosis->measured, diagnosis->unexplained.sigma, measurement);
   decision.showsBoth = diagnosis != nullptr;
   if (fit.lengthsInDoubt) {
     decision.obstacle = AcceptanceDecision::Obstacle::Lengths;
@@ -74,12 +118,13 @@ std::optional<AcceptanceDecision> decideAcceptance(const Measurement& measuremen
     decision.verdict = decision.asFound.value_or(decision.asModelled);
     if (decision.verdict != Verdict::Undecided) decision.obstacle = AcceptanceDecision::Obstacle::None;
   }
-  if (diagnosis && isMisclosed(*diagnosis)) {
+  if (diagnosis && diagnosis->unexplained.chance > mostUnexplained) {
     decision.verdict = Verdict::Undecided;
     if (decision.obstacle != AcceptanceDecision::Obstacle::Contradiction)
-      decision.obstacle = AcceptanceDecision::Obstacle::Misclosure;
+      decision.obstacle = AcceptanceDecision::Obstacle::Unexplained;
     return decision;
   }
+  if (diagnosis) decision.conditions = conditionsOf(measurement, *diagnosis, decision.verdict);
   if (decision.obstacle != AcceptanceDecision::Obstacle::AcrossUnknown)
     decision.conformance = conformanceOf(measurement, fit, diagnosis);
   return decision;

@@ -10,6 +10,7 @@
 #include "core/diagnosis/conclusion/location.h"
 #include "core/diagnosis/conclusion/measured.h"
 #include "core/diagnosis/conclusion/required.h"
+#include "core/diagnosis/conclusion/unexplained.h"
 #include "core/diagnosis/gap/gap_size.h"
 #include "core/diagnosis/gap/held_out.h"
 #include "core/diagnosis/observability/advice.h"
@@ -69,21 +70,11 @@ std::optional<Closure> againstReference(const Measurement& measurement,
                    std::hypot(estimate.sigma, *measurement.sigmaReference), estimate.degreesOfFreedom);
 }
 
-/// With the repeats.
-std::vector<Closure> closuresOf(const GapModel& model) {
-  std::vector<Closure> closures = closuresOf(*model.measurement, *model.fit);
-  if (const auto apart = fitApart(*model.measurement, model.starts, model.options))
-    std::ranges::move(repeatsOf(*model.measurement, *apart), std::back_inserter(closures));
-  std::ranges::move(zeroClosuresOf(*model.measurement, *model.fit, model.options),
-                    std::back_inserter(closures));
-  return closures;
-}
-
 std::vector<ClosureStep> closuresOf(const GapModel& own, const GapModel& opened,
                                     const std::optional<MeasuredIntersection>& measured) {
-  const std::vector<Closure> then = closuresOf(opened);
+  const std::vector<Closure> then = everyClosureOf(opened);
   std::vector<ClosureStep> steps;
-  for (const Closure& closure : closuresOf(own)) {
+  for (const Closure& closure : everyClosureOf(own)) {
     steps.push_back({closure});
     if (closure.of == Closure::Of::Reference) {
       steps.back().after = againstReference(*own.measurement, measured);
@@ -95,6 +86,12 @@ std::vector<ClosureStep> closuresOf(const GapModel& own, const GapModel& opened,
     if (same != then.end()) steps.back().after = *same;
   }
   return steps;
+}
+
+std::optional<Closure> referenceIn(const std::vector<ClosureStep>& closures) {
+  for (const ClosureStep& step : closures)
+    if (step.before.of == Closure::Of::Reference) return step.after;
+  return std::nullopt;
 }
 
 /// The first part that looks like others, with those; none of gross errors.
@@ -165,15 +162,24 @@ Result<Diagnosis, DiagnosisFault> diagnose(const Measurement& measurement, const
   if (stop.stop_requested()) return stopped;
 
   if (!heedsReference) {
-    found = modelAveragedIntersection(inquiry, answer);
     measured = measuredIntersection(inquiry, answer);
-    required = whatItWouldTake(inquiry);
+    if (!options.forVerdict) {
+      found = modelAveragedIntersection(inquiry, answer);
+      required = whatItWouldTake(inquiry);
+    }
   }
 
   Diagnosis diagnosis;
+  const GapModel& own = inquiry.ofAll().own;
   diagnosis.causes = causesOf(inquiry, answer);
   diagnosis.verdict = verdictOf(answer, diagnosis.causes);
-  const GapModel& own = inquiry.ofAll().own;
+  diagnosis.measured = std::move(measured);
+  diagnosis.closures = closuresOf(own, answer.opened, diagnosis.measured);
+  diagnosis.unexplained = unexplainedOf(inquiry, referenceIn(diagnosis.closures));
+  const Eigen::VectorXd perReading = influencePerSigma(inquiry.base);
+  diagnosis.undetectableJumps =
+      undetectableJumps(inquiry.leftover, inquiry.candidates, perReading, *inquiry.base.measurement);
+  if (options.forVerdict) return diagnosis;
   diagnosis.gap = sizeOf(own);
   diagnosis.after = sizeOf(answer.opened);
   diagnosis.shrink = shrinkageOf(inquiry, answer);
@@ -184,10 +190,8 @@ Result<Diagnosis, DiagnosisFault> diagnose(const Measurement& measurement, const
   diagnosis.steps = stepsOf(inquiry, answer);
   diagnosis.before = estimateOf(own);
   diagnosis.afterwards = found;
-  diagnosis.measured = std::move(measured);
-  diagnosis.closures = closuresOf(own, answer.opened, diagnosis.measured);
   const std::vector<Detectability> unseen =
-      undetectableEffects(inquiry.leftover, inquiry.candidates, influencePerSigma(inquiry.base));
+      undetectableEffects(inquiry.leftover, inquiry.candidates, perReading);
   for (const Detectability& detectability : unseen)
     diagnosis.unseen.push_back(
         {std::string(detectability.effect), detectability.influence, detectability.visible});

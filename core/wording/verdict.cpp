@@ -8,6 +8,7 @@
 #include "core/wording/across.h"
 #include "core/wording/attainable.h"
 #include "core/wording/closures.h"
+#include "core/wording/conditions.h"
 #include "core/wording/findings.h"
 #include "core/wording/measure.h"
 #include "core/wording/position_name.h"
@@ -142,6 +143,27 @@ std::string accountsText(const Measurement& measurement, const SessionFit& fit, 
                          measurement.coverage);
 }
 
+std::string unexplainedText(const Diagnosis& diagnosis) {
+  return Phrase::of("With a probability of %1 the gap is real and no effect of the catalogue explains it.",
+                    probabilityText(diagnosis.unexplained.chance));
+}
+
+/// How probably the gap is unexplained, and what misclosures without an explanation add, where that is worth
+/// a word.
+std::string doubtText(const Diagnosis* diagnosis) {
+  constexpr double probable = 0.5;
+  constexpr double noticeable = 0.2;  // of the standard uncertainty: 2 % more of it
+  if (!diagnosis || !diagnosis->measured) return "";
+  const auto& [chance, sigma] = diagnosis->unexplained;
+  const std::string doubt = chance < probable ? "" : unexplainedText(*diagnosis);
+  if (sigma < noticeable * diagnosis->measured->estimate.sigma) return doubt;
+  const std::string spread = Phrase::of(
+      "Misclosures that may have no cause of the catalogue add ± %1 mm (1σ), which verdict and probability "
+      "take into account.",
+      displayText(sigma, decimalsFor(sigma)));
+  return inTurn(doubt, spread);
+}
+
 /// Nothing is certain.
 std::string boundedText(double probability, const std::string& more, const std::string& less, int decimals) {
   constexpr double nearlyCertain = 0.9995;
@@ -197,13 +219,17 @@ std::string verdictSentence(const Measurement& measurement, const SessionFit& fi
         "off it across the plane of the arc was not measured: read both positions over more of the arc, "
         "or state it (device.known: plane_offset). %1",
         rests);
-  if (decision.obstacle == AcceptanceDecision::Obstacle::Misclosure)
-    return inTurn(misclosureSentence(*diagnosis), rests);
-  if (!decision.conformance) return rests;
+  if (decision.obstacle == AcceptanceDecision::Obstacle::Unexplained)
+    return inTurn(Phrase::of("The verdict is open. %1", unexplainedText(*diagnosis)),
+                  inTurn(misclosureSentence(*diagnosis), rests));
+  const std::string believed = inTurn(rests, doubtText(diagnosis));
+  if (!decision.conformance) return believed;
   const std::string probability = probabilityText(*decision.conformance);
-  return decision.showsBoth ? Phrase::of("%1 By all that is possible, it conforms with a probability of %2.",
-                                         rests, probability)
-                            : Phrase::of("%1 It conforms with a probability of %2.", rests, probability);
+  const std::string conforms =
+      decision.showsBoth ? Phrase::of("%1 By all that is possible, it conforms with a probability of %2.",
+                                      believed, probability)
+                         : Phrase::of("%1 It conforms with a probability of %2.", believed, probability);
+  return inTurn(conforms, conditionSentence(diagnosis, decision));
 }
 
 std::string verdictSentence(double value, double expanded, double tolerance, double coverage) {

@@ -52,6 +52,7 @@ Result<std::string> resultAnswer(const Session& session, const std::string& name
   FitAnswer answer{name, of->measurement, of->fit, findSuspects(session, of->measurement, of->fit)};
   if (auto diagnosis = diagnosed(*of)) answer.diagnosis = *std::move(diagnosis);
   answer.arrivals = arrivalsOf(session);
+  answer.findDependences();
   return fitJson(answer);
 }
 

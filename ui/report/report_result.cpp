@@ -5,6 +5,7 @@
 
 #include "core/wording/across.h"
 #include "core/wording/budget.h"
+#include "core/wording/conditions.h"
 #include "ui/report/report_table.h"
 #include "ui/report/report_text.h"
 #include "ui/text/budget_text.h"
@@ -222,6 +223,16 @@ void addReference(ReportSheet& sheet, const Gap& gap) {
       says.arg(given, valueWithUncertainty(found.value - *reference, found.expanded, QStringLiteral("mm"))));
 }
 
+/// On which rows the verdict depends; empty where it does not.
+QString dependencesLine(const Gap& gap) {
+  const Evaluation& evaluation = *gap.evaluation;
+  if (!evaluation.fit.intersection) return {};
+  const Measurement& measurement = *evaluation.examined.measurement;
+  const auto decision = decideAcceptance(measurement, evaluation.fit, gap.found());
+  if (!decision) return {};
+  return qText(dependenceSentence(dependencesOf(measurement, evaluation.fit, gap.found(), *decision)));
+}
+
 }  // namespace
 
 void addVerdict(ReportSheet& sheet, const Gap& gap) {
@@ -246,6 +257,7 @@ void addVerdict(ReportSheet& sheet, const Gap& gap) {
   }
   add(headline.fitOnly, type::body);
   add(headline.verdict.sentence, type::body);
+  add(dependencesLine(gap), type::body);
   if (evaluation.fit.intersection) add(coverageLine(gap), type::label);
   add(unseenBeyondUText(gap), type::body);
   add(findingsLine(gap), type::body.inBold());

@@ -20,6 +20,7 @@ std::optional<FitAnswer> fitAnswerOf(const Gap& gap, const std::string& name) {
     answer.suspects = findSuspects(evaluation.session, *measurement, evaluation.fit);
   answer.diagnosis = gap.diagnosis;
   answer.arrivals = arrivalsOf(evaluation.session);
+  answer.findDependences();
   return answer;
 }
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "core/base/list_text.h"
+#include "core/diagnosis/decision.h"
 #include "core/effects/catalogue.h"
 #include "core/effects/cause_ids.h"
 #include "core/wording/attainable.h"
@@ -147,9 +148,23 @@ QString unseenText(const std::vector<UnseenEffect>& effects) {
   return texts.join(QStringLiteral("; "));
 }
 
+namespace {
+
+/// The verdict holds on a condition, which its sentence states.
+bool isConditional(const Gap& gap) {
+  const Evaluation& evaluation = *gap.evaluation;
+  if (!evaluation.examined.measurement) return false;
+  const auto decision = decideAcceptance(*evaluation.examined.measurement, evaluation.fit, gap.found());
+  return decision && !decision->conditions.empty();
+}
+
+}  // namespace
+
 QString unseenBeyondUText(const Gap& gap) {
   constexpr std::size_t mostNamed = 3;
   std::vector<UnseenEffect> effects = gap.unseenBeyondU();
+  if (isConditional(gap))  // the verdict states it
+    std::erase_if(effects, [](const UnseenEffect& effect) { return effect.effect == jumpId; });
   if (effects.empty()) return {};
   const std::size_t more = effects.size() - std::min(effects.size(), mostNamed);
   effects.resize(effects.size() - more);

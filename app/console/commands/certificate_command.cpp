@@ -107,6 +107,7 @@ Result<CertificateAnswer> runCertificate(const CertificateRequest& request) {
   answer.arrivals = arrivalsOf(session);
   if (Result<Diagnosis, DiagnosisFault> diagnosis = diagnose(*measurement, fit, {.withAttainable = true}))
     answer.diagnosis = *std::move(diagnosis);
+  answer.findDependences();
 
   CertificateOptions options{.version = ALIDADE_VERSION,
                              .measuredOn = request.measuredOn,

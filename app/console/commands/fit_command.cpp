@@ -49,6 +49,7 @@ Result<std::string> rigorousAnswer(const FitRequest& request, SessionInput input
     if (Result<Diagnosis, DiagnosisFault> diagnosis = diagnose(measurement, fit, {.withAttainable = true}))
       answer.diagnosis = *std::move(diagnosis);
   if (!request.csv.empty()) return tableOf(request.csv, answer);
+  answer.findDependences();
   return request.batch.json ? fitJson(answer) : fitText(answer);
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "core/diagnosis/gap/gap_size.h"
 #include "core/diagnosis/search/explained_model.h"
@@ -134,6 +135,14 @@ Answer conclude(const Inquiry& inquiry) {
   }
   answer.opened = openedModelOf(answer.measured, inquiry.own);
   return answer;
+}
+
+ExplainedModel explainedModel(const Inquiry& inquiry, Explanation explanation) {
+  std::erase_if(explanation.parts, [&](const Part& part) { return inquiry.of(part).isShape(); });
+  GapModel closed =
+      explanation.parts.empty() && !explanation.noisy ? inquiry.base : modelWith(inquiry, explanation);
+  GapModel opened = openedModelOf(measuredModel(inquiry, explanation, closed), inquiry.own);
+  return {std::move(closed), std::move(opened)};
 }
 
 std::vector<GapStep> stepsOf(const Inquiry& inquiry, const Answer& answer) {

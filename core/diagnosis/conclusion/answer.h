@@ -27,6 +27,13 @@ struct Answer {
 /// Unknown without any part where the readings do not determine a model with the likeliest.
 Answer conclude(const Inquiry& inquiry);
 
+/// A model with an explanation in it (but for a pattern, which no model holds), and what that leaves in the
+/// session's own model (`openedModelOf`).
+struct ExplainedModel {
+  GapModel closed, opened;
+};
+ExplainedModel explainedModel(const Inquiry& inquiry, Explanation explanation);
+
 /// The gap after each cause: without all readings blamed, then with each part of the explanation added.
 std::vector<GapStep> stepsOf(const Inquiry& inquiry, const Answer& answer);
 

@@ -2,7 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <utility>
 
+#include "core/base/square.h"
+#include "core/diagnosis/candidates/jump_components.h"
 #include "core/diagnosis/observability/look_alikes.h"
 
 namespace alidade {
@@ -47,6 +51,54 @@ std::vector<Detectability> undetectableEffects(const Leftover& leftover, const C
   }
   std::ranges::sort(unseen, std::greater{}, &Detectability::influence);
   return unseen;
+}
+
+namespace {
+
+/// Where the moment of a jump lies: in which arc, and whether before its first sighting.
+std::pair<std::size_t, bool> placeOf(const Component& jump, const Measurement& measurement) {
+  if (const auto arc = jump.slippedArc()) return {*arc, true};
+  const std::size_t first = jump.jumpMoment()->first;
+  std::size_t arc = 0;
+  while (arc + 1 < measurement.arcs.size() && measurement.arcs[arc].sightings.back().sequence < first) ++arc;
+  return {arc, false};
+}
+
+/// A jump at one more moment: the chances add up, and each width moves Δd by the root of the mean square.
+void addMoment(UndetectableJump& jumps, double odds, double influence) {
+  const std::vector<Width>& widths = jumpWidths();
+  jumps.moves.resize(widths.size());
+  for (std::size_t w = 0; w < widths.size(); ++w) {
+    NormalPart& move = jumps.moves[w];
+    const double chance = odds * std::exp(widths[w].logChance), all = move.share + chance;
+    move.sigma =
+        std::sqrt((move.share * square(move.sigma) + chance * square(widths[w].sigma * influence)) / all);
+    move.share = all;
+  }
+  jumps.influence = std::max(jumps.influence, influence);
+}
+
+}  // namespace
+
+std::vector<UndetectableJump> undetectableJumps(const Leftover& leftover, const Candidates& candidates,
+                                                const VectorXd& perReading, const Measurement& measurement) {
+  const SharedProducts influence(leftover, perReading);
+  std::map<std::pair<std::size_t, bool>, UndetectableJump> byPlace;
+  for (const Candidates::Group& group : candidates.groups()) {
+    if (!candidates[group.first].isJump()) continue;
+    for (std::size_t i = group.first; i < group.first + group.count; ++i) {
+      const Detectability detectability = detectabilityOf(candidates[i], influence);
+      if (!detectability.isUndetectable()) continue;
+      const auto place = placeOf(candidates[i], measurement);
+      const ArcMeasurement& arc = measurement.arcs[place.first];
+      const auto [entry, isNew] = byPlace.try_emplace(
+          place, UndetectableJump{.axisDeg = arc.axisDeg, .time = arc.time, .isAfterZero = place.second});
+      addMoment(entry->second, std::exp(group.logPrior), detectability.influence);
+    }
+  }
+  std::vector<UndetectableJump> jumps;
+  for (auto& [place, jump] : byPlace) jumps.push_back(std::move(jump));
+  return jumps;
 }
 
 }  // namespace alidade

@@ -31,4 +31,11 @@ Detectability detectabilityOf(const Component& component, const SharedProducts& 
 std::vector<Detectability> undetectableEffects(const Leftover& leftover, const Candidates& candidates,
                                                const Eigen::VectorXd& perReading);
 
+/// Of each position the jumps that are undetectable, together: those between its zero and its first sighting,
+/// and those during its readings. Each is there with the prior odds of its moment (`PriorOdds`), and its size
+/// has each of the plausible widths.
+std::vector<UndetectableJump> undetectableJumps(const Leftover& leftover, const Candidates& candidates,
+                                                const Eigen::VectorXd& perReading,
+                                                const Measurement& measurement);
+
 }  // namespace alidade

@@ -171,6 +171,22 @@ struct UnseenEffect {
   double visibleSigma = 0;  ///< what it would leave in the readings, σ
 };
 
+/// Knocks of the tripod while one position was set up that these readings would not show.
+struct UndetectableJump {
+  int axisDeg = 0, time = 1;  ///< of the position, as `ArcMeasurement`
+  bool isAfterZero = false;   ///< between its pointing zero and its first sighting; else during its readings
+  double influence = 0;       ///< on Δd of its plausible size, mm, ≥ 0
+  /// What it moves Δd by, mm: for each width that its size may have the share of all sessions in which it
+  /// occurs so, far below 1, and 1σ of the move.
+  std::vector<NormalPart> moves = {};
+};
+
+/// What no explanation accounts for (`unexplainedOf`).
+struct Unexplained {
+  double chance = 0;  ///< that the gap is real and no effect of the catalogue accounts for it, 0…1
+  double sigma = 0;   ///< what misclosures without an explanation may move Δd by, 1σ, mm
+};
+
 /// A way to read more.
 enum class Measure {
   BothFaces,
@@ -235,7 +251,9 @@ struct Diagnosis {
   /// With whatever else may be there: the result of the measurement.
   std::optional<MeasuredIntersection> measured;
   std::vector<ClosureStep> closures;
-  std::vector<UnseenEffect> unseen;  ///< the most dangerous first
+  Unexplained unexplained;
+  std::vector<UnseenEffect> unseen;                 ///< the most dangerous first
+  std::vector<UndetectableJump> undetectableJumps;  ///< in the order of the positions
   /// With a reference that has a σ: of the effects that these readings do not exclude at that size, the most
   /// plausible first.
   std::vector<Required> whatItWouldTake;
@@ -258,6 +276,9 @@ struct DiagnosisOptions {
   bool withReference = false;
   /// `Diagnosis::attainable` is worked out, which takes two thirds as long as all the rest.
   bool withAttainable = false;
+  /// Only what a verdict is decided by (`decideAcceptance`), in half the time: causes, `measured`, closures,
+  /// `unexplained` and `undetectableJumps`.
+  bool forVerdict = false;
 };
 
 /// What `Diagnosis::afterwards` holds beyond the fit with the causes.

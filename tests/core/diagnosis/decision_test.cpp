@@ -1,13 +1,16 @@
 #include "core/diagnosis/decision.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <random>
 #include <tuple>
 #include <utility>
 
+#include "core/base/statistics.h"
 #include "core/effects/cause_ids.h"
 #include "tests/support/paper_table.h"
 
@@ -132,18 +135,85 @@ TEST_F(Decision, StatesTheProbabilityOfConformance) {
   EXPECT_NEAR(*at(modelled.value + modelled.expanded, nullptr).conformance, 0.975, rounding);
 }
 
-TEST_F(Decision, IsOpenWhereThePositionsDoNotClose) {
-  const Closure failing{Closure::Of::Centre, 0.65, 0.09, 1e-9}, sound{Closure::Of::Centre, 0.05, 0.09, 0.6};
+TEST_F(Decision, IsOpenWhereTheGapIsUnexplained) {
   Diagnosis diagnosis = found("collimation", 1.3, 0.2);
-  diagnosis.closures = {{failing, sound}};
-  EXPECT_EQ(at(2.5, &diagnosis).verdict, Verdict::Accept) << "the cause accounts for it";
-  diagnosis.closures = {{failing, failing}};
+  diagnosis.unexplained.chance = mostUnexplained;
+  EXPECT_EQ(at(2.5, &diagnosis).verdict, Verdict::Accept);
+  diagnosis.unexplained.chance = mostUnexplained + 1e-9;
   const AcceptanceDecision decision = at(2.5, &diagnosis);
   EXPECT_EQ(decision.verdict, Verdict::Undecided);
   EXPECT_EQ(decision.asModelled, Verdict::Accept);
-  EXPECT_EQ(decision.obstacle, Obstacle::Misclosure);
+  EXPECT_EQ(decision.obstacle, Obstacle::Unexplained);
   EXPECT_EQ(decision.conformance, std::nullopt);
   EXPECT_EQ(at(0.5, &diagnosis).verdict, Verdict::Undecided);
+}
+
+// A failing closure alone decides nothing: what counts is the probability that nothing explains it.
+TEST_F(Decision, DoesNotDependOnWhichCausesAreListed) {
+  const Closure failing{Closure::Of::Centre, 0.65, 0.09, 1e-9};
+  Diagnosis diagnosis = found("collimation", 1.3, 0.2);
+  diagnosis.closures = {{failing, failing}};
+  EXPECT_EQ(at(2.5, &diagnosis).verdict, Verdict::Accept);
+}
+
+// Of a single account: 1.3 mm with U = 0.2 mm, σ = 0.102 mm. Beside σ' of what is unexplained the guard band
+// is k √(σ² + σ'²), here of 0.5 mm.
+TEST_F(Decision, WidensTheGuardBandByWhatIsUnexplained) {
+  constexpr double factor = 1.959963984540054;
+  Diagnosis diagnosis = found("collimation", 1.3, 0.2);
+  const double sigma = 0.2 / factor, together = 0.5 / factor;
+  diagnosis.unexplained.sigma = std::sqrt(together * together - sigma * sigma);
+  EXPECT_EQ(at(1.3 + 0.5 + 1e-6, &diagnosis).asFound, Verdict::Accept);
+  EXPECT_EQ(at(1.3 + 0.5 - 1e-6, &diagnosis).asFound, Verdict::Undecided);
+  EXPECT_EQ(at(1.3 - 0.5 - 1e-6, &diagnosis).asFound, Verdict::Reject);
+  EXPECT_EQ(at(1.3 - 0.5 + 1e-6, &diagnosis).asFound, Verdict::Undecided);
+  EXPECT_NEAR(*at(1.3 + 0.5, &diagnosis).conformance, 0.975, 1e-6);
+}
+
+// Whatever value, U, degrees of freedom and tolerance: one account decides as the guard band does, also where
+// it is split into two equal ones, which goes by the risks.
+TEST_F(Decision, IsTheGuardBandOfASingleAccount) {
+  std::mt19937_64 random(5);
+  std::uniform_real_distribution<double> share(0, 1);
+  for (int i = 0; i < 2000; ++i) {
+    const double f = i % 3 == 0 ? std::numeric_limits<double>::infinity() : 1 + 40 * share(random);
+    const double value = 4 * share(random) - 2, sigma = 0.5 * share(random) + 1e-3,
+                 tolerance = 3 * share(random) + 1e-3;
+    const double expanded = coverageFactor(measurement.coverage, f) * sigma;
+    Diagnosis diagnosis;
+    diagnosis.measured.emplace().estimate = {value, sigma, expanded, {{1, value, sigma}}, f};
+    diagnosis.measured->budget = {{.effect = "plane_warp", .sigma = sigma}};
+    const Verdict expected = decide(value, expanded, tolerance);
+    EXPECT_EQ(at(tolerance, &diagnosis).asFound, expected) << i;
+    diagnosis.measured->estimate.accounts = {{0.3, value, sigma}, {0.7, value, sigma}};
+    EXPECT_EQ(at(tolerance, &diagnosis).asFound, expected) << i;
+  }
+}
+
+// 4 % of what is believed lie far beyond the tolerance on one side, so that ± U of 95 % stays within it.
+TEST_F(Decision, HeedsTheRiskOnEitherSide) {
+  Diagnosis diagnosis = found("collimation", 0.9, 0.3);
+  diagnosis.measured->estimate.accounts = {{96, 0.9, 0.1}, {4, 9, 0.1}};
+  EXPECT_EQ(at(1.6, &diagnosis).asFound, Verdict::Undecided);
+  diagnosis.measured->estimate.accounts = {{98, 0.9, 0.1}, {2, 9, 0.1}};
+  EXPECT_EQ(at(1.6, &diagnosis).asFound, Verdict::Accept);
+}
+
+// An undetectable knock of 0.4 mm (1σ), which a tolerance of 2.5 mm bears at Δd = 1.3 mm and one of 1.6 mm
+// does not. With it Δd is normal with √(0.102² + 0.4²), and 4 of 104 sessions have it.
+TEST_F(Decision, StatesTheKnockThatItRestsOn) {
+  Diagnosis diagnosis = found("collimation", 1.3, 0.2);
+  diagnosis.undetectableJumps = {
+      {.axisDeg = 180, .isAfterZero = true, .influence = 0.4, .moves = {{0.04, 0, 0.4}}},
+      {.axisDeg = 0, .influence = 1e-3, .moves = {{0.001, 0, 1e-3}}}};
+  EXPECT_THAT(at(2.5, &diagnosis).conditions, ::testing::IsEmpty());
+  const AcceptanceDecision decision = at(1.6, &diagnosis);
+  EXPECT_EQ(decision.verdict, Verdict::Accept);
+  EXPECT_THAT(decision.conditions, ::testing::ElementsAre(0));
+  const double sigma = 0.2 / 1.959963984540054, with = std::sqrt(sigma * sigma + 0.16);
+  const auto within = [](double s) { return 0.5 * std::erfc(-0.3 / s / std::numbers::sqrt2); };
+  EXPECT_NEAR(*decision.conformance, (1.001 * within(sigma) + 0.04 * within(with)) / 1.041, 1e-4);
+  EXPECT_THAT(at(1.4, &diagnosis).conditions, ::testing::IsEmpty()) << "open in any case";
 }
 
 TEST_F(Decision, IsWithheldWithLengthsInDoubt) {

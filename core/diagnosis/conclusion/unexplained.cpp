@@ -1,0 +1,93 @@
+#include "core/diagnosis/conclusion/unexplained.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+
+#include "core/base/random_source.h"
+#include "core/base/square.h"
+#include "core/diagnosis/gap/gap_size.h"
+
+namespace alidade {
+
+namespace {
+
+constexpr double evenAt = 1e-3;  // as `fails` has it
+
+/// ln B(z) of a two-sided chance.
+double logBayesFactorOfMore(double chance) {
+  constexpr double least = 1e-300;
+  const double z = -normalQuantile(std::clamp(chance, least, 1.0) / 2);
+  return z > 1 ? (z * z - 1) / 2 - std::log(z) : 0;
+}
+
+bool isShaped(const Explanation& explanation) {
+  return explanation.shaped;
+}
+
+/// (m² − s²)₊, mm².
+double excessOf(const Closure& closure) {
+  return std::max(square(closure.value) - square(closure.sigma), 0.0);
+}
+
+/// By one explanation without a pattern.
+Unexplained leftBy(const Inquiry& inquiry, const Explanation& explanation) {
+  constexpr double perMisclosure = 0.5;  // Δd is half of what y differs by
+  const ExplainedModel model = explainedModel(inquiry, explanation);
+  const double ofNoise = sizeOf(model.closed).pValue;
+  double most = std::isnan(ofNoise) ? 0 : chanceOfMore(ofNoise), variance = 0;
+  for (const Closure& closure : everyClosureOf(model.opened)) {
+    if (closure.of == Closure::Of::Reference) continue;
+    const double more = chanceOfMore(closure.chance);
+    most = std::max(most, more);
+    variance += more * square(perMisclosure) * excessOf(closure);
+  }
+  return {most, std::sqrt(variance)};
+}
+
+/// By the likeliest explanations without a pattern, on average.
+Unexplained leftByNamed(const Inquiry& inquiry) {
+  constexpr std::size_t mostFitted = 8;
+  constexpr double leastChance = 0.01;
+  double all = 0, chance = 0, variance = 0;
+  std::size_t fitted = 0;
+  for (const Explanation& explanation : inquiry.explanations) {
+    if (explanation.shaped) continue;
+    if (fitted > 0 && (fitted == mostFitted || explanation.chance < leastChance)) break;
+    const Unexplained left = leftBy(inquiry, explanation);
+    all += explanation.chance;
+    chance += explanation.chance * left.chance;
+    variance += explanation.chance * square(left.sigma);
+    ++fitted;
+  }
+  if (!(all > 0)) return {};
+  return {std::min(chance / all, 1.0), std::sqrt(variance / all)};
+}
+
+}  // namespace
+
+std::vector<Closure> everyClosureOf(const GapModel& model) {
+  std::vector<Closure> closures = closuresOf(*model.measurement, *model.fit);
+  if (const auto apart = fitApart(*model.measurement, model.starts, model.options))
+    std::ranges::move(repeatsOf(*model.measurement, *apart), std::back_inserter(closures));
+  std::ranges::move(zeroClosuresOf(*model.measurement, *model.fit, model.options),
+                    std::back_inserter(closures));
+  return closures;
+}
+
+double chanceOfMore(double chance) {
+  return 1 / (1 + std::exp(logBayesFactorOfMore(evenAt) - logBayesFactorOfMore(chance)));
+}
+
+Unexplained unexplainedOf(const Inquiry& inquiry, const std::optional<Closure>& reference) {
+  const double shaped = inquiry.chanceOf(&isShaped);
+  const Unexplained named = shaped < 1 ? leftByNamed(inquiry) : Unexplained{};
+  Unexplained unexplained{shaped + (1 - shaped) * named.chance, std::sqrt(1 - shaped) * named.sigma};
+  if (!reference) return unexplained;
+  const double more = chanceOfMore(reference->chance);
+  unexplained.chance = std::max(unexplained.chance, more);
+  unexplained.sigma = std::sqrt(square(unexplained.sigma) + more * excessOf(*reference));
+  return unexplained;
+}
+
+}  // namespace alidade

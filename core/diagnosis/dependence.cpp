@@ -1,0 +1,122 @@
+#include "core/diagnosis/dependence.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <map>
+#include <utility>
+
+#include "core/base/square.h"
+#include "core/diagnosis/diagnose.h"
+
+namespace alidade {
+
+namespace {
+
+/// A row, by its position in the session and its index there, and what leaving it out does to first order.
+struct Influence {
+  std::size_t arc = 0, sighting = 0;  ///< of the measurement
+  double shift = 0;                   ///< of Δd, mm
+  double misfit = 0;                  ///< of χ²
+};
+
+/// How many rows share each visit of an arc.
+using RowsOfVisits = std::map<std::pair<std::size_t, std::uint32_t>, int>;
+
+std::vector<Influence> influencesOf(const Measurement& measurement, const SessionFit& fit) {
+  constexpr double leastChecked = 0.05;
+  struct Sum {
+    double shift = 0, misfit = 0, redundancy = 0;
+    int readings = 0;
+    std::uint32_t visit = 0;
+  };
+  std::map<std::pair<std::size_t, std::size_t>, Sum> sums;
+  for (const AdjustedReading& reading : fit.joint.readings) {
+    Sum& sum = sums[{reading.arc, reading.sighting}];
+    sum.shift -= reading.perReading * reading.residual;
+    sum.misfit += square(reading.residual / reading.sigma);
+    sum.redundancy += reading.redundancy;
+    sum.visit = reading.visit;
+    ++sum.readings;
+  }
+  RowsOfVisits rows;
+  for (const auto& [at, sum] : sums) ++rows[{at.first, sum.visit}];
+  std::vector<Influence> influences;
+  for (const auto& [at, sum] : sums) {
+    const auto position = fit.arcs[at.first].position;
+    const auto arc = std::ranges::find(measurement.arcs, position, &ArcMeasurement::position);
+    const int conditions = sum.readings - (rows[{at.first, sum.visit}] == 1 ? 1 : 0);
+    const double checked = std::max(sum.redundancy / std::max(conditions, 1), leastChecked);
+    influences.push_back({static_cast<std::size_t>(arc - measurement.arcs.begin()), at.second,
+                          sum.shift / checked, sum.misfit / checked});
+  }
+  return influences;
+}
+
+Dependence dependenceOn(const Measurement& measurement, const Influence& row, Verdict without, bool isExact) {
+  const ArcMeasurement& arc = measurement.arcs[row.arc];
+  const Sighting& sighting = arc.sightings[row.sighting];
+  return {arc.position,   sighting.row,  arc.axisDeg, arc.time, sighting.round,
+          sighting.point, sighting.face, without,     isExact};
+}
+
+/// The verdict with Δd moved and all else as it is.
+Verdict shifted(const Measurement& measurement, const SessionFit& fit, const Diagnosis* diagnosis,
+                double shift) {
+  const auto decided = [&](const auto& length) {
+    return decide(length.value + shift, length.expanded, *measurement.tolerance);
+  };
+  const Verdict modelled = decided(*fit.intersection);
+  if (!diagnosis) return modelled;
+  if (!diagnosis->measured) return Verdict::Undecided;
+  return decided(diagnosis->measured->estimate) == modelled ? modelled : Verdict::Undecided;
+}
+
+/// Undecided where nothing is left to decide on.
+Verdict verdictWithout(Measurement measurement, const Influence& row, bool withDiagnosis) {
+  std::vector<Sighting>& sightings = measurement.arcs[row.arc].sightings;
+  sightings.erase(sightings.begin() + static_cast<std::ptrdiff_t>(row.sighting));
+  const SessionFit fit = fitSession(measurement);
+  std::optional<Diagnosis> diagnosis;
+  if (withDiagnosis)
+    if (auto found = diagnose(measurement, fit, {.forVerdict = true})) diagnosis = *std::move(found);
+  const auto decision = decideAcceptance(measurement, fit, diagnosis ? &*diagnosis : nullptr);
+  return decision && diagnosis.has_value() == withDiagnosis ? decision->verdict : Verdict::Undecided;
+}
+
+/// Half of them move Δd most, the others bring most to χ².
+std::vector<Influence> telling(std::vector<Influence> rows) {
+  const auto take = [&](std::size_t first, auto size) {
+    const auto from = rows.begin() + static_cast<std::ptrdiff_t>(std::min(first, rows.size()));
+    std::ranges::sort(from, rows.end(), std::greater{}, size);
+  };
+  take(0, [](const Influence& row) { return std::abs(row.shift); });
+  take(mostLeftOut / 2, [](const Influence& row) { return row.misfit; });
+  rows.resize(std::min(rows.size(), mostLeftOut));
+  return rows;
+}
+
+}  // namespace
+
+std::vector<Dependence> dependencesOf(const Measurement& measurement, const SessionFit& fit,
+                                      const Diagnosis* diagnosis, const AcceptanceDecision& decision) {
+  using enum AcceptanceDecision::Obstacle;
+  if (decision.obstacle == Lengths || decision.obstacle == Coverage) return {};
+  std::vector<Influence> rows = influencesOf(measurement, fit);
+  const bool isExact = rows.size() <= mostRowsForLeavingOut;
+  if (isExact) rows = telling(std::move(rows));
+  const Verdict linear = shifted(measurement, fit, diagnosis, 0);
+  std::vector<Dependence> dependences;
+  for (const Influence& row : rows) {
+    Verdict without = decision.verdict;
+    if (isExact)
+      without = verdictWithout(measurement, row, diagnosis != nullptr);
+    else if (linear == decision.verdict)
+      without = shifted(measurement, fit, diagnosis, row.shift);
+    if (without != decision.verdict) dependences.push_back(dependenceOn(measurement, row, without, isExact));
+  }
+  std::ranges::sort(dependences, {}, [](const Dependence& d) { return std::pair(d.position, d.row); });
+  return dependences;
+}
+
+}  // namespace alidade
