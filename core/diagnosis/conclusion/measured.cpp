@@ -116,13 +116,13 @@ class Measured {
     m_model = answer.kind == Answer::Kind::Several
                   ? modelWith(inquiry.base, m_whole, inquiry.candidates, inquiry.leftover)
                   : answer.after;
-    m_scales = likeliestScales();
+    m_scales = averageScales();
     if (isLarge(*inquiry.base.measurement)) return;
     if (m_whole.shaped)
       m_model.measurement = std::make_shared<const Measurement>(
           without(*m_model.measurement, inquiry, m_accounts.takenByPattern(m_whole, m_scales)));
     m_every = withEveryEffect(m_model);
-    m_fit = m_scales == EffectScales{} ? m_every : withEveryEffect(m_model, m_scales);
+    m_fit = withEveryEffect(m_model, m_scales);
     m_accounts.alsoAt(m_fit, m_whole, m_scales);
   }
 
@@ -148,10 +148,20 @@ class Measured {
   EffectScales m_scales;
   GapModel m_model, m_every, m_fit;  ///< without the effects, with them, and as large as they are
 
-  EffectScales likeliestScales() {
+  /// Those whose squares are averaged over all that they may be.
+  EffectScales averageScales() {
     const std::vector<Account> accounts = m_accounts.of(m_whole);
-    const auto best = std::ranges::max_element(accounts, {}, &Account::logOdds);
-    return best == accounts.end() ? EffectScales{} : best->scales;
+    if (accounts.empty()) return {};
+    const double most = std::ranges::max(accounts, {}, &Account::logOdds).logOdds;
+    double all = 0, guideway = 0, instrument = 0, time = 0;
+    for (const Account& account : accounts) {
+      const double odds = std::exp(account.logOdds - most);
+      all += odds;
+      guideway += odds * square(account.scales.guideway);
+      instrument += odds * square(account.scales.instrument);
+      time += odds * square(account.scales.time);
+    }
+    return {std::sqrt(guideway / all), std::sqrt(instrument / all), std::sqrt(time / all)};
   }
 
   /// From the answer's own fit by what pattern and effects add to it.

@@ -7,7 +7,7 @@
 
 namespace alidade {
 
-/// Δd as measured, and how large the effects besides are by the likeliest account.
+/// Δd as measured, and how large the effects besides are, averaged over what may be the case.
 struct MeasuredWithEffects {
   MeasuredIntersection intersection;
   EffectScales scales;
