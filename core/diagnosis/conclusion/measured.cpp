@@ -68,11 +68,11 @@ MeasuredLength distanceOf(const IntersectionEstimate& inPlane, const Across& acr
   return {length.value, length.sigma, factor * length.sigma};
 }
 
-std::optional<FittedAccount> byFit(const GapModel& model) {
+std::optional<FittedAccount> byFit(const GapModel& model, const EffectScales& scales) {
   const JointFit& fit = *model.fit;
   const std::optional<Intersection> found = intersect(*model.measurement, fit);
   if (!found) return std::nullopt;
-  FittedAccount account{estimateOf(*found), {}, {}, noiseScale(fit)};
+  FittedAccount account{estimateOf(*found), scales, {}, {}, noiseScale(fit)};
   const std::vector<double> weights =
       intersectionWeights(fit, *arcAt(*model.measurement, 0), *arcAt(*model.measurement, 180));
   for (std::size_t index = 0; index < fit.unknowns.size(); ++index) {
@@ -128,7 +128,7 @@ class Measured {
 
   std::optional<MeasuredWithEffects> measured() {
     std::optional<FittedAccount> account;
-    if (!isLarge(*m_inquiry.base.measurement)) account = byFit(m_fit);
+    if (!isLarge(*m_inquiry.base.measurement)) account = byFit(m_fit, m_scales);
     if (!account) account = byMoves();
     if (!account) return std::nullopt;
     const IntersectionEstimate estimate = averaged(account->estimate);
@@ -170,7 +170,7 @@ class Measured {
     const auto with = m_accounts.of(m_whole, m_scales), without = m_accounts.of(m_answer.explanation, none);
     const std::optional<Intersection> found = intersect(*m_answer.after.measurement, *m_answer.after.fit);
     if (!with || !without || !found) return std::nullopt;
-    FittedAccount account{estimateOf(*found), {}, found->budget, noiseScale(*m_answer.after.fit)};
+    FittedAccount account{estimateOf(*found), m_scales, {}, found->budget, noiseScale(*m_answer.after.fit)};
     IntersectionEstimate& estimate = account.estimate;
     const double factor = estimate.expanded / estimate.sigma;
     double ofTerms = 0;

@@ -27,8 +27,8 @@ std::vector<UncertaintyShare> sharesOfEffects(const FittedAccount& account, cons
       if (term == account.terms.end()) continue;
       const auto& [priorSigma, ofTerm] = term->second;
       const std::optional<KnownPrior> known = knownOf(measurement, parameter);
-      const double usual = known ? known->sigma : plausibleSize(parameter);
-      if (std::abs(priorSigma / usual - 1) > rounding) {
+      const double usual = known ? known->sigma : plausibleSize(parameter) * account.scales.of(effect);
+      if (priorSigma > usual * (1 + rounding)) {
         share.from = UncertaintyShare::From::Diagnosis;
       } else if (known) {
         share.from = UncertaintyShare::From::Known;

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "core/adjustment/result/intersection.h"
-#include "core/diagnosis/gap/gap_model.h"
+#include "core/diagnosis/gap/every_effect.h"
 #include "core/diagnosis/result/diagnosis.h"
 
 namespace alidade {
@@ -17,6 +17,7 @@ struct TermShare {
 /// One account of the readings: Δd with every effect besides the answer, and what its variance is made of.
 struct FittedAccount {
   IntersectionEstimate estimate;
+  EffectScales scales;
   std::map<ErrorTerm, TermShare> terms;
   std::vector<BudgetEntry> others;  ///< the same source may come twice
   NoiseScale noise;

@@ -170,7 +170,7 @@ TEST(MeasuredIntersection, IsSurerByWhatIsKnown) {
   const MeasuredIntersection after = *diagnose(measurement)->measured;
   EXPECT_LT(after.estimate.expanded, 0.7 * before.estimate.expanded);
   EXPECT_LT(shareOf(after).sigma, 0.05 * shareOf(before).sigma);
-  EXPECT_EQ(shareOf(before).from, UncertaintyShare::From::Diagnosis);  // how large the effects are
+  EXPECT_EQ(shareOf(before).from, UncertaintyShare::From::Default);
   EXPECT_EQ(shareOf(after).from, UncertaintyShare::From::Known);
   EXPECT_EQ(shareOf(after).reference, "certificate 17");
 }
