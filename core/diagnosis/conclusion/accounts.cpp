@@ -185,7 +185,7 @@ std::optional<Accounts::System> Accounts::systemOf(const Explanation& explanatio
         return std::nullopt;
       continue;
     }
-    const double width = component.isShape() ? part.width : component.widthOfFit(part.width, part.weights);
+    const double width = component.widthOfFit(part.width, part.weights);
     const Effect* const effect = component.isEffect() ? effectById(component.id()) : nullptr;
     bool isOfEffects = false;
     for (Index i = 0; i < effects; ++i)

@@ -113,8 +113,8 @@ class Measured {
   Measured(const Inquiry& inquiry, const Answer& answer)
       : m_inquiry(inquiry), m_answer(answer), m_accounts(inquiry), m_whole(answer.explanation) {
     if (const Explanation* const found = explanationOf(inquiry, answer)) m_whole = *found;
-    m_model = answer.kind == Answer::Kind::Several
-                  ? modelWith(inquiry.base, m_whole, inquiry.candidates, inquiry.leftover)
+    m_model = answer.kind == Answer::Kind::Several || m_whole.shaped
+                  ? modelWith(inquiry.base, withoutPattern(), inquiry.candidates, inquiry.leftover)
                   : answer.after;
     m_scales = averageScales();
     if (isLarge(*inquiry.base.measurement)) return;
@@ -147,6 +147,13 @@ class Measured {
   Explanation m_whole;  ///< the answer's, with its pattern
   EffectScales m_scales;
   GapModel m_model, m_every, m_fit;  ///< without the effects, with them, and as large as they are
+
+  Explanation withoutPattern() const {
+    Explanation rest = m_whole;
+    if (rest.shaped) rest.parts.pop_back();  // a pattern stands last
+    rest.shaped = false;
+    return rest;
+  }
 
   /// Those whose squares are averaged over all that they may be.
   EffectScales averageScales() {
@@ -193,10 +200,7 @@ class Measured {
     const std::optional<Account> ofWhole = m_accounts.of(m_whole, m_scales);
     if (!ofWhole || !(own.sigma > 0)) return own;
     if (m_whole.shaped && !isLarge(*m_inquiry.base.measurement)) {
-      Explanation rest = m_whole;
-      rest.parts.pop_back();
-      rest.shaped = false;
-      const std::optional<Account> ofRest = m_accounts.of(rest, m_scales);
+      const std::optional<Account> ofRest = m_accounts.of(withoutPattern(), m_scales);
       const double more = ofRest ? std::max(ofWhole->ofWeights - ofRest->ofWeights, 0.0) : 0;
       const double sigma = std::sqrt(square(own.sigma) + more);
       own.expanded *= sigma / own.sigma;

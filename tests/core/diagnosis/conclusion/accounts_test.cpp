@@ -74,7 +74,7 @@ TEST(Accounts, HaveTheEvidenceOfTheSearch) {
       ++compared;
     }
   }
-  EXPECT_GT(compared, 50);
+  EXPECT_GT(compared, 30);
 }
 
 Session sessionWith(const char* plan, double sizes) {
