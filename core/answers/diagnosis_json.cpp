@@ -105,6 +105,7 @@ Json diagnosisDocument(const std::string& session, const Diagnosis& diagnosis,
   json["session"] = session;
   json["verdict"] = nameOf(diagnosis.verdict);
   json["sentence"] = sentenceOf(diagnosis);
+  if (diagnosis.hasMoreCausesThanSeparable) json["more_causes_than_separable"] = true;
   json["gap"] = sizeJson(diagnosis.gap);
   json["after"] = sizeJson(diagnosis.after);
   json["shrink"] = {{"in_sample", diagnosis.shrink.inSample},

@@ -32,11 +32,11 @@ GapModel withoutKnown(const Inquiry& inquiry) {
 Shrinkage shrinkageOf(const Inquiry& inquiry, const Answer& answer) {
   const GapModel before = withoutKnown(inquiry.ofAll());
   Shrinkage shrink;
-  const double rms = rmsOf(inquiry.ofAll().own), excess = excessOf(before);
-  if (rms > 0) shrink.inSample = 1 - rmsOf(answer.opened) / rms;
+  const double rms = rmsOf(before), excess = excessOf(before);
+  if (rms > 0) shrink.inSample = 1 - rmsOf(answer.after) / rms;
   if (excess > 0) shrink.ofExcess = std::clamp(1 - excessOf(answer.after) / excess, 0.0, 1.0);
-  if (!answer.explanation.parts.empty() || !inquiry.largeGrossErrors.empty() ||
-      isAnythingKnown(*inquiry.base.measurement))
+  if (answer.kind == Answer::Kind::Several || !answer.explanation.parts.empty() ||
+      !inquiry.largeGrossErrors.empty() || isAnythingKnown(*inquiry.base.measurement))
     shrink.heldOut = heldOutShrinkage(before, answer.after);
   return shrink;
 }
@@ -142,7 +142,7 @@ Result<Diagnosis, DiagnosisFault> diagnose(const Measurement& measurement, const
   if (stop.stop_requested()) return stopped;
   const bool heedsReference = options.withReference && measurement.sigmaReference;
   std::optional<IntersectionEstimate> found;
-  std::optional<MeasuredIntersection> measured;
+  std::optional<MeasuredWithEffects> measured;
   std::vector<Required> required;
   if (heedsReference) {
     DiagnosisOptions withoutReference = options;
@@ -173,7 +173,8 @@ Result<Diagnosis, DiagnosisFault> diagnose(const Measurement& measurement, const
   const GapModel& own = inquiry.ofAll().own;
   diagnosis.causes = causesOf(inquiry, answer);
   diagnosis.verdict = verdictOf(answer, diagnosis.causes);
-  diagnosis.measured = std::move(measured);
+  diagnosis.hasMoreCausesThanSeparable = answer.kind == Answer::Kind::Several;
+  if (measured) diagnosis.measured = std::move(measured->intersection);
   diagnosis.closures = closuresOf(own, answer.opened, diagnosis.measured);
   diagnosis.unexplained = unexplainedOf(inquiry, referenceIn(diagnosis.closures));
   const Eigen::VectorXd perReading = influencePerSigma(inquiry.base);
@@ -205,7 +206,8 @@ Result<Diagnosis, DiagnosisFault> diagnose(const Measurement& measurement, const
   if (stop.stop_requested()) return stopped;
   if (options.withAttainable && answer.kind != Answer::Kind::Unknown)
     diagnosis.attainable =
-        attainableUncertainties(answer.after, std::max(1.0, noiseScale(*answer.after.fit).factor));
+        attainableUncertainties(answer.after, std::max(1.0, noiseScale(*answer.after.fit).factor),
+                                measured ? measured->scales : EffectScales{});
   return diagnosis;
 }
 

@@ -122,6 +122,16 @@ std::string asKnown(const Diagnosis& diagnosis, const CauseNamer& name) {
       named(ids, Phrase::of(" and "), name), change(diagnosis.gap, diagnosis.after));
 }
 
+std::string moreThanSeparable(const Diagnosis& diagnosis, const CauseNamer& name) {
+  //: "the residuals shrink from 12.0″ to 2.0″"
+  const std::string sentence = Phrase::of(
+      "There are more causes than these readings can take apart. With every effect of the catalogue at a "
+      "plausible size, %1.",
+      change(diagnosis.gap, diagnosis.after));
+  if (diagnosis.causes.empty()) return sentence;
+  return Phrase::of("%1 Only this is certain: %2.", sentence, causesNamed(diagnosis, name));
+}
+
 std::string verdictSentenceOf(const Diagnosis& diagnosis, const CauseNamer& name) {
   switch (diagnosis.verdict) {
     case DiagnosisVerdict::WithinNoise:
@@ -142,6 +152,7 @@ std::string verdictSentenceOf(const Diagnosis& diagnosis, const CauseNamer& name
           causesNamed(diagnosis, name),
           named(diagnosis.causes.front().indistinguishableFrom, Phrase::of(" or "), name), shrunk(diagnosis));
     case DiagnosisVerdict::SeveralCauses:
+      if (diagnosis.hasMoreCausesThanSeparable) return moreThanSeparable(diagnosis, name);
       return Phrase::of("The gap is best explained by several causes together: %1. %2",
                         causesNamed(diagnosis, name), shrunk(diagnosis));
     case DiagnosisVerdict::NotInCatalogue:

@@ -62,4 +62,12 @@ inline Measurement trialMeasurement(const std::string& protocol) {
   throw std::runtime_error("no trial without effect by protocol " + protocol);
 }
 
+/// A minute for each row, so that the pause between the positions is known, which linear moves leave out.
+inline Measurement withTimes(Measurement measurement) {
+  for (ArcMeasurement& arc : measurement.arcs)
+    for (Sighting& sighting : arc.sightings) sighting.minutes = static_cast<double>(sighting.sequence);
+  setMoments(measurement);
+  return measurement;
+}
+
 }  // namespace alidade::test

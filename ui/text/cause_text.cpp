@@ -83,6 +83,8 @@ QString gapHeadline(const Diagnosis& diagnosis) {
       return GapText::tr("One of %1 causes that look alike here")
           .arg(diagnosis.causes.front().indistinguishableFrom.size() + 1);
     case DiagnosisVerdict::SeveralCauses:
+      if (diagnosis.hasMoreCausesThanSeparable)
+        return GapText::tr("More causes than these readings can take apart");
       return GapText::tr("%1 causes").arg(diagnosis.causes.size());
     case DiagnosisVerdict::NotInCatalogue:
       break;

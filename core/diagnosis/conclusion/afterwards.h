@@ -1,9 +1,9 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include "core/diagnosis/conclusion/answer.h"
-#include "core/diagnosis/conclusion/linear_move.h"
 
 namespace alidade {
 
@@ -14,9 +14,26 @@ namespace alidade {
 /// causes, and what the pattern moves Δd by is part of σ.
 std::optional<IntersectionEstimate> modelAveragedIntersection(const Inquiry& inquiry, const Answer& answer);
 
-/// `own`, the Δd of a model with the answer, averaged over the same. `moves`: with what is in that model
-/// besides the answer; where that is every effect, it may also be that nothing else is there.
-IntersectionEstimate averaged(const Inquiry& inquiry, const Answer& answer, const IntersectionEstimate& own,
-                              LinearMoves& moves);
+/// What may be the case instead of what an estimate holds.
+struct Possible {
+  double odds = 1;                 ///< against what the estimate holds
+  double value = 0, variance = 0;  ///< of Δd, less those of the estimate: mm, mm²
+};
+
+/// `own` averaged over what may be the case, itself among that; `own` where the rest does not matter.
+IntersectionEstimate averagedOver(const IntersectionEstimate& own, const std::vector<Possible>& all,
+                                  double coverage);
+
+/// An explanation of the inquiry, with whatever looks like a part of the answer in the place of that part:
+/// in place of each, whatever stands in the places of the others. The explanation itself first; each has the
+/// odds of its own.
+std::vector<Explanation> withRivals(const Answer& answer, const Explanation& explanation);
+
+/// The inquiry's explanation that an answer is made of; null where there is none.
+const Explanation* explanationOf(const Inquiry& inquiry, const Answer& answer);
+
+/// An explanation may be averaged over: the readings speak for each of its parts (what only might be there
+/// besides is unseen, and told apart), and under larger noise it is not what that noise stands for.
+bool isOfAccount(const Explanation& explanation, const Answer& answer);
 
 }  // namespace alidade

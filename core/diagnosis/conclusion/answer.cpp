@@ -4,6 +4,9 @@
 #include <cmath>
 #include <utility>
 
+#include "core/diagnosis/conclusion/accounts.h"
+#include "core/diagnosis/evidence/gain.h"
+#include "core/diagnosis/gap/every_effect.h"
 #include "core/diagnosis/gap/gap_size.h"
 #include "core/diagnosis/search/explained_model.h"
 #include "core/effects/cause_ids.h"
@@ -91,6 +94,49 @@ Answer unknownAs(const Inquiry& inquiry, const Explanation& shaped) {
   return answer;
 }
 
+/// What is certain whatever else is there, with every effect of the catalogue at its plausible size, where
+/// that is at least as likely as any pattern; absent where a pattern is likelier, with effects of any size.
+std::optional<Answer> severalIn(const Inquiry& inquiry) {
+  constexpr double certain = 0.95, leastChance = 0.01;
+  constexpr EffectScales asPlausible;
+  Accounts accounts(inquiry);
+  accounts.alsoAt(withEveryEffect(inquiry.base), {}, {});
+  double shaped = impossible, named = impossible, most = impossible;
+  const Explanation* best = nullptr;
+  std::vector<std::pair<const Explanation*, double>> all;
+  for (const Explanation& explanation : inquiry.explanations) {
+    if (explanation.chance < leastChance && explanation.parts.size() > 1) continue;
+    for (const Account& account : accounts.of(explanation)) {
+      if (!explanation.shaped && account.scales != asPlausible) continue;
+      double& sum = explanation.shaped ? shaped : named;
+      sum = logSum(sum, account.logOdds);
+      if (explanation.shaped) continue;
+      all.emplace_back(&explanation, account.logOdds);
+      if (account.logOdds <= most) continue;
+      most = account.logOdds;
+      best = &explanation;
+    }
+  }
+  if (!best || named < shaped) return std::nullopt;
+  Answer answer{Answer::Kind::Several, {}, {}, {}, {}};
+  for (const Part& part : best->parts) {
+    double chance = 0;
+    for (const auto& [explanation, logOdds] : all)
+      if (explanation->has(part.component)) chance += std::exp(logOdds - named);
+    if (chance >= certain && !inquiry.of(part).isEffect()) answer.explanation.parts.push_back(part);
+  }
+  answer.rivals.resize(answer.explanation.parts.size());
+  answer.after = withEveryEffect(modelWith(inquiry, answer.explanation));
+  return answer;
+}
+
+/// The likeliest pattern, or every effect.
+Answer beyondCatalogue(const Inquiry& inquiry, const Explanation& shaped) {
+  if (std::optional<Answer> several = severalIn(inquiry); several && several->after.fit->isDetermined())
+    return *std::move(several);
+  return unknownAs(inquiry, shaped);
+}
+
 /// Whether any of its parts, or what looks like it, is likelier than that.
 bool isLikelier(const Inquiry& inquiry, const Answer& answer, double chance) {
   if (answer.explanation.noisy && inquiry.probabilityOf(noiseId) > chance) return true;
@@ -109,18 +155,18 @@ Answer likeliestAnswer(const Inquiry& inquiry) {
   const auto [nothing, known, unknown] = chancesOf(inquiry);
   const Explanation* const best = bestKnown(inquiry);
   const Explanation* const shaped = likeliest(inquiry, &Explanation::shaped);
-  if (shaped && unknown > known && unknown > nothing) return unknownAs(inquiry, *shaped);
+  if (shaped && unknown > known && unknown > nothing) return beyondCatalogue(inquiry, *shaped);
   if (!best || nothing >= known) return nothingIn(inquiry);
   Answer answer = knownAs(inquiry, *best);
   // Many causes may each be a little likely, and none of them more than that.
   if (!isLikelier(inquiry, answer, std::max(nothing, unknown)))
-    return !shaped || nothing >= unknown ? nothingIn(inquiry) : unknownAs(inquiry, *shaped);
+    return !shaped || nothing >= unknown ? nothingIn(inquiry) : beyondCatalogue(inquiry, *shaped);
   const bool isNoise = !(sizeOf(answer.after).pValue < hardlyNoise);  // or nothing tells
   if (answer.explanation.noisy || isNoise) return answer;
   const Explanation* const more =
       likeliest(inquiry, [](const Explanation& other) { return other.shaped || other.noisy; });
   if (!more) return answer;
-  return more->shaped ? unknownAs(inquiry, *more) : knownAs(inquiry, *more);
+  return more->shaped ? beyondCatalogue(inquiry, *more) : knownAs(inquiry, *more);
 }
 
 }  // namespace

@@ -11,13 +11,16 @@ namespace alidade {
 // What the explanations of an inquiry come to.
 
 struct Answer {
-  enum class Kind { Nothing, Known, Unknown };
+  /// `Several`: more causes than these readings can take apart, all effects of the catalogue at their
+  /// plausible size being together as likely as any pattern.
+  enum class Kind { Nothing, Known, Unknown, Several };
 
   Kind kind = Kind::Nothing;
-  Explanation explanation;                 ///< of an Unknown: what is certain beside the pattern
+  /// Of an Unknown: what is certain beside the pattern; of Several: beside the effects.
+  Explanation explanation;
   std::vector<std::vector<Rival>> rivals;  ///< of each part of the explanation
   std::optional<Part> pattern;             ///< of an Unknown: the likeliest; absent where nothing fits at all
-  GapModel after;                          ///< with the explanation in the model
+  GapModel after;  ///< with the explanation in the model; of Several with every effect, too
   /// Whose Δd is told: `after`, or the session's own model where nothing but readings and noise is blamed.
   GapModel measured = {};
   GapModel opened = {};  ///< what `measured` leaves in the session's own model (`openedModelOf`)

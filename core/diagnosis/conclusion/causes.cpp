@@ -34,6 +34,7 @@ Cause largerNoise(const Inquiry& inquiry, const GapModel& after) {
 
 DiagnosisVerdict verdictOf(const Answer& answer, const std::vector<Cause>& causes) {
   if (answer.kind == Answer::Kind::Unknown) return DiagnosisVerdict::NotInCatalogue;
+  if (answer.kind == Answer::Kind::Several) return DiagnosisVerdict::SeveralCauses;
   if (causes.empty()) return DiagnosisVerdict::WithinNoise;
   if (causes.size() > 1) return DiagnosisVerdict::SeveralCauses;
   return causes.front().indistinguishableFrom.empty() ? DiagnosisVerdict::SingleCause

@@ -2,8 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
-#include <map>
+#include <memory>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -12,36 +11,23 @@
 #include "core/adjustment/result/uncertain_length.h"
 #include "core/base/square.h"
 #include "core/base/statistics.h"
+#include "core/diagnosis/conclusion/accounts.h"
 #include "core/diagnosis/conclusion/afterwards.h"
-#include "core/diagnosis/conclusion/linear_move.h"
+#include "core/diagnosis/conclusion/measured_budget.h"
 #include "core/diagnosis/gap/every_effect.h"
 #include "core/diagnosis/gap/gap_size.h"
+#include "core/diagnosis/search/explained_model.h"
 #include "core/effects/catalogue.h"
-#include "core/effects/cause_ids.h"
 #include "core/effects/known_sizes.h"
 
 namespace alidade {
 
 namespace {
 
-/// How well a term is known beforehand, and the variance of Δd that comes of it, mm².
-struct TermShare {
-  double priorSigma = 0, variance = 0;
-};
-
 /// Across the plane, and its covariance with Δd, mm².
 struct Across {
   MeasuredLength length;
   double covariance = 0;
-};
-
-/// One account of the readings: Δd with every effect besides the answer, and what its variance is made of.
-struct Account {
-  IntersectionEstimate estimate;
-  std::map<ErrorTerm, TermShare> terms;
-  std::vector<BudgetEntry> others;  ///< the same source may come twice
-  NoiseScale noise;
-  std::optional<Across> across = {};
 };
 
 /// What the estimate of the plane's offset is without what was plausible beforehand, of which it holds the
@@ -82,12 +68,11 @@ MeasuredLength distanceOf(const IntersectionEstimate& inPlane, const Across& acr
   return {length.value, length.sigma, factor * length.sigma};
 }
 
-std::optional<Account> byFit(const Answer& answer) {
-  const GapModel model = withEveryEffect(answer.after);
+std::optional<FittedAccount> byFit(const GapModel& model, const EffectScales& scales) {
   const JointFit& fit = *model.fit;
   const std::optional<Intersection> found = intersect(*model.measurement, fit);
   if (!found) return std::nullopt;
-  Account account{estimateOf(*found), {}, {}, noiseScale(fit)};
+  FittedAccount account{estimateOf(*found), scales, {}, {}, noiseScale(fit)};
   const std::vector<double> weights =
       intersectionWeights(fit, *arcAt(*model.measurement, 0), *arcAt(*model.measurement, 180));
   for (std::size_t index = 0; index < fit.unknowns.size(); ++index) {
@@ -99,32 +84,27 @@ std::optional<Account> byFit(const Answer& answer) {
   std::ranges::copy_if(found->budget, std::back_inserter(account.others), [](const BudgetEntry& entry) {
     return entry.source != UncertaintySource::PlausibleSizes;
   });
-  account.across = acrossOf(model, weights);
   return account;
 }
 
-/// From the answer's own fit by what the effects add to it.
-std::optional<Account> byMoves(const Inquiry& inquiry, const Answer& answer, LinearMoves& moves) {
-  LinearMoves alone(inquiry);
-  const std::optional<Move> with = moves.of(answer.explanation), without = alone.of(answer.explanation);
-  const std::optional<Intersection> found = intersect(*answer.after.measurement, *answer.after.fit);
-  if (!with || !without || !found) return std::nullopt;
-  Account account{estimateOf(*found), {}, found->budget, noiseScale(*answer.after.fit)};
-  IntersectionEstimate& estimate = account.estimate;
-  const double factor = estimate.expanded / estimate.sigma;
-  double ofTerms = 0;
-  for (std::size_t i = 0; i < with->ofEffects.size(); ++i) {
-    const EstimatedTerm& term = moves.effects()[i];
-    account.terms[term.term] = {term.priorSigma, with->ofEffects[i]};
-    ofTerms += with->ofEffects[i];
+/// By every effect at its plausible size: what is measured of it does not hang on how large others are.
+std::optional<Across> acrossOf(const GapModel& model) {
+  if (!intersect(*model.measurement, *model.fit)) return std::nullopt;
+  return acrossOf(
+      model, intersectionWeights(*model.fit, *arcAt(*model.measurement, 0), *arcAt(*model.measurement, 180)));
+}
+
+/// What the readings are without a pattern, which takes up so many σ of each.
+Measurement without(Measurement measurement, const Inquiry& inquiry, const Eigen::VectorXd& pattern) {
+  for (Eigen::Index i = 0; i < pattern.size(); ++i) {
+    const LinearReading& reading = inquiry.leftover.reading(i);
+    const Angle off = Angle::fromRadians(pattern[i] * reading.sigma);
+    Sighting& sighting = measurement.arcs[reading.arc].sightings[reading.sighting];
+    if (reading.kind == ReadingKind::Horizontal) sighting.a = sighting.a - off;
+    if (reading.kind == ReadingKind::Vertical) sighting.e = sighting.e - off;
+    if (reading.kind == ReadingKind::Slider) sighting.slider = *sighting.slider - off;
   }
-  estimate.value += with->shift - without->shift;
-  const double more = std::max(with->variance - without->variance, ofTerms);
-  estimate.sigma = std::sqrt(square(estimate.sigma) + more);
-  estimate.expanded = factor * estimate.sigma;
-  estimate.accounts = {{1, estimate.value, estimate.sigma}};
-  account.others.push_back({UncertaintySource::ModelEffects, std::sqrt(more - ofTerms)});
-  return account;
+  return measurement;
 }
 
 /// Where no jump is an answer, a step of the orientation is what the pause adds to a drift (`addPause`).
@@ -140,85 +120,165 @@ std::map<ErrorTerm, TermShare> withPausesInDrifts(std::map<ErrorTerm, TermShare>
   return terms;
 }
 
-std::vector<UncertaintyShare> sharesOfEffects(const Account& account, const Measurement& measurement) {
-  std::vector<UncertaintyShare> shares;
-  for (const Effect& effect : effectCatalogue()) {
-    UncertaintyShare share{.effect = std::string(effect.id), .from = UncertaintyShare::From::Default};
-    double variance = 0;
-    for (const EffectParameter& parameter : effect.parameters) {
-      const auto term = account.terms.find(parameter.term);
-      if (term == account.terms.end()) continue;
-      const auto& [priorSigma, ofTerm] = term->second;
-      const std::optional<KnownPrior> known = knownOf(measurement, parameter);
-      if (priorSigma > (known ? known->sigma : plausibleSize(parameter))) {
-        share.from = UncertaintyShare::From::Diagnosis;
-      } else if (known) {
-        share.from = UncertaintyShare::From::Known;
-        share.reference = known->from;
-      }
-      variance += ofTerm;
-      share.sizes.push_back({std::string(parameter.name), priorSigma / modelUnitsPer(parameter.unit),
-                             std::string(parameter.unit)});
-    }
-    share.sigma = std::sqrt(variance);
-    if (!share.sizes.empty()) shares.push_back(std::move(share));
+/// Of an explanation with every effect besides.
+class Measured {
+ public:
+  Measured(const Inquiry& inquiry, const Answer& answer)
+      : m_inquiry(inquiry), m_answer(answer), m_accounts(inquiry), m_whole(answer.explanation) {
+    if (const Explanation* const found = explanationOf(inquiry, answer)) m_whole = *found;
+    m_model = answer.kind == Answer::Kind::Several || m_whole.shaped
+                  ? modelWith(inquiry.base, withoutPattern(), inquiry.candidates, inquiry.leftover)
+                  : answer.after;
+    m_scales = averageScales();
+    if (isLarge(*inquiry.base.measurement)) return;
+    if (m_whole.shaped)
+      m_model.measurement = std::make_shared<const Measurement>(
+          without(*m_model.measurement, inquiry, m_accounts.takenByPattern(m_whole, m_scales)));
+    m_every = withEveryEffect(m_model);
+    m_fit = withEveryEffect(m_model, m_scales);
+    m_accounts.alsoAt(m_fit, m_whole, m_scales);
   }
-  double ofJump = 0;
-  for (const auto& [term, share] : account.terms)
-    if (!effectOf(term)) ofJump += share.variance;
-  if (ofJump > 0)
-    shares.push_back({.effect = std::string(jumpId),
-                      .from = UncertaintyShare::From::Diagnosis,
-                      .sigma = std::sqrt(ofJump)});
-  return shares;
-}
 
-std::vector<UncertaintyShare> budgetOf(const Account& account, const Measurement& measurement,
-                                       const IntersectionEstimate& averaged) {
-  using enum UncertaintyShare::From;
-  std::vector<UncertaintyShare> shares = sharesOfEffects(account, measurement);
-  const double degreesOfFreedom = account.noise.degreesOfFreedom;
-  for (const BudgetEntry& entry : account.others) {
-    const bool isOfReadings =
-        entry.source == UncertaintySource::Readings || entry.source == UncertaintySource::ModelEffects;
-    if (isOfReadings)
-      shares.push_back({.source = entry.source,
-                        .type = UncertaintyShare::Type::A,
-                        .from = std::isfinite(degreesOfFreedom) ? Scatter : Stated,
-                        .sigma = entry.sigma,
-                        .degreesOfFreedom = degreesOfFreedom});
-    else
-      shares.push_back({.source = entry.source, .sigma = entry.sigma});
+  std::optional<MeasuredWithEffects> measured() {
+    std::optional<FittedAccount> account;
+    if (!isLarge(*m_inquiry.base.measurement)) account = byFit(m_fit, m_scales);
+    if (!account) account = byMoves();
+    if (!account) return std::nullopt;
+    const auto isJump = [&](const Part& part) { return m_inquiry.of(part).isJump(); };
+    if (std::ranges::none_of(m_whole.parts, isJump))
+      account->terms = withPausesInDrifts(std::move(account->terms));
+    const IntersectionEstimate estimate = averaged(account->estimate);
+    MeasuredIntersection measured{estimate, budgetOf(*account, *m_inquiry.base.measurement, estimate)};
+    if (const auto across = m_every.fit ? acrossOf(m_every) : std::nullopt) {
+      measured.across = across->length;
+      measured.distance = distanceOf(estimate, *across);
+    }
+    return MeasuredWithEffects{std::move(measured), m_scales};
   }
-  const double beyond = square(averaged.sigma) - square(account.estimate.sigma);
-  if (beyond > 0) shares.push_back({.from = Diagnosis, .sigma = std::sqrt(beyond)});
-  // What else may be the case may be surer: then all shares are less in proportion.
-  if (beyond < 0)
-    for (UncertaintyShare& share : shares) share.sigma *= averaged.sigma / account.estimate.sigma;
-  std::ranges::stable_sort(shares, std::greater(), &UncertaintyShare::sigma);
-  return shares;
-}
+
+ private:
+  const Inquiry& m_inquiry;
+  const Answer& m_answer;
+  Accounts m_accounts;
+  Explanation m_whole;  ///< the answer's, with its pattern
+  EffectScales m_scales;
+  GapModel m_model, m_every, m_fit;  ///< without the effects, with them, and as large as they are
+
+  Explanation withoutPattern() const {
+    Explanation rest = m_whole;
+    if (rest.shaped) rest.parts.pop_back();  // a pattern stands last
+    rest.shaped = false;
+    return rest;
+  }
+
+  /// Those whose squares are averaged over all that they may be.
+  EffectScales averageScales() {
+    const std::vector<Account> accounts = m_accounts.of(m_whole);
+    if (accounts.empty()) return {};
+    const double most = std::ranges::max(accounts, {}, &Account::logOdds).logOdds;
+    double all = 0, guideway = 0, instrument = 0, time = 0;
+    for (const Account& account : accounts) {
+      const double odds = std::exp(account.logOdds - most);
+      all += odds;
+      guideway += odds * square(account.scales.guideway);
+      instrument += odds * square(account.scales.instrument);
+      time += odds * square(account.scales.time);
+    }
+    return {std::sqrt(guideway / all), std::sqrt(instrument / all), std::sqrt(time / all)};
+  }
+
+  /// From the answer's own fit by what pattern and effects add to it.
+  std::optional<FittedAccount> byMoves() {
+    constexpr EffectScales none{1e-6, 1e-6, 1e-6};
+    const auto with = m_accounts.of(m_whole, m_scales), without = m_accounts.of(m_answer.explanation, none);
+    const std::optional<Intersection> found = intersect(*m_answer.after.measurement, *m_answer.after.fit);
+    if (!with || !without || !found) return std::nullopt;
+    FittedAccount account{estimateOf(*found), m_scales, {}, found->budget, noiseScale(*m_answer.after.fit)};
+    IntersectionEstimate& estimate = account.estimate;
+    const double factor = estimate.expanded / estimate.sigma;
+    double ofTerms = 0;
+    for (std::size_t i = 0; i < with->ofEffects.size(); ++i) {
+      const EstimatedTerm& term = m_accounts.effects()[i];
+      account.terms[term.term] = {term.priorSigma * m_scales.of(*effectOf(term.term)), with->ofEffects[i]};
+      ofTerms += with->ofEffects[i];
+    }
+    estimate.value += with->value - without->value;
+    const double more = std::max(with->variance - without->variance, ofTerms);
+    estimate.sigma = std::sqrt(square(estimate.sigma) + more);
+    estimate.expanded = factor * estimate.sigma;
+    estimate.accounts = {{1, estimate.value, estimate.sigma}};
+    account.others.push_back({UncertaintySource::ModelEffects, std::sqrt(more - ofTerms)});
+    return account;
+  }
+
+  /// Over every explanation with each scale of the effects.
+  IntersectionEstimate averaged(IntersectionEstimate own) {
+    const std::optional<Account> ofWhole = m_accounts.of(m_whole, m_scales);
+    if (!ofWhole || !(own.sigma > 0)) return own;
+    if (m_whole.shaped && !isLarge(*m_inquiry.base.measurement)) {
+      const std::optional<Account> ofRest = m_accounts.of(withoutPattern(), m_scales);
+      const double more = ofRest ? std::max(ofWhole->ofWeights - ofRest->ofWeights, 0.0) : 0;
+      const double sigma = std::sqrt(square(own.sigma) + more);
+      own.expanded *= sigma / own.sigma;
+      own.sigma = sigma;
+      own.accounts = {{1, own.value, own.sigma}};
+    }
+    std::vector<Account> all;
+    for (const Explanation& explanation : explanations()) {
+      const std::vector<Account> accounts = m_accounts.of(explanation);
+      all.insert(all.end(), accounts.begin(), accounts.end());
+    }
+    if (all.empty()) return own;
+    constexpr double least = 1e-4;
+    const double most = std::ranges::max(all, {}, &Account::logOdds).logOdds;
+    std::vector<Possible> possible;
+    for (const Account& account : all)
+      if (const double odds = std::exp(account.logOdds - most); odds > least)
+        possible.push_back({odds, account.value - ofWhole->value, account.variance - ofWhole->variance});
+    return averagedOver(own, possible, m_inquiry.base.measurement->coverage);
+  }
+
+  /// That may be the case: found by the search, like a part of the answer, or that what is known holds no
+  /// longer. A jump or a gross error may be unlikely alone only since the effects besides are not there.
+  std::vector<Explanation> explanations() {
+    constexpr double leastChance = 0.01;
+    std::vector<Explanation> all = withRivals(m_answer, m_whole);
+    for (const Explanation& explanation : m_inquiry.explanations) {
+      const bool isAlone = explanation.parts.size() == 1 && !m_inquiry.of(explanation.parts[0]).isEffect() &&
+                           !explanation.shaped;
+      const bool counts = explanation.chance >= leastChance || explanation.parts.empty() || isAlone;
+      const auto isThat = [&](const Explanation& other) { return areAlike(other, explanation); };
+      if (counts && isOfAccount(explanation, m_answer) && std::ranges::none_of(all, isThat))
+        all.push_back(explanation);
+    }
+    addStale(all);
+    return all;
+  }
+
+  void addStale(std::vector<Explanation>& all) {
+    for (std::size_t i = 0; i < m_inquiry.candidates.size(); ++i) {
+      const Component& component = m_inquiry.candidates[i];
+      const auto isThere = [&](const Explanation& other) { return other.has(i); };
+      if (!component.isKnown() || std::ranges::any_of(all, isThere)) continue;
+      Part part;
+      part.component = i;
+      part.weights = Eigen::VectorXd::Zero(component.weights());
+      const auto evidence = m_accounts.logEvidenceOf(m_whole, part);
+      if (!evidence) continue;
+      const double chance = staleChanceOf(*m_inquiry.base.measurement, *effectById(component.id()));
+      Explanation stale = m_whole;
+      stale.parts.insert(stale.parts.begin(), part);
+      stale.logPosteriorOdds += *evidence + std::log(chance / (1 - chance));
+      all.push_back(std::move(stale));
+    }
+  }
+};
 
 }  // namespace
 
-std::optional<MeasuredIntersection> measuredIntersection(const Inquiry& inquiry, const Answer& answer) {
-  const Measurement& measurement = *inquiry.base.measurement;
-  if (!hasBothAxes(measurement)) return std::nullopt;
-  LinearMoves moves(inquiry, Besides::EveryEffect);
-  std::optional<Account> account;
-  if (isLarge(measurement)) account = byMoves(inquiry, answer, moves);
-  if (!account) account = byFit(answer);
-  if (!account) return std::nullopt;
-  const auto isJump = [&](const Part& part) { return inquiry.of(part).isJump(); };
-  if (std::ranges::none_of(answer.explanation.parts, isJump))
-    account->terms = withPausesInDrifts(std::move(account->terms));
-  const IntersectionEstimate estimate = averaged(inquiry, answer, account->estimate, moves);
-  MeasuredIntersection measured{estimate, budgetOf(*account, measurement, estimate)};
-  if (account->across) {
-    measured.across = account->across->length;
-    measured.distance = distanceOf(estimate, *account->across);
-  }
-  return measured;
+std::optional<MeasuredWithEffects> measuredIntersection(const Inquiry& inquiry, const Answer& answer) {
+  if (!hasBothAxes(*inquiry.base.measurement)) return std::nullopt;
+  return Measured(inquiry, answer).measured();
 }
 
 }  // namespace alidade

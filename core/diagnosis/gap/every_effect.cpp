@@ -84,9 +84,38 @@ bool isLarge(const Measurement& measurement) {
   return measurement.rows > many;
 }
 
-GapModel withEveryEffect(GapModel model) {
+double EffectScales::of(const Effect& effect) const {
+  switch (effect.source) {
+    case ErrorSource::Guideway:
+      return guideway;
+    case ErrorSource::Instrument:
+      return instrument;
+    default:
+      return time;
+  }
+}
+
+const std::vector<PossibleScales>& possibleScales() {
+  static const std::vector<PossibleScales> all = [] {
+    constexpr std::array scales{0.03, 0.3, 1.0, 3.0};
+    constexpr double alike = 0.5, count = scales.size();
+    std::vector<PossibleScales> possible;
+    for (const double scale : scales) possible.push_back({{scale, scale, scale}, alike / count});
+    for (const double guideway : scales)
+      for (const double instrument : scales)
+        for (const double time : scales)
+          possible.push_back({{guideway, instrument, time}, (1 - alike) / (count * count * count)});
+    return possible;
+  }();
+  return all;
+}
+
+GapModel withEveryEffect(GapModel model, const EffectScales& scales) {
   const std::vector<std::string>& own = model.measurement->effects;
-  for (const EstimatedTerm& term : everyEffect(*model.measurement)) {
+  const std::vector<EstimatedTerm> known = knownTerms(*model.measurement);
+  for (EstimatedTerm term : everyEffect(*model.measurement)) {
+    if (std::ranges::find(known, term.term, &EstimatedTerm::term) == known.end())
+      term.priorSigma *= scales.of(*effectOf(term.term));
     const auto there = std::ranges::find(model.options.terms, term.term, &EstimatedTerm::term);
     if (there == model.options.terms.end())
       model.options.terms.push_back(term);

@@ -1,8 +1,10 @@
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include "core/diagnosis/gap/gap_model.h"
+#include "core/effects/catalogue.h"
 
 namespace alidade {
 
@@ -25,7 +27,25 @@ GapModel withKnownSizes(GapModel model);
 /// So many rows that a fit of every effect along would take longer than anybody waits.
 bool isLarge(const Measurement& measurement);
 
-/// A model with every effect estimated along; what is estimated already, no narrower than it is.
-GapModel withEveryEffect(GapModel model);
+/// 1σ of the effects of each source in plausible sizes: how large they are altogether in this session.
+struct EffectScales {
+  double guideway = 1, instrument = 1, time = 1;
+
+  double of(const Effect& effect) const;
+  bool operator==(const EffectScales&) const = default;
+};
+
+/// Scales before the readings are seen, with their probabilities, which add up to 1: next to nothing, a
+/// third, as plausible, or three times that, of all effects alike, or of each source by itself. Either is as
+/// likely as the other.
+struct PossibleScales {
+  EffectScales scales;
+  double probability = 0;
+};
+const std::vector<PossibleScales>& possibleScales();
+
+/// A model with every effect estimated along, so many plausible sizes wide; what is estimated already, no
+/// narrower than it is. A known size is as well known as stated.
+GapModel withEveryEffect(GapModel model, const EffectScales& scales = {});
 
 }  // namespace alidade

@@ -137,4 +137,11 @@ VectorXd Leftover::column(Unknown::Kind kind) const {
   return result;
 }
 
+double varianceOfReadings(const Leftover& leftover, const Eigen::VectorXd& perReading) {
+  double variance = 0;
+  for (Eigen::Index i = 0; i < std::min(perReading.size(), leftover.readings()); ++i)
+    if (!leftover.reading(i).isZero) variance += perReading[i] * perReading[i];
+  return variance;
+}
+
 }  // namespace alidade

@@ -82,4 +82,8 @@ class Leftover {
   Eigen::MatrixXd layOutUnknowns(const std::vector<EstimatedTerm>& inModel, double noise);
 };
 
+/// What scatters as the readings do brings to a number that moves by so much for each σ of a reading: zeros
+/// do not scatter so. In the number's unit squared.
+double varianceOfReadings(const Leftover& leftover, const Eigen::VectorXd& perReading);
+
 }  // namespace alidade

@@ -10,7 +10,6 @@
 
 #include "core/adjustment/result/intersection.h"
 #include "core/base/square.h"
-#include "core/diagnosis/gap/every_effect.h"
 #include "core/diagnosis/observability/further_readings.h"
 #include "core/effects/catalogue.h"
 
@@ -22,7 +21,8 @@ namespace {
 constexpr double worthIt = 0.9;
 
 /// The model of a set that was read without error, with every effect; what jumped did so once.
-GapModel plannedModel(const GapModel& model, const Measurement& set, double noise) {
+GapModel plannedModel(const GapModel& model, const Measurement& set, double noise,
+                      const EffectScales& scales) {
   GapModel planned;
   planned.measurement = std::make_shared<const Measurement>(withNoise(set, noise));
   planned.options.isClosed = model.options.isClosed;
@@ -33,7 +33,7 @@ GapModel plannedModel(const GapModel& model, const Measurement& set, double nois
     term.start = term.priorValue = 0;
     planned.options.terms.push_back(term);
   }
-  return withEveryEffect(std::move(planned));
+  return withEveryEffect(std::move(planned), scales);
 }
 
 std::optional<Intersection> intersectionOf(const GapModel& planned) {
@@ -93,19 +93,20 @@ bool isWorthIt(const AttainableUncertainty& attainable, const std::vector<Attain
 
 std::optional<double> attainableAsItIs(const GapModel& model, double noise) {
   if (!hasBothAxes(*model.measurement) || isLarge(*model.measurement)) return std::nullopt;
-  const auto found = intersectionOf(plannedModel(model, readWithoutError(model), noise));
+  const auto found = intersectionOf(plannedModel(model, readWithoutError(model), noise, {}));
   return found ? std::optional(found->expanded) : std::nullopt;
 }
 
-std::vector<AttainableUncertainty> attainableUncertainties(const GapModel& model, double noise) {
+std::vector<AttainableUncertainty> attainableUncertainties(const GapModel& model, double noise,
+                                                           const EffectScales& scales) {
   if (!hasBothAxes(*model.measurement) || isLarge(*model.measurement)) return {};
-  const GapModel planned = plannedModel(model, readWithoutError(model), noise);
+  const GapModel planned = plannedModel(model, readWithoutError(model), noise, scales);
   const std::optional<Intersection> asPlanned = intersectionOf(planned);
   if (!asPlanned) return {};
   std::vector<AttainableUncertainty> tried{{{}, {}, asPlanned->expanded}}, list = tried;
   const auto tryOut = [&](const FurtherReadings& plan) {
     if (plan.sets.size() > 1) return;
-    if (const auto found = intersectionOf(plannedModel(model, plan.sets.front(), noise)))
+    if (const auto found = intersectionOf(plannedModel(model, plan.sets.front(), noise, scales)))
       tried.push_back({plan.measures, {}, found->expanded});
   };
   eachFurtherReadings(model, tryOut);

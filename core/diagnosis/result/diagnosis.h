@@ -19,7 +19,7 @@ enum class DiagnosisVerdict {
   WithinNoise,     ///< nothing to explain
   SingleCause,     ///< one cause, and no other looks like it in these readings
   Ambiguous,       ///< one cause out of a group that these readings cannot tell apart
-  SeveralCauses,   ///< each in `causes`
+  SeveralCauses,   ///< each in `causes`, or more than can be taken apart
   NotInCatalogue,  ///< the gap is real, and no effect explains it, alone or together
 };
 
@@ -238,6 +238,10 @@ struct GapShape {
 
 struct Diagnosis {
   DiagnosisVerdict verdict = DiagnosisVerdict::WithinNoise;
+  /// With SeveralCauses: all effects of the catalogue together explain the gap at least as well as any
+  /// pattern of no catalogue, and these readings cannot take them apart. `causes` holds what is certain
+  /// beside them.
+  bool hasMoreCausesThanSeparable = false;
   GapSize gap, after;
   Shrinkage shrink;
   std::vector<Cause> causes;          ///< the most certain first

@@ -51,18 +51,26 @@ void add(Explanation& set, double logBayesFactor) {
   set.logPosteriorOdds += logBayesFactor;
 }
 
-void weighNominal(Explanation& found, double f) {
+const NoiseScales& nominalScales() {
   static const NoiseScales scales(-4 * knownTo, 4 * knownTo, [](double log) {
     return -0.5 * std::pow(log / knownTo, 2) - std::log(knownTo) - 0.5 * std::log(2 * M_PI);
   });
-  add(found, scales.logIntegral(found.chiSquare, f, 1, found.noise));
+  return scales;
+}
+
+const NoiseScales& largerScales() {
+  static const double from = std::log(leastNoise), to = std::log(mostNoise);
+  static const NoiseScales scales(from, to, [](double) { return -std::log(to - from); });
+  return scales;
+}
+
+void weighNominal(Explanation& found, double f) {
+  add(found, nominalScales().logIntegral(found.chiSquare, f, 1, found.noise));
 }
 
 void weighNoisy(Explanation& found, double f, double reference, double leftover) {
-  static const double from = std::log(leastNoise), to = std::log(mostNoise);
-  static const NoiseScales scales(from, to, [](double) { return -std::log(to - from); });
   found.noisy = true;
-  add(found, scales.logIntegral(found.chiSquare, f, reference, found.noise));
+  add(found, largerScales().logIntegral(found.chiSquare, f, reference, found.noise));
   add(found, -f * std::log(reference) - 0.5 * leftover * (1 / (reference * reference) - 1));
 }
 
@@ -155,6 +163,12 @@ std::vector<Explanation> explain(const Leftover& leftover, const Candidates& can
   if (options.noise) addNoisy(all, search, leftover, options.odds);
   normalise(all);
   return all;
+}
+
+double logEvidenceOfNoise(const Explanation& explanation, double chiSquare, double degreesOfFreedom) {
+  double likeliest = 1;
+  if (!explanation.noisy) return nominalScales().logIntegral(chiSquare, degreesOfFreedom, 1, likeliest);
+  return largerScales().logIntegral(chiSquare, degreesOfFreedom, explanation.noise, likeliest);
 }
 
 Part fitAlone(const SharedProducts& residual, const Component& component, std::size_t index) {

@@ -57,6 +57,11 @@ struct SearchOptions {
 std::vector<Explanation> explain(const Leftover& leftover, const Candidates& candidates,
                                  const SearchOptions& options = {});
 
+/// What is believed of the noise of an explanation, summed up where χ² (stated σ) is left of its readings
+/// with so many degrees of freedom: the natural logarithm of the evidence against that of its likeliest
+/// noise, or the stated one where it is not noisy.
+double logEvidenceOfNoise(const Explanation& explanation, double chiSquare, double degreesOfFreedom);
+
 /// One component alone, noise as stated: its evidence, without its prior, and the weights it then has.
 /// `residual`: what is left over. `index` is that of the component.
 Part fitAlone(const SharedProducts& residual, const Component& component, std::size_t index);

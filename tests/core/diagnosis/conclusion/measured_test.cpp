@@ -56,13 +56,13 @@ Coverage coverageOf(const char* name, int sessions, double sizes) {
   return coverage;
 }
 
-// Every effect there as large as is plausible: of 4000 such sessions 96.6 to 98.5 % are covered, by plan. Of
-// 40 by each plan at least 36 are, but in one of ten thousand runs. The fit alone covers a quarter to four
+// Every effect there as large as is plausible: of 1200 such sessions 94.7 to 96.0 % are covered, by plan. Of
+// 40 by each plan at least 33 are, but in one of ten thousand runs. The fit alone covers a quarter to four
 // fifths.
 TEST(MeasuredIntersection, CoversWhateverMayBeThere) {
   for (const char* plan : {"paper", "paper-slider", "two-face", "full", "again"}) {
     const Coverage coverage = coverageOf(plan, 40, 1);
-    EXPECT_GE(coverage.ofMeasured, 35) << plan;
+    EXPECT_GE(coverage.ofMeasured, 33) << plan;
     EXPECT_GT(coverage.ofMeasured, coverage.ofFit) << plan;
   }
 }
@@ -89,15 +89,53 @@ TEST(MeasuredIntersection, IsSharedOutByItsSources) {
   }
 }
 
-// What a plan shows of an effect need not be feared: by the perfect readings of each.
+Session withEveryEffectThere(const char* plan) {
+  const Protocol& protocol = *protocolByName(plan);
+  return *simulate(protocol, withEveryEffectThere(900'003, 1, protocol.slider), 900'003);
+}
+
+// What a plan shows of an effect need not be feared.
 TEST(MeasuredIntersection, IsSurerByAPlanThatShowsMore) {
   const auto expandedBy = [](const char* plan) {
-    const Session session = *simulateWithoutNoise(*protocolByName(plan), drawTruth(3), 3);
-    return diagnose(*examine(session).measurement)->measured->estimate.expanded;
+    return diagnose(*examine(withEveryEffectThere(plan)).measurement)->measured->estimate.expanded;
   };
   EXPECT_LT(expandedBy("paper-slider"), expandedBy("paper"));
   EXPECT_LT(expandedBy("two-face"), expandedBy("paper"));
-  EXPECT_LT(expandedBy("full"), 0.5 * expandedBy("two-face"));
+  EXPECT_LT(expandedBy("full"), 0.7 * expandedBy("two-face"));
+}
+
+// Where nothing is wrong, readings of a plan that would show the effects say so: U is that of the fit but for
+// a fifth, and all readings together cover as often as stated: 95 % ± 1.5 % of 200, of which four more are
+// left.
+TEST(MeasuredIntersection, IsHardlyLessSureWhereNothingIsWrong) {
+  int covered = 0;
+  for (const char* plan : {"two-face", "full"}) {
+    const Coverage coverage = coverageOf(plan, 100, 0);
+    EXPECT_NEAR(coverage.ofMeasured, coverage.ofFit, 5) << plan;
+    covered += coverage.ofMeasured;
+  }
+  EXPECT_GE(covered, 180);
+  const Measurement measurement = *examine(*simulate(*protocolByName("full"), drawTruth(3), 3)).measurement;
+  const SessionFit fit = fitSession(measurement);
+  EXPECT_LT(diagnose(measurement, fit)->measured->estimate.expanded, 1.2 * fit.intersection->expanded);
+}
+
+// A form that no catalogue has is estimated along, not poured into what the catalogue has: in 60 sessions at
+// least 51 are covered, but once in ten thousand where 95 % are.
+TEST(MeasuredIntersection, CoversBesideAPattern) {
+  int covered = 0, unknown = 0;
+  for (int i = 0; i < 60; ++i) {
+    const auto seed = static_cast<std::uint64_t>(910'000 + i);
+    Truth truth = drawTruth(seed);
+    truth.harmonic = FormHarmonic{4 + i % 8, 0.2, -0.1};
+    const Protocol& protocol = *protocolByName(i % 2 == 0 ? "paper" : "full");
+    const auto diagnosis = diagnose(*examine(*simulate(protocol, truth, seed)).measurement);
+    const IntersectionEstimate& measured = diagnosis->measured->estimate;
+    unknown += diagnosis->verdict == DiagnosisVerdict::NotInCatalogue;
+    covered += std::abs(measured.value - truth.intersection) <= measured.expanded;
+  }
+  EXPECT_GE(unknown, 57);
+  EXPECT_GE(covered, 51);
 }
 
 // A large session's effects are taken as linear: beside their fit, of which there are rows enough for either.
@@ -114,19 +152,21 @@ TEST(MeasuredIntersection, IsTheSameAsLinear) {
 
 // What a certificate says of the effect that matters most takes its share away, and says so.
 TEST(MeasuredIntersection, IsSurerByWhatIsKnown) {
-  Measurement measurement = test::trialMeasurement("two-face");
+  const Truth truth = withEveryEffectThere(900'003, 1, false);
+  Measurement measurement = *examine(withEveryEffectThere("two-face")).measurement;
   const MeasuredIntersection before = *diagnose(measurement)->measured;
   const auto shareOf = [](const MeasuredIntersection& measured) {
     return *std::ranges::find(measured.budget, std::string("arc_ellipticity"), &UncertaintyShare::effect);
   };
   ASSERT_GT(shareOf(before).sigma, 0.5 * before.estimate.sigma);
-  for (const char* number : {"cosine", "sine"})
-    measurement.known.push_back({.effect = "arc_ellipticity",
-                                 .parameter = number,
-                                 .unit = "mm",
-                                 .from = "certificate 17",
-                                 .value = 0,
-                                 .sigma = 0.001});
+  for (const EffectParameter& number : effectById("arc_ellipticity")->parameters)
+    measurement.known.push_back(
+        {.effect = "arc_ellipticity",
+         .parameter = std::string(number.name),
+         .unit = "mm",
+         .from = "certificate 17",
+         .value = std::ranges::find(truth.effects, number.term, &TrueSize::term)->value,
+         .sigma = 0.001});
   const MeasuredIntersection after = *diagnose(measurement)->measured;
   EXPECT_LT(after.estimate.expanded, 0.7 * before.estimate.expanded);
   EXPECT_LT(shareOf(after).sigma, 0.05 * shareOf(before).sigma);

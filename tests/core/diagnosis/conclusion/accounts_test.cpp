@@ -1,0 +1,116 @@
+#include "core/diagnosis/conclusion/accounts.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/diagnosis/conclusion/answer.h"
+#include "core/diagnosis/gap/gap_size.h"
+#include "core/diagnosis/search/explained_model.h"
+#include "core/effects/catalogue.h"
+#include "core/simulation/protocol.h"
+#include "core/simulation/simulate.h"
+#include "tests/support/trials.h"
+
+namespace alidade {
+namespace {
+
+constexpr EffectScales asPlausible;
+
+// Beside a fit of every effect: the answer's parts are as wide there as here. Beside a misread value there is
+// nothing to count from, since all scatters by it.
+TEST(Accounts, AgreeWithAFitOfEveryEffect) {
+  int compared = 0;
+  for (const test::Trial& trial : test::trials()) {
+    const Inquiry inquiry = inquire(*modelOf(test::withTimes(trial.measurement)), {}, {});
+    if (!inquiry.largeGrossErrors.empty()) continue;
+    Accounts accounts(inquiry);
+    EXPECT_EQ(accounts.effects().size() + inquiry.base.options.terms.size(),
+              everyEffect(trial.measurement).size());
+    const auto base = estimateOf(withEveryEffect(inquiry.base));
+    const Account ofNothing = *accounts.of({}, asPlausible);
+    const auto isReading = [&](const Part& part) { return inquiry.of(part).grossErrorAt().has_value(); };
+    const auto isBent = [&](const Part& part) { return inquiry.of(part).response() != Response::Linear; };
+    for (const Explanation& explanation : inquiry.explanations) {
+      if (explanation.shaped || explanation.noisy || explanation.chance < 0.01 ||
+          std::ranges::any_of(explanation.parts, isReading) || std::ranges::any_of(explanation.parts, isBent))
+        continue;
+      const std::optional<Account> account = accounts.of(explanation, asPlausible);
+      ASSERT_TRUE(account) << trial.id;
+      const auto fitted = estimateOf(
+          withEveryEffect(modelWith(inquiry.base, explanation, inquiry.candidates, inquiry.leftover)));
+      const double shift = fitted->value - base->value;
+      EXPECT_NEAR(account->value - ofNothing.value, shift, 0.05 * fitted->sigma + 0.02 * std::abs(shift))
+          << trial.id;
+      const double variance = base->sigma * base->sigma + account->variance - ofNothing.variance;
+      EXPECT_NEAR(std::sqrt(variance) / fitted->sigma, 1, 0.1) << trial.id;
+      ++compared;
+    }
+  }
+  EXPECT_GT(compared, 50);
+}
+
+// Without effects besides, an account of known widths has the evidence that the search found: it sums over
+// widths of which the likeliest has at least a quarter, so ln 4 a part.
+TEST(Accounts, HaveTheEvidenceOfTheSearch) {
+  constexpr EffectScales none{1e-6, 1e-6, 1e-6};
+  int compared = 0;
+  for (const test::Trial& trial : test::trials()) {
+    const Inquiry inquiry = inquire(*modelOf(test::withTimes(trial.measurement)), {}, {});
+    Accounts accounts(inquiry);
+    const double nothing = accounts.of({}, none)->logOdds;
+    for (const Explanation& explanation : inquiry.explanations) {
+      const auto isPlain = [&](const Part& part) {
+        const Component& component = inquiry.of(part);
+        return component.isEffect() && component.response() == Response::Linear && !component.isKnown() &&
+               part.width == component.widthOfFit(part.width, part.weights);
+      };
+      if (explanation.noisy || explanation.parts.empty() || !std::ranges::all_of(explanation.parts, isPlain))
+        continue;
+      const double difference =
+          accounts.of(explanation, none)->logOdds - nothing - explanation.logBayesFactor;
+      EXPECT_NEAR(difference, 0, std::log(4.0) * static_cast<double>(explanation.parts.size()) + 0.1)
+          << trial.id;
+      ++compared;
+    }
+  }
+  EXPECT_GT(compared, 30);
+}
+
+Session sessionWith(const char* plan, double sizes) {
+  Truth truth = drawTruth(8);
+  for (const Effect& effect : effectCatalogue())
+    if (effect.response != Response::AllOrNothing)
+      for (const EffectParameter& parameter : effect.parameters)
+        truth.effects.push_back({parameter.term, sizes * parameter.plausible});
+  return *simulate(*protocolByName(plan), truth, 8);
+}
+
+EffectScales likeliestIn(const Session& session) {
+  const Inquiry inquiry = inquire(*modelOf(*examine(session).measurement), {}, {});
+  Accounts accounts(inquiry);
+  accounts.alsoAt(withEveryEffect(inquiry.base), {}, {});
+  return std::ranges::max(accounts.of({}), {}, &Account::logOdds).scales;
+}
+
+// Readings say how large the effects are altogether.
+TEST(Accounts, FindHowLargeTheEffectsAre) {
+  EXPECT_EQ(likeliestIn(sessionWith("full", 0)), (EffectScales{0.03, 0.03, 0.03}));
+  EXPECT_EQ(likeliestIn(sessionWith("full", 1)), asPlausible);
+}
+
+// A pattern is more than all effects at their plausible size; these are more causes than can be told apart.
+TEST(Accounts, TellManyCausesFromAPattern) {
+  const auto answerOf = [](const Session& session) {
+    return conclude(inquire(*modelOf(*examine(session).measurement), {}, {})).kind;
+  };
+  EXPECT_EQ(answerOf(sessionWith("full", 1)), Answer::Kind::Several);
+  EXPECT_EQ(answerOf(sessionWith("two-face", 1)), Answer::Kind::Several);
+  Truth truth = drawTruth(8);
+  truth.harmonic = FormHarmonic{7, 0.2, 0.1};
+  EXPECT_EQ(answerOf(*simulate(*protocolByName("full"), truth, 8)), Answer::Kind::Unknown);
+}
+
+}  // namespace
+}  // namespace alidade
