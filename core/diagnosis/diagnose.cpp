@@ -176,7 +176,7 @@ Result<Diagnosis, DiagnosisFault> diagnose(const Measurement& measurement, const
   diagnosis.hasMoreCausesThanSeparable = answer.kind == Answer::Kind::Several;
   if (measured) diagnosis.measured = std::move(measured->intersection);
   diagnosis.closures = closuresOf(own, answer.opened, diagnosis.measured);
-  diagnosis.unexplained = unexplainedOf(inquiry, referenceIn(diagnosis.closures));
+  diagnosis.unexplained = unexplainedOf(inquiry, answer, referenceIn(diagnosis.closures));
   const Eigen::VectorXd perReading = influencePerSigma(inquiry.base);
   diagnosis.undetectableJumps =
       undetectableJumps(inquiry.leftover, inquiry.candidates, perReading, *inquiry.base.measurement);

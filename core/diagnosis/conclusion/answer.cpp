@@ -94,8 +94,8 @@ Answer unknownAs(const Inquiry& inquiry, const Explanation& shaped) {
   return answer;
 }
 
-/// What is certain whatever else is there, with every effect of the catalogue at its plausible size, where
-/// that is at least as likely as any pattern; absent where a pattern is likelier, with effects of any size.
+/// What is certain whatever else is there, with every effect of the catalogue at its plausible size, against
+/// any pattern with effects of any size. Absent where the readings do not determine that.
 std::optional<Answer> severalIn(const Inquiry& inquiry) {
   constexpr double certain = 0.95, leastChance = 0.01;
   constexpr EffectScales asPlausible;
@@ -117,7 +117,7 @@ std::optional<Answer> severalIn(const Inquiry& inquiry) {
       best = &explanation;
     }
   }
-  if (!best || named < shaped) return std::nullopt;
+  if (!best) return std::nullopt;
   Answer answer{Answer::Kind::Several, {}, {}, {}, {}};
   for (const Part& part : best->parts) {
     double chance = 0;
@@ -127,14 +127,20 @@ std::optional<Answer> severalIn(const Inquiry& inquiry) {
   }
   answer.rivals.resize(answer.explanation.parts.size());
   answer.after = withEveryEffect(modelWith(inquiry, answer.explanation));
+  if (!answer.after.fit->isDetermined()) return std::nullopt;
+  answer.everyEffect = {std::exp(named - logSum(named, shaped)), answer.after,
+                        openedModelOf(answer.after, inquiry.own)};
   return answer;
 }
 
 /// The likeliest pattern, or every effect.
 Answer beyondCatalogue(const Inquiry& inquiry, const Explanation& shaped) {
-  if (std::optional<Answer> several = severalIn(inquiry); several && several->after.fit->isDetermined())
-    return *std::move(several);
-  return unknownAs(inquiry, shaped);
+  constexpr double even = 0.5;
+  std::optional<Answer> several = severalIn(inquiry);
+  if (several && several->everyEffect->chance >= even) return *std::move(several);
+  Answer answer = unknownAs(inquiry, shaped);
+  if (several) answer.everyEffect = std::move(several->everyEffect);
+  return answer;
 }
 
 /// Whether any of its parts, or what looks like it, is likelier than that.

@@ -10,6 +10,12 @@ namespace alidade {
 
 // What the explanations of an inquiry come to.
 
+/// Every effect of the catalogue at its plausible size, where a pattern is the likeliest without them.
+struct EveryEffect {
+  double chance = 0;  ///< that they are what is there, not the pattern; 0…1
+  GapModel closed, opened;
+};
+
 struct Answer {
   /// `Several`: more causes than these readings can take apart, all effects of the catalogue at their
   /// plausible size being together as likely as any pattern.
@@ -24,6 +30,7 @@ struct Answer {
   /// Whose Δd is told: `after`, or the session's own model where nothing but readings and noise is blamed.
   GapModel measured = {};
   GapModel opened = {};  ///< what `measured` leaves in the session's own model (`openedModelOf`)
+  std::optional<EveryEffect> everyEffect = {};
 };
 
 /// Whichever of nothing, known causes and a pattern of no known cause is the most likely as a whole; an

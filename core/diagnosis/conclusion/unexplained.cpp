@@ -30,13 +30,12 @@ double excessOf(const Closure& closure) {
   return std::max(square(closure.value) - square(closure.sigma), 0.0);
 }
 
-/// By one explanation without a pattern.
-Unexplained leftBy(const Inquiry& inquiry, const Explanation& explanation) {
+/// By a model without a pattern.
+Unexplained leftBy(const GapModel& closed, const GapModel& opened) {
   constexpr double perMisclosure = 0.5;  // Δd is half of what y differs by
-  const ExplainedModel model = explainedModel(inquiry, explanation);
-  const double ofNoise = sizeOf(model.closed).pValue;
+  const double ofNoise = sizeOf(closed).pValue;
   double most = std::isnan(ofNoise) ? 0 : chanceOfMore(ofNoise), variance = 0;
-  for (const Closure& closure : everyClosureOf(model.opened)) {
+  for (const Closure& closure : everyClosureOf(opened)) {
     if (closure.of == Closure::Of::Reference) continue;
     const double more = chanceOfMore(closure.chance);
     most = std::max(most, more);
@@ -54,7 +53,8 @@ Unexplained leftByNamed(const Inquiry& inquiry) {
   for (const Explanation& explanation : inquiry.explanations) {
     if (explanation.shaped) continue;
     if (fitted > 0 && (fitted == mostFitted || explanation.chance < leastChance)) break;
-    const Unexplained left = leftBy(inquiry, explanation);
+    const auto [closed, opened] = explainedModel(inquiry, explanation);
+    const Unexplained left = leftBy(closed, opened);
     all += explanation.chance;
     chance += explanation.chance * left.chance;
     variance += explanation.chance * square(left.sigma);
@@ -79,10 +79,15 @@ double chanceOfMore(double chance) {
   return 1 / (1 + std::exp(logBayesFactorOfMore(evenAt) - logBayesFactorOfMore(chance)));
 }
 
-Unexplained unexplainedOf(const Inquiry& inquiry, const std::optional<Closure>& reference) {
-  const double shaped = inquiry.chanceOf(&isShaped);
-  const Unexplained named = shaped < 1 ? leftByNamed(inquiry) : Unexplained{};
-  Unexplained unexplained{shaped + (1 - shaped) * named.chance, std::sqrt(1 - shaped) * named.sigma};
+Unexplained unexplainedOf(const Inquiry& inquiry, const Answer& answer,
+                          const std::optional<Closure>& reference) {
+  const double beyond = inquiry.chanceOf(&isShaped);
+  const double every = answer.everyEffect ? beyond * answer.everyEffect->chance : 0, shaped = beyond - every;
+  const Unexplained named = beyond < 1 ? leftByNamed(inquiry) : Unexplained{};
+  const Unexplained together =
+      every > 0 ? leftBy(answer.everyEffect->closed, answer.everyEffect->opened) : Unexplained{};
+  Unexplained unexplained{shaped + (1 - beyond) * named.chance + every * together.chance,
+                          std::sqrt((1 - beyond) * square(named.sigma) + every * square(together.sigma))};
   if (!reference) return unexplained;
   const double more = chanceOfMore(reference->chance);
   unexplained.chance = std::max(unexplained.chance, more);

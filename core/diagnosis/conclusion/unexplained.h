@@ -21,7 +21,8 @@ namespace alidade {
 // risk of 0.1 %, z = 3.29): q = B(z)/(B(z) + B(3.29)). z is that of the closure's chance, hence of Student's
 // distribution. Of the residuals as a whole q is the same of the chance of their χ². With the posterior p(e):
 //
-// - chance = Σ p(e) × (1 where e holds a pattern of no cause, else the largest q of e);
+// - chance = Σ p(e) × (1 where e holds a pattern of no cause, else the largest q of e). Where every effect at
+//   its plausible size may be there instead of a pattern, that is one more e, with its share of the patterns;
 // - sigma² = Σ p(e) Σ q (m² − s²)/4 over the e without a pattern; what a pattern moves Δd by is in the
 //   accounts of Δd (`averaged`). What opened a closure without a name is no likelier to act on the x or
 //   the radius of a position than on its y. So what it does to y(180°) − y(0°) is of the size m, and Δd is
@@ -39,6 +40,7 @@ std::vector<Closure> everyClosureOf(const GapModel& model);
 double chanceOfMore(double chance);
 
 /// `reference`: what Δd as measured leaves of it, where one is stated with its σ.
-Unexplained unexplainedOf(const Inquiry& inquiry, const std::optional<Closure>& reference);
+Unexplained unexplainedOf(const Inquiry& inquiry, const Answer& answer,
+                          const std::optional<Closure>& reference);
 
 }  // namespace alidade
