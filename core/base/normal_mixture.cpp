@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <map>
+#include <utility>
 
 #include "core/base/random_source.h"
 
@@ -54,6 +56,19 @@ double halfWidth(const std::vector<NormalPart>& mixture, double centre, double c
     (shareWithin(mixture, centre, middle) < wanted ? low : high) = middle;
   }
   return high;
+}
+
+std::vector<NormalPart> joined(const std::vector<NormalPart>& mixture, double grain) {
+  using Cell = std::pair<double, double>;
+  std::map<Cell, std::vector<NormalPart>> cells;
+  for (const NormalPart& part : mixture)
+    cells[{std::floor(part.mean / grain), std::floor(part.sigma / grain)}].push_back(part);
+  std::vector<NormalPart> parts;
+  for (const auto& [cell, alike] : cells) {
+    const MeanAndSigma moments = momentsOf(alike);
+    parts.push_back({sharesOf(alike), moments.mean, moments.sigma});
+  }
+  return parts;
 }
 
 }  // namespace alidade

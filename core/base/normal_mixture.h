@@ -26,4 +26,8 @@ MeanAndSigma momentsOf(const std::vector<NormalPart>& mixture);
 /// h such that centre ± h holds `coverage`, in (0, 1), of one part or more; to 1e-6 of itself.
 double halfWidth(const std::vector<NormalPart>& mixture, double centre, double coverage);
 
+/// Parts whose means are less than `grain` apart, and whose variances are as alike, joined in one with their
+/// moments: what is believed hardly changes, what it costs to ask does. `grain` > 0, in the means' unit.
+std::vector<NormalPart> joined(const std::vector<NormalPart>& mixture, double grain);
+
 }  // namespace alidade

@@ -29,9 +29,8 @@ void addMethods(const Element& to, const FitAnswer& answer) {
   diagnosis.say("name", [] { return Phrase::of("Diagnosis of the gap between model and readings"); });
   diagnosis.say("description", [] {
     return Phrase::of(
-        "As measured, Δd is averaged over what the readings leave possible: every effect of the catalogue "
-        "takes part "
-        "at its plausible or known size.");
+        "Δd, measured, is averaged over every explanation that the readings do not exclude, with every "
+        "catalogued effect as large as readings and its plausible or known size allow.");
   });
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 #include "core/diagnosis/conformance.h"
 #include "core/effects/cause_ids.h"
@@ -89,6 +90,22 @@ std::vector<std::size_t> conditionsOf(const Measurement& measurement, const Diag
   return conditions;
 }
 
+/// A trace of v σ leaves 1/√(1 + v²) of the plausible size.
+std::vector<AcceptanceDecision::Condition> effectConditionsOf(const Measurement& measurement,
+                                                              const Diagnosis& diagnosis, Verdict verdict) {
+  std::vector<AcceptanceDecision::Condition> conditions;
+  if (verdict == Verdict::Undecided) return conditions;
+  for (const UnseenEffect& unseen : diagnosis.unseen) {
+    if (unseen.effect == jumpId) continue;
+    const double influence = unseen.influence / std::hypot(1, unseen.visible);
+    const double more = std::hypot(diagnosis.unexplained.sigma, influence);
+    if (verdictOf(diagnosis.measured, more, measurement) != verdict)
+      conditions.push_back({unseen.effect, influence});
+  }
+  std::ranges::sort(conditions, std::greater(), &AcceptanceDecision::Condition::influence);
+  return conditions;
+}
+
 }  // namespace
 
 bool isMoreThanNoise(const Diagnosis& diagnosis) {
@@ -96,8 +113,8 @@ bool isMoreThanNoise(const Diagnosis& diagnosis) {
   return diagnosis.causes.size() != 1 || diagnosis.causes.front().effect != noiseId;
 }
 
-std::optional<AcceptanceDecision> decideAcceptance(const Measurement& measurement, const SessionFit& fit,
-                                                   const Diagnosis* diagnosis) {
+std::optional<AcceptanceDecision> decideVerdict(const Measurement& measurement, const SessionFit& fit,
+                                                const Diagnosis* diagnosis) {
   if (!fit.verdict) return std::nullopt;
   AcceptanceDecision decision{.asModelled = *fit.verdict};
   if (diagnosis) decision.asFound = verdictOf(diagnosis->measured, diagnosis->unexplained.sigma, measurement);
@@ -122,11 +139,22 @@ std::optional<AcceptanceDecision> decideAcceptance(const Measurement& measuremen
     decision.verdict = Verdict::Undecided;
     if (decision.obstacle != AcceptanceDecision::Obstacle::Contradiction)
       decision.obstacle = AcceptanceDecision::Obstacle::Unexplained;
-    return decision;
   }
-  if (diagnosis) decision.conditions = conditionsOf(measurement, *diagnosis, decision.verdict);
-  if (decision.obstacle != AcceptanceDecision::Obstacle::AcrossUnknown)
-    decision.conformance = conformanceOf(measurement, fit, diagnosis);
+  return decision;
+}
+
+std::optional<AcceptanceDecision> decideAcceptance(const Measurement& measurement, const SessionFit& fit,
+                                                   const Diagnosis* diagnosis) {
+  using enum AcceptanceDecision::Obstacle;
+  std::optional<AcceptanceDecision> decision = decideVerdict(measurement, fit, diagnosis);
+  if (!decision || decision->obstacle == Lengths || decision->obstacle == Coverage ||
+      (diagnosis && diagnosis->unexplained.chance > mostUnexplained))
+    return decision;
+  if (diagnosis) {
+    decision->conditions = conditionsOf(measurement, *diagnosis, decision->verdict);
+    decision->effectConditions = effectConditionsOf(measurement, *diagnosis, decision->verdict);
+  }
+  if (decision->obstacle != AcrossUnknown) decision->conformance = conformanceOf(measurement, fit, diagnosis);
   return decision;
 }
 

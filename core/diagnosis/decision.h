@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "core/adjustment/result/session_fit.h"
@@ -26,9 +27,10 @@ namespace alidade {
 //    misclosures without an explanation bring (`Unexplained::sigma`). So a closure counts as explained with
 //    the probability with which its cause is there.
 // 4. The verdict is open where the gap is real and unexplained with a probability above `mostUnexplained`.
-// 5. A knock that these readings would not show is no part of the verdict, but a condition of it: stated
-//    where the verdict would not stand had one of plausible size occurred. The probability of conformity
-//    includes it, with its prior odds and every plausible size.
+// 5. What these readings would not show, a knock or an effect of the catalogue, is a condition of the
+// verdict:
+//    stated where the verdict would not stand, were it there in its plausible size. The probability of
+//    conformity includes it with its prior odds.
 
 /// A guard band of a lower coverage guards against nothing.
 constexpr double leastCoverageOfVerdict = 0.9;
@@ -66,6 +68,14 @@ struct AcceptanceDecision {
   /// Indices into `Diagnosis::undetectableJumps`: the verdict, accept or reject, would not stand had one of
   /// these knocks occurred in its plausible size.
   std::vector<std::size_t> conditions = {};
+  /// Undetectable effects that would make another verdict, were they as large as readings and plausible size
+  /// allow. The largest influence comes first.
+  struct Condition {
+    std::string effect;
+    double influence = 0;  ///< on Δd, 1σ, mm
+    bool operator==(const Condition&) const = default;
+  };
+  std::vector<Condition> effectConditions = {};
 
   bool operator==(const AcceptanceDecision&) const = default;
 };
@@ -74,6 +84,9 @@ struct AcceptanceDecision {
 /// verdict: without a tolerance or an intersection.
 std::optional<AcceptanceDecision> decideAcceptance(const Measurement& measurement, const SessionFit& fit,
                                                    const Diagnosis* diagnosis);
+/// The same without conditions and probability of conformity.
+std::optional<AcceptanceDecision> decideVerdict(const Measurement& measurement, const SessionFit& fit,
+                                                const Diagnosis* diagnosis);
 
 /// Model and readings disagree by more than noise that is larger than stated.
 bool isMoreThanNoise(const Diagnosis& diagnosis);

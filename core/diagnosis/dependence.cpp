@@ -80,7 +80,7 @@ Verdict verdictWithout(Measurement measurement, const Influence& row, bool withD
   std::optional<Diagnosis> diagnosis;
   if (withDiagnosis)
     if (auto found = diagnose(measurement, fit, {.forVerdict = true})) diagnosis = *std::move(found);
-  const auto decision = decideAcceptance(measurement, fit, diagnosis ? &*diagnosis : nullptr);
+  const auto decision = decideVerdict(measurement, fit, diagnosis ? &*diagnosis : nullptr);
   return decision && diagnosis.has_value() == withDiagnosis ? decision->verdict : Verdict::Undecided;
 }
 

@@ -124,9 +124,8 @@ std::string whetherEnough(const Outlook& outlook, const ProtocolProgress& progre
                           const Lengths& text, const CauseNamer& name) {
   if (outlook.isTorn)
     return Phrase::of(
-        "By the fit alone Δd is on one side of the tolerance, as measured on the other: look at the gap "
-        "before "
-        "more is sighted.");
+        "Δd, fit only, and Δd, measured, are on different sides of the tolerance: look at the gap before you "
+        "sight more.");
   const std::string needed = text(account.of(*outlook.needed));
   const auto from = outlook.now ? std::optional(account.of(*outlook.now)) : std::nullopt;
   if (outlook.now && outlook.isEnough(*outlook.now))

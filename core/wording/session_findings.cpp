@@ -68,12 +68,11 @@ Words wordsOf(const KnownRadiusContradicted& finding) {
 }
 
 Words wordsOf(const OffReference& finding) {
-  return {
-      Phrase::of("By the fit alone the intersection differs from the reference %1 mm by %2 mm, more than its "
-                 "expanded uncertainty of %3 mm.",
-                 displayShortest(finding.reference), threeDecimals(finding.difference),
-                 threeDecimals(finding.expanded)),
-      Phrase::of("Nothing was fitted to the reference; find what separates the two.")};
+  return {Phrase::of("Δd, fit only, differs from the reference %1 mm by %2 mm, more than its expanded "
+                     "uncertainty of %3 mm.",
+                     displayShortest(finding.reference), threeDecimals(finding.difference),
+                     threeDecimals(finding.expanded)),
+          Phrase::of("Nothing was fitted to the reference; find what separates the two.")};
 }
 
 Words wordsOf(const UnknownEffect& finding) {

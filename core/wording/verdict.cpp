@@ -62,13 +62,11 @@ std::string agreement(const std::string& first, const std::string& second, Verdi
                       const std::string& limit) {
   if (verdict == Verdict::Undecided)
     return Phrase::of(
-        "By the fit alone, the intersection is %1; with all that these readings leave possible, it is "
-        "%2; with these uncertainties it cannot be said whether it lies within %3.",
+        "Δd = %2, all effects considered; %1 from the fit only. Neither interval is wholly within or wholly "
+        "outside %3.",
         first, second, limit);
-  return Phrase::of(
-      "By the fit alone, the intersection is %1; with all that these readings leave possible, it is %2; "
-      "both lie %3, their uncertainty included.",
-      first, second, standing(verdict, limit));
+  return Phrase::of("Δd = %2, all effects considered; %1 from the fit only. Both intervals are %3.", first,
+                    second, standing(verdict, limit));
 }
 
 /// What brings the most to U, and what to do about it.
@@ -78,12 +76,10 @@ std::string wayOut(const Diagnosis& diagnosis, const CauseNamer& name) {
     return Phrase::of("Add to the model what was found, or measure what the diagnosis advises.");
   const AttainableUncertainty* easiest = easiestMeasured(diagnosis.attainable);
   return easiest
-             ? Phrase::of(
-                   "The most of U comes from %1, as large as is plausible: with %2 U would come to some %3 "
-                   "mm.",
-                   name(most.effect), textOf(easiest->measures),
-                   displayText(easiest->expanded, decimalsFor(easiest->expanded)))
-             : Phrase::of("The most of U comes from %1, as large as is plausible: measure what shows it.",
+             ? Phrase::of("Most of U comes from %1 at its plausible size: with %2, U would be about %3 mm.",
+                          name(most.effect), textOf(easiest->measures),
+                          displayText(easiest->expanded, decimalsFor(easiest->expanded)))
+             : Phrase::of("Most of U comes from %1 at its plausible size: measure what shows it.",
                           name(most.effect));
 }
 
@@ -95,18 +91,16 @@ std::string bothAccounts(const Measurement& measurement, const Intersection& mod
   const std::string first = lengthText(modelled.value, modelled.expanded, tolerance);
   if (!diagnosis.measured)
     return Phrase::of(
-        "By the fit alone, the intersection is %1, %2; but with what the diagnosis found, these readings "
-        "do not determine it.",
+        "Δd = %1 from the fit only, %2. With the causes of the diagnosis, these readings do not determine "
+        "Δd.",
         first, standing(decision.asModelled, limit));
   const IntersectionEstimate& measured = diagnosis.measured->estimate;
   const std::string second =
       withCoverage(lengthText(measured.value, measured.expanded, tolerance), measurement.coverage);
   if (decision.asModelled == decision.asFound) return agreement(first, second, decision.asModelled, limit);
-  return Phrase::of(
-      "By the fit alone, the intersection is %1, %2; with all that these readings leave possible, it is "
-      "%3, %4. %5",
-      first, standing(decision.asModelled, limit), second, standing(*decision.asFound, Phrase::of("it")),
-      wayOut(diagnosis, name));
+  return Phrase::of("Δd = %1, all effects considered, is %2; Δd from the fit only, %3, is %4. %5", second,
+                    standing(*decision.asFound, limit), first,
+                    standing(decision.asModelled, Phrase::of("it")), wayOut(diagnosis, name));
 }
 
 /// Of the distance from the axis as a whole, whose parts are known.
@@ -115,8 +109,8 @@ std::string distanceText(const Measurement& measurement, const MeasuredIntersect
   const double tolerance = *measurement.tolerance;
   const auto part = [&](const auto& length) { return lengthText(length.value, length.expanded, tolerance); };
   return Phrase::of(
-      "As measured, the distance of the arc's centre from the axis is %1: %2 in the plane of the arc "
-      "(Δd), %3 across it (Δz); it lies %4, its uncertainty included.",
+      "The arc's centre is %1 from the axis, all effects considered: %2 in the plane of the arc (Δd), %3 "
+      "across it (Δz). The interval is %4.",
       withCoverage(part(*measured.distance), measurement.coverage), part(measured.estimate),
       part(*measured.across), standing(decision.asFound.value_or(Verdict::Undecided), limitText(tolerance)));
 }
@@ -128,7 +122,7 @@ std::string acrossText(const Measurement& measurement, const Diagnosis* diagnosi
     return "";
   const MeasuredLength& across = *diagnosis->measured->across;
   return Phrase::of(
-      "This judges the plane of the arc alone: across it, its centre lies %1 off the axis.",
+      "Only the plane of the arc is judged: across it, the arc's centre is %1 from the axis.",
       lengthWithUncertainty(std::abs(across.value), across.expanded, decimalsFor(across.expanded)));
 }
 
@@ -144,7 +138,7 @@ std::string accountsText(const Measurement& measurement, const SessionFit& fit, 
 }
 
 std::string unexplainedText(const Diagnosis& diagnosis) {
-  return Phrase::of("With a probability of %1 the gap is real and no effect of the catalogue explains it.",
+  return Phrase::of("With a probability of %1 the gap is real and no catalogued effect explains it.",
                     probabilityText(diagnosis.unexplained.chance));
 }
 
@@ -158,8 +152,7 @@ std::string doubtText(const Diagnosis* diagnosis) {
   const std::string doubt = chance < probable ? "" : unexplainedText(*diagnosis);
   if (sigma < noticeable * diagnosis->measured->estimate.sigma) return doubt;
   const std::string spread = Phrase::of(
-      "Misclosures that may have no cause of the catalogue add ± %1 mm (1σ), which verdict and probability "
-      "take into account.",
+      "Misclosures without a catalogued cause add ± %1 mm (1σ); verdict and probability include it.",
       displayText(sigma, decimalsFor(sigma)));
   return inTurn(doubt, spread);
 }
@@ -225,10 +218,7 @@ std::string verdictSentence(const Measurement& measurement, const SessionFit& fi
   const std::string believed = inTurn(rests, doubtText(diagnosis));
   if (!decision.conformance) return believed;
   const std::string probability = probabilityText(*decision.conformance);
-  const std::string conforms =
-      decision.showsBoth ? Phrase::of("%1 By all that is possible, it conforms with a probability of %2.",
-                                      believed, probability)
-                         : Phrase::of("%1 It conforms with a probability of %2.", believed, probability);
+  const std::string conforms = Phrase::of("%1 Probability of conformity: %2.", believed, probability);
   return inTurn(conforms, conditionSentence(diagnosis, decision));
 }
 
@@ -237,20 +227,14 @@ std::string verdictSentence(double value, double expanded, double tolerance, dou
   const std::string limit = limitText(tolerance);
   switch (decide(value, expanded, tolerance)) {
     case Verdict::Accept:
-      return Phrase::of(
-          "By the fit alone, the intersection is %1; it lies within %2, its uncertainty included.", measured,
-          limit);
+      return Phrase::of("Δd = %1 from the fit only; the interval is within %2.", measured, limit);
     case Verdict::Reject:
-      return Phrase::of(
-          "By the fit alone, the intersection is %1; it lies outside %2, its uncertainty included.", measured,
-          limit);
+      return Phrase::of("Δd = %1 from the fit only; the interval is outside %2.", measured, limit);
     case Verdict::Undecided:
       break;
   }
-  return Phrase::of(
-      "By the fit alone, the intersection is %1; with this uncertainty it cannot be said whether it lies "
-      "within %2.",
-      measured, limit);
+  return Phrase::of("Δd = %1 from the fit only; the interval is neither wholly within nor wholly outside %2.",
+                    measured, limit);
 }
 
 }  // namespace alidade

@@ -20,7 +20,7 @@
 // both faces, before and after, too. By every named plan, and by plans and set-ups drawn anew for each
 // session. Stated coverage 95 %.
 //
-//   alidade_measurement_coverage [SESSIONS [SEED]]
+//   alidade_measurement_coverage [SESSIONS [SEED [ROWS]]]     only rows with ROWS in their names
 
 namespace {
 
@@ -114,6 +114,7 @@ int main(int argc, char** argv) {
   std::printf("%-32s %-13s %6s  %19s  %19s\n", "what is there", "plan", "count", "the fit alone, U",
               "as measured, U");
   for (const Row& row : rows) {
+    if (argc > 3 && row.name.find(argv[3]) == std::string::npos) continue;
     for (const Protocol& protocol : namedProtocols()) print(row, &protocol, sessions, seed);
     print(row, nullptr, sessions, seed);
   }

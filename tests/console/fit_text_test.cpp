@@ -27,7 +27,7 @@ TEST(FitText, TellsCentresRadiiAndIntersectionOfThePapersReadings) {
               ContainsRegex("Correlation of the radius with x and y: at 0° 0\\.00 and -0\\.48; at 180°"));
   EXPECT_THAT(
       text, ContainsRegex(
-                "Verdict: accept\\. By the fit alone, the intersection is 1\\.31 mm ± 0\\.21 mm; with all"));
+                "Verdict: accept\\. Δd = 1\\.[0-9]+ mm ± 0\\.[0-9]+ mm \\(95 % coverage\\), all effects\\s"));
   EXPECT_THAT(text, HasSubstr("set to 2 mm; Δd differs by -0.6922 mm"));
 }
 

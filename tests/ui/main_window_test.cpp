@@ -104,7 +104,7 @@ TEST(MainWindow, FitsAMeasurementTypedByKeyboardAlone) {
   open.settle();
   EXPECT_THAT(resultOf(open), HasSubstr("Provisional: the diagnosis is running.\n"));
   ASSERT_TRUE(waitFor([&] { return open->gapJob().isIdle(); }));
-  EXPECT_THAT(resultOf(open), HasSubstr("Accepted\nBy the fit alone, the intersection is 1.31"));
+  EXPECT_THAT(resultOf(open), HasSubstr("Accepted\nΔd = 1."));
   EXPECT_THAT(resultOf(open), Not(HasSubstr("Provisional")));
 }
 

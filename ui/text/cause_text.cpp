@@ -152,12 +152,17 @@ QString unseenText(const std::vector<UnseenEffect>& effects) {
 
 namespace {
 
-/// The verdict holds on a condition, which its sentence states.
-bool isConditional(const Gap& gap) {
+/// The sentence of the verdict states these as its condition.
+std::vector<std::string> conditionsOf(const Gap& gap) {
   const Evaluation& evaluation = *gap.evaluation;
-  if (!evaluation.examined.measurement) return false;
+  std::vector<std::string> effects;
+  if (!evaluation.examined.measurement) return effects;
   const auto decision = decideAcceptance(*evaluation.examined.measurement, evaluation.fit, gap.found());
-  return decision && !decision->conditions.empty();
+  if (!decision) return effects;
+  if (!decision->conditions.empty()) effects.emplace_back(jumpId);
+  for (const AcceptanceDecision::Condition& condition : decision->effectConditions)
+    effects.push_back(condition.effect);
+  return effects;
 }
 
 }  // namespace
@@ -165,15 +170,17 @@ bool isConditional(const Gap& gap) {
 QString unseenBeyondUText(const Gap& gap) {
   constexpr std::size_t mostNamed = 3;
   std::vector<UnseenEffect> effects = gap.unseenBeyondU();
-  if (isConditional(gap))  // the verdict states it
-    std::erase_if(effects, [](const UnseenEffect& effect) { return effect.effect == jumpId; });
+  const std::vector<std::string> stated = conditionsOf(gap);
+  std::erase_if(effects, [&](const UnseenEffect& effect) {
+    return std::ranges::find(stated, effect.effect) != stated.end();
+  });
   if (effects.empty()) return {};
   const std::size_t more = effects.size() - std::min(effects.size(), mostNamed);
   effects.resize(effects.size() - more);
   if (more == 0)
-    return GapText::tr("Unseen though a plausible size moves Δd by more than U: %1.")
+    return GapText::tr("Undetectable here, yet a plausible size moves Δd by more than U: %1.")
         .arg(unseenText(effects));
-  return GapText::tr("Unseen though a plausible size moves Δd by more than U: %1; and %2 more.")
+  return GapText::tr("Undetectable here, yet a plausible size moves Δd by more than U: %1; and %2 more.")
       .arg(unseenText(effects), QString::number(more));
 }
 

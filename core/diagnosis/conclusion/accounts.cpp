@@ -7,6 +7,7 @@
 
 #include "core/adjustment/result/intersection.h"
 #include "core/base/square.h"
+#include "core/diagnosis/evidence/gain.h"
 #include "core/diagnosis/gap/gap_size.h"
 #include "core/diagnosis/observability/visible_terms.h"
 #include "core/effects/catalogue.h"
@@ -111,6 +112,7 @@ void Accounts::alsoAt(const GapModel& at, const Explanation& explanation, const 
 }
 
 void Accounts::addEffects() {
+  for (const EstimatedTerm& term : m_terms) m_effects.push_back(effectOf(term.term));
   m_gram = isLarge(*m_inquiry.base.measurement) ? gramOfMany() : gramOfColumns();
   m_right = productsOfEffects(leftover().residual());
   m_influence = productsOfEffects(m_perReading);
@@ -241,8 +243,7 @@ std::optional<Accounts::System> Accounts::systemOf(const Explanation& explanatio
 
 VectorXd Accounts::widthsOf(const System& system, const EffectScales& scales) const {
   return VectorXd::NullaryExpr(static_cast<Index>(m_terms.size()), [&](Index i) {
-    const double usual = scales.of(*effectOf(m_terms[static_cast<std::size_t>(i)].term));
-    return std::max(usual, system.leastWidths[i]);
+    return std::max(scales.of(*m_effects[static_cast<std::size_t>(i)]), system.leastWidths[i]);
   });
 }
 
@@ -251,7 +252,8 @@ Account Accounts::accountOf(const System& system, const EffectScales& scales) co
   const VectorXd widths = widthsOf(system, scales);
   MatrixXd matrix = system.effects;
   matrix.diagonal() += v * widths.cwiseAbs2().cwiseInverse();
-  const Eigen::LDLT<MatrixXd> factor(matrix);
+  const Eigen::LLT<MatrixXd> factor(matrix);
+  if (factor.info() != Eigen::Success) return {.scales = scales, .logOdds = impossible};  // by rounding
   const VectorXd weights = factor.solve(system.effectsRight),
                  perWeight = factor.solve(system.effectsInfluence);
   const double quadratic = system.quadratic + system.effectsRight.dot(weights);
@@ -267,9 +269,9 @@ Account Accounts::accountOf(const System& system, const EffectScales& scales) co
   const double noise = noiseScale(chiSquare / v, degreesOfFreedom - system.leftOut).factor;
   const double ofReadings = v * m_ofReadings + std::max(all - ofWidths, 0.0);
   return {scales,
-          system.logScale - logDeterminant(factor) / 2 - widths.array().log().sum() +
-              static_cast<double>(widths.size()) * std::log(v) / 2 + quadratic / v / 2 -
-              leftover().chiSquare() / v / 2 +
+          system.logScale - factor.matrixLLT().diagonal().array().max(1e-150).log().sum() -
+              widths.array().log().sum() + static_cast<double>(widths.size()) * std::log(v) / 2 +
+              quadratic / v / 2 - leftover().chiSquare() / v / 2 +
               logEvidenceOfNoise(*system.explanation, chiSquare, degreesOfFreedom),
           m_start + system.shift - system.effectsInfluence.dot(weights),
           square(noise) * ofReadings + ofWidths,
@@ -277,21 +279,22 @@ Account Accounts::accountOf(const System& system, const EffectScales& scales) co
           std::vector<double>(ofEffects.begin(), ofEffects.end())};
 }
 
-std::vector<Account> Accounts::of(const Explanation& explanation) {
+std::vector<Account> Accounts::of(const Explanation& explanation, std::span<const PossibleScales> all) {
   const std::optional<System> system = systemOf(explanation);
   const std::optional<System> there = m_at ? m_at->systemOf(explanation) : std::nullopt;
   if (!system && !there) return {};
   // The search knows the explanation alone, over all of its widths.
   const double alone = (system ? accountOf(*system, noEffect) : m_at->accountOf(*there, noEffect)).logOdds;
+  // Wherever the explanation is the likelier, with effects as plausible.
+  const bool isThere =
+      there && (!system || m_at->accountOf(*there, {}).logOdds > accountOf(*system, {}).logOdds);
   std::vector<Account> accounts;
-  for (const auto& [scales, probability] : possibleScales()) {
-    Account account = system ? accountOf(*system, scales) : m_at->accountOf(*there, scales);
-    if (system && there)
-      if (const Account other = m_at->accountOf(*there, scales); other.logOdds > account.logOdds)
-        account = other;
+  for (const auto& [scales, probability] : all) {
+    Account account = isThere ? m_at->accountOf(*there, scales) : accountOf(*system, scales);
     account.logOdds += explanation.logPosteriorOdds - alone + std::log(probability);
-    if (std::isfinite(account.logOdds) && std::isfinite(account.value) && std::isfinite(account.variance))
-      accounts.push_back(account);
+    if (!std::isfinite(account.logOdds) || !std::isfinite(account.value) || !std::isfinite(account.variance))
+      continue;
+    accounts.push_back(std::move(account));
   }
   return accounts;
 }

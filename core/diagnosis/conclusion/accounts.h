@@ -4,6 +4,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "core/diagnosis/gap/every_effect.h"
@@ -43,9 +44,10 @@ class Accounts {
 
   /// The terms of the effects besides, as `Account::ofEffects` has them.
   const std::vector<EstimatedTerm>& effects() const { return m_terms; }
-  /// One for each of `possibleScales`, with their probabilities. Empty where what is there or not at all
-  /// differs from that in the fit.
-  std::vector<Account> of(const Explanation& explanation);
+  /// One for each of the scales, with their probabilities. Empty where what is there or not at all differs
+  /// from that in the fit.
+  std::vector<Account> of(const Explanation& explanation,
+                          std::span<const PossibleScales> all = possibleScales());
   /// The same for scales of one's own, taken as certain.
   std::optional<Account> of(const Explanation& explanation, const EffectScales& scales);
   /// What the readings say for one more component beside an explanation, at its plausible size and with no
@@ -64,14 +66,15 @@ class Accounts {
   struct System;
 
   const Inquiry& m_inquiry;
-  std::optional<Leftover> m_own;       ///< at a fit of one's own
-  std::shared_ptr<Accounts> m_at;      ///< linear there
-  std::vector<ErrorTerm> m_settled;    ///< there or not at all: those that are
-  double m_start = 0;                  ///< Δd without causes and effects, mm
-  Eigen::VectorXd m_perReading;        ///< ∂Δd/∂reading, mm per σ
-  double m_ofReadings = 0;             ///< variance of Δd by the readings alone, mm²
-  std::vector<EstimatedTerm> m_terms;  ///< of the effects, at their plausible sizes
-  Eigen::MatrixXd m_gram;              ///< of their visible columns for plausible sizes
+  std::optional<Leftover> m_own;         ///< at a fit of one's own
+  std::shared_ptr<Accounts> m_at;        ///< linear there
+  std::vector<ErrorTerm> m_settled;      ///< there or not at all: those that are
+  double m_start = 0;                    ///< Δd without causes and effects, mm
+  Eigen::VectorXd m_perReading;          ///< ∂Δd/∂reading, mm per σ
+  double m_ofReadings = 0;               ///< variance of Δd by the readings alone, mm²
+  std::vector<EstimatedTerm> m_terms;    ///< of the effects, at their plausible sizes
+  std::vector<const Effect*> m_effects;  ///< of each term
+  Eigen::MatrixXd m_gram;                ///< of their visible columns for plausible sizes
   Eigen::VectorXd m_right, m_influence;
   std::map<std::size_t, Columns> m_columns;
 

@@ -131,7 +131,9 @@ IntersectionEstimate averagedOver(const IntersectionEstimate& own, const std::ve
     mixture.push_back(
         {possible.odds, possible.value, std::sqrt(std::max(variance, leastVariance * square(own.sigma)))});
   }
+  constexpr double grain = 0.05;  // σ
   const auto [mean, sigma] = momentsOf(mixture);
+  mixture = joined(mixture, grain * sigma);
   std::vector<NormalPart> accounts = mixture;
   for (NormalPart& account : accounts) account.mean += own.value;
   for (NormalPart& part : mixture) part.sigma *= wider;

@@ -45,16 +45,18 @@ Unexplained leftBy(const GapModel& closed, const GapModel& opened) {
 }
 
 /// By the likeliest explanations without a pattern, on average.
-Unexplained leftByNamed(const Inquiry& inquiry) {
-  constexpr std::size_t mostFitted = 8;
-  constexpr double leastChance = 0.01;
+Unexplained leftByNamed(const Inquiry& inquiry, const Answer& answer) {
+  constexpr std::size_t mostFitted = 5;
+  constexpr double leastChance = 0.02;
   double all = 0, chance = 0, variance = 0;
   std::size_t fitted = 0;
   for (const Explanation& explanation : inquiry.explanations) {
     if (explanation.shaped) continue;
     if (fitted > 0 && (fitted == mostFitted || explanation.chance < leastChance)) break;
-    const auto [closed, opened] = explainedModel(inquiry, explanation);
-    const Unexplained left = leftBy(closed, opened);
+    const bool isAnswer = answer.kind == Answer::Kind::Known && areAlike(explanation, answer.explanation);
+    const ExplainedModel model =
+        isAnswer ? ExplainedModel{answer.after, answer.opened} : explainedModel(inquiry, explanation);
+    const Unexplained left = leftBy(model.closed, model.opened);
     all += explanation.chance;
     chance += explanation.chance * left.chance;
     variance += explanation.chance * square(left.sigma);
@@ -83,7 +85,7 @@ Unexplained unexplainedOf(const Inquiry& inquiry, const Answer& answer,
                           const std::optional<Closure>& reference) {
   const double beyond = inquiry.chanceOf(&isShaped);
   const double every = answer.everyEffect ? beyond * answer.everyEffect->chance : 0, shaped = beyond - every;
-  const Unexplained named = beyond < 1 ? leftByNamed(inquiry) : Unexplained{};
+  const Unexplained named = beyond < 1 ? leftByNamed(inquiry, answer) : Unexplained{};
   const Unexplained together =
       every > 0 ? leftBy(answer.everyEffect->closed, answer.everyEffect->opened) : Unexplained{};
   Unexplained unexplained{shaped + (1 - beyond) * named.chance + every * together.chance,

@@ -28,7 +28,7 @@ namespace alidade {
 //   the radius of a position than on its y. So what it does to y(180°) − y(0°) is of the size m, and Δd is
 //   half of that. Against the reference it is Δd itself that is off, by m.
 //
-// The first sum is over all explanations, q over the likeliest eight without a pattern, each fitted.
+// The first sum is over all explanations, q over the likeliest five without a pattern, each fitted.
 //
 // Source of the bound on a Bayes factor: Edwards, Lindman, Savage, "Bayesian statistical inference for
 // psychological research", Psychological Review 70 (1963).

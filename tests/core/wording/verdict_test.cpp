@@ -18,18 +18,18 @@ namespace {
 using testing::AllOf, testing::HasSubstr;
 
 TEST(VerdictSentence, StatesTheNumbersItRestsOn) {
-  EXPECT_EQ(verdictSentence(1.30764, 0.2117, 2.5, 0.95),
-            "By the fit alone, the intersection is 1.31 mm ± 0.21 mm (95 % coverage); it lies within the "
-            "tolerance of "
-            "± 2.5 mm, its uncertainty included.");
-  EXPECT_THAT(verdictSentence(1, 0.01, 0.5, 0.95), HasSubstr("lies outside"));
-  EXPECT_THAT(verdictSentence(1, 0.01, 1, 0.95), HasSubstr("cannot be said"));
+  EXPECT_EQ(
+      verdictSentence(1.30764, 0.2117, 2.5, 0.95),
+      "Δd = 1.31 mm ± 0.21 mm (95 % coverage) from the fit only; the interval is within the tolerance of "
+      "± 2.5 mm.");
+  EXPECT_THAT(verdictSentence(1, 0.01, 0.5, 0.95), HasSubstr("is outside"));
+  EXPECT_THAT(verdictSentence(1, 0.01, 1, 0.95), HasSubstr("neither wholly within nor wholly outside"));
 }
 
 // As printed before, "1.31 mm ± 0.21 mm" within ± 1.519 mm contradicted itself.
 TEST(VerdictSentence, RoundsSoThatItDoesNotContradictItself) {
   EXPECT_THAT(verdictSentence(1.3076, 0.2111, 1.519, 0.95),
-              AllOf(HasSubstr("1.308 mm ± 0.211 mm"), HasSubstr("lies within")));
+              AllOf(HasSubstr("1.308 mm ± 0.211 mm"), HasSubstr("is within")));
   std::mt19937_64 generator(1);
   std::uniform_real_distribution<double> share(0, 1);
   for (int i = 0; i < 10'000; ++i) {
@@ -59,7 +59,7 @@ TEST(VerdictSentence, IsThatOfTheFit) {
   const SessionFit fit = fitSession(measurement);
   EXPECT_EQ(sentenceOf(measurement, fit),
             verdictSentence(fit.intersection->value, fit.intersection->expanded, 2.5, measurement.coverage) +
-                " It conforms with a probability of more than 99.9 %.");
+                " Probability of conformity: more than 99.9 %.");
 }
 
 TEST(VerdictSentence, PutsBothAccountsSideBySide) {
@@ -74,29 +74,27 @@ TEST(VerdictSentence, PutsBothAccountsSideBySide) {
   diagnosis.measured->budget = {{.from = UncertaintyShare::From::Diagnosis, .sigma = 0.1}};
   EXPECT_EQ(
       sentenceOf(measurement, fit, &diagnosis),
-      "By the fit alone, the intersection is 1.31 mm ± 0.21 mm, within the tolerance of ± 1.6 mm; with all "
-      "that these readings leave possible, it is 1.90 mm ± 0.20 mm (95 % coverage), outside it. Add to the "
-      "model what was found, or measure what the diagnosis advises. By all that is possible, it conforms "
-      "with a probability of 0.1 %.");
+      "Δd = 1.90 mm ± 0.20 mm (95 % coverage), all effects considered, is outside the tolerance of ± 1.6 mm; "
+      "Δd from the fit only, 1.31 mm ± 0.21 mm, is within it. Add to the model what was found, or measure "
+      "what the diagnosis advises. Probability of conformity: 0.1 %.");
   diagnosis.measured->estimate.value = 1.3;
   EXPECT_THAT(sentenceOf(measurement, fit, &diagnosis),
-              HasSubstr("; both lie within the tolerance of ± 1.6 mm, their uncertainty included."));
+              HasSubstr(". Both intervals are within the tolerance of ± 1.6 mm."));
   diagnosis.measured->estimate.value = 1.5;
   EXPECT_THAT(sentenceOf(measurement, fit, &diagnosis),
-              HasSubstr("(95 % coverage), not clearly within or outside it."));
+              HasSubstr("all effects considered, is not clearly within or outside the tolerance"));
   diagnosis.measured->budget = {
       {.effect = "plane_warp", .from = UncertaintyShare::From::Default, .sigma = 0.1}};
-  EXPECT_THAT(
-      sentenceOf(measurement, fit, &diagnosis),
-      HasSubstr("The most of U comes from plane_warp, as large as is plausible: measure what shows it."));
+  EXPECT_THAT(sentenceOf(measurement, fit, &diagnosis),
+              HasSubstr("Most of U comes from plane_warp at its plausible size: measure what shows it."));
   diagnosis.attainable = {{.expanded = 0.2},
                           {.known = "plane_warp", .expanded = 0.05},
                           {.measures = {Measure::BothFaces, Measure::WayBack}, .expanded = 0.1},
                           {.measures = {Measure::SliderReadings}, .expanded = 0.15}};
   EXPECT_THAT(sentenceOf(measurement, fit, &diagnosis),
-              HasSubstr("as large as is plausible: with slider readings U would come to some 0.15 mm."));
+              HasSubstr("at its plausible size: with slider readings, U would be about 0.15 mm."));
   diagnosis.measured.reset();
-  EXPECT_THAT(sentenceOf(measurement, fit, &diagnosis), HasSubstr("these readings do not determine it."));
+  EXPECT_THAT(sentenceOf(measurement, fit, &diagnosis), HasSubstr("these readings do not determine Δd."));
 }
 
 TEST(VerdictSentence, NamesWhatItIsAbout) {
@@ -114,17 +112,18 @@ TEST(VerdictSentence, NamesWhatItIsAbout) {
   diagnosis.measured->distance = MeasuredLength{2.386, 0.1, 0.2};
   EXPECT_THAT(
       sentenceOf(measurement, fit, &diagnosis),
-      HasSubstr("As measured, the distance of the arc's centre from the axis is 2.39 mm ± 0.20 mm (95 % "
-                "coverage): 1.30 mm ± 0.20 mm in the plane of the arc (Δd), −2.00 mm ± 0.20 mm across "
-                "it (Δz); it lies within the tolerance of ± 2.6 mm, its uncertainty included."));
+      HasSubstr(
+          "The arc's centre is 2.39 mm ± 0.20 mm (95 % coverage) from the axis, all effects considered: "
+          "1.30 mm ± 0.20 mm in the plane of the arc (Δd), −2.00 mm ± 0.20 mm across it (Δz). The "
+          "interval is within the tolerance of ± 2.6 mm."));
   measurement.measurand = Measurand::Intersection;
   EXPECT_TRUE(tellsAcross(&diagnosis, *decideAcceptance(measurement, fit, &diagnosis)));
   EXPECT_FALSE(tellsAcross(nullptr, *decideAcceptance(measurement, fit, nullptr)));
   EXPECT_THAT(
       sentenceOf(measurement, fit, &diagnosis),
       HasSubstr(
-          "included. This judges the plane of the arc alone: across it, its centre lies 2.00 mm ± 0.20 mm "
-          "off the axis."));
+          "Only the plane of the arc is judged: across it, the arc's centre is 2.00 mm ± 0.20 mm from the "
+          "axis."));
 }
 
 TEST(VerdictSentence, AsksForACoverage) {

@@ -59,7 +59,7 @@ TEST(VerdictText, NamesWhatBringsTheMostToU) {
   diagnosis.measured = measuredAt(2.4);
   const VerdictText text = verdictText(evaluate(session), &diagnosis);
   EXPECT_EQ(text.word, QStringLiteral("Undecided"));
-  EXPECT_TRUE(text.sentence.contains(QStringLiteral("The most of U comes from plane warp, ")))
+  EXPECT_TRUE(text.sentence.contains(QStringLiteral("Most of U comes from plane warp at ")))
       << text.sentence.toStdString();
 }
 
