@@ -97,7 +97,7 @@ std::vector<AcceptanceDecision::Condition> effectConditionsOf(const Measurement&
   if (verdict == Verdict::Undecided) return conditions;
   for (const UnseenEffect& unseen : diagnosis.unseen) {
     if (unseen.effect == jumpId) continue;
-    const double influence = unseen.influence / std::hypot(1, unseen.visible);
+    const double influence = unseen.influence / std::hypot(1, unseen.visibleSigma);
     const double more = std::hypot(diagnosis.unexplained.sigma, influence);
     if (verdictOf(diagnosis.measured, more, measurement) != verdict)
       conditions.push_back({unseen.effect, influence});

@@ -1,5 +1,6 @@
 #include "core/wording/setup_findings.h"
 
+#include "core/adjustment/result/reading_step.h"
 #include "core/base/number_text.h"
 #include "core/base/phrase.h"
 #include "core/base/quantity_text.h"
@@ -102,6 +103,24 @@ Words wordsOf(const ZerosDiffer& finding) {
                  arcseconds(finding.horizontal), arcseconds(finding.vertical)),
       Phrase::of("State what they sight (geometry.zero_is): mark, one fixed mark; normal, the guideway's "
                  "own normal, set anew; or unknown.")};
+}
+
+Words wordsOf(const ReadingsRounded& finding) {
+  const std::string step = displayShortest(finding.step.arcseconds()) + "″",
+                    rounding = displayText(roundingSigma(finding.step).arcseconds(), 1) + "″",
+                    stated = displayShortest(finding.sigma.arcseconds()) + "″";
+  return {
+      finding.isVertical
+          ? Phrase::of(
+                "All readings of the vertical circle are multiples of %1: rounding alone scatters them "
+                "by %2 (1σ), more than the stated %3.",
+                step, rounding, stated)
+          : Phrase::of(
+                "All readings of the horizontal circle are multiples of %1: rounding alone scatters them "
+                "by %2 (1σ), more than the stated %3.",
+                step, rounding, stated),
+      Phrase::of("Enter the readings as finely as the instrument gives them, or state a σ of at least %1.",
+                 rounding)};
 }
 
 Words wordsOf(const ZeroMoved& finding) {

@@ -13,6 +13,7 @@ Words wordsOf(const setup_finding::ZeroOfOtherCircle& finding);
 Words wordsOf(const setup_finding::SlidersDiffer& finding);
 Words wordsOf(const setup_finding::ZerosAlike& finding);
 Words wordsOf(const setup_finding::ZerosDiffer& finding);
+Words wordsOf(const setup_finding::ReadingsRounded& finding);
 Words wordsOf(const setup_finding::ZeroMoved& finding);
 Words wordsOf(const setup_finding::ZeroFaceLeftOut& finding);
 

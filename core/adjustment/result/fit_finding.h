@@ -83,6 +83,12 @@ struct ZerosAlike {
 struct ZerosDiffer {
   Angle horizontal, vertical;  ///< the greatest difference from the first
 };
+/// Rounding alone scatters the readings of one circle more than their stated σ.
+struct ReadingsRounded {
+  bool isVertical = false;
+  Angle step;   ///< to which the readings are written
+  Angle sigma;  ///< stated
+};
 /// From before the readings of the position to after them, more than sightings scatter.
 struct ZeroMoved {
   int axisDeg = 0, time = 1;
@@ -162,12 +168,12 @@ struct FitFinding {
   using What = std::variant<
       ArcFinding, setup_finding::DistanceTooShort, setup_finding::PlacesOnTheWrongSide,
       setup_finding::ZeroOfOtherCircle, setup_finding::SlidersDiffer, setup_finding::ZerosAlike,
-      setup_finding::ZerosDiffer, setup_finding::ZeroMoved, setup_finding::ZeroFaceLeftOut,
-      session_finding::ArcMissing, session_finding::Undetermined, session_finding::PositionMissing,
-      session_finding::RadiiDiffer, session_finding::CentresDiffer, session_finding::KnownRadiusContradicted,
-      session_finding::OffReference, session_finding::UnknownEffect, session_finding::KnownOfNothing,
-      session_finding::CorrectionsDiffer, session_finding::TiltsUnused, session_finding::AxisMoved,
-      session_finding::CompensatorOff, session_finding::PlanarRelation>;
+      setup_finding::ZerosDiffer, setup_finding::ReadingsRounded, setup_finding::ZeroMoved,
+      setup_finding::ZeroFaceLeftOut, session_finding::ArcMissing, session_finding::Undetermined,
+      session_finding::PositionMissing, session_finding::RadiiDiffer, session_finding::CentresDiffer,
+      session_finding::KnownRadiusContradicted, session_finding::OffReference, session_finding::UnknownEffect,
+      session_finding::KnownOfNothing, session_finding::CorrectionsDiffer, session_finding::TiltsUnused,
+      session_finding::AxisMoved, session_finding::CompensatorOff, session_finding::PlanarRelation>;
 
   Severity severity = Severity::Warning;  ///< Error: an arc, or all of them, are not there because of this
   Place where;

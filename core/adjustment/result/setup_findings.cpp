@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 #include "core/adjustment/joint/sighted_zeros.h"
+#include "core/adjustment/result/reading_step.h"
 #include "core/observation/half_turn.h"
 #include "core/observation/visits.h"
 
@@ -85,6 +87,29 @@ void judgeMarks(std::vector<FitFinding>& findings, const Measurement& measuremen
   }
   findings.push_back(
       {Severity::Note, Place{.position = {}, .reading = {}, .field = "geometry.zero_is"}, differ});
+}
+
+void judgeRounding(std::vector<FitFinding>& findings, const Measurement& measurement) {
+  constexpr std::size_t mostRows = 20'000;  // of automatic tracking, which writes what its circles give
+  if (measurement.rows > mostRows) return;
+  for (const bool isVertical : {false, true}) {
+    const Angle sigma = isVertical ? measurement.sigmaVertical : measurement.sigmaHorizontal;
+    std::vector<Angle> readings;
+    for (const ArcMeasurement& arc : measurement.arcs)
+      for (const Sighting& sighting : arc.sightings) {
+        const Angle zero = isVertical ? arc.zeroElevation : arc.zeroHorizontal;
+        readings.push_back(zero + (isVertical ? sighting.e : sighting.a));
+      }
+    if (readings.empty()) continue;
+    const std::optional<Angle> step = readingStep(readings, sigma * std::sqrt(12.0));
+    if (!step) continue;
+    findings.push_back({Severity::Warning,
+                        Place{.position = {},
+                              .reading = {},
+                              .field = isVertical ? "instrument.sigma_vertical_arcsec"
+                                                  : "instrument.sigma_horizontal_arcsec"},
+                        ReadingsRounded{isVertical, *step, sigma}});
+  }
 }
 
 /// Beyond what two sightings differ by in one case of a thousand.
@@ -173,6 +198,7 @@ std::vector<FitFinding> setupFindings(const Measurement& measurement, const Sess
   judgeMarks(findings, measurement);
   judgeMoves(findings, measurement, fit);
   judgeZeroFaces(findings, measurement);
+  judgeRounding(findings, measurement);
   for (const ArcMeasurement& arc : measurement.arcs) judgeSliders(findings, arc);
   return findings;
 }

@@ -40,6 +40,20 @@ TEST(NormalMixture, HoldsTheCoverageOfItsDensity) {
   }
 }
 
+// Moments stay but for rounding, and the interval to the grain.
+TEST(NormalMixture, IsHardlyAnotherWithWhatIsAlikeJoined) {
+  constexpr double grain = 0.02;
+  std::vector<NormalPart> fine;
+  for (const NormalPart& part : mixture)
+    for (int i = 0; i < 50; ++i) fine.push_back({part.share / 50, part.mean + 1e-4 * i, part.sigma});
+  const std::vector<NormalPart> coarse = joined(fine, grain);
+  EXPECT_LE(coarse.size(), 6U);
+  EXPECT_NEAR(momentsOf(coarse).mean, momentsOf(fine).mean, 1e-12);
+  EXPECT_NEAR(momentsOf(coarse).sigma, momentsOf(fine).sigma, 1e-12);
+  for (const double coverage : {0.5, 0.95})
+    EXPECT_NEAR(halfWidth(coarse, 0.7, coverage), halfWidth(fine, 0.7, coverage), grain) << coverage;
+}
+
 TEST(NormalMixture, OfOnePartIsThatOfTheNormalDistribution) {
   EXPECT_NEAR(halfWidth({{0.3, 5, 2}}, 5, 0.95), 2 * coverageFactor(0.95, INFINITY), 1e-5);
 }

@@ -176,6 +176,24 @@ TEST(SetupFindings, AskWhetherAlikeZerosAreOne) {
   EXPECT_FALSE(found<ZerosAlike>(findingsOf(session)));
 }
 
+// Written to whole minutes they scatter by 17.3″, which a stated σ of 2″ leaves out.
+TEST(SetupFindings, TellOfReadingsWrittenInTooCoarseSteps) {
+  Session session = test::paperSession();
+  EXPECT_FALSE(found<ReadingsRounded>(findingsOf(session)));
+  for (Position& position : session.positions)
+    for (Reading& reading : position.readings) {
+      const double degrees = parseAngle(reading.horizontal)->degrees();
+      reading.horizontal = formatDms(Angle::fromDegrees(std::round(degrees * 60) / 60), 0);
+    }
+  const auto coarse = findingsOf(session);
+  const auto* rounded = found<ReadingsRounded>(coarse);
+  ASSERT_TRUE(rounded);
+  EXPECT_FALSE(rounded->isVertical);
+  EXPECT_NEAR(rounded->step.arcseconds(), 60, 1e-9);
+  session.instrument.sigmaHorizontalArcsec = "20";
+  EXPECT_FALSE(found<ReadingsRounded>(findingsOf(session)));
+}
+
 TEST(SetupFindings, TellOfAZeroThatMovedAndOfAFaceLeftOut) {
   Session session = test::paperSession();
   const auto typed = [](const Angle& angle) { return formatDms(angle, 1); };

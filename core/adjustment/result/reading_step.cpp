@@ -1,0 +1,42 @@
+#include "core/adjustment/result/reading_step.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace alidade {
+
+namespace {
+
+// arcsec, the coarsest first
+constexpr double usualSteps[] = {3600, 3240, 1800, 1620, 648,  600, 360, 324, 300, 162, 120, 64.8, 60,  36,
+                                 32.4, 30,   20,   18,   16.2, 15,  12,  10,  7.2, 6,   5,   3.6,  3.24};
+
+}  // namespace
+
+std::optional<Angle> readingStep(const std::vector<Angle>& readings, Angle finest) {
+  constexpr std::size_t fewest = 6;
+  constexpr double rounding = 1e-5;  // arcsec
+  std::vector<double> differences;
+  for (const Angle& reading : readings)
+    differences.push_back(wrapped(reading - readings.front()).arcseconds());
+  const auto divides = [&](double step) {
+    return std::ranges::all_of(differences, [&](double difference) {
+      return std::abs(std::remainder(difference, step)) < rounding;
+    });
+  };
+  std::vector<double> distinct = differences;
+  std::ranges::sort(distinct);
+  const auto repeated = std::ranges::unique(distinct, [](double a, double b) { return b - a < rounding; });
+  if (distinct.size() - repeated.size() < fewest) return std::nullopt;
+  for (const double step : usualSteps) {
+    if (step <= finest.arcseconds()) break;
+    if (divides(step)) return Angle::fromArcseconds(step);
+  }
+  return std::nullopt;
+}
+
+Angle roundingSigma(Angle step) {
+  return step * (1 / std::sqrt(12.0));
+}
+
+}  // namespace alidade
