@@ -22,8 +22,8 @@ bool Application::event(QEvent* event) {
   return isKnown;
 }
 
-/// A dialog must not open in the middle of what broke down, and an event that comes again and again must not
-/// bring a dialog each time.
+/// Queued, since a dialog must not open inside the failed handler; repeated failures must not open repeated
+/// dialogs.
 void Application::tell(const QString& reason) {
   if (m_told.contains(reason)) return;
   m_told.insert(reason);

@@ -5,7 +5,7 @@
 
 namespace alidade::ui {
 
-/// The application, which outlives what its windows throw while they handle an event.
+/// The application, which survives exceptions of its windows' event handlers.
 class Application : public QApplication {
   Q_OBJECT
 
@@ -15,7 +15,7 @@ class Application : public QApplication {
   bool notify(QObject* receiver, QEvent* event) override;
 
  signals:
-  /// After the event: the reason as `thrownReason` has it, each one once.
+  /// Emitted after the event with the text of `thrownReason`, once per reason.
   void failed(const QString& reason);
 
  protected:

@@ -79,7 +79,7 @@ namespace alidade::ui {
 
 namespace {
 
-/// Empty where anything else is among them.
+/// Empty if the data contain anything except files.
 QStringList filesIn(const QMimeData& data) {
   QStringList paths;
   for (const QUrl& url : data.urls()) {
@@ -126,7 +126,7 @@ MainWindow::MainWindow(std::unique_ptr<Dialogs> dialogs)
   m_entry->goToNextEntry();
 }
 
-/// Those of the session and of the instrument check, and the logo of reports.
+/// Files of the session and of the instrument check, and the logo of reports.
 QStringList MainWindow::readFiles() const {
   QStringList files = m_document.paths() + m_document.readPaths();
   if (m_instrumentCheck) files += m_instrumentCheck->input().paths();
@@ -180,8 +180,8 @@ QWidget* MainWindow::createEntryColumn() {
   QSplitter* column = split(Qt::Vertical, "entries", {top, bottom}, {620, isLow() ? 30 : 90});
   QWidget* entries = padded(column, {6, 6, 0, 6});
   layOutByFont(*entries, [this, entries] {
-    entries->setMinimumWidth(byFont(isNarrow() ? 422 : 440));  // every placeholder of the forms
-    entries->setMaximumWidth(byFont(760));                     // every column of readings, and a note
+    entries->setMinimumWidth(byFont(isNarrow() ? 422 : 440));  // fits every placeholder of the forms
+    entries->setMaximumWidth(byFont(760));                     // fits every column of readings, and a note
   });
   return entries;
 }
@@ -310,7 +310,7 @@ void MainWindow::moveReadings() {
   if (m_document.session().positions[to].readings.size() > first) selectReading(to, first);
 }
 
-/// What is typed finds its place, and what is read is held against what was expected.
+/// Forwards typed digits to the next entry, and compares readings with expected ones.
 void MainWindow::connectEntry() {
   const auto show = [this](const Place& place) { reveal(place); };
   connect(m_entry, &EntryGuide::commitWanted, this, &MainWindow::commitPending);
@@ -323,7 +323,7 @@ void MainWindow::connectEntry() {
   connect(m_finder, &ReadingsFinder::found, this, &MainWindow::reveal);
   connect(&m_document, &SessionDocument::changed, this, [this](const SessionChange& change) {
     if (change.kind != SessionChange::Kind::Everything) return;
-    m_figures->setCurrentWidget(m_result);  // on the verdict
+    m_figures->setCurrentWidget(m_result);  // shows the verdict
     m_entry->goToNextEntry();
   });
 }
@@ -400,7 +400,7 @@ void MainWindow::showStart() {
   m_next->hide();
 }
 
-/// The keyboard goes to the first entry, unless it is somewhere already.
+/// Focuses the first entry, unless something has the focus already.
 void MainWindow::hideStart() {
   if (!m_start || m_stack->currentWidget() != m_start) return;
   m_stack->setCurrentIndex(0);
@@ -476,7 +476,7 @@ void MainWindow::connectGap() {
     m_gapJob.setWithReference(wanted);
     showGapAsOld();
     m_gap->setFocus();
-    if (m_job.isFitting()) return;  // what it finds is diagnosed
+    if (m_job.isFitting()) return;  // the result of the fit will be diagnosed
     m_gapJob.request(m_shown);
     m_jobs->watch();
   });
@@ -558,7 +558,7 @@ void MainWindow::tellFailure(const QString& reason) {
 void MainWindow::showTitle() {
   const QString mark = QStringLiteral("[*]");
   QString name = visibleLine(m_document.displayName());
-  name.replace(mark, mark + mark);  // the name's own, not the sign of changes
+  name.replace(mark, mark + mark);  // escapes the name's own marks of a changed file
   setWindowTitle(tr("%1[*] — Alidade").arg(name));
   setWindowModified(m_document.isModified() || !m_document.halfTyped().isEmpty());
 }
@@ -580,7 +580,7 @@ void MainWindow::showHeadline(const Headline& headline) {
   m_entry->setHeadline(headline);
 }
 
-/// Only what comes after the fit: the figures have not changed.
+/// Updates only the parts after the fit, since the figures have not changed.
 void MainWindow::showSuspects(const SharedEvaluation& evaluation) {
   m_positions->setEvaluation(evaluation);
   m_suspects->setEvaluation(*evaluation);
@@ -602,7 +602,7 @@ void MainWindow::showGap(const SharedGap& gap) {
   m_isGapOld = false;
 }
 
-/// Until the diagnosis of the session as it is now is done.
+/// Until the diagnosis of the current session is done.
 void MainWindow::showGapAsOld() {
   if (std::exchange(m_isGapOld, true)) return;
   m_gap->setStale();
@@ -615,7 +615,7 @@ void MainWindow::showGapAsOld() {
   if (!icon.isNull()) m_details->setTabIcon(page, icon.pixmap(m_details->iconSize(), QIcon::Disabled));
 }
 
-/// Nothing is known yet of another session.
+/// Another session, not diagnosed yet.
 void MainWindow::showNoGap() {
   m_gap->clear();
   m_result->clearGap();
@@ -626,7 +626,7 @@ void MainWindow::showNoGap() {
   m_isGapOld = false;
 }
 
-/// What comes after the fit; it is said what is not known then.
+/// Stops the jobs after the fit, and marks their results as unknown.
 void MainWindow::stopJobs() {
   if (m_job.isFitting() || !m_shown) return;
   if (m_job.isSearching()) {
@@ -747,13 +747,13 @@ bool MainWindow::isLow() const {
   return screen()->availableGeometry().height() < 620;
 }
 
-/// Most of a large screen, but no more than the eye takes in.
+/// Most of a large screen, within a comfortable field of view.
 QSize MainWindow::firstSize() const {
   constexpr QSize usual(1280, 800), largest(1800, 1100);
   return (screen()->availableGeometry().size() * 0.75).expandedTo(usual).boundedTo(largest);
 }
 
-/// Frame and all; what was remembered may be of a larger screen.
+/// Includes the frame; the remembered size may be from a larger screen.
 void MainWindow::fitOnScreen() {
   constexpr QSize frame(16, 40);
   const QRect room = screen()->availableGeometry();

@@ -48,8 +48,7 @@ class SuspectBar;
 class WindowActions;
 struct Headline;
 
-/// The workstation's window: puts the parts together and leads from one to the other. What the parts do is
-/// theirs.
+/// The workstation's window: connects its parts, which do the work.
 class MainWindow : public QMainWindow {
   Q_OBJECT
 
@@ -69,42 +68,41 @@ class MainWindow : public QMainWindow {
   ReadingsFinder& finder() { return *m_finder; }
   ReadingsTable* currentTable() const;
 
-  /// Leads to an entry: its tab, its row, and the keyboard where `takeFocus`.
+  /// Leads to an entry: its tab, its row, and the focus if `takeFocus`.
   void reveal(const Place& place, bool takeFocus = true);
-  /// Hands in what is half typed.
+  /// Commits unfinished entries.
   void commitPending();
   void undo();
   void redo();
-  /// Adds a position at `axisDeg` (0 or 180), one measured again where both are there, and leads to its
-  /// pointing zero.
+  /// Adds a position at `axisDeg` (0 or 180), a repeat if both exist, and leads to its pointing zero.
   void addPosition(int axisDeg);
-  /// Takes out the position in front.
+  /// Removes the position in front.
   void removePosition();
-  /// Takes the selected readings to the next position.
+  /// Moves the selected readings to the next position.
   void moveReadings();
   void setColumnShown(ReadingColumn column, bool shown);
-  /// Gives the pages below the picture its room, too.
+  /// Gives the room of the picture to the pages below it.
   void setDetailsEnlarged(bool enlarged);
-  /// Keeps unsaved changes in `folder` from now on, and shares with other windows which files are open.
+  /// Keeps unsaved changes in `folder` from now on, and shows other windows which files are open.
   void keepIn(const QString& folder);
-  /// Keeps what is unsaved or half typed before this returns: the process is about to end.
+  /// Keeps everything unsaved or unfinished before it returns, since the process is about to end.
   void keepNow();
-  /// Offers unsaved changes that a crashed window left behind. False: there are none.
+  /// Offers unsaved changes of a crashed window. False: there are none.
   bool offerRecovery();
-  /// Shows what to begin with in place of the session, until there is one to work on.
+  /// Shows the start page until there is a session.
   void showStart();
   void hideStart();
-  /// Opens the dialog of blind trials, which stays open beside the window.
+  /// Opens the dialog of blind trials, which stays open next to the window.
   void showBlindTrials();
-  /// Opens the dialog of the instrument check, which stays open beside the window.
+  /// Opens the dialog of the instrument check, which stays open next to the window.
   void showInstrumentCheck();
   void showInstallationCheck();
-  /// Opens the window of series, which stays open beside this one.
+  /// Opens the window of series, which stays open next to this one.
   void showSeries();
-  /// Tells, and records with the session, that the window threw while it handled an event.
+  /// Reports an exception of an event handler, and records it with the session.
   void tellFailure(const QString& reason);
   SuspectBar* suspects() const { return m_suspects; }
-  /// The tabs beside and below the picture of the arcs.
+  /// The tabs at the right of the picture of the arcs and below it.
   QList<PageTabs*> pageTabs() const { return {m_figures, m_details}; }
 
  protected:
@@ -157,18 +155,18 @@ class MainWindow : public QMainWindow {
   FitJob m_job;
   GapJob m_gapJob;
   Place m_lastChange;
-  bool m_isGapOld = false;  ///< what is shown is the diagnosis of an earlier state
+  bool m_isGapOld = false;  ///< the diagnosis shown belongs to an earlier state
   WindowActions* m_actions = nullptr;
-  QStackedWidget* m_stack = nullptr;  ///< the session at work, or the start page
-  StartPage* m_start = nullptr;       ///< null until it is wanted
+  QStackedWidget* m_stack = nullptr;  ///< the current session, or the start page
+  StartPage* m_start = nullptr;       ///< null until first shown
   ChangedFileBar* m_changedFile = nullptr;
   QTabWidget* m_forms = nullptr;
   PositionTabs* m_positions = nullptr;
   SuspectBar* m_suspects = nullptr;
   FindingsPanel* m_findings = nullptr;
   ArcChart* m_arcChart = nullptr;
-  QSplitter* m_top = nullptr;     ///< the picture and the pages beside it
-  PageTabs* m_figures = nullptr;  ///< beside the picture: narrow pages of figures
+  QSplitter* m_top = nullptr;     ///< the picture and the pages at its right
+  PageTabs* m_figures = nullptr;  ///< at the right of the picture: narrow pages of figures
   PageTabs* m_details = nullptr;  ///< below it: charts and tables of single readings
   EffectsPanel* m_effects = nullptr;
   KnownSizesPanel* m_known = nullptr;
@@ -178,12 +176,12 @@ class MainWindow : public QMainWindow {
   JournalPanel* m_journal = nullptr;
   OrderPanel* m_order = nullptr;
   JobStatus* m_jobs = nullptr;
-  QLabel* m_next = nullptr;  ///< what is to be read next, in the status bar
+  QLabel* m_next = nullptr;  ///< the next reading, in the status bar
   EntryGuide* m_entry = nullptr;
   InstrumentDesk* m_desk;
   ReadingsFinder* m_finder = nullptr;
   SharedEvaluation m_shown;                           ///< the newest; null before the first
-  BlindTrialDialog* m_blindTrials = nullptr;          ///< null until it is wanted
+  BlindTrialDialog* m_blindTrials = nullptr;          ///< null until first shown
   InstallationDialog* m_installationCheck = nullptr;  ///< likewise
   InstrumentDialog* m_instrumentCheck = nullptr;      ///< likewise
   SeriesWindow* m_series = nullptr;                   ///< likewise

@@ -111,7 +111,7 @@ void WindowActions::createFileMenu(QToolBar& bar) {
   addTo(menu, nullptr, tr("&Quit"), QKeySequence(tr("Ctrl+Q")), this, [this] { m_window.close(); });
 }
 
-/// What other programs read.
+/// Exports for other programs.
 void WindowActions::addExportMenu(QMenu& menu) {
   QMenu& exports = *menu.addMenu(tr("E&xport"));
   const std::pair<QString, bool (ExportFlow::*)()> kinds[] = {
@@ -201,7 +201,7 @@ void WindowActions::createEditMenu(QToolBar& bar) {
   bar.addActions({insert, remove, exclude});
 }
 
-/// Enabled where a reading looks misread, the second where a correction is known.
+/// Enabled if a reading looks misread, the second if a correction is proposed.
 void WindowActions::addSuspectActions(QMenu& menu) {
   menu.addSeparator();
   SuspectBar* suspects = m_window.suspects();
@@ -218,7 +218,7 @@ void WindowActions::addSuspectActions(QMenu& menu) {
   m_tableActions << next << use;
 }
 
-/// Rows to be read in the order of sighting, and the way to the entries from anywhere.
+/// Adds rows in the order of sighting, and shortcuts to the entries.
 void WindowActions::addEntryActions(QMenu& menu) {
   QMenu* rows = menu.addMenu(tr("Add Ro&ws"));
   const std::pair<QString, FurtherRows> ways[] = {{tr("&Way Back"), FurtherRows::WayBack},
@@ -238,7 +238,7 @@ void WindowActions::addEntryActions(QMenu& menu) {
           [this, axis = axisDeg] { m_window.entry().goToAxis(axis); });
 }
 
-/// For a position that is missing; to measure one again where both are there.
+/// For a missing position; for a repeat if both exist.
 void WindowActions::addPositionActions(QMenu& menu) {
   menu.addSeparator();
   const SessionDocument& document = m_window.document();
@@ -279,7 +279,7 @@ void WindowActions::attachTo(ReadingsTable* table) const {
   table->setContextMenuPolicy(Qt::ActionsContextMenu);
 }
 
-/// The clipboard belongs to the text or table that has the focus, otherwise to the readings.
+/// The clipboard belongs to the focused text or table, otherwise to the readings.
 void WindowActions::useClipboard(Clipboard way) {
   QWidget* focus = QApplication::focusWidget();
   const auto apply = [way](auto& target) {
@@ -300,7 +300,7 @@ void WindowActions::useClipboard(Clipboard way) {
   }
 }
 
-/// Of the text or table that has the focus, otherwise of the readings.
+/// In the focused text or table, otherwise in the readings.
 void WindowActions::selectAll() {
   QWidget* focus = QApplication::focusWidget();
   if (auto* line = qobject_cast<QLineEdit*>(focus)) return line->selectAll();
@@ -347,7 +347,7 @@ void WindowActions::createViewMenu() {
   addLanguageActions(menu);
 }
 
-/// Letters of the window; those of the report stay what they are.
+/// The font of the window; that of the report is unaffected.
 void WindowActions::addFontActions(QMenu& menu) {
   QMenu& fonts = *menu.addMenu(tr("F&ont"));
   QAction* desktop = addTo(fonts, nullptr, tr("As the &Desktop"), {}, this, [] { applyFont({}); });
@@ -366,7 +366,7 @@ void WindowActions::addFontActions(QMenu& menu) {
           [desktop] { desktop->setChecked(rememberedFont() == FontChoice()); });
 }
 
-/// Each in its own language, for who cannot read the one that is spoken.
+/// Each name is in its own language, for users who cannot read the current one.
 void WindowActions::addLanguageActions(QMenu& menu) {
   QMenu* languages = menu.addMenu(tr("Langua&ge"));
   auto* group = new QActionGroup(this);
@@ -385,7 +385,7 @@ void WindowActions::addLanguageActions(QMenu& menu) {
   languages->addActions(group->actions());
 }
 
-/// What the instrument shows: bare numbers are typed in it, and angles are shown in it.
+/// The unit of the instrument: for typed bare numbers and shown angles.
 void WindowActions::addUnitActions(QMenu& menu) {
   SessionDocument& document = m_window.document();
   QMenu* units = menu.addMenu(tr("A&ngles in"));
@@ -408,7 +408,7 @@ void WindowActions::addUnitActions(QMenu& menu) {
   units->addActions(group->actions());
 }
 
-/// Every page by its number, Ctrl+1 and so on; those that have nothing to show are disabled.
+/// Every page by its number, Ctrl+1 and so on; empty pages are disabled.
 void WindowActions::addPageActions(QMenu& menu) {
   menu.addSeparator();
   int number = 0;
@@ -453,7 +453,7 @@ void WindowActions::createInstrumentMenu() {
         [&desk] { desk.showDialog(); });
   QAction* take =
       addTo(menu, nullptr, tr("&Take Reading"), QKeySequence(Qt::Key_F5), this, [&desk] { desk.take(); });
-  take->setShortcutContext(Qt::ApplicationShortcut);  // from the dialog, too
+  take->setShortcutContext(Qt::ApplicationShortcut);  // works in the dialog too
   QAction* leave = addTo(menu, nullptr, tr("&Disconnect"), {}, this, [&desk] { desk.link().close(); });
   const auto offer = [&desk, leave] { leave->setEnabled(desk.link().isOpen()); };
   connect(&desk.link(), &InstrumentLink::stateChanged, leave, offer);
@@ -476,7 +476,7 @@ void WindowActions::createHelpMenu(Dialogs& dialogs) {
   QMenu& menu = *m_window.menuBar()->addMenu(tr("&Help"));
   QAction* guide =
       addTo(menu, nullptr, tr("&Guide"), QKeySequence::HelpContents, this, [this] { showHelp(); });
-  guide->setShortcutContext(Qt::ApplicationShortcut);  // from the window of blind trials, too
+  guide->setShortcutContext(Qt::ApplicationShortcut);  // works in the window of blind trials too
   addTo(menu, nullptr, tr("&First Measurement"), {}, this, [this] { showFirstSteps(); });
   addTo(menu, nullptr, tr("&Keys of the Table"), {}, this, [&dialogs] { dialogs.showShortcuts(); });
   menu.addSeparator();

@@ -14,14 +14,14 @@ class HelpWindow;
 class MainWindow;
 class ReadingsTable;
 
-/// The window's menus, tool bar and shortcuts, and what they call.
+/// The window's menus, tool bar and shortcuts, and their actions.
 class WindowActions : public QObject {
   Q_OBJECT
 
  public:
   WindowActions(MainWindow& window, Dialogs& dialogs);
 
-  /// The guide, at what it says of where the keyboard is.
+  /// Opens the guide at the topic of the focused widget.
   void showHelp();
   void showFirstSteps();
   /// Gives a table the menu of its edits.
@@ -53,7 +53,7 @@ class WindowActions : public QObject {
   MainWindow& m_window;
   Dialogs& m_dialogs;
   QAction* m_enlarge = nullptr;
-  QPointer<HelpWindow> m_guide;  ///< null until it is wanted
+  QPointer<HelpWindow> m_guide;  ///< null until first shown
   QList<QAction*> m_tableActions;
 };
 

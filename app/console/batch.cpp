@@ -24,8 +24,8 @@ using Clock = std::chrono::steady_clock;
 
 struct Answered {
   std::string text;
-  std::optional<std::string> reason = {};  ///< why there is no answer
-  bool failed = false;                     ///< by a fault or lack of memory rather than by the input
+  std::optional<std::string> reason = {};  ///< why there is no result
+  bool failed = false;                     ///< failed by a fault or lack of memory rather than by the input
 };
 
 std::string quoted(const std::string& text) {
@@ -39,7 +39,7 @@ std::string asLine(const std::string& file, const Answered& answered) {
   return begin + line.substr(1) + "\n";
 }
 
-/// A line on stderr now and then, so that long work is seen to move.
+/// Prints progress to stderr from time to time during long work.
 class Progress {
  public:
   Progress(std::size_t count, bool wanted) : m_count(count), m_shown(wanted || isatty(STDERR_FILENO) != 0) {}
@@ -59,13 +59,13 @@ class Progress {
   Clock::time_point m_told = Clock::now();
 };
 
-/// Takes the answers as they come and writes them in their order.
+/// Receives results in any order and writes them in input order.
 class OrderedOutput {
  public:
   OrderedOutput(const std::vector<ListedFile>& files, const BatchOptions& options)
       : m_files(files), m_json(options.json), m_waiting(kept), m_progress(files.size(), options.progress) {}
 
-  /// Waits while the answer would be too far ahead of what is written. False: nothing more can be written.
+  /// Waits while the result would be too far ahead of the output. False: writing is no longer possible.
   bool awaitTurn(std::size_t index) {
     std::unique_lock lock(m_guard);
     m_moved.wait(lock, [&] { return m_broken || index < m_written + kept; });
@@ -90,7 +90,7 @@ class OrderedOutput {
   }
 
  private:
-  /// Answers that wait for those before them: as many as one slow session lets others overtake it.
+  /// The limit of results waiting for earlier ones: how many may overtake one slow session.
   static constexpr std::size_t kept = 256;
 
   const std::vector<ListedFile>& m_files;

@@ -11,24 +11,24 @@
 namespace alidade::console {
 
 struct BatchOptions {
-  std::size_t threads = 0;  ///< 0: all. The result does not depend on it
-  bool progress = false;    ///< told on stderr even where that is no terminal
+  std::size_t threads = 0;  ///< 0: all. The result is independent of it
+  bool progress = false;    ///< printed on stderr even without a terminal
   bool json = false;
 };
 
-/// In how many threads to work, 1 or more.
+/// The number of threads to use, 1 or more.
 std::size_t threadsOf(const BatchOptions& options);
 
-/// Answers each input that a call names (`sessionFilesOf`) by itself, in parallel, and writes the answers to
-/// stdout in the order of the inputs. As JSON (`answer` gives one document): one line for each, which begins
-/// with the key `file`; of an input that cannot be used it has `file` and `error`. As text: one after the
-/// other, an empty line between them. An input that cannot be used gets one line on stderr, too, and the
-/// others go on; the exit code then is `BadInput`. Only some answers are kept at a time, however many there
-/// are.
+/// Processes each input of a call (`sessionFilesOf`) separately and in parallel, and writes the results to
+/// stdout in input order.
+/// As JSON (`answer` gives one document): one line each, beginning with the key `file`; for an unusable input
+/// `file` and `error`. As text: one after the other, separated by an empty line.
+/// An unusable input also gets one line on stderr; the others continue, and the exit code is `BadInput`.
+/// Memory holds a limited number of results.
 int answerEach(const std::vector<std::string>& named,
                const std::function<Result<std::string>(const std::string& file)>& answer,
                const BatchOptions& options);
-/// The same of inputs that were listed before.
+/// The same for inputs listed before.
 int answerEach(const SessionFiles& list,
                const std::function<Result<std::string>(const std::string& file)>& answer,
                const BatchOptions& options);

@@ -5,21 +5,21 @@
 
 namespace alidade::console {
 
-/// Exit codes of the program; the only ones it ends with.
+/// All exit codes of the program.
 enum ExitCode { Done = 0, Failed = 1, BadInput = 2 };
 
-/// Writes the whole result, a text or a JSON document, to stdout; what would act on a terminal or not be seen
-/// there as JSON escapes it (`visibleText`), but for its line ends. `Done`, or `Failed` with a line on stderr
-/// where it could not be written.
+/// Writes the whole result, a text or a JSON document, to stdout. Control or invisible characters are escaped
+/// as in JSON (`visibleText`), except line ends. Returns `Done`, or `Failed` with a line on stderr if writing
+/// failed.
 int writeResult(std::string_view result);
 
-/// Writes `subject: message` as one line to stderr, all of it visible.
+/// Writes `subject: message` as one line to stderr, with invisible characters escaped.
 void notify(std::string_view subject, std::string_view message);
 
-/// The same, for what cannot be used. `BadInput`.
+/// The same for an unusable input; returns `BadInput`.
 int refuse(std::string_view subject, std::string_view reason);
 
-/// How messages call the input: the file as it was given, or “standard input” for `-`.
+/// The name of the input in messages: the file as given, or “standard input” for `-`.
 std::string inputName(const std::string& file);
 
 }  // namespace alidade::console

@@ -53,12 +53,12 @@ std::string readingText(const ReadingDeviation& reading) {
          positionName(reading.axisDeg, reading.time) + ", off by " + fixedText(reading.size, 1) + "″";
 }
 
-/// With two digits of its σ.
+/// A value with two digits of its σ.
 std::string sizeText(double value, double sigma) {
   return fixedText(value, decimalsFor(sigma, 0));
 }
 
-/// What the probability takes for granted.
+/// The assumptions of the probability.
 std::string givenText(const Cause& cause) {
   if (cause.isStale) return ", that what is known of it holds no longer";
   const std::string plausible = plausibleSizeText(cause.effect);
@@ -96,7 +96,7 @@ std::string partText(const GapShare& share) {
   return share.of;
 }
 
-/// A line for each division of the readings, its parts in their order, those of less than a percent left out.
+/// A line for each division of the readings, with its parts in order; parts below one percent are left out.
 std::string whereText(const Diagnosis& diagnosis) {
   std::string text = "\nWhere it lies\n";
   for (auto first = diagnosis.where.begin(); first != diagnosis.where.end();) {
@@ -124,7 +124,7 @@ std::string closuresText(const Diagnosis& diagnosis) {
   return open.empty() ? text : text + paragraph(open);
 }
 
-/// Without the sign of its numbers in two directions.
+/// Numbers in two directions have no sign.
 std::string whatItWouldTakeText(const Diagnosis& diagnosis) {
   if (diagnosis.whatItWouldTake.empty()) return "";
   Rows rows{{"  effect", "size", "plausible sizes", "leaves (σ)"}};

@@ -8,7 +8,7 @@
 
 namespace alidade::console {
 
-/// The diagnosis and what was found beforehand for reading on a terminal. `session` names it.
+/// The diagnosis and the preceding findings as text for a terminal. `session` names it.
 std::string diagnosisText(const std::string& session, const Diagnosis& diagnosis,
                           const std::vector<Finding>& findings);
 

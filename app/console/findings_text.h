@@ -7,7 +7,7 @@
 
 namespace alidade::console {
 
-/// The block "Findings"; empty where there are none.
+/// The block "Findings"; empty without findings.
 std::string findingsText(const std::vector<Finding>& findings);
 
 }  // namespace alidade::console

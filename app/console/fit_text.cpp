@@ -54,7 +54,7 @@ std::string referenceLine(const Measurement& measurement, double value) {
 }
 
 std::string coverageText(const Intersection& intersection) {
-  constexpr double nearlyNormal = 1000;  // from here on k is that of known noise to 0.1 %
+  constexpr double nearlyNormal = 1000;  // from here on k equals that of known noise to 0.1 %
   const std::string freedom =
       intersection.effectiveDegreesOfFreedom < nearlyNormal
           ? ", " + fixedText(intersection.effectiveDegreesOfFreedom, 1) + " degrees of freedom"
@@ -89,7 +89,7 @@ std::string measuredText(const FitAnswer& answer) {
          " coverage)" + tolerance + "\n";
 }
 
-/// What Δd, measured, includes, and how to lower its U.
+/// The contents of Δd, measured, and how to reduce its U.
 std::string measuredNote(const FitAnswer& answer) {
   if (!answer.fit.intersection || !answer.diagnosis || !answer.diagnosis->measured) return "";
   return "\n" +
@@ -100,7 +100,7 @@ std::string measuredNote(const FitAnswer& answer) {
          paragraph(attainableSentence(answer.diagnosis->attainable));
 }
 
-/// Where it is more than noise.
+/// Shown if the gap is more than noise.
 std::string gapText(const FitAnswer& answer) {
   if (!answer.diagnosis || !isMoreThanNoise(*answer.diagnosis)) return "";
   return "\n" + paragraph("Gap: " + sentenceOf(*answer.diagnosis) + " `alidade-cli diagnose` says more.");
@@ -216,7 +216,7 @@ std::string arcsText(const SessionFit& fit) {
   for (std::size_t i = 0; i < fit.arcs.size(); ++i) {
     const ArcSigma& sigma = fit.sigmas[i];
     rows.push_back(arcRow(fit.arcs[i]));
-    if (fit.arcs[i].time > 1) {  // what it shares stands there already
+    if (fit.arcs[i].time > 1) {  // the shared values are already printed
       for (const std::size_t column : {1, 2, 3})
         rows.back()[column] = "as at " + positionName(fit.arcs[i].axisDeg);
       continue;

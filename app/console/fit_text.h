@@ -8,8 +8,8 @@
 
 namespace alidade::console {
 
-// A fit as text for people, UTF-8, ending in a newline. Lengths in mm, y up. The published method is shown in
-// the form it was published in beside the circle it means in this program's frame.
+// The fit as text, UTF-8, ending in a newline. Lengths in mm, y up. The published method is shown in its
+// published form, next to the equivalent circle in this program's frame.
 
 std::string fitText(const FitAnswer& answer);
 std::string fitText(const std::string& name, const Measurement& measurement, const PublishedSessionFit& fit);

@@ -7,7 +7,7 @@ namespace alidade::console {
 
 namespace {
 
-/// With line ends for blanks, so that no line is longer than a help text of a terminal.
+/// Replaces blanks by line ends, so that each line fits a terminal's help text.
 std::string wrappedText(std::string text) {
   constexpr std::size_t longestLine = 100;
   for (std::size_t start = 0; text.size() - start > longestLine;) {

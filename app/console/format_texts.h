@@ -4,10 +4,10 @@
 
 namespace alidade::console {
 
-/// The formats of files of readings, for the help of a command: lines that end, `Read are …, and tables.`
+/// The readable formats for the help of a command: wrapped lines, `Read are …, and tables.`
 std::string readableFormatsSentence();
 
-/// The same in short: `Leica GSI, Trimble M5, …`.
+/// The readable formats in short: `Leica GSI, Trimble M5, …`.
 std::string formatNames();
 
 }  // namespace alidade::console

@@ -16,7 +16,7 @@ namespace {
 
 using Rows = std::vector<std::vector<std::string>>;
 
-/// To point by.
+/// An angle for pointing.
 std::string pointingText(Angle angle, CircleUnit unit) {
   return formatAngle(angle, unit, 0);
 }
@@ -31,7 +31,7 @@ std::string nextText(const Guidance& guidance, CircleUnit unit) {
   return text + "\n";
 }
 
-/// What comes behind the next, the first few one by one.
+/// The sightings after the next, the first few one by one.
 std::string leftText(const Guidance& guidance, CircleUnit unit) {
   constexpr std::size_t most = 6;
   Rows rows;

@@ -7,7 +7,7 @@
 
 namespace alidade::console {
 
-/// What is next, what is left, what to take again and when it is enough, for people.
+/// The next and remaining sightings, those to take again and when it is enough, as text.
 std::string guidanceText(const std::string& session, const Guidance& guidance, CircleUnit unit);
 
 }  // namespace alidade::console

@@ -48,7 +48,7 @@ std::string valuesTable(const History& history, const HistoryNumbers& numbers) {
     rows.push_back(std::move(row));
   }
   std::string table = alignedColumns(rows);
-  // Behind each row what is to be seen there, flush left: not part of the columns.
+  // Remarks after each row, flush left outside the columns.
   std::string marked;
   std::size_t line = 0;
   for (std::size_t from = 0; from < table.size(); ++line) {
@@ -107,7 +107,7 @@ std::string quantitiesTable(const DeviceHistory& device) {
   return alignedColumns(rows);
 }
 
-/// Each epoch with the next, and the first with the last.
+/// Each epoch compared with the next, and the first with the last.
 std::string congruencesText(const DeviceHistory& device) {
   Rows rows{{"from", "to", "Δd changes (mm)", "± U", "p", "", "device, T", "of", "p", ""}};
   for (const Congruence& congruence : device.congruences) {

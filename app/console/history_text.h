@@ -8,11 +8,11 @@
 
 namespace alidade::console {
 
-/// `alidade-cli history` for people: the values with their control limits, and what they say.
+/// `alidade-cli history` as text: the values with their control limits, and the conclusions.
 std::string historyText(const std::string& name, const ValueTable& table, const History& history);
 
-/// Of each device Δd with its table, every other quantity in a line, and the comparison of one session with
-/// the next.
+/// For each device: Δd with its table, every other quantity in a line, and each session compared with the
+/// next.
 std::string historyText(const std::string& name, const DeviceHistories& histories);
 
 }  // namespace alidade::console

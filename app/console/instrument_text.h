@@ -8,7 +8,7 @@
 
 namespace alidade::console {
 
-/// The check of an instrument for people.
+/// The check of an instrument as text.
 std::string instrumentText(const std::string& name, const InstrumentCheck& check,
                            const std::vector<Finding>& findings);
 

@@ -7,8 +7,7 @@
 
 namespace alidade::console {
 
-/// What was changed after it stood, in its order, and below it whether the journal is whole and how the
-/// session was sealed.
+/// Recorded changes in order; below them whether the journal is complete and how the session was sealed.
 std::string journalText(const std::string& name, const Session& session, const JournalCheck& check);
 
 /// {"session", "whole", "changed_readings", "sealed": null or {"at", "by", "revision", "unchanged"},

@@ -8,17 +8,17 @@
 
 namespace alidade::console {
 
-/// A file that an option names, and the whole of what is to stand in it.
+/// A file named by an option, with its whole contents.
 struct OutputFile {
   std::string option, path, text;
 };
 
-/// Writes the files, none before the bytes of all are on the disk (`atomic_file.h`). The sentence where one
-/// cannot be written, is standard output (-), is one of `inputs`, or is the same as another, whichever way it
-/// is named; what stood there before then still does.
+/// Writes the files, none before the bytes of all are on the disk (`atomic_file.h`). Returns a problem if one
+/// cannot be written, is standard output (-), is one of `inputs`, or equals another under any name. Existing
+/// files then remain unchanged.
 ///
-/// `inputs`: every file that the call reads, - standard input; empty names count for none, as options that
-/// are not given.
+/// `inputs`: every file read by the call, - for standard input; empty names, from missing options, are
+/// ignored.
 std::optional<Problem> writeOutputs(const std::vector<OutputFile>& files, std::vector<std::string> inputs);
 
 }  // namespace alidade::console

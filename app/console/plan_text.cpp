@@ -28,7 +28,7 @@ std::string visibilityText(const PlannedEffect& effect) {
   return fixedText(effect.leastVisible, 1) + "…" + most;
 }
 
-/// None where the plan has no Δd.
+/// Empty if the plan has no Δd.
 std::string influenceText(const PlanReview& review, const PlannedEffect& effect) {
   return review.intersection ? fixedText(effect.influence, 4) : "none";
 }

@@ -8,7 +8,7 @@
 
 namespace alidade::console {
 
-/// The review of a plan for people.
+/// The review of a plan as text.
 std::string planText(const std::string& session, const PlanReview& review,
                      const std::vector<Finding>& findings);
 

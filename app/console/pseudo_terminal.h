@@ -7,8 +7,8 @@
 
 namespace alidade::console {
 
-/// A line like that of an instrument, made by the system: what is written here is read by who opens `path()`,
-/// and the other way round. Raw, and open at its other end, too, so that a reader may come and go.
+/// A pseudo terminal in place of an instrument's port: bytes written here are read from `path()`, and vice
+/// versa. Raw; its other end stays open, so that a reader may disconnect and reconnect.
 class PseudoTerminal {
  public:
   static Result<PseudoTerminal> open();
@@ -20,9 +20,9 @@ class PseudoTerminal {
 
   const std::string& path() const { return m_path; }  ///< "/dev/pts/3"
   int descriptor() const { return m_master; }
-  /// What is there to be read; waits for nothing.
+  /// The available bytes, without waiting.
   std::string read() const;
-  /// False: the buffer is full, since nobody reads; what did not fit is lost, as on a wire.
+  /// False: the buffer is full, since nobody reads; the rest is lost, as on a wire.
   bool write(std::string_view bytes) const;
 
  private:

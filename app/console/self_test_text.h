@@ -6,8 +6,8 @@
 
 namespace alidade::console {
 
-/// The self-test to be read and filed: program and time, machine and libraries, line by line what was
-/// expected and found, each tolerance with its reason, and the verdict.
+/// The self-test as text for filing: program and time, machine and libraries, each expected and found value,
+/// each tolerance with its reason, and the verdict.
 std::string selfTestText(const SelfTest& test, const std::string& program, const std::string& at);
 
 }  // namespace alidade::console

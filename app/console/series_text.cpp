@@ -17,7 +17,7 @@ namespace {
 
 using Rows = std::vector<std::vector<std::string>>;
 
-constexpr std::size_t mostRows = 200;  // of a table; --json has all
+constexpr std::size_t mostRows = 200;  // rows of a table; --json has all
 
 std::string sizesText(const std::vector<CauseParameter>& parameters) {
   std::vector<std::string> sizes;

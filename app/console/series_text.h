@@ -6,7 +6,7 @@
 
 namespace alidade::console {
 
-/// What a series answers, for reading on a terminal. `name` is what the series is called.
+/// The result of a series as text for a terminal. `name` is the name of the series.
 std::string seriesText(const std::string& name, const SeriesDiagnosis& series);
 
 }  // namespace alidade::console

@@ -7,7 +7,7 @@
 
 namespace alidade::console {
 
-/// Scores of blind trials of series for people.
+/// Scores of blind trials of series as text.
 std::string seriesTrialText(const std::vector<ScoredSeries>& series);
 
 /// One JSON document: the summary, and each series with its truth, answer and score.

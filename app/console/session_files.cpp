@@ -18,15 +18,15 @@ bool isFolder(const std::string& path) {
   return fs::is_directory(path, ignored);
 }
 
-/// A pipe, a socket or a device, or a link to one: reading it may wait for ever. False where nothing is
-/// there, which opening it will say.
+/// True for a pipe, a socket, a device or a link to one, since reading may block forever. False if the path
+/// is missing, which opening reports.
 bool isEndless(const fs::path& path) {
   std::error_code ignored;
   const fs::file_status status = fs::status(path, ignored);
   return fs::exists(status) && !fs::is_regular_file(status);
 }
 
-/// What tells two paths of one file from paths of two.
+/// A canonical name, equal for two paths of one file.
 std::string realName(const std::string& path) {
   std::error_code problem;
   const fs::path real = fs::canonical(path, problem);

@@ -9,7 +9,7 @@
 
 namespace alidade::console {
 
-/// A session and what it means.
+/// A session with its measurement.
 struct SessionInput {
   std::string name;
   Session session;
@@ -22,16 +22,16 @@ Result<Session> readSessionOf(const std::string& file);
 /// Its title, or its file's name.
 std::string nameOf(const Session& session, const std::string& file);
 
-/// What a session means; fails with the first thing that is wrong in it.
+/// The measurement of a session; fails with its first problem.
 Result<Measurement> measurementOf(const Session& session);
 
-/// `prepare` is done to the session before it is examined. Fails with the first thing that is wrong in it.
+/// `prepare` changes the session before it is examined. Fails with the session's first problem.
 Result<SessionInput> readSessionInput(const std::string& file, Session (*prepare)(Session) = nullptr);
 
-/// Copies what the instrument record at this path says into the session; where that fails, why.
+/// Copies the instrument record at this path into the session; returns the reason of a failure.
 std::optional<Problem> addRecord(Session& session, const std::string& record);
 
-/// With what an instrument record says, for this run; `record` is its path, empty: none.
+/// Includes an instrument record for this run; `record` is its path, empty: none.
 Result<SessionInput> readSessionInput(const std::string& file, const std::string& record);
 
 }  // namespace alidade::console

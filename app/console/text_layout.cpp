@@ -9,7 +9,7 @@ namespace alidade::console {
 
 namespace {
 
-/// Code points of UTF-8 text: every byte but the continuation bytes begins one.
+/// The number of UTF-8 code points: every byte except continuation bytes starts one.
 std::size_t displayWidth(std::string_view text) {
   return static_cast<std::size_t>(std::count_if(
       text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }));
@@ -24,7 +24,7 @@ std::vector<std::size_t> columnWidths(const std::vector<std::vector<std::string>
   return widths;
 }
 
-/// Takes the next word where it is a unit, which stays on the line of its number.
+/// Takes the next word if it is a unit, which stays on the line of its number.
 bool peekUnit(std::istringstream& words, std::string& unit) {
   const std::istringstream::pos_type before = words.tellg();
   if (words >> unit && (unit.starts_with("mm") || unit.starts_with("%"))) return true;

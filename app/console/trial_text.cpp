@@ -68,7 +68,7 @@ std::string confusionText(const TrialSummary& summary) {
   return text;
 }
 
-/// "12/15", or nothing where it does not apply.
+/// "12/15", or empty if not applicable.
 std::string countText(const Tally& tally) {
   return tally.count == 0 ? "-" : std::to_string(tally.hits) + "/" + std::to_string(tally.count);
 }
@@ -81,7 +81,7 @@ std::string kindsText(const TrialSummary& summary) {
   return "\nBy kind of truth\n" + alignedColumns(rows);
 }
 
-/// Those that went wrong.
+/// The trials with a wrong diagnosis.
 std::string missedText(const std::vector<ScoredTrial>& trials) {
   constexpr std::size_t most = 40;
   std::string text;

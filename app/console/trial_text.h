@@ -7,7 +7,7 @@
 
 namespace alidade::console {
 
-/// Scores of blind trials for people.
+/// Scores of blind trials as text.
 std::string trialText(const std::vector<ScoredTrial>& trials, const TrialSummary& summary);
 
 /// One JSON document: the summary, and each trial with its truth, answer and score.

@@ -6,7 +6,7 @@
 
 namespace alidade::console {
 
-/// The two-face table of `measurement` and what it says about the instrument, ″.
+/// The two-face table of `measurement` and the instrument errors derived from it, ″.
 std::string twoFacesText(const Measurement& measurement, const TwoFaces& faces);
 
 }  // namespace alidade::console

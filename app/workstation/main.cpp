@@ -27,7 +27,7 @@ namespace {
 
 using namespace alidade;
 
-/// Calls with most options of ours never open a window, so they must not need a display either.
+/// Most of our options never open a window, so such calls must work without a display.
 bool needsNoDisplay(int argc, char** argv) {
   return std::any_of(argv + 1, argv + argc, [](const char* argument) {
     const QByteArray text(argument);
@@ -41,7 +41,7 @@ int badCall(const QString& sentence) {
   return 2;
 }
 
-/// What a certificate states beside the session, and what signs a file.
+/// The options for statements of a certificate, and for signing a file.
 class OptionsOfFiles {
  public:
   explicit OptionsOfFiles(QCommandLineParser& parser) {
@@ -50,7 +50,7 @@ class OptionsOfFiles {
       parser.addOption(*option);
   }
 
-  /// Why they do not go together with what is asked for; empty where they do.
+  /// Why they contradict the requested output; empty if they fit.
   QString whyNot(const QCommandLineParser& parser, bool writes, bool isCertificate) const {
     const auto isSet = [&](const QCommandLineOption& option) { return parser.isSet(option); };
     if (isSet(m_key) != isSet(m_certificate))
@@ -105,8 +105,8 @@ QString languageIds() {
   return ids.join(QStringLiteral(" or "));
 }
 
-/// The file is opened from within the event loop: what it throws ends nothing. Asked to end, or when the
-/// desktop ends its session, the window keeps what is unsaved and half typed.
+/// Opens the file within the event loop, so an exception does not end the program. At a termination request
+/// or the end of the desktop session, the window keeps unsaved and unfinished entries.
 int runWindow(ui::Application& application, const QString& path, const ui::Termination& termination) {
   ui::MainWindow window;
   QObject::connect(&termination, &ui::Termination::asked, &window, [&] {
@@ -146,11 +146,11 @@ int openWindow(ui::Application& application, const QString& path) {
 int run(int argc, char** argv) {
   if (argc > 1 && needsNoDisplay(argc, argv)) {
     qputenv("QT_QPA_PLATFORM", "offscreen");
-    QHashSeed::setDeterministicGlobalSeed();  // by which the fonts of a PDF are ordered
+    QHashSeed::setDeterministicGlobalSeed();  // makes the order of a PDF's fonts reproducible
     QLoggingCategory::setFilterRules(
-        QStringLiteral("*.warning=false"));  // stderr is for the one line of ours
+        QStringLiteral("*.warning=false"));  // reserves stderr for our single line
   }
-  const auto empty = emptyArgument(argc, argv);  // before Qt takes its own arguments out
+  const auto empty = emptyArgument(argc, argv);  // before Qt removes its own arguments
   if (empty) return badCall(QString::fromStdString(*empty));
   for (int i = 1; i < argc; ++i)
     if (firstIllFormedByte(argv[i]))
@@ -228,7 +228,7 @@ int run(int argc, char** argv) {
 
 int main(int argc, char** argv) {
   ui::keepLogVisible();
-  std::signal(SIGXFSZ, SIG_IGN);  // a file that may not grow further is told in a sentence
+  std::signal(SIGXFSZ, SIG_IGN);  // exceeding the file size limit becomes an error message
   int exitCode = 1;
   const auto failure = failureOf([&] { exitCode = run(argc, argv); });
   if (failure) std::fprintf(stderr, "alidade: Nothing more can be done: %s.\n", failure->c_str());

@@ -20,7 +20,7 @@ int refuse(const QString& path, const Problem& problem) {
   return 2;
 }
 
-/// Reproducible builds set it, and so may a laboratory that wants the same bytes again.
+/// Set by reproducible builds, or by a laboratory that wants identical bytes.
 QDateTime dateOfReport() {
   bool isSet = false;
   const qint64 seconds = qEnvironmentVariable("SOURCE_DATE_EPOCH").toLongLong(&isSet);

@@ -8,7 +8,7 @@
 #include "app/console/session_files.h"
 #include "tests/console/console.h"
 
-// Many files: an answer to each in their order, whatever becomes of the others.
+// Many files: one result each in input order, independent of the others.
 
 namespace alidade::test {
 namespace {
@@ -71,7 +71,7 @@ TEST(Batch, SaysOfEachFileWhatIsSaidOfItAlone) {
   }
 }
 
-// Reading a pipe or a device waits for ever, unless somebody means it.
+// Reading a pipe or a device may block forever, so a folder never opens one.
 TEST(Batch, NamesWhatIsNoFileInAFolder) {
   const TemporaryFolder folder;
   const std::string session = folder.file("2.alidade", titled("second"));

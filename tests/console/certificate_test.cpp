@@ -13,7 +13,7 @@ namespace {
 using ::testing::HasSubstr;
 using Json = nlohmann::ordered_json;
 
-/// Everything that a certificate asks a session for.
+/// Fills in every field that a certificate requires from a session.
 void fillIn(Json& session) {
   session["measured_on"] = "2026-03-01";
   session["operator"] = "A. Li";
@@ -40,7 +40,7 @@ class CertificateTest : public ::testing::Test {
     return alidadeCli(options);
   }
 
-  /// The certificate, which conforms to the published schema.
+  /// The certificate, valid against the published schema.
   pugi::xml_document read() {
     const ProgramRun lint = runProgram({.program = "xmllint",
                                         .arguments = {"--nonet", "--noout", "--huge", "--schema",
@@ -55,7 +55,7 @@ class CertificateTest : public ::testing::Test {
     return document.select_node(("//*[@id='" + id + "']").c_str()).node();
   }
 
-  /// The numbers of a quantity and those of the fit, to the last bit.
+  /// Compares the numbers of a quantity with those of the fit, to the last bit.
   static void expectNumbers(const pugi::xml_document& document, const std::string& id, const Json& value,
                             const Json& uncertainty, const Json& coverage) {
     const pugi::xml_node real = byId(document, id).child("si:real");
@@ -68,7 +68,7 @@ class CertificateTest : public ::testing::Test {
     EXPECT_EQ(real.child_value("si:unit"), std::string("\\milli\\metre"));
   }
 
-  /// What a file element holds, decoded by another program than ours.
+  /// The contents of a file element, decoded by an external program.
   std::string decoded(const pugi::xml_node& file) {
     const ProgramRun run =
         runProgram({.program = "base64", .arguments = {"-d"}, .input = file.child_value("dcc:dataBase64")});

@@ -10,14 +10,14 @@
 
 namespace alidade::test {
 
-/// The sample every figure of the paper is checked on.
+/// The sample for every figure of the paper.
 inline const std::string paperSession = ALIDADE_SAMPLES_DIR "/paper-table-1.alidade";
 
 inline ProgramRun alidadeCli(std::vector<std::string> arguments) {
   return runProgram({.program = ALIDADE_CLI, .arguments = std::move(arguments)});
 }
 
-/// The text of the paper's session, changed.
+/// The text of the paper's session after `change`.
 std::string changedPaperSession(const std::function<void(nlohmann::ordered_json&)>& change);
 
 /// Exit code 2, nothing on stdout and exactly one line on stderr.

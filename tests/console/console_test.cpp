@@ -6,7 +6,7 @@
 #include <fstream>
 #include <sstream>
 
-// What holds for every call of the program: help, version, where it stands, where it writes.
+// Properties of every call of the program: help, version, working folder, output.
 
 namespace alidade::test {
 namespace {

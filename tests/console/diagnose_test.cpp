@@ -39,7 +39,7 @@ TEST(Diagnose, AnswersWithTheKeysOfTheContract) {
     EXPECT_TRUE(answer.at("intersection").at(when).at("value_mm").is_number());
   for (const char* key : {"candidates", "where", "unseen", "advice", "attainable"})
     EXPECT_FALSE(answer.at(key).empty()) << key;
-  EXPECT_NEAR(answer.at("gap").at("reduced_chi2").get<double>(), 580.23, 0.01);  // the planar fit's own χ²
+  EXPECT_NEAR(answer.at("gap").at("reduced_chi2").get<double>(), 580.23, 0.01);  // χ² of the planar fit
 }
 
 TEST(Diagnose, NamesTheCellsOfAMisreading) {
@@ -65,7 +65,7 @@ TEST(Diagnose, SaysItInWordsToo) {
   EXPECT_THAT(outcome.out, HasSubstr("cannot tell it from: horizontal_circle_eccentricity"));
 }
 
-// 600″ is 300 σ: misread values beyond that are left out before the search, and still told everywhere.
+// 600″ is 300 σ: such misread values are excluded before the search, and still reported everywhere.
 TEST(Diagnose, TellsAMisreadValueThatIsFarOff) {
   const std::string sample = ALIDADE_SAMPLES_DIR "/misreading.alidade";
   const Json answer = diagnosisOf({sample});
@@ -87,7 +87,7 @@ std::string changedFile(const TemporaryFolder& folder, const std::function<void(
   return folder.file("changed.alidade", changedPaperSession(change));
 }
 
-/// Only the first `count` places of each position.
+/// Keeps only the first `count` places of the position.
 void keepPlaces(Json& session, std::size_t position, std::size_t count) {
   auto& readings = session["positions"][position]["readings"];
   Json few = Json::array();
@@ -98,7 +98,7 @@ void keepPlaces(Json& session, std::size_t position, std::size_t count) {
 TEST(Diagnose, SaysWhereNothingChecksTheModel) {
   const TemporaryFolder folder;
   const std::string file = changedFile(folder, [](Json& session) {
-    session["positions"].erase(1);  // the positions would check one another
+    session["positions"].erase(1);  // otherwise the positions would check one another
     keepPlaces(session, 0, 3);
   });
   const Json answer = diagnosisOf({file});

@@ -14,13 +14,13 @@ namespace {
 using ::testing::HasSubstr;
 using Json = nlohmann::ordered_json;
 
-constexpr double printedFigures = 1e-6;  // mm; the tables that are checked against have six decimals
+constexpr double printedFigures = 1e-6;  // mm; the reference tables have six decimals
 
 Json fitOf(const std::string& file, const std::string& method = "rigorous") {
   const ProgramRun run = alidadeCli({"fit", file, "--method", method, "--json"});
   EXPECT_EQ(run.exitCode, 0) << run.err;
   EXPECT_EQ(run.err, "");
-  return Json::parse(run.out);  // throws on anything behind the document
+  return Json::parse(run.out);  // throws on text after the document
 }
 
 std::set<std::string> keysOf(const Json& object) {
@@ -46,7 +46,7 @@ TEST(FitJson, MeetsTheExactFitOfThePapersReadings) {
   EXPECT_NEAR(fit["intersection"]["in_plane_mm"], 1.34739, 1e-5);
 }
 
-// The expected values are those of the same least squares solved with 40 digits.
+// The expected values are of the same least squares, solved with 40 digits.
 TEST(FitJson, MeetsThePlanarFitOfThePapersReadings) {
   const TemporaryFolder folder;
   const Json fit = fitOf(folder.file("planar.alidade", changedPaperSession([](Json& session) {
@@ -70,7 +70,7 @@ TEST(FitJson, MeetsEveryPrintedDigitThatCanBeReproduced) {
   EXPECT_NEAR(fit["intersection"]["value_mm"], -1.934, 0.0005) << "y up";
 }
 
-// The printed tilts have the digits of the solution for θx at 0° with a thousandth of its size, and match
+// The printed tilts agree with the digits of the solution for θx at 0° divided by a thousand, and with
 // nothing else.
 TEST(FitJson, ShowsTheTiltsThatThePublishedSystemReallyHas) {
   const Json fit = fitOf(paperSession, "published");
@@ -170,7 +170,7 @@ TEST(FitJson, DecidesByTheGuardBand) {
     const std::string file = folder.file("s.alidade", session.dump());
     return fitOf(file)["decision"]["verdict"].get<std::string>();
   };
-  // The measured U is the larger one, and its interval holds that of the fit alone.
+  // U of Δd, measured, is the larger one, and its interval contains that of Δd, fit only.
   const Json intersection = fitOf(clean)["intersection_as_found"];
   const double value = intersection["value_mm"], expanded = intersection["expanded_mm"];
   ASSERT_GT(value, 0);
@@ -178,8 +178,8 @@ TEST(FitJson, DecidesByTheGuardBand) {
   EXPECT_EQ(verdictAt(value + expanded - 0.001), "undecided");
 }
 
-// Two causes were put in, Δd is 0.40 mm; the model without them says 0.383 ± 0.038 mm, and with all that may
-// be there U is twice as large. Where only the one lies within the tolerance no verdict stands.
+// Two simulated causes, Δd is 0.40 mm. The model without them gives 0.383 ± 0.038 mm; Δd, measured, has twice
+// that U. If only one of them is within the tolerance, the verdict stays open.
 TEST(FitJson, DecidesNothingThatTheDiagnosisContradicts) {
   const TemporaryFolder folder;
   const auto answerAt = [&](double tolerance, std::vector<std::string> more) {
@@ -205,15 +205,14 @@ TEST(FitJson, DecidesNothingThatTheDiagnosisContradicts) {
   EXPECT_FALSE(alone.contains("intersection_as_found"));
 }
 
-// The paper's positions do not close. What may have closed them makes U twice as large and more, and Δd still
-// conforms.
+// The paper's closures fail. The possible causes more than double U, and Δd still conforms.
 TEST(FitJson, DecidesByWhatMayHaveClosedThePositions) {
   const Json answer = fitOf(paperSession), &decision = answer["decision"];
   EXPECT_EQ(decision["as_modelled"], "accept");
   EXPECT_EQ(decision["as_found"], "accept");
   EXPECT_EQ(decision["verdict"], "accept");
   EXPECT_GT(decision["conformance_probability"], 0.99);
-  // None of the rows decides it, though with 39 % nothing explains the gap.
+  // No row decides the verdict, although with 39 % nothing explains the gap.
   EXPECT_TRUE(decision["hangs_on"].empty());
   EXPECT_EQ(decision["hangs_on_sentence"], "");
   EXPECT_NEAR(decision["unexplained_probability"], 0.39, 0.1);
@@ -221,8 +220,8 @@ TEST(FitJson, DecidesByWhatMayHaveClosedThePositions) {
             2 * answer["intersection"]["expanded_mm"].get<double>());
 }
 
-// With metres for millimetres every length of the fit is a thousandth, its uncertainty too: "accept" of
-// nothing.
+// With metres typed for millimetres, every length of the fit is a thousandth, and so is its uncertainty: an
+// invalid "accept".
 TEST(FitJson, WithholdsTheVerdictWhereTheLengthsAreOfAnotherUnit) {
   const TemporaryFolder folder;
   const Json fit = fitOf(folder.file("s.alidade", changedPaperSession([](Json& session) {
@@ -233,8 +232,8 @@ TEST(FitJson, WithholdsTheVerdictWhereTheLengthsAreOfAnotherUnit) {
   EXPECT_THAT(fit["decision"]["reason"].get<std::string>(), HasSubstr("geometry.distance_mm"));
 }
 
-// Two iterations have not converged where the radius still moves by 0.03 mm, as it does at 180°, and a method
-// without uncertainty decides nothing.
+// Two iterations have not converged if the radius still changes by 0.03 mm, as at 180°; a method without
+// uncertainty cannot decide.
 TEST(FitJson, OfThePublishedMethodDecidesNothing) {
   const Json fit = fitOf(paperSession, "published");
   EXPECT_FALSE(fit.contains("decision"));
@@ -312,7 +311,7 @@ TEST(FitJson, EchoesWhatCameWithARow) {
   EXPECT_EQ(echoed, 2) << "both circles of one row";
 }
 
-// The redundancies are the diagonal of a projector, so they add up to the degrees of freedom of both arcs.
+// The redundancies are the diagonal of a projector, so their sum is the degrees of freedom of both arcs.
 TEST(FitJson, ListsTheReliabilityOfEveryReading) {
   const Json fit = fitOf(paperSession);
   ASSERT_EQ(fit["reliability"].size(), 68u);
@@ -329,8 +328,8 @@ TEST(FitJson, ListsTheReliabilityOfEveryReading) {
               first["residual_arcsec"].get<double>() /
                   (fit["noise_scale"].get<double>() * 2 * std::sqrt(first["redundancy"].get<double>())),
               1e-9);
-  // At the top of the arc an error of the horizontal circle runs along the arc: the vertical circle is
-  // checked far better.
+  // At the top of the arc an error of the horizontal circle is along the arc: the vertical circle is checked
+  // far better.
   const Json &horizontal = fit["reliability"][16], &vertical = fit["reliability"][17];
   EXPECT_EQ(horizontal["point"], 9);
   EXPECT_EQ(horizontal["circle"], "horizontal");
@@ -338,7 +337,7 @@ TEST(FitJson, ListsTheReliabilityOfEveryReading) {
             10 * vertical["minimal_detectable_bias_arcsec"].get<double>());
 }
 
-// 34 places, each checked across the arc alone; 28 degrees of freedom less that of the shift tested.
+// 34 places, each checked only across the arc; 28 degrees of freedom minus one for the tested shift.
 // Student's t with 27 exceeds 4.1522 by 1 − 0.99^(1/34) (incomplete beta function in 20 digits).
 TEST(FitJson, StatesTheTestOfMisreadReadings) {
   const Json test = fitOf(paperSession)["reading_test"];
@@ -365,7 +364,8 @@ TEST(FitJson, ListsWhatWasEnteredOnceAndNothingChecks) {
   EXPECT_EQ(inputs[4]["unit"], "mm");
 }
 
-// Their error is the same in both positions, and cancels: less than a tenth of what each of two moves Δd by.
+// Their error is equal in both positions and cancels: less than a tenth of the change of Δd by either of two
+// zeros.
 TEST(FitJson, ListsZerosThatAreOneOnce) {
   const TemporaryFolder folder;
   const std::string file = folder.file("one.alidade", changedPaperSession([](auto& session) {
@@ -381,7 +381,7 @@ TEST(FitJson, ListsZerosThatAreOneOnce) {
             0.1 * std::abs(apart[1]["influence_mm_per_unit"].get<double>()));
 }
 
-// A session of an independent ray tracer, whose trunnion axis is tilted by −143.457″.
+// A session of an independent ray tracer with a trunnion axis tilt of −143.457″.
 TEST(FitJson, EstimatesTheEffectsThatTheModelNames) {
   std::ifstream file(std::string(ALIDADE_REFERENCE_DIR) + "/trials/sessions/290231.alidade");
   Json session = Json::parse(file);
@@ -400,7 +400,7 @@ TEST(FitJson, EstimatesTheEffectsThatTheModelNames) {
 
 TEST(FitJson, ComparesTheFacesWhereThereAreTwo) {
   EXPECT_FALSE(fitOf(paperSession).contains("two_faces"));
-  // A session of the ray tracer in both faces, its collimation 3.672″ in the opposite sign.
+  // A session of the ray tracer in both faces; its collimation of 3.672″ has the opposite sign.
   const Json faces =
       fitOf(std::string(ALIDADE_REFERENCE_DIR) + "/trials/sessions/241926.alidade")["two_faces"];
   EXPECT_EQ(keysOf(faces),
@@ -428,7 +428,8 @@ TEST(FitJson, ChecksTheUncertaintyByDraws) {
   EXPECT_EQ(check.at("draws"), 1000);
   EXPECT_EQ(check.at("seed"), 4);
   EXPECT_EQ(check.at("arcs").size(), 2u);
-  EXPECT_EQ(check.at("linear_propagation"), "undecided");  // an end is uncertain by 0.009 mm, δ is 0.005 mm
+  EXPECT_EQ(check.at("linear_propagation"),
+            "undecided");  // an end has an uncertainty of 0.009 mm, δ is 0.005 mm
   EXPECT_NEAR(check.at("intersection").at("sigma_mm").get<double>(), 0.105, 0.01);
   EXPECT_LT(check.at("intersection").at("low_mm"), 1.2);
   EXPECT_FALSE(Json::parse(outOf({})).contains("monte_carlo"));
@@ -437,7 +438,7 @@ TEST(FitJson, ChecksTheUncertaintyByDraws) {
   expectRefusal(alidadeCli({"fit", paperSession, "--seed", "5"}));
 }
 
-// Point 5 at 0° reads 82°48'…: typed with the minutes' digits swapped.
+// Point 5 at 0° reads 82°48'…: typed with swapped digits of the minutes.
 TEST(FitJson, NamesSuspectsWithWhatWasProbablyMeant) {
   const TemporaryFolder folder;
   std::string meant, typed;

@@ -6,7 +6,7 @@
 #include "tests/console/console.h"
 #include "tests/support/file_content.h"
 
-// `alidade-cli history`: tables of values, folders of sessions, and what is wrong with either.
+// `alidade-cli history`: tables of values, folders of sessions, and their errors.
 
 namespace alidade::test {
 namespace {
@@ -49,7 +49,7 @@ TEST(HistoryCall, ReadsStandardInput) {
   EXPECT_THAT(Json::parse(run.out)["values"], SizeIs(2));
 }
 
-// What samples/README.md says of it.
+// The statements of samples/README.md.
 TEST(HistoryCall, OfTheSampleFindsItsStep) {
   const Json json = answerTo({year});
   ASSERT_THAT(json["steps"], SizeIs(1));
@@ -133,7 +133,7 @@ TEST(HistoryCall, CountsACopyOnce) {
   EXPECT_THAT(json["values"], SizeIs(12));
 }
 
-// Reading a pipe waits until somebody writes to it.
+// Reading a pipe blocks until somebody writes to it.
 TEST(HistoryCall, NamesWhatIsNoFileInAFolder) {
   const TemporaryFolder folder;
   std::filesystem::copy_file(year + "/2025-09-12.alidade", folder.path() / "1.alidade");

@@ -6,7 +6,7 @@
 #include "tests/support/file_content.h"
 #include "tests/support/hostile_session.h"
 
-// Whatever names, notes and files hold: what comes out is text, acts on no terminal, and is the same text.
+// Whatever names, notes and files contain, the output is the same text without effect on the terminal.
 
 namespace alidade::test {
 namespace {
@@ -15,7 +15,7 @@ using ::testing::HasSubstr;
 using ::testing::StartsWith;
 using Json = nlohmann::ordered_json;
 
-/// Nothing in it but visible text, in whole lines.
+/// Checks for visible text in whole lines.
 void expectVisible(const std::string& text, const std::string& of) {
   const auto at = firstForbidden(text);
   EXPECT_FALSE(at) << of << ": …" << ::testing::PrintToString(text.substr(*at < 20 ? 0 : *at - 20, 60));
@@ -96,7 +96,7 @@ TEST(HostileTexts, AreTextInTheRefusalOfEveryEntry) {
     refused(key, [&](Json& s) { s["positions"][1]["readings"][2][key] = all; });
 }
 
-/// No number rests on a date: it is told, and the result stands.
+/// A date does not affect any number: its problem is reported, and the result remains.
 TEST(HostileTexts, AreTextInWhatIsToldOfADate) {
   const ProgramRun run =
       publishedFit(changedPaperSession([](Json& s) { s["measured_on"] = allHostileTexts(); }));

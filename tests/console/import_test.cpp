@@ -5,7 +5,7 @@
 #include "tests/console/console.h"
 #include "tests/support/file_content.h"
 
-// `alidade-cli import`: a session from a file of readings, with what is missing said on stderr.
+// `alidade-cli import`: a session from a file of readings, with missing parts reported on stderr.
 
 namespace alidade::test {
 namespace {
@@ -68,7 +68,7 @@ TEST_F(ImportTest, TakesUnitsAndCircleFromTheOptions) {
   EXPECT_EQ(written["instrument"]["sigma_vertical_arcsec"], 1.5);
 }
 
-// −10′ is an elevation and no zenith angle; the column's name tells which circle it is.
+// −10′ is a valid elevation but an invalid zenith angle; the column name states the kind of circle.
 TEST_F(ImportTest, ChecksTheZeroByTheCircleThatTheTableNames) {
   const std::string elevations = folder.file("e.csv", "axis,Hz,elevation\n0,341°,2°\n");
   EXPECT_EQ(import(elevations, {"--zero-0", "341°", "-0°10'"}).exitCode, 0);

@@ -2,7 +2,7 @@
 
 #include "tests/console/console.h"
 
-// Talked to as a whole by the tests of the window; here is what it refuses.
+// The window tests cover its communication; here are its refusals.
 
 namespace alidade::test {
 namespace {

@@ -6,7 +6,7 @@
 #include "core/session/session_file.h"
 #include "tests/console/console.h"
 
-// `alidade-cli journal`: what was changed in a session after it stood.
+// `alidade-cli journal`: recorded changes of a session.
 
 namespace alidade::test {
 namespace {

@@ -4,8 +4,7 @@
 #include "tests/console/console.h"
 #include "tests/support/guarded_memory.h"
 
-// What is too much for the program gets a sentence, from wherever it comes; what is much takes its time and
-// room in proportion.
+// Excessive input of any kind gets an error message; large input takes time and memory in proportion.
 
 namespace alidade::test {
 namespace {
@@ -14,15 +13,15 @@ using ::testing::HasSubstr;
 using ::testing::StartsWith;
 using Json = nlohmann::ordered_json;
 
-const std::string cli = "\"$0\"";  // in a line of the shell
+const std::string cli = "\"$0\"";  // the program in a shell command
 
-/// A line of a shell, which knows devices.
+/// Runs a shell command, since shells support devices.
 ProgramRun shell(const std::string& line) {
   return runProgram({.program = "/bin/sh", .arguments = {"-c", line, ALIDADE_CLI}});
 }
 
-/// The beginning of such a line: so much memory, and so much of the processor's time where that is limited. A
-/// sanitizer has memory and time of its own.
+/// The start of such a command: limits of memory, and optionally of processor time. A sanitizer has its own
+/// memory and time.
 std::string within([[maybe_unused]] int megabytes, [[maybe_unused]] int seconds = 0) {
 #ifdef ALIDADE_MEMORY_IS_GUARDED
   return "";
@@ -55,7 +54,7 @@ TEST(Limits, EndAFileOfNothingButBrackets) {
   EXPECT_THAT(run.err, HasSubstr("holds more than 1,000,000 values"));
 }
 
-// Were anything quadratic it would take a minute: processor time, which does not hang on what else is done.
+// A quadratic algorithm would take a minute of processor time, which is independent of other load.
 TEST(Load, FitOfManyRowsTakesTimeAndRoomInProportion) {
   const TemporaryFolder folder;
   const std::string session = folder.file("many.alidade", ""), truth = folder.file("truth.json", "");

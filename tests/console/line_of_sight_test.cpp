@@ -7,8 +7,8 @@
 #include "tests/console/console.h"
 #include "tests/support/file_content.h"
 
-// The record of an instrument check at 2.4 m and 60 m, made with c = 8″ and a line of sight 0.117 mm off the
-// axis, and a session at 2.405 m by the same instrument: at 2.438 m both are a collimation of 17.90″.
+// The record of an instrument check at 2.4 m and 60 m, simulated with c = 8″ and a line of sight 0.117 mm
+// from the axis. The session at 2.405 m has the same instrument: at 2.438 m both are a collimation of 17.90″.
 
 namespace alidade::test {
 namespace {
@@ -29,11 +29,11 @@ class LineOfSightTest : public testing::Test {
     ASSERT_EQ(made.exitCode, 0) << made.err;
   }
 
-  /// With the record after `change`.
+  /// Uses the record after `change`.
   template <typename Change>
   Json diagnosed(const Change& change) const {
     Json changed = Json::parse(contentOf(record));
-    // Seven degrees of freedom tell σ to 27 %, and these by chance 0.2″; both were made with 0.5″.
+    // Seven degrees of freedom determine σ to 27 %; here it is 0.2″ by chance. Both were simulated with 0.5″.
     changed["sigma_horizontal_arcsec"] = changed["sigma_vertical_arcsec"] = 0.5;
     change(changed);
     const ProgramRun run = alidadeCli({"diagnose", session, "--json", "--instrument",
@@ -64,7 +64,7 @@ TEST_F(LineOfSightTest, AccountsForTheGapAtTheDistanceOfTheSession) {
   EXPECT_THAT(answer.at("sentence").get<std::string>(), HasSubstr("What is known beforehand (collimation"));
   const Json& known = answer.at("known").at(0);
   EXPECT_EQ(known.at("effect"), "collimation");
-  // u of c + e/D with their correlation: 0.17″, three of it.
+  // u of c + e/D with their correlation: 0.17″; three times that.
   EXPECT_NEAR(known.at("known").at("value"), 17.9, 0.5);
   EXPECT_LT(known.at("known").at("sigma"), 0.2);
 }

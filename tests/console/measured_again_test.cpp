@@ -3,7 +3,7 @@
 
 #include "tests/console/console.h"
 
-// A session with an axis measured again, from simulation to answers.
+// A session with a repeated axis angle, from simulation to results.
 
 namespace alidade::test {
 namespace {

@@ -5,7 +5,7 @@
 #include "tests/console/console.h"
 #include "tests/support/guarded_memory.h"
 
-// What nothing expects ends in one line, too: the file, that the command failed and why; exit code 1.
+// An unexpected failure also ends in one line: the file, that the command failed and why; exit code 1.
 
 namespace alidade::test {
 namespace {

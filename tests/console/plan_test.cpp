@@ -5,7 +5,7 @@
 
 #include "tests/console/console.h"
 
-// `alidade-cli plan`: what a plan of readings can and cannot see, whether or not it has been read.
+// `alidade-cli plan`: what a plan of readings can detect, before or after it is read.
 
 namespace alidade::test {
 namespace {
@@ -35,7 +35,7 @@ TEST(Plan, ReviewsAPlanThatHasBeenRead) {
     EXPECT_LT(attainable[i].at("expanded_mm"), attainable[0].at("expanded_mm"));
 }
 
-// Unread rows are spread over the same range as the paper's, so about the same shows: 10 %, and 0.1 σ.
+// Unread rows are spread over the same range as the paper's, so results are similar: 10 %, and 0.1 σ.
 TEST(Plan, ReviewsAPlanThatHasNotBeenRead) {
   const TemporaryFolder folder;
   const auto unsight = [](Json& session) {
@@ -62,7 +62,7 @@ TEST(Plan, SaysItInWordsToo) {
   EXPECT_THAT(run.out, HasSubstr("\nSessions like this one come to U = "));
 }
 
-// Some thousand degrees of freedom and not a second of misfit, which is what a plan without noise leaves.
+// A plan without noise leaves some thousand degrees of freedom and a misfit below one arcsecond.
 TEST(Plan, ReviewsALargePlan) {
   const TemporaryFolder folder;
   const std::string file = (folder.path() / "plan.alidade").string(), truth = (folder.path() / "t").string();

@@ -36,12 +36,12 @@ TEST(ProtocolCommand, SaysWhatIsNextAndWhatIsLeft) {
   EXPECT_EQ(guidance.at("next").at("point"), 17);
   EXPECT_EQ(guidance.at("next").at("round"), 2);
   EXPECT_EQ(guidance.at("sightings").size(), 70u);
-  // The place was read in round 1: 323°07'06" or nearly so, as the slider comes back to it.
+  // The place was read in round 1: about 323°07'06", where the slider returns.
   EXPECT_NEAR(guidance.at("next").at("expected").at("horizontal_deg").get<double>(), 323.118, 0.01);
   EXPECT_TRUE(guidance.at("repeat").is_array());
 }
 
-/// Twice the readings: 1/√2 of what the fit alone comes to, but for zeros and distance, which are small here.
+/// Twice the readings: 1/√2 of U of Δd, fit only, except for zeros and distance, which are small here.
 TEST(ProtocolCommand, SaysWhatTheRestBrings) {
   const Json outlook = guidanceOf(paperSession, "there-and-back").at("outlook");
   const double now = outlook.at("now").at("of_fit_mm"),

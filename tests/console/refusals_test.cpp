@@ -4,7 +4,7 @@
 
 #include "tests/console/console.h"
 
-// Bad input and bad calls: one line that says what, where and what to do; exit code 2; nothing on stdout.
+// Bad input and bad calls: one line that says what, where and what to do; exit code 2; empty stdout.
 
 namespace alidade::test {
 namespace {
@@ -14,7 +14,7 @@ using ::testing::HasSubstr;
 using ::testing::StartsWith;
 using Json = nlohmann::ordered_json;
 
-/// How `fit` refuses a changed session; the file's path and the colon behind it are checked and taken off.
+/// The refusal of a changed session by `fit`, after checking and removing the file's path and the colon.
 std::string refusalOf(const std::string& content) {
   const TemporaryFolder folder;
   const std::string file = folder.file("bad.alidade", content);
@@ -101,7 +101,7 @@ TEST(Refusal, OfACallNamesWhatIsWrong) {
   EXPECT_THAT(refusal({"fit", paperSession, "--risk", "2"}), HasSubstr("from 1e-09 to 0.5"));
 }
 
-// As where a script's variable is not set: what was asked for must not be left out unseen.
+// For example from an unset variable of a script: the option must not be ignored silently.
 TEST(Refusal, OfAnEmptyValueAtAnyOption) {
   const TemporaryFolder folder;
   const std::string out = (folder.path() / "out").string();
@@ -128,7 +128,7 @@ TEST(Refusal, OfAnEmptyValueAtAnyOption) {
   }
 }
 
-// A seed that is taken for another one gives a session that its own seed does not give again.
+// A seed interpreted as another one would give a session that its stated seed cannot reproduce.
 TEST(Refusal, OfASeedThatIsNone) {
   for (const char* seed : {"-1", "99999999999999999999", "1.5", "0x10", "nan"}) {
     for (const std::vector<std::string>& call :

@@ -6,7 +6,7 @@
 #include "tests/console/console.h"
 #include "tests/support/file_content.h"
 
-// What samples/README.md says of each sample, and that its recipe still makes it.
+// The statements of samples/README.md on each sample, and that its recipe still produces it.
 
 namespace alidade::test {
 namespace {
@@ -21,8 +21,8 @@ const fs::path samples = ALIDADE_SAMPLES_DIR;
 struct Story {
   const char* name;
   const char* verdict;
-  std::vector<std::string> causes;      ///< by their truth, in any order
-  std::vector<std::string> lookAlikes;  ///< named among the causes or beside them
+  std::vector<std::string> causes;      ///< according to their truth, in any order
+  std::vector<std::string> lookAlikes;  ///< named as causes or look-alikes
 };
 
 class SampleTest : public ::testing::TestWithParam<Story> {};
@@ -37,7 +37,7 @@ TEST_P(SampleTest, IsDiagnosedAsItsLineSays) {
   std::set<std::string> named;
   for (const Json& cause : diagnosis["causes"]) named.insert(cause["effect"]);
   if (!story.lookAlikes.empty()) {
-    // Which of them comes first is for chance to say.
+    // Their order is random.
     for (const Json& cause : diagnosis["causes"])
       named.insert(cause["indistinguishable_from"].begin(), cause["indistinguishable_from"].end());
     EXPECT_THAT(named, IsSupersetOf(story.lookAlikes));
@@ -75,7 +75,7 @@ Json diagnosisOf(const char* name) {
   return Json::parse(alidadeCli({"diagnose", file, "--json"}).out);
 }
 
-// 0.40 mm is the truth in make.sh; 60″ and −40″ the steps, after 25 of 36 readings.
+// 0.40 mm is the truth in make.sh; 60″ and −40″ are the steps, after 25 of 36 readings.
 TEST(Samples, SizesAreThoseOfTheRecipe) {
   for (const char* name : {"two-causes", "knocked-tripod"}) {
     const Json after = diagnosisOf(name)["intersection"]["after"];
@@ -103,7 +103,7 @@ TEST(Samples, RecipeMakesThemByteByByte) {
   EXPECT_EQ(made, 28u);
 }
 
-// What eight sessions of one theodolite show together, and hardly any of them alone.
+// Effects visible in eight sessions of one theodolite together, and in hardly any of them alone.
 TEST(Samples, SeriesNamesWhatItsSessionsShare) {
   const ProgramRun run = alidadeCli({"diagnose", (samples / "series").string(), "--json"});
   ASSERT_EQ(run.exitCode, 0) << run.err;

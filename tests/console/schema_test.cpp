@@ -16,9 +16,9 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Keys that may be absent although they are there: each depends on the session.
+/// Optional keys that are present here: each depends on the session.
 const std::set<std::string> mayBeAbsent = {
-    "gone intersection",  // with all that rests on it, another mutant
+    "gone intersection",  // another mutant, with everything derived from it
     "gone intersection/as_found",
     "gone decision",
     "gone two_faces",
@@ -32,7 +32,7 @@ const std::set<std::string> mayBeAbsent = {
 
 class SchemaTest : public ::testing::Test {
  protected:
-  /// What the script says of documents, one a line, against a schema of the program's.
+  /// The script's verdict on documents, one per line, against a schema of the program.
   std::string against(const std::string& schema, const std::string& documents,
                       const std::vector<std::string>& options = {}) {
     const ProgramRun printed = alidadeCli({"schema", schema});
@@ -90,7 +90,7 @@ TEST_F(SchemaTest, IsMetByTheDiagnosesOfAllSamplesAndOfTheirSeries) {
   std::string documents;
   for (const std::string& file : samples()) documents += answer({"diagnose", file, "--json"});
   documents += answer({"diagnose", ALIDADE_SAMPLES_DIR "/series", "--json"});
-  // Of no catalogue, and shared by whatever sessions there are.
+  // Effects outside the catalogue, shared by all sessions.
   const TemporaryFolder series;
   for (const char* seed : {"1", "2", "3", "4"})
     alidadeCli({"simulate", "--protocol", "two-face", "--effect", "settling=40,0.2", "--seed", seed,
@@ -137,7 +137,7 @@ TEST_F(SchemaTest, IsMetByWhateverIsSimulated) {
   EXPECT_EQ(against("session", sessions), "");
 }
 
-// Ranges, too, are part of the schemas: what no arc is behind gets an answer within them, or a sentence.
+// Schemas include ranges: readings far from any arc give a result within them, or an error message.
 TEST_F(SchemaTest, IsMetByWhateverLiesFarOffAnyArc) {
   const TemporaryFolder folder;
   for (std::uint64_t seed = 1; seed <= 140; ++seed)
@@ -151,7 +151,7 @@ TEST_F(SchemaTest, IsMetByWhateverLiesFarOffAnyArc) {
   EXPECT_EQ(against("diagnose", alidadeCli({"diagnose", "--each", path, "--json"}).out), "");
 }
 
-// An answer of many files names each, and says of one that cannot be used why.
+// A result of many files names each file, and states why one is unusable.
 TEST_F(SchemaTest, IsMetByEachLineOfManyAnswers) {
   const std::string broken = m_folder.file("broken.alidade", "{}");
   const std::string onePosition = m_folder.file("one.alidade", changedPaperSession([](Json& session) {
@@ -191,7 +191,7 @@ TEST_F(SchemaTest, RefusesWhatIsSpoiltInAnyPlace) {
   EXPECT_GT(refusals("plan", answer({"plan", paperSession, "--json"})), 50);
 }
 
-// What was typed is kept, whatever it is; what the file needs must be there.
+// Any typed text is accepted; required keys must be present.
 TEST_F(SchemaTest, OfTheSessionAsksForWhatTheProgramAsksForAndLetsTheRestBe) {
   const auto accepts = [&](const std::function<void(Json&)>& change) {
     return against("session", onALine(changedPaperSession(change))).empty();

@@ -7,7 +7,7 @@
 #include "core/self_test/references.h"
 #include "tests/console/console.h"
 
-// `alidade-cli self-test`: the installation checked, to be filed.
+// `alidade-cli self-test`: a check of the installation, for filing.
 
 namespace alidade::test {
 namespace {
@@ -43,7 +43,7 @@ TEST(SelfTestCommand, SaysTheSameToPrograms) {
 
 TEST(SelfTestCommand, FailsWithTheLineOfAReferenceThatIsOff) {
   Json fits = Json::parse(compiledReferences().fits);
-  fits.at(3).at("arcs").at(1).at("y") = "0.442850264968";  // by 1e-8 mm
+  fits.at(3).at("arcs").at(1).at("y") = "0.442850264968";  // changed by 1e-8 mm
   const TemporaryFolder folder;
   const std::string path = folder.file("fits.json", fits.dump());
   const ProgramRun run = alidadeCli({"self-test", "--fits", path});
@@ -61,7 +61,7 @@ TEST(SelfTestCommand, RefusesReferencesThatCannotBeRead) {
   expectRefusal(alidadeCli({"self-test", "--frobnicate"}));
 }
 
-// As it is installed: a sample that somebody changed beside the program fails, and nothing else.
+// For an installed program: a changed sample fails, and nothing else.
 TEST(SelfTestCommand, LooksAtWhatIsInstalledBesideIt) {
   namespace fs = std::filesystem;
   const TemporaryFolder folder;

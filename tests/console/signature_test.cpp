@@ -10,14 +10,14 @@ namespace {
 
 using ::testing::HasSubstr;
 
-/// Keys and certificates of the moment, and what openssl says of a signature.
+/// Temporary keys and certificates, and openssl's verdict on a signature.
 class SignatureTest : public ::testing::Test {
  protected:
   ProgramRun openssl(const std::vector<std::string>& arguments) const {
     return runProgram({.program = "openssl", .arguments = arguments, .directory = m_folder.path()});
   }
 
-  /// NAME.key and NAME.pem, by a key of that kind.
+  /// Makes NAME.key and NAME.pem, with a key of that kind.
   void make(const std::string& name, const std::string& kind,
             const std::vector<std::string>& further = {}) const {
     std::vector<std::string> arguments{"req",         "-x509", "-newkey",     kind,    "-keyout",
@@ -108,7 +108,7 @@ TEST_F(SignatureTest, RefusesACertificateThatHasExpired) {
   EXPECT_FALSE(isThere("c.xml"));
 }
 
-// All or nothing: where the signature cannot stand, the certificate does not either.
+// All or nothing: if the signature cannot be written, the certificate is not written either.
 TEST_F(SignatureTest, LeavesNoFileUnsigned) {
   make("lab", "rsa:2048");
   std::filesystem::create_directory(m_folder.path() / "c.xml.p7s");
@@ -136,7 +136,7 @@ TEST_F(SignatureTest, ReplacesNothingThatItIsSignedBy) {
   }
 }
 
-// As ssh does: a key that others can read signs in nobody's name.
+// Like ssh: refuses a key that others can read.
 TEST_F(SignatureTest, RefusesAKeyOfOursThatIsOpenToOthers) {
   make("lab", "ec");
   for (const int mode : {0666, 0640, 0604, 0620}) {

@@ -7,7 +7,7 @@
 #include "tests/console/console.h"
 #include "tests/support/file_content.h"
 
-// `alidade-cli simulate`: a session that `fit` takes, and its truth in a file of its own.
+// `alidade-cli simulate`: a session for `fit`, and its truth in a separate file.
 
 namespace alidade::test {
 namespace {
@@ -26,7 +26,7 @@ class SimulateTest : public ::testing::Test {
   std::string session = (folder.path() / "s1.alidade").string(), truth = (folder.path() / "t.json").string();
 };
 
-// Δd of the file's fit within 5 σ of the truth's, at 2″ some 0.1 mm, of a drawn Δd of up to 3 mm.
+// Δd of the file's fit is within 5 σ of the truth, some 0.1 mm at 2″, for a drawn Δd of up to 3 mm.
 TEST_F(SimulateTest, WritesASessionAndItsTruth) {
   const ProgramRun run = simulate({"--seed", "12", "--protocol", "full"});
   EXPECT_EQ(run.exitCode, 0) << run.err;
@@ -84,8 +84,7 @@ TEST_F(SimulateTest, PutsInWhatIsAsked) {
               ::testing::Not(HasSubstr(".")));
 }
 
-// Stated tilts are known, from the compensator, in fit and diagnosis; what it has taken off is no effect of
-// the truth.
+// Stated tilts are known from the compensator, in fit and diagnosis; corrected tilts are not in the truth.
 TEST_F(SimulateTest, StatesWhatTheCompensatorTells) {
   const std::vector<std::string> ofATilt = {"--effect", "vertical_axis_tilt=20,-70", "--compensator"};
   const auto with = [&](const char* use) {
@@ -98,7 +97,7 @@ TEST_F(SimulateTest, StatesWhatTheCompensatorTells) {
   EXPECT_FALSE(with("off").contains("tilt_cross_arcsec"));
   EXPECT_EQ(with("on")["corrections"], "inclination standing_axis");
   EXPECT_EQ(Json::parse(contentOf(truth)).at("s1").at("kind"), "none");
-  // 70″ and up to 9° off, with 1″ of the compensator.
+  // 70″ with a direction error of up to 9°, and 1″ of the compensator.
   EXPECT_NEAR(with("measured")["tilt_cross_arcsec"].get<double>(), 70, 10);
   const Json diagnosis = Json::parse(alidadeCli({"diagnose", session, "--json"}).out);
   EXPECT_EQ(diagnosis["known"].size(), 2U);
@@ -125,7 +124,7 @@ TEST_F(SimulateTest, RefusesWhatCannotBeDone) {
   expectRefusal(alidadeCli({"simulate", "--out", truth, "--truth", truth}));
 }
 
-// What was written first must not be lost to what is written second.
+// The second output must not overwrite the first.
 TEST_F(SimulateTest, RefusesOneFileForSessionAndTruthHoweverItIsNamed) {
   const auto refusal = [&](const std::string& out, const std::string& truthFile) {
     const ProgramRun run = alidadeCli({"simulate", "--out", out, "--truth", truthFile});
@@ -155,7 +154,7 @@ TEST_F(SimulateTest, LeavesWhatStoodThereWhereOneOfTheTwoCannotBeWritten) {
 TEST_F(SimulateTest, LeavesWhatStoodThereWhereTheDiskIsFull) {
   std::ofstream(session) << "kept";
   std::ofstream(truth) << "kept, too";
-  // Files of this call may not grow beyond 8 blocks of 512 bytes; a session takes five times that.
+  // Limits files of this call to 8 blocks of 512 bytes; a session takes five times that.
   const ProgramRun run =
       runProgram({.program = "/bin/sh",
                   .arguments = {"-c", "ulimit -f 8; exec \"$0\" \"$@\"", ALIDADE_CLI, "simulate",

@@ -7,7 +7,7 @@
 
 #include "tests/console/console.h"
 
-// `alidade-cli trial`: blind trials drawn here, or scored as they were made elsewhere.
+// `alidade-cli trial`: blind trials drawn here, or made elsewhere and scored.
 
 namespace alidade::test {
 namespace {
@@ -34,7 +34,7 @@ TEST(Trial, ScoresDrawnTrials) {
   EXPECT_EQ(alidadeCli(serial).out, run.out);
 }
 
-/// Some of the stored trials as a set of their own.
+/// Copies some of the stored trials into a new set.
 void keep(const std::filesystem::path& folder, const std::vector<std::string>& ids) {
   std::ifstream file(stored + "/truth.json");
   const Json all = Json::parse(file);

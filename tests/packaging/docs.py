@@ -16,7 +16,7 @@ import unicodedata
 from concurrent.futures import ThreadPoolExecutor
 
 SKIPPED = {".git", "build"}
-# Not run: what draws hundreds of trials, what waits for somebody, and what needs files that are no samples.
+# Not run: commands that draw hundreds of trials, wait for input, or need files other than samples.
 SLOW = re.compile(r"trial --(count|series) |instrument-simulator ")
 COMMAND = re.compile(r"\b(alidade-cli|alidade)\b((?: +[^\s`]+)*)")
 
@@ -213,7 +213,7 @@ def main():
         complaints += option_problems(root, path, texts[path], programs)
     if programs.has("alidade-cli"):
         def tried(path):
-            # A folder of its own in which the samples are found, so that nothing is written into the tree.
+            # A separate folder with the samples, so that nothing is written into the tree.
             with tempfile.TemporaryDirectory() as folder:
                 for name in ("samples", "tests"):
                     if os.path.isdir(os.path.join(root, name)):

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Each rule finds its offender: a small tree per rule, sound but for one thing.
+# Each rule detects its violation: a small tree per rule, with a single fault.
 set -euo pipefail
 rules=$(cd -- "${1:?the folder of the rules}" && pwd)
 compiler=${2:?the compiler}
@@ -21,14 +21,14 @@ sound_tree() {
   printf '#!/usr/bin/env bash\necho sound\n' >sound.sh
 }
 
-# must pass|fail RULE: what the rule has to say about the tree.
+# must pass|fail RULE: the expected result of the rule for the tree.
 must() {
   local expected=$1 outcome=pass
   bash "$rules/$2.sh" "$trees/tree" "$compiler" "$eigen" >"$trees/log" 2>&1 || outcome=fail
   [[ $outcome == "$expected" ]] || { echo "$2.sh should $expected: $3" && cat "$trees/log" && failed=1; }
 }
 
-# offence RULE FILE TEXT: the rule refuses the sound tree once TEXT stands at the end of FILE.
+# offence RULE FILE TEXT: the rule refuses the sound tree with TEXT appended to FILE.
 offence() {
   sound_tree
   printf '%b' "$3" >>"$2"
@@ -71,7 +71,7 @@ offence scripts broken.sh 'if true\n'
 # shellcheck disable=SC2016
 offence scripts unquoted.sh '#!/usr/bin/env bash\nrm $1\n'
 
-# docs pass|fail WHY [PROGRAM]: what the rule of the Markdown files has to say about the tree.
+# docs pass|fail WHY [PROGRAM]: the expected result of the rule of the Markdown files for the tree.
 docs() {
   local outcome=pass
   python3 "$rules/docs.py" "$trees/tree" "${@:3}" >"$trees/log" 2>&1 || outcome=fail

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Every C++ file is as clang-format 14 writes it, and no Markdown file is: it takes headings for preprocessor lines
-# (`#Title`) and indents paragraphs as expressions.
+# Every C++ file has the format of clang-format 14. Markdown files must not pass through it: it mistakes
+# headings for preprocessor lines (`#Title`) and indents paragraphs as expressions.
 set -euo pipefail
 # shellcheck source=tests/packaging/lib.sh
 source "$(dirname -- "${BASH_SOURCE[0]}")/lib.sh"

@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# Core headers without a source of their own compile by themselves; those with one include it first (includes.sh).
+# Core headers without a source file compile by themselves; a source file includes its header first
+# (includes.sh).
 set -euo pipefail
 # shellcheck source=tests/packaging/lib.sh
 source "$(dirname -- "${BASH_SOURCE[0]}")/lib.sh"

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Who may include whom: app → ui → core, inside core only downwards, the console without Qt, every include from the
-# repository root, a source's own header first, and no heavy library in a header.
+# Allowed includes: app → ui → core, inside core only downwards, the console without Qt, every include from
+# the repository root, the header of a source first, and heavy libraries only in sources.
 set -euo pipefail
 # shellcheck source=tests/packaging/lib.sh
 source "$(dirname -- "${BASH_SOURCE[0]}")/lib.sh"
@@ -18,7 +18,7 @@ awk '
                   "series/instrument_check series/history " \
                   "self_test", order)
     for (i = 1; i <= rooms; ++i) level["core/" order[i]] = i
-    # Linear algebra, for the sources of one floor and nobody else.
+    # Linear algebra headers, only for the sources of one floor.
     floor_of["core/adjustment/joint/arc_jets.h"] = "adjustment"
     floor_of["core/adjustment/joint/joint_problem.h"] = "adjustment"
     floor_of["core/adjustment/numerics/auto_diff.h"] = "adjustment"
@@ -32,7 +32,7 @@ awk '
     for (i in behind) inner["core/diagnosis/" behind[i]]
   }
   function folder_of(file) { sub(/\/[^\/]*$/, "", file); return file }
-  # The floor of core that alone may include the file; empty where any may.
+  # The only floor of core that may include the file; empty if any may.
   function owner(file) { return file in floor_of ? floor_of[file] : folder_of(file) in inner ? "diagnosis" : "" }
   function complain(why) { print FILENAME ":" FNR ": " why ": " $0 }
   FNR == 1 {

@@ -3,7 +3,7 @@
 
 cd -- "${1:?the tree to check}" || exit 2
 
-# Files of the repository below the given folders whose names match the given patterns; builds are not part of it.
+# Files of the repository below the given folders that match the given patterns, without builds.
 sources() {
   local folders=() patterns=()
   while [[ $1 != -- ]]; do folders+=("$1") && shift; done

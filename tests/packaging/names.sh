@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# No two headers define a type of one name in one namespace: no compiler sees both, the linker takes either for both, and
-# the program crashes far from here. `alidade::ui` may call its own things as the core does.
+# No two headers define types of equal name in one namespace: no compiler sees both, the linker merges them,
+# and the program crashes far from here. `alidade::ui` may reuse names of the core.
 set -euo pipefail
 # shellcheck source=tests/packaging/lib.sh
 source "$(dirname -- "${BASH_SOURCE[0]}")/lib.sh"

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# The repository stands alone: no path of one machine, nothing outside it referred to, its licence with it, no product
-# of a build in it.
+# The repository is self-contained: no path of one machine, no reference outside, its licence included, no
+# build products.
 set -euo pipefail
 # shellcheck source=tests/packaging/lib.sh
 source "$(dirname -- "${BASH_SOURCE[0]}")/lib.sh"

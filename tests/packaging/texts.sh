@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# The list of translations has every text of the sources, and none that is gone.
+# The list of translations contains exactly the texts of the sources.
 set -euo pipefail
 root=${1:?the tree to check}
 lupdate=${2:?the tool of Qt that collects texts}

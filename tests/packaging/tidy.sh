@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# tidy.sh TREE BUILD quick|all FOLDER...: clang-tidy 14 over the sources of the folders that the build compiles, a process
-# per processor. `quick` leaves out what costs most for what it finds. A source that passed is looked at again when it, a
-# header it includes or the rules changed.
+# tidy.sh TREE BUILD quick|all FOLDER...: clang-tidy 14 for the sources of the folders that the build
+# compiles, one process per processor. `quick` leaves out the checks that cost most for their findings. A
+# source that passed is checked again after a change of it, of an included header or of the rules.
 set -euo pipefail
 self=$(realpath -- "${BASH_SOURCE[0]}")
 # shellcheck source=tests/packaging/lib.sh
@@ -18,13 +18,14 @@ checks=()
 
 passed=$build/tidy/$extent
 mkdir -p -- "$passed"
-# The commands that would compile each source by itself, and without precompiled headers, which clang cannot read of g++.
+# The commands that compile each source by itself, without precompiled headers of g++, which clang cannot
+# read.
 alone=$build/tidy/alone
 cmake -S . -B "$alone" -G Ninja -DCMAKE_BUILD_TYPE=Release -DCMAKE_EXPORT_COMPILE_COMMANDS=ON -DALIDADE_TESTS=ON \
   -DALIDADE_FUZZ_SECONDS=0 -DALIDADE_BY_ROOM=OFF -DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON >/dev/null
 
-# What each source was compiled from within the tree, together with its room, as the build knows it: lines of source,
-# tab, file.
+# The files of the tree from which each source was compiled, with its folder, as the build knows them: lines
+# of source, tab, file.
 compiled_from() {
   ninja -C "$build" -t deps | awk -v root="$PWD/" '
     /#deps/ || !NF {
@@ -45,7 +46,7 @@ compiled_from() {
 declare -A needs=()
 while IFS=$'\t' read -r source file; do needs[$source]+=$file$'\n'; done < <(compiled_from)
 
-# Whether a file passed since it, a header it includes and the rules last changed.
+# True if a file passed after the last change of it, of an included header and of the rules.
 still_passes() {
   local stamp=$passed/${1//\//_} files
   [[ -e $stamp && -n ${needs[$1]:-} ]] || return 1

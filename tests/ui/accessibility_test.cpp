@@ -17,7 +17,7 @@
 namespace alidade::ui {
 namespace {
 
-/// Those in sight that have none.
+/// Visible controls without a name or role.
 void gatherNameless(const QWidget& window, std::set<std::string>& nameless) {
   for (QWidget* widget : window.findChildren<QWidget*>()) {
     if (!widget->isVisible() || !(widget->focusPolicy() & Qt::TabFocus) || widget->focusProxy()) continue;

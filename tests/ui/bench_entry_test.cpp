@@ -21,14 +21,14 @@
 #include "ui/panels/window/page_tabs.h"
 #include "ui/text/entry_text.h"
 
-// A session typed as one does at the instrument: with the keyboard alone, looking at the circles.
+// A session typed as at the instrument: by keyboard alone, with the eyes on the circles.
 
 namespace alidade::ui {
 namespace {
 
 using testing::HasSubstr;
 
-/// Types into whatever has the keyboard.
+/// Types into the focused widget.
 void type(const QString& text, Qt::Key key = Qt::Key_Return) {
   typeInto(*QApplication::focusWidget(), text, key);
 }
@@ -94,7 +94,7 @@ TEST(BenchEntry, APaperSessionIsTypedWithoutTheMouse) {
   }
 }
 
-/// A screen of 1920 by 1080 pixels has half of them at scale 2, less frame and title.
+/// A screen of 1920 by 1080 pixels at scale 2 has half of each, less frame and title.
 TEST(BenchEntry, TheWindowFitsASmallScreenAtScaleTwo) {
   EntryBench bench;
   bench.start(paperSession());

@@ -19,7 +19,7 @@
 #include "ui/panels/readings/find_bar.h"
 #include "ui/panels/readings/readings_table.h"
 
-// What any desktop program does, here without losing what was read.
+// The duties of any desktop program, without loss of readings.
 
 namespace alidade::ui {
 namespace {

@@ -1,5 +1,5 @@
-// The window shows, and the report prints, an answer or a sentence in every state of a session that is typed,
-// and in every geometry. The answers themselves: tests/core/every_state_test.cpp.
+// In every state of a typed session and in every geometry, the window and the report give a result or a
+// sentence. Results: tests/core/every_state_test.cpp.
 
 #include <gtest/gtest.h>
 
@@ -20,7 +20,7 @@ namespace {
 
 using namespace alidade::test;
 
-/// A window that is given one session after another.
+/// A window that opens one session after another.
 class Showing {
  public:
   Showing() {
@@ -28,7 +28,7 @@ class Showing {
                      [this](const SharedEvaluation& evaluation) { m_evaluation = evaluation; });
     QObject::connect(&m_open->gapJob(), &GapJob::assessed, m_open.window.get(),
                      [this](const SharedGap& gap) { m_gap = gap; });
-    QTest::keyClick(m_open.window.get(), Qt::Key_5, Qt::ControlModifier);  // diagnosed at once
+    QTest::keyClick(m_open.window.get(), Qt::Key_5, Qt::ControlModifier);  // starts the diagnosis at once
   }
 
   void show(const Session& session) {

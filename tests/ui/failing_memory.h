@@ -2,8 +2,8 @@
 
 namespace alidade::ui {
 
-/// As long as it lives, `new` of 256 bytes and more fails in every thread but the one it was made in. Small
-/// blocks are still there, as they are when real memory runs short.
+/// While it exists, `new` of 256 bytes or more fails in all threads except its own. Small blocks succeed, as
+/// when real memory runs short.
 class FailingMemory {
  public:
   FailingMemory();
@@ -11,7 +11,7 @@ class FailingMemory {
   FailingMemory(const FailingMemory&) = delete;
   FailingMemory& operator=(const FailingMemory&) = delete;
 
-  /// Not under a sanitizer, whose own `new` must not be replaced.
+  /// False under a sanitizer, whose own `new` must not be replaced.
   static bool isPossible();
 };
 

@@ -32,7 +32,7 @@
 #include "ui/panels/window/page_tabs.h"
 #include "ui/settings/recent_files.h"
 
-// Whatever names, notes and files hold: the window and the report show it as text, and keep it as it was.
+// Window and report show any content of names, notes and files as text, and preserve it.
 
 namespace alidade::ui {
 namespace {
@@ -50,7 +50,7 @@ std::string hostilePaperText(const std::string& text) {
   return test::hostileSession(writeSession(paperSession()), text);
 }
 
-/// One with every entry such that none can be used.
+/// A session text in which every entry is unusable.
 std::string brokenPaperText(const std::string& text) {
   Json json = Json::parse(hostilePaperText(text));
   json["measured_on"] = text;
@@ -74,7 +74,7 @@ std::string brokenPaperText(const std::string& text) {
 
 class HostileTextsTest : public testing::Test {
  protected:
-  /// A file of that name.
+  /// Creates a file of that name.
   QString file(const std::string& name, const std::string& content) const {
     QFile file(folder.filePath(of(name)));
     EXPECT_TRUE(file.open(QIODevice::WriteOnly)) << name;
@@ -89,7 +89,7 @@ class HostileTextsTest : public testing::Test {
     QCoreApplication::processEvents();
   }
 
-  /// The window with every page and every menu in turn.
+  /// Checks the window with every page and every menu in turn.
   static void expectVisibleEverywhere(OpenWindow& open, const char* when) {
     open->pageTabs().first()->setFocus();
     for (const QAction* top : open->menuBar()->actions()) emit top->menu()->aboutToShow();
@@ -235,7 +235,7 @@ TEST_F(HostileTextsTest, KeepTheirEndHoweverLong) {
   EXPECT_EQ(open->document().session().title, "y" + text);
 }
 
-/// What a box of the program's own dialogs says while it is open.
+/// The texts of one of the program's message boxes while it is open.
 std::vector<ShownText> boxTexts(const std::function<void()>& ask) {
   std::vector<ShownText> texts;
   QTimer::singleShot(0, [&texts] {
@@ -303,7 +303,7 @@ TEST_F(HostileTextsTest, OfAnyKindLeaveAReportThatIsText) {
   EXPECT_EQ(test::firstForbidden(broken.text().toStdString()), std::nullopt);
 }
 
-// Every line of a note, and a name that would fill pages, in full or cut with an ellipsis.
+// Every line of a note, and a name as long as pages, complete or shortened with an ellipsis.
 TEST_F(HostileTextsTest, OfTenThousandCharactersStayOnTheSheet) {
   std::string note;
   for (int i = 0; i < 2000; ++i) note += std::to_string(10000 + i) + " ";

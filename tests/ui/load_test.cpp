@@ -1,5 +1,5 @@
-// Many rows and many steps: what an edit costs must not grow with the rows. Held by what is touched, copied
-// and kept, not by the clock.
+// Many rows and many steps: the cost of an edit must not grow with the rows. Measured by cells touched,
+// copied and kept, rather than by time.
 
 #include <gtest/gtest.h>
 #include <malloc.h>
@@ -40,7 +40,7 @@ const SharedEvaluation& largeEvaluation() {
   return evaluation;
 }
 
-/// Counts the cells that a view asks for.
+/// Counts the cells that a view queries.
 class CountingModel : public ReadingsModel {
  public:
   using ReadingsModel::ReadingsModel;
@@ -99,7 +99,7 @@ TEST(Load, AnEditTellsOfItsOwnRow) {
   EXPECT_EQ(model.index(1999, residualColumn).data().toString(), before) << "the row has moved up";
 }
 
-/// However many rows cannot be used, they are all marked, and the first are listed.
+/// All unusable rows are marked, and the first ones listed.
 TEST(Load, ListsTheFirstOfVeryManyProblems) {
   Session session = largeEvaluation()->session;
   for (Position& position : session.positions)
@@ -156,7 +156,7 @@ TEST(Load, PlotsShowTheExtremesOfTenThousandRows) {
   EXPECT_GT(painted, 0) << "painted where it is";
 }
 
-/// Bytes in use, as the allocator counts them; none under sanitizers.
+/// Bytes in use according to the allocator; absent under sanitizers.
 std::size_t bytesInUse() {
   return mallinfo2().uordblks;
 }
@@ -188,7 +188,7 @@ TEST(Load, UndoStepsWeighWhatTheyChange) {
   EXPECT_EQ(document.session(), largeEvaluation()->session);
 }
 
-/// A script that edits, waits for the fit, and undoes: nothing stays behind.
+/// A script that edits, waits for the fit, and undoes: memory stays constant.
 TEST(Load, ThousandsOfEditsLeaveMemoryFlat) {
   SessionDocument document;
   document.startWith(paperSession());

@@ -8,7 +8,7 @@
 #include "ui/application.h"
 #include "ui/settings/theme.h"
 
-// Without a display, with settings and data of its own: the user's are neither read nor written.
+// Runs without a display, with separate settings and data: those of the user are never touched.
 int main(int argc, char** argv) {
   qputenv("QT_QPA_PLATFORM", "offscreen");
   testing::InitGoogleTest(&argc, argv);

@@ -54,7 +54,7 @@ std::string resultOf(OpenWindow& open) {
   return shownBy(open->findChild<ResultPanel*>());
 }
 
-/// The words of a PDF, as poppler reads them.
+/// The words of a PDF, according to poppler.
 std::string printedText(const QString& path) {
   QProcess reader;
   reader.start(QStringLiteral("pdftotext"), {QStringLiteral("-layout"), path, QStringLiteral("-")});
@@ -108,7 +108,7 @@ TEST(MainWindow, FitsAMeasurementTypedByKeyboardAlone) {
   EXPECT_THAT(resultOf(open), Not(HasSubstr("Provisional")));
 }
 
-// Within the limit by the fit alone, not clearly so with all that may be there besides.
+// Δd, fit only, is within the tolerance; Δd, measured, is undecided.
 TEST(MainWindow, ShowsNoVerdictThatTheDiagnosisContradicts) {
   OpenWindow open;
   ASSERT_TRUE(open->files().open(samplePath(QStringLiteral("two-causes.alidade"))));
@@ -125,7 +125,7 @@ TEST(MainWindow, ShowsNoVerdictThatTheDiagnosisContradicts) {
   EXPECT_THAT(shown, HasSubstr("Δd, fit only: 0.383 ± 0.038 mm"));
 }
 
-// Only the page in front is fed with evaluations.
+// Only the page in front receives evaluations.
 TEST(MainWindow, ShowsTheVerdictOfADiagnosisThatEndedBehindAnotherPage) {
   OpenWindow open;
   loadPaper(open);
@@ -141,7 +141,7 @@ TEST(MainWindow, ShowsTheVerdictOfADiagnosisThatEndedBehindAnotherPage) {
   EXPECT_THAT(resultOf(open), Not(HasSubstr("Provisional")));
 }
 
-// One entry is enough, among others of its form that can be used.
+// A single unusable entry suffices, among usable ones of its form.
 TEST(MainWindow, MarksTheFormOfAnEntryThatCannotBeUsed) {
   OpenWindow open;
   loadPaper(open);
@@ -161,7 +161,7 @@ TEST(MainWindow, MarksTheFormOfAnEntryThatCannotBeUsed) {
   EXPECT_FALSE(isMarked());
 }
 
-// What the report would print, too.
+// The report does the same.
 TEST(MainWindow, GivesNoVerdictWithAnEntryThatCannotBeUsed) {
   OpenWindow open;
   loadPaper(open);
@@ -442,7 +442,7 @@ TEST(Workstation, WritesAReportWithoutADisplay) {
   EXPECT_EQ(program.readAllStandardError().count('\n'), 1);
   EXPECT_EQ(run({QStringLiteral("--report"), out}), 2);
   EXPECT_EQ(program.readAllStandardError().count('\n'), 1);
-  // Never over the session, whatever it is called, and where it is wanted, to standard output.
+  // Never overwrites the session, under any of its names; writes to standard output on request.
   const QString session = folder.filePath(QStringLiteral("s.alidade")),
                 link = folder.filePath(QStringLiteral("link.pdf"));
   ASSERT_TRUE(QFile::copy(samplePath(paper), session) && QFile::link(session, link));

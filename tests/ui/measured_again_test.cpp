@@ -1,4 +1,4 @@
-// Positions measured again (0°, 180°, 0°), from the menu to the pages.
+// Repeated positions (0°, 180°, 0°), from the menu to the pages.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -50,7 +50,7 @@ void measureAgain(OpenWindow& open, int axisDeg) {
   open.settle();
 }
 
-/// Types what another session holds into a position of the window's, row by row.
+/// Types the readings of another session into a position of the window, row by row.
 void typePosition(OpenWindow& open, std::size_t position, const Position& source, std::size_t count) {
   const auto zero = [&](const char* field) {
     return open->findChild<QLineEdit*>(
@@ -108,7 +108,8 @@ TEST(MeasuredAgain, IsTypedFittedSavedAndOpened) {
   }
 }
 
-// After every cell a whole window, and the result of the two positions until the third fixes an arc.
+// After every cell the window is consistent, and shows the result of two positions until the third has an
+// arc.
 TEST(MeasuredAgain, IsNoTroubleHalfTyped) {
   const Session whole = sessionTakenAt({0, 180, 0});
   Session two = whole;
@@ -168,7 +169,7 @@ TEST(MeasuredAgain, HasTheMeanOfWhatThePublishedMethodFinds) {
   EXPECT_NEAR(*published.intersectionAsPrinted, ((y(0) + y(2)) / 2 - y(1)) / 2, 1e-12);
 }
 
-// Many readings bring u to a few micrometres, so more decimals; a position just added brings a long verdict.
+// Many readings reduce u to a few micrometres, which need more decimals; a new position gives a long verdict.
 TEST(MeasuredAgain, FitsTheWidthOfTheResult) {
   OpenWindow open;
   open->resize(1280, 800);

@@ -15,7 +15,7 @@
 #include "ui/main_window.h"
 #include "ui/panels/window/page_tabs.h"
 
-// Alt and a letter lead to one thing, whatever is in front.
+// Alt and a letter trigger a single action, whatever is in front.
 
 namespace alidade::ui {
 namespace {

@@ -5,21 +5,21 @@
 #include "tests/ui/monkey/monkey.h"
 #include "ui/settings/recent_files.h"
 
-// A short run of what `alidade_monkey EVENTS SEED` does for hours.
+// A short run of `alidade_monkey EVENTS SEED`, which otherwise runs for hours.
 
 namespace alidade::ui {
 namespace {
 
 class MonkeyRun : public testing::TestWithParam<unsigned> {
  protected:
-  ~MonkeyRun() override { QApplication::setFont(m_font); }  // the letters are among what it changes
+  ~MonkeyRun() override { QApplication::setFont(m_font); }  // the monkey also changes the font
 
  private:
   QFont m_font = QApplication::font();
 };
 
 TEST_P(MonkeyRun, LeavesAllInOrder) {
-  RecentFiles::clear();  // it opens one of them and saves: not those of tests before it
+  RecentFiles::clear();  // it opens and saves recent files, which must not be those of earlier tests
   Monkey monkey(GetParam());
   monkey.play(300);
   EXPECT_TRUE(monkey.complaint().isEmpty())

@@ -12,11 +12,11 @@ struct ShownText {
   QString where, text;
 };
 
-/// Every text of a window and of all in it, tool tips and what a screen reader is told too. The contents of
-/// an entry that is being edited are not among them: there stands what was typed.
+/// Every text of a window and its children, including tool tips and screen reader texts. Excludes entries
+/// being edited, which show the typed text.
 std::vector<ShownText> shownTexts(QWidget& window);
 
-/// Fails the test for every text with something hidden in it, and for every label that might take a name for
+/// Fails the test for every text with hidden characters, and for every label that might interpret a name as
 /// markup.
 void expectAllVisible(QWidget& window, const QString& when);
 

@@ -84,7 +84,7 @@ std::string paperTextWithEffects(const std::vector<std::string>& effects) {
 
 namespace {
 
-/// QTest has keys for ASCII only.
+/// QTest supports keys for ASCII only.
 void type(QWidget& widget, QChar character) {
   if (character >= u' ' && character <= u'~')
     QTest::keyClicks(&widget, QString(character));

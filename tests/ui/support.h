@@ -18,42 +18,42 @@ class ImportPage;
 class MainWindow;
 class ReadingsTable;
 
-/// Answers as told instead of asking, and keeps what was shown.
+/// Returns scripted answers instead of asking, and records what was shown.
 class ScriptedDialogs : public Dialogs {
  public:
   SaveAnswer saveAnswer = SaveAnswer::Cancel;
   QString openPath, savePath, reportPath, exportPath, recordPath, protocolPath;
-  std::optional<SightingProtocol> protocol = {};  ///< what comes of the form
-  QString exportSuggested;                        ///< as asked last
-  QString importPath;                             ///< several: one a line
-  QString seriesFolder;                           ///< of a series; empty: cancelled
+  std::optional<SightingProtocol> protocol = {};  ///< the answer of the form
+  QString exportSuggested;                        ///< the last suggestion
+  QString importPath;                             ///< several: one per line
+  QString seriesFolder;                           ///< folder of a series; empty: cancelled
   QStringList sessionPaths;                       ///< likewise
-  std::function<void(ImportPage&)> onImport;  ///< chooses in the page before it is accepted where it can be
+  std::function<void(ImportPage&)> onImport;      ///< acts on the page before it is accepted
   int importsAsked = 0;
   int saveQuestions = 0;
   bool discardOther = false;
-  QStringList othersAsked;  ///< sessions that undo or redo leads to: whether they may be lost
+  QStringList othersAsked;  ///< sessions whose loss by undo or redo was asked about
   bool exportAnyway = false;
-  QList<int> unusableEntries;  ///< as told by each question before a report
+  QList<int> unusableEntries;  ///< counts from each question before a report
   bool writeAnyway = true;
-  QList<QStringList> emptyFields;               ///< as told by each question before a report
-  std::optional<ReportChoice> reportChoice;     ///< absent: as remembered
-  std::vector<ReportQuestion> reportQuestions;  ///< as asked
+  QList<QStringList> emptyFields;               ///< from each question before a report
+  std::optional<ReportChoice> reportChoice;     ///< absent: the remembered choice
+  std::vector<ReportQuestion> reportQuestions;  ///< recorded questions
   std::optional<ReportPaper> paper;             ///< absent: cancelled
-  QString printPath;                            ///< of the PDF that is printed into; empty: cancelled
-  QStringList previewPaths;                     ///< likewise of each preview
-  std::vector<PreviewAnswer> previewAnswers;    ///< to each preview; then: closed
+  QString printPath;                            ///< path of the printed PDF; empty: cancelled
+  QStringList previewPaths;                     ///< likewise for each preview
+  std::vector<PreviewAnswer> previewAnswers;    ///< for successive previews; afterwards: closed
   int previews = 0;
   QString sealedBy;           ///< the answer to who seals
-  QString sealSuggested;      ///< as asked
+  QString sealSuggested;      ///< the recorded suggestion
   std::optional<QFont> font;  ///< absent: cancelled
   QStringList problems;
-  bool goOn = false;      ///< with a file that is open elsewhere
-  QStringList elsewhere;  ///< names of such files, as asked about
+  bool goOn = false;      ///< whether to continue with a file that is open elsewhere
+  QStringList elsewhere;  ///< names of such files in the questions
   ChangedFileAnswer changedFileAnswer = ChangedFileAnswer::Cancel;
-  QList<ChangedFile> changedFiles;           ///< as asked about
-  std::vector<RecoveryAnswer> recoveries;    ///< the answers to come; then: later
-  std::vector<QList<RecoveryOffer>> offers;  ///< as asked about
+  QList<ChangedFile> changedFiles;           ///< recorded questions
+  std::vector<RecoveryAnswer> recoveries;    ///< for successive questions; afterwards: later
+  std::vector<QList<RecoveryOffer>> offers;  ///< recorded questions
 
   bool askOpenElsewhere(const QString& name, const QString&) override {
     elsewhere.append(name);
@@ -117,7 +117,7 @@ class ScriptedDialogs : public Dialogs {
   static bool printsTo(QPrinter& printer, const QString& path);
 };
 
-/// A shown window whose dialogs are scripted. Leaves nothing behind.
+/// A visible window with scripted dialogs. Removes its files.
 struct OpenWindow {
   OpenWindow();
   ~OpenWindow();
@@ -132,19 +132,21 @@ struct OpenWindow {
 
 /// The paper's table, and the file it is in.
 Session paperSession();
-/// The same with these effects of the model estimated along, as a file's text.
+/// The same as file text, with these effects estimated in the model.
 std::string paperTextWithEffects(const std::vector<std::string>& effects);
 QString samplePath(const QString& name);
-/// A simulated session without errors, with positions at these axes in the order taken, and a tolerance.
+/// A simulated session without errors, with positions at these axis angles in the order read, and a
+/// tolerance.
 Session sessionTakenAt(const std::vector<int>& axes);
 
-/// A simulated session, its places read there and back in both faces.
+/// A simulated session with an outward and a return run in both faces.
 Session sessionInTwoFaces();
 
-/// Types `text` and ends it with `key`, wherever the keyboard is, the editor of a cell included.
+/// Types `text` and ends it with `key`, into the focused widget or a cell editor.
 void typeInto(QWidget& widget, const QString& text, Qt::Key key = Qt::Key_Return);
 
-/// Processes events until `done`, at most a minute, for sanitizers and busy machines. False: it was not.
+/// Processes events until `done`, for at most a minute, which allows for sanitizers and busy machines. False:
+/// timeout.
 bool waitFor(const std::function<bool()>& done);
 
 }  // namespace alidade::ui

@@ -17,8 +17,8 @@
 #include "ui/panels/readings/readings_table.h"
 #include "ui/text/entry_text.h"
 
-// News arrives while somebody types: fits, diagnoses, readings of an instrument, other changes of the
-// session. None of it touches an open editor or a half-typed form. Here it arrives between any two keys.
+// Events during typing: fits, diagnoses, readings of an instrument, other changes of the session. None of
+// them changes an open editor or an unfinished form. Here they arrive between any two keys.
 
 namespace alidade::ui {
 namespace {
@@ -33,14 +33,14 @@ class Typing : public ::testing::Test {
     QCoreApplication::processEvents();
   }
 
-  /// A whole evaluation of the session as it stands, shown everywhere.
+  /// A whole evaluation of the current session, shown everywhere.
   void news() {
     SessionChange everything;
     open->job().request(open->document().session(), everything);
     open.settle();
   }
 
-  /// Types as a keyboard does, into whatever has the focus. News after every `every`-th key.
+  /// Types by keyboard into the focused widget, with an event after every `every`-th key.
   void type(const std::string& text, int every, Qt::Key end = Qt::Key_Return) {
     for (const QChar key : qText(text)) {
       QTest::keyClick(QApplication::focusWidget(), key.toLatin1());
@@ -56,7 +56,7 @@ class Typing : public ::testing::Test {
   int keys = 0;
 };
 
-/// The angles of rows as plain digits, as they are typed at the bench.
+/// The angles of rows as plain digits, as typed at the bench.
 std::string plain(std::string angle) {
   for (const std::string sign : {"°", "'", "\"", "′", "″"})
     for (std::size_t at = angle.find(sign); at != std::string::npos; at = angle.find(sign))
@@ -73,7 +73,8 @@ TEST_F(Typing, AWholeTableArrivesAsTypedWhileFitsDo) {
   for (const std::size_t position : {0u, 1u}) {
     open->reveal({.position = position, .reading = 0, .field = "horizontal"});
     for (const Reading& row : published.positions[position].readings) {
-      type(plain(row.horizontal), 7);  // no divisor of the keys of an angle: each key is once the last before
+      type(plain(row.horizontal), 7);  // not a divisor of the number of keys of an angle, so each key is once
+                                       // the last before an event
       type(plain(row.vertical), 7);
     }
   }
@@ -88,7 +89,7 @@ TEST_F(Typing, AWholeTableArrivesAsTypedWhileFitsDo) {
   }
 }
 
-/// In new rows and over what stands, in sessions whose news takes longer and longer.
+/// In new rows and over old texts, in sessions with slower and slower evaluation.
 TEST_F(Typing, NewsBetweenAnyTwoKeysTakesNoneAway) {
   for (const std::size_t size : {34u, 1000u, 20000u}) {
     start(test::largeSession(size));
@@ -161,7 +162,7 @@ TEST_F(Typing, FormsKeepWhatIsHalfTyped) {
   EXPECT_EQ(notes->toPlainText(), QStringLiteral("windy, twice"));
 }
 
-/// It neither hands in half an angle nor takes the keyboard elsewhere.
+/// It does not commit an unfinished angle or move the focus.
 TEST_F(Typing, AReadingOfTheInstrumentWaitsForTheOpenEntry) {
   Session session = paperSession();
   session.positions[0].readings.resize(5);

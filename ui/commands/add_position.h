@@ -11,8 +11,8 @@ namespace alidade::ui {
 
 class SessionDocument;
 
-/// Adds a position of the axis without readings. A missing one at 0° goes first, since it is taken first; one
-/// at 180°, or one measured again, goes last: positions measured again stand in the order taken.
+/// Adds a position of the axis without readings. A missing one at 0° goes first, since it is read first. One
+/// at 180°, or a repeat, goes last, since repeats are in the order read.
 class AddPosition : public JournalledCommand {
  public:
   /// `axisDeg`: 0 or 180.
@@ -28,16 +28,16 @@ class AddPosition : public JournalledCommand {
   Position m_position;
 };
 
-/// Has the session a position at `axisDeg`, 0 or 180? One whose axis cannot be understood is at neither.
+/// True if the session has a position at `axisDeg`, 0 or 180. Invalid axis angles count for neither.
 bool hasPosition(const Session& session, int axisDeg);
 
-/// Where the position is missing, or where both are there: then the axis is measured again.
+/// True if the position is missing, or if both exist: then the axis angle is repeated.
 bool mayAddPosition(const Session& session, int axisDeg);
 
-/// "Add position at 0°", "Measure 0° again": what adding it to this session is called.
+/// "Add position at 0°", "Measure 0° again": the text for adding it to this session.
 QString addPositionText(const Session& session, int axisDeg);
 
-/// Does nothing where it may not be added.
+/// Does nothing if it may not be added.
 void addPosition(SessionDocument& document, int axisDeg);
 
 }  // namespace alidade::ui

@@ -9,8 +9,8 @@ namespace alidade::ui {
 
 class SessionDocument;
 
-/// Types the texts of `changes` into their cells as one undo step. Cells that the session does not have are
-/// passed over; what would change nothing leaves no undo step.
+/// Types the texts of `changes` into their cells as one undo step. Ignores missing cells; without an
+/// effective change there is no undo step.
 void applyChanges(SessionDocument& document, const std::vector<CellChange>& changes, const QString& undoText);
 
 }  // namespace alidade::ui

@@ -9,7 +9,7 @@ namespace alidade::ui {
 
 class SessionDocument;
 
-/// Sets the list of the model's effects that are estimated along.
+/// Sets the list of effects estimated in the model.
 class ChangeEffects : public JournalledCommand {
  public:
   ChangeEffects(SessionDocument& document, std::vector<std::string> effects, const QString& text);
@@ -22,8 +22,8 @@ class ChangeEffects : public JournalledCommand {
   std::vector<std::string> m_before, m_after;
 };
 
-/// Adds the effect `id` to those estimated along, or takes it away; nothing where it is so already. The
-/// others stay, unknown ones included.
+/// Adds the effect `id` to the estimated ones, or removes it; does nothing if unnecessary. Keeps all others,
+/// including unknown ones.
 void setEffect(SessionDocument& document, const std::string& id, bool isEstimated);
 
 /// Adds those of `ids` that are not estimated yet, in one step.

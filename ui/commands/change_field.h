@@ -9,7 +9,7 @@ namespace alidade::ui {
 
 class SessionDocument;
 
-/// Sets one field of the session; see `fieldNamed` for those there are.
+/// Sets one field of the session; `fieldNamed` lists the fields.
 class ChangeField : public JournalledCommand {
  public:
   ChangeField(SessionDocument& document, const Place& place, std::string text);
@@ -23,7 +23,7 @@ class ChangeField : public JournalledCommand {
   std::string m_before, m_after;
 };
 
-/// A day is put as the session has it (`completedDay`). Does nothing where the field has this text already.
+/// Stores a day in the session's form (`completedDay`). Does nothing if the field already has this text.
 void changeField(SessionDocument& document, const Place& place, const std::string& typed);
 
 }  // namespace alidade::ui

@@ -11,7 +11,7 @@ namespace alidade::ui {
 
 namespace {
 
-/// An entry for the number, without a text yet.
+/// An entry for the number, still without texts.
 KnownSize entryFor(const KnownRow& row) {
   const bool isOnly = row.effect->parameters.size() == 1;
   return {.effect = std::string(row.effect->id),

@@ -10,11 +10,10 @@ namespace alidade::ui {
 
 class SessionDocument;
 
-/// Puts another entry in the place of one that says what is known, adds one at the end of its list, or takes
-/// one away.
+/// Replaces an entry of a known size, appends one to its list, or removes one.
 class ChangeKnown : public JournalledCommand {
  public:
-  /// `member` is what was typed: there undo leads. `after` absent: the entry goes.
+  /// `member`: the typed member, to which undo leads. `after` absent: removes the entry.
   ChangeKnown(SessionDocument& document, const KnownRef& ref, std::string_view member,
               std::optional<KnownSize> after, const QString& text);
 
@@ -27,7 +26,7 @@ class ChangeKnown : public JournalledCommand {
   std::optional<KnownSize> m_before, m_after;
 };
 
-/// What can be typed of an entry.
+/// An editable member of an entry.
 struct KnownCell {
   std::string KnownSize::*text;
   const char* member;  ///< its name in the session file
@@ -35,9 +34,8 @@ struct KnownCell {
 inline constexpr KnownCell knownCells[] = {
     {&KnownSize::value, "value"}, {&KnownSize::sigma, "sigma"}, {&KnownSize::from, "from"}};
 
-/// Types `text` into one cell of a row of the session: the first text of a number makes its entry, in the
-/// list it belongs in, and the last one taken away takes the entry away. What would change nothing leaves no
-/// undo step.
+/// Types `text` into one cell of a row of the session. The first text of a number creates its entry in the
+/// proper list; removing the last text removes the entry. Without a change there is no undo step.
 void typeKnown(SessionDocument& document, const KnownRow& row, const KnownCell& cell,
                const std::string& text);
 

@@ -10,8 +10,7 @@ namespace alidade::ui {
 
 class SessionDocument;
 
-/// Puts another protocol in the place of the one that the session follows; empty: none. The journal tells of
-/// its name and how many sightings it has.
+/// Replaces the protocol of the session; empty: none. The journal names it with its number of sightings.
 class ChangeProtocol : public JournalledCommand {
  public:
   ChangeProtocol(SessionDocument& document, std::string protocol, const QString& text);
@@ -24,8 +23,8 @@ class ChangeProtocol : public JournalledCommand {
   std::string m_before, m_after;
 };
 
-/// Makes the session follow `protocol`, absent: none; and adds the positions that it has and the session
-/// lacks, in one step. Nothing where the session does so already.
+/// Sets the session's protocol, absent: none, and adds its missing positions, in one step. Does nothing if it
+/// is already set.
 void followProtocol(SessionDocument& document, const std::optional<SightingProtocol>& protocol);
 
 }  // namespace alidade::ui

@@ -112,7 +112,7 @@ std::size_t ReadingsEditor::paste(const ReadingBlock& block, std::size_t row,
   std::size_t widest = 0;
   row = std::min(row, rows.size());
   const CircleUnit unit = circleUnitOf(m_document.session());
-  Reading last = rows.empty() ? Reading{} : rows.back();  // with what is pasted over it
+  Reading last = rows.empty() ? Reading{} : rows.back();  // including the text pasted over it
   for (const QStringList& cells : block) {
     const auto width = static_cast<std::size_t>(cells.size());
     widest = std::max(widest, width);

@@ -13,8 +13,8 @@ namespace alidade::ui {
 
 class SessionDocument;
 
-/// The edits of the readings of one position, each a single undo step. Rows beyond the readings are passed
-/// over unless said otherwise; what would change nothing leaves no undo step.
+/// The edits of the readings of one position, each a single undo step. Ignores rows beyond the readings
+/// unless stated otherwise; without a change there is no undo step.
 class ReadingsEditor {
   Q_DECLARE_TR_FUNCTIONS(ReadingsEditor)
 
@@ -23,19 +23,18 @@ class ReadingsEditor {
       : m_document(document), m_position(position) {}
 
   /// In the row after the last, appends a reading unless `typed` is empty. A bare number in a column of
-  /// angles gets the session's unit (`completedAngle`), pasted ones too.
+  /// angles gets the session's unit (`completedAngle`), also when pasted.
   void setCell(const ReadingCell& cell, const std::string& typed);
   void insertBlank(std::size_t row);
   void remove(const std::vector<std::size_t>& rows);
   void setExcluded(const std::vector<std::size_t>& rows, bool excluded);
   void clear(const std::vector<ReadingCell>& cells, bool cut = false);
 
-  /// Puts `block` over the cells from `row` on, its columns into `columns` in turn; rows beyond the end are
-  /// appended, with point numbers where the block has none. Answers with the number of block columns that
-  /// found no room.
+  /// Writes `block` over the cells from `row` on, its columns into `columns` in turn. Appends rows beyond the
+  /// end, with point numbers if the block has none. Returns the number of block columns without a target.
   std::size_t paste(const ReadingBlock& block, std::size_t row, const std::vector<ReadingColumn>& columns);
 
-  /// What undo texts and messages call a cell of this column; empty for the residuals.
+  /// The noun for a cell of this column in undo texts and messages; empty for the residuals.
   static QString noun(ReadingColumn column);
 
   /// Appends rows to be read (`furtherRows`).

@@ -9,11 +9,10 @@ namespace alidade::ui {
 
 class SessionDocument;
 
-/// Hands in what was half typed, each text as its entry would have. A text whose entry the session does not
-/// have is passed over.
+/// Commits unfinished entries as their widgets would. Ignores texts whose entry the session lacks.
 void handIn(SessionDocument& document, const std::vector<HalfTypedText>& texts);
 
-/// The session as it would be then.
+/// The session after committing them.
 Session withHandedIn(const Session& session, const std::vector<HalfTypedText>& texts);
 
 }  // namespace alidade::ui

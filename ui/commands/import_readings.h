@@ -9,8 +9,8 @@ namespace alidade::ui {
 
 class SessionDocument;
 
-/// Puts a session with imported readings in the place of the one at work, whose file and journal stay: the
-/// journal tells from where the rows came.
+/// Replaces the current session by one with imported readings, keeping file and journal; the journal states
+/// the origin of the rows.
 class ImportReadings : public JournalledCommand {
  public:
   ImportReadings(SessionDocument& document, Session session, std::vector<JournalEntry> origins,
@@ -21,7 +21,7 @@ class ImportReadings : public JournalledCommand {
   void revert() override;
   std::vector<JournalEntry> allEntries() const override { return m_origins; }
 
-  Session m_other;  ///< the one that is not at work; its journal counts for nothing
+  Session m_other;  ///< the session not in use; its journal is ignored
   std::vector<JournalEntry> m_origins;
 };
 

@@ -12,8 +12,8 @@ namespace alidade::ui {
 class JournalKeeper;
 class SessionDocument;
 
-/// An edit of the session that its journal tells of, where it changes what stood. Undone before it was ever
-/// saved it leaves no trace; undone after that, the journal tells of both.
+/// An edit of the session that enters the journal if it changes recorded entries. Undone before it is saved
+/// it leaves no trace; undone later, the journal lists both.
 class JournalledCommand : public QUndoCommand {
  public:
   void undo() final;
@@ -24,19 +24,19 @@ class JournalledCommand : public QUndoCommand {
 
   virtual void apply() = 0;
   virtual void revert() = 0;
-  /// What the journal would tell of the edit, had all that it changes stood.
+  /// Journal entries this edit would produce if all its values had been recorded.
   virtual std::vector<JournalEntry> allEntries() const = 0;
 
-  /// To be called by the constructor of each.
+  /// Each constructor must call this.
   void setEntries(std::vector<JournalEntry> entries) { m_entries = std::move(entries); }
   JournalKeeper& journal() const;
   SessionDocument& document() const { return m_document; }
 
  private:
   SessionDocument& m_document;
-  int m_index;                               ///< on the undo stack
-  std::vector<JournalEntry> m_entries;       ///< while it is not done; else they are in the journal alone
-  std::size_t m_told = 0, m_toldUndone = 0;  ///< entries in the journal
+  int m_index;                               ///< index on the undo stack
+  std::vector<JournalEntry> m_entries;       ///< while undone; else they are only in the journal
+  std::size_t m_told = 0, m_toldUndone = 0;  ///< numbers of entries in the journal
 };
 
 }  // namespace alidade::ui

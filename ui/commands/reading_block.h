@@ -11,30 +11,31 @@
 
 namespace alidade::ui {
 
-/// Cells as they travel over the clipboard, row by row.
+/// Cells in clipboard form, row by row.
 using ReadingBlock = QVector<QStringList>;
 
-/// Takes a spreadsheet's text apart: rows end in LF, CRLF or CR; cells are parted by tabs, or by semicolons
-/// where there is no tab. A cell in double quotes, inner quotes doubled, is unquoted. Empty rows at the end
-/// are dropped, blanks around cells trimmed.
+/// Parses a spreadsheet's text: rows end in LF, CRLF or CR; tabs separate cells, or semicolons if there is no
+/// tab. A cell in double quotes, inner quotes doubled, is unquoted. Drops empty rows at the end and trims
+/// blanks around cells.
 ReadingBlock parseBlock(const QString& text);
 
-/// A block whose first row named its columns. Degrees, minutes and seconds in columns of their own are
-/// joined; both faces in one row are rows of their own.
+/// A block whose first row named its columns. Separate columns of degrees, minutes and seconds are joined;
+/// two faces in one row become two rows.
 struct NamedBlock {
   ReadingBlock rows;                   ///< without the names; plain numbers with the unit of their column
-  std::vector<ReadingColumn> columns;  ///< what the cells of each row are, in turn
-  QStringList unplaced;                ///< names of columns that a position has none for
-  QString problem;                     ///< why nothing of it can be taken; else empty
+  std::vector<ReadingColumn> columns;  ///< the columns of the cells in each row
+  QStringList unplaced;                ///< names of columns unknown to a position
+  QString problem;                     ///< why the block is unusable; else empty
 };
 
-/// The block as a table whose first rows name its columns; absent where they name none.
+/// The block as a table whose first rows name its columns; absent without such names.
 std::optional<Result<JoinedTable>> joinedBlock(const ReadingBlock& block);
 
-/// Absent where the first row names no columns (`areColumnNames`), or stands alone.
+/// Absent if the first row does not name columns (`areColumnNames`), or is the only row.
 std::optional<NamedBlock> namedBlock(const ReadingBlock& block);
 
-/// The text of a block, cell by cell: tabs and LF. Tabs and line ends inside a cell become blanks.
+/// Builds the text of a block, cell by cell, with tabs and LF. Tabs and line ends inside a cell become
+/// blanks.
 class BlockText {
  public:
   void beginRow();
@@ -43,7 +44,7 @@ class BlockText {
 
  private:
   QString m_text;
-  bool m_hasRow = false, m_hasCell = false;  ///< the second: in the row begun last
+  bool m_hasRow = false, m_hasCell = false;  ///< `m_hasCell`: in the last row begun
 };
 
 /// The reverse of `parseBlock`.

@@ -7,7 +7,7 @@
 
 namespace alidade::ui {
 
-/// Takes a position out of the session, with its pointing zero and all its readings.
+/// Removes a position with its pointing zero and all its readings.
 class RemovePosition : public JournalledCommand {
  public:
   RemovePosition(SessionDocument& document, std::size_t index);
@@ -19,10 +19,10 @@ class RemovePosition : public JournalledCommand {
 
   std::size_t m_index;
   Position m_position;
-  std::vector<JournalEntry> m_all;  ///< worked out while the position is there
+  std::vector<JournalEntry> m_all;  ///< computed while the position exists
 };
 
-/// Does nothing where there is no such position.
+/// Does nothing if there is no such position.
 void removePosition(SessionDocument& document, std::size_t index);
 
 }  // namespace alidade::ui

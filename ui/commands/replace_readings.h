@@ -11,9 +11,8 @@ namespace alidade::ui {
 
 class SessionDocument;
 
-/// Makes a patch of the rows of one position. Serves every edit of a table: typing a cell, inserting,
-/// deleting, pasting, excluding. Holds the patch alone, so that ten thousand steps weigh no more than what
-/// they changed.
+/// Applies a patch to the rows of one position, for every edit of a table: typing, inserting, deleting,
+/// pasting, excluding. Holds only the patch, so ten thousand steps take no more memory than their changes.
 class ReplaceReadings : public JournalledCommand {
  public:
   ReplaceReadings(SessionDocument& document, std::size_t position, ReadingsPatch patch, const QString& text,
@@ -29,11 +28,11 @@ class ReplaceReadings : public JournalledCommand {
   const char* m_why;
 };
 
-/// Does nothing where the patch changes nothing. `why`: one of `journal_reasons`.
+/// Does nothing if the patch changes nothing. `why`: one of `journal_reasons`.
 void patchReadings(SessionDocument& document, std::size_t position, ReadingsPatch patch, const QString& text,
                    const char* why);
 
-/// Puts `inserted` in the place of the `removed` rows from `first` on.
+/// Replaces the `removed` rows from `first` on by `inserted`.
 void replaceReadings(SessionDocument& document, std::size_t position, std::size_t first, std::size_t removed,
                      const std::vector<Reading>& inserted, const QString& text, const char* why);
 

@@ -9,7 +9,7 @@ namespace alidade::ui {
 
 class SessionDocument;
 
-/// Puts another session in place of the present one, all of it at once. Undone, the one before is back.
+/// Replaces the whole session by another. Undo restores the previous one.
 class ReplaceSession : public QUndoCommand {
  public:
   ReplaceSession(SessionDocument& document, Session session, const QString& text);
@@ -19,7 +19,7 @@ class ReplaceSession : public QUndoCommand {
 
  private:
   SessionDocument& m_document;
-  Session m_other;  ///< the one that is not at work
+  Session m_other;  ///< the session not in use
   JournalKeeper::State m_otherState;
 };
 

@@ -6,8 +6,8 @@
 
 namespace alidade::ui {
 
-/// Seals the session as it stands: the journal holds who answers for it and its digest, and tells of every
-/// edit from then on.
+/// Seals the current session: the journal records who is responsible and the digest, and lists every later
+/// edit.
 class SealSession : public JournalledCommand {
  public:
   SealSession(SessionDocument& document, const std::string& by);

@@ -10,7 +10,7 @@ namespace alidade::ui {
 
 class SessionDocument;
 
-/// Puts another instrument in the place of the session's, all that is known of it included.
+/// Replaces the session's instrument, including its known sizes.
 class ChangeInstrument : public JournalledCommand {
  public:
   ChangeInstrument(SessionDocument& document, Instrument instrument, const QString& text);
@@ -23,9 +23,8 @@ class ChangeInstrument : public JournalledCommand {
   Instrument m_before, m_after;
 };
 
-/// Copies what a record says into the session (`takeRecord`), in one step; `file` is the record's name,
-/// without folder. What would change nothing leaves no step. The sentence where the record is of another
-/// instrument.
+/// Copies a record into the session (`takeRecord`), in one step; `file` is the record's name without folder.
+/// Without a change there is no step. Returns a sentence if the record belongs to another instrument.
 std::optional<Problem> takeRecord(SessionDocument& document, const InstrumentRecord& record,
                                   const std::string& file);
 

@@ -12,8 +12,8 @@ class Dialogs;
 class InstrumentLink;
 class WireLog;
 
-/// Connects an instrument and shows what is said with it. Stays open beside the window, or is closed: the
-/// connection goes on.
+/// Connects an instrument and shows the communication. Stays open next to the window, or is closed: the
+/// connection remains.
 class ConnectionDialog : public QDialog {
   Q_OBJECT
 
@@ -23,9 +23,9 @@ class ConnectionDialog : public QDialog {
   ConnectionForm& form() { return *m_form; }
   WireLog& log() { return *m_log; }
   bool saveLog();
-  /// What there is to say of the connection; the log keeps it.
+  /// Shows a sentence about the connection; the log keeps it.
   void showRemark(const QString& sentence);
-  /// It is over; the log keeps it.
+  /// Clears the sentence; the log keeps it.
   void clearRemark();
 
  signals:

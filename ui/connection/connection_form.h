@@ -8,7 +8,7 @@ class QComboBox;
 
 namespace alidade::ui {
 
-/// The settings of a connection, to be chosen; as they were last.
+/// The settings of a connection, initially the last ones.
 class ConnectionForm : public QWidget {
   Q_OBJECT
 
@@ -17,13 +17,13 @@ class ConnectionForm : public QWidget {
 
   ConnectionSettings settings() const;
   void setSettings(const ConnectionSettings& settings);
-  /// The ports that there are now.
+  /// Lists the ports available now.
   void refreshPorts();
-  /// Only where readings go can be changed while a connection is open.
+  /// During a connection only the target of readings can be changed.
   void setOpen(bool isOpen);
 
  signals:
-  void targetChanged();  ///< where readings go
+  void targetChanged();  ///< the target of readings
 
  private:
   void showSettings(const ConnectionSettings& settings);

@@ -7,7 +7,7 @@
 
 namespace alidade::ui {
 
-/// How an instrument is talked to. Remembered, the speed and its like by protocol.
+/// Settings of a connection to an instrument. Remembered; speed and similar settings per protocol.
 struct ConnectionSettings {
   enum class Protocol { GeoCom, Gsi };
   enum class Parity { None, Even, Odd };
@@ -18,17 +18,17 @@ struct ConnectionSettings {
   int dataBits = 8;
   Parity parity = Parity::None;
   int stopBits = 1;
-  bool intoSelected = false;  ///< readings go into the selected row, else into the next entry asked for
+  bool intoSelected = false;  ///< readings go into the selected row, else into the next expected entry
 
   bool operator==(const ConnectionSettings&) const = default;
 };
 
-/// As instruments of that protocol come.
+/// The factory settings of instruments with this protocol.
 ConnectionSettings usualConnection(ConnectionSettings::Protocol protocol);
 
-/// Those chosen last; entries that mean nothing are as usual.
+/// The last settings; invalid ones have their defaults.
 ConnectionSettings rememberedConnection();
-/// Those chosen last for that protocol.
+/// The last settings for this protocol.
 ConnectionSettings rememberedConnection(ConnectionSettings::Protocol protocol);
 void rememberConnection(const ConnectionSettings& settings);
 

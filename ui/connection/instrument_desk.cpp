@@ -47,7 +47,7 @@ InstrumentDesk::InstrumentDesk(SessionDocument& document, Dialogs& dialogs, cons
   connect(&m_link, &InstrumentLink::identified, this, &InstrumentDesk::noteIdentity);
   connect(&m_link, &InstrumentLink::stateChanged, this, &InstrumentDesk::showState);
   connect(&document, &SessionDocument::changed, this, [this] { m_link.setCircles(circles()); });
-  // Later, once all that shows it has it; what has changed meanwhile is evaluated anew.
+  // Queued, after all views have the evaluation; later changes are evaluated again.
   connect(
       &job, &FitJob::evaluated, this,
       [this, &job](const SharedEvaluation& evaluation) {
@@ -75,7 +75,7 @@ ReadingFlow::Front InstrumentDesk::front() const {
   return front;
 }
 
-/// Where readings go into the selected row, the next one is selected.
+/// Selects the next row if readings go into the selected row.
 void InstrumentDesk::goOn(const Place& place) {
   const bool isSelected = m_dialog && m_dialog->form().settings().intoSelected;
   Place shown = place;
@@ -111,7 +111,7 @@ void InstrumentDesk::take() {
   m_link.take();
 }
 
-/// Empty entries of the session are filled in; others are held against it.
+/// Fills empty entries of the session; compares the others.
 void InstrumentDesk::noteIdentity() {
   const InstrumentIdentity identity = m_link.identity();
   const Instrument& stated = m_document.session().instrument;
@@ -133,7 +133,7 @@ void InstrumentDesk::tell(const QString& sentence) {
   emit remark(sentence);
 }
 
-/// What failed is over, in the status bar too.
+/// Clears the failure, in the status bar too.
 void InstrumentDesk::forgetRemark() {
   if (!std::exchange(m_hasRemark, false)) return;
   dialog().clearRemark();

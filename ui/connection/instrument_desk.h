@@ -18,7 +18,8 @@ class PositionTabs;
 class ReadingQuestionBar;
 class SessionDocument;
 
-/// The instrument at the window: its line, its dialog, and the way of its readings into the session.
+/// The instrument of the window: its connection, its dialog, and the transfer of its readings into the
+/// session.
 class InstrumentDesk : public QObject {
   Q_OBJECT
 
@@ -28,15 +29,15 @@ class InstrumentDesk : public QObject {
   InstrumentLink& link() { return m_link; }
   ReadingFlow& flow() { return m_flow; }
   ConnectionDialog& dialog();
-  ReadingQuestionBar* questionBar() const { return m_bar; }  ///< to be put beside the readings
-  QLabel* status() const { return m_status; }                ///< to be put into the status bar
-  /// The tables that readings go to.
+  ReadingQuestionBar* questionBar() const { return m_bar; }  ///< for the layout next to the readings
+  QLabel* status() const { return m_status; }                ///< for the status bar
+  /// The tables that receive the readings.
   void setPositions(PositionTabs& positions);
 
   void showDialog();
-  /// Connects as chosen, or disconnects.
+  /// Connects with the chosen settings, or disconnects.
   void toggle();
-  /// Asks for a reading; shows the dialog where nothing is connected.
+  /// Requests a reading; shows the dialog if there is no connection.
   void take();
 
  signals:
@@ -58,8 +59,8 @@ class InstrumentDesk : public QObject {
   InstrumentLink m_link;
   ReadingFlow m_flow;
   PositionTabs* m_positions = nullptr;
-  bool m_hasRemark = false;              ///< one is shown that nothing has succeeded since
-  ConnectionDialog* m_dialog = nullptr;  ///< null until it is wanted
+  bool m_hasRemark = false;              ///< a failure is shown and nothing has succeeded since
+  ConnectionDialog* m_dialog = nullptr;  ///< null until first shown
   ReadingQuestionBar* m_bar;
   QLabel* m_status;
 };

@@ -9,9 +9,9 @@ namespace alidade::ui {
 
 namespace {
 
-constexpr qint64 portBuffer = 1 << 16;      // bytes that wait to be read
-constexpr qint64 mostUnsent = 1 << 12;      // a hundred questions: the instrument takes nothing
-constexpr Milliseconds anyWait = 3600'000;  // longer than a talk waits for anything
+constexpr qint64 portBuffer = 1 << 16;      // bytes waiting to be read
+constexpr qint64 mostUnsent = 1 << 12;      // a hundred requests: the instrument does not accept any
+constexpr Milliseconds anyWait = 3600'000;  // longer than any protocol waits
 
 QSerialPort::Parity parityOf(ConnectionSettings::Parity parity) {
   if (parity == ConnectionSettings::Parity::Even) return QSerialPort::EvenParity;
@@ -62,7 +62,7 @@ bool InstrumentLink::open(const ConnectionSettings& settings, const TalkCircles&
   return true;
 }
 
-/// What is half there is told first.
+/// Reports an incomplete message first.
 void InstrumentLink::close() {
   if (!m_talk) return;
   m_wake.stop();
@@ -90,7 +90,7 @@ void InstrumentLink::receive() {
     follow(m_talk->receive({bytes.constData(), static_cast<std::size_t>(bytes.size())}, m_clock.elapsed()));
 }
 
-/// Unplugged, as a rule.
+/// Usually caused by unplugging.
 void InstrumentLink::fail(QSerialPort::SerialPortError error) {
   if (!m_talk || error == QSerialPort::NoError || error == QSerialPort::TimeoutError) return;
   emit remark(
@@ -106,7 +106,7 @@ void InstrumentLink::follow(const TalkStep& step) {
   if (step.isIdentified || !step.readings.empty()) emit succeeded();
   for (const std::string& sentence : step.remarks) emit remark(visibleLine(sentence));
   for (const InstrumentReading& reading : step.readings) emit readingTaken(reading);
-  if (!m_talk) return;  // a slot, or the port, has closed it
+  if (!m_talk) return;  // a slot or the port has closed it
   if (step.isIdentified) emit identified();
   if (const auto at = m_talk->wakeAt())
     m_wake.start(static_cast<int>(std::clamp<Milliseconds>(*at - m_clock.elapsed(), 0, anyWait)));

@@ -10,8 +10,8 @@
 
 namespace alidade::ui {
 
-/// The line to an instrument: a serial port, and on it the talk of its protocol. Waits for nothing: all comes
-/// as signals.
+/// The connection to an instrument: a serial port and the protocol on it. Never blocks: everything arrives as
+/// signals.
 class InstrumentLink : public QObject {
   Q_OBJECT
 
@@ -19,26 +19,26 @@ class InstrumentLink : public QObject {
   explicit InstrumentLink(QObject* parent = nullptr);
   ~InstrumentLink() override;
 
-  /// False: the port could not be opened, and `remark` says why. Closes what was open.
+  /// False: the port could not be opened, and `remark` gives the reason. Closes an open connection first.
   bool open(const ConnectionSettings& settings, const TalkCircles& circles);
   void close();
-  /// Asks for a reading of what the telescope points at.
+  /// Requests a reading of the present pointing.
   void take();
   void setCircles(const TalkCircles& circles);
 
   bool isOpen() const { return m_talk != nullptr; }
   bool isTaking() const { return m_talk && m_talk->isTaking(); }
-  /// Of the instrument at the other end, as far as it said; empty before.
+  /// The identity reported by the instrument; empty before.
   InstrumentIdentity identity() const { return m_talk ? m_talk->identity() : InstrumentIdentity(); }
   const ConnectionSettings& settings() const { return m_settings; }
 
  signals:
-  void stateChanged();  ///< opened, closed, taking or not, identified
+  void stateChanged();  ///< opened, closed, taking, idle, identified
   void identified();
-  void succeeded();  ///< the port was opened, an answer or a reading came: what failed before is over
+  void succeeded();  ///< the port was opened, or a reply or reading arrived: earlier failures are over
   void readingTaken(const alidade::InstrumentReading& reading);
   void remark(const QString& sentence);
-  void line(bool isSent, const QString& shown);  ///< as it went over the wire, all visible
+  void line(bool isSent, const QString& shown);  ///< as transmitted, with invisible characters escaped
 
  private:
   void receive();

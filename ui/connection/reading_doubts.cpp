@@ -24,11 +24,11 @@ struct ReadingDoubts {
   Q_DECLARE_TR_FUNCTIONS(ReadingDoubts)
 };
 
-/// Pointing zeros of one set-up look in one direction; no two targets of a bench are as near to each other.
+/// Pointing zeros of one set-up have one direction; any two targets at a bench differ by more.
 constexpr Angle zeroTolerance = Angle::fromDegrees(1);
-/// Two sightings as near to each other as this are one: no circle is read so finely.
+/// Sightings this close are identical: no circle has such a resolution.
 constexpr double sameWithin = 1e-4;  // arcsec
-/// Beyond this many rows only texts are compared.
+/// Beyond this number of rows only texts are compared.
 constexpr std::size_t mostCompared = 10'000;
 constexpr int longestSerial = 40;
 
@@ -44,7 +44,7 @@ bool isAnythingRead(const Position& position) {
       position.readings, [](const Reading& row) { return !row.horizontal.empty() || !row.vertical.empty(); });
 }
 
-/// "pointing zero in face 2", of the field of a sighting.
+/// "pointing zero in face 2", from the field of a sighting.
 QString zeroName(const std::string& zero) {
   PlannedSighting planned;
   planned.isZero = true;
@@ -56,7 +56,7 @@ QString zeroName(const std::string& zero) {
   return qText(sightingName(planned));
 }
 
-/// Speaks against one reading.
+/// Collects objections to one reading.
 class Doubts {
  public:
   Doubts(const Evaluation& evaluation, const Landing& landing, const InstrumentReading& reading,
@@ -91,7 +91,7 @@ class Doubts {
 
   const Position& position() const { return m_session.positions[m_landing.position()]; }
 
-  /// The position of what was read last, where it is another one.
+  /// The position of the last reading, if different.
   std::optional<std::size_t> positionBefore() const {
     if (m_before.position())
       return m_before.position() != m_landing.position() ? m_before.position() : std::nullopt;
@@ -166,7 +166,7 @@ class Doubts {
     return a && b && isNear(*a, m_reading.horizontalAngle) && isNear(*b, m_reading.verticalAngle);
   }
 
-  /// Where the same angles stand already; empty: nowhere.
+  /// The place that already has the same angles; empty if none.
   QString placeOfSame(std::size_t at) const {
     const Position& one = m_session.positions[at];
     const bool mayParse = one.readings.size() <= mostCompared;
@@ -207,7 +207,7 @@ class Doubts {
               .arg(asked));
   }
 
-  /// What would go: a reading, or a sighting of the zero.
+  /// The entry that would be overwritten: a reading, or a sighting of the zero.
   QString standing() const {
     if (!m_landing.row) {
       const ZeroSighting zero = zeroAt(m_session, m_landing.position(), m_landing.zero);
@@ -232,7 +232,7 @@ class Doubts {
                               .arg(zeroName(m_landing.zero), there));
   }
 
-  /// What the protocol expects there, else what the rows do.
+  /// The reading expected from the protocol, else from the rows.
   std::optional<ExpectedReading> expected() const {
     const EntryToCome& asked = m_landing.asked;
     const Guide* guide = m_evaluation.guide.get();
@@ -269,7 +269,7 @@ class Doubts {
     m_landing.row ? doubtZeroInRow() : doubtZero();
   }
 
-  /// Nothing is expected there, but what is no reading of the arc is known.
+  /// Without an expected reading, still recognises a sighting of the pointing zero.
   void doubtZeroInRow() {
     if (looksAt(m_reading, m_session, m_landing.position(), zeroTolerance))
       say(ReadingDoubts::tr("It looks at the pointing zero: is it the right target?"));

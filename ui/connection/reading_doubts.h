@@ -11,17 +11,17 @@
 
 namespace alidade::ui {
 
-/// What was taken before over the cable, as far as a reading is held against it.
+/// Earlier readings over the connection, as far as needed to compare a new one.
 class TakenBefore {
  public:
-  /// The last ones, more than an instrument holds in its buffer.
+  /// The last readings, more than an instrument buffers.
   static constexpr std::size_t mostKept = 16;
 
   void add(const InstrumentReading& reading, std::size_t position);
 
-  std::optional<std::size_t> position() const { return m_position; }  ///< of the last one
-  const std::string& serial() const { return m_serial; }              ///< that was taken last; empty: none
-  const std::string& corrections() const { return m_corrections; }    ///< likewise
+  std::optional<std::size_t> position() const { return m_position; }  ///< position of the last reading
+  const std::string& serial() const { return m_serial; }  ///< serial number of the last reading; empty: none
+  const std::string& corrections() const { return m_corrections; }  ///< likewise
   std::optional<bool> isCompensated() const { return m_isCompensated; }
   const std::deque<InstrumentReading>& readings() const { return m_readings; }
 
@@ -32,14 +32,13 @@ class TakenBefore {
   std::deque<InstrumentReading> m_readings;
 };
 
-/// What speaks against a reading, sentence by sentence, after one that says where it would go and what was
-/// read: the axis was to be turned for it, another instrument, one that does not vouch for it, other
-/// corrections, a reading that came already, another face, something that stands there, another target.
-/// Empty: nothing.
+/// Objections to a reading, after a sentence with its target and its values: axis not turned, another
+/// instrument, not guaranteed by the instrument, other corrections, repeated reading, other face, existing
+/// entry, another target. Empty: none.
 QString readingQuestion(const Evaluation& evaluation, const Landing& landing,
                         const InstrumentReading& reading, const TakenBefore& before);
 
-/// Of a reading for which no place is asked.
+/// The question about a reading without a target.
 QString placelessQuestion(const Evaluation& evaluation, const InstrumentReading& reading);
 
 }  // namespace alidade::ui

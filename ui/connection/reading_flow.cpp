@@ -9,7 +9,7 @@ namespace alidade::ui {
 
 namespace {
 
-/// To the second, with the zone of this computer: "2026-03-14T15:09:26+01:00".
+/// To the second, with the time zone of this computer: "2026-03-14T15:09:26+01:00".
 std::string timeOfNow() {
   const QDateTime now = QDateTime::currentDateTime();
   return now.toOffsetFromUtc(now.offsetFromUtc()).toString(Qt::ISODate).toStdString();
@@ -25,7 +25,7 @@ ReadingFlow::ReadingFlow(SessionDocument& document, QObject* parent)
         change.kind == SessionChange::Kind::Everything || change.kind == SessionChange::Kind::Positions;
     if (isOfOthers) m_before = {};
   });
-  // Later: an entry that is handed in has not changed the session yet.
+  // Queued, since a committed entry has not changed the session yet.
   connect(
       &document.halfTyped(), &HalfTyped::changed, this,
       [this] {
@@ -39,7 +39,7 @@ ReadingFlow::ReadingFlow(SessionDocument& document, QObject* parent)
 void ReadingFlow::add(const InstrumentReading& reading) {
   m_waiting.push_back(reading);
   if (reading.takenAt.empty()) m_waiting.back().takenAt = timeOfNow();
-  if (!m_question.isEmpty()) emit questionChanged();  // one more waits
+  if (!m_question.isEmpty()) emit questionChanged();  // one more is waiting
   proceed();
   emit heldChanged();
 }
@@ -48,7 +48,7 @@ bool ReadingFlow::isHeld() const {
   return !m_waiting.empty() && m_document.halfTyped().isOpenInPosition();
 }
 
-/// A question is asked anew: what it is about may have been typed meanwhile.
+/// Repeats a question, since its entry may have been typed meanwhile.
 void ReadingFlow::setEvaluation(const SharedEvaluation& evaluation) {
   m_evaluation = evaluation;
   ask({});

@@ -14,35 +14,34 @@ namespace alidade::ui {
 
 class SessionDocument;
 
-/// Takes readings of an instrument into the session, one after the other: each where it belongs, once what
-/// was read before it is evaluated, so that it is held against what is expected there. One that anything
-/// speaks against (`readingQuestion`) waits for an answer, and all that come meanwhile wait behind it.
-/// Nothing is lost, and nothing waited for.
+/// Stores readings of an instrument in the session, one after the other. Each goes to its place once the
+/// previous one is evaluated, so that it can be compared with the expected one. A doubtful reading
+/// (`readingQuestion`) waits for an answer, and later ones wait behind it. Never blocks or loses a reading.
 class ReadingFlow : public QObject {
   Q_OBJECT
 
  public:
   explicit ReadingFlow(SessionDocument& document, QObject* parent = nullptr);
 
-  /// Where the next reading goes: the position in front and, where it is to be the selected row, that row.
+  /// The target of the next reading: the position in front, and the selected row if so chosen.
   struct Front {
     std::size_t position = 0;
     std::optional<std::size_t> selected = {};
   };
   void setFront(std::function<Front()> front) { m_front = std::move(front); }
 
-  /// A reading that does not say when it was taken was taken now.
+  /// A reading without a time gets the present time.
   void add(const InstrumentReading& reading);
-  /// Of the session as it is now, or of an earlier state while `isOld`.
+  /// The evaluation of the current session, or of an earlier state while `isOld`.
   void setEvaluation(const SharedEvaluation& evaluation);
 
-  /// Answers to the question that is asked.
+  /// Answers the current question.
   void takeAnyway();
   void discard();
 
-  QString question() const { return m_question; }  ///< empty: none is asked
+  QString question() const { return m_question; }  ///< empty: no question
   std::size_t waiting() const { return m_waiting.size(); }
-  /// Do they wait for an entry of a position that is being typed? A reading never touches it.
+  /// True if readings wait for an open entry of a position, which they never touch.
   bool isHeld() const;
 
  signals:
@@ -62,7 +61,7 @@ class ReadingFlow : public QObject {
   SharedEvaluation m_evaluation;  ///< null: the session has changed since
   std::deque<InstrumentReading> m_waiting;
   TakenBefore m_before;
-  QString m_question;  ///< about the first that waits
+  QString m_question;  ///< about the first waiting reading
 };
 
 }  // namespace alidade::ui

@@ -25,7 +25,7 @@ struct ReadingLanding {
   Q_DECLARE_TR_FUNCTIONS(ReadingLanding)
 };
 
-/// Sightings of one pointing zero differ by no more, whatever the errors of the instrument.
+/// Sightings of one pointing zero differ by less, whatever the errors of the instrument.
 constexpr Angle zeroWithin = Angle::fromDegrees(0.5);
 
 int faceOf(const Reading& row) {
@@ -37,12 +37,12 @@ bool isOpenRow(const Reading& row) {
   return !row.excluded && row.horizontal.empty() && row.vertical.empty();
 }
 
-/// Does a protocol that can be followed say what comes next?
+/// True if a valid protocol determines the next sighting.
 bool isLed(const Evaluation& evaluation) {
   return evaluation.guide && evaluation.guide->problem.empty();
 }
 
-/// What comes next in the protocol is of a position that the session lacks.
+/// The next sighting of the protocol is in a position that the session lacks.
 bool isBeyondSession(const Evaluation& evaluation) {
   if (!isLed(evaluation)) return false;
   const ProtocolProgress& progress = evaluation.guide->progress;
@@ -60,8 +60,8 @@ bool isEmptyZero(const ZeroSighting& zero) {
   return zero.horizontal.empty() && zero.vertical.empty();
 }
 
-/// Of the point and round that were asked for, the open row in the face that was read, where there is one:
-/// else the row that was asked for.
+/// The open row with the expected point and round in the face of the reading, if there is one; else the
+/// expected row.
 std::size_t rowInItsFace(const Session& session, const EntryToCome& asked, int face) {
   const std::vector<Reading>& rows = session.positions[asked.position].readings;
   const Reading& wanted = asked.sighting;
@@ -78,7 +78,7 @@ Landing landingOf(const Session& session, const EntryToCome& asked, int face) {
   return {.asked = asked, .row = rowInItsFace(session, asked, face)};
 }
 
-/// Where the reading looks at the zero of the position and that has no such sighting yet.
+/// The zero sighting, if the reading points at the position's zero and that sighting is still missing.
 std::optional<Landing> furtherZero(const Session& session, std::size_t position,
                                    const InstrumentReading& reading) {
   if (!looksAt(reading, session, position, zeroWithin)) return std::nullopt;
@@ -90,7 +90,7 @@ std::optional<Landing> furtherZero(const Session& session, std::size_t position,
   return landing;
 }
 
-/// The row as it will stand: what is there, or the row to follow.
+/// The row with the reading: the existing row, or the next one.
 Reading landedRow(const Session& session, const Landing& landing, const InstrumentReading& reading) {
   const std::vector<Reading>& rows = session.positions[landing.position()].readings;
   Reading row =
@@ -130,7 +130,7 @@ std::optional<Landing> nextLanding(const Evaluation& evaluation, std::size_t her
                                    const InstrumentReading& reading) {
   const Session& session = evaluation.session;
   if (here >= session.positions.size() || isBeyondSession(evaluation)) return std::nullopt;
-  const bool isTyped = !evaluation.next.empty();  // else it has more rows than anyone types
+  const bool isTyped = !evaluation.next.empty();  // otherwise it has more rows than anyone types
   const auto asked = isTyped ? entryToCome(evaluation, here) : entryToComeOf(session, here);
   const bool isRow = !asked || asked->zero.empty();
   if (isRow && !isLed(evaluation))

@@ -9,8 +9,7 @@ namespace alidade::ui {
 
 class ReadingFlow;
 
-/// A reading of the instrument that is not as expected: what was read, and what shall be done. Gone where
-/// there is none. All goes on beside it.
+/// Shows an unexpected reading of the instrument, and the possible actions. Hidden otherwise. Non-modal.
 class ReadingQuestionBar : public QFrame {
   Q_OBJECT
 

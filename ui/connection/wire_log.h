@@ -4,19 +4,19 @@
 
 namespace alidade::ui {
 
-/// What went over the wire and what was said of it, line by line with its time: → sent, ← received, · said.
+/// The communication and its events, line by line with the time: → sent, ← received, · events.
 class WireLog : public QPlainTextEdit {
   Q_OBJECT
 
  public:
-  /// The oldest go beyond that: two lines a second for a working day.
+  /// Older lines are dropped: two lines a second for a working day.
   static constexpr int mostLines = 50'000;
 
   explicit WireLog(QWidget* parent = nullptr);
 
   void addLine(bool isSent, const QString& shown);
   void addRemark(const QString& sentence);
-  /// As a file.
+  /// The log as a file.
   std::string bytes() const;
 
  private:

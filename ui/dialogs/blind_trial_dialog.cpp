@@ -176,7 +176,7 @@ void BlindTrialDialog::draw(int count) {
   showWork();
 }
 
-/// A trial that came to nothing is no trial: it is told and not listed.
+/// A trial without a result is reported and not listed.
 void BlindTrialDialog::take(const SharedTrial& trial) {
   m_seed->setValue(m_seed->value() % m_seed->maximum() + 1);
   m_progress->setValue(m_progress->value() + 1);
@@ -231,7 +231,7 @@ void BlindTrialDialog::showTruth() {
   colorScore();
 }
 
-/// The choices and the number belong to the draw at work until it is done.
+/// Choices and number stay locked until the running draw is done.
 void BlindTrialDialog::showWork() {
   const bool isAtWork = m_job.isAtWork(), isStretch = isAtWork && m_isSeries;
   const bool isDrawn = m_current && m_current->problem.empty();

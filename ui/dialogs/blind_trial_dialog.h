@@ -16,9 +16,8 @@ class GapHeadline;
 class GapWaterfall;
 class TrialList;
 
-/// Blind trials: a session is drawn from a plan and a truth that stays sealed, it is diagnosed, and then the
-/// seal is opened and the diagnosis scored. Also many at a stretch, all opened. Trials whose seal was not
-/// opened stay in the list and can be returned to.
+/// Blind trials: draws a session from a plan and a sealed truth and diagnoses it. Opening the seal scores the
+/// diagnosis. Also draws many trials in one run, all opened. Sealed trials stay in the list for later.
 class BlindTrialDialog : public QDialog {
   Q_OBJECT
 
@@ -29,7 +28,7 @@ class BlindTrialDialog : public QDialog {
   const SharedTrial& current() const { return m_current; }
 
  signals:
-  /// The session of the current trial is wanted in the window.
+  /// Asks the window to show the session of the current trial.
   void sessionWanted(const alidade::Session& session);
 
  protected:

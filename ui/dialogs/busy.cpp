@@ -23,8 +23,8 @@ Busy::~Busy() = default;
 
 void Busy::showDialog() {
   if (m_dialog) return;
-  const QString stop =
-      m_way == Way::Stoppable ? QCoreApplication::translate("Busy", "Stop") : QString();  // no button
+  const QString stop = m_way == Way::Stoppable ? QCoreApplication::translate("Busy", "Stop")
+                                               : QString();  // an empty text: no button
   m_dialog = std::make_unique<QProgressDialog>(m_doing, stop, 0, 0, m_parent);
   m_dialog->setWindowTitle(QCoreApplication::applicationName());
   m_dialog->setWindowModality(Qt::ApplicationModal);
@@ -34,8 +34,7 @@ void Busy::showDialog() {
   m_dialog->show();
 }
 
-/// Keys and clicks wait at first, for they are meant for what comes; then those that the dialog does not
-/// take.
+/// Holds input back until the dialog opens; the modal dialog then takes what is meant for it.
 bool Busy::waitFor(const QFuture<void>& work) {
   QFutureWatcher<void> watcher;
   QEventLoop loop;

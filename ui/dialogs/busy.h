@@ -10,11 +10,11 @@ class QWidget;
 
 namespace alidade::ui {
 
-/// What the user waits for. While it lasts the window paints and takes no input; where it takes longer than a
-/// moment, a dialog says what is done, with a button that stops it where it can be stopped.
+/// An operation the user waits for. Meanwhile the window paints and takes no input. After a moment a dialog
+/// shows the operation, with a stop button if it can be stopped.
 class Busy {
  public:
-  /// A file that is being written is not left half way.
+  /// Writing a file always runs to its end.
   enum class Way { Stoppable, ToItsEnd };
 
   Busy(QWidget* parent, const QString& doing, Way way = Way::Stoppable);
@@ -22,10 +22,10 @@ class Busy {
   Busy(const Busy&) = delete;
   Busy& operator=(const Busy&) = delete;
 
-  /// Waits for work on another thread. False: the user stopped it, where it can be; it may still be at work.
+  /// Waits for work on another thread. False: the user stopped it, if possible; it may still be running.
   bool waitFor(const QFuture<void>& work);
-  /// For work on the window's own thread, asked often: lets the window live now and then. `done`: the share
-  /// of the work, 0 to 1. False: the user stopped it.
+  /// For work on the window's own thread, called often: processes window events now and then. `done`: the
+  /// share of the work, 0 to 1. False: the user stopped it.
   bool goesOn(double done);
 
  private:

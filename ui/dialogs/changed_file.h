@@ -9,16 +9,16 @@ class QWidget;
 
 namespace alidade::ui {
 
-/// A file that another program wrote since it was opened or saved here.
+/// A file that another program changed after it was opened or saved here.
 struct ChangedFile {
   QString name;
-  std::optional<SessionDifference> difference = {};  ///< absent: what stands there now is no session
-  QString problem = {};                              ///< why it is none
+  std::optional<SessionDifference> difference = {};  ///< absent if the file is not a session now
+  QString problem = {};                              ///< why the file is not a session
 };
 
 enum class ChangedFileAnswer { Cancel, Reload, SaveAs, Overwrite };
 
-/// Shows what differs and asks what to do. Reload is offered where there is a session to be read.
+/// Shows the differences and asks what to do. Reload is offered if the file holds a readable session.
 ChangedFileAnswer askChangedFile(QWidget* parent, const ChangedFile& file);
 
 }  // namespace alidade::ui

@@ -13,7 +13,7 @@ namespace alidade::ui {
 
 namespace {
 
-/// Without the mark of the letter that Alt leads by, and without keys told behind a tab.
+/// The text without its Alt mnemonic and without the shortcut after a tab.
 QString plainText(const QString& menuText) {
   QString plain;
   const QString text = menuText.section(u'\t', 0, 0);
@@ -24,7 +24,7 @@ QString plainText(const QString& menuText) {
   return plain.endsWith(QStringLiteral("…")) ? plain.chopped(1) : plain;
 }
 
-/// Every word typed begins a word of the path.
+/// Each typed word is the beginning of a word of the path.
 bool isMeant(const QString& path, const QString& typed) {
   const QStringList words = typed.split(u' ', Qt::SkipEmptyParts);
   const QString searched = u' ' + path;
@@ -54,7 +54,7 @@ CommandPalette::CommandPalette(const QMenuBar& menus, QWidget* parent)
   narrow({});
 }
 
-/// What a menu says of its commands it says as it is about to be shown.
+/// Emits `aboutToShow`, since menus update their commands only then.
 void CommandPalette::gather(QMenu& menu, const QString& path) {
   emit menu.aboutToShow();
   for (QAction* action : menu.actions()) {
@@ -87,7 +87,7 @@ QAction* CommandPalette::ask() {
   return m_commands[m_list->currentItem()->data(Qt::UserRole).toULongLong()].action;
 }
 
-/// The keyboard stays in the line; up and down choose in the list.
+/// The keyboard stays in the line; Up and Down choose in the list.
 bool CommandPalette::eventFilter(QObject* watched, QEvent* event) {
   if (watched != m_typed || event->type() != QEvent::KeyPress) return QDialog::eventFilter(watched, event);
   const int key = static_cast<QKeyEvent*>(event)->key();

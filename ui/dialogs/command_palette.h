@@ -12,15 +12,15 @@ class QMenuBar;
 
 namespace alidade::ui {
 
-/// Every command of the menus in one list, narrowed down by what is typed: "way ba" finds Edit › Add Rows ›
-/// Way Back. Enter does the one that is chosen.
+/// Every command of the menus in one list, filtered by typing: "way ba" finds Edit › Add Rows › Way Back.
+/// Enter runs the chosen one.
 class CommandPalette : public QDialog {
   Q_OBJECT
 
  public:
   CommandPalette(const QMenuBar& menus, QWidget* parent);
 
-  /// The command that was chosen; null: none.
+  /// The chosen command; null if none.
   QAction* ask();
 
  protected:

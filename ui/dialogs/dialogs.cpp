@@ -32,7 +32,7 @@ QString sessionFilter() {
   return DialogsText::tr("Sessions (*.alidade);;All files (*)");
 }
 
-/// A box is as wide as its longest word.
+/// A message box is as wide as its longest word.
 QString boxText(const QString& text) {
   static const QRegularExpression longWord(QStringLiteral("(\\S{60})(?=\\S)"));
   return visibleLines(text).replace(longWord, QStringLiteral("\\1\n"));

@@ -24,7 +24,7 @@ namespace alidade::ui {
 struct ImportDecision;
 struct ImportRequest;
 
-/// The questions the program asks. Virtual, so that tests can answer.
+/// The questions of the program. Virtual, so that tests can answer.
 class Dialogs {
  public:
   enum class SaveAnswer { Save, Discard, Cancel };
@@ -33,55 +33,55 @@ class Dialogs {
   explicit Dialogs(QWidget* parent = nullptr) : m_parent(parent) {}
   virtual ~Dialogs() = default;
 
-  /// The files that were read for this window. Nothing that is written may replace one of them.
+  /// The files read for this window. Writing must not replace any of them.
   QStringList readFiles() const { return m_readFiles ? m_readFiles() : QStringList(); }
   void setReadFiles(std::function<QStringList()> files) { m_readFiles = std::move(files); }
 
   virtual SaveAnswer askSaveChanges(const QString& name);
-  /// Shall the changes of another session be lost, which undo or redo leads to? `name` is empty where it was
-  /// never saved.
+  /// Asks whether undo or redo may discard the changes of another session. `name` is empty if it was never
+  /// saved.
   virtual bool askDiscardOther(const QString& name, Way way);
   /// Empty: cancelled.
   virtual QString askOpenPath(const QString& folder);
   virtual QStringList askImportPaths(const QString& folder);
-  /// How the readings are to be taken; absent: cancelled.
+  /// Asks how to import the readings; absent: cancelled.
   virtual std::optional<ImportDecision> askImport(ImportRequest request);
-  /// Of an instrument record; empty: cancelled.
+  /// Asks for an instrument record; empty: cancelled.
   virtual QString askRecordPath(const QString& folder);
-  /// Of a measurement protocol; empty: cancelled.
+  /// Asks for a measurement protocol; empty: cancelled.
   virtual QString askProtocolPath(const QString& folder);
-  /// The protocol in a form; absent: cancelled.
+  /// Edits the protocol in a form; absent: cancelled.
   virtual std::optional<SightingProtocol> askProtocol(const SightingProtocol& protocol, CircleUnit unit);
-  /// A folder, and sessions one by one, of a series; empty: cancelled.
+  /// Asks for a folder, or single sessions, of a series; empty: cancelled.
   virtual QString askFolder(const QString& title, const QString& folder);
   virtual QStringList askSessionPaths(const QString& folder);
   virtual QString askSavePath(const QString& suggestion);
   virtual QString askReportPath(const QString& suggestion);
   /// `suffix`: "csv", "json", "svg" or "png".
   virtual QString askExportPath(const QString& title, const QString& suggestion, const QString& suffix);
-  /// What the report shall hold, and on which paper; absent: cancelled.
+  /// Asks for the contents and the paper of the report; absent: cancelled.
   virtual std::optional<ReportChoice> askReport(const ReportQuestion& question);
   /// False: cancelled.
   virtual bool askPaper(ReportPaper& paper);
   virtual bool askPrinter(QPrinter& printer);
-  /// Shows what `paint` paints; answers with what is wanted next.
+  /// Shows what `paint` paints; returns what the user wants next.
   virtual PreviewAnswer showPreview(QPrinter& printer, const std::function<void(QPrinter&)>& paint);
-  /// Who seals the session; empty: cancelled.
+  /// Asks who seals the session; empty: cancelled.
   virtual QString askSeal(const QString& suggestion);
-  /// Shall a file be opened, or be written to, that another window has open? `holder` says which.
+  /// Asks whether to open or write a file that another window has open. `holder` names that window.
   virtual bool askOpenElsewhere(const QString& name, const QString& holder);
   virtual ChangedFileAnswer askChangedFile(const ChangedFile& file);
   virtual RecoveryAnswer askRecovery(const QList<RecoveryOffer>& offers);
-  /// The letters of the window; absent: cancelled.
+  /// Asks for the font of the window; absent: cancelled.
   virtual std::optional<QFont> askFont(const QFont& now);
   virtual void showProblem(const QString& title, const QString& text);
-  /// To wait with, while `doing` is done.
+  /// A waiting dialog for the operation named `doing`.
   virtual std::unique_ptr<Busy> busy(const QString& doing, Busy::Way way = Busy::Way::Stoppable);
   virtual void showAbout();
   virtual void showShortcuts();
 
  private:
-  /// What a question stands over: a window beside the main one where that is at work.
+  /// The parent of a question: the active window, main or other.
   QWidget* over() const;
 
   QPointer<QWidget> m_parent;

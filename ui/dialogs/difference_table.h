@@ -8,8 +8,8 @@ class QTreeWidget;
 
 namespace alidade::ui {
 
-/// What differs as a list: where, and both texts under the titles `mine` and `theirs`. A last line says how
-/// many more there are. The caller owns the widget.
+/// A list of the differences: place, and both texts under the titles `mine` and `theirs`. A last line counts
+/// the unlisted ones. The caller owns the widget.
 QTreeWidget* createDifferenceTable(const SessionDifference& difference, const QString& mine,
                                    const QString& theirs);
 

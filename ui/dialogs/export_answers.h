@@ -7,8 +7,9 @@
 
 namespace alidade::ui {
 
-// What is exported of a session, fitted and diagnosed for it: the bytes of the file, or why there are none.
-// `name` stands in the documents for the session. They need the whole session sound, as alidade-cli does.
+// Exports of a session, which each function fits and diagnoses: the bytes of the file, or why there are none.
+// `name` is the session's name in the documents. Like alidade-cli, they require every entry of the session to
+// be valid.
 
 Result<std::string> residualsAnswer(const Session& session, const std::string& name);
 Result<std::string> resultAnswer(const Session& session, const std::string& name);

@@ -99,7 +99,7 @@ bool ExportFlow::writeTo(const QString& title, const QString& what, const QStrin
   return path.has_value();
 }
 
-/// Beside the session, by its name.
+/// A path in the folder of the session, with its name.
 QString ExportFlow::suggestedPath(const QString& what, const QString& suffix) const {
   const QFileInfo file(m_document.path());
   const QString name = m_document.path().isEmpty() ? m_document.displayName() : file.completeBaseName();

@@ -28,7 +28,7 @@ namespace alidade::ui {
 
 namespace {
 
-/// Into the journal of a new session.
+/// Adds the origins to the journal of a new session.
 void enterOrigins(Session& session, std::vector<JournalEntry> origins) {
   for (JournalEntry& entry : origins) {
     entry.at = QDateTime::currentDateTimeUtc().toString(Qt::ISODate).toStdString();
@@ -37,7 +37,7 @@ void enterOrigins(Session& session, std::vector<JournalEntry> origins) {
   }
 }
 
-/// Nothing unsaved is lost, or the user wants it lost.
+/// True if nothing unsaved would be lost, or the user agrees to lose it.
 bool mayDrop(Dialogs& dialogs, const std::optional<QString>& path, Dialogs::Way way) {
   return !path || dialogs.askDiscardOther(QFileInfo(*path).fileName(), way);
 }
@@ -128,8 +128,8 @@ bool FileFlow::importFrom(const Result<std::vector<ImportSource>>& sources, cons
   return true;
 }
 
-/// A pipe has no end, and a device may have none: the window would wait for it. What is not there at all is
-/// told where it is opened or written.
+/// Refuses a pipe, which has no end, or a device, which may have none: reading would block the window. A
+/// missing file is reported when it is opened or written.
 bool FileFlow::tellWhereNoFile(const QString& title, const QString& path) {
   const QFileInfo file(path);
   if (!file.exists() || file.isFile()) return false;
@@ -157,7 +157,7 @@ bool FileFlow::load(const QString& path) {
   return true;
 }
 
-/// Into no file: the report stays as it is, and saving asks for a name.
+/// Opens the session without a file: the report stays unchanged, and saving asks for a name.
 bool FileFlow::loadAttached(const QString& path) {
   const QString name = visibleLine(QFileInfo(path).fileName());
   const auto session =
@@ -213,7 +213,7 @@ bool FileFlow::saveTo(const QString& path) {
   return (!answer || answer == ChangedFileAnswer::Overwrite) && write(path);
 }
 
-/// The session's own files may be replaced: they are what is saved.
+/// Excludes the session's own files, since saving replaces them.
 QStringList FileFlow::otherInputs() const {
   QStringList inputs = m_dialogs.readFiles();
   for (const QString& own : m_document.paths()) inputs.removeAll(own);
@@ -251,7 +251,7 @@ void FileFlow::settleChange() {
   if (answer == ChangedFileAnswer::Overwrite) write(m_document.path());
 }
 
-/// Absent: saving overwrites nothing of others'. A reload is done already.
+/// Absent if saving overwrites no changes of others. A reload is already done here.
 std::optional<ChangedFileAnswer> FileFlow::askAboutChange() {
   auto looked = inBackground<std::optional<FileContent>>(
       *m_dialogs.busy(tr("Looking at “%1”…").arg(visibleLine(m_document.displayName())), Busy::Way::ToItsEnd),
@@ -322,12 +322,12 @@ bool FileFlow::mayLeaveChanges() {
   return false;
 }
 
-/// The session back from an import may be as in its file, and all that was typed into the import unsaved.
+/// After undoing an import the session may equal its file while the imported session has unsaved entries.
 bool FileFlow::mayDropRedo() {
   return mayDrop(m_dialogs, m_document.unsavedAhead(), Dialogs::Way::Redo);
 }
 
-/// An import may be saved, and the session before it not, or no longer.
+/// The import may be saved while the session before it is unsaved or no longer saved.
 bool FileFlow::mayDropUndo() {
   return mayDrop(m_dialogs, m_document.unsavedBehind(), Dialogs::Way::Undo);
 }

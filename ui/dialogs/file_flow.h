@@ -18,27 +18,27 @@ namespace alidade::ui {
 class Dialogs;
 class SessionDocument;
 
-/// New, open, import, save, export and leaving, with the questions that belong to them.
+/// New, open, import, save, export and close, with the questions they require.
 class FileFlow : public QObject {
   Q_OBJECT
 
  public:
   FileFlow(SessionDocument& document, Dialogs& dialogs, QObject* parent = nullptr);
 
-  /// Each is true where it was done, false where it failed (the user was told why) or was cancelled.
+  /// Each returns true on success, false if it failed (the user was told why) or was cancelled.
   bool startNew();
-  bool startWith(const Session& session);  ///< as a new session, in no file yet
+  bool startWith(const Session& session);  ///< as a new, unsaved session
   bool open();
-  /// A session, a report with the session attached, or a file of readings to import.
+  /// Opens a session, a report with an attached session, or a file of readings to import.
   bool open(const QString& path);
   bool importReadings();
-  /// The readings of files of instruments or tables, as the user wants them: into the session at work, or
-  /// into a new one. Undone, the session is back as it was before, in its file.
+  /// Imports readings of instrument files or tables into the current session or a new one. Undo restores the
+  /// previous session with its file.
   bool importReadings(const QStringList& paths);
   bool importClipboard();
   bool save();
   bool saveAs();
-  /// Brings the session back as it is in its file, as one undo step. False: it was not, or has no file.
+  /// Restores the session from its file, as one undo step. False: it has no file, or restoring failed.
   bool revert();
   /// Seals the session and saves it. False: it was not sealed, or not saved.
   bool seal();
@@ -47,19 +47,20 @@ class FileFlow : public QObject {
   bool printReport();
   bool previewReport();
   void setUpPage() { m_reports.setUpPage(); }
-  /// Where others wrote the session's file: shows what differs, and does what the user wants.
+  /// After another program changed the session's file: shows the differences and does what the user chooses.
   void settleChange();
-  /// Other windows see in this folder which files are open here, and the other way round.
+  /// The folder in which windows register their open files for each other.
   void setLockFolder(const QString& folder);
-  /// A check of the uncertainty, for reports of the session that it is of.
+  /// Stores a check of the uncertainty, for reports of its session.
   void setBudgetCheck(const SharedBudgetCheck& check) { m_reports.setBudgetCheck(check); }
-  /// May the session be left, and those that undo and redo lead to? Saves first where the user wants it.
+  /// Asks whether the session, and those that undo and redo lead to, may be left. Saves first if the user
+  /// agrees.
   bool mayLeave();
 
  signals:
-  void commitWanted();  ///< what is half typed belongs into the session before it is used
+  void commitWanted();  ///< unfinished entries must be committed before the session is used
   void recentFilesChanged();
-  void writing(bool is);             ///< the session into a file
+  void writing(bool is);             ///< whether the session is being written to a file
   void remark(const QString& text);  ///< for the status line
 
  private:

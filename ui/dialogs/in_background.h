@@ -10,8 +10,8 @@
 
 namespace alidade::ui {
 
-/// What `work` makes of a `std::stop_token`, on another thread, while the window stays alive. Absent: the
-/// user stopped it; the work is told, and what it still makes is dropped. It must hold all it needs.
+/// The result of `work`, called with a `std::stop_token` on another thread while the window stays responsive.
+/// Absent: the user stopped it; the work is notified and its result dropped. `work` must own all its data.
 template <typename Value, typename Work>
 std::optional<Value> inBackground(Busy& busy, Work work) {
   const auto made = std::make_shared<std::optional<Value>>();
@@ -22,7 +22,7 @@ std::optional<Value> inBackground(Busy& busy, Work work) {
     stop.request_stop();
     return std::nullopt;
   }
-  future.waitForFinished();  // hands on what was thrown
+  future.waitForFinished();  // rethrows an exception of the work
   return std::move(*made);
 }
 

@@ -7,9 +7,9 @@ namespace alidade::ui {
 class Dialogs;
 class SessionDocument;
 
-/// Instrument records (`InstrumentRecord`): takes one into the session at work, and makes one of what the
-/// session says of its instrument. Each is true where it was done, false where it failed (the user was told
-/// why) or was cancelled.
+/// Instrument records (`InstrumentRecord`): takes one into the current session, or makes one from the
+/// session's instrument. Each returns true on success, false if it failed (the user was told why) or was
+/// cancelled.
 class InstrumentFlow : public QObject {
   Q_OBJECT
 
@@ -20,7 +20,7 @@ class InstrumentFlow : public QObject {
   bool save();
 
  signals:
-  void commitWanted();  ///< what is half typed belongs into the session before it is used
+  void commitWanted();  ///< unfinished entries must be committed before the session is used
   void remark(const QString& text);
 
  private:

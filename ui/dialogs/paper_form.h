@@ -21,9 +21,9 @@ class PaperForm : public QWidget {
   explicit PaperForm(const ReportPaper& paper, QWidget* parent = nullptr);
 
   ReportPaper paper() const;
-  /// What is chosen is kept as it is, until the form is handed in.
+  /// Keeps the unconfirmed choice in `draft` until the form is accepted.
   void keepIn(FormDraft& draft);
-  /// Below the others, in line with them.
+  /// Adds a row below the others, aligned with them.
   void addRow(QLabel* label, QWidget* entry);
 
  private:
@@ -31,7 +31,7 @@ class PaperForm : public QWidget {
   std::array<QDoubleSpinBox*, 4> m_margins;  ///< left, top, right, bottom
 };
 
-/// Paper and margins alone, for the menu. False: cancelled.
+/// Asks for paper and margins alone, from the menu. False: cancelled.
 bool askPaper(QWidget* parent, ReportPaper& paper);
 
 }  // namespace alidade::ui

@@ -5,7 +5,7 @@ class QString;
 
 namespace alidade::ui {
 
-/// Wraps, and shows what is typed or read as it is: no markup.
+/// A wrapping label that shows its text without interpreting markup.
 QLabel* createPlainLabel(const QString& text);
 
 }  // namespace alidade::ui

@@ -68,7 +68,7 @@ void PrintPreview::tellPage() {
   m_page->setText(tr("Page %1 of %2").arg(m_view->currentPage()).arg(m_view->pageCount()));
 }
 
-/// The view knows how large a page may be shown only once it is shown.
+/// The view knows its largest page size only once it is shown.
 void PrintPreview::showEvent(QShowEvent* event) {
   QDialog::showEvent(event);
   m_view->fitInView();

@@ -23,7 +23,7 @@ namespace {
 
 const std::vector<std::vector<int>> faceChoices = {{1}, {2}, {1, 2}, {2, 1}, {1, 2, 2, 1}};
 const std::vector<std::vector<int>> axisChoices = {{0, 180}, {0}, {180}, {0, 180, 0}, {0, 180, 0, 180}};
-constexpr int changing = 5;  ///< behind the faces: from round to round
+constexpr int changing = 5;  ///< combo index behind the fixed faces: alternating from round to round
 
 QString placeText(const ProtocolPlace& place) {
   return qText(place.slider.empty() ? place.arc : place.slider).remove(u' ');
@@ -95,7 +95,7 @@ ProtocolDialog::ProtocolDialog(const SightingProtocol& protocol, CircleUnit unit
   check();
 }
 
-/// What an ended program left half typed stands there instead, and is told of.
+/// Restores the unfinished entries of a terminated program, and says so.
 void ProtocolDialog::keepDraft() {
   m_draft = new FormDraft(QStringLiteral("protocol"), {}, this);
   m_draft->add(QStringLiteral("name"), *m_name);
@@ -119,7 +119,7 @@ void ProtocolDialog::show(const SightingProtocol& protocol) {
   QStringList places;
   for (const ProtocolPlace& place : protocol.placesOf(first)) places.append(placeText(place));
   m_places->setText(places.join(u' '));
-  m_places->setCursorPosition(0);  // the first of many in view
+  m_places->setCursorPosition(0);  // shows the first of many
   m_rounds->setValue(static_cast<int>(first.rounds.size()));
   m_way->setCurrentIndex(std::ranges::any_of(first.rounds, &ProtocolRound::isBack) ? 1 : 0);
   const std::vector<int>& faces = first.rounds.front().faces;

@@ -17,7 +17,7 @@ namespace alidade::ui {
 
 class FormDraft;
 
-/// A protocol in a form: alike in all positions. What is finer goes through a file.
+/// A form for a protocol that is the same in all positions. Finer protocols require a file.
 class ProtocolDialog : public QDialog {
   Q_OBJECT
 
@@ -25,7 +25,7 @@ class ProtocolDialog : public QDialog {
   /// Places are typed and shown in degrees or in gon.
   ProtocolDialog(const SightingProtocol& protocol, CircleUnit unit, QWidget* parent = nullptr);
 
-  /// Absent where the places cannot be understood.
+  /// Absent if the places cannot be parsed.
   std::optional<SightingProtocol> protocol() const;
 
  private:

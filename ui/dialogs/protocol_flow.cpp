@@ -53,7 +53,7 @@ bool ProtocolFlow::save() {
   return true;
 }
 
-/// That of the session, else its rows, else places there and back.
+/// Edits the session's protocol, else one from its rows, else one of places there and back.
 bool ProtocolFlow::edit() {
   emit commitWanted();
   const Session& session = m_document.session();

@@ -7,8 +7,8 @@ namespace alidade::ui {
 class Dialogs;
 class SessionDocument;
 
-/// Protocols from and to files, and in a form. Each is true where it was done, false where it failed (the
-/// user was told why) or was cancelled.
+/// Loads, saves and edits protocols. Each returns true on success, false if it failed (the user was told why)
+/// or was cancelled.
 class ProtocolFlow : public QObject {
   Q_OBJECT
 
@@ -20,7 +20,7 @@ class ProtocolFlow : public QObject {
   bool edit();
 
  signals:
-  void commitWanted();  ///< what is half typed belongs into the session before it is used
+  void commitWanted();  ///< unfinished entries must be committed before the session is used
   void remark(const QString& text);
 
  private:

@@ -13,8 +13,8 @@ namespace alidade::ui {
 
 /// Unsaved changes that a window left behind.
 struct RecoveryOffer {
-  QString name;  ///< of the file, or what stands for a session in none
-  QString told;  ///< where it is, when the changes were kept, what became of the file
+  QString name;  ///< of the file, or a substitute for an unsaved session
+  QString told;  ///< folder, time of the changes, state of the file
   SessionDifference difference;
 };
 
@@ -22,10 +22,10 @@ struct RecoveryAnswer {
   enum class Choice { Later, Recover, Discard };
 
   Choice choice = Choice::Later;
-  int index = 0;  ///< of the offer
+  int index = 0;  ///< index of the offer
 };
 
-/// Offers what was left behind, each beside its file. Nothing is discarded unless that is confirmed.
+/// Offers unsaved changes, each compared with its file. Discarding requires a confirmation.
 class RecoveryDialog : public QDialog {
   Q_OBJECT
 

@@ -56,7 +56,7 @@ ReportDialog::ReportDialog(const ReportQuestion& question, QWidget* parent)
   layout->addLayout(columns, 1);
   layout->addWidget(createButtons());
   keepDraft();
-  // Of its own accord a dialog opens as high as it would be with every sentence on few lines.
+  // Lets the dialog open as high as if every sentence had few lines.
   layout->activate();
   const int width = std::max(byFont(640), minimumSizeHint().width());
   resize(width, std::max(sizeHint().height(), layout->totalHeightForWidth(width)));
@@ -72,7 +72,7 @@ void ReportDialog::keepDraft() {
   draft->finishWith(*this);
 }
 
-/// What it cannot say, before anything can be chosen.
+/// Lists what the report will lack, above the choices.
 QWidget* ReportDialog::createLacks() {
   auto* lacks = new QWidget;
   auto* layout = new QVBoxLayout(lacks);
@@ -135,7 +135,7 @@ QWidget* ReportDialog::createSheet() {
   return side;
 }
 
-/// Languages stand under their own names.
+/// Each language is listed under its own name.
 void ReportDialog::addLanguage() {
   m_language = new QComboBox;
   m_language->setObjectName(QStringLiteral("language"));
@@ -213,7 +213,7 @@ void ReportDialog::chooseLogo() {
   if (!path.isEmpty()) setLogo(path);
 }
 
-/// Shown as it is printed: on white.
+/// Shows the logo as printed: on white.
 void ReportDialog::setLogo(const QString& path) {
   m_logoPath = path;
   m_noLogo->setEnabled(!path.isEmpty());
@@ -233,7 +233,8 @@ void ReportDialog::setLogo(const QString& path) {
 }
 
 QWidget* ReportDialog::createButtons() {
-  auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel, this);  // a default belongs to a dialog
+  auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel,
+                                       this);  // a parent dialog would make one button the default
   const QString texts[] = {tr("&Export…"), tr("P&rint…"), tr("&Show")};
   QPushButton* go = buttons->addButton(texts[static_cast<int>(m_question.way)], QDialogButtonBox::AcceptRole);
   QPushButton* cancel = buttons->button(QDialogButtonBox::Cancel);

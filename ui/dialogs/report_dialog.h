@@ -15,19 +15,19 @@ namespace alidade::ui {
 
 class PaperForm;
 
-/// All that is to be known and decided before a report is written or printed.
+/// Everything to know and decide before a report is written or printed.
 struct ReportQuestion {
   enum class Way { Export, Print, Preview };
 
   Way way = Way::Export;
-  ReportChoice choice = {};                ///< as chosen last
-  std::vector<ReportPart> there = {};      ///< parts that this session's report may have
-  std::vector<ReportPart> mustStand = {};  ///< those that may not be left out
-  QStringList emptyFields = {};            ///< what a laboratory would state and the session leaves empty
-  int unusable = 0;                        ///< entries; with any there is no verdict
+  ReportChoice choice = {};                ///< the last choice
+  std::vector<ReportPart> there = {};      ///< parts available in this session's report
+  std::vector<ReportPart> mustStand = {};  ///< parts that cannot be left out
+  QStringList emptyFields = {};            ///< fields a laboratory would state, empty in this session
+  int unusable = 0;                        ///< number of unusable entries; any of them prevents a verdict
 };
 
-/// The one question before a report: what it holds, on which paper, with which logo, and what it will lack.
+/// The one question before a report: its contents, paper and logo, and what it will lack.
 class ReportDialog : public QDialog {
   Q_OBJECT
 
@@ -55,10 +55,10 @@ class ReportDialog : public QDialog {
   PaperForm* m_paper = nullptr;
   QComboBox* m_language = nullptr;
   QLabel *m_logo = nullptr, *m_logoName = nullptr;
-  QWidget* m_noLogo = nullptr;  ///< the button that takes it away
+  QWidget* m_noLogo = nullptr;  ///< the button that removes the logo
   QString m_logoPath;
   QLabel* m_seriesName = nullptr;
-  QWidget* m_noSeries = nullptr;  ///< the button that leaves the history out
+  QWidget* m_noSeries = nullptr;  ///< the button that leaves out the history
   QString m_seriesFolder;
 };
 

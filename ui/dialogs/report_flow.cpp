@@ -27,7 +27,7 @@ namespace alidade::ui {
 
 namespace {
 
-/// Painted on from corner to corner, as a PDF is.
+/// Uses the full page without printer margins, like a PDF.
 void setPaper(QPrinter& printer, const ReportPaper& paper, const QString& title) {
   printer.setDocName(title);
   printer.setFullPage(true);
@@ -80,7 +80,7 @@ bool ReportFlow::preview(const QString& suggestion) {
   });
 }
 
-/// No report takes the place of what was read for the window.
+/// The report must not replace any file read for the window.
 ReportSource ReportFlow::source() const {
   ReportSource source = reportSource(m_document);
   source.paths += m_dialogs.readFiles();
@@ -231,7 +231,7 @@ bool ReportFlow::printOf(const SharedGap& gap) {
   QPrinter printer(QPrinter::HighResolution);
   setPaper(printer, choice->paper, reportTitle(*spoken->evaluation, source));
   if (!m_dialogs.askPrinter(printer)) return false;
-  printer.setFullPage(true);  // whichever printer was chosen
+  printer.setFullPage(true);  // for every printer the user may choose
   const auto busy = m_dialogs.busy(tr("Printing the report…"));
   bool isStopped = false;
   options->goesOn = [&](double done) {
@@ -291,8 +291,7 @@ SharedGap ReportFlow::spokenIn(const QString& language, const SharedGap& gap) {
   return m_spoken.gap;
 }
 
-/// The session at work with all that a report says of it, its sentences in `language`; null: the user stopped
-/// it.
+/// The diagnosed current session, its sentences in `language`; null: the user stopped it.
 SharedGap ReportFlow::diagnosed(const QString& language) const {
   const auto busy = m_dialogs.busy(tr("Fitting and diagnosing for the report…"));
   const auto gap =

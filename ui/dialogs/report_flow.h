@@ -15,41 +15,40 @@ namespace alidade::ui {
 class Dialogs;
 class SessionDocument;
 
-/// From the session at work to its report: as a PDF, on paper, or to look at, with the one question before
-/// it.
+/// Makes the report of the current session as a PDF, on paper, or as a preview, after one question.
 class ReportFlow : public QObject {
   Q_OBJECT
 
  public:
   ReportFlow(SessionDocument& document, Dialogs& dialogs, QObject* parent = nullptr);
 
-  /// Each is true where it was done, false where it failed (the user was told why) or was cancelled.
-  /// `suggestion` is a path to begin with.
+  /// Each returns true on success, false if it failed (the user was told why) or was cancelled. `suggestion`
+  /// is the initial path.
   bool exportPdf(const QString& suggestion);
-  /// The digital calibration certificate with the report in it; what it will call not stated is asked about
-  /// first.
+  /// The digital calibration certificate with the report attached; first asks about the entries it will call
+  /// not stated.
   bool exportCertificate(const QString& suggestion);
   bool print();
   bool preview(const QString& suggestion);
-  void setUpPage();  ///< for reports to come
-  /// A check of the uncertainty, for reports of the session that it is of.
+  void setUpPage();  ///< for later reports
+  /// Stores a check of the uncertainty, for reports of its session.
   void setBudgetCheck(const SharedBudgetCheck& check) { m_check = check; }
 
  signals:
-  void commitWanted();               ///< what is half typed belongs into the session before it is used
+  void commitWanted();               ///< unfinished entries must be committed before the session is used
   void remark(const QString& text);  ///< for the status line
 
  private:
   bool guarded(const QString& title, const std::function<bool()>& work);
   SharedGap diagnosed(const QString& language = {}) const;
-  /// The same as `gap`, whose sentences were made for the window, in the language of the report: diagnosed
-  /// anew where that is another. Null: the user stopped it.
+  /// `gap`, whose sentences are in the window's language, diagnosed again in the report's language if that
+  /// differs. Null: the user stopped it.
   SharedGap spokenIn(const QString& language, const SharedGap& gap);
-  /// What is chosen for the report of `gap`, and remembered; absent: cancelled.
-  /// `lacks`: what will be missing, where that is not what a report lacks.
+  /// The user's choice for the report of `gap`, remembered; absent: cancelled. `lacks`: what will be missing,
+  /// if different from a report.
   std::optional<ReportChoice> ask(const Gap& gap, ReportQuestion::Way way,
                                   const std::optional<QStringList>& lacks = {});
-  /// For a report of `gap`, with the logo; absent: it cannot be used, which was told.
+  /// Options for a report of `gap`, with the logo; absent: the logo is unusable, which was reported.
   std::optional<ReportOptions> optionsFor(const SharedGap& gap, const ReportChoice& choice);
   bool exportOf(const SharedGap& gap, const QString& suggestion);
   bool certificateOf(const SharedGap& gap, const QString& suggestion);
@@ -58,7 +57,7 @@ class ReportFlow : public QObject {
 
   SessionDocument& m_document;
   Dialogs& m_dialogs;
-  /// Of the device of the session at work, by the sessions of a folder; null: none of them is of it, or the
+  /// The history of the session's device from a folder of sessions; null: no session of the device, or the
   /// user stopped it.
   ReportSource source() const;
   std::shared_ptr<const DeviceHistory> historyIn(const QString& folder);
@@ -67,11 +66,11 @@ class ReportFlow : public QObject {
   struct Told {
     QString folder;
     std::shared_ptr<const DeviceHistory> history;
-  } m_told;  ///< what `historyIn` made last, likewise as long as a report is at work
+  } m_told;  ///< last result of `historyIn`, kept while a report is being made
   struct Spoken {
     QString language;
     SharedGap of, gap;
-  } m_spoken;  ///< what `spokenIn` made last, as long as a report is at work
+  } m_spoken;  ///< last result of `spokenIn`, kept while a report is being made
 };
 
 }  // namespace alidade::ui

@@ -4,8 +4,8 @@ class QPushButton;
 
 namespace alidade::ui {
 
-/// Of a dialog's buttons the one that destroys nothing: it has the keyboard, and Return means it wherever the
-/// keyboard is. Asked for once all of the dialog's buttons are there.
+/// Makes the non-destructive button the default: it has the keyboard focus, and Return presses it wherever
+/// the focus is. Call once all buttons of the dialog exist.
 void makeSafeButton(QPushButton& button);
 
 }  // namespace alidade::ui

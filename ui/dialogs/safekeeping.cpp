@@ -29,10 +29,10 @@ Result<std::string> bytesOf(const QString& path) {
   return readFile(encodedPath(path));
 }
 
-/// What stands beside a record: its file, or a new session where it has none.
+/// What a record is compared with: its file, or a new session if it has none.
 struct Beside {
   Session session = blankSession();
-  QString told;  ///< what became of the file
+  QString told;  ///< state of the file
 };
 
 Beside beside(const RecoveryRecord& record) {
@@ -49,7 +49,7 @@ Beside beside(const RecoveryRecord& record) {
           hash == record.sha256 ? place : told(Safekeeping::tr("which was changed since"))};
 }
 
-/// What was half typed into the session of the record, when it was kept last.
+/// The unfinished entries of the record's session when it was last kept.
 std::vector<HalfTypedText> typedInto(const RecoveryRecord& record, const QString& path) {
   if (record.id.isEmpty() || !QFileInfo::exists(path)) return {};
   const Result<std::string> bytes = bytesOf(path);
@@ -152,8 +152,8 @@ std::vector<Safekeeping::Left> Safekeeping::leftBehind() {
   return left;
 }
 
-/// As unsaved changes of the file as it is now; undo leads back to that. The record goes on to be this
-/// window's, so that there is one at every moment.
+/// Restores the changes as unsaved changes of the current file; undo returns to the file. The window takes
+/// over the record, so one exists at every moment.
 bool Safekeeping::recover(Left& left) {
   if (!m_files.mayLeave()) return false;
   const QString& path = left.record.path;

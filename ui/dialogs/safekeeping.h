@@ -16,8 +16,8 @@ class Dialogs;
 class FileFlow;
 class SessionDocument;
 
-/// Keeps unsaved changes of the session at work in a folder, and offers those that crashed windows left
-/// there. What is typed into forms that no session holds is kept beside them, as long as this lives.
+/// Keeps unsaved changes of the current session in a folder, and offers those of crashed windows. Also keeps
+/// typing in forms outside the session, for the lifetime of this object.
 class Safekeeping : public QObject {
   Q_OBJECT
 
@@ -26,14 +26,14 @@ class Safekeeping : public QObject {
               QObject* parent = nullptr);
   ~Safekeeping() override;
 
-  /// Asks about everything left behind. What differs from its file in nothing is cleared away unasked, and
-  /// what is put off stays. Answers with how many were asked about.
+  /// Asks about all unsaved changes of other windows; returns their number. Records equal to their file are
+  /// deleted without asking; postponed ones stay.
   int offer();
-  /// The process is about to end: what is unsaved or half typed is kept before this returns.
+  /// Before the process ends: keeps everything unsaved or unfinished before it returns.
   void keepNow();
-  /// The window is left properly.
+  /// The window closes normally.
   void finish() { m_keeper.finish(); }
-  /// Shown as long as unsaved changes cannot be kept, and says why; for the status bar, which owns it.
+  /// Shown with the reason while unsaved changes cannot be kept; for the status bar, which owns it.
   QLabel* trouble() const { return m_trouble; }
   QString recordPath() const { return m_keeper.path(); }
 
@@ -57,7 +57,7 @@ class Safekeeping : public QObject {
   Dialogs& m_dialogs;
   QString m_folder;
   RecoveryKeeper m_keeper;
-  QString m_recordTrouble, m_draftsTrouble;  ///< why it cannot be kept; empty: it can
+  QString m_recordTrouble, m_draftsTrouble;  ///< why it cannot be kept; empty if it can
   QLabel* m_trouble;
 };
 

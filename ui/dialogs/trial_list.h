@@ -12,22 +12,23 @@ namespace alidade::ui {
 
 class DataTable;
 
-/// Every trial drawn, the newest first, with its truth where the seal is open and without where it is not;
-/// above them the score of those that are open. The trial of the current row is the one to be shown.
+/// All trials, newest first, with the truth of opened ones, and above them the score of the opened ones. The
+/// current row's trial is the one to show.
 class TrialList : public QWidget {
   Q_OBJECT
 
  public:
   explicit TrialList(QWidget* parent = nullptr);
 
-  /// The new one becomes current unless another one was chosen since the draw began. To choose the newest of
-  /// a series is to follow it.
+  /// Adds a trial. It becomes current unless the user chose another since the draw began. Choosing the newest
+  /// of a series follows the series.
   void add(const SharedTrial& trial);
   void openSeal(const SharedTrial& trial);
   bool isOpen(const SharedTrial& trial) const;
-  /// No row is current, and each new trial becomes so until one is chosen. Those of a series are open.
+  /// Clears the current row; each new trial becomes current until the user chooses one. Trials of a series
+  /// are open.
   void beginDraw(bool isSeries);
-  void clearChoice();  ///< no row is current
+  void clearChoice();  ///< no row is current afterwards
 
  signals:
   void chosen(const alidade::ui::SharedTrial& trial);  ///< its row became current
@@ -44,8 +45,8 @@ class TrialList : public QWidget {
   void showScore();
 
   std::vector<Drawn> m_drawn;                     ///< the newest last
-  Tally m_right, m_falseAlarms, m_covered;        ///< of those with their seals open
-  bool m_isSeries = false, m_isFollowing = true;  ///< the latter: a new one becomes current
+  Tally m_right, m_falseAlarms, m_covered;        ///< counts over the opened trials
+  bool m_isSeries = false, m_isFollowing = true;  ///< `m_isFollowing`: a new trial becomes current
   QLabel* m_summary;
   DataTable* m_table;
 };

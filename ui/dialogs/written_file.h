@@ -10,17 +10,16 @@ namespace alidade::ui {
 class Dialogs;
 class SessionDocument;
 
-/// Asks where to, beginning with the path `suggested`, and writes `bytes` there, over none of the files that
-/// were read for the window, or of `inputs`. The path; absent where nobody wants it, or it failed, which is
-/// told.
+/// Asks for a path, starting with `suggested`, and writes `bytes` there. Refuses files read for the window
+/// and those in `inputs`. Returns the path; absent if cancelled or failed, which is reported.
 std::optional<QString> writeWhereAsked(Dialogs& dialogs, const QString& title, const QString& suggested,
                                        const QString& suffix, const std::string& bytes,
                                        const QStringList& inputs = {});
 
-/// Of the session's file; the home where it has none.
+/// The folder of the session's file; the home folder if it has none.
 QString folderOf(const SessionDocument& document);
 
-/// The same of what comes of a session: beside it, called `name` as far as a file can be.
+/// Likewise for output of a session: in its folder, named `name` as far as file names allow.
 std::optional<QString> writeBeside(const SessionDocument& document, Dialogs& dialogs, const QString& title,
                                    const QString& name, const QString& suffix, const std::string& bytes);
 

@@ -19,7 +19,7 @@ void doAside(std::function<void()> work) {
 void keepFreedMemory() {
 #ifdef __GLIBC__
   constexpr int mebibyte = 1 << 20;
-  mallopt(M_MMAP_THRESHOLD, 32 * mebibyte);  // the most there is
+  mallopt(M_MMAP_THRESHOLD, 32 * mebibyte);  // the largest allowed value
   mallopt(M_TRIM_THRESHOLD, 256 * mebibyte);
 #endif
 }

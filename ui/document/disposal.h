@@ -8,23 +8,23 @@
 
 namespace alidade::ui {
 
-/// Does `work` on another thread where this is the window's, otherwise at once.
+/// Runs `work` on another thread if called on the window's thread, otherwise at once.
 void doAside(std::function<void()> work);
 
-/// A value that may be large: an owner in the window's thread that lets go of it last does not wait until all
-/// of it is freed.
+/// A shared value that may be large: the last owner, if in the window's thread, does not wait for its
+/// destruction.
 template <typename Value>
 std::shared_ptr<const Value> sharedAside(Value value) {
   return std::shared_ptr<const Value>(new Value(std::move(value)),
                                       [](const Value* old) { doAside([old] { delete old; }); });
 }
 
-/// Has what is freed kept for what comes next: an evaluation of 10⁵ rows takes a sixth longer where its pages
-/// go back to the system and are taken anew each time. Once, at the start of the program.
+/// Makes the allocator keep freed memory: returning pages to the system slows an evaluation of 10⁵ rows by a
+/// sixth. Call once at program start.
 void keepFreedMemory();
 
-/// The value itself, where nobody else holds it any more; else nothing, and it stays with them. Only of what
-/// `sharedAside` made, which is no constant.
+/// The value itself if nobody else owns it; else absent, and the owners keep it. Only for values of
+/// `sharedAside`, which are not const.
 template <typename Value>
 std::unique_ptr<Value> takenBack(std::shared_ptr<const Value> shared) {
   if (!isSoleHolder(shared)) return nullptr;

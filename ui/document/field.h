@@ -10,24 +10,24 @@
 
 namespace alidade::ui {
 
-/// A single text of the session that can be edited: its name in the session file, the noun undo texts use,
-/// and how to reach it. `position` is ignored by fields that belong to the whole session.
+/// A single editable text of the session: its name in the session file, the noun of undo texts, and an
+/// accessor. Fields of the whole session ignore `position`.
 struct Field {
   std::string_view name;
   const char* noun;
   const std::string& (*get)(const Session& session, std::size_t position);
   std::string& (*at)(Session& session, std::size_t position);
-  bool isOfPosition;  ///< each position has one
+  bool isOfPosition;  ///< one per position
 };
 
 /// Every field, in the order of the session file.
 std::span<const Field> allFields();
 
-/// The field called `name`, without indices: `geometry.distance_mm`, `pointing_zero.vertical`. Null where
-/// there is none. Cells of readings are not fields.
+/// The field called `name`, without indices: `geometry.distance_mm`, `pointing_zero.vertical`. Null if there
+/// is none. Cells of readings are not fields.
 const Field* fieldNamed(std::string_view name);
 
-/// The text of the field at `place`; empty where the session has no such place.
+/// The text of the field at `place`; empty if the session has no such place.
 std::string fieldText(const Session& session, const Place& place);
 
 }  // namespace alidade::ui

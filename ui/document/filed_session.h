@@ -10,28 +10,28 @@
 
 namespace alidade::ui {
 
-// Sessions and their files. Long ones take a while, so all of this may be done on any thread.
+// Sessions and their files. Long ones take a while; every function may run on any thread.
 
-/// A session as a file has it.
+/// A session as read from a file.
 struct FiledSession {
   Session session;
   QByteArray sha256;  ///< of the file's bytes
 };
 
-/// What is in a file, be it a session or not.
+/// The contents of a file, whether a session or not.
 struct FileContent {
   QByteArray sha256;
   Result<Session> session;
 };
 
-/// A session with entries that mean nothing is one; the problem says why a file is none.
+/// Reads a session, which may have invalid entries; the problem says why a file is not a session.
 Result<FiledSession> readFiled(const QString& path);
-/// All of it or nothing: the old file stays where writing fails, or `path` is one of `inputs`, files that
-/// were read for the session. The SHA-256 of what was written.
+/// Writes completely or not at all: the old file remains if writing fails, or if `path` is one of `inputs`,
+/// files read for the session. Returns the SHA-256 of the written bytes.
 Result<QByteArray> writeFiled(const Session& session, const QString& path, const QStringList& inputs);
-/// Absent where there is no such file, it cannot be read, or its SHA-256 is the known one.
+/// Absent if the file is missing or unreadable, or its SHA-256 is the known one.
 std::optional<FileContent> contentOtherThan(const QByteArray& knownSha256, const QString& path);
-/// Empty where there is no such file or it cannot be read.
+/// Empty if the file is missing or unreadable.
 QByteArray sha256OfFile(const QString& path);
 
 }  // namespace alidade::ui

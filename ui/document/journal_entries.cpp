@@ -44,7 +44,7 @@ class PatchEntries {
   }
 
  private:
-  /// Of an empty row that comes or goes only a sealed session tells: those below it have other numbers.
+  /// Only a sealed session records an added or removed empty row, since it renumbers the rows below.
   bool hasStanding(const Reading& row, std::size_t index) const {
     const auto isTyped = [&](const RowField& field) { return field.text && !(row.*field.text).empty(); };
     if (std::ranges::none_of(rowFields, isTyped)) return m_stands(asAdded, ReadingColumn::Used);
@@ -70,8 +70,8 @@ class PatchEntries {
   std::size_t m_position;
   const char* m_why;
   const Stands& m_stands;
-  std::size_t m_count = 0;              ///< what there is to tell
-  std::vector<JournalEntry> m_entries;  ///< of it the first `mostEntries`
+  std::size_t m_count = 0;              ///< number of journal entries
+  std::vector<JournalEntry> m_entries;  ///< the first `mostEntries` of them
 };
 
 }  // namespace

@@ -75,7 +75,7 @@ std::size_t JournalKeeper::takeKept() {
 
 void JournalKeeper::enter(std::vector<JournalEntry> entries) {
   for (JournalEntry& entry : entries) {
-    if (entry.at.empty()) entry.at = now();  // what is redone was made when it was made
+    if (entry.at.empty()) entry.at = now();  // a redone entry keeps its original time
     if (entry.by.empty()) entry.by = m_session.operatorName;
     enterInJournal(m_session.journal, std::move(entry));
   }

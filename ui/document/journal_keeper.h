@@ -9,46 +9,44 @@
 
 namespace alidade::ui {
 
-/// Writes the journal of the session at work: which edits are changes of entries that stood, and what undo
-/// makes of them. What was never saved may be taken out again without a trace; what a file holds is answered
-/// by a further entry.
+/// Writes the journal of the current session: which edits change recorded entries, and the effect of undo on
+/// them. Undo removes an unsaved entry without a trace; an entry in a file gets a reverse entry.
 class JournalKeeper {
  public:
   explicit JournalKeeper(Session& session) : m_session(session) {}
 
-  /// What the keeper knows of a session beside what is in it.
+  /// The keeper's data about a session, in addition to the session itself.
   struct State {
     OpenEntries open = {};
-    std::size_t filed = 0;  ///< entries of its journal that a file holds
-    int filedIndex = 0;     ///< commands on the undo stack that the file holds
+    std::size_t filed = 0;  ///< number of journal entries saved in a file
+    int filedIndex = 0;     ///< number of commands on the undo stack saved in the file
   };
   static State stateOf(const Session& session, bool isNew);
 
-  /// Another session is at work; `isNew`: one that is in no file and still being filled in.
+  /// Starts another session; `isNew`: unsaved and still being filled in.
   void restart(bool isNew);
-  /// Another session is at work, of which that is known; becomes what is known of the one before.
+  /// Starts another session with this state; `state` receives that of the previous one.
   void exchange(State& state);
-  /// The session, all commands up to `undoIndex` done, is in a file now.
+  /// The session, with all commands up to `undoIndex`, is saved in a file.
   void setFiled(int undoIndex);
   /// The commands from `undoIndex` on are about to be dropped from the undo stack.
   void dropFrom(int undoIndex);
-  /// Does the file hold what the command at `undoIndex` did?
+  /// True if the file includes the command at `undoIndex`.
   bool isFiled(int undoIndex) const { return undoIndex < m_state.filedIndex; }
 
-  /// What an edit, about to be made, is to the journal. First texts that it would overwrite are kept in
-  /// `patch`.
+  /// The journal entries of an edit about to be made. `patch` keeps the first texts that it would overwrite.
   std::vector<JournalEntry> judge(std::size_t position, ReadingsPatch& patch, const char* why);
   std::vector<JournalEntry> judge(const Place& field, const std::string& from, const std::string& to);
-  /// Likewise, had `from` stood.
+  /// Likewise, as if `from` had been recorded.
   std::vector<JournalEntry> asStanding(const Place& field, const std::string& from,
                                        const std::string& to) const;
 
-  /// How many entries are as they were when this was last asked.
+  /// The number of entries unchanged since the last call.
   std::size_t takeKept();
 
-  /// With time and operator.
+  /// Adds the entries with time and operator.
   void enter(std::vector<JournalEntry> entries);
-  /// Takes the last `count` out and answers with them, where they are in no file; else enters their reverse.
+  /// Removes and returns the last `count` entries if no file has them; else adds their reverse.
   std::vector<JournalEntry> takeBack(std::size_t count);
 
  private:

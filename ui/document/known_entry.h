@@ -12,12 +12,11 @@
 
 namespace alidade::ui {
 
-// What a session says is known of the numbers of the catalogue: entry by entry in its two lists, and number
-// by number.
+// The known sizes of a session: by entry in its two lists, and by catalogued number.
 
 enum class KnownOwner { Instrument, Device };
 
-/// One entry of a list; there is none where the list is shorter.
+/// One entry of a list; it may be beyond the end of the list.
 struct KnownRef {
   KnownOwner owner = KnownOwner::Instrument;
   std::size_t index = 0;
@@ -25,17 +24,16 @@ struct KnownRef {
   bool operator==(const KnownRef&) const = default;
 };
 
-/// The device's where the effect is the guideway's own, else the instrument's: a drift is of how it was set
-/// up.
+/// Device for effects of the guideway itself, else instrument: a drift belongs to the set-up.
 KnownOwner ownerOf(const Effect& effect);
 
 const std::vector<KnownSize>& knownBy(const Session& session, KnownOwner owner);
 std::vector<KnownSize>& knownBy(Session& session, KnownOwner owner);
 
-/// Null where the session has no such entry.
+/// Null if the session has no such entry.
 const KnownSize* knownSize(const Session& session, const KnownRef& ref);
 
-/// {.field = "instrument.known[2]"}, with ".sigma" behind it where `member` is "sigma".
+/// {.field = "instrument.known[2]"}, followed by ".sigma" if `member` is "sigma".
 Place placeOf(const KnownRef& ref, std::string_view member = {});
 
 struct KnownPlace {
@@ -43,21 +41,21 @@ struct KnownPlace {
   std::string member;  ///< "value", "sigma", …; empty: the entry as a whole
 };
 
-/// The reverse; absent where `place` is of no such entry.
+/// The reverse; absent if `place` is not such an entry.
 std::optional<KnownPlace> knownAt(const Place& place);
 
-/// A number of the catalogue with what is known of it; or an entry that is of no number.
+/// A catalogued number with its known size, or an entry of an unknown number.
 struct KnownRow {
-  const Effect* effect = nullptr;              ///< null: of no number of the catalogue
+  const Effect* effect = nullptr;              ///< null: number unknown to the catalogue
   const EffectParameter* parameter = nullptr;  ///< null likewise
-  std::optional<KnownRef> entry = {};          ///< absent: nothing is known, and the default is taken
-  bool isFurther = false;                      ///< an entry above is of the same number
+  std::optional<KnownRef> entry = {};          ///< absent: no known size, so the default applies
+  bool isFurther = false;                      ///< an entry above is for the same number
 
   bool operator==(const KnownRow&) const = default;
 };
 
-/// A row for every number of the catalogue that can be known by a size, with its first entry in whichever
-/// list, and below it one for each further entry; at the end the entries that are of no number.
+/// A row for every catalogued number that can have a known size, with its first entry in either list,
+/// followed by rows for further entries. Entries of unknown numbers come last.
 std::vector<KnownRow> knownRows(const Session& session);
 
 }  // namespace alidade::ui

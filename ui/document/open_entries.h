@@ -11,19 +11,18 @@
 
 namespace alidade::ui {
 
-/// Which entries are still being made, so that typing them again is no change of an observation: the cells of
-/// one row, or one pointing zero, until anything else is entered; the fields of the forms until the session
-/// is saved. All others stand.
+/// Entries still open: retyping them is not a recorded change. Open are the cells of one row, or one pointing
+/// zero, until another entry; form fields until the session is saved. All others are recorded.
 class OpenEntries {
  public:
-  /// Nothing is open any more: the session was saved, or undo went over it.
+  /// Closes all: the session was saved, or undo passed over it.
   void close();
   void closeRow() { m_row.reset(); }
 
   bool isOpen(std::size_t position, std::size_t row, ReadingColumn column) const;
   bool isOpen(const Place& field) const;
 
-  /// What the patch, about to be made, leaves open.
+  /// Updates the open entries for a patch about to be made.
   void enter(std::size_t position, const std::vector<Reading>& rows, const ReadingsPatch& patch);
   void enter(const Place& field, bool wasEmpty);
 
@@ -37,7 +36,7 @@ class OpenEntries {
   std::optional<Row> m_row;
   std::optional<FieldKey> m_zero;
   std::set<FieldKey> m_fields;
-  bool m_isNew = true;  ///< the session is in no file: its forms are still being filled in
+  bool m_isNew = true;  ///< the session is unsaved: its forms are still being filled in
 };
 
 }  // namespace alidade::ui

@@ -186,7 +186,7 @@ constexpr bool isEachInItsPlace() {
 }
 static_assert(isEachInItsPlace(), "one line for each ReadingColumn, in their order");
 
-#ifndef __SANITIZE_ADDRESS__  // where GCC 12 takes no comparison of addresses as constant
+#ifndef __SANITIZE_ADDRESS__  // GCC 12 does not accept address comparisons as constant there
 static_assert(std::ranges::all_of(rowFields,
                                   [](const RowField& field) {
                                     return std::ranges::count(columns, &field, &ReadingColumnInfo::field) ==

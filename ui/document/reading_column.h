@@ -30,17 +30,17 @@ enum class ReadingColumn {
 
 inline constexpr int readingColumnCount = static_cast<int>(ReadingColumn::Note) + 1;
 
-/// What a column holds and how it looks in the window and in the report. Title, tool tip, noun and menu text
-/// are in English, to be translated in the context "ReadingColumn".
+/// The contents of a column and its form in window and report. Title, tool tip, noun and menu text are in
+/// English, for translation in the context "ReadingColumn".
 struct ReadingColumnInfo {
   ReadingColumn column;
-  const RowField* field;  ///< of the row that it edits; null: it edits none, as the residuals
+  const RowField* field;  ///< the edited field of the row; null: not editable, as residuals
   const char* title;
   const char* toolTip;
-  const char* noun;          ///< in undo texts and messages; null where nothing is edited
-  const char* menuText;      ///< to show it where no row uses it; null: it is always shown
-  const char* widest;        ///< text that it has room for; null: an angle, whose room depends on the table's
-  const char* printedTitle;  ///< in the report; null: the report has no such column
+  const char* noun;          ///< in undo texts and messages; null if not editable
+  const char* menuText;      ///< shows it although no row uses it; null: always shown
+  const char* widest;        ///< text that sets the width; null: an angle, whose width depends on the table's
+  const char* printedTitle;  ///< in the report; null: no such column
   double printedWidth;       ///< mm
 };
 
@@ -49,23 +49,22 @@ std::span<const ReadingColumnInfo> allReadingColumns();
 
 const ReadingColumnInfo& infoOf(ReadingColumn column);
 
-/// The text a column edits; null for the columns that edit none (used, residuals).
+/// The text a column edits; null for columns without one (used, residuals).
 std::string Reading::*readingText(ReadingColumn column);
 
-/// The column of a row's field by its name in the session file; `Horizontal` where the name is no column's.
+/// The column of a row's field by its name in the session file; `Horizontal` if no column has the name.
 ReadingColumn readingColumn(const std::string& fieldName);
 
-/// Does the column hold angles that are typed?
+/// True if the column holds typed angles.
 bool isAngle(ReadingColumn column);
 
-/// Does it hold any text?
+/// True if the column holds free text.
 bool isFreeText(ReadingColumn column);
 
-/// Can the column be typed or pasted into? True for the texts and for `Used`.
+/// True if the column accepts typing and pasting: the texts and `Used`.
 bool isEntered(ReadingColumn column);
 
-/// What is entered in a column for which `isEntered` holds. `Used` is "1", or "0" where the row is kept out
-/// of the fit.
+/// The entry of a column for which `isEntered` is true. `Used` is "1", or "0" if the row is excluded.
 std::string enteredText(const Reading& row, ReadingColumn column);
 void enter(Reading& row, ReadingColumn column, const std::string& text);
 

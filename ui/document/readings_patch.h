@@ -11,8 +11,7 @@
 
 namespace alidade::ui {
 
-/// A cell of the table of one position; `row` may be the one after the last reading, where a reading is
-/// appended.
+/// A cell of the table of one position; `row` may be the one after the last reading, to append a reading.
 struct ReadingCell {
   std::size_t row = 0;
   ReadingColumn column = ReadingColumn::Horizontal;
@@ -22,19 +21,19 @@ struct ReadingCell {
 struct NewText {
   std::size_t row = 0;
   ReadingColumn column = ReadingColumn::Horizontal;
-  std::string text;  ///< of `ReadingColumn::Used`: "1", or "0" where the row is kept out of the fit
+  std::string text;  ///< for `ReadingColumn::Used`: "1", or "0" if the row is excluded
 };
 
-/// Rows from `first` on: so many before the edit, so many after it.
+/// Rows from `first` on: their numbers before and after the edit.
 struct RowSpan {
   std::size_t first = 0, before = 0, after = 0;
 };
 
-/// What an edit makes different in the rows of one position, there and back, and nothing else: single texts,
-/// rows that go, rows that come. Of a cell in a hundred thousand rows it holds two texts.
+/// The changes of an edit to the rows of one position, in both directions: single texts, removed rows, added
+/// rows. For one cell among a hundred thousand rows it holds two texts.
 class ReadingsPatch {
  public:
-  /// What the row's first text of the cell becomes.
+  /// The change of the row's first text of the cell.
   enum class First { Untouched, Kept, Dropped };
   struct Cell {
     std::size_t row = 0;
@@ -48,31 +47,31 @@ class ReadingsPatch {
   };
 
   ReadingsPatch() = default;
-  /// New texts for cells of `rows`, and further rows after the last. Cells elsewhere are passed over.
+  /// New texts for cells of `rows`, and further rows after the last. Ignores cells elsewhere.
   ReadingsPatch(const std::vector<Reading>& rows, const std::vector<NewText>& texts,
                 std::vector<Reading> appended = {});
-  /// The texts of these cells go. Cells elsewhere, and those that hold none, are passed over.
+  /// Clears these cells. Ignores empty cells and those elsewhere.
   static ReadingsPatch clearing(const std::vector<Reading>& rows, const std::vector<ReadingCell>& cells);
-  /// From `first` on, `inserted` takes the place of `removed` rows.
+  /// From `first` on, `inserted` replaces `removed` rows.
   static ReadingsPatch replacing(const std::vector<Reading>& rows, std::size_t first, std::size_t removed,
                                  const std::vector<Reading>& inserted);
-  /// These rows go. Rows that are not there are passed over.
+  /// Removes these rows. Ignores missing rows.
   static ReadingsPatch removing(const std::vector<Reading>& rows, const std::vector<std::size_t>& gone);
 
   bool isEmpty() const { return m_cells.empty() && m_gone.empty() && m_new.empty(); }
-  RowSpan span() const;  ///< of `apply`; `revert` has before and after exchanged
+  RowSpan span() const;  ///< for `apply`; `revert` has before and after exchanged
   std::size_t cellCount() const { return m_cells.size(); }
-  std::size_t rowCount() const { return m_gone.size() + m_new.size(); }  ///< held whole
+  std::size_t rowCount() const { return m_gone.size() + m_new.size(); }  ///< number of rows held completely
 
-  const std::vector<Cell>& cells() const { return m_cells; }  ///< of rows there before and after
-  const std::vector<Row>& gone() const { return m_gone; }     ///< ascending, by their numbers before
+  const std::vector<Cell>& cells() const { return m_cells; }  ///< of rows present before and after
+  const std::vector<Row>& gone() const { return m_gone; }     ///< ascending by their previous row numbers
   const std::vector<Reading>& added() const { return m_new; }
-  std::size_t addedFirst() const { return m_newFirst; }  ///< number of the first of `added`
-  /// The row that alone is changed or added; absent where there are several, or one goes.
+  std::size_t addedFirst() const { return m_newFirst; }  ///< row number of the first of `added`
+  /// The only changed or added row; absent if there are several, or if a row is removed.
   std::optional<std::size_t> onlyRow() const;
 
-  /// Cells whose text stands keep it, the first time they are changed, as the first text of their row; where
-  /// it comes back there is none any more. Before `apply`, with the same rows.
+  /// At the first change of a recorded cell, its text becomes the row's first text of the cell; restoring
+  /// that text removes it again. Call before `apply`, with the same rows.
   void keepFirstTexts(const std::vector<Reading>& rows,
                       const std::function<bool(std::size_t row, ReadingColumn column)>& stands);
 

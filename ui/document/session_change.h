@@ -9,23 +9,23 @@ namespace alidade::ui {
 
 class ReadingsPatch;
 
-/// What became different in the session, told to every view.
+/// A change of the session, sent to every view.
 struct SessionChange {
   enum class Kind {
     Everything,  ///< another session: new, loaded or imported
     Field,       ///< the single text at `place`
-    Readings,    ///< rows of `place.position` from `place.reading` on: `removed` gone, `inserted` new
-    Positions,   ///< from `place.position` on: `removed` gone, `inserted` new
+    Readings,    ///< rows of `place.position` from `place.reading` on: `removed` removed, `inserted` added
+    Positions,   ///< positions from `place.position` on: `removed` removed, `inserted` added
   };
 
   Kind kind = Kind::Everything;
   Place place = {};
   std::size_t removed = 0;
   std::size_t inserted = 0;
-  /// Of rows: what was made of them, or, `isReverted`, undone.
+  /// For rows: the patch that was applied, or, if `isReverted`, undone.
   std::shared_ptr<const ReadingsPatch> patch = nullptr;
   bool isReverted = false;
-  std::size_t journalKept = 0;  ///< entries of the journal that are as before; all behind them are new
+  std::size_t journalKept = 0;  ///< number of unchanged journal entries; all later ones are new
 };
 
 }  // namespace alidade::ui

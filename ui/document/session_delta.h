@@ -9,16 +9,16 @@
 
 namespace alidade::ui {
 
-/// One change of a session with its news, to be made on a copy elsewhere. Shares the patch of rows with the
-/// command that made it, holds single texts, and the whole session only where much of it is new.
+/// One change of a session with its new contents, to be repeated on a copy elsewhere. Shares the row patch
+/// with its command, holds single texts, and the whole session only if much of it is new.
 class SessionDelta {
  public:
-  /// `after`: the session as `change` has left it.
+  /// `after`: the session after `change`.
   SessionDelta(const Session& after, const SessionChange& change);
 
-  /// `session` becomes as `after` was, where it was as before the change.
+  /// Turns `session`, in its state before the change, into `after`.
   void applyTo(Session& session) const;
-  /// How many rows and cells of rows are held.
+  /// The number of rows and cells held.
   std::size_t size() const;
 
  private:
@@ -27,7 +27,7 @@ class SessionDelta {
 
   SessionChange m_change;
   std::vector<JournalEntry> m_journal;                                        ///< new entries
-  std::variant<std::monostate, Session, std::string, Effects, Known> m_news;  ///< but of rows
+  std::variant<std::monostate, Session, std::string, Effects, Known> m_news;  ///< except rows
 };
 
 }  // namespace alidade::ui

@@ -18,9 +18,9 @@
 
 namespace alidade::ui {
 
-/// The one session at work: its data, its undo stack and its file. Views read `session()` and listen to
-/// `changed`; only commands write. Modified means: the session at work is not as it was last saved or loaded.
-/// Undo may lead to another session, in a file of its own: see `SessionFiles`.
+/// The current session: its data, its undo stack and its file. Views read `session()` and observe `changed`;
+/// only commands write. Modified means different from the last saved or loaded state. Undo may lead to
+/// another session with its own file: see `SessionFiles`.
 class SessionDocument : public QObject {
   Q_OBJECT
 
@@ -28,19 +28,19 @@ class SessionDocument : public QObject {
   explicit SessionDocument(QObject* parent = nullptr);
 
   const Session& session() const { return m_session; }
-  QUndoStack& undoStack() { return m_undoStack; }  ///< to look at, undo and redo
+  QUndoStack& undoStack() { return m_undoStack; }  ///< for inspection, undo and redo
   HalfTyped& halfTyped() { return m_halfTyped; }
   const HalfTyped& halfTyped() const { return m_halfTyped; }
   /// Empty for a session never saved.
   QString path() const { return m_files.path(m_undoStack.index()); }
-  /// Of all sessions that undo and redo lead to, as far as they are in files.
+  /// The files of all sessions that undo and redo lead to.
   QStringList paths() const { return m_files.paths(); }
-  /// Files that its parts were taken from: of readings, of an instrument, of a protocol.
+  /// Files from which its parts were read: readings, instrument, protocol.
   QStringList readPaths() const { return m_readPaths; }
   void noteRead(const QStringList& paths) { m_readPaths += paths; }
   QString displayName() const;  ///< the file's name, or "Untitled"
   bool isModified() const { return m_files.isModified(m_undoStack.index()); }
-  /// The path of another session, unsaved, that redo or undo leads to: see `SessionFiles`.
+  /// The path of another, unsaved session that redo or undo leads to: see `SessionFiles`.
   std::optional<QString> unsavedAhead() const {
     return m_files.unsavedAhead(m_undoStack.index(), m_undoStack.count());
   }
@@ -48,28 +48,28 @@ class SessionDocument : public QObject {
     return m_files.unsavedBehind(m_undoStack.index(), m_undoStack.count());
   }
 
-  /// The one way for an edit onto the undo stack. Takes the command over.
+  /// The only way of an edit onto the undo stack. Takes ownership of the command.
   void push(QUndoCommand* command);
-  /// Likewise one that puts another session, in no file yet, in place of the present one.
+  /// Likewise for a command that replaces the present session by an unsaved one.
   void pushAnother(QUndoCommand* command);
-  /// The edits pushed until `endTogether` are undone in one step.
+  /// Edits pushed until `endTogether` form one undo step.
   void beginTogether(const QString& undoText);
   void endTogether() { m_undoStack.endMacro(); }
 
   void startNew();
-  /// A session that is in no file yet.
+  /// Starts with an unsaved session.
   void startWith(Session session);
-  /// Likewise, but one whose entries stand: it was in a file before, and changes of it are told.
+  /// Likewise with recorded entries: the session was in a file before, and its changes enter the journal.
   void startWithStanding(Session session);
-  /// Absent: loaded. A session with entries that mean nothing loads; one that is no session does not, and the
-  /// document stays as it was.
+  /// Absent: loaded. A session with invalid entries loads; if the file is not a session, the document stays
+  /// unchanged.
   [[nodiscard]] std::optional<Problem> load(const QString& path);
   void startFrom(FiledSession file, const QString& path);
-  /// Absent: saved, all of it or nothing (the old file stays where writing fails).
+  /// Absent: saved completely. If writing fails, the old file remains.
   [[nodiscard]] std::optional<Problem> save(const QString& path);
-  /// SHA-256 of the bytes last read from or written to `path()`; empty where there were none.
+  /// SHA-256 of the bytes last read from or written to `path()`; empty if there were none.
   QByteArray knownSha256() const { return m_knownSha256.value(path()); }
-  /// The session at work is now as in this file, whose bytes have that hash.
+  /// The current session now equals this file, whose bytes have that hash.
   void markSaved(const QString& path, const QByteArray& sha256);
 
  signals:
@@ -91,19 +91,19 @@ class SessionDocument : public QObject {
   friend class ReplaceSession;
   friend class SealSession;
 
-  SessionChange told(SessionChange change);  ///< with what it is to the journal
+  SessionChange told(SessionChange change);  ///< adds the change's effect on the journal
   void putField(const Place& place, const std::string& text);
   void putEffects(const std::vector<std::string>& effects);
-  /// `size` in the place of the entry at `place` where that `isThere`, else before it; absent: it goes.
+  /// Replaces the entry at `place` by `size` if `isThere`, else inserts it before; absent: removes the entry.
   void putKnown(const Place& place, bool isThere, const std::optional<KnownSize>& size);
   void putInstrument(const Instrument& instrument);
   void patchReadings(std::size_t position, const std::shared_ptr<const ReadingsPatch>& patch);
   void revertReadings(std::size_t position, const std::shared_ptr<const ReadingsPatch>& patch);
   void insertPosition(std::size_t index, const Position& position);
   void removePosition(std::size_t index);
-  void exchangeSession(Session& session, JournalKeeper::State& state);  ///< with the one at work
-  void exchangeContent(Session& session);                               ///< likewise, but not the journal
-  void tellOfJournal();                                                 ///< that it alone has changed
+  void exchangeSession(Session& session, JournalKeeper::State& state);  ///< with the current one
+  void exchangeContent(Session& session);                               ///< likewise, except the journal
+  void tellOfJournal();  ///< reports that only the journal changed
   void replaceAll(Session session, const QString& path, bool isNew);
 
   Session m_session;

@@ -6,9 +6,9 @@ namespace alidade::ui {
 
 namespace {
 
-/// However they are written.
+/// Compares files rather than the spelling of their paths.
 bool areSameFile(const QString& one, const QString& other) {
-  const QString canonical = QFileInfo(one).canonicalFilePath();  // empty where there is no such file
+  const QString canonical = QFileInfo(one).canonicalFilePath();  // empty if the file is missing
   return one == other || (!canonical.isEmpty() && canonical == QFileInfo(other).canonicalFilePath());
 }
 
@@ -61,7 +61,7 @@ std::optional<QString> SessionFiles::unsavedBehind(int index, int count) const {
   return {};
 }
 
-/// The session at work at `index`.
+/// The session current at `index`.
 std::size_t SessionFiles::at(int index) const {
   std::size_t file = m_files.size() - 1;
   while (file > 0 && m_files[file].begins > index) --file;

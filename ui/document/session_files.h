@@ -7,37 +7,37 @@
 
 namespace alidade::ui {
 
-/// The files of the sessions on one undo stack: an import begins another session, and undo leads back to the
-/// one before. Each has its file, and the index of the stack at which it is as in its file. An index is that
-/// of `QUndoStack`: how many commands are done.
+/// The files of the sessions on one undo stack: an import begins another session, and undo returns to the
+/// previous one. Each has its file, and the stack index at which it equals its file. Indices are those of
+/// `QUndoStack`: the number of executed commands.
 class SessionFiles {
  public:
-  /// One session alone, as in its file where it has one: the stack is empty.
+  /// A single session, equal to its file if it has one: the stack is empty.
   void restart(const QString& path);
   /// The commands from `index` on are about to be dropped from the stack.
   void dropFrom(int index);
-  /// The next command, at `index`, puts another session in place of the present one. That one may be left as
-  /// it is: the user was asked.
+  /// The next command, at `index`, replaces the present session by another. The user agreed to leave the
+  /// present one as it is.
   void beginAnother(int index);
-  /// The session at `index` is now in `path`, and the one that was there before is in no file: the user
-  /// wanted that.
+  /// The session at `index` is saved in `path`; a previous session there no longer has a file, as the user
+  /// agreed.
   void setSaved(int index, const QString& path);
 
-  QStringList paths() const;                                         ///< of all sessions that have one
+  QStringList paths() const;                                         ///< of all sessions with a file
   QString path(int index) const { return m_files[at(index)].path; }  ///< empty: never saved
   bool isModified(int index) const { return m_files[at(index)].savedAt != index; }
-  /// A session that redo leads to from `index` and that is not in its file as it was last, where `count`
-  /// commands are on the stack: its path. Absent: there is none.
+  /// The path of a session that redo leads to from `index` and that differs from its file, with `count`
+  /// commands on the stack. Absent: there is none.
   std::optional<QString> unsavedAhead(int index, int count) const;
-  /// Likewise one that undo leads back to. Those that the user has given up do not count.
+  /// Likewise for one that undo leads back to. Ignores those the user has given up.
   std::optional<QString> unsavedBehind(int index, int count) const;
 
  private:
   struct File {
     QString path = {};
-    int begins = 0;          ///< index from which on the session is at work
-    int savedAt = -1;        ///< index at which it is as in its file; −1: nowhere
-    bool isGivenUp = false;  ///< the user was asked, and left it as it was last
+    int begins = 0;          ///< index from which on the session is current
+    int savedAt = -1;        ///< index at which it equals its file; −1: none
+    bool isGivenUp = false;  ///< the user agreed to leave it unsaved
   };
 
   std::size_t at(int index) const;

@@ -16,7 +16,7 @@ namespace alidade::ui {
 
 namespace {
 
-/// Of the height of the window, for each line.
+/// Shares of the window's height, for each line.
 constexpr double placeShare = 0.10, anglesShare = 0.17, resultShare = 0.11, verdictShare = 0.08,
                  lastShare = 0.055, smallShare = 0.045;
 
@@ -32,7 +32,7 @@ void setColour(QLabel& label, const QColor& colour) {
   label.setPalette(coloured);
 }
 
-/// No wider than the window.
+/// Limited by the window's width.
 void setHeightWithin(QLabel& label, double pixels, int width) {
   setHeight(label, pixels);
   const int wide = label.sizeHint().width();

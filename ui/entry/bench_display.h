@@ -9,9 +9,9 @@ class QLabel;
 
 namespace alidade::ui {
 
-/// What one wants to read from the tripod, in letters as large as the window lets them be: the next place
-/// with the angles expected there, what was last entered and whether it is as expected, and the headline with
-/// Δd, fit only, in small type below. Never takes the keyboard: what is typed into it goes to the window.
+/// A display for the tripod, in letters as large as the window allows: the next place with its expected
+/// angles, the last entry with any doubt, and the headline with Δd, fit only, in small type below. Never
+/// takes the keyboard: typing goes to the main window.
 class BenchDisplay : public QWidget {
   Q_OBJECT
 
@@ -20,9 +20,9 @@ class BenchDisplay : public QWidget {
 
   void setEvaluation(const SharedEvaluation& evaluation);
   void setHeadline(const Headline& headline);
-  /// The position that is being read.
+  /// The position being read.
   void setPosition(std::size_t position);
-  /// Of the reading entered last; empty: it is as expected.
+  /// The doubt about the last reading; empty: it is as expected.
   void setDoubt(const QString& doubt);
 
  protected:

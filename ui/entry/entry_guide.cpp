@@ -19,7 +19,7 @@ namespace alidade::ui {
 
 namespace {
 
-/// Does a protocol say what comes next? It then says as well when a position is complete.
+/// True if a protocol determines the next sighting, and with it when a position is complete.
 bool isLed(const Session& session) {
   const auto protocol = protocolOf(session);
   return protocol && protocol->has_value();
@@ -40,7 +40,7 @@ void EntryGuide::goToAxis(int axisDeg) {
   const auto& positions = m_document.session().positions;
   const int count = static_cast<int>(positions.size());
   const ReadingsTable* table = m_positions.currentTable();
-  // From the one in front on where the keyboard is in it, else from the first.
+  // Starts at the position in front if it has the focus, else at the first.
   const int begin = table && table->hasFocus() ? m_positions.currentIndex() + 1 : 0;
   for (int i = 0; i < count; ++i) {
     const int position = (begin + i) % count;
@@ -63,8 +63,8 @@ void EntryGuide::goToNextEntry() {
   missing ? goToNextEntryOf(*missing) : goTo(*next);
 }
 
-/// Where a further row would come, of an arc that has enough of them, while another position lacks its
-/// pointing zero: that zero. A zero typed into a row would be taken for a reading.
+/// The missing pointing zero of another position, if only a further row would follow in an arc with enough
+/// rows. A zero typed into a row would count as a reading.
 std::optional<std::size_t> EntryGuide::zeroBefore(const EntryToCome& next) const {
   constexpr std::size_t leastRows = 3;
   const auto& positions = m_document.session().positions;
@@ -94,7 +94,7 @@ void EntryGuide::goTo(const EntryToCome& next) {
   table->setFocus(Qt::ShortcutFocusReason);
 }
 
-/// The circle of a pointing zero that is missing.
+/// Focuses the missing circle of a pointing zero.
 void EntryGuide::goToMissingOf(std::size_t position, const std::string& zero) {
   for (const char* circle : {".horizontal", ".vertical"})
     if (const Place place{.position = position, .field = zero + circle};
@@ -102,8 +102,8 @@ void EntryGuide::goToMissingOf(std::size_t position, const std::string& zero) {
       return emit revealWanted(place);
 }
 
-/// Once a position has all that the protocol asks of it, the keyboard goes on to what comes behind it. From
-/// among readings it is not called back to a zero that is missing in front of some.
+/// When a position has everything the protocol requires, moves the focus onward. Never moves it from readings
+/// back to a missing zero before them.
 void EntryGuide::goOn() {
   const Session& session = m_document.session();
   const auto protocol = protocolOf(session);
@@ -120,7 +120,7 @@ void EntryGuide::goOn() {
     if (const auto entry = entryToCome(session, here, &progress)) goTo(*entry);
 }
 
-/// Its pointing zero where that is missing.
+/// Its pointing zero, if missing.
 void EntryGuide::goToNextEntryOf(std::size_t position) {
   m_positions.showPosition(position);
   for (const char* field : {"pointing_zero.horizontal", "pointing_zero.vertical"})
@@ -132,7 +132,7 @@ void EntryGuide::goToNextEntryOf(std::size_t position) {
   table->setFocus(Qt::ShortcutFocusReason);
 }
 
-/// What was typed where nothing takes it goes to the entry that is to be made next.
+/// Forwards a digit typed outside any entry to the next missing entry.
 void EntryGuide::takeDigit(QKeyEvent& event) {
   goToNextEntry();
   QWidget* entry = QApplication::focusWidget();
@@ -144,7 +144,7 @@ void EntryGuide::takeDigit(QKeyEvent& event) {
 
 void EntryGuide::tellOfEntry(const QString& doubt) {
   if (m_bench) m_bench->setDoubt(doubt);
-  QTimer::singleShot(0, this, &EntryGuide::goOn);  // behind the key that ended the entry
+  QTimer::singleShot(0, this, &EntryGuide::goOn);  // after the key that ended the entry
   if (doubt.isEmpty()) return;
   emit remark(doubt);
   if (hasTone()) QApplication::beep();

@@ -18,28 +18,27 @@ class BenchDisplay;
 class PositionTabs;
 class SessionDocument;
 
-/// Leads the keyboard to what is to be typed next, and says what is expected there and what was not as
-/// expected.
+/// Leads the keyboard to the next missing entry, and reports expected readings and deviations from them.
 class EntryGuide : public QObject {
   Q_OBJECT
 
  public:
   EntryGuide(SessionDocument& document, PositionTabs& positions, QWidget& window);
 
-  /// Leads to the next entry of the readings at `axisDeg` (0 or 180); asked again where it is there already,
-  /// to those of the next position at that axis.
+  /// Leads to the next entry of the readings at `axisDeg` (0 or 180); if already there, to those of the next
+  /// position at that axis.
   void goToAxis(int axisDeg);
-  /// Leads to what is to be typed next: a length that is missing, then what `entryToCome` says.
+  /// Leads to the next missing entry: a missing length, then `entryToCome`.
   void goToNextEntry();
   void setLargeDisplayShown(bool shown);
   void setEvaluation(const SharedEvaluation& evaluation);
   void setHeadline(const Headline& headline);
 
  signals:
-  void commitWanted();  ///< what is half typed belongs into the session first
+  void commitWanted();  ///< unfinished entries must be committed first
   void revealWanted(const Place& place);
   void positionWanted(int axisDeg);
-  void nextChanged(const QString& text);  ///< what is to be read next; may be empty
+  void nextChanged(const QString& text);  ///< the next reading; may be empty
   void remark(const QString& text);
 
  private:
@@ -55,7 +54,7 @@ class EntryGuide : public QObject {
   SessionDocument& m_document;
   PositionTabs& m_positions;
   QWidget& m_window;
-  BenchDisplay* m_bench = nullptr;  ///< null until it is wanted
+  BenchDisplay* m_bench = nullptr;  ///< null until first shown
   SharedEvaluation m_evaluation;    ///< null before the first
   Headline m_headline;
 };

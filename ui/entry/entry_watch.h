@@ -12,8 +12,8 @@ namespace alidade::ui {
 class SessionDocument;
 struct SessionChange;
 
-/// Holds each reading, as it is typed, against what was expected there before it was: a slip of the finger
-/// shows while the telescope still points at the place.
+/// Compares each reading, as it is typed, with the reading expected before: a slip is noticed while the
+/// telescope still points at the place.
 class EntryWatch : public QObject {
   Q_OBJECT
 
@@ -23,8 +23,7 @@ class EntryWatch : public QObject {
   void setEvaluation(const SharedEvaluation& evaluation) { m_before = evaluation; }
 
  signals:
-  /// A circle of the row that was to be read next has been read; `doubt` says what speaks against it, empty
-  /// where it is as expected, or nothing was.
+  /// A circle of the next expected row was read; `doubt` is empty if it is as expected, or nothing was.
   void entered(std::size_t position, std::size_t row, alidade::ui::ReadingColumn column,
                const QString& doubt);
 

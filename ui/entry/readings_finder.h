@@ -11,7 +11,7 @@ class FindBar;
 class PositionTabs;
 class SessionDocument;
 
-/// Leads through the places of a text in the readings.
+/// Leads through the occurrences of a text in the readings.
 class ReadingsFinder : public QObject {
   Q_OBJECT
 
@@ -19,10 +19,10 @@ class ReadingsFinder : public QObject {
   ReadingsFinder(SessionDocument& document, PositionTabs& positions, FindBar& bar);
 
   void find();                   ///< asks for a text
-  void findAgain(bool forward);  ///< the one looked for last; asks where there is none
+  void findAgain(bool forward);  ///< the last text; asks if there is none
 
  signals:
-  void commitWanted();  ///< what is half typed is looked through, too
+  void commitWanted();  ///< unfinished entries must be committed, to be searched too
   void found(const Place& place, bool takeFocus);
 
  private:
@@ -31,7 +31,7 @@ class ReadingsFinder : public QObject {
   SessionDocument& m_document;
   PositionTabs& m_positions;
   FindBar& m_bar;
-  QString m_text;  ///< looked for last
+  QString m_text;  ///< the last one searched
 };
 
 }  // namespace alidade::ui

@@ -15,7 +15,7 @@ namespace alidade::ui {
 
 namespace {
 
-/// What an angle or a length begins with.
+/// True for the first character of an angle or a length.
 bool beginsANumber(const QKeyEvent& event) {
   const auto modifiers = event.modifiers() & ~Qt::KeypadModifier;
   const QString text = event.text();
@@ -40,12 +40,12 @@ StrayDigits::StrayDigits(QWidget& window) : QObject(&window), m_window(window) {
 bool StrayDigits::eventFilter(QObject* watched, QEvent* event) {
   if (m_isTold || event->type() != QEvent::KeyPress) return false;
   auto* key = static_cast<QKeyEvent*>(event);
-  // What its receiver ignores comes again to its parents.
+  // An event that its receiver ignores is sent again to its parents.
   const QWidget* focus = QApplication::focusWidget();
   const auto* widget = qobject_cast<QWidget*>(watched);
   if (!widget || widget != (focus ? focus : &m_window) || widget->window() != &m_window) return false;
   if (!beginsANumber(*key) || takesText(widget)) return false;
-  const QScopedValueRollback telling(m_isTold, true);  // where it was led to may not take it either
+  const QScopedValueRollback telling(m_isTold, true);  // the receiver may ignore it too
   emit typed(key);
   return true;
 }

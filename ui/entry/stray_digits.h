@@ -7,8 +7,8 @@ class QWidget;
 
 namespace alidade::ui {
 
-/// Digits typed in a window where nothing takes them, on a button, a picture or a table of figures: they are
-/// told of, so that they can be led to where they belong.
+/// Reports digits typed where nothing takes them (a button, a picture or a table of figures), so that they
+/// can be forwarded.
 class StrayDigits : public QObject {
   Q_OBJECT
 
@@ -23,7 +23,7 @@ class StrayDigits : public QObject {
 
  private:
   QWidget& m_window;
-  bool m_isTold = false;  ///< one is being led to where it belongs
+  bool m_isTold = false;  ///< a digit is being forwarded
 };
 
 }  // namespace alidade::ui

@@ -10,8 +10,8 @@ namespace alidade::ui {
 
 class SessionDocument;
 
-/// Ties an input widget, its parent, to one field of the session. The widget shows `text()` whenever
-/// `refreshed`, and hands in what was entered with `enter`, which goes through the undo stack.
+/// Connects an input widget, its parent, to one field of the session. The widget shows `text()` at every
+/// `refreshed`, and passes entries to `enter`, which uses the undo stack.
 class FieldBinding : public QObject {
   Q_OBJECT
 
@@ -21,15 +21,15 @@ class FieldBinding : public QObject {
   const Place& place() const { return m_place; }
   QWidget* widget() const;
   QString text() const;     ///< as typed
-  QString problem() const;  ///< why the text cannot be used; empty where it can, or where there is none
+  QString problem() const;  ///< why the text is unusable; empty if usable or absent
   void enter(const QString& text);
-  void noteTyped(const QString& text);  ///< that would be entered, were it handed in now
+  void noteTyped(const QString& text);  ///< the text that committing now would enter
   void noteTypingEnded();
   CircleUnit angleUnit() const;  ///< of the session
 
  signals:
   void refreshed();
-  void commitWanted();  ///< what is half typed is to be handed in now: the session is about to be used
+  void commitWanted();  ///< unfinished entries must be committed now, before the session is used
 
  private:
   SessionDocument& m_document;

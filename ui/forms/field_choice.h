@@ -10,14 +10,12 @@ namespace alidade::ui {
 class FieldBinding;
 class SessionDocument;
 
-/// One of a field's possible texts and what the user reads for it. The first choice is also what an empty
-/// text means.
+/// One of a field's possible texts with its label. An empty text means the first choice.
 struct Choice {
   QString text, caption;
 };
 
-/// A list that edits one field. A text of the file that is none of the choices is listed and shown as it is,
-/// with its problem as tool tip.
+/// A list that edits one field. An unknown text of the file is listed as it is, with its problem as tool tip.
 class FieldChoice : public QComboBox {
   Q_OBJECT
 
@@ -28,7 +26,7 @@ class FieldChoice : public QComboBox {
   void setHint(const QString& hint);
 
  protected:
-  void keyPressEvent(QKeyEvent* event) override;  ///< Enter goes on to the next entry
+  void keyPressEvent(QKeyEvent* event) override;  ///< Enter moves to the next entry
   void wheelEvent(QWheelEvent* event) override;   ///< scrolls the form, never the choice
 
  private:

@@ -15,7 +15,7 @@ namespace alidade::ui {
 
 FieldEdit::FieldEdit(SessionDocument& document, const Place& place, Shows shows, QWidget* parent)
     : QLineEdit(parent), m_binding(new FieldBinding(document, place, this)), m_shows(shows) {
-  setMaxLength(std::numeric_limits<int>::max());  // or a long text would lose its end
+  setMaxLength(std::numeric_limits<int>::max());  // otherwise a long text would be truncated
   m_mark = addAction(themeIcon(QStringLiteral("problem")), QLineEdit::TrailingPosition);
   m_mark->setVisible(false);
   connect(m_binding, &FieldBinding::refreshed, this, &FieldEdit::refresh);
@@ -37,7 +37,7 @@ void FieldEdit::commit() {
   refresh();
 }
 
-/// What the text stands for once it is handed in.
+/// The text that committing would enter.
 QString FieldEdit::entered() const {
   const std::string typed = text().trimmed().toStdString();
   return qText(m_shows == Shows::Angle ? completedAngle(typed, m_binding->angleUnit()) : typed);
@@ -62,14 +62,14 @@ void FieldEdit::refresh() {
   update();
 }
 
-/// What the entry is for; above it the whole of a text that the field shortens or that has hidden parts.
+/// The purpose of the entry; above it the whole text if the field shortens it or it has hidden parts.
 QString FieldEdit::tip(const QString& typed) const {
   constexpr int usuallyFits = 40;
   if (m_shows == Shows::Angle || (typed.size() <= usuallyFits && visibleLine(typed) == typed)) return m_hint;
   return m_hint.isEmpty() ? tipText(typed) : tipText(typed) + QStringLiteral("\n\n") + m_hint;
 }
 
-/// Undo and redo belong to the session unless something is half typed here.
+/// Undo and redo belong to the session unless an entry here is unfinished.
 bool FieldEdit::event(QEvent* event) {
   if (event->type() == QEvent::ShortcutOverride && !isModified()) {
     const auto* key = static_cast<QKeyEvent*>(event);

@@ -11,9 +11,8 @@ namespace alidade::ui {
 class FieldBinding;
 class SessionDocument;
 
-/// A line that edits one field. Handed in on Enter, which goes on to the next entry, or when the focus
-/// leaves; Escape takes back what is half typed. An entry that cannot be used stays, with a frame, a mark and
-/// the reason as tool tip.
+/// A line that edits one field. Enter, which moves to the next entry, or leaving the field commits; Escape
+/// cancels an unfinished entry. An unusable entry stays, with a frame, a mark and the reason as tool tip.
 class FieldEdit : public QLineEdit {
   Q_OBJECT
 

@@ -14,14 +14,14 @@ namespace alidade::ui {
 struct FormField {
   const char* name;              ///< in the session file
   QString caption;               ///< with a mnemonic
-  QString unit;                  ///< shown behind the entry
+  QString unit;                  ///< shown after the entry
   QString placeholder;           ///< what an empty entry means
   QString hint;                  ///< tool tip
   QVector<Choice> choices = {};  ///< a list instead of a line
   bool fillsRow = false;         ///< for long texts: a row of its own
 };
 
-/// Labelled entries, `columns` to a row, those that fill a row alone in theirs.
+/// Labelled entries, `columns` to a row; those that fill a row have their own.
 class FieldForm : public QWidget {
   Q_OBJECT
 

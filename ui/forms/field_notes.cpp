@@ -33,12 +33,12 @@ void FieldNotes::refresh() {
   document()->setModified(false);
 }
 
-/// `toPlainText` would make a blank of every no-break space.
+/// `toPlainText` would turn every no-break space into a blank.
 QString FieldNotes::typed() const {
   return document()->toRawText().replace(QChar::ParagraphSeparator, u'\n');
 }
 
-/// Undo and redo belong to the session unless something is half typed here.
+/// Undo and redo belong to the session unless an entry here is unfinished.
 bool FieldNotes::event(QEvent* event) {
   if (event->type() == QEvent::ShortcutOverride && !document()->isModified()) {
     const auto* key = static_cast<QKeyEvent*>(event);

@@ -9,7 +9,7 @@ namespace alidade::ui {
 class FieldBinding;
 class SessionDocument;
 
-/// Several lines of free text for one field, handed in when the focus leaves.
+/// Several lines of free text for one field, committed when the focus leaves.
 class FieldNotes : public QPlainTextEdit {
   Q_OBJECT
 

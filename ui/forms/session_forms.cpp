@@ -27,7 +27,7 @@ QWidget* stacked(std::initializer_list<QWidget*> parts) {
   return page;
 }
 
-/// What no σ of R0 means hangs on how the radius is taken.
+/// The meaning of an empty σ of R0 depends on the use of the radius.
 void sayWhatNoSigmaMeans(const SessionDocument& document, FieldEdit& sigma) {
   const auto say = [&document, &sigma] {
     const bool isKnown = document.session().model.radius == "known";

@@ -10,24 +10,24 @@ namespace alidade::ui {
 
 /// A page of the guide.
 struct HelpPage {
-  const char* id;     ///< its file in the folder of each language in `:/help`, without suffix
+  const char* id;     ///< file name in each language folder of `:/help`, without suffix
   const char* title;  ///< in the context `HelpPage`
 };
 
 /// In the order of the contents.
 const std::vector<HelpPage>& allHelpPages();
 
-/// Where a topic stands: "gap", or a place in a page, "words#s0".
+/// The address of a topic: "gap", or an anchor in a page, "words#s0".
 QUrl helpUrl(const QString& topic);
 
-/// What the guide says of where the keyboard is: of the widget, else of what it is in; the first measurement
-/// where neither has a topic. A widget has that of its property `helpTopic`, else that of its class.
+/// The guide's topic for the focused widget, or for its nearest parent with one; the first measurement if
+/// there is none. A widget's topic is its property `helpTopic`, else that of its class.
 QString helpTopicOf(const QWidget* widget);
 
 /// The first page.
 QString firstHelpTopic();
 
-/// Every topic that a class of widgets has.
+/// The topics of all widget classes.
 QStringList helpTopicsOfClasses();
 
 }  // namespace alidade::ui

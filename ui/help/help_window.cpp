@@ -84,7 +84,7 @@ QWidget* HelpWindow::createBar() {
   return bar;
 }
 
-/// From where the page was found last, round its end.
+/// Searches from the last match, wrapping at the end.
 void HelpWindow::find(bool backward) {
   const QString text = m_search->text();
   if (text.isEmpty()) return;
@@ -109,7 +109,7 @@ void HelpWindow::showTopic(const QString& topic) {
   m_browser->setFocus();
 }
 
-/// The contents mark the page that is open.
+/// Marks the open page in the contents.
 void HelpWindow::followPage() {
   const QString file = m_browser->source().path();
   const std::vector<HelpPage>& pages = allHelpPages();
@@ -119,7 +119,7 @@ void HelpWindow::followPage() {
       m_contents->setCurrentRow(static_cast<int>(i));
 }
 
-/// Pages have no colours of their own but those of the palette.
+/// Pages use only the colours of the palette.
 void HelpWindow::style() {
   const auto colour = [this](QPalette::ColorRole role) { return palette().color(role).name(); };
   m_browser->document()->setDefaultStyleSheet(

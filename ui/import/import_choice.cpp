@@ -7,7 +7,7 @@ namespace alidade::ui {
 
 namespace {
 
-/// 0 or 180 where a number in the name says so; empty where none or both do.
+/// 0 or 180 if a number in the name says so; empty if neither or both occur.
 std::string axisInName(const QString& name) {
   static const QRegularExpression number(QStringLiteral("(?<![0-9.])(0|00|000|180)(?![0-9])"));
   std::string axis;

@@ -18,7 +18,7 @@ enum Column { FileColumn, KindColumn, WhereColumn, TurnedColumn, RoundColumn, co
 
 using Where = FileChoice::Where;
 
-/// A view shows its cells' widgets, whether they were hidden or not.
+/// Needed since a view shows its cell widgets even if hidden.
 QWidget* framed(QWidget* content) {
   auto* frame = new QWidget;
   auto* layout = new QHBoxLayout(frame);
@@ -27,7 +27,7 @@ QWidget* framed(QWidget* content) {
   return frame;
 }
 
-/// What an item of the position stands for.
+/// The axis of a position item.
 constexpr int axisRole = Qt::UserRole + 1;
 
 }  // namespace

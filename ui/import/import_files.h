@@ -10,7 +10,7 @@ class QSpinBox;
 
 namespace alidade::ui {
 
-/// The files of an import, each with where and in which round it was read.
+/// The files of an import, each with its position and round.
 class ImportFiles : public QTableWidget {
   Q_OBJECT
 
@@ -18,9 +18,9 @@ class ImportFiles : public QTableWidget {
   ImportFiles(const std::vector<ImportSource>& sources, const std::vector<FileChoice>& choices);
 
   std::vector<FileChoice> choices() const;
-  /// The row at work; 0 where none is.
+  /// The current row; 0 if none.
   std::size_t current() const;
-  /// Gives the keyboard to the first position that is still to be chosen, else to the first one.
+  /// Focuses the first position still to be chosen, else the first one.
   void focusOpenChoice();
 
  signals:

@@ -38,7 +38,7 @@ Columns columnsOf(const QString& data) {
   return columns;
 }
 
-/// Those of an angle in several columns: "horizontal", "horizontal_minutes".
+/// Keys of an angle in several columns: "horizontal", "horizontal_minutes".
 std::string partKey(const std::string& key, std::size_t part) {
   auto column = tableColumn(key);
   if (column) column->part = static_cast<AnglePart>(part);
@@ -50,7 +50,7 @@ bool isOfAngle(const std::string& key) {
   return column && column->field && isAngle(*column->field);
 }
 
-/// The columns that hold what the key names; empty where none does.
+/// The columns with this key; empty if none.
 Columns heldBy(const TableLayout& layout, const std::string& key) {
   Columns held;
   for (std::size_t part = 0; part < (isOfAngle(key) ? 3U : 1U); ++part) {
@@ -66,7 +66,7 @@ void put(TableLayout& layout, const std::string& key, const Columns& columns) {
     layout.columns.at(columns[part]) = partKey(key, part);
 }
 
-/// As wide as there is room: three stand in a row.
+/// As wide as available, since three share a row.
 void narrow(QComboBox& box) {
   box.setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
   box.setMinimumContentsLength(7);
@@ -155,7 +155,7 @@ void ImportLayout::fillColumns(const ImportSource& source) {
   }
 }
 
-/// Each column, and of angles those that make one together.
+/// Lists each column, and groups of columns that form one angle.
 void ImportLayout::fillRole(const Role& role, const ImportSource& source) const {
   role.column->clear();
   role.column->addItem(tr("none"), QString());
@@ -209,7 +209,7 @@ void ImportLayout::show(const ImportSource& source, const TableLayout& layout, b
   m_isFilling = false;
 }
 
-/// A column holds one thing: what is chosen last counts.
+/// A column has one role: the last choice counts.
 void ImportLayout::take() {
   if (m_isFilling) return;
   TableLayout layout = m_layout;
@@ -227,7 +227,7 @@ void ImportLayout::take() {
   for (const Role& role : m_roles) {
     const Columns chosen = columnsOf(role.column->currentData().toString());
     if (heldBy(layout, role.key) == chosen) continue;
-    for (std::size_t part = 0; part < chosen.size(); ++part)  // another took a part of it
+    for (std::size_t part = 0; part < chosen.size(); ++part)  // another role took part of it
       if (layout.columns[chosen[part]] == partKey(role.key, part)) layout.columns[chosen[part]].clear();
     role.column->setCurrentIndex(0);
   }

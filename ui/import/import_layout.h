@@ -12,16 +12,15 @@ class QSpinBox;
 
 namespace alidade::ui {
 
-/// How a table is taken: unit, decimal sign, rows before the readings, and what each column holds. An angle
-/// may stand in several columns, as its degrees, minutes and seconds: where the numbers or names allow it,
-/// they are one choice.
+/// The layout of a table: unit, decimal sign, rows before the readings, and the role of each column. Columns
+/// of degrees, minutes and seconds form one choice, if numbers or names allow it.
 class ImportLayout : public QWidget {
   Q_OBJECT
 
  public:
   ImportLayout();
 
-  /// The layout of a table, to be edited; of other files it says why they are taken as they are.
+  /// Shows the layout of a table for editing; for other files, why they need none.
   void show(const ImportSource& source, const TableLayout& layout, bool isRemembered);
   const TableLayout& layout() const { return m_layout; }
 
@@ -32,7 +31,7 @@ class ImportLayout : public QWidget {
   struct Role {
     std::string key;
     QLabel* label;
-    QComboBox* column;  ///< its data: the columns, from 0, with commas between them
+    QComboBox* column;  ///< its data: column numbers from 0, separated by commas
   };
 
   QWidget* createForm();

@@ -13,7 +13,7 @@ namespace {
 
 constexpr qsizetype mostLayouts = 50;
 
-/// A signature holds what somebody named columns: any text, of any length.
+/// Hashed, since a signature contains column names: any text, of any length.
 QString keyOf(const Recognised& recognised) {
   const QByteArray hash =
       QCryptographicHash::hash(QByteArray::fromStdString(recognised.signature()), QCryptographicHash::Sha256);

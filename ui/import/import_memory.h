@@ -7,11 +7,11 @@
 
 namespace alidade::ui {
 
-/// How files of one make were taken the last time, by their signature. What the file at hand tells by itself
-/// counts: its separator, and unit and decimal sign where its numbers bear them out.
+/// The last layouts of similar files, by their signature. The present file takes precedence: its separator,
+/// and unit and decimal sign if its numbers confirm them.
 class ImportMemory {
  public:
-  /// Absent where there was none, or where it does not fit the file.
+  /// Absent without an earlier layout, or if it does not fit the file.
   static std::optional<TableLayout> layoutOf(const Recognised& recognised);
   static void keep(const Recognised& recognised, const TableLayout& layout);
 };

@@ -35,7 +35,7 @@ namespace alidade::ui {
 
 namespace {
 
-/// Rows that somebody began count too: what was typed is not put aside.
+/// Includes rows just begun, so that no typing is discarded.
 bool hasReadings(const Session& session) {
   return std::ranges::any_of(session.positions, [](const Position& position) {
     return !std::ranges::all_of(position.readings, isBlank);
@@ -47,13 +47,13 @@ Session withoutRows(Session session) {
   return session;
 }
 
-/// Rows in which nothing is typed make room.
+/// Removes rows without any entry.
 Session withoutBlankRows(Session session) {
   for (Position& position : session.positions) std::erase_if(position.readings, isBlank);
   return session;
 }
 
-/// By which the same files are known again.
+/// Identifies the same files later.
 QString digestsOf(const std::vector<ImportSource>& sources) {
   QStringList digests;
   for (const ImportSource& source : sources) digests.append(qText(source.sha256));
@@ -202,7 +202,7 @@ QWidget* ImportPage::createFoot() {
   return foot;
 }
 
-/// As the last time, and with the unit of the session's instrument where nothing else tells it.
+/// The last layouts, with the unit of the session's instrument if nothing else determines it.
 void ImportPage::recallLayouts() {
   for (const ImportSource& source : m_request.sources) {
     const std::string signature = source.recognised.signature();
@@ -277,7 +277,7 @@ void ImportPage::showReading() {
 
 void ImportPage::tellTroubles() {
   QStringList told;
-  bool isUnitOpen = false;  // what numbers may mean is the one question then
+  bool isUnitOpen = false;  // the unit of the numbers is then the only question
   for (std::size_t i = 0; i < m_request.sources.size(); ++i) isUnitOpen = isUnitOpen || asksUnit(i);
   for (const ProblemGroup& kind : m_shown->kinds)
     if (!isUnitOpen || kind.first.what.find(" may mean ") == std::string::npos)
@@ -295,7 +295,7 @@ void ImportPage::tellTroubles() {
   m_problems->setFixedHeight(lines * m_problems->fontMetrics().lineSpacing() + 14);
 }
 
-/// What was taken how; that a position is still to be chosen is said elsewhere.
+/// How each file is read; positions still to be chosen are reported elsewhere.
 QStringList ImportPage::remarks() const {
   QStringList remarks;
   for (const ImportSource& source : m_request.sources)
@@ -319,7 +319,7 @@ QString ImportPage::unplacedFile() const {
   return {};
 }
 
-/// Plain numbers may be read as any unit: that is the user's to say.
+/// Plain numbers may have any unit, so the user must choose.
 bool ImportPage::asksUnit(std::size_t source) const {
   const Recognised& recognised = m_request.sources[source].recognised;
   const auto layout = m_choice.layouts.find(recognised.signature());

@@ -24,23 +24,22 @@ class ImportLayout;
 class ImportPreview;
 class ImportZeros;
 
-/// What is to be imported, and where to.
+/// The input of an import and its target.
 struct ImportRequest {
-  std::vector<ImportSource> sources;       ///< one at least
-  std::shared_ptr<const Session> session;  ///< at work
+  std::vector<ImportSource> sources;       ///< at least one
+  std::shared_ptr<const Session> session;  ///< the current one
 };
 
-/// What was decided: the session that the import makes, and where its rows came from.
+/// The result: the session made by the import, and the origin of its rows.
 struct ImportDecision {
   Session session;
-  bool isAdded = false;               ///< it is the session at work with the readings; else a new one
+  bool isAdded = false;               ///< the current session with the readings; else a new one
   std::vector<JournalEntry> origins;  ///< entries of the journal
   std::size_t rows = 0;
 };
 
-/// Asks how files of readings are to be taken, all in one page: what each is, where and in which round it was
-/// read, units and columns, pointing zeros, and whether the readings are added; it shows the rows as they
-/// will stand. What was chosen for a layout is remembered. Reads on another thread.
+/// Asks on one page how to import files of readings: format, position, round, units, columns, pointing zeros,
+/// and target; shows a preview of the rows. Remembers the choices for a layout. Reads on another thread.
 class ImportPage : public QDialog {
   Q_OBJECT
 
@@ -50,11 +49,11 @@ class ImportPage : public QDialog {
 
   /// Absent: cancelled.
   std::optional<ImportDecision> ask();
-  /// What is shown is what is chosen.
+  /// True if the page shows the result of the current choices.
   bool isSettled() const { return m_isCurrent && !m_reading->isAtWork(); }
-  /// Why it cannot be imported so; empty where it can.
+  /// Why these choices cannot be imported; empty if they can.
   QString obstacle() const;
-  /// As it is chosen now.
+  /// The result of the current choices.
   ImportDecision decision() const;
 
  public slots:
@@ -82,7 +81,7 @@ class ImportPage : public QDialog {
 
   ImportRequest m_request;
   FormDraft* m_draft;
-  bool m_hasReadings;  ///< of the session at work
+  bool m_hasReadings;  ///< of the current session
   ImportChoice m_choice;
   std::set<std::string> m_remembered;  ///< signatures
   std::unique_ptr<Background<ImportReading>> m_reading;

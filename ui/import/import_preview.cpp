@@ -17,7 +17,7 @@ namespace alidade::ui {
 
 namespace {
 
-/// The field a column shows; null where it shows none.
+/// The field shown in a column; null if none.
 const RowField* fieldOf(ImportPreview::Column column) {
   switch (column) {
     case ImportPreview::Column::Point:
@@ -45,7 +45,7 @@ const RowField* fieldOf(ImportPreview::Column column) {
   }
 }
 
-/// The line of the row at `offset` of an origin.
+/// The source line of the row at `offset` in an origin.
 std::size_t lineOf(const ImportedRows& origin, std::size_t offset) {
   for (const auto& [first, last] : origin.lines) {
     const std::size_t count = last - first + 1;

@@ -8,7 +8,7 @@
 
 namespace alidade::ui {
 
-/// The rows of an import as they will stand, with the lines they come from.
+/// A preview of the imported rows, with their source lines.
 class ImportPreview : public QAbstractTableModel {
   Q_OBJECT
 
@@ -32,9 +32,9 @@ class ImportPreview : public QAbstractTableModel {
 
   using QAbstractTableModel::QAbstractTableModel;
 
-  /// Null: nothing.
+  /// Null: empty.
   void setReading(std::shared_ptr<const ImportReading> reading);
-  bool isShown(Column column) const;  ///< else it says nothing
+  bool isShown(Column column) const;  ///< false for an empty column
 
   int rowCount(const QModelIndex& parent = {}) const override;
   int columnCount(const QModelIndex& parent = {}) const override;
@@ -44,7 +44,7 @@ class ImportPreview : public QAbstractTableModel {
  private:
   struct Row {
     const ImportedRows* origin;
-    std::size_t offset;  ///< in it
+    std::size_t offset;  ///< within the origin
     const Reading* reading;
   };
 
@@ -53,7 +53,7 @@ class ImportPreview : public QAbstractTableModel {
   QString problem(const Row& row, Column column) const;
 
   std::shared_ptr<const ImportReading> m_reading;
-  std::vector<std::size_t> m_begins;  ///< of each origin
+  std::vector<std::size_t> m_begins;  ///< first row of each origin
   VerticalCircle m_circle = VerticalCircle::Zenith;
   CircleUnit m_unit = CircleUnit::Dms;
 };

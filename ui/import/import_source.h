@@ -11,23 +11,23 @@
 
 namespace alidade::ui {
 
-/// A file of readings, or the text of the clipboard, with what it looks to be.
+/// A file of readings, or the clipboard text, with its recognised format.
 struct ImportSource {
-  QString name;   ///< of the file, without its folder
-  QString title;  ///< for a session made of it; empty where it has none
+  QString name;   ///< file name without folder
+  QString title;  ///< for a new session; empty if none
   std::shared_ptr<const std::string> bytes;
-  std::string sha256;  ///< of them
+  std::string sha256;  ///< of the bytes
   Recognised recognised;
 };
 
-/// On any thread. The problem says which file cannot be imported, and why.
+/// May run on any thread. The problem names the file that cannot be imported, and the reason.
 Result<std::vector<ImportSource>> readSources(const QStringList& paths);
 Result<std::vector<ImportSource>> textSource(const QString& name, const std::string& text);
 
-/// Is this the name of a file of readings, or of one whose format is named and refused?
+/// True for the name of a file of readings, or of a format that is recognised but refused.
 bool isReadingsFile(const QString& path);
 
-/// The patterns of such names, as a file dialog takes them: `*.gsi *.GSI …`.
+/// The patterns of such names for a file dialog: `*.gsi *.GSI …`.
 QString readingsPatterns();
 
 }  // namespace alidade::ui

@@ -101,7 +101,7 @@ void ImportZeros::mark(QLineEdit& edit, const std::string& problem, const QStrin
   if (!edit.isReadOnly()) edit.setToolTip(visibleLine(problem));
 }
 
-/// Both readings of a zero, or none.
+/// A zero needs both readings or neither.
 void ImportZeros::check() {
   m_problem.clear();
   for (auto& [name, row] : m_rows) {

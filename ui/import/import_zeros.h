@@ -15,20 +15,19 @@ namespace alidade::ui {
 
 class FormDraft;
 
-/// The pointing zeros of the positions that an import fills: as the files or the session have them, else to
-/// be typed.
+/// The pointing zeros of the positions filled by an import: from the files or the session, else to be typed.
 class ImportZeros : public QWidget {
   Q_OBJECT
 
  public:
-  /// `draft` keeps what is typed, until the import is done or given up.
+  /// `draft` keeps the typed texts until the import is done or cancelled.
   explicit ImportZeros(FormDraft& draft);
 
   /// Null: nothing can be imported.
   void show(const Import* import);
-  /// Puts what was typed into the positions that have no zero; bare numbers get the session's unit.
+  /// Writes the typed zeros into positions without one; bare numbers get the session's unit.
   void enterInto(Session& session) const;
-  /// Why something typed is no pointing zero; empty where all is well.
+  /// Why a typed zero is invalid; empty if all are valid.
   QString problem() const { return m_problem; }
 
  signals:
@@ -38,8 +37,8 @@ class ImportZeros : public QWidget {
   struct Row {
     QLabel* label;
     QLineEdit *horizontal, *vertical;
-    std::size_t position;  ///< of the session
-    bool isTyped;          ///< else it is there already
+    std::size_t position;  ///< index in the session
+    bool isTyped;          ///< false: it exists already
   };
 
   Row& rowOf(const QString& name);
@@ -49,7 +48,7 @@ class ImportZeros : public QWidget {
 
   FormDraft& m_draft;
   QGridLayout* m_grid;
-  std::map<QString, Row> m_rows;  ///< by the name of the position
+  std::map<QString, Row> m_rows;  ///< by position name
   VerticalCircle m_circle = VerticalCircle::Zenith;
   CircleUnit m_unit = CircleUnit::Dms;
   QString m_problem;

@@ -79,7 +79,7 @@ QWidget* CheckInput::createFiles() {
   return files;
 }
 
-/// Rows that an earlier window kept stand there again.
+/// Restores the rows of an earlier window.
 QWidget* CheckInput::createRows() {
   new CheckRowsDraft(*m_table);
   m_clear = new QPushButton;
@@ -152,7 +152,7 @@ void CheckInput::removeFiles() {
   emit changed();
 }
 
-/// Takes all rows away, or brings back those that were taken away last.
+/// Clears all rows, or restores the last cleared ones.
 void CheckInput::clearRows() {
   m_table->commitOpenEditor();
   CheckRowsModel& rows = m_table->rows();

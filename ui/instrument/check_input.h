@@ -16,8 +16,8 @@ namespace alidade::ui {
 class CheckRowsTable;
 class Dialogs;
 
-/// What an instrument is checked with: files, rows typed or pasted, what is stated of it, and how plain
-/// numbers are to be taken.
+/// The input of an instrument check: files, typed or pasted rows, data sheet values, and the unit of plain
+/// numbers.
 class CheckInput : public QWidget {
   Q_OBJECT
 
@@ -26,10 +26,10 @@ class CheckInput : public QWidget {
 
   InstrumentQuestion question() const;
   bool hasFiles() const;
-  /// Adds files; tells where one cannot be read.
+  /// Adds files; reports unreadable ones.
   void addFiles(const QStringList& paths);
   CheckRowsTable& table() { return *m_table; }
-  QStringList paths() const;  ///< of the files
+  QStringList paths() const;  ///< paths of the files
 
  signals:
   void changed();
@@ -54,7 +54,7 @@ class CheckInput : public QWidget {
   QListWidget* m_list;
   QPushButton *m_add, *m_remove, *m_clear;
   CheckRowsTable* m_table;
-  ReadingBlock m_cleared;  ///< rows taken away last, as long as no other is typed
+  ReadingBlock m_cleared;  ///< last cleared rows, until another is typed
   QDoubleSpinBox *m_sigmaDirection, *m_sigmaVertical;
   QComboBox *m_unit, *m_circle;
 };

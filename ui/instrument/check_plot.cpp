@@ -52,7 +52,7 @@ void CheckPlot::add(Point point) {
   if (std::isfinite(point.x) && std::isfinite(point.y)) m_points.push_back(point);
 }
 
-/// Each less its mean at the station, so that they share one axis.
+/// Values minus the station mean, so that they share one axis.
 void CheckPlot::addCourse(const StationCheck& station, std::size_t before) {
   for (std::size_t j = 0; j < station.course.size(); ++j) {
     const RoundCourse& round = station.course[j];
@@ -65,7 +65,7 @@ void CheckPlot::addCourse(const StationCheck& station, std::size_t before) {
 
 void CheckPlot::addResiduals(const StationCheck& station, std::size_t before) {
   for (const PairResidual& residual : station.residuals) {
-    // The targets of a round stand side by side.
+    // The targets of a round are side by side.
     const double beside =
         0.6 * ((static_cast<double>(residual.target) + 0.5) / static_cast<double>(station.targets) - 0.5);
     const double x = static_cast<double>(before + residual.round + 1) + beside;

@@ -8,9 +8,9 @@
 
 namespace alidade::ui {
 
-/// What an instrument check found, as points: the course of collimation, index and orientation over the
-/// rounds of all stations one after the other, the residuals of every pair, or the collimation of each target
-/// over its distance. Filled, hollow and the shapes stay apart in grey.
+/// The results of an instrument check as points: collimation, index and orientation over the rounds of all
+/// stations in sequence, the residuals of every pair, or the collimation of each target over its distance.
+/// Fill and shapes stay distinguishable in grey.
 class CheckPlot : public Plot {
   Q_OBJECT
 
@@ -19,7 +19,7 @@ class CheckPlot : public Plot {
 
   explicit CheckPlot(QObject* parent = nullptr);
 
-  /// The check of an instrument has nothing to do with a session.
+  /// An instrument check is independent of sessions.
   void setEvaluation(const Evaluation&) override {}
   void setCheck(const SharedInstrument& check);
   void setView(View view);
@@ -37,12 +37,12 @@ class CheckPlot : public Plot {
 
  private:
   enum class Kind { Collimation, Index, Orientation, Direction, Zenith };
-  /// One point, and what it is of.
+  /// One point with its origin.
   struct Point {
     double x, y;
     Kind kind;
     const StationCheck* station;
-    std::size_t round, target;  ///< a course is of no target, a distance of no round
+    std::size_t round, target;  ///< a course has no target, a distance no round
   };
 
   void draw();

@@ -33,7 +33,7 @@ QJsonObject draftOf(const ReadingBlock& block) {
 
 }  // namespace
 
-/// The rows are kept only once they are handed in: an open cell alone costs no copy of them at each key.
+/// Rows are stored only once committed, so a key in an open cell does not copy them.
 CheckRowsDraft::CheckRowsDraft(CheckRowsTable& table) : QObject(&table), m_table(table) {
   restore();
   connect(&table.rows(), &CheckRowsModel::edited, this, &CheckRowsDraft::keepRows);

@@ -6,13 +6,13 @@ namespace alidade::ui {
 
 class CheckRowsTable;
 
-/// Keeps the rows typed for an instrument check, and the cell that is being typed, among the process's
-/// `Drafts`: a later start has them again, until they are cleared.
+/// Stores the rows typed for an instrument check, and the open cell, in the process's `Drafts`: a later start
+/// restores them until they are cleared.
 class CheckRowsDraft : public QObject {
   Q_OBJECT
 
  public:
-  /// Puts what was kept into the table, a cell that was half typed as it stood.
+  /// Restores the stored rows into the table, with an unfinished cell.
   explicit CheckRowsDraft(CheckRowsTable& table);
 
  private:

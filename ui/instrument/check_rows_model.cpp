@@ -37,7 +37,7 @@ TableLayout CheckRowsModel::layout() {
 }
 
 std::string CheckRowsModel::csv() const {
-  CsvText csv{"station"};  // its first line is left off below
+  CsvText csv{"station"};  // its first line is removed below
   const std::size_t head = csv.text().size();
   for (std::size_t i = 0; i < countOfUse(); ++i) {
     for (const QString& cell : m_rows[i]) csv.typed(cell.toStdString());
@@ -52,7 +52,7 @@ void CheckRowsModel::put(int row, int column, const QString& text) {
   m_rows[static_cast<std::size_t>(row)][column] = text.trimmed();
 }
 
-/// All but the empty one and, before it, one without a target or a circle: it is being typed.
+/// All rows except the empty one, and except a last one still without a target or a circle.
 std::size_t CheckRowsModel::countOfUse() const {
   const std::size_t filled = m_rows.size() - 1;
   if (filled == 0) return 0;
@@ -62,7 +62,7 @@ std::size_t CheckRowsModel::countOfUse() const {
   return isWhole ? filled : filled - 1;
 }
 
-/// One empty row at the end, and no more.
+/// Ensures exactly one empty row at the end.
 void CheckRowsModel::tidy() {
   while (!m_rows.empty() && isBlankRow(m_rows.back())) m_rows.pop_back();
   m_rows.push_back(blankRow());
@@ -84,7 +84,7 @@ std::optional<Problem> CheckRowsModel::paste(const ReadingBlock& block, int row,
   return {};
 }
 
-/// Columns that a check has no place for stay out.
+/// Ignores columns unknown to a check.
 void CheckRowsModel::putNamed(const JoinedTable& table, int row) {
   std::vector<int> into;
   for (const TableColumn& column : table.columns) {

@@ -12,8 +12,8 @@
 
 namespace alidade::ui {
 
-/// Rows of an instrument check as they are typed: station, round, target, face, both circles, distance. There
-/// is always an empty row to go on in.
+/// The typed rows of an instrument check: station, round, target, face, both circles, distance. One empty row
+/// is always at the end.
 class CheckRowsModel : public QAbstractTableModel {
   Q_OBJECT
 
@@ -21,23 +21,22 @@ class CheckRowsModel : public QAbstractTableModel {
   explicit CheckRowsModel(QObject* parent = nullptr);
 
   static constexpr int columns = 7;
-  /// What they hold, in turn, and that no row names them.
+  /// The roles of the columns, without a row of names.
   static TableLayout layout();
 
-  /// Is nothing typed?
+  /// True if nothing is typed.
   bool isBlank() const { return m_rows.size() == 1; }
-  /// Is there no row to be evaluated?
+  /// True if no row can be evaluated.
   bool isEmpty() const { return countOfUse() == 0; }
-  std::string csv() const;  ///< line by line the rows, without one at the end that is still being typed
+  std::string csv() const;  ///< the rows line by line, without an unfinished last one
 
-  /// Into the cells from this one on; further rows are added. A block whose first rows name columns goes
-  /// where the names say, degrees, minutes and seconds in columns of their own joined; the problem says why
-  /// such a block cannot be taken, and nothing of it is.
+  /// Pastes from this cell on, adding rows. A block whose first rows name columns goes to those columns, with
+  /// degrees, minutes and seconds joined. The problem says why such a block is refused as a whole.
   std::optional<Problem> paste(const ReadingBlock& block, int row, int column);
-  void clear(const QModelIndexList& cells);  ///< rows that are empty then go
+  void clear(const QModelIndexList& cells);  ///< also removes rows left empty
 
-  ReadingBlock block() const;  ///< all rows but the empty one at the end
-  /// Puts `block` in place of all rows.
+  ReadingBlock block() const;  ///< all rows except the empty one at the end
+  /// Replaces all rows by `block`.
   void restore(const ReadingBlock& block);
 
   int rowCount(const QModelIndex& parent = {}) const override;

@@ -8,7 +8,7 @@ namespace alidade::ui {
 
 class DataTable;
 
-/// What an instrument check found at each station, and pooled in the last row.
+/// The results of an instrument check for each station, pooled in the last row.
 class CheckTable : public QWidget {
   Q_OBJECT
 

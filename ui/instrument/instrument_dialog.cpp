@@ -152,7 +152,7 @@ bool InstrumentDialog::exportCsv() {
                instrumentCsv(*m_answer->check));
 }
 
-/// Of the day of the readings, or of today where no file says it.
+/// Dated by the readings, or today if no file states a date.
 bool InstrumentDialog::saveRecord() {
   std::string date = m_answer->measuredOn;
   if (date.empty() || dateProblem(date)) date = QDate::currentDate().toString(Qt::ISODate).toStdString();

@@ -15,8 +15,8 @@ class CheckInput;
 class CheckTable;
 class Dialogs;
 
-/// The field check of an instrument after ISO 17123-3: what it is checked with above, what comes of it below,
-/// as it is typed.
+/// The field check of an instrument according to ISO 17123-3: input above, results below, updated while
+/// typing.
 class InstrumentDialog : public QDialog {
   Q_OBJECT
 
@@ -26,11 +26,11 @@ class InstrumentDialog : public QDialog {
   CheckInput& input() { return *m_input; }
   CheckChart& chart() { return *m_chart; }
   InstrumentJob& job() { return m_job; }
-  QString said() const;  ///< the sentences that stand there
+  QString said() const;  ///< the sentences shown
 
   bool exportJson();
   bool exportCsv();
-  bool saveRecord();  ///< as an instrument record, for sessions to come
+  bool saveRecord();  ///< as an instrument record, for later sessions
 
  protected:
   void changeEvent(QEvent* event) override;

@@ -15,14 +15,14 @@
 
 namespace alidade::ui {
 
-/// One piece of work at a time on a thread of its own; its value comes back in the thread of the owner.
-/// Destroyed, it asks the work to stop, waits for it, and hands in nothing more.
+/// Runs one piece of work at a time on its own thread; the value arrives in the owner's thread. The
+/// destructor requests a stop, waits for the work, and delivers nothing more.
 template <typename Value>
 class Background {
  public:
   using Shared = std::shared_ptr<const Value>;
 
-  /// `take` gets the value of all work that was started, stopped or not, once it is done.
+  /// `take` receives the value of every piece of work when it is done, stopped or not.
   template <typename Take>
   explicit Background(Take take) {
     m_threads.setMaxThreadCount(1);
@@ -39,9 +39,9 @@ class Background {
     m_threads.waitForDone();
   }
 
-  /// Only while nothing is at work. `work` returns a `Value` from a `std::stop_token`; when that is handed
-  /// in, nobody here holds on to the value or to what the work was made of. Where it throws, the value is
-  /// what `instead` makes, in the thread of the owner, of the reason as `thrownReason` has it.
+  /// Only while nothing is running. `work` makes a `Value` from a `std::stop_token`. On delivery no reference
+  /// to the value or the work is kept here. If `work` throws, `instead` makes the value in the owner's thread
+  /// from the reason (`thrownReason`).
   template <typename Work, typename Instead>
   void start(Work work, Instead instead) {
     Q_ASSERT(!m_isAtWork);
@@ -58,7 +58,7 @@ class Background {
   }
   void stop() { m_stop.request_stop(); }
   bool isAtWork() const { return m_isAtWork; }
-  bool isStopped() const { return m_stop.stop_requested(); }  ///< the work started last
+  bool isStopped() const { return m_stop.stop_requested(); }  ///< of the last started work
 
  private:
   struct Outcome {
@@ -74,7 +74,7 @@ class Background {
 
   QThreadPool m_threads;
   QFutureWatcher<void> m_watcher;
-  std::shared_ptr<Outcome> m_outcome;  ///< of the work at hand
+  std::shared_ptr<Outcome> m_outcome;  ///< outcome of the current work
   std::stop_source m_stop;
   std::function<Value(const std::string& reason)> m_instead;
   bool m_isAtWork = false;

@@ -12,7 +12,7 @@ namespace alidade::ui {
 
 namespace {
 
-/// With very many rows an edit does not wait for what is there for comparison only.
+/// With very many rows, an edit does not wait for the published method, which serves only for comparison.
 bool isPublishedLater(const Evaluation& evaluation) {
   constexpr std::size_t many = 5000;
   return evaluation.examined.measurement && evaluation.examined.measurement->rows >= many;
@@ -33,7 +33,7 @@ void draw(Evaluation& evaluation) {
        [&] { evaluation.residuals = std::make_shared<const ResidualPicture>(residualPicture(evaluation)); }});
 }
 
-/// What the second stage adds to the fit.
+/// The results that the second stage adds to the fit.
 struct Searched {
   std::vector<Suspect> suspects;
   PublishedSessionFit published;

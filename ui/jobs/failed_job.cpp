@@ -28,7 +28,7 @@ struct Text {
   Q_DECLARE_TR_FUNCTIONS(Text)
 };
 
-/// The session goes in as its file would have it: Qt's JSON knows neither the order of keys nor all digits.
+/// Inserts the session as its file text, since Qt's JSON preserves neither the key order nor all digits.
 QByteArray recordOf(const FailedJob& failed, const QDateTime& now) {
   QJsonObject head{{QStringLiteral("program"), QStringLiteral("Alidade " ALIDADE_VERSION)},
                    {QStringLiteral("qt"), QString::fromLatin1(qVersion())},
@@ -58,7 +58,7 @@ QString unusedName(const QDir& folder, const QString& name) {
   return path;
 }
 
-/// The path of the record; empty where it could not be written.
+/// The path of the record; empty if writing failed.
 QString written(const FailedJob& failed) {
   const QDir folder(problemsFolder());
   makePrivateFolder(folder.path());
@@ -74,7 +74,7 @@ QString written(const FailedJob& failed) {
   return problem ? QString() : path;
 }
 
-/// The first of its kind is kept: every edit would make one more.
+/// Keeps the first record of its kind, since every edit would add one.
 QString writtenOnce(const FailedJob& failed) {
   static std::map<std::pair<std::string, std::string>, QString> records;
   QString& path = records[{failed.job, failed.reason}];

@@ -9,20 +9,19 @@
 
 namespace alidade::ui {
 
-/// Work that broke down, with what is needed to find out why.
+/// Failed work, with the data needed to find the reason.
 struct FailedJob {
   std::string job;                         ///< as in "The … failed", in the context `Job`
-  std::string reason;                      ///< as `thrownReason` has it
-  std::optional<Session> session = {};     ///< as typed; absent where the work had none
-  std::optional<std::uint64_t> seed = {};  ///< of random draws
+  std::string reason;                      ///< text of `thrownReason`
+  std::optional<Session> session = {};     ///< as typed; absent if the work had none
+  std::optional<std::uint64_t> seed = {};  ///< seed of random draws
 };
 
-/// Where records of failures are: `problems` in the folder of the program's data.
+/// The folder of failure records: `problems` in the program's data folder.
 QString problemsFolder();
 
-/// Writes a record, one of a job and reason as long as the program runs and the newest 50 in all, and answers
-/// with the sentences for the user: what failed, why, that nothing typed is lost, and where the record is.
-/// Never throws.
+/// Writes a record: one per job and reason while the program runs, the newest 50 in all. Returns sentences
+/// for the user: what failed, why, that nothing typed is lost, and the record's path. Never throws.
 std::string tellFailure(const FailedJob& failed);
 
 }  // namespace alidade::ui

@@ -65,7 +65,7 @@ void FitJob::finishFit(const SharedEvaluation& fitted) {
   search();
 }
 
-/// Where nobody holds on to what was evaluated before.
+/// Keeps the previous session if nothing else uses the previous evaluation.
 void FitJob::keepSpare(SharedEvaluation before) {
   m_spare.reset();
   if (!before || m_request->isWhole()) return;

@@ -13,10 +13,9 @@ namespace alidade::ui {
 /// Views may keep it as long as they like.
 using SharedEvaluation = std::shared_ptr<const Evaluation>;
 
-/// Evaluates copies of the session in the background, in two stages: the fit at once, the readings that look
-/// misread when they are found. While a fit is at work, only the newest request is kept; what a newer request
-/// has overtaken is stopped and not delivered, and so is its search. A fit never waits for a search, and
-/// there is one search at a time.
+/// Evaluates copies of the session in the background, in two stages: first the fit, then the search for
+/// misread readings. During a fit only the newest request is kept; outdated fits and searches are stopped and
+/// not delivered. A fit never waits for a search, and only one search runs at a time.
 class FitJob : public QObject {
   Q_OBJECT
 
@@ -24,29 +23,29 @@ class FitJob : public QObject {
   explicit FitJob(QObject* parent = nullptr);
 
   void request(const Session& session);
-  /// The session requested before, as `change` has left it: what did not change is not copied here.
+  /// The session requested before, after `change`: unchanged parts are not copied here.
   void request(const Session& session, const SessionChange& change);
   bool isFitting() const { return m_fit.isAtWork(); }
   bool isSearching() const { return m_fitted != nullptr; }
-  /// Looks for misread readings no further; `searched` does not come for this evaluation.
+  /// Stops the search for misread readings; `searched` is not emitted for this evaluation.
   void stopSearch();
-  bool isIdle() const { return !m_fit.isAtWork() && !m_fitted; }  ///< nothing is still to be delivered
+  bool isIdle() const { return !m_fit.isAtWork() && !m_fitted; }  ///< nothing remains to be delivered
 
  signals:
-  /// Where it is not searched yet, `searched` follows unless another request comes first.
+  /// If it is not searched yet, `searched` follows unless another request comes first.
   void evaluated(const alidade::ui::SharedEvaluation& evaluation);
   /// The evaluation delivered last, now with its suspects.
   void searched(const alidade::ui::SharedEvaluation& evaluation);
 
  private:
-  /// `found`: null where it was stopped.
+  /// `found`: null if it was stopped.
   struct Search {
     SharedEvaluation fitted, found;
   };
 
-  /// A session that is of no more use where it stood: to be made the next one without a copy of its rows.
+  /// A discarded session, from which the next one is made without copying its rows.
   struct Spare {
-    Session session;                            ///< as before the request done last
+    Session session;                            ///< the session before the last finished request
     std::shared_ptr<const FitRequest> onwards;  ///< that request
   };
 
@@ -58,10 +57,10 @@ class FitJob : public QObject {
   void finishSearch(const Search& done);
 
   std::optional<FitRequest> m_next;
-  std::shared_ptr<const FitRequest> m_request;  ///< at work, or done last
+  std::shared_ptr<const FitRequest> m_request;  ///< running, or finished last
   std::optional<Spare> m_spare;
-  SharedEvaluation m_last;    ///< of the request done last, delivered or not; null: changes have no ground
-  SharedEvaluation m_fitted;  ///< delivered last, its suspects still wanted; null where they are not
+  SharedEvaluation m_last;    ///< of the last finished request, delivered or not; null: changes have no base
+  SharedEvaluation m_fitted;  ///< delivered last, search still wanted; null if not
   Background<Evaluation> m_fit;
   Background<Search> m_search;
 };

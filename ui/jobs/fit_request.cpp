@@ -8,7 +8,7 @@ FitRequest::FitRequest(const Session& session, const SessionChange& change) {
   add(session, change);
 }
 
-/// What many changes made new may weigh more than the session itself.
+/// Many accumulated changes may be larger than the session itself.
 void FitRequest::add(const Session& session, const SessionChange& change) {
   constexpr std::size_t fewDeltas = 1000;
   const std::size_t most = rowsOf(session) + (m_whole ? rowsOf(*m_whole) : 0) + fewDeltas;

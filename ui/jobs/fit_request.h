@@ -8,18 +8,18 @@
 
 namespace alidade::ui {
 
-/// A session to be evaluated: as a whole, or by what is new since one that was evaluated before. The window's
-/// thread copies what an edit made new and no more; the whole is put together where it is evaluated.
+/// A session to evaluate: as a whole, or as changes since an earlier evaluated one. The window's thread
+/// copies only new parts; the evaluating thread assembles the whole.
 class FitRequest {
  public:
   explicit FitRequest(const Session& whole) : m_whole(whole), m_held(rowsOf(whole)) {}
-  /// `session` as `change` has left it.
+  /// `session` after `change`.
   FitRequest(const Session& session, const SessionChange& change);
 
   /// A further change of the session.
   void add(const Session& session, const SessionChange& change);
   bool isWhole() const { return m_whole.has_value(); }
-  /// What the request makes of the session before it, which matters not where it is whole.
+  /// Applies the request to the previous session, which is ignored for a whole one.
   Session onto(Session before) const;
 
  private:
@@ -27,7 +27,7 @@ class FitRequest {
 
   std::optional<Session> m_whole;
   std::vector<SessionDelta> m_deltas;
-  std::size_t m_held = 0;  ///< rows and cells of rows in all
+  std::size_t m_held = 0;  ///< rows and cells held in total
 };
 
 }  // namespace alidade::ui

@@ -14,7 +14,7 @@ namespace alidade::ui {
 
 namespace {
 
-/// Root mean square of a figure of the circle readings, arcseconds.
+/// Root mean square of a quantity of the circle readings, arcseconds.
 template <typename Square>
 double rmsOf(const JointFit& fit, Square square) {
   double sum = 0;
@@ -37,7 +37,7 @@ GapStage stageOf(const SessionFit& fit) {
   return stage;
 }
 
-/// Empty: there is something to diagnose.
+/// Empty if a diagnosis is possible.
 std::string reasonForNone(const Evaluation& evaluation) {
   const SessionFit& fit = evaluation.fit;
   if (!evaluation.failure.empty()) return evaluation.failure;
@@ -54,7 +54,7 @@ std::string reasonForNone(const Evaluation& evaluation) {
   return {};
 }
 
-/// The bare model, then one more effect of the session's at a time.
+/// The bare model, then with one more effect of the session at each stage.
 std::vector<GapStage> modelledStages(const Evaluation& evaluation, const std::stop_token& stop) {
   std::vector<GapStage> stages;
   Measurement measurement = *evaluation.examined.measurement;

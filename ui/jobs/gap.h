@@ -11,59 +11,59 @@
 
 namespace alidade::ui {
 
-/// What a fit leaves over with one more effect in the model than in the stage before.
+/// The residuals of a fit with one more effect in the model than in the stage before.
 struct GapStage {
   enum class Kind {
     Bare,      ///< without the effects of the session's model
     InModel,   ///< an effect of the session's model
-    Proposed,  ///< a cause that was found
+    Proposed,  ///< a cause found by the diagnosis
   };
 
   Kind kind = Kind::Bare;
   std::string effect = {};      ///< id; empty for Bare
-  std::size_t grossErrors = 1;  ///< of a gross_error: how many values are left out
+  std::size_t grossErrors = 1;  ///< for a gross_error: number of excluded values
   double rms = 0;               ///< of the circle readings, arcseconds
   double reducedChiSquare = 0;
   std::optional<IntersectionEstimate> intersection;
 };
 
-/// The gap between model and readings of one evaluation: a plain value that page and report show alike.
+/// The gap between model and readings of one evaluation: a plain value shown alike by page and report.
 struct Gap {
   SharedEvaluation evaluation;
   std::optional<Diagnosis> diagnosis;
   std::string reason;            ///< why there is no diagnosis: a sentence
-  std::vector<GapStage> stages;  ///< with a diagnosis: from the bare model to that with the causes
-  double noiseRms = 0;           ///< rms that the stated noise leaves, arcseconds
-  bool isWithReference = false;  ///< asked for: the causes are weighed with the reference
+  std::vector<GapStage> stages;  ///< with a diagnosis: from the bare model to the model with the causes
+  double noiseRms = 0;           ///< rms expected from the stated noise, arcseconds
+  bool isWithReference = false;  ///< requested: the causes are weighed with the reference
 
-  /// The stage of the session as it is: the last that is not proposed.
+  /// The stage of the current session: the last one that is not proposed.
   const GapStage& asModelled() const;
-  /// A gap that the session's model does not account for, in residuals or between the positions.
+  /// True for a gap that the session's model does not explain, in residuals or between the positions.
   bool isOpen() const {
     return diagnosis && (diagnosis->verdict != DiagnosisVerdict::WithinNoise || isMisclosed(*diagnosis));
   }
   const Diagnosis* found() const { return diagnosis ? &*diagnosis : nullptr; }
-  /// The result of the measurement; null without a diagnosis, and where these readings do not determine Δd.
+  /// Δd, measured; null without a diagnosis, or if these readings do not determine Δd.
   const MeasuredIntersection* measured() const {
     return diagnosis && diagnosis->measured ? &*diagnosis->measured : nullptr;
   }
-  /// U of the result: as measured, or else of the fit alone. Absent without a diagnosis, or without Δd.
+  /// U of Δd, measured, or else of Δd, fit only. Absent without a diagnosis, or without Δd.
   std::optional<double> expandedUncertainty() const;
-  /// Nothing but noise larger than stated.
+  /// True if the only cause is noise larger than stated.
   bool isNoiseAlone() const;
-  /// Effects that leave no clear trace and of which a plausible size moves Δd by more than U: what the result
-  /// rests on unproven. None without a diagnosis.
+  /// Undetectable effects of which a plausible size moves Δd by more than U: the untested assumptions of the
+  /// result. Empty without a diagnosis.
   std::vector<UnseenEffect> unseenBeyondU() const;
-  /// Effects that leave no clear trace and of which a plausible size moves Δd noticeably, by a fiftieth of U
-  /// or more: the worst eight of them at most. None without a diagnosis.
+  /// Undetectable effects of which a plausible size moves Δd by a fiftieth of U or more: the worst eight at
+  /// most. Empty without a diagnosis.
   std::vector<UnseenEffect> noticeablyUnseen() const;
 };
 
-/// Diagnoses the evaluation, the causes weighed with the reference (`DiagnosisOptions::withReference`) or
-/// not. Takes many times as long as a fit; asked to stop, it returns early, without a diagnosis.
+/// Diagnoses the evaluation, weighing the causes with the reference (`DiagnosisOptions::withReference`) if
+/// requested. Takes many times as long as a fit; asked to stop, it returns early without a diagnosis.
 Gap assessGap(const SharedEvaluation& evaluation, const std::stop_token& stop = {},
               bool withReference = false);
-/// No diagnosis, for this reason.
+/// A gap without a diagnosis, for this reason.
 Gap noGap(SharedEvaluation evaluation, std::string reason);
 
 }  // namespace alidade::ui

@@ -12,9 +12,8 @@ namespace alidade::ui {
 /// Views may keep it as long as they like.
 using SharedGap = std::shared_ptr<const Gap>;
 
-/// Diagnoses evaluations in the background, one at a time; the newest wins, and what a newer request has
-/// overtaken is stopped and not delivered. At once while somebody watches, otherwise when the session has
-/// come to rest.
+/// Diagnoses evaluations in the background, one at a time. Only the newest request is delivered; outdated
+/// ones are stopped. Starts at once while the page is watched, otherwise once edits pause.
 class GapJob : public QObject {
   Q_OBJECT
 
@@ -24,12 +23,12 @@ class GapJob : public QObject {
   explicit GapJob(QObject* parent = nullptr);
 
   void request(SharedEvaluation evaluation);
-  /// Forgets what was requested: the session has changed.
+  /// Drops the request, since the session has changed.
   void cancel();
   void setWatched(bool watched);
-  /// From the next request on the causes are weighed with the reference, or no longer. Off at first.
+  /// Whether later requests weigh the causes with the reference. Off at first.
   void setWithReference(bool withReference);
-  bool isIdle() const { return !m_wanted; }  ///< nothing is still to be delivered
+  bool isIdle() const { return !m_wanted; }  ///< nothing remains to be delivered
   bool isAtWork() const { return m_work.isAtWork(); }
 
  signals:
@@ -40,7 +39,7 @@ class GapJob : public QObject {
   void finish(const SharedGap& gap);
 
   QTimer m_rest;
-  SharedEvaluation m_wanted;  ///< null where nothing is
+  SharedEvaluation m_wanted;  ///< null if nothing is requested
   bool m_isWatched = false;
   bool m_isWithReference = false;
   Background<Gap> m_work;

@@ -14,16 +14,16 @@ namespace alidade::ui {
 
 struct Evaluation;
 
-/// How far a session is in the protocol it follows.
+/// The progress of a session in its protocol.
 struct Guide {
   SightingProtocol protocol;
   ProtocolProgress progress;
-  std::vector<std::optional<ExpectedReading>> expected;  ///< of each sighting
-  std::vector<Repeat> repeats;  ///< those that look misread once these are searched for
-  std::string problem = {};     ///< why the session's protocol cannot be followed; then all else is empty
+  std::vector<std::optional<ExpectedReading>> expected;  ///< for each sighting
+  std::vector<Repeat> repeats;                           ///< including misread-looking ones after the search
+  std::string problem = {};  ///< why the protocol cannot be followed; everything else is then empty
 };
 
-/// Of an evaluation that is fitted; null where its session follows none, or has more rows than anyone types.
+/// The guide of a fitted evaluation; null without a protocol, or with more rows than anyone types.
 std::shared_ptr<const Guide> guideOf(const Evaluation& evaluation);
 
 }  // namespace alidade::ui

@@ -13,12 +13,12 @@
 
 namespace alidade::ui {
 
-/// What an instrument is to be checked with.
+/// The input of an instrument check.
 struct InstrumentQuestion {
   struct Source {
     std::string name;
     std::shared_ptr<const std::string> bytes;
-    std::optional<TableLayout> table = {};  ///< of typed rows
+    std::optional<TableLayout> table = {};  ///< layout of typed rows
   };
   std::vector<Source> sources;
   CheckFileOptions reading;
@@ -30,15 +30,15 @@ struct CheckedInstrument {
   std::vector<Finding> findings;
   std::vector<std::string> remarks;
   std::string instrumentName, instrumentSerial, measuredOn;
-  std::string problem;  ///< why there is no check; empty with one, and where there is nothing to check
+  std::string problem;  ///< why there is no check; empty with one, or without input
 };
 
 using SharedInstrument = std::shared_ptr<const CheckedInstrument>;
 
-/// In the calling thread.
+/// Runs in the calling thread.
 CheckedInstrument checkInstrument(const InstrumentQuestion& question);
 
-/// Checks in the background; the newest question counts.
+/// Checks in the background; only the newest question counts.
 class InstrumentJob : public QObject {
   Q_OBJECT
 
@@ -54,7 +54,7 @@ class InstrumentJob : public QObject {
  private:
   void start(InstrumentQuestion question);
 
-  std::optional<InstrumentQuestion> m_next;  ///< asked while another is at work
+  std::optional<InstrumentQuestion> m_next;  ///< asked during another check
   Background<CheckedInstrument> m_work;
 };
 

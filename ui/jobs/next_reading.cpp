@@ -36,7 +36,7 @@ std::optional<SightingToCome> sightingOf(const NextReading& next, std::size_t po
   return SightingToCome{position, **point, **round, **face};
 }
 
-/// What the protocol knows of a sighting.
+/// The expected reading of a sighting, from the protocol.
 std::optional<ExpectedReading> ledTo(const Guide& guide, const SightingToCome& sighting) {
   for (std::size_t i = 0; i < guide.progress.sightings.size(); ++i) {
     const FollowedSighting& followed = guide.progress.sightings[i];

@@ -10,16 +10,16 @@
 
 namespace alidade::ui {
 
-/// What is to be read next in a position.
+/// The next reading of a position.
 struct NextReading {
-  std::size_t row = 0;  ///< the first still to be read; the one after the last where all are
+  std::size_t row = 0;  ///< the first unread row; the one after the last if all are read
   Reading sighting;     ///< its point, round and face
   std::optional<ExpectedReading> expected = {};
 };
 
-/// Of every position, as the protocol has it where there is a `guide`, with the readings expected there where
-/// `measurement` is not null; absent where it has all that another position has. Sessions of more rows than
-/// anyone types are given none.
+/// The next reading of every position, following the protocol if there is a `guide`. Includes expected
+/// readings if `measurement` is not null. Absent for a position with everything another position has, and for
+/// sessions with more rows than anyone types.
 std::vector<std::optional<NextReading>> nextReadings(const Session& session, const Measurement* measurement,
                                                      const SessionFit& fit, const Guide* guide = nullptr);
 

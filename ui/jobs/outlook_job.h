@@ -10,7 +10,7 @@
 
 namespace alidade::ui {
 
-/// What more sightings bring to the session of one evaluation.
+/// The effect of further sightings on the session of one evaluation.
 struct OutlookOfSession {
   SharedEvaluation evaluation;
   Outlook outlook;
@@ -19,17 +19,17 @@ struct OutlookOfSession {
 
 using SharedOutlook = std::shared_ptr<const OutlookOfSession>;
 
-/// Works out outlooks in the background, one at a time; the newest wins, and what a newer request has
-/// overtaken is stopped and not delivered.
+/// Computes outlooks in the background, one at a time. Only the newest request is delivered; outdated ones
+/// are stopped.
 class OutlookJob : public QObject {
   Q_OBJECT
 
  public:
   explicit OutlookJob(QObject* parent = nullptr);
 
-  /// Of an evaluation with a guide. `gap`: its diagnosis, or null.
+  /// Requests the outlook of an evaluation with a guide. `gap`: its diagnosis, or null.
   void request(SharedEvaluation evaluation, SharedGap gap);
-  void cancel();  ///< nothing is delivered of what was requested
+  void cancel();  ///< nothing of the request is delivered
   bool isIdle() const { return !m_wanted && !m_work.isAtWork(); }
 
  signals:
@@ -38,7 +38,7 @@ class OutlookJob : public QObject {
  private:
   void start();
 
-  SharedEvaluation m_wanted;  ///< null where nothing is still to be begun
+  SharedEvaluation m_wanted;  ///< null if nothing waits to start
   SharedGap m_gap;
   bool m_isCancelled = false;
   Background<OutlookOfSession> m_work;

@@ -10,7 +10,7 @@ namespace alidade::ui {
 
 namespace {
 
-constexpr std::ptrdiff_t fewestSightings = 5;  // an arc has three unknowns, and something is to be left over
+constexpr std::ptrdiff_t fewestSightings = 5;  // an arc has three unknowns and needs some redundancy
 
 std::string twoDigits(double value) {
   const int decimals = std::max(0, 1 - static_cast<int>(std::floor(std::log10(value))));
@@ -31,8 +31,8 @@ std::optional<Jump> jumpOf(const Gap& gap, const Cause& cause) {
     const std::size_t rows = gap.evaluation->session.positions[arc.position].readings.size();
     Jump jump{.place = {.position = arc.position, .reading = split->row, .field = "horizontal"}};
     jump.isAtZero = split == arc.sightings.begin();
-    jump.isLast = &arc == &arcs.back();  // they stand in the order taken
-    // What was read before it goes with the zero of its position, but for one zero for all.
+    jump.isLast = &arc == &arcs.back();  // arcs are in the order read
+    // Rows read before the jump share the zero of their position, except with one zero for all.
     if (measurement.hasOneZero() && !jump.isLast &&
         std::distance(split, arc.sightings.end()) >= fewestSightings && split->row > 0)
       jump.before = RowRange{arc.position, 0, split->row};

@@ -9,7 +9,7 @@
 
 namespace alidade::ui {
 
-/// What can be done about causes that no effect of a model holds.
+/// Remedies for causes that no model effect can hold.
 
 /// Rows of one position.
 struct RowRange {
@@ -18,15 +18,15 @@ struct RowRange {
 
 /// A jump of the orientation within a position.
 struct Jump {
-  Place place;            ///< the row before which it happened
+  Place place;            ///< the first row after the jump
   bool isLast = false;    ///< no position was read after this one
   bool isAtZero = false;  ///< between the position's pointing zero and its first place
-  /// The rows before and after it, where those left over without them suffice for an arc; those before it
-  /// only where a later position may stand as those after it.
+  /// The rows before and after the jump, if the remaining ones suffice for an arc. Those before it only if a
+  /// later position may share the orientation of those after it.
   std::optional<RowRange> before = {}, after = {};
 };
 
-/// Empty where the cause is no jump.
+/// Empty unless the cause is a jump.
 std::optional<Jump> jumpOf(const Gap& gap, const Cause& cause);
 
 /// σ of both circles, arcseconds, as they would be typed.
@@ -34,8 +34,8 @@ struct StatedNoise {
   std::string horizontal, vertical;
 };
 
-/// What the readings scatter by: the σ stated, larger by the ratio found, two digits of each. Empty where the
-/// cause is no larger noise.
+/// The σ that the readings show: the stated σ times the ratio found, to two digits each. Empty unless the
+/// cause is larger noise.
 std::optional<StatedNoise> scatterOf(const Gap& gap, const Cause& cause);
 
 }  // namespace alidade::ui

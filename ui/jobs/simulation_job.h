@@ -12,17 +12,16 @@
 
 namespace alidade::ui {
 
-/// They differ in nothing that enters a fit.
+/// True if both have equal input to the fit.
 bool measuresAlike(const Session& one, const Session& other);
 
-/// The uncertainty of one evaluation checked by propagating distributions.
+/// A Monte Carlo check of the uncertainty of one evaluation.
 struct BudgetCheck {
   SharedEvaluation evaluation;
-  std::optional<MonteCarlo>
-      simulated;             ///< empty: it was stopped, or too few draws gave a result, or it failed
-  std::string failure = {};  ///< why it failed: sentences
+  std::optional<MonteCarlo> simulated;  ///< empty: stopped, failed, or too few draws gave a result
+  std::string failure = {};             ///< why it failed: sentences
 
-  /// The figures are those of this session too.
+  /// True if the figures are also valid for this session.
   bool isOf(const Session& session) const;
 };
 
@@ -35,9 +34,9 @@ class SimulationJob : public QObject {
  public:
   explicit SimulationJob(QObject* parent = nullptr);
 
-  /// Does nothing while one is at work. No `draws`: as many as it takes to tell.
+  /// Does nothing while one is running. Zero `draws`: as many as a decision needs.
   void start(const SharedEvaluation& evaluation, std::size_t draws);
-  void stop() { m_work.stop(); }  ///< `finished` follows, with what there is: nothing
+  void stop() { m_work.stop(); }  ///< `finished` follows without a result
   bool isAtWork() const { return m_work.isAtWork(); }
   std::size_t drawsMade() const { return m_made; }
 

@@ -24,7 +24,7 @@ DiagnosedTrial diagnoseTrial(const BlindTrialOptions& options, std::uint64_t see
 TrialJob::TrialJob(QObject* parent)
     : QObject(parent), m_work([this](const SharedTrial& trial) { finish(trial); }) {}
 
-/// What is at work belongs to an earlier start: the first one of this follows it.
+/// Work in progress belongs to an earlier start; the first trial of this start follows it.
 void TrialJob::start(const BlindTrialOptions& options, std::uint64_t seed, int count) {
   m_options = options;
   m_seed = seed;

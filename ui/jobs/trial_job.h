@@ -11,21 +11,21 @@
 
 namespace alidade::ui {
 
-/// A blind trial with its diagnosis and what the open seal makes of it.
+/// A blind trial with its diagnosis and its score against the opened seal.
 struct DiagnosedTrial {
   BlindTrial trial;
   Gap gap;
-  TrialScore score;     ///< where there is a diagnosis
+  TrialScore score;     ///< valid with a diagnosis
   std::string problem;  ///< why there is no trial or no diagnosis; empty with both
 };
 
 using SharedTrial = std::shared_ptr<const DiagnosedTrial>;
 
-/// In the calling thread. Asked to stop, it returns early, without a diagnosis.
+/// Runs in the calling thread. Asked to stop, it returns early without a diagnosis.
 DiagnosedTrial diagnoseTrial(const BlindTrialOptions& options, std::uint64_t seed,
                              const std::stop_token& stop = {});
 
-/// Draws and diagnoses trials in the background, one after the other: the seeds `seed`, `seed` + 1, …
+/// Draws and diagnoses trials in the background, in sequence: the seeds `seed`, `seed` + 1, …
 class TrialJob : public QObject {
   Q_OBJECT
 
@@ -33,7 +33,7 @@ class TrialJob : public QObject {
   explicit TrialJob(QObject* parent = nullptr);
 
   void start(const BlindTrialOptions& options, std::uint64_t seed, int count);
-  void stop();  ///< no further one is delivered
+  void stop();  ///< no further trial is delivered
   bool isAtWork() const { return m_left > 0; }
 
  signals:

@@ -12,10 +12,10 @@ struct Tongue {
   std::vector<std::unique_ptr<QTranslator>> texts;
 };
 
-/// The tongue of an id; null: the program does not speak it.
+/// The language texts of an id; null: unsupported.
 const Tongue* tongueOf(const QString& id);
 
-/// Translates into what the asking thread speaks.
+/// Translates into the language of the calling thread.
 class Interpreter : public QTranslator {
   Q_OBJECT
 
@@ -26,7 +26,7 @@ class Interpreter : public QTranslator {
   QString translate(const char* context, const char* source, const char* disambiguation,
                     int n) const override;
 
-  /// Of the program; of this thread, null where it has none of its own.
+  /// For the program; for this thread, null if it has none of its own.
   static void setTongue(const Tongue* tongue);
   static const Tongue*& ownTongue();
   static const Tongue* tongue();

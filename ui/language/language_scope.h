@@ -4,11 +4,11 @@
 
 namespace alidade::ui {
 
-/// While it lives, the thread speaks another language than the program: for a report in the language of its
-/// reader. Scopes may lie within one another.
+/// While it exists, the thread uses another language than the program, for a report in its reader's language.
+/// Scopes may be nested.
 class LanguageScope {
  public:
-  /// `id` of a `LanguageInfo`; of anything else, as an empty one, the thread goes on as before.
+  /// `id` of a `LanguageInfo`; for any other, even empty, the thread keeps its language.
   explicit LanguageScope(const QString& id);
   ~LanguageScope();
   LanguageScope(const LanguageScope&) = delete;

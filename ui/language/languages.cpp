@@ -19,7 +19,7 @@ bool isOurs(const QString& id) {
   return std::any_of(all.begin(), all.end(), [&](const LanguageInfo& language) { return language.id == id; });
 }
 
-/// The first of the desktop's that is ours. Who reads traditional characters is not given simplified ones.
+/// The first supported language of the desktop. Readers of traditional characters do not get simplified ones.
 QString desktopLanguage() {
   for (const QString& wanted : QLocale::system().uiLanguages()) {
     const QLocale locale(wanted);

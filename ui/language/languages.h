@@ -5,29 +5,27 @@
 
 namespace alidade::ui {
 
-/// A language that the program speaks.
+/// A language of the program.
 struct LanguageInfo {
   QString id;    ///< "en", "zh_CN"
-  QString name;  ///< in itself: "简体中文"
+  QString name;  ///< in the language itself: "简体中文"
 };
 
 /// English, in which the sources are written, first.
 const std::vector<LanguageInfo>& allLanguages();
 
-/// That of an id, or of the desktop's locale where there is none such; English if the desktop speaks none of
-/// ours.
+/// The language of an id, or of the desktop's locale if the id is unknown; English if none is supported.
 QString languageOr(const QString& id);
 
-/// What is chosen on this machine, from the next start on; empty: as the desktop.
+/// The choice on this machine, effective from the next start; empty: the desktop's.
 QString rememberedLanguage();
 void rememberLanguage(const QString& id);
 
-/// From here on texts of the program and of Qt are in this language, except where a `LanguageScope` has
-/// another: `tr` and `Phrase::of` alike, on any thread. Call once, before the first window. `id` as of
-/// `languageOr`.
+/// Sets the language of all texts of the program and Qt, except within a `LanguageScope`: for `tr` and
+/// `Phrase::of`, on any thread. Call once, before the first window. `id` as in `languageOr`.
 void speak(const QString& id);
 
-/// What this thread speaks now.
+/// The current language of this thread.
 QString spokenLanguage();
 
 }  // namespace alidade::ui

@@ -24,7 +24,7 @@ using Column = KnownSizesModel::Column;
 constexpr int longestText = 300;  // characters: more than any column shows
 constexpr int columnsOfKnown = static_cast<int>(Column::From) + 1;
 
-/// Null where the column is not typed into.
+/// Null if the column is not editable.
 const KnownCell* typedInto(Column column) {
   if (column < Column::Value) return nullptr;
   return &knownCells[static_cast<int>(column) - static_cast<int>(Column::Value)];
@@ -44,7 +44,7 @@ QString ownerName(KnownOwner owner) {
   return owner == KnownOwner::Device ? KnownSizesModel::tr("device") : KnownSizesModel::tr("instrument");
 }
 
-/// Of the session where it says so, else of the catalogue.
+/// The owner from the session if stated, else from the catalogue.
 KnownOwner shownOwner(const KnownRow& row) {
   return row.entry ? row.entry->owner : ownerOf(*row.effect);
 }
@@ -219,7 +219,7 @@ QString KnownSizesModel::problem(const KnownRow& row, Column column) const {
   return qText(entryProblem(m_document.session(), field, typed(row, *cell)).value_or(""));
 }
 
-/// What is wrong with a cell or beside it; else what is to be known of it or the row.
+/// The problem of a cell or of its neighbours; else an explanation of the cell or row.
 QString KnownSizesModel::about(const QModelIndex& index) const {
   const KnownRow& row = this->row(index);
   const auto column = static_cast<Column>(index.column());
@@ -239,8 +239,7 @@ QString KnownSizesModel::about(const QModelIndex& index) const {
       .arg(capitalised(qText(Phrase::of(row.effect->description))), ownerName(ownerOf(*row.effect)));
 }
 
-/// Entries behind one that came or went move on in their list: what changed is where one is there or no
-/// longer.
+/// Entries after an added or removed one shift in their list: a row changes if it gains or loses an entry.
 void KnownSizesModel::follow(const SessionChange& change) {
   if (change.kind != SessionChange::Kind::Everything && !knownAt(change.place)) return;
   std::vector<KnownRow> rows = knownRows(m_document.session());

@@ -12,8 +12,8 @@ struct HalfTypedText;
 struct KnownCell;
 struct SessionChange;
 
-/// What is known of every number of the catalogue as a table (`knownRows`), to be typed into: value, standard
-/// uncertainty and where it is known from. Every edit goes through the undo stack.
+/// The known sizes of the catalogue's numbers as an editable table (`knownRows`): value, standard uncertainty
+/// and source. Every edit uses the undo stack.
 class KnownSizesModel : public QAbstractTableModel {
   Q_OBJECT
 
@@ -21,9 +21,9 @@ class KnownSizesModel : public QAbstractTableModel {
   enum class Column { Number, Owner, Default, Value, Sigma, From };
 
   enum Role {
-    ProblemRole = Qt::UserRole + 1,  ///< QString: why the entry cannot be used
+    ProblemRole = Qt::UserRole + 1,  ///< QString: why the entry is unusable
     IncompleteRole,                  ///< bool: an entry still to be made
-    QuietRole,                       ///< bool: nothing of the session
+    QuietRole,                       ///< bool: not from the session
   };
 
   explicit KnownSizesModel(SessionDocument& document, QObject* parent = nullptr);
@@ -35,12 +35,12 @@ class KnownSizesModel : public QAbstractTableModel {
   Qt::ItemFlags flags(const QModelIndex& index) const override;
   bool setData(const QModelIndex& index, const QVariant& value, int role) override;
 
-  /// Is a text in it that cannot be used?
+  /// True if a text in the table is unusable.
   bool hasProblem() const;
-  /// Of the entry at a place of the session; where it is gone, of what changed last. Invalid where nothing
-  /// did.
+  /// The cell of an entry of the session; if it was removed, the last changed cell. Invalid if nothing
+  /// changed.
   QModelIndex cellOf(const KnownPlace& place) const;
-  /// Of an effect of the catalogue, its first number; invalid where it has none.
+  /// The cell of the first number of a catalogued effect; invalid if there is none.
   QModelIndex cellOf(const std::string& effect) const;
   /// `text` typed into a cell.
   HalfTypedText halfTyped(const QModelIndex& cell, const QString& text) const;

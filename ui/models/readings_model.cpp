@@ -93,7 +93,7 @@ QVariant ReadingsModel::data(const QModelIndex& index, int role) const {
   }
 }
 
-/// A tick has no text of its own.
+/// A checkbox has no text of its own.
 QString ReadingsModel::spokenText(int row, ReadingColumn column) const {
   if (column == ReadingColumn::Used) return reading(row).excluded ? tr("excluded") : tr("used");
   return spokenCell(cellText(row, column), titleOf(column));
@@ -250,8 +250,8 @@ int ReadingsModel::decimalsIn(ReadingColumn column) const {
   return found == m_decimals.end() ? 0 : found->second;
 }
 
-/// All angles of a column are written as finely as the finest of its first thousand rows. True: some are
-/// written in another way now.
+/// All angles of a column have the decimals of the finest of its first thousand rows. True: some changed
+/// their form.
 bool ReadingsModel::followAngles(const Session& session) {
   constexpr std::size_t most = 1000;
   if (m_position >= session.positions.size()) return false;
@@ -270,7 +270,7 @@ bool ReadingsModel::followAngles(const Session& session) {
   return before != std::pair(m_unit, m_decimals);
 }
 
-/// Cells that say the same as before are not painted again.
+/// Cells with unchanged text are not repainted.
 void ReadingsModel::setEvaluation(SharedEvaluation evaluation) {
   const bool isShownAlike = !followAngles(evaluation->session);
   const RowNotes::News news = std::max(m_notes.setEvaluation(std::move(evaluation)),
@@ -304,8 +304,8 @@ bool ReadingsModel::isMine(const SessionChange& change) const {
   return change.kind == SessionChange::Kind::Readings && change.place.position == m_position;
 }
 
-/// Rows typed after the last reading take the place of the empty row, which moves down below them: so the
-/// cell that is being edited stays where it is.
+/// Rows typed after the last reading take the place of the empty row, which moves down: the cell being edited
+/// keeps its place.
 void ReadingsModel::beginChange(const SessionChange& change) {
   if (!isMine(change) || change.removed == change.inserted) return;
   const int first = static_cast<int>(*change.place.reading);

@@ -14,19 +14,19 @@ namespace alidade::ui {
 class SessionDocument;
 struct SessionChange;
 
-/// The readings of one position as a table, with one empty row more than there are readings: typing in it
-/// appends a reading. Cells show angles normalised and edit what was typed; every edit goes through the undo
-/// stack. Residuals and problems come from the newest evaluation and are never read back.
+/// The readings of one position as a table, with one extra empty row: typing in it appends a reading. Cells
+/// show angles normalised and edit the typed text; every edit uses the undo stack. Residuals and problems
+/// come from the newest evaluation and are never read back.
 class ReadingsModel : public QAbstractTableModel {
   Q_OBJECT
 
  public:
   enum Role {
-    ProblemRole = Qt::UserRole + 1,  ///< QString: why the entry cannot be used
-    SuspectRole,                     ///< QString: why the reading looks misread, or is not what was expected
+    ProblemRole = Qt::UserRole + 1,  ///< QString: why the entry is unusable
+    SuspectRole,                     ///< QString: why the reading looks misread or is unexpected
     IncompleteRole,                  ///< bool: an entry still to be made
     ExcludedRole,                    ///< bool: the row is kept out of the fit
-    ChangedRole,                     ///< bool: it is not as it was first entered
+    ChangedRole,                     ///< bool: it differs from its first entry
     PendingRowRole,                  ///< bool: the empty row at the end
   };
 
@@ -46,23 +46,23 @@ class ReadingsModel : public QAbstractTableModel {
     int row = 0;
     ReadingColumn column = ReadingColumn::Horizontal;
   };
-  /// The first circle still to be read; in the empty row where there is none.
+  /// The first unread circle; in the empty row if all are read.
   OpenCell firstOpenCell() const;
 
-  /// Tells of the residuals, or of all cells where problems or suspects changed: a view asks for those in
-  /// sight.
+  /// Signals changed residuals, or all cells if problems or suspects changed: a view queries only the visible
+  /// ones.
   void setEvaluation(SharedEvaluation evaluation);
 
-  /// What speaks against a reading as it stands; kept until the cell is changed, or rows come or go before
-  /// it.
+  /// An objection to the current reading; kept until the cell is changed, or rows before it are added or
+  /// removed.
   void setDoubt(std::size_t row, ReadingColumn column, const QString& doubt);
 
-  /// Says the column anything that is not understood without it? A round or face 1 does not.
+  /// True if the column holds more than default values, such as a round or face 1.
   bool isUsed(ReadingColumn column) const;
-  /// Do these rows of it?
+  /// True if these rows use it.
   bool isUsed(ReadingColumn column, std::size_t first, std::size_t count) const;
 
-  /// What a cell with a reading is copied as: what was typed; of residuals what is shown.
+  /// The text copied from a cell with a reading: as typed; for residuals as shown.
   QString copiedText(int row, ReadingColumn column) const;
 
  private:
@@ -74,7 +74,7 @@ class ReadingsModel : public QAbstractTableModel {
   bool isIncomplete(int row, ReadingColumn column) const;
   QString toolTip(int row, ReadingColumn column) const;
   QString otherTip(int row, ReadingColumn column) const;
-  /// Empty where the cell is as it was first entered.
+  /// Empty if the cell has its first entry.
   QString changeTip(int row, ReadingColumn column) const;
   QString residualTip(int row, ReadingColumn column) const;
   QString spokenText(int row, ReadingColumn column) const;
@@ -95,8 +95,8 @@ class ReadingsModel : public QAbstractTableModel {
     QString text;
   };
   std::map<std::pair<std::size_t, ReadingColumn>, Doubt> m_doubts;
-  CircleUnit m_unit = CircleUnit::Dms;      ///< in which angles are shown
-  std::map<ReadingColumn, int> m_decimals;  ///< of seconds, by column
+  CircleUnit m_unit = CircleUnit::Dms;      ///< unit of shown angles
+  std::map<ReadingColumn, int> m_decimals;  ///< decimals of seconds, by column
 };
 
 }  // namespace alidade::ui

@@ -38,7 +38,7 @@ std::optional<RowMap::Origin> RowMap::advanced(std::optional<Origin> origin, std
   return origin;
 }
 
-/// Index of the piece that begins at `row`; one is made where there is none.
+/// The index of the piece that begins at `row`; splits one if needed.
 std::size_t RowMap::splitAt(std::size_t row) {
   const auto next = std::lower_bound(m_pieces.begin(), m_pieces.end(), row,
                                      [](const Piece& piece, std::size_t r) { return piece.first < r; });
@@ -50,7 +50,7 @@ std::size_t RowMap::splitAt(std::size_t row) {
   return index;
 }
 
-/// Pieces that go on as the one before them are one with it.
+/// Merges pieces that continue the one before them.
 void RowMap::join() {
   const auto goesOn = [](const Piece& one, const Piece& next) {
     const auto expected = advanced(one.origin, next.first - one.first);

@@ -6,21 +6,20 @@
 
 namespace alidade::ui {
 
-/// Which row of an earlier state of a table a row of the present one was. Edits made since are told to it,
-/// and cost by how many there were, not by how many rows there are.
+/// Maps rows of the present table to rows of an earlier state. Receives the edits since then; the cost
+/// depends on the number of edits, not of rows.
 class RowMap {
  public:
   struct Origin {
     std::size_t row = 0;
-    bool isUntouched = true;  ///< false: it was edited since
+    bool isUntouched = true;  ///< false: edited since
   };
 
-  /// The present state is the earlier one.
+  /// Makes the present state the earlier one.
   void reset();
-  /// From `first` on, `removed` rows gave way to `inserted`. As many as before: they are the same rows,
-  /// edited.
+  /// From `first` on, `inserted` rows replaced `removed` rows. Equal numbers: the same rows, edited.
   void replace(std::size_t first, std::size_t removed, std::size_t inserted);
-  /// Absent: the row is new.
+  /// Absent for a new row.
   std::optional<Origin> origin(std::size_t row) const;
   std::size_t pieceCount() const { return m_pieces.size(); }
 
@@ -28,7 +27,7 @@ class RowMap {
   /// Rows from `first` to the next piece; the last has no end.
   struct Piece {
     std::size_t first = 0;
-    std::optional<Origin> origin = Origin{};  ///< of the first of them; absent: all are new
+    std::optional<Origin> origin = Origin{};  ///< of its first row; absent: all are new
   };
 
   static std::optional<Origin> advanced(std::optional<Origin> origin, std::size_t rows);

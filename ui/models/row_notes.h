@@ -12,22 +12,21 @@
 
 namespace alidade::ui {
 
-/// What the newest evaluation says about the rows of one position, looked up row by row: taking a new one
-/// over costs nothing by the row. Edits since are told to it, so that each row keeps what was said of it
-/// until the next evaluation knows better.
+/// Notes of the newest evaluation on the rows of one position. Taking over an evaluation costs nothing per
+/// row. Edits since are tracked, so each row keeps its notes until the next evaluation.
 class RowNotes {
  public:
   explicit RowNotes(std::size_t position) : m_position(position) {}
 
-  /// What is different for a view.
+  /// The changes relevant to a view.
   enum class News { None, Residuals, Everything };
   News setEvaluation(SharedEvaluation evaluation);
-  /// From `first` on, `removed` rows gave way to `inserted`.
+  /// From `first` on, `inserted` rows replaced `removed` rows.
   void replaceRows(std::size_t first, std::size_t removed, std::size_t inserted);
 
-  /// Null where the row took no part in the fit.
+  /// Null if the row was not in the fit.
   const SightingResidual* residual(std::size_t row) const;
-  /// Why the entry cannot be used; empty where nothing is known against it.
+  /// Why the entry is unusable; empty without a known problem.
   QString problem(std::size_t row, ReadingColumn column) const;
   /// Why the reading looks misread.
   QString suspicion(std::size_t row, ReadingColumn column) const;

@@ -18,7 +18,7 @@ namespace {
 
 const QString draftsFormatName = QStringLiteral("alidade-drafts-1");
 
-/// Empty where the file is none of drafts.
+/// Empty if the file does not hold drafts.
 QJsonObject draftsIn(const QString& path) {
   const Result<std::string> bytes = readFile(encodedPath(path));
   if (!bytes) return {};
@@ -50,14 +50,14 @@ void Drafts::keepIn(const QString& folder) {
   adoptLeftBehind(folder);
 }
 
-/// Where two processes left the same form, the second one's waits for a later start.
+/// If two processes left the same form, the second draft waits for a later start.
 void Drafts::adoptLeftBehind(const QString& folder) {
   for (const auto& left : RecoverySlot::leftBehind(folder, RecoverySlot::Kind::Drafts)) {
     const QJsonObject forms = draftsIn(left->path());
     const QStringList names = forms.keys();
     if (std::ranges::any_of(names, [this](const QString& name) { return m_all.contains(name); })) continue;
     for (const QString& name : names) m_all[name] = forms[name];
-    if (!m_all.isEmpty() && write(m_slot->path(), m_all)) return;  // what was left stays where it is
+    if (!m_all.isEmpty() && write(m_slot->path(), m_all)) return;  // the found drafts stay in place
     left->remove();
   }
 }
@@ -67,7 +67,7 @@ void Drafts::startWriter() {
       [this](const std::shared_ptr<const Written>& problem) { finishWriting(*problem); });
 }
 
-/// Further keys do not put the writing off.
+/// Further keys do not postpone the writing.
 void Drafts::set(const QString& form, const QJsonObject& draft) {
   if (!isKept() || of(form) == draft) return;
   if (draft.isEmpty())
@@ -94,7 +94,7 @@ void Drafts::keepNow() {
   if (!isKept()) return;
   const bool isDue = m_timer.isActive() || m_isDue || m_writing->isAtWork();
   m_timer.stop();
-  m_writing.reset();  // waits for what is being written
+  m_writing.reset();  // waits for the running write
   startWriter();
   m_isDue = false;
   if (isDue) finishWriting(write(m_slot->path(), m_all));

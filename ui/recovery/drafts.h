@@ -12,10 +12,10 @@
 
 namespace alidade::ui {
 
-/// What is typed into forms that no session holds (rows of an instrument check, a protocol, the pointing
-/// zeros of an import), each form's under its name, until it is handed in or given up. A form says it at each
-/// key; it is written behind the keys, on a thread of its own, a quarter of a second after the first that is
-/// not written yet. What an ended process left behind is there again.
+/// Typing in forms outside any session (rows of an instrument check, a protocol, the pointing zeros of an
+/// import), stored per form name until the form is accepted or cancelled.
+/// A form reports each key; a separate thread writes a quarter of a second after the first unwritten one.
+/// Drafts of a terminated process are restored.
 class Drafts : public QObject {
   Q_OBJECT
 
@@ -23,21 +23,21 @@ class Drafts : public QObject {
   Drafts();
   ~Drafts() override;
 
-  /// From now on in `folder`, which is made where it is missing, and private. Before that, and for an empty
-  /// one, nothing is kept.
+  /// Stores drafts in `folder` from now on, creating it as private if missing. Before, or with an empty one,
+  /// nothing is stored.
   void keepIn(const QString& folder);
   bool isKept() const { return m_slot != nullptr; }
 
-  /// Empty where nothing is kept of the form.
+  /// Empty if nothing is stored for the form.
   QJsonObject of(const QString& form) const { return m_all.value(form).toObject(); }
-  /// Takes the place of what was kept of the form; empty: nothing is.
+  /// Replaces the draft of the form; empty: removes it.
   void set(const QString& form, const QJsonObject& draft);
 
-  /// Writes what is not written yet and waits for it: the process is about to end.
+  /// Writes pending drafts and waits, before the process ends.
   void keepNow();
 
  signals:
-  /// Drafts cannot be written, and why; empty: they can again.
+  /// Reports why drafts cannot be written; empty: they can again.
   void troubled(const QString& sentence);
 
  private:
@@ -53,12 +53,12 @@ class Drafts : public QObject {
   QJsonObject m_all;
   std::unique_ptr<RecoverySlot> m_slot;
   QTimer m_timer;
-  bool m_isDue = false;  ///< something is newer than what is being written
-  QString m_trouble;     ///< as told
+  bool m_isDue = false;  ///< newer data than the running write
+  QString m_trouble;     ///< as reported
   std::unique_ptr<Background<Written>> m_writing;
 };
 
-/// Those of this process.
+/// The drafts of this process.
 Drafts& drafts();
 
 }  // namespace alidade::ui

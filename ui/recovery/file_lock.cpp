@@ -12,7 +12,7 @@ namespace alidade::ui {
 
 namespace {
 
-/// One name for one file, links followed.
+/// One name per file, with links resolved.
 QString nameOf(const QString& path) {
   const QString canonical = QFileInfo(path).canonicalFilePath();
   return canonical.isEmpty() ? QFileInfo(path).absoluteFilePath() : canonical;

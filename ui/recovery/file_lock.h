@@ -6,17 +6,17 @@
 
 namespace alidade::ui {
 
-/// Tells the windows of one user, in whatever process, that a session file is open: by lock files in a folder
-/// of their own, one for each file. A lock whose process is gone counts for nothing.
+/// Shows the windows of one user, in any process, which session files are open: by lock files in a folder,
+/// one for each file. Locks of terminated processes are ignored.
 class FileLock {
  public:
   /// Without a folder nothing is locked, and nothing is found locked.
   void setFolder(const QString& folder) { m_folder = folder; }
 
-  /// Who else has the file open, "process 4711"; empty: nobody.
+  /// The other holder of the file, "process 4711"; empty: nobody.
   QString holder(const QString& path) const;
-  /// This window has the file open, and no longer the one before. Where another holds it, tried again at the
-  /// next call.
+  /// Locks this file for the window, and releases the previous one. If another window holds it, the next call
+  /// tries again.
   void hold(const QString& path);
 
  private:

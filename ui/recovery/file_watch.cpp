@@ -12,7 +12,7 @@ FileWatch::FileWatch(SessionDocument& document, QObject* parent)
     : QObject(parent),
       m_document(document),
       m_reading([this](const std::shared_ptr<const QByteArray>& sha256) { finishReading(*sha256); }) {
-  constexpr int settlingMs = 150;  // a writer is let finish
+  constexpr int settlingMs = 150;  // lets a writer finish
   m_timer.setSingleShot(true);
   m_timer.setInterval(settlingMs);
   const auto lookSoon = [this] { m_timer.start(); };
@@ -25,7 +25,7 @@ FileWatch::FileWatch(SessionDocument& document, QObject* parent)
   });
 }
 
-/// The folder, too: who replaces a file takes the one that was watched away.
+/// Also watches the folder, since replacing a file ends the watch on it.
 void FileWatch::follow() {
   const QFileInfo file(m_document.path());
   const QStringList wanted =
@@ -56,7 +56,7 @@ void FileWatch::setHeld(bool is) {
   if (!is) look();
 }
 
-/// Of no use where another file is at work by now, or it was saved: that is looked at on its own.
+/// Ignored if another file is current by now, or it was saved, which starts its own check.
 void FileWatch::finishReading(const QByteArray& sha256) {
   if (m_isHeld) {
     m_seen = {};

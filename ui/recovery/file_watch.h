@@ -12,7 +12,7 @@ namespace alidade::ui {
 
 class SessionDocument;
 
-/// Notices when others write the file of the session at work. For a notice only: who saves reads the file
+/// Detects when another program writes the current session's file. Only for a notice: saving reads the file
 /// again.
 class FileWatch : public QObject {
   Q_OBJECT
@@ -21,10 +21,10 @@ class FileWatch : public QObject {
   explicit FileWatch(SessionDocument& document, QObject* parent = nullptr);
 
   bool isChanged() const { return m_isChanged; }
-  /// Looks at the file, as when the window comes to the front: not every disk tells of its changes. What it
-  /// finds is told a little later.
+  /// Checks the file, for example when the window becomes active, since some disks report no changes. Results
+  /// arrive later.
   void look();
-  /// While the window itself writes the file, nothing is looked at.
+  /// Suspends checks while the window itself writes the file.
   void setHeld(bool is);
 
  signals:
@@ -49,7 +49,7 @@ class FileWatch : public QObject {
   Seen m_seen;
   bool m_isChanged = false;
   bool m_isHeld = false;
-  bool m_isDue = false;  ///< to look again, for it was still reading
+  bool m_isDue = false;  ///< a check was requested during the last one
   Background<QByteArray> m_reading;
 };
 

@@ -13,37 +13,39 @@ class QSpinBox;
 
 namespace alidade::ui {
 
-/// The entries of a form as they are typed, kept among the process's `Drafts` until the form is handed in or
-/// given up. What an ended process left of a form of this name is put into each entry as it is added.
+/// The entries of a form being typed, stored in the process's `Drafts` until the form is accepted or
+/// cancelled. A draft of a terminated process for this form name is restored entry by entry as entries are
+/// added.
 class FormDraft : public QObject {
   Q_OBJECT
 
  public:
-  /// `of`: what the form is about, such as the files of an import; what is kept of another is not put in.
+  /// `of`: the subject of the form, such as the files of an import; drafts of another subject are not
+  /// restored.
   FormDraft(const QString& form, const QString& of, QObject* parent);
 
-  /// `key`: the same for this entry in every process.
+  /// `key`: identifies this entry in every process.
   void add(const QString& key, QLineEdit& entry);
   void add(const QString& key, QSpinBox& entry);
   void add(const QString& key, QDoubleSpinBox& entry);
   void add(const QString& key, QComboBox& entry);
   void add(const QString& key, QCheckBox& entry);
 
-  /// Was anything put into an entry that it did not hold?
+  /// True if a restored text differed from its entry.
   bool isRestored() const { return m_isRestored; }
-  /// The form was handed in or given up.
+  /// The form was accepted or cancelled.
   void finish();
-  /// Finished as soon as `dialog` is closed in any way but by the end of the process.
+  /// Finishes when `dialog` closes in any way except by the end of the process.
   void finishWith(const QDialog& dialog);
 
  private:
-  /// What is kept of the entry; undefined where nothing is, or what the entry holds.
+  /// The stored value of the entry; undefined if absent or equal to the entry.
   QJsonValue kept(const QString& key, const QJsonValue& held);
   void set(const QString& key, const QJsonValue& value);
 
   QString m_form, m_of;
-  QJsonObject m_found;    ///< of an ended process
-  QJsonObject m_entries;  ///< those that were changed
+  QJsonObject m_found;    ///< of a terminated process
+  QJsonObject m_entries;  ///< the changed ones
   bool m_isRestored = false;
 };
 

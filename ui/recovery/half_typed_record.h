@@ -9,10 +9,10 @@
 
 namespace alidade::ui {
 
-/// What is half typed beside a record of unsaved changes. A file of its own, so that a key costs no copy of
-/// the session.
+/// Unfinished entries that accompany a record of unsaved changes. A separate file, so that a key does not
+/// copy the session.
 struct HalfTypedRecord {
-  QString of;  ///< `RecoveryRecord::id` of the session that it is typed into
+  QString of;  ///< `RecoveryRecord::id` of the session being typed into
   std::vector<HalfTypedText> texts;
 
   bool operator==(const HalfTypedRecord&) const = default;
@@ -20,7 +20,7 @@ struct HalfTypedRecord {
 
 std::string halfTypedRecordText(const HalfTypedRecord& record);
 
-/// The sentence where the bytes are no such record.
+/// A sentence if the bytes are not such a record.
 Result<HalfTypedRecord> readHalfTypedRecord(const std::string& bytes);
 
 }  // namespace alidade::ui

@@ -4,8 +4,8 @@
 
 namespace alidade::ui {
 
-/// Makes `folder`, where it is missing, with its parents, and closes it to others than its owner: what it
-/// holds are copies of sessions, whose own files may be private.
+/// Creates `folder` with its parents if missing, and restricts it to its owner, since it holds copies of
+/// sessions whose own files may be private.
 void makePrivateFolder(const QString& folder);
 
 }  // namespace alidade::ui

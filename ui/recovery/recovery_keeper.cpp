@@ -45,7 +45,7 @@ void RecoveryKeeper::adopt(std::unique_ptr<RecoverySlot> slot) {
 
 void RecoveryKeeper::keepNow() {
   m_timer.stop();
-  m_writing.reset();  // waits for what is being written
+  m_writing.reset();  // waits for the running write
   startWriter();
   m_isDue = false;
   m_isSessionDue = true;
@@ -70,7 +70,7 @@ bool RecoveryKeeper::isNeeded() const {
   return m_document.isModified() || !m_document.halfTyped().isEmpty();
 }
 
-/// Not put off by further keys. What was saved needs no record from then on.
+/// Further keys do not postpone it. A saved session needs no record afterwards.
 void RecoveryKeeper::schedule() {
   if (!isNeeded())
     keep();
@@ -107,7 +107,7 @@ RecoveryKeeper::Due RecoveryKeeper::takeDue() {
   return due;
 }
 
-/// What was half typed before a new record is part of it or was given up: its file goes by the record's id.
+/// A new record includes or supersedes earlier unfinished entries, whose file refers to the record's id.
 RecoveryKeeper::Written RecoveryKeeper::write(const Due& due) {
   if (due.record)
     if (Written problem = writePrivately(due.path, recoveryText(*due.record))) return problem;

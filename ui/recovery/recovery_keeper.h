@@ -16,35 +16,34 @@ namespace alidade::ui {
 
 class SessionDocument;
 
-/// Keeps the session at work in a record as long as it has changes that its file lacks, what is half typed
-/// included: written behind the keys, on a thread of its own, a quarter of a second after the first that is
-/// not in it yet.
+/// Keeps a record of the current session while it has unsaved changes, including unfinished entries. A
+/// separate thread writes it a quarter of a second after the first change not in it.
 class RecoveryKeeper : public QObject {
   Q_OBJECT
 
  public:
   RecoveryKeeper(SessionDocument& document, const QString& folder, QObject* parent = nullptr);
 
-  /// Goes on in a record left behind, whose session is now at work.
+  /// Continues a recovered record, whose session is now current.
   void adopt(std::unique_ptr<RecoverySlot> slot);
-  /// Writes what is not in the record yet and waits for it: the process is about to end.
+  /// Writes pending changes and waits, before the process ends.
   void keepNow();
-  /// The window is left properly: nothing is to be recovered.
+  /// The window closes normally: no recovery is needed.
   void finish();
-  QString path() const { return m_slot->path(); }  ///< of the record
+  QString path() const { return m_slot->path(); }  ///< path of the record
 
  signals:
-  /// The record cannot be written, and why; empty: it can again.
+  /// Reports why the record cannot be written; empty: it can again.
   void troubled(const QString& sentence);
 
  private:
   using Written = std::optional<Problem>;
 
-  /// What is written at once.
+  /// The data of one write.
   struct Due {
     QString path, typedPath;
-    std::shared_ptr<const RecoveryRecord> record;  ///< null: the one that is there holds
-    QString id;                                    ///< of the record
+    std::shared_ptr<const RecoveryRecord> record;  ///< null: the existing record is valid
+    QString id;                                    ///< id of the record
     std::vector<HalfTypedText> typed;
   };
 
@@ -60,10 +59,10 @@ class RecoveryKeeper : public QObject {
   SessionDocument& m_document;
   std::unique_ptr<RecoverySlot> m_slot;
   QTimer m_timer;
-  QString m_recordId;          ///< of the record that is there
-  bool m_isSessionDue = true;  ///< the session is not as in the record
-  bool m_isDue = false;        ///< something is newer than what is being written
-  QString m_trouble;           ///< as told
+  QString m_recordId;          ///< id of the existing record
+  bool m_isSessionDue = true;  ///< the session differs from the record
+  bool m_isDue = false;        ///< newer data than the running write
+  QString m_trouble;           ///< as reported
   std::unique_ptr<Background<Written>> m_writing;
 };
 

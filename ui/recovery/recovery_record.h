@@ -10,20 +10,20 @@
 
 namespace alidade::ui {
 
-/// A session with changes that its file lacks.
+/// A session with unsaved changes.
 struct RecoveryRecord {
-  QString path;       ///< of the session's file; empty: in none yet
-  QByteArray sha256;  ///< of the file as it was when the session was read from or written to it
+  QString path;       ///< path of the session's file; empty: unsaved
+  QByteArray sha256;  ///< hash of the file when the session was last read or written
   QDateTime keptAt;
   Session session;
-  QString id = {};  ///< by which `HalfTypedRecord` knows it; of this record alone
+  QString id = {};  ///< unique id, to which `HalfTypedRecord` refers
 };
 
-/// A line of JSON that tells of the file, then the session as its file would be: who needs it may cut the
-/// first line off and open the rest.
+/// A line of JSON about the file, then the session as its file text: without the first line, the rest opens
+/// as a session.
 std::string recoveryText(const RecoveryRecord& record);
 
-/// The sentence where the bytes are no such record.
+/// A sentence if the bytes are not such a record.
 Result<RecoveryRecord> readRecovery(const std::string& bytes);
 
 }  // namespace alidade::ui

@@ -16,20 +16,20 @@ QString suffixOf(RecoverySlot::Kind kind) {
   return kind == RecoverySlot::Kind::Session ? QStringLiteral(".unsaved") : QStringLiteral(".drafts");
 }
 
-/// Locks of windows that were killed while they had nothing to keep.
+/// Removes locks of windows that were killed without unsaved changes.
 void clearStaleLocks(const QDir& folder, const QString& suffix) {
   for (const QString& name : folder.entryList({u'*' + suffix + lockSuffix}, QDir::Files)) {
     const QString path = folder.filePath(name);
     if (QFile::exists(path.chopped(lockSuffix.size()))) continue;
     QLockFile lock(path);
     lock.setStaleLockTime(0);
-    lock.tryLock(0);  // removed again at the end of the block
+    lock.tryLock(0);  // removed at the end of the block
   }
 }
 
 }  // namespace
 
-/// A lock is stale when its process is gone, never because it is old.
+/// A lock is stale if its process has ended, whatever its age.
 RecoverySlot::RecoverySlot(const QString& path) : m_path(path), m_lock(path + lockSuffix) {
   m_lock.setStaleLockTime(0);
 }

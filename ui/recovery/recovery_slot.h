@@ -7,26 +7,25 @@
 
 namespace alidade::ui {
 
-/// The place of one window's record of unsaved changes, and of what is half typed beside it, held by a lock
-/// file as long as this lives. The record outlives it: after a crash nobody holds the lock, and the next
-/// start finds the record.
+/// The files of one window for unsaved changes and unfinished entries, reserved by a lock file for the
+/// lifetime of this object. The record outlives it: after a crash the lock is free, and the next start finds
+/// the record.
 class RecoverySlot {
  public:
   enum class Kind {
     Session,  ///< a record of unsaved changes
-    Drafts,   ///< what is typed into forms that no session holds
+    Drafts,   ///< typing in forms outside any session
   };
 
-  /// A fresh one. The folder is made where it is missing, and private.
+  /// A new slot. Creates the folder as private if missing.
   static std::unique_ptr<RecoverySlot> create(const QString& folder, Kind kind = Kind::Session);
-  /// Those of the kind with a record that no living window holds, now held by the caller. In the order of
-  /// their names.
+  /// Slots of the kind with a record and without a living window, now held by the caller, ordered by name.
   static std::vector<std::unique_ptr<RecoverySlot>> leftBehind(const QString& folder,
                                                                Kind kind = Kind::Session);
 
-  QString path() const { return m_path; }  ///< of the record
-  QString typedPath() const;               ///< of what is half typed
-  void remove() const;                     ///< both; the place stays held
+  QString path() const { return m_path; }  ///< path of the record
+  QString typedPath() const;               ///< path of the unfinished entries
+  void remove() const;                     ///< removes both; the slot stays held
 
  private:
   explicit RecoverySlot(const QString& path);

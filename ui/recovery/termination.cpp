@@ -13,7 +13,7 @@ namespace {
 
 constexpr int terminations[] = {SIGTERM, SIGINT, SIGHUP};
 
-/// From the handler to the event loop; −1: closed.
+/// From the signal handler to the event loop; −1: closed.
 int terminationPipe[2] = {-1, -1};
 
 void passOn(int signal) {

@@ -4,9 +4,8 @@
 
 namespace alidade::ui {
 
-/// Tells in the event loop that the process is asked to end: by SIGTERM, SIGINT or SIGHUP. The same signal
-/// again ends the process at once. A signal that was ignored at the start, as by nohup, stays ignored. One at
-/// a time.
+/// Reports termination requests in the event loop: SIGTERM, SIGINT or SIGHUP. A second equal signal ends the
+/// process at once. Signals ignored at the start, as by nohup, stay ignored. Only one instance at a time.
 class Termination : public QObject {
   Q_OBJECT
 
@@ -14,7 +13,7 @@ class Termination : public QObject {
   explicit Termination(QObject* parent = nullptr);
   ~Termination() override;
 
-  /// The first signal; 0: none came.
+  /// The first signal; 0: none.
   int signal() const { return m_signal; }
 
  signals:
@@ -26,7 +25,7 @@ class Termination : public QObject {
   int m_signal = 0;
 };
 
-/// Ends the process as if nobody had caught the signal.
+/// Ends the process as by an uncaught signal.
 [[noreturn]] void endBySignal(int signal);
 
 }  // namespace alidade::ui

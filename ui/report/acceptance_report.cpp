@@ -50,7 +50,7 @@ QString fingerprint(const Evaluation& evaluation, const ReportSource& source) {
       .arg(QString::fromLatin1(digest.toHex()));
 }
 
-/// What wrote the report, and its number where it has one.
+/// The program that wrote the report, and the report's number if it has one.
 QString productLine(const Session& session) {
   const QString version = QStringLiteral(ALIDADE_VERSION);
   const QString number = QString::fromStdString(session.report.number).trimmed();
@@ -92,7 +92,7 @@ void layOut(ReportSheet& sheet, const Gap& gap, const ReportOptions& options) {
   sheet.balance();
 }
 
-/// Its author is who answers for it: the laboratory, or else the operator.
+/// The author is the responsible party: the laboratory, or else the operator.
 PdfInformation informationOf(const Evaluation& evaluation, const ReportSource& source,
                              const ReportOptions& options) {
   const auto typed = [](const std::string& text) { return shortLine(qText(text).trimmed(), longestTitle); };
@@ -103,12 +103,12 @@ PdfInformation informationOf(const Evaluation& evaluation, const ReportSource& s
           .date = options.date};
 }
 
-/// As alidade-cli calls the session of the file.
+/// The name of the session as alidade-cli derives it from the file.
 std::string nameInResults(const Session& session, const ReportSource& source) {
   return session.title.empty() ? source.fileName.toStdString() : session.title;
 }
 
-/// Long with many readings: made beside the pages. None where nothing is to be attached.
+/// Computes the results on another thread, since many readings take long. Absent if nothing is attached.
 std::future<std::optional<std::string>> resultsBeside(const ReportOptions& options,
                                                       const ReportSource& source) {
   return std::async(std::launch::async, [gap = options.gap, isWanted = options.hasSession,
@@ -135,8 +135,8 @@ std::vector<PdfAttachment> attachmentsOf(const ReportSource& source, const Repor
   return attachments;
 }
 
-/// Where a report is given its language. The window, which lives on while `work` asks `goesOn`, keeps its
-/// own.
+/// Runs `work` in the report's language. `goesOn` runs in the window's language, since it processes window
+/// events.
 template <typename Work>
 auto inLanguageOf(const ReportOptions& options, Work work) {
   const QString before = spokenLanguage();
@@ -150,7 +150,7 @@ auto inLanguageOf(const ReportOptions& options, Work work) {
   return work(within);
 }
 
-/// With the gap, which is assessed where there is none.
+/// Options with the gap, which is assessed if absent.
 ReportOptions withGap(ReportOptions options, const Evaluation& evaluation) {
   if (!options.gap)
     options.gap = std::make_shared<const Gap>(assessGap(std::make_shared<const Evaluation>(evaluation)));
@@ -168,7 +168,7 @@ bool paintPages(QPagedPaintDevice& device, const Evaluation& evaluation, const R
   return painter.end() && isWhole;
 }
 
-/// `name`: of what it is for, where it fails.
+/// `name`: the output named in an error.
 Result<std::string> pdfOf(const Evaluation& evaluation, const ReportSource& source, const QString& name,
                           const ReportOptions& options) {
   auto results = resultsBeside(options, source);

@@ -21,58 +21,57 @@ class QPagedPaintDevice;
 
 namespace alidade::ui {
 
-/// The session file a report speaks of.
+/// The session file named in a report.
 struct ReportSource {
-  QString fileName;   ///< as shown at the foot of each page; empty: never saved
-  QByteArray sha256;  ///< the digest of the file's bytes, 32 bytes as QCryptographicHash gives them
-  bool saved = true;  ///< false: the session has changes the file lacks, or the file those that it lacks;
-                      ///< `sha256` is then not used, and the digest of the session as it would be written
-                      ///< is printed and called so
+  QString fileName;        ///< as shown at the foot of each page; empty: never saved
+  QByteArray sha256;       ///< the digest of the file's bytes, 32 bytes as QCryptographicHash gives them
+  bool saved = true;       ///< false: session and file differ; then `sha256` is unused, and the digest of the
+                           ///< session as it would be saved is printed and labelled so
   QStringList paths = {};  ///< the session's files, which no report may replace
-  QByteArray bytes = {};   ///< of the file, where `saved`, to be attached
+  QByteArray bytes = {};   ///< bytes of the file to attach, if `saved`
 };
 
 struct ReportOptions {
   QDateTime date = QDateTime::currentDateTime();  ///< printed on each page
   ReportContents contents = {};
   ReportPaper paper = {};
-  QImage logo = {};                                   ///< of the laboratory; null: none
-  QString language = {};                              ///< id of a `LanguageInfo`; empty: that of the window
-  bool hasSession = true;                             ///< attaches session and results to the file
-  std::optional<MonteCarlo> simulated = {};           ///< of the same evaluation: told beside the budget
-  std::shared_ptr<const DeviceHistory> history = {};  ///< of the session's device; null: none is told
-  /// Of the same evaluation, whose sentences were made in the same language; null: it is assessed here.
+  QImage logo = {};        ///< logo of the laboratory; null: none
+  QString language = {};   ///< id of a `LanguageInfo`; empty: the window's language
+  bool hasSession = true;  ///< attaches session and results to the file
+  std::optional<MonteCarlo> simulated =
+      {};  ///< a Monte Carlo check of the same evaluation, reported with the budget
+  std::shared_ptr<const DeviceHistory> history = {};  ///< history of the session's device; null: not included
+  /// The gap of the same evaluation, with sentences in the same language; null: it is assessed here.
   std::shared_ptr<const Gap> gap = {};
-  std::optional<Signer> signer = {};  ///< signs the file, its signature beside it (`signaturePath`)
-  /// Asked often while the report is written, with the share that is done; false stops it, which is then the
-  /// reason why there is none. It is asked in the window's language.
+  std::optional<Signer> signer = {};  ///< signs the file; the signature goes to `signaturePath`
+  /// Called often while the report is written, with the share done. Returning false stops the report, which
+  /// is then the reason for its absence. Called in the window's language.
   std::function<bool(double done)> goesOn = {};
 };
 
-/// Writes the acceptance report, a PDF/A-3b of vectors and embedded fonts, with the session's file and, where
-/// there are any, its results (results.json) attached: result and verdict, what the diagnosis of the gap
-/// says, both plots, every reading, as far as that is not left out. It is also written where there is no
-/// result; then it says why and carries no verdict. The file is replaced only when all is written, and never
-/// one of `source`. The same report of the same date has the same bytes. Answers with the path, or says why
-/// it could not be written. Needs a QApplication, on any platform plugin, and its thread.
+/// Writes the acceptance report, a PDF/A-3b of vectors and embedded fonts, with the session's file and any
+/// results (results.json) attached. Contents, unless left out: result and verdict, the diagnosis of the gap,
+/// both plots, every reading.
+/// Without a result the report gives the reason and no verdict. The file is replaced only after complete
+/// writing, and never one of `source`. Equal report and date give equal bytes. Returns the path, or why
+/// writing failed. Requires a QApplication, on any platform plugin, and its thread.
 Result<QString> writeAcceptanceReport(const Evaluation& evaluation, const ReportSource& source,
                                       const QString& outPath, const ReportOptions& options = {});
 
-/// The bytes of that file instead.
+/// Returns the bytes of that file instead.
 Result<std::string> acceptanceReportPdf(const Evaluation& evaluation, const ReportSource& source,
                                         const ReportOptions& options = {});
 
-/// Writes the bytes, with the signature beside them where there is a signer: both files or none, and neither
-/// over one of `source` or of the files that the signer was loaded from.
+/// Writes the bytes, and with a signer the signature in a second file: both files or none. Never replaces a
+/// file of `source` or of the signer.
 std::optional<Problem> writeSigned(const QString& path, const std::string& bytes,
                                    const std::optional<Signer>& signer, const ReportSource& source);
 
-/// Paints the same pages on a device that is painted on from corner to corner, on whatever paper it has.
-/// False: it could not, or was stopped.
+/// Paints the same pages on a full-page device of any paper size. False: it failed or was stopped.
 bool paintAcceptanceReport(QPagedPaintDevice& device, const Evaluation& evaluation,
                            const ReportSource& source, const ReportOptions& options);
 
-/// As a document of that report is named: "Acceptance report: Guideway 7".
+/// The document title of the report: "Acceptance report: Guideway 7".
 QString reportTitle(const Evaluation& evaluation, const ReportSource& source);
 
 }  // namespace alidade::ui

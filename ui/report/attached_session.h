@@ -9,14 +9,14 @@
 
 namespace alidade::ui {
 
-/// The name under which a report holds the session's file: as the file is called, so that it is known again.
+/// The name of the session's file inside a report: its own name, so that it is recognised.
 QString attachedName(const QString& fileName);
 
-/// Does the file begin as a PDF does? False also where it cannot be read.
+/// True if the file begins like a PDF; false also if it cannot be read.
 bool isPdfFile(const QString& path);
 
-/// The text of the session attached to a PDF: its first file with the suffix of a session. The problem says
-/// why there is none.
+/// The text of the session attached to a PDF: its first file with the suffix of a session. Otherwise a
+/// problem with the reason.
 Result<std::string> attachedSessionText(std::string_view pdf);
 
 /// The session attached to the report in `path`. May be called on any thread.

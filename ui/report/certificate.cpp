@@ -18,7 +18,7 @@
 namespace alidade::ui {
 namespace {
 
-/// A language of the certificate, by the id of a `LanguageInfo`: "zh_CN" is zh there.
+/// The certificate language for the id of a `LanguageInfo`: "zh_CN" becomes zh.
 CertificateLanguage languageOf(const QString& id) {
   return {id.section(u'_', 0, 0).toStdString(), [id](const Say& text) {
             const LanguageScope scope(id);
@@ -26,7 +26,7 @@ CertificateLanguage languageOf(const QString& id) {
           }};
 }
 
-/// English binds.
+/// English is the binding language.
 std::vector<CertificateLanguage> languagesOf(const ReportOptions& report) {
   const QString english = QStringLiteral("en");
   const QString other = report.language.isEmpty() ? spokenLanguage() : report.language;
@@ -76,7 +76,7 @@ Result<WrittenCertificate> certificateOf(const ReportSource& source, const Repor
 
 Result<QStringList> writeCertificate(const ReportSource& source, const QString& outPath,
                                      const ReportOptions& report, const CertificateEntries& entries) {
-  // Before the pages are painted, which takes longer: whether there is a certificate at all.
+  // Checks first whether a certificate is possible, since painting the pages takes longer.
   if (const auto bare = certificateOf(source, report, entries); !bare) return bare.problem();
   const Result<std::string> pdf = acceptanceReportPdf(*report.gap->evaluation, source, report);
   if (!pdf) return pdf.problem();

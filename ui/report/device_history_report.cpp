@@ -23,7 +23,7 @@ namespace alidade::ui {
 namespace {
 
 constexpr auto atRight = Qt::AlignRight;
-constexpr double gapColumn = 4;  // mm, of a column that is aligned to the right and one that is not
+constexpr double gapColumn = 4;  // mm, between a right-aligned column and a left-aligned one
 
 QString chanceCell(double chance) {
   return chance < 0.0005 ? QStringLiteral("< 0.001") : numberText(chance, 3);

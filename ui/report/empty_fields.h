@@ -6,8 +6,8 @@
 
 namespace alidade::ui {
 
-/// What a laboratory states on a report and the session leaves empty, as nouns ("customer"), in the order of
-/// the session file.
+/// Fields that a laboratory states on a report but the session leaves empty, as nouns ("customer"), in the
+/// order of the session file.
 QStringList emptyReportFields(const Session& session);
 
 }  // namespace alidade::ui

@@ -8,7 +8,7 @@
 
 namespace alidade::ui {
 
-/// What a document says of itself.
+/// The metadata of a document.
 struct PdfInformation {
   QString title, author, creator;  ///< empty: not stated
   QDateTime date;
@@ -19,12 +19,12 @@ struct PdfAttachment {
   QString fileName, description;
   std::string bytes;
   const char* mimeType = "application/json";
-  const char* relationship = "/Data";  ///< to the document, of ISO 19005-3: "/Source", "/Data"
+  const char* relationship = "/Data";  ///< relationship to the document, of ISO 19005-3: "/Source", "/Data"
 };
 
-/// A document as Qt writes it, a PDF/A-1b, as PDF/A-3b (ISO 19005-3), which may hold files. Dates and
-/// identifiers follow from what is given: the same is the same to the byte. Throws `std::runtime_error` where
-/// `pdf` is none.
+/// Converts a PDF/A-1b written by Qt to PDF/A-3b (ISO 19005-3), which may contain files. Dates and
+/// identifiers follow from the input: equal input gives equal bytes. Throws `std::runtime_error` if `pdf` is
+/// not a PDF.
 std::string archivedPdf(std::string_view pdf, const PdfInformation& information,
                         const std::vector<PdfAttachment>& attachments);
 

@@ -31,7 +31,7 @@ namespace {
 
 using Outcome = AttachedFile::Outcome;
 
-/// To the end of a pipe, whatever interrupts it.
+/// Writes everything to a pipe, despite interruptions.
 bool writeAll(int pipe, const char* bytes, std::size_t size) {
   while (size > 0) {
     const ssize_t written = write(pipe, bytes, size);
@@ -43,7 +43,7 @@ bool writeAll(int pipe, const char* bytes, std::size_t size) {
   return true;
 }
 
-/// Hands on what a stream holds, up to a limit.
+/// Passes the contents of a stream on, up to a limit.
 class Handing : public Pipeline {
  public:
   Handing(int pipe, std::size_t most) : Pipeline("attached", nullptr), m_pipe(pipe), m_left(most) {}
@@ -78,7 +78,7 @@ bool endsWith(std::string_view name, std::string_view ending) {
          lowerCase(std::string(name.substr(name.size() - ending.size()))) == lowerCase(std::string(ending));
 }
 
-/// Writes what the file holds to the pipe; of an unreadable document why it is.
+/// Writes the file's contents to the pipe; for an unreadable document, the reason.
 Outcome handFile(std::string_view pdf, std::string_view ending, int pipe, std::size_t mostBytes) {
   try {
     QPDF document;
@@ -97,7 +97,7 @@ Outcome handFile(std::string_view pdf, std::string_view ending, int pipe, std::s
   }
 }
 
-constexpr int firstCode = 32;  // of the outcomes: no program ends with these by itself
+constexpr int firstCode = 32;  // exit codes of the outcomes, which no program uses by itself
 
 int codeOf(Outcome outcome) {
   return firstCode + static_cast<int>(outcome);
@@ -107,7 +107,7 @@ int codeOf(Outcome outcome) {
   _exit(codeOf(Outcome::Exhausting));
 }
 
-/// Bytes of addresses that the program has taken; absent where the system does not say.
+/// Address space taken by the program, in bytes; absent if the system does not report it.
 std::optional<std::size_t> addressesTaken() {
   std::size_t pages = 0;
   if (!(std::ifstream("/proc/self/statm") >> pages)) return std::nullopt;
@@ -121,8 +121,8 @@ void lower(__rlimit_resource resource, std::size_t most) {
   setrlimit(resource, &limit);
 }
 
-/// In the process that reads the document; `taken`: `addressesTaken` before. qpdf takes what fails for want
-/// of memory for damage of the document, so the first failure ends all.
+/// For the reading process; `taken`: `addressesTaken` before. qpdf mistakes lack of memory for damage of the
+/// document, so the first failure ends everything.
 void bound(std::optional<std::size_t> taken, std::size_t mostMemory) {
   constexpr std::size_t seconds = 60;
   for (const int fault : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGXCPU, SIGTERM, SIGINT})
@@ -134,7 +134,7 @@ void bound(std::optional<std::size_t> taken, std::size_t mostMemory) {
   std::set_new_handler(giveUp);
 }
 
-/// What the other process hands on, to its end. False where nothing comes for longer than reading may take.
+/// Everything the other process sends. False if nothing arrives within the time limit for reading.
 bool takeAll(int pipe, std::string& bytes) {
   constexpr int longest = 120'000;  // ms
   std::array<char, std::size_t{1} << 16> chunk{};
@@ -150,7 +150,7 @@ bool takeAll(int pipe, std::string& bytes) {
   }
 }
 
-/// A process that reads a document, and what it hands on.
+/// A process that reads a document, and its output.
 class Reader {
  public:
   Reader(pid_t process, int pipe) : m_process(process), m_pipe(pipe) {}
@@ -183,7 +183,7 @@ class Reader {
   pid_t m_process;
   int m_pipe;
 
-  /// Its status, once it has ended.
+  /// Waits for its end and returns its status.
   int end() {
     const pid_t process = std::exchange(m_process, 0);
     int status = 0;

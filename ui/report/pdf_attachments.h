@@ -6,31 +6,31 @@
 
 namespace alidade::ui {
 
-/// A file inside a document, or why it cannot be had.
+/// A file inside a document, or why it is unavailable.
 struct AttachedFile {
   enum class Outcome {
     Found,
-    NotThere,    ///< no attached file has such a name
-    Missing,     ///< its name is there, what it holds is not
-    TooLarge,    ///< holds more than was to be taken
-    Damaged,     ///< ends or goes wrong within
-    Exhausting,  ///< the document takes more memory or time than was given
-    Unreadable,  ///< the document itself; `failure` says how
+    NotThere,    ///< no attached file has this ending
+    Missing,     ///< listed, but without contents
+    TooLarge,    ///< larger than the limit
+    Damaged,     ///< its contents end early or are corrupt
+    Exhausting,  ///< the document exceeds the limit of memory or time
+    Unreadable,  ///< the document itself is damaged; `failure` says how
   };
   Outcome outcome = Outcome::NotThere;
   std::string bytes = {};
   std::string failure = {};
 };
 
-/// What may be spent on a document, whatever is in it: a few bytes may unfold to very many.
+/// Limits for any document, since a few bytes may expand to very many.
 struct PdfLimits {
-  std::size_t mostBytes;                            ///< of the attached file
-  std::size_t mostMemory = std::size_t{512} << 20;  ///< for the document beside its own bytes and the file
+  std::size_t mostBytes;  ///< size of the attached file
+  std::size_t mostMemory = std::size_t{512}
+                           << 20;  ///< memory for the document, without its own bytes and the file
 };
 
-/// The first file attached to `pdf` whose name ends so, in any case of ASCII letters. The document is read in
-/// a process of its own, which ends where it takes more than the limits or breaks down. Throws
-/// `std::bad_alloc` alone.
+/// The first file attached to `pdf` whose name has this ending, ignoring ASCII case. A separate process reads
+/// the document and ends if it exceeds the limits or crashes. Throws only `std::bad_alloc`.
 AttachedFile attachedFile(std::string_view pdf, std::string_view ending, const PdfLimits& limits);
 
 }  // namespace alidade::ui

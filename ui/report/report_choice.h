@@ -7,14 +7,15 @@
 
 namespace alidade::ui {
 
-/// What is chosen for a report before it is written or printed.
+/// The user's choice for a report before it is written or printed.
 struct ReportChoice {
   ReportContents contents = {};
   ReportPaper paper = {};
-  QString logoPath = {};      ///< of an image; empty: none
-  QString language = {};      ///< id of a `LanguageInfo`; empty: that of the window
-  QString seriesFolder = {};  ///< of sessions of the device, whose history is told; empty: it is not
-  bool hasSession = true;     ///< session and results are attached to the PDF
+  QString logoPath = {};  ///< path of an image; empty: none
+  QString language = {};  ///< id of a `LanguageInfo`; empty: the window's language
+  QString seriesFolder =
+      {};  ///< folder with sessions of the device, whose history is included; empty: no history
+  bool hasSession = true;  ///< session and results are attached to the PDF
 
   bool operator==(const ReportChoice&) const = default;
 };

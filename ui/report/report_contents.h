@@ -9,8 +9,8 @@
 
 namespace alidade::ui {
 
-/// A part of a report that may be left out. The others may not: the result with its uncertainty and verdict,
-/// what speaks against it, the terms it is stated on, what was excluded or changed, the notes.
+/// A part of a report that may be left out. Always included: the result with its uncertainty and verdict,
+/// objections, terms, excluded or changed entries, and notes.
 enum class ReportPart {
   Arcs,
   Residuals,
@@ -26,30 +26,30 @@ enum class ReportPart {
 
 struct ReportPartInfo {
   ReportPart part;
-  const char* id;     ///< in the settings
-  const char* title;  ///< as printed and in the window, in the context `ReportPart`
+  const char* id;     ///< key in the settings
+  const char* title;  ///< title in print and in the window, in the context `ReportPart`
 };
 
 /// In the order of the report.
 const std::vector<ReportPartInfo>& allReportParts();
 
-/// What a report holds: everything, but for what is left out.
+/// The contents of a report: everything except the parts left out.
 struct ReportContents {
   std::set<ReportPart> leftOut = {};
 
   bool operator==(const ReportContents&) const = default;
 };
 
-/// Is there anything to print in this part?
+/// True if there is something to print in this part.
 bool isThere(ReportPart part, const Gap& gap);
 
-/// Must it stand in the report whatever is chosen? The gap must where model and readings disagree.
+/// True if the report must include the part: the gap is mandatory if model and readings disagree.
 bool mustStand(ReportPart part, const Gap& gap);
 
-/// Is it printed?
+/// True if the part is printed.
 bool isPrinted(ReportPart part, const ReportContents& contents, const Gap& gap);
 
-/// The titles of what would be there and is left out, as printed.
+/// The printed titles of available parts that are left out.
 QStringList leftOutTitles(const ReportContents& contents, const Gap& gap);
 
 }  // namespace alidade::ui

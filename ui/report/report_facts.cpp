@@ -13,14 +13,14 @@ namespace {
 
 constexpr double labelWidth = 31;  // mm
 
-/// As the session has it, short; empty where it is not given.
+/// The text of the session, shortened; empty if not given.
 QString given(const std::string& text, const QString& unit = {}) {
   constexpr int longest = 120;
   const QString value = shortLine(QString::fromStdString(text).trimmed(), longest);
   return value.isEmpty() ? value : value + unit;
 }
 
-/// Of a σ: as stated in the session, or what is taken where it states none.
+/// The source of a σ: stated in the session, or the default.
 struct Provenance {
   QString value;
   bool isStated;
@@ -63,7 +63,7 @@ QString lengthWithSigma(const std::string& length, const std::string& sigma) {
                           : Report::tr("%1, σ %2 mm (stated)").arg(value, stated);
 }
 
-/// Its σ is of use where the radius is known, or as a closure where it is stated.
+/// The σ of R0 matters if the radius is known, or as a closure if it is stated.
 QString nominalRadius(const Session& session) {
   const Geometry& geometry = session.geometry;
   if (given(geometry.sigmaRadiusMm).isEmpty() && session.model.radius != "known")
@@ -71,7 +71,7 @@ QString nominalRadius(const Session& session) {
   return lengthWithSigma(geometry.radiusMm, geometry.sigmaRadiusMm);
 }
 
-/// What it reads, as typed where that is neither; zenith where nothing is typed.
+/// The reading of the circle, or the typed text if unknown; zenith if empty.
 QString verticalCircle(const Session& session) {
   const QString typed = given(session.geometry.verticalCircle);
   const bool isZenith = typed.isEmpty() || typed == QStringLiteral("zenith");

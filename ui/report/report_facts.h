@@ -12,15 +12,16 @@ struct LabelledText {
   QString label, text;
 };
 
-/// Those that have a text, below one another, labels beside them; answers where they end. Lengths in mm.
+/// Places the non-empty texts below each other with labels at their left; returns the lower end. Lengths in
+/// mm.
 double placeLabelled(ReportSheet& sheet, const std::vector<LabelledText>& texts, double left, double top,
                      double available);
 
-/// The height they take up.
+/// Their height in mm.
 double labelledHeight(const ReportSheet& sheet, const std::vector<LabelledText>& texts, double available);
 
-/// Laboratory, device, people and dates beside instrument and geometry, as far as the session states them; of
-/// each σ whether it is stated or the program's default.
+/// Laboratory, device, people and dates at the left, instrument and geometry at the right, if the session
+/// states them; for each σ whether it is stated or the default.
 void addFacts(ReportSheet& sheet, const Evaluation& evaluation, const QDateTime& date);
 
 }  // namespace alidade::ui

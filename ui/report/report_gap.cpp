@@ -37,7 +37,7 @@ void addStages(ReportSheet& sheet, const Gap& gap) {
   table.finish();
 }
 
-/// How the probabilities are meant, with the plausible sizes.
+/// The assumptions of the probabilities, with the plausible sizes.
 QString probabilityNote(const Diagnosis& diagnosis) {
   QStringList sizes;
   for (const Cause& cause : diagnosis.causes)
@@ -61,7 +61,7 @@ QString causeLine(const Cause& cause) {
       .arg(Report::clauses(parts), qText(shortProbabilityText(cause.probability)));
 }
 
-/// No less than the section takes up, in mm.
+/// A lower bound of the section's height, in mm.
 double heightOf(const ReportSheet& sheet, const Gap& gap) {
   const double line = sheet.lineHeight(type::body), row = line + 1.5;
   auto lines = sheet.lines(gapSentence(gap), type::body, ReportSheet::width).size() + 1;
@@ -97,7 +97,7 @@ void addClosureTable(ReportSheet& sheet, const Gap& gap) {
   table.finish();
 }
 
-/// No less than heading, table and sentence take up, in mm.
+/// A lower bound of the height of heading, table and sentence, in mm.
 double closuresHeight(const ReportSheet& sheet, const Gap& gap, const QString& sentence) {
   const double line = sheet.lineHeight(type::body);
   const auto lines = sheet.lines(sentence, type::body, ReportSheet::width).size();

@@ -12,8 +12,8 @@ namespace alidade::ui {
 
 void addJournal(ReportSheet& sheet, const Evaluation& evaluation) {
   constexpr std::size_t mostEntries = 200;
-  constexpr int longestText = 64;      // a digest is quoted in records on paper, whole
-  constexpr int longestOrigin = 1000;  // of an import; its digest comes last
+  constexpr int longestText = 64;      // records on paper quote a whole digest
+  constexpr int longestOrigin = 1000;  // origin of an import; its digest comes last
   const std::vector<JournalEntry>& journal = evaluation.session.journal;
   if (journal.empty() && evaluation.journal.empty()) return;
   sheet.keepTogether(35);

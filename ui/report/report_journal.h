@@ -5,8 +5,8 @@
 
 namespace alidade::ui {
 
-/// What was changed after it stood, in the order of the changes, and whether the journal is whole and the
-/// session sealed; nothing where there is no journal.
+/// Recorded changes in order, whether the journal is complete, and whether the session is sealed; empty
+/// without a journal.
 void addJournal(ReportSheet& sheet, const Evaluation& evaluation);
 
 }  // namespace alidade::ui

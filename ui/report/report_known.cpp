@@ -30,7 +30,7 @@ QString sourceText(const std::string& from, const std::string& date) {
   return parts.isEmpty() ? notStated() : Report::list(parts);
 }
 
-/// What the diagnosis found of the number; null without one.
+/// The diagnosis of the number; null if absent.
 const KnownCheck* checkOf(const Gap& gap, const Effect& effect, const EffectParameter& number) {
   if (!gap.diagnosis) return nullptr;
   const auto found = std::ranges::find_if(gap.diagnosis->known, [&](const KnownCheck& check) {

@@ -5,9 +5,8 @@
 
 namespace alidade::ui {
 
-/// What was known beforehand of instrument and device: each number with its u, where it is known from and of
-/// which day, and what these readings say of it; the instrument record by name. Nothing where nothing is
-/// known.
+/// Known sizes of instrument and device: each number with its u, source and date, and what these readings say
+/// of it; the instrument record by name. Empty without known sizes.
 void addKnown(ReportSheet& sheet, const Gap& gap);
 
 }  // namespace alidade::ui

@@ -7,8 +7,8 @@
 
 namespace alidade::ui {
 
-/// The picture in `path` as a report has it: opaque on white, no larger than print shows. The problem says
-/// why it cannot be used.
+/// The picture in `path` for a report: opaque on white, at print resolution at most. Otherwise a problem with
+/// the reason.
 Result<QImage> readLogo(const QString& path);
 
 }  // namespace alidade::ui

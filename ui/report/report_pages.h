@@ -9,17 +9,16 @@ class QPainter;
 
 namespace alidade::ui {
 
-/// What is drawn on the pages of a report, and where else a page might begin. Lengths in mm from the top of
-/// the text area.
+/// The drawings on a report's pages, and possible page breaks. Lengths in mm from the top of the text area.
 class ReportPages {
  public:
   using Drawing = std::function<void(QPainter&)>;
-  /// A drawing, and how much lower it stands than it was drawn.
+  /// A drawing with its downward shift from where it was drawn.
   struct Placed {
     Drawing drawing;
     double lower = 0;
   };
-  /// The head of a table, as drawn once, to be drawn again where the table goes on.
+  /// The head of a table, recorded once to be repeated where the table continues.
   struct Head {
     std::vector<Placed> drawings;
     double top = 0, height = 0;
@@ -29,37 +28,36 @@ class ReportPages {
     Section,  ///< a heading
     Text,     ///< anything else
   };
-  /// Drawings on the last page so far, to tell of a head.
+  /// A number of drawings on the last page, to mark where a head begins.
   struct Mark {
     std::size_t drawings = 0;
     double y = 0;
   };
 
-  static constexpr double sectionGap = 2.8;  ///< mm above a heading that does not begin a page
+  static constexpr double sectionGap = 2.8;  ///< mm above a heading, except at the top of a page
 
   std::size_t count() const { return m_pages.size(); }
   const std::vector<Placed>& drawings(std::size_t page) const { return m_pages[page].drawings; }
-  /// Where the drawings of the last page end, once it is `balance`d.
+  /// The lower end of the drawings on the last page, after `balance`.
   double lastEnd() const { return m_pages.back().end; }
 
-  /// A further page, where the one before is drawn on down to `end`.
+  /// Adds a page, after the drawings of the previous one down to `end`.
   void add(double end);
   void draw(Drawing drawing) { m_pages.back().drawings.push_back({std::move(drawing)}); }
-  /// A page might begin at `y` of the last page, with `head` where that is in a table.
+  /// Allows a page break at `y` of the last page, with `head` if inside a table.
   void mayBreak(double y, Before before, SharedHead head = {});
   Mark mark(double y) const { return {m_pages.back().drawings.size(), y}; }
-  /// What was drawn on the last page since then, down to `y`.
+  /// The drawings of the last page since then, down to `y`.
   SharedHead headSince(const Mark& mark, double y) const;
-  /// The last page begins with the head of a table that goes on.
+  /// Starts the last page with the head of a continued table.
   void beginsWith(SharedHead head) { m_pages.back().carried = std::move(head); }
-  /// All is drawn, on the last page down to `y`: where that is less than `least`, what stands before it moves
-  /// to the last page too, from a place where a page might begin, as long as there is room for it in
-  /// `height`.
+  /// Called after all drawing, with the last page drawn down to `y`. If `y` is less than `least`, moves
+  /// preceding drawings to the last page too, from an allowed break, if they fit in `height`.
   void balance(double y, double least, double height);
 
  private:
   struct Break {
-    std::size_t drawing = 0;  ///< the first of the next page
+    std::size_t drawing = 0;  ///< the first drawing of the next page
     double y = 0;
     Before before = Before::Text;
     SharedHead head;

@@ -6,18 +6,18 @@
 
 namespace alidade::ui {
 
-/// The paper of a report: always upright, the text within its margins. The page's head and foot stand in the
-/// upper and the lower margin.
+/// The paper of a report: always upright, with the text inside its margins. Head and foot of the page are in
+/// the upper and lower margin.
 struct ReportPaper {
   QPageSize::PageSizeId size = QPageSize::A4;
   QMarginsF margins{20, 20, 20, 25};  ///< mm
 
-  /// Of each margin, in mm: head and foot need room, and so does the text.
+  /// Limits of each margin, in mm: head and foot need room, and so does the text.
   static constexpr double leastMargin = 15, mostMargin = 40;
 
   bool operator==(const ReportPaper& other) const { return size == other.size && margins == other.margins; }
 
-  /// Of a device that is painted on from corner to corner.
+  /// The layout for a full-page device.
   QPageLayout layout() const {
     return QPageLayout(QPageSize(size), QPageLayout::Portrait, QMarginsF(0, 0, 0, 0));
   }

@@ -27,7 +27,7 @@ void addPlot(ReportSheet& sheet, const std::shared_ptr<Plot>& plot, const Evalua
   sheet.skip(height + 1.5);
 }
 
-/// Say what the rings mean, and how faces and rounds are told apart, where there are any.
+/// Legend entries for the rings, faces and rounds that occur.
 template <typename Drawn>
 QStringList markSentences(const std::vector<Drawn>& drawn, const RowKinds& kinds) {
   const bool isRinged =
@@ -89,7 +89,7 @@ QString residualCaption(const ResidualPicture& picture, int figure) {
 
 void addPlots(ReportSheet& sheet, const Gap& gap, bool hasArcs, bool hasResiduals) {
   if (!hasArcs && !hasResiduals) return;
-  const double lacking = 252 - sheet.height();  // of A4's
+  const double lacking = 252 - sheet.height();  // difference from A4
   const double arcsHeight = 126 - 0.6 * lacking, residualsHeight = 86 - 0.4 * lacking;
   constexpr double aroundPlot = 25;  // heading and caption
   if (hasArcs && hasResiduals)

@@ -5,8 +5,7 @@
 
 namespace alidade::ui {
 
-/// The plots that are wanted as vectors, drawn by the code that draws them on the screen, with captions; both
-/// on a page of their own.
+/// The selected plots as vectors, by the drawing code of the screen, with captions; both on one page.
 void addPlots(ReportSheet& sheet, const Gap& gap, bool hasArcs, bool hasResiduals);
 
 }  // namespace alidade::ui

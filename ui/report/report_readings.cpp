@@ -19,9 +19,9 @@ namespace alidade::ui {
 namespace {
 
 constexpr double largeResidual = 3;  // standardised
-constexpr int longestCell = 60;      // characters; more is cut, for paper has no tool tip
+constexpr int longestCell = 60;      // characters; longer texts are cut, since paper has no tool tip
 
-/// As typed, and below it in the session's unit where it was typed in another way.
+/// The text as typed; below it in the session's unit, if typed in another form.
 QString angleCell(const std::string& typed, CircleUnit unit) {
   const QString text = shortLine(qText(typed).trimmed(), longestCell);
   QString primes = text;
@@ -31,7 +31,7 @@ QString angleCell(const std::string& typed, CircleUnit unit) {
   return text + QStringLiteral("\n= ") + normal;
 }
 
-/// What was typed, then what was computed; the remark has the width that is left.
+/// Typed columns, then computed ones; the remark takes the remaining width.
 std::vector<ReportColumn> columns() {
   constexpr auto right = Qt::AlignRight;
   std::vector<ReportColumn> columns;
@@ -66,7 +66,7 @@ QString remark(const Reading& reading, bool unusable) {
   return unusable ? Report::tr("unusable") : QString();
 }
 
-/// What the compensator read and the instrument corrected, where the row tells.
+/// Compensator tilts and corrections, if the row has them.
 QStringList ofCompensator(const Reading& reading) {
   QStringList parts;
   const auto add = [&parts](const QString& says, const std::string& text) {
@@ -79,7 +79,7 @@ QStringList ofCompensator(const Reading& reading) {
   return parts;
 }
 
-/// When a sighting came from the instrument, with which return code, and from which instrument.
+/// When a sighting came from the instrument, its return code, and the instrument.
 QStringList ofArrival(const std::string& takenAt, const std::string& code, const std::string& serial) {
   QStringList parts;
   const auto add = [&parts](const QString& says, const std::string& text) {
@@ -98,7 +98,7 @@ QString zeroArrival(const ZeroSighting& zero) {
   return parts.isEmpty() ? QString() : QStringLiteral(" (%1)").arg(parts.join(QStringLiteral(", ")));
 }
 
-/// The note, what the compensator says, what came with it, and what the reading was before it was changed.
+/// The note, the compensator data, the data received with the reading, and its text before a change.
 QString remarks(const Reading& reading) {
   QStringList parts;
   if (const QString note = visibleLine(qText(reading.note).trimmed()); !note.isEmpty()) parts.append(note);
@@ -173,7 +173,7 @@ class PositionTable {
     } else {
       for (int i = 0; i < 5; ++i) cells.emplace_back(notStated(), style);
     }
-    cells.emplace_back();  // room beside the numbers
+    cells.emplace_back();  // room next to the numbers
     cells.emplace_back(remark(reading, unusable), style);
     m_table.row(cells, remarks(reading));
   }

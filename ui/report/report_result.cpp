@@ -51,7 +51,7 @@ QString problemText(const Session& session, const Problem& problem) {
   return Report::tr("%1: %2").arg(place, qText(problem.what));
 }
 
-/// Points to the findings, so that a verdict is never read without them.
+/// Refers to the findings, so that a verdict is never read without them.
 QString findingsLine(const Gap& gap) {
   const std::vector<Finding> findings = findingsOf(*gap.evaluation);
   const auto serious =
@@ -99,7 +99,7 @@ void addBudget(ReportSheet& sheet, const MeasuredIntersection& measured, const Q
                double coverage) {
   constexpr auto right = Qt::AlignRight;
   const QVector<BudgetLine> lines = budgetLines(measured);
-  const QString beside = QStringLiteral("  ");  // room beside the column before
+  const QString beside = QStringLiteral("  ");  // room next to the preceding column
   const IntersectionEstimate& found = measured.estimate;
   sheet.keepTogether(static_cast<double>(lines.size() + 5) * rowHeight);
   sheet.heading(Report::tr("Uncertainty of Δd, measured"));
@@ -181,7 +181,7 @@ QString errorText(const InstrumentError& error) {
   return withStandardUncertainty(error.value.arcseconds(), error.sigma.arcseconds(), QStringLiteral("″"));
 }
 
-/// What the differences of the faces say about the instrument, in a sentence.
+/// A sentence on the instrument errors from the differences of the faces.
 void addTwoFaces(ReportSheet& sheet, const TwoFaces& faces) {
   QStringList parts{Report::tr("collimation c = %1").arg(errorText(faces.collimation))};
   if (faces.trunnionTilt) parts << Report::tr("trunnion tilt i = %1").arg(errorText(*faces.trunnionTilt));
@@ -198,14 +198,14 @@ void addTwoFaces(ReportSheet& sheet, const TwoFaces& faces) {
     sheet.paragraph(Report::tr("Both faces, %1 visits: %2.").arg(visits, errors));
 }
 
-/// What lies across the plane, unless the verdict tells it.
+/// The part across the plane, unless the verdict includes it.
 QString acrossText(const Gap& gap) {
   const MeasuredIntersection* measured = gap.measured();
   if (!measured || verdictText(*gap.evaluation, gap.found()).tellsAcross) return {};
   return qText(acrossSentence(*measured));
 }
 
-/// Where one is given, against the result of the measurement, where there is one.
+/// The reference, if given, compared with Δd, measured, if available.
 void addReference(ReportSheet& sheet, const Gap& gap) {
   const Measurement& measurement = *gap.evaluation->examined.measurement;
   const std::optional<double> reference = measurement.referenceIntersection;
@@ -223,7 +223,7 @@ void addReference(ReportSheet& sheet, const Gap& gap) {
       says.arg(given, valueWithUncertainty(found.value - *reference, found.expanded, QStringLiteral("mm"))));
 }
 
-/// On which rows the verdict depends; empty where it does not.
+/// The rows on which the verdict depends; empty if there are none.
 QString dependencesLine(const Gap& gap) {
   const Evaluation& evaluation = *gap.evaluation;
   if (!evaluation.fit.intersection) return {};

@@ -5,16 +5,16 @@
 
 namespace alidade::ui {
 
-/// The headline in a frame, alone in large type; then Δd, fit only, and the sentence.
+/// The headline in a frame, in large type; then Δd, fit only, and the sentence.
 void addVerdict(ReportSheet& sheet, const Gap& gap);
 
-/// Every entry that could not be used, beside a red bar; nothing where all could.
+/// Every unusable entry, with a red bar at its left; empty if there are none.
 void addProblems(ReportSheet& sheet, const Evaluation& evaluation);
 
-/// Both arcs with standard uncertainties, the intersection, and the reference where one is given.
+/// Both arcs with standard uncertainties, the intersection, and the reference, if given.
 void addResult(ReportSheet& sheet, const Gap& gap);
 
-/// The budget of the measurement, then that of Δd, fit only; nothing without an intersection.
+/// The budget of Δd, measured, then of Δd, fit only; empty without an intersection.
 void addUncertainty(ReportSheet& sheet, const Gap& gap);
 
 }  // namespace alidade::ui

@@ -8,12 +8,11 @@
 
 namespace alidade::ui {
 
-/// The results that a report states, as a program reads them: what `alidade-cli fit --json` prints for the
-/// session, called `name` there, always in English. Absent where the session has none: an entry cannot be
-/// used, or not every arc was fitted.
+/// The results of the report for other programs: the output of `alidade-cli fit --json` for the session,
+/// named `name`, always in English. Absent without results: an entry is unusable, or an arc was not fitted.
 std::optional<std::string> resultsJson(const Gap& gap, const std::string& name);
 
-/// The same as a value, for what else is made of it. `name` and `gap` must outlive it.
+/// The same as a value for other uses. `name` and `gap` must outlive it.
 std::optional<FitAnswer> fitAnswerOf(const Gap& gap, const std::string& name);
 
 }  // namespace alidade::ui

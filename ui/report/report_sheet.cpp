@@ -17,10 +17,10 @@ namespace {
 constexpr double headerTop = -9;  // mm above the text area
 constexpr double footerGap = 3;   // mm below it
 
-/// Characters that are laid out at once: some twenty lines.
+/// Characters laid out at once: some twenty lines.
 constexpr qsizetype longestPiece = 2000;
 
-/// The same text of the same length that may not be broken between a number and its sign or unit.
+/// The text, of equal length, without break points between a number and its sign or unit.
 QString keptTogether(QString text) {
   static const QRegularExpression gap(QStringLiteral("(?<=±) (?=\\d)|(?<=\\d) (?=mm|%|°)"));
   return text.replace(gap, QString(QChar::Nbsp));
@@ -68,8 +68,8 @@ QStringList ReportSheet::lines(const QString& text, const TextStyle& style, doub
   return result;
 }
 
-/// Piece by piece: to lay out all of a text takes time with the square of its length. The line at the end of
-/// a piece may be another one with what follows, so the next piece begins with it.
+/// Works piece by piece, since layout time grows with the square of the text's length. The last line of a
+/// piece may change with the following text, so the next piece begins with it.
 void ReportSheet::breakInto(QStringList& lines, const QString& text, const TextStyle& style,
                             double available) const {
   const QString kept = keptTogether(text);

@@ -17,7 +17,7 @@
 namespace alidade::ui {
 namespace {
 
-/// "No. 2026-117"; empty where there is none.
+/// "No. 2026-117"; empty if there is none.
 QString reportNumber(const Session& session) {
   constexpr int longest = 40;
   const QString number = shortLine(qText(session.report.number).trimmed(), longest);
@@ -25,7 +25,7 @@ QString reportNumber(const Session& session) {
   return number.isEmpty() ? number : Report::tr("No. %1").arg(number);
 }
 
-/// At the right, as large as it may be; answers how high it is.
+/// Draws the logo at the right, as large as allowed; returns its height.
 double addLogo(ReportSheet& sheet, const QImage& logo) {
   if (logo.isNull()) return 0;
   constexpr double mostWidth = 60, mostHeight = 15;
@@ -38,7 +38,7 @@ double addLogo(ReportSheet& sheet, const QImage& logo) {
   return size.height();
 }
 
-/// The subtitle stands at the right, or below the title where a logo is there or both are too long.
+/// The subtitle is at the right; below the title if there is a logo or both are too long.
 void addTitle(ReportSheet& sheet, const Session& session, const QImage& logo) {
   const double title = sheet.lineHeight(type::title), subtitle = sheet.lineHeight(type::label);
   const double logoHeight = addLogo(sheet, logo);
@@ -75,7 +75,7 @@ QString severityName(Severity severity) {
   return Report::tr("Error");
 }
 
-/// Where findings begin beside how serious they are.
+/// The left edge of the findings, after their severity.
 double findingsIndent(const ReportSheet& sheet) {
   double indent = 17;
   for (const Severity severity : {Severity::Note, Severity::Warning, Severity::Error})
@@ -85,7 +85,7 @@ double findingsIndent(const ReportSheet& sheet) {
 
 constexpr std::size_t mostSuspects = 10;
 
-/// Which readings look misread, and what was probably meant.
+/// The readings that look misread, and their probable intended values.
 void addSuspects(ReportSheet& sheet, const std::vector<Suspect>& suspects, const TextStyle& style,
                  double indent) {
   for (std::size_t i = 0; i < std::min(suspects.size(), mostSuspects); ++i)
@@ -160,7 +160,7 @@ QString methodText(const Evaluation& evaluation) {
 
 constexpr double signatureSpace = 8, signatureHeight = signatureSpace + 5;
 
-/// Whose signature stands on a line; `named` where the session states it.
+/// The text below a signature line; `named` if the session states the name.
 QString signatureText(const QString& unnamed, const QString& named, const std::string& name) {
   constexpr int longest = 36;
   const QString who = shortLine(qText(name).trimmed(), longest);

@@ -21,17 +21,17 @@ struct ReportCell {
       : text(std::move(content)), style(std::move(look)) {}
 };
 
-/// Rows under a head that is repeated on every page. Cells wrap; a row stays on one page. Columns of numbers
-/// are aligned to the right and carry equal decimals, which aligns the decimal points.
+/// Rows under a head repeated on every page. Cells wrap; a row stays on one page. Number columns are
+/// right-aligned with equal decimals, which aligns the decimal points.
 class ReportTable {
  public:
   ReportTable(ReportSheet& sheet, std::vector<ReportColumn> columns);
 
-  /// To be called once before the first row; again by itself on every new page.
+  /// Call once before the first row; new pages repeat it automatically.
   void head();
-  /// `note`, if any, stands in small type across the columns below the row.
+  /// `note`, if any, follows in small type across the columns below the row.
   void row(const std::vector<ReportCell>& cells, const QString& note = {});
-  /// A line under the last row; the cursor stands below it.
+  /// Draws a line under the last row; the cursor moves below it.
   void finish();
 
  private:

@@ -36,7 +36,7 @@ QString measurandText(const Gap& gap) {
   return Report::sentences(sentences);
 }
 
-/// What is accepted and what rejected, as a sentence.
+/// A sentence on what is accepted and what rejected.
 QString acceptanceRule(const Gap& gap, const QString& tolerance) {
   if (isOfDistance(gap))
     return Report::tr(
@@ -52,7 +52,7 @@ QString acceptanceRule(const Gap& gap, const QString& tolerance) {
       .arg(tolerance);
 }
 
-/// The guard band as a sentence, with the risk of a verdict where it is known.
+/// A sentence on the guard band, with the risk of a verdict if known.
 QString guardBand(const Gap& gap, double tolerance, double coverage) {
   const QString share = plainNumberText(100 * coverage);
   const MeasuredIntersection* measured = gap.measured();
@@ -67,7 +67,7 @@ QString guardBand(const Gap& gap, double tolerance, double coverage) {
       .arg(share, numberText(100 * *risk, 1));
 }
 
-/// Empty where no verdict is to be had: without a tolerance, a result or a coverage that guards.
+/// Empty if no verdict is possible: without a tolerance, a result or a sufficient coverage.
 QString ruleText(const Gap& gap) {
   const Evaluation& evaluation = *gap.evaluation;
   const auto& measurement = evaluation.examined.measurement;
@@ -81,7 +81,7 @@ QString ruleText(const Gap& gap) {
   return Report::sentences(sentences);
 }
 
-/// How many rows were left out for the same reason, in the order of the file.
+/// The number of excluded rows per reason, in file order.
 std::vector<std::pair<QString, int>> reasonsOf(const Session& session) {
   std::vector<std::pair<QString, int>> reasons;
   for (const Position& position : session.positions)
@@ -120,7 +120,7 @@ QString exclusionsText(const Session& session) {
       .arg(QString::number(count), QString::number(rows), Report::list(parts));
 }
 
-/// "collimation 3.20″": what the session says a number is, where it says other than nothing.
+/// "collimation 3.20″": the non-zero known sizes of the session.
 QStringList knownSizes(const Measurement& measurement) {
   QStringList sizes;
   for (const Effect& effect : effectCatalogue())
@@ -160,7 +160,7 @@ QString entriesText(std::size_t count, bool isJournalPrinted) {
       .arg(count);
 }
 
-/// Empty where nothing was changed.
+/// Empty without changes.
 QString changesText(const Evaluation& evaluation, bool isJournalPrinted) {
   const QString summary = visibleLine(evaluation.journal);
   if (evaluation.session.journal.empty()) return summary;
@@ -170,7 +170,7 @@ QString changesText(const Evaluation& evaluation, bool isJournalPrinted) {
   return Report::sentences({summary, Report::tr("%1.").arg(capitalised(entries))});
 }
 
-/// The temperature, and what it does to the lengths.
+/// The temperature, and its influence on the lengths.
 QString temperatureText(const Evaluation& evaluation) {
   const Environment& environment = evaluation.session.environment;
   const auto typed = [](const std::string& text) { return shortLine(qText(text).trimmed(), longestText); };

@@ -6,9 +6,9 @@
 
 namespace alidade::ui {
 
-/// On what terms the result is stated: the measurand and its sign; the decision rule, its risk and who agreed
-/// it, where there is a verdict to be had; what was left out, counted with its notes; what was corrected for;
-/// the temperature, where it is stated, and what was made of it; what the report leaves out.
+/// The terms of the result: the measurand and its sign; the decision rule, its risk and who agreed it, if a
+/// verdict is possible; excluded rows, counted with their notes; corrections; the temperature, if stated, and
+/// its use; parts left out of the report.
 void addTerms(ReportSheet& sheet, const Gap& gap, const ReportContents& contents);
 
 }  // namespace alidade::ui

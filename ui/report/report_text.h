@@ -8,7 +8,7 @@
 
 namespace alidade::ui {
 
-/// The texts of the report, and how its phrases stand side by side.
+/// The texts of the report, and how its phrases are joined.
 struct Report {
   Q_DECLARE_TR_FUNCTIONS(Report)
 
@@ -23,7 +23,7 @@ struct Report {
     //: between clauses
     return parts.join(tr("; "));
   }
-  /// One after another, those that are there.
+  /// The non-empty sentences, one after another.
   static QString sentences(QStringList parts) {
     parts.removeAll(QString());
     QString text;

@@ -5,7 +5,7 @@
 
 namespace alidade::ui {
 
-/// Type on paper. One family that comes with Qt's own packages, so that a report looks alike everywhere.
+/// Type on paper. One family shipped with Qt's own packages, so that a report looks the same everywhere.
 struct TextStyle {
   double points = 8.5;
   bool bold = false;

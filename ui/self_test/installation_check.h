@@ -12,7 +12,7 @@ class QPagedPaintDevice;
 
 namespace alidade::ui {
 
-/// The self-test of the core and what the window needs beside it, at one time.
+/// The self-test of the core and of the window, at one time.
 struct InstallationCheck {
   SelfTest test;
   QDateTime at;
@@ -21,18 +21,19 @@ struct InstallationCheck {
 };
 using SharedInstallationCheck = std::shared_ptr<const InstallationCheck>;
 
-/// Of this program, in the window's thread; a second.
+/// Checks this program, in the window's thread; takes a second.
 InstallationCheck checkInstallation();
 
-/// The same with the lines of the core at hand, which any thread may work out.
+/// The same with given lines of the core, which any thread may compute.
 InstallationCheck checkInstallation(SelfTest ofCore);
 
-/// The check on paper: program, machine and libraries, line by line, the verdict. False: painting failed.
+/// Paints the check for paper: program, machine and libraries, all lines, the verdict. False: painting
+/// failed.
 bool paintInstallationCheck(QPagedPaintDevice& device, const InstallationCheck& check,
                             const ReportPaper& paper = {});
 
-/// The same as a PDF/A-3b with the check as JSON in it. Answers with the path, or says why not,
-/// as where it is one of `inputs`.
+/// Writes a PDF/A-3b with the check as JSON attached. Returns the path, or why writing failed, for example if
+/// it is one of `inputs`.
 Result<QString> writeInstallationCheck(const InstallationCheck& check, const QString& path,
                                        const QStringList& inputs, const ReportPaper& paper = {});
 

@@ -136,7 +136,7 @@ bool InstallationDialog::print() {
   printer.setFullPage(true);
   printer.setPageLayout(paper.layout());
   if (!m_dialogs.askPrinter(printer)) return false;
-  printer.setFullPage(true);  // whichever printer was chosen
+  printer.setFullPage(true);  // for every printer the user may choose
   if (paintInstallationCheck(printer, *m_check, paper)) return true;
   m_dialogs.showProblem(windowTitle(),
                         tr("The printer “%1” cannot be printed on: choose another, or save a PDF.")

@@ -13,8 +13,8 @@ namespace alidade::ui {
 
 class Dialogs;
 
-/// The check of this installation, made when it is opened and again when asked: the verdict, every line with
-/// what was expected and found, and the whole on paper.
+/// The check of this installation, run when opened and on request: the verdict, every line with expected and
+/// found values, and a version for paper.
 class InstallationDialog : public QDialog {
   Q_OBJECT
 

@@ -20,13 +20,13 @@ namespace {
 constexpr auto inWindow = CheckGroup::Window;
 constexpr const char* byWholeFile = PHRASE_LATER("Phrase", "SHA-256 of the whole file");
 
-/// A file of the program's own, by the hash of the one that it was made of.
+/// Checks a built-in file by the hash of its source.
 void addOwnFiles(std::vector<SelfCheck>& checks, const QString& folder, const std::string& installed) {
   for (const InstalledFile& file : installedFiles()) {
     if (!file.path.starts_with(installed)) continue;
     const std::string path(file.path.substr(installed.size()));
     QFile own(folder + QString::fromStdString(path));
-    // Of the samples only those that the start page offers are in the program.
+    // The program contains only the samples of the start page.
     if (!own.exists() && folder.contains(QLatin1String("samples"))) continue;
     const std::string bytes = own.open(QIODevice::ReadOnly) ? own.readAll().toStdString() : std::string();
     checks.push_back(hashCheck(inWindow, own.fileName().toStdString(), std::string(file.sha256),
@@ -34,7 +34,7 @@ void addOwnFiles(std::vector<SelfCheck>& checks, const QString& folder, const st
   }
 }
 
-/// Each language has its own word for what every window has.
+/// Each language has its own word for a text of every window.
 void addLanguages(std::vector<SelfCheck>& checks) {
   for (const LanguageInfo& language : allLanguages()) {
     const LanguageScope scope(language.id);
@@ -50,7 +50,7 @@ void addLanguages(std::vector<SelfCheck>& checks) {
   }
 }
 
-/// The letters of `text` that a family has not.
+/// The letters of `text` missing from a font family.
 std::string lacking(const QString& family, const QString& text) {
   if (!QFontDatabase::families().contains(family)) return "no such font";
   const QFontMetrics metrics{QFont(family)};

@@ -9,14 +9,14 @@
 
 namespace alidade::ui {
 
-/// What a diagnosis of sessions together came to.
+/// The result of diagnosing sessions together.
 struct SeriesAnswer {
-  std::vector<std::string> files;        ///< of the sessions diagnosed, as `SeriesMember::file` counts them
-  SharedSeriesDiagnosis diagnosis = {};  ///< null where there is none
-  std::string reason = {};               ///< then: why
+  std::vector<std::string> files;        ///< of the diagnosed sessions, indexed by `SeriesMember::file`
+  SharedSeriesDiagnosis diagnosis = {};  ///< null if there is none
+  std::string reason = {};               ///< the reason for a missing diagnosis
 };
 
-/// Reads the sessions of files and diagnoses them together; those that cannot be used are left out.
+/// Reads session files and diagnoses them together, without unusable ones.
 SeriesAnswer diagnoseTogether(const std::vector<std::string>& files, const std::stop_token& stop,
                               const std::function<void(int done, int total)>& progressed = {});
 
@@ -27,7 +27,7 @@ class SeriesDiagnosisJob : public QObject {
  public:
   explicit SeriesDiagnosisJob(QObject* parent = nullptr);
 
-  /// While something is at work it is stopped, and this follows.
+  /// Stops running work; this follows it.
   void start(const std::vector<std::string>& files);
   bool isAtWork() const { return m_work.isAtWork(); }
 

@@ -12,22 +12,22 @@ namespace alidade::ui {
 
 using SharedSeriesDiagnosis = std::shared_ptr<const SeriesDiagnosis>;
 
-/// What sessions share: the sentence that says so, the causes with their owners, each session alone and in
-/// the light of the others, and which to measure next.
+/// The shared causes of sessions: the summary, the causes with their owners, each session alone and with the
+/// others, and which to measure next.
 class DiagnosisPanel : public QWidget {
   Q_OBJECT
 
  public:
   explicit DiagnosisPanel(QWidget* parent = nullptr);
 
-  /// Null: there is none, and `reason` says why.
+  /// Null: no diagnosis, and `reason` says why.
   void setDiagnosis(const SharedSeriesDiagnosis& diagnosis, const QString& reason = {});
 
   QTableWidget* causes() const { return m_causes; }
   QTableWidget* sessions() const { return m_sessions; }
 
  signals:
-  /// A session was activated: its index in what was handed in for diagnosis.
+  /// A session was activated: its index in the diagnosed files.
   void sessionWanted(std::size_t file);
 
  private:

@@ -5,8 +5,7 @@
 
 namespace alidade::ui {
 
-/// A control chart on the screen. A point that is activated is that of a value: `sightingActivated(0,
-/// index)`.
+/// A control chart on the screen. Activating a value emits `sightingActivated(0, index)`.
 class HistoryChart : public PlotWidget {
   Q_OBJECT
 

@@ -92,7 +92,7 @@ void HistoryPanel::setSeries(const SharedSeries& series) {
   showDevices();
 }
 
-/// The device and the quantity that were chosen stay, where they are still there.
+/// Keeps the chosen device and quantity if they still exist.
 void HistoryPanel::showDevices() {
   const QString kept = m_devices->currentText();
   m_devices->clear();
@@ -149,7 +149,7 @@ void HistoryPanel::compare(const std::vector<std::string>& files) {
   m_congruence->setText(lines.join(QStringLiteral("\n\n")));
 }
 
-/// Not every quantity has a value of every session.
+/// Some quantities lack a value for some sessions.
 void HistoryPanel::highlight(const std::string& file) {
   m_chart->clearHighlight();
   const DeviceHistory* shown = device();

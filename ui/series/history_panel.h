@@ -11,20 +11,21 @@ namespace alidade::ui {
 
 class HistoryChart;
 
-/// One quantity of one device over time: its control chart, what it says, and two sessions compared.
+/// One quantity of one device over time: its control chart, the conclusions, and a comparison of two
+/// sessions.
 class HistoryPanel : public QWidget {
   Q_OBJECT
 
  public:
   explicit HistoryPanel(QWidget* parent = nullptr);
 
-  /// Null: there are no sessions.
+  /// Null: no sessions.
   void setSeries(const SharedSeries& series);
-  /// Of the device shown; null: none.
+  /// The device shown; null: none.
   const DeviceHistory* device() const;
-  /// Compares the two sessions of these files, where both are of the device shown; else says how to.
+  /// Compares the sessions of these two files, if both belong to the device shown; else explains how.
   void compare(const std::vector<std::string>& files);
-  /// The point of this file's session.
+  /// Highlights the point of this file's session.
   void highlight(const std::string& file);
 
  signals:

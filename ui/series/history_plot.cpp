@@ -14,7 +14,7 @@ namespace alidade::ui {
 
 namespace {
 
-// In the order in which they are painted.
+// In painting order.
 enum Line { StatedLimit, SeenLimit, EwmaLimit, Ewma, Level, StepDate, Bar, LineCount };
 enum Kind { Usual, Outside };
 
@@ -124,14 +124,14 @@ void HistoryPlot::reckonExtent() {
   };
   for (const DatedValue& value : m_history.values)
     for (const double side : {-1.0, 1.0}) include(value.value + side * barSigmas * value.apart);
-  // Limits belong in sight, but for those of a value that is hardly known.
+  // Limits must be visible, except those of a very uncertain value.
   const double reach = high - low;
   for (const ControlChart::Point& point : m_history.chart.points)
     for (const double side : {-1.0, 1.0})
       if (point.shewhart < reach) include(m_history.mean.value + side * point.shewhart);
   const double first = yearOf(m_history.values.front()), last = yearOf(m_history.values.back());
   const double beside = std::max(0.04 * (last - first), last > first ? 0.0 : 0.5);
-  const double above = 0.14 * (high - low), below = 0.06 * (high - low);  // dates of steps stand above
+  const double above = 0.14 * (high - low), below = 0.06 * (high - low);  // room for the dates of steps
   m_extent = QRectF(first - beside, (low - below) * m_scale, last - first + 2 * beside,
                     (high - low + above + below) * m_scale);
 }
@@ -184,7 +184,7 @@ QRectF HistoryPlot::axisRange(const QSizeF&) const {
   return m_extent;
 }
 
-/// Each date at the top, above its step; where two would lie on each other, the second a line lower.
+/// Each date is at the top, above its step; overlapping ones move down a line.
 void HistoryPlot::placeExtras() {
   double rightmost = plotArea().left(), line = 0;
   for (std::size_t i = 0; i < m_dates.size(); ++i) {

@@ -9,17 +9,17 @@
 
 namespace alidade::ui {
 
-/// A control chart: the values with bars of 2 u, the level or levels that are told, or the trend, limits of ±
-/// 3 u for each value and of three times the scatter that is seen, and the exponentially weighted average
-/// with its limits. Steps are dated. Over the year and its parts.
+/// A control chart over the year and its parts: values with bars of 2 u, reported levels or trend, limits of
+/// ± 3 u for each value and of three times the observed scatter, and the exponentially weighted average with
+/// its limits. Steps have dates.
 class HistoryPlot : public Plot {
   Q_OBJECT
 
  public:
   explicit HistoryPlot(QObject* parent = nullptr);
 
-  void setEvaluation(const Evaluation&) override {}  // it is of many sessions
-  /// `quantity`: what people call it. An empty history shows nothing but a sentence.
+  void setEvaluation(const Evaluation&) override {}  // the plot shows many sessions
+  /// `quantity`: its common name. An empty history shows only a sentence.
   void setHistory(const History& history, const QString& quantity, const std::string& unit);
   const History& history() const { return m_history; }
 
@@ -43,10 +43,10 @@ class HistoryPlot : public Plot {
   History m_history;
   QString m_quantity;
   std::string m_unit;
-  double m_scale = 1;  ///< to the power of ten that the axis shows
+  double m_scale = 1;  ///< power of ten of the axis
   QRectF m_extent{0, -1, 1, 2};
   std::vector<Stick> m_sticks;
-  std::vector<QGraphicsSimpleTextItem*> m_dates;  ///< of the steps; owned by the chart
+  std::vector<QGraphicsSimpleTextItem*> m_dates;  ///< labels of the steps; owned by the chart
 };
 
 }  // namespace alidade::ui

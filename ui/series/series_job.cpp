@@ -37,7 +37,7 @@ SeriesSession loaded(const std::string& path) {
   return session;
 }
 
-/// The histories of those that can be used.
+/// The histories of the usable sessions.
 void tellHistories(Series& series) {
   std::vector<Epoch> epochs;
   std::vector<std::size_t> sessions;

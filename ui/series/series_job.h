@@ -14,46 +14,46 @@
 
 namespace alidade::ui {
 
-/// A session of a series, as far as it can be used.
+/// A session of a series, and whether it is usable.
 struct SeriesSession {
-  std::string path;  ///< as the core takes it
+  std::string path;  ///< in the form of the core
   std::optional<Epoch> epoch = {};
-  std::string trouble = {};  ///< why there is no epoch, or why it takes no part
+  std::string trouble = {};  ///< why there is no epoch, or why it is left out
 };
 
-/// Sessions, and what they say together.
+/// Sessions and their joint results.
 struct Series {
-  std::vector<SeriesSession> sessions;  ///< in the order they were added
+  std::vector<SeriesSession> sessions;  ///< in the order added
   std::vector<DeviceHistory> devices;
 };
 
 using SharedSeries = std::shared_ptr<const Series>;
 
-/// The sessions of folders and files, each once, as paths of the core: a folder's *.alidade by name.
+/// The sessions of folders and files, each once, as paths of the core: a folder's *.alidade files by name.
 std::vector<std::string> sessionPathsIn(const QStringList& filesAndFolders);
 
-/// Reads, fits and diagnoses the sessions of `added`, in parallel, and tells the history of these and of
-/// those known. Asked to stop, it leaves out those that were still to be read. `progressed`: from any thread.
+/// Reads, fits and diagnoses the sessions of `added` in parallel, and evaluates their history together with
+/// the known ones. Asked to stop, it leaves out the unread ones. `progressed` may be called from any thread.
 Series readSeries(std::vector<SeriesSession> known, const std::vector<std::string>& added,
                   const std::stop_token& stop,
                   const std::function<void(int done, int total)>& progressed = {});
 
-/// Reads, fits and diagnoses the sessions that are new, in the background and in parallel, and tells the
-/// history of all of them.
+/// Reads, fits and diagnoses new sessions in the background and in parallel, and evaluates the history of
+/// all.
 class SeriesJob : public QObject {
   Q_OBJECT
 
  public:
   explicit SeriesJob(QObject* parent = nullptr);
 
-  /// `known`: sessions that were read before and stay. Only while nothing is at work.
+  /// `known`: sessions read before. Only while nothing is running.
   void start(const SharedSeries& known, const std::vector<std::string>& added);
   void stop() { m_work.stop(); }
   bool isAtWork() const { return m_work.isAtWork(); }
 
  signals:
   void progressed(int done, int total);
-  /// Without those that were still to be read when it was stopped.
+  /// Lacks the sessions still unread when it was stopped.
   void told(const alidade::ui::SharedSeries& series);
 
  private:

@@ -7,13 +7,13 @@
 
 namespace alidade::ui {
 
-/// "Guideway 7, serial number G-07"; as somebody wrote it.
+/// "Guideway 7, serial number G-07"; as typed.
 QString deviceText(const DeviceHistory& device);
 
-/// What a quantity's history says, a sentence or two each.
+/// The conclusions from a quantity's history, in one or two sentences each.
 QStringList historyLines(const DeviceHistory& device, const QuantityHistory& quantity);
 
-/// "0.185 ± 0.226 mm": Δd as found and its expanded uncertainty.
+/// "0.185 ± 0.226 mm": Δd, measured, and its expanded uncertainty.
 QString intersectionText(const Epoch& epoch);
 
 /// "accept"; empty without a tolerance.

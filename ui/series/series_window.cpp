@@ -230,7 +230,7 @@ void SeriesWindow::take(const SharedSeries& series) {
   showWork();
 }
 
-/// What the sessions that can be used share.
+/// Diagnoses the usable sessions together.
 void SeriesWindow::diagnose() {
   std::vector<std::string> files;
   for (const SeriesSession& session : m_series->sessions)
@@ -239,7 +239,7 @@ void SeriesWindow::diagnose() {
   m_diagnosisJob.start(files);
 }
 
-/// By date; those without one at the end.
+/// Ordered by date; undated ones last.
 void SeriesWindow::showSessions() {
   std::vector<const SeriesSession*> sessions;
   if (m_series)

@@ -16,8 +16,8 @@ namespace alidade::ui {
 class Dialogs;
 class HistoryPanel;
 
-/// Sessions of one device, or of several, together: a table of them, and what they say in pages below. A
-/// window of its own beside the main one.
+/// Sessions of one or several devices together: a table of them, with pages of results below. A window
+/// separate from the main one.
 class SeriesWindow : public QWidget {
   Q_OBJECT
 
@@ -32,7 +32,7 @@ class SeriesWindow : public QWidget {
   QTableWidget* table() const { return m_table; }
   const SharedSeries& series() const { return m_series; }
 
-  void addFolder();  ///< asks for it
+  void addFolder();  ///< shows the dialog
   void addFiles();
   void add(const QStringList& filesAndFolders);
   void removeSelected();
@@ -41,7 +41,7 @@ class SeriesWindow : public QWidget {
   bool exportPdf();
 
  signals:
-  /// The session of this file is wanted in the main window.
+  /// Asks the main window to open this session.
   void sessionWanted(const QString& path);
 
  private:
@@ -63,9 +63,9 @@ class SeriesWindow : public QWidget {
   SeriesJob m_job;
   SeriesDiagnosisJob m_diagnosisJob;
   SharedSeries m_series;
-  QString m_folder;                      ///< that was looked into last
-  std::vector<std::string> m_diagnosed;  ///< files, as the diagnosis counts them
-  std::vector<std::string> m_waiting;    ///< to be added when the work at hand is done
+  QString m_folder;                      ///< the last one visited
+  std::vector<std::string> m_diagnosed;  ///< files in the order of the diagnosis
+  std::vector<std::string> m_waiting;    ///< to be added after the running work
   QTableWidget* m_table;
   QTabWidget* m_pages;
   HistoryPanel* m_history;

@@ -2,7 +2,7 @@
 
 namespace alidade::ui {
 
-/// Shall a reading that is not as expected sound the desktop's bell? Remembered; at first not.
+/// True if an unexpected reading sounds the desktop's bell. Remembered; off at first.
 bool hasTone();
 void setTone(bool sounds);
 

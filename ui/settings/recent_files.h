@@ -4,10 +4,10 @@
 
 namespace alidade::ui {
 
-/// The files opened last, newest first, at most ten, remembered from one start to the next.
+/// The last opened files, newest first, at most ten, remembered between starts.
 class RecentFiles {
  public:
-  /// Files that cannot be found now (a drive that is not plugged in) are left out, but not forgotten.
+  /// Leaves out missing files (for example on an unplugged drive), but remembers them.
   static QStringList existing();
   static QStringList all();
   static void add(const QString& path);

@@ -4,7 +4,7 @@
 
 namespace alidade::ui {
 
-/// As chosen last, on this machine; what is stored and means nothing counts as not chosen.
+/// The last choice on this machine; invalid stored values are ignored.
 ReportChoice rememberedReportChoice();
 void rememberReportChoice(const ReportChoice& choice);
 

@@ -64,7 +64,7 @@ QPalette darkPalette() {
                    "#7fb2ec");
 }
 
-/// Breaks the lines of a tool tip where one would run across half the screen.
+/// Wraps the lines of a tool tip that would cover half the screen.
 class TipShaper : public QObject {
  public:
   using QObject::QObject;
@@ -76,23 +76,23 @@ class TipShaper : public QObject {
     if (!isSized || tip->width() <= widest || tip->wordWrap()) return false;
     tip->setWordWrap(true);
     tip->resize(widest, tip->heightForWidth(widest));
-    // A tip as wide as it was may have been moved away from the pointer, to stay on the screen.
+    // The unwrapped tip may have been moved away from the pointer, to stay on the screen.
     const int pointer = QCursor::pos().x();
     if (pointer > tip->geometry().right()) tip->move(pointer - widest, tip->y());
     return false;
   }
 };
 
-/// Fusion without the light line it draws above a tool bar, which glares on dark colours, and with a frame
-/// round check boxes that is seen on them: Fusion draws it darker than the window.
+/// Fusion without the light line above a tool bar, which glares on dark colours. Frames of check boxes are
+/// visible, while Fusion draws them darker than the window.
 class WorkstationStyle : public QProxyStyle {
  public:
   WorkstationStyle() : QProxyStyle(QStringLiteral("Fusion")) {}
 
   using QProxyStyle::polish;
 
-  /// What is shown is text, whoever wrote it: labels, those of message boxes and tool tips too, take markup
-  /// only where they are told to, never because a name looks like it.
+  /// All labels, including those of message boxes and tool tips, show plain text unless markup is explicitly
+  /// enabled, so a name cannot act as markup.
   void polish(QWidget* widget) override {
     QProxyStyle::polish(widget);
     auto* label = qobject_cast<QLabel*>(widget);
@@ -100,7 +100,7 @@ class WorkstationStyle : public QProxyStyle {
     if (label && label->inherits("QTipLabel")) label->installEventFilter(&m_tips);
   }
 
-  /// The signs of message boxes are the program's own, as everywhere.
+  /// Message boxes use the program's own icons.
   QIcon standardIcon(StandardPixmap which, const QStyleOption* option, const QWidget* widget) const override {
     switch (which) {
       case SP_MessageBoxInformation:
@@ -116,7 +116,7 @@ class WorkstationStyle : public QProxyStyle {
     }
   }
 
-  /// Buttons of dialogs say in words what they do.
+  /// Dialog buttons show text only.
   int styleHint(StyleHint hint, const QStyleOption* option, const QWidget* widget,
                 QStyleHintReturn* data) const override {
     return hint == SH_DialogButtonBox_ButtonsHaveIcons ? 0
@@ -165,7 +165,7 @@ void setUpApplication(QApplication& application) {
 void applyTheme(Theme theme) {
   const bool dark = theme == Theme::Dark || (theme == Theme::System && isDark(desktopPalette()));
   const QPalette palette = dark ? darkPalette() : lightPalette();
-  QPixmapCache::clear();  // disabled icons are kept there in the colours that were
+  QPixmapCache::clear();  // it caches disabled icons in the old colours
   QApplication::setPalette(palette);
   QToolTip::setPalette(palette);
   QSettings().setValue(themeKey, static_cast<int>(theme));

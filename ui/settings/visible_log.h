@@ -2,7 +2,8 @@
 
 namespace alidade::ui {
 
-/// From here on what Qt and this program log, names of files among it, goes to stderr as visible lines.
+/// From here on, log output of Qt and this program, including file names, goes to stderr with invisible
+/// characters escaped.
 void keepLogVisible();
 
 }  // namespace alidade::ui

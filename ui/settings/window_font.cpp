@@ -14,7 +14,7 @@ namespace alidade::ui {
 namespace {
 
 const QString familyKey = QStringLiteral("font/family"), pointsKey = QStringLiteral("font/points");
-constexpr double usualHeight = 15;  // of a line of DejaVu Sans at 9.5 points and 96 dots to the inch
+constexpr double usualHeight = 15;  // height of a line of DejaVu Sans at 9.5 points and 96 dots per inch
 
 double within(double points) {
   return std::clamp(points, smallestPoints, largestPoints);

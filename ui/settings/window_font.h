@@ -9,7 +9,7 @@ class QWidget;
 
 namespace alidade::ui {
 
-/// The letters of the window. The report has its own, the same on every machine.
+/// The font of the window. The report has its own, equal on every machine.
 struct FontChoice {
   QString family = {};  ///< empty: the desktop's
   double points = 0;    ///< 0: the desktop's size
@@ -19,16 +19,16 @@ struct FontChoice {
 
 inline constexpr double smallestPoints = 6, largestPoints = 24;
 
-/// What a choice comes to on this desktop.
+/// The font of a choice on this desktop.
 QFont fontOf(const FontChoice& choice);
-/// The same letters, one point larger or smaller, within the limits.
+/// The same font, one point larger or smaller per step, within the limits.
 FontChoice resized(const FontChoice& choice, int bySteps);
 
-/// Gives the whole program this font at once, and remembers the choice.
+/// Applies this font to the whole program at once, and remembers the choice.
 void applyFont(const FontChoice& choice);
 FontChoice rememberedFont();
 
-/// Tells that the program has another font; the widgets may have yet to take it.
+/// Signals that the program's font changed; widgets may update later.
 class FontNews : public QObject {
   Q_OBJECT
 
@@ -39,11 +39,11 @@ class FontNews : public QObject {
   void changed();
 };
 
-/// Does `layOut` now, and anew whenever the program has another font: for sizes that no layout keeps.
+/// Calls `layOut` now and after every font change, for sizes outside layouts.
 void layOutByFont(QWidget& widget, const std::function<void()>& layOut);
-/// Letters of this size in proportion to the program's, whatever these become.
+/// Scales letters relative to the program's font, also after changes.
 void scaleFont(QWidget& widget, double factor);
-/// How many pixels now do what `pixels` do with the letters that the window was laid out for.
+/// `pixels`, scaled from the original font of the layout to the current one.
 int byFont(int pixels);
 
 }  // namespace alidade::ui

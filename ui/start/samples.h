@@ -8,14 +8,14 @@
 
 namespace alidade::ui {
 
-/// A session that comes with the program, in its resources: found wherever the program is.
+/// A session in the program's resources, available wherever the program is.
 struct Sample {
-  const char* name;   ///< of its file, without suffix
+  const char* name;   ///< file name without suffix
   const char* title;  ///< in the context `Sample`
   const char* shows;  ///< one line, likewise
 };
 
-/// In an order to look at them.
+/// In the recommended order.
 const std::vector<Sample>& allSamples();
 
 Result<Session> readSample(const QString& name);

@@ -140,7 +140,7 @@ void StartPage::fillSamples() {
   m_samples->setCurrentItem(m_samples->topLevelItem(0));
 }
 
-/// What is not there now stays in the list: the drive may be plugged in again.
+/// Missing files stay in the list, since the drive may be plugged in again.
 void StartPage::refresh() {
   m_recent->clear();
   for (const QString& path : RecentFiles::all()) {
@@ -164,7 +164,7 @@ void StartPage::focusFirst() {
   m_recent->currentItem() ? m_recent->setFocus() : m_new->setFocus();
 }
 
-/// A list would search for what is typed.
+/// Prevents a list from searching for typed text.
 bool StartPage::eventFilter(QObject* watched, QEvent* event) {
   if (event->type() == QEvent::KeyPress && isTyped(static_cast<const QKeyEvent&>(*event))) {
     emit sessionWanted(static_cast<const QKeyEvent&>(*event).text());

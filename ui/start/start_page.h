@@ -7,16 +7,16 @@ class QTreeWidget;
 
 namespace alidade::ui {
 
-/// What to begin with, instead of an empty session: a new one, a file, a sample, the guide.
+/// The first choices instead of an empty session: a new one, a file, a sample, the guide.
 class StartPage : public QWidget {
   Q_OBJECT
 
  public:
   explicit StartPage(QWidget* parent = nullptr);
 
-  /// Reads the list of recent files anew.
+  /// Reads the list of recent files again.
   void refresh();
-  /// To where one most likely goes on: the newest file, or else a new session.
+  /// Focuses the most likely choice: the newest file, or else a new session.
   void focusFirst();
 
  signals:
@@ -26,7 +26,7 @@ class StartPage : public QWidget {
   void guideWanted();
   void fileWanted(const QString& path);
   void sampleWanted(const QString& name);
-  /// Back to the session at work; `typed`, if any, goes on there.
+  /// Returns to the current session, and forwards `typed`, if any.
   void sessionWanted(const QString& typed);
 
  protected:

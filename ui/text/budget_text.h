@@ -7,22 +7,22 @@
 
 namespace alidade::ui {
 
-/// A line of the budget of Δd as it was measured, for people.
+/// A line of the budget of Δd, measured, as shown to the user.
 struct BudgetLine {
   QString source;
   QString sizes;     ///< 1σ of an effect's numbers: "30″"; else empty
   QString type;      ///< "A" or "B"
-  QString from;      ///< where the size comes from
+  QString from;      ///< source of the size
   double sigma = 0;  ///< mm
 };
 
-/// The greatest share first; those below one percent of the variance together in the last line.
+/// Largest share first; shares below one percent of the variance are combined in the last line.
 QVector<BudgetLine> budgetLines(const MeasuredIntersection& measured);
 
-/// "63.1 %": of the variance.
+/// A share of the variance: "63.1 %".
 QString shareText(double part, double whole);
 
-/// "12", "many" beyond counting, "∞".
+/// "12", "many" for very large numbers, "∞".
 QString degreesOfFreedomText(double degrees);
 
 }  // namespace alidade::ui

@@ -117,7 +117,7 @@ QString gapSentence(const Gap& gap) {
 
 namespace {
 
-/// "without 2 misread values": each of these stages leaves out more.
+/// "without 2 misread values": each of these stages excludes more.
 QString withoutGrossErrors(const Gap& gap, const GapStage& stage) {
   std::size_t all = 0, leftOut = 0;
   for (const GapStage& other : gap.stages) {

@@ -6,7 +6,7 @@
 
 namespace alidade::ui {
 
-/// U of a misclosure at `coverage`, mm. Its σ is taken as known.
+/// U of a misclosure at `coverage`, mm. Treats its σ as exactly known.
 double expandedOf(const Closure& closure, double coverage);
 
 /// "1.96 ± 0.55 mm".
@@ -14,7 +14,7 @@ QString closureText(const Closure& closure, double coverage);
 /// "7.0 σ".
 QString closureSigmasText(const Closure& closure);
 
-/// "12.3″", "5.8 mm": the size with two digits, without the sign of its numbers in two directions.
+/// "12.3″", "5.8 mm": the size with two digits, without a sign for numbers in two directions.
 QString requiredSizeText(const Required& required);
 /// "2.4", "< 0.1": the same in plausible sizes.
 QString plausibleSizesText(const Required& required);

@@ -9,7 +9,7 @@ namespace alidade::ui {
 
 namespace {
 
-/// ″ or °.
+/// True for ″ or °.
 bool isSign(const QString& unit) {
   return unit == QStringLiteral("″") || unit == QStringLiteral("°");
 }

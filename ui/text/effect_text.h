@@ -7,14 +7,14 @@
 
 namespace alidade::ui {
 
-/// An effect of the catalogue as people call it: "trunnion tilt".
+/// The common name of a catalogued effect: "trunnion tilt".
 QString effectName(const std::string& id);
 
-/// An estimated number of an effect as people call it: "trunnion tilt", "plane tilt, tilt about x".
-/// `separator` stands before the number's own name where the effect has several.
+/// The common name of an estimated number: "trunnion tilt", "plane tilt, tilt about x". `separator` precedes
+/// the number's own name if the effect has several.
 QString effectText(const EffectEstimate& estimate, const QString& separator = QStringLiteral(", "));
 
-/// Does the effect's name say already which number it is, as "slider scale" does of "scale"?
+/// True if the effect's name already names the number, as "slider scale" does "scale".
 bool isNamedBy(const std::string& effect, const std::string& parameter);
 
 /// The text with a capital first letter.
@@ -22,12 +22,12 @@ QString capitalised(QString text);
 
 /// "12″", "0.05 mm", no blank before ″ and °; `unit` as `unitText` writes it.
 QString withUnit(const QString& figure, const QString& unit);
-/// "−0.298 mm (u 0.009)": ± stands for U alone. Two digits of u.
+/// "−0.298 mm (u 0.009)": ± is reserved for U. Two digits of u.
 QString withStandardUncertainty(double value, double u, const QString& unit);
 
-/// The unit of the catalogue as it is written: "″" for "arcsec", "°" for "deg", empty for a bare number.
+/// The displayed unit: "″" for "arcsec", "°" for "deg", empty for a bare number.
 QString unitText(const std::string& unit);
-/// 1σ of what is plausible of a number: "30″", "0.05 mm".
+/// The plausible size (1σ) of a number: "30″", "0.05 mm".
 QString plausibleText(const EffectParameter& parameter);
 QString effectUnitText(const EffectEstimate& estimate);
 

@@ -8,7 +8,7 @@
 
 namespace alidade::ui {
 
-/// A path as the core and the system take it.
+/// A path in the encoding of the core and the system.
 inline std::string encodedPath(const QString& path) {
   return QFile::encodeName(path).toStdString();
 }

@@ -11,8 +11,8 @@ inline QString qText(const std::string& text) {
   return QString::fromStdString(text);
 }
 
-/// An angle as typed, shown for reading in `unit`: `3415224` as 341°52′24″, as finely (`decimalsOf`) as it
-/// needs, at least to `leastDecimals` of seconds. What is no angle is shown as typed.
+/// A typed angle shown in `unit`: `3415224` as 341°52′24″, with the decimals it needs (`decimalsOf`), at
+/// least `leastDecimals` of seconds. An invalid angle is shown as typed.
 QString shownAngle(const std::string& typed, CircleUnit unit, int leastDecimals = 0);
 
 }  // namespace alidade::ui

@@ -7,7 +7,7 @@
 
 namespace alidade::ui {
 
-/// What stands against the fit, or in its place, in sentences; the suspects apart.
+/// Findings about the fit, or reasons for its absence, in sentences; without the suspects.
 std::vector<Finding> findingsOf(const Evaluation& evaluation);
 
 }  // namespace alidade::ui

@@ -47,7 +47,7 @@ QString referenceText(const Measurement& measurement, double value) {
            lengthText(value - *measurement.referenceIntersection, 3));
 }
 
-/// All but the figure itself and the verdict.
+/// Everything except the figure itself and the verdict.
 Headline frameOf(const Evaluation& evaluation) {
   Headline headline;
   headline.name = measuredName();

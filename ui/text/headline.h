@@ -5,17 +5,17 @@
 
 namespace alidade::ui {
 
-/// The one result in large type, and what stands below it in small type. Window, inset, Large Display and
-/// report show the same one: Δd, measured, with U, tolerance and verdict.
+/// The one result in large type, with the small type below it. Window, inset, Large Display and report all
+/// show it: Δd, measured, with U, tolerance and verdict.
 struct Headline {
   QString name;                ///< "Δd, measured", or "Δd, fit only" while provisional
-  QString figure;              ///< "1.30 ± 0.74 mm", or in a few words why there is none
+  QString figure;              ///< "1.30 ± 0.74 mm", or briefly why there is none
   QString tip;                 ///< the figure to six decimals and what it includes; may be empty
   QString tolerance;           ///< "Tolerance ± 2.5 mm"; empty where none is stated
   VerdictText verdict;         ///< its word is the fourth part of the large type
   QString fitOnly;             ///< "Δd, fit only: 1.31 ± 0.21 mm", in small type; empty without Δd
-  QString fitOnlyDetails;      ///< coverage, k and u of it
-  QString reference;           ///< where the session states one: Δd minus it
+  QString fitOnlyDetails;      ///< its coverage, k and u
+  QString reference;           ///< Δd minus the reference, if the session states one
   bool isMeasured = false;     ///< the figure is Δd, measured
   bool isProvisional = false;  ///< the diagnosis is running; the figure is Δd, fit only
 

@@ -9,13 +9,13 @@
 
 namespace alidade::ui {
 
-/// What the journal tells of, as it was called then: "0°, row 5 (point 5), vertical reading".
+/// The place of the entry under its name at that time: "0°, row 5 (point 5), vertical reading".
 QString journalPlace(const JournalEntry& entry);
 
 /// "suggestion accepted, J. Doe, 2026-03-14 15:09 UTC".
 QString changeText(const JournalEntry& entry);
 
-/// The newest entry of this cell, as it stands now; null where none tells of it.
+/// The newest entry about this cell as it is now; null if there is none.
 const JournalEntry* lastChange(const Session& session, std::size_t position, std::size_t row,
                                const RowField& field);
 

@@ -23,7 +23,7 @@ struct NextReadingText {
 
 constexpr int longestKey = 20;
 
-/// Empty where it is what an empty entry stands for.
+/// Empty for the value that an empty entry means.
 QString unusual(const RowField& field, const std::string& text) {
   return text == usualText(field) ? QString() : shortLine(text, longestKey);
 }

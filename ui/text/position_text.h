@@ -14,8 +14,7 @@ inline QString positionText(int axisDeg, int time = 1) {
   return qText(positionName(axisDeg, time));
 }
 
-/// The name of a position of the session, counted in the order of its file; as typed where its axis cannot be
-/// understood.
+/// The name of the session's position at this index in file order; as typed if its axis is invalid.
 QString positionText(const Session& session, std::size_t position);
 
 /// "Axis at 0°, point 3, round 1, face 2".

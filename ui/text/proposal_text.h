@@ -6,7 +6,7 @@
 
 namespace alidade::ui {
 
-/// What a proposal would put in: "341°25′24″", "face 2", "341°25′24″ and 88°16′49″".
+/// The texts of a proposal: "341°25′24″", "face 2", "341°25′24″ and 88°16′49″".
 QString proposalText(const Proposal& proposal, CircleUnit unit);
 
 }  // namespace alidade::ui

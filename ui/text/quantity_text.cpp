@@ -34,7 +34,7 @@ QString signedNumberText(double value, int decimals) {
 
 QString plainNumberText(double value) {
   if (!std::isfinite(value)) return notStated();
-  // Ten digits hide what turning degrees into radians and back does to a typed number.
+  // Ten digits hide the rounding of a conversion from degrees to radians and back.
   const QString rounded = QString::number(value, 'g', 10);
   return QString::fromStdString(displayShortest(rounded.toDouble()));
 }

@@ -8,22 +8,22 @@
 
 namespace alidade::ui {
 
-// Numbers as people read them, on screen and on paper alike: a decimal point, a real minus sign (−), a blank
-// before letters of a unit and none before ° ′ ″. What is not known or not finite is an em dash.
+// Numbers for screen and paper: a decimal point, a real minus sign (−), a blank before letters of a unit and
+// none before ° ′ ″. An unknown or non-finite number is an em dash.
 
-/// "—": stands where a number is not known and where a form was not filled in.
+/// "—": for an unknown number or an empty field of a form.
 QString notStated();
 
-/// `text`, or "—" where there is none.
+/// `text`, or "—" if it is empty.
 QString orNotStated(const QString& text);
 
 /// Fixed decimals (0…9): "−0.835", never "−0.000".
 QString numberText(double value, int decimals);
 
-/// As `numberText`, with the sign written even where it is plus: "+1.3", "−1.3", "0.0".
+/// As `numberText`, with an explicit plus sign: "+1.3", "−1.3", "0.0".
 QString signedNumberText(double value, int decimals);
 
-/// The shortest text that says the same number to ten digits: "2405", "0.95", and 5 for 4.999 999 999 99.
+/// The shortest text with the same number to ten digits: "2405", "0.95", and 5 for 4.999 999 999 99.
 QString plainNumberText(double value);
 
 /// "401.9543 mm".
@@ -37,7 +37,7 @@ QString angleText(Angle angle, CircleUnit unit = CircleUnit::Dms, int decimals =
 
 /// "1.308 ± 0.022 mm": the uncertainty with two significant digits, the value to the same decimals.
 QString valueWithUncertainty(double value, double uncertainty, const QString& unit);
-/// With so many decimals.
+/// The same with this number of decimals.
 QString valueWithUncertainty(double value, double uncertainty, const QString& unit, int decimals);
 
 /// "× 500".

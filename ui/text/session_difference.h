@@ -8,21 +8,21 @@
 
 namespace alidade::ui {
 
-/// One entry that is not the same in two sessions: where, as people call it, and both texts.
+/// One entry that differs between two sessions: its name and both texts.
 struct EntryDifference {
   QString where, mine, theirs;
 };
 
-/// How two sessions differ, entry by entry.
+/// The differences of two sessions, entry by entry.
 struct SessionDifference {
   static constexpr std::size_t most = 1000;
 
   std::vector<EntryDifference> entries;  ///< the first `most`
-  std::size_t count = 0;                 ///< of all; 0: a file of either would say the same
+  std::size_t count = 0;                 ///< of all differences; 0: both would give the same file
 };
 
-/// Rows are compared from both ends of a position: what was inserted or deleted in between is told as whole
-/// rows. An entry that no form or table shows is told without its texts.
+/// Compares rows from both ends of a position; rows inserted or deleted between are listed whole. Entries
+/// that no form or table shows are listed without texts.
 SessionDifference differenceOf(const Session& mine, const Session& theirs);
 
 /// "3 entries differ", "1 entry differs".

@@ -19,9 +19,9 @@ double worstDifference(const MonteCarlo& check) {
   return std::max(check.lowDifference, check.highDifference);
 }
 
-/// An end is uncertain as one over the square root of the draws, and three times that is to fit into the
-/// tolerance; where an end differs by more, also between the tolerance and that difference. To one digit;
-/// empty where so many cannot be asked for.
+/// Draws needed to decide, to one digit. An end has an uncertainty proportional to one over the square root
+/// of the draws; three times that must fit within the tolerance. If an end differs by more, it must also fit
+/// within the excess. Empty if more than `mostDraws`.
 std::optional<qint64> drawsToTell(const MonteCarlo& check) {
   const double excess = worstDifference(check) - check.tolerance;
   const double room = excess > 0 ? std::min(check.tolerance, excess) : check.tolerance;

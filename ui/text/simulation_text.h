@@ -6,13 +6,13 @@
 
 namespace alidade::ui {
 
-/// As many as can be asked for.
+/// The largest number the user can request.
 inline constexpr int mostDraws = 5000000;
 
-/// Whether the propagated uncertainty and the simulated one agree, in a word or a few: "Agrees."
+/// A word or a few: whether propagated and simulated uncertainty agree: "Agrees."
 QString agreementWord(const MonteCarlo& check);
 
-/// By how much the ends of the intervals differ, against what tolerance, and what follows from it.
+/// The difference of the interval ends, the tolerance, and the consequence.
 QString agreementSentence(const MonteCarlo& check);
 
 /// The whole check in a paragraph for paper; needs an intersection.

@@ -4,7 +4,7 @@
 
 namespace alidade::ui {
 
-/// What a screen reader says in a cell: what it shows, or that the column named `title` is empty there.
+/// What a screen reader says in a cell: its text, or that the column named `title` is empty there.
 QString spokenCell(const QString& shown, const QString& title);
 
 }  // namespace alidade::ui

@@ -44,7 +44,7 @@ void addEffects(QStringList& lines, const Truth& truth) {
   }
 }
 
-/// Its size is in mm or arcseconds, as the kind has it.
+/// The size is in mm or arcseconds, depending on the kind.
 QString foreignText(const ForeignEffect& effect) {
   using Kind = ForeignEffect::Kind;
   const QString length = lengthText(effect.size, 3);

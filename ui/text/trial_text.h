@@ -7,13 +7,13 @@
 
 namespace alidade::ui {
 
-/// A kind of truth as people call it: "collimation", "two effects", "nothing".
+/// The common name of a kind of truth: "collimation", "two effects", "nothing".
 QString trialKindName(const std::string& kind);
 
-/// What was put into the session, with sizes, a line for each thing; "Nothing was put in." where that is so.
+/// The simulated errors of the session with sizes, a line for each; "Nothing was put in." if none.
 QStringList truthLines(const BlindTrial& trial);
 
-/// Why the answer counts as right or wrong, in a sentence.
+/// A sentence on why the diagnosis counts as right or wrong.
 QString scoreSentence(const SealedTruth& truth, const TrialScore& score);
 
 }  // namespace alidade::ui

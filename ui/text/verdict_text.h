@@ -9,26 +9,24 @@
 
 namespace alidade::ui {
 
-/// The verdict as window and report state it. A session with entries that could not be used gets none,
-/// whatever the rest says.
+/// The verdict in window and report. A session with unusable entries never has one.
 struct VerdictText {
   QString word;  ///< "Accepted", "Rejected", "Undecided"; "…, fit only" without a diagnosis; or that there is
                  ///< none
-  QString sentence;                     ///< with the numbers it rests on, or why there is none
-  std::optional<Verdict> verdict = {};  ///< absent where there is none, and without a diagnosis
-  bool tellsAcross = false;             ///< the sentence has what lies across the plane of the arc
+  QString sentence;                     ///< with its numbers, or why there is none
+  std::optional<Verdict> verdict = {};  ///< absent without a verdict or a diagnosis
+  bool tellsAcross = false;             ///< the sentence includes Δz, across the plane of the arc
 };
 
-/// `diagnosis` is of the evaluation; null: there was none.
+/// `diagnosis` belongs to the evaluation; null if there was none.
 VerdictText verdictText(const Evaluation& evaluation, const Diagnosis* diagnosis);
-/// While the diagnosis is running: neither accept nor reject.
+/// The verdict while the diagnosis is running: neither accept nor reject.
 VerdictText provisionalVerdict(const Evaluation& evaluation);
 
-/// In which colour it is shown.
+/// The state that sets its colour.
 State stateOf(const VerdictText& verdict);
 
-/// "1.31 ± 0.21 mm": beside a tolerance with so many digits that they do not say otherwise than the
-/// verdict.
+/// "1.31 ± 0.21 mm": with enough digits to agree with the verdict on a tolerance.
 QString intersectionText(const Measurement& measurement, double value, double expanded);
 
 }  // namespace alidade::ui

@@ -12,7 +12,7 @@ namespace {
 constexpr int longestMenuText = 60, tipWidth = 90;
 constexpr qsizetype mostTipLines = 24;
 
-/// Letters, digits and signs that nothing is ever done to, told at a glance: nearly all that is shown.
+/// True for letters, digits and signs that are always shown unchanged: a fast path for nearly all text.
 bool isPlain(QChar c) {
   const char16_t code = c.unicode();
   return (code >= 0x20 && code < 0x7F) || (code >= 0xA0 && code < 0x300 && code != 0xAD) ||
@@ -25,7 +25,7 @@ QString visible(const QString& text, std::string_view kept) {
   return QString::fromStdString(visibleText(text.toStdString(), kept));
 }
 
-/// In pieces of at most `tipWidth`, at blanks where there are any.
+/// Pieces of at most `tipWidth`, split at blanks if possible.
 QStringList brokenLines(QString line) {
   QStringList pieces;
   while (line.size() > tipWidth) {

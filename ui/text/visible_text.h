@@ -5,14 +5,14 @@
 
 namespace alidade::ui {
 
-/// What somebody wrote, as a window or a sheet may show it, on one line: what turns or hides text or ends the
-/// line stands there as its JSON escape (`alidade::visibleText`).
+/// User text made safe for a window or sheet, on one line: characters that reverse or hide text or end the
+/// line become their JSON escapes (`alidade::visibleText`).
 QString visibleLine(const QString& text);
 inline QString visibleLine(const std::string& text) {
   return visibleLine(QString::fromStdString(text));
 }
 
-/// The same with its line ends, of whichever kind, and its tabs.
+/// The same, keeping tabs and line ends of every kind.
 QString visibleLines(const QString& text);
 
 /// One line of at most `most` characters, the rest an ellipsis.
@@ -21,11 +21,10 @@ inline QString shortLine(const std::string& text, int most) {
   return shortLine(QString::fromStdString(text), most);
 }
 
-/// For a menu, a tab or a button, where an ampersand would underline a letter: short, with ampersands that
-/// are seen.
+/// Text for a menu, tab or button: short, with ampersands escaped, since they would underline a letter.
 QString menuText(const QString& text);
 
-/// For a tool tip: in lines that fit a screen, and no more of them than do.
+/// Text for a tool tip: broken into lines, as many as fit a screen.
 QString tipText(const QString& text);
 
 }  // namespace alidade::ui

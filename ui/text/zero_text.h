@@ -7,8 +7,8 @@
 
 namespace alidade::ui {
 
-/// The mean of the sightings of a position's pointing zero, with its σ and by what the zero moved; empty
-/// where it was sighted once or has none. `position` is an index into the session's.
+/// The mean of a position's pointing zero with its σ and the movement of the zero; empty if sighted once or
+/// absent. `position` is an index into the session's.
 QString meanZeroText(const Examined& examined, std::size_t position);
 
 }  // namespace alidade::ui

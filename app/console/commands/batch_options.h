@@ -8,7 +8,7 @@ class App;
 
 namespace alidade::console {
 
-/// Adds `[--threads N] [--progress] [--json]` to a subcommand that answers many files.
+/// Adds `[--threads N] [--progress] [--json]` to a subcommand for many files.
 void addBatchOptions(CLI::App& command, BatchOptions& options);
 
 }  // namespace alidade::console

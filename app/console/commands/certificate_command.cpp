@@ -31,7 +31,7 @@ struct ReadSession {
   Session session;
 };
 
-/// The file as it is: what is embedded is what was evaluated.
+/// The unchanged file, since the embedded file must be the evaluated one.
 Result<ReadSession> readWhole(const CertificateRequest& request) {
   Result<std::string> bytes = request.file == "-" ? readStandardInput() : readFile(request.file);
   if (!bytes) return bytes.problem();

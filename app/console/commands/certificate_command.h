@@ -12,13 +12,13 @@ class App;
 
 namespace alidade::console {
 
-/// What `alidade-cli certificate` was asked.
+/// The arguments of `alidade-cli certificate`.
 struct CertificateRequest {
-  std::string file;                                ///< `-`: standard input
-  std::string out;                                 ///< the certificate's path
-  std::string pdf;                                 ///< of the acceptance report to go with it; empty: none
-  std::string measuredOn;                          ///< where the session states no day
-  std::string country, performedAt, manufacturer;  ///< as `CertificateOptions` has them
+  std::string file;        ///< `-`: standard input
+  std::string out;         ///< the certificate's path
+  std::string pdf;         ///< path of the accompanying acceptance report; empty: none
+  std::string measuredOn;  ///< used if the session states no day
+  std::string country, performedAt, manufacturer;  ///< as in `CertificateOptions`
   std::string issued;                              ///< day of issue; empty: none
   std::string instrument;                          ///< path of an instrument record; empty: none
   SigningFiles signing = {};
@@ -32,7 +32,7 @@ struct CertificateAnswer {
 /// Adds `certificate FILE --out OUT.xml [--pdf REPORT.pdf] …`, which fills in `request`.
 void addCertificateCommand(CLI::App& app, CertificateRequest& request);
 
-/// Writes the digital calibration certificate of a session, signed where asked for.
+/// Writes the digital calibration certificate of a session, signed on request.
 Result<CertificateAnswer> runCertificate(const CertificateRequest& request);
 
 }  // namespace alidade::console

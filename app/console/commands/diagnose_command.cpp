@@ -36,7 +36,7 @@ void takeRelation(const DiagnoseRequest& request, Measurement& measurement) {
         request.verticalAngle == "planar" ? VerticalAngleRelation::Planar : VerticalAngleRelation::Exact;
 }
 
-/// What the series is called: its folder, or how many files it is of.
+/// The name of the series: its folder, or its number of files.
 std::string seriesName(const std::vector<std::string>& named, std::size_t sessions) {
   if (named.size() == 1) {
     const std::filesystem::path folder = std::filesystem::path(named.front()).lexically_normal();
@@ -46,7 +46,7 @@ std::string seriesName(const std::vector<std::string>& named, std::size_t sessio
   return "Series of " + counted(sessions, "session");
 }
 
-/// A line on stderr now and then, so that long work is seen to move.
+/// Prints progress to stderr from time to time during long work.
 std::function<void(std::size_t, std::size_t)> progressLine(bool wanted) {
   using Clock = std::chrono::steady_clock;
   if (!wanted) return {};
@@ -89,7 +89,7 @@ Result<std::string> runDiagnose(const DiagnoseRequest& request, const std::strin
   Result<SessionInput> read = readSessionInput(file, request.instrument);
   if (!read) return read.problem();
   SessionInput input = *std::move(read);
-  input.session = {};  // of no more use, and as long as its rows
+  input.session = {};  // no longer needed, and as large as its rows
   Measurement& measurement = input.measurement;
   takeRelation(request, measurement);
   if (request.withReference && !measurement.sigmaReference)

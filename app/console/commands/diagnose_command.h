@@ -12,11 +12,11 @@ class App;
 
 namespace alidade::console {
 
-/// What `alidade-cli diagnose` was asked.
+/// The arguments of `alidade-cli diagnose`.
 struct DiagnoseRequest {
   std::vector<std::string> files;  ///< paths, or - for standard input
-  bool each = false;               ///< every file by itself, folders of them, too
-  std::string verticalAngle;       ///< exact or planar; empty: as the session says
+  bool each = false;               ///< each file separately, also in folders
+  std::string verticalAngle;       ///< exact or planar; empty: from the session
   std::vector<std::string> without;
   std::string instrument;  ///< path of an instrument record; empty: none
   bool withReference = false;
@@ -27,11 +27,11 @@ struct DiagnoseRequest {
 /// [--instrument RECORD] [--threads N] [--progress] [--json]`, which fills in `request`.
 void addDiagnoseCommand(CLI::App& app, DiagnoseRequest& request);
 
-/// What many files come to together: every session among them that can be used, each other with a line on
-/// stderr and `BadInput`.
+/// The common result of many files: every usable session among them; each unusable one gets a line on stderr
+/// and leads to `BadInput`.
 int giveSeries(const DiagnoseRequest& request);
 
-/// The answer to one file in text or JSON. Fails where the session cannot be used or an effect is unknown.
+/// The diagnosis of one file as text or JSON. Fails if the session is unusable or an effect is unknown.
 Result<std::string> runDiagnose(const DiagnoseRequest& request, const std::string& file);
 
 }  // namespace alidade::console

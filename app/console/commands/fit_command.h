@@ -14,17 +14,17 @@ class App;
 
 namespace alidade::console {
 
-/// What `alidade-cli fit` was asked.
+/// The arguments of `alidade-cli fit`.
 struct FitRequest {
-  std::vector<std::string> files;   ///< and folders of them; `-`: standard input
+  std::vector<std::string> files;   ///< files and folders; `-`: standard input
   std::string method = "rigorous";  ///< or "published"
-  double risk = 0.01;               ///< of naming a suspect in a sound session
-  /// Draws to check the uncertainty with: a number, or `auto`, as many as it takes; empty: none.
+  double risk = 0.01;               ///< probability of naming a suspect in a sound session
+  /// Draws for the Monte Carlo check: a number, or `auto` for as many as needed; empty: none.
   std::string monteCarlo;
-  std::uint64_t seed = 1;  ///< of the draws
+  std::uint64_t seed = 1;  ///< seed of the draws
   std::string instrument;  ///< path of an instrument record; empty: none
   std::string csv;         ///< "residuals", "budget" or "results": a table instead; empty: none
-  bool diagnosis = true;   ///< of the gap between model and readings, which the verdict heeds
+  bool diagnosis = true;   ///< whether to diagnose the gap, which the verdict takes into account
   BatchOptions batch = {};
 };
 
@@ -33,9 +33,8 @@ struct FitRequest {
 /// [--json]`, which fills in `request`.
 void addFitCommand(CLI::App& app, FitRequest& request);
 
-/// The fit of one file as text or JSON. Fails where the session cannot be read, where any entry of it is
-/// unusable (the first by its place, the others counted), or where an arc cannot be fitted. A missing
-/// position is no failure but a finding.
+/// The fit of one file as text or JSON. Fails if the session cannot be read, if any entry is unusable (the
+/// first is named, the others counted), or if an arc cannot be fitted. A missing position is only a finding.
 Result<std::string> runFit(const FitRequest& request, const std::string& file);
 
 }  // namespace alidade::console

@@ -118,7 +118,7 @@ class Histories {
     return m_request.batch.json ? historyJson(name, histories, remarks) : historyText(name, histories);
   }
 
-  /// Those that can be used, in their order; the others are told.
+  /// The usable ones in order; the others are reported.
   std::vector<Epoch> load(const std::vector<ListedFile>& files, std::vector<std::string>& remarks) {
     std::vector<std::optional<Epoch>> loaded(files.size());
     std::vector<std::string> reasons(files.size());

@@ -12,7 +12,7 @@ class App;
 
 namespace alidade::console {
 
-/// What `alidade-cli history` was asked.
+/// The arguments of `alidade-cli history`.
 struct HistoryRequest {
   std::vector<std::string> files;  ///< folders of sessions, tables of values, sessions
   BatchOptions batch = {};
@@ -21,9 +21,9 @@ struct HistoryRequest {
 /// Adds `history FOLDER|VALUES.csv… [--threads N] [--progress] [--json]`, which fills in `request`.
 void addHistoryCommand(CLI::App& app, HistoryRequest& request);
 
-/// Writes the history of each folder and table; sessions that are named are of one history. One input gets
-/// one answer, several an answer each (`answerEach`). Sessions of a folder that cannot be used or have no
-/// date are named on stderr, and the others answered; the exit code then is `BadInput`.
+/// Writes the history of each folder and table; sessions named one by one form one history. Several inputs
+/// get a result each (`answerEach`). Sessions of a folder that are unusable or lack a date are named on
+/// stderr; the others are evaluated, and the exit code is `BadInput`.
 int giveHistory(const HistoryRequest& request);
 
 }  // namespace alidade::console

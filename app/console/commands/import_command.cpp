@@ -49,7 +49,7 @@ std::string about() {
   return readableFormatsSentence() + "The content tells which.\n" + aboutMarks + columns + ";\n" + aboutCsv;
 }
 
-/// The entry of an option in the field of the session it is for.
+/// Writes the value of an option into its field of the session.
 std::optional<Problem> setNumber(const char* option, const char* field, const std::string& given,
                                  std::string& text) {
   if (given.empty()) return std::nullopt;
@@ -74,7 +74,7 @@ std::vector<Position>::iterator firstAt(int axis, Session& session) {
   });
 }
 
-/// What kind the circle is, a column's name may tell as well: here the wider range holds.
+/// Accepts the wider range here, since a column name may also state the kind of circle.
 std::optional<Problem> setZero(const char* option, const std::vector<std::string>& given, AngleUnit unit,
                                int axis, Session& session) {
   if (given.empty()) return std::nullopt;
@@ -87,7 +87,7 @@ std::optional<Problem> setZero(const char* option, const std::vector<std::string
   return checkZero(option, zero, VerticalCircle::Elevation);
 }
 
-/// The zeros that were given, in the range of the circle that the session came to have.
+/// Checks the given zeros against the range of the session's circle.
 std::optional<Problem> checkZeros(const ImportRequest& request, const ImportOptions& options,
                                   const Session& session) {
   const auto circle = verticalCircleEntry(session.geometry.verticalCircle);
@@ -124,7 +124,7 @@ Result<std::string> entryFor(const char* option, const std::vector<std::string>&
   return entries[file] == "-" ? std::string() : entries[file];
 }
 
-/// What the options say of a table; absent where they leave it to the table.
+/// The table layout from the options; absent if the table itself decides.
 std::optional<TableLayout> layoutOf(const ImportRequest& request, std::string_view bytes) {
   if (request.columns.empty() && !request.headRows && request.decimalSign.empty()) return std::nullopt;
   TableLayout layout;
@@ -141,7 +141,7 @@ std::optional<TableLayout> layoutOf(const ImportRequest& request, std::string_vi
   return layout;
 }
 
-/// The files as they are to be taken; `bytes` are kept by the caller.
+/// The files to import; the caller keeps `bytes`.
 Result<std::vector<ReadingsFile>> filesOf(const ImportRequest& request, const ImportOptions& options,
                                           const std::vector<std::string>& bytes) {
   std::vector<ReadingsFile> files;
@@ -172,7 +172,7 @@ Result<std::vector<std::string>> readAll(const std::vector<std::string>& files) 
   return bytes;
 }
 
-/// Where its rows came from.
+/// Enters the origin of its rows into the journal.
 void enterOrigins(Session& session, const Import& import, const std::vector<ReadingsFile>& files) {
   const std::string at = timeInUtc();
   std::vector<ImportedFile> read;

@@ -14,37 +14,37 @@ class App;
 
 namespace alidade::console {
 
-/// What `alidade-cli import` was asked. Empty texts: not given.
+/// The arguments of `alidade-cli import`. Empty texts: not given.
 struct ImportRequest {
   std::vector<std::string> files;  ///< paths, or - for standard input
   std::string out;                 ///< session file to write
-  std::string addTo;               ///< session whose readings they are added to; empty: to none
+  std::string addTo;               ///< session that receives the readings; empty: none
   std::string title, verticalCircle;
   std::string distance, sigmaDistance, radius, tolerance;  ///< mm
-  std::string sigma;                                       ///< of both circles, arcseconds
+  std::string sigma;                                       ///< σ of both circles, arcseconds
   std::vector<std::string> zero0, zero180;                 ///< horizontal and vertical pointing zero
   std::string zeroPoint;
-  std::vector<std::string> axes, rounds;  ///< one for each file, - where the file says it; empty: not given
-  std::string unit;                       ///< of plain numbers in a table: deg, gon or dms
+  std::vector<std::string> axes, rounds;  ///< one for each file, - if the file states it; empty: not given
+  std::string unit;                       ///< unit of plain numbers in a table: deg, gon or dms
   std::string decimalSign;                ///< point or comma
-  std::vector<std::string> columns;       ///< of a table: keys, - for one that is not used
-  std::optional<std::size_t> headRows;    ///< of a table, before its readings
+  std::vector<std::string> columns;       ///< keys of a table's columns, - for an unused one
+  std::optional<std::size_t> headRows;    ///< rows of a table before its readings
   std::size_t turnedAtLine = 0;           ///< 0: not given
 };
 
 /// Adds `import FILE... --out FILE [--distance MM] [--radius MM] [--zero-0 H V] …`, which fills in `request`.
 void addImportCommand(CLI::App& app, ImportRequest& request);
 
-/// What was done, and what the user should know of it.
+/// The result of the import, with remarks for the user.
 struct ImportAnswer {
   std::string result;
-  std::vector<std::string> remarks;  ///< what was not used, and what the session still lacks
+  std::vector<std::string> remarks;  ///< unused parts of the input, and missing parts of the session
 };
 
-/// What the options say. Fails where one cannot be used, or where `out` is the file that is read.
+/// The options for the import. Fails if one is unusable, or if `out` is the input file.
 Result<ImportOptions> importOptions(const ImportRequest& request);
 
-/// Writes the session. Fails, and writes nothing, where the file or a line of it cannot be used.
+/// Writes the session. Fails without writing if the file or a line of it is unusable.
 Result<ImportAnswer> runImport(const ImportRequest& request, const ImportOptions& options);
 
 }  // namespace alidade::console

@@ -36,12 +36,12 @@ AngleUnit unitNamed(const std::string& name) {
   return name == "deg" ? AngleUnit::Degrees : AngleUnit::Unstated;
 }
 
-/// What a file is called in sentences.
+/// The name of a file in sentences.
 std::string checkFileName(const std::string& file) {
   return file == "-" ? inputName(file) : wellFormed(std::filesystem::path(file).filename().string());
 }
 
-/// None is written without anything to hold. Its day is today where nothing says that of the readings.
+/// Writes only a non-empty record. Its date is today unless the readings have one.
 std::optional<Problem> writeRecord(const InstrumentRequest& request, CheckReadings& readings,
                                    const InstrumentCheck& check) {
   if (const auto problem = dateProblem(request.date)) return Problem{"--date " + problem->what};

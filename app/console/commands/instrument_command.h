@@ -12,14 +12,14 @@ class App;
 
 namespace alidade::console {
 
-/// What `alidade-cli instrument` was asked.
+/// The arguments of `alidade-cli instrument`.
 struct InstrumentRequest {
   std::vector<std::string> files;  ///< paths, or - for standard input
   std::optional<double> sigma, sigmaVertical;
-  std::string unit;            ///< deg, gon or dms; empty: as the files have it
-  std::string verticalCircle;  ///< zenith or elevation; empty: as the files have it
+  std::string unit;            ///< deg, gon or dms; empty: from the files
+  std::string verticalCircle;  ///< zenith or elevation; empty: from the files
   std::string record;          ///< instrument record to write; empty: none
-  std::string date;            ///< of the record; empty: as the files have it
+  std::string date;            ///< date of the record; empty: from the files
   bool json = false;
 };
 
@@ -32,8 +32,8 @@ struct InstrumentAnswer {
 /// [--record FILE] [--date DAY] [--json]`, which fills in `request`.
 void addInstrumentCommand(CLI::App& app, InstrumentRequest& request);
 
-/// The answer in text or JSON, after the record is written. Fails where a file cannot be used, a figure
-/// cannot be right, or the record has nothing to hold or cannot be written.
+/// The check as text or JSON, after writing the record. Fails if a file is unusable, a figure is impossible,
+/// or the record is empty or cannot be written.
 Result<InstrumentAnswer> runInstrument(const InstrumentRequest& request);
 
 }  // namespace alidade::console

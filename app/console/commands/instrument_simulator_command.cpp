@@ -22,7 +22,7 @@ namespace alidade::console {
 
 namespace {
 
-constexpr int turnMs = 20;  // between two looks at the line
+constexpr int turnMs = 20;  // between two polls of the port
 constexpr double longestPauseS = 3600, largestNoiseArcsec = 3600;
 constexpr int mostSightings = 1'000'000;
 
@@ -76,7 +76,7 @@ Milliseconds clockMs() {
   return duration_cast<milliseconds>(steady_clock::now().time_since_epoch()).count();
 }
 
-/// The key REC: Enter, or every so often.
+/// The key REC: Enter, or at regular intervals.
 class RecordKey {
  public:
   explicit RecordKey(double everyS)
@@ -93,7 +93,7 @@ class RecordKey {
     if (::read(STDIN_FILENO, &c, 1) <= 0) m_isOpen = false;
     return m_isOpen && c == '\n';
   }
-  /// Is standard input looked at?
+  /// True if standard input is read.
   bool isTyped() const { return m_every == 0 && m_isOpen; }
 
  private:
@@ -103,7 +103,7 @@ class RecordKey {
 
 void speak(const PseudoTerminal& line, SimulatedInstrument& instrument, const SimulatorRequest& request) {
   RecordKey key(request.every);
-  int presses = 0;  ///< that wait for the acknowledgement of the block before
+  int presses = 0;  ///< presses waiting for the acknowledgement of the previous block
   while (isStopped == 0 && !(request.endsWhenTold && instrument.isDone())) {
     std::array<pollfd, 2> ends = {pollfd{line.descriptor(), POLLIN, 0}, pollfd{STDIN_FILENO, POLLIN, 0}};
     poll(ends.data(), key.isTyped() ? 2 : 1, turnMs);

@@ -14,14 +14,14 @@ class App;
 namespace alidade::console {
 
 struct SimulatorRequest {
-  std::string session;  ///< empty: one is simulated
+  std::string session;  ///< empty: a simulated session
   std::string protocol = "geocom";
   std::string plan = "full";
   std::uint64_t seed = 1;
   double noise = 0;  ///< arcsec
   std::vector<std::string> faults;
   std::optional<int> faultEvery;
-  double every = 0;  ///< s; 0: the key REC is Enter
+  double every = 0;  ///< s; 0: Enter is the key REC
   int width = 16;
   std::string unit = "dms";
   std::vector<std::string> uncorrected;
@@ -31,7 +31,7 @@ struct SimulatorRequest {
 
 void addSimulatorCommand(CLI::App& app, SimulatorRequest& request);
 
-/// Prints the path of the line, then speaks until it is stopped.
+/// Prints the path of the port, then communicates until it is stopped.
 Result<std::string> runSimulator(const SimulatorRequest& request);
 
 }  // namespace alidade::console

@@ -10,7 +10,7 @@ class App;
 
 namespace alidade::console {
 
-/// What `alidade-cli journal` was asked.
+/// The arguments of `alidade-cli journal`.
 struct JournalRequest {
   std::string file;  ///< a path, or - for standard input
   bool json = false;
@@ -20,11 +20,11 @@ struct JournalRequest {
 void addJournalCommand(CLI::App& app, JournalRequest& request);
 
 struct JournalAnswer {
-  std::string result;  ///< in text or JSON
-  bool holds = true;   ///< nothing was changed outside, as far as the file itself can tell
+  std::string result;  ///< as text or JSON
+  bool holds = true;   ///< no change from outside is detectable in the file itself
 };
 
-/// Fails where the file is no session; entries of it may be unusable.
+/// Fails if the file is not a session; unusable entries are allowed.
 Result<JournalAnswer> runJournal(const JournalRequest& request);
 
 }  // namespace alidade::console

@@ -30,7 +30,7 @@ namespace {
 
 using namespace alidade::console;
 
-/// Long vectors come and go: to hand each back to the system costs a quarter of the time of a million rows.
+/// Keeps freed memory: returning long vectors to the system takes a quarter of the time for a million rows.
 void keepFreedMemory() {
   constexpr int pieces = 1 << 20;  // bytes
   mallopt(M_MMAP_MAX, 0);
@@ -82,7 +82,7 @@ int giveInstrument(const InstrumentRequest& request, std::string& subject) {
   return writeResult(answer->result);
 }
 
-/// One file gets one answer, several or a folder of them an answer each.
+/// One file gets one result, several files or a folder one result each.
 int giveFit(const FitRequest& request, std::string& subject) {
   if (namesMany(request.files))
     return answerEach(
@@ -100,7 +100,7 @@ int giveDiagnosis(const DiagnoseRequest& request, std::string& subject) {
   return give(runDiagnose(request, request.files.front()), subject);
 }
 
-/// Sets `subject` to the input as soon as that is at work.
+/// Sets `subject` to the input while that is processed.
 int run(int argc, char** argv, std::string& subject) {
   if (const auto why = alidade::emptyArgument(argc, argv)) return refuse(subject, *why);
   CLI::App app("Intersection of rotatable arc guideways from theodolite readings.", "alidade-cli");
@@ -173,7 +173,7 @@ int run(int argc, char** argv, std::string& subject) {
 
 int main(int argc, char** argv) {
   keepFreedMemory();
-  std::signal(SIGXFSZ, SIG_IGN);  // a file that may not grow further is told in a sentence
+  std::signal(SIGXFSZ, SIG_IGN);  // exceeding the file size limit becomes an error message
   int exitCode = Failed;
   std::string subject = "alidade-cli";
   const auto failure = alidade::failureOf([&] { exitCode = run(argc, argv, subject); });

@@ -15,7 +15,7 @@ std::string outside(const std::string& text, const std::string& kind, const std:
   return quotation(text) + " is not " + kind + " from " + least + " to " + most;
 }
 
-/// The whole text, with a plus or none, as a value; false where it is something else or does not fit.
+/// Parses the whole text, with or without a plus sign; false if it is invalid or out of range.
 template <typename Value>
 bool reads(const std::string& text, Value& value) {
   const char* const end = text.data() + text.size();
@@ -29,7 +29,7 @@ bool reads(const std::string& text, Value& value) {
 OptionCheck numberFrom(double least, double most) {
   return [least, most](const std::string& text) -> std::string {
     double value = 0;
-    // As a comparison that NaN fails.
+    // A comparison that fails for NaN.
     if (reads(text, value) && value >= least && value <= most) return {};
     return outside(text, "a number", shortestText(least), shortestText(most));
   };

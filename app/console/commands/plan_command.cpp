@@ -26,7 +26,7 @@ Result<std::string> runPlan(const PlanRequest& request) {
   Result<SessionInput> read = readSessionInput(request.file, &withPlannedReadings);
   if (!read) return read.problem();
   SessionInput input = *std::move(read);
-  input.session = {};  // of no more use, and as long as its rows
+  input.session = {};  // no longer needed, and as large as its rows
   const SessionFit fit = fitSession(input.measurement);
   const Result<std::vector<Finding>> findings = findingsBeforehand(input.measurement, fit);
   if (!findings) return findings.problem();

@@ -10,7 +10,7 @@ class App;
 
 namespace alidade::console {
 
-/// What `alidade-cli plan` was asked.
+/// The arguments of `alidade-cli plan`.
 struct PlanRequest {
   std::string file;  ///< a path, or - for standard input
   bool json = false;
@@ -19,7 +19,7 @@ struct PlanRequest {
 /// Adds `plan FILE [--json]`, which fills in `request`.
 void addPlanCommand(CLI::App& app, PlanRequest& request);
 
-/// The review in text or JSON. Fails where the session cannot be used.
+/// The review as text or JSON. Fails if the session is unusable.
 Result<std::string> runPlan(const PlanRequest& request);
 
 }  // namespace alidade::console

@@ -31,7 +31,7 @@ std::string templateNames() {
   return listed(names);
 }
 
-/// Fails where the session has no rows, or more than a protocol holds.
+/// Fails if the session has no rows, or more than a protocol holds.
 Result<SightingProtocol> ofRows(const Session& session, const std::string& option) {
   SightingProtocol own = protocolFromRows(session);
   if (!own.positions.empty()) return own;
@@ -44,7 +44,7 @@ Result<SightingProtocol> ofRows(const Session& session, const std::string& optio
                  "; name a template, such as full"};
 }
 
-/// The session's rows, with what `alidade-cli plan` advises before all else.
+/// The session's rows, with the first advice of `alidade-cli plan`.
 Result<SightingProtocol> advisedFor(const Session& session) {
   Result<SightingProtocol> own = ofRows(session, "--template plan");
   if (!own) return own;
@@ -63,7 +63,7 @@ Result<SightingProtocol> advisedFor(const Session& session) {
   return own;
 }
 
-/// The file that --template names; empty where it names none.
+/// The file named by --template; empty if it names none.
 std::string templateFile(const ProtocolRequest& request) {
   const std::string& named = request.protocol;
   return named == fromRows || named == fromPlan || templateNamed(named) ? std::string() : named;

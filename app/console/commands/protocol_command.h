@@ -10,18 +10,19 @@ class App;
 
 namespace alidade::console {
 
-/// What `alidade-cli protocol` was asked.
+/// The arguments of `alidade-cli protocol`.
 struct ProtocolRequest {
   std::string file;                       ///< a path, or - for standard input
-  std::string protocol;                   ///< a name, or a file; empty: that of the session
-  std::string saveSession, saveTemplate;  ///< paths; empty: not asked for
+  std::string protocol;                   ///< a name, or a file; empty: the session's protocol
+  std::string saveSession, saveTemplate;  ///< paths; empty: not requested
   bool json = false;
 };
 
 /// Adds `protocol FILE [--template NAME|FILE] [--json]`, which fills in `request`.
 void addProtocolCommand(CLI::App& app, ProtocolRequest& request);
 
-/// What is next, left, to be repeated, and when it is enough. Fails where session or protocol cannot be used.
+/// The next and remaining sightings, those to repeat, and when it is enough. Fails if session or protocol is
+/// unusable.
 Result<std::string> runProtocol(const ProtocolRequest& request);
 
 }  // namespace alidade::console

@@ -8,17 +8,17 @@ class App;
 
 namespace alidade::console {
 
-/// What `alidade-cli self-test` was asked.
+/// The arguments of `alidade-cli self-test`.
 struct SelfTestRequest {
-  std::string fits, numbers;  ///< paths of other references; empty: those compiled in
+  std::string fits, numbers;  ///< paths of other references; empty: the built-in ones
   bool json = false;
 };
 
 /// Adds `self-test [--fits FILE] [--numbers FILE] [--json]`, which fills in `request`.
 void addSelfTestCommand(CLI::App& app, SelfTestRequest& request);
 
-/// Prints the self-test. `Done` where everything passed, `Failed` where anything did not, `BadInput` where a
-/// reference cannot be read.
+/// Prints the self-test. `Done` if everything passed, `Failed` if anything failed, `BadInput` if a reference
+/// cannot be read.
 int giveSelfTest(const SelfTestRequest& request);
 
 }  // namespace alidade::console

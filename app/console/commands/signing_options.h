@@ -15,7 +15,7 @@ namespace alidade::console {
 /// a file.
 void addSigningOptions(CLI::App& command, SigningFiles& files);
 
-/// Absent where none is asked for.
+/// Absent if no signature is requested.
 Result<std::optional<Signer>> signerOf(const SigningFiles& files);
 
 }  // namespace alidade::console

@@ -22,7 +22,7 @@ namespace {
 constexpr double shortestMm = 1e-6, longestMm = 1e6, leastArcsec = 1e-6, largestArcsec = 3600;
 constexpr int mostPoints = 100000, mostRounds = 1000;
 
-/// A number that is drawn, or usual, where it is not given.
+/// A number that is drawn, or has a default, if it is not given.
 struct NumberOption {
   const char* name;
   std::optional<double> SimulateRequest::*value;
@@ -112,7 +112,7 @@ Truth truthOf(const SimulateRequest& request) {
   return truth;
 }
 
-/// Places spread over the same range where their number is given.
+/// Places spread over the same range, if their number is given.
 Protocol protocolOf(const SimulateRequest& request) {
   Protocol protocol = *protocolByName(request.protocol);
   if (request.rounds) protocol.rounds = *request.rounds;
@@ -123,7 +123,7 @@ Protocol protocolOf(const SimulateRequest& request) {
   return protocol;
 }
 
-/// Of what the compensator takes off nothing stays in the truth.
+/// Removes from the truth what the compensator corrects.
 Result<Session> sessionOf(const SimulateRequest& request, Truth& truth) {
   const Angle sigma = Angle::fromArcseconds(request.sigmaCompensator.value_or(1));
   const bool isOn = request.compensator == "on";

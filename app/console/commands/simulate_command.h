@@ -13,12 +13,12 @@ class App;
 
 namespace alidade::console {
 
-/// What `alidade-cli simulate` was asked. What is not given of the truth is drawn from the seed.
+/// The arguments of `alidade-cli simulate`. Missing parts of the truth are drawn from the seed.
 struct SimulateRequest {
   std::string out, truth;                      ///< files to write
-  std::string title, notes;                    ///< of the session; empty: named after the seed, and none
-  std::string measuredOn;                      ///< date that it states
-  std::string deviceSerial, instrumentSerial;  ///< that it states
+  std::string title, notes;                    ///< of the session; empty: a title from the seed, and no notes
+  std::string measuredOn;                      ///< date stated in the session
+  std::string deviceSerial, instrumentSerial;  ///< stated in the session
   std::uint64_t seed = 1;
   std::string protocol = "paper";
   std::vector<std::string> effects;
@@ -30,7 +30,7 @@ struct SimulateRequest {
   std::string verticalCircle = "zenith";  ///< or "elevation"
   std::string instrument;                 ///< path of an instrument record; empty: none
   bool zerosInFull = false;
-  std::string compensator;                 ///< "off", "measured" or "on"; empty: the session does not say
+  std::string compensator;                 ///< "off", "measured" or "on"; empty: not stated in the session
   std::optional<double> sigmaCompensator;  ///< arcseconds
 };
 
@@ -38,8 +38,8 @@ struct SimulateRequest {
 /// in `request`.
 void addSimulateCommand(CLI::App& app, SimulateRequest& request);
 
-/// Writes the session and its truth, and answers with a line that says what was written. Fails where the
-/// request cannot be carried out or a file cannot be written.
+/// Writes the session and its truth; returns a line on what was written. Fails if the request is impossible
+/// or a file cannot be written.
 Result<std::string> runSimulate(const SimulateRequest& request);
 
 }  // namespace alidade::console

@@ -12,7 +12,7 @@ namespace alidade::console {
 
 namespace {
 
-/// A line on stderr now and then, so that a long series is seen to move.
+/// Prints progress to stderr from time to time during a long series.
 void report(std::size_t done) {
   constexpr std::size_t every = 100;
   if (done % every == 0) std::fprintf(stderr, "alidade-cli: %zu trials done\n", done);

@@ -12,13 +12,13 @@ class App;
 
 namespace alidade::console {
 
-/// What `alidade-cli trial` was asked.
+/// The arguments of `alidade-cli trial`.
 struct TrialRequest {
   std::size_t count = 100;
-  std::size_t series = 0;  ///< so many series of sessions instead
+  std::size_t series = 0;  ///< number of series of sessions; 0: single sessions
   std::uint64_t seed = 1;
   std::string protocol;  ///< empty: drawn
-  std::string folder;    ///< trials made elsewhere; empty: drawn here
+  std::string folder;    ///< folder of existing trials; empty: drawn here
   bool withheld = false;
   unsigned threads = 0;
   bool json = false;
@@ -28,7 +28,7 @@ struct TrialRequest {
 /// [--json]`, which fills in `request`.
 void addTrialCommand(CLI::App& app, TrialRequest& request);
 
-/// The scores in text or JSON. Fails where a trial cannot be read or diagnosed.
+/// The scores as text or JSON. Fails if a trial cannot be read or diagnosed.
 Result<std::string> runTrial(const TrialRequest& request);
 
 }  // namespace alidade::console

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# any_prefix.sh BUILD CMAKE: `cmake --install` under a prefix, which may then be moved: both programs run from there.
+# any_prefix.sh BUILD CMAKE: both programs run after `cmake --install` under a prefix that is then moved.
 set -euo pipefail
 # shellcheck source=tests/packaging/package/lib.sh
 source "$(dirname -- "${BASH_SOURCE[0]}")/lib.sh"
@@ -31,7 +31,7 @@ for file in bash-completion/completions/alidade-cli zsh/site-functions/_alidade-
   [[ -s $work/second/share/$file ]] || fail "share/$file is missing"
 done
 
-# Nothing leads back to the build.
+# No path refers to the build.
 for program in alidade alidade-cli; do
   ! grep -E 'RPATH|RUNPATH' < <(readelf -d "$work/second/bin/$program") || fail "$program looks for libraries where it was built"
 done

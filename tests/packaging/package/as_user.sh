@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# as_user.sh ID: what a user does with the installed programs, without a display.
+# as_user.sh ID: a user's actions with the installed programs, without a display.
 set -euo pipefail
 id=$1
 samples=/usr/share/alidade/samples
@@ -25,7 +25,7 @@ for language in en zh_CN; do
   [[ $(head -c 5 "$language.pdf") == %PDF- ]] || fail "the report in $language is no PDF"
 done
 
-# A session is known by its name, and without one by what it holds.
+# A session is recognised by its name, and without one by its contents.
 cp -- "$samples/two-faces.alidade" session.alidade
 cp -- session.alidade nameless
 for file in session.alidade nameless; do
@@ -36,7 +36,7 @@ done
 kind=$(gio info -a standard::content-type "$samples/t-1.alidade-instrument" | sed -n 's/^ *standard::content-type: //p')
 [[ $kind == application/x-alidade-instrument ]] || fail "an instrument record is taken for $kind"
 
-# A double click: the desktop finds the program, and that opens the file, which then stands among the recent ones.
+# A double click: the desktop finds the program, which opens the file and lists it among the recent ones.
 [[ $(gio mime application/x-alidade-session) == *"$id.desktop"* ]] || fail "no program opens a session"
 gio open session.alidade 2>opened || fail "opening: $(cat opened)"
 for ((i = 0; i < 300; ++i)); do

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# clean_root.sh FOLDER VERSION ID: the package in the folder is installed by apt into a Debian that has nothing but its base
-# and what every desktop has, used there by an ordinary user, and removed without a trace. The base is kept in the folder.
+# clean_root.sh FOLDER VERSION ID: apt installs the package in the folder into a minimal Debian with the usual
+# desktop packages; an ordinary user runs it; its removal leaves no trace. The folder keeps the base system.
 set -euo pipefail
 here=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")" && pwd)
 # shellcheck source=tests/packaging/package/lib.sh
@@ -8,7 +8,7 @@ source "$here/lib.sh"
 folder=$1 version=$2 id=$3
 export PATH=$PATH:/usr/sbin:/sbin
 
-# Mounts and processes of its own, which end with it.
+# Separate mounts and processes, which end with the script.
 if [[ ${ALIDADE_OWN_SPACE:-} != yes ]]; then
   [[ $(id -u) -eq 0 ]] || skip "not root"
   needs debootstrap chroot unshare dpkg-deb apt-get
@@ -21,11 +21,11 @@ package=$(package_in "$folder")
 # shellcheck source=/dev/null
 suite=$(source /etc/os-release && [[ $ID == debian ]] && printf '%s' "${VERSION_CODENAME:-}") || skip "this is not Debian"
 [[ -n $suite ]] || skip "this Debian has no name"
-# debootstrap takes no blank in a path, so the tree is mounted where there is none.
+# debootstrap accepts no blank in a path, so the tree is mounted at a path without one.
 tree=/mnt on_disk=$folder/clean-root base=$folder/base-$suite.tar
 
 begun=$SECONDS
-# A download that breaks off says nothing of the package.
+# An interrupted download is not a fault of the package.
 broke_off() { ! grep -qE "Failed to fetch|Unable to fetch|Could not (resolve|connect)|Couldn't download|Failed getting" "$1" ||
   skip "the mirror of Debian stopped answering: $(tail -n 2 "$1")"; }
 step() { printf '%3d s  %s\n' "$((SECONDS - begun))" "$*"; }
@@ -47,7 +47,7 @@ rm -f -- "$folder/release"
 timeout 60 /usr/lib/apt/apt-helper download-file "${mirror%/}/dists/$suite/InRelease" "$folder/release" >/dev/null 2>&1 ||
   skip "the mirror of Debian does not answer"
 
-# The base, in which packages are unpacked without waiting for the disk.
+# The base system, into which packages are unpacked without waiting for the disk.
 remove_tree() {
   local place
   for place in "$tree/proc" "$tree"; do
@@ -57,7 +57,7 @@ remove_tree() {
 }
 trap remove_tree EXIT
 rm -rf --one-file-system -- "$on_disk"
-# In memory where there is plenty: it ends with the mounts, and a busy disk is not waited for.
+# In memory if there is plenty: it disappears with the mounts, and avoids a busy disk.
 if (($(awk '$1 == "MemAvailable:" { print int($2 / 1024) }' /proc/meminfo) > 4000)); then
   mount -t tmpfs -o size=2G,mode=755 tmpfs "$tree"
 else
@@ -89,14 +89,14 @@ apt() {
     { broke_off "$folder/apt.log" && fail "apt-get $*: $(tail -n 20 "$folder/apt.log")"; }
 }
 
-# With a desktop's tools, and nothing of Qt before the package asks for it.
+# With the tools of a desktop, and without Qt until the package requires it.
 apt update
 apt install "/tmp/$(basename -- "$package")" libglib2.0-bin desktop-file-utils shared-mime-info man-db
 step "installed"
 [[ $(inside alidade-cli --version) == "alidade-cli $version" ]] || fail "alidade-cli is not on PATH, or of another version"
 [[ $(inside alidade --version) == "alidade $version" ]] || fail "alidade is not on PATH, or of another version"
 
-# As somebody who may change nothing but his own files.
+# As a user without rights outside the home folder.
 inside useradd --create-home guest
 inside runuser -u guest -- bash /tmp/as_user.sh "$id" || fail "an ordinary user cannot use it"
 step "used"

@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# contents.sh FOLDER VERSION ID SOURCES: what the package in the folder holds is what desktops, shells and Debian ask for.
+# contents.sh FOLDER VERSION ID SOURCES: the contents of the package in the folder meet the requirements of
+# desktops, shells and Debian.
 set -euo pipefail
 # shellcheck source=tests/packaging/package/lib.sh
 source "$(dirname -- "${BASH_SOURCE[0]}")/lib.sh"
@@ -20,14 +21,14 @@ done
 grep -q "<release version=\"$version\"" "$share/metainfo/$id.metainfo.xml" || fail "the metadata is of another version"
 grep -q "^alidade ($version-" < <(gzip -dc "$share/doc/alidade/changelog.Debian.gz") || fail "the changelog is of another version"
 
-# What Debian asks for.
+# Requirements of Debian.
 lintian --allow-root --fail-on error,warning -- "$package"
 depends=$(dpkg-deb -f "$package" Depends)
 for needed in libqt6svg6 fonts-dejavu-core libqt6charts6 libqpdf29 libc6; do
   [[ ", $depends" == *", $needed"* ]] || fail "the package does not depend on $needed: $depends"
 done
 
-# What desktops ask for.
+# Requirements of desktops.
 desktop-file-validate "$share/applications/$id.desktop"
 grep -qx 'Exec=alidade %f' "$share/applications/$id.desktop" || fail "the menu entry does not open a file"
 grep -qx "Icon=$id" "$share/applications/$id.desktop" || fail "the menu entry has no icon of the package"
@@ -37,7 +38,7 @@ update-mime-database "$share/mime" >"$tree/mime" 2>&1 || fail "$(cat "$tree/mime
 grep -q ':application/x-alidade-session:\*\.alidade$' "$share/mime/globs2" || fail "*.alidade is no kind of file"
 grep -aq 'alidade-session' "$share/mime/magic" || fail "a session is not known by its contents"
 
-# Icons are of the size their folder says: width and height stand in bytes 16 to 23 of a PNG.
+# Icons have the size of their folder: width and height are in bytes 16 to 23 of a PNG.
 icons=0
 for icon in "$share"/icons/hicolor/*x*/*/*.png; do
   size=${icon#"$share"/icons/hicolor/} && size=${size%%x*}
@@ -50,7 +51,7 @@ for icon in "apps/$id" mimetypes/application-x-alidade-session; do
   xmllint --noout --nonet "$share/icons/hicolor/scalable/$icon.svg"
 done
 
-# What shells and man ask for.
+# Requirements of shells and man.
 for program in alidade alidade-cli; do
   bash -n "$share/bash-completion/completions/$program"
   zsh -n "$share/zsh/vendor-completions/_$program"
@@ -58,6 +59,6 @@ for program in alidade alidade-cli; do
   [[ -z $warnings ]] || fail "$program.1: $warnings"
 done
 
-# Samples and guide, every file.
+# All samples and pages of the guide.
 diff -r --exclude='*.sh' "$sources/samples" "$share/alidade/samples" || fail "the samples are not those of the sources"
 diff -r "$sources/resources/help" "$share/doc/alidade/help" || fail "the guide is not that of the sources"

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# is_built.sh BUILD FOLDER CPACK: CPack makes a Debian package of the build, and no warning.
+# is_built.sh BUILD FOLDER CPACK: CPack makes a Debian package of the build without a warning.
 set -euo pipefail
 # shellcheck source=tests/packaging/package/lib.sh
 source "$(dirname -- "${BASH_SOURCE[0]}")/lib.sh"

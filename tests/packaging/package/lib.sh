@@ -21,7 +21,7 @@ needs() { # programs
   done
 }
 
-# The one package in the folder.
+# The only package in the folder.
 package_in() {
   local found=("$1"/alidade_*.deb)
   [[ -f ${found[0]} ]] || skip "$1 holds no package"

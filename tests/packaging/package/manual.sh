@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# manual.sh PROGRAM FOLDER: every command and option of the program's help stands in its man page and is offered by both
-# shells, command by command.
+# manual.sh PROGRAM FOLDER: the man page and both shells include every command and option of the help, command
+# by command.
 set -euo pipefail
 # shellcheck source=tests/packaging/package/lib.sh
 source "$(dirname -- "${BASH_SOURCE[0]}")/lib.sh"
@@ -22,13 +22,13 @@ section() {
   fi
 }
 
-# What bash offers for the words typed; the last is the one at the cursor.
+# The completions of bash for the words typed; the last is the one at the cursor.
 by_bash() {
   bash -c 'source "$1" && name=$2 && shift 2 && COMP_WORDS=("$@") COMP_CWORD=$(($# - 1)) && "_${name//-/_}" &&
     printf "%s\n" "${COMPREPLY[@]}"' - "$folder/$name.bash" "$name" "$@"
 }
 
-# What zsh is told to offer: the arguments of _arguments, and the list _describe is given.
+# The completions of zsh: the arguments of _arguments, and the list passed to _describe.
 by_zsh() {
   # shellcheck disable=SC2016
   zsh -f -c 'file=$1; shift; words=("$@"); CURRENT=$#
@@ -67,7 +67,7 @@ while read -r command; do
 done <"$work/commands"
 ((checked >= 7)) || fail "only $checked commands and options in the help"
 
-# What follows an option: its choices, sessions, the effects by name.
+# Completions after an option: its choices, sessions, the effects by name.
 mkdir "$work/here" && cd "$work/here" && touch one.alidade other.txt && mkdir folder
 if [[ $name == alidade-cli ]]; then
   [[ $(by_bash "$name" fit --method '' | xargs) == 'rigorous published' ]] || fail "bash does not offer the methods"

@@ -55,7 +55,7 @@ QAction* addAction(const OpenWindow& open, int axisDeg) {
   return action;
 }
 
-/// What the menu offers: "Add Position at 0°", "Measure 180° Again", in brackets where it cannot be chosen.
+/// The menu entries: "Add Position at 0°", "Measure 180° Again", in brackets if disabled.
 QStringList offers(const OpenWindow& open) {
   QStringList texts;
   for (const int axisDeg : {0, 180}) {
@@ -132,7 +132,7 @@ TEST(AddPosition, PutsWhatIsMeasuredAgainLastAndTakesItBack) {
   EXPECT_FALSE(document.isModified());
 }
 
-// Where an axis comes again, the file has the order taken, and 0° need not be first.
+// With a repeat the file has the order of measurement, and 0° may come later.
 TEST(AddPosition, LeavesTheOrderOfTheFile) {
   Session session = paperSession();
   std::swap(session.positions[0], session.positions[1]);

@@ -30,7 +30,7 @@ TEST(HandIn, EntersEveryKindOfTextAsItsEntryWould) {
   EXPECT_EQ(entered.instrument.known[1].value, "12");
 }
 
-/// The session of a record may have lost what was being typed into: others edited the file.
+/// Others may have removed the entry from the file while it was being typed.
 TEST(HandIn, PassesOverWhatTheSessionDoesNotHave) {
   const Session session = paperSession();
   for (const HalfTypedText& typed : std::vector<HalfTypedText>{
@@ -45,7 +45,7 @@ TEST(HandIn, PassesOverWhatTheSessionDoesNotHave) {
     EXPECT_EQ(withHandedIn(session, {typed}), session) << typed.place.path();
 }
 
-/// What stood is told in the journal, as if it had been handed in by key.
+/// The journal lists the old value, as for an entry committed by key.
 TEST(HandIn, TellsTheJournalOfWhatStood) {
   SessionDocument document;
   document.startWithStanding(paperSession());

@@ -15,7 +15,7 @@
 #include "ui/commands/seal_session.h"
 #include "ui/document/session_document.h"
 
-// Whatever is edited, undone, saved and sealed in whatever order, the journal of the file holds.
+// After any sequence of edits, undo, save and seal, the journal of the file is consistent.
 
 namespace alidade::ui {
 namespace {
@@ -81,7 +81,7 @@ class Player {
   }
 
   JournalCheck checked() const { return checkJournal(*readSession(writeSession(m_document.session()))); }
-  /// As the next window finds it.
+  /// Opens the session as the next window does.
   void reopen() { m_document.startWithStanding(*readSession(writeSession(m_document.session()))); }
   const Session& session() const { return m_document.session(); }
 

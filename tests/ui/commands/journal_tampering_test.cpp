@@ -13,9 +13,9 @@
 #include "ui/commands/seal_session.h"
 #include "ui/document/session_document.h"
 
-// A file whose journal was written by edits is altered outside the program in many ways, before and after a
-// seal, a revision and a further seal. Every alteration that the file itself contradicts is named by its
-// place, and none of the files that were not altered is.
+// Alters a file with a journal outside the program in many ways, before and after a seal, a revision and a
+// further seal. The check names the place of every alteration that the file contradicts, and accepts all
+// unaltered files.
 
 namespace alidade::ui {
 namespace {
@@ -26,7 +26,7 @@ using testing::Contains;
 using testing::Field;
 using testing::IsEmpty;
 
-/// How far the session has come when it is altered.
+/// The state of the session when it is altered.
 enum class Stage { Edited, Sealed, EditedOnce, EditedManyWays, SealedAgain };
 
 class Recorded {
@@ -53,7 +53,7 @@ class Recorded {
   }
   void seal(const std::string& by) { m_document.push(new SealSession(m_document, by)); }
 
-  /// Every kind of entry that is taken back, and a saved file between them.
+  /// Every kind of entry that reverting supports, with a saved file between them.
   void editManyWays() {
     changeField(m_document, {.field = "notes"}, "");
     changeField(m_document, {.field = "operator"}, "J. Doe");
@@ -97,7 +97,7 @@ constexpr Stage allStages[] = {Stage::Edited, Stage::Sealed, Stage::EditedOnce, 
                                Stage::SealedAgain};
 INSTANTIATE_TEST_SUITE_P(Stages, UnalteredJournal, ::testing::ValuesIn(allStages));
 
-/// Files of before kept no copy of what was sealed.
+/// Older files have no copy of the sealed session.
 TEST_P(UnalteredJournal, HoldsWithDigestsAlone) {
   Json json = Recorded(GetParam()).json();
   for (Json& entry : json["journal"]) entry.erase("content");
@@ -111,9 +111,9 @@ TEST_P(UnalteredJournal, HoldsWithDigestsAlone) {
 
 struct Alteration {
   const char* name;
-  const char* place;  ///< that must be named; null: it is told in another way
+  const char* place;  ///< the place to be named; null: another message reports it
   std::function<void(Json&)> alter;
-  Stage first = Stage::Sealed;  ///< from which on it can be told
+  Stage first = Stage::Sealed;  ///< the first stage that detects it
 };
 
 Json& row(Json& json, std::size_t position, std::size_t index) {
@@ -193,8 +193,8 @@ TEST(AlteredJournalRows, AreNamedAfterASeal) {
   }
 }
 
-/// Sealed again after a change from outside, both seals tell of it: the later one sealed what nobody had
-/// entered.
+/// After a change outside the program and a second seal, both seals report it: the later one sealed a value
+/// without an entry.
 TEST(AlteredJournalRows, StayNamedWhenSealedAgain) {
   Json json = Recorded(Stage::EditedOnce).json();
   row(json, 1, 7)["horizontal"] = "1 00 00";
@@ -210,7 +210,7 @@ TEST(AlteredJournalRows, StayNamedWhenSealedAgain) {
               Contains(Field(&JournalContradiction::place, "positions[1].readings[7].horizontal")));
 }
 
-/// Without a copy the digest alone says that something was changed.
+/// Without a copy, only the digest shows that something was changed.
 TEST(AlteredJournalRows, AreToldByTheDigestAlone) {
   Json json = Recorded(Stage::EditedOnce).json();
   for (Json& entry : json["journal"]) entry.erase("content");

@@ -20,7 +20,7 @@ namespace {
 using testing::ElementsAre;
 using testing::IsEmpty;
 
-/// A session at work, and its journal as texts: "from > to, why".
+/// A session with its journal as texts: "from > to, why".
 struct Bench {
   SessionDocument document;
   QTemporaryDir folder;

@@ -9,7 +9,7 @@ QString text(const char* utf8) {
   return QString::fromUtf8(utf8);
 }
 
-// Tabs and LF between, neither before nor after; what would part a cell in two becomes one blank.
+// Tabs and LF between cells and rows only; a character that would split a cell becomes one blank.
 TEST(BlockText, PartsCellsByTabsAndRowsByLineFeeds) {
   EXPECT_EQ(blockText({}), QString());
   EXPECT_EQ(blockText({{text("1")}}), text("1"));

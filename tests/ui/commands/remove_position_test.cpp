@@ -8,7 +8,7 @@
 namespace alidade::ui {
 namespace {
 
-/// Before anything was read, after a single row, and whole.
+/// Before any reading, after a single row, and complete.
 TEST(RemovePosition, TakesAsManyRowsAsThereAreAndBringsThemBack) {
   for (const std::size_t rows : {0u, 1u, 2u, 17u}) {
     Session session = paperSession();

@@ -27,7 +27,7 @@
 #include "ui/main_window.h"
 #include "ui/panels/readings/position_tabs.h"
 
-// A whole session through the line of a simulated instrument, which is a program of its own.
+// A whole session over the port of a simulated instrument, a separate program.
 
 namespace alidade::ui {
 namespace {
@@ -45,7 +45,7 @@ Session sessionToRead() {
   return *simulate(protocol, truth, 11);
 }
 
-/// The same, laid out to be read.
+/// The same session without readings.
 Session blankOf(Session session) {
   for (Position& position : session.positions) {
     position.zero = {};
@@ -62,7 +62,7 @@ std::size_t rowsOf(const Session& session) {
   return rows;
 }
 
-/// Over which the simulated instrument speaks; some containers have none.
+/// The port of the simulated instrument; some containers lack pseudo terminals.
 bool hasPseudoTerminals() {
   const int line = posix_openpt(O_RDWR | O_NOCTTY | O_CLOEXEC);
   if (line < 0) return false;
@@ -78,7 +78,7 @@ class InstrumentSession : public testing::Test {
   }
 };
 
-/// The simulated instrument as a program, and the path of its line.
+/// The simulator program, and the path of its port.
 struct Simulator {
   QTemporaryDir folder;
   QProcess process;
@@ -119,7 +119,7 @@ struct Bench {
     desk().toggle();
     ASSERT_TRUE(desk().link().isOpen()) << log();
   }
-  /// The first sighting at 180° is asked about, though nothing else is wrong with it.
+  /// The program asks about the first sighting at 180°, although it is correct.
   bool takeAtNextPosition() {
     const QString question = desk().flow().question();
     if (!question.contains(QStringLiteral("has the axis been turned?"))) return false;
@@ -137,10 +137,10 @@ struct Bench {
   }
 };
 
-/// That the digits of the simulator's GSI words tell.
+/// The corrections encoded in the digits of the simulator's GSI words.
 const std::string allCorrections = "inclination standing_axis collimation tilting_axis";
 
-/// Each cell as it was sent, to `within` arcseconds.
+/// Compares each cell with the sent value, to `within` arcseconds.
 void expectSame(const Session& read, const Session& sent, double within, bool isGsi = false) {
   ASSERT_EQ(read.positions.size(), sent.positions.size());
   const auto expectAngle = [&](const std::string& is, const std::string& was, const std::string& where) {
@@ -207,12 +207,12 @@ TEST_F(InstrumentSession, SeventyTwoSightingsByGeoComWithFaults) {
         ->click();
     EXPECT_TRUE(bench.desk().questionBar()->isHidden());
   }
-  expectSame(bench.session(), sent, 5.1e-4);  // half of the last place that is written
+  expectSame(bench.session(), sent, 5.1e-4);  // half of the last written digit
   EXPECT_EQ(wrong, 2) << "of 12 faults in turn the 5th and 10th";
   for (const char* said :
        {"was passed over", "Half a line came", "late or twice", "busy measuring", "was not taken"})
     EXPECT_THAT(bench.log(), HasSubstr(said));
-  // Each is a step of its own, and all come off again.
+  // Each is one undo step, and all can be undone.
   while (bench.open->document().undoStack().canUndo()) bench.open->undo();
   EXPECT_EQ(bench.landed(), 0U);
 }
@@ -251,7 +251,7 @@ TEST_F(InstrumentSession, AQuestionedReadingIsTakenWhenWanted) {
   Simulator simulator(sent, {QStringLiteral("--protocol"), QStringLiteral("gsi")});
   Bench bench;
   Session blank = blankOf(sent);
-  blank.positions[0].readings[0].face = "2";  // the instrument will be in face 1
+  blank.positions[0].readings[0].face = "2";  // the instrument reads in face 1
   bench.start(blank);
   bench.connectTo(simulator.path, Protocol::Gsi);
   for (int i = 0; i < 3; ++i) {

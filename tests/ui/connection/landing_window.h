@@ -35,7 +35,7 @@ inline InstrumentReading firstZero(const Session& session, std::size_t position)
   return readingOf(zero.horizontal, zero.vertical);
 }
 
-/// A window whose flow of readings is handed readings without a cable.
+/// A window whose reading flow receives readings without a cable.
 struct LandingWindow {
   OpenWindow open;
 
@@ -43,7 +43,7 @@ struct LandingWindow {
     open->document().startWith(session);
     open.settle();
   }
-  /// A tab that the user has chosen; a session that is opened begins with what it lacks.
+  /// Selects a tab as a user would, since an opened session starts with its first missing entry.
   void putInFront(std::size_t position) {
     flow().setFront([position] { return ReadingFlow::Front{position, {}}; });
   }
@@ -51,7 +51,7 @@ struct LandingWindow {
   const Session& session() { return open->document().session(); }
   std::string question() { return flow().question().toStdString(); }
 
-  /// What is asked of it; empty: it landed.
+  /// The question about the reading; empty: it was stored.
   std::string add(const InstrumentReading& reading) {
     flow().add(reading);
     EXPECT_TRUE(waitFor([&] { return flow().waiting() == 0 || !flow().question().isEmpty(); }));

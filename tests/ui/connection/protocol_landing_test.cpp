@@ -14,8 +14,8 @@
 #include "core/simulation/simulate.h"
 #include "tests/ui/connection/landing_window.h"
 
-// Where readings land while a protocol is followed, and what is asked before one lands: the simulated
-// instrument, the talk of its protocol and the window's flow of readings, with a clock set by hand.
+// Places of readings in a protocol, and questions before they are stored: simulated instrument, its protocol
+// and the window's reading flow, with a clock set by hand.
 
 namespace alidade::ui {
 namespace {
@@ -41,7 +41,7 @@ Session sightedInFull() {
   return *simulate(planInFull(), truth, 11);
 }
 
-/// The same, with nothing read and a protocol that asks for all of it.
+/// The same session without readings, and a protocol for all of them.
 Session askedInFull(Session session) {
   SightingProtocol protocol = templateOf(planInFull());
   for (ProtocolPosition& position : protocol.positions) position.zeros.before = position.zeros.after = {1, 2};
@@ -66,7 +66,7 @@ void expectZero(const ZeroSighting& is, const ZeroSighting& was, double within, 
   EXPECT_THAT(is.takenAt, Not(IsEmpty())) << where;
 }
 
-/// Each cell as it was sent, to `within` arcseconds, with the time at which it came.
+/// Compares each cell with the sent value, to `within` arcseconds, and with its time.
 void expectSameCells(const Session& read, const Session& sent, double within) {
   for (std::size_t p = 0; p < sent.positions.size(); ++p) {
     const std::string position = "position " + std::to_string(p);
@@ -88,7 +88,7 @@ void expectSameCells(const Session& read, const Session& sent, double within) {
   }
 }
 
-/// The instrument at its cable.
+/// The instrument and its connection.
 struct Cable {
   SimulatedInstrument instrument;
   InstrumentTalk& talk;
@@ -113,12 +113,12 @@ struct Cable {
 };
 
 struct CableRun {
-  std::vector<std::string> ofFaults;  ///< questions about readings that are wrong
-  std::vector<std::string> ofSound;   ///< about those that are right
-  std::size_t unasked = 0;            ///< wrong readings that were taken without a question
+  std::vector<std::string> ofFaults;  ///< questions about wrong readings
+  std::vector<std::string> ofSound;   ///< questions about correct readings
+  std::size_t unasked = 0;            ///< wrong readings stored without a question
 };
 
-/// Takes what the instrument vouches for in the end, leaves what it tells with a fault.
+/// Accepts what the instrument finally guarantees, rejects what it reports with a fault.
 void answer(LandingWindow& window, const InstrumentReading& reading, bool isRight, CableRun& run) {
   const std::string question = window.add(reading);
   if (question.empty()) {
@@ -154,7 +154,7 @@ CableRun readByGsi(LandingWindow& window, Cable& cable) {
     cable.readings.clear();
     const std::string sent = cable.instrument.record(cable.now);
     if (!sent.empty()) cable.follow(cable.talk.receive(sent, cable.now));
-    for (int i = 0; i < 60; ++i) cable.wait(500);  // half a minute: no block counts as sent again
+    for (int i = 0; i < 60; ++i) cable.wait(500);  // half a minute: no block counts as repeated
     for (const InstrumentReading& reading : cable.readings)
       answer(window, reading, cable.instrument.told() > told, run);
   }
@@ -188,7 +188,7 @@ TEST(ProtocolLanding, EverySightingByGeoComLandsWhereTheProtocolAsksForItWithEve
   GeoComTalk talk({});
   Cable cable{SimulatedInstrument(optionsOf(sent, InstrumentProtocol::GeoCom)), talk};
   const CableRun run = readByGeoCom(window, cable);
-  expectSameCells(window.session(), sent, 5.1e-4);  // half of the last place that is written
+  expectSameCells(window.session(), sent, 5.1e-4);  // half of the last written digit
   EXPECT_EQ(run.unasked, 0U);
   ASSERT_EQ(run.ofSound.size(), 1U) << "of the first sighting at 180°";
   EXPECT_THAT(run.ofSound[0],
@@ -227,8 +227,8 @@ double intersectionOf(const Session& session) {
   return fitSession(*examined.measurement).intersection->value;
 }
 
-// The tripod is knocked by 30″ between the positions: the zero of 180° is sighted anew, and nothing comes of
-// it.
+// The tripod is knocked by 30″ between the positions: the zero of 180° is sighted again, so the result is
+// unaffected.
 TEST(ProtocolLanding, AZeroAfterTheReadingsIsNotThatOfTheNextPosition) {
   Session sent = sightedInFull();
   const double before = intersectionOf(sent);
@@ -242,9 +242,10 @@ TEST(ProtocolLanding, AZeroAfterTheReadingsIsNotThatOfTheNextPosition) {
   knocked(turned.zero.vertical);
   for (const ZeroSlot& slot : furtherZeros) knocked((turned.zero.*slot.sighting).vertical);
   for (Reading& row : turned.readings) knocked(row.vertical);
-  // Read on a circle that counts 30″ off the plumb line, the arc is bent by (h/L) x²/2L²: 0.4″ at its ends.
+  // Readings on a circle that counts from 30″ off the plumb line bend the arc by (h/L) x²/2L²: 0.4″ at its
+  // ends.
   EXPECT_NEAR(intersectionOf(sent), before, 0.01);
-  Session misplaced = sent;  // as it was read when one zero was known of a position
+  Session misplaced = sent;  // as read with one zero per position
   misplaced.positions[1].zero = {sent.positions[0].zero.after.horizontal,
                                  sent.positions[0].zero.after.vertical};
   misplaced.positions[0].zero = {sent.positions[0].zero.horizontal, sent.positions[0].zero.vertical};

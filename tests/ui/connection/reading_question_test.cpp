@@ -5,7 +5,7 @@
 #include "tests/ui/connection/landing_window.h"
 #include "ui/connection/reading_question_bar.h"
 
-// What is asked of a reading before it is stored, where no protocol says what comes next.
+// Questions about a reading before it is stored, without a protocol.
 
 namespace alidade::ui {
 namespace {
@@ -15,7 +15,7 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::Not;
 
-/// Point 1 to 4 in face 1 at 0°, each as read in the paper; nothing at 180°.
+/// Points 1 to 4 in face 1 at 0°, as in the paper; none at 180°.
 Session begunWithoutProtocol() {
   Session session = paperSession();
   session.positions[0].readings.resize(4);

@@ -20,7 +20,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-/// Presses the button of the dialog that says what is done, once there is one.
+/// Presses the button of the waiting dialog once it appears.
 class Stopper {
  public:
   Stopper() {

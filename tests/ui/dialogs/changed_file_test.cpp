@@ -22,7 +22,7 @@
 #include "ui/main_window.h"
 #include "ui/panels/window/changed_file_bar.h"
 
-// A session's file that others write, have open, or that cannot be written.
+// A session's file that other programs write, have open, or that is not writable.
 
 namespace alidade::ui {
 namespace {
@@ -44,7 +44,7 @@ class ChangedFileTest : public ::testing::Test {
     ASSERT_TRUE(out.open(QIODevice::WriteOnly));
     out.write(QByteArray::fromStdString(text));
   }
-  /// As another program would; answers with what it wrote.
+  /// Writes as another program would; returns the bytes.
   std::string writeAsOther(const char* notes) const {
     Session session = *readSession(bytes());
     session.notes = notes;
@@ -60,7 +60,7 @@ class ChangedFileTest : public ::testing::Test {
   QString file = folder.filePath(QStringLiteral("s.alidade"));
 };
 
-/// What a question comes to that is answered with a key, once it is in front.
+/// The answer to a question by a key, pressed once the dialog is active.
 template <typename Ask>
 auto answerTo(Ask ask, Qt::Key key) {
   QTimer::singleShot(0, [key] {
@@ -202,7 +202,7 @@ TEST_F(ChangedFileTest, IsNoticedBeforeAnybodySaves) {
   bar->findChild<QPushButton*>(QStringLiteral("compare with file"))->click();
   EXPECT_EQ(window->document().session().notes, "theirs");
   EXPECT_TRUE(waitFor([&] { return !bar->isVisible(); }));
-  // Replaced, as careful programs save.
+  // Replaces the file, as careful programs save.
   std::filesystem::copy_file(file.toStdString(), in("fresh").toStdString());
   Session session = *readSession(bytes());
   session.notes = "theirs, too";
@@ -220,7 +220,7 @@ TEST_F(ChangedFileTest, IsNotTakenForAnothersWhileItIsSaved) {
   auto* bar = window->findChild<ChangedFileBar*>();
   emit window->files().writing(true);
   writeAsOther("as a long save leaves it, before the window knows");
-  QTest::qWait(500);  // the watch looks after 150 ms
+  QTest::qWait(500);  // the watch checks after 150 ms
   EXPECT_FALSE(bar->isVisible());
   emit window->files().writing(false);
   EXPECT_TRUE(waitFor([&] { return bar->isVisible(); })) << "it was another's";
@@ -246,7 +246,7 @@ TEST_F(ChangedFileTest, TwoWindowsKnowOfEachOther) {
   changeField(first->document(), {.field = "title"}, "again");
   EXPECT_FALSE(first->files().save());
   EXPECT_EQ(readSession(bytes())->title, "of the second");
-  // Another session is not put over a file that somebody has open, either.
+  // Saving another session over an open file is also refused.
   OpenWindow third;
   third->keepIn(in("kept"));
   third.dialogs->savePath = file;
@@ -296,7 +296,7 @@ TEST_F(ChangedFileTest, IsNeverReplacedByItsReport) {
   EXPECT_EQ(bytes(), before);
 }
 
-// A pipe has no end to wait for: the window would stand still.
+// Reading a pipe without an end would block the window.
 TEST_F(ChangedFileTest, PipesAndDevicesAreNotOpened) {
   OpenWindow window;
   open(window, nullptr);

@@ -1,4 +1,4 @@
-// What is exported from the window, as other programs find it.
+// Exports from the window, as other programs read them.
 
 #include <gtest/gtest.h>
 
@@ -37,7 +37,7 @@ class Export : public ::testing::Test {
     ASSERT_TRUE(open->files().open(samplePath(name)));
     open.settle();
   }
-  /// By the menu File › Export.
+  /// Exports by the menu File › Export.
   void exportAs(const QString& entry, const QString& name) {
     open.dialogs->exportPath = name.isEmpty() ? QString() : pathOf(name);
     for (QAction* action : open->findChildren<QAction*>())
@@ -92,7 +92,7 @@ TEST_F(Export, ResultAndGapAreWhatTheConsolePrints) {
 TEST_F(Export, HoldsWhatIsHalfTyped) {
   openSample(QStringLiteral("paper-table-1.alidade"));
   open->reveal({.position = 0, .reading = 3, .field = "vertical"});
-  for (const QChar key : QStringLiteral("85 10 07"))  // and no Enter
+  for (const QChar key : QStringLiteral("85 10 07"))  // without Enter
     QTest::keyClicks(QApplication::focusWidget(), key);
   exportAs(QStringLiteral("Readings (CSV)…"), QStringLiteral("rows.csv"));
   EXPECT_TRUE(bytesOf(QStringLiteral("rows.csv")).contains(",85 10 07,"));

@@ -17,8 +17,8 @@
 #include "ui/main_window.h"
 #include "ui/panels/readings/readings_table.h"
 
-// File ▸ Import Readings: undoable, into the session at work where this has none yet, otherwise into a new
-// one where that is chosen. What the page asks: import_page_test.cpp.
+// File ▸ Import Readings is undoable. It adds to the current session if that has no readings, or creates a
+// new one if so chosen. Page tests: import_page_test.cpp.
 
 namespace alidade::ui {
 namespace {
@@ -27,7 +27,7 @@ using testing::HasSubstr;
 
 class ImportFlow : public ::testing::Test {
  protected:
-  /// What has readings is put aside for a new session.
+  /// A session with readings is replaced by a new one.
   ImportFlow() {
     open.dialogs->onImport = [](ImportPage& page) {
       page.findChild<QRadioButton*>(QStringLiteral("import replace"))->click();
@@ -43,7 +43,7 @@ class ImportFlow : public ::testing::Test {
   }
   std::string notes() const { return open.dialogs->problems.join(QLatin1Char('\n')).toStdString(); }
 
-  /// The session before the import is then as in its file, and yet not left.
+  /// The session before the import then equals its file, but has not been left.
   void undoWhatWasTypedAndTheImport() {
     typeInto(*open->findChild<QLineEdit*>(QStringLiteral("geometry.distance_mm")), QStringLiteral("2411"));
     open->undo();

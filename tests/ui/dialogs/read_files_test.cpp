@@ -1,4 +1,4 @@
-// Nothing that the window writes takes the place of a file that it read.
+// The window never overwrites a file that it has read.
 
 #include <gmock/gmock.h>
 
@@ -61,7 +61,7 @@ class ReadFiles : public ::testing::Test {
     QFile file(in(name));
     return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
   }
-  /// Each way in which the window writes, to `path`.
+  /// All ways in which the window writes, to `path`.
   std::vector<std::pair<const char*, std::function<bool()>>> ways(const QString& path) {
     open.dialogs->exportPath = open.dialogs->reportPath = open.dialogs->savePath = path;
     return {{"report", [this] { return open->files().exportReport(); }},

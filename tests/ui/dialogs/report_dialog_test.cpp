@@ -30,7 +30,7 @@ QString shownBy(const QDialog& dialog) {
   return texts.join(u'\n');
 }
 
-/// Whether it is written where the dialog is left by `key`.
+/// True if the dialog closed by `key` leads to writing.
 bool answerBy(Qt::Key key, const ReportQuestion& asked) {
   QTimer::singleShot(0, [&] { QTest::keyClick(QApplication::activeModalWidget(), key); });
   return Dialogs().askReport(asked).has_value();

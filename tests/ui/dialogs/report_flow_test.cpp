@@ -33,7 +33,7 @@ class ReportFlowTest : public testing::Test {
 
   static void forget() { QSettings().remove(QStringLiteral("report")); }
   QString in(const char* name) const { return folder.filePath(QString::fromLatin1(name)); }
-  /// Without what the minute and the attachments make different.
+  /// Removes the parts that depend on the time and the attachments.
   static QString pagesOf(const QString& path) {
     static const QRegularExpression time(QStringLiteral("\\d{4}-\\d\\d-\\d\\d \\d\\d:\\d\\d"));
     return printedText(path).remove(time);
@@ -172,7 +172,7 @@ TEST_F(ReportFlowTest, OpensTheSessionOutOfTheReport) {
   EXPECT_EQ(report.readAll(), before);
 }
 
-// What was reported stands: a change of it is told.
+// Reported readings are recorded: a change of them enters the journal.
 TEST_F(ReportFlowTest, WhatIsOpenedOutOfAReportStands) {
   open.dialogs->reportPath = in("report.pdf");
   ASSERT_TRUE(open->files().exportReport());
@@ -182,7 +182,7 @@ TEST_F(ReportFlowTest, WhatIsOpenedOutOfAReportStands) {
   EXPECT_EQ(open->document().session().journal.size(), 2u);
 }
 
-// The session as it is, not as it was saved.
+// Attaches the current session rather than the saved one.
 TEST_F(ReportFlowTest, AttachesUnsavedChangesToo) {
   changeField(open->document(), {.field = "title"}, "changed since");
   open.dialogs->reportPath = in("report.pdf");

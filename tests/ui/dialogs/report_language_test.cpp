@@ -15,11 +15,11 @@
 namespace alidade::ui {
 namespace {
 
-/// Knows what was waited for.
+/// Records the waiting dialogs.
 class WatchedDialogs : public ScriptedDialogs {
  public:
   std::unique_ptr<Busy> busy(const QString& doing, Busy::Way way) override {
-    // As the window says it at the time.
+    // In the current language of the window.
     if (doing == ReportFlow::tr("Fitting and diagnosing for the report…")) ++diagnoses;
     return ScriptedDialogs::busy(doing, way);
   }
@@ -55,7 +55,7 @@ TEST_F(ReportLanguageTest, OfTheWindowTakesWhatWasDiagnosedForTheQuestion) {
   EXPECT_EQ(dialogs.diagnoses, 1);
 }
 
-// Sentences of a diagnosis are made with it.
+// The diagnosis contains sentences in its language.
 TEST_F(ReportLanguageTest, OtherThanTheWindowsIsDiagnosedInAndRemembered) {
   choose("zh_CN");
   ASSERT_TRUE(flow.exportPdf({}));
@@ -88,7 +88,7 @@ TEST_F(ReportLanguageTest, ThatTheWindowSpeaksIsNotDiagnosedInAgain) {
   EXPECT_EQ(dialogs.diagnoses, 3);
 }
 
-// While a report is written the window is alive, and what it shows then stays.
+// The window stays responsive while a report is written, and keeps its language.
 TEST_F(ReportLanguageTest, IsNotThatOfTheWindowMeanwhile) {
   QSet<QString> heard;
   ReportOptions options;

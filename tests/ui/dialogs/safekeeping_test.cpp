@@ -18,8 +18,8 @@
 #include "ui/commands/edit_readings.h"
 #include "ui/main_window.h"
 
-// Unsaved changes that a window leaves behind when it dies, and what the next one does with them. A window
-// that is destroyed without having been closed stands for a crash.
+// Unsaved changes of a crashed window, and their recovery by the next one. A window destroyed without closing
+// represents a crash.
 
 namespace alidade::ui {
 namespace {
@@ -48,7 +48,7 @@ class SafekeepingTest : public ::testing::Test {
     changeField(open->document(), {.field = "title"}, title);
   }
 
-  /// A window that dies with this title unsaved, and the record complete.
+  /// A crash with this title unsaved, and a complete record.
   void crash(const QString& path, const char* title) const {
     const qsizetype before = records().size();
     const auto open = openWindow(path);
@@ -73,7 +73,7 @@ TEST_F(SafekeepingTest, KeepsAnEditWithinASecond) {
   };
   EXPECT_EQ(newest().session.title, "kept");
   EXPECT_EQ(newest().path, file);
-  // Edits that never rest are kept all the same.
+  // Continuous edits are kept as well.
   clock.restart();
   int number = 0;
   while (newest().session.title == "kept" && clock.elapsed() < 3000) {
@@ -187,7 +187,7 @@ TEST_F(SafekeepingTest, TellsWhatBecameOfTheFileMeanwhile) {
   EXPECT_EQ(told().difference.count, 2u) << "title and notes";
 }
 
-// However old or new either is: there is nothing to choose from.
+// Regardless of their ages: there is nothing to choose from.
 TEST_F(SafekeepingTest, ClearsAwayWhatIsInTheFileAlready) {
   crash(file, "unsaved");
   Session saved = sessionIn(file);
@@ -231,7 +231,7 @@ TEST_F(SafekeepingTest, MarksForAsLongAsNothingCanBeKept) {
   EXPECT_EQ(records().size(), 1);
 }
 
-/// The session's own file may be private, and the folder is the program's.
+/// The session's file may be private; the folder belongs to the program.
 TEST_F(SafekeepingTest, KeepsRecordsForTheirOwnerAlone) {
   QDir().mkpath(kept);
   constexpr auto everybody = QFile::ReadOwner | QFile::WriteOwner | QFile::ExeOwner | QFile::ReadGroup |
@@ -255,7 +255,7 @@ TEST_F(SafekeepingTest, LocksOfKilledWindowsDoNotPileUp) {
   EXPECT_FALSE(lock.exists());
 }
 
-/// An entry that is being typed, by key, and where it stands afterwards.
+/// An entry being typed by key, and where it appears afterwards.
 struct HalfTypedCase {
   const char* name;
   Place place;
@@ -265,7 +265,7 @@ struct HalfTypedCase {
 
 class HalfTypedKept : public SafekeepingTest, public ::testing::WithParamInterface<HalfTypedCase> {
  protected:
-  /// Types all keys but hands nothing in. False: no record of it within a second.
+  /// Types all keys without committing. False: no record of it within a second.
   bool typeAndCrash(const HalfTypedCase& typed) const {
     const auto open = openWindow(file);
     QApplication::setActiveWindow(open->window.get());
@@ -329,7 +329,7 @@ INSTANTIATE_TEST_SUITE_P(
                       [](const Session& session) { return session.positions[0].readings[2].note; }}),
     [](const auto& entry) { return std::string(entry.param.name); });
 
-/// Handed in, it is part of the record itself; given up, it is in none.
+/// Committed, it is part of the record itself; cancelled, of none.
 TEST_F(SafekeepingTest, HalfTypedIsKeptOnlyAsLongAsItIs) {
   const auto open = openWindow(file);
   QApplication::setActiveWindow(open->window.get());

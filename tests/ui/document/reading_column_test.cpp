@@ -19,7 +19,7 @@ TEST(ReadingColumn, HasWordsOfItsOwn) {
   }
 }
 
-// A column without a width of its own shares the room of the angles; one that is printed has some on paper.
+// A column without a width of its own shares that of the angles; a printed one has a width on paper.
 TEST(ReadingColumn, HasRoom) {
   for (const ReadingColumnInfo& info : allReadingColumns()) {
     EXPECT_EQ(info.widest == nullptr, isAngle(info.column)) << info.title;
@@ -41,7 +41,7 @@ TEST(ReadingColumn, IsFoundByTheNameInTheFile) {
     EXPECT_EQ(readingColumn(strange), ReadingColumn::Horizontal) << strange;
 }
 
-// What is entered in one column is read from it, and nothing else of the row changes.
+// An entry in one column is read back from it, and no other field of the row changes.
 TEST(ReadingColumn, EntersItsOwnFieldOnly) {
   for (const ReadingColumnInfo& info : allReadingColumns()) {
     EXPECT_EQ(isEntered(info.column), info.field != nullptr) << info.title;

@@ -22,7 +22,7 @@ Rows rowsOf(std::size_t count) {
   return rows;
 }
 
-/// There and back again, and the span says what became of which rows.
+/// Applies and reverts the patch; the span states which rows changed.
 void expectThereAndBack(const ReadingsPatch& patch, const Rows& before, const Rows& after) {
   Rows rows = before;
   patch.apply(rows);

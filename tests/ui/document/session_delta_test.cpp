@@ -19,7 +19,7 @@
 namespace alidade::ui {
 namespace {
 
-/// A copy that learns of a document by its changes alone.
+/// A copy that follows a document by its change signals alone.
 struct Mirror {
   explicit Mirror(SessionDocument& document) : session(document.session()) {
     QObject::connect(&document, &SessionDocument::changed, &context,

@@ -5,7 +5,7 @@
 namespace alidade::ui {
 namespace {
 
-// A stack as a list of events; the indices are those of QUndoStack.
+// The undo stack as a list of events; indices as in QUndoStack.
 
 TEST(SessionFiles, KnowWhereTheSessionIsAsInItsFile) {
   SessionFiles files;

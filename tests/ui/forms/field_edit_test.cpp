@@ -15,7 +15,7 @@
 namespace alidade::ui {
 namespace {
 
-/// Two entries in a window, so that the focus can go from one to the other.
+/// Two entries in a window, for the focus to move between.
 struct Form {
   Form() {
     auto* layout = new QVBoxLayout(&window);

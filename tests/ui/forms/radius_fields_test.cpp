@@ -16,7 +16,7 @@
 namespace alidade::ui {
 namespace {
 
-/// The window on the paper's table, with the entries that say how the radius is taken.
+/// The window with the paper's table and the entries for the use of the radius.
 struct RadiusBench {
   RadiusBench() {
     if (!open->files().open(samplePath(QStringLiteral("paper-table-1.alidade"))))

@@ -17,13 +17,13 @@
 namespace alidade::ui {
 namespace {
 
-/// In the language that is spoken.
+/// The page in the current language.
 QString pageText(const QString& id) {
   QFile page(QStringLiteral(":/help/%1/%2.html").arg(spokenLanguage(), id));
   return page.open(QIODevice::ReadOnly) ? QString::fromUtf8(page.readAll()) : QString();
 }
 
-/// "words", "words#s0": a page, and a place in it where one is named.
+/// "words", "words#s0": a page, and optionally an anchor in it.
 bool isThere(const QString& topic) {
   const QString text = pageText(topic.section(u'#', 0, 0)), place = topic.section(u'#', 1);
   return !text.isEmpty() && (place.isEmpty() || text.contains(QStringLiteral("name=\"%1\"").arg(place)));

@@ -30,7 +30,7 @@
 #include "ui/import/import_files.h"
 #include "ui/main_window.h"
 
-// The one page that an import asks: files, positions, units, columns, zeros, and where the readings go.
+// The import page: files, positions, units, columns, zeros, and the target of the readings.
 
 namespace alidade::ui {
 namespace {
@@ -55,7 +55,7 @@ class ImportPageTest : public ::testing::Test {
   }
   const Session& session() { return open->document().session(); }
 
-  /// Chooses in the page once it shows what was proposed; `act` may look at it as well.
+  /// Acts on the page once it shows the proposals; `act` may also inspect it.
   void choose(std::function<void(ImportPage&)> act) { open.dialogs->onImport = std::move(act); }
 
   static void settle(ImportPage& page) {
@@ -212,7 +212,7 @@ TEST_F(ImportPageTest, RemembersHowALayoutWasTaken) {
   EXPECT_EQ(session().positions.back().readings.back().horizontal, "341 00 00");
 }
 
-// What was chosen for one file is not put on another that its own numbers contradict.
+// The choice for one file is not applied to another whose numbers contradict it.
 TEST_F(ImportPageTest, RemembersNoUnitAgainstTheNumbers) {
   const auto tableOf = [](const QByteArray& row) { return "axis;Hz;V\n0;" + row + "\n"; };
   choose([](ImportPage& page) { pick(box(page, "import unit"), QStringLiteral("Degrees.minutes seconds")); });

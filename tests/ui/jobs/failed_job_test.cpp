@@ -25,8 +25,7 @@
 #include "ui/panels/result/result_panel.h"
 #include "ui/panels/uncertainty/simulation_box.h"
 
-// Work that breaks down costs its own answer and nothing else: what failed stands where that answer would
-// stand.
+// Failed work affects only its own result: a message replaces that result.
 
 namespace alidade::ui {
 namespace {
@@ -143,7 +142,7 @@ TEST_F(FailedJobTest, OfTheSearchLeavesTheFitAndSaysSo) {
   EXPECT_THAT(searched->searchFailure, HasSubstr("The search for misread readings failed: out of memory."));
 }
 
-// Each job is asked for something first: what its thread needs to begin with is not in question.
+// Each job runs once first, so that its thread already exists.
 
 TEST_F(FailedJobTest, OfTheDiagnosisIsTheReasonForNone) {
   GapJob job;

@@ -34,7 +34,7 @@ TEST(FitJob, DeliversTheNewestRequestAndNoneThatItOvertook) {
   EXPECT_EQ(titles, std::vector<std::string>{"49"});
 }
 
-/// Twenty degrees wrong in one reading of a sound session.
+/// A sound session with an error of twenty degrees in one reading.
 Session slippedSession() {
   Session session = *loadSession(samplePath(QStringLiteral("clean-session.alidade")).toStdString());
   session.positions[0].readings[3].vertical = "60 00 00";
@@ -71,7 +71,7 @@ TEST(FitJob, DiscardsTheSuspectsOfASessionThatWasEdited) {
   edited.title = "edited";
   QObject::connect(&job, &FitJob::evaluated, [&](const SharedEvaluation& evaluation) {
     fitted.push_back(evaluation->session.title);
-    if (fitted.size() == 1) job.request(edited);  // the edit comes while the suspects are still wanted
+    if (fitted.size() == 1) job.request(edited);  // the edit comes before the suspects are found
   });
   QObject::connect(&job, &FitJob::searched, [&](const SharedEvaluation& evaluation) {
     searched.push_back(evaluation->session.title);
@@ -84,8 +84,7 @@ TEST(FitJob, DiscardsTheSuspectsOfASessionThatWasEdited) {
   EXPECT_EQ(searched, std::vector<std::string>{"edited"});
 }
 
-/// The edit is posted before the search begins, so it arrives before the search's answer, however quick that
-/// is.
+/// The edit is posted before the search begins, so it arrives before the search's result, however fast.
 TEST(FitJob, DiscardsASearchThatIsAtWork) {
   FitJob job;
   std::vector<std::string> fitted, searched;
@@ -134,7 +133,7 @@ TEST(Evaluation, OfABlankSessionSaysWhatIsMissing) {
   EXPECT_FALSE(evaluation.fit.intersection);
 }
 
-/// Edits one cell after the other, each evaluated before the next, and holds on to the evaluation shown.
+/// Edits cell after cell, each evaluated before the next, and keeps the shown evaluation.
 class Typist {
  public:
   explicit Typist(const Session& session) {
@@ -156,7 +155,7 @@ class Typist {
     return *m_shown;
   }
   SharedEvaluation shown() const { return m_shown; }
-  /// Where the rows of all sessions fitted so far were.
+  /// The addresses of the rows of all sessions fitted so far.
   const std::set<const Reading*>& fittedIn() const { return m_fittedIn; }
   const Session& session() const { return m_document.session(); }
   void undo() {
@@ -167,7 +166,7 @@ class Typist {
  private:
   void rest() {
     ASSERT_TRUE(waitFor([this] { return m_job.isIdle(); }));
-    QThreadPool::globalInstance()->waitForDone();  // what is of no more use is let go of there
+    QThreadPool::globalInstance()->waitForDone();  // discarded objects are released there
   }
 
   SessionDocument m_document;
@@ -176,7 +175,7 @@ class Typist {
   FitJob m_job;
 };
 
-/// Two copies of the rows take turns, however long one types.
+/// Two copies of the rows alternate, however long the typing.
 TEST(FitJob, MakesTheNextSessionOfOneThatIsOfNoMoreUse) {
   Typist typist(paperSession());
   for (std::size_t i = 0; i < 12; ++i) {
@@ -201,7 +200,7 @@ TEST(FitJob, LeavesASessionToThoseWhoHoldOnToIt) {
   for (std::size_t i = 0; i < held.size(); ++i) EXPECT_EQ(held[i]->session, asShown[i]) << i;
 }
 
-/// It is there for comparison only, and no edit of very many rows waits for it.
+/// The published method is for comparison only, so edits of very many rows do not wait for it.
 TEST(FitJob, FitsVeryManyRowsAsPublishedAfterTheRest) {
   FitJob job;
   SharedEvaluation fitted, searched;

@@ -10,14 +10,14 @@
 #include "ui/panels/window/page_tabs.h"
 #include "ui/settings/recent_files.h"
 
-// A text that no translator was asked for shows as English in a window that speaks Chinese.
+// A text that was not extracted for translation appears in English in a Chinese window.
 
 namespace alidade::ui {
 namespace {
 
 using namespace Qt::StringLiterals;
 
-/// Without what its author wrote, which no program translates.
+/// The session without its author's words, which are never translated.
 Session wordless(Session session) {
   for (std::string* text :
        {&session.title, &session.notes, &session.operatorName, &session.place, &session.device.name,
@@ -28,7 +28,7 @@ Session wordless(Session session) {
   return session;
 }
 
-/// Words of two letters and more that are neither symbols nor names.
+/// Words of two or more letters, except symbols and names.
 QStringList englishIn(const QString& text) {
   static const QRegularExpression word(QStringLiteral("[A-Za-z]{2,}"));
   static const QSet<QString> meant{
@@ -43,7 +43,7 @@ QStringList englishIn(const QString& text) {
       u"GSI"_s, u"CSV"_s, u"PDF"_s, u"JSON"_s, u"SVG"_s, u"PNG"_s, u"SDR"_s, u"SHA"_s, u"UTF"_s, u"DCC"_s,
       u"GeoCOM"_s, u"ISO"_s, u"IEC"_s, u"JCGM"_s, u"ILAC"_s, u"GUM"_s, u"alidade"_s, u"txt"_s, u"gsi"_s,
       u"UTC"_s, u"csv"_s, u"pdf"_s, u"json"_s, u"svg"_s, u"png"_s,
-      // words of a session file, to be typed as they are
+      // words of a session file, to be typed unchanged
       u"inclination"_s, u"standing"_s, u"collimation"_s, u"tilting"_s, u"axis"_s, u"none"_s,
       // names
       u"Alidade"_s, u"Leica"_s, u"Trimble"_s, u"Sokkia"_s, u"English"_s, u"DejaVu"_s, u"Sans"_s, u"Letter"_s};

@@ -60,7 +60,7 @@ struct Entry {
   QString context, source, translation, state;
 };
 
-/// All that the list of translations holds.
+/// All entries of the translation list.
 std::vector<Entry> entriesOfList() {
   QFile file(QStringLiteral(ALIDADE_LANGUAGES_DIR "/alidade_zh_CN.ts"));
   EXPECT_TRUE(file.open(QIODevice::ReadOnly));
@@ -85,7 +85,7 @@ QStringList found(const QString& text, const char* pattern) {
   return marks;
 }
 
-// That the list has every text of the sources is held by rules.texts.
+// The check rules.texts ensures that the list has every text of the sources.
 TEST(Translations, AreThereForEveryText) {
   const std::vector<Entry> entries = entriesOfList();
   EXPECT_GT(entries.size(), 1500u);

@@ -4,7 +4,7 @@
 
 namespace alidade::ui {
 
-/// While it lives, the whole program speaks a language; then English again.
+/// Sets the language of the whole program; restores English on destruction.
 class Speaking {
  public:
   explicit Speaking(const QString& id) { speak(id); }

@@ -8,7 +8,7 @@
 namespace alidade::ui {
 namespace {
 
-/// The same, row by row.
+/// A reference implementation, row by row.
 struct PlainMap {
   struct Row {
     int origin = -1;

@@ -5,7 +5,7 @@
 
 namespace alidade::ui {
 
-/// What a monkey does next: the same for the same seed, on every machine.
+/// Random choices of a monkey: equal for the same seed on every machine.
 class Chance {
  public:
   explicit Chance(unsigned seed) : m_random(seed) {}

@@ -23,7 +23,7 @@ bool Housekeeper::isBusy() {
   return waiting() != nullptr;
 }
 
-/// Keys come from outside the timer: what they open is looked after by it.
+/// Keys arrive outside the timer: `look` handles what they open.
 void Housekeeper::look() {
   QWidget* open = waiting();
   if (!open) {

@@ -6,12 +6,12 @@
 
 namespace alidade::ui {
 
-/// Answers menus and message boxes, which would wait for ever, by a key or two; then closes them.
+/// Answers menus and message boxes, which would wait forever, by a key or two; then closes them.
 class Housekeeper {
  public:
   explicit Housekeeper(unsigned seed);
 
-  /// Until nothing is open that waits.
+  /// True while a menu or dialog waits.
   static bool isBusy();
 
  private:

@@ -24,7 +24,7 @@ namespace {
 constexpr int longestLog = 400;
 constexpr int patience = 120000;  // ms, for the slowest job under sanitizers
 
-QString warning;  // the first since it was last looked at
+QString warning;  // the first one since the last check
 
 void keepWarning(QtMsgType type, const QMessageLogContext&, const QString& text) {
   const bool isOfOffscreen = text.startsWith(QStringLiteral("This plugin does not support "));
@@ -34,7 +34,7 @@ void keepWarning(QtMsgType type, const QMessageLogContext&, const QString& text)
   warning = text;
 }
 
-/// The samples under other names: they will be saved over.
+/// Copies the samples under other names, since the monkey saves over them.
 void copySamples(const QDir& folder) {
   const QDir samples(QStringLiteral(ALIDADE_SAMPLES_DIR));
   for (const QString& name : samples.entryList({QStringLiteral("*.alidade")}))
@@ -48,7 +48,7 @@ QString difference(const Session& one, const Session& other) {
   return lines.join(u'\n');
 }
 
-/// What a result panel says, but for the hint of the gap.
+/// The texts of a result panel, except the hint on the gap.
 QStringList saidBy(const ResultPanel& panel) {
   QStringList texts;
   for (const QLabel* label : panel.findChildren<QLabel*>())
@@ -78,7 +78,7 @@ Monkey::~Monkey() {
   QApplication::setQuitOnLastWindowClosed(true);
 }
 
-/// Beginning with a sample, or with nothing. The one before goes while its jobs are at work.
+/// Opens with a sample, or empty. The previous window is destroyed while its jobs are running.
 void Monkey::openWindow() {
   auto dialogs = std::make_unique<MonkeyDialogs>(m_chance, QDir(m_folder.path()));
   const QString path = m_chance.oneIn(4) ? QString() : dialogs->present(QStringLiteral("*.alidade"));
@@ -106,7 +106,7 @@ void Monkey::openWindow() {
 std::string Monkey::sessionText() const {
   if (!m_window) return {};
   Session session = m_window->document().session();
-  session.journal.clear();  // where undo leads over a save, it tells of it
+  session.journal.clear();  // an undo across a save enters the journal
   return writeSession(session);
 }
 
@@ -132,7 +132,7 @@ void Monkey::play(int events) {
   if (m_complaint.isEmpty()) look();
 }
 
-/// Nothing is open that waits, and every job is done.
+/// Waits until nothing is open and every job is done.
 bool Monkey::rest() {
   const bool withGap = m_chance.oneIn(4);
   QElapsedTimer clock;
@@ -140,7 +140,7 @@ bool Monkey::rest() {
   const auto isBusy = [&] {
     return Housekeeper::isBusy() || !m_window->job().isIdle() || (withGap && !m_window->gapJob().isIdle());
   };
-  for (int quiet = 0; quiet < 3; quiet = isBusy() ? 0 : quiet + 1) {  // what was posted may begin anew
+  for (int quiet = 0; quiet < 3; quiet = isBusy() ? 0 : quiet + 1) {  // posted events may start new work
     if (clock.elapsed() > patience) return false;
     QCoreApplication::processEvents(QEventLoop::AllEvents, 10);
   }
@@ -186,7 +186,7 @@ void Monkey::lookAtTables() {
   if (tabs->table(positions.size())) complain(QStringLiteral("there are more tables than positions"));
 }
 
-/// The panel against one that has seen this session only.
+/// Compares the panel with one that has seen only this session.
 void Monkey::lookAtResult() {
   const Session& session = m_window->document().session();
   if (!m_evaluation) return complain(QStringLiteral("no fit is shown"));

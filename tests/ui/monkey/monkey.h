@@ -15,24 +15,24 @@ namespace alidade::ui {
 
 class MainWindow;
 
-/// Plays with the window: random keys, clicks, pastes, undo, files, pages, while jobs run; closes it and
-/// opens another. In between it looks whether all is in order: undo leads to the first state and redo to the
-/// last, what is saved is read back, tables and result show the session, and Qt has not warned of anything.
+/// Operates the window at random: keys, clicks, pastes, undo, files, pages, while jobs run; closes it and
+/// opens another. Checks in between: undo and redo reach the first and last state, saved files are read back,
+/// tables and result show the session, and Qt gave no warnings.
 class Monkey {
  public:
   using Tell = std::function<void(const QString& line)>;
 
-  /// `tell` is told of each deed before it is done.
+  /// `tell` receives each action before it is done.
   explicit Monkey(unsigned seed, Tell tell = {});
   ~Monkey();
 
-  /// Ends with the first complaint.
+  /// Stops at the first complaint.
   void play(int events);
-  /// What was not in order; empty: all was.
+  /// The failed check; empty if all passed.
   const QString& complaint() const { return m_complaint; }
-  /// The deeds until then, the last few hundred at most.
+  /// The last few hundred actions.
   const QStringList& log() const { return m_log; }
-  /// The session at work, as its file would have it.
+  /// The current session as its file text.
   std::string sessionText() const;
 
  private:
@@ -53,7 +53,7 @@ class Monkey {
   QStringList m_log;
   QString m_complaint;
   int m_events = 0;
-  std::string m_first;  ///< what undo leads back to
+  std::string m_first;  ///< the state that undo returns to
   SharedEvaluation m_evaluation;
   SharedGap m_gap;
   Housekeeper m_housekeeper;

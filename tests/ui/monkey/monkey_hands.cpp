@@ -34,7 +34,7 @@ QString nameOf(const QObject* object) {
   return QString::fromLatin1(object->metaObject()->className()) + (name.isEmpty() ? name : u' ' + name);
 }
 
-/// The deepest widget at a place; the window itself where there is none.
+/// The deepest widget at a place; the window itself if there is none.
 QWidget* widgetAt(QWidget& window, const QPoint& place) {
   QWidget* found = window.childAt(place);
   return found ? found : &window;
@@ -62,7 +62,7 @@ void MonkeyHands::doAnything() {
     if ((left -= weight) < 0) return (this->*deed)();
 }
 
-/// The window itself, or a dialog beside it.
+/// The window itself, or an open dialog.
 QWidget* MonkeyHands::anyWindow() const {
   QList<QWidget*> windows;
   for (QWidget* widget : QApplication::topLevelWidgets())
@@ -103,7 +103,7 @@ void MonkeyHands::pressKey() {
   QTest::keyClick(target, character, with);
 }
 
-/// Mostly what stands there with a slip, else anything.
+/// Usually the current text with a slip, sometimes any text.
 void MonkeyHands::typeIntoCell() {
   ReadingsTable* table = this->table();
   if (!table) return m_say(QStringLiteral("no table to type into"));
@@ -299,7 +299,7 @@ void MonkeyHands::hover() {
   QApplication::sendEvent(target, &event);
 }
 
-/// So that jobs end at any time.
+/// Lets jobs end at any time.
 void MonkeyHands::wait() {
   const int milliseconds = m_chance.oneIn(20) ? 600 : m_chance.below(30);
   m_say(QStringLiteral("wait %1 ms").arg(milliseconds));

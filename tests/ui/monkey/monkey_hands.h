@@ -11,17 +11,17 @@ namespace alidade::ui {
 class MainWindow;
 class ReadingsTable;
 
-/// What can be done to a window from outside.
+/// External actions on a window.
 class MonkeyHands {
  public:
   using Say = std::function<void(const QString& deed)>;
 
-  /// `say` is told of every deed before it is done.
+  /// `say` receives each action before it is done.
   MonkeyHands(Chance& chance, const QDir& folder, Say say)
       : m_chance(chance), m_folder(folder), m_say(std::move(say)) {}
 
   void take(MainWindow* window) { m_window = window; }
-  /// Any of them, the everyday ones often.
+  /// A random action; everyday ones are frequent.
   void doAnything();
 
  private:

@@ -18,7 +18,7 @@ QString angleText(Chance& chance) {
       .arg(chance.below(60), 2, 10, QLatin1Char('0'));
 }
 
-/// A row of the session as it would be copied, or one made up.
+/// A row of the session as copied, or an invented one.
 QStringList rowOf(const Session& session, Chance& chance) {
   if (session.positions.empty() || chance.oneIn(4)) return {angleText(chance), angleText(chance)};
   const Position& position = chance.of(session.positions);

@@ -7,16 +7,16 @@
 
 namespace alidade::ui {
 
-/// What a monkey types, pastes and puts into files.
+/// Texts a monkey types, pastes and writes to files.
 
 /// `text` with one slip of a finger.
 QString slipped(QString text, Chance& chance);
-/// A value for a field: a number or an angle, sensible, huge, tiny, or none at all.
+/// A value for a field: a number or an angle, sensible, huge, tiny, or no number.
 QString anyText(Chance& chance);
-/// A block for the table of readings: rows of the session or made up, with too many or too few columns,
+/// A block for the table of readings: rows of the session or invented ones, with too many or too few columns,
 /// rarely hundreds of them.
 QString anyTable(const Session& session, Chance& chance);
-/// A file of readings, CSV or GSI, sound or torn.
+/// A file of readings, CSV or GSI, valid or truncated.
 QByteArray anyReadingsFile(Chance& chance);
 
 }  // namespace alidade::ui

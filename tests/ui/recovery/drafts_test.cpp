@@ -24,7 +24,7 @@
 #include "ui/panels/parts/cell_delegate.h"
 #include "ui/text/entry_text.h"
 
-// What is typed into forms that no session holds, and what a process that was killed leaves of it.
+// Typing in forms outside any session, and the remains of a killed process.
 
 namespace alidade::ui {
 namespace {
@@ -35,7 +35,7 @@ QJsonObject textDraft(const QString& text) {
   return {{QStringLiteral("text"), text}};
 }
 
-/// Into the current cell; the first key opens the editor.
+/// Types into the current cell; the first key opens the editor.
 void type(CheckRowsTable& table, const QString& text) {
   QTest::keyClicks(&table, text.left(1));
   QTest::keyClicks(static_cast<CellDelegate*>(table.itemDelegate())->openEditor(), text.mid(1));
@@ -50,8 +50,7 @@ class DraftsTest : public ::testing::Test {
     return QDir(in).entryList({QStringLiteral("*.drafts")}, QDir::Files);
   }
 
-  /// From now on the drafts are those of a process that finds what this one would leave if it were killed a
-  /// second from now.
+  /// From now on the drafts belong to a process that finds the remains of this one, killed a second from now.
   void killAndStart() {
     QTest::qWait(1000);
     ASSERT_LT(kills, 9);

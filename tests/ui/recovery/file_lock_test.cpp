@@ -49,7 +49,7 @@ TEST_F(FileLockTest, HoldsNothingWithoutAFolder) {
   EXPECT_EQ(none.holder(file), QString());
 }
 
-// As a killed process leaves it: its number is in the lock, but nobody has it. No process has the largest.
+// The lock of a killed process: it has a process number that nobody uses. No process has the largest.
 TEST_F(FileLockTest, TakesNoNoticeOfALockWhoseProcessIsGone) {
   mine.hold(file);
   const QDir locks(folder.filePath(QStringLiteral("locks")));

@@ -15,7 +15,7 @@
 #include "ui/recovery/recovery_record.h"
 #include "ui/recovery/recovery_slot.h"
 
-// A process that types is killed, and what is found afterwards is compared with what it had committed.
+// Kills a typing process, and compares the recovered edits with the committed ones.
 
 namespace alidade::ui {
 namespace {
@@ -47,8 +47,7 @@ class Kill : public ::testing::Test {
     return killed;
   }
 
-  /// The number of the newest edit that a user finds, in the file or in what was left behind, which is
-  /// cleared.
+  /// The number of the newest edit found in the file or in the recovery records, which are cleared.
   int newestFound(const QString& file) {
     int newest = 0;
     if (!file.isEmpty()) {
@@ -67,7 +66,7 @@ class Kill : public ::testing::Test {
     return newest;
   }
 
-  /// The edits that are gone must be younger than a second at the kill.
+  /// Lost edits must be younger than a second at the kill.
   void killAt(const QString& file, int ms) {
     const Killed killed = typeAndKill(file, ms);
     ASSERT_FALSE(killed.edits.empty());
@@ -82,7 +81,7 @@ class Kill : public ::testing::Test {
         ms, killed.edits.size(), killed.edits.rbegin()->first - found, age);
   }
 
-  /// Goes on from where it was when the test is repeated.
+  /// Continues from the last moment when the test is repeated.
   static int anyMoment() {
     static std::mt19937 random(13);
     return std::uniform_int_distribution(0, 2200)(random);

@@ -43,7 +43,7 @@ TEST(AcceptanceReport, PrintsTheResultWithItsUncertaintyAndVerdict) {
   }
 }
 
-// Once: with the verdict where that tells it, else with the centres.
+// Stated once: in the verdict if it includes it, else with the centres.
 TEST(AcceptanceReport, TellsWhatLiesAcrossThePlane) {
   const auto front = [](const char* coverage) {
     Session session = paperSession();
@@ -133,8 +133,8 @@ TEST(AcceptanceReport, StatesTheSigmaOfR0WhereItIsStated) {
   EXPECT_TRUE(Printed(session).contains("400 mm, σ 0.05 mm"));
 }
 
-// A knock between the zero and the first place goes unseen by any plan, and sighting the zero again shows it;
-// what else goes unseen by one face without slider readings, both faces and slider readings show.
+// No plan detects a knock between the zero and the first place; sighting the zero again does. Both faces and
+// slider readings detect the other effects that one face without slider readings misses.
 TEST(AcceptanceReport, TellsWhatTheReadingsWouldNotShow) {
   const Session onePlan = *simulate(*protocolByName("paper"), drawTruth(1), 1);
   const Diagnosis diagnosis = *diagnose(*examine(onePlan).measurement);
@@ -154,7 +154,7 @@ TEST(AcceptanceReport, TellsWhatTheReadingsWouldNotShow) {
   EXPECT_FALSE(full.contains(QStringLiteral("arc ellipticity ±")));
 }
 
-// On the first page, where the verdict is read.
+// On the first page, next to the verdict.
 TEST(AcceptanceReport, PutsBothAccountsAndWhatIsUnseenBesideTheVerdict) {
   Session session = *loadSession(samplePath(QStringLiteral("two-causes.alidade")).toStdString());
   session.acceptance.toleranceMm = "0.43";
@@ -175,7 +175,7 @@ TEST(AcceptanceReport, PutsBothAccountsAndWhatIsUnseenBesideTheVerdict) {
   EXPECT_FALSE(front.contains(QStringLiteral("nothing in the data speaks against")));
 }
 
-/// A line of the first page and the size of its letters, as poppler has it.
+/// A line of the first page with its letter size, according to poppler.
 struct PrintedLine {
   QString text;
   int size = 0;
@@ -200,7 +200,7 @@ QList<PrintedLine> firstPageOf(const Printed& report) {
   return lines;
 }
 
-// Beside the title of the report.
+// Next to the title of the report.
 TEST(AcceptanceReport, HasTheMeasuredResultAloneInLargeTypeOnTheFirstPage) {
   const QString measured = QStringLiteral("Δd, measured: 1.21 ± 0.55 mm");
   const QString fitOnly = QStringLiteral("Δd, fit only: 1.31 ± 0.21 mm");
@@ -221,7 +221,7 @@ TEST(AcceptanceReport, HasTheMeasuredResultAloneInLargeTypeOnTheFirstPage) {
   })) << "it comes first";
 }
 
-/// The first page, with what is known of the gap.
+/// The first page of a report with this gap.
 QString frontPage(const Gap& gap) {
   const QTemporaryDir folder;
   const QString path = folder.filePath(QStringLiteral("report.pdf"));
@@ -245,7 +245,7 @@ TEST(AcceptanceReport, StatesNoMoreOfTheMeasurementThanIsKnown) {
       << undiagnosed.toStdString();
 }
 
-// An effect that U as measured holds is not beyond it, though it is beyond U of the fit alone.
+// An effect within U of Δd, measured, is not listed, even if beyond U of Δd, fit only.
 TEST(AcceptanceReport, TellsAsUnseenOnlyWhatIsBeyondUAsMeasured) {
   const Gap gap = assessGap(std::make_shared<const Evaluation>(evaluateFit(paperSession())));
   ASSERT_TRUE(gap.measured());
@@ -349,7 +349,7 @@ TEST(AcceptanceReport, SaysOfEachSigmaWhereItIsFrom) {
   expectOn(session, {"horizontal 2″, vertical 2″ (default)"});
 }
 
-/// Table I with all that a laboratory states.
+/// Table I with all fields a laboratory states.
 Session laboratorySession() {
   Session session = paperSession();
   session.report = {.number = "2026-117",
@@ -390,7 +390,7 @@ TEST(AcceptanceReport, PrintsWhatALaboratoryStates) {
     EXPECT_TRUE(front.contains(QString::fromUtf8(text))) << text << "\n" << front.toStdString();
 }
 
-// Half of what U leaves out lies beyond either end of it; what is believed of Table I is a little skew.
+// Half of the probability outside U is beyond either end; the distribution of Table I is slightly skew.
 TEST(AcceptanceReport, StatesTheMeasurandAndTheDecisionRuleWithItsRisk) {
   Session session = paperSession();
   const auto front = [&] { return Printed(session).page(0).simplified(); };
@@ -556,7 +556,7 @@ TEST(AcceptanceReport, PlotsStateExaggerationAndNoise) {
 
 TEST(AcceptanceReport, MarksLargeResidualsAndSaysWhatTheMarkMeans) {
   Session session = paperSession();
-  session.positions[0].readings[8].vertical = "80°39'30\"";  // 10′ off
+  session.positions[0].readings[8].vertical = "80°39'30\"";  // an error of 10′
   const Printed report(session);
   static const QRegularExpression marked(QStringLiteral("\\n *9 1 1 332°27'38\" 80°39'30\" .*\\*"));
   EXPECT_TRUE(report.text().contains(marked)) << report.text().toStdString();
@@ -631,7 +631,7 @@ TEST(AcceptanceReport, SaysWhyThereIsNoResult) {
   EXPECT_TRUE(report.contains("180°"));
   EXPECT_TRUE(report.contains("a circle needs three"));
   EXPECT_FALSE(report.contains("Δd = 1"));
-  EXPECT_TRUE(report.contains("401.954"));  // the arc that is there
+  EXPECT_TRUE(report.contains("401.954"));  // the existing arc
 }
 
 TEST(AcceptanceReport, PrintsAnEmptySession) {
@@ -650,7 +650,7 @@ TEST(AcceptanceReport, WrapsLongTextsInsteadOfOverprinting) {
   session.notes = (word + u' ').repeated(40).toStdString();
   session.positions[0].readings[3].note = (word + u' ').repeated(8).toStdString();
   const Printed report(session);
-  // Every copy can be read: none is overprinted or lost, whatever the line it was moved to.
+  // Every copy is readable: none is overprinted or lost, on any line.
   QString text = report.text();
   text.remove(QRegularExpression(QStringLiteral("\\s")));
   EXPECT_GE(text.count(word), 6 + 3 + 40 + 8);

@@ -12,7 +12,7 @@
 #include "tests/ui/support.h"
 #include "ui/main_window.h"
 
-// Certificates are written by the program, without a display, and looked at with the tools of others.
+// The program writes certificates without a display; external tools examine them.
 
 namespace alidade::ui {
 namespace {
@@ -37,7 +37,7 @@ class WrittenCertificateTest : public testing::Test {
     return file.readAll();
   }
 
-  /// The exit code; what it says on stderr in `told`.
+  /// The exit code; stderr goes to `told`.
   int run(const QString& name, const QStringList& arguments) {
     QProcess program;
     QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
@@ -62,7 +62,7 @@ class WrittenCertificateTest : public testing::Test {
               0)
         << told.toStdString();
   }
-  /// The text of what an XPath finds.
+  /// The text found by an XPath.
   QByteArray found(const QString& certificate, const QString& where) {
     EXPECT_EQ(run(QStringLiteral("xmllint"),
                   {QStringLiteral("--nonet"), QStringLiteral("--huge"), QStringLiteral("--xpath"),

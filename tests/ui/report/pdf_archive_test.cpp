@@ -16,9 +16,9 @@
 #include "tests/ui/support.h"
 #include "ui/report/attached_session.h"
 
-// What the rules ask of a file as ours is looked up here, by qpdf and poppler: ISO 19005-3, with the numbers
-// of its sections. Debian's only validator, Apache Preflight, knows the first part of the standard: it is
-// asked, and of what it says against a report only that is let pass which later parts allow.
+// Checks our file against the rules of ISO 19005-3, quoted by section, with qpdf and poppler. Debian's only
+// validator, Apache Preflight, knows only part 1 of the standard: the test ignores only objections that later
+// parts lift.
 
 namespace alidade::ui {
 namespace {
@@ -32,7 +32,7 @@ std::string bytesOf(const QString& path) {
   return file.readAll().toStdString();
 }
 
-/// The objects of a file as qpdf lists them.
+/// The objects of a file, as qpdf lists them.
 class Structure {
  public:
   explicit Structure(const Printed& report)
@@ -95,7 +95,7 @@ TEST(PdfArchive, EndsEachStreamOnALineOfItsOwn) {
   EXPECT_GT(streams, 10u);
 }
 
-/// Without the running numbers of what it is about.
+/// Objections without the running numbers of their objects.
 std::set<std::string> objectionsOfPreflight(const QString& path) {
   QStringList jars;
   for (const char* jar : {"preflight", "pdfbox2", "xmpbox", "pdfbox2-tools", "commons-logging", "commons-io",

@@ -10,16 +10,16 @@
 
 #include "tests/support/guarded_memory.h"
 
-// A few bytes of a PDF may unfold to very many: what is spent on it is bounded, whatever is in it.
+// A few bytes of a PDF may expand to very many: reading is limited for any content.
 
 namespace alidade::ui {
 namespace {
 
 using Outcome = AttachedFile::Outcome;
 
-/// As zlib has it (/FlateDecode).
+/// Compressed by zlib (/FlateDecode).
 std::string deflated(const std::string& bytes) {
-  constexpr int lengthAhead = 4;  // which Qt writes before it
+  constexpr int lengthAhead = 4;  // Qt writes the length before it
   return qCompress(QByteArray::fromStdString(bytes), 9).mid(lengthAhead).toStdString();
 }
 
@@ -34,7 +34,7 @@ std::string filters(int times) {
   return names + " ]";
 }
 
-/// A PDF piece by piece, with a table of where its objects begin.
+/// A PDF built piece by piece, with a table of object offsets.
 class HandWritten {
  public:
   void add(const std::string& object) {
@@ -45,7 +45,7 @@ class HandWritten {
     add("<< " + entries + " /Length " + std::to_string(content.size()) + " >>\nstream\n" + content +
         "\nendstream");
   }
-  /// With a table as of PDF 1.4.
+  /// With a cross-reference table as in PDF 1.4.
   std::string withTable() const {
     std::string table = "xref\n0 " + std::to_string(m_begins.size() + 1) + "\n0000000000 65535 f \n";
     for (const std::size_t begin : m_begins) {
@@ -55,8 +55,8 @@ class HandWritten {
     return m_bytes + table + "trailer << /Size " + std::to_string(m_begins.size() + 1) +
            " /Root 1 0 R >>\nstartxref\n" + std::to_string(m_bytes.size()) + "\n%%EOF\n";
   }
-  /// With a stream of the table, in which object 1 is the first of object stream 2: of a PDF whose first
-  /// object added was a placeholder.
+  /// With a cross-reference stream; object 1 is the first of object stream 2, in a PDF whose first added
+  /// object was a placeholder.
   std::string withStreamOfTable() {
     const std::size_t at = m_bytes.size();
     std::string table;
@@ -81,7 +81,7 @@ class HandWritten {
 
 constexpr std::size_t mebibyte = std::size_t{1} << 20;
 
-/// A document whose catalogue stands in an object stream that is deflated so often, and unfolds to so much.
+/// A document whose catalogue is in an object stream deflated `times` times that expands to `bytes`.
 std::string inObjectStream(std::size_t bytes, int times, const std::string& filler = " ") {
   std::string objects = "1 0 << /Type /Catalog >>";
   while (objects.size() < bytes)
@@ -92,7 +92,7 @@ std::string inObjectStream(std::size_t bytes, int times, const std::string& fill
   return pdf.withStreamOfTable();
 }
 
-/// A document with a file attached to it, deflated so often.
+/// A document with an attached file, deflated `times` times.
 std::string withFile(const std::string& content, int times) {
   HandWritten pdf;
   pdf.add("<< /Type /Catalog /Names << /EmbeddedFiles << /Names [(a) 2 0 R] >> >> >>");
@@ -128,7 +128,7 @@ TEST(PdfAttachments, AnObjectStreamThatUnfoldsWithoutEndIsRefused) {
   EXPECT_LT(used.ru_maxrss, own.ru_maxrss + static_cast<long>(most / 1024));
 }
 
-// Objects take a hundred times as much as what they are written with, deflated or not.
+// Objects take a hundred times the memory of their text, deflated or not.
 TEST(PdfAttachments, SoIsADocumentOfVeryManyObjects) {
 #ifdef ALIDADE_MEMORY_IS_GUARDED
   GTEST_SKIP() << "a sanitizer ends the process by itself";

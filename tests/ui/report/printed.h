@@ -9,10 +9,10 @@
 
 namespace alidade::ui {
 
-/// What a report file says, read by poppler; blanks in rows are squeezed to one, pages end in form feeds.
+/// The text of a report file, read by poppler; blanks in rows are reduced to one, pages end in form feeds.
 QString printedText(const QString& path);
 
-/// A report as it lies on the table: written, and read back by poppler's programs.
+/// A written report, read back by poppler's programs.
 class Printed {
  public:
   explicit Printed(const Session& session, const ReportSource& source = savedSource());
@@ -20,12 +20,12 @@ class Printed {
 
   QString path() const { return m_folder.filePath(QStringLiteral("report.pdf")); }
   int pageCount() const { return static_cast<int>(m_pages.size()); }
-  /// The text of one page, counted from 0, lines as they stand; blanks in rows are squeezed to one.
+  /// The text of one page, counted from 0, with its lines; blanks in rows are reduced to one.
   const QString& page(int index) const { return m_pages.at(index); }
   QString text() const { return m_pages.join(u'\n'); }
   bool contains(const char* text) const;
 
-  /// What a program of poppler prints about the file.
+  /// The output of a poppler program for the file.
   QString tool(const QString& program, const QStringList& arguments = {}) const;
 
   static ReportSource savedSource();

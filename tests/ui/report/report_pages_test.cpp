@@ -13,7 +13,7 @@ namespace {
 
 constexpr double height = 252, least = 50;
 
-/// How many drawings stand on each page, and how far the last is filled.
+/// The number of drawings on each page, and the end of the last page.
 struct Filled {
   std::vector<std::size_t> drawings;
   double end = 0;
@@ -23,7 +23,7 @@ struct Filled {
   }
 };
 
-/// A page of sections, one each `step` mm, and a last page down to `end`.
+/// Pages of sections, one every `step` mm, and a last page down to `end`.
 ReportPages sections(double step, double end) {
   ReportPages pages;
   double y = 0;
@@ -105,7 +105,7 @@ Session sessionOf(int points, int rounds, std::size_t noteLength) {
   return session;
 }
 
-/// The last page is a fifth full at least, and no page ends in a heading.
+/// The last page is at least a fifth full, and no page ends in a heading.
 void expectNothingLonely(const Session& session, const ReportOptions& options, const std::string& what) {
   const Printed report(session, options);
   const std::vector<Word> words = wordsOf(report);

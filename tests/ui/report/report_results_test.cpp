@@ -12,7 +12,7 @@
 #include "tests/ui/support.h"
 #include "ui/report/attached_session.h"
 
-// The results are taken out of the report by qpdf, and compared with what the console prints.
+// Extracts the results from the report by qpdf, and compares them with the console's output.
 
 namespace alidade::ui {
 namespace {
@@ -47,7 +47,7 @@ TEST(ReportResults, AreWhatTheConsolePrintsInEveryLanguage) {
     }
 }
 
-// Not of a fit that the reader of the report could not repeat.
+// Excludes a fit that the reader of the report could not repeat.
 TEST(ReportResults, AreThoseOfTheAttachedSession) {
   Session session = paperSession();
   session.title.clear();
@@ -93,7 +93,7 @@ TEST(ReportResults, AreNotTakenForTheSession) {
   EXPECT_EQ(*attachedSessionText(file.readAll().toStdString()), writeSession(paperSession()));
 }
 
-// A gap put together without the search for suspects is searched here.
+// A gap assembled without the search for suspects is searched here.
 TEST(ReportResults, HoldTheSuspectsThatTheConsoleFinds) {
   const QString path = samplePath(QStringLiteral("misreading.alidade"));
   const Session session = *loadSession(path.toStdString());

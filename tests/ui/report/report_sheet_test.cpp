@@ -8,7 +8,7 @@
 
 #include "ui/report/report_paper.h"
 
-// How a text is broken into lines, however long it is.
+// The line breaks of texts of any length.
 
 namespace alidade::ui {
 namespace {
@@ -23,7 +23,7 @@ class ReportSheetTest : public testing::Test {
 
   ReportSheet sheet() { return ReportSheet(m_writer, {}, ReportPaper().margins); }
 
-  /// As Qt breaks all of it at once.
+  /// As Qt breaks the whole text at once.
   QStringList atOnce(const QString& text) {
     const double unit = m_writer.logicalDpiX() / 25.4;
     QStringList lines;
@@ -45,7 +45,7 @@ class ReportSheetTest : public testing::Test {
   QPdfWriter m_writer{&m_buffer};
 };
 
-/// Words of every length up to twenty letters, as many as fill so many characters.
+/// Words of every length up to twenty letters, filling `length` characters.
 QString words(qsizetype length, QChar letter) {
   QString text;
   for (int word = 1; text.size() < length; ++word) text += QString(word * 7 % 20 + 1, letter) + u' ';

@@ -93,7 +93,7 @@ TEST(SeriesWindow, ComparesTwoSessionsThatAreSelected) {
   bench.addYear();
   EXPECT_THAT(bench.text("congruence"), HasSubstr("Select two sessions"));
   QTableWidget* table = bench.window.table();
-  const auto rows = QItemSelectionModel::Rows;  // selectRow asks for keys that another test held last
+  const auto rows = QItemSelectionModel::Rows;  // selectRow uses modifier keys left pressed by another test
   table->selectionModel()->select(table->model()->index(6, 0), QItemSelectionModel::ClearAndSelect | rows);
   table->selectionModel()->select(table->model()->index(7, 0), QItemSelectionModel::Select | rows);
   EXPECT_THAT(bench.text("congruence"), HasSubstr("Δd has changed from 2025-07-10"));
@@ -115,7 +115,7 @@ TEST(SeriesWindow, NamesTheTroubleOfASession) {
   EXPECT_THAT(bench.cell(12, 6).toStdString(), HasSubstr("line 1"));
 }
 
-// Reading a pipe waits until somebody writes to it.
+// Reading a pipe blocks until somebody writes to it.
 TEST(SeriesWindow, ReadsNoPipe) {
   const QTemporaryDir folder;
   const QString pipe = folder.filePath(QStringLiteral("pipe.alidade"));
@@ -195,7 +195,7 @@ TEST(SeriesWindow, WritesJsonCsvAndPdf) {
   bench.dialogs.exportPath = folder.filePath(QStringLiteral("h.pdf"));
   ASSERT_TRUE(bench.window.exportPdf());
   EXPECT_TRUE(contentOf(bench.dialogs.exportPath).startsWith("%PDF-"));
-  // Never over a session of the series.
+  // Never overwrites a session of the series.
   bench.dialogs.exportPath = samplePath(QStringLiteral("history/2025-01-04.alidade"));
   EXPECT_FALSE(bench.window.exportJson());
 }

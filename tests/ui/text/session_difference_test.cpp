@@ -51,7 +51,7 @@ TEST(SessionDifference, NamesWhatIsKnownOtherwise) {
                           "known size of trunnion tilt:  | trunnion_tilt u 1 arcsec"));
 }
 
-// A row put in shifts all that follow; only it differs.
+// An inserted row shifts all following rows; only the inserted one is a difference.
 TEST(SessionDifference, TellsOfRowsPutInAndTakenOut) {
   const Session mine = paperSession();
   Session more = mine;

@@ -20,7 +20,7 @@ Evaluation evaluationAt(const char* tolerance) {
   return evaluate(session);
 }
 
-/// Where the diagnosis finds what the fit has.
+/// The verdict if the diagnosis agrees with the fit.
 VerdictText verdictAt(const char* tolerance) {
   Diagnosis diagnosis;
   diagnosis.measured = measuredAt(1.308);

@@ -25,7 +25,7 @@ TEST(VisibleText, IsOneLineWithNothingHidden) {
   EXPECT_EQ(visibleLines(of("a\r\nb\n\tc\r")), of("a\nb\n\tc\\u000d"));
 }
 
-// Each of the signs that are let pass at a glance is one that the careful way lets pass, too.
+// Every character accepted by the fast path is also accepted by the full check.
 TEST(VisibleText, LetsNothingPassAtAGlanceThatIsHidden) {
   for (char16_t code = 0; code < 0xD800; ++code) {
     const QString one(QChar{code}), careful = visibleLine(one + of("\x1b"));

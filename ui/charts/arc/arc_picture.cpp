@@ -25,8 +25,8 @@ DrawnSighting drawnSighting(const Measurement& measurement, const ArcMeasurement
           .adjusted = {}};
 }
 
-/// The run of angles that covers all residuals of the axis, around their mean direction. `first`: of the
-/// arcs at this axis, which share their circle.
+/// The angles that cover all residuals of the axis, around their mean direction. `first`: first of the arcs
+/// at this axis, which share their circle.
 DrawnArc drawnArc(const SessionFit& fit, const ArcFit& first) {
   double sumCos = 0, sumSin = 0;
   std::vector<double> angles;
@@ -48,7 +48,7 @@ DrawnArc drawnArc(const SessionFit& fit, const ArcFit& first) {
   return drawn;
 }
 
-/// Where the sighting would have met the arc plane without its residual, to where it did meet it, `sighted`.
+/// The shift in the arc plane from the sighting without its residual to `sighted`, the one with it.
 PlanePoint<double> residualInPlane(const ZeroLine& line, const PlanePoint<double>& sighted,
                                    const Sighting& sighting, const SightingResidual& residual) {
   const Direction<double> adjusted{(sighting.a - residual.horizontal).radians(),
@@ -81,7 +81,7 @@ double pickExaggeration(const ArcPicture& picture) {
   return std::clamp(roundDown125(largestShareOfRadius * radius / largest), 1.0, largestExaggeration);
 }
 
-/// The rows taken out by the user alone, put in, each with the number of its row.
+/// A session of only the rows excluded by the user, included again, with their row numbers.
 Session excludedAlone(const Session& session, std::vector<std::vector<std::size_t>>& rows) {
   Session alone;
   alone.instrument = session.instrument;
@@ -103,7 +103,7 @@ Session excludedAlone(const Session& session, std::vector<std::vector<std::size_
   return alone;
 }
 
-/// The rows taken out by the user, reduced as if they were in.
+/// The rows excluded by the user, reduced as if included.
 std::vector<DrawnSighting> excludedSightings(const Session& session) {
   std::vector<std::vector<std::size_t>> rows;
   const Examined examined = examine(excludedAlone(session, rows));
@@ -118,7 +118,7 @@ std::vector<DrawnSighting> excludedSightings(const Session& session) {
   return excluded;
 }
 
-/// Of the centre of arc `arc` of the joint fit.
+/// The ellipse of the centre of arc `arc` in the joint fit.
 DrawnEllipse ellipseOfCentre(const SessionFit& fit, std::size_t arc) {
   const auto variance = [&](double perX, double perY) {
     std::vector<double> weights(fit.joint.unknowns.size());
@@ -163,7 +163,7 @@ DrawnEllipse ellipseOf(double varianceX, double varianceY, double covariance, do
 }
 
 double ellipseFactor(double coverage, double degreesOfFreedom) {
-  // Of two dimensions Fisher's upper tail is (1 + k²/f)^(−f/2).
+  // For two dimensions Fisher's upper tail is (1 + k²/f)^(−f/2).
   if (std::isinf(degreesOfFreedom)) return std::sqrt(-2 * std::log1p(-coverage));
   return std::sqrt(degreesOfFreedom * std::expm1(-2 / degreesOfFreedom * std::log1p(-coverage)));
 }

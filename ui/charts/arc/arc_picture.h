@@ -15,37 +15,36 @@ namespace alidade::ui {
 struct DrawnSighting {
   SightingRef ref;
   int axisDeg = 0;
-  int time = 1;  ///< the how many-th position at this axis
+  int time = 1;  ///< number of the repeat at this axis
   int point = 0, round = 1, face = 1;
-  PlanePoint<double> sighted;                  ///< where the line of sight meets the arc plane
+  PlanePoint<double> sighted;                  ///< intersection of the line of sight with the arc plane
   std::optional<PlanePoint<double>> adjusted;  ///< the adjusted target on the arc; absent without a fit
-  /// What the sighting leaves over, in the arc plane: sighted minus adjusted, less the effects estimated
-  /// along.
+  /// The residual in the arc plane: sighted minus adjusted, less the estimated effects.
   PlanePoint<double> residual{};
 };
 
-/// The fitted arc of an axis over the angles it was sighted at, in all positions, φ in radians, first < last,
-/// one run of at most a turn.
+/// The fitted arc of an axis over the sighted angles of all positions, φ in radians, first < last, one range
+/// of at most a turn.
 struct DrawnArc {
   int axisDeg = 0;
   Circle circle;
   double firstAngle = 0, lastAngle = 0;
 };
 
-/// Where a centre is believed to lie at the coverage; mm, y up.
+/// The coverage ellipse of a centre; mm, y up.
 struct DrawnEllipse {
-  double major = 0, minor = 0;  ///< semi-axes, ≥ 0; not finite where no ellipse is wide enough
-  double direction = 0;         ///< of the major one, from x towards y, radians
+  double major = 0, minor = 0;  ///< semi-axes, ≥ 0; infinite if no ellipse is wide enough
+  double direction = 0;         ///< direction of the major axis, from x towards y, radians
 
-  /// Half the width and half the height of the box around it.
+  /// Half the width and height of its bounding box.
   PlanePoint<double> reach() const;
 };
 
 /// `varianceX`, `varianceY`, `covariance` of a point, mm²; `scale`: semi-axis in σ.
 DrawnEllipse ellipseOf(double varianceX, double varianceY, double covariance, double scale);
 
-/// Semi-axis of an ellipse in σ that holds a point with probability `coverage`: the root of twice Fisher's
-/// quantile, √5.99 at 95 % where nothing was estimated. `degreesOfFreedom`: effective, may be infinite.
+/// The semi-axis in σ of an ellipse that contains a point with probability `coverage`: the root of twice
+/// Fisher's quantile, √5.99 at 95 % with known variance. `degreesOfFreedom`: effective, may be infinite.
 double ellipseFactor(double coverage, double degreesOfFreedom);
 
 /// Half the distance of the centres across the axis, with its expanded uncertainty; mm.
@@ -53,26 +52,26 @@ struct DrawnIntersection {
   PlanePoint<double> upperCentre, lowerCentre;  ///< O1 (axis at 0°), O2 (axis at 180°)
   double value = 0, expanded = 0, coverage = 0.95;
   DrawnEllipse upperEllipse = {}, lowerEllipse = {};
-  std::optional<double> tolerance = {};  ///< how far from the axis O1 and O2 may lie
+  std::optional<double> tolerance = {};  ///< permitted distance of O1 and O2 from the axis
 
-  /// Half a turn about an axis along x leaves x alone: where O2 would lie at its height.
+  /// Half a turn about an axis along x preserves x: the ideal O2 has this x at its own height.
   PlanePoint<double> closedCentre() const { return {upperCentre.x, lowerCentre.y}; }
 };
 
-/// What the arc chart shows, in numbers.
+/// The contents of the arc chart, as numbers.
 struct ArcPicture {
   std::vector<DrawnArc> arcs;  ///< one for each axis
   std::vector<DrawnSighting> sightings;
-  std::vector<DrawnSighting> excluded;  ///< rows left out by the user whose readings can be understood
-  RowKinds kinds;                       ///< of all of them
+  std::vector<DrawnSighting> excluded;  ///< valid rows excluded by the user
+  RowKinds kinds;                       ///< rounds and faces of all sightings
   std::optional<DrawnIntersection> intersection;
   double exaggeration =
-      1;  ///< of the residuals: 1, 2, 5, 10, … so that the largest is at most 16 % of the radius
+      1;  ///< factor of the residuals: 1, 2, 5, 10, …; the largest is at most 16 % of the radius
 
   bool isEmpty() const { return arcs.empty() && sightings.empty() && excluded.empty(); }
-  /// Where the exaggerated residual of a sighting ends.
+  /// The end of a sighting's exaggerated residual.
   PlanePoint<double> residualEnd(const DrawnSighting& sighting) const;
-  /// Everything that must be visible, mm in o0; far outliers are left outside.
+  /// Everything that must be visible, mm in o0; far outliers are excluded.
   QRectF extent() const;
 };
 

@@ -13,7 +13,7 @@
 namespace alidade::ui {
 namespace {
 
-/// Of face 2 they follow in the same order.
+/// Kinds of face 2 follow in the same order.
 enum Kind : std::size_t { Upper, Lower, UpperAgain, LowerAgain, Excluded };
 constexpr std::size_t kindsOfAFace = Excluded + 1;
 
@@ -28,11 +28,11 @@ std::size_t kindOf(const DrawnSighting& sighting) {
   return ofFaceOne + (sighting.face == 2 ? kindsOfAFace : 0);
 }
 
-/// That deviates from the circle by less than `sagitta` mm.
+/// A polyline that deviates from the circle by less than `sagitta` mm.
 QList<QPointF> polyline(const DrawnArc& arc, double sagitta) {
   const double step = std::sqrt(8 * sagitta / arc.circle.radius);
   const double wanted = std::ceil((arc.lastAngle - arc.firstAngle) / step);
-  const int steps = wanted > 60 ? static_cast<int>(std::min(wanted, 20000.0)) : 60;  // of no number, too
+  const int steps = wanted > 60 ? static_cast<int>(std::min(wanted, 20000.0)) : 60;  // also for NaN
   QList<QPointF> points;
   for (int i = 0; i <= steps; ++i) {
     const double angle = arc.firstAngle + (arc.lastAngle - arc.firstAngle) * i / steps;
@@ -50,7 +50,7 @@ ArcPlot::ArcPlot(QObject* parent) : Plot(parent), m_inset(new CentresInset(chart
   m_inset->setZValue(90);
 }
 
-/// Where there is little room, one title says it for both.
+/// With little room, one title serves for both.
 void ArcPlot::adaptTo(const QSizeF& size) {
   const bool isNarrow = size.width() < 300 * style().unit();
   setTitles(isNarrow ? QStringLiteral("x, y (mm)") : QStringLiteral("x (mm)"),
@@ -75,7 +75,7 @@ void ArcPlot::setChoice(const RowChoice& choice) {
   rearrange();
 }
 
-/// As finely as the screen shows them, and what of them is in sight.
+/// The visible part of the arcs, as finely as the screen shows it.
 void ArcPlot::showArcs() {
   const QRectF range = sceneFromAxes().inverted().mapRect(plotArea());
   const double sagitta = 0.1 * range.width() / std::max(1.0, plotArea().width());
@@ -87,7 +87,7 @@ void ArcPlot::showArcs() {
       m_arcs[i][piece]->replace(pieces[i].value(static_cast<qsizetype>(piece)));
 }
 
-/// Along the arc.
+/// The shift along the arc.
 QPointF ArcPlot::shiftOf(const DrawnSighting& sighting) const {
   const double shift = m_slots.shift(sighting.round, sighting.face) * style().unit();
   if (shift == 0) return {};
@@ -184,7 +184,7 @@ void ArcPlot::placeExtras() {
 }
 
 void ArcPlot::placeInset() {
-  // The largest square about the centres that leaves the points, their residuals and the scales free.
+  // The largest square about the centres that keeps clear of points, residuals and scales.
   const PlanePoint<double> a = m_picture->intersection->upperCentre, b = m_picture->intersection->lowerCentre;
   const PlanePoint<double> centre{(a.x + b.x) / 2, (a.y + b.y) / 2};
   double reach = m_picture->arcs.front().circle.radius;

@@ -10,9 +10,9 @@
 
 namespace alidade::ui {
 
-/// Both fitted arcs in o0 with the sighted points, in true proportion at every size; residuals enlarged by a
-/// stated factor; the centres in an inset of their own, since they lie a few mm apart in a picture of 800 mm.
-/// Rounds and faces of one place stand side by side along the arc.
+/// Both fitted arcs in o0 with the sighted points, in true proportion at every size. Residuals are enlarged
+/// by a stated factor. An inset shows the centres, which are a few mm apart in a picture of 800 mm. Rounds
+/// and faces of one place are shown side by side along the arc.
 class ArcPlot : public Plot {
   Q_OBJECT
 
@@ -20,7 +20,7 @@ class ArcPlot : public Plot {
   explicit ArcPlot(QObject* parent = nullptr);
 
   void setEvaluation(const Evaluation& evaluation) override;
-  /// Of the same evaluation, in the inset.
+  /// The headline of the same evaluation, for the inset.
   void setHeadline(const Headline& headline) { m_inset->setHeadline(headline); }
   QString describe(const Mark& mark) const override;
   QString summary() const override;
@@ -40,7 +40,7 @@ class ArcPlot : public Plot {
   void placeExtras() override;
 
  private:
-  static constexpr std::size_t mostPieces = 4;  ///< that a frame can cut a circle into
+  static constexpr std::size_t mostPieces = 4;  ///< largest number of pieces into which a frame cuts a circle
 
   void showArcs();
   void drawMarks();
@@ -51,11 +51,11 @@ class ArcPlot : public Plot {
   const DrawnSighting* sightingOf(const Mark& mark) const;
 
   std::shared_ptr<const ArcPicture> m_picture = std::make_shared<const ArcPicture>();
-  QRectF m_extent;  // of the picture
+  QRectF m_extent;  // extent of the picture
   RowChoice m_choice;
-  RowChoice m_drawn;  // what of it the picture has
+  RowChoice m_drawn;  // the part available in the picture
   RowSlots m_slots;
-  double m_unit = 0;                                           // of the style that the marks stand apart in
+  double m_unit = 0;  // unit of the style, which sets the shift of marks
   std::array<std::array<QLineSeries*, mostPieces>, 2> m_arcs;  // axis at 0°, at 180°; owned by the chart
   CentresInset* m_inset;                                       // owned by the chart
 };

@@ -24,16 +24,15 @@ PlanePoint<double> middle(const DrawnIntersection& i) {
 
 const QString upperName = QStringLiteral("O1"), lowerName = QStringLiteral("O2");
 
-/// Of half the way from one centre to the other: how far from their middle the picture goes for the sake of
-/// what is drawn about them.
+/// In units of half the distance of the centres: the largest extension of the picture for their ellipses.
 constexpr double largestShare = 4;
 
-/// A line of the picture, as far as it is in the frame.
+/// Draws the part of a line inside the frame.
 void drawWithin(QPainter* painter, const QRectF& frame, const QPointF& from, const QPointF& to) {
   if (const auto part = clipped(QLineF(from, to), frame)) painter->drawLine(*part);
 }
 
-/// Half the box around the larger ellipse in each direction; 0 where none is wide enough.
+/// Half the bounding box of the larger ellipse in each direction; 0 if no ellipse is wide enough.
 PlanePoint<double> ellipsesReach(const DrawnIntersection& i) {
   const PlanePoint<double> a = i.upperEllipse.reach(), b = i.lowerEllipse.reach();
   const double x = std::max(a.x, b.x), y = std::max(a.y, b.y);
@@ -79,7 +78,7 @@ void CentresInset::updateScale() {
   const double expanded = std::isfinite(i.expanded) ? i.expanded : 0;
   const double apart = std::hypot(i.upperCentre.x - i.lowerCentre.x, 2 * i.value) / 2;
   const PlanePoint<double> reach = ellipsesReach(i);
-  // What is uncertain is shown whole up to a size that leaves the centres apart.
+  // Shows the uncertainties completely, up to a size that keeps the centres apart.
   const double halfWidth =
       std::min(std::abs(i.upperCentre.x - i.lowerCentre.x) / 2 + reach.x, largestShare * apart + 1e-6);
   double halfHeight = std::min(std::abs(i.value) + std::max(expanded, reach.y), largestShare * apart + 1e-6);
@@ -112,7 +111,7 @@ void CentresInset::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWi
   painter->setClipRect(m_square, Qt::IntersectClip);
   paintTolerance(painter);
   paintAxis(painter);
-  // A bar longer than the picture is cut off: title and scale stay readable.
+  // Clips a bar longer than the picture, so that title and scale stay readable.
   painter->setClipRect(frame(), Qt::IntersectClip);
   paintEllipses(painter);
   paintClosure(painter);
@@ -134,7 +133,7 @@ void CentresInset::paintBare(QPainter* painter) const {
                     QStringLiteral("O1, O2"));
 }
 
-/// All of the picture below the titles where its edges lie beyond.
+/// Fills the picture below the titles if the tolerance limits are outside it.
 void CentresInset::paintTolerance(QPainter* painter) const {
   const double tolerance = m_intersection->tolerance.value_or(0) * m_scale;
   if (tolerance <= 0) return;
@@ -153,7 +152,7 @@ void CentresInset::paintTolerance(QPainter* painter) const {
   const QString name = InsetText::tr("tolerance");
   if (tolerance < 2.2 * metrics.height() || m_square.width() < 2.5 * metrics.horizontalAdvance(name)) return;
   painter->setPen(m_style.mutedText);
-  // On the side where the name of O2 does not stand.
+  // On the side opposite to the name of O2.
   const bool leftSide = place(m_intersection->lowerCentre).x() >= m_picture.center().x();
   const double margin = 0.4 * metrics.height();
   const double left =
@@ -171,7 +170,7 @@ void CentresInset::paintAxis(QPainter* painter) const {
   painter->drawText(name.topLeft() + QPointF(0, QFontMetricsF(m_style.font).ascent()), InsetText::tr("axis"));
 }
 
-/// Where the names of the centres leave it room.
+/// Placed where the names of the centres leave room.
 QRectF CentresInset::axisNameRect() const {
   if (m_isCompact || m_scale <= 0) return {};
   const QFontMetricsF metrics(m_style.font);
@@ -185,7 +184,7 @@ QRectF CentresInset::axisNameRect() const {
 void CentresInset::paintEllipses(QPainter* painter) const {
   const auto draw = [&](const PlanePoint<double>& centre, const DrawnEllipse& ellipse, const QPen& pen) {
     const double major = ellipse.major * m_scale, minor = ellipse.minor * m_scale;
-    // Far beyond the picture there is no line to be seen, and painting it may take for ever.
+    // An ellipse far larger than the picture shows no line, and painting it may take very long.
     if (!std::isfinite(major) || minor > 4 * m_square.width() || major > 1000 * m_square.width()) return;
     const QTransform turned = QTransform::fromTranslate(place(centre).x(), place(centre).y())
                                   .rotate(-ellipse.direction * 180 / M_PI);
@@ -213,7 +212,7 @@ void CentresInset::paintEllipses(QPainter* painter) const {
   draw(m_intersection->lowerCentre, m_intersection->lowerEllipse, QPen(m_style.lower, width, Qt::DashLine));
 }
 
-/// Not where O2's own marker would hide it.
+/// Hidden where O2's own marker would cover it.
 void CentresInset::paintClosure(QPainter* painter) const {
   const QPointF wanted = place(m_intersection->closedCentre()), is = place(m_intersection->lowerCentre);
   const double unit = m_style.unit(), away = is.x() - wanted.x();
@@ -253,7 +252,7 @@ QRectF CentresInset::lowerNameRect() const {
   return nameRect(m_intersection->lowerCentre, m_intersection->lowerEllipse, lowerName);
 }
 
-/// The names stand outside, since Δx runs inwards, and clear of ellipses that are not too large.
+/// The names are outside, since Δx extends inwards, and clear of ellipses of moderate size.
 QRectF CentresInset::nameRect(const PlanePoint<double>& centre, const DrawnEllipse& ellipse,
                               const QString& name) const {
   const QFontMetricsF metrics(m_style.font);
@@ -273,7 +272,7 @@ void CentresInset::paintDistance(QPainter* painter) const {
   const double reach = std::isfinite(m_intersection->expanded) ? m_intersection->expanded * m_scale : 0;
   painter->setPen(QPen(m_style.text, 2.4 * unit, Qt::SolidLine, Qt::FlatCap));
   drawWithin(painter, frame(), QPointF(centre.x(), axis), centre);
-  // U as an error bar about the end of Δd.
+  // U as an error bar at the end of Δd.
   painter->setPen(QPen(m_style.text, unit));
   drawWithin(painter, frame(), centre - QPointF(0, reach), centre + QPointF(0, reach));
   for (const double end : {-reach, reach}) {
@@ -291,7 +290,7 @@ void CentresInset::paintScaleBar(QPainter* painter) const {
     return millimetres * m_scale + beside <= m_square.width();
   };
   double length = roundDown125(m_square.width() * 0.4 / m_scale);
-  // Shorter where its figure, which stands above a compact one, has no room beside it.
+  // Shorter if its figure, above a compact bar, has no room next to it.
   if (const double half = roundDown125(0.9 * length); !m_isCompact && !fits(length) && fits(half))
     length = half;
   const QString text = textOf(length);
@@ -316,7 +315,7 @@ double CentresInset::titleRoom() const {
   return m_square.width() - 0.8 * QFontMetricsF(m_style.font).height();
 }
 
-/// As large as it fits, shortened where it does not; all take up the same height.
+/// As large as it fits, shortened otherwise; all lines have the same height.
 CentresInset::TitleLine CentresInset::largeLine(const QString& text) const {
   QFont font = m_style.font;
   font.setBold(true);
@@ -330,7 +329,7 @@ CentresInset::TitleLine CentresInset::largeLine(const QString& text) const {
           m_headline.isProvisional ? m_style.mutedText : m_style.text, height};
 }
 
-/// On two lines where these fit in large type, else each part on its own; none where a figure does not fit.
+/// Two lines if these fit in large type, else each part on its own line; none if a figure does not fit.
 QList<CentresInset::TitleLine> CentresInset::headlineLines() const {
   if (m_headline.name.isEmpty()) return {};
   const auto isLarge = [&](const TitleLine& line) {
@@ -344,13 +343,13 @@ QList<CentresInset::TitleLine> CentresInset::headlineLines() const {
   for (const QString& part : {shown.figure, shown.tolerance}) {
     if (part.isEmpty()) continue;
     lines.append(largeLine(part));
-    if (lines.back().text != part) return {};  // a figure that is cut short says something else
+    if (lines.back().text != part) return {};  // a shortened figure would be wrong
   }
   lines.append(largeLine(shown.verdict.word));
   return lines;
 }
 
-/// What is in small type goes first where the picture needs the room.
+/// Small type is dropped first if the picture needs the room.
 void CentresInset::layOutTitles() {
   const double line = QFontMetricsF(m_style.font).height();
   m_titles = headlineLines();

@@ -10,10 +10,9 @@
 
 namespace alidade::ui {
 
-/// The headline in large type, and below it the two arc centres of the fit under a magnifier: O1 and O2 with
-/// the ellipses that hold them at the coverage, the axis midway between them, the band where they may lie at
-/// the tolerance, and the intersection Δd as the way from the axis to O1 with its expanded uncertainty. A
-/// cross stands where closure would want O2, a broken line leads to it. One scale in x and y, shown by a bar
+/// The headline in large type, and below it the two arc centres, enlarged: O1 and O2 with their coverage
+/// ellipses, the axis midway between them, the tolerance band, and Δd with its expanded uncertainty from the
+/// axis to O1. A cross marks O2 at closure, a dashed line leads to it. One scale in x and y, shown by a bar
 /// in mm.
 class CentresInset : public QGraphicsItem {
  public:
@@ -22,16 +21,15 @@ class CentresInset : public QGraphicsItem {
   void setStyle(const PlotStyle& style);
   void setHeadline(const Headline& headline);
   void setIntersection(const std::optional<DrawnIntersection>& intersection);
-  /// The square it may use, in the parent's units; what does not fit into a small one is left out.
+  /// The available square, in the parent's units; contents that do not fit are left out.
   void setSquare(const QRectF& square);
 
-  /// Scene units to a millimetre; 0 where nothing is drawn.
+  /// Scene units per millimetre; 0 if nothing is drawn.
   double scale() const { return m_scale; }
   /// From mm in o0 to the parent's units.
   QPointF place(const PlanePoint<double>& point) const;
 
-  /// Where the names of the centres stand, while something is drawn, and that of the axis; empty where these
-  /// leave it no room.
+  /// The places of the centres' names while drawn, and of the axis name; empty if these leave it no room.
   QRectF upperNameRect() const;
   QRectF lowerNameRect() const;
   QRectF axisNameRect() const;
@@ -41,10 +39,10 @@ class CentresInset : public QGraphicsItem {
     QString text;
     QFont font;
     QColor colour;
-    double height = QFontMetricsF(font).height();  ///< that it takes up
+    double height = QFontMetricsF(font).height();  ///< height of the line
   };
-  /// Those that fit, from the top: the headline in large type, then in small type what the picture is of.
-  /// None in a small picture.
+  /// The lines that fit, from the top: the headline in large type, then the subject of the picture in small
+  /// type. Empty for a small picture.
   const QList<TitleLine>& titleLines() const { return m_titles; }
 
   QRectF boundingRect() const override { return m_square; }
@@ -57,10 +55,10 @@ class CentresInset : public QGraphicsItem {
   TitleLine largeLine(const QString& text) const;
   double titlesHeight() const;
   double titleRoom() const;
-  /// What the picture may reach into: text stands above and below it.
+  /// The limits of the picture: text is above and below it.
   QRectF frame() const;
   QRectF nameRect(const PlanePoint<double>& centre, const DrawnEllipse& ellipse, const QString& name) const;
-  void paintBare(QPainter* painter) const;  // too small to enlarge anything: a plus where both centres are
+  void paintBare(QPainter* painter) const;  // too small to enlarge anything: a plus at both centres
   void paintTolerance(QPainter* painter) const;
   void paintAxis(QPainter* painter) const;
   void paintEllipses(QPainter* painter) const;
@@ -75,8 +73,8 @@ class CentresInset : public QGraphicsItem {
   std::optional<DrawnIntersection> m_intersection;
   QRectF m_square;
   QList<TitleLine> m_titles;
-  QRectF m_picture;          // where the centres may lie; the rest is text
-  bool m_isCompact = false;  // where there is little room there is no title
+  QRectF m_picture;          // area for the centres; the rest is text
+  bool m_isCompact = false;  // too little room for a title
   double m_scale = 0;
 };
 

@@ -8,8 +8,8 @@
 
 namespace alidade::ui {
 
-/// A painted picture of bars below one another, as high as its rows and as wide as there is room, which tells
-/// at the pointer what it shows there. A menu, also of the keyboard, offers the picture and its numbers.
+/// A painted picture of bars in rows, as high as its rows and as wide as available, with tool tips. A menu,
+/// also by keyboard, offers the picture and its numbers.
 class BarRows : public QWidget, public ChartSource {
   Q_OBJECT
 
@@ -28,17 +28,17 @@ class BarRows : public QWidget, public ChartSource {
   void contextMenuEvent(QContextMenuEvent* event) override;
   void keyPressEvent(QKeyEvent* event) override;
   int rowHeight() const { return fontMetrics().height() + 9; }
-  /// The rows are others: `spoken` is what they say.
+  /// Sets new rows; `spoken` is their text for screen readers.
   void changeTo(const QString& spoken);
 
   virtual int pictureHeight() const = 0;
-  /// What to tell at `point`; empty: nothing.
+  /// The tool tip at `point`; empty: none.
   virtual QString aboutAt(const QPoint& point) const = 0;
 
  private:
   QString m_fileName;
   ChartFiles* m_files;
-  std::unique_ptr<QMenu> m_menu;  ///< the last that was opened
+  std::unique_ptr<QMenu> m_menu;  ///< the last opened one
 };
 
 }  // namespace alidade::ui

@@ -19,10 +19,10 @@ namespace {
 
 constexpr int spaceBelow = 8;
 constexpr int key = 16;     ///< room for the sign before a caption
-constexpr int margin = 7;   ///< beside the scale, for arrows and circles at its ends
-constexpr int between = 8;  ///< columns of figures
+constexpr int margin = 7;   ///< room for arrows and circles at the ends of the scale
+constexpr int between = 8;  ///< gap between columns of figures
 
-/// A triangle that points away from the middle, its tip at `tip`.
+/// A triangle pointing away from the middle, with its tip at `tip`.
 QPainterPath arrow(const QPointF& tip, double direction, double size) {
   QPainterPath path(tip);
   path.lineTo(tip + QPointF(-direction * size, -size / 2));

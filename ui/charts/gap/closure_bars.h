@@ -8,9 +8,9 @@
 
 namespace alidade::ui {
 
-/// What must agree: for each closure its figures and a bar from zero to the misclosure, against the band of
-/// ± U; with causes in the model a hollow circle where it is then. Every length is in units of its own U, so
-/// that closures of any size stand below one another; what lies beyond the scale ends in an arrow.
+/// The closures: for each its figures and a bar from zero to the misclosure, with the band of ± U. With
+/// causes in the model, a hollow circle shows the new misclosure. Lengths are in units of each closure's U,
+/// so closures of any size share a scale; values beyond it end in an arrow.
 class ClosureBars : public BarRows {
   Q_OBJECT
 
@@ -22,9 +22,9 @@ class ClosureBars : public BarRows {
   void setGap(const Gap& gap);
   std::string numbers() const override;
   bool isEmpty() const { return m_rows.empty(); }
-  /// Of closure `row`: the strip that its bar is drawn in.
+  /// The strip for the bar of closure `row`.
   QRect strip(std::size_t row) const;
-  /// Where a misclosure of `inU` (in units of its U) stands on a strip; at its ends what lies beyond.
+  /// The place of a misclosure of `inU` (units of its U) on a strip; at its ends for values beyond.
   double x(double inU) const;
 
  protected:

@@ -17,7 +17,7 @@ QString percentText(double share) {
   return numberText(100 * share, 0) + QStringLiteral(" %");
 }
 
-/// What the diagnosis calls ways to divide the readings, and their parts, where that stands as it is.
+/// Fixed words of the diagnosis for the divisions of the readings and their parts.
 constexpr const char* words[] = {QT_TRANSLATE_NOOP("alidade::ui::GapMap", "circle"),
                                  QT_TRANSLATE_NOOP("alidade::ui::GapMap", "face"),
                                  QT_TRANSLATE_NOOP("alidade::ui::GapMap", "round"),
@@ -61,7 +61,7 @@ QString partName(const GapShare& share) {
   return inWords(share.of);
 }
 
-/// "90…120°" comes after "60…90°"; words stay in their order.
+/// The number sorts "90…120°" after "60…90°"; words keep their order.
 double numberIn(const QString& name) {
   QString digits;
   for (const QChar character : name) {
@@ -143,7 +143,7 @@ void GapMap::paintEvent(QPaintEvent*) {
   }
 }
 
-/// With its name and share, or what of them there is room for.
+/// Paints the part with its name and share, as far as there is room.
 void GapMap::paintPart(QPainter& painter, const QRect& area, const Part& part) const {
   if (area.width() < 1) return;
   const PlotStyle style = screenStyle(palette(), font());

@@ -7,8 +7,8 @@
 
 namespace alidade::ui {
 
-/// Where a gap lies: one bar for every way to divide the readings, its parts as long as their shares, which
-/// together fill it. The larger a share, the stronger its colour. Divisions of one part are left out.
+/// Where a gap lies: one bar for every division of the readings, filled by parts as long as their shares.
+/// Larger shares have stronger colours. Divisions with one part are left out.
 class GapMap : public BarRows {
   Q_OBJECT
 

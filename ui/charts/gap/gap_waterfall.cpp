@@ -18,7 +18,7 @@ constexpr int space = 8;
 
 }  // namespace
 
-/// Where things stand: labels at the left, bars on a scale, two columns of figures at the right.
+/// The layout: labels at the left, bars on a scale, two columns of figures at the right.
 struct GapWaterfall::Layout {
   QRect labels, bars;
   int rms = 0, chiSquare = 0;  ///< right edges of the figures
@@ -84,7 +84,7 @@ GapWaterfall::Layout GapWaterfall::layOut() const {
     chi = std::max(chi, metrics.horizontalAdvance(bar.chiSquare));
     largest = std::max({largest, bar.before, bar.after});
   }
-  labels = std::min(labels + 6, width() / 2);  // elision wants a little more than the text
+  labels = std::min(labels + 6, width() / 2);  // elision needs slightly more than the text
   Layout layout;
   layout.largest = largest > 0 ? largest : 1;
   layout.top = metrics.height() + 4;
@@ -128,7 +128,7 @@ void GapWaterfall::paintScale(QPainter& painter, const Layout& layout) const {
   }
 }
 
-/// What the stated noise leaves, as a broken line over the bars, with its name.
+/// The rms expected from the stated noise, as a dashed line over the bars, with its name.
 void GapWaterfall::paintNoise(QPainter& painter, const Layout& layout) const {
   const PlotStyle style = screenStyle(palette(), font());
   const int line = fontMetrics().height(), bottom = layout.bars.bottom() + 3, x = layout.x(m_noise);

@@ -7,9 +7,8 @@
 
 namespace alidade::ui {
 
-/// How the gap shrinks, cause by cause: a bar for what each stage leaves over (rms of the circle readings, on
-/// a scale in arcseconds), the part that the stage took away drawn faintly behind it, and a line at what the
-/// stated noise leaves.
+/// How the gap shrinks, cause by cause: a bar for the residual rms of each stage (circle readings, scale in
+/// arcseconds). The part the stage removed is faint behind it; a line shows the rms of the stated noise.
 class GapWaterfall : public BarRows {
   Q_OBJECT
 

@@ -4,8 +4,8 @@
 
 namespace alidade::ui {
 
-/// A sentence in small letters, on two lines where one is too short for it. It takes no more width than there
-/// is: what does not fit ends in an ellipsis and stands whole in the tool tip and for screen readers.
+/// A sentence in small letters, on two lines if one is too short. It never widens its parent: an ellipsis
+/// shortens it, and tool tip and screen readers have the whole.
 class Caption : public QLabel {
   Q_OBJECT
 
@@ -14,7 +14,7 @@ class Caption : public QLabel {
 
   void setSentence(const QString& sentence);
   QString sentence() const { return m_sentence; }
-  /// Over a second line; at first it may.
+  /// Whether it may use a second line; true at first.
   void setMaySpread(bool may);
 
   QSize minimumSizeHint() const override { return {0, heightOf(1)}; }
@@ -29,7 +29,7 @@ class Caption : public QLabel {
  private:
   int heightOf(int lines) const;
   int room(int width) const;
-  /// As it is shown in a width, the lines parted by line ends.
+  /// The text as shown in a width, lines separated by line ends.
   QString fitted(int width) const;
   void fit();
 

@@ -10,28 +10,28 @@ class QWidget;
 
 namespace alidade::ui {
 
-/// A file that somebody wants of a chart.
+/// A file requested from a chart.
 struct ChartFile {
-  QString chart;   ///< for its name: "residuals"
+  QString chart;   ///< for the file name: "residuals"
   QString suffix;  ///< "svg", "png" or "csv"
   QByteArray bytes;
 };
 
-/// What a chart is copied and written from.
+/// The source of a chart's copies and files.
 class ChartSource {
  public:
   virtual ~ChartSource() = default;
-  virtual QString fileName() const = 0;  ///< without suffix, of the chart alone
+  virtual QString fileName() const = 0;  ///< without suffix, for the chart alone
   virtual PaintedPicture picture() = 0;
   virtual std::string numbers() const = 0;  ///< a table (`CsvText`)
 };
 
-/// Copies a chart, and offers it as SVG, PNG and CSV. Who writes files is not known here.
+/// Copies a chart, and offers it as SVG, PNG and CSV. The receiver of its signal writes the files.
 class ChartFiles : public QObject {
   Q_OBJECT
 
  public:
-  /// `chart` is a ChartSource, too, and owns this.
+  /// `chart` is also a ChartSource and owns this.
   ChartFiles(ChartSource& source, QWidget* chart);
 
   void addTo(QMenu& menu);

@@ -15,7 +15,7 @@ struct LegendEntry {
   QString text;
 };
 
-/// Flows its entries over as many lines as the width asks for, so that none is cut off or squeezed.
+/// Flows its entries over as many lines as the width requires, so that none is cut off or squeezed.
 class Legend : public QGraphicsItem {
  public:
   using QGraphicsItem::QGraphicsItem;

@@ -13,15 +13,15 @@ struct Mark {
   QPointF at;
   std::size_t kind = 0;  ///< index into the layer's markers
   SightingRef ref;
-  std::size_t index = 0;  ///< of what it shows, in the list of the plot's picture
-  QPointF shift = {};     ///< off that place, in scene units, so that marks of one place stand apart
+  std::size_t index = 0;  ///< index in the list of the plot's picture
+  QPointF shift = {};     ///< shift in scene units, which separates marks of one place
 };
 
 /// A straight piece in the units of the axes, such as a residual.
 struct Stick {
   QLineF line;
   std::size_t kind = 0;  ///< index into the layer's pens
-  QPointF shift = {};    ///< as of a mark
+  QPointF shift = {};    ///< as for a mark
 };
 
 }  // namespace alidade::ui

@@ -9,10 +9,10 @@ namespace alidade::ui {
 
 enum class MarkerShape { Circle, Diamond, Square, Cross, Plus };
 
-/// How a kind of point is drawn. Filled and hollow markers and the shapes stay apart in grey.
+/// The drawing of a kind of point. Fill and shape keep markers distinguishable in grey.
 struct Marker {
   MarkerShape shape = MarkerShape::Circle;
-  QColor colour;  ///< of the outline, and of the inside where `filled`
+  QColor colour;  ///< of the outline, and of the inside if `filled`
   QColor inside;  ///< of a hollow marker; the plot's background
   bool filled = true;
   double size = 7;      ///< across, in scene units

@@ -10,7 +10,7 @@
 namespace alidade::ui {
 namespace {
 
-// From here on a marker is drawn once and copied, which is ten times quicker than a path for each.
+// From this number on, a marker is drawn once and copied, ten times faster than a path for each.
 constexpr std::size_t manyMarks = 400;
 
 bool isPixelDevice(const QPainter* painter) {
@@ -91,7 +91,7 @@ const Mark* MarkerLayer::markNear(const QPointF& scene, double reach) const {
   return nearest;
 }
 
-/// Once for each new set of marks or frame, however often it is painted.
+/// Computed once for each new set of marks or frame, however often it is painted.
 void MarkerLayer::place() {
   if (std::exchange(m_isPlaced, true)) return;
   double size = 7;

@@ -12,9 +12,9 @@
 
 namespace alidade::ui {
 
-/// All points of a plot in one item. Ten thousand scatter points of Qt Charts are ten thousand graphics
-/// items; here they are one, painted as vectors, or from a drawn marker where there are many and the device
-/// is made of pixels; of very many those that are seen (thinning.h).
+/// All points of a plot in one item, instead of one graphics item per point as in Qt Charts. Painted as
+/// vectors, or copied from a drawn marker if there are many on a pixel device. Of very many, only the visible
+/// ones are painted (thinning.h).
 class MarkerLayer : public QGraphicsItem {
  public:
   using QGraphicsItem::QGraphicsItem;
@@ -26,7 +26,7 @@ class MarkerLayer : public QGraphicsItem {
   /// The plot area in scene units and the transform from axis units into it.
   void setFrame(const QRectF& plotArea, const QTransform& sceneFromAxes);
   void setHighlighted(std::optional<SightingRef> ref);
-  /// Frames one of `marks()`; none of others set later.
+  /// Frames one of `marks()`; cleared by new marks.
   void setCurrent(std::optional<std::size_t> mark);
 
   const std::vector<Mark>& marks() const { return m_marks; }
@@ -34,9 +34,9 @@ class MarkerLayer : public QGraphicsItem {
   std::optional<SightingRef> highlighted() const { return m_highlighted; }
   std::optional<std::size_t> current() const { return m_current; }
   QPointF scenePosition(const Mark& mark) const { return m_sceneFromAxes.map(mark.at) + mark.shift; }
-  /// How many marks and sticks the last painting took.
+  /// The number of marks and sticks in the last painting.
   std::size_t paintedCount() const { return m_placed.size() + m_placedSticks.size(); }
-  /// The mark nearest to a place in the plot, where one lies within `reach` scene units; null otherwise.
+  /// The mark nearest to a place in the plot, within `reach` scene units; null if there is none.
   const Mark* markNear(const QPointF& scene, double reach) const;
 
   QRectF boundingRect() const override { return m_plotArea; }
@@ -59,7 +59,7 @@ class MarkerLayer : public QGraphicsItem {
   QTransform m_sceneFromAxes;
   std::optional<SightingRef> m_highlighted;
   std::optional<std::size_t> m_current;
-  bool m_isPlaced = false;            ///< what follows is of these marks in this frame
+  bool m_isPlaced = false;            ///< the following members are valid for these marks and this frame
   std::vector<PlacedMark> m_placed;   ///< the marks to paint
   std::vector<Stick> m_placedSticks;  ///< in scene units
 };

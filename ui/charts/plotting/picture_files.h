@@ -10,16 +10,16 @@ class QPainter;
 
 namespace alidade::ui {
 
-/// A picture as it can be written anywhere: paints itself at (0, 0) in `size`, opaque.
+/// A picture independent of its output: paints itself at (0, 0) in `size`, opaque.
 struct PaintedPicture {
   QSize size;
-  QString title, description;  ///< for those who cannot see it
+  QString title, description;  ///< for screen readers and viewers without the image
   std::function<void(QPainter*)> paint;
 };
 
-/// With `scale` pixels to a unit.
+/// With `scale` pixels per unit.
 QImage imageOf(const PaintedPicture& picture, int scale);
-/// The image as PNG, title and description in it. Empty where it cannot be made.
+/// The image as PNG with title and description. Empty if it cannot be made.
 QByteArray pngOf(const PaintedPicture& picture, int scale);
 /// An SVG document, shapes and texts kept as such.
 QByteArray svgOf(const PaintedPicture& picture);

@@ -15,10 +15,10 @@
 namespace alidade::ui {
 namespace {
 
-constexpr double linesForTitles = 8;  // of text, below the legend: in less the axes need all there is
-constexpr double markReach = 9;       // scene units within which a point counts as meant
+constexpr double linesForTitles = 8;  // lines of text below the legend; with fewer the axes need all the room
+constexpr double markReach = 9;       // reach of a click, in scene units
 
-/// Writes −12.5: a real minus sign and a decimal point. No English locale does.
+/// Writes −12.5: a real minus sign and a decimal point, which no English locale combines.
 QLocale axisLocale() {
   QLocale locale(QLocale::Romansh, QLocale::Switzerland);
   locale.setNumberOptions(QLocale::OmitGroupSeparator);
@@ -220,8 +220,7 @@ void Plot::rearrange() {
 }
 
 void Plot::fitRangeToPlotArea() {
-  // The range follows from the plot area, the widths of the labels from the range, and the plot area from
-  // these.
+  // The range depends on the plot area, the label widths on the range, and the plot area on these.
   constexpr int passes = 4;
   for (int pass = 0; pass < passes; ++pass) {
     m_chart->layout()->activate();
@@ -257,10 +256,10 @@ void Plot::applyRange(const QRectF& range) {
 }
 
 void Plot::applyTicks(QValueAxis* axis, double step) const {
-  // Each change of an axis lays all its labels out anew, even to the same format.
+  // Each change of an axis lays all its labels out again, even with the same format.
   const QString format = QStringLiteral("%.%1f").arg(decimalsOfStep(step));
   if (format != axis->labelFormat()) axis->setLabelFormat(format);
-  // Narrow first: the old range over a much finer step would be thousands of ticks.
+  // Narrows first: the old range with a much finer step would have thousands of ticks.
   if (step < axis->tickInterval()) axis->setRange(-step, step);
   axis->setTickInterval(step);
 }

@@ -17,8 +17,8 @@ namespace alidade::ui {
 
 struct Evaluation;
 
-/// A chart with its axes, points and legend in a scene of its own. The widget shows the scene, the report
-/// renders it: one drawing code for both. Laid out by `arrange`, at once and without waiting for events.
+/// A chart with axes, points and legend in its own scene. The widget shows the scene, the report renders it:
+/// one drawing code for both. `arrange` lays it out at once, without waiting for events.
 class Plot : public QObject {
   Q_OBJECT
 
@@ -34,58 +34,57 @@ class Plot : public QObject {
   QGraphicsScene* scene() { return &m_scene; }
   const PlotStyle& style() const { return m_style; }
   QRectF plotArea() const { return m_plotArea; }
-  /// From axis units to the scene, y up in the first and down in the second.
+  /// From axis units, y up, to the scene, y down.
   QTransform sceneFromAxes() const { return m_sceneFromAxes; }
   const MarkerLayer& markers() const { return *m_markers; }
   const Legend& legend() const { return *m_legend; }
-  /// The sentence in the middle of an empty plot; empty where there is something to see.
+  /// The sentence in the middle of an empty plot; empty if there is something to see.
   QString message() const { return m_message; }
 
   bool isZoomed() const { return !m_view.isWhole(); }
-  /// Enlarges where `factor` > 1, about a place in the scene: beside the plot area along the axis there
-  /// alone.
+  /// Enlarges if `factor` > 1, about a place in the scene; beside the plot area only along that axis.
   void zoom(double factor, const QPointF& about);
-  /// Of what is in sight, in scene units.
+  /// Enlarges a part of the visible area, in scene units.
   void zoomTo(const QRectF& part);
   void move(const QPointF& by);
   void showWhole();
 
-  /// Leads on from point to point; without a current one from the highlighted row, or from that end of the
-  /// plot. Null: there are none.
+  /// Moves from point to point; without a current one starts at the highlighted row, or at that end of the
+  /// plot. Null: there are no points.
   enum class Step { Left, Right, Down, Up };
   const Mark* step(Step step);
   const Mark* current() const;
   void clearCurrent() { m_markers->setCurrent({}); }
 
-  /// What is in sight, as it is, at (0, 0) of the painter.
+  /// Paints the visible contents at (0, 0) of the painter.
   void paint(QPainter* painter);
 
-  /// The point at a place in the scene; null where there is none near.
+  /// The point at a place in the scene; null if there is none near.
   const Mark* markAt(const QPointF& scene) const;
-  /// What a pointing hand wants to know of one of `markers().marks()`; plain text.
+  /// The tool tip of one of `markers().marks()`; plain text.
   virtual QString describe(const Mark& mark) const = 0;
   /// The picture in a few words, for screen readers.
   virtual QString summary() const = 0;
-  /// What a good one looks like: a sentence.
+  /// A sentence on what a good plot looks like.
   virtual QString standard() const = 0;
-  /// What is drawn, zoomed or not, as a table with the units in the names of its columns (`CsvText`).
+  /// Everything drawn, regardless of zoom, as a table with units in the column names (`CsvText`).
   virtual std::string csv() const = 0;
-  /// Room at the top right that the legend leaves free, in scene units.
+  /// The room at the top right that the legend leaves free, in scene units.
   void setCorner(double width);
 
  protected:
-  /// Colours, pens and markers of what the plot itself adds.
+  /// Sets colours, pens and markers of the derived plot's own items.
   virtual void applyStyle() = 0;
-  /// The ranges for a plot area of this size, in scene units: what must be visible, in axis units.
+  /// The ranges for a plot area of this size in scene units: what must be visible, in axis units.
   virtual QRectF axisRange(const QSizeF& plotArea) const = 0;
-  /// A millimetre is as long in x as in y, and so are the ticks.
+  /// True if a millimetre has the same length in x and y, with equal ticks.
   virtual bool hasEqualScales() const { return false; }
-  /// Called before it is laid out in this size, in scene units.
+  /// Called before the layout in this size, in scene units.
   virtual void adaptTo(const QSizeF&) {}
-  /// Called when the frame is known: place what follows it.
+  /// Called when the frame is known, to place items that depend on it.
   virtual void placeExtras() {}
 
-  /// In their places; the current point stays that of the same reading.
+  /// Shows these marks; the current point stays that of the same reading.
   void showMarks(std::vector<Mark> marks, std::vector<Stick> sticks = {});
   void setMessage(const QString& message);
   void setTitles(const QString& x, const QString& y);
@@ -118,7 +117,8 @@ class Plot : public QObject {
   QRectF m_whole;  ///< range that shows everything
   ViewRange m_view;
   double m_corner = 0;
-  std::vector<std::uint32_t> m_alongX, m_alongY;  ///< marks in the order of x and y; empty: not known
+  std::vector<std::uint32_t> m_alongX,
+      m_alongY;  ///< indices of marks in the order of x and y; empty: not computed
   QTransform m_sceneFromAxes;
 };
 

@@ -20,7 +20,7 @@ PlotAccessible::~PlotAccessible() {
 }
 
 void PlotAccessible::install() {
-  QAccessible::installFactory(accessiblePlot);  // does nothing where it is installed
+  QAccessible::installFactory(accessiblePlot);  // does nothing if already installed
 }
 
 QString PlotAccessible::text(QAccessible::Text which) const {
@@ -56,7 +56,7 @@ QAccessibleInterface* PlotAccessible::point(std::size_t index) const {
   if (index >= m_plot.pointCount()) return nullptr;
   const auto known = m_points.find(index);
   if (known != m_points.end()) return QAccessible::accessibleInterface(known->second);
-  auto* made = new PointAccessible(m_plot, index);  // the cache of Qt keeps it
+  auto* made = new PointAccessible(m_plot, index);  // Qt's cache owns it
   m_points[index] = QAccessible::registerAccessibleInterface(made);
   return made;
 }

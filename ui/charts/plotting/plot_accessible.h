@@ -8,14 +8,14 @@ namespace alidade::ui {
 
 class PlotWidget;
 
-/// What a screen reader learns of a plot: name and summary as of any widget, as its value the point that the
-/// keyboard has led to, and behind the parts of the widget every point as a child of its own.
+/// The accessible interface of a plot: name and summary as for any widget, the current point as its value,
+/// and every point as a child after the parts of the widget.
 class PlotAccessible : public QAccessibleWidget {
  public:
   explicit PlotAccessible(PlotWidget& plot);
   ~PlotAccessible() override;
 
-  /// For all plots made from now on.
+  /// For all plots created from now on.
   static void install();
 
   QString text(QAccessible::Text which) const override;
@@ -29,11 +29,11 @@ class PlotAccessible : public QAccessibleWidget {
   QAccessibleInterface* point(std::size_t index) const;
 
   PlotWidget& m_plot;
-  mutable std::unordered_map<std::size_t, QAccessible::Id> m_points;  ///< made where somebody asks
+  mutable std::unordered_map<std::size_t, QAccessible::Id> m_points;  ///< created on request
 };
 
-/// A point of a plot: its words, its place on the screen, whether the keyboard is on it. It is told by its
-/// number, which may be that of another point after an edit, or of none.
+/// A point of a plot: its text, its place on the screen, and whether it has the focus. Identified by its
+/// number, which after an edit may refer to another point or none.
 class PointAccessible : public QAccessibleInterface {
  public:
   PointAccessible(PlotWidget& plot, std::size_t index) : m_plot(plot), m_index(index) {}

@@ -15,11 +15,11 @@ struct PlotStyle {
   QColor mutedText;
   QColor frame;
   QColor grid;
-  QColor upper;  ///< what belongs to the axis at 0°
-  QColor lower;  ///< what belongs to the axis at 180°
+  QColor upper;  ///< colour for the axis at 0°
+  QColor lower;  ///< colour for the axis at 180°
   QColor excluded;
   QColor band;       ///< ±1σ
-  QColor outerBand;  ///< ±1σ of the circle with the larger σ, where they differ
+  QColor outerBand;  ///< ±1σ of the circle with the larger σ, if they differ
   QColor limit;      ///< ±3σ
   QFont font;        ///< with a pixel size, in scene units
 
@@ -27,7 +27,7 @@ struct PlotStyle {
 
   /// The colour of a position of the axis.
   QColor ofAxis(int axisDeg) const { return axisDeg == 0 ? upper : lower; }
-  /// Filled at 0°, hollow at 180°, ringed where the axis is measured again (`time` > 1).
+  /// Filled at 0°, hollow at 180°, ringed for a repeat (`time` > 1).
   Marker marker(int axisDeg, MarkerShape shape, int time = 1) const;
   Marker excludedMarker() const;
 };

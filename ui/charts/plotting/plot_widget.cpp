@@ -21,7 +21,7 @@
 namespace alidade::ui {
 namespace {
 
-constexpr double zoomStep = 1.25, moveStep = 0.1;  // of a notch of the wheel; of the plot area
+constexpr double zoomStep = 1.25, moveStep = 0.1;  // per notch of the wheel; as a share of the plot area
 
 }  // namespace
 
@@ -65,7 +65,7 @@ PlotWidget::PlotWidget(std::unique_ptr<Plot> plot, QWidget* parent)
 }
 
 PlotWidget::~PlotWidget() {
-  m_view->viewport()->removeEventFilter(this);  // a view half gone has no viewport to compare with
+  m_view->viewport()->removeEventFilter(this);  // a partly destroyed view has no viewport to compare with
   delete m_view;
 }
 
@@ -147,7 +147,7 @@ void PlotWidget::changeEvent(QEvent* event) {
   QWidget::changeEvent(event);
 }
 
-/// Keys that would else be shortcuts of the window or lead out of the chart.
+/// Keys that would otherwise be shortcuts of the window or leave the chart.
 bool PlotWidget::event(QEvent* event) {
   if (event->type() == QEvent::ShortcutOverride &&
       static_cast<QKeyEvent*>(event)->matches(QKeySequence::Copy)) {
@@ -220,7 +220,7 @@ void PlotWidget::release(const QMouseEvent& mouse) {
   const Drag ended = m_drag;
   endDrag();
   if (ended == Drag::Press) activate(place);
-  // Lines are no parts: who draws one has slipped.
+  // Ignores a line-shaped drag, which is a slip.
   const QRect part = QRect(m_pressed, place).normalized();
   constexpr int least = 4;
   if (ended == Drag::Band && part.width() > least && part.height() > least) m_plot->zoomTo(part);
@@ -325,7 +325,7 @@ bool PlotWidget::steppedBy(int key) {
   return true;
 }
 
-/// The point is what a screen reader shall speak, not the plot as a whole.
+/// A screen reader reads the current point, not the plot as a whole.
 void PlotWidget::tellFocus() {
   if (!QAccessible::isActive()) return;
   QAccessibleInterface* plot = QAccessible::queryAccessibleInterface(this);
@@ -373,13 +373,13 @@ void PlotWidget::focusOutEvent(QFocusEvent* event) {
 
 void PlotWidget::resizeEvent(QResizeEvent* event) {
   QWidget::resizeEvent(event);
-  constexpr int linesToSpare = 14;  // of text, the plot included
+  constexpr int linesToSpare = 14;  // lines of text, including the plot
   m_caption->setMaySpread(height() >= linesToSpare * fontMetrics().height());
   m_menuButton->move(width() - m_menuButton->width() - 2, 2);
   m_menuButton->raise();
 }
 
-/// A frame that tells where the keyboard is.
+/// A frame that shows the keyboard focus.
 void PlotWidget::paintEvent(QPaintEvent*) {
   QPainter painter(this);
   painter.setPen(palette().color(hasFocus() ? QPalette::Highlight : QPalette::Base));

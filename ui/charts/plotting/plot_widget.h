@@ -20,12 +20,12 @@ class Plot;
 struct Evaluation;
 struct Mark;
 
-/// A plot on the screen: follows the widget's size, palette and font, tells the point under the mouse, and
-/// hands on a click on one. It is enlarged by the wheel, by a band drawn around a part, and by + and −; moved
-/// with the middle button, Shift and the left one, or Shift and arrows; whole again by a double click or
-/// Home; digits are left to the readings. Arrows lead from point to point, which is told to screen readers;
-/// Enter activates it. A menu offers all this, pictures and numbers; below stands what a good one
-/// looks like.
+/// A plot on the screen: follows the widget's size, palette and font, describes the point under the mouse,
+/// and reports clicks on points.
+/// Zoom: wheel, rubber band, + and −. Move: middle button, Shift with left button or arrows. Whole again:
+/// double click or Home. Digits are passed on to the readings.
+/// Arrows move from point to point, reported to screen readers; Enter activates the point. A menu offers all
+/// this, pictures and numbers; a caption says what a good plot looks like.
 class PlotWidget : public QWidget, public ChartSource {
   Q_OBJECT
 
@@ -36,19 +36,18 @@ class PlotWidget : public QWidget, public ChartSource {
   /// Enlarges the points of one row of readings: indices into the session's positions and their readings.
   void setHighlighted(std::size_t position, std::size_t row);
   void clearHighlight();
-  /// Everything in sight.
+  /// Shows everything.
   void showWhole();
-  /// The point that the keyboard has led to, in words; empty: none.
+  /// The text of the point the keyboard selected; empty: none.
   QString currentPoint() const;
-  /// The points as they are counted for screen readers: how many, which the keyboard is on, their words and
-  /// their places on the screen.
+  /// The points for screen readers: number, current one, texts and places on the screen.
   std::size_t pointCount() const;
   std::optional<std::size_t> currentIndex() const;
   std::optional<std::size_t> pointAt(const QPoint& onScreen) const;
   QString pointText(std::size_t point) const;
   QRect pointRect(std::size_t point) const;
   bool isPointInSight(std::size_t point) const;
-  /// What the menu offers, made anew.
+  /// A new menu.
   std::unique_ptr<QMenu> makeMenu();
   ChartFiles& files() { return *m_files; }
 
@@ -60,7 +59,7 @@ class PlotWidget : public QWidget, public ChartSource {
 
  signals:
   void sightingActivated(std::size_t position, std::size_t row);
-  /// The keyboard has led to a point of this row, and stays here.
+  /// The keyboard selected a point of this row and stays in the chart.
   void sightingStepped(std::size_t position, std::size_t row);
 
  protected:
@@ -76,9 +75,9 @@ class PlotWidget : public QWidget, public ChartSource {
   void paintEvent(QPaintEvent* event) override;
   void resizeEvent(QResizeEvent* event) override;
 
-  /// Adds what can be chosen to be drawn.
+  /// Adds choices of what is drawn.
   virtual void addChoices(QMenu& menu);
-  /// What is drawn has changed: caption and descriptions follow.
+  /// The drawn contents changed: updates caption and descriptions.
   void tell();
 
  private:
@@ -98,12 +97,12 @@ class PlotWidget : public QWidget, public ChartSource {
   void showMenu(const QPoint& globalPlace);
 
   std::unique_ptr<Plot> m_plot;
-  QGraphicsView* m_view;  // a child; goes before the plot does
+  QGraphicsView* m_view;  // a child; deleted before the plot
   Caption* m_caption;
   QToolButton* m_menuButton;
   ChartFiles* m_files;
   QRubberBand* m_band;
-  /// Stays until the next one is wanted: what was chosen in it may ask for a file meanwhile.
+  /// Kept until the next one opens, since its command may still be asking for a file.
   std::unique_ptr<QMenu> m_menu;
   Drag m_drag = Drag::None;
   QPoint m_pressed, m_dragged;

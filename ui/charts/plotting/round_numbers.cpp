@@ -6,7 +6,7 @@
 namespace alidade::ui {
 namespace {
 
-// Lets 4.9999999999 count as the 5 it was meant to be.
+// Makes 4.9999999999 count as 5.
 constexpr double slack = 1e-9;
 
 }  // namespace

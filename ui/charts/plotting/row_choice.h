@@ -6,7 +6,7 @@
 
 namespace alidade::ui {
 
-/// The rounds and faces that a picture has, each once and in order.
+/// The rounds and faces of a picture, each once and in order.
 struct RowKinds {
   std::vector<int> rounds, faces;
 
@@ -21,12 +21,12 @@ struct RowKinds {
   bool hasTwoFaces() const { return faces.size() > 1; }
 };
 
-/// Which of them are drawn: all, or one. What a picture does not have cannot be chosen: then all are drawn.
+/// The rounds and faces drawn: all, or one. A choice the picture does not have counts as all.
 struct RowChoice {
   std::optional<int> round = {}, face = {};
 
   bool operator==(const RowChoice&) const = default;
-  /// What of it counts for a picture.
+  /// The part of the choice available in a picture.
   RowChoice among(const RowKinds& kinds) const;
   bool takes(int ofRound, int ofFace) const {
     return (!round || *round == ofRound) && (!face || *face == ofFace);
@@ -35,7 +35,7 @@ struct RowChoice {
   QString text() const;
 };
 
-/// Where the marks of rounds and faces stand that share a place: side by side, in this order.
+/// The places of marks of rounds and faces that share a place: side by side, in this order.
 class RowSlots {
  public:
   RowSlots() = default;
@@ -43,7 +43,7 @@ class RowSlots {
   RowSlots(const RowKinds& kinds, const RowChoice& choice);
 
   bool areApart() const { return m_count > 1; }
-  /// How far off the place itself, in units of `PlotStyle::unit`; the mean of all slots is 0.
+  /// The shift from the place itself, in units of `PlotStyle::unit`; the mean of all slots is 0.
   double shift(int round, int face) const;
 
  private:

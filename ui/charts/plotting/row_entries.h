@@ -7,8 +7,8 @@
 
 namespace alidade::ui {
 
-/// What a legend says of rounds and faces: that face 2 is struck through, that marks stand side by side, and
-/// what alone is drawn. Nothing where there is one round in one face.
+/// Legend entries on rounds and faces: the stroke of face 2, marks side by side, and the only ones drawn.
+/// Empty for one round in one face.
 std::vector<LegendEntry> rowEntries(const PlotStyle& style, const RowKinds& kinds, const RowChoice& choice,
                                     bool areApart);
 

@@ -9,10 +9,10 @@ class QMenu;
 
 namespace alidade::ui {
 
-/// An entry that can be chosen, alone or as one of several.
+/// A checkable entry, alone or as one of several.
 QAction* addChoice(QMenu& menu, const QString& text, bool isChosen, const std::function<void()>& choose);
 
-/// Menus of the rounds and faces that there are, where there are several; `choose` is told the new choice.
+/// Menus of the existing rounds and faces, if there are several; `choose` receives the new choice.
 void addRowChoices(QMenu& menu, const RowKinds& kinds, const RowChoice& choice,
                    const std::function<void(const RowChoice&)>& choose);
 

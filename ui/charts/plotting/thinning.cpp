@@ -13,7 +13,7 @@ namespace {
 constexpr std::size_t fewMarks = 5000, fewSticks = 1000;
 constexpr std::uint32_t none = static_cast<std::uint32_t>(-1);
 
-/// Into the scene. All plots are upright or turned, none in perspective.
+/// A mapping into the scene. All plots are upright or rotated, without perspective.
 class Mapping {
  public:
   explicit Mapping(const QTransform& transform)
@@ -32,7 +32,7 @@ class Mapping {
   double m_11, m_12, m_21, m_22, m_dx, m_dy;
 };
 
-/// A cell of the raster for each kind of what is chosen in it, each beginning as `empty`.
+/// A raster with one cell per kind; each cell starts as `empty`.
 template <typename Chosen>
 class Cells {
  public:
@@ -44,7 +44,7 @@ class Cells {
         m_rows(countOf(raster.area.height())),
         m_chosen(m_columns * m_rows * kinds, empty) {}
 
-  /// Where this one lies, or of the cell nearest to it.
+  /// The cell at this point, or the nearest one.
   Chosen& at(const QPointF& point, std::size_t kind) {
     const std::size_t column = indexOf(point.x() - m_left, m_columns);
     const std::size_t row = indexOf(point.y() - m_top, m_rows);
@@ -68,7 +68,7 @@ class Cells {
   std::vector<Chosen> m_chosen;
 };
 
-/// Indices of the uppermost and the lowest mark, and where they are: y grows downwards.
+/// Indices of the uppermost and lowest mark, and their places: y grows downwards.
 struct Extremes {
   std::uint32_t up = none, down = none;
   double top = std::numeric_limits<double>::infinity(), bottom = -top;
@@ -79,7 +79,7 @@ struct Longest {
   double squaredLength = -1;
 };
 
-/// Which eighth of a turn it points into, 0 to 7.
+/// The eighth of a turn of its direction, 0 to 7.
 std::size_t eighthOf(const QLineF& line) {
   return (line.dx() > 0 ? 1U : 0U) + (line.dy() > 0 ? 2U : 0U) +
          (std::abs(line.dx()) > std::abs(line.dy()) ? 4U : 0U);

@@ -8,12 +8,12 @@
 
 namespace alidade::ui {
 
-// Of a hundred thousand markers most lie under others and are not seen. These functions choose those to be
-// painted, so that painting costs by the size of the plot and not by the number of readings. What stands out
-// is always among them, where it is: in each cell of a raster the uppermost and the lowest mark, and the
-// longest sticks. Neither what is computed nor what is pointed at knows of it.
+// Among a hundred thousand markers most are hidden under others. These functions choose the markers to paint,
+// so that painting costs by plot size rather than by number of readings. Extremes always remain in place: the
+// uppermost and lowest mark in each raster cell, and the longest sticks. Computations and pointing use all
+// marks.
 
-/// The frame of a plot in scene units, and how wide a cell of the raster is: less than a marker.
+/// The frame of a plot in scene units, and the cell width of the raster: less than a marker.
 struct Raster {
   QRectF area;
   double cell = 4;
@@ -25,13 +25,12 @@ struct PlacedMark {
   std::size_t kind = 0;
 };
 
-/// The marks in the area to paint, in the order given: all where they are few, otherwise of each kind at most
-/// two in a cell.
+/// The marks to paint in the area, in the given order: all if few, otherwise at most two per kind and cell.
 std::vector<PlacedMark> thinned(const std::vector<Mark>& marks, const QTransform& sceneFromAxes,
                                 const Raster& raster);
 
-/// The sticks to paint, in scene units: all where they are few, otherwise of each kind and eighth of a turn
-/// the longest that starts in a cell.
+/// The sticks to paint, in scene units: all if few, otherwise per kind and eighth of a turn the longest that
+/// starts in a cell.
 std::vector<Stick> thinned(const std::vector<Stick>& sticks, const QTransform& sceneFromAxes,
                            const Raster& raster);
 

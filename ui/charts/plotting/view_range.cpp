@@ -6,7 +6,7 @@ namespace alidade::ui {
 namespace {
 
 constexpr double largestZoom = 1e5;
-constexpr double margin = 0.05;  // of what is in sight, around a point that has to be
+constexpr double margin = 0.05;  // share of the visible range, around a point that must be visible
 
 QRectF inside(QRectF part, const QRectF& whole) {
   part.setSize(QSizeF(std::clamp(part.width(), whole.width() / largestZoom, whole.width()),
@@ -16,7 +16,7 @@ QRectF inside(QRectF part, const QRectF& whole) {
   return part;
 }
 
-/// How far to move [low, high] for `value` to lie in it.
+/// The distance to move [low, high] so that it contains `value`.
 double way(double value, double low, double high) {
   return value < low ? value - low : value > high ? value - high : 0;
 }

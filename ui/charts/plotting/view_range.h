@@ -5,23 +5,22 @@
 
 namespace alidade::ui {
 
-/// Which part of a whole plot is looked at, in axis units; `top` of a rectangle is its least y. Never more
-/// than the whole: what is zoomed out as far as that follows the whole from then on.
+/// The visible part of a plot, in axis units; `top` of a rectangle is its least y. Never more than the whole:
+/// zoomed out that far, it follows the whole from then on.
 class ViewRange {
  public:
   bool isWhole() const { return !m_part; }
   void reset() { m_part.reset(); }
 
-  /// What is in sight of `whole`, which has the proportions of the frame where scales are equal: then the
-  /// part has them, too.
+  /// The visible part of `whole`. With equal scales `whole` has the frame's proportions, and so has the part.
   QRectF within(const QRectF& whole, bool hasEqualScales) const;
 
-  // All of these know what is in sight: `shown` of `whole`.
+  // All of these receive the visible part `shown` of `whole`.
 
-  /// `factors` > 1 enlarge; `about` stays where it is.
+  /// `factors` > 1 enlarge; `about` keeps its place.
   void zoom(const QSizeF& factors, const QPointF& about, const QRectF& shown, const QRectF& whole);
   void move(const QPointF& by, const QRectF& shown, const QRectF& whole);
-  /// Moves no further than it must for `point` to be well in sight.
+  /// Moves as little as possible to make `point` well visible.
   void include(const QPointF& point, const QRectF& shown, const QRectF& whole);
   void show(const QRectF& part, const QRectF& whole);
 

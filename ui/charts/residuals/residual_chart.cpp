@@ -57,7 +57,7 @@ void ResidualChart::addChoices(QMenu& menu) {
                 });
 }
 
-/// One of them is always drawn.
+/// At least one circle is always drawn.
 void ResidualChart::addCircles(QMenu& menu) {
   const std::pair<QString, bool ResidualChoice::*> circles[] = {
       {tr("&Horizontal"), &ResidualChoice::horizontal},

@@ -7,8 +7,8 @@ namespace alidade::ui {
 
 class ResidualPlot;
 
-/// The residuals of the readings on the screen; what of them is drawn is chosen in the menu and kept in the
-/// user's settings.
+/// The residuals of the readings on the screen; a menu chooses which are drawn, and the user's settings keep
+/// the choice.
 class ResidualChart : public PlotWidget {
   Q_OBJECT
 
@@ -16,7 +16,7 @@ class ResidualChart : public PlotWidget {
   explicit ResidualChart(QWidget* parent = nullptr);
 
   ResidualPlot* plot() const { return m_plot; }
-  /// Draws it, and keeps it for the next window.
+  /// Draws the choice, and keeps it for the next window.
   void choose(const ResidualChoice& choice);
 
   QString fileName() const override { return QStringLiteral("residuals"); }

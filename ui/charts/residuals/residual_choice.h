@@ -6,15 +6,15 @@ namespace alidade::ui {
 
 enum class CircleRead { Horizontal, Vertical, Slider };
 
-/// "horizontal", in the user's language, and as tables have it.
+/// "horizontal": in the user's language, and as in tables.
 QString circleName(CircleRead circle);
 const char* nameOf(CircleRead circle);
 
-/// What the residual chart draws, and over what.
+/// What the residual chart draws, and its abscissa.
 struct ResidualChoice {
   enum class Over {
     Slider,     ///< the slider coordinate s
-    Order,      ///< the order in which the rows were read: time
+    Order,      ///< the order in which the rows were read
     Elevation,  ///< e, from the pointing zero
     Azimuth,    ///< a, from the pointing zero
     Normal,     ///< the normal quantile of their rank, standardised
@@ -29,11 +29,11 @@ struct ResidualChoice {
   bool takes(CircleRead circle) const {
     return circle == CircleRead::Horizontal ? horizontal : circle == CircleRead::Vertical ? vertical : slider;
   }
-  /// Residuals in units of their own scatter, w, are drawn.
+  /// True if residuals in units of their own scatter, w, are drawn.
   bool showsStandardised() const { return isStandardised || over == Over::Normal; }
 };
 
-/// As it was last kept in the user's settings; what is not there is as usual.
+/// The choice kept in the user's settings; missing parts have their defaults.
 ResidualChoice keptResidualChoice();
 void keep(const ResidualChoice& choice);
 

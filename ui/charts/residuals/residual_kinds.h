@@ -9,25 +9,25 @@
 
 namespace alidade::ui {
 
-/// What is drawn with one marker.
+/// The residuals drawn with one marker.
 struct ResidualKind {
   int axisDeg = 0;
-  bool isAgain = false;  ///< at this axis for a second time or more
+  bool isAgain = false;  ///< a repeat of this axis
   CircleRead circle = CircleRead::Horizontal;
   bool isFaceTwo = false;
 
-  /// Colour and filling tell the axis, a ring that it was measured again, the shape tells the circle, a
-  /// stroke face 2: they stay apart in grey.
+  /// Colour and fill show the axis, a ring a repeat, the shape the circle, a stroke face 2: they stay
+  /// distinguishable in grey.
   Marker marker(const PlotStyle& style) const;
   QString text() const;  ///< without the face
 };
 
-/// The kinds that are there, so that no others are drawn or reckoned with.
+/// The kinds that occur, so that no others are drawn or computed.
 class ResidualKinds {
  public:
   ResidualKinds() { m_index.fill(none); }
 
-  /// Index of the kind of a residual among those that are there; it is from now on.
+  /// The index of a residual's kind, added if new.
   std::size_t take(const DrawnResidual& residual);
   const std::vector<ResidualKind>& all() const { return m_kinds; }
 

@@ -55,7 +55,7 @@ void addArc(ResidualPicture& picture, const ArcMeasurement& arc, const ArcFit& f
   }
 }
 
-/// Of the slider, which only the fit of all positions together takes for observed.
+/// The slider residuals, since only the joint fit of all positions treats sliders as observed.
 void addSliders(ResidualPicture& picture, const Measurement& measurement, const SessionFit& fit) {
   for (const AdjustedReading& reading : fit.joint.readings) {
     if (reading.kind != ReadingKind::Slider) continue;
@@ -75,8 +75,8 @@ struct Sized {
   std::uint32_t index;
 };
 
-/// The bits of the number, so turned that they are in its order: Boost's own sort of floating-point numbers
-/// takes differences of them that overflow.
+/// The number's bits in an order-preserving form: Boost's sort of floating-point numbers takes differences of
+/// them that overflow.
 struct Digits {
   std::uint64_t operator()(const Sized& sized, unsigned offset) const {
     constexpr std::uint64_t sign = 1ULL << 63U;
@@ -85,7 +85,7 @@ struct Digits {
   }
 };
 
-/// Alike ones in the order of the readings.
+/// Equal ones stay in the order of the readings.
 void sortByStandardised(ResidualPicture& picture) {
   std::vector<Sized> sizes;
   sizes.reserve(picture.residuals.size());
@@ -98,7 +98,7 @@ void sortByStandardised(ResidualPicture& picture) {
     return one.index < other.index;
   };
   boost::sort::spreadsort::integer_sort(sizes.begin(), sizes.end(), Digits(), isLess);
-  for (auto alike = sizes.begin(); alike != sizes.end();) {  // which it leaves as they come
+  for (auto alike = sizes.begin(); alike != sizes.end();) {  // the sort leaves equal ones in arbitrary order
     const auto end = std::find_if(alike, sizes.end(),
                                   [&](const Sized& one) { return one.standardised != alike->standardised; });
     std::sort(alike, end, isLess);

@@ -13,28 +13,28 @@ namespace alidade::ui {
 struct DrawnResidual {
   SightingRef ref;
   int axisDeg = 0;
-  int time = 1;  ///< the how many-th position at this axis
+  int time = 1;  ///< number of the repeat at this axis
   CircleRead circle = CircleRead::Horizontal;
   int point = 0, round = 1, face = 1;
-  std::size_t order = 1;              ///< of its row among all of the session, as taken, from 1
+  std::size_t order = 1;              ///< number of its row in the session, in the order read, from 1
   double elevation = 0, azimuth = 0;  ///< e and a of the sighting, degrees, up and right positive
   double slider = 0;  ///< s in degrees: the arc angle φ at 0°, −φ at 180°, so that both run over 0…180°
   double arcsec = 0;        ///< observed minus adjusted; right and up positive
-  double standardised = 0;  ///< w = v/(s0 σ √r); NaN where no other reading checks this one
+  double standardised = 0;  ///< w = v/(s0 σ √r); NaN if no other reading checks this one
 };
 
-/// What the residual chart shows, in numbers.
+/// The contents of the residual chart, as numbers.
 struct ResidualPicture {
   /// Horizontal and vertical of each row in turn, then those of the slider.
   std::vector<DrawnResidual> residuals;
-  std::vector<std::uint32_t> byStandardised;  ///< indices of those that have one, the least first
-  RowKinds kinds;                             ///< of all of them
-  double sigmaHorizontal = 0;                 ///< stated, arcseconds; 0 while nothing is known
+  std::vector<std::uint32_t> byStandardised;  ///< indices of residuals with a w, smallest first
+  RowKinds kinds;                             ///< rounds and faces of all residuals
+  double sigmaHorizontal = 0;                 ///< stated, arcseconds; 0 while unknown
   double sigmaVertical = 0;
   double sigmaSlider = 0;
 
   bool isEmpty() const { return residuals.empty(); }
-  bool oneSigma() const;  ///< both circles have the same
+  bool oneSigma() const;  ///< both circles have the same σ
   double largestSigma() const { return sigmaHorizontal > sigmaVertical ? sigmaHorizontal : sigmaVertical; }
   double largestResidual() const;  ///< of the absolute values of both circles, arcseconds
   double sigmaOf(CircleRead circle) const;

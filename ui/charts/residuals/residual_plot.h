@@ -12,10 +12,10 @@
 
 namespace alidade::ui {
 
-/// The residuals that are chosen, in arcseconds or standardised, along the arc, in the order read, over an
-/// angle, or over their normal quantiles, with what they should keep within: ±1σ (band) and ±3σ (dashed) of
-/// the stated noise or of 1, or the envelope of normal values. Rounds and faces stand side by side. The kinds
-/// of readings stay apart in grey (ResidualKind).
+/// The chosen residuals, in arcseconds or standardised, along the arc, in the order read, over an angle, or
+/// over their normal quantiles. Limits: ±1σ (band) and ±3σ (dashed) of the stated noise or of 1, or the
+/// envelope of normal values. Rounds and faces are side by side. Kinds of readings stay distinguishable in
+/// grey (ResidualKind).
 class ResidualPlot : public Plot {
   Q_OBJECT
 
@@ -40,14 +40,14 @@ class ResidualPlot : public Plot {
  private:
   static constexpr std::size_t mostBands = 3;
 
-  /// ±σ and ±3σ of one circle, or of those for which it is the same.
+  /// ±σ and ±3σ of one circle, or of both if equal.
   struct NoiseBand {
     QLineSeries *top, *bottom;
     QAreaSeries* area;
     QLineSeries *upperLimit, *lowerLimit;
   };
   struct StatedNoise {
-    double sigma = 0;  ///< arcseconds; of standardised residuals 1
+    double sigma = 0;  ///< arcseconds; 1 for standardised residuals
     QStringList circles;
   };
 
@@ -65,18 +65,18 @@ class ResidualPlot : public Plot {
 
   std::shared_ptr<const ResidualPicture> m_picture = std::make_shared<const ResidualPicture>();
   ResidualChoice m_choice;
-  ResidualChoice m_drawn;  ///< what of it the picture has
+  ResidualChoice m_drawn;  ///< the part available in the picture
   ResidualKinds m_kinds;
   RowSlots m_slots;
-  double m_unit = 0;  // of the style that the marks stand apart in
+  double m_unit = 0;  // unit of the style, which sets the shift of marks
   NormalEnvelope m_envelope;
   std::vector<StatedNoise> m_noise;  // the largest σ first
   std::size_t m_unchecked = 0;       // chosen, but without a standardised residual
-  QRectF m_extent{0, -10, 180, 20};  // of what is drawn
+  QRectF m_extent{0, -10, 180, 20};  // extent of what is drawn
   std::array<NoiseBand, mostBands>
       m_bands;          // the largest σ first, so that smaller ones are drawn over it; owned by the chart
-  NoiseBand m_normal;   // where normal values lie; likewise
-  QLineSeries* m_line;  // zero, or what is normal
+  NoiseBand m_normal;   // envelope of normal values; likewise
+  QLineSeries* m_line;  // zero, or the normal line
 };
 
 }  // namespace alidade::ui

@@ -9,22 +9,22 @@
 
 namespace alidade::ui {
 
-/// Where a residual of a picture stands in the chart, in the units of its axes.
+/// The place of a picture's residual in the chart, in axis units.
 struct ResidualPoint {
   QPointF at;
-  std::uint32_t index = 0;  ///< of the picture's residuals
+  std::uint32_t index = 0;  ///< index into the picture's residuals
 };
 
-/// Those that are chosen and have a place: a reading that nothing checks has no standardised residual.
-/// `choice.rows`: among the picture's kinds.
+/// The chosen residuals that have a place: an unchecked reading has no standardised residual. `choice.rows`:
+/// among the picture's kinds.
 std::vector<ResidualPoint> residualPoints(const ResidualPicture& picture, const ResidualChoice& choice);
 
-/// Where 95 of 100 values of each rank lie if `count` of them are normal: below at the left of x, above.
+/// The range of 95 of 100 values of each rank if `count` of them are normal: below at the left of x, above.
 struct NormalEnvelope {
-  QList<QPointF> lower, upper;  ///< from left to right, of the same x
+  QList<QPointF> lower, upper;  ///< from left to right, with equal x
 };
 
-/// Empty below two values.
+/// Empty for fewer than two values.
 NormalEnvelope normalEnvelope(std::size_t count);
 
 }  // namespace alidade::ui

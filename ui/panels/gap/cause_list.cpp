@@ -21,7 +21,7 @@ namespace alidade::ui {
 
 namespace {
 
-/// What a probability takes for granted.
+/// The assumptions behind a probability.
 QString givenText(const std::string& id) {
   const QString plausible = plausibleText(id);
   if (plausible.isEmpty())
@@ -38,8 +38,8 @@ QString parametersText(const Cause& cause) {
   return texts.join(QStringLiteral(", "));
 }
 
-/// What can be done about it, and when which rows may be left out: those that the orientation of every
-/// pointing zero still holds for stay.
+/// Advice about a jump, and which rows may be excluded when. Rows for which the orientation of every pointing
+/// zero is still valid stay.
 QString jumpText(const Session& session, const Jump& jump) {
   if (jump.isAtZero)
     return CauseList::tr(
@@ -175,7 +175,7 @@ void CauseList::addCatalogueButtons(const Gap& gap, const Cause& cause) {
   connect(group, &QPushButton::clicked, this, [this, all] { emit effectsWanted(all); });
 }
 
-/// Where there are several that the model can hold.
+/// Offered for several causes that the model can hold.
 void CauseList::addAllCauses(const std::vector<Cause>& causes) {
   QStringList all;
   for (const Cause& cause : causes)
@@ -206,15 +206,14 @@ void CauseList::addGrossErrors(const Cause& cause) {
   }
 }
 
-/// No model of a session holds a jump: it is no effect with a size alone.
+/// A jump has a time as well as a size, so no session model holds it.
 void CauseList::addJump(const Gap& gap, const Cause& cause) {
   const std::optional<Jump> jump = jumpOf(gap, cause);
   if (!jump) return;
   addText(jumpText(gap.evaluation->session, *jump));
   connect(addButton(tr("Go to the reading"), QStringLiteral("go to jump")), &QPushButton::clicked, this,
           [this, place = jump->place] { emit placeActivated(place); });
-  if (jump->before && jump->after)
-    m_buttons = nullptr;  // three in a row are wider than the page has room for
+  if (jump->before && jump->after) m_buttons = nullptr;  // three in a row are wider than the page
   if (jump->before)
     addRowsExclusion(tr("Exclude the rows before"), QStringLiteral("exclude before"), *jump->before);
   if (jump->after)

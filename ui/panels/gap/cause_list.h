@@ -13,8 +13,8 @@ class QVBoxLayout;
 
 namespace alidade::ui {
 
-/// Every cause of a gap with its numbers and what can be done about it, and the effects the model holds
-/// already. Changes nothing itself.
+/// Every cause of a gap with its numbers and possible actions, and the effects already in the model. Only
+/// emits signals.
 class CauseList : public QWidget {
   Q_OBJECT
 
@@ -24,9 +24,9 @@ class CauseList : public QWidget {
   void setGap(const Gap& gap);
 
  signals:
-  /// Add these to the model's effects.
+  /// Asks to add these effects to the model.
   void effectsWanted(const QStringList& ids);
-  /// Take it out of the model's effects.
+  /// Asks to remove the effect from the model.
   void effectUnwanted(const QString& id);
   /// Set the session's vertical angle relation to `text`.
   void relationWanted(const QString& text);
@@ -41,7 +41,7 @@ class CauseList : public QWidget {
   void addShape(const GapShape& shape);
   void addTitle(const QString& text, const QString& figure, const QString& toolTip = {});
   void addText(const QString& text, bool isQuiet = false);
-  /// A button in the row of the cause at work.
+  /// Adds a button to the row of the cause being shown.
   QPushButton* addButton(const QString& text, const QString& name);
   void addCatalogueButtons(const Gap& gap, const Cause& cause);
   void addAllCauses(const std::vector<Cause>& causes);
@@ -51,7 +51,7 @@ class CauseList : public QWidget {
   void addNoise(const Gap& gap, const Cause& cause);
 
   QVBoxLayout* m_layout;
-  QBoxLayout* m_buttons = nullptr;  ///< of the cause at work; null until it has one
+  QBoxLayout* m_buttons = nullptr;  ///< of the cause being shown; null until it has a button
 };
 
 }  // namespace alidade::ui

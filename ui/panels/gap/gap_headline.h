@@ -9,16 +9,16 @@ class QLabel;
 
 namespace alidade::ui {
 
-/// The verdict of a diagnosis: its sign, the few words it comes to in their colour, and its sentences.
+/// The verdict of a diagnosis: its sign, its headline in the matching colour, and its sentences.
 class GapHeadline : public QWidget {
   Q_OBJECT
 
  public:
   explicit GapHeadline(QWidget* parent = nullptr);
 
-  /// The verdict, or why there is none.
+  /// Shows the verdict, or why there is none.
   void setGap(const Gap& gap);
-  /// What else there is to say.
+  /// Shows any other state.
   void setText(const QString& headline, const QString& sentence);
 
  protected:

@@ -49,7 +49,7 @@ QWidget* block(const QString& heading, std::initializer_list<QWidget*> parts) {
   return frame;
 }
 
-/// What a good picture looks like.
+/// A sentence that describes a good picture.
 QLabel* standard(const QString& sentence) {
   QLabel* label = wrappedLabel();
   label->setForegroundRole(QPalette::PlaceholderText);
@@ -162,7 +162,7 @@ QWidget* GapPanel::createCandidates() {
   return block(tr("Candidates, each by itself"), {m_candidates, m_add});
 }
 
-/// In two columns where there is room for them, else one below the other; what is hidden comes last.
+/// Two columns if the width allows, else one; hidden blocks come last.
 void GapPanel::arrange() {
   const int columns = viewport()->width() >= byFont(twoColumnsFrom) ? 2 : 1;
   m_grid->setColumnStretch(0, columns == 2 ? 4 : 1);
@@ -227,7 +227,7 @@ void GapPanel::showVerdict() {
   arrange();
 }
 
-/// Δd without the effects of the model, as modelled, with the causes, as measured.
+/// Δd without the model's effects, fit only, with the causes, and measured.
 void GapPanel::showEffectOnResult() {
   const Diagnosis& diagnosis = *m_gap->diagnosis;
   const GapStage &bare = m_gap->stages.front(), &modelled = m_gap->asModelled();
@@ -304,7 +304,7 @@ void GapPanel::showClosures() {
                                                 : tr("One rigid arc turned about a level axis: they agree."));
 }
 
-/// The switch is there where the measurement says how well the reference is known.
+/// The switch is shown if the measurement states the uncertainty of the reference.
 void GapPanel::showReference() {
   m_withReference->setVisible(m_gap->evaluation->examined.measurement->sigmaReference.has_value());
   m_withReferenceNote->setVisible(!m_withReference->isHidden());
@@ -324,7 +324,7 @@ void GapPanel::showRequired() {
          "the most plausible first."));
 }
 
-/// What a plausible size would do to Δd.
+/// The change of Δd by a plausible size of each undetectable effect.
 void GapPanel::showUnseen() {
   QVector<FigureGrid::Row> rows;
   for (const UnseenEffect& effect : m_gap->noticeablyUnseen())

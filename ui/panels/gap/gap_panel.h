@@ -19,8 +19,8 @@ class GapHeadline;
 class GapMap;
 class GapWaterfall;
 
-/// The gap between model and readings: verdict, causes, how far it shrinks, where it lies, every candidate,
-/// what to measure next and what would go unseen. Changes nothing itself.
+/// The gap between model and readings: verdict, causes, how far it shrinks, its place, all candidates, what
+/// to measure next and undetectable effects. Only emits signals.
 class GapPanel : public ScrollPage {
   Q_OBJECT
 
@@ -28,15 +28,15 @@ class GapPanel : public ScrollPage {
   explicit GapPanel(QWidget* parent = nullptr);
 
   void setGap(const SharedGap& gap);
-  /// The session has changed: what is shown stays, and nothing can be done about it until the answer is new.
+  /// The session changed: the old contents stay, with actions disabled until the new diagnosis.
   void setStale();
-  /// Another session: nothing is known of it yet.
+  /// Another session, not diagnosed yet.
   void clear();
 
   QSize minimumSizeHint() const override { return {300, 160}; }
 
  signals:
-  void watched(bool isWatched);  ///< the page is in front, or no longer
+  void watched(bool isWatched);  ///< whether the page is in front
   void effectsWanted(const QStringList& ids);
   void effectUnwanted(const QString& id);
   void relationWanted(const QString& text);
@@ -44,7 +44,7 @@ class GapPanel : public ScrollPage {
   void exclusionWanted(const alidade::Place& place);
   void rowsExclusionWanted(const alidade::ui::RowRange& rows);
   void noiseWanted(const alidade::ui::StatedNoise& noise);
-  void referenceWanted(bool wanted);  ///< the causes are to be weighed with the reference, or without it
+  void referenceWanted(bool wanted);  ///< whether the causes are to be weighed with the reference
 
  protected:
   void hideEvent(QHideEvent* event) override;
@@ -64,7 +64,7 @@ class GapPanel : public ScrollPage {
   void showUnseen();
   void showCandidate();
   void addCandidate();
-  /// The candidate on `row`; null where there is none.
+  /// The candidate in `row`; null if there is none.
   const Candidate* candidate(int row) const;
   bool isInModel(const std::string& id) const;
 
@@ -87,9 +87,9 @@ class GapPanel : public ScrollPage {
   QLabel* m_next;
   FigureGrid* m_unseen;
   QLabel* m_unseenNote;
-  QList<QWidget*> m_blocks;           ///< in the order of reading
-  QWidget* m_requiredBlock;           ///< one of them
-  bool m_returnsToReference = false;  ///< the keyboard, when the answer is there
+  QList<QWidget*> m_blocks;           ///< in reading order
+  QWidget* m_requiredBlock;           ///< the block of required sizes, one of `m_blocks`
+  bool m_returnsToReference = false;  ///< gives the keyboard back to the switch after the diagnosis
 };
 
 }  // namespace alidade::ui

@@ -10,7 +10,7 @@ namespace alidade::ui {
 
 class DataTable;
 
-/// What was changed after it stood, the newest first: when, by whom, what, from what to what, and why.
+/// Recorded changes, newest first: when, by whom, what, old and new text, and why.
 class JournalPanel : public QWidget {
   Q_OBJECT
 
@@ -18,7 +18,7 @@ class JournalPanel : public QWidget {
   explicit JournalPanel(QWidget* parent = nullptr);
 
   void setEvaluation(const SharedEvaluation& evaluation);
-  /// What it comes to, which is known once misread readings are searched for.
+  /// The summary, known once the search for misread readings has ended.
   void setSummary(const Evaluation& evaluation);
 
  private:

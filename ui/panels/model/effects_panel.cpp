@@ -33,7 +33,7 @@ std::string idOf(const QTreeWidgetItem& item) {
 QString aboutText(const Effect& effect) {
   QStringList sizes;
   for (const EffectParameter& parameter : effect.parameters) {
-    if (parameter.unit == "-") continue;  // it is so or not
+    if (parameter.unit == "-") continue;  // a yes-or-no effect without a size
     const QString size = plausibleText(parameter);
     if (!sizes.contains(size)) sizes.append(size);
   }
@@ -44,7 +44,7 @@ QString aboutText(const Effect& effect) {
       .arg(what, sizes.join(QStringLiteral(", ")), remedy);
 }
 
-/// What a screen reader says where the size stands, or would stand.
+/// Sets what a screen reader says in the cell of the size.
 void speakSize(QTreeWidgetItem& item) {
   const QString size = item.text(1);
   item.setData(1, Qt::AccessibleTextRole, size.isEmpty() ? EffectsPanel::tr("no size of its own") : size);
@@ -72,7 +72,7 @@ EffectsPanel::EffectsPanel(SessionDocument& document, QWidget* parent)
         ->setToolTip(0, aboutText(effect));
   m_about->setWordWrap(true);
   QSizePolicy policy = m_about->sizePolicy();
-  policy.setHorizontalPolicy(QSizePolicy::Ignored);  // a long word must not widen the page
+  policy.setHorizontalPolicy(QSizePolicy::Ignored);  // prevents a long word from widening the page
   m_about->setSizePolicy(policy);
   layOutByFont(*this, [this] { m_about->setMinimumHeight(4 * fontMetrics().lineSpacing()); });
   m_about->setAlignment(Qt::AlignTop | Qt::AlignLeft);
@@ -105,7 +105,7 @@ QTreeWidgetItem* EffectsPanel::addItem(const std::string& id, const QString& nam
   return item;
 }
 
-/// Effects of the file that the catalogue does not hold stand behind it; without a tick they are gone.
+/// Effects unknown to the catalogue follow it; unticking removes them.
 void EffectsPanel::addUnknown() {
   const auto known = static_cast<int>(effectCatalogue().size());
   while (m_list->topLevelItemCount() > known) delete m_list->takeTopLevelItem(known);
@@ -133,12 +133,12 @@ void EffectsPanel::handIn(QTreeWidgetItem* item) {
   if (item->parent()) return;
   const std::string id = idOf(*item);
   const bool isEstimated = item->checkState(0) == Qt::Checked;
-  // Later: the list may lose the item over it, which is still at work with it.
+  // Deferred: the list may delete the item that it is still using.
   QMetaObject::invokeMethod(
       this, [this, id, isEstimated] { setEffect(m_document, id, isEstimated); }, Qt::QueuedConnection);
 }
 
-/// The size of an effect of one number stands in its own row, those of several below it.
+/// The size of an effect with one number is in its own row, those of several in rows below.
 void EffectsPanel::setEvaluation(const Evaluation& evaluation) {
   const QSignalBlocker quiet(m_list);
   const auto& estimates = evaluation.fit.effects;

@@ -12,8 +12,8 @@ namespace alidade::ui {
 
 class SessionDocument;
 
-/// The catalogue of effects: a tick estimates one along with the arcs, and its size stands beside it. Ticks
-/// follow the session, sizes the newest evaluation.
+/// The catalogue of effects: ticking one estimates it along with the arcs and shows its size. Ticks follow
+/// the session, sizes the newest evaluation.
 class EffectsPanel : public QWidget {
   Q_OBJECT
 
@@ -23,7 +23,7 @@ class EffectsPanel : public QWidget {
   void setEvaluation(const Evaluation& evaluation);
 
  signals:
-  /// What is known of the effect beforehand is to be typed; empty: of none in particular.
+  /// Asks to type a known size of the effect; empty: of none in particular.
   void knownWanted(const std::string& effect);
 
  private:

@@ -19,11 +19,11 @@ KnownSizesPanel::KnownSizesPanel(SessionDocument& document, QWidget* parent)
   for (QLabel* label : {lead, m_about}) {
     label->setWordWrap(true);
     label->setSizePolicy(QSizePolicy::Ignored,
-                         QSizePolicy::Preferred);  // a long word must not widen the page
+                         QSizePolicy::Preferred);  // prevents a long word from widening the page
   }
   layOutByFont(*this, [this] {
     m_about->setMinimumHeight(2 * fontMetrics().lineSpacing());
-    m_table->setMinimumHeight(3 * fontMetrics().lineSpacing());  // on a small screen it scrolls
+    m_table->setMinimumHeight(3 * fontMetrics().lineSpacing());  // scrolls on a small screen
   });
   m_about->setAlignment(Qt::AlignTop | Qt::AlignLeft);
   m_about->setTextFormat(Qt::PlainText);

@@ -11,8 +11,7 @@ namespace alidade::ui {
 class KnownSizesTable;
 class SessionDocument;
 
-/// What is known of the effects beforehand, to be typed, and below it what is to be known of the current
-/// cell.
+/// The table of known sizes, and below it an explanation of the current cell.
 class KnownSizesPanel : public QWidget {
   Q_OBJECT
 
@@ -20,15 +19,15 @@ class KnownSizesPanel : public QWidget {
   explicit KnownSizesPanel(SessionDocument& document, QWidget* parent = nullptr);
 
   void commitOpenEditor();
-  /// Is a text in it that cannot be used?
+  /// True if a text in the table is unusable.
   bool hasProblem() const;
   /// Leads to an entry of the session, or to the first number of an effect.
   void reveal(const KnownPlace& place);
   void reveal(const std::string& effect);
 
  signals:
-  void recordWanted();      ///< one to be taken
-  void saveRecordWanted();  ///< of what the session says
+  void recordWanted();      ///< asks to load a record
+  void saveRecordWanted();  ///< asks to save a record of the session
 
  private:
   KnownSizesTable* m_table;

@@ -71,7 +71,7 @@ void KnownSizesTable::layOutColumns() {
   });
 }
 
-/// A row that comes or goes makes the table anew; who types stays where he is.
+/// Rows added or removed reset the table; the current cell stays the same.
 void KnownSizesTable::keepCurrentOverResets() {
   const auto before = std::make_shared<std::pair<int, int>>();
   connect(&m_model, &QAbstractItemModel::modelAboutToBeReset, this, [this, before] {
@@ -98,7 +98,7 @@ QModelIndex KnownSizesTable::onward(const QModelIndex& from, int key) const {
   return neighbour(from, key == Qt::Key_Backtab ? -1 : 1);
 }
 
-/// Figures and names as typed; what the catalogue says as shown.
+/// Copies figures and names as typed, and catalogue texts as shown.
 void KnownSizesTable::copy() const {
   ReadingBlock block;
   for (const QItemSelectionRange& range : selectionModel()->selection())
@@ -137,7 +137,7 @@ void KnownSizesTable::clearCells() {
   type(std::move(texts), tr("Clear what is known"));
 }
 
-/// From the last row to the first: a row whose entry goes may go, too.
+/// Types from the last row to the first, since a row may vanish with its entry.
 void KnownSizesTable::type(std::vector<NewText> texts, const QString& undoText) {
   std::erase_if(texts, [this](const NewText& text) { return !changes(text); });
   std::ranges::stable_sort(texts, std::greater(), &NewText::row);
@@ -148,7 +148,7 @@ void KnownSizesTable::type(std::vector<NewText> texts, const QString& undoText) 
   if (isMany) m_document.endTogether();
 }
 
-/// To clear u of an entry that says nothing at all takes the entry away.
+/// Clearing u of an otherwise empty entry removes the entry.
 bool KnownSizesTable::changes(const NewText& text) const {
   const auto typed = [&](int column) {
     return m_model.index(text.row, column).data(Qt::EditRole).toString();

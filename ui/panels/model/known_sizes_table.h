@@ -8,8 +8,8 @@
 
 namespace alidade::ui {
 
-/// The table of what is known of the numbers of the catalogue. Enter and Tab go onward from value to u to
-/// where it is known from, then to the next number.
+/// The table of known sizes of the catalogue's numbers. Enter and Tab move from value to u to source, then to
+/// the next number.
 class KnownSizesTable : public EntryTable {
   Q_OBJECT
 
@@ -27,7 +27,7 @@ class KnownSizesTable : public EntryTable {
   void clearCells() override;
 
  signals:
-  void currentTold(const QString& about);  ///< what is to be known of the current cell
+  void currentTold(const QString& about);  ///< an explanation of the current cell
 
  protected:
   QModelIndex onward(const QModelIndex& from, int key) const override;

@@ -10,8 +10,8 @@ namespace alidade::ui {
 class DataTable;
 class FigureGrid;
 
-/// The two-face table: collimation, trunnion tilt and index from the differences of the faces, and below them
-/// every visit that was read in both.
+/// The two-face table: collimation, trunnion tilt and index from the differences of the faces, then every
+/// visit read in both.
 class TwoFacesPanel : public QWidget {
   Q_OBJECT
 

@@ -44,13 +44,13 @@ QLabel* textLabel(const QString& name) {
   return label;
 }
 
-/// Of the same readings and the same protocol.
+/// True if both have the same readings and the same protocol.
 bool isAlike(const Evaluation& one, const Evaluation& other) {
   return one.session.protocol == other.session.protocol && measuresAlike(one.session, other.session) &&
          one.session.acceptance == other.session.acceptance;
 }
 
-/// What the diagnosis advises first that a protocol can ask for; null: nothing.
+/// The first advice of the diagnosis that a protocol can include; null if none.
 const Advice* adviceOf(const SharedGap& gap) {
   if (!gap || !gap->found()) return nullptr;
   for (const Advice& advice : gap->found()->advice)
@@ -183,7 +183,7 @@ void OrderPanel::setEvaluation(const SharedEvaluation& evaluation) {
   requestOutlook();
 }
 
-/// Only when the next sighting is another one: where one looks meanwhile, the list stays.
+/// Scrolls only when the next sighting changes, so that the user can look elsewhere in the list.
 void OrderPanel::goToNext() {
   const Guide* guide = guideThatLeads();
   const ListedNext listed{m_table->model()->rowCount(),
@@ -192,7 +192,8 @@ void OrderPanel::goToNext() {
   if (!listed.next) return m_table->clearSelection();
   const int row = static_cast<int>(*listed.next);
   m_table->selectDataRows({row});
-  m_table->scrollTo(m_table->model()->index(row, 0), DataTable::PositionAtCenter);  // what comes after, too
+  m_table->scrollTo(m_table->model()->index(row, 0),
+                    DataTable::PositionAtCenter);  // shows the following sightings too
 }
 
 void OrderPanel::setSearched(const SharedEvaluation& evaluation) {

@@ -16,8 +16,8 @@ namespace alidade::ui {
 class DataTable;
 class SessionDocument;
 
-/// The protocol that the session follows: the next sighting with what it will read, how much is left, what to
-/// take again and why, when it is enough, and all sightings in their order. Chooses another protocol.
+/// The session's protocol: the next sighting with its expected readings, the remaining ones, what to take
+/// again and why, when it is enough, and all sightings in order. Also chooses another protocol.
 class OrderPanel : public QWidget {
   Q_OBJECT
 
@@ -25,9 +25,9 @@ class OrderPanel : public QWidget {
   explicit OrderPanel(SessionDocument& document, QWidget* parent = nullptr);
 
   void setEvaluation(const SharedEvaluation& evaluation);
-  /// The same evaluation with what looks misread, when it is there.
+  /// The same evaluation after the search for misread readings.
   void setSearched(const SharedEvaluation& evaluation);
-  /// The diagnosis, when it is there: Δd as measured is its, and what it advises can be followed.
+  /// The finished diagnosis: it supplies Δd, measured, and advice to follow.
   void setGap(const SharedGap& gap);
   OutlookJob& job() { return m_job; }
 
@@ -48,8 +48,8 @@ class OrderPanel : public QWidget {
   void goToNext();
   void showOutlook(const SharedOutlook& outlook);
   void requestOutlook();
-  const Guide* guideThatLeads() const;  ///< null without a protocol, or where it means nothing
-  SharedGap gapOfThis() const;          ///< null where it is of another state
+  const Guide* guideThatLeads() const;  ///< null without a protocol, or with an invalid one
+  SharedGap gapOfThis() const;          ///< null if it belongs to another state
   const FollowedSighting& sighting(int row) const;
   QString expectedText(int row, bool isHorizontal) const;
   QString remarkText(int row) const;
@@ -64,7 +64,7 @@ class OrderPanel : public QWidget {
 
   SessionDocument& m_document;
   SharedEvaluation m_evaluation;  ///< never null
-  SharedEvaluation m_searched;    ///< the newest one with what looks misread; null before the first
+  SharedEvaluation m_searched;    ///< the newest one searched for misread readings; null before the first
   SharedGap m_gap;                ///< the newest; null before the first
   OutlookJob m_job;
   QToolButton* m_choice;
@@ -72,7 +72,7 @@ class OrderPanel : public QWidget {
   QProgressBar* m_progress;
   QLabel *m_next, *m_expected, *m_state, *m_outlook, *m_repeats;
   DataTable* m_table;
-  ListedNext m_listedNext;  ///< where the list was led to
+  ListedNext m_listedNext;  ///< the sighting last scrolled to
 };
 
 }  // namespace alidade::ui

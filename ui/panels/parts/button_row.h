@@ -7,14 +7,14 @@ class QPushButton;
 
 namespace alidade::ui {
 
-/// The buttons below the contents of a dialog that stays open: Return presses none of them by itself.
+/// The buttons below a dialog that stays open: Return presses none of them by default.
 class ButtonRow : public QWidget {
  public:
   ButtonRow();
 
-  /// `name` is that of the object.
+  /// `name` is the object name.
   QPushButton* add(const QString& text, const char* name);
-  /// Room, as much as there is, before what follows.
+  /// Adds stretch before the following buttons.
   void addRoom();
 
  private:

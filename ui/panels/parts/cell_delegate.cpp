@@ -21,7 +21,7 @@ QWidget* CellDelegate::createEditor(QWidget* parent, const QStyleOptionViewItem&
                                     const QModelIndex& index) const {
   auto* editor = new QLineEdit(parent);
   editor->setFrame(false);
-  editor->setMaxLength(std::numeric_limits<int>::max());  // or a long text would lose its end
+  editor->setMaxLength(std::numeric_limits<int>::max());  // otherwise a long text would be truncated
   editor->setAlignment(static_cast<Qt::Alignment>(index.data(Qt::TextAlignmentRole).toInt()));
   editor->setAccessibleName(
       index.model()->headerData(index.column(), Qt::Horizontal, Qt::DisplayRole).toString());

@@ -8,23 +8,23 @@
 
 namespace alidade::ui {
 
-/// Edits cells of texts in a line. Enter and Tab hand the entry in at once and ask to go onward.
+/// Edits text cells in a line edit. Enter and Tab commit the entry at once and ask to move on.
 class CellDelegate : public QStyledItemDelegate {
   Q_OBJECT
 
  public:
   using QStyledItemDelegate::QStyledItemDelegate;
 
-  static constexpr int signWidth = 14;  ///< of the sign of what is wrong or looks misread, in pixels
+  static constexpr int signWidth = 14;  ///< of the error or suspect sign, in pixels
 
-  /// Null where none is open.
+  /// Null if none is open.
   QLineEdit* openEditor() const;
-  /// Hands in the entry of the open editor, if there is one, and closes it.
+  /// Commits and closes the open editor, if there is one.
   void commitOpenEditor();
 
   QWidget* createEditor(QWidget* parent, const QStyleOptionViewItem& option,
                         const QModelIndex& index) const override;
-  /// Leaves alone what is half typed.
+  /// Does not overwrite an unfinished entry.
   void setEditorData(QWidget* editor, const QModelIndex& index) const override;
   void setModelData(QWidget* editor, QAbstractItemModel* model, const QModelIndex& index) const override;
 
@@ -34,11 +34,11 @@ class CellDelegate : public QStyledItemDelegate {
  protected:
   bool eventFilter(QObject* watched, QEvent* event) override;
 
-  /// A sign and a tint.
+  /// Marks a cell with a sign and a tint.
   static void mark(QStyleOptionViewItem& option, const QString& icon, State state);
-  /// A tint alone: an entry still to be made.
+  /// Tints an entry still to be made.
   static void markIncomplete(QStyleOptionViewItem& option);
-  /// As what is not typed here.
+  /// Shows a cell as not editable.
   static void setQuiet(QStyleOptionViewItem& option);
 
  private:

@@ -114,7 +114,7 @@ void DataTable::paintEvent(QPaintEvent* event) {
                    m_placeholder);
 }
 
-/// A text that its column shortens is told whole.
+/// The tool tip shows the whole of a truncated text.
 bool DataTable::viewportEvent(QEvent* event) {
   if (event->type() != QEvent::ToolTip) return QTableView::viewportEvent(event);
   const auto* help = static_cast<QHelpEvent*>(event);

@@ -11,9 +11,9 @@ namespace alidade::ui {
 /// the rows in view.
 struct DataColumn {
   QString title, toolTip;
-  QString sample;  ///< a wide text, for the width
+  QString sample;  ///< a wide text that sets the width
   std::function<QString(int row)> text;
-  Qt::Alignment alignment = Qt::AlignRight;  ///< words are better to the left
+  Qt::Alignment alignment = Qt::AlignRight;  ///< left for words
 };
 
 class DataModel : public QAbstractTableModel {
@@ -23,7 +23,7 @@ class DataModel : public QAbstractTableModel {
   explicit DataModel(std::vector<DataColumn> columns, QObject* parent = nullptr);
 
   const std::vector<DataColumn>& columns() const { return m_columns; }
-  void setRows(int rows);  ///< the figures are new; with the same number of rows the selection stays
+  void setRows(int rows);  ///< new figures; the selection stays if the number of rows is unchanged
 
   int rowCount(const QModelIndex& parent = {}) const override;
   int columnCount(const QModelIndex& parent = {}) const override;
@@ -35,7 +35,7 @@ class DataModel : public QAbstractTableModel {
   int m_rows = 0;
 };
 
-/// A table of computed figures, selected by rows and never edited. Says why it is empty. Ctrl+C copies the
+/// A read-only table of computed figures, selected by rows. Shows a reason when empty. Ctrl+C copies the
 /// selected rows for a spreadsheet.
 class DataTable : public QTableView {
   Q_OBJECT
@@ -45,12 +45,12 @@ class DataTable : public QTableView {
 
   void setRows(int rows) { m_model.setRows(rows); }
   void setPlaceholder(const QString& text);
-  /// Selects these rows (ascending) and scrolls to the first; none: clears the selection.
+  /// Selects these rows (ascending) and scrolls to the first; an empty list clears the selection.
   void selectDataRows(const std::vector<int>& rows);
   void copy() const;
 
  signals:
-  void rowActivated(int row);  ///< clicked, or Enter
+  void rowActivated(int row);  ///< by click or Enter
 
  protected:
   void paintEvent(QPaintEvent* event) override;

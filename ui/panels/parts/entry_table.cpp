@@ -64,20 +64,20 @@ void EntryTable::keyPressEvent(QKeyEvent* event) {
   }
 }
 
-/// A digit in a cell that takes none.
+/// True for a digit typed in a cell that takes none.
 bool EntryTable::isLost(const QKeyEvent& event) const {
   const bool isDigit = event.text().size() == 1 && event.text().front().isDigit();
   return isDigit && currentIndex().isValid() && !currentIndex().flags().testFlag(Qt::ItemIsEditable);
 }
 
-/// Qt would begin at the first column, whatever is in it.
+/// Qt would start at the first column, whatever its contents.
 void EntryTable::focusInEvent(QFocusEvent* event) {
   const QModelIndex first = firstCell();
   if (!currentIndex().isValid() && first.isValid() && event->reason() != Qt::MouseFocusReason) goTo(first);
   QTableView::focusInEvent(event);
 }
 
-/// Tab and Shift+Tab go from cell to cell and out of the table at its ends.
+/// Tab and Shift+Tab move from cell to cell and leave the table at its ends.
 bool EntryTable::focusNextPrevChild(bool next) {
   const int key = next ? Qt::Key_Tab : Qt::Key_Backtab;
   if (state() == EditingState || !onward(currentIndex(), key).isValid())

@@ -9,8 +9,8 @@ namespace alidade::ui {
 
 class CellDelegate;
 
-/// A table to type into, made for the keyboard: typing overwrites, Enter and Tab hand in and go onward, Tab
-/// out of the table at its ends. Every edit is one undo step.
+/// A table for keyboard entry: typing overwrites, Enter and Tab commit and move on, Tab leaves the table at
+/// its ends. Every edit is one undo step.
 class EntryTable : public QTableView {
   Q_OBJECT
 
@@ -24,32 +24,31 @@ class EntryTable : public QTableView {
   virtual void clearCells() = 0;
 
  protected:
-  /// `delegate` becomes the table's.
+  /// The table takes ownership of `delegate`.
   EntryTable(CellDelegate* delegate, QWidget* parent);
 
   bool edit(const QModelIndex& cell, EditTrigger trigger, QEvent* event) override;
   void closeEditor(QWidget* editor, QAbstractItemDelegate::EndEditHint hint) override;
   void keyPressEvent(QKeyEvent* event) override;
   bool focusNextPrevChild(bool next) override;
-  /// Does what the key stands for. False: it stands for nothing.
+  /// Performs the action of the key. False: the key has none.
   virtual bool handleEditKey(const QKeyEvent* event);
-  /// Where Return, Tab or Backtab leads; invalid: out of the table.
+  /// The cell to which Return, Tab or Backtab leads; invalid: out of the table.
   virtual QModelIndex onward(const QModelIndex& from, int key) const = 0;
 
-  /// Selects the cell alone, whichever modifier keys are held.
+  /// Selects the cell alone, whatever modifier keys are held.
   void goTo(const QModelIndex& cell);
-  /// Where the keyboard begins as long as no cell is current.
+  /// The first cell for the keyboard while no cell is current.
   virtual QModelIndex firstCell() const { return {}; }
   void focusInEvent(QFocusEvent* event) override;
-  /// The next (`step` 1) or previous (−1) shown cell that can be typed in; invalid at either end of the
-  /// table.
+  /// The next (`step` 1) or previous (−1) visible editable cell; invalid at either end of the table.
   QModelIndex neighbour(const QModelIndex& from, int step) const;
 
  signals:
   void remark(const QString& text);  ///< for the status line
-  /// An editor is open: at each key, and when it opens.
+  /// Emitted when an editor opens and at each key.
   void typed(const QLineEdit* editor, const QModelIndex& cell);
-  void typingEnded(const QLineEdit* editor);  ///< handed in or given up
+  void typingEnded(const QLineEdit* editor);  ///< committed or cancelled
 
  private:
   void goOnward(int key);

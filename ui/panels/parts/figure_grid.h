@@ -10,8 +10,7 @@ class QLabel;
 namespace alidade::ui {
 
 /// A small grid of named figures: a caption at the left of each row, figures flush right under the column
-/// titles. The labels are kept from one set of rows to the next, so that a change of figures is no more than
-/// a change of texts.
+/// titles. The labels are reused for new rows, so new figures change only texts.
 class FigureGrid : public QWidget {
   Q_OBJECT
 
@@ -24,7 +23,7 @@ class FigureGrid : public QWidget {
 
   enum class Captions {
     OnOneLine,
-    Wrapped,  ///< where there is no room for them beside the figures
+    Wrapped,  ///< captions in two lines, if there is too little room beside the figures
   };
 
   explicit FigureGrid(QWidget* parent = nullptr, Captions captions = Captions::OnOneLine);

@@ -10,18 +10,18 @@ class QWidget;
 
 namespace alidade::ui {
 
-/// `parts` beside or above each other, each as large as of `sizes` at first. `name` is what its state is
-/// remembered by.
+/// Puts `parts` side by side or above each other, with `sizes` as initial sizes. Its state is remembered
+/// under `name`.
 QSplitter* split(Qt::Orientation orientation, const char* name, std::initializer_list<QWidget*> parts,
                  const QList<int>& sizes);
 
-/// A splitter's own margins do not count in its minimum size; a layout's do.
+/// Wraps the content in a layout, whose margins count in a splitter's minimum size, unlike its own.
 QWidget* padded(QWidget* content, const QMargins& margins);
 
-/// All of it where there is room, else a part to be scrolled.
+/// Shows the whole content if there is room, else scrolls it.
 QWidget* scrolled(QWidget* content);
 
-/// The lower one takes all the room that is left.
+/// The lower one takes all remaining room.
 QWidget* stacked(QWidget* upper, QWidget* lower);
 
 }  // namespace alidade::ui

@@ -42,7 +42,7 @@ class Wanted {
 
  private:
   QString m_text;
-  std::string m_digits;  ///< of a number, as angles are looked for
+  std::string m_digits;  ///< digits of the number, to search in angles
 };
 
 std::vector<const RowField*> textFields() {
@@ -114,7 +114,7 @@ std::optional<Place> findInReadings(const Session& session, const Place& from, c
   static const std::vector<const RowField*> fields = textFields();
   const Wanted wanted(text);
   const std::size_t columns = fields.size();
-  std::vector<std::size_t> begins{0};  // of each position, in cells
+  std::vector<std::size_t> begins{0};  // index of the first cell of each position
   for (const Position& position : session.positions)
     begins.push_back(begins.back() + position.readings.size() * columns);
   const std::size_t count = begins.back();

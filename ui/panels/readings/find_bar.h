@@ -11,14 +11,14 @@ class QLineEdit;
 
 namespace alidade::ui {
 
-/// Asks for a text to find in the readings, and for the next or previous place of it.
+/// Searches a text in the readings and leads to the next or previous match.
 class FindBar : public QFrame {
   Q_OBJECT
 
  public:
   explicit FindBar(QWidget* parent = nullptr);
 
-  void start();  ///< shows the bar, ready to type
+  void start();  ///< shows the bar and takes the keyboard
   void tell(const QString& text);
 
  signals:
@@ -35,9 +35,9 @@ class FindBar : public QFrame {
   QLabel* m_told;
 };
 
-/// The next entry of a reading, from the one at `from` on (its position, row and field; not itself) or back,
-/// in which `text` stands, round the ends of the session. Of angles the digits count: "3415" is found in
-/// 341°52'24". Capital letters are as small ones. Absent: it stands nowhere.
+/// The next or previous reading entry that contains `text`, starting after the one at `from` (position, row,
+/// field) and wrapping round the session. In angles only digits count: "3415" finds 341°52'24". Case is
+/// ignored. Absent if there is no match.
 std::optional<Place> findInReadings(const Session& session, const Place& from, const QString& text,
                                     bool forward);
 

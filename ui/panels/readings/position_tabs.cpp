@@ -39,7 +39,7 @@ PositionTabs::PositionTabs(SessionDocument& document, QWidget* parent)
     if (change.kind == SessionChange::Kind::Field) nameTabs();
     followZeros();
   });
-  // Later, since a field is also handed in while the current tab changes.
+  // Queued, since a field is also committed while the current tab changes.
   connect(&document, &SessionDocument::changed, this, &PositionTabs::showMissing, Qt::QueuedConnection);
   for (const int axisDeg : axes) createMissingPage(axisDeg);
   rebuild();
@@ -49,7 +49,7 @@ PositionTabs::PositionTabs(SessionDocument& document, QWidget* parent)
         if (ReadingsTable* readings = table(position)) readings->readings().setDoubt(row, column, doubt);
         emit entered(doubt);
       },
-      Qt::QueuedConnection);  // once the tables know of the edit
+      Qt::QueuedConnection);  // after the tables have processed the edit
 }
 
 void PositionTabs::clearPositions() {
@@ -89,7 +89,7 @@ void PositionTabs::createMissingPage(int axisDeg) {
   addTab(page, tr("%1° missing").arg(axisDeg));
 }
 
-/// Their tabs stand behind those of the positions.
+/// Their tabs follow those of the positions.
 void PositionTabs::showMissing() {
   for (int i = 0; i < 2; ++i) {
     const int tab = static_cast<int>(m_tables.size()) + i;
@@ -125,7 +125,7 @@ void PositionTabs::showFurtherZeros(bool shown) {
   for (ZeroEntries* zero : m_zeros) zero->showFurther(shown);
 }
 
-/// A sighting that is there is shown.
+/// Shows existing further sightings.
 void PositionTabs::followZeros() {
   if (!m_showsZeros && std::ranges::any_of(m_zeros, &ZeroEntries::hasFurther)) showFurtherZeros(true);
 }
@@ -136,7 +136,7 @@ void PositionTabs::nameTabs() {
     const QString position = positionText(m_document.session(), static_cast<std::size_t>(tab));
     const bool isFirst = position == positionText(0) || position == positionText(180);
     const bool isAgain = !isFirst && axisEntry(positions[static_cast<std::size_t>(tab)].axisDeg);
-    const QString name = isAgain ? position  // in few words: tabs of five positions find room
+    const QString name = isAgain ? position  // short, so that the tabs of five positions fit
                                  : tr("Axis at %1").arg(menuText(position));
     if (tabText(tab) != name) setTabText(tab, name);
     const auto axis = axisEntry(positions[static_cast<std::size_t>(tab)].axisDeg);

@@ -15,8 +15,8 @@ class ReadingsTable;
 class SessionDocument;
 class ZeroEntries;
 
-/// A tab for each position of the axis: its pointing zero above its readings. Behind them a tab for each
-/// position that is missing, with a button that adds it.
+/// A tab for each position of the axis: its pointing zero above its readings. Then a tab for each missing
+/// position, with a button to add it.
 class PositionTabs : public QTabWidget {
   Q_OBJECT
 
@@ -24,12 +24,12 @@ class PositionTabs : public QTabWidget {
   explicit PositionTabs(SessionDocument& document, QWidget* parent = nullptr);
 
   ReadingsTable* table(std::size_t position) const;
-  ReadingsTable* currentTable() const;  ///< null where the session has no positions
+  ReadingsTable* currentTable() const;  ///< null if the session has no positions
   void setEvaluation(const SharedEvaluation& evaluation);
   void setColumnShown(ReadingColumn column, bool shown);
-  /// The tab of the position, or that of a missing one where there are not so many.
+  /// Shows the tab of the position, or of a missing one if the session has fewer.
   void showPosition(std::size_t position);
-  /// Makes sure that the entry of a field is not hidden.
+  /// Makes the entry of a field visible.
   void uncover(const Place& place);
   void selectCell(std::size_t position, std::size_t row, ReadingColumn column);
 
@@ -38,7 +38,7 @@ class PositionTabs : public QTabWidget {
   void remark(const QString& text);
   void tableCreated(alidade::ui::ReadingsTable* table);
   void positionWanted(int axisDeg);
-  /// A circle was read that was to be read next; `doubt` is empty where it is as expected (`EntryWatch`).
+  /// The next expected circle was read; `doubt` is empty if it is as expected (`EntryWatch`).
   void entered(const QString& doubt);
 
  private:

@@ -11,7 +11,7 @@ namespace alidade::ui {
 
 namespace {
 
-/// The sign of a cell that is not as it was first entered.
+/// The sign of a cell that differs from its first entry.
 void paintCorner(QPainter& painter, const QStyleOptionViewItem& option) {
   constexpr int side = 7;
   const QPoint corner = option.rect.topRight() + QPoint(1, 0);
@@ -71,7 +71,7 @@ void ReadingDelegate::paint(QPainter* painter, const QStyleOptionViewItem& optio
   box.rect = style->subElementRect(QStyle::SE_CheckBoxIndicator, &box, cell.widget);
   box.rect.moveCenter(option.rect.center());
   box.palette = option.palette;
-  if (isDark(option.palette)) {  // Fusion draws the frame from the window colour, unseen on a dark base
+  if (isDark(option.palette)) {  // Fusion draws the frame from the window colour, invisible on a dark base
     box.palette.setColor(QPalette::Window, option.palette.color(QPalette::PlaceholderText));
   }
   box.state = QStyle::State_Enabled | (checked.toInt() == Qt::Checked ? QStyle::State_On : QStyle::State_Off);

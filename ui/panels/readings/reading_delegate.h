@@ -4,7 +4,7 @@
 
 namespace alidade::ui {
 
-/// Edits cells of readings and marks what is wrong, looks misread, is incomplete or excluded.
+/// Edits cells of readings and marks wrong, suspect, incomplete or excluded ones.
 class ReadingDelegate : public CellDelegate {
   Q_OBJECT
 

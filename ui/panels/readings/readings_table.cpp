@@ -80,7 +80,7 @@ int ReadingsTable::widthOf(const char* sample) const {
   return fontMetrics().horizontalAdvance(QString::fromUtf8(sample)) + 12;
 }
 
-/// Room for an angle of a tenth of a second with a sign beside it, at least for one of a second.
+/// Room for an angle to a tenth of a second with a sign, at least for one to a second.
 void ReadingsTable::fitAngles() {
   if (!m_isFitted) return;
   const auto width = [this](const char* sample) { return widthOf(sample) + ReadingDelegate::signWidth + 2; };
@@ -118,7 +118,7 @@ void ReadingsTable::showUsedColumns() {
   fitAngles();
 }
 
-/// A column that is hidden can only come into use by what is new.
+/// A hidden column can come into use only by new texts.
 void ReadingsTable::showColumnsUsedBy(const SessionChange& change) {
   if (change.kind != SessionChange::Kind::Readings || change.place.position != m_model.position()) return;
   const bool isRight = std::ranges::all_of(allReadingColumns(), [&](const ReadingColumnInfo& info) {
@@ -172,8 +172,8 @@ bool ReadingsTable::handleEditKey(const QKeyEvent* event) {
   return true;
 }
 
-/// Where a key that ends an entry leads. Return: from horizontal to vertical to the next row's horizontal,
-/// elsewhere down. Tab: the same, but through every shown column up to the readings. Invalid: out of the
+/// The cell after a key that ends an entry. Return: from horizontal to vertical to the next row's horizontal,
+/// elsewhere down. Tab: likewise, but through every shown column up to the readings. Invalid: out of the
 /// table.
 QModelIndex ReadingsTable::onward(const QModelIndex& from, int key) const {
   if (!from.isValid()) return m_model.index(0, static_cast<int>(ReadingColumn::Horizontal));
@@ -205,7 +205,7 @@ std::vector<std::size_t> ReadingsTable::selectedRows() const {
   return rows;
 }
 
-/// Row by row.
+/// The selected cells, row by row.
 std::vector<ReadingCell> ReadingsTable::selectedCells() const {
   std::vector<ReadingCell> cells;
   for (const QItemSelectionRange& range : selectionModel()->selection()) {
@@ -228,7 +228,7 @@ std::vector<ReadingColumn> ReadingsTable::columnsFrom(int column) const {
   return columns;
 }
 
-/// The rectangle around the selection, as typed; residuals only where nothing else is selected.
+/// Copies the rectangle around the selection as typed; residuals only if nothing else is selected.
 void ReadingsTable::copy() const {
   std::set<int> entered, computed;
   for (const QItemSelectionRange& range : selectionModel()->selection())

@@ -9,8 +9,8 @@
 
 namespace alidade::ui {
 
-/// The table of one position, made for the bench: Enter and Tab go onward from horizontal to vertical to the
-/// next row, blocks are copied from and pasted to spreadsheets.
+/// The readings of one position, for entry at the bench: Enter and Tab move from horizontal to vertical to
+/// the next row. Blocks are copied to and pasted from spreadsheets.
 class ReadingsTable : public EntryTable {
   Q_OBJECT
 
@@ -20,9 +20,9 @@ class ReadingsTable : public EntryTable {
   ReadingsModel& readings() { return m_model; }
   void setColumnShown(ReadingColumn column, bool shown);  ///< a column in use stays shown
   void selectCell(int row, ReadingColumn column);
-  std::vector<std::size_t> selectedRows() const;  ///< ascending, those with a reading
-  /// Makes the first cell still to be read the current one: horizontal or vertical, in the empty row where
-  /// all others are complete.
+  std::vector<std::size_t> selectedRows() const;  ///< ascending, rows with a reading only
+  /// Makes the first missing horizontal or vertical cell current; the one in the empty row if all others are
+  /// complete.
   void goToNextEntry();
 
   void copy() const override;
@@ -32,11 +32,10 @@ class ReadingsTable : public EntryTable {
   void insertAbove();
   void layOut(FurtherRows which);
   void deleteSelected();
-  void
-  toggleExcluded();  ///< uses the selected rows where the first of them is excluded, otherwise excludes them
+  void toggleExcluded();  ///< includes the selected rows if the first is excluded, otherwise excludes them
 
  signals:
-  void rowEntered(std::size_t row);  ///< the current cell came to another row with a reading
+  void rowEntered(std::size_t row);  ///< the current cell moved to another row with a reading
 
  protected:
   bool handleEditKey(const QKeyEvent* event) override;
@@ -59,9 +58,9 @@ class ReadingsTable : public EntryTable {
 
   ReadingsModel m_model;
   ReadingsEditor m_editor;
-  std::vector<ReadingColumn> m_wanted;  ///< optional columns the user asked for
-  bool m_isFitting = false;             ///< widths are being set here
-  bool m_isFitted = true;               ///< not by the user
+  std::vector<ReadingColumn> m_wanted;  ///< optional columns chosen by the user
+  bool m_isFitting = false;             ///< the table itself is setting widths
+  bool m_isFitted = true;               ///< false once the user sets a width
 };
 
 }  // namespace alidade::ui

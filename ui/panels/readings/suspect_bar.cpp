@@ -85,7 +85,7 @@ void SuspectBar::setUnknown() {
   emit suspectsChanged();
 }
 
-/// The suspect shown before is shown again where it is still one.
+/// Shows the previous suspect again if it still is one.
 void SuspectBar::setEvaluation(const Evaluation& evaluation) {
   if (!evaluation.isSearched) return setStale();
   const Place before = m_index < m_suspects.size() ? m_suspects[m_index].where : Place{};
@@ -139,7 +139,7 @@ void SuspectBar::resizeEvent(QResizeEvent* event) {
   fitText();
 }
 
-/// A splitter does not ask how high a wrapped text is at its width.
+/// Needed because a splitter ignores the height of wrapped text at its width.
 void SuspectBar::fitText() {
   m_text->setMinimumHeight(std::max(0, m_text->heightForWidth(width() - 60)));
 }

@@ -12,8 +12,8 @@ class QToolButton;
 
 namespace alidade::ui {
 
-/// One reading that looks misread at a time: what is wrong with it, what was probably meant, and what can be
-/// done, each with one click or key. Gone where nothing looks misread. Changes nothing itself.
+/// Shows one misread-looking reading at a time: what is wrong, the probable intention, and the possible
+/// actions, each with one click or key. Hidden without suspects. Only emits signals.
 class SuspectBar : public QFrame {
   Q_OBJECT
 
@@ -21,16 +21,16 @@ class SuspectBar : public QFrame {
   explicit SuspectBar(QWidget* parent = nullptr);
 
   void setEvaluation(const Evaluation& evaluation);
-  /// The session changed: until its suspects are found nothing is shown or used; the bar keeps its place.
+  /// The session changed: keeps its place, but shows and applies nothing until the new search ends.
   void setStale();
-  /// The search was stopped: nothing is known of this session.
+  /// The search was stopped: the suspects of this session are unknown.
   void setUnknown();
-  /// Shows the suspect of this row of readings, where it has one.
+  /// Shows the suspect in this row of readings, if any.
   void showReading(std::size_t position, std::size_t row);
 
-  const Suspect* current() const;  ///< null where there is none, or the session has changed since
+  const Suspect* current() const;  ///< null if there is none, or the session has changed since
   bool hasProposal() const;
-  /// Leads to the suspect shown; asked again, to the next.
+  /// Leads to the suspect shown; if repeated, to the next.
   void goToNext();
   void useProposal(int index = 0);
   void exclude();
@@ -51,7 +51,7 @@ class SuspectBar : public QFrame {
   void fillOthers(const Suspect& suspect);
 
   std::vector<Suspect> m_suspects;
-  CircleUnit m_unit = CircleUnit::Dms;  ///< in which proposals are shown
+  CircleUnit m_unit = CircleUnit::Dms;  ///< unit of the proposals
   std::size_t m_index = 0;
   bool m_isStale = true, m_isVisited = false;
   QLabel* m_text;

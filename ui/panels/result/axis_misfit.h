@@ -6,7 +6,8 @@
 
 namespace alidade::ui {
 
-/// What the arcs of one axis, which share centre and radius, leave over together; as `ArcFit` has it of one.
+/// The joint residuals of the arcs at one axis angle, which share centre and radius; like `ArcFit` for one
+/// arc.
 struct AxisMisfit {
   std::size_t sightings = 0;
   int degreesOfFreedom = 0;

@@ -30,7 +30,7 @@ QString problemText(const Session& session, const Problem& problem) {
       .arg(capitalised(place), what);
 }
 
-/// The worst first.
+/// Rank by severity, worst first.
 int rankOf(const QString& icon) {
   static const QStringList order{QStringLiteral("problem"), QStringLiteral("incomplete"),
                                  QStringLiteral("warning")};
@@ -62,7 +62,7 @@ FindingsPanel::FindingsPanel(QWidget* parent) : QListWidget(parent) {
   connect(this, &QListWidget::itemClicked, this, [this](QListWidgetItem* item) { activate(row(item)); });
 }
 
-/// Signs stand at the first line of what they are of: in a low list the last one may be out of sight.
+/// Aligns the sign with the first line of its text, since a low list may hide the last line.
 void FindingsPanel::initViewItemOption(QStyleOptionViewItem* option) const {
   QListWidget::initViewItemOption(option);
   option->decorationAlignment = Qt::AlignTop | Qt::AlignHCenter;
@@ -97,8 +97,8 @@ void FindingsPanel::clearGap() {
   emit counted({});
 }
 
-/// Leaves the list alone where it says the same as before: scroll position and current line stay. So does
-/// that all is sound until something else is known.
+/// Leaves an unchanged list alone, so scroll position and current line stay. An "all sound" line also stays
+/// until a new diagnosis.
 void FindingsPanel::refresh() {
   std::vector<Entry> entries = m_found;
   if (!m_gapHeadline.isEmpty()) entries.insert(entries.begin(), gapEntry());
@@ -144,7 +144,7 @@ FindingsPanel::Entry FindingsPanel::gapEntry() const {
 std::vector<FindingsPanel::Entry> FindingsPanel::entriesOf(const Evaluation& evaluation) {
   std::vector<Entry> entries = problemEntries(evaluation, false);
   std::ranges::move(problemEntries(evaluation, true), std::back_inserter(entries));
-  // The suspects are told by the suspect bar, with what to do.
+  // The suspect bar shows the suspects, with the possible actions.
   for (const Finding& finding : findingsOf(evaluation)) {
     const QString icons[] = {QStringLiteral("note"), QStringLiteral("warning"), QStringLiteral("problem")};
     const QString spoken[] = {tr("Note"), tr("Warning"), tr("Error")};
@@ -154,7 +154,7 @@ std::vector<FindingsPanel::Entry> FindingsPanel::entriesOf(const Evaluation& eva
   return entries;
 }
 
-/// What cannot be used, or what is only not there yet. Of very many the first; the table marks them all.
+/// Unusable entries, or only missing ones. Lists the first of very many; the table marks them all.
 std::vector<FindingsPanel::Entry> FindingsPanel::problemEntries(const Evaluation& evaluation, bool missing) {
   const QString icon = missing ? QStringLiteral("incomplete") : QStringLiteral("problem");
   const QString spoken = missing ? tr("Missing") : tr("Problem");
@@ -197,7 +197,7 @@ void FindingsPanel::keyPressEvent(QKeyEvent* event) {
   }
 }
 
-/// Who is told may fill the list anew: the entry is a copy.
+/// A receiver may refill the list, so the entry is a copy.
 void FindingsPanel::activate(int row) {
   const Entry entry = m_entries[static_cast<std::size_t>(row)];
   if (entry.isGap)

@@ -7,28 +7,28 @@
 
 namespace alidade::ui {
 
-/// Everything that stands against the session or its result: entries that cannot be used, and what the data
-/// say about themselves. A click or Enter leads to the place.
+/// All objections to the session or its result: unusable entries and findings from the data. A click or Enter
+/// leads to the place.
 class FindingsPanel : public QListWidget {
   Q_OBJECT
 
  public:
-  /// So many problems of a kind have a line each; one more line tells how many there are beyond.
+  /// So many problems of a kind have a line each; one more line counts the rest.
   static constexpr std::size_t mostListed = 200;
 
   explicit FindingsPanel(QWidget* parent = nullptr);
 
   void setEvaluation(const Evaluation& evaluation);
-  /// What a diagnosis found; empty: no gap. Only then can all be sound.
+  /// The headline of a diagnosis; empty: no gap. "All sound" requires one.
   void setGap(const QString& headline);
-  /// The session has changed: what was found is told as of before.
+  /// The session changed: the old findings are marked as outdated.
   void setGapStale();
-  /// Another session: nothing is known of it yet.
+  /// Another session, not diagnosed yet.
   void clearGap();
 
  signals:
   void placeActivated(const alidade::Place& place);
-  /// How many there are of what kind: "2 problems, 1 warning"; empty where there is one or none.
+  /// Counts by kind: "2 problems, 1 warning"; empty for one or none.
   void counted(const QString& text);
   void gapActivated();
 
@@ -56,14 +56,14 @@ class FindingsPanel : public QListWidget {
   void add(const Entry& entry);
   void activate(int row);
 
-  std::vector<Entry> m_found;    ///< of the evaluation
-  std::vector<Entry> m_entries;  ///< as listed
+  std::vector<Entry> m_found;    ///< entries of the evaluation
+  std::vector<Entry> m_entries;  ///< entries as listed
   bool m_isSearched = false, m_hasSuspects = false;
   GapState m_gapState = GapState::Unknown;
   QString m_gapHeadline;  ///< empty: no gap
 };
 
-/// An entry still to be made, as opposed to one that cannot be used.
+/// True for an entry still to be made, false for an unusable one.
 bool isMissing(const Session& session, const Place& place);
 
 }  // namespace alidade::ui

@@ -22,13 +22,13 @@ namespace alidade::ui {
 
 namespace {
 
-/// As the captions say, with u in brackets; to a tenth of a micrometre.
+/// The value with u in brackets, as the captions say; to a tenth of a micrometre.
 QString figureAndU(double value, double u) {
   const int decimals = std::min(decimalsFor(u), 4);
   return QStringLiteral("%1 (%2)").arg(numberText(value, decimals), numberText(u, decimals));
 }
 
-/// A line for each position where an axis is measured again, for a tool tip.
+/// A tool tip with a line for each repeat of an axis angle.
 template <typename Figure>
 QString eachPosition(const SessionFit& fit, Figure figure) {
   QString text;
@@ -40,7 +40,7 @@ QString eachPosition(const SessionFit& fit, Figure figure) {
   return comesAgain ? text : QString();
 }
 
-/// A figure stays with its sign and unit when the line is full.
+/// Keeps a figure with its sign and unit when the line wraps.
 QString unbroken(QString text) {
   text.replace(QStringLiteral("± "), QStringLiteral("±") + QChar(QChar::Nbsp));
   for (const QString& unit : {QStringLiteral("mm"), QStringLiteral("%")})
@@ -155,7 +155,7 @@ void ResultPanel::clearGap() {
   m_unseen->hide();
 }
 
-/// What stands below stays where it is.
+/// The contents below stay unchanged.
 void ResultPanel::setGapStale() {
   m_head->setMinimumHeight(m_head->height());
   m_unseen->hide();
@@ -175,8 +175,8 @@ void ResultPanel::setSearched(const Evaluation& evaluation) {
   showComparison(evaluation);
 }
 
-/// Wide enough for figures of the usual size, and for the longest beside captions in two lines; settled once:
-/// the window does not breathe with every edit.
+/// Wide enough for figures of usual size and for the longest with wrapped captions. Set once, so that edits
+/// do not resize the window.
 void ResultPanel::settleWidth() {
   const auto widthOf = [](FigureGrid& grid, const QString& caption, const QString& figure) {
     grid.setRows({tr("0°"), tr("180°")}, {{caption, {figure, figure}}});
@@ -191,7 +191,7 @@ void ResultPanel::settleWidth() {
   setMinimumWidth(std::max(value, figures) + margins.left() + margins.right() + bar + 2 * frameWidth());
 }
 
-/// Below the reference, with its own U.
+/// The line below the reference, with its own U.
 void ResultPanel::showFitOnly(const Headline& headline) {
   QStringList lines{headline.reference, headline.fitOnly, headline.fitOnlyDetails};
   lines.removeAll(QString());
@@ -228,7 +228,7 @@ void ResultPanel::showVerdict(const VerdictText& verdict) {
   colorHeadline();
 }
 
-/// A figure that is not the result is grey.
+/// Grey marks a figure that is not the result.
 void ResultPanel::colorHeadline() {
   const auto colour = [&](QLabel* label, const QColor& text) {
     QPalette coloured = palette();
@@ -290,7 +290,7 @@ void ResultPanel::showComparison(const Evaluation& evaluation) {
   const auto figures = [&](double AsPrinted::*figure, int decimals) {
     QStringList texts;
     for (const int axisDeg : {0, 180}) {
-      double sum = 0, count = 0;  // the mean, as Δd is of the mean of what was measured again
+      double sum = 0, count = 0;  // the mean over repeats, as Δd uses
       for (const PublishedFit& arc : published.arcs) {
         if (arc.arc.axisDeg != axisDeg) continue;
         sum += arc.asPrinted.*figure;

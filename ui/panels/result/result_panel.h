@@ -12,9 +12,9 @@ class QLabel;
 
 namespace alidade::ui {
 
-/// The result at a glance: the headline alone in large type, Δd, fit only, below it in small type, then both
-/// arcs and, on request, the published method's figures. Says what is missing where there is no result. All
-/// figures can be selected and copied.
+/// The result at a glance: the headline in large type, Δd, fit only, below it in small type, then both arcs
+/// and, on request, the published method. Says what is missing if there is no result. All figures can be
+/// selected and copied.
 class ResultPanel : public ScrollPage {
   Q_OBJECT
 
@@ -22,16 +22,16 @@ class ResultPanel : public ScrollPage {
   explicit ResultPanel(QWidget* parent = nullptr);
 
   void setHeadline(const Headline& headline);
-  /// The arcs, and what is missing where there is no result.
+  /// Shows the arcs, or what is missing for a result.
   void setEvaluation(const Evaluation& evaluation);
-  /// The same evaluation, searched: the published method may have come with it.
+  /// The same evaluation after the search; it may add the published method.
   void setSearched(const Evaluation& evaluation);
   void setComparisonShown(bool shown);
-  /// Says what is undetectable here, and with a link where model and readings disagree.
+  /// Shows undetectable effects, and a link if model and readings disagree.
   void setGap(const Gap& gap);
-  /// The session has changed: what is said is said as of before.
+  /// The session changed: the contents are marked as outdated.
   void setGapStale();
-  /// Another session: nothing is known of it yet.
+  /// Another session, not diagnosed yet.
   void clearGap();
 
  signals:
@@ -50,16 +50,16 @@ class ResultPanel : public ScrollPage {
   void settleWidth();
   static QString whatIsMissing(const Evaluation& evaluation);
 
-  State m_state = State::Quiet;  ///< of the verdict
+  State m_state = State::Quiet;  ///< state of the verdict
   bool m_isProvisional = false;
   QString m_iconName, m_gapHeadline;
-  QWidget* m_head;  ///< all that changes with the diagnosis
+  QWidget* m_head;  ///< everything that changes with the diagnosis
   QLabel* m_name;
   QLabel* m_value;
   QLabel* m_tolerance;
   QLabel* m_fitOnly;
-  QLabel* m_missing;  ///< what is missing where there is no result
-  QLabel* m_unseen;   ///< what may move Δd by more than U unseen
+  QLabel* m_missing;  ///< what is missing for a result
+  QLabel* m_unseen;   ///< undetectable effects that may move Δd by more than U
   QLabel* m_badgeIcon;
   QLabel* m_badge;
   QLabel* m_sentence;

@@ -74,7 +74,7 @@ void BudgetPanel::setGap(const Gap& gap) {
   m_measuredNote->setText(notes.join(u'\n'));
 }
 
-/// Told as of before; what stands below stays where it is.
+/// Marks the budget as outdated; the contents below stay.
 void BudgetPanel::setGapStale() {
   for (QWidget* part : std::initializer_list<QWidget*>{m_measuredTitle, m_measured, m_measuredNote})
     part->setEnabled(false);
@@ -135,7 +135,7 @@ void BudgetPanel::showCentres(const SessionFit& fit) {
   };
   for (std::size_t arc = 0; arc < fit.budgets.size(); ++arc) {
     const int axis = fit.arcs[arc].axisDeg;
-    if (&fit.arcs[arc] != fit.arcAt(axis)) continue;  // measured again: the same centre
+    if (&fit.arcs[arc] != fit.arcAt(axis)) continue;  // a repeat has the same centre
     addColumn(QStringLiteral("Δx %1°").arg(axis), fit.budgets[arc].x, fit.sigmas[arc].radiusX);
     addColumn(QStringLiteral("Δy %1°").arg(axis), fit.budgets[arc].y, fit.sigmas[arc].radiusY);
   }

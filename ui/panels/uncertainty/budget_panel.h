@@ -12,9 +12,9 @@ class FigureGrid;
 class SessionDocument;
 class SimulationBox;
 
-/// Where the uncertainty comes from: for Δd as it was measured, every effect of the catalogue; for Δd of the
-/// fit alone and for each coordinate of the centres, readings, model effects, pointing zeros and distance.
-/// The fit checked by simulation where that is wanted.
+/// The uncertainty budget. Δd, measured: every effect of the catalogue. Δd, fit only, and each centre
+/// coordinate: readings, model effects, pointing zeros and distance. Also checks the fit by Monte Carlo on
+/// request.
 class BudgetPanel : public ScrollPage {
   Q_OBJECT
 
@@ -22,13 +22,13 @@ class BudgetPanel : public ScrollPage {
   explicit BudgetPanel(const SessionDocument& document, QWidget* parent = nullptr);
 
   void setEvaluation(const SharedEvaluation& evaluation);
-  /// What the diagnosis of the session as it is found.
+  /// The diagnosis of the current session.
   void setGap(const Gap& gap);
-  /// The session has changed: what is said of the measurement is of before.
+  /// The session changed: the budget of Δd, measured, is marked as outdated.
   void setGapStale();
-  /// Another session: nothing is known of its measurement yet.
+  /// Another session, not diagnosed yet.
   void clearGap();
-  /// The session has changed: stops a simulation at work where that is no longer of it.
+  /// The session changed: stops a Monte Carlo run of another state.
   void stopOutdatedSimulation();
 
  signals:

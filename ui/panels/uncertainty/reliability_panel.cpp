@@ -170,7 +170,7 @@ QString ReliabilityPanel::summary() const {
   return summaryOfReadings() + u' ' + summaryOfInputs();
 }
 
-/// The reading whose unfound error would cost most.
+/// The reading whose undetected error would change Δd most.
 QString ReliabilityPanel::summaryOfReadings() const {
   if (!std::isfinite(m_detection.shift))
     return tr("Too few readings: none is checked well enough by the others to tell that it is misread.");

@@ -15,9 +15,9 @@ namespace alidade::ui {
 
 class DataTable;
 
-/// How well every reading is checked by the others: redundancy, standardised residual, the smallest error
-/// that would be found, and what such an error, unfound, does to Δd. Behind the readings stands what was
-/// entered once. Follows the row that is selected among the readings, and leads to it.
+/// How well the other readings check each one: redundancy, standardised residual, smallest detectable error,
+/// and the change of Δd by such an undetected error. Values entered once follow the readings. The selection
+/// is synchronised with the readings table.
 class ReliabilityPanel : public QWidget {
   Q_OBJECT
 
@@ -25,14 +25,14 @@ class ReliabilityPanel : public QWidget {
   explicit ReliabilityPanel(QWidget* parent = nullptr);
 
   void setEvaluation(const SharedEvaluation& evaluation);
-  /// Selects what belongs to a row of readings: indices into the session's positions and their readings.
+  /// Selects the row of a reading: indices into the session's positions and their readings.
   void setCurrentReading(std::size_t position, std::size_t row);
 
  signals:
   void sightingActivated(std::size_t position, std::size_t row);
 
  private:
-  /// Of a reading.
+  /// The row of a reading.
   struct Row {
     std::size_t position = 0, reading = 0;
     int axisDeg = 0, time = 1, round = 1, point = 0, face = 1;
@@ -42,11 +42,11 @@ class ReliabilityPanel : public QWidget {
 
   const std::vector<AdjustedReading>& readings() const;
   const ArcMeasurement& measuredArc(const AdjustedReading& adjusted) const;
-  /// Made as it is painted, so that a long table costs no more than the rows in view.
+  /// Computed as it is painted, so a long table costs no more than the visible rows.
   Row row(int index) const;
   Row rowOf(const AdjustedReading& adjusted) const;
   Reliability reliability(const AdjustedReading& adjusted) const;
-  /// What stands in row `index` of the table, if it is not of a reading.
+  /// The input in row `index` of the table; null if the row is a reading.
   const InputReliability* input(int index) const;
   DataTable* createTable();
   void showCurrent();

@@ -101,11 +101,11 @@ void SimulationBox::toggle() {
   showCheck();
 }
 
-/// Not of a fit that an edit has overtaken: the next one is at work.
+/// Never simulates a fit that an edit has replaced: the next one is running.
 void SimulationBox::start() {
   m_isWaiting = !measuresAlike(m_evaluation->session, m_document.session());
   const int draws = m_draws->value() == 0 ? 0 : std::max(fewestDraws, m_draws->value());
-  m_progress->setRange(0, draws);  // 0: at work, nobody knows for how long
+  m_progress->setRange(0, draws);  // 0: busy, duration unknown
   m_progress->setValue(0);
   if (m_isWaiting) return;
   m_simulated = m_evaluation;

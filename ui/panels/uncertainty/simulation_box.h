@@ -15,9 +15,8 @@ namespace alidade::ui {
 class FigureGrid;
 class SessionDocument;
 
-/// The propagated uncertainty of Δd checked by simulation: how many draws, run or stop, and both side by side
-/// with whether they agree. Shows figures only of the session as it is, and simulates no other: a run that is
-/// wanted after an edit begins when the edit is fitted.
+/// Checks the propagated uncertainty of Δd by Monte Carlo: number of draws, run or stop, and both results
+/// with whether they agree. Only for the current session: a run requested after an edit waits for the fit.
 class SimulationBox : public QWidget {
   Q_OBJECT
 
@@ -25,10 +24,10 @@ class SimulationBox : public QWidget {
   explicit SimulationBox(const SessionDocument& document, QWidget* parent = nullptr);
 
   void setEvaluation(const SharedEvaluation& evaluation);
-  /// The session has changed: stops what is at work where that is no longer of it.
+  /// The session changed: stops a run of another state.
   void stopOutdated();
   const SimulationJob& job() const { return m_job; }
-  bool isWanted() const { return m_isWaiting || m_job.isAtWork(); }  ///< at work, or about to be
+  bool isWanted() const { return m_isWaiting || m_job.isAtWork(); }  ///< running or waiting
 
  signals:
   void checked(const alidade::ui::SharedBudgetCheck& check);
@@ -44,10 +43,10 @@ class SimulationBox : public QWidget {
   const SessionDocument& m_document;
   SimulationJob m_job;
   SharedEvaluation m_evaluation;
-  SharedEvaluation m_simulated;  ///< what is at work is of this one; null before the first
-  SharedBudgetCheck m_check;     ///< the last that came to something; null before
-  QString m_remark;              ///< what became of the last run, where it came to nothing
-  bool m_isWaiting = false;      ///< to be run when the session as it is has been fitted
+  SharedEvaluation m_simulated;  ///< the evaluation of the running simulation; null before the first
+  SharedBudgetCheck m_check;     ///< the last successful check; null before
+  QString m_remark;              ///< why the last run gave no result
+  bool m_isWaiting = false;      ///< runs once the current session is fitted
   QTimer m_watch;
   QSpinBox* m_draws;
   QPushButton* m_run;

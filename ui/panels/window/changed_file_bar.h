@@ -6,14 +6,14 @@ class QLabel;
 
 namespace alidade::ui {
 
-/// Says above everything that others wrote the session's file. Hidden where nobody did.
+/// A bar at the top saying that another program changed the session's file; hidden otherwise.
 class ChangedFileBar : public QFrame {
   Q_OBJECT
 
  public:
   explicit ChangedFileBar(QWidget* parent = nullptr);
 
-  void tellOf(const QString& name);  ///< of the file
+  void tellOf(const QString& name);  ///< `name` of the file
 
  signals:
   void comparisonWanted();

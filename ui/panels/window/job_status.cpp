@@ -14,7 +14,7 @@ namespace alidade::ui {
 namespace {
 
 constexpr int lookEvery = 200;  // ms
-constexpr int patience = 2;     // looks before anything is said
+constexpr int patience = 2;     // number of looks before anything is shown
 
 }  // namespace
 

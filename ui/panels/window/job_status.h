@@ -11,15 +11,15 @@ namespace alidade::ui {
 class FitJob;
 class GapJob;
 
-/// Says in the status bar what is at work on the session where it takes longer than a moment, with a button
-/// that stops what is not the fit itself: a fit ends with the next edit.
+/// Shows work on the session in the status bar if it takes longer than a moment. A button stops everything
+/// except the fit, which ends with the next edit.
 class JobStatus : public QWidget {
   Q_OBJECT
 
  public:
   JobStatus(const FitJob& fit, const GapJob& gap, QWidget* parent = nullptr);
 
-  /// Something was asked for: looks on until all is done.
+  /// Work was started: polls until all is done.
   void watch();
 
  signals:
@@ -32,7 +32,7 @@ class JobStatus : public QWidget {
   const FitJob& m_fit;
   const GapJob& m_gap;
   QTimer m_watch;
-  int m_looks = 0;  ///< since there was nothing to do
+  int m_looks = 0;  ///< since the work began
   QLabel* m_text;
   QToolButton* m_stop;
 };

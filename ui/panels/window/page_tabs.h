@@ -8,8 +8,8 @@
 
 namespace alidade::ui {
 
-/// Pages that show an evaluation, of which only the one in front is fed: a hidden page costs nothing per
-/// edit, and is brought up to date when it comes to the front.
+/// Pages of an evaluation. Only the one in front is updated: a hidden page costs nothing per edit and is
+/// updated when it comes to the front.
 class PageTabs : public QTabWidget {
   Q_OBJECT
 
@@ -19,7 +19,7 @@ class PageTabs : public QTabWidget {
 
   using QTabWidget::QTabWidget;
 
-  /// Without `wanted` the page is always there; with it, its tab is shown only where it says so.
+  /// Without `wanted` the page is always shown; otherwise only if `wanted` returns true.
   void addPage(QWidget* page, const QString& title, Show show, Wanted wanted = {});
 
   template <typename Page>
@@ -30,7 +30,7 @@ class PageTabs : public QTabWidget {
   }
 
   void setEvaluation(SharedEvaluation evaluation);
-  /// Brings the page to the front and gives it the keyboard; does nothing where it is hidden.
+  /// Brings the page to the front and gives it the keyboard; does nothing if it is hidden.
   void showPage(int index);
 
  private:

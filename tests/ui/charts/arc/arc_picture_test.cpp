@@ -42,7 +42,7 @@ TEST(ArcPicture, RunsTheArcsOverTheSightedAngles) {
   EXPECT_NEAR(picture.arcs[1].lastAngle * 180 / M_PI, -9.4, 0.2);
 }
 
-// The first time over the right half of the arc, then over the left one.
+// The first position covers the right half of the arc, the repeat the left half.
 TEST(ArcPicture, RunsAnArcOverAllPositionsOfItsAxis) {
   Session session = sessionTakenAt({0, 180, 0});
   session.positions[0].readings.resize(9);
@@ -61,7 +61,7 @@ TEST(ArcPicture, RunsAnArcOverAllPositionsOfItsAxis) {
 TEST(ArcPicture, ExaggeratesTheLargestResidualToATenthOfTheRadiusOrSo) {
   for (const char* scatter : {"none", "some"}) {
     Session session = paperSession();
-    if (*scatter == 's') session.positions[0].readings[8].vertical = "80°35'30\"";  // 6′ off
+    if (*scatter == 's') session.positions[0].readings[8].vertical = "80°35'30\"";  // an error of 6′
     const ArcPicture picture = arcPicture(evaluate(session));
     const double drawn = picture.exaggeration * largestOffset(picture) / picture.arcs[0].circle.radius;
     EXPECT_LE(drawn, 0.16);
@@ -82,8 +82,8 @@ TEST(ArcPicture, DrawsTheResidualFromTheAdjustedTowardsTheSightedPoint) {
               picture.exaggeration * (sighting.sighted.y - sighting.adjusted->y), 1e-9);
 }
 
-/// A collimation of 18″ moves where the line of sight meets the plane by L · 18″ = 0.21 mm; what the readings
-/// leave over of it, once it is estimated along, are the few arcseconds of their noise, 0.06 mm for 5″.
+/// A collimation of 18″ moves the sighted point in the arc plane by L · 18″ = 0.21 mm. Once estimated, it
+/// leaves only noise: 0.06 mm for 5″.
 TEST(ArcPicture, DrawsNoEffectThatIsEstimatedAlongAsResidual) {
   const Result<Session> session = loadSession(samplePath(QStringLiteral("two-faces.alidade")).toStdString());
   ASSERT_TRUE(session);
@@ -135,7 +135,7 @@ TEST(ArcPicture, HoldsEachCentreInTheEllipseOfItsCovariance) {
   const double factor = ellipseFactor(found.coverage, found.effectiveDegreesOfFreedom);
   EXPECT_GT(factor, found.coverageFactor) << "two dimensions want more than one";
   for (const auto& [ellipse, arc] : {std::pair(drawn.upperEllipse, 0), std::pair(drawn.lowerEllipse, 1)}) {
-    // The box around the ellipse is that of both σ, whatever their correlation.
+    // The box around the ellipse has both σ as half sides, whatever their correlation.
     EXPECT_NEAR(ellipse.reach().x, factor * evaluation.fit.sigmas[arc].x, 1e-9);
     EXPECT_NEAR(ellipse.reach().y, factor * evaluation.fit.sigmas[arc].y, 1e-9);
   }

@@ -127,7 +127,7 @@ TEST(CentresInset, ShowsWhereTheCentresMayLieAtTheTolerance) {
 
 TEST(CentresInset, EndsTheBarOfUAtBothEnds) {
   const Painted painted(drawnIntersection());
-  // To the right of the bar, clear of it: where a cap alone reaches.
+  // To the right of the bar, where only a cap reaches.
   const auto isDarkBeside = [&](double y) {
     const QPoint beside = painted.at(-0.5, y).toPoint() + QPoint(qRound(3 * painted.style.unit()), 0);
     int darkest = 255;

@@ -39,7 +39,7 @@ struct Drawn {
     image = bars.grab().toImage().convertToFormat(QImage::Format_RGB32);
     style = screenStyle(bars.palette(), bars.font());
   }
-  /// At `inU` on the strip of closure `row`, `down` of its height from its top.
+  /// The colour at `inU` on the strip of closure `row`, at the share `down` of its height from the top.
   QColor at(std::size_t row, double inU, double down) const {
     const QRect strip = bars.strip(row);
     const double scale = image.width() / 400.0;

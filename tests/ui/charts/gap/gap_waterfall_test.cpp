@@ -10,15 +10,14 @@
 namespace alidade::ui {
 namespace {
 
-/// How wide the bars of the stages are, as painted, in the colour of what is modelled, from the top
-/// downwards.
+/// The painted widths of the stages' bars in the colour of the model, from the top.
 std::vector<int> paintedWidths(const std::vector<double>& rms) {
   Gap gap{.evaluation = std::make_shared<const Evaluation>(evaluateFit(paperSession())),
           .diagnosis = {},
           .reason = {},
           .stages = {}};
   for (const double left : rms) gap.stages.emplace_back().rms = left;
-  gap.noiseRms = 1.1 * rms.front();  // the line of the noise stands clear of the bars
+  gap.noiseRms = 1.1 * rms.front();  // keeps the noise line clear of the bars
   GapWaterfall picture;
   picture.setGap(gap);
   picture.resize(600, picture.sizeHint().height());
@@ -35,12 +34,12 @@ std::vector<int> paintedWidths(const std::vector<double>& rms) {
   return widths;
 }
 
-// On a scale from zero: what is left over is as wide as it is large.
+// On a scale from zero, width is proportional to residual.
 TEST(GapWaterfall, DrawsWhatIsLeftInProportion) {
   const std::vector<int> widths = paintedWidths({8, 4, 1});
   ASSERT_EQ(widths.size(), 3u);
   EXPECT_GT(widths[0], 100);
-  // A pixel for each end that is rounded.
+  // One pixel for each rounded end.
   EXPECT_NEAR(widths[1], widths[0] / 2.0, 2);
   EXPECT_NEAR(widths[2], widths[0] / 8.0, 2);
 }

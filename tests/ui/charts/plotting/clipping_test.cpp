@@ -18,7 +18,7 @@ TEST(Clipping, KeepsWhatLiesInside) {
   EXPECT_EQ(clipped(curve, clipFrame), QList<QList<QPointF>>{curve});
 }
 
-// Against points sampled along the line.
+// Compares with points sampled along the line.
 TEST(Clipping, CutsAnyLineWhereItLeaves) {
   std::mt19937 random(7);
   std::uniform_real_distribution<double> at(-30, 30);

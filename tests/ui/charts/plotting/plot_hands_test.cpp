@@ -1,4 +1,4 @@
-// The charts under wheel, mouse and keyboard, and what their menu writes.
+// Wheel, mouse and keyboard on the charts, and the files of their menu.
 
 #include <gtest/gtest.h>
 
@@ -133,7 +133,7 @@ TYPED_TEST(PlotHands, WhatIsDraggedFollowsTheHand) {
     const QPointF under = this->axesAt(from);
     this->dragWith(button, from, from + by, modifiers);
     const QPointF now = this->plot().sceneFromAxes().map(under);
-    constexpr int slack = 8;  // the numbers at the axis may have become wider
+    constexpr int slack = 8;  // the axis numbers may have become wider
     EXPECT_NEAR(now.x(), from.x() + by.x(), slack);
     EXPECT_NEAR(now.y(), from.y() + by.y(), slack);
   }
@@ -318,7 +318,7 @@ TYPED_TEST(PlotHands, SvgHoldsItsMarksAndTexts) {
         << texts.toStdString() << entry.text.toStdString();
 }
 
-// SVG of this version of Qt cannot clip: what leaves the frame is cut before.
+// SVG of this Qt version cannot clip, so lines are clipped before.
 TYPED_TEST(PlotHands, ZoomedSvgDrawsNothingBesideItsFrame) {
   this->wheel(this->plot().plotArea().center() + QPointF(40, 90), 8);
   const QByteArray svg = this->saved(QStringLiteral("Save as SVG…"));
@@ -371,7 +371,7 @@ TYPED_TEST(PlotHands, CsvHasARowForEveryPoint) {
   EXPECT_EQ(rows, this->plot().markers().marks().size());
 }
 
-// A dialog for the file is a loop of events within the menu's own call.
+// A file dialog runs an event loop within the menu's own call.
 TYPED_TEST(PlotHands, ItsMenuOutlastsTheDialogsThatItOpens) {
   QContextMenuEvent byKey(QContextMenuEvent::Keyboard, QPoint(3, 3), this->chart.mapToGlobal(QPoint(3, 3)));
   QApplication::sendEvent(&this->chart, &byKey);

@@ -67,14 +67,14 @@ TEST(ArcPlot, KeepsCirclesRoundAtEverySize) {
   for (const QSize& size : sizes) {
     plot.arrange(size);
     QCoreApplication::processEvents();
-    // As Qt Charts itself places points, not as the plot believes it does.
+    // Compares with the places of Qt Charts itself.
     QChart& chart = chartOf(plot);
     QAbstractSeries* series = chart.series().front();
     const QPointF origin = chart.mapToPosition({0, 0}, series);
     const double perX = (chart.mapToPosition({100, 0}, series) - origin).x() / 100;
     const double perY = (origin - chart.mapToPosition({0, 100}, series)).y() / 100;
     EXPECT_NEAR(perX / perY, 1, 0.01) << size.width() << " × " << size.height();
-    EXPECT_GT(perX * 800, 0.35 * std::min(size.width(), size.height()));  // and fills the space there is
+    EXPECT_GT(perX * 800, 0.35 * std::min(size.width(), size.height()));  // and fills the available space
   }
 }
 
@@ -169,7 +169,7 @@ TEST(ArcPlot, EnlargesTheCentresInTrueProportion) {
 
 TEST(ArcPlot, KeepsTheCentresInsideItsFrame) {
   Session session = paperSession();
-  for (Position& position : session.positions)  // far above and below the centres, and nothing beside them
+  for (Position& position : session.positions)  // far above and below the centres, none beside them
     position.readings = {position.readings.begin() + 6, position.readings.begin() + 10};
   ArcPlot plot;
   plot.setStyle(testStyle());
@@ -240,7 +240,7 @@ TEST(Plot, TellsWhatIsMeasuredAgainByRingsAndInWords) {
                          QStringLiteral("180° again horizontal"), QStringLiteral("180° again vertical")}));
 }
 
-// From many marks on they are copied from a pixmap, rings and all.
+// Many marks are copied from a pixmap, including their rings.
 TEST(Plot, RingsManyMarksAsFew) {
   Marker marker = testStyle().marker(180, MarkerShape::Diamond, 2);
   const double reach = markerPath(marker.shape, marker.size * 1.9).boundingRect().width() / 2;
@@ -319,7 +319,7 @@ TEST(ResidualPlot, ShowsEveryResidual) {
   plot.setStyle(testStyle());
   plot.arrange({700, 400});
   Session session = paperSession();
-  session.positions[0].readings[8].vertical = "81°29'30\"";  // a degree off
+  session.positions[0].readings[8].vertical = "81°29'30\"";  // an error of one degree
   plot.setEvaluation(evaluate(session));
   for (const Mark& mark : plot.markers().marks()) {
     EXPECT_TRUE(plot.plotArea().contains(plot.sceneFromAxes().map(mark.at)));

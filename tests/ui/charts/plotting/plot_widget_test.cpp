@@ -18,7 +18,7 @@
 namespace alidade::ui {
 namespace {
 
-/// The paper's points over and over, with a scatter of 20″: `rows` rows in each position.
+/// The paper's points repeated with a scatter of 20″: `rows` rows in each position.
 Session longSession(int rows) {
   Session session = paperSession();
   for (Position& position : session.positions) {
@@ -112,7 +112,7 @@ TYPED_TEST(PlotWidgetTest, TakesTenThousandRows) {
   clock.start();
   chart.setEvaluation(evaluation);
   const QImage image = chart.grab().toImage();
-  // A scatter series takes seconds for this; here it is some 15 ms. Room for slow and busy machines.
+  // A scatter series takes seconds; this takes some 15 ms. The limit allows for slow and busy machines.
   EXPECT_LT(clock.elapsed(), 1000);
   EXPECT_GE(chart.plot()->markers().marks().size(), 10000u);
   EXPECT_FALSE(image.isNull());
@@ -126,7 +126,7 @@ TYPED_TEST(PlotWidgetTest, ComesBackFromEmpty) {
   const QImage empty = chart.grab().toImage();
   chart.setEvaluation(evaluate(paperSession()));
   EXPECT_NE(chart.grab().toImage(), empty);
-  chart.setHighlighted(7, 7);  // a row that is not there
+  chart.setHighlighted(7, 7);  // a missing row
   chart.setEvaluation({});
   chart.grab();
   EXPECT_TRUE(chart.plot()->markers().marks().empty());

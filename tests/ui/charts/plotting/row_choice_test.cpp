@@ -46,7 +46,7 @@ TEST(RowSlots, StandSideBySideAroundTheirPlace) {
   EXPECT_EQ(one.shift(2, 1), 0);
 }
 
-// Of one place of a full protocol no two marks of one kind are painted upon each other.
+// In one place of a full protocol, no two marks of one kind overlap.
 TEST(RowSlots, TellRoundsAndFacesApartWhereMarksShareAPlace) {
   Session session = paperSession();
   for (Position& position : session.positions) {

@@ -54,7 +54,7 @@ TEST(Thinning, CostsByThePlotAndNotByTheReadings) {
   EXPECT_LT(static_cast<double>(many), 5.0 * static_cast<double>(some)) << "twenty times as many marks";
 }
 
-/// Of each kind the highest and the lowest, and whatever stands by itself.
+/// The highest and lowest of each kind, and all isolated ones.
 TEST(Thinning, AlwaysPaintsWhatStandsOut) {
   for (unsigned seed = 0; seed < 20; ++seed) {
     std::vector<Mark> marks = noise(20000);
@@ -109,7 +109,7 @@ TEST(Thinning, BearsWhatIsNowhere) {
   EXPECT_FALSE(isAmong(thinned(marks, sceneFromAxes(), raster), marks[1]));
 }
 
-/// Painted pixels, and how high up and how far down.
+/// Painted pixels, with the highest and the lowest.
 struct Ink {
   int pixels = 0, top = 250, bottom = 0;
 };
@@ -139,7 +139,7 @@ Ink inkOf(std::vector<Mark> marks, std::size_t layers) {
   return ink;
 }
 
-/// Painted piece by piece, none is left out.
+/// Painting in pieces shows the same marks.
 TEST(Thinning, LooksAsIfAllWerePainted) {
   const std::vector<Mark> marks = noise(30000);
   const Ink all = inkOf(marks, 10), few = inkOf(marks, 1);

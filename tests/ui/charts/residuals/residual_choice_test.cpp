@@ -37,7 +37,7 @@ TEST(ResidualChoice, HoldsSliderReadingsBehindTheCircles) {
   EXPECT_EQ(countOf(picture, CircleRead::Horizontal), countOf(picture, CircleRead::Vertical));
   EXPECT_EQ(picture.residuals.back().circle, CircleRead::Slider);
   EXPECT_EQ(picture.residuals.size(), fullEvaluation().fit.joint.readings.size());
-  // Not χ² of the fit, which zeros observed along may be part of: of the readings alone.
+  // The χ² of the readings alone, since that of the fit may include observed zeros.
   double squares = 0, ofFit = 0;
   for (const DrawnResidual& one : picture.residuals)
     if (one.circle == CircleRead::Slider) squares += one.arcsec * one.arcsec;
@@ -110,7 +110,7 @@ TEST(ResidualChoice, DrawsStandardisedResiduals) {
                    evaluation.fit.arcs[0].residuals[0].horizontalStandardised);
 }
 
-// As by scipy.stats.probplot's plotting positions: ranks are what counts.
+// Compares with the plotting positions of scipy.stats.probplot: only ranks matter.
 TEST(ResidualChoice, DrawsThemOverTheirNormalQuantiles) {
   ResidualPlot plot;
   plot.setEvaluation(evaluate(paperSession()));
@@ -141,7 +141,7 @@ double on(const QList<QPointF>& curve, double x) {
   return a.y() + (b.y() - a.y()) * (x - a.x()) / (b.x() - a.x());
 }
 
-// 19 of 20 of the ranks of normal values lie inside.
+// The envelope contains 19 of 20 ranks of normal values.
 TEST(ResidualChoice, TheEnvelopeHoldsNormalValues) {
   int inside = 0, all = 0;
   const NormalEnvelope envelope = normalEnvelope(40);

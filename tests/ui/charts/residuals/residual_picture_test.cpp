@@ -24,7 +24,7 @@ TEST(ResidualPicture, HoldsBothCirclesOfEveryRow) {
   EXPECT_DOUBLE_EQ(vertical.standardised, first.verticalStandardised);
 }
 
-// The first reading of Table I: 25.19″ of 2″ stated, s0 = 6.912, r = 0.6117.
+// The first reading of Table I: 25.19″ with 2″ stated, s0 = 6.912, r = 0.6117.
 TEST(ResidualPlot, TellsTheStandardisedResidualOfAReading) {
   ResidualPlot plot;
   plot.setEvaluation(evaluate(paperSession()));
@@ -36,7 +36,7 @@ TEST(ResidualPlot, TellsTheStandardisedResidualOfAReading) {
 
 TEST(ResidualPicture, SharesOneSliderCoordinate) {
   for (const DrawnResidual& residual : residualPicture(evaluate(paperSession())).residuals) {
-    // The paper's points stand every 10° from 10° on, at 0° and at 180° alike.
+    // The paper's points are at every 10° from 10° on, at 0° and at 180° alike.
     EXPECT_NEAR(residual.slider, 10 * residual.point, 1.5) << residual.axisDeg;
   }
 }

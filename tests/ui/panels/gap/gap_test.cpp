@@ -40,7 +40,7 @@ using testing::IsEmpty;
 using testing::Not;
 using Ids = std::vector<std::string>;
 
-// Sessions of an independent ray tracer; what was put in is in its truth.json.
+// Sessions of an independent ray tracer; its truth.json has the simulated effects.
 const char *collimationTrial = "241926", *slipTrial = "251468", *jumpTrial = "358092", *noiseTrial = "573871",
            *harmonicTrial = "159128", *lobingAndDriftTrial = "629105", *cleanTrial = "827247",
            *relationTrial = "987447", *sagTrial = "117223", *tiltTrial = "878035";
@@ -49,7 +49,7 @@ QString trialPath(const char* name) {
   return QStringLiteral(ALIDADE_REFERENCE_DIR "/trials/sessions/%1.alidade").arg(QString::fromLatin1(name));
 }
 
-/// The window on a session with the page of the gap in front.
+/// A window with a session and the page Gap in front.
 struct GapBench {
   explicit GapBench(const QString& path) {
     if (!open->files().open(path)) throw std::runtime_error("cannot open " + path.toStdString());
@@ -168,7 +168,7 @@ QString closurePath(const char* name) {
   return QStringLiteral(ALIDADE_REFERENCE_DIR "/closures/sessions/%1.alidade").arg(QString::fromLatin1(name));
 }
 
-/// The probability of the first cause, as the page says it.
+/// The probability of the first cause, as shown on the page.
 std::string probabilityText(const Session& session, bool withReference) {
   const Diagnosis diagnosis = *diagnose(*examine(session).measurement, {.withReference = withReference});
   return numberText(100 * diagnosis.causes.at(0).probability, 0).toStdString() + " %\n";
@@ -236,7 +236,7 @@ TEST(Gap, IsNoWiderThanItsPage) {
       std::make_shared<const Gap>(assessGap(std::make_shared<const Evaluation>(evaluateFit(*session))));
   GapPanel page;
   page.setGap(gap);
-  for (const int width : {340, 640, 900}) {  // the middle one is just enough for two columns
+  for (const int width : {340, 640, 900}) {  // the middle one just fits two columns
     page.resize(width, 600);
     page.show();
     QCoreApplication::processEvents();
@@ -399,8 +399,8 @@ TEST(Gap, SaysWhenWhichRowsOfAJumpMayBeLeftOut) {
   EXPECT_THAT(told(68 + 35), EndsWith("again. Or leave out the rows from there on." + goTo + after));
 }
 
-/// Left out, the rows behind the jump take nothing from Δd: what is left of the position was read before it,
-/// as was its zero, and the other position has a zero that was sighted after it.
+/// Excluding the rows after the jump preserves Δd. The remaining rows and their zero were read before it, and
+/// the other position has a zero sighted after it.
 TEST(Gap, LeavesOutTheRowsOnOneSideOfAJump) {
   constexpr double truth = 2.329085876961523;
   GapBench bench(jumpTrial);
@@ -439,7 +439,7 @@ TEST(Gap, LeavesOutOnlyTheRowsAfterAJumpInTheLastPosition) {
   EXPECT_FALSE(within.before) << "nothing was read later that stands as they do";
 }
 
-/// Nominal 2″; the trial's own factor is not told, but what is left is noise and Δd holds.
+/// Nominal 2″; the trial's own factor is unknown, but the residuals are noise and Δd is correct.
 TEST(Gap, StatesTheNoiseThatTheReadingsShow) {
   GapBench bench(noiseTrial);
   const Diagnosis diagnosis = *diagnose(*examine(bench.open->document().session()).measurement);

@@ -21,7 +21,7 @@ namespace {
 using testing::ElementsAre;
 using Ids = std::vector<std::string>;
 
-/// The window on the paper's table with the page of effects in front.
+/// A window with the paper's table and the page of effects in front.
 struct EffectsBench {
   EffectsBench() {
     if (!open->files().open(samplePath(QStringLiteral("paper-table-1.alidade"))))

@@ -37,7 +37,7 @@ using testing::Not;
 using Json = nlohmann::ordered_json;
 using Column = KnownSizesModel::Column;
 
-/// The window on a session with the page of known sizes in front.
+/// A window with a session and the page of known sizes in front.
 struct KnownBench {
   explicit KnownBench(const Json& session) {
     QFile file(folder.filePath(QStringLiteral("known.alidade")));
@@ -74,7 +74,7 @@ struct KnownBench {
     return cell(row, column).data(role).toString().toStdString();
   }
   void go(const char* name, Column column) { table->reveal(cell(row(name), column)); }
-  /// Into the cell where the table is.
+  /// Types into the current cell.
   void type(const char* text, Qt::Key key = Qt::Key_Return) {
     typeInto(*table, QString::fromUtf8(text), key);
     open.settle();
@@ -157,8 +157,8 @@ TEST(KnownSizes, AreTypedWithTheKeyboardAndUndone) {
   EXPECT_EQ(Json::parse(writeSession(bench.session())), written);
 }
 
-// With the weights it had, the estimate would lose what the prior brought; with the best ones it loses no
-// less. The new prior brings (0.001/0.05)² of it.
+// With unchanged weights, the estimate would lose the part of the old prior; the best weights lose no less.
+// The new prior contributes (0.001/0.05)² of it.
 TEST(KnownSizes, NarrowTheMeasurement) {
   KnownBench bench;
   const MeasuredIntersection before = measuredOf(bench.session());
@@ -176,11 +176,11 @@ TEST(KnownSizes, NarrowTheMeasurement) {
   ASSERT_GT(square(brought), 0.3 * square(before.estimate.sigma)) << "or it would prove little";
   EXPECT_LT(square(after.estimate.sigma), square(before.estimate.sigma) - square(brought) / 2);
   EXPECT_LT(after.estimate.expanded, before.estimate.expanded);
-  // As it would be for somebody who writes the file by hand.
+  // As somebody would edit the file by hand.
   Json byHand = KnownBench::clean();
   byHand["device"]["known"] = written["device"]["known"];
   EXPECT_EQ(after.estimate.expanded, measuredOf(*readSession(byHand.dump())).estimate.expanded);
-  // The window diagnosed the session anew.
+  // The window diagnosed the session again.
   ASSERT_TRUE(waitFor([&] { return bench.open->gapJob().isIdle(); }));
   bench.open->pageTabs()[0]->showPage(1);
   std::string budget;
@@ -241,8 +241,8 @@ TEST(KnownSizes, AreReachedFromTheEffectTheyAreOf) {
   EXPECT_EQ(bench.table->currentIndex(), bench.cell(bench.row("Plane warp, cosine"), Column::Value));
 }
 
-/// Two certificates of one number, the second in the list of the other owner; a number of no catalogue, one
-/// in a unit that is not the catalogue's; and keys that the program does not know.
+/// Two certificates of one number, the second in the other owner's list; an unknown number, an unknown unit,
+/// and unknown keys.
 Json crowded() {
   Json json = KnownBench::clean();
   json["instrument"]["known"] = Json::array(

@@ -70,7 +70,7 @@ Protocol shortPlan() {
           .faces = FacePlan::BothAtEachPlace};
 }
 
-/// As one begins: lengths are there, and nothing is read.
+/// A new session: lengths without readings.
 Session unread(Session session) {
   for (Position& position : session.positions) {
     position.readings.clear();
@@ -79,7 +79,7 @@ Session unread(Session session) {
   return session;
 }
 
-/// Follows the keyboard through the whole of a protocol: zeros in both faces, both ways, both positions.
+/// Follows the keyboard through a whole protocol: zeros in both faces, both ways, both positions.
 TEST(OrderPanel, LeadsTheKeyboardThroughAWholeProtocol) {
   Truth truth;
   truth.intersection = 0.5;
@@ -159,7 +159,7 @@ TEST(OrderPanel, ListsTheNextSightingInView) {
     EXPECT_TRUE(table->selectionModel()->isRowSelected(row));
     EXPECT_TRUE(table->viewport()->rect().contains(table->visualRect(next).center())) << row;
   };
-  expectListed(53);  // behind 35 at 0°, the zero and 17 places
+  expectListed(53);  // after 35 at 0°, the zero and 17 places
   ReadingsEditor(bench.open->document(), 1).remove({15, 16});
   expectListed(51);
   table->scrollToBottom();

@@ -16,7 +16,7 @@ void keepWarning(QtMsgType type, const QMessageLogContext&, const QString& text)
   if (type == QtWarningMsg) warnings.append(text);
 }
 
-// Escape closes the editor of a cell, which then lives on until events are processed.
+// Escape closes the editor of a cell, which still exists until events are processed.
 TEST(ClosedEditor, IsNotHandedInByWhatUsesTheSessionAtOnce) {
   OpenWindow open;
   open->files().open(samplePath(QStringLiteral("paper-table-1.alidade")));

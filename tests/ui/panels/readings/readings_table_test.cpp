@@ -65,7 +65,7 @@ TEST(ReadingsTable, TakesAPositionTypedOnTheNumberPad) {
   EXPECT_EQ(bench.table.currentIndex().column(), static_cast<int>(ReadingColumn::Horizontal));
 }
 
-// Who reads the way back in face 2 types its face and round once.
+// For a return run in face 2, face and round are typed once.
 TEST(ReadingsTable, GoesOnInTheFaceAndRoundOfTheRowAbove) {
   Bench bench(threeReadings());
   ReadingsEditor editor(bench.document, 0);
@@ -203,7 +203,7 @@ TEST(ReadingsTable, SaysWhichPastedColumnsFoundNoRoom) {
   EXPECT_THAT(remark.toStdString(), testing::HasSubstr("2"));
 }
 
-/// Of a column of angles in a narrow table and in a wide one, which it stays.
+/// Widths of a column of angles in a narrow and in a wide table; the wide one is kept.
 struct AngleWidths {
   explicit AngleWidths(ReadingsTable& table) : m_table(table) {
     m_table.resize(200, 400);
@@ -301,7 +301,7 @@ TEST(ReadingsTable, LeavesTheTableByTabFromTheEmptyRow) {
   EXPECT_EQ(bench.readings().size(), 3u);
 }
 
-// The first reading of Table I: 25.19″ of 2″ stated, s0 = 6.912, r = 0.6117.
+// The first reading of Table I: 25.19″ with 2″ stated, s0 = 6.912, r = 0.6117.
 TEST(ReadingsModel, TellsTheStandardisedResidual) {
   SessionDocument document;
   document.startWith(paperSession());

@@ -27,7 +27,7 @@ using testing::HasSubstr;
 
 constexpr std::size_t slippedRow = 3;
 
-/// The clean sample, its fourth vertical reading at 0° typed ten minutes wrong.
+/// The clean sample with an error of ten minutes in its fourth vertical reading at 0°.
 struct SuspectBench {
   SuspectBench() {
     if (!open->files().open(samplePath(QStringLiteral("clean-session.alidade"))))
@@ -44,7 +44,7 @@ struct SuspectBench {
   QVariant cell(std::size_t row, ReadingColumn column, int role) {
     return open->currentTable()->model()->index(static_cast<int>(row), static_cast<int>(column)).data(role);
   }
-  /// The tens of the minutes off by one: 80°53′00″ becomes 80°43′00″.
+  /// The tens of the minutes are wrong by one: 80°53′00″ becomes 80°43′00″.
   std::string slipped() const {
     std::string text = typed;
     const std::size_t tens = text.find("°") + std::string("°").size();
@@ -185,7 +185,7 @@ TEST(Suspects, AreGoneWithASoundSession) {
   EXPECT_FALSE(open->findChild<SuspectBar*>()->isVisible());
 }
 
-/// Built member by member: g++ 12 takes nested designated initialisers for uninitialised.
+/// Built member by member: g++ 12 reports nested designated initialisers as uninitialised.
 CellChange change(std::size_t position, std::size_t reading, const char* field, const char* text) {
   CellChange made;
   made.where.position = position;

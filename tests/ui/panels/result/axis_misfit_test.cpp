@@ -23,7 +23,7 @@ TEST(AxisMisfit, IsThatOfItsArcWhereThereIsOne) {
   EXPECT_EQ(misfitAt({}, 0).sightings, 0u);
 }
 
-/// Each sighting has two readings and one place; centre and radius, three numbers, are of both arcs at 0°.
+/// Each sighting has two readings and one place; both arcs at 0° share centre and radius, three numbers.
 TEST(AxisMisfit, CountsWhatTheArcsOfAnAxisShareOnce) {
   const SessionFit fit = evaluate(sessionTakenAt({0, 180, 0})).fit;
   const AxisMisfit upper = misfitAt(fit, 0), lower = misfitAt(fit, 180);

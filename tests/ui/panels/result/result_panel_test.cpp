@@ -16,7 +16,7 @@ Gap gapOf(const char* sample) {
   return assessGap(std::make_shared<const Evaluation>(evaluateFit(*session)));
 }
 
-/// A panel of the size it has in a small window, with what is known of the gap's evaluation.
+/// A panel in the size of a small window, with a diagnosed evaluation.
 class Bench {
  public:
   explicit Bench(const Gap& gap) {
@@ -38,7 +38,7 @@ class Bench {
     return nullptr;
   }
 
-  /// The visible texts in letters of at least this size in proportion to the panel's, from the top.
+  /// The visible texts, from the top, with letters of at least this size relative to the panel's.
   QStringList textsFrom(double factor) const {
     std::map<int, QString> texts;
     for (QLabel* label : panel.findChildren<QLabel*>())

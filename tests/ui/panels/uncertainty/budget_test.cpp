@@ -12,7 +12,7 @@
 #include "ui/text/budget_text.h"
 #include "ui/text/quantity_text.h"
 
-// The page of the budget has that of the measurement, as soon as the diagnosis is there.
+// The budget page shows Δd, measured, as soon as the diagnosis is done.
 
 namespace alidade::ui {
 namespace {
@@ -33,7 +33,7 @@ Gap paperGap() {
   return assessGap(std::make_shared<const Evaluation>(evaluateFit(paperSession())));
 }
 
-/// Of Table I, before its diagnosis is there.
+/// The page for Table I before its diagnosis.
 struct PaperPage {
   PaperPage() { panel.setEvaluation(gap.evaluation); }
 
@@ -98,7 +98,7 @@ TEST(BudgetOfTheMeasurement, IsNoWiderThanItsPage) {
   PaperPage paper;
   auto& [gap, document, page] = paper;
   page.setGap(gap);
-  page.resize(ResultPanel().minimumWidth(), 400);  // it stands beside that page
+  page.resize(ResultPanel().minimumWidth(), 400);  // it is next to that page
   page.show();
   QCoreApplication::processEvents();
   EXPECT_LE(page.widget()->minimumSizeHint().width(), page.viewport()->width());

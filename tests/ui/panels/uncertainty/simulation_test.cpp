@@ -20,7 +20,7 @@
 #include "ui/text/quantity_text.h"
 #include "ui/text/simulation_text.h"
 
-// The page of the budget checks its uncertainty by simulation, for the session as it is.
+// The budget page checks its uncertainty by Monte Carlo, for the current session.
 
 namespace alidade::ui {
 namespace {
@@ -30,7 +30,7 @@ using testing::Not;
 
 constexpr int draws = 2000;
 
-/// The window on the paper's session with the page of the budget in front.
+/// A window with the paper's session and the page of the budget in front.
 struct SimulationBench {
   SimulationBench() {
     open->files().open(samplePath(QStringLiteral("paper-table-1.alidade")));
@@ -48,7 +48,7 @@ struct SimulationBench {
     press();
     ASSERT_TRUE(finish());
   }
-  /// As it is seen: without markup where that is taken for such.
+  /// The visible text: markup removed if interpreted.
   std::string shown() {
     QStringList texts;
     for (const QLabel* label : box->findChildren<QLabel*>())
@@ -84,7 +84,7 @@ TEST(Simulation, ShowsWhatTheCoreDrawsBesideWhatIsPropagated) {
     EXPECT_THAT(bench.shown(), HasSubstr(numberText(figure, 4).toStdString()));
   EXPECT_THAT(bench.shown(), HasSubstr(agreementWord(check).toStdString()));
   EXPECT_THAT(bench.shown(), Not(HasSubstr("<"))) << "markup is not shown";
-  // The arcs are all but linear here, so the ends differ by chance alone: 4 sigma of either, 1 in 8000.
+  // The arcs are nearly linear here, so the ends differ only by chance: 4 sigma of either, 1 in 8000.
   EXPECT_LT(std::max(check.lowDifference, check.highDifference), 4 * check.endpointSigma);
 }
 

@@ -55,7 +55,7 @@ QString cell(const QAbstractItemView* table, int row, int column) {
   return table->model()->index(row, column).data().toString();
 }
 
-/// Counts how often it is shown an evaluation.
+/// Counts the evaluations it receives.
 class CountingPage : public QWidget {
  public:
   void setEvaluation(const Evaluation&) { ++shown; }
@@ -103,7 +103,7 @@ TEST(Budget, AccountsForTheIntersectionAndEveryCoordinate) {
   for (const BudgetEntry& entry : fit.intersection->budget)
     EXPECT_THAT(shown,
                 HasSubstr(textOf(entry.source) + "\n" + numberText(entry.sigma, 4).toStdString() + "\n"));
-  // What stands under the centres combines to the uncertainties of the fit.
+  // The figures under the centres combine to the uncertainties of the fit.
   for (const ArcSigma& sigma : fit.sigmas)
     for (const double figure : {sigma.x, sigma.y})
       EXPECT_THAT(shown, HasSubstr(numberText(figure, 4).toStdString()));
@@ -141,9 +141,9 @@ TEST(Reliability, ListsEveryReadingAndFollowsTheTable) {
   }
 }
 
-// An error of β0 turns its arc about the theodolite by as much: L = 2405 mm lifts it by 0.0117 mm for each ″
-// but for the arc's own height, and Δd is half of the difference of both. On a zenith circle a β0 too large
-// lifts, so at 180° it lowers Δd.
+// An error of β0 turns its arc about the theodolite by the same angle. At L = 2405 mm it lifts it by 0.0117
+// mm per ″, except for the arc's own height. Δd is half the difference of both arcs. On a zenith circle a β0
+// too large lifts, so at 180° it lowers Δd.
 TEST(Reliability, ShowsWhatNothingChecks) {
   OpenWindow open;
   ASSERT_TRUE(open->files().open(samplePath(QStringLiteral("paper-table-1.alidade"))));
@@ -181,7 +181,7 @@ TEST(Reliability, ListsAZeroThatAllPositionsHaveOnce) {
   EXPECT_EQ(cell(table, 70, 4), QStringLiteral("distance"));
 }
 
-// Three places fix a circle and leave nothing to check them by.
+// Three places determine a circle without redundancy.
 TEST(Reliability, SaysWhereTooFewReadingsAreThereToTestOne) {
   Session session = paperSession();
   for (Position& position : session.positions)
