@@ -5,7 +5,7 @@ set -euo pipefail
 # shellcheck source=tests/packaging/lib.sh
 source "$(dirname -- "${BASH_SOURCE[0]}")/lib.sh"
 
-sources app core examples ui tests -- '*.h' '*.cpp' | xargs -r -d '\n' clang-format-14 --dry-run -Werror
+sources app core samples ui tests -- '*.h' '*.cpp' | xargs -r -d '\n' clang-format-14 --dry-run -Werror
 
 mapfile -t texts < <(sources . -- '*.md')
 [[ ${#texts[@]} == 0 ]] || awk '
