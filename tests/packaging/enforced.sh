@@ -13,7 +13,7 @@ sound_tree() {
   mkdir -p "$trees/tree/core/base" "$trees/tree/core/session" "$trees/tree/app/console" "$trees/tree/ui"
   cd "$trees/tree"
   cp "$rules/../../LICENSE" "$rules/../../.clang-format" .
-  echo 'A picture: shown.png' >README.md
+  printf '# A tree\n\nA picture: shown.png\n' >README.md
   printf '#pragma once\n\nint one();\n' >core/base/one.h
   printf '#include "core/base/one.h"\n\nint one() {\n  return 1;\n}\n' >core/base/one.cpp
   printf '#pragma once\n\n#include "core/base/one.h"\n' >core/session/two.h
@@ -41,6 +41,7 @@ for rule in format includes names headers repository scripts; do must pass "$rul
 offence format core/base/one.cpp 'int  two( ) {return 2;}\n'
 offence format core/base/README.md '#Title\n\nText.\n'
 offence format core/base/README.md '# Title\n\n            **is** torn\n'
+offence format core/base/README.md 'Text without a heading.\n'
 sound_tree
 # shellcheck disable=SC2016
 printf '# Title\n\n```sh\n#comment\n             indented\n```\n' >core/base/README.md
