@@ -17,7 +17,7 @@ namespace alidade {
 
 /// Fails where no arc could be fitted, an id is unknown, or it was asked to stop. Effects of the
 /// measurement's own model are part of the model, not of the gap. `fit` is that of the measurement. Called as
-/// in examples/diagnose.cpp.
+/// in samples/programs/diagnose.cpp.
 Result<Diagnosis, DiagnosisFault> diagnose(const Measurement& measurement, const SessionFit& fit,
                                            const DiagnosisOptions& options = {},
                                            const std::stop_token& stop = {});

@@ -56,7 +56,7 @@ class PerfectReadings {
 /// The session of a truth, by a protocol, with the noise of `seed`. The same seed gives the same places and
 /// the same noise whatever the truth and whether or not the slider is read. Fails, with the row, where a
 /// gross error names a row that the protocol does not have, or where a target cannot be sighted. Called as in
-/// examples/simulate.cpp.
+/// samples/programs/simulate.cpp.
 Result<Session> simulate(const Protocol& protocol, const Truth& truth, std::uint64_t seed);
 
 /// The same places and rows, read without noise and without rounding to the truth's step.

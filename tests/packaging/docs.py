@@ -3,7 +3,8 @@
 
 Every link leads to a file, every anchor to a heading, and every option written in a command is one of its --help. With the
 programs at hand the commands of code blocks that need nothing but the samples end with 0, and each line of a `text` block
-that stands right below them is printed by them, blanks aside.
+that stands right below them is printed by them, blanks aside. The page of the effects lists the catalogue with its plausible
+sizes. README.md, those of the rooms and the decisions stay short, and the index lists every decision.
 """
 
 import os
@@ -202,6 +203,89 @@ def run_problems(root, path, text, programs, folder):
     programs.counted = getattr(programs, "counted", 0) + counted
 
 
+def catalogue(text):
+    """{id: (name, [(name of a number, plausible size with its unit)])} of core/effects/catalogue.cpp."""
+    body = text[text.index("makeCatalogue()"):text.index("/// Each error term")]
+    body = re.sub(r"^ *//.*$", "", body, flags=re.M)
+    units = {"arcsec": "″", "deg": "°", "mm": " mm", "1": "", "-": ""}
+    effects = {}
+    for own in re.split(r"\n      \{(?=relationId|\")", body)[1:]:
+        id_of = re.match(r"(relationId|\"(\w+)\")", own)
+        name = re.search(r'PHRASE_LATER\("Phrase", "([^"]+)"\)', own).group(1)
+        numbers = re.findall(r'\{PHRASE_LATER\("Phrase", "([^"]+)"\), \w+, "([^"]+)", ([\d.e-]+)\}', own)
+        effects[id_of.group(2) or "vertical_angle_relation"] = \
+            (name, [(number, f"{float(size):g}{units[unit]}") for number, unit, size in numbers])
+    return effects
+
+
+def effect_problems(root):
+    """The rows of the page of the effects against the catalogue."""
+    page = os.path.join(root, "resources", "docs", "effects.md")
+    source = os.path.join(root, "core", "effects", "catalogue.cpp")
+    if not os.path.exists(page) or not os.path.exists(source):
+        return
+    with open(source, encoding="utf-8") as file:
+        missing = catalogue(file.read())
+    if not missing:
+        yield "core/effects/catalogue.cpp: no effect was found in it"
+    with open(page, encoding="utf-8") as file:
+        text = file.read().split("\n## Causes outside the catalogue")[0]
+    for number, line, _ in parts(text):
+        cells = [cell.strip() for cell in line.strip().strip("|").split("|")]
+        row = re.fullmatch(r"(.+?) `(\w+)`", cells[0]) if len(cells) > 2 else None
+        if not row:
+            continue
+        where, known = f"resources/docs/effects.md:{number}", missing.pop(row.group(2), None)
+        if known is None:
+            yield f"{where}: {row.group(2)} is not in the catalogue, or was listed above"
+            continue
+        name, numbers = known
+        sizes = ", ".join(f"{each} {size}" for each, size in numbers) if len(numbers) > 1 else numbers[0][1]
+        if row.group(1) != name and not row.group(1).startswith(name + " "):
+            yield f"{where}: the catalogue calls it “{name}”"
+        if cells[2] != sizes:
+            yield f"{where}: the plausible size is {sizes}, not {cells[2]}"
+    for identifier in missing:
+        yield f"resources/docs/effects.md: {identifier} is missing"
+
+
+def length_problems(root, texts):
+    """Pages that are read at one sitting."""
+    rooms = ("app", "core", "packaging", "samples", "tests", "ui")
+    for path, text in texts.items():
+        name = os.path.relpath(path, root)
+        folders = name.split(os.sep)[:-1]
+        most = None
+        if name == "README.md":
+            most = 70
+        elif os.path.basename(name) == "README.md" and folders[0] in rooms and folders[:2] != ["tests", "reference"]:
+            most = 40
+        elif folders == ["resources", "docs", "decisions"] and not name.endswith("README.md"):
+            most = 40
+        lines = text.count("\n")
+        if most and lines > most:
+            yield f"{name}: {lines} lines, at most {most}"
+
+
+def index_problems(root, texts):
+    """Every decision stands in the index, under a number of its own."""
+    folder = os.path.join(root, "resources", "docs", "decisions")
+    index = texts.get(os.path.join(folder, "README.md"), "")
+    numbers = set()
+    for path in texts:
+        name = os.path.basename(path)
+        if os.path.dirname(path) != folder or name == "README.md":
+            continue
+        number = name[:3]
+        if not re.match(r"\d{3}-[a-z0-9-]+\.md$", name):
+            yield f"resources/docs/decisions/{name}: is called NNN-title.md"
+        elif number in numbers:
+            yield f"resources/docs/decisions/{name}: its number comes twice"
+        if f"]({name})" not in index:
+            yield f"resources/docs/decisions/{name}: not in the index"
+        numbers.add(number)
+
+
 def main():
     root = os.path.abspath(sys.argv[1])
     programs = Programs(root, *(sys.argv[2:4] + ["", ""])[:2])
@@ -211,6 +295,9 @@ def main():
             texts[path] = file.read()
         complaints += link_problems(root, path, texts[path])
         complaints += option_problems(root, path, texts[path], programs)
+    complaints += effect_problems(root)
+    complaints += length_problems(root, texts)
+    complaints += index_problems(root, texts)
     if programs.has("alidade-cli"):
         def tried(path):
             # A separate folder with the samples, so that nothing is written into the tree.

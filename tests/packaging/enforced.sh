@@ -13,7 +13,7 @@ sound_tree() {
   mkdir -p "$trees/tree/core/base" "$trees/tree/core/session" "$trees/tree/app/console" "$trees/tree/ui"
   cd "$trees/tree"
   cp "$rules/../../LICENSE" "$rules/../../.clang-format" .
-  echo 'A picture: shown.png' >README.md
+  printf '# A tree\n\nA picture: shown.png\n' >README.md
   printf '#pragma once\n\nint one();\n' >core/base/one.h
   printf '#include "core/base/one.h"\n\nint one() {\n  return 1;\n}\n' >core/base/one.cpp
   printf '#pragma once\n\n#include "core/base/one.h"\n' >core/session/two.h
@@ -41,6 +41,7 @@ for rule in format includes names headers repository scripts; do must pass "$rul
 offence format core/base/one.cpp 'int  two( ) {return 2;}\n'
 offence format core/base/README.md '#Title\n\nText.\n'
 offence format core/base/README.md '# Title\n\n            **is** torn\n'
+offence format core/base/README.md 'Text without a heading.\n'
 sound_tree
 # shellcheck disable=SC2016
 printf '# Title\n\n```sh\n#comment\n             indented\n```\n' >core/base/README.md
@@ -106,4 +107,57 @@ of_documents() {
   docs fail 'a command that there is not' "$trees/tree/cli"
 }
 of_documents
+
+# Short pages: `lines COUNT FILE` writes a page of so many lines.
+of_lengths() {
+  lines() {
+    mkdir -p "$(dirname "$2")"
+    seq "$1" >"$2"
+  }
+  local decisions=resources/docs/decisions
+  sound_tree
+  lines 70 README.md && lines 40 core/base/README.md && lines 40 $decisions/001-one.md
+  printf '# Index\n\n[One](001-one.md)\n' >$decisions/README.md
+  docs pass 'pages as long as they may be'
+  lines 71 README.md
+  docs fail 'a README of 71 lines'
+  sound_tree
+  lines 41 core/base/README.md
+  docs fail 'a room README of 41 lines'
+  sound_tree
+  lines 41 $decisions/001-one.md
+  printf '# Index\n\n[One](001-one.md)\n' >$decisions/README.md
+  docs fail 'a decision of 41 lines'
+  sound_tree
+  lines 4 $decisions/001-one.md
+  docs fail 'a decision that the index does not list'
+  lines 4 $decisions/001-two.md
+  printf '# Index\n\n[One](001-one.md) [Two](001-two.md)\n' >$decisions/README.md
+  docs fail 'two decisions of one number'
+}
+of_lengths
+
+# The page of the effects, held to the catalogue.
+# shellcheck disable=SC2016
+of_effects() {
+  listed() {
+    sound_tree
+    mkdir -p core/effects resources/docs
+    printf 'makeCatalogue() {\n      {"tilt",\n       PHRASE_LATER("Phrase", "a tilt"),\n' >core/effects/catalogue.cpp
+    printf '       {{PHRASE_LATER("Phrase", "x"), TiltX, "arcsec", 30},\n' >>core/effects/catalogue.cpp
+    printf '        {PHRASE_LATER("Phrase", "y"), TiltY, "mm", 5e-4}}},\n}\n/// Each error term\n' >>core/effects/catalogue.cpp
+    printf '# Effects\n\n| effect | formula | size |\n|---|---|---|\n%s\n' "$1" >resources/docs/effects.md
+  }
+  listed '| a tilt t `tilt` | t | x 30″, y 0.0005 mm |'
+  docs pass 'an effect as the catalogue has it'
+  listed '| a tilt t `tilt` | t | x 20″, y 0.0005 mm |'
+  docs fail 'another plausible size'
+  listed '| a slope `tilt` | t | x 30″, y 0.0005 mm |'
+  docs fail 'another name'
+  listed '| a tilt `slope` | t | x 30″, y 0.0005 mm |'
+  docs fail 'an effect that is not in the catalogue'
+  listed ''
+  docs fail 'an effect that is missing'
+}
+of_effects
 exit "$failed"

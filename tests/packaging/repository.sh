@@ -13,6 +13,8 @@ text_files | { xargs -r -d '\n' grep -nE -e "$foreign" -- /dev/null || true; } |
 [[ $(head -n 2 LICENSE) == *'GNU GENERAL PUBLIC LICENSE'*'Version 3, 29 June 2007'* ]] ||
   { echo "LICENSE is not the GPL, version 3" && exit 1; }
 
+pages=(README.md)
+[[ ! -d resources/docs ]] || pages+=(resources/docs)
 sources . -- '*.o' '*.a' '*.so' '*.pdf' '*.png' '*.jpg' '*.gz' '*.orig' '*.rej' '*~' | while read -r file; do
-  grep -q "$(basename -- "$file")" README.md || echo "$file: neither a source nor shown by the README"
+  grep -rqF -- "$(basename -- "$file")" "${pages[@]}" || echo "$file: neither a source nor shown by README.md or a page"
 done | report

@@ -39,7 +39,7 @@ struct SessionFit {
 };
 
 /// Every arc that its readings fix is found by `fitArc`, then all of them together by `fitJointly`, with the
-/// slider readings and the effects that the session's model names. Called as in examples/fit.cpp.
+/// slider readings and the effects that the session's model names. Called as in samples/programs/fit.cpp.
 SessionFit fitSession(const Measurement& measurement);
 
 /// The measurement with only those arcs that were fitted: what `SessionFit::joint` counts its arcs in.
