@@ -109,8 +109,6 @@ Json conditionsJson(const FitAnswer& answer, const AcceptanceDecision& decision)
     if (jump.time > 1) json["time"] = jump.time;
     conditions.push_back(std::move(json));
   }
-  for (const auto& [effect, influence] : decision.effectConditions)
-    conditions.push_back({{"effect", effect}, {"influence_mm", influence}});
   return conditions;
 }
 

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 
 #include "core/diagnosis/conformance.h"
 #include "core/effects/cause_ids.h"
@@ -90,22 +89,6 @@ std::vector<std::size_t> conditionsOf(const Measurement& measurement, const Diag
   return conditions;
 }
 
-/// A trace of v σ leaves 1/√(1 + v²) of the plausible size.
-std::vector<AcceptanceDecision::Condition> effectConditionsOf(const Measurement& measurement,
-                                                              const Diagnosis& diagnosis, Verdict verdict) {
-  std::vector<AcceptanceDecision::Condition> conditions;
-  if (verdict == Verdict::Undecided) return conditions;
-  for (const UnseenEffect& unseen : diagnosis.unseen) {
-    if (unseen.effect == jumpId) continue;
-    const double influence = unseen.influence / std::hypot(1, unseen.visibleSigma);
-    const double more = std::hypot(diagnosis.unexplained.sigma, influence);
-    if (verdictOf(diagnosis.measured, more, measurement) != verdict)
-      conditions.push_back({unseen.effect, influence});
-  }
-  std::ranges::sort(conditions, std::greater(), &AcceptanceDecision::Condition::influence);
-  return conditions;
-}
-
 }  // namespace
 
 bool isMoreThanNoise(const Diagnosis& diagnosis) {
@@ -150,10 +133,7 @@ std::optional<AcceptanceDecision> decideAcceptance(const Measurement& measuremen
   if (!decision || decision->obstacle == Lengths || decision->obstacle == Coverage ||
       (diagnosis && diagnosis->unexplained.chance > mostUnexplained))
     return decision;
-  if (diagnosis) {
-    decision->conditions = conditionsOf(measurement, *diagnosis, decision->verdict);
-    decision->effectConditions = effectConditionsOf(measurement, *diagnosis, decision->verdict);
-  }
+  if (diagnosis) decision->conditions = conditionsOf(measurement, *diagnosis, decision->verdict);
   if (decision->obstacle != AcrossUnknown) decision->conformance = conformanceOf(measurement, fit, diagnosis);
   return decision;
 }

@@ -2,7 +2,6 @@
 
 #include <cstddef>
 #include <optional>
-#include <string>
 #include <vector>
 
 #include "core/adjustment/result/session_fit.h"
@@ -27,10 +26,9 @@ namespace alidade {
 //    misclosures without an explanation bring (`Unexplained::sigma`). So a closure counts as explained with
 //    the probability with which its cause is there.
 // 4. The verdict is open where the gap is real and unexplained with a probability above `mostUnexplained`.
-// 5. What these readings would not show, a knock or an effect of the catalogue, is a condition of the
-// verdict:
-//    stated where the verdict would not stand, were it there in its plausible size. The probability of
-//    conformity includes it with its prior odds.
+// 5. An undetectable effect of the catalogue is in U and in the probability, at its plausible size. A knock
+//    that these readings would not show is a condition of the verdict: stated where the verdict would not
+//    hold had one of plausible size occurred. The probability of conformity includes it, with its prior odds.
 
 /// A guard band of a lower coverage guards against nothing.
 constexpr double leastCoverageOfVerdict = 0.9;
@@ -68,14 +66,6 @@ struct AcceptanceDecision {
   /// Indices into `Diagnosis::undetectableJumps`: the verdict, accept or reject, would not stand had one of
   /// these knocks occurred in its plausible size.
   std::vector<std::size_t> conditions = {};
-  /// Undetectable effects that would make another verdict, were they as large as readings and plausible size
-  /// allow. The largest influence comes first.
-  struct Condition {
-    std::string effect;
-    double influence = 0;  ///< on Δd, 1σ, mm
-    bool operator==(const Condition&) const = default;
-  };
-  std::vector<Condition> effectConditions = {};
 
   bool operator==(const AcceptanceDecision&) const = default;
 };

@@ -5,8 +5,6 @@
 #include "core/base/list_text.h"
 #include "core/base/phrase.h"
 #include "core/base/quantity_text.h"
-#include "core/effects/catalogue.h"
-#include "core/wording/findings.h"
 #include "core/wording/position_name.h"
 
 namespace alidade {
@@ -44,34 +42,6 @@ std::string rowsText(const std::vector<Dependence>& dependences, Verdict without
   return Phrase::of("%1 without %2", verdictText(without), listed(rows, Phrase::of(" or ")));
 }
 
-std::string knocksText(const Diagnosis* diagnosis, const AcceptanceDecision& decision) {
-  if (!diagnosis || decision.conditions.empty()) return "";
-  std::vector<std::string> moments;
-  double influence = 0;
-  for (const std::size_t i : decision.conditions) {
-    moments.push_back(momentText(diagnosis->undetectableJumps[i]));
-    influence = std::max(influence, diagnosis->undetectableJumps[i].influence);
-  }
-  return Phrase::of(
-      "The verdict holds on the condition that the tripod was not knocked %1: a knock of plausible size "
-      "moves "
-      "Δd by ± %2 mm.",
-      listed(moments, Phrase::of(" or ")), displayText(influence, decimalsFor(influence)));
-}
-
-std::string effectsText(const AcceptanceDecision& decision) {
-  std::vector<std::string> effects;
-  for (const auto& [id, influence] : decision.effectConditions) {
-    const Effect* effect = effectById(id);
-    effects.push_back(Phrase::of("%1 (± %2 mm in Δd)", effect ? Phrase::of(effect->name) : id,
-                                 displayText(influence, decimalsFor(influence))));
-  }
-  if (effects.empty()) return "";
-  return Phrase::of(
-      "The verdict holds on the condition that these effects are well below their plausible size: %1.",
-      listed(effects));
-}
-
 }  // namespace
 
 std::string momentText(const UndetectableJump& jump) {
@@ -81,10 +51,18 @@ std::string momentText(const UndetectableJump& jump) {
 }
 
 std::string conditionSentence(const Diagnosis* diagnosis, const AcceptanceDecision& decision) {
-  const std::string knocks = knocksText(diagnosis, decision), effects = effectsText(decision);
-  if (knocks.empty() && effects.empty()) return "";
-  return inTurn(inTurn(knocks, effects),
-                Phrase::of("These readings cannot show this. The probability of conformity includes it."));
+  if (!diagnosis || decision.conditions.empty()) return "";
+  std::vector<std::string> moments;
+  double influence = 0;
+  for (const std::size_t i : decision.conditions) {
+    moments.push_back(momentText(diagnosis->undetectableJumps[i]));
+    influence = std::max(influence, diagnosis->undetectableJumps[i].influence);
+  }
+  return Phrase::of(
+      "The verdict holds on the condition that the tripod was not knocked %1. These readings cannot show "
+      "such "
+      "a knock; one of plausible size moves Δd by ± %2 mm. The probability of conformity includes it.",
+      listed(moments, Phrase::of(" or ")), displayText(influence, decimalsFor(influence)));
 }
 
 std::string dependenceSentence(const std::vector<Dependence>& dependences) {

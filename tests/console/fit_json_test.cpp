@@ -192,8 +192,7 @@ TEST(FitJson, DecidesNothingThatTheDiagnosisContradicts) {
   EXPECT_EQ(open["decision"]["as_modelled"], "accept");
   EXPECT_EQ(open["decision"]["as_found"], "undecided");
   EXPECT_EQ(open["decision"]["verdict"], "undecided");
-  EXPECT_THAT(open["decision"]["reason"].get<std::string>(),
-              ::testing::HasSubstr("all effects considered"));
+  EXPECT_THAT(open["decision"]["reason"].get<std::string>(), ::testing::HasSubstr("all effects considered"));
   const Json found = open["intersection_as_found"];
   EXPECT_NEAR(found["value_mm"], 0.40, found["expanded_mm"]);
   EXPECT_EQ(answerAt(1, {})["decision"]["verdict"], "accept");

@@ -152,17 +152,12 @@ QString unseenText(const std::vector<UnseenEffect>& effects) {
 
 namespace {
 
-/// The sentence of the verdict states these as its condition.
-std::vector<std::string> conditionsOf(const Gap& gap) {
+/// True if the verdict holds on a condition, which its sentence states.
+bool isConditional(const Gap& gap) {
   const Evaluation& evaluation = *gap.evaluation;
-  std::vector<std::string> effects;
-  if (!evaluation.examined.measurement) return effects;
+  if (!evaluation.examined.measurement) return false;
   const auto decision = decideAcceptance(*evaluation.examined.measurement, evaluation.fit, gap.found());
-  if (!decision) return effects;
-  if (!decision->conditions.empty()) effects.emplace_back(jumpId);
-  for (const AcceptanceDecision::Condition& condition : decision->effectConditions)
-    effects.push_back(condition.effect);
-  return effects;
+  return decision && !decision->conditions.empty();
 }
 
 }  // namespace
@@ -170,10 +165,8 @@ std::vector<std::string> conditionsOf(const Gap& gap) {
 QString unseenBeyondUText(const Gap& gap) {
   constexpr std::size_t mostNamed = 3;
   std::vector<UnseenEffect> effects = gap.unseenBeyondU();
-  const std::vector<std::string> stated = conditionsOf(gap);
-  std::erase_if(effects, [&](const UnseenEffect& effect) {
-    return std::ranges::find(stated, effect.effect) != stated.end();
-  });
+  if (isConditional(gap))  // the verdict states it
+    std::erase_if(effects, [](const UnseenEffect& effect) { return effect.effect == jumpId; });
   if (effects.empty()) return {};
   const std::size_t more = effects.size() - std::min(effects.size(), mostNamed);
   effects.resize(effects.size() - more);

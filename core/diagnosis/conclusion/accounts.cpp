@@ -279,7 +279,7 @@ Account Accounts::accountOf(const System& system, const EffectScales& scales) co
           std::vector<double>(ofEffects.begin(), ofEffects.end())};
 }
 
-std::vector<Account> Accounts::of(const Explanation& explanation, std::span<const PossibleScales> all) {
+std::vector<Account> Accounts::of(const Explanation& explanation) {
   const std::optional<System> system = systemOf(explanation);
   const std::optional<System> there = m_at ? m_at->systemOf(explanation) : std::nullopt;
   if (!system && !there) return {};
@@ -289,7 +289,7 @@ std::vector<Account> Accounts::of(const Explanation& explanation, std::span<cons
   const bool isThere =
       there && (!system || m_at->accountOf(*there, {}).logOdds > accountOf(*system, {}).logOdds);
   std::vector<Account> accounts;
-  for (const auto& [scales, probability] : all) {
+  for (const auto& [scales, probability] : possibleScales()) {
     Account account = isThere ? m_at->accountOf(*there, scales) : accountOf(*system, scales);
     account.logOdds += explanation.logPosteriorOdds - alone + std::log(probability);
     if (!std::isfinite(account.logOdds) || !std::isfinite(account.value) || !std::isfinite(account.variance))

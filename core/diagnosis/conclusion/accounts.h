@@ -4,7 +4,6 @@
 #include <map>
 #include <memory>
 #include <optional>
-#include <span>
 #include <vector>
 
 #include "core/diagnosis/gap/every_effect.h"
@@ -44,10 +43,9 @@ class Accounts {
 
   /// The terms of the effects besides, as `Account::ofEffects` has them.
   const std::vector<EstimatedTerm>& effects() const { return m_terms; }
-  /// One for each of the scales, with their probabilities. Empty where what is there or not at all differs
-  /// from that in the fit.
-  std::vector<Account> of(const Explanation& explanation,
-                          std::span<const PossibleScales> all = possibleScales());
+  /// One for each of `possibleScales`, with their probabilities. Empty where what is there or not at all
+  /// differs from that in the fit.
+  std::vector<Account> of(const Explanation& explanation);
   /// The same for scales of one's own, taken as certain.
   std::optional<Account> of(const Explanation& explanation, const EffectScales& scales);
   /// What the readings say for one more component beside an explanation, at its plausible size and with no

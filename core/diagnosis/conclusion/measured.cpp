@@ -163,8 +163,7 @@ class Measured {
   Accounts m_accounts;
   Explanation m_whole;  ///< the answer's, with its pattern
   EffectScales m_scales;
-  std::vector<PossibleScales> m_likelyScales;  ///< of the answer, and all alike
-  GapModel m_model, m_every, m_fit;            ///< without the effects, with them, and as large as they are
+  GapModel m_model, m_every, m_fit;  ///< without the effects, with them, and as large as they are
 
   Explanation withoutPattern() const {
     Explanation rest = m_whole;
@@ -175,16 +174,12 @@ class Measured {
 
   /// Those whose squares are averaged over all that they may be.
   EffectScales averageScales() {
-    constexpr double hardly = 1e-2;
     const std::vector<Account> accounts = m_accounts.of(m_whole);
     if (accounts.empty()) return {};
     const double most = std::ranges::max(accounts, {}, &Account::logOdds).logOdds;
     double all = 0, guideway = 0, instrument = 0, time = 0;
     for (const Account& account : accounts) {
       const double odds = std::exp(account.logOdds - most);
-      const auto isThat = [&](const PossibleScales& possible) { return possible.scales == account.scales; };
-      if (odds > hardly || account.scales.areAlike())
-        m_likelyScales.push_back(*std::ranges::find_if(possibleScales(), isThat));
       all += odds;
       guideway += odds * square(account.scales.guideway);
       instrument += odds * square(account.scales.instrument);
@@ -233,7 +228,7 @@ class Measured {
     std::vector<Account> all;
     double most = impossible;
     for (const Explanation& explanation : explanations())
-      for (Account& account : m_accounts.of(explanation, m_likelyScales)) {
+      for (Account& account : m_accounts.of(explanation)) {
         most = std::max(most, account.logOdds);
         all.push_back(std::move(account));
       }
@@ -245,8 +240,8 @@ class Measured {
     return averagedOver(own, possible, m_inquiry.base.measurement->coverage);
   }
 
-  /// That may be the case: found by the search, like a part of the answer, or that one effect more is there.
-  /// A jump or a gross error may be unlikely alone only since the effects besides are not there.
+  /// That may be the case: found by the search, like a part of the answer, or that what is known holds no
+  /// longer. A jump or a gross error may be unlikely alone only since the effects besides are not there.
   std::vector<Explanation> explanations() {
     constexpr double leastChance = 0.01;
     std::vector<Explanation> all = withRivals(m_answer, m_whole);
@@ -258,30 +253,25 @@ class Measured {
       if (counts && isOfAccount(explanation, m_answer) && std::ranges::none_of(all, isThat))
         all.push_back(explanation);
     }
-    addUnseen(all);
+    addStale(all);
     return all;
   }
 
-  /// One effect more, with the odds it has beforehand: no reading may speak for it, and all others be less
-  /// than plausible. What is known may hold no longer.
-  void addUnseen(std::vector<Explanation>& all) {
+  void addStale(std::vector<Explanation>& all) {
     for (std::size_t i = 0; i < m_inquiry.candidates.size(); ++i) {
       const Component& component = m_inquiry.candidates[i];
       const auto isThere = [&](const Explanation& other) { return other.has(i); };
-      if (!component.isEffect() || component.response() == Response::AllOrNothing ||
-          std::ranges::any_of(all, isThere))
-        continue;
+      if (!component.isKnown() || std::ranges::any_of(all, isThere)) continue;
       Part part;
       part.component = i;
       part.weights = Eigen::VectorXd::Zero(component.weights());
       const auto evidence = m_accounts.logEvidenceOf(m_whole, part);
       if (!evidence) continue;
       const double chance = staleChanceOf(*m_inquiry.base.measurement, *effectById(component.id()));
-      Explanation with = m_whole;
-      with.parts.insert(with.parts.begin(), part);
-      with.logPosteriorOdds += *evidence + (component.isKnown() ? std::log(chance / (1 - chance))
-                                                                : m_inquiry.candidates.groupOf(i).logPrior);
-      all.push_back(std::move(with));
+      Explanation stale = m_whole;
+      stale.parts.insert(stale.parts.begin(), part);
+      stale.logPosteriorOdds += *evidence + std::log(chance / (1 - chance));
+      all.push_back(std::move(stale));
     }
   }
 };

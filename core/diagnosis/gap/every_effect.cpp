@@ -97,7 +97,7 @@ double EffectScales::of(const Effect& effect) const {
 
 const std::vector<PossibleScales>& possibleScales() {
   static const std::vector<PossibleScales> all = [] {
-    constexpr std::array scales{0.03, 0.3, 1.0, 3.0};
+    constexpr std::array scales{1.0, 3.0};
     constexpr double alike = 0.5, count = scales.size();
     std::vector<PossibleScales> possible;
     for (const double scale : scales) possible.push_back({{scale, scale, scale}, alike / count});

@@ -32,13 +32,12 @@ struct EffectScales {
   double guideway = 1, instrument = 1, time = 1;
 
   double of(const Effect& effect) const;
-  bool areAlike() const { return guideway == instrument && instrument == time; }
   bool operator==(const EffectScales&) const = default;
 };
 
-/// Scales before the readings are seen, with their probabilities, which add up to 1: next to nothing, a
-/// third, as plausible, or three times that, of all effects alike, which come first, or of each source by
-/// itself. Either is as likely as the other.
+/// Scales before the readings are seen, with their probabilities, which add up to 1: as plausible, or three
+/// times that, of all effects alike or of each source by itself. Either is as likely as the other. No scale
+/// is below 1: small effects that the readings show say nothing of an effect that they cannot show.
 struct PossibleScales {
   EffectScales scales;
   double probability = 0;
