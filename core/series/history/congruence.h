@@ -17,7 +17,7 @@ namespace alidade {
 // (Pelzer 1971). O1 and O2 refer to the theodolite; they can be compared only between set-ups in the same
 // place. (O1 − O2)/2 and the radii belong to the device.
 
-/// How far numbers of two epochs disagree.
+/// The disagreement between numbers of two epochs.
 struct CongruenceTest {
   std::vector<std::string> ids;     ///< of the numbers
   std::vector<double> differences;  ///< later minus earlier, mm

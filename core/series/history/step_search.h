@@ -44,7 +44,7 @@ class StepSearch {
  private:
   const DateSums& m_dates;
   std::vector<double> m_best;                      ///< least χ² of the dates before `end`
-  std::vector<std::vector<std::size_t>> m_behind;  ///< for each number of steps: where the last one is
+  std::vector<std::vector<std::size_t>> m_behind;  ///< for each number of steps, the place of the last one
 };
 
 }  // namespace alidade

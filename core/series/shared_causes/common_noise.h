@@ -15,7 +15,7 @@ struct CommonNoise {
   double scale = 1, sigma = 0;  ///< of the stated noise
   bool isLarger = false;        ///< by more than the tenth to which the stated σ is known
   bool isOfOne = false;         ///< applies only to the one session in `sessions`
-  double probability = 0;       ///< of `isOfOne`
+  double probability = 0;       ///< that it scatters independently
 };
 
 /// The noise of each instrument, from the residuals that `set` leaves in its sessions: first all sessions

@@ -37,7 +37,7 @@ struct SharedSet {
   std::vector<std::size_t> accounts = {};  ///< of each session
   double logPosteriorOdds = 0;             ///< natural log of the odds against no effect in any session
   double chance = 0;                       ///< 0…1, among the sets found
-  Eigen::MatrixXd covariance = {};         ///< of z of all parts, one after the other
+  Eigen::MatrixXd covariance = {};         ///< of z of all parts, concatenated
 
   /// Does it contain an uncatalogued pattern?
   bool isShaped() const {
