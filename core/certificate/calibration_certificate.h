@@ -37,16 +37,13 @@ struct CalibrationCertificate {
   std::vector<const char*> notStated;
 };
 
-/// The digital calibration certificate of a session (PTB, DCC 3.2.0, values by D-SI 2.1.0), UTF-8: the
-/// parties
-/// and the device, Δd, measured and fit only, with U, k and coverage, Δz, O1, O2, the radii, the conditions,
+/// The digital calibration certificate of a session (PTB, DCC 3.2.0, values by D-SI 2.1.0), UTF-8. It states
+/// the parties and the device; Δd, measured and fit only, with U, k and coverage; Δz, O1, O2 and the radii;
 /// the
-/// instrument, the decision rule with the statement of conformity (`conformityOf`), and the session's file,
-/// the
-/// results of `alidade-cli fit --json` and the report as attachments. The same source and options give the
-/// same bytes: the clock is not used, and without a report number the identifier is derived from the
-/// session's
-/// SHA-256.
+/// conditions, the instrument and the decision rule with the statement of conformity (`conformityOf`). It
+/// embeds the session's file, the results of `alidade-cli fit --json` and the report. The same source and
+/// options give the same bytes: the clock is not used, and without a report number the identifier is derived
+/// from the session's SHA-256.
 ///
 /// Fails without the day of the measurement, which the schema requires, and on an invalid day, country or
 /// place of performance.

@@ -36,7 +36,7 @@ std::optional<std::string_view> conditional(const FitAnswer& answer, const Accep
   if (!found) return std::nullopt;
   const double tolerance = *answer.measurement.tolerance;
   const bool isWithin = *found <= tolerance;
-  // The fit alone determines only one component of a distance from the axis, which is not enough.
+  // For a distance from the axis, Δd, fit only, is a single component and cannot be compared.
   if (answer.measurement.measurand == Measurand::Intersection &&
       (std::abs(answer.fit.intersection->value) <= tolerance) != isWithin)
     return std::nullopt;

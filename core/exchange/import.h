@@ -61,12 +61,13 @@ inline constexpr const char* putAtZero =
 
 /// Imports theodolite readings from the bytes of instrument files (file_format.h) and tables (csv_reader.h);
 /// the content decides the format. Sightings of the pointing zero become the zero of their position, several
-/// of them as the mean of their face 1 equivalents; a zero that `base` already has stays. If a file does not
-/// state them, the face follows from the vertical circle, the round from earlier sightings of the same point
-/// and face in the position (skipping stated rounds), and the axis from `turnedAtLine`, else it is 0°.
-/// Positions are in the order 0°, 180°; if `base` has readings, its positions and rows stay and new rows
-/// follow them. Points without whole numbers as names are numbered, with the name in the note. Fails on files
-/// that are not text, have an unreadable format or hold no readings, and on vertical circles of two kinds.
+/// of them as the mean of their face 1 equivalents; a zero that `base` already has stays. A face that the
+/// file does not state follows from the vertical circle. A missing round follows from earlier sightings of
+/// the same point and face in the position, skipping stated rounds. A missing axis follows from
+/// `turnedAtLine`, else it is 0°. Positions are in the order 0°, 180°; if `base` has readings, its positions
+/// and rows stay and new rows follow them. Points without whole numbers as names are numbered, with the name
+/// in the note. Fails on files that are not text, have an unreadable format or hold no readings, and on
+/// vertical circles of two kinds.
 Result<Import> importReadings(const std::vector<ReadingsFile>& files, const ImportOptions& options = {});
 
 /// Imports a single file, with `turnedAtLine` from the options.

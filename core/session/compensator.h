@@ -21,9 +21,9 @@ namespace alidade {
 // with + in face 1, each with an index of its own, whose sign is the same in face 2.
 //
 // This sign is a convention of the session file. The available documents do not say how GeoCOM
-// (TMC_GetAngle1) counts its cross and length inclination, so a wrong sign must be detectable: it is one way
-// in which a known number is stale (`KnownNumber::staleChance`), and it is reported if the readings fit the
-// other sign.
+// (TMC_GetAngle1) counts its cross and length inclination, so a wrong sign must be detectable. It is one way
+// in which a known number is stale (`KnownNumber::staleChance`). It is reported if the readings fit the other
+// sign.
 
 /// The tilt of the vertical axis, rad.
 struct AxisTilt {

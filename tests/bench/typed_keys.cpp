@@ -1,7 +1,7 @@
 // Types entries into the window by key events, at a given number of milliseconds per key, while fits and
-// diagnoses arrive normally, and counts the entries that are not stored as typed: at 34 rows all 68 angles of
-// the published table into an empty one, else the first 24 of them below the existing rows. Arguments:
-// milliseconds per key (else 2, 8, 30, 60, 150). Offscreen unless QT_QPA_PLATFORM says otherwise.
+// diagnoses arrive normally. Counts the entries that are not stored as typed. At 34 rows it types all 68
+// angles of the published table into an empty one, else the first 24 of them below the existing rows.
+// Arguments: milliseconds per key (else 2, 8, 30, 60, 150). Offscreen unless QT_QPA_PLATFORM says otherwise.
 
 #include <QApplication>
 #include <QElapsedTimer>

@@ -11,8 +11,8 @@ struct Prior {
   double sigma = std::numeric_limits<double>::infinity();  ///< ≥ 0; infinite: no prior knowledge
 
   bool isInformative() const { return !std::isinf(sigma); }
-  // The whitened equation, in units of σ > 0; 0 without prior knowledge.
-  /// With respect to the quantity.
+  // Terms of the whitened equation, in units of σ > 0; 0 without prior knowledge.
+  /// Derivative with respect to the quantity.
   double derivative() const { return 1 / sigma; }
   /// Observed minus value.
   double residual(double at) const { return (value - at) / sigma; }
