@@ -5,8 +5,8 @@
 
 namespace alidade {
 
-/// A plane angle. Stored in radians, never wrapped on its own: 370° stays 370° until `wrapped` is asked.
-/// Named factories and readers keep the unit visible where a number enters or leaves.
+/// A plane angle. Stored in radians and wrapped only by `wrapped`: 370° stays 370° until then. Named
+/// factories and readers keep the unit visible where a number enters or leaves.
 class Angle {
  public:
   constexpr Angle() = default;

@@ -18,8 +18,7 @@ namespace {
 
 constexpr std::string_view degreeSign = "°";
 
-/// Degrees, minutes and seconds as typed: one to three unsigned decimal numbers, the missing ones taken as
-/// zero.
+/// Degrees, minutes and seconds as typed: one to three unsigned decimal numbers; missing ones are zero.
 using Parts = std::vector<std::string>;
 
 std::string trimmed(std::string_view text) {
@@ -54,7 +53,7 @@ Parts split(std::string_view text, char separator) {
   }
 }
 
-/// Degrees, minutes and seconds in Chinese as their signs: 107度12分23秒 as 107°12'23".
+/// Chinese units replaced by signs: 107度12分23秒 becomes 107°12'23".
 std::string withMarks(std::string text) {
   for (const auto& [word, sign] : {std::pair("度", degreeSign), std::pair("分", std::string_view("'")),
                                    std::pair("秒", std::string_view("\""))})
@@ -63,7 +62,7 @@ std::string withMarks(std::string text) {
   return text;
 }
 
-/// One typed angle on its way to a value. `typed` is for the sentences, `body` what follows the sign.
+/// Parses one typed angle. `typed` is for sentences, `body` is the text after the sign.
 class AngleReader {
  public:
   explicit AngleReader(std::string_view typed) : m_typed(typed), m_body(withMarks(plainSigns(typed))) {
@@ -107,7 +106,7 @@ class AngleReader {
     return make(m_negative ? -*value : *value);
   }
 
-  /// 341°52'24", each mark behind its number; the last mark may be missing.
+  /// 341°52'24", with each mark after its number; the last mark may be missing.
   Result<Angle> readSigned() const {
     std::string_view rest = m_body;
     Parts parts;
@@ -122,7 +121,7 @@ class AngleReader {
     return fromParts(parts);
   }
 
-  /// Where `mark` begins and ends in `rest`; both the end of `rest` where there is none. Two primes are a
+  /// The start and end of `mark` in `rest`; both are the end of `rest` if it is missing. Two primes are a
   /// second mark, never a minute mark.
   static std::pair<std::size_t, std::size_t> markAt(std::string_view rest, std::string_view mark) {
     const auto at = rest.find(mark);
@@ -134,7 +133,7 @@ class AngleReader {
     return {at, at + mark.size()};
   }
 
-  /// A number without any mark: whole degrees, digits run together, or nothing certain.
+  /// A number without any mark: whole degrees, consecutive digits, or ambiguous.
   Result<Angle> readBare() const {
     const auto sign = m_body.find_first_of(".,");
     const std::string digits = m_body.substr(0, sign);
@@ -156,7 +155,7 @@ class AngleReader {
 
   std::string minus() const { return m_negative ? "-" : ""; }
 
-  /// Names both meanings where both are angles: 341.5224 is 341.5224° or 341 52 24.
+  /// Names both meanings if both are angles: 341.5224 is 341.5224° or 341 52 24.
   std::string ambiguousDecimal(const std::string& degrees, std::string decimals) const {
     if (degrees.size() > 3 || decimals.size() > 12) {
       return Phrase::of(
@@ -179,7 +178,7 @@ class AngleReader {
         quoted(), asDegrees);
   }
 
-  /// Parts parted by one kind of separator.
+  /// Parts separated by one kind of separator.
   Result<Angle> readSeparated() const {
     std::string separators;
     for (const char c : std::string_view("-:/")) {
@@ -226,7 +225,7 @@ class AngleReader {
   bool m_negative = false;
 };
 
-/// Takes one to `most` digits off the text.
+/// Removes one to `most` digits from the text.
 std::optional<int> takeDigits(std::string_view& text, std::size_t most) {
   const std::size_t count = std::min(text.find_first_not_of("0123456789"), text.size());
   if (count == 0 || count > most) return std::nullopt;
@@ -242,7 +241,7 @@ bool takeMark(std::string_view& text, std::string_view mark) {
   return true;
 }
 
-/// The commonest notation, 341°52'24.5", which long sessions are made of; empty for any other.
+/// The most frequent notation, 341°52'24.5", used throughout long sessions; empty for others.
 std::optional<Angle> plainlyTyped(std::string_view text) {
   const auto degrees = takeDigits(text, 3);
   if (!degrees || !takeMark(text, degreeSign)) return std::nullopt;

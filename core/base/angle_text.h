@@ -8,23 +8,25 @@
 
 namespace alidade {
 
-/// Reads an angle as people write and type it. Accepted, with an optional sign (+, - or −) in front and a
-/// point or comma as decimal sign, and blanks anywhere between the parts:
+/// Reads an angle as people write and type it. Accepted, with an optional leading sign (+, - or −), a point
+/// or
+/// comma as decimal sign, and blanks anywhere between the parts:
 ///
-///   341°52'24"  341°52′24.5″  341°52'  341°         with signs: ° or º ˚ ◦ ∘ ⁰; ' ′ ’ ´ ` ʹ; " ″ ” “ ʺ or
-///   two
-///                                                     primes; also 341度52分24秒
-///   341 52 24   341-52-24.5   341:52:24   341/52/24  341.52.24  parts parted by one kind of separator
-///   341 52                                            degrees and minutes
-///   3415224   3415224.5   881649                      5 to 7 digits run together, as on a number pad
-///   341                                               whole degrees, at most three digits
-///   341.873333°   341.873333deg                       decimal degrees, marked as such
-///   379.859gon   379.859g                             gon
+///   341°52'24" 341°52′24.5″ 341°52' 341° with signs: ° or º ˚ ◦ ∘ ⁰; ' ′ ’ ´ ` ʹ; " ″ ” “ ʺ or
+///                                                     two primes; also 341度52分24秒
+///   341 52 24 341-52-24.5 341:52:24 341/52/24 341.52.24 parts separated by one kind of separator
+///   341 52 degrees and minutes
+///   3415224 3415224.5 881649 5 to 7 consecutive digits, as on a number pad
+///   341 whole degrees, at most three digits
+///   341.873333° 341.873333deg decimal degrees, marked as such
+///   379.859gon 379.859g gon
 ///
-/// Minutes and seconds lie in [0, 60); only the last part may have decimals. A bare decimal such as
-/// `341.5224` is refused: it may mean degrees or degrees.minutes-seconds. Fullwidth digits and signs of input
-/// methods are read as their ASCII forms; digits of other scripts are refused. The value is not wrapped and
-/// its range is not checked.
+/// Minutes and seconds are in [0, 60); only the last part may have decimals. A bare decimal such as
+/// `341.5224`
+/// is refused: it may mean degrees or degrees.minutes-seconds. Fullwidth digits and signs of input methods
+/// are
+/// read as their ASCII forms; digits of other scripts are refused. The value is not wrapped and its range is
+/// not checked.
 Result<Angle> parseAngle(std::string_view text);
 
 enum class AngleSigns {
@@ -32,9 +34,9 @@ enum class AngleSigns {
   Primes,      ///< 341°52′24″  for display
 };
 
-/// Degrees, minutes and seconds with `decimals` (0…9) places of seconds, rounded so that no part reaches 60:
-/// 59.96″ with one decimal is 1′00.0″. Minutes and seconds have two digits. Negative angles have one leading
-/// − (a hyphen with Typewriter). Not wrapped: wrap first where a circle reading is wanted.
+/// Degrees, minutes and seconds with `decimals` (0…9) places of seconds, rounded so that all parts stay below
+/// 60: 59.96″ with one decimal is 1′00.0″. Minutes and seconds have two digits. Negative angles have one
+/// leading − (a hyphen with Typewriter). Not wrapped: wrap circle readings first.
 std::string formatDms(Angle angle, int decimals = 0, AngleSigns signs = AngleSigns::Primes);
 
 }  // namespace alidade

@@ -19,8 +19,8 @@ namespace {
 
 constexpr int mostTries = 100;
 
-/// One file on its way: its bytes in a temporary file until they take their place. A step answers with the
-/// system's error number, 0 where it was done.
+/// Writes one file: first to a temporary file, which then replaces the target. Each step returns the system's
+/// error number, 0 on success.
 class Passage {
  public:
   Passage(const FileContent& content, FileTarget target, const FileCalls& calls)
@@ -52,8 +52,8 @@ class Passage {
   FileContent m_content;
   FileTarget m_target;
   const FileCalls& m_calls;
-  std::string m_temporary;  ///< empty: none is there
-  std::string m_kept;       ///< another name of what stood there; empty: it has none
+  std::string m_temporary;  ///< empty: there is none
+  std::string m_kept;       ///< another name of the replaced file; empty: it has none
   bool m_hasPlace = false;
 };
 
@@ -68,7 +68,7 @@ int Passage::writeTemporary() {
   if (const int error = openTemporary(file)) return error;
   const int error = writeAll(file);
   if (error == 0 && m_target.kind == FileTarget::Kind::File) {
-    // Where the system does not grant it, the file is ours alone, as it was made.
+    // If the system refuses, the file stays private to its owner, as it was created.
     [[maybe_unused]] const int ofGroup = fchown(file, static_cast<uid_t>(-1), m_target.group);
     [[maybe_unused]] const int ofMode = fchmod(file, m_target.mode & ~mode_t{S_IRWXG});
     const bool isAccessKept = copyFileAttributes(m_target.path, file);
@@ -78,7 +78,7 @@ int Passage::writeTemporary() {
   return close(file, error == 0 ? sync(file) : error);
 }
 
-/// Beside the target, so that renaming never leaves the disk.
+/// In the target's folder, so that renaming stays on one disk.
 std::string Passage::freshName(const char* suffix) const {
   static std::atomic<unsigned> count = 0;
   return m_target.folder() + "/.alidade-" + std::to_string(getpid()) + "-" + std::to_string(++count) + suffix;
@@ -112,13 +112,14 @@ int Passage::writeAll(int file) const {
   return 0;
 }
 
-/// The first of two errors counts.
+/// Returns the first of two errors.
 int Passage::close(int file, int error) const {
   const bool isClosed = m_calls.close(file) == 0 || errno == EINTR;
   return error == 0 && !isClosed ? errno : error;
 }
 
-/// By a second name, so that it never leaves its place. On a disk without hard links nothing is kept.
+/// Keeps the old file under a second name (a hard link), so that it stays in place. On a disk without hard
+/// links it is not kept.
 void Passage::keepOld() {
   if (m_target.kind != FileTarget::Kind::File) return;
   for (int i = 0; i < mostTries; ++i) {
@@ -138,7 +139,7 @@ int Passage::takePlace() {
   return 0;
 }
 
-/// What stood there before then stands there again; else the sentence that says what does.
+/// Restores the old file; otherwise the sentence says which file is there now.
 std::string Passage::putBack() {
   if (!m_hasPlace) return {};
   const char* const place = m_target.path.c_str();
@@ -155,7 +156,7 @@ std::string Passage::putBack() {
                     kept);
 }
 
-/// What cannot be synchronised at all, as a folder on some disks, is no failure.
+/// If synchronising is unsupported, as for folders on some disks, that is not an error.
 int Passage::sync(int file) const {
   return m_calls.sync(file) == 0 || errno == EINVAL || errno == ENOTSUP ? 0 : errno;
 }
@@ -195,7 +196,7 @@ std::optional<Problem> each(std::list<Passage>& passages, const Which& which, in
   return std::nullopt;
 }
 
-/// Those that took their place before one failed go back.
+/// If one fails, those already replaced are restored.
 std::optional<Problem> takePlaces(std::list<Passage>& replaced) {
   if (replaced.size() > 1)
     for (Passage& passage : replaced) passage.keepOld();

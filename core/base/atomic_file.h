@@ -10,29 +10,31 @@
 
 namespace alidade {
 
-/// The whole of what is to stand in a file.
+/// The complete content of a file to be written.
 struct FileContent {
   std::string path;
   std::string_view bytes;
-  bool isPrivate = false;  ///< a file that is new is for its owner alone
+  bool isPrivate = false;  ///< a new file is private to its owner
 };
 
-/// Writes the file, all of it or nothing: into a temporary file in the same folder, which takes the file's
-/// place once every byte is on the disk. Until then, and wherever a step fails, what stood there stays. The
-/// permissions of a file that is replaced are kept, its group where that is allowed; its other hard links
-/// keep the old bytes. A link stays, and what it leads to is replaced. Terminals, pipes and devices are
-/// written to directly. Every program of ours writes by this.
+/// Writes the file completely or not at all: into a temporary file in the same folder, which replaces the
+/// file
+/// once every byte is on the disk. Until then, and if a step fails, the old file stays. A replaced file's
+/// permissions are kept, and its group if the system allows it; its other hard links keep the old bytes. A
+/// link stays, and its target is replaced. Terminals, pipes and devices are written to directly. All our
+/// programs write files this way.
 ///
-/// Absent: written. Otherwise one sentence with the path, the reason and what to do. Refuses to replace one
-/// of `inputs`, all files that were read for what is written, however it is named; `-` among them is
-/// standard input. Empty only where nothing was read. After a folder that cannot be synchronised the new
-/// bytes are there, but may not outlast a power cut.
+/// Absent: written. Otherwise one sentence with the path, the reason and what to do. Refuses to replace any
+/// of
+/// `inputs`, the files that were read for the output, under any name; `-` among them is standard input. Leave
+/// it empty only if nothing was read. If the folder cannot be synchronised, the new bytes are there but may
+/// not survive a power cut.
 [[nodiscard]] std::optional<Problem> writeFile(const std::string& path, std::string_view bytes,
                                                const std::vector<std::string>& inputs,
                                                const FileCalls& calls = {});
 
-/// Likewise several, all or none: none is replaced before the bytes of all are on the disk, and where one
-/// cannot take its place, those that did go back. Where even that fails, the sentence says which file is the
+/// Writes several files, all or none: the first is replaced only after the bytes of all are on the disk, and
+/// if one replacement fails, the others are reverted. If even that fails, the sentence says which file is the
 /// new one and where its old bytes are.
 [[nodiscard]] std::optional<Problem> writeFiles(const std::vector<FileContent>& files,
                                                 const std::vector<std::string>& inputs,

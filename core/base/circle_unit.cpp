@@ -13,7 +13,7 @@ namespace alidade {
 namespace {
 
 struct BareNumber {
-  std::size_t digits = 0;  ///< before the decimal sign; 0: it is no bare number
+  std::size_t digits = 0;  ///< before the decimal sign; 0: the text is not a bare number
   bool hasDecimals = false;
 };
 

@@ -6,14 +6,13 @@
 
 namespace alidade {
 
-/// What to say of an exception that nothing expected, as the end of a sentence "The fit failed: …". Lack of
-/// memory is called so; anything else is a fault of the program and is called one, with what the exception
-/// says.
+/// The text for an unexpected exception, as the end of a sentence "The fit failed: …". It names a lack of
+/// memory; anything else is reported as a fault of the program, with the exception's text.
 
-/// Of the exception being handled: only within a catch block.
+/// Describes the exception being handled; call it only within a catch block.
 std::string thrownReason();
 
-/// Does `work` and keeps what it throws. Empty: it came to its end.
+/// Runs `work` and catches its exception. Empty: it completed.
 std::optional<std::string> failureOf(const std::function<void()>& work);
 
 }  // namespace alidade

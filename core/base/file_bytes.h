@@ -6,11 +6,11 @@
 
 namespace alidade {
 
-/// All bytes of a file, whatever kind of file it is, up to `limits::mostBytes`. The sentence names the file's
-/// trouble, not the file.
+/// All bytes of a file of any kind, up to `limits::mostBytes`. The problem describes the error without the
+/// file's name.
 Result<std::string> readFile(const std::string& path);
 
-/// The same of standard input.
+/// All bytes of standard input.
 Result<std::string> readStandardInput();
 
 }  // namespace alidade

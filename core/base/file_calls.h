@@ -9,8 +9,8 @@
 
 namespace alidade {
 
-/// The calls of the system that write a file. Each answers as the system's own does, errno included; a test
-/// can have one of them fail.
+/// The system calls for writing a file. Each returns the system's result, including errno; a test can make
+/// one fail.
 struct FileCalls {
   std::function<int(const char* path, int flags, mode_t mode)> open =
       [](const char* path, int flags, mode_t mode) { return ::open(path, flags, mode); };

@@ -21,8 +21,8 @@ fs::path folderOf(const fs::path& path) {
   return path.has_parent_path() ? path.parent_path() : fs::path(".");
 }
 
-/// The number in /dev/stdout, /dev/fd/1 or /proc/self/fd/1: opened by that name again, a file would be
-/// written from its start.
+/// The number in /dev/stdout, /dev/fd/1 or /proc/self/fd/1: reopening that name would write a file from its
+/// start.
 std::optional<int> ownDescriptor(const fs::path& path) {
   std::error_code error;
   const fs::path folder = fs::canonical(folderOf(path), error), own = fs::canonical("/proc/self/fd", error);
@@ -33,7 +33,7 @@ std::optional<int> ownDescriptor(const fs::path& path) {
   return !error && folder == own && isNumber ? std::optional(number) : std::nullopt;
 }
 
-/// Does the kernel refuse to follow the link, as one of another user in a sticky folder that all may write
+/// Does the kernel refuse to follow the link, as for another user's link in a sticky folder writable by all
 /// (`fs.protected_symlinks`)?
 bool isForbiddenLink(const fs::path& link) {
   const int file = open(link.c_str(), O_PATH | O_CLOEXEC);
@@ -42,7 +42,7 @@ bool isForbiddenLink(const fs::path& link) {
   return false;
 }
 
-/// What stands there and is no link, told by its kind.
+/// The target at this path, which is not a link, by its kind.
 Result<FileTarget> standing(const fs::path& path, const struct stat& status) {
   FileTarget target{path.string(), FileTarget::Kind::File, status.st_mode & mode_t{07777}, status.st_uid,
                     status.st_gid};

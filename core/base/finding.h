@@ -7,13 +7,13 @@
 namespace alidade {
 
 enum class Severity {
-  Note,     ///< worth knowing; the result stands
-  Warning,  ///< the result stands, but should not be trusted before this is looked at
-  Error,    ///< there is no result because of this
+  Note,     ///< worth knowing; the result is valid
+  Warning,  ///< check this before trusting the result
+  Error,    ///< the reason why there is no result
 };
 
-/// What the data say about themselves: an arc too short to fix a radius, readings that scatter more than
-/// stated. For people: whole sentences.
+/// A finding on the data: an arc too short to determine a radius, readings that scatter more than stated. For
+/// people: whole sentences.
 struct Finding {
   Severity severity = Severity::Note;
   std::string text;         ///< what was found

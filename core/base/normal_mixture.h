@@ -4,9 +4,9 @@
 
 namespace alidade {
 
-// What is believed of a quantity when several accounts of it are possible, each with its own normal
-// distribution. Two accounts far apart make a distribution of two peaks: its interval at 95 % reaches to the
-// farther one as soon as that has 5 %, while twice the standard deviation does so from 20 % on alone.
+// The distribution of a quantity with several possible accounts, each with its own normal distribution. Two
+// distant accounts give a distribution with two peaks: its 95 % interval reaches the farther one once that
+// has 5 %, while twice the standard deviation does so only from 20 % on.
 //
 // Source: JCGM 101:2008, 7.7, coverage interval from the distribution.
 
@@ -20,10 +20,10 @@ struct MeanAndSigma {
   double mean = 0, sigma = 0;
 };
 
-/// Of one part or more: the variances averaged, and the variance of the means.
+/// For one part or more: the mean variance plus the variance of the means.
 MeanAndSigma momentsOf(const std::vector<NormalPart>& mixture);
 
-/// h such that centre ± h holds `coverage`, in (0, 1), of one part or more; to 1e-6 of itself.
+/// h such that centre ± h contains `coverage`, in (0, 1), for one part or more; to a relative 1e-6.
 double halfWidth(const std::vector<NormalPart>& mixture, double centre, double coverage);
 
 /// Parts whose means are less than `grain` apart, and whose variances are as alike, joined in one with their

@@ -12,7 +12,7 @@ double normalScore(double rank, std::size_t count) {
   return normalQuantile((rank - 0.375) / (static_cast<double>(count) + 0.25));
 }
 
-/// Φ of the i-th smallest is a variable of the distribution Beta(i, n + 1 − i).
+/// Φ of the i-th smallest has the distribution Beta(i, n + 1 − i).
 double normalOrderQuantile(double probability, double rank, std::size_t count) {
   assert(rank >= 1 && rank <= static_cast<double>(count));
   const boost::math::beta_distribution<double> share(rank, static_cast<double>(count) + 1 - rank);

@@ -23,7 +23,7 @@ std::size_t skipSign(std::string_view text, std::size_t at) {
   return at < text.size() && (text[at] == '+' || text[at] == '-') ? at + 1 : at;
 }
 
-/// Where the number at the start of `text` ends; 0 where there is none.
+/// The end of the number at the start of `text`; 0 if there is none.
 std::size_t numberEnd(std::string_view text) {
   const std::size_t whole = skipSign(text, 0);
   std::size_t end = skipDigits(text, whole);
@@ -41,7 +41,7 @@ std::size_t numberEnd(std::string_view text) {
   return end;
 }
 
-/// As almost all are typed.
+/// The usual notation of whole numbers.
 bool isPlainWhole(std::string_view text) {
   return !text.empty() && text.size() <= mostWholeDigits && skipDigits(text, 0) == text.size();
 }

@@ -6,12 +6,12 @@
 #include <utility>
 #include <vector>
 
-/// The context in which the lists of translations have the texts of a class, whatever namespace it is in.
+/// The context of a class's texts in the translation files, independent of its namespace.
 #define PHRASE_CONTEXT(context)
 
 namespace alidade {
 
-/// What stands in a phrase in the place of a mark.
+/// The value that replaces a mark in a phrase.
 class PhraseValue {
  public:
   PhraseValue(std::string text) : m_text(std::move(text)) {}
@@ -26,21 +26,20 @@ class PhraseValue {
   std::string m_text;
 };
 
-/// Texts for people. They stand in the sources in English; a program that speaks other languages puts its own
-/// text for an English one in its place. Whole phrases with marks, so that another language can order the
-/// words as it does; never sentences added up from pieces.
+/// Texts for people. The sources contain them in English; a program in another language replaces the English
+/// text. Whole phrases with marks, so that a translation can reorder the words; never sentences assembled
+/// from pieces.
 struct Phrase {
   PHRASE_CONTEXT(Phrase)
 
-  /// `english`, or what the interpreter has for it, with "%1" … "%9" replaced by the values in their order.
-  /// Marks that have no value, and percent signs before anything else, stay as they are; a value is not
-  /// looked through for marks.
+  /// `english`, or the interpreter's text for it, with "%1" … "%9" replaced by the values in order. Marks
+  /// without a value, and other percent signs, stay unchanged; values are not searched for marks.
   template <class... Values>
   static std::string of(const char* english, const Values&... values) {
     return filled(interpreted(english), {PhraseValue(values)...});
   }
 
-  /// From English, UTF-8, to the language of the thread that asks.
+  /// Translates from English, UTF-8, to the language of the calling thread.
   using Interpreter = std::string (*)(const char* english);
   /// For the whole program, before its first phrase in another language; null: English.
   static void setInterpreter(Interpreter interpreter);
@@ -52,6 +51,6 @@ struct Phrase {
 
 }  // namespace alidade
 
-/// An English text of a table, to be handed to `Phrase::of` later: marks it for the lists of translations.
-/// `context` is "Phrase".
+/// An English text of a table, passed to `Phrase::of` later: marks it for the translation files. `context` is
+/// "Phrase".
 #define PHRASE_LATER(context, english) english

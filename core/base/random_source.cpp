@@ -56,7 +56,7 @@ std::uint64_t splitMix(std::uint64_t& state) {
 }  // namespace
 
 RandomSource::RandomSource(std::uint64_t seed, std::uint64_t stream) {
-  // The stream's number is scattered over all bits first, or neighbouring seeds and streams would meet.
+  // The stream's number is mixed over all bits first, so that neighbouring seeds and streams do not coincide.
   std::uint64_t state = splitMix(stream) ^ seed;
   for (std::uint64_t& word : m_state) word = splitMix(state);
 }

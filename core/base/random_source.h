@@ -6,11 +6,11 @@
 
 namespace alidade {
 
-/// Random numbers that are the same on every machine and however the work is shared out: every piece of work
-/// takes a stream of its own, named by a seed and a number. xoshiro256++ (Blackman and Vigna, "Scrambled
-/// linear pseudorandom number generators", 2021), seeded through SplitMix64. A normal number is the normal
-/// quantile of a uniform one (Wichura, algorithm AS 241, 1988), not std::normal_distribution, whose
-/// algorithm every library chooses for itself.
+/// Random numbers that are the same on every machine and for any distribution of the work: each piece of work
+/// has its own stream, identified by a seed and a number. xoshiro256++ (Blackman and Vigna, "Scrambled linear
+/// pseudorandom number generators", 2021), seeded through SplitMix64. A normal number is the normal quantile
+/// of a uniform one (Wichura, algorithm AS 241, 1988) instead of std::normal_distribution, whose algorithm
+/// depends on the library.
 class RandomSource {
  public:
   explicit RandomSource(std::uint64_t seed, std::uint64_t stream = 0);
@@ -31,7 +31,7 @@ class RandomSource {
   double uniform() { return (static_cast<double>(bits() >> 11) + 0.5) * 0x1p-53; }
   double uniform(double low, double high);  ///< in (low, high)
   double normal();                          ///< mean 0, standard deviation 1
-  int whole(int low, int high);             ///< low…high, both included, each as likely
+  int whole(int low, int high);             ///< low…high, both included, with equal probability
 
  private:
   std::array<std::uint64_t, 4> m_state;

@@ -9,8 +9,8 @@
 
 namespace alidade {
 
-/// A value, or why there is none: in one sentence, or as a `Reason` that `core/wording/` has words for. For
-/// bad input; our own bugs are asserts and what the data say about themselves is a finding.
+/// A value, or why there is none: as one sentence, or as a `Reason` that `core/wording/` puts into words. For
+/// invalid input; our own bugs are asserts, and statements on the data are findings.
 template <typename T, typename Reason = Problem>
 class [[nodiscard]] Result {
  public:

@@ -4,12 +4,12 @@
 
 namespace alidade {
 
-/// Does nobody else hold on to it any more, so that it may be changed? What other threads did with it before
-/// they let go has then happened.
+/// Is this the only owner, so that the value may be changed? Accesses of other threads before they released
+/// it are then complete.
 template <typename Value>
 bool isSoleHolder(const std::shared_ptr<Value>& shared) {
   if (shared.use_count() != 1) return false;
-  std::shared_ptr<Value>(shared).reset();  // a count that is only read orders nothing: one given back does
+  std::shared_ptr<Value>(shared).reset();  // reading a count does not synchronise; releasing one does
   return true;
 }
 

@@ -18,7 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The process in `.alidade-4711-1.tmp`; absent in any other name.
+/// The process in `.alidade-4711-1.tmp`; absent for other names.
 std::optional<pid_t> processIn(std::string_view name) {
   constexpr std::string_view head = ".alidade-";
   if (!name.starts_with(head) || !name.ends_with(temporarySuffix)) return {};
@@ -33,7 +33,7 @@ std::optional<pid_t> processIn(std::string_view name) {
   return further == std::errc() && last == end ? std::optional(process) : std::nullopt;
 }
 
-/// On a disk that machines share, the process may be one of another machine: it is given an hour.
+/// On a shared disk the process may run on another machine: the file is kept for an hour.
 bool isStale(const fs::path& path) {
   constexpr time_t patience = 3600;
   const auto process = processIn(path.filename().string());

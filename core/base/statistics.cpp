@@ -13,13 +13,13 @@ namespace {
 
 namespace policies = boost::math::policies;
 
-/// Beyond the range of doubles a quantile is infinite and a tail 0 or 1; nothing is thrown.
+/// Beyond the range of doubles a quantile is infinite and a tail 0 or 1, without exceptions.
 using Quiet = policies::policy<
     policies::domain_error<policies::ignore_error>, policies::pole_error<policies::ignore_error>,
     policies::overflow_error<policies::ignore_error>, policies::underflow_error<policies::ignore_error>,
     policies::evaluation_error<policies::ignore_error>>;
 
-/// In double throughout: long double takes several times as long for digits that nobody reads.
+/// In double throughout: long double takes several times as long for digits that are not used.
 using QuietAndQuick = policies::normalise<Quiet, policies::promote_double<false>>::type;
 
 std::optional<double> known(double probability) {
@@ -32,8 +32,8 @@ std::optional<double> chiSquareUpperTail(Misfit chiSquare, DegreesOfFreedom degr
   if (!chiSquare.isKnown() || !degreesOfFreedom.areThere()) return std::nullopt;
   const double f = degreesOfFreedom.count(), ratio = chiSquare.squared() / f;
   if (std::isinf(chiSquare.squared())) return 0;
-  // Chernoff's bound, P(χ² ≤ x) ≤ (r e^(1−r))^(f/2) with r = x/f < 1: where it is lost beside 1 the tail is
-  // 1, and the series of the gamma function, which overflows there, is not asked.
+  // Chernoff's bound, P(χ² ≤ x) ≤ (r e^(1−r))^(f/2) with r = x/f < 1: if it is negligible compared with 1 the
+  // tail is 1, which avoids an overflow in the series of the gamma function.
   constexpr double lostBesideOne = -40;  // e^−40 is below half of the spacing of doubles at 1
   if (ratio < 1 && f / 2 * (1 - ratio + std::log(ratio)) < lostBesideOne) return 1;
   return known(boost::math::cdf(

@@ -6,18 +6,18 @@
 
 namespace alidade {
 
-/// Does `work` in `threads` ≥ 1 threads at once, this one among them, and comes back when all of them are
-/// done. What the first of them throws is thrown here; the others go on to their end.
+/// Runs `work` in `threads` ≥ 1 threads, this one included, and returns when all of them are done. The first
+/// exception is rethrown here; the other threads complete.
 void inThreads(std::size_t threads, const std::function<void()>& work);
 
-/// Does `work` for each number below `count`, in `threads` ≥ 1 threads at once, and comes back when all are
-/// done; in one thread, one after the other. What the first of them throws is thrown here.
+/// Runs `work` for each number below `count`, in `threads` ≥ 1 threads, and returns when all are done; one
+/// thread runs them in order. The first exception is rethrown here.
 void doEach(std::size_t threads, std::size_t count, const std::function<void(std::size_t)>& work);
-/// The same for each of `pieces`.
+/// Runs each of `pieces` like this.
 void doAll(std::size_t threads, const std::vector<std::function<void()>>& pieces);
 
-/// In how many threads to do what passes over so many rows: below some thousands, a thread of its own costs
-/// more than it saves.
+/// The number of threads for work on this many rows: below some thousands, an additional thread costs more
+/// than it saves.
 std::size_t threadsFor(std::size_t rows);
 
 }  // namespace alidade

@@ -8,7 +8,7 @@ namespace alidade {
 
 namespace {
 
-/// The plain sign for a character; empty where the character stands for itself.
+/// The plain sign for a character; empty if the character stays.
 std::string_view plainSign(char32_t code) {
   switch (code) {
     case U'\u2212':  // minus sign
@@ -50,7 +50,7 @@ std::string_view plainSign(char32_t code) {
   }
 }
 
-/// The sign that a fullwidth form stands for, of an input method: ０ and ： are 0 and :.
+/// The ASCII character of a fullwidth form of an input method: ０ and ： are 0 and :.
 char asciiOf(char32_t code) {
   constexpr char32_t first = U'\uFF01', last = U'\uFF5E';
   return code >= first && code <= last ? static_cast<char>(code - first + U'!') : '\0';
@@ -67,7 +67,7 @@ void appendPlain(std::string& plain, std::string_view character, char32_t code) 
     plain += character;
 }
 
-/// Is it a decimal digit of another script than Latin? The Arabic, Persian and Indic ones, each ten in turn.
+/// Is it a decimal digit of a script other than Latin? The Arabic, Persian and Indic ones, ten each.
 bool isForeignDigit(char32_t code) {
   constexpr char32_t zeros[] = {U'\u0660', U'\u06F0', U'\u07C0', U'\u0966', U'\u09E6', U'\u0A66',
                                 U'\u0AE6', U'\u0B66', U'\u0BE6', U'\u0C66', U'\u0CE6', U'\u0D66',

@@ -6,14 +6,15 @@
 namespace alidade {
 
 /// Typed text in plain signs, for reading numbers and angles. The minus sign and the en dash become '-';
-/// primes, accents and typographic quotation marks that keyboards give for them become ' and "; º, ˚, ◦, ∘
-/// and ⁰ become °; fullwidth digits, letters and punctuation become their ASCII forms; tabs and all kinds of
-/// blanks become ' '. There are no blanks at either end.
+/// primes, and the accents and typographic quotation marks that keyboards give for them, become ' and "; º,
+/// ˚, ◦, ∘ and ⁰ become °; fullwidth digits, letters and punctuation become their ASCII forms; tabs and all
+/// kinds of blanks become ' '. Blanks at both ends are removed.
 std::string plainSigns(std::string_view typed);
 
 bool isDigit(char c);
 
-/// Is there a digit of another script, such as the Arabic ones? No number and no angle is read from these.
+/// Does the text contain a digit of another script, such as Arabic? Numbers and angles with these are
+/// refused.
 bool hasForeignDigits(std::string_view text);
 
 }  // namespace alidade

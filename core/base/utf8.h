@@ -9,13 +9,13 @@ namespace alidade {
 /// The first character of a text. An ill-formed byte counts as one character, U+FFFD.
 struct Utf8Character {
   char32_t code = 0;
-  std::size_t length = 0;  ///< bytes; 0 only where the text is empty
+  std::size_t length = 0;  ///< bytes; 0 only if the text is empty
   bool wellFormed = true;
 };
 
 Utf8Character firstCharacter(std::string_view text);
 
-/// The offset of the first byte that is not UTF-8; empty where all is well.
+/// The offset of the first byte that is not UTF-8; empty if all are valid.
 std::optional<std::size_t> firstIllFormedByte(std::string_view text);
 
 }  // namespace alidade

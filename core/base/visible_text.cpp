@@ -16,7 +16,7 @@ struct Range {
   char32_t first, last;
 };
 
-/// Unicode 15: general category Cc, Zl, Zp, what is Default_Ignorable_Code_Point, and the marks of an
+/// Unicode 15: general categories Cc, Zl and Zp, all Default_Ignorable_Code_Point, and the marks of an
 /// interlinear annotation. In ascending order.
 constexpr std::array<Range, 21> hidden = {{
     {0x0000, 0x001F},   {0x007F, 0x009F},   {0x00AD, 0x00AD},   {0x034F, 0x034F},   {0x061C, 0x061C},
@@ -40,7 +40,7 @@ bool isSelector(char32_t code) {
          (code >= 0xE0100 && code <= 0xE01EF);
 }
 
-/// Does `before` have a shape of its own for what follows? Arabic, Indic and later scripts and pictures do;
+/// Does `before` change its shape because of what follows? Arabic, Indic and later scripts and pictures do;
 /// Latin, Greek, Cyrillic and Hebrew do not.
 bool isShapedBy(char32_t before, char32_t code) {
   constexpr char32_t firstShaped = 0x0600;
@@ -61,7 +61,7 @@ void appendEscape(std::string& text, char32_t code) {
   appendHex(text, "\\u", 0xDC00u + (rest & 0x3FFu), 4);
 }
 
-/// Goes through a text character by character; `before` is the one shown last, none behind an escape.
+/// Processes a text character by character; `before` is the last one shown, or 0 after an escape.
 class Writer {
  public:
   explicit Writer(std::string_view kept) : m_kept(kept) {}
@@ -79,7 +79,7 @@ class Writer {
       appendEscape(m_text, code);
   }
 
-  /// Printable ASCII.
+  /// Appends printable ASCII.
   void addPlain(std::string_view text) {
     m_text += text;
     m_before = static_cast<char32_t>(text.back());
@@ -94,7 +94,7 @@ class Writer {
   std::string m_text;
 };
 
-/// The printable ASCII that it begins with: most of a text, and gone through at once.
+/// The printable ASCII at the start of the text: usually most of it, processed at once.
 std::string_view plainBeginning(std::string_view text) {
   return {text.begin(), std::ranges::find_if(text, [](char c) { return c < ' ' || c > '~'; })};
 }

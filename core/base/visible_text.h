@@ -6,23 +6,23 @@
 
 namespace alidade {
 
-/// Somebody's text as it may be shown: what would act on a terminal, turn the order of the line or not be
-/// seen at all stands there as the escape that JSON has for it, \u001b or \u202e. These are the control
-/// characters (C0, DEL, C1), the line and paragraph separators and all that Unicode draws as nothing; the
-/// joiners and variation selectors stay where they belong, behind a character of a script or a picture that
-/// is shaped by them. A byte that is no UTF-8 stands as \xff. All else is as it was, a backslash too. The
-/// control characters in `kept` stay.
+/// User text in a form that is safe to show: characters that would control a terminal, reverse the order of
+/// the line or be invisible appear as their JSON escape, \u001b or \u202e. These are the control characters
+/// (C0, DEL, C1), the line and paragraph separators and all that Unicode draws as nothing; joiners and
+/// variation selectors stay in place after a character of a script or a picture that they shape. A byte that
+/// is not UTF-8 appears as \xff. Everything else stays unchanged, including backslashes. The control
+/// characters in `kept` stay.
 ///
-/// Within a JSON document the escapes mean what they stand for, so that the document still says the same.
+/// Within a JSON document the escapes are equivalent to the characters, so that its content is the same.
 std::string visibleText(std::string_view text, std::string_view kept = {});
 
-/// The same, cut to its first `most` characters and an ellipsis; an escape counts as the one it stands for.
+/// The visible text, cut to its first `most` characters and an ellipsis; an escape counts as one character.
 std::string shortened(std::string_view text, std::size_t most);
 
-/// What somebody typed, for a sentence: shortened to 40 characters, in “ ”.
+/// User text for a sentence: shortened to 40 characters, in “ ”.
 std::string quotation(std::string_view text);
 
-/// Every byte that is no UTF-8 as \xff; all else as it was.
+/// Replaces every byte that is not UTF-8 by \xff; everything else stays.
 std::string wellFormed(std::string_view text);
 
 }  // namespace alidade

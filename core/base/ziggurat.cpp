@@ -9,8 +9,8 @@ namespace alidade {
 namespace {
 
 constexpr std::size_t layers = 256;
-constexpr double edge = 3.6541528853610088;        // where the tail begins
-constexpr double layerArea = 4.92867323399141e-3;  // under exp(−x²/2), the tail's layer included
+constexpr double edge = 3.6541528853610088;        // start of the tail
+constexpr double layerArea = 4.92867323399141e-3;  // under exp(−x²/2), including the tail's layer
 
 struct Layers {
   std::array<double, layers + 1> width;   ///< of each, from the tail's up; the last is 0
@@ -18,7 +18,7 @@ struct Layers {
 
   Layers() {
     const auto density = [](double x) { return std::exp(-x * x / 2); };
-    width[0] = layerArea / density(edge);  // the tail as if it were a box
+    width[0] = layerArea / density(edge);  // the tail as an equivalent box
     width[1] = edge;
     for (std::size_t i = 2; i < layers; ++i)
       width[i] = std::sqrt(-2 * std::log(layerArea / width[i - 1] + density(width[i - 1])));
@@ -29,7 +29,7 @@ struct Layers {
 
 const Layers table;
 
-/// Beyond the edge (Marsaglia, 1964).
+/// A value beyond the edge (Marsaglia, 1964).
 double drawTail(RandomSource& random) {
   while (true) {
     const double beyond = -std::log(random.uniform()) / edge;

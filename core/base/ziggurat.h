@@ -6,12 +6,12 @@
 
 namespace alidade {
 
-/// A normal number, mean 0 and standard deviation 1, in a fifth of the time of `RandomSource::normal`, where
-/// millions are drawn. The ziggurat of Marsaglia and Tsang ("The ziggurat method for generating random
+/// A normal number, mean 0 and standard deviation 1, in a fifth of the time of `RandomSource::normal`, for
+/// draws by the million. The ziggurat of Marsaglia and Tsang ("The ziggurat method for generating random
 /// variables", 2000) with 256 layers, layer and place from different bits of one number (Doornik, 2005):
-/// exact, tails included. Takes one number of the source, in one case of a hundred more.
+/// exact, including tails. Takes one number of the source; in one per cent of cases, more.
 double zigguratNormal(RandomSource& random);
-/// As many as there are `values`, one after the other: the state of the source then stays in registers.
+/// Fills all of `values` in sequence: the state of the source then stays in registers.
 void fillWithNormals(RandomSource& random, std::span<double> values);
 
 }  // namespace alidade

@@ -18,7 +18,7 @@ std::string notStatedText() {
   return Phrase::of("not stated");
 }
 
-/// ISO 3166-1 leaves ZZ to its users.
+/// ISO 3166-1 reserves ZZ for private use.
 constexpr const char* noCountry = "ZZ";
 
 constexpr std::array<std::string_view, 5> placesOfPerformance = {"laboratory", "customer", "laboratoryBranch",
@@ -36,7 +36,7 @@ bool isDay(const std::string& text) {
   return !text.empty() && !dateProblem(text);
 }
 
-/// Notes what is empty.
+/// Records the entries that are empty.
 class Statement {
  public:
   explicit Statement(StatedEntries& entries) : m_entries(entries) {}
@@ -85,7 +85,7 @@ std::optional<Problem> takePlace(StatedEntries& stated, const std::string& text)
                  quotation(text))};
 }
 
-/// Somebody's name, in no language, or that it is not stated.
+/// Adds a person's name, without a language, or that it is not stated.
 void addName(const Element& to, const std::string& text) {
   if (text.empty())
     to.say("name", notStatedText);
@@ -124,7 +124,7 @@ void addItems(const Element& to, const CertificateSource& source, const StatedEn
   else
     item.typed("name", stated.device);
   addName(item.add("manufacturer"), stated.manufacturer);
-  // A value of its own in one language, as identifiers are.
+  // A value without translations, as for identifiers.
   item.add("identifications")
       .identification(
           "manufacturer", stated.serial.empty() ? "not stated" : stated.serial,

@@ -6,7 +6,7 @@
 
 namespace alidade {
 
-/// What the session states for a certificate; fails as `calibrationCertificate`.
+/// The session's statements for a certificate; fails as `calibrationCertificate` does.
 Result<StatedEntries> statedEntries(const CertificateSource& source, const CertificateOptions& options);
 
 /// Adds the `administrativeData`. `languages`: those of the certificate.

@@ -11,7 +11,7 @@
 
 namespace alidade {
 
-/// A document for people that goes with a certificate.
+/// A document for people, embedded in a certificate.
 struct CertificateDocument {
   std::string fileName, mimeType;
   std::string_view bytes;
@@ -19,32 +19,34 @@ struct CertificateDocument {
 
 struct CertificateOptions {
   std::string version;          ///< of this program
-  std::string measuredOn = {};  ///< a day, where the session states none
-  std::string country = {};     ///< of the laboratory, ISO 3166-1: "DE"; empty: not stated, likewise below
+  std::string measuredOn = {};  ///< a day, if the session states none
+  std::string country = {};     ///< of the laboratory, ISO 3166-1: "DE"; empty: not stated, as for the next
+                                ///< ones
   std::string performedAt =
       {};  ///< "laboratory", "customer", "laboratoryBranch", "customerBranch" or "other"
   std::string manufacturer = {};                    ///< of the device
-  std::string issued = {};                          ///< day of issue; empty: none is stated
+  std::string issued = {};                          ///< day of issue; empty: not stated
   std::vector<CertificateLanguage> languages = {};  ///< the binding one first; empty: English
   std::optional<CertificateDocument> report = {};   ///< the acceptance report, as PDF
 };
 
 struct CalibrationCertificate {
   std::string xml;
-  /// What the schema requires and the session leaves empty, as nouns for `Phrase::of`: the certificate calls
-  /// it not stated.
+  /// Entries that the schema requires and the session leaves empty, as nouns for `Phrase::of`: in the
+  /// certificate they are "not stated".
   std::vector<const char*> notStated;
 };
 
-/// The digital calibration certificate of a session (PTB, DCC 3.2.0, values by D-SI 2.1.0), UTF-8: who
-/// measured what for whom, Δd as measured and of the fit alone with U, k and coverage, Δz, O1, O2, the radii,
-/// the conditions, the instrument, the decision rule with the statement of conformity (`conformityOf`), and
-/// within it the session's file, the results as `alidade-cli fit --json` has them, and the report. The same
-/// source and options give the same bytes: no clock is asked, and without a number of the report the
-/// identifier is made of the session's SHA-256.
+/// The digital calibration certificate of a session (PTB, DCC 3.2.0, values by D-SI 2.1.0), UTF-8. It states
+/// the parties and the device; Δd, measured and fit only, with U, k and coverage; Δz, O1, O2 and the radii;
+/// the
+/// conditions, the instrument and the decision rule with the statement of conformity (`conformityOf`). It
+/// embeds the session's file, the results of `alidade-cli fit --json` and the report. The same source and
+/// options give the same bytes: the clock is not used, and without a report number the identifier is derived
+/// from the session's SHA-256.
 ///
-/// Fails where the schema requires what nothing can stand for: the day of the measurement; and where a day,
-/// the country or the place of performance is none.
+/// Fails without the day of the measurement, which the schema requires, and on an invalid day, country or
+/// place of performance.
 Result<CalibrationCertificate> calibrationCertificate(const CertificateSource& source,
                                                       const CertificateOptions& options);
 

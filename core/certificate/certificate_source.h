@@ -8,12 +8,12 @@
 
 namespace alidade {
 
-/// What a certificate is made of. Must not outlive what it refers to.
+/// The input of a certificate. Must not outlive the objects it refers to.
 struct CertificateSource {
   const Session& session;
   const FitAnswer& answer;  ///< of that session
-  std::string fileName;     ///< of the session, without folder; empty: in no file
-  std::string_view bytes;   ///< of its file, or as it would be saved
+  std::string fileName;     ///< of the session, without folder; empty: unsaved
+  std::string_view bytes;   ///< of its file, or as they would be saved
 };
 
 }  // namespace alidade

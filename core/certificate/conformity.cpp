@@ -17,7 +17,7 @@ namespace {
 
 using Obstacle = AcceptanceDecision::Obstacle;
 
-/// The best estimate of what the tolerance is of, mm, ≥ 0; absent where it is not known.
+/// The best estimate of the quantity with the tolerance, mm, ≥ 0; absent if unknown.
 std::optional<double> sizeAsFound(const FitAnswer& answer) {
   const Diagnosis* found = answer.found();
   if (!found) return std::abs(answer.fit.intersection->value);
@@ -36,7 +36,7 @@ std::optional<std::string_view> conditional(const FitAnswer& answer, const Accep
   if (!found) return std::nullopt;
   const double tolerance = *answer.measurement.tolerance;
   const bool isWithin = *found <= tolerance;
-  // Of a distance from the axis the fit alone knows a part, which says nothing of the whole.
+  // For a distance from the axis, Δd, fit only, is a single component and cannot be compared.
   if (answer.measurement.measurand == Measurand::Intersection &&
       (std::abs(answer.fit.intersection->value) <= tolerance) != isWithin)
     return std::nullopt;
@@ -59,7 +59,7 @@ std::string ruleText(const Measurement& measurement) {
       limit, share);
 }
 
-/// What the schema's word means here, or why there is none.
+/// The meaning of the schema's word here, or why there is none.
 std::string statementText(const FitAnswer& answer, const AcceptanceDecision& decision) {
   std::string sentence = inTurn(verdictSentence(answer.measurement, answer.fit, answer.found(), decision),
                                 dependenceSentence(answer.dependences));

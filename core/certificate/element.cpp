@@ -16,10 +16,10 @@ std::string qualified(const char* name) {
 }
 
 std::string base64(std::string_view bytes) {
-  // Four characters for each three bytes, and what OpenSSL ends them with.
+  // Four characters for every three bytes, and OpenSSL's terminating zero.
   std::string text(4 * ((bytes.size() + 2) / 3) + 1, '\0');
   std::size_t length = 0;
-  constexpr std::size_t piece = std::size_t{3} << 24U;  // of whole triples, for a length that is an int
+  constexpr std::size_t piece = std::size_t{3} << 24U;  // whole triples, so that a length fits into an int
   while (!bytes.empty()) {
     const std::string_view part = bytes.substr(0, piece);
     length += static_cast<std::size_t>(EVP_EncodeBlock(reinterpret_cast<unsigned char*>(text.data() + length),
@@ -35,7 +35,7 @@ bool isBlankSign(char c) {
   return c == ' ' || c == '\t' || c == '\n' || c == '\r';
 }
 
-/// XML 1.0 has no place for the last two characters of the first plane.
+/// XML 1.0 excludes the last two characters of the first plane.
 std::string withoutNonCharacters(std::string_view text) {
   std::string result;
   while (!text.empty()) {

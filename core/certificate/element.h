@@ -12,20 +12,21 @@ struct xml_node_struct;
 
 namespace alidade {
 
-/// A text of the program's own, as `Phrase::of` makes it where it is called.
+/// A text of the program, which `Phrase::of` makes in the language of the call.
 using Say = std::function<std::string()>;
 
-/// A language that a certificate speaks.
+/// A language of a certificate.
 struct CertificateLanguage {
   std::string code;                                        ///< ISO 639-1: "en"
   std::function<std::string(const Say&)> speak = nullptr;  ///< calls it in that language; empty: English
 };
 
-/// Somebody's text as a certificate holds it: without blanks at its ends, and what XML cannot hold, what acts
-/// on a terminal and what turns or hides text as its escape (`visibleText`).
+/// User text for a certificate, without blanks at its ends. Characters that XML cannot hold, control a
+/// terminal, reverse or hide text are written as escapes (`visibleText`).
 std::string certificateText(std::string_view text);
 
-/// An element of the certificate. Names are those of the schema, `dcc:` before them unless they say `si:`.
+/// An element of the certificate. Names are those of the schema, with the prefix `dcc:` unless they have
+/// `si:`.
 class Element {
  public:
   /// `languages`: at least one; must outlive it.
@@ -33,18 +34,18 @@ class Element {
 
   Element add(const char* name) const;
   const Element& attribute(const char* name, const std::string& value) const;
-  /// An element with a text and nothing else.
+  /// Adds an element that holds only a text.
   void value(const char* name, const std::string& text) const;
-  /// Of `textType` or `richContentType`: one `content` for each language.
+  /// Adds an element of `textType` or `richContentType`, with one `content` for each language.
   Element say(const char* name, const Say& text) const;
-  /// The same of what somebody typed, in whatever language.
+  /// Adds such an element with user text in an unknown language.
   Element typed(const char* name, const std::string& text) const;
-  /// Further contents of such an element.
+  /// Adds a further `content` to such an element.
   void addContent(const Say& text) const;
-  /// Of `byteDataType`: the bytes as base64.
+  /// Adds an element of `byteDataType`: the bytes as base64.
   void file(const char* name, const std::string& fileName, const std::string& mimeType,
             std::string_view bytes) const;
-  /// An `identification`: its `value` by that `issuer` and what it is.
+  /// Adds an `identification`: its `value`, `issuer` and description.
   void identification(const char* issuer, const std::string& value, const Say& what,
                       const char* refType = nullptr) const;
 

@@ -22,7 +22,7 @@ const char* shapeOf(double degreesOfFreedom) {
   return std::isfinite(degreesOfFreedom) ? "Student's t" : "normal";
 }
 
-/// Of an average over accounts, each with a distribution of its own.
+/// The distribution of an average over accounts, each with its own distribution.
 const char* shapeOf(const IntersectionEstimate& estimate) {
   return estimate.accounts.size() > 1 ? "mixture of Student's t" : shapeOf(estimate.degreesOfFreedom);
 }
@@ -45,7 +45,7 @@ StatedQuantity asMeasured(const IntersectionEstimate& estimate, double coverage)
               }};
 }
 
-/// Says in its place why there is no Δd, measured.
+/// Says why there is no Δd, measured, in its place.
 void addNoneMeasured(const Element& data, bool isDiagnosed) {
   const Element quantity = data.add("quantity");
   quantity.attribute("id", "intersection_as_measured");
@@ -119,7 +119,7 @@ void addAcross(const Element& results, const FitAnswer& answer) {
       "distance_from_axis", [] { return Phrase::of("d = √(Δd² + Δz²), as a whole"); }, measured.distance);
 }
 
-/// "arc_180", and "arc_180_2" where the axis is measured again.
+/// "arc_180", and "arc_180_2" for a repeated axis.
 std::string idOf(const ArcFit& arc) {
   std::string id = "arc_" + std::to_string(arc.axisDeg);
   if (arc.time > 1) id += "_" + std::to_string(arc.time);

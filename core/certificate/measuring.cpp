@@ -89,7 +89,7 @@ void addTheodolite(const Element& to, const CertificateSource& source) {
   addSigmas(theodolite, source.answer.measurement);
 }
 
-/// `text`: what was typed; nothing is added where it is empty.
+/// `text`: as typed; nothing is added if it is empty.
 void addCondition(const Element& list, const StatedQuantity& quantity) {
   const Element condition = list.add("influenceCondition");
   if (quantity.refType) condition.attribute("refType", quantity.refType);
@@ -97,7 +97,7 @@ void addCondition(const Element& list, const StatedQuantity& quantity) {
   addQuantity(condition.add("data"), quantity);
 }
 
-/// Not part of what `examine` makes of a session, where no length expands.
+/// `examine` does not convert this number if no length expands.
 std::optional<double> typedNumber(std::string_view field, const std::string& text) {
   const Result<std::optional<double>> number = numberEntry(field, text);
   return number && !text.empty() ? *number : std::nullopt;

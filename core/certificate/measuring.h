@@ -7,8 +7,8 @@
 
 namespace alidade {
 
-/// Adds by what it was measured: methods, software, the theodolite with its certificate, and under which
-/// conditions. In the order of the schema.
+/// Adds the methods, software, the theodolite with its certificate, and the conditions, in the order of the
+/// schema.
 void addMeasuring(const Element& result, const CertificateSource& source, const std::string& version);
 
 }  // namespace alidade

@@ -10,14 +10,14 @@ namespace alidade {
 
 namespace {
 
-/// In full, since coverage factors and probabilities have no exponent there.
+/// Without an exponent, which the schema excludes for coverage factors and probabilities.
 std::string plainText(double value) {
   char text[400];
   const auto written = std::to_chars(text, text + sizeof text, value, std::chars_format::fixed);
   return {text, written.ptr};
 }
 
-/// The schema takes no coverage factor below 1: an interval says the same.
+/// For a coverage factor below 1, which the schema excludes, writes an equivalent interval.
 void addUncertainty(const Element& real, double value, const StatedUncertainty& stated) {
   if (!(stated.sigma > 0) || !std::isfinite(stated.expanded)) return;
   const double factor = stated.expanded / stated.sigma;

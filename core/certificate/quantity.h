@@ -6,7 +6,7 @@
 
 namespace alidade {
 
-/// An uncertainty as the digital SI states it.
+/// An uncertainty as in the digital SI.
 struct StatedUncertainty {
   double sigma = 0, expanded = 0;  ///< in the unit of its value; expanded = k σ
   double coverage = 0;             ///< 0…1
@@ -26,8 +26,8 @@ struct StatedQuantity {
   Say description = nullptr;  ///< empty: none
 };
 
-/// Adds a `quantity` to a `data` element, or to what else holds one by `element`. What has no finite value is
-/// said to be none; an uncertainty without end, or of nothing, is left out.
+/// Adds a `quantity` to a `data` element, or to another parent as `element`. A value that is not finite is
+/// stated as missing; an infinite or zero uncertainty is omitted.
 void addQuantity(const Element& to, const StatedQuantity& quantity, const char* element = "quantity");
 
 }  // namespace alidade

@@ -9,7 +9,7 @@ namespace {
 
 constexpr int secondsDecimals = 3, degreeDecimals = 7;  // 0.001″ and 0.0004″
 
-/// `number` ends before the `tail` of its text; noughts after a point go, and a point that ends it.
+/// Removes trailing zeros after a decimal point, and a final point, from the number before `tail`.
 std::string withoutNoughts(const std::string& text, const std::string& tail) {
   std::string number = text.substr(0, text.size() - tail.size());
   if (number.find('.') != std::string::npos) {

@@ -19,7 +19,7 @@ std::optional<int> wholeOf(std::string_view text) {
   return number;
 }
 
-/// Parted by commas outside of quotes; nothing of nothing.
+/// The parts separated by commas outside quotes; none for an empty text.
 std::vector<std::string> partsOf(std::string_view text) {
   std::vector<std::string> parts;
   if (text.empty()) return parts;
@@ -45,18 +45,18 @@ std::string joined(const std::vector<std::string>& parts) {
 
 struct Message {
   std::vector<int> heads;  ///< before the colon, up to three; the third is a check sum
-  std::string_view rest;   ///< behind it
-  bool isSound = true;     ///< the check sum is that of the line, or there is none
+  std::string_view rest;   ///< after the colon
+  bool isSound = true;     ///< the check sum is correct, or there is none
 };
 
-/// Is the third number before the colon the check sum of what stands without it?
+/// Is the third number before the colon the check sum of the rest of the line?
 bool fitsItsChecksum(std::string_view message, std::size_t colon, int checksum) {
   const std::size_t comma = message.rfind(',', colon);
   const std::string without = std::string(message.substr(0, comma)) + std::string(message.substr(colon));
   return geoComChecksum(without) == checksum;
 }
 
-/// From the last `mark` of a line on, noise before it being none of it.
+/// The message from the last `mark` of a line on, without the noise before it.
 std::optional<Message> messageFrom(std::string_view mark, std::string_view line) {
   const std::size_t at = line.rfind(mark);
   if (at == std::string_view::npos) return std::nullopt;

@@ -12,11 +12,11 @@ namespace alidade {
 //   %R1Q,<rpc>[,<transaction>[,<crc>]]:<parameters>
 //   %R1P,<communication code>,<transaction>[,<crc>]:<return code>[,<parameters>]
 //
-// Parameters are parted by commas; texts stand in double quotes; angles are radians. The transaction of a
-// question comes back with its answer and goes from 0 to 7. A check sum is CRC-16/ARC of the line without
-// it and the comma before it, as a decimal number; an instrument sends one where it is set so. Sources:
-// GeoCOM Reference Manual, TPS1200 (Leica Geosystems), and the MIT-licensed GeoComPy (geo/__init__.py,
-// geo/tmc.py, geo/com.py, geo/csv.py); the check sum is GeoComPy's, which found it out by trial.
+// Parameters are separated by commas; texts are in double quotes; angles are radians. An answer repeats the
+// transaction number of its question, 0 to 7. A check sum is CRC-16/ARC of the line without it and the comma
+// before it, as a decimal number; an instrument sends one if it is set to. Sources: GeoCOM Reference Manual,
+// TPS1200 (Leica Geosystems), and the MIT-licensed GeoComPy (geo/__init__.py, geo/tmc.py, geo/com.py,
+// geo/csv.py); the check sum is from GeoComPy, which determined it by experiment.
 
 namespace geocom {
 inline constexpr int null = 0, doublePrecision = 108, softwareVersion = 110, switchOn = 111, angles = 2003,
@@ -40,28 +40,28 @@ struct GeoComAnswer {
   int transaction = 0;
   int returnCode = 0;
   std::vector<std::string> parameters = {};  ///< texts without their quotes
-  bool isSound = true;                       ///< false: it has a check sum, which is not that of the line
+  bool isSound = true;                       ///< false: the check sum is wrong
 };
 
 std::string geoComLine(const GeoComQuestion& question);
 std::string geoComLine(const GeoComAnswer& answer);
 
-/// Absent where the line is none.
+/// Absent if the line is not a question.
 std::optional<GeoComQuestion> geoComQuestion(std::string_view line);
-/// What stands before `%R1P` is passed over: noise of a cable that was just put in.
+/// Skips noise before `%R1P`, as from a cable just plugged in.
 std::optional<GeoComAnswer> geoComAnswer(std::string_view line);
 
 /// CRC-16/ARC: polynomial x¹⁶ + x¹⁵ + x² + 1, reflected, from 0; of "123456789" it is 0xBB3D.
 int geoComChecksum(std::string_view text);
 
-/// Do the angles of an answer with this return code count?
+/// Are the angles of an answer with this return code usable?
 bool hasAngles(int returnCode);
-/// Does the instrument vouch for such angles? That there is no distance is nothing against them.
+/// Does the instrument guarantee such angles? A missing distance does not matter.
 bool isVouchedFor(int returnCode);
 /// Will the same question be answered a moment later?
 bool isBusy(int returnCode);
 
-/// What a return code says, as a sentence.
+/// The meaning of a return code, as a sentence.
 std::string geoComSentence(int returnCode);
 
 }  // namespace alidade

@@ -13,11 +13,11 @@ namespace alidade {
 
 namespace {
 
-constexpr int tiltDecimals = 2;  // of arcseconds: what compensators resolve
+constexpr int tiltDecimals = 2;  // of arcseconds: the resolution of compensators
 constexpr std::size_t anglesCount = 9, plainCount = 2, switchesCount = 4;
 constexpr std::array<const char*, switchesCount> switchNames = {"inclination", "standing_axis", "collimation",
                                                                 "tilting_axis"};
-constexpr double largestRadians = 1000;  // instruments count turns, but not so many
+constexpr double largestRadians = 1000;  // instruments count turns, but never this many
 
 std::optional<Angle> radiansOf(const std::string& text) {
   const Result<double> number = parseNumber(text);
@@ -25,7 +25,7 @@ std::optional<Angle> radiansOf(const std::string& text) {
   return Angle::fromRadians(*number);
 }
 
-/// To the last place that is written: 359°59'59.9999" is 0.
+/// Rounded to the last place written: 359°59'59.9999" becomes 0.
 Angle asWritten(Angle angle) {
   const Angle half = Angle::fromDegrees(180);
   return wrapped(Angle::fromArcseconds(std::round(angle.arcseconds() * 1000) / 1000), half);
@@ -65,7 +65,7 @@ void GeoComTalk::onTake(Milliseconds now, TalkStep& step) {
   if (isIdle) ask(now, step);
 }
 
-/// Sends the first question, with a number of its own.
+/// Sends the first question, with a new transaction number.
 void GeoComTalk::ask(Milliseconds now, TalkStep& step) {
   m_askAt.reset();
   m_waitsFor.reset();
@@ -76,12 +76,12 @@ void GeoComTalk::ask(Milliseconds now, TalkStep& step) {
   m_waitsFor = m_transaction;
   m_deadline = now + (question.need == Need::Angles ? m_times.answerWithin : m_times.wakeWithin);
   GeoComQuestion message{.rpc = question.rpc, .transaction = m_transaction};
-  // The compensator's plane where it is at rest, else measured: as the instrument does for its own display.
+  // Requests the compensator's plane if it is at rest, else a measurement, like the instrument's own display.
   if (question.rpc == geocom::angles || question.rpc == geocom::plainAngles) message.parameters = {"1"};
   send(geoComLine(message), step);
 }
 
-/// What was lost or spoiled; who does not answer at last has no answer.
+/// Repeats a lost or damaged question; after the last attempt it counts as unanswered.
 void GeoComTalk::askAgain(Milliseconds now, TalkStep& step) {
   const Question& question = m_questions.front();
   const int most = question.need == Need::Optional ? std::min(2, m_times.attempts) : m_times.attempts;
@@ -143,7 +143,7 @@ void GeoComTalk::use(const GeoComAnswer& answer, Milliseconds now, TalkStep& ste
   next(now, step);
 }
 
-/// Has it all that the answer to such a question has?
+/// Does the answer contain all parameters that this question requires?
 bool GeoComTalk::isWhole(int rpc, const GeoComAnswer& answer) {
   const std::vector<std::string>& values = answer.parameters;
   const auto isNumber = [](const std::string& text) { return static_cast<bool>(parseNumber(text)); };
@@ -161,7 +161,7 @@ bool GeoComTalk::isWhole(int rpc, const GeoComAnswer& answer) {
   }
 }
 
-/// Nobody knows better where the telescope is than the circle. False: these are no angles.
+/// Takes the direction of the telescope from the circles. False if these are not angles.
 bool GeoComTalk::takeAngles(const GeoComAnswer& answer, TalkStep& step) {
   const std::vector<std::string>& values = answer.parameters;
   const auto horizontal = radiansOf(values[0]), vertical = radiansOf(values[1]);
@@ -224,7 +224,7 @@ void GeoComTalk::takeIdentity(int rpc, const GeoComAnswer& answer) {
   }
 }
 
-/// Another instrument at the same cable has another name, too.
+/// Another instrument on the same cable also has another name.
 void GeoComTalk::takeSerial(const std::string& serial) {
   const bool isOther = !m_identity.serial.empty() && m_identity.serial != serial;
   m_identity.serial = serial;
@@ -234,8 +234,8 @@ void GeoComTalk::takeSerial(const std::string& serial) {
   m_questions.push_back({geocom::instrumentName});
 }
 
-/// What can be done without is done without, from now on where it was refused; angles of an older kind stand
-/// in for those with tilts. `code`: what was answered, absent: nothing.
+/// Continues without an optional answer, permanently if it was refused; an older kind of angles replaces
+/// those with tilts. `code`: the answer; absent: no answer.
 void GeoComTalk::giveUp(std::optional<int> code, Milliseconds now, TalkStep& step) {
   const Question question = m_questions.front();
   if (question.need == Need::Optional) {

@@ -9,12 +9,12 @@
 
 namespace alidade {
 
-// The program asks: twice nothing, since the first may be lost while the instrument wakes, then how fine its
-// numbers are and what it is; for a reading both circles with the tilts of the compensator (RPC 2003), and
-// before them which instrument it is, what it corrects and whether the compensator is on (5003, 2014, 2007):
-// all of it may have been changed between two readings. One question at a time; what
-// is answered with busy is asked again a little later, what is not answered is asked again with another
-// number, and an answer that comes late or twice has a number that nobody waits for.
+// The program's side of the connection. It first asks two empty questions, since the first may be lost while
+// the instrument wakes, then for the resolution of its numbers and its identity. For a reading it asks for
+// both circles with the tilts of the compensator (RPC 2003). Before that it asks for the serial, the
+// corrections and the compensator's state (5003, 2014, 2007), as all may have changed since the last reading.
+// One question is pending at a time. After a busy answer it is repeated a little later, without an answer it
+// is repeated with another number; late or duplicate answers have an outdated number.
 
 class GeoComTalk : public InstrumentTalk {
  public:
@@ -53,17 +53,17 @@ class GeoComTalk : public InstrumentTalk {
   void finishReading(TalkStep& step);
   static bool isWhole(int rpc, const GeoComAnswer& answer);
 
-  std::deque<Question> m_questions;          ///< the first of them is asked, or waits for `m_askAt`
-  std::optional<int> m_waitsFor;             ///< transaction that was asked; absent: none
-  Milliseconds m_deadline = 0;               ///< of its answer
+  std::deque<Question> m_questions;          ///< the first is pending, or waits for `m_askAt`
+  std::optional<int> m_waitsFor;             ///< transaction number of the pending question; absent: none
+  Milliseconds m_deadline = 0;               ///< for its answer
   std::optional<Milliseconds> m_askAt = {};  ///< after a pause
   int m_transaction = 0;
   bool m_isAwake = false, m_isTaking = false, m_isIdentified = false;
-  std::set<int> m_notAnswered;  ///< questions that this instrument has no answer to
+  std::set<int> m_notAnswered;  ///< questions that this instrument cannot answer
   bool m_hasAngles = false;
-  bool m_wasSpoiled = false;                 ///< the last answer to the first question
-  std::optional<bool> m_isCompensated = {};  ///< the compensator is on; absent: not told
-  InstrumentReading m_reading;               ///< of which `m_hasAngles` tells
+  bool m_wasSpoiled = false;                 ///< the last answer to the first question was damaged
+  std::optional<bool> m_isCompensated = {};  ///< the compensator is on; absent: unknown
+  InstrumentReading m_reading;               ///< valid if `m_hasAngles`
 };
 
 }  // namespace alidade

@@ -7,30 +7,29 @@
 
 namespace alidade {
 
-// What the digits beside the index of a word of GSI tell of its angle. Positions 3 to 6 are the block's
-// number or a point, then
+// The information digits of a GSI word on its angle. Positions 3 to 6 are the block's number or a point, then
 //
-//   4   compensator: 0 off, 1 and 3 on
-//   5   input: 0 as measured, 1 keyed in, 2 measured with the corrections of the horizontal circle on, 3 with
+//   4 compensator: 0 off, 1 and 3 on
+//   5 input: 0 as measured, 1 keyed in, 2 measured with the corrections of the horizontal circle on, 3 with
 //       these off, 4 the result of a function
-//   6   unit
+//   6 unit
 //
-// and a point where nothing is told. Source: GSI ONLINE for Leica TPS and DNA (Leica Geosystems, 2008), GSI
+// and a point for missing information. Source: GSI ONLINE for Leica TPS and DNA (Leica Geosystems, 2008), GSI
 // word information.
 
 struct GsiInformation {
   std::optional<bool> isCompensated = {};          ///< the compensator was on
   std::optional<bool> isHorizontalCorrected = {};  ///< for standing axis, collimation and tilting axis
-  bool isKeyedIn = false;                          ///< typed on the instrument, not measured
+  bool isKeyedIn = false;                          ///< typed on the instrument instead of measured
   bool isComputed = false;                         ///< by a function of the instrument
 };
 
 GsiInformation gsiInformation(const GsiWord& word);
 
-/// What both circles tell of the corrections, as a row has it; empty: they do not tell all of it.
+/// The corrections according to both circles, as in a row; empty if the information is incomplete.
 std::string gsiCorrections(const GsiInformation& horizontal, const GsiInformation& vertical);
 
-/// Why the instrument does not vouch for an angle of these; empty: it does.
+/// Why the instrument does not guarantee one of these angles; empty if it does.
 std::string gsiReservation(const GsiInformation& horizontal, const GsiInformation& vertical);
 
 }  // namespace alidade

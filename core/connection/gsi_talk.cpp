@@ -21,8 +21,7 @@ constexpr const char* acknowledgement = "?";
 constexpr const char* measureBoth = "GET/M/WI21/WI22";
 constexpr const char* askSerial = "GET/I/WI12";
 
-/// Noise before a block is no part of it, nor is half a block that the whole one came after: from the last *
-/// on.
+/// The block from the last * on: removes noise and an incomplete block before it.
 std::string blockIn(const std::string& line) {
   const std::size_t star = line.rfind('*');
   return star != std::string::npos && looksLikeGsi(line.substr(star)) ? line.substr(star) : line;
@@ -33,7 +32,7 @@ const GsiWord* wordIn(const std::vector<GsiWord>& words, int index) {
   return found == words.end() ? nullptr : &*found;
 }
 
-/// The circle of a word, as a text and checked like one that is typed.
+/// The circle of a word, as a text validated like typed input.
 Result<Angle> circleOf(const GsiWord& word, const RowField& field, VerticalCircle circle, std::string& text) {
   const auto angle = gsiAngle(word, 0);
   if (const auto* problem = std::get_if<LineProblem>(&angle)) return Problem{problem->what};
@@ -107,12 +106,12 @@ void GsiTalk::onLine(const std::string& line, Milliseconds now, TalkStep& step) 
   const std::size_t first = line.find_first_not_of(" \t");
   if (first == std::string::npos) return;
   const std::string text = line.substr(first);
-  if (text == "?") return;  // something that was set is set
+  if (text == "?") return;  // acknowledges a setting
   if (text[0] == '@') return takeCode(text, step);
   takeBlock(blockIn(text), now, step);
 }
 
-/// Is this the answer to the question for it? A block of the circles is none.
+/// Takes the answer to the question for the serial number; false for a block with circles.
 bool GsiTalk::takeSerial(const std::string& line, TalkStep& step) {
   if (!m_serialUntil) return false;
   const auto parsed = gsiWords({0, line});
@@ -125,7 +124,7 @@ bool GsiTalk::takeSerial(const std::string& line, TalkStep& step) {
   return true;
 }
 
-/// An instrument that does not tell its serial number may answer with a code: nobody needs to hear of it.
+/// An instrument that does not state its serial number may answer with a code, which is ignored.
 void GsiTalk::takeCode(const std::string& code, TalkStep& step) {
   if (std::exchange(m_serialUntil, std::nullopt)) return;
   const std::string shown = shownLine(code.substr(0, 40));
@@ -148,7 +147,7 @@ void GsiTalk::takeBlock(const std::string& line, Milliseconds now, TalkStep& ste
     return step.remarks.push_back(Phrase::of("This is no block of GSI and was passed over: %1", shown));
   if (takeSerial(line, step)) return;
   const Result<InstrumentReading> reading = gsiReading(line, m_circles.vertical);
-  if (!reading)  // without an acknowledgement the instrument sends it again
+  if (!reading)  // without an acknowledgement the instrument repeats it
     return step.remarks.push_back(
         Phrase::of("A block was not taken: %1. The instrument sends it again, or reports an error.",
                    reading.problem().what));

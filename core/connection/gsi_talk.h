@@ -6,14 +6,13 @@
 namespace alidade {
 
 // GSI online: the key REC of the instrument sends a block of words (core/exchange/gsi_word.h), which is
-// acknowledged by `?`; where that stays out the instrument sends it again. The same block within a while is
-// therefore the same sighting: instruments number their points on, and the last digits of two sightings
-// differ. A reading can be asked for, too, by `GET/M/WI21/WI22`, whose answer needs no acknowledgement. Once
-// the port is open the serial number is asked for (`GET/I/WI12`); who does not answer that has none. `@W…`
-// and `@E…` are warnings and errors. The vertical circle is taken as the instrument is set to show it, which
-// a word does not tell: as that of the session. Sources: GSI ONLINE for Leica TPS and DNA (Leica Geosystems,
-// 2008), for words the TPS1100 manual; when a block is sent again, and that an answer is not acknowledged,
-// hangs on the instrument.
+// acknowledged by `?`; otherwise the instrument sends it again. The same block within a while is therefore
+// the same sighting: instruments increment point numbers, and the last digits of two sightings differ. A
+// reading can also be requested by `GET/M/WI21/WI22`, whose answer is not acknowledged. The serial number is
+// requested once the port is open (`GET/I/WI12`) and stays empty without an answer. `@W…` and `@E…` are
+// warnings and errors. The words do not state the kind of vertical circle: that of the session is assumed.
+// Sources: GSI ONLINE for Leica TPS and DNA (Leica Geosystems, 2008), for words the TPS1100 manual; when a
+// block is repeated, and that answers are not acknowledged, depends on the instrument.
 
 class GsiTalk : public InstrumentTalk {
  public:
@@ -35,13 +34,13 @@ class GsiTalk : public InstrumentTalk {
   bool takeSerial(const std::string& line, TalkStep& step);
   bool wasTaken(const std::string& line, Milliseconds now) const;
 
-  std::optional<Milliseconds> m_askedUntil = {};   ///< of a reading that was asked for
-  std::optional<Milliseconds> m_serialUntil = {};  ///< of the serial number that was asked for
-  std::string m_lastBlock;                         ///< taken last
-  Milliseconds m_lastAt = 0;                       ///< when it came, or came again
+  std::optional<Milliseconds> m_askedUntil = {};   ///< for a requested reading
+  std::optional<Milliseconds> m_serialUntil = {};  ///< for the requested serial number
+  std::string m_lastBlock;                         ///< last one taken
+  Milliseconds m_lastAt = 0;                       ///< time of its last arrival
 };
 
-/// The reading of a block; what is wrong with it otherwise, as a sentence.
+/// The reading of a block, or a sentence on its problem.
 Result<InstrumentReading> gsiReading(const std::string& block, VerticalCircle circle);
 
 }  // namespace alidade

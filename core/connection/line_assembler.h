@@ -9,40 +9,39 @@
 
 namespace alidade {
 
-/// Of any clock that only goes forward.
+/// Time of any monotonic clock.
 using Milliseconds = std::int64_t;
 
-// Bytes come over a line as they like: a line in many pieces, many lines in one piece, half a line because
-// somebody pulled the cable, a megabyte without an end because the speed is wrong. Out of this come whole
-// lines, parted by CR LF, CR or LF, and a sentence for each of the others.
+// Bytes arrive in any portions: a line in many pieces, many lines in one piece, half a line after the cable
+// was pulled, a megabyte without a line end at a wrong speed. The results are whole lines, separated by CR
+// LF, CR or LF, and a sentence for each dropped one.
 
 class LineAssembler {
  public:
-  /// No line of either protocol has a third of it: GSI-16 with 12 words has 288 characters.
+  /// Lines of both protocols are less than a third as long: GSI-16 with 12 words has 288 characters.
   static constexpr std::size_t longest = 1000;
 
-  /// What is half there when nothing more comes within `lineWithin` is no line any more.
+  /// An incomplete line is dropped if nothing follows within `lineWithin`.
   explicit LineAssembler(Milliseconds lineWithin = 2000) : m_lineWithin(lineWithin) {}
 
-  /// Appends the lines that are whole now, without their ends and never empty, and a sentence for each that
-  /// was too long.
+  /// Appends the completed lines, non-empty and without line ends, and a sentence for each that was too long.
   void take(std::string_view bytes, Milliseconds now, std::vector<std::string>& lines,
             std::vector<std::string>& remarks);
-  /// Drops a line whose rest did not come, with a sentence.
+  /// Drops an incomplete line after the time limit, with a sentence.
   void tick(Milliseconds now, std::vector<std::string>& remarks);
-  /// When `tick` has something to do; absent: not before more comes.
+  /// The next time `tick` is needed; absent: only after further bytes.
   std::optional<Milliseconds> wakeAt() const;
-  /// Of what has no end yet.
+  /// The length of the incomplete line.
   std::size_t pending() const { return m_line.size(); }
 
  private:
   Milliseconds m_lineWithin;
-  Milliseconds m_last = 0;  ///< when something came
+  Milliseconds m_last = 0;  ///< time of the last bytes
   std::string m_line;
-  bool m_isTooLong = false;  ///< all up to the next end belongs to a line that was dropped
+  bool m_isTooLong = false;  ///< the rest up to the next line end belongs to a dropped line
 };
 
-/// A line for a log: control characters and what is no ASCII as their names or numbers, <CR>, <1B>.
+/// A line for a log: control and non-ASCII characters as names or numbers, <CR>, <1B>.
 std::string shownLine(std::string_view line);
 
 }  // namespace alidade

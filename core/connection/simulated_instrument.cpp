@@ -21,7 +21,7 @@ constexpr double accuracyArcsec = 0.5;
 constexpr std::array notVouchedFor = {geocom::notFullyCorrected, geocom::accuracyUncertain,
                                       geocom::anglesNotFullyCorrected, geocom::anglesUncertain};
 
-/// Is the sighting told with it, so that the telescope goes on?
+/// Is the sighting delivered despite the fault, so that the telescope moves on?
 bool isTold(std::optional<InstrumentFault> fault) {
   using enum InstrumentFault;
   return !fault || *fault == Garbage || *fault == Twice;
@@ -183,7 +183,7 @@ std::string SimulatedInstrument::answerAngles(const GeoComQuestion& question) {
   return withFault(line + lineEnd, fault);
 }
 
-/// Asked before each reading: with its fault the next one is another instrument's.
+/// Requested before each reading: with the fault OtherSerial the next one is from another instrument.
 std::string SimulatedInstrument::serialNow() {
   m_isOther = faultDue() == InstrumentFault::OtherSerial;
   if (m_isOther) faultNow();
@@ -221,14 +221,14 @@ std::string SimulatedInstrument::withFault(const std::string& line, std::optiona
   return fault == InstrumentFault::Twice ? line + line : line;
 }
 
-/// The next of the faults where it is its turn and this sighting had none.
+/// The next fault, if one is due and this sighting had none.
 std::optional<InstrumentFault> SimulatedInstrument::faultDue() const {
   if (m_options.faults.empty() || m_options.faultEvery == 0 || isDone()) return std::nullopt;
   if ((m_at + 1) % m_options.faultEvery != 0 || m_hadFault[m_at]) return std::nullopt;
   return m_options.faults[m_faults % m_options.faults.size()];
 }
 
-/// The same, which is had with it.
+/// The due fault, which then counts as used.
 std::optional<InstrumentFault> SimulatedInstrument::faultNow() {
   const auto fault = faultDue();
   if (fault) {

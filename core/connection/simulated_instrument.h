@@ -13,23 +13,23 @@
 
 namespace alidade {
 
-// An instrument to try a connection with: it speaks GeoCOM and GSI online, points at one sighting after the
-// other, and does what goes wrong at a bench. As with one that a person points, the telescope stays where it
-// is until the sighting was told whole: what was cut or lost is told again. Bytes and time in, bytes out.
+// A simulated instrument for testing a connection: it uses GeoCOM and GSI online, points at one sighting
+// after the other, and simulates typical faults. As with a real observer, the telescope stays until the
+// sighting was delivered completely: a cut or lost one is sent again. Input and output are bytes and time.
 
-/// What goes wrong with one sighting, once; then it is told.
+/// A fault of one sighting, which occurs once; then the sighting is delivered.
 enum class InstrumentFault {
   Garbage,        ///< noise before the line
-  Cut,            ///< half a line, as of a cable that is pulled
+  Cut,            ///< half a line, as from a pulled cable
   Silent,         ///< no answer, no block
-  Twice,          ///< the line comes a second time
+  Twice,          ///< the line is sent twice
   Busy,           ///< busy at first
   Wrong,          ///< the telescope points elsewhere
-  OtherFace,      ///< at the same target in the other face
+  OtherFace,      ///< the same target in the other face
   Turned,         ///< the axis was turned too early: the same place in the other position
-  Again,          ///< the sighting before the last one a second time, long after it was acknowledged
-  NotVouchedFor,  ///< GeoCOM: with a return code that says so; GSI: keyed in, the compensator off
-  OtherSerial,    ///< another instrument is at the cable
+  Again,          ///< the sighting before the last one again, long after it was acknowledged
+  NotVouchedFor,  ///< GeoCOM: a return code that says so; GSI: keyed in, the compensator off
+  OtherSerial,    ///< another instrument is on the cable
   WrongChecksum,  ///< GeoCOM: of an answer
 };
 
@@ -57,7 +57,7 @@ struct SimulatedOptions {
   InstrumentProtocol protocol = InstrumentProtocol::GeoCom;
   std::vector<SimulatedSighting> sightings = {};
   std::vector<InstrumentFault> faults = {};  ///< in turn
-  std::size_t faultEvery = 0;                ///< so many sightings; 0: never
+  std::size_t faultEvery = 0;                ///< number of sightings between faults; 0: never
   bool isWide = true;                        ///< GSI-16, else GSI-8
   char gsiUnit = '4';                        ///< 2 gon, 3 decimal degrees, 4 degrees minutes seconds
   std::array<bool, 4> corrections = {true, true, true,
@@ -69,20 +69,20 @@ struct SimulatedOptions {
 
 class SimulatedInstrument {
  public:
-  /// How long an unacknowledged block waits before it is sent again.
+  /// The time after which an unacknowledged block is sent again.
   static constexpr Milliseconds repeatAfter = 1000;
 
   explicit SimulatedInstrument(SimulatedOptions options)
       : m_options(std::move(options)), m_hadFault(m_options.sightings.size(), false) {}
 
-  /// What it sends when these bytes come.
+  /// The response to these bytes.
   std::string receive(std::string_view bytes);
-  /// The key REC, which with GSI sends a block; nothing while one waits for its acknowledgement.
+  /// The key REC, which with GSI sends a block; without effect while one waits for its acknowledgement.
   std::string record(Milliseconds now);
-  /// Sends again what was not acknowledged, and what it was busy with.
+  /// Repeats unacknowledged blocks, and answers after a busy period.
   std::string tick(Milliseconds now);
 
-  /// How many sightings were told whole.
+  /// The number of sightings delivered completely.
   std::size_t told() const { return m_at; }
   bool isDone() const { return m_at >= m_options.sightings.size(); }
   bool isWaiting() const { return m_waiting.has_value(); }
@@ -106,15 +106,15 @@ class SimulatedInstrument {
   SimulatedOptions m_options;
   std::vector<bool> m_hadFault;
   std::size_t m_at = 0;
-  std::size_t m_faults = 0;  ///< so many were put in
-  std::size_t m_codes = 0;   ///< so many answers were not vouched for
-  bool m_isOther = false;    ///< the answer to come is that of another instrument
+  std::size_t m_faults = 0;  ///< number of simulated faults
+  std::size_t m_codes = 0;   ///< number of answers without guarantee
+  bool m_isOther = false;    ///< the next answer is that of another instrument
   std::string m_line;        ///< without its end
   struct Waiting {
     std::string block;
     Milliseconds since;
-    bool counts;    ///< with its acknowledgement the sighting is told
-    bool losesOne;  ///< acknowledgement, which then comes again
+    bool counts;    ///< its acknowledgement completes the sighting
+    bool losesOne;  ///< loses one acknowledgement, so that the block is repeated
   };
   std::optional<Waiting> m_waiting;  ///< for its acknowledgement
 };

@@ -12,40 +12,40 @@
 
 namespace alidade {
 
-// A talk with an instrument as a machine of states: bytes and the time go in, bytes to send, readings and
-// sentences come out. It knows no port, no clock and no window; who has these calls `receive` when bytes come
-// and `tick` when `wakeAt` is reached. Whatever comes in whatever pieces, no reading is taken twice, and what
-// is dropped is told.
+// The connection with an instrument as a state machine: inputs are bytes and the time, outputs are bytes to
+// send, readings and sentences. It is independent of port, clock and window; their owner calls `receive` when
+// bytes arrive and `tick` at `wakeAt`. For any sequence of bytes, readings are taken only once, and dropped
+// data are reported.
 
-/// How the circles of the session read.
+/// How the session's circles read.
 struct TalkCircles {
   VerticalCircle vertical = VerticalCircle::Zenith;
-  CircleUnit unit = CircleUnit::Dms;  ///< in which angles are written that the instrument tells in radians
+  CircleUnit unit = CircleUnit::Dms;  ///< for writing angles that the instrument sends in radians
 };
 
 struct TalkTimes {
   Milliseconds answerWithin = 5000;   ///< the compensator may take three seconds to come to rest
-  Milliseconds wakeWithin = 1500;     ///< an answer to the first question
-  Milliseconds lineWithin = 2000;     ///< the rest of a line: 300 characters take 1.3 s at 2400 baud
-  Milliseconds busyPause = 400;       ///< before what was busy is asked again
+  Milliseconds wakeWithin = 1500;     ///< for an answer to the first question
+  Milliseconds lineWithin = 2000;     ///< for the rest of a line: 300 characters take 1.3 s at 2400 baud
+  Milliseconds busyPause = 400;       ///< before a question is repeated after a busy answer
   Milliseconds repeatWithin = 20000;  ///< the same block within this time is the same sighting
-  int attempts = 3;                   ///< of a question that is not answered
-  int busyAttempts = 12;              ///< of a question that is answered with busy
+  int attempts = 3;                   ///< for an unanswered question
+  int busyAttempts = 12;              ///< for a question answered with busy
 };
 
-/// A line as it went over the wire, for the log.
+/// A transmitted line, for the log.
 struct TalkLine {
   bool isSent = false;
   std::string text;  ///< without its end
 };
 
-/// What came of one call.
+/// The results of one call.
 struct TalkStep {
   std::string toSend;
   std::vector<TalkLine> lines;              ///< in their order
   std::vector<InstrumentReading> readings;  ///< in the order taken
   std::vector<std::string> remarks;         ///< sentences for people
-  bool isIdentified = false;                ///< the identity is known from now on
+  bool isIdentified = false;                ///< the identity is now known
 };
 
 class InstrumentTalk {
@@ -58,16 +58,16 @@ class InstrumentTalk {
 
   void setCircles(const TalkCircles& circles) { m_circles = circles; }
 
-  /// The port is open.
+  /// Called when the port is open.
   TalkStep begin(Milliseconds now);
   TalkStep receive(std::string_view bytes, Milliseconds now);
-  /// A reading is wanted of what the telescope points at now.
+  /// Requests a reading of the current target.
   TalkStep take(Milliseconds now);
   TalkStep tick(Milliseconds now);
-  /// When `tick` has something to do next; absent: not before something comes.
+  /// The next time `tick` is needed; absent: only after further bytes.
   std::optional<Milliseconds> wakeAt() const;
 
-  /// A reading was wanted and is still to come.
+  /// Is a requested reading pending?
   virtual bool isTaking() const = 0;
   const InstrumentIdentity& identity() const { return m_identity; }
 
@@ -76,7 +76,7 @@ class InstrumentTalk {
   virtual void onLine(const std::string& line, Milliseconds now, TalkStep& step) = 0;
   virtual void onTake(Milliseconds now, TalkStep& step) = 0;
   virtual void onTick(Milliseconds now, TalkStep& step) = 0;
-  /// Half a line was dropped: who waits for it waits in vain.
+  /// An incomplete line was dropped: an answer pending on it will not arrive.
   virtual void onLineLost(Milliseconds, TalkStep&) {}
   virtual std::optional<Milliseconds> onWakeAt() const = 0;
 

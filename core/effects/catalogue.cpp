@@ -75,8 +75,8 @@ constexpr std::vector<Effect> makeCatalogue() {
        Linear,
        {{PHRASE_LATER("Phrase", "sine"), VerticalCircleSine, "arcsec", 10},
         {PHRASE_LATER("Phrase", "cosine"), VerticalCircleCosine, "arcsec", 10}}},
-      // The second harmonic of a circle, left where two opposite places are read. At the
-      // horizon its cosine reads as an index.
+      // The second harmonic of a circle, which remains in the mean of two opposite readings. At the horizon
+      // its cosine acts like an index.
       {"vertical_graduation",
        PHRASE_LATER("Phrase", "vertical graduation"),
        PHRASE_LATER("Phrase", "the vertical circle's graduation errs twice a turn"),
@@ -85,8 +85,8 @@ constexpr std::vector<Effect> makeCatalogue() {
        Linear,
        {{PHRASE_LATER("Phrase", "sine"), VerticalGraduationSine, "arcsec", 0.7},
         {PHRASE_LATER("Phrase", "cosine"), VerticalGraduationCosine, "arcsec", 0.7}}},
-      // What bends lines of sight alike above and below the horizon; its constant part is in the zero. Half
-      // an arcsecond is what a gradient of 2 K/m bends a line of 2.4 m by: δ = 0.93e-6/K · 2 K/m · L/2.
+      // Refraction that is equal above and below the horizon; its constant part is in the zero. A gradient of
+      // 2 K/m bends a line of 2.4 m by half an arcsecond: δ = 0.93e-6/K · 2 K/m · L/2.
       {"vertical_refraction",
        PHRASE_LATER("Phrase", "vertical refraction"),
        PHRASE_LATER(
@@ -179,8 +179,8 @@ constexpr std::vector<Effect> makeCatalogue() {
        Linear,
        //: how far something sags
        {{PHRASE_LATER("Phrase", "sag"), GravitySag, "mm", 0.05}}},
-      // Bending of a radial arm under a weight at its end goes with its horizontal part, cos φ, and square to
-      // it: along the arc.
+      // A weight at the end of a radial arm bends it in proportion to its horizontal part, cos φ, and
+      // perpendicular to it: along the arc.
       {"arm_sag",
        PHRASE_LATER("Phrase", "arm sag"),
        PHRASE_LATER("Phrase",
@@ -227,7 +227,7 @@ constexpr std::vector<Effect> makeCatalogue() {
   };
 }
 
-/// Each error term but the jump's is a number of one effect.
+/// Each error term except those of a jump belongs to exactly one effect.
 constexpr bool sharesOutTheTerms(const std::vector<Effect>& effects) {
   std::array<int, errorTermCount> times{};
   for (const Effect& effect : effects)

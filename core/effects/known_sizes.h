@@ -9,35 +9,35 @@
 
 namespace alidade {
 
-/// Can it be known by a size? The other relation of the vertical circle cannot: it is there or not.
+/// Can its size be known? The other relation of the vertical circle has none: it is present or absent.
 bool hasSizes(const Effect& effect);
 
-/// The number of the catalogue that is meant, by effect, name where the effect has two (else it may be
-/// empty), and unit. Null where there is none.
+/// The parameter of the catalogue identified by effect, parameter name (may be empty if the effect has only
+/// one) and unit. Null if there is none.
 const EffectParameter* parameterMeant(std::string_view effect, std::string_view parameter,
                                       std::string_view unit);
 const EffectParameter* parameterMeant(const KnownNumber& known);
 
-/// What is known beforehand of a number of the catalogue, in the unit of its term: rad, mm or 1. With the
-/// chance 1 − p it is normal about the value with this σ; with the chance p, that what is known holds no
-/// longer, it has changed since by anything plausible: normal about the value with √(σ² + plausible²).
+/// Prior knowledge of a parameter of the catalogue, in the unit of its term: rad, mm or 1. With probability 1
+/// − p it is normal about the value with this σ. With probability p the value is outdated and has changed by
+/// a plausible amount: normal about the value with √(σ² + plausible²).
 struct KnownPrior {
   double value = 0, sigma = 0;
-  std::string from = {};   ///< of each that says something, "; " between
+  std::string from = {};   ///< of each value with a source, separated by "; "
   std::string date = {};   ///< the latest
-  double staleChance = 0;  ///< p: of several, as likely as the likeliest
+  double staleChance = 0;  ///< p: for several values, that of the most probable one
 };
 
-/// All that a session knows of it, weighed by σ⁻²; absent where it knows nothing.
+/// The combined knowledge of a session, weighted by σ⁻²; absent if there is none.
 std::optional<KnownPrior> knownOf(const Measurement& measurement, const EffectParameter& parameter);
 
-/// What is known of each number of an effect; absent unless something is of all of them.
+/// The knowledge of each parameter of an effect; absent unless all are known.
 std::optional<std::vector<KnownPrior>> knownOf(const Measurement& measurement, const Effect& effect);
 
-/// Chance that what is known of an effect holds no longer; 0 where nothing is.
+/// Probability that the known size of an effect is outdated; 0 without one.
 double staleChanceOf(const Measurement& measurement, const Effect& effect);
 
-/// Is anything known of any number of the catalogue?
+/// Is any parameter of the catalogue known?
 bool isAnythingKnown(const Measurement& measurement);
 
 }  // namespace alidade

@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::string_view partMarks[] = {"°", "'", "\""};
 
-/// A part as its digits, with one decimal point at most.
+/// One part of an angle as its digits, with at most one decimal point.
 struct AnglePartText {
   std::string digits;
   bool isNegative = false;
@@ -26,14 +26,14 @@ struct AnglePartText {
   bool isZero() const { return digits.find_first_not_of("0.") == std::string::npos; }
 };
 
-/// 41.0 as 41.
+/// Shortens 41.0 to 41.
 void dropNoughts(std::string& digits) {
   const std::size_t point = digits.find('.');
   if (point != std::string::npos && digits.find_first_not_of('0', point + 1) == std::string::npos)
     digits.resize(point);
 }
 
-/// The cell as a part of an angle; absent where it is no number below a thousand.
+/// The cell as a part of an angle; absent unless it is a number below a thousand.
 std::optional<AnglePartText> partOf(std::string_view cell, std::string_view mark) {
   AnglePartText part;
   std::string text = plainSigns(cell);
@@ -54,14 +54,14 @@ std::optional<AnglePartText> partOf(std::string_view cell, std::string_view mark
   return part;
 }
 
-/// With two digits before the point.
+/// Pads the part before the decimal point to two digits.
 std::string twoDigits(std::string digits) {
   const std::size_t whole = std::min(digits.find('.'), digits.size());
   if (whole < 2) digits.insert(0, 2 - whole, '0');
   return digits;
 }
 
-/// Puts the parts of one angle together.
+/// Joins the parts of one angle.
 class PartsJoiner {
  public:
   PartsJoiner(const std::array<std::string_view, 3>& cells, bool hasSeconds, bool isCentesimal)
@@ -100,7 +100,7 @@ class PartsJoiner {
     return std::nullopt;
   }
 
-  /// A sign stands with the first part that is not 0; parts behind it may repeat it.
+  /// The sign belongs to the first part that is not 0; later parts may repeat it.
   std::optional<Problem> takeSign() {
     m_isNegative = m_parts[0].isNegative;
     bool isDecided = m_isNegative || !m_parts[0].isZero();
@@ -113,7 +113,7 @@ class PartsJoiner {
     return std::nullopt;
   }
 
-  /// What is 60 is one of the part before it, and what is more is no angle.
+  /// Carries a part of 60 into the part before it; a larger part is a problem.
   std::optional<Problem> carry() {
     const double most = m_isCentesimal ? 100 : 60;
     for (std::size_t i = m_count - 1; i > 0; --i) {
@@ -155,7 +155,7 @@ class PartsJoiner {
   std::array<AnglePartText, 3> m_parts;
 };
 
-/// The numbers of a text such as 107°12'60" or 107-12-60, empty where it is made of anything else.
+/// The numbers of a text such as 107°12'60" or 107-12-60; empty if it contains anything else.
 std::vector<std::string_view> numbersOf(std::string_view text) {
   constexpr std::string_view numerals = "0123456789.,", between = "'\" -:/\xC2\xB0";
   std::vector<std::string_view> numbers;
@@ -176,7 +176,7 @@ bool isSixty(std::string_view number) {
   return value && *value == turn;
 }
 
-/// Where minutes or seconds are 60.
+/// The angle with minutes or seconds of 60 carried; absent if nothing is to be carried.
 std::optional<FileAngle> carriedAngle(std::string_view text) {
   const std::string plain = plainSigns(text);
   std::string_view body = plain;

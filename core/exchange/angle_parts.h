@@ -9,21 +9,22 @@
 
 namespace alidade {
 
-/// What is done to the reading of a circle in a file so that it is one of `parseAngle`.
+/// A circle reading from a file, converted to a notation of `parseAngle`.
 struct FileAngle {
   std::string text;
-  bool isCarried = false;     ///< minutes or seconds of 60 are the next degree or minute
-  bool isFullCircle = false;  ///< 360° or 400 gon, which is the zero of the circle
+  bool isCarried = false;     ///< minutes or seconds were 60 and carried into the next degree or minute
+  bool isFullCircle = false;  ///< 360° or 400 gon, the zero of the circle
 };
 
-/// Degrees, minutes and seconds from cells of their own as one text, `17 41 33`; the seconds are empty where
-/// the table has none. A sign holds for all of the angle, −0 12 30 too. Minutes and seconds of 60 carry.
-/// Parts may have their own signs (17° 41' 33"), and noughts for decimals where they are whole.
-/// `isCentesimal`: gon with their hundredths and those of these, 17 41 33 as 17.4133gon.
+/// Joins degrees, minutes and seconds from separate cells into one text, `17 41 33`; the seconds are empty if
+/// the table has none. A sign holds for the whole angle, as in −0 12 30. Minutes and seconds of 60 carry.
+/// Parts may have their own marks (17° 41' 33") and zeros as decimals if they are whole. `isCentesimal`: gon
+/// with hundredths, and hundredths of these; 17 41 33 becomes 17.4133gon.
 Result<FileAngle> joinedAngle(const std::array<std::string_view, 3>& parts, bool hasSeconds,
                               bool isCentesimal);
 
-/// The text of one cell: 107°12'60" as 107 13 00, 360° as 0°. Everything else stays, also what is no angle.
+/// Normalises the text of one cell: 107°12'60" becomes 107 13 00, 360° becomes 0°. Any other text is returned
+/// unchanged, even if it is not an angle.
 FileAngle angleOfFile(std::string text);
 
 }  // namespace alidade

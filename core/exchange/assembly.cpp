@@ -69,7 +69,7 @@ class Assembly {
  private:
   void remark(const std::string& sentence) { m_import.remarks.push_back(sentence); }
 
-  /// The turns that the file tells, without gaps.
+  /// Renumbers the turns stated in the file without gaps.
   void countTurns() {
     std::map<std::string, std::map<int, int>> numbers;
     for (const RecordedSighting& sighting : m_sightings) numbers[sighting.axis.text][sighting.time];
@@ -82,7 +82,7 @@ class Assembly {
   }
 
   bool areSeveral() const { return m_files.size() > 1; }
-  /// In front of what is said of one of several files.
+  /// The prefix of a remark: the file's name, if there are several files.
   std::string ofFile(std::size_t file) const {
     return areSeveral() ? quotation(m_files[file].name) + ": " : std::string();
   }
@@ -110,7 +110,7 @@ class Assembly {
     append(m_sightings, std::exchange(recording.sightings, {}));
   }
 
-  /// Of a single file without a copy: its rows may be a million.
+  /// Moves the rows if `all` is empty: a single file may have a million rows.
   static void append(std::vector<RecordedSighting>& all, std::vector<RecordedSighting> more) {
     if (all.empty())
       all = std::move(more);
@@ -164,7 +164,7 @@ class Assembly {
       remark(ofFile(file) + Phrase::of("the file itself says how the axis stood: that is what counts"));
   }
 
-  /// Where the file says no face, face 2 is where the telescope is turned through.
+  /// Where the file states no face, the vertical circle decides between face 1 and face 2.
   void takeFaces() {
     bool second = false;
     for (RecordedSighting& sighting : m_sightings) {
@@ -177,7 +177,7 @@ class Assembly {
       if (sighting.row.face.empty()) sighting.row.face = "1";
   }
 
-  /// Behind those that the position has already.
+  /// The first number after those already used in the position.
   int firstNumberAt(const PositionKey& key) const {
     int largest = 0;
     if (const Position* position = m_isAdded ? positionIn(m_options.base, key) : nullptr)
@@ -186,7 +186,7 @@ class Assembly {
     return largest + 1;
   }
 
-  /// In each position by itself.
+  /// Numbers the points of each position separately.
   void numberPoints() {
     std::map<PositionKey, std::vector<std::string>> names;
     for (const RecordedSighting& sighting : m_sightings)
@@ -216,7 +216,7 @@ class Assembly {
                                                        .file = file});
   }
 
-  /// The rules of the session file, told by line and column.
+  /// Applies the rules of the session file and reports problems by line and column.
   void check(const RecordedSighting& sighting) {
     if (const auto axis = axisEntry(sighting.axis.text); !axis)
       report(sighting, sighting.axis.column, "axis", axis.problem());
@@ -232,7 +232,7 @@ class Assembly {
     }
   }
 
-  /// A plain number that no degrees reach.
+  /// The problem of a plain number above 360, which can only be gon.
   static std::optional<Problem> gonWithoutUnit(const std::string& text) {
     constexpr double turn = 360, turnInGon = 400;
     const Result<double> number = text.size() > 3 ? parseNumber(text) : Result<double>(Problem{});
@@ -243,7 +243,7 @@ class Assembly {
         quotation(text))};
   }
 
-  /// The position of that axis, made where there is none, and those before it.
+  /// The position at that axis; creates it, and any repeats before it, if missing.
   Position& positionAt(const PositionKey& at) {
     std::vector<Position>& positions = m_import.session.positions;
     const Result<int> wanted = axisEntry(at.first);
@@ -266,7 +266,7 @@ class Assembly {
     ++m_import.rows;
   }
 
-  /// Does the field name or measure a pointing zero?
+  /// Is the field used in the name or the readings of a pointing zero?
   static bool isOfZero(const RowField& field) {
     return field.text == &Reading::point || field.text == &Reading::round || field.text == &Reading::face ||
            field.text == &Reading::horizontal || field.text == &Reading::vertical;
@@ -310,15 +310,14 @@ class Assembly {
       remark(Phrase::of("the pointing zero at %1 is the face 1 mean of %2", nameOf(at), lines));
   }
 
-  /// A position the file says nothing of, and nothing was typed for, was not measured.
+  /// Drops positions without any data: the file does not mention them and nothing was typed for them.
   void dropEmptyPositions() {
     std::erase_if(m_import.session.positions, [](const Position& position) {
       return position.readings.empty() && position.zero.horizontal.empty() && position.zero.vertical.empty();
     });
   }
 
-  /// A session has the position at 0° read first, and where an axis comes again those that the file holds in
-  /// its order.
+  /// The first position of a session is at 0°; repeats at an axis keep the order of the file.
   void orderPositions() {
     std::stable_sort(m_import.session.positions.begin(), m_import.session.positions.end(),
                      [](const Position& a, const Position& b) { return rankOf(a) < rankOf(b); });
@@ -389,10 +388,10 @@ class Assembly {
 
   const std::vector<ReadingsFile>& m_files;
   const ImportOptions& m_options;
-  bool m_tellsTurns = false;  ///< a file says which position at its axis a row is of
-  bool m_isAdded;             ///< to the readings of a session
+  bool m_tellsTurns = false;  ///< a file states the turn of its rows
+  bool m_isAdded;             ///< readings are added to those of a session
   std::vector<Recording> m_recordings;
-  std::vector<RecordedSighting> m_sightings;                    ///< of all files, in their order
+  std::vector<RecordedSighting> m_sightings;                    ///< of all files, in file order
   std::vector<std::pair<std::size_t, LineProblem>> m_problems;  ///< with the index of the file
   std::map<PositionKey, std::vector<std::pair<std::size_t, std::size_t>>> m_lines;  ///< file and line by row
   VerticalCircle m_circle = VerticalCircle::Zenith;

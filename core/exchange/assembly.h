@@ -6,7 +6,8 @@
 
 namespace alidade {
 
-/// Puts what was read from each file, at least one sighting, into a session. For `importReadings`.
+/// Combines the recordings of the files, with at least one sighting each, into a session. Used by
+/// `importReadings`.
 Import assemble(std::vector<Recording> recordings, const std::vector<ReadingsFile>& files,
                 const ImportOptions& options);
 

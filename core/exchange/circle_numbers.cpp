@@ -10,7 +10,7 @@ namespace alidade {
 
 namespace {
 
-/// 41' as 41: a part of an angle may have its own sign.
+/// Removes the mark of a part of an angle: 41' becomes 41.
 std::string withoutMark(const std::string& cell) {
   std::string text = plainSigns(cell);
   while (text.ends_with('\'') || text.ends_with('"')) text.pop_back();

@@ -9,23 +9,23 @@
 
 namespace alidade {
 
-/// The numbers in a column of the rows; `areAll`: no other text stands in it, and there is one at least.
+/// The numbers in a column of the rows; `areAll`: the column has at least one, and no other text.
 struct ColumnNumbers {
   std::vector<double> values;
   bool areAll = false, areWhole = false;
 
-  bool areWithin(double low, double high) const;  ///< all of them, `high` included
+  bool areWithin(double low, double high) const;  ///< all numbers lie in the range, `high` included
 };
 ColumnNumbers numbersIn(const std::vector<TableCells>& rows, std::size_t column);
 
-/// How far the mean distance of the readings from the horizon is, were it there in either face.
+/// The mean distance of the readings from the horizon, if the horizon is at `horizon` in either face.
 double spreadAround(const std::vector<double>& vertical, double horizon);
 
-/// Degrees or gon, whichever the readings can only be: by what is beyond 360, or lies around the horizon.
-/// `all` are of both circles. Unstated where they do not tell.
+/// The unit, degrees or gon, that the readings allow: values beyond 360, or around the horizon, decide. `all`
+/// holds the readings of both circles. Unstated if the readings leave both units possible.
 AngleUnit unitByNumbers(const std::vector<double>& all, const std::vector<double>& vertical);
 
-/// Columns side by side whose numbers are degrees, minutes and perhaps seconds: `count` is 2, 3, or 0 for
+/// How many adjacent columns from `column` on hold degrees, minutes and perhaps seconds: 2 or 3, or 0 for
 /// none.
 std::size_t joinableAt(const std::vector<TableCells>& rows, std::size_t column);
 

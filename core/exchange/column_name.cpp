@@ -15,7 +15,7 @@ namespace {
 
 using Role = HeadingRole;
 
-/// `Cross tilt ["]`, `tilt_length_arcsec`. In other units a tilt is none.
+/// A tilt such as `Cross tilt ["]` or `tilt_length_arcsec`. Tilts in other units are ignored.
 std::optional<ColumnName> tiltName(const std::vector<std::string>& words) {
   bool isTilt = false;
   std::string Reading::*axis = nullptr;
@@ -36,7 +36,7 @@ std::optional<ColumnName> tiltName(const std::vector<std::string>& words) {
   return name;
 }
 
-/// Fields that a word names by itself; the circles are not among them.
+/// Fields that a single word names, apart from the circles.
 std::optional<TableColumn> plainColumn(std::string_view word) {
   using Beside = TableColumn::Beside;
   for (const auto& [role, beside] : {std::pair(Role::Axis, Beside::Axis), std::pair(Role::Turn, Beside::Turn),
@@ -70,7 +70,7 @@ bool isKnown(std::string_view word) {
          means(Role::Millimetre, word) || means(Role::Filler, word) || means(Role::CircleWord, word);
 }
 
-/// HzI, hz1 and Lage2 as two words each. VD is a vertical distance, and none of these.
+/// Splits HzI, hz1 and Lage2 into two words each. VD, a vertical distance, stays whole.
 std::vector<std::string> withoutSuffixes(const std::vector<std::string>& words) {
   std::vector<std::string> parted;
   for (const std::string& word : words) {
@@ -87,7 +87,7 @@ std::vector<std::string> withoutSuffixes(const std::vector<std::string>& words) 
   return parted;
 }
 
-/// Puts together what the words of one heading say.
+/// Combines what the words of one heading say.
 class NameReader {
  public:
   explicit NameReader(const std::vector<std::string>& words) : m_words(withoutSuffixes(words)) {}
@@ -124,12 +124,13 @@ class NameReader {
     m_isHorizontal = any(Role::Horizontal);
   }
 
-  /// `slope distance [mm]`, `HD`. A zenith distance is none. Every word has to fit.
+  /// A distance such as `slope distance [mm]` or `HD`, of which every word is known. A zenith distance is an
+  /// angle.
   bool takeDistance() {
     if (m_isZenith) return false;
     ColumnName name;
     for (const std::string& word : m_words) {
-      const bool isLetter = m_isHorizontal && (word == "s" || word == "d");  // Hz s are seconds
+      const bool isLetter = m_isHorizontal && (word == "s" || word == "d");  // in Hz s, s means seconds
       if (!isLetter && (means(Role::Distance, word) || means(Role::HorizontalDistance, word))) {
         name.column = TableColumn{nullptr, TableColumn::Beside::Distance};
         name.isHorizontal = name.isHorizontal || means(Role::HorizontalDistance, word);
@@ -166,7 +167,7 @@ class NameReader {
 
   bool isOfOther(const std::optional<TableColumn>& column) const { return column && column != m_name.column; }
 
-  /// What the word says besides naming a circle.
+  /// What the word says beyond naming a circle.
   void takeWord(const std::string& word) {
     if (isCircleWord(word)) return;
     if (m_isZenith && means(Role::Distance, word)) return;
@@ -189,13 +190,13 @@ class NameReader {
       m_isStrange = true;
   }
 
-  /// A length or an angle of the axis may have a unit, which is what it is anyway.
+  /// A unit that repeats the field's own, as of a length or of the axis angle.
   static bool saysNothing(std::string_view word) {
     return means(Role::Filler, word) || means(Role::Metre, word) || means(Role::Millimetre, word) ||
            means(Role::Degrees, word);
   }
 
-  /// Of a circle, or of a heading that stands above circles: a number alone is none.
+  /// A face, in the heading of a circle or in one above circles: a number alone is not enough.
   bool takeFace(const std::string& word, bool isOfCircle) {
     const bool isOne = means(Role::FaceOne, word), isTwo = means(Role::FaceTwo, word);
     const bool isNumber = word == "1" || word == "2";
@@ -206,7 +207,7 @@ class NameReader {
     return true;
   }
 
-  /// A unit or a part: which of these is found at the end.
+  /// A unit or a part of an angle; which of them is decided at the end.
   bool takeUnit(const std::string& word) {
     bool isTaken = false;
     const auto take = [&](Role role, bool& is) {
@@ -242,7 +243,7 @@ class NameReader {
       return;
     }
     const bool isWhole = (m_hasDegrees || m_hasGon || m_name.isGrad) && (hasMinutes || hasSeconds);
-    if (isWhole) {  // degrees and minutes in one
+    if (isWhole) {  // degrees and minutes in one number
       m_name.unit = AngleUnit::Unstated;
       m_name.isGrad = false;
       return;

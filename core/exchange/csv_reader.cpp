@@ -24,7 +24,7 @@ namespace alidade {
 
 namespace {
 
-/// Whether a row is excluded, as its cell says.
+/// Is the row excluded, according to its cell?
 std::optional<bool> flagOf(const std::string& text) {
   const std::string flag = lowerCase(text);
   if (isOneOf(flag, {"1", "yes", "true", "x", "ja", "wahr", "是", "sí", "si", "oui", "да"})) return true;
@@ -32,26 +32,26 @@ std::optional<bool> flagOf(const std::string& text) {
   return std::nullopt;
 }
 
-/// "180°" as "180".
+/// Turns "180°" into "180".
 std::string axisTextOf(const std::string& text) {
   constexpr std::string_view degree = "°";
   return text.ends_with(degree) ? text.substr(0, text.size() - degree.size()) : text;
 }
 
-/// A number of an input method as plain digits: １２ as 12. Names stay.
+/// Converts digits of an input method to plain ones: １２ to 12. Names stay unchanged.
 std::string plainNumber(std::string text) {
   const bool isPlain = std::ranges::all_of(text, [](char c) { return static_cast<unsigned char>(c) < 0x80; });
   return !isPlain && parseWhole(text) ? plainSigns(text) : text;
 }
 
-/// Is there a digit, and no word before it?
+/// Does the cell contain a digit before any letter?
 bool mayBeReading(const std::string& cell) {
   const char first = cell.empty() ? '\0' : cell.front();
   const bool isWord = (first >= 'a' && first <= 'z') || (first >= 'A' && first <= 'Z');
   return !isWord && hasAnyDigit(cell);
 }
 
-/// What the vertical readings tell of their circle where no heading does.
+/// What the vertical readings show about their circle if no heading states it.
 class CircleKind {
  public:
   void take(const std::string& text) {
@@ -61,14 +61,14 @@ class CircleKind {
     m_isNegative = m_isNegative || angle->degrees() < 0;
     m_isNearHorizon = m_isNearHorizon && std::abs(angle->degrees()) < farFromHorizon;
   }
-  /// No zenith circle reads so.
+  /// Negative readings near the horizon occur only on elevation circles.
   bool isElevation() const { return m_isNegative && m_isNearHorizon; }
 
  private:
   bool m_isNegative = false, m_isNearHorizon = true;
 };
 
-/// Goes through a table row by row.
+/// Reads a table row by row.
 class CsvReader {
  public:
   CsvReader(const TableLayout& layout, const std::string& zeroPoint)
@@ -102,7 +102,7 @@ class CsvReader {
     m_recording.problems.push_back({line, column, what});
   }
 
-  /// False where the table cannot be read at all.
+  /// False if the table cannot be read at all.
   bool makePlan(std::string_view text) {
     const TableBeginning beginning = beginningOfTable(text, m_layout.separator, m_layout.headRows);
     if (beginning.problem) {
@@ -128,7 +128,7 @@ class CsvReader {
     if (holdsReading(row)) m_remarksWithReading.push_back(row.line);
   }
 
-  /// What was not used, and what was taken how.
+  /// Lists what was not used and which assumptions were made.
   void tell() {
     std::vector<std::string>& unused = m_recording.unused;
     unused = unusedSentences(false);
@@ -144,7 +144,7 @@ class CsvReader {
       unused.push_back(Phrase::of("line %1 begins with # and is not used, though it holds a reading", line));
   }
 
-  /// Values of the columns that are told of.
+  /// A sentence for each ignored column, of those reported.
   std::vector<std::string> unusedSentences(bool isBySession) const {
     std::vector<std::string> sentences;
     for (std::size_t i = 0; i < m_unusedCells.size(); ++i)
@@ -187,7 +187,7 @@ class CsvReader {
     addSightings(row, sighting);
   }
 
-  /// Of a row that is none of readings.
+  /// Why a row without readings is skipped; absent if it has a reading.
   std::optional<UnreadRows::Kind> unreadKind(const CsvRow& row) const {
     using Kind = UnreadRows::Kind;
     if (isOfMean(row)) return Kind::Mean;
@@ -201,10 +201,10 @@ class CsvReader {
     return isHeading ? Kind::HeadingAgain : Kind::NoReading;
   }
 
-  /// Does a row without a reading name both circles? It then is the heading of another table.
+  /// A row without a reading that names both circles is the heading of another table.
   static bool namesOthers(const CsvRow& row) { return nameCircles(row.texts()); }
 
-  /// Its first cell with a text, its point or its face says so.
+  /// Does the first cell with a text, the point or the face name a mean?
   bool isOfMean(const CsvRow& row) const {
     bool isFirst = true;
     for (std::size_t i = 0; i < std::min(row.cells.size(), m_plan.columns.size()); ++i) {
@@ -219,7 +219,7 @@ class CsvReader {
     return false;
   }
 
-  /// A cell that no name stands for; a remark behind the last column is none.
+  /// The first number beyond the named columns; null for a remark there.
   const CsvCell* cellBeyond(const CsvRow& row) {
     for (std::size_t i = m_plan.columns.size(); i < row.cells.size(); ++i) {
       const std::string& text = row.cells[i].text;
@@ -232,7 +232,7 @@ class CsvReader {
     return nullptr;
   }
 
-  /// Of a table parted by blanks whose last column holds notes: what stands behind a text goes on with it.
+  /// Do further cells continue the note? So in a table separated by blanks with notes in its last column.
   bool isRestOfNote(const CsvRow& row) const {
     const std::size_t last = m_plan.columns.size() - 1;
     const auto& column = m_plan.columns[last].column;
@@ -245,7 +245,7 @@ class CsvReader {
       if (!row.cells[i].text.empty()) sighting.row.note += " " + row.cells[i].text;
   }
 
-  /// One of each face that has a reading in the row.
+  /// Adds one sighting for each face with a reading in the row.
   void addSightings(const CsvRow& row, const RecordedSighting& common) {
     const int faces = m_plan.hasBothFaces ? 2 : 1;
     for (int face = 1; face <= faces; ++face) {
@@ -268,7 +268,7 @@ class CsvReader {
     return angle.at[0] < row.cells.size() ? row.cells[angle.at[0]].column : 0;
   }
 
-  /// True where the row has it.
+  /// True if the row has this angle.
   Result<bool> readAngle(const PlannedAngle& angle, const CsvRow& row, RecordedSighting& sighting) {
     if (const auto problem = otherSignIn(angle, row)) return *problem;
     Result<FileAngle> read = angleIn(angle, cellTexts(angle, row), m_layout.unit);
@@ -300,7 +300,7 @@ class CsvReader {
     return std::nullopt;
   }
 
-  /// Of a row that was set aside: are both circles read in it?
+  /// Does a row that is skipped hold readings of both circles?
   bool holdsReading(const CsvRow& row) const {
     std::size_t circles = 0, read = 0;
     for (const PlannedAngle& angle : m_plan.angles) {
@@ -312,7 +312,7 @@ class CsvReader {
     return circles > 0 && read == circles;
   }
 
-  /// Why the cell cannot be used.
+  /// Why the cell cannot be used; absent if it can.
   std::optional<std::string> readCell(const ColumnName& column, const CsvCell& cell,
                                       RecordedSighting& sighting) {
     const RowField* field = column.column->field;
@@ -337,7 +337,7 @@ class CsvReader {
     return std::nullopt;
   }
 
-  /// The station or the distance.
+  /// Takes the station or the distance.
   void takeBeside(const ColumnName& column, const CsvCell& cell, RecordedSighting& sighting) {
     if (column.column->beside == TableColumn::Beside::Station) {
       sighting.station = m_recording.stationNamed(fromPlainCell(cell.text));
@@ -363,7 +363,7 @@ class CsvReader {
   UnreadRows m_unread;
   FileCounts m_counts;
   CircleKind m_circleKind;
-  std::vector<std::size_t> m_remarksWithReading;  ///< their lines
+  std::vector<std::size_t> m_remarksWithReading;  ///< line numbers
   Recording m_recording;
 };
 

@@ -8,33 +8,33 @@
 
 namespace alidade {
 
-/// Reads a table of rows (csv_table.h) whose columns are named by their headings, in any order, or by
-/// `layout`: the fields of a row, and `axis` or `position`, 0 or 180. `turn` is the how many-th position at
-/// its axis. Headings are those of heading_words.h, in six languages; they may reach over several columns and
-/// rows (table_headings.h). Both circles are needed, but where the layout does without the vertical one. An
-/// apostrophe that kept a spreadsheet from taking a text for a formula (csv_text.h) is taken off. A cell may
+/// Reads a table of rows (csv_table.h). Its columns, in any order, are named by their headings or by
+/// `layout`: the fields of a row, and `axis` or `position`, 0 or 180. `turn` counts the repeats of a position
+/// at its axis. Headings are those of heading_words.h, in six languages; they may span several columns and
+/// rows (table_headings.h). Both circles are needed, unless the layout allows a table without the vertical
+/// one. The apostrophe that protects a text from being read as a formula (csv_text.h) is removed. A cell may
 /// say more than an entry of a session:
 ///
-///   point      a name; ZERO, or `zeroPoint`, is the pointing zero
-///   face       I, II, L, R, FL, FR, 盘左, КЛ, … (table_faces.h)
-///   excluded   1, yes, true or x; 0, no or false; empty: no
+///   point a name; ZERO, or `zeroPoint`, is the pointing zero
+///   face I, II, L, R, FL, FR, 盘左, КЛ, … (table_faces.h)
+///   excluded 1, yes, true or x; 0, no or false; empty: no
 ///
-/// An angle may stand in two or three columns, its degrees, minutes and seconds (or gon with their
-/// hundredths), and is joined exactly; where a part has no column or no value, or whole degrees stand beside
-/// a column that may be their minutes, the table or the row is refused: never are the degrees read alone.
-/// Columns of both faces (Hz I, Hz II, V I, V II) are two sightings a row. Minutes and seconds of 60 carry,
-/// 360° and 400 gon are 0.
+/// The degrees, minutes and seconds of an angle (or gon with their hundredths) may be in two or three columns
+/// and are joined exactly. The table or row is refused if a part has no column or no value, or if whole
+/// degrees are next to a column that may hold their minutes: degrees are never read alone. Columns of both
+/// faces (Hz I, Hz II, V I, V II) are two sightings per row. Minutes and seconds of 60 carry; 360° and
+/// 400 gon are 0.
 ///
-/// A unit in a heading, `Hz [gon]` or `v_deg`, holds for the plain numbers of its column; otherwise that of
-/// the layout does. `grad` is degrees or gon as the numbers tell. `elevation` says that the vertical circle
-/// reads elevations, and so do negative readings near the horizon where no heading says it. Where the layout
-/// states the decimal sign, a circle's number with the other one is refused. Two columns for one field are
-/// refused; a heading that may mean several things
-/// (`H`, `No`) gives way to one that does not. Listed in `unused` are other columns, rows of means and rows
-/// without a reading, and lines that begin with # where both circles are read in them.
+/// A unit in a heading, `Hz [gon]` or `v_deg`, holds for the plain numbers of its column; otherwise the unit
+/// of the layout does. For `grad`, the numbers decide between degrees and gon. The vertical circle reads
+/// elevations if a heading says `elevation`, or if no heading names its kind and readings near the horizon
+/// are negative. If the layout states the decimal sign, numbers of a circle with the other one are refused.
+/// Two columns for one field are refused; an ambiguous heading (`H`, `No`) gives way to a clear one.
+/// `unused` lists other columns, rows of means, rows without a reading, and lines that begin with # and hold
+/// readings of both circles.
 Recording readTable(std::string_view text, const TableLayout& layout, const std::string& zeroPoint = {});
 
-/// As its first row names the columns.
+/// Reads a table whose first row names the columns.
 Recording readCsv(std::string_view text, AngleUnit unit = AngleUnit::Unstated,
                   const std::string& zeroPoint = {});
 

@@ -22,14 +22,14 @@ namespace {
 
 constexpr std::string_view blanks = " \t";
 
-/// A line that begins with #, unless this is the name of the first column.
+/// Does the line begin with #, other than as the name of the first column?
 bool isComment(std::string_view line) {
   line.remove_prefix(std::min(line.find_first_not_of(blanks), line.size()));
   return line.starts_with('#') && line.size() > 1 &&
          std::string_view(";,\t").find(line[1]) == std::string_view::npos;
 }
 
-/// The first line that is no remark; empty where there is none.
+/// The first line that is not a comment; empty if there is none.
 std::string_view firstLineOf(std::string_view text) {
   TextLines lines(text);
   while (const auto line = lines.next())
@@ -45,8 +45,8 @@ char separatorOf(std::string_view text) {
   return ',';
 }
 
-/// Are all cells of the line, cut at each separator, signs of degrees, minutes and seconds or empty, and one
-/// a double quote alone? This is a sign then, and begins no quoted cell.
+/// Are all cells of the line empty or signs of degrees, minutes and seconds, one of them a lone double quote?
+/// That quote is then a sign and does not open a quoted cell.
 bool areAngleSigns(std::string_view line, char separator) {
   bool isAnyQuote = false;
   while (true) {
@@ -93,7 +93,7 @@ std::optional<CsvRow> CsvTable::next() {
     CsvRow row{.line = m_line, .cells = {}};
     if (!readRow(row)) break;
     if (isEmpty(row)) continue;
-    if (++m_rows <= limits::mostRows + 1) return row;  // the first names the columns
+    if (++m_rows <= limits::mostRows + 1) return row;  // the first row names the columns
     m_problem = LineProblem{row.line, 0, limits::beyondTheRows()};
   }
   return std::nullopt;
@@ -135,7 +135,7 @@ bool CsvTable::atEnd() const {
   return m_at == m_text.size() || m_text[m_at] == '\r' || m_text[m_at] == '\n';
 }
 
-/// Counts on from where it was asked last.
+/// The column in characters, counted on from the previous call.
 std::size_t CsvTable::column() {
   m_column += characterCount(m_text.substr(m_counted, m_at - m_counted));
   m_counted = m_at;
@@ -153,15 +153,15 @@ void CsvTable::skipBlanks() {
     ++m_at;
 }
 
-/// Past a separator or the end of the line; true where another cell of this row follows.
+/// Passes a separator or the end of the line; true if another cell of this row follows.
 bool CsvTable::goOn() {
   if (m_at < m_text.size() && isSeparator(m_text[m_at])) return passSeparator();
   if (m_at < m_text.size()) passLineEnd();
   return false;
 }
 
-/// A blank or a tab, and of `wideBlanks` a blank that another follows. In a heading the unit is of the name:
-/// Hz [gon].
+/// A blank or a tab; for `wideBlanks`, a blank followed by another. In a heading the unit belongs to the
+/// name: Hz [gon].
 bool CsvTable::isSeparator(char c) const {
   if (m_isHeading && c == ' ' && m_at + 1 < m_text.size() && isOneOf(m_text.substr(m_at + 1, 1), {"[", "("}))
     return false;
@@ -169,7 +169,7 @@ bool CsvTable::isSeparator(char c) const {
   return c == '\t' || (c == ' ' && m_at + 1 < m_text.size() && blanks.find(m_text[m_at + 1]) != blanks.npos);
 }
 
-/// Blanks at the end of a line part nothing.
+/// Blanks at the end of a line do not begin a cell.
 bool CsvTable::passSeparator() {
   if (!areBlanks()) {
     ++m_at;

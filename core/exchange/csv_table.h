@@ -11,26 +11,26 @@
 namespace alidade {
 
 struct CsvCell {
-  std::string text;        ///< unquoted, without blanks around
-  std::size_t column = 0;  ///< of its first character, from 1; 0: in a later line than its row's
+  std::string text;        ///< unquoted, without surrounding blanks
+  std::size_t column = 0;  ///< of its first character, from 1; 0 if the cell is in a later line than its
+                           ///< row's first
 };
 
 struct CsvRow {
-  std::size_t line = 0;  ///< its first, from 1
+  std::size_t line = 0;  ///< of its first cell, from 1
   bool isRemark = false;
   std::vector<CsvCell> cells;
 
   std::vector<std::string> texts() const;  ///< of its cells
 };
 
-/// Takes a table apart row by row (RFC 4180): cells are parted by tabs, semicolons, | or commas, whichever of
-/// these stands in the first row (in this order), or by `separator`, where a blank stands for any number of
-/// blanks and tabs, and `wideBlanks` for two and more (table_layout.h); a cell that begins with a double
-/// quote ends at the next single one and may hold anything, a quote inside doubled. Quotes elsewhere are the
-/// seconds of angles and stay, and so they do in a row of the signs ° ' " alone. Rows without any content are
-/// left out; lines that begin with # (and are not a first column of that name) are remarks, taken apart
-/// without it. Ends early, with a problem, on a quote left open, but in a remark, and beyond the limits of
-/// rows and columns.
+/// Splits a table into rows of cells (RFC 4180). Cells are separated by tabs, semicolons, | or commas, the
+/// first of these found in the first row, or by `separator`. There a blank means any number of blanks and
+/// tabs, and `wideBlanks` two or more (table_layout.h). A cell that begins with a double quote ends at the
+/// next single one and may hold anything; a quote inside is doubled. Quotes elsewhere mean arcseconds and
+/// stay, as in a row that holds only the signs ° ' ". Empty rows are skipped; lines that begin with #, unless
+/// it names the first column, are comments and split without it. Reading stops with a problem at an unclosed
+/// quote outside a comment, and at the limits of rows and columns.
 class CsvTable {
  public:
   explicit CsvTable(std::string_view text);
@@ -60,12 +60,12 @@ class CsvTable {
   std::size_t m_at = 0, m_line = 1;
   std::size_t m_counted = 0, m_column = 1;
   std::size_t m_rows = 0;
-  bool m_hasSigns = false;   ///< the row is one of signs of angles
-  bool m_isHeading = false;  ///< the row stands among the first, is parted by blanks and holds no digit
+  bool m_hasSigns = false;   ///< the row holds signs of angles
+  bool m_isHeading = false;  ///< one of the first rows, separated by blanks and without a digit
   std::optional<LineProblem> m_problem;
 };
 
-/// The text with the separators of an input method, ； or ，, as ; and ,, where its first row has no others.
+/// The text with ； or ， of an input method replaced by ; or ,; absent unless its first row has only those.
 std::optional<std::string> withPlainSeparators(std::string_view text);
 
 }  // namespace alidade

@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::string_view formulaSigns = "=+-@\t\r\n";
 
-/// Would a spreadsheet calculate it, with any number of apostrophes before it?
+/// Would a spreadsheet calculate the text, preceded by any number of apostrophes?
 bool looksLikeFormula(std::string_view text) {
   const std::size_t first = text.find_first_not_of('\'');
   return first != std::string_view::npos && formulaSigns.find(text[first]) != std::string_view::npos;

@@ -7,23 +7,23 @@
 
 namespace alidade {
 
-/// What somebody wrote, as a cell that no spreadsheet takes for a formula: a text that begins with = + - @, a
-/// tab or a line end gets an apostrophe before it, unless it is a number or an angle.
+/// User text as a cell that no spreadsheet reads as a formula. A text that begins with = + - @, a tab or a
+/// line end gets a leading apostrophe, unless it is a number or an angle.
 std::string asPlainCell(std::string_view text);
 
-/// The way back: takes off the apostrophe of `asPlainCell`, and leaves everything else.
+/// The inverse of `asPlainCell`: removes its apostrophe and keeps everything else.
 std::string fromPlainCell(std::string text);
 
-/// Writes a table (RFC 4180): UTF-8, commas, a first row of names, lines ended by \n. Cells are quoted where
-/// `CsvTable` would else read another text.
+/// Writes a table (RFC 4180): UTF-8, commas, a first row of names, lines ended by \n. Cells are quoted if
+/// `CsvTable` would otherwise read a different text.
 class CsvText {
  public:
   explicit CsvText(std::initializer_list<std::string_view> names);
   explicit CsvText(const std::vector<std::string_view>& names);
 
-  CsvText& typed(std::string_view text);  ///< what somebody wrote, by `asPlainCell`
-  CsvText& word(std::string_view text);   ///< of the program's own
-  CsvText& number(double value);          ///< reads back as the same; empty where it is not finite
+  CsvText& typed(std::string_view text);  ///< user text, protected by `asPlainCell`
+  CsvText& word(std::string_view text);   ///< a word of the program
+  CsvText& number(double value);          ///< reads back as the same number; empty if not finite
   CsvText& count(long long value);
   void endRow();
 
@@ -33,7 +33,7 @@ class CsvText {
   void add(std::string_view cell);
 
   std::string m_text;
-  bool m_isFirst = true;  ///< of its row
+  bool m_isFirst = true;  ///< in its row
 };
 
 }  // namespace alidade

@@ -12,7 +12,7 @@ namespace alidade {
 
 namespace {
 
-/// Digits with at most one point; nothing larger or finer than any circle reads.
+/// Digits with at most one point, within the range and resolution of any circle.
 bool isCircleNumber(const std::string& number) {
   constexpr std::size_t most = 15;
   const auto digits = std::count_if(number.begin(), number.end(), isDigit);
@@ -21,7 +21,7 @@ bool isCircleNumber(const std::string& number) {
          static_cast<std::size_t>(digits + points) == number.size() && number.front() != '.';
 }
 
-/// 6400 mil are 360°, so that 1 mil is 0.05625°.
+/// Converts mil to degrees: 6400 mil are 360°, so 1 mil is 0.05625°.
 std::string milInDegrees(const std::string& number) {
   constexpr std::uint64_t perMil = 5625;
   constexpr std::size_t decimalsPerMil = 5;
@@ -35,7 +35,7 @@ std::string milInDegrees(const std::string& number) {
   return digits.substr(0, digits.size() - decimals) + "." + digits.substr(digits.size() - decimals) + "°";
 }
 
-/// `number` with 0 for its whole part where it is exactly `turn`.
+/// `number` with 0 as its whole part if that equals `turn`.
 std::string withoutFullTurn(const std::string& number, std::string_view turn) {
   const std::size_t first = std::min(number.find_first_not_of('0'), number.size());
   const std::size_t point = std::min(number.find('.'), number.size());
@@ -48,7 +48,7 @@ std::string twoDigits(unsigned long long number) {
   return (number < 10 ? "0" : "") + std::to_string(number);
 }
 
-/// 89.1413 is 89°14'13".
+/// Splits 89.1413 into 89°14'13".
 SexagesimalParts partsOf(const std::string& number) {
   constexpr std::size_t minuteAndSecond = 4;
   const std::size_t point = std::min(number.find('.'), number.size());
@@ -60,7 +60,7 @@ SexagesimalParts partsOf(const std::string& number) {
           .decimals = decimals.substr(minuteAndSecond)};
 }
 
-/// Of a number without a sign.
+/// The angle of a number without a sign, in the given unit.
 std::optional<ExactAngle> inUnit(const std::string& plain, const std::string& unit) {
   if (unit == "GON" || unit == "GRD")
     return ExactAngle{withUnit(withoutFullTurn(plain, "400"), AngleUnit::Gon)};

@@ -13,38 +13,39 @@
 
 namespace alidade {
 
-/// A recording in the making from the file of an instrument, which says by marks how the axis stood, which
-/// round it was and what was the pointing zero. Where `zeroPoint` is empty, points 0 and ZERO are the zero.
+/// Builds a recording from an instrument's file, whose marks state the axis, the round and the pointing zero.
+/// If `zeroPoint` is empty, points 0 and ZERO are the zero.
 class FieldBook {
  public:
   explicit FieldBook(const std::string& zeroPoint) : m_zeroPoint(upperCase(zeroPoint)) {}
 
   void take(const FieldMark& mark);
-  /// With axis, round and zero as the marks before it have them. True: it is of the pointing zero.
+  /// Adds a sighting with the axis, round and zero of the preceding marks. True if it is of the pointing
+  /// zero.
   bool add(RecordedSighting sighting);
-  /// The reading of a circle; told of where it was carried.
+  /// Enters the reading of a circle and remarks where it was carried.
   void enter(RecordedSighting& sighting, const RowField& circle, ExactAngle angle, std::size_t column);
-  /// What was read in a way of its own, told once: %1 in `sentence` is how often, %2 the first line.
+  /// Remarks once on a value that was interpreted: %1 in `sentence` is how often, %2 the first line.
   void note(const char* sentence, std::size_t line);
-  /// What stands behind the end of the file, if anything.
+  /// Lists the content after the end of the file, if there is any.
   void setAsideTail(const TextLines& lines);
   void refuse(std::size_t line, std::size_t column, const std::string& what);
-  /// A session has no place for it; told once for each kind.
+  /// Lists data that a session cannot hold, once for each kind.
   void setAside(const std::string& what, std::size_t line);
-  /// A line that is none of the format. The first few are quoted; the others are counted.
+  /// Lists a line outside the format. The first few are quoted; the others are counted.
   void setAsideLine(std::string_view text, std::size_t line);
-  /// Likewise a part of a line.
+  /// Lists a part of a line in the same way.
   void setAsidePart(std::string_view text, std::size_t line);
-  /// Likewise, though the check of an instrument has one.
+  /// Lists data that a session cannot hold but an instrument check can.
   void setBeside(const std::string& what, std::size_t line) { count(m_beside, what, line); }
-  /// What follows was sighted from there.
+  /// The sightings that follow belong to this station.
   void beginStation(const std::string& name, std::size_t line);
-  /// The first value counts; another one is set aside as `name` with it.
+  /// Keeps the first value; a different later one is listed as unused under `name`.
   void keep(std::string& value, const std::string& text, const std::string& name, std::size_t line);
-  /// Reads nothing further: there are more rows or problems than are worked on.
+  /// Is a limit of rows or problems reached, so that reading stops?
   bool isFull(std::size_t line);
 
-  /// Has the station that stands been sighted from?
+  /// Does the current station have a sighting?
   bool isStationUsed() const { return m_isStationUsed; }
 
   Recording& recording() { return m_recording; }

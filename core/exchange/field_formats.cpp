@@ -27,7 +27,7 @@ bool beginsWithMark(std::string_view line, std::initializer_list<std::string_vie
   return std::ranges::any_of(beginnings, [line](std::string_view begin) { return line.starts_with(begin); });
 }
 
-/// 9:30:11 or 09:30:11.
+/// Is the text a time such as 9:30:11 or 09:30:11?
 bool isClockTime(std::string_view text) {
   const auto parts = separatedParts(text, ':');
   return parts.size() == 3 && std::ranges::all_of(parts, [](std::string_view part) {
@@ -41,7 +41,7 @@ bool isNikonSighting(std::string_view line) {
          std::ranges::any_of(fields, isClockTime);
 }
 
-/// The word that a line of GTS-7 begins with, where values parted by commas or one value follow its blanks.
+/// The word at the start of a GTS-7 line, if blanks and one value or several separated by commas follow it.
 std::string_view gts7Word(std::string_view line) {
   static constexpr std::array<std::string_view, 29> words{
       "JOB", "DATE", "NAME", "INST", "UNITS",  "SCALE", "ATMOS", "STN", "STA",  "XYZ",
@@ -52,7 +52,7 @@ std::string_view gts7Word(std::string_view line) {
   return isKnown ? word : std::string_view();
 }
 
-/// How many values such as 7=107.1225 a line is made of; 0 where it is made of anything else.
+/// The number of values such as 7=107.1225 in a line; 0 if it contains anything else.
 std::size_t labelledValues(std::string_view line) {
   std::size_t count = 0;
   for (const std::string_view part : separatedParts(line, ',')) {
@@ -68,7 +68,7 @@ std::size_t labelledValues(std::string_view line) {
 
 constexpr std::size_t rec500Type = 36;  // column of the first value's type, from 0
 
-/// Three blanks, an address of four digits and a blank.
+/// Does the line begin with three blanks, a four-digit address and a blank?
 bool hasRec500Address(std::string_view line) {
   constexpr std::size_t address = 8;
   return line.size() > address && line.starts_with("   ") && line[7] == ' ' &&

@@ -4,17 +4,17 @@
 
 namespace alidade {
 
-// Does a text begin as files of these field books do? Marks that no table, GSI, M5 or SDR file has; for the
-// rows of `fileFormats`.
+// Does a text begin as files of these field books do? Tests marks that tables, GSI, M5 and SDR files lack;
+// for the rows of `fileFormats`.
 
 /// `CO,Nikon RAW data format V2.00` and further comments (CO), or a station (ST) with sightings that have a
 /// time.
 bool looksLikeNikonRaw(std::string_view beginning);
 /// Records with a mark before each value: `JB,NM…`, `MO,AD…`, `OC,OP…`, `SS,OP…`.
 bool looksLikeRw5(std::string_view beginning);
-/// `_'STATION_(1.400)_+TARGET_ ?+…m…d`: records without lines.
+/// `_'STATION_(1.400)_+TARGET_ ?+…m…d`: records not separated into lines.
 bool looksLikeGts6(std::string_view beginning);
-/// `STN         K1,1.400,` and `HV          107.1223,88.4731`: a word, blanks, values parted by commas.
+/// `STN K1,1.400,` and `HV 107.1223,88.4731`: a word, blanks, values separated by commas.
 bool looksLikeGts7(std::string_view beginning);
 /// `50=JOB`, `5=101`, `7=107.1225`: numbered labels with values.
 bool looksLikeGeodimeter(std::string_view beginning);

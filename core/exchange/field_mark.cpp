@@ -6,7 +6,7 @@ namespace alidade {
 
 namespace {
 
-/// "000180" as "180", "" as "0".
+/// Turns "000180" into "180", and "" into "0".
 std::string withoutZeros(const std::string& digits) {
   const std::size_t first = digits.find_first_not_of('0');
   return first == std::string::npos ? "0" : digits.substr(first);
@@ -39,7 +39,7 @@ std::optional<std::string> stationMark(std::string_view text, std::string_view m
     if (!large.starts_with(word)) continue;
     const std::size_t name = plain.find_first_not_of(" \t:=_-", word.size());
     if (name == std::string::npos) return withoutZeros(trimmed(more));
-    // A word that only begins so is no mark, but a number may follow without a blank.
+    // A longer word is not a mark, but a number may follow without a blank.
     const bool isParted = name > word.size() || isAllDigits(plain.substr(name));
     return isParted ? std::optional(plain.substr(name)) : std::nullopt;
   }

@@ -9,8 +9,8 @@ namespace alidade {
 /// What an observer keys in between sightings, as a code block, a text line or a note.
 struct FieldMark {
   enum class Kind {
-    Axis,   ///< `number` is 0 or 180: how the axis stood for what follows
-    Round,  ///< `number` of the round for what follows
+    Axis,   ///< `number` is 0 or 180: the axis angle of the sightings that follow
+    Round,  ///< `number` of the round of the sightings that follow
     Zero,   ///< the next sighting is of the pointing zero
   };
   Kind kind = Kind::Zero;
@@ -19,12 +19,12 @@ struct FieldMark {
   bool operator==(const FieldMark&) const = default;
 };
 
-/// Reads `0`, `AXIS0`, `POS 180`, `POSITION180`, `ROUND2`, `ZERO`; capitals and blanks do not matter, and a
-/// missing number may stand in `more`. Absent: it says none of these.
+/// Reads `0`, `AXIS0`, `POS 180`, `POSITION180`, `ROUND2` or `ZERO`, in any case and with any blanks; a
+/// missing number may be in `more`. Absent for other texts.
 std::optional<FieldMark> fieldMark(std::string_view text, std::string_view more = {});
 
-/// The name of the station that what follows was sighted from: `STATION 5`, `STN A`, `STANDPOINT`; it may
-/// stand in `more`. Absent: it says none.
+/// The name of the station of the sightings that follow: `STATION 5`, `STN A`, `STANDPOINT`; it may be in
+/// `more`. Absent for other texts.
 std::optional<std::string> stationMark(std::string_view text, std::string_view more = {});
 
 }  // namespace alidade

@@ -22,12 +22,12 @@ namespace alidade {
 
 namespace {
 
-/// Lines before the first of an instrument: titles that somebody or a program wrote.
+/// Title lines that may precede the first line written by an instrument.
 constexpr std::size_t mostTitleLines = 19;
 
 using IsLine = bool (*)(std::string_view);
 
-/// The first line that holds something is of the instrument, or one below a title is beyond doubt.
+/// Does the first line with content belong to the instrument, or does one below a title clearly?
 template <IsLine isFirst, IsLine isBelowTitle>
 bool beginsWithLines(std::string_view beginning) {
   const auto lines = contentLines(beginning, mostTitleLines + 1);
@@ -36,7 +36,8 @@ bool beginsWithLines(std::string_view beginning) {
                                         [](auto line) { return isBelowTitle(withoutIndent(line)); }));
 }
 
-/// A number in a table may begin as a word does; a line of a listing may have something before its words.
+/// Requires a whole GSI word: a number in a table may begin like one, and a listing may precede its words
+/// with other text.
 bool isSoundGsi(std::string_view line) {
   constexpr int horizontal = 21, vertical = 22;
   const auto block = GsiBlocks({.number = 0, .text = line}).next();
@@ -51,7 +52,7 @@ bool isFirstOfGsi(std::string_view line) {
   return looksLikeGsi(line) || isSoundGsi(line);
 }
 
-/// The text begins with the brand, as its own word, and holds no table of readings.
+/// Does the text begin with the brand as a separate word, and contain no table of readings?
 bool beginsWithBrand(std::string_view beginning, std::string_view brand) {
   const auto lines = contentLines(beginning, 1);
   if (lines.empty()) return false;
@@ -73,7 +74,7 @@ constexpr const char* holdsNoReadings =
 constexpr const char* isJson =
     PHRASE_LATER("Phrase", "is no file of readings but JSON: open it as a session");
 
-/// A format that is recognised, named and refused.
+/// A format that is recognised and named but cannot be read.
 FileFormat namedOnly(std::string_view id, std::string_view name, std::vector<std::string_view> suffixes,
                      bool (*looksLike)(std::string_view), const char* refusal) {
   FileFormat format{.id = id, .name = name, .suffixes = std::move(suffixes), .looksLike = looksLike};
@@ -187,7 +188,7 @@ bool isSuffixOf(const std::string& suffix, const FileFormat& format) {
   return std::ranges::find(format.suffixes, suffix) != format.suffixes.end();
 }
 
-/// In lower case, without its point; empty where there is none.
+/// The suffix in lower case, without its point; empty if there is none.
 std::string fileSuffixOf(std::string_view fileName) {
   const std::size_t dot = fileName.rfind('.');
   return dot == std::string_view::npos ? std::string() : lowerCase(std::string(fileName.substr(dot + 1)));

@@ -14,27 +14,27 @@ bool isWithin(char32_t code, char32_t first, char32_t last) {
   return code >= first && code <= last;
 }
 
-/// The letters U+00C0 … U+017F without accent and in small, each a byte; a blank where it stays as it is.
+/// U+00C0 … U+017F without accents and in lower case, one byte each; a blank keeps the letter as it is.
 constexpr std::string_view plainLatin =
     "aaaaaa ceeeeiiii nooooo ouuuuy  aaaaaa ceeeeiiii nooooo ouuuuy y"
     "aaaaaaccccccccddddeeeeeeeeeegggggggghhhhiiiiiiiiii  jjkk llllll "
     " llnnnnnn nnoooooo  rrrrrrssssssssttttttuuuuuuuuuuuuwwyyyzzzzzz ";
 static_assert(plainLatin.size() == 0x180 - 0xC0);
 
-/// Cyrillic letters that differ from another by a sign above them.
+/// Removes the mark above a Cyrillic letter.
 char32_t plainCyrillic(char32_t code) {
   if (code == U'\u0451') return U'\u0435';      // ё
   return code == U'\u0439' ? U'\u0438' : code;  // й
 }
 
-/// Greek and Cyrillic.
+/// Lower case of Greek and Cyrillic letters.
 char32_t smallLetter(char32_t code) {
   constexpr char32_t toSmall = 0x20, toSmallOfExtension = 0x50;
   if (isWithin(code, U'\u0391', U'\u03A9') || isWithin(code, U'\u0410', U'\u042F')) return code + toSmall;
   return isWithin(code, U'\u0400', U'\u040F') ? code + toSmallOfExtension : code;
 }
 
-/// Of two bytes, as Greek and Cyrillic letters have.
+/// Appends a letter of two UTF-8 bytes, as Greek and Cyrillic letters have.
 void appendLetter(std::string& text, char32_t code) {
   text += static_cast<char>(0xC0 | (code >> 6));
   text += static_cast<char>(0x80 | (code & 0x3F));

@@ -30,14 +30,14 @@ std::string_view withoutBlanksBefore(std::string_view text) {
   return text;
 }
 
-/// Behind the next `end`; empty where there is none.
+/// The text after the next `end`; empty if there is none.
 std::string_view behind(std::string_view text, std::string_view end) {
   const std::size_t at = text.find(end);
   return at == std::string_view::npos ? std::string_view()
                                       : withoutBlanksBefore(text.substr(at + end.size()));
 }
 
-/// Behind a document type, whose inner part may hold brackets.
+/// The text after a document type, whose inner part may hold brackets.
 std::string_view behindDocumentType(std::string_view text) {
   const std::size_t inner = text.find_first_of("[>");
   const bool hasInner = inner != std::string_view::npos && text[inner] == '[';
@@ -102,7 +102,7 @@ bool looksLikeDxf(std::string_view text) {
   for (std::size_t i = 0; i + 1 < lines.size(); i += 2) {
     const std::string code = trimmed(lines[i]);
     if (code == "0") return trimmed(lines[i + 1]) == "SECTION";
-    if (code != "999") return false;  // else a comment
+    if (code != "999") return false;  // 999 is a comment
   }
   return false;
 }

@@ -4,19 +4,20 @@
 
 namespace alidade {
 
-// Are these the first bytes, or is this the beginning of the text, of a file that holds no readings as such?
-// By the marks that these formats begin with; for the rows of `fileFormats`.
+// Do these first bytes, or this beginning of a text, belong to a file that cannot hold readings directly?
+// Tests the marks at the start of these formats; for the rows of `fileFormats`.
 
 bool looksLikePdf(std::string_view bytes);
 bool looksLikeExcel(std::string_view bytes);         ///< XLSX: a ZIP archive with the parts of a workbook
-bool looksLikeOpenDocument(std::string_view bytes);  ///< ODS, ODT: a ZIP archive that names its kind first
+bool looksLikeOpenDocument(std::string_view bytes);  ///< ODS, ODT: a ZIP archive whose first entry names its
+                                                     ///< kind
 bool looksLikeArchive(std::string_view bytes);       ///< ZIP, gzip, 7z, RAR
 bool looksLikeOldOffice(std::string_view bytes);     ///< XLS, DOC before 2007
 bool looksLikeDatabase(std::string_view bytes);      ///< SQLite, Access
 bool looksLikeImage(std::string_view bytes);         ///< PNG, JPEG, GIF, TIFF, BMP, WebP, HEIC
 bool looksLikeDrawing(std::string_view bytes);       ///< DWG
 bool looksLikeCarlsonCrd(std::string_view bytes);
-bool looksLikeNothing(std::string_view bytes);  ///< formats without a mark, known by their suffix only
+bool looksLikeNothing(std::string_view bytes);  ///< formats known by their suffix only
 
 bool looksLikeDxf(std::string_view text);
 bool looksLikeRtf(std::string_view text);
@@ -25,8 +26,8 @@ bool looksLikeOtherXml(std::string_view text);
 bool looksLikeJson(std::string_view text);
 bool looksLikePostScript(std::string_view text);
 
-/// The name of the element that an XML text begins with, without its prefix; empty where it is no XML.
-/// Declarations, comments and document types before it are passed over.
+/// The name of an XML text's root element, without its prefix; empty if the text is not XML. Declarations,
+/// comments and document types before it are skipped.
 std::string_view xmlRootName(std::string_view text);
 
 }  // namespace alidade

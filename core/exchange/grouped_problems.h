@@ -8,15 +8,15 @@
 
 namespace alidade {
 
-/// Lines that cannot be used for one reason: the first of them, and how many there are.
+/// Lines that cannot be used for the same reason: the first of them, and their number.
 struct ProblemGroup {
   LineProblem first;
   std::size_t count = 1;
 
-  std::string text() const;  ///< `line 3, column 12: …`, and how many more there are
+  std::string text() const;  ///< `line 3, column 12: …`, and the number of others
 };
 
-/// Problems that differ by what was read only are of one kind. In the order in which the kinds come first.
+/// Groups problems that differ only in the quoted text, in the order of their first occurrence.
 std::vector<ProblemGroup> grouped(const std::vector<LineProblem>& problems);
 
 }  // namespace alidade

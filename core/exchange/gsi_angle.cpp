@@ -11,10 +11,10 @@ namespace alidade {
 
 namespace {
 
-constexpr std::size_t behindDegrees = 5, behindMil = 4;  // decimals where no sign is written
-constexpr std::uint64_t mostUnits = 1'000'000'000;       // 9 digits: ten times what any circle reads
+constexpr std::size_t behindDegrees = 5, behindMil = 4;  // implied decimals if no decimal sign is written
+constexpr std::uint64_t mostUnits = 1'000'000'000;       // 9 digits: ten times the largest circle reading
 
-/// The digits before and behind the decimal sign.
+/// The digits before and after the decimal sign.
 struct GsiNumber {
   std::string whole, decimals;
 };
@@ -28,7 +28,7 @@ std::string withoutZerosBefore(std::string_view digits) {
   return digits.empty() ? "0" : std::string(digits);
 }
 
-/// Data may be filled up with blanks in front.
+/// Removes leading blanks that pad the data.
 std::string_view filledUp(std::string_view data) {
   data.remove_prefix(std::min(data.find_first_not_of(' '), data.size()));
   return data;
@@ -38,7 +38,7 @@ bool hasPoint(std::string_view data) {
   return data.find_first_of(".,") != std::string_view::npos;
 }
 
-/// Absent where it is none; the unit has `implied` decimals where no sign is written.
+/// The number; absent if the data holds none. Without a decimal sign the unit implies `implied` decimals.
 std::optional<GsiNumber> numberOf(std::string_view data, std::size_t implied) {
   data = filledUp(data);
   if (data.empty()) return std::nullopt;
@@ -55,7 +55,7 @@ std::optional<GsiNumber> numberOf(std::string_view data, std::size_t implied) {
   return GsiNumber{withoutZerosBefore(whole), std::string(decimals)};
 }
 
-/// The parts of DDDMMSS and decimals.
+/// Splits DDDMMSS and its decimals into parts.
 SexagesimalParts partsOfRun(const std::string& run, const std::string& decimals) {
   constexpr std::uint64_t perMinute = 100, perDegree = 10'000;
   const std::uint64_t digits = std::stoull(run);
@@ -79,7 +79,7 @@ std::string withSign(const GsiNumber& number) {
   return number.decimals.empty() ? number.whole : number.whole + "." + number.decimals;
 }
 
-/// Absent where the unit is none of an angle.
+/// The angle in its unit; absent if the unit does not denote an angle.
 std::optional<ExactAngle> inUnitOf(char unit, const GsiNumber& number, GsiPoint point) {
   switch (unit) {
     case '2':

@@ -32,14 +32,14 @@ const GsiWord* wordOf(const std::vector<GsiWord>& words, int index) {
   return found == words.end() ? nullptr : &*found;
 }
 
-/// DDMMYYYY as year-month-day; empty where it is none.
+/// Converts DDMMYYYY to year-month-day; empty if it is not a date.
 std::string dateOf(const std::string& digits) {
   const std::string full = std::string(digits.size() < 8 ? 8 - digits.size() : 0, '0') + digits;
   if (full.size() != 8 || !std::all_of(full.begin(), full.end(), isDigit)) return {};
   return full.substr(4) + "-" + full.substr(2, 2) + "-" + full.substr(0, 2);
 }
 
-/// Goes through a file block by block.
+/// Reads a file block by block.
 class GsiReader {
  public:
   explicit GsiReader(const std::string& zeroPoint) : m_book(zeroPoint) {}
@@ -74,7 +74,7 @@ class GsiReader {
     }
   }
 
-  /// What is no word, and nobody needs: a heading, a check sum.
+  /// Lists text outside the words that does not matter, such as a heading or a check sum.
   void setAsideText(const GsiWord& word, const TextLine& line) {
     if (trimmed(line.text) == word.data)
       m_book.setAsideLine(word.data, line.number);
@@ -82,7 +82,7 @@ class GsiReader {
       m_book.setAsidePart(word.data, line.number);
   }
 
-  /// Why a block cannot be used without a word that is torn.
+  /// Why a block with a torn word cannot be used; absent if the word does not matter.
   static std::optional<LineProblem> tornProblem(const GsiBlock& block, std::size_t line) {
     const bool isSighting = wordOf(block.words, horizontalIndex) || wordOf(block.words, verticalIndex);
     for (const GsiWord& word : block.torn) {
@@ -98,14 +98,14 @@ class GsiReader {
     return std::nullopt;
   }
 
-  /// The beginning of a word of a circle, where a file was cut: "21.3".
+  /// The beginning of a circle word in a file cut there: "21.3".
   static bool isCutCircle(std::string_view text) {
     constexpr std::size_t ofWord = 7;
     return text.size() < ofWord && (text.starts_with("21.") || text.starts_with("22.")) &&
            text.find_first_not_of("0123456789.+-") == std::string_view::npos;
   }
 
-  /// A code that would say how the axis stood, or the like.
+  /// Would the torn word be a code, and so perhaps a mark of the axis, the round or the zero?
   static bool isTornMark(const GsiWord& word) {
     const std::size_t sign = word.data.find('+');
     if (word.index != codeIndex || sign == std::string_view::npos) return false;
@@ -130,13 +130,13 @@ class GsiReader {
       if (!word.isWhole && isText(word.index)) m_book.note(oddWidths, line);
   }
 
-  /// Point, instrument, station, date, code and remark, which are taken as they stand.
+  /// Point, instrument, station, date, code and remark, whose text is used unchanged.
   static bool isText(int index) {
     return (index >= pointIndex && index <= dateIndex) || index == codeIndex || index == codeNumberIndex ||
            (index >= 71 && index <= 79);
   }
 
-  /// Coordinates of a station, or the height of the instrument.
+  /// Does the block hold coordinates of a station or the height of the instrument?
   static bool tellsStation(const std::vector<GsiWord>& words) {
     return std::any_of(words.begin(), words.end(), [](const GsiWord& word) {
       return (word.index >= 84 && word.index <= 86) || word.index == 88;
@@ -160,7 +160,8 @@ class GsiReader {
     return word.index == codeIndex || word.index == codeNumberIndex;
   }
 
-  /// Total stations begin one with the code 21, and older ones with 2; its name is the first information.
+  /// The station that the block begins: total stations write code 21, older ones 2, with its name in the
+  /// first information.
   static std::optional<std::string> stationOf(const std::string& code, const std::string& further) {
     const bool isSetUp = (code == "21" || code == "2") && !further.empty();
     return isSetUp ? std::optional(further) : stationMark(code, further);
@@ -216,14 +217,14 @@ class GsiReader {
     m_book.add(std::move(sighting));
   }
 
-  /// Angles that were not measured are told of.
+  /// Remarks on angles that were keyed in.
   void noteInput(const std::vector<GsiWord>& words, std::size_t line) {
     for (const GsiWord& word : words)
       if (circleOf(word) && (word.input == '1' || word.input == '4'))
         m_book.note(word.input == '1' ? keyedIn : workedOut, line);
   }
 
-  /// The circle that a word is of; null where it is of none.
+  /// The circle that the word reads; null for other words.
   static const RowField* circleOf(const GsiWord& word) {
     if (word.index == horizontalIndex) return &rowField(&Reading::horizontal);
     return word.index == verticalIndex ? &rowField(&Reading::vertical) : nullptr;
@@ -244,7 +245,7 @@ class GsiReader {
     return true;
   }
 
-  /// The slope distance where both are there.
+  /// Takes the distance; the slope distance if both are given.
   void takeDistance(const GsiWord& word, std::size_t line, RecordedSighting& sighting) {
     if (!word.isWhole) return m_book.setAside(gsiWordName(word.index), line);
     m_book.setBeside(gsiWordName(word.index), line);

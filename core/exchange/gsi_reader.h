@@ -8,25 +8,25 @@
 namespace alidade {
 
 /// Reads a Leica GSI-8 or GSI-16 file (gsi_word.h). A block with words 21 and 22 is one sighting of the point
-/// named by its word 11. Remarks (71-79) become the note, 12, 13 and 17 the instrument and the date. What a
-/// session has no place for is listed in `unused`: coordinates, blocks without angles, lines
-/// beginning with @, ? or %, which are an instrument's messages, and with #. The rest is told by names, which
-/// observers key in as point numbers or code blocks (word 41; a number may follow in word 42):
+/// named by its word 11. Remarks (71-79) become the note, 12, 13 and 17 the instrument and the date. `unused`
+/// lists data that a session cannot hold: coordinates, blocks without angles, lines beginning with @, ? or %,
+/// which are an instrument's messages, and with #. Observers state the rest by names, keyed in as point
+/// numbers or code blocks (word 41; a number may follow in word 42):
 ///
-///   code 0 or AXIS0, 180 or AXIS180    the following sightings were taken at that position of the axis
-///   code ROUND2, or ROUND and 2        the following sightings are of that round
-///   code ZERO                          the next sighting is of the pointing zero
-///   point 0 or ZERO, or `zeroPoint`    the sighting is of the pointing zero
-///   code STATION 5, STN, STANDPOINT    the following sightings were taken from that station; likewise code
+///   code 0 or AXIS0, 180 or AXIS180 the following sightings were taken at that position of the axis
+///   code ROUND2, or ROUND and 2 the following sightings are of that round
+///   code ZERO the next sighting is of the pointing zero
+///   point 0 or ZERO, or `zeroPoint` the sighting is of the pointing zero
+///   code STATION 5, STN, STANDPOINT the following sightings were taken from that station; so too code
 ///                                      21 or 2, which instruments write, with the name in word 42
 ///
-/// A block without angles that has a station's coordinates or the instrument's height (84-86, 88) tells the
-/// station by its point, word 16 by itself. Stations and distances (31, 32) are of no use to a session.
+/// A block without angles but with a station's coordinates or the instrument's height (84-86, 88) names the
+/// station by its point; word 16 names it alone. A session does not use stations and distances (31, 32).
 ///
-/// POS and POSITION mean AXIS too; capitals do not matter. A code in the block of a sighting is of it and of
-/// what follows. Words that are torn or unknown and that nobody needs are listed in `unused`, as are lines
-/// without any; a line is refused where a circle, the point or a mark is torn. Told is how many angles were
-/// keyed in (position 5 of their word) or had 60 seconds.
+/// POS and POSITION mean AXIS too, in any case. A code in the block of a sighting holds for it and for the
+/// following ones. `unused` lists torn or unknown words that do not matter, and lines without words; a line
+/// is refused if a circle, the point or a mark is torn. Remarks count the angles that were keyed in (position
+/// 5 of their word) or had 60 seconds.
 Recording readGsi(std::string_view text, const std::string& zeroPoint = {});
 
 }  // namespace alidade

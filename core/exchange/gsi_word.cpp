@@ -34,28 +34,28 @@ bool beginsWord(std::string_view text) {
          std::all_of(text.begin() + 2, text.begin() + 6, isInformation) && (text[6] == '+' || text[6] == '-');
 }
 
-/// Two digits, a third or a point, and a sign not far behind: what was to be a word, no date.
+/// Does the text look like a damaged word, not a date? Two digits, a third or a point, and a sign soon after.
 bool isNearlyWord(std::string_view text) {
   constexpr std::size_t farthestSign = 9;
   const std::size_t sign = text.find_first_of("+-");
   return sign > 2 && sign <= farthestSign && isDigit(text[0]) && isDigit(text[1]) && isInformation(text[2]);
 }
 
-/// Behind what is to be the end of a word: nothing, a word or the * of a block.
+/// Can a word end before this text? It is empty, another word or the * of a block.
 bool isBeforeWord(std::string_view text) {
   text.remove_prefix(blanksAt(text));
   if (text.starts_with('*')) text.remove_prefix(1);
   return text.empty() || beginsWord(text);
 }
 
-/// A number with a decimal sign, for which there is a character more.
+/// A number with a decimal sign, which makes the data one character longer.
 bool hasWrittenPoint(std::string_view data) {
   return data.find_first_of(".,") != std::string_view::npos &&
          std::all_of(data.begin(), data.end(),
                      [](char c) { return isDigit(c) || c == '.' || c == ',' || c == ' '; });
 }
 
-/// The width of data in each way that programs count it.
+/// The width of data as different programs count it.
 struct Widths {
   std::size_t characters = 0, bytes = 0, cells = 0;
 
@@ -76,7 +76,7 @@ bool isWidth(const Widths& widths, std::string_view data, bool isMarked) {
   return is(longData) || (!isMarked && is(shortData));
 }
 
-/// A check sum such as *5A that ends a line.
+/// Is this a check sum at the end of a line, such as *5A?
 bool isCheckSum(std::string_view text) {
   constexpr std::size_t shortest = 3, longest = 5;
   while (!text.empty() && isGsiBlank(text.back())) text.remove_suffix(1);
@@ -84,7 +84,7 @@ bool isCheckSum(std::string_view text) {
          text.find_first_not_of("0123456789ABCDEFabcdef", 1) == std::string_view::npos;
 }
 
-/// A comma or semicolon that some programs write between words and behind the last.
+/// A comma or semicolon, which some programs write between words and after the last.
 bool isSeparator(std::string_view text) {
   if (text.empty() || (text[0] != ',' && text[0] != ';')) return false;
   text.remove_prefix(1);
@@ -92,7 +92,7 @@ bool isSeparator(std::string_view text) {
   return text.empty() || beginsWord(text);
 }
 
-/// May a word of the right width end here?
+/// Can a word of the right width end here?
 bool mayEndWord(std::string_view text, std::size_t at) {
   const std::string_view rest = text.substr(at);
   if (rest.empty() || isGsiBlank(rest[0])) return true;
@@ -106,7 +106,7 @@ struct DataEnd {
   bool isWhole = false;
 };
 
-/// At the first blank before a word or the end.
+/// The position of the first blank before a word or the end.
 std::size_t endBeforeWord(std::string_view text) {
   for (std::size_t at = 0; at < text.size(); ++at) {
     const bool isFirstBlank = isGsiBlank(text[at]) && (at == 0 || !isGsiBlank(text[at - 1]));
@@ -115,15 +115,15 @@ std::size_t endBeforeWord(std::string_view text) {
   return text.size();
 }
 
-/// Nearly all words: as many characters of ASCII without a blank as the format has.
+/// A word as almost all are: exactly the format's width in ASCII characters without a blank.
 bool isPlainWord(std::string_view text, std::size_t width) {
   if (text.size() < width || (text.size() > width && text[width] != ' ')) return false;
   return std::all_of(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(width),
                      [](char c) { return c > ' ' && c <= '~'; });
 }
 
-/// Best at a width of the format with a word or nothing behind, else at such a width; another word ends it in
-/// any case.
+/// The data ends at a width of the format, preferably before a word or the end of the line, and always before
+/// another word.
 DataEnd dataEnd(std::string_view text, bool isMarked) {
   constexpr std::size_t widest = longData + 1;
   const std::size_t width = isMarked ? longData : shortData;
@@ -143,7 +143,7 @@ DataEnd dataEnd(std::string_view text, bool isMarked) {
   return {endBeforeWord(text), false};
 }
 
-/// The first two digits, or three where the third is of the index: 331, but 110001 and 21.102.
+/// The index: two digits, or three if the third belongs to it, as in 331 but not in 110001 and 21.102.
 int indexOfWord(std::string_view text) {
   constexpr int staff = 33;
   const auto digit = [&text](std::size_t at) { return text[at] - '0'; };
@@ -203,7 +203,7 @@ void GsiBlocks::skipBlanks() {
   skip(blanksAt(m_rest));
 }
 
-/// The mark of a wide block, where a word comes behind it.
+/// Takes the mark of a wide block if a word follows it.
 bool GsiBlocks::takeStar() {
   if (!m_rest.starts_with('*')) return false;
   const std::size_t behind = 1 + blanksAt(m_rest.substr(1));
@@ -290,7 +290,7 @@ std::string whyNoWord(std::string_view text) {
       quotation(first));
 }
 
-/// The first of what is not sound in a block.
+/// The first damaged word of a block.
 std::optional<LineProblem> firstTorn(const GsiBlock& block, const TextLine& line) {
   std::optional<LineProblem> first;
   const auto take = [&](const GsiWord& word, const std::string& what) {

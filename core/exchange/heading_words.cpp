@@ -14,11 +14,10 @@ namespace {
 
 struct RoleWords {
   HeadingRole role;
-  std::string_view
-      words;  ///< with blanks between them, in English, German, Chinese, Spanish, French, Russian
+  std::string_view words;  ///< separated by blanks; English, German, Chinese, Spanish, French, Russian
 };
 
-/// All headings that are known, in whatever language. Case and accents do not matter.
+/// All known heading words in all languages, without regard to case and accents.
 constexpr RoleWords vocabulary[] = {
     {HeadingRole::Axis,
      "axis position pos axisposition rotation Achse Achslage Achsstellung Achsposition 轴位 轴位置 轴 位置 "
@@ -142,7 +141,7 @@ class Vocabulary {
     return m_words.at(role).contains(std::string(word));
   }
 
-  /// How many bytes of a text without blanks the longest known word takes; 0 where none begins it.
+  /// The length in bytes of the longest known word at the start of unspaced text; 0 if none matches.
   std::size_t longestAt(std::string_view text) const {
     for (std::size_t length = std::min(text.size(), m_longest); length > 0; --length)
       if (m_unparted.contains(std::string(text.substr(0, length)))) return length;
@@ -163,11 +162,11 @@ class Vocabulary {
   }
 
   std::map<HeadingRole, std::set<std::string>> m_words;
-  std::set<std::string> m_unparted;  ///< of writing without blanks
+  std::set<std::string> m_unparted;  ///< words of scripts written without blanks
   std::size_t m_longest = 0;
 };
 
-/// Takes a heading apart, character by character.
+/// Splits a heading into words, character by character.
 class HeadingWords {
  public:
   std::vector<std::string> of(std::string_view heading) {
@@ -178,7 +177,7 @@ class HeadingWords {
   }
 
  private:
-  /// How many bytes were taken.
+  /// Takes the next word or sign; the result is its length in bytes.
   std::size_t take(std::string_view rest) {
     constexpr std::string_view punctuation = " _-.,;:/\\|()[]{}<>=*+!?&~", signs = "'\"#";
     const Utf8Character character = firstCharacter(rest);

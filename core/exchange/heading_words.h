@@ -6,18 +6,18 @@
 
 namespace alidade {
 
-/// What a word in the heading of a column can say. One word may say several things: `m` are metres or
+/// What a word in the heading of a column can mean. One word may have several meanings: `m` is metres or
 /// minutes.
 enum class HeadingRole {
   Axis,
   Turn,
   Station,
   Point,
-  Numbering,  ///< a number or a name: of the point where nothing else names one
+  Numbering,  ///< a number or a name: the point, if nothing else names one
   Round,
   Face,
   Horizontal,
-  MaybeHorizontal,  ///< where nothing else does: `H` is a height as well
+  MaybeHorizontal,  ///< if nothing else does: `H` is also a height
   Vertical,
   MaybeVertical,
   Zenith,
@@ -40,23 +40,23 @@ enum class HeadingRole {
   DegreePart,
   MinutePart,
   SecondPart,
-  GonMinutePart,  ///< of a hundredth of a gon
+  GonMinutePart,  ///< a hundredth of a gon
   GonSecondPart,
   FaceOne,
   FaceTwo,
-  SpanishCircle,  ///< whose D and I are directo and inverso
+  SpanishCircle,  ///< with D and I for directo and inverso
   Metre,
   Millimetre,
-  DistanceWord,  ///< says nothing beside a distance: `slope`
-  CircleWord,    ///< names the face where nothing else stands beside it: `круг`
-  Filler,        ///< says nothing: `angle`, `reading`
+  DistanceWord,  ///< has a meaning only in a distance: `slope`
+  CircleWord,    ///< names the face if nothing else in the heading does: `круг`
+  Filler,        ///< without a meaning of its own: `angle`, `reading`
 };
 
-/// `word` as `headingWords` gives it.
+/// Does `word`, as `headingWords` gives it, have this meaning?
 bool means(HeadingRole role, std::string_view word);
 
-/// The words of a heading, folded (folded_text.h): parted by blanks and punctuation; the signs ° ' " and #
-/// are words of their own, and what is written without blanks (水平角读数) is parted where known words end.
+/// The words of a heading, folded (folded_text.h) and split at blanks and punctuation. The signs ° ' " and #
+/// are words of their own; text without blanks (水平角读数) is split where known words end.
 std::vector<std::string> headingWords(std::string_view heading);
 
 }  // namespace alidade

@@ -17,7 +17,7 @@ namespace alidade {
 
 namespace {
 
-/// What the names of a table's columns say, and nothing that is guessed.
+/// The layout that the names of a table's columns state, without guesses.
 TableLayout asNamed(const Recognised& recognised, AngleUnit unit) {
   TableLayout layout;
   layout.unit = unit;
@@ -27,7 +27,7 @@ TableLayout asNamed(const Recognised& recognised, AngleUnit unit) {
   return layout;
 }
 
-/// A layout that somebody chose holds for what looks to be none of the formats that are read.
+/// A chosen layout applies only if the text matches no readable format.
 Result<Recording> readRecording(const ReadingsFile& file, const ImportOptions& options) {
   const Result<std::string> text = readingsText(file.bytes, file.name);
   if (!text) return text.problem();
@@ -37,7 +37,7 @@ Result<Recording> readRecording(const ReadingsFile& file, const ImportOptions& o
   return readTable(*text, file.table ? *file.table : asNamed(*recognised, options.unit), options.zeroPoint);
 }
 
-/// Of no use, and no word of it would be said: everything would stand at 0°.
+/// The problem of a turn line after the last reading: all readings would silently be at 0°.
 std::optional<Problem> turnedBehindTheEnd(const Recording& recording, const ReadingsFile& file) {
   const std::size_t last = std::ranges::max_element(recording.sightings, {}, &RecordedSighting::line)->line;
   if (!file.turnedAtLine || *file.turnedAtLine <= last) return std::nullopt;
@@ -58,7 +58,7 @@ Result<Recording> readFileOf(const ReadingsFile& file, const ImportOptions& opti
   return recording;
 }
 
-/// The session's circle, once it has readings or a file names it, is that of all.
+/// The problem if files differ in the kind of vertical circle, among them or from a session with readings.
 std::optional<Problem> twoKindsOfCircle(const std::vector<Recording>& recordings,
                                         const ImportOptions& options) {
   const Session& base = options.base;

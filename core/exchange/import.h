@@ -15,62 +15,62 @@
 
 namespace alidade {
 
-/// A file of readings, and what it does not say or what it says in its own way.
+/// A file of readings, and what the user states in its place.
 struct ReadingsFile {
-  std::string name;        ///< for sentences and the journal
-  std::string_view bytes;  ///< of somebody who keeps them
-  std::string axis = {};   ///< 0 or 180: of all of it, whatever it says; empty: as it says
-  std::string round = {};  ///< likewise
-  std::optional<std::size_t> turnedAtLine = {};  ///< from this line on the axis stood at 180°, before at 0°,
-                                                 ///< where the file does not say how it stood
-  std::optional<TableLayout> table = {};  ///< of a table; absent: as the names of its columns say
+  std::string name;                              ///< for sentences and the journal
+  std::string_view bytes;                        ///< owned by the caller
+  std::string axis = {};                         ///< 0 or 180, for all rows; empty: as the file states
+  std::string round = {};                        ///< the same for the round
+  std::optional<std::size_t> turnedAtLine = {};  ///< if the file does not state the axis: 180° from this line
+                                                 ///< on, 0° before
+  std::optional<TableLayout> table = {};  ///< of a table; absent: as its column names say
 };
 
 /// What holds for all files of an import.
 struct ImportOptions {
-  Session base = blankSession();         ///< what the readings are put into; has it readings, they are added
-  AngleUnit unit = AngleUnit::Unstated;  ///< of plain numbers in CSV columns that name none
-  std::string zeroPoint;                 ///< the point whose sightings are of the pointing zero; empty:
-                                         ///< ZERO, in the file of an instrument 0 as well
+  Session base = blankSession();            ///< the session that receives the readings, after any it has
+  AngleUnit unit = AngleUnit::Unstated;     ///< of plain numbers in CSV columns whose heading has none
+  std::string zeroPoint;                    ///< the point that is the pointing zero; empty: ZERO, and in an
+                                            ///< instrument's file also 0
   std::optional<std::size_t> turnedAtLine;  ///< of a single file, as in `ReadingsFile`
 };
 
-/// Where rows of a position were read: row for row, the lines of a file in their order.
+/// The source of the rows of a position: the lines of a file, in row order.
 struct ImportedRows {
   std::size_t position = 0, firstRow = 0, count = 0;
   std::size_t file = 0;
-  std::vector<std::pair<std::size_t, std::size_t>> lines;  ///< first and last of each run, from 1
+  std::vector<std::pair<std::size_t, std::size_t>> lines;  ///< first and last line of each run, from 1
 };
 
-/// A session made of files of readings, or one with their readings added.
+/// A session made from files of readings, or a session with their readings added.
 struct Import {
   Session session;
-  std::string format;    ///< as the readers call it: "GSI-8", "SDR33", "JobXML", "CSV"; of several
-                         ///< files all that there are
-  std::size_t rows = 0;  ///< of readings that came, excluded ones too
-  std::vector<LineProblem> problems;  ///< in the order of the files and lines. Entries that mean nothing are
-                                      ///< in the session as they stand; lines that cannot be read are not
-  std::vector<std::string> remarks;   ///< sentences: what was taken how, and what was not used
-  std::vector<ImportedRows> origins;  ///< of all rows that came, in the order of positions and rows
-  std::vector<std::size_t> unplaced;  ///< files that do not say how the axis stood: put at 0°
+  std::string format;    ///< as the readers name it: "GSI-8", "SDR33", "JobXML", "CSV"; all formats of
+                         ///< several files
+  std::size_t rows = 0;  ///< of imported readings, excluded ones included
+  std::vector<LineProblem> problems;  ///< in the order of files and lines. Invalid entries are in the session
+                                      ///< as read; unreadable lines are not
+  std::vector<std::string> remarks;   ///< sentences on assumptions and on what was not used
+  std::vector<ImportedRows> origins;  ///< of all imported rows, in the order of positions and rows
+  std::vector<std::size_t> unplaced;  ///< files that do not state the axis: put at 0°
 };
 
-/// The end of the remark on a file of `unplaced`.
+/// The end of the remark on a file in `unplaced`.
 inline constexpr const char* putAtZero =
     PHRASE_LATER("Phrase", "nothing in the file says how the axis stood: all its readings are put at 0°");
 
-/// Readings of a theodolite, from the bytes of files of instruments (file_format.h) and tables
-/// (csv_reader.h); the content tells which. Sightings of the pointing zero become
-/// the zero of their position, several of them as the mean of their face 1 equivalents; a zero that `base`
-/// has already stays. Where a file does not say, the face follows from the vertical circle, the round from
-/// how often point and face came before in this position (rounds that the file states are passed over), the
-/// axis from `turnedAtLine`, else it is 0°. Positions are in the order 0°, 180°, as a session has them read;
-/// where `base` has readings, its positions and rows stay, and what comes goes behind them. Point names that
-/// are no whole numbers are numbered, the name kept in the note. Fails on what is no text, is of a
-/// format that is not read, or holds no readings, and on vertical circles of two kinds.
+/// Imports theodolite readings from the bytes of instrument files (file_format.h) and tables (csv_reader.h);
+/// the content decides the format. Sightings of the pointing zero become the zero of their position, several
+/// of them as the mean of their face 1 equivalents; a zero that `base` already has stays. A face that the
+/// file does not state follows from the vertical circle. A missing round follows from earlier sightings of
+/// the same point and face in the position, skipping stated rounds. A missing axis follows from
+/// `turnedAtLine`, else it is 0°. Positions are in the order 0°, 180°; if `base` has readings, its positions
+/// and rows stay and new rows follow them. Points without whole numbers as names are numbered, with the name
+/// in the note. Fails on files that are not text, have an unreadable format or hold no readings, and on
+/// vertical circles of two kinds.
 Result<Import> importReadings(const std::vector<ReadingsFile>& files, const ImportOptions& options = {});
 
-/// The same of a single file, `turnedAtLine` as in the options.
+/// Imports a single file, with `turnedAtLine` from the options.
 Result<Import> importReadings(std::string_view bytes, const ImportOptions& options = {});
 
 }  // namespace alidade

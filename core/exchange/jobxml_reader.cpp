@@ -14,7 +14,7 @@ namespace alidade {
 
 namespace {
 
-/// Goes through the records of the field book.
+/// Reads the records of the field book.
 class JobXmlReader {
  public:
   JobXmlReader(std::string_view text, const std::string& zeroPoint) : m_book(text, zeroPoint) {}
@@ -57,7 +57,7 @@ class JobXmlReader {
       m_book.takeNote(trimmed(note.text().get()), m_line);
   }
 
-  /// What a record with a circle is where it is no reading; empty where it is one.
+  /// The kind of a record with a circle that is not a reading; empty for a reading.
   static std::string otherKind(const pugi::xml_node& record) {
     if (xmlText(record, "Deleted") == "true") return Phrase::of("a deleted observation");
     const std::string method = xmlText(record, "Method");

@@ -11,11 +11,11 @@ namespace alidade {
 bool looksLikeJobXml(std::string_view beginning);
 
 /// Reads the field book of a Trimble JobXML file (JobXML schema 5; Trimble Access, Survey Controller, General
-/// Survey). Whatever units the job shows, the file has decimal degrees and metres. A PointRecord with a
-/// Circle is one sighting: HorizontalCircle, VerticalCircle (a zenith angle), EDMDistance, and Face1, Face2
-/// or FaceNull, which says nothing. StationRecords are the stations, InstrumentRecords the instrument, and
-/// notes (NoteRecord) say what code blocks say in GSI (gsi_reader.h). Deleted records, means of both faces
-/// (MeanTurnedAngle) and computed observations are no readings and listed in `unused`.
+/// Survey). The file has decimal degrees and metres whatever units the job shows. A PointRecord with a Circle
+/// is one sighting: HorizontalCircle, VerticalCircle (a zenith angle), EDMDistance, and Face1, Face2 or
+/// FaceNull, which states no face. StationRecords are the stations, InstrumentRecords the instrument, and
+/// notes (NoteRecord) have the meaning of code blocks in GSI (gsi_reader.h). Deleted records, means of both
+/// faces (MeanTurnedAngle) and computed observations are listed in `unused`.
 Recording readJobXml(std::string_view text, const std::string& zeroPoint = {});
 
 }  // namespace alidade

@@ -9,7 +9,7 @@ namespace alidade {
 
 namespace {
 
-/// The parts as they are, where they make no angle.
+/// The parts unchanged, separated by blanks, if they do not form an angle.
 std::string sideBySide(const std::array<std::string, 3>& parts) {
   std::string text = parts[0];
   for (std::size_t i = 1; i < parts.size(); ++i)
@@ -100,7 +100,7 @@ class TableJoiner {
   TablePlan m_plan;
   std::vector<TableCells> m_readings;
   FaceWords m_faces;
-  std::vector<std::size_t> m_sources;  ///< in the rows, of the joined columns
+  std::vector<std::size_t> m_sources;  ///< source columns in the rows
   JoinedTable m_joined;
 };
 

@@ -26,7 +26,7 @@ std::optional<AngleUnit> landXmlUnit(const std::string& name) {
   return std::nullopt;
 }
 
-/// To one of the schema's units of length; 0 where it is none of them.
+/// Metres per unit of length of the schema; 0 for other names.
 double metresOf(const std::string& name) {
   static const std::map<std::string, double> units{{"", 1},
                                                    {"meter", 1},
@@ -41,7 +41,7 @@ double metresOf(const std::string& name) {
   return unit == units.end() ? 0 : unit->second;
 }
 
-/// Goes through the surveys of a file.
+/// Reads the surveys of a file.
 class LandXmlReader {
  public:
   LandXmlReader(std::string_view text, const std::string& zeroPoint) : m_book(text, zeroPoint) {}
@@ -77,7 +77,7 @@ class LandXmlReader {
     return false;
   }
 
-  /// What people call the points that observations refer to.
+  /// Takes the names of the points that observations refer to.
   void takePoints(const pugi::xml_node& points) {
     for (const pugi::xml_node point : points.children()) {
       const std::string name = xmlValue(point, "name"), id = xmlValue(point, "oID");
@@ -179,8 +179,8 @@ class LandXmlReader {
 
   XmlBook m_book;
   AngleUnit m_unit = AngleUnit::Radians;
-  bool m_hasUnit = false;                       ///< else the schema's default holds
-  double m_metres = 1;                          ///< to the file's unit of length; 0: of an unknown one
+  bool m_hasUnit = false;                       ///< else the schema's default applies
+  double m_metres = 1;                          ///< per unit of length of the file; 0 if the unit is unknown
   std::map<std::string, std::string> m_points;  ///< oID by name
   std::size_t m_line = 1;
 };

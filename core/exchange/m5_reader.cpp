@@ -28,10 +28,10 @@ struct Block {
   std::size_t column = 0;
 };
 
-/// A number with its type and unit, as `Hz        34.9078        gon`.
+/// A number with its type and unit, such as `Hz 34.9078 gon`.
 struct Value {
   std::string type, number, unit;
-  std::size_t column = 0;  ///< of the number; of the block where it has none
+  std::size_t column = 0;  ///< of the number; of the block if it has none
 };
 
 std::vector<Block> blocksOf(std::string_view line) {
@@ -57,19 +57,19 @@ std::vector<Block> wordsIn(const Block& block) {
   return words;
 }
 
-/// A point or a text, where a line has no address.
+/// Is the block a point or a text, in a line without an address?
 bool isPointOrText(const Block& block) {
   return block.text.starts_with("PI") || block.text.starts_with("TI") || block.text.starts_with("TO");
 }
 
-/// Some programs write Hz and V1 in other capitals.
+/// The type in its usual case: some programs write Hz and V1 differently.
 std::string typeOf(std::string_view written) {
   const std::string large = upperCase(std::string(written));
   if (large == "HZ") return "Hz";
   return large == "V1" || large == "V3" ? large : std::string(written);
 }
 
-/// Instruments number by types what they are, and name by others what they measured.
+/// Splits a block into type, number and unit: the type is a number (01) or a name (Hz).
 Value valueOf(const Block& block) {
   const std::vector<Block> words = wordsIn(block);
   if (words.empty()) return {.type = {}, .number = {}, .unit = {}, .column = block.column};
@@ -86,7 +86,7 @@ bool isCircleValue(const Value& value) {
   return value.type == "Hz" || (value.type.size() == 2 && value.type[0] == 'V');
 }
 
-/// Goes through a file line by line.
+/// Reads a file line by line.
 class M5Reader {
  public:
   explicit M5Reader(const std::string& zeroPoint) : m_book(zeroPoint) {}
@@ -133,7 +133,7 @@ class M5Reader {
                              quotation(line.text)));
   }
 
-  /// A line without the mark of the format: what was to be a sighting cannot be done without.
+  /// Handles a line without the mark of the format; it is refused if it may be a sighting.
   void readOther(const TextLine& line) {
     const bool isSighting =
         line.text.find("|Hz") != std::string_view::npos || line.text.find("|V1") != std::string_view::npos;
@@ -141,8 +141,8 @@ class M5Reader {
     m_book.setAsideLine(line.text, line.number);
   }
 
-  /// A text that is no mark is of what follows, such as the programs of the instrument: adjustments hold
-  /// angles, too, and are no sightings.
+  /// A text that is not a mark heads what follows, as a program of the instrument does: the angles of an
+  /// adjustment are not sightings.
   void readText(const Block& block, const std::vector<Value>& values, std::size_t line) {
     const std::string text = trimmed(block.text.substr(std::min<std::size_t>(block.text.size(), 3)));
     Recording& recording = m_book.recording();
@@ -163,11 +163,11 @@ class M5Reader {
     m_book.setAside(Phrase::of("the text %1", quotation(text)), line);
   }
 
-  /// The programs that stand the instrument up, with their sightings of known points: KN STAT, UN STAT. EL
-  /// STAT gives the station that stands its height.
+  /// The programs that set up the instrument with sightings of known points: KN STAT, UN STAT. EL STAT only
+  /// gives the current station its height.
   static bool isSetUp(std::string_view text) { return text.ends_with(" STAT") && !text.starts_with("EL "); }
 
-  /// 01 and 02 have no unit: `M3 5"DR` is one name.
+  /// Names the value; 01 and 02 have no unit: `M3 5"DR` is one name.
   static std::string nameOf(const Value& value) {
     return value.unit.empty() ? value.number : value.number + " " + value.unit;
   }
@@ -205,7 +205,7 @@ class M5Reader {
     if (m_book.add(std::move(sighting)) && isNamed && m_isSetUp) m_book.note(backsightZero, line);
   }
 
-  /// The code S is that of the station; a program names it before its sightings.
+  /// Code S marks the station; a program names it before its sightings.
   void readPointAlone(const RecordedSighting& point, std::size_t line) {
     const std::string& note = point.row.note;
     const bool isStation = note == "S" || note.ends_with(" S");
@@ -265,9 +265,9 @@ class M5Reader {
   }
 
   FieldBook m_book;
-  bool m_isSetUp = false;                     ///< in a program that stands the instrument up
-  std::size_t m_setUps = 0;                   ///< such programs
-  std::optional<std::size_t> m_placeOfPoint;  ///< in the text of a point, from 0
+  bool m_isSetUp = false;                     ///< within a program that sets up the instrument
+  std::size_t m_setUps = 0;                   ///< number of such programs
+  std::optional<std::size_t> m_placeOfPoint;  ///< position in the text of a point, from 0
 };
 
 }  // namespace

@@ -16,7 +16,7 @@ bool isNumber(const std::string& name) {
   return name.size() <= mostDigits && std::all_of(name.begin(), name.end(), isDigit);
 }
 
-/// The whole number a name ends with, without leading zeros; empty where it ends with none.
+/// The whole number at the end of a name, without leading zeros; empty if it has none.
 std::string endingNumber(const std::string& name) {
   const std::size_t start = name.find_last_not_of("0123456789") + 1;
   const Result<int> number = parseWhole(name.substr(start));

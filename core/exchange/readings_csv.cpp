@@ -12,7 +12,7 @@ namespace alidade {
 
 namespace {
 
-/// Of each position, the how many-th it is at its axis.
+/// The turn of each position: its number among the positions at the same axis.
 std::vector<int> turnsOf(const Session& session) {
   std::map<std::string, int> count;
   std::vector<int> turns;

@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::size_t mostBytesLookedAt = std::size_t{256} << 10;
 
-/// Whole lines of it.
+/// The first whole lines of the text.
 std::string_view beginningOf(std::string_view text) {
   if (text.size() <= mostBytesLookedAt) return text;
   text = text.substr(0, mostBytesLookedAt);

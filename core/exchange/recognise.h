@@ -10,31 +10,31 @@
 
 namespace alidade {
 
-/// Columns side by side that may be the degrees, minutes and seconds of one angle.
+/// Adjacent columns that may be the degrees, minutes and seconds of one angle.
 struct JoinableColumns {
   std::size_t first = 0, count = 0;
   bool operator==(const JoinableColumns&) const = default;
 };
 
-/// What a file of readings looks to be, from its beginning: a proposal with its reasons.
+/// The proposed format of a file of readings, judged by its beginning, with the reasons.
 struct Recognised {
-  const FileFormat* format = nullptr;  ///< a row of `fileFormats` that is read; null: a table
-  std::string name;                    ///< for people: "Leica GSI", "Table"
-  TableLayout table;                   ///< of a table, as proposed: its `columns` are one key for each
-  std::vector<std::string> titles;  ///< of a table's columns as the file names them; empty where it does not
-  std::vector<JoinableColumns> joinable;  ///< of a table, in the order of their first
-  bool saysAxis = false;                  ///< how the axis stood stands in the file
-  bool asksUnit = false;                  ///< of a table: circles hold plain numbers and no name says of what
-  std::vector<std::string> reasons;       ///< sentences without their full stop: why it is taken so
+  const FileFormat* format = nullptr;     ///< a row of `fileFormats` that can be read; null: a table
+  std::string name;                       ///< for people: "Leica GSI", "Table"
+  TableLayout table;                      ///< proposal for a table; `columns` has a key for each column
+  std::vector<std::string> titles;        ///< column names in the file; empty if it has none
+  std::vector<JoinableColumns> joinable;  ///< of a table, in the order of their first column
+  bool saysAxis = false;                  ///< the file states the axis
+  bool asksUnit = false;                  ///< of a table: the circles hold plain numbers without a named unit
+  std::vector<std::string> reasons;       ///< sentences without a full stop that explain the proposal
 
   bool isTable() const { return format == nullptr; }
 
-  /// The same for files of the same make: what was chosen for one goes for the next.
+  /// Equal for files of the same make: the choices made for one apply to the next.
   std::string signature() const;
 };
 
-/// From the first lines of a text (`readingsText`). Fails on what holds nothing, and on formats that are
-/// named and not read.
+/// Recognises the first lines of a text (`readingsText`). Fails on empty texts and on formats that are named
+/// but not read.
 Result<Recognised> recognise(std::string_view text);
 
 /// Are both circles among the columns?

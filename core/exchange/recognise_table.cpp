@@ -28,7 +28,7 @@ std::vector<TableCells> rowsOf(std::string_view text, char separator) {
   return beginningOfTable(text, separator, 0).sample;
 }
 
-/// Cells that are angles with decimals or signs, so cut.
+/// The number of cells that are angles with decimals or signs, in rows split this way.
 std::size_t wholeAngles(const std::vector<TableCells>& rows) {
   std::size_t count = 0;
   for (const TableCells& row : rows)
@@ -36,7 +36,7 @@ std::size_t wholeAngles(const std::vector<TableCells>& rows) {
   return count;
 }
 
-/// How many cells most rows of readings have; 0 where hardly any two have as many.
+/// The usual number of cells in rows of readings; 0 if hardly any two rows agree.
 std::size_t usualWidth(const std::vector<TableCells>& rows) {
   std::map<std::size_t, std::size_t> counts;
   std::size_t all = 0, most = 0, width = 0;
@@ -50,10 +50,10 @@ std::size_t usualWidth(const std::vector<TableCells>& rows) {
   return 2 * most > all ? width : 0;
 }
 
-/// How well readings stand below the names that name their circles.
+/// Whether readings are found below the names of the circles.
 struct NamesFit {
   bool areNamed = false;  ///< a row names both circles
-  bool fits = false;      ///< most rows of readings have angles there
+  bool fits = false;      ///< most rows of readings have angles in these columns
 };
 
 NamesFit fitOfNames(const std::vector<TableCells>& rows) {
@@ -76,7 +76,7 @@ NamesFit fitOfNames(const std::vector<TableCells>& rows) {
   return {};
 }
 
-/// Recognises a table in the rows at its beginning.
+/// Recognises a table by the rows at its beginning.
 class TableRecognition {
  public:
   explicit TableRecognition(std::string_view text) : m_text(text) {}
@@ -98,7 +98,8 @@ class TableRecognition {
  private:
   void reason(const std::string& sentence) { m_found.reasons.push_back(sentence); }
 
-  /// Tabs, semicolons and | part cells wherever they stand; commas and blanks only where rows have as many.
+  /// Tabs, semicolons and | always separate cells; commas and blanks only if the rows have equal numbers of
+  /// cells.
   void chooseSeparator() {
     const std::string_view line = firstLine();
     for (const char separator : {'\t', ';', '|'})
@@ -113,7 +114,7 @@ class TableRecognition {
     reason(blank ? Phrase::of("blanks part the columns") : Phrase::of("commas part the columns"));
   }
 
-  /// A blank or `wideBlanks`, whichever fits the names and the readings; 0 where commas do.
+  /// A blank or `wideBlanks`, whichever fits the names and the readings better; 0 if commas do.
   char blankSeparator() const {
     const std::vector<TableCells> byCommas = rowsOf(m_text, ',');
     if (fitOfNames(byCommas).areNamed) return '\0';
@@ -144,14 +145,14 @@ class TableRecognition {
 
   static bool holdsReading(const TableCells& row) { return std::ranges::count_if(row, mayBeAngle) >= 2; }
 
-  /// The names stand in the last row that has some before the readings; above them there may be a title.
+  /// The last non-empty row before the readings holds the names; titles may precede it.
   void chooseHead() {
     std::size_t first = 0;
     while (first < std::min(m_rows.size(), mostTitleRows) && !holdsReading(m_rows[first]))
       if (nameCircles(m_rows[first++])) break;
     const bool areBelow =
         first > 0 && first < m_rows.size() && standsAboveNames(m_rows[first - 1], m_rows[first]);
-    if (areBelow) ++first;  // the row of circles stands above that of their parts
+    if (areBelow) ++first;  // the row of circles is above the row of their parts
     if (first == mostTitleRows || first == m_rows.size()) {
       const bool isNamed = !m_rows.empty() && first > 0 && areColumnNames(m_rows[first - 1]);
       if (!isNamed) first = std::min<std::size_t>(1, m_rows.size());
@@ -232,7 +233,7 @@ class TableRecognition {
                     : Phrase::of("decimals stand behind a point"));
   }
 
-  /// The plain numbers of a circle whose name tells no unit.
+  /// The plain numbers of a circle whose name has no unit.
   std::vector<double> plainOf(std::string_view key) const {
     std::vector<double> numbers;
     const auto column = columnOf(key);
@@ -247,8 +248,8 @@ class TableRecognition {
     return numbers;
   }
 
-  /// Only gon go beyond 360 on a circle, and only decimal degrees and gon have decimals beyond 59 where
-  /// minutes stand.
+  /// Only gon exceed 360 on a circle; only decimal degrees and gon have decimals beyond 59 in the place of
+  /// minutes.
   void chooseUnit() {
     const std::vector<double> horizontal = plainOf("horizontal"), vertical = plainOf("vertical");
     std::vector<double> all = horizontal;

@@ -6,7 +6,7 @@
 
 namespace alidade {
 
-/// What the beginning of a table tells of it. For `recognise`.
+/// Recognises a table by its beginning. For `recognise`.
 Recognised recogniseTable(std::string_view beginning);
 
 }  // namespace alidade

@@ -20,7 +20,7 @@ bool isPlainNumber(const std::string& text) {
   return digits > 0 && signs <= 1 && start + static_cast<std::size_t>(digits + signs) == text.size();
 }
 
-/// 341.5224 as 341 52 24.
+/// Converts 341.5224 to 341 52 24.
 std::string inParts(const std::string& number) {
   const std::size_t sign = std::min(number.find_first_of(".,"), number.size());
   std::string decimals = sign < number.size() ? number.substr(sign + 1) : std::string();
@@ -64,7 +64,7 @@ std::string withUnit(const std::string& text, AngleUnit unit) {
   if (unit == AngleUnit::Degrees) return plain + "°";
   if (unit == AngleUnit::Gon) return plain + "gon";
   if (unit == AngleUnit::Radians) {
-    constexpr int decimals = 10;  // of a degree: a millionth of a second
+    constexpr int decimals = 10;  // of a degree: about a millionth of an arcsecond
     const Result<double> radians = parseNumber(plain);
     return radians ? fixedText(Angle::fromRadians(*radians).degrees(), decimals) + "°" : text;
   }

@@ -13,16 +13,16 @@ namespace alidade {
 /// Why a line of a file of readings cannot be used, and what to do.
 struct LineProblem {
   std::size_t line = 0;    ///< from 1
-  std::size_t column = 0;  ///< character of the line, from 1; 0: the line as a whole
+  std::size_t column = 0;  ///< character in the line, from 1; 0: the whole line
   std::string what;
-  std::string file = {};  ///< its name, where there are several
+  std::string file = {};  ///< name of the file, if there are several
 
-  std::string text() const;  ///< `line 3, column 12: …`, with the file in front
+  std::string text() const;  ///< `line 3, column 12: …`, preceded by the file
 
   bool operator==(const LineProblem&) const = default;
 };
 
-/// One entry as the file has it. Empty text: the file does not say.
+/// One entry as in the file. Empty text: the file does not state it.
 struct RecordedEntry {
   std::string text;
   std::size_t column = 0;  ///< as in LineProblem
@@ -30,18 +30,18 @@ struct RecordedEntry {
   bool operator==(const RecordedEntry&) const = default;
 };
 
-/// One sighting as the file has it.
+/// One sighting as in the file.
 struct RecordedSighting {
   std::size_t line = 0;
   RecordedEntry axis;
   Reading row;  ///< angles in a notation of `parseAngle`
-  /// Where the row's fields stand in the line, in the order of `rowFields`; as in LineProblem.
+  /// The columns of the row's fields in the line, in the order of `rowFields`, as in LineProblem.
   std::array<std::size_t, rowFields.size()> columns{};
-  bool isZero = false;  ///< of the pointing zero, not of the slider
-  int time = 1;  ///< the how many-th position at its axis it is of, where `tellsTurns`; else to be found
-  std::size_t file = 0;               ///< index of its file among several; who reads a file leaves it
+  bool isZero = false;                ///< of the pointing zero instead of the slider
+  int time = 1;                       ///< the repeat at its axis if `tellsTurns`; else yet to be determined
+  std::size_t file = 0;               ///< index of its file; readers of a file do not set it
   std::size_t station = 0;            ///< index among the recording's `stations`
-  double distanceM = 0;               ///< 0: the file does not say
+  double distanceM = 0;               ///< 0: not in the file
   bool isDistanceHorizontal = false;  ///< else along the line of sight
 
   void enter(const RowField& field, std::string text, std::size_t column);
@@ -50,38 +50,38 @@ struct RecordedSighting {
   bool operator==(const RecordedSighting&) const = default;
 };
 
-/// What a file of readings says, in its order.
+/// The content of a file of readings, in its order.
 struct Recording {
   std::string format;  ///< for people: "GSI-8"
   std::vector<RecordedSighting> sightings;
   std::string instrumentName, instrumentSerial;
   std::string measuredOn;             ///< year-month-day
-  std::string verticalCircle;         ///< "zenith", "elevation", or empty where the file does not say
-  std::string circleRemark;           ///< why the vertical circle is taken so where no name says it
-  bool tellsTurns = false;            ///< the file says which position at its axis a row is of
-  std::vector<LineProblem> problems;  ///< lines that cannot be read; nothing of them is in `sightings`
-  /// A sentence for each kind of thing that a session has no place for, or that was read in a way of its own.
+  std::string verticalCircle;         ///< "zenith", "elevation", or empty if the file does not state it
+  std::string circleRemark;           ///< how the kind of vertical circle was inferred, if no name states it
+  bool tellsTurns = false;            ///< the file states the turn of each row
+  std::vector<LineProblem> problems;  ///< unreadable lines, which `sightings` leaves out
+  /// A sentence for each kind of data that a session cannot hold or that was interpreted.
   std::vector<std::string> unused;
-  /// Likewise of stations and distances, which the check of an instrument has a place for.
+  /// The same for stations and distances, which the instrument check uses.
   std::vector<std::string> unusedBySession;
-  std::vector<LineProblem> distanceProblems;  ///< distances that cannot be read; the rest of the line stands
+  std::vector<LineProblem> distanceProblems;  ///< unreadable distances; the rest of their lines is used
   std::map<std::string, std::size_t> stationIndices;  ///< of `stations`
-  std::vector<std::string> stations{{}};  ///< their names; the first, without one, is where none is said
+  std::vector<std::string> stations{{}};              ///< names; the first, empty, is used if none is stated
 
-  /// The index of a station, which is new where it is not known.
+  /// The index of a station; an unknown one is added.
   std::size_t stationNamed(const std::string& name);
 };
 
-/// The unit of plain numbers where an angle is wanted.
+/// The unit of plain numbers that are angles.
 enum class AngleUnit {
   Unstated,
   Degrees,  ///< 341.873333
   Gon,      ///< 379.859259
-  Radians,  ///< 5.966816; of columns that say so
+  Radians,  ///< 5.966816; of columns that state it
   Dms,      ///< 341.5224: degrees, then two digits of minutes, two of seconds, and their decimals
 };
 
-/// `text` with its unit, where it is a plain number: `379.859` as `379.859gon`. Everything else stays.
+/// `text` with its unit if it is a plain number: `379.859` becomes `379.859gon`. Other texts stay unchanged.
 std::string withUnit(const std::string& text, AngleUnit unit);
 
 }  // namespace alidade

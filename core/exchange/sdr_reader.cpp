@@ -30,8 +30,8 @@ struct SightingColumns {
 constexpr SightingColumns columnsOf33{{5, 20}, {21, 36}, {53, 68}, {69, 84}, {85, 100}};
 constexpr SightingColumns columnsOf2x{{5, 8}, {9, 12}, {23, 32}, {33, 42}, {43, 58}};
 
-/// Types of records that are of no use, and what they are; those of target height, atmosphere, scale,
-/// bearing to a station and job are told of by nobody.
+/// Record types that are not used, and their names; those for target height, atmosphere, scale, bearing to a
+/// station and job are ignored silently.
 struct UnusedRecord {
   std::string_view type;
   const char* what;
@@ -52,7 +52,7 @@ bool areAllDigits(std::string_view text) {
   return text.find_first_not_of("0123456789") == std::string_view::npos;
 }
 
-/// The ways in which programs count the columns of characters beyond ASCII.
+/// How programs count the columns of characters beyond ASCII.
 enum class Counted { Characters, WideAsTwo, Bytes };
 
 std::size_t columnsBeyondOne(const Utf8Character& character, Counted counted) {
@@ -61,7 +61,7 @@ std::size_t columnsBeyondOne(const Utf8Character& character, Counted counted) {
   return counted == Counted::WideAsTwo && character.code >= firstOfEastAsia ? 1 : 0;
 }
 
-/// The line with one character for each column: blanks behind a word make up for its wide characters.
+/// The line with one character per column: blanks after a word compensate for its wide characters.
 std::string aligned(std::string_view line, Counted counted) {
   std::string text;
   std::size_t behind = 0;
@@ -75,7 +75,7 @@ std::string aligned(std::string_view line, Counted counted) {
   return text;
 }
 
-/// What stands there, without blanks around; lines may be cut behind their last sign.
+/// The text in these columns, without surrounding blanks; lines may end early.
 std::string fieldOf(std::string_view line, Columns columns) {
   const auto skip = [](std::string_view& rest, std::size_t count) {
     std::size_t bytes = 0;
@@ -88,13 +88,13 @@ std::string fieldOf(std::string_view line, Columns columns) {
   return trimmed(skip(line, columns.last - columns.first + 1));
 }
 
-/// Does a number stand there that does not begin before?
+/// Does a number begin in these columns and not before?
 bool isNumberAt(std::string_view line, Columns at) {
   const std::string before = fieldOf(line, {at.first - 1, at.first - 1}), number = fieldOf(line, at);
   return (before.empty() || !isDigit(before[0])) && exactAngle(number, "deg");
 }
 
-/// Goes through a file record by record.
+/// Reads a file record by record.
 class SdrReader {
  public:
   explicit SdrReader(const std::string& zeroPoint) : m_book(zeroPoint) {}
@@ -111,12 +111,12 @@ class SdrReader {
   }
 
  private:
-  /// At the column, or the end of a line that is cut before it.
+  /// Refuses a field at its column, or at the end of a line that is too short.
   void refuse(const TextLine& line, std::size_t column, const std::string& what) {
     m_book.refuse(line.number, std::min(column, characterCount(line.text) + 1), what);
   }
 
-  /// Means with corrections are no readings of circles.
+  /// Refuses a file that holds only corrected means: they are not circle readings.
   void refuseMeansAlone() {
     const Recording& recording = m_book.recording();
     if (m_firstMean == 0 || !recording.sightings.empty() || !recording.problems.empty()) return;
@@ -136,7 +136,7 @@ class SdrReader {
                            from = line.text.substr(std::min<std::size_t>(line.text.size(), 2), 2);
     if (type == "00") return readHeading(line);
     if (!m_hasHeading) return m_book.setAsideLine(plain, line.number);
-    if (!m_unit) return;  // the heading could not be read, and said so
+    if (!m_unit) return;  // the heading could not be read, and a problem is reported
     if (type == "01") return readInstrument(line);
     if (type == "02") return takeStation(fieldOf(line.text, columns(line).station), line.number);
     if (type == "09") return readObservation(line, from);
@@ -144,7 +144,7 @@ class SdrReader {
     readUnused(line, type, from);
   }
 
-  /// As the numbers behind the names show; as it is where they do not.
+  /// The line in columns, counted so that numbers fall into those of the circles; unchanged if no way fits.
   static std::string inColumns(std::string_view line, const SightingColumns& at) {
     for (const Counted counted : {Counted::Characters, Counted::WideAsTwo, Counted::Bytes}) {
       std::string text = aligned(line, counted);
@@ -153,7 +153,7 @@ class SdrReader {
     return std::string(line);
   }
 
-  /// Of SDR33, unless the heading says otherwise and the line is too short for it.
+  /// The columns of SDR33, unless the heading says otherwise and the line is too short for them.
   SightingColumns columns(const TextLine& line) const {
     const bool isLong = characterCount(line.text) >= columnsOf33.horizontal.first;
     return m_is33 || isLong ? columnsOf33 : columnsOf2x;
@@ -167,7 +167,7 @@ class SdrReader {
 
   static bool isRaw(std::string_view from) { return from == "F1" || from == "F2" || from == "MD"; }
 
-  /// Deleted and undocumented records, and lines that are no records.
+  /// Lists deleted and undocumented records, and lines that are not records.
   void readUnused(const TextLine& line, std::string_view type, std::string_view from) {
     const auto* const known = std::ranges::find(unusedRecords, type, &UnusedRecord::type);
     if (known != std::end(unusedRecords)) {
@@ -261,7 +261,7 @@ class SdrReader {
     return true;
   }
 
-  /// All jobs of a file with one kind of vertical circle.
+  /// Requires the same kind of vertical circle in all jobs of a file.
   bool takeCircle(std::size_t line) {
     if (!m_isElevation) return true;
     std::string& known = m_book.recording().verticalCircle;
@@ -285,10 +285,10 @@ class SdrReader {
 
   FieldBook m_book;
   bool m_is33 = true, m_hasHeading = false;
-  std::string m_station;              ///< that stands
-  std::size_t m_firstMean = 0;        ///< line of the first 09MC; 0: there is none
-  std::optional<std::string> m_unit;  ///< of the job; absent where it is none that is read
-  std::optional<bool> m_isElevation;  ///< the vertical circle; absent where the job does not say
+  std::string m_station;              ///< current station
+  std::size_t m_firstMean = 0;        ///< line of the first 09MC; 0 if there is none
+  std::optional<std::string> m_unit;  ///< of the job; absent if it cannot be read
+  std::optional<bool> m_isElevation;  ///< kind of vertical circle; absent if the job does not state it
 };
 
 }  // namespace

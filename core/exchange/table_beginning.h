@@ -10,18 +10,18 @@
 
 namespace alidade {
 
-/// The first rows of a table, without its remarks.
+/// The first rows of a table, without its comments.
 struct TableBeginning {
-  std::vector<TableCells> head;          ///< rows before the readings, as many as there are to be
-  std::vector<TableCells> sample;        ///< what follows, up to 200 rows
+  std::vector<TableCells> head;          ///< rows before the readings, at most as many as the layout states
+  std::vector<TableCells> sample;        ///< following rows, up to 200
   std::size_t nameLine = 0;              ///< of the last row of `head`
-  std::vector<std::size_t> nameColumns;  ///< where its cells begin, as in `CsvCell`
-  std::optional<LineProblem> problem;    ///< why not even these can be taken apart
+  std::vector<std::size_t> nameColumns;  ///< start of its cells, as in `CsvCell`
+  std::optional<LineProblem> problem;    ///< why these rows cannot be split
 };
 
 TableBeginning beginningOfTable(std::string_view text, char separator, std::size_t headRows);
 
-/// `separator` 0: as the first row has it.
+/// `separator` 0: determined from the first row.
 CsvTable tableOf(std::string_view text, char separator);
 
 }  // namespace alidade

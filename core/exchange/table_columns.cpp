@@ -14,7 +14,7 @@ namespace alidade {
 
 namespace {
 
-/// Which columns the circles begin in, and of how many each is made.
+/// The first columns of the two circles, and how many columns each has.
 struct CircleColumns {
   std::size_t horizontal = 0, vertical = 0, count = 1;
 };
@@ -26,7 +26,7 @@ std::set<std::string> valuesOf(const std::vector<TableCells>& rows, std::size_t 
   return values;
 }
 
-/// Is more than half of what stands in the column an angle with decimals or signs?
+/// Are more than half of the column's entries angles with decimals or signs?
 bool holdsAngles(const std::vector<TableCells>& rows, std::size_t column) {
   std::size_t count = 0, all = 0;
   for (const TableCells& row : rows) {
@@ -37,8 +37,8 @@ bool holdsAngles(const std::vector<TableCells>& rows, std::size_t column) {
   return 2 * count > all;
 }
 
-/// Degrees, minutes and seconds twice, side by side; the last such columns, as what comes before may look
-/// alike.
+/// Degrees, minutes and seconds twice, in adjacent columns. The last such columns are taken: earlier ones may
+/// match by chance.
 std::optional<CircleColumns> joinedCircles(const std::vector<TableCells>& rows, std::size_t width) {
   for (const std::size_t count : {std::size_t{3}, std::size_t{2}})
     for (std::size_t at = width; at-- > 0;) {
@@ -50,7 +50,7 @@ std::optional<CircleColumns> joinedCircles(const std::vector<TableCells>& rows, 
   return std::nullopt;
 }
 
-/// Columns with decimals that may be minutes or seconds only: whole degrees stand before them.
+/// Do decimals in the column rule out degrees? They may be minutes or seconds only, after whole degrees.
 bool mayBePart(const std::vector<TableCells>& rows, std::size_t column) {
   return column > 0 &&
          (joinableAt(rows, column - 1) > 0 || (column > 1 && joinableAt(rows, column - 2) == 3));

@@ -9,7 +9,7 @@ namespace alidade {
 
 namespace {
 
-/// The one word of a cell that tells the face: `Lage I`, `cara 1`, `F1`. Empty where there are several.
+/// The one word of a cell that states the face: `Lage I`, `cara 1`, `F1`. Empty if there are several.
 std::string faceWordOf(const std::string& cell) {
   std::string found;
   for (const std::string& word : headingWords(cell)) {

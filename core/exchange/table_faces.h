@@ -6,21 +6,21 @@
 
 namespace alidade {
 
-/// The faces as the cells of one table call them. D is directo beside I where the heading is Spanish, direct
-/// beside R, droite beside G; CD is círculo directo beside CI and cercle droit beside CG. Alone they mean
-/// nothing.
+/// The names of the faces in one table. Paired with I under a Spanish heading, D is directo; paired with R,
+/// it is direct; with G, droite. CD is círculo directo if paired with CI and cercle droit with CG. Alone they
+/// are ambiguous and mean nothing.
 class FaceWords {
  public:
   FaceWords() = default;
   FaceWords(const std::vector<std::string>& cells, bool isSpanish);
 
-  /// "1" or "2"; a cell that means none as it is.
+  /// "1" or "2"; a cell that names no face is returned unchanged.
   std::string of(const std::string& cell) const;
 
  private:
   bool has(std::string_view word) const;
 
-  std::vector<std::string> m_letters;  ///< that stand in the cells, of those that may mean several things
+  std::vector<std::string> m_letters;  ///< the ambiguous names that occur in the cells
   bool m_isSpanish = false;
 };
 

@@ -19,7 +19,7 @@ bool isNumberOrAngle(const std::string& cell) {
   return parseNumber(cell) || parseAngle(cell);
 }
 
-/// `min`, `(')`, `D`: which part of an angle a heading names that names no circle.
+/// The part of an angle named by a heading without a circle: `min`, `(')`, `D`.
 std::optional<AnglePart> partAlone(const std::string& heading) {
   const std::vector<std::string> words = headingWords(heading);
   if (words.size() == 1) {
@@ -33,7 +33,7 @@ std::optional<AnglePart> partAlone(const std::string& heading) {
   return name.part;
 }
 
-/// Hd, Hm, Hs beside each other are no distance.
+/// If Hm is among the names, Hd means degrees and not a distance; so too Vd with Vm.
 std::string withItsPart(const std::string& name, const TableCells& names) {
   const std::string folded = foldedText(name);
   if (folded != "hd" && folded != "vd") return name;
@@ -43,7 +43,7 @@ std::string withItsPart(const std::string& name, const TableCells& names) {
   return hasMinutes ? name.substr(0, 1) + " d" : name;
 }
 
-/// Stands it above the names? `;Horizontal;;;Vertical` or `Face left;;Face right`, no title.
+/// Is this a row above the names, as `;Horizontal;;;Vertical` or `Face left;;Face right`, and not a title?
 bool isRowAboveNames(const TableCells& cells) {
   bool isAny = false;
   for (const std::string& cell : cells) {
@@ -118,15 +118,14 @@ std::string TableHeadings::cell(std::size_t level, std::size_t column) const {
   return column < m_levels[level].size() ? m_levels[level][column] : std::string();
 }
 
-/// What stands in the lowest row from `from` on that says something of the column.
+/// The lowest text in the column, from row `from` on.
 std::string TableHeadings::lowest(std::size_t column, std::size_t from) const {
   for (std::size_t level = m_levels.size(); level > from; --level)
     if (std::string text = cell(level - 1, column); !text.empty()) return text;
   return {};
 }
 
-/// A heading above reaches over columns of a circle, its parts and faces, and over nothing that has a name of
-/// its own.
+/// A heading above spans columns that name a circle, a part or a face, but none that names another field.
 bool TableHeadings::mayInherit(std::size_t column, std::size_t from) const {
   const std::string below = lowest(column, from);
   if (below.empty()) return false;
@@ -134,7 +133,7 @@ bool TableHeadings::mayInherit(std::size_t column, std::size_t from) const {
   return partAlone(below) || (name.isUnderstood && (!name.column || name.column->isCircle()));
 }
 
-/// From the cell itself, one above the same run of parts, or the next to the left.
+/// The text of the cell, else one above the same run of parts, else the next to the left.
 std::string TableHeadings::spanned(std::size_t level, std::size_t column) const {
   std::string own = cell(level, column);
   if (!own.empty() || level + 1 == m_levels.size() || !mayInherit(column, level + 1)) return own;

@@ -7,22 +7,22 @@
 
 namespace alidade {
 
-/// The headings of a table in one row: what stands above several columns is put before each of theirs, and
-/// units and parts below behind it. `Horizontal` over `deg`, `min`, `sec` becomes `Horizontal deg`,
+/// Combines the heading rows of a table into one: text above several columns precedes each of their names,
+/// and units and parts below follow it. `Horizontal` over `deg`, `min`, `sec` becomes `Horizontal deg`,
 /// `Horizontal min`, ….
 class TableHeadings {
  public:
-  /// As `planTable`.
+  /// Arguments as in `planTable`.
   TableHeadings(const std::vector<TableCells>& head, const std::vector<TableCells>& sample);
 
   std::size_t rowsBelow() const { return m_rowsBelow; }
   const std::vector<TableCells>& rows() const { return m_levels; }
-  /// What the file calls the column, for sentences.
+  /// The name of the column in the file, for sentences.
   std::string told(std::size_t column) const;
-  /// What the heading says, all rows together.
+  /// What the heading says, with all rows combined.
   ColumnName nameOf(std::size_t column) const;
   std::size_t width() const { return m_width; }
-  /// No row says anything of it.
+  /// Are all heading rows empty in this column?
   bool isBlank(std::size_t column) const;
 
  private:
@@ -38,7 +38,7 @@ class TableHeadings {
   bool mayInherit(std::size_t column, std::size_t from) const;
 
   std::vector<TableCells> m_levels;
-  std::vector<Run> m_runs;  ///< of degrees, minutes, seconds side by side that name no circle
+  std::vector<Run> m_runs;  ///< adjacent columns of degrees, minutes, seconds that name no circle
   bool m_hasUpper = false;
   std::size_t m_rowsBelow = 0, m_width = 0;
 };

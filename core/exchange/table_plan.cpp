@@ -22,7 +22,7 @@ bool isDegreesOfCircle(const ColumnName& name) {
   return name.column && name.column->isCircle() && name.column->part == AnglePart::Degrees;
 }
 
-/// The column without the part it holds.
+/// The column without its part.
 TableColumn wholeOf(TableColumn column) {
   column.part = AnglePart::Degrees;
   return column;
@@ -79,7 +79,7 @@ class TablePlanner {
     }
   }
 
-  /// Do the columns as they were chosen have both faces?
+  /// Do the chosen columns include both faces?
   bool statesFaceTwo() const {
     return std::ranges::any_of(m_layout.columns, [](const std::string& key) {
       const auto column = tableColumn(key);
@@ -92,7 +92,7 @@ class TablePlanner {
         m_plan.columns, [&](const ColumnName& name) { return name.column == column && name.face == face; });
   }
 
-  /// `Hz (°)`, `(')`, `(")`: a part without a circle is of the one to its left.
+  /// In `Hz (°)`, `(')`, `(")`, a part without a circle belongs to the circle to its left.
   void inheritParts() {
     Columns& columns = m_plan.columns;
     for (std::size_t i = 1; i < columns.size(); ++i) {
@@ -113,7 +113,8 @@ class TablePlanner {
     }
   }
 
-  /// Headings that stay empty, or say the circle again, where the numbers are degrees, minutes and seconds.
+  /// Joins columns without a name, or that repeat the circle's, if their numbers are degrees, minutes and
+  /// seconds.
   void joinByNumbers(std::size_t at) {
     Columns& columns = m_plan.columns;
     const ColumnName first = columns[at];
@@ -134,7 +135,7 @@ class TablePlanner {
     }
   }
 
-  /// A heading that may mean several things gives way to one that means the field.
+  /// An ambiguous heading gives way to a clear one for the same field.
   void dropWeak() {
     std::vector<TableColumn> strong;
     for (const ColumnName& name : m_plan.columns)
@@ -155,7 +156,7 @@ class TablePlanner {
         name.column.reset();
   }
 
-  /// `series` beside a round or a set.
+  /// Decides what `series` means next to a round or a set.
   void takeSeries() {
     if (!m_layout.seriesIsStation || has({nullptr, TableColumn::Beside::Station}, 0)) return;
     std::vector<std::size_t> rounds;
@@ -174,7 +175,7 @@ class TablePlanner {
     return faces;
   }
 
-  /// Faces in headings count where both circles have them alike; else they name something else, as V1 of an
+  /// Headings state faces only if both circles do so alike; else they mean something else, such as V1 of an
   /// M5 file.
   void tellFaces() {
     std::set<int> horizontal = facesOf(&Reading::horizontal), vertical = facesOf(&Reading::vertical);
@@ -246,7 +247,7 @@ class TablePlanner {
                                m_plan.nameOf(column)));
     if (!angle.isJoined()) return;
     const std::vector<std::string> words = headingWords(m_plan.names[degrees]);
-    const bool isLetter = !words.empty() && words.back() == "g";  // of grados, beside minutes and seconds
+    const bool isLetter = !words.empty() && words.back() == "g";  // of grados, next to minutes and seconds
     if (isLetter && angle.unit == AngleUnit::Gon && hasSexagesimal(angle)) angle.unit = AngleUnit::Degrees;
     const bool isGon = angle.unit == AngleUnit::Gon ||
                        (angle.unit == AngleUnit::Unstated && m_layout.unit == AngleUnit::Gon);
@@ -261,7 +262,7 @@ class TablePlanner {
     angle.isCentesimal = angle.isCentesimal || isGon;
   }
 
-  /// A column of minutes or seconds that is named so.
+  /// Is there a column that is named as minutes or seconds?
   bool hasSexagesimal(const PlannedAngle& angle) const {
     return std::any_of(angle.at.begin() + 1, angle.at.end(), [this](std::size_t at) {
       return at != PlannedAngle::none && m_plan.columns[at].isPart && !m_plan.columns[at].isCentesimal;
@@ -284,7 +285,8 @@ class TablePlanner {
     }
   }
 
-  /// Whole degrees beside a column of nobody's that may be their minutes: a reading would lose these.
+  /// Refuses whole degrees next to an unnamed column that may hold their minutes: the reading would lose
+  /// them.
   void findLostParts() {
     for (const PlannedAngle& angle : m_plan.angles) {
       const std::size_t at = angle.at[0];
@@ -303,7 +305,7 @@ class TablePlanner {
     }
   }
 
-  /// A column of signs, which angles beside it would lose.
+  /// Refuses a column of signs, which the angles would lose.
   void findLostSigns() {
     for (std::size_t i = 0; i < m_plan.columns.size(); ++i) {
       if (m_plan.columns[i].column) continue;
@@ -330,7 +332,8 @@ class TablePlanner {
     return width;
   }
 
-  /// Of a column that nothing is known of: next to the degrees, or one that is called minutes or seconds.
+  /// May the column, which has no field, hold a lost part? It follows the degrees or is called minutes or
+  /// seconds.
   bool mayBeLost(std::size_t column, std::size_t degrees) const {
     const bool isNamed = column < m_plan.columns.size();
     if (isNamed && m_plan.columns[column].column) return false;
@@ -341,7 +344,7 @@ class TablePlanner {
     return isPart || (column == degrees + 1 && numbers.areWhole);
   }
 
-  /// Degrees in German, gon in French: the option or the numbers tell.
+  /// Resolves `grad`, degrees in German and gon in French, by the option or the numbers.
   void takeGrad() {
     std::vector<double> all, vertical;
     for (const PlannedAngle& angle : m_plan.angles) {

@@ -12,14 +12,14 @@
 
 namespace alidade {
 
-/// The angle that the cells of a row make: `texts` of its degrees or all of it, its minutes and its seconds.
-/// Empty where none has a text. Plain numbers are of the unit of the heading, else of `unit`.
+/// The angle in the cells of a row: `texts` of its degrees or the whole angle, its minutes and its seconds.
+/// Empty if all are empty. Plain numbers have the unit of the heading, else `unit`.
 Result<FileAngle> angleIn(const PlannedAngle& angle, const std::array<std::string, 3>& texts, AngleUnit unit);
 
-/// How the cells of the column of faces call them; of a table without one, nothing.
+/// The names of faces in the table's face column; empty without such a column.
 FaceWords faceWordsIn(const TablePlan& plan, const std::vector<TableCells>& rows);
 
-/// How often something was read otherwise than it is written, or left out: for one sentence each.
+/// Counts texts that were interpreted or left out, for one sentence each.
 class FileCounts {
  public:
   enum class Kind { Carried, FullCircle, Beyond };

@@ -16,8 +16,7 @@ namespace alidade {
 
 namespace {
 
-/// The signs of Windows-1252 that occur in angles and are not those of Latin-1; others of that range are
-/// shown as �.
+/// Characters of Windows-1252 that occur in angles and differ from Latin-1; others of that range become �.
 const char* windowsSign(unsigned char byte) {
   switch (byte) {
     case 0x85:
@@ -73,7 +72,7 @@ bool isChinese(char lead, char trail) {
   return isWithin(lead, 0x81, 0xFE) && isWithin(trail, 0x40, 0xFE) && trail != '\x7F';
 }
 
-/// All bytes beyond ASCII are halves of Chinese characters, most of which are common.
+/// Are all bytes beyond ASCII pairs of Chinese characters, most of them common?
 bool looksChinese(std::string_view bytes) {
   std::size_t common = 0, rare = 0;
   for (std::size_t at = 0; at < bytes.size(); ++at) {
@@ -89,8 +88,8 @@ bool isCyrillicLetter(char c) {
   return isWithin(c, 0xC0, 0xFF) || isWithin(c, 0xA8, 0xA8) || isWithin(c, 0xB8, 0xB8);
 }
 
-/// Most bytes beyond ASCII are in words of three and more of them, which Latin letters with marks are not.
-/// `only`: all of them are capitals and signs, whose bytes are common characters of Chinese as well.
+/// Are most bytes beyond ASCII in words of three or more of them? Accented Latin letters are not. `only`: all
+/// of them are capitals and signs, whose bytes are also common Chinese characters.
 bool looksCyrillic(std::string_view bytes, bool only) {
   constexpr std::size_t shortestWord = 3;
   std::size_t inWords = 0, all = 0, run = 0;
@@ -111,7 +110,7 @@ bool looksCyrillic(std::string_view bytes, bool only) {
   return 2 * inWords > all && (!only || areCapitals);
 }
 
-/// UTF-16 without a mark: every other byte of ASCII text is 0.
+/// Detects UTF-16 without a byte order mark: every other byte of ASCII text is 0.
 const char* unmarkedUtf16(std::string_view bytes) {
   constexpr std::size_t lookedAt = 4096, few = 20;
   const std::string_view start = bytes.substr(0, lookedAt);
@@ -125,7 +124,7 @@ const char* unmarkedUtf16(std::string_view bytes) {
   return isHalf(even, odd) ? "UTF-16BE" : nullptr;
 }
 
-/// Null where it is none.
+/// The encoding's name; null if the bytes are not UTF-16.
 const char* encodingOfUtf16(std::string_view bytes) {
   if (bytes.starts_with("\xFF\xFE")) return "UTF-16LE";
   return bytes.starts_with("\xFE\xFF") ? "UTF-16BE" : unmarkedUtf16(bytes);

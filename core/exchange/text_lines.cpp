@@ -12,7 +12,7 @@ namespace {
 
 constexpr char endOfFile = '\x1A';
 
-/// As instruments send them around their lines. ESC is none of these: it stands where somebody put it.
+/// Control characters that instruments send around their lines. ESC is excluded: somebody put it there.
 bool isControl(char c) {
   constexpr unsigned char firstPrinting = 0x20, deletion = 0x7F, escape = 0x1B;
   const auto byte = static_cast<unsigned char>(c);
@@ -23,7 +23,7 @@ bool isBesideText(char c) {
   return isControl(c) || c == ' ' || c == '\t' || c == '\r' || c == '\n';
 }
 
-/// Does NUL only fill up, at the end of something? Within a word it is of a file that is no text.
+/// Is NUL used only as padding at the end of a line or text? NUL within a word means the file is not text.
 bool isFilling(std::string_view text) {
   for (std::size_t at = text.find('\0'); at != std::string_view::npos; at = text.find('\0', at)) {
     const std::size_t end = std::min(text.find_first_not_of('\0', at), text.size());
@@ -35,7 +35,7 @@ bool isFilling(std::string_view text) {
   return true;
 }
 
-/// Control characters are left out at the beginning of a line, else blanks.
+/// Removes control characters at the beginning of a line; replaces others by blanks.
 std::string withoutControls(std::string_view text) {
   std::string plain;
   plain.reserve(text.size());
@@ -77,7 +77,7 @@ std::size_t characterCount(std::string_view text) {
 }
 
 Result<std::string> utf8Text(std::string_view bytes) {
-  // What stands behind ^Z was in memory by chance: it says nothing of the encoding.
+  // The bytes after ^Z are leftovers of memory and do not show the encoding.
   const std::size_t end = isUtf16(bytes) ? bytes.size() : std::min(bytes.find(endOfFile), bytes.size());
   Result<std::string> decoded = decodedText(bytes.substr(0, end));
   if (!decoded) return decoded;

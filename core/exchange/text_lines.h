@@ -15,14 +15,15 @@ struct TextLine {
   std::string_view text;
 };
 
-/// Lines parted by LF, CR LF or CR, one after the other: a list of all would take many times the text of
-/// short ones. ^Z (0x1A) ends them, as it ends a file of DOS. The views live as long as `text`.
+/// The lines of a text, separated by LF, CR LF or CR, one at a time: a list of many short lines would take
+/// many times the memory of the text. ^Z (0x1A) ends them, as it ends a DOS file. The views live as long as
+/// `text`.
 class TextLines {
  public:
   explicit TextLines(std::string_view text) : m_rest(text) {}
 
   std::optional<TextLine> next();
-  /// The line of a ^Z that was come to; absent where there is none.
+  /// The line of the ^Z that was reached; absent if there is none.
   std::optional<std::size_t> tailLine() const { return m_tailLine; }
 
  private:
@@ -31,15 +32,14 @@ class TextLines {
   std::optional<std::size_t> m_tailLine;
 };
 
-/// How many characters `text` has; what tells a column from a byte.
+/// The number of characters in `text`; converts bytes to columns.
 std::size_t characterCount(std::string_view text);
 
-/// The text of a file as UTF-8, without a byte order mark. Bytes that are neither UTF-8 nor UTF-16 are taken
-/// for GB 18030 or Windows-1251, where they look so (text_encoding.h), else for Windows-1252, in which
-/// spreadsheets write ° and primes. Control characters at the beginning of a line are left out, others
-/// become blanks: instruments send STX, ETX and BEL, and fill lines with NUL. ^Z ends the text; it stays with
-/// what comes behind it, unless this is nothing to tell of. Fails on what is no text, and where the text
-/// comes to have more bytes than are read.
+/// The text of a file as UTF-8, without a byte order mark. Bytes that are neither UTF-8 nor UTF-16 are read
+/// as GB 18030 or Windows-1251 if they look so (text_encoding.h), else as Windows-1252, in which spreadsheets
+/// write ° and primes. Control characters at the beginning of a line are removed, others become blanks:
+/// instruments send STX, ETX and BEL, and pad lines with NUL. ^Z ends the text; it is kept only if content
+/// worth reporting follows. Fails on bytes that are not text, and on texts above the size limit.
 Result<std::string> utf8Text(std::string_view bytes);
 
 }  // namespace alidade

@@ -24,14 +24,14 @@ const std::set<std::string>& knownMeans() {
     std::istringstream words{foldedText(meanWords)};
     std::set<std::string> all;
     for (std::string word; words >> word;) all.insert(word);
-    all.erase("x");  // of x̄ and ø, as what is folded: points may be called so
+    all.erase("x");  // folded forms of x̄ and ø, which may be names of points
     all.erase("o");
     return all;
   }();
   return known;
 }
 
-/// `lines 3, 5, 7`.
+/// Lists line numbers: `lines 3, 5, 7`.
 std::string listed(const std::vector<std::size_t>& lines) {
   constexpr std::size_t most = 10;
   std::string text;

@@ -12,7 +12,7 @@ namespace alidade {
 
 namespace {
 
-/// An entry as the number it means, so that 1 and 01 are one point.
+/// An entry normalised as a number, so that 1 and 01 are one point.
 std::string asNumber(const WholeRule& rule, const std::string& text) {
   const auto number = wholeEntry(rule, text);
   return number && *number ? std::to_string(**number) : text;
@@ -30,13 +30,13 @@ std::string axisOf(const Position& position) {
   return axis ? std::to_string(*axis) : position.axisDeg;
 }
 
-/// What was sighted at an axis up to now.
+/// What has been sighted at an axis so far.
 struct AtAxis {
-  int time = 0;               ///< of the position at work; 0: there is none yet
-  std::set<Visited> sighted;  ///< in it
+  int time = 0;               ///< repeat of the current position; 0: there is none yet
+  std::set<Visited> sighted;  ///< in that position
 };
 
-/// Readings one after the other with the axis as it stands.
+/// Consecutive readings at the same axis angle.
 struct Turn {
   std::string axis;
   std::vector<RecordedSighting*> sightings;
@@ -51,7 +51,7 @@ std::vector<Turn> turnsOf(std::vector<RecordedSighting>& sightings) {
   return turns;
 }
 
-/// The last position at each axis, as it is filled; `last` becomes the axis of the last one with rows.
+/// The last position at each axis and its sightings; `last` becomes the axis of the last one with rows.
 std::map<std::string, AtAxis> standing(const Session& base, std::string& last) {
   std::map<std::string, AtAxis> axes;
   std::map<std::string, int> count;
@@ -69,7 +69,7 @@ std::map<std::string, AtAxis> standing(const Session& base, std::string& last) {
   return axes;
 }
 
-/// The places of a turn that are no pointing zero.
+/// The visits of a turn, without pointing zeros.
 std::set<Visited> placesOf(const Turn& turn) {
   std::set<Visited> places;
   for (const RecordedSighting* sighting : turn.sightings)

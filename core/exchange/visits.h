@@ -10,7 +10,7 @@
 
 namespace alidade {
 
-/// Which position a sighting is of: the axis, and the how many-th position at it.
+/// Identifies the position of a sighting: the axis, and the repeat at that axis.
 using PositionKey = std::pair<std::string, int>;
 
 PositionKey positionOf(const RecordedSighting& sighting);
@@ -18,16 +18,16 @@ PositionKey positionOf(const RecordedSighting& sighting);
 /// `0°`, `0°, time 2`.
 std::string nameOf(const PositionKey& key);
 
-/// The position of the session; null where it has none such.
+/// The position in the session; null if there is none.
 const Position* positionIn(const Session& session, const PositionKey& key);
 
-/// Where the axis comes back and places are sighted that were sighted there before, with nothing that calls
-/// it another round, the position is measured again, and the pointing zeros of that turn are its own. The
-/// rows of `base` came before; a position of it without rows is the next to be filled.
+/// Assigns positions. A return of the axis begins a new repeat, with its own pointing zeros, if points are
+/// sighted again and nothing states another round. The rows of `base` came before; its position without rows
+/// is filled next.
 void takePositions(std::vector<RecordedSighting>& sightings, const Session& base);
 
-/// Where the file says no round, the first that neither it nor `base` states for this point and face of the
-/// position. True: some are further rounds.
+/// If the file states no round, assigns the first that neither it nor `base` states for this point and face
+/// in the position. True if some are further rounds.
 bool takeRounds(std::vector<RecordedSighting>& sightings, const Session& base);
 
 }  // namespace alidade

@@ -6,15 +6,15 @@
 
 namespace alidade {
 
-/// ASCII letters only.
+/// Changes ASCII letters only.
 std::string lowerCase(std::string text);
 std::string upperCase(std::string text);
 
-/// Without blanks and tabs at either end.
+/// Removes blanks and tabs at both ends.
 std::string trimmed(std::string_view text);
 
-/// What people call a field of a row, an axis or a kind of vertical circle by its key in files; another word
-/// as it is.
+/// The name for people of a row's field, an axis or a kind of vertical circle, from its key in files; other
+/// words are returned unchanged.
 std::string spokenKey(std::string_view key);
 
 bool isOneOf(std::string_view word, std::initializer_list<std::string_view> words);

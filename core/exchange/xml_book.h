@@ -10,30 +10,30 @@
 
 namespace alidade {
 
-/// A recording in the making from a field book in XML. Stations are told by the IDs of their set-ups.
+/// Builds a recording from a field book in XML. Stations are identified by the IDs of their set-ups.
 class XmlBook : public FieldBook {
  public:
   XmlBook(std::string_view text, const std::string& zeroPoint) : FieldBook(zeroPoint), m_file(text) {}
 
   const XmlFile& file() const { return m_file; }
 
-  /// A point may be set up on again, with another orientation of the circle: its second set-up is `K1 (2)`.
+  /// Adds a set-up. A point with a second set-up, which orients the circle differently, becomes `K1 (2)`.
   void addSetUp(const std::string& id, std::string station);
-  /// What follows was sighted from that set-up; an unknown one changes nothing.
+  /// The sightings that follow are from that set-up; an unknown ID changes nothing.
   void goTo(const std::string& id, std::size_t line);
-  /// Empty ones say nothing.
+  /// Empty texts are ignored.
   void takeInstrument(const std::string& name, const std::string& serial, std::size_t line);
-  /// A mark of axis, round or zero, or a note that a session has no place for.
+  /// Takes a mark of axis, round or zero, or a note that a session cannot hold.
   void takeNote(const std::string& note, std::size_t line);
-  /// The day is that of the first time that holds one.
+  /// The first text with a date sets the day.
   void takeTime(std::string_view time);
-  /// `nothing`: why the file is refused where it is sound and no sighting was read.
+  /// `nothing`: the reason of refusal if the file is valid but has no sighting.
   Recording finish(const std::string& format, const std::string& nothing);
 
  private:
   XmlFile m_file;
-  std::map<std::string, std::string> m_stations;  ///< their names by the IDs of the set-ups
-  std::map<std::string, int> m_setUps;            ///< how often each point was set up on
+  std::map<std::string, std::string> m_stations;  ///< names by the IDs of the set-ups
+  std::map<std::string, int> m_setUps;            ///< number of set-ups on each point
   std::string m_station;
 };
 

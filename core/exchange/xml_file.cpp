@@ -15,7 +15,7 @@ namespace alidade {
 
 namespace {
 
-/// Marks that begin or end an element or an attribute, of which each takes up to 64 bytes of memory.
+/// Marks that begin or end an element or an attribute, which take up to 64 bytes of memory each.
 constexpr std::size_t mostMarks = 8'000'000;
 
 bool hasTooManyMarks(std::string_view text) {
@@ -23,12 +23,12 @@ bool hasTooManyMarks(std::string_view text) {
   return static_cast<std::size_t>(marks) > mostMarks;
 }
 
-/// ^Z ends a file, as in `TextLines`.
+/// The text up to ^Z, which ends a file as in `TextLines`.
 std::string_view untilEnd(std::string_view text) {
   return text.substr(0, text.find('\x1A'));
 }
 
-/// Lines end with LF, CR LF or CR, as in `TextLines`.
+/// The starts of lines, which end with LF, CR LF or CR as in `TextLines`.
 std::vector<std::size_t> lineStartsOf(std::string_view text) {
   std::vector<std::size_t> starts{0};
   for (std::size_t at = 0; (at = text.find_first_of("\r\n", at)) != std::string_view::npos;) {
@@ -47,7 +47,7 @@ std::string withPointAt(const std::string& digits, std::ptrdiff_t whole) {
          digits.substr(static_cast<std::size_t>(whole));
 }
 
-/// `107 59 60.0` as `108 00 00.0`: sixty seconds are the next minute.
+/// Carries sixty seconds and minutes: `107 59 60.0` becomes `108 00 00.0`.
 std::string withSixtiesCarried(const std::string& parts) {
   const std::size_t first = parts.find(' '), second = parts.find(' ', first + 1);
   int degrees = *parseWhole(parts.substr(0, first));
@@ -65,7 +65,7 @@ std::string withSixtiesCarried(const std::string& parts) {
   return std::to_string(degrees) + " " + two + std::to_string(minutes) + " " + seconds;
 }
 
-/// In a notation of `parseAngle`; absent where it is no reading of a circle.
+/// The text in a notation of `parseAngle`; absent if it is not a circle reading.
 std::optional<std::string> xmlCircleText(const std::string& number, AngleUnit unit) {
   const auto plain = plainXmlNumber(number);
   if (!plain || plain->starts_with('-')) return std::nullopt;

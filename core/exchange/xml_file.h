@@ -16,12 +16,12 @@ class xml_node;
 
 namespace alidade {
 
-/// The elements of an XML text, which knows their lines. Entities are not expanded and nothing outside the
-/// text is read. A text with more marks than are read, or whose elements do not close, has a problem; the
-/// elements up to it are there.
+/// The elements of an XML text with their line numbers. Entities are not expanded and only the text itself is
+/// read. A text above the limit of marks, or with unclosed elements, has a problem; the elements before it
+/// are available.
 class XmlFile {
  public:
-  /// UTF-8, whatever its declaration says; kept by the caller.
+  /// UTF-8, whatever its declaration says; owned by the caller.
   explicit XmlFile(std::string_view text);
   ~XmlFile();
   XmlFile(const XmlFile&) = delete;
@@ -42,29 +42,28 @@ class XmlFile {
 /// An element's name without its prefix.
 std::string_view xmlName(const pugi::xml_node& element);
 
-/// The first element of that name below; null where there is none.
+/// The first child element of that name; null if there is none.
 pugi::xml_node xmlChild(const pugi::xml_node& element, std::string_view name);
 
-/// The text of the first element of that name below, without blanks around.
+/// The text of the first child element of that name, without surrounding blanks.
 std::string xmlText(const pugi::xml_node& element, std::string_view name);
 
-/// The value of an attribute, without blanks around.
+/// The value of an attribute, without surrounding blanks.
 std::string xmlValue(const pugi::xml_node& element, const char* name);
 
-/// A number of XML Schema (double) in plain digits, every one kept: `4.5e-05` as `0.000045`. Absent where it
-/// is none, or has more digits than any reading.
+/// A number of XML Schema (double) in plain digits, with every digit kept: `4.5e-05` becomes `0.000045`.
+/// Absent if it is not a number, or has more digits than any reading.
 std::optional<std::string> plainXmlNumber(std::string_view text);
 
-/// Year-month-day of a time such as 2025-04-22T15:10:05; empty where it is none.
+/// Year-month-day of a time such as 2025-04-22T15:10:05; empty for other texts.
 std::string dateOfTime(std::string_view time);
 
-/// The circles of a sighting as a file in XML has them, in a notation of `parseAngle`. Full circles are
-/// zeros. Why they cannot be used: one is missing, is no angle, lies beyond the circle, or contradicts the
-/// face.
+/// The circles of a sighting in an XML file, in a notation of `parseAngle`. Full circles are zeros. Or why
+/// they cannot be used: one is missing, is not an angle, lies beyond the circle, or contradicts the face.
 struct XmlCircles {
   std::string horizontal, vertical;  ///< of a zenith circle
   AngleUnit unit = AngleUnit::Degrees;
-  std::string face = {};  ///< "1", "2", or empty where the file does not say
+  std::string face = {};  ///< "1", "2", or empty if the file does not state it
 };
 std::optional<std::string> enterCircles(const XmlCircles& circles, RecordedSighting& sighting);
 

@@ -21,7 +21,7 @@ struct ZeissValue {
   std::string type, number, unit;
 };
 
-/// `Hz     107.1225 gon `; empty type where the block holds nothing.
+/// Splits `Hz 107.1225 gon `; the type is empty if the block is.
 ZeissValue zeissValue(std::string_view block) {
   const std::string text = trimmed(block);
   constexpr std::size_t typeLength = 2;
@@ -34,7 +34,7 @@ ZeissValue zeissValue(std::string_view block) {
   return value;
 }
 
-/// Goes through a file line by line.
+/// Reads a file line by line.
 class ZeissRReader {
  public:
   explicit ZeissRReader(const std::string& zeroPoint) : m_book(zeroPoint) {}
@@ -67,7 +67,7 @@ class ZeissRReader {
     readPoint(what, values, line.number);
   }
 
-  /// Texts are of what follows; adjustments hold angles, too, and are no sightings.
+  /// A text heads what follows; the angles of an adjustment are not sightings.
   void readText(std::string_view what, std::size_t line) {
     const std::string text = trimmed(what.substr(std::min<std::size_t>(what.size(), 3)));
     if (text.empty()) return;

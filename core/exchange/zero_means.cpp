@@ -9,10 +9,10 @@ namespace alidade {
 
 namespace {
 
-/// Decimals of arcseconds a mean of several sightings is written with: beyond any circle's last digit.
+/// Decimals of arcseconds in a mean of several sightings: finer than any circle's last digit.
 constexpr int meanDecimals = 2;
 
-/// In face 1; absent where one of the angles cannot be read.
+/// The mean in face 1; absent if one of the angles cannot be read.
 std::optional<FaceOneReading> meanOf(const std::vector<const RecordedSighting*>& sightings,
                                      VerticalCircle circle) {
   std::vector<FaceOneReading> readings;

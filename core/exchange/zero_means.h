@@ -8,14 +8,14 @@
 
 namespace alidade {
 
-/// What several sightings of one pointing zero come to.
+/// The combined reading of several sightings of one pointing zero.
 struct ZeroMean {
   std::string horizontal, vertical;  ///< in a notation of `parseAngle`
-  bool isMean = false;               ///< in face 1; else as the first sighting has it
+  bool isMean = false;               ///< a face 1 mean; else as in the first sighting
 };
 
-/// The mean of their face 1 equivalents; a single sighting in face 1, and angles that cannot be read, stay as
-/// they are. `sightings`: at least one.
+/// The mean of their face 1 equivalents. A single sighting in face 1, and angles that cannot be read, stay
+/// unchanged. `sightings`: at least one.
 ZeroMean zeroMean(const std::vector<const RecordedSighting*>& sightings, VerticalCircle circle);
 
 }  // namespace alidade

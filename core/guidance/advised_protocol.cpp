@@ -15,7 +15,7 @@ namespace alidade {
 
 namespace {
 
-/// A row that can be sighted.
+/// A row with everything needed to sight it.
 struct KeyedRow {
   int point = 0, round = 1, face = 1;
   std::string slider;
@@ -96,7 +96,7 @@ void addWayBack(SightingProtocol& protocol) {
   }
 }
 
-/// All positions once more, the circle turned on by 60°.
+/// Adds all positions again, with the circle turned by 60°.
 void addShiftedCircle(SightingProtocol& protocol) {
   constexpr double shift = 60;
   const std::vector<ProtocolPosition> once = protocol.positions;
@@ -113,7 +113,7 @@ void addAgain(SightingProtocol& protocol, int axisDeg) {
   protocol.positions.push_back(again);
 }
 
-/// From 10° to 170° by tens, where no place is within half of that.
+/// Adds places from 10° to 170° in steps of 10°, unless one is within half a step.
 void addMoreOfTheArc(std::vector<ProtocolPlace>& places) {
   if (places.empty()) return;
   int point = 0;

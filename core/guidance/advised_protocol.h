@@ -8,17 +8,18 @@
 
 namespace alidade {
 
-/// What a session's rows and pointing zeros are, as a protocol: so it can be taken again, or be a template.
-/// Places are those of each position's first round, with their slider readings where there are any.
-/// Positions without rows are sighted as the first that has some. Without positions where no row is there,
-/// or where it would be more than a protocol holds (`mostSightings`).
+/// The rows and pointing zeros of a session as a protocol, to repeat it or as a template. Places are those of
+/// each position's first round, with their slider readings if any. Positions without rows are sighted like
+/// the first position with rows. Empty of positions if there are no rows, or too many for a protocol
+/// (`mostSightings`).
 SightingProtocol protocolFromRows(const Session& session);
 
-/// Can a protocol ask for it? Not for another stand-off, nor for a distance.
+/// Can a protocol request this measure? A changed distance of the instrument, or measuring the distance, it
+/// cannot.
 bool isForProtocol(Measure measure);
 
-/// A protocol with what an advice measures besides; what a protocol cannot ask for is left to the reader.
-/// Without positions where it would be more than a protocol holds.
+/// A protocol with the additional measurements of an advice; measures that a protocol cannot request are left
+/// to the reader. Empty of positions if it would exceed a protocol's limit.
 SightingProtocol withMeasures(SightingProtocol protocol, const std::vector<Measure>& measures);
 
 }  // namespace alidade

@@ -13,7 +13,7 @@ namespace {
 
 constexpr Angle zeroTolerance = Angle::fromArcseconds(900);
 
-/// Sightings of a protocol without coordinates of their own lie from 10° to 170°, as `plan` has them.
+/// Places of a protocol without coordinates are spread from 10° to 170°, as by `plan`.
 double evenPlace(std::size_t index, std::size_t count) {
   constexpr double first = 10, last = 170;
   const auto gaps = static_cast<double>(std::max<std::size_t>(count, 2) - 1);
@@ -28,7 +28,7 @@ std::size_t positionCount(const Measurement& measurement, const ProtocolProgress
   return count;
 }
 
-/// Of a zero in that face, from α0 and β0 as face 1 has them.
+/// The expected reading of a zero in a face, from α0 and β0 in face 1.
 ExpectedReading zeroReading(const ArcMeasurement& arc, const PlannedSighting& planned,
                             VerticalCircle circle) {
   const FaceOneReading circles = inFaceOne(arc.zeroHorizontal, arc.zeroVertical, planned.face, circle);

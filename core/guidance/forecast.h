@@ -10,23 +10,23 @@
 
 namespace alidade {
 
-// What the circles will read at the sightings of a protocol: on the arc as fitted so far, else the nominal
-// one about the middle of the field, with the orientation of the position's pointing zero, else that of the
-// first one known, turned as the protocol turns the circle.
+// Expected circle readings at the sightings of a protocol: on the arc fitted so far, else the nominal one
+// about the middle of the field. The orientation is that of the position's pointing zero, else of the first
+// known zero, turned as the protocol turns the circle.
 
-/// Of each sighting of `progress`, as `expectedReadings` has it. Absent where nothing tells: of the first
-/// zero, of places before any zero is known, and of places that neither the protocol nor the readings locate.
+/// For each sighting of `progress`, as by `expectedReadings`. Absent without information: for the first zero,
+/// for places before any zero is known, and for places that neither the protocol nor the readings locate.
 std::vector<std::optional<ExpectedReading>> forecast(const Measurement& measurement, const SessionFit& fit,
                                                      const SightingProtocol& protocol,
                                                      const ProtocolProgress& progress);
 
-/// Where the slider is to stand, for `expectedReadings`, by the numbers the positions of the protocol have
-/// here.
+/// The planned places of the slider, for `expectedReadings`, by the protocol's position numbers in this
+/// session.
 NominalPlaces nominalPlaces(const SightingProtocol& protocol, const std::vector<std::size_t>& positions);
 
-/// The measurement with an arc for each position of the protocol: those it has, and empty ones with the
-/// orientation expected. `ArcMeasurement::position` of an empty one that the session lacks counts on behind
-/// the session's. Absent where no position has a pointing zero.
+/// The measurement with an arc for each position of the protocol: existing ones, and empty ones with the
+/// expected orientation. `ArcMeasurement::position` of an empty one that the session lacks continues the
+/// session's numbers. Absent if no position has a pointing zero.
 struct ProtocolArcs {
   Measurement measurement;
   std::vector<std::size_t> positions;  ///< of each position of the protocol: `ArcMeasurement::position`

@@ -21,19 +21,19 @@ namespace alidade {
 
 namespace {
 
-/// The arc of a position as fitted, else that of another, else the nominal one.
+/// The fitted arc of a position, else of another one, else the nominal arc.
 Circle circleOf(const Measurement& measurement, const SessionFit& fit, const ArcMeasurement& arc) {
   if (const ArcFit* own = fit.arcOfPosition(arc.position)) return own->circle;
   if (!fit.arcs.empty()) return fit.arcs.front().circle;
   return {0, 0, measurement.nominalRadius};
 }
 
-/// Puts sightings where their places are on the arc, read without error.
+/// Places sightings on the arc, with readings free of errors.
 class Placement {
  public:
   Placement(Measurement& plan, const SessionFit& fit) : m_plan(plan), m_fit(fit) {}
 
-  /// Of a visit, in which the slider stands still, all where its first sighting is.
+  /// The slider is at rest during a visit, so all its sightings are at the place of the first.
   void place(ArcMeasurement& arc, bool readsSlider) const {
     const Circle circle = circleOf(m_plan, m_fit, arc);
     const ZeroLine line(m_plan, arc);
@@ -79,8 +79,8 @@ ZeroSightings zerosOf(const ProtocolZeros& planned) {
   return zeros;
 }
 
-/// One more round than a position has: back where the last one went there, in the faces of the protocol's
-/// rounds over again.
+/// One more round for a position: in the opposite direction to its last one, with the faces of the protocol's
+/// rounds in turn.
 std::vector<PlannedSighting> furtherRound(const SightingProtocol& protocol, std::size_t position,
                                           int further) {
   SightingProtocol alone = protocol;
@@ -99,15 +99,15 @@ std::vector<PlannedSighting> furtherRound(const SightingProtocol& protocol, std:
   return sightings;
 }
 
-/// Works out U of measurements that are only planned.
+/// Calculates U of planned measurements.
 class Expectation {
  public:
-  /// `fit` is of what is there.
+  /// `fit` is that of the existing readings.
   explicit Expectation(const SessionFit& fit)
       : m_noise(fit.arcs.empty() ? NoiseScale{1, DegreesOfFreedom::infinite().count()} : fit.noise) {}
 
-  /// What is there already has the U that the result states; what is to come changes it in proportion, and
-  /// what was found beside it stays.
+  /// Existing readings have the stated U; further ones change it in proportion, and additional findings stay
+  /// constant.
   void startFrom(ExpandedPair planned, const ExpandedPair& stated) {
     if (planned.ofFit > 0) m_ofFit = stated.ofFit / planned.ofFit;
     if (!planned.asMeasured || !stated.asMeasured) return;
@@ -126,23 +126,23 @@ class Expectation {
     return pair;
   }
 
-  /// A verdict never rests on the scatter being smaller than stated.
+  /// A verdict never relies on scatter below the stated noise.
   double noise() const { return std::max(1.0, m_noise.factor); }
 
  private:
   NoiseScale m_noise;
   double m_ofFit = 1, m_asMeasured = 1;  ///< of U, stated over planned
-  double m_beside = 0;                   ///< of U as measured, mm
+  double m_beside = 0;                   ///< of U, measured, mm
 };
 
-/// Further rounds that are looked at in any case: what moves with time averages out over both together.
+/// Further rounds that are always considered: effects of time average out over both directions.
 constexpr int thereAndBack = 2;
 
-/// By how much the noise is made less to see what it leaves: less still, and sizes of effects that nothing
-/// shows are too far apart from what is shown for a fit.
+/// Factor that reduces the noise to show the remaining U. With a smaller one, the sizes of undetectable
+/// effects differ too much from the others for a fit.
 constexpr double lessNoise = 0.1;
 
-/// The same places with less noise of circles and slider, the zeros as they are.
+/// The same places with less noise of circles and slider and unchanged zeros.
 Measurement withLessNoise(Measurement plan) {
   plan.sigmaHorizontal = plan.sigmaHorizontal * lessNoise;
   plan.sigmaVertical = plan.sigmaVertical * lessNoise;
@@ -151,7 +151,8 @@ Measurement withLessNoise(Measurement plan) {
   return plan;
 }
 
-/// U without noise, from that with all and with less of it: U² is a constant and a share of the noise's σ².
+/// U without noise, from U with full and with reduced noise: U² is a constant plus a multiple of σ² of the
+/// noise.
 double withoutNoise(double all, double less) {
   const double share = square(lessNoise);
   return std::sqrt(std::max(square(less) - share * square(all), 0.0) / (1 - share));
@@ -164,7 +165,7 @@ std::optional<ExpandedPair> withoutNoise(const ExpandedPair& all, const std::opt
   return none;
 }
 
-/// What is there, read without error.
+/// The existing rows, with readings free of errors.
 Measurement asThere(const Measurement& measurement, const SessionFit& fit) {
   Measurement plan = measurement;
   const Placement placement(plan, fit);
@@ -215,7 +216,7 @@ std::optional<Measurement> carriedOut(const Measurement& measurement, const Sess
       for (const PlannedSighting& sighting : furtherRound(protocol, p, further)) planned.push_back(sighting);
 
   std::vector<SightingToCome> toCome;
-  for (const PlannedSighting& one : planned)  // in face 1, the other differs by the face alone
+  for (const PlannedSighting& one : planned)  // for face 1; the other differs only by the face
     toCome.push_back({arcs->positions[one.protocolPosition], one.point, one.round, 1});
   const auto expected = expectedReadings(plan, fit, toCome, nominalPlaces(protocol, arcs->positions));
   const double down = plan.verticalCircle == VerticalCircle::Zenith ? 1 : -1;
@@ -233,7 +234,7 @@ std::optional<Measurement> carriedOut(const Measurement& measurement, const Sess
   const Placement placement(plan, fit);
   plan.rows = 0;
   for (ArcMeasurement& arc : plan.arcs) {
-    std::set<std::tuple<int, int, int>> there;  // a round that is there beyond the protocol stays as it is
+    std::set<std::tuple<int, int, int>> there;  // an existing round beyond the protocol stays unchanged
     std::erase_if(arc.sightings, [&](const Sighting& sighting) {
       return !there.emplace(sighting.point, sighting.round, sighting.face).second;
     });

@@ -22,7 +22,7 @@ namespace alidade {
 
 namespace {
 
-constexpr double risk = 0.01;           // of naming anything in a sound session, of each kind
+constexpr double risk = 0.01;           // of naming anything in a sound session, for each kind
 constexpr double madOfNormal = 0.6745;  // the median of |x| of a standard normal variable
 
 double medianOf(std::vector<double> values) {
@@ -32,20 +32,20 @@ double medianOf(std::vector<double> values) {
   return (*middle + *std::max_element(values.begin(), middle)) / 2;
 }
 
-/// A difference that should be like the others, in units of its σ.
+/// A difference that should agree with the others, with its σ.
 struct Difference {
   std::vector<std::size_t> sightings;
   double value = 0;  ///< σ
   double sigma = 0;  ///< arcseconds
 };
 
-/// Those that differ from the median by more than the noise, which is as stated or as most of them scatter.
+/// Differences from the median that exceed the noise, the larger of the stated one and the observed scatter.
 std::vector<Repeat> farOnes(const std::vector<Difference>& differences, Repeat::Reason reason,
                             std::optional<ReadingKind> kind, bool aboutMedian) {
   if (differences.empty()) return {};
   std::vector<double> values;
   for (const Difference& difference : differences) values.push_back(difference.value);
-  // Of fewer than three nobody knows which one is as it should be.
+  // With fewer than three it is unclear which one is right.
   if (aboutMedian && values.size() < 3) return {};
   const double middle = aboutMedian ? medianOf(values) : 0;
   for (double& value : values) value = std::abs(value - middle);
@@ -84,7 +84,7 @@ class Comparison {
   }
 
  private:
-  /// Absent where the protocol does not have it.
+  /// Absent if it is not in the protocol.
   std::optional<std::size_t> indexOf(std::size_t position, std::size_t row) const {
     const auto found = m_indices.find({position, row});
     return found == m_indices.end() ? std::nullopt : std::optional(found->second);
@@ -126,7 +126,7 @@ class Comparison {
   void faces() {
     if (!m_fitted.twoFaces) return;
     std::vector<Difference> horizontal, vertical;
-    // c as read is 2c(e), of two readings; the index the half of their sum.
+    // c as read is 2c(e), the difference of two readings; the index is half of their sum.
     const double sigmaOfTwo = std::numbers::sqrt2 * m_fitted.measurement.sigmaHorizontal.arcseconds(),
                  sigmaOfIndex = m_fitted.measurement.sigmaVertical.arcseconds() / std::numbers::sqrt2;
     for (const FaceDifference& visit : m_fitted.twoFaces->visits) {
@@ -142,7 +142,7 @@ class Comparison {
     addUnnamed(farOnes(vertical, Repeat::Reason::FacesDisagree, ReadingKind::Vertical, true));
   }
 
-  /// Where a visit lies off the circle, arcseconds outward, with σ.
+  /// The deviation of a visit from the circle, arcseconds outward, with σ.
   struct Offset {
     std::vector<std::size_t> sightings;
     std::set<int> faces;
@@ -167,8 +167,8 @@ class Comparison {
     return offset;
   }
 
-  /// The slider comes back to about the same place, so only what lies across the arc can be compared; and
-  /// only rounds read in the same faces, as what the faces do not share would stay.
+  /// Compares the deviations across the arc only, as the slider returns only approximately; and only between
+  /// rounds in the same faces, since instrument errors would otherwise not cancel.
   void ways() {
     std::vector<Difference> differences;
     for (const ArcMeasurement& arc : m_fitted.measurement.arcs) {
@@ -192,7 +192,7 @@ class Comparison {
     addUnnamed(farOnes(differences, Repeat::Reason::WaysDisagree, {}, false));
   }
 
-  /// What is named already explains why these disagree.
+  /// Adds those that the already named ones do not explain.
   void addUnnamed(std::vector<Repeat> repeats) {
     std::ranges::sort(repeats, std::greater{}, &Repeat::sigmas);
     for (Repeat& repeat : repeats) {

@@ -13,23 +13,23 @@
 
 namespace alidade {
 
-/// Sightings that had better be taken again, and why.
+/// Sightings that should be repeated, and why.
 struct Repeat {
   enum class Reason {
-    Misread,        ///< does not go with the others (`Suspect`)
-    FacesDisagree,  ///< the two faces differ otherwise than elsewhere
-    WaysDisagree,   ///< the same place lies elsewhere in another round
-    ZeroMoved,      ///< the pointing zero was another behind the readings
+    Misread,        ///< disagrees with the others (`Suspect`)
+    FacesDisagree,  ///< the difference of the faces deviates from that of other visits
+    WaysDisagree,   ///< the same place is elsewhere in another round
+    ZeroMoved,      ///< the pointing zero changed during the readings
   };
 
   Reason reason = Reason::Misread;
   std::vector<std::size_t> sightings = {};  ///< indices into the progress; all of them are in question
-  std::optional<ReadingKind> kind = {};     ///< the circle; absent of ways that disagree: across the arc
-  double size = 0;    ///< arcseconds, as it deviates; NaN where what was typed is no angle
-  double sigmas = 0;  ///< the same in σ
+  std::optional<ReadingKind> kind = {};     ///< the circle; absent if rounds disagree: across the arc
+  double size = 0;                          ///< deviation, arcseconds; NaN if the typed text is not an angle
+  double sigmas = 0;                        ///< deviation in σ
 };
 
-/// What is known of a fitted session.
+/// The results for a fitted session.
 struct FittedSession {
   const Measurement& measurement;
   const SessionFit& fit;
@@ -37,7 +37,7 @@ struct FittedSession {
   const std::vector<Suspect>& suspects;
 };
 
-/// Only what looks misread is named where that explains the rest. Empty before there is a fit, but for the
+/// If misread sightings explain the other deviations, only they are named. Empty before a fit, except for the
 /// faces.
 std::vector<Repeat> repeatsOf(const FittedSession& fitted, const ProtocolProgress& progress);
 

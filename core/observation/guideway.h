@@ -6,7 +6,7 @@
 
 namespace alidade {
 
-/// The circle the slider's crosshair runs on, in the arc plane, mm in o0.
+/// The circle traced by the slider's crosshair, in the arc plane, mm in o0.
 struct Circle {
   double x = 0, y = 0;  ///< centre: Δx, Δy
   double radius = 0;

@@ -12,18 +12,17 @@
 
 namespace alidade {
 
-// The one forward model: what a theodolite with errors reads when the slider of a guideway with errors stands
-// at s. Exact: the theodolite is turned until it sights the target, and where rotations are meant they are
-// rotations.
+// The one forward model: the readings of a theodolite with errors for the slider of a guideway with errors at
+// s. Exact: the theodolite is rotated until it sights the target, and rotations are not linearised.
 //
 // The situation in o0 (origin at the theodolite's centre, x right, y up, z towards the observer): the arc of
-// position p has centre (x, y, −L) and radius R; the slider stands at φ, counter-clockwise from +x; s = φ at
-// axis 0°, s = −φ at 180°, where the guideway is turned half round about the x direction.
+// position p has centre (x, y, −L) and radius R; the slider is at φ, counter-clockwise from +x; s = φ at axis
+// 0°, s = −φ at 180°, where the guideway is rotated by half a turn about the x direction.
 //
-// The theodolite: its vertical axis leans by the two axis tilts; the alidade turns about it to α; the
+// The theodolite: its vertical axis is tilted by the two axis tilts; the alidade turns about it to α; the
 // trunnion axis is tilted by i against the perpendicular; the telescope turns about that to e; the line of
-// sight deviates by c. A target in the direction (r, u, f) (right, up, forward) of the leaning instrument is
-// sighted where
+// sight deviates by c. A target in the direction (r, u, f) (right, up, forward) of the tilted instrument is
+// sighted at
 //
 //   sin e = (u + sin c sin i)/(cos c cos i)
 //   a = atan2(r, f) ± atan2(sin c cos i + cos c sin e sin i, cos c cos e)
@@ -33,27 +32,27 @@ namespace alidade {
 // against the horizon: zero_line.h. Source: the geometry of the instrument; to first order the formulas of
 // any textbook (δα = ±c/cos e, ±i tan e).
 
-/// Where the arc of one position lies and how its readings are oriented.
+/// The arc of one position and the orientation of its readings.
 template <typename T>
 struct ArcPose {
   T x, y, radius;    ///< mm
-  T horizontalZero;  ///< error of α0 as read, rad: readings come out smaller by it
-  T verticalZero;    ///< error of β0 as read, up positive: e comes out greater by it
+  T horizontalZero;  ///< error of α0 as read, rad: decreases readings
+  T verticalZero;    ///< error of β0 as read, up positive: increases e
   T sliderZero;      ///< slider reading at s = 0, rad
 };
 
-/// What is known beforehand about one pointing: everything but the unknowns of the fit.
+/// The given properties of one pointing: all except the unknowns of the fit.
 struct Pointing {
   int face = 1;
-  double elapsed = 0;         ///< share of the session gone by when it was taken, 0…1
-  double jumpShare = 0;       ///< of the step of the orientation: 1 after the jump; between of a mean
-  bool isSetUpAgain = false;  ///< of a place in a position after the first
-  double horizontalZero = 0;  ///< α0 as read, rad: the circle position at which eccentricity acts
+  double elapsed = 0;         ///< elapsed share of the session when it was taken, 0…1
+  double jumpShare = 0;       ///< of the step of the orientation: 1 after the jump; fractional for a mean
+  bool isSetUpAgain = false;  ///< a place in a position after the first
+  double horizontalZero = 0;  ///< α0 as read, rad: the circle position that determines the eccentricity error
   VerticalCircle circle = VerticalCircle::Zenith;
   VerticalAngleRelation relation = VerticalAngleRelation::Exact;
 };
 
-/// Where the target stands, mm in o0, for the slider at arc angle φ (rad).
+/// The place of the target, mm in o0, for the slider at arc angle φ (rad).
 template <typename T>
 SpacePoint<T> targetAt(const ErrorTerms<T>& errors, const ArcPose<T>& arc, const T& distance, const T& phi,
                        int axisDeg) {
@@ -69,8 +68,8 @@ SpacePoint<T> targetAt(const ErrorTerms<T>& errors, const ArcPose<T>& arc, const
   const double turned = (1 - turn) / 2;
   const T radius = arc.radius + turned * errors[RadiusChange] + errors[EllipticityCosine] * cos2 +
                    errors[EllipticitySine] * sin2 + errors[LobingCosine] * cos3 + errors[LobingSine] * sin3;
-  // In the guideway's plane, then off it; the plane's tilt turns about the arc centre and, like the warp
-  // and the skew, with the guideway.
+  // First in the guideway's plane, then the offsets from it. The plane's tilt rotates about the arc centre
+  // and, like the warp and the skew, turns with the guideway.
   const T x = radius * cos(phi), y = radius * sin(phi);
   const T off =
       turn * (errors[WarpCosine] * cos2 + errors[WarpSine] * sin2 + errors[PlaneSkew] * arc.radius * cos(s));
@@ -83,7 +82,7 @@ SpacePoint<T> targetAt(const ErrorTerms<T>& errors, const ArcPose<T>& arc, const
 }
 
 /// The direction to `target` as read on the circles in `pointing`'s face, as its face 1 equivalent before the
-/// zero is taken off: azimuth a from the perpendicular of the arc plane and elevation e over the horizon,
+/// zero is subtracted: azimuth a from the perpendicular of the arc plane and elevation e over the horizon,
 /// rad.
 template <typename T>
 Direction<T> circleDirection(const ErrorTerms<T>& errors, SpacePoint<T> target, const Pointing& pointing) {
@@ -96,7 +95,7 @@ Direction<T> circleDirection(const ErrorTerms<T>& errors, SpacePoint<T> target, 
     target.y += errors[SetupShiftY];
   }
 
-  // Into the leaning instrument: turned back about z, then about x.
+  // Into the tilted instrument: rotated back about z, then about x.
   const T ct = cos(errors[VerticalAxisTiltZ]), st = sin(errors[VerticalAxisTiltZ]);
   const T right = target.x * ct + target.y * st, up0 = target.y * ct - target.x * st;
   const T cx = cos(errors[VerticalAxisTiltX]), sx = sin(errors[VerticalAxisTiltX]);
@@ -110,7 +109,7 @@ Direction<T> circleDirection(const ErrorTerms<T>& errors, SpacePoint<T> target, 
   const T cosE = sqrt(1 - sinE * sinE);
   T a = atan2(right, forward) + side * atan2(T(sc * ci + cc * sinE * si), T(cc * cosE));
 
-  // The other relation between y and e, as far as it holds.
+  // The other relation between y and e, weighted by its share.
   const T planar = atan2(target.y, T(-target.z));
   const T exact = atan2(target.y, T(sqrt(target.x * target.x + target.z * target.z)));
   const double isPlanar = pointing.relation == VerticalAngleRelation::Planar ? 1 : 0;
@@ -119,7 +118,7 @@ Direction<T> circleDirection(const ErrorTerms<T>& errors, SpacePoint<T> target, 
   constexpr double perTenDegrees = 18 / std::numbers::pi;
   e += errors[VerticalRefraction] * (perTenDegrees * perTenDegrees) * e * e;
 
-  // The circles, each where it stands in this face.
+  // Circle readings in this face.
   const T alpha = pointing.horizontalZero + a;
   a += side * (errors[HorizontalCircleSine] * sin(alpha) + errors[HorizontalCircleCosine] * cos(alpha));
   const double down = pointing.circle == VerticalCircle::Zenith ? 1 : -1;

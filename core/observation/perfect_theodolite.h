@@ -6,14 +6,14 @@
 
 namespace alidade {
 
-// The situation: a theodolite without errors stands at the origin of o0 (x right, y up, z towards the
-// observer) and sights a target in the arc plane z = −L. It reads, from the direction perpendicular to the
-// plane,
+// The situation: a theodolite without errors at the origin of o0 (x right, y up, z towards the observer)
+// sights
+// a target in the arc plane z = −L. Relative to the direction perpendicular to the plane, it reads
 //
-//   a = atan2(x, L)              right positive
-//   e = atan2(y, √(x² + L²))     up positive
+//   a = atan2(x, L) right positive
+//   e = atan2(y, √(x² + L²)) up positive
 //
-// The published method takes tan e = y/L instead (`Planar`). Both maps are one-to-one between the plane and
+// The published method uses tan e = y/L instead (`Planar`). Both maps are one-to-one between the plane and
 // the open quadrants |a|, |e| < 90°. Templated on the scalar, so that derivatives come from automatic
 // differentiation. Source of the exact relation: the geometry of a theodolite with perpendicular axes; of the
 // planar one: equation (3) of Cui, Ren, Yuan, Liu, "Intersection Measurement for Rotatable Arc Guideway
@@ -31,7 +31,7 @@ struct PlanePoint {
   T x, y;
 };
 
-/// What is read when the target stands at `target`; `distance` is L > 0 in mm. Always finite.
+/// The reading for a target at `target`; `distance` is L > 0 in mm. Always finite.
 template <typename T>
 Direction<T> observe(const PlanePoint<T>& target, const T& distance, VerticalAngleRelation relation) {
   using std::atan2, std::sqrt;
@@ -41,7 +41,7 @@ Direction<T> observe(const PlanePoint<T>& target, const T& distance, VerticalAng
   return {atan2(target.x, distance), atan2(target.y, horizontalDistance)};
 }
 
-/// Where the line of sight meets the arc plane: the inverse of `observe`. Needs |a|, |e| < 90°.
+/// The intersection of the line of sight with the arc plane: the inverse of `observe`. Needs |a|, |e| < 90°.
 inline PlanePoint<double> sightedPoint(const Direction<double>& direction, double distance,
                                        VerticalAngleRelation relation) {
   const double x = distance * std::tan(direction.a);

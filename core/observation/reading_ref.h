@@ -15,13 +15,13 @@ inline constexpr std::size_t readingKinds = 3;
 
 /// "horizontal", "vertical" or "slider": as in files and results.
 std::string_view nameOf(ReadingKind kind);
-/// The same for people.
+/// The name for people.
 std::string inWords(ReadingKind kind);
 
-/// Which reading of a measurement is meant.
+/// Identifies a reading of a measurement.
 struct ReadingRef {
   std::size_t arc = 0;       ///< index into the measurement's arcs
-  std::size_t sighting = 0;  ///< index into the arc's sightings; of a slider reading the row it stands in
+  std::size_t sighting = 0;  ///< index into the arc's sightings; for a slider reading, its row
   ReadingKind kind = ReadingKind::Horizontal;
 
   bool operator==(const ReadingRef&) const = default;
@@ -30,7 +30,7 @@ struct ReadingRef {
 /// σ stated for readings of a kind.
 Angle statedSigma(const Measurement& measurement, ReadingKind kind);
 
-/// Reduced angles count face 2 and zenith circles the other way round than their circles: ±1.
+/// ±1: the sign of reduced angles relative to the circle, opposite for face 2 and for zenith circles.
 double sideOf(const Measurement& measurement, int face, ReadingKind kind);
 
 }  // namespace alidade

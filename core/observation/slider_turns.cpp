@@ -17,8 +17,9 @@ struct SliderPlace {
   double* arcAngle;
 };
 
-/// The reading, rad, from which on a full turn belongs off, as the arc begins there below the scale's 0°;
-/// infinite where it begins at its least reading. A smaller gap may be one between two places.
+/// The reading, rad, from which a full turn is subtracted, since the arc begins there, below the scale's 0°;
+/// infinite if it begins at the smallest reading. Only a large gap counts, as a smaller one may be between
+/// two places.
 double turnoverOf(std::vector<SliderPlace>& places) {
   constexpr double smallest = std::numbers::pi / 4;
   std::ranges::sort(places, {}, &SliderPlace::reading);

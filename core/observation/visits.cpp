@@ -7,7 +7,8 @@ namespace alidade {
 
 namespace {
 
-/// Round after round, and in each from place to place one way: the rows of a visit stand together, unsorted.
+/// Are rounds in order, and places within each in one direction? The rows of a visit are then adjacent
+/// without sorting.
 bool goesOneWay(const std::vector<Sighting>& sightings) {
   std::strong_ordering way = std::strong_ordering::equal;
   for (std::size_t i = 1; i < sightings.size(); ++i) {
@@ -22,7 +23,7 @@ bool goesOneWay(const std::vector<Sighting>& sightings) {
   return true;
 }
 
-/// Indices of the rows, round by round, those of a visit together in the order taken.
+/// Indices of the rows by round and point, those of a visit in the order taken.
 std::vector<std::size_t> byRoundAndPoint(const std::vector<Sighting>& sightings) {
   struct Row {
     int round, point;

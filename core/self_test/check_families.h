@@ -12,10 +12,10 @@ namespace alidade {
 /// Sessions fitted at 60 digits by another implementation: centre, radius and χ² of each arc, Δd and its σ.
 std::vector<SelfCheck> fitChecks(const std::string& fits);
 
-/// What the paper prints of its own measurement, by the published method.
+/// The figures printed in the paper for its own measurement, by the published method.
 std::vector<SelfCheck> publishedChecks();
 
-/// Samples of a known truth: what is found, and how large.
+/// Samples with a known truth: the cause found and its size.
 std::vector<SelfCheck> diagnosisChecks();
 
 /// Student's t, χ², F and normal, at 50 digits, and the table of JCGM 100.
@@ -27,7 +27,7 @@ std::vector<SelfCheck> angleChecks(const std::string& numbers);
 /// Random numbers of some seeds, and a simulated session.
 std::vector<SelfCheck> randomChecks(const std::string& numbers);
 
-/// The files that stand beside the programs, by their SHA-256.
+/// The installed files next to the programs, by their SHA-256.
 std::vector<SelfCheck> installedChecks(const std::string& share);
 
 }  // namespace alidade

@@ -18,7 +18,7 @@ namespace alidade {
 
 namespace {
 
-/// The value behind the first `key` of a file of the system; empty where there is none.
+/// The value after the first `key` of a system file; empty if there is none.
 std::string valueIn(const char* path, const std::string& key, char mark) {
   const Result<std::string> text = readFile(path);
   if (!text) return {};

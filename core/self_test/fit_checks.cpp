@@ -14,7 +14,8 @@ namespace {
 
 using Json = nlohmann::json;
 
-/// A reading is rounded to 4e-16 rad, 1e-12 mm at the target, which 20° of an arc enlarge some hundred times.
+/// A reading is rounded to 4e-16 rad, 1e-12 mm at the target; an arc of 20° magnifies this some hundred
+/// times.
 constexpr CheckTolerance ofLength = {
     .absolute = 1e-9,
     .reason = PHRASE_LATER("Phrase",
@@ -62,7 +63,7 @@ void addSession(std::vector<SelfCheck>& checks, const Json& reference) {
   if (!reference.contains("intersection")) return;
   if (!fit.intersection) return checks.push_back(brokenCheck(CheckGroup::Fits, name + ": Δd", "no Δd"));
   checks.push_back(against(reference, "intersection", name + ": Δd (mm)", fit.intersection->value, ofLength));
-  // Of the readings alone and with the stated σ, as the reference has it.
+  // From readings only and with the stated σ, like the reference.
   checks.push_back(against(reference, "sigma_intersection", name + ": σ(Δd) (mm)",
                            fit.intersection->budget.front().sigma / fit.noise.factor,
                            {.relative = ofSum.relative, .reason = ofSum.reason}));

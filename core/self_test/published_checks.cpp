@@ -14,7 +14,7 @@ namespace {
 constexpr const char* lastPrintedDigit =
     PHRASE_LATER("Phrase", "half of the last printed digit (Cui, Ren, Yuan, Liu)");
 
-/// A text as printed, in mm, may be off by half of its last digit.
+/// A text as printed, in mm, with a tolerance of half its last digit.
 SelfCheck printed(const std::string& name, const std::string& text, double found) {
   double half = 0.5;
   for (std::size_t i = text.find('.') + 1; i < text.size(); ++i) half /= 10;

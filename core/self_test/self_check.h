@@ -12,41 +12,41 @@ enum class CheckGroup { Fits, Published, Diagnosis, Distributions, Angles, Rando
 /// "fits", "published", …
 const char* nameOf(CheckGroup group);
 
-/// One line: what was expected from outside of the program, and what this installation found.
+/// One line: the externally known expected value, and the value from this installation.
 struct SelfCheck {
   enum class Outcome { Passed, Failed, LeftOut };
 
   CheckGroup group = CheckGroup::Fits;
   std::string name;  ///< of the line, with the unit of its numbers: "far, 0°: R (mm)"
   std::string expected = {}, found = {};
-  /// |found − expected|/|expected|, and what it may be; absent of what is no number.
+  /// |found − expected|/|expected|, and its limit; absent for values that are not numbers.
   std::optional<double> deviation = {}, tolerance = {};
-  /// English, to be handed to `Phrase::of`: why it may be that, or how it was compared.
+  /// English, for `Phrase::of`: the reason for the tolerance, or how it was compared.
   const char* reason = "";
   Outcome outcome = Outcome::Failed;
 };
 
-/// What a number may deviate by, and why.
+/// The tolerance of a number, and its reason.
 struct CheckTolerance {
   double absolute = 0;  ///< in the unit of the number
-  double relative = 0;  ///< to the expected number; the larger of both holds
+  double relative = 0;  ///< relative to the expected number; the larger of both applies
   const char* reason = "";
 };
 
-/// `expected` is a decimal text of any length, shown as it is; `found` counts as failed where it is no
-/// number or `expected` is none.
+/// `expected` is a decimal text of any length, shown unchanged; the check fails if `found` is not finite or
+/// `expected` is not a number.
 SelfCheck numberCheck(CheckGroup group, std::string name, const std::string& expected, double found,
                       const CheckTolerance& tolerance);
 
-/// Passes where both are the same text.
+/// Passes if both texts are equal.
 SelfCheck textCheck(CheckGroup group, std::string name, std::string expected, std::string found,
                     const char* reason);
 
-/// The same of two hashes or other long texts, which are shown by how they begin.
+/// Compares two hashes or other long texts, of which only the beginning is shown.
 SelfCheck hashCheck(CheckGroup group, std::string name, const std::string& expected, const std::string& found,
                     const char* reason);
 
-/// Fails: the check could not be made, for the reason that stands as found.
+/// Fails: the check could not be made, for the reason in `found`.
 SelfCheck brokenCheck(CheckGroup group, std::string name, std::string why);
 
 }  // namespace alidade

@@ -10,16 +10,16 @@
 
 namespace alidade {
 
-// Does this installation, on this machine, give the results it should? Every number is compared with one that
-// was worked out without this program: fits at 60 digits, distributions and angles at 50, random numbers and
-// a simulated session written a second time in another language, the figures printed in the paper and in JCGM
-// 100, sessions of a known truth. For a quality manual: what was expected, what was found, how far that is
-// apart and may be, and why, line by line, with the machine and the libraries.
+// Does this installation, on this machine, give the right results? Every number is compared with one
+// calculated without this program: fits at 60 digits, distributions and angles at 50, random numbers and a
+// simulated session from an implementation in another language, the figures printed in the paper and in JCGM
+// 100, sessions of a known truth. For a quality manual each line has the expected and the found value, their
+// difference, its limit and reason, with the machine and the libraries.
 
-/// Name and value of what a result may hang on: program, compiler, libraries, processor, system.
+/// Name and value of everything that may affect a result: program, compiler, libraries, processor, system.
 using EnvironmentFacts = std::vector<std::pair<std::string, std::string>>;
 
-/// Of the libraries of the core, and of the machine.
+/// Facts on the libraries of the core, and on the machine.
 EnvironmentFacts coreEnvironment();
 
 struct SelfTest {
@@ -27,16 +27,15 @@ struct SelfTest {
   EnvironmentFacts environment;
 
   std::size_t count(SelfCheck::Outcome outcome) const;
-  /// Nothing failed, and something was checked.
+  /// Did at least one check run, and none fail?
   bool hasPassed() const;
 };
 
-/// Everything that needs no window. `share` is the folder in which the program's files are installed; empty:
-/// it is not installed, and they are left out. Writes nothing. A second on a usual machine.
+/// All checks that need no window. `share` is the folder of the program's installed files; if empty, it is
+/// not installed and they are skipped. Writes nothing. Takes a second on a usual machine.
 SelfTest runSelfTest(const std::string& share, const SelfTestReferences& references = compiledReferences());
 
-/// `share` of the prefix in which the running program stands in `bin`, where it holds the samples; else
-/// empty.
+/// `share` of the prefix whose `bin` holds the running program, if it contains the samples; else empty.
 std::string installedShare();
 
 }  // namespace alidade

@@ -8,7 +8,8 @@ namespace alidade {
 
 /// {"program", "at", "verdict": "pass"|"fail", "passed", "failed", "left_out", "environment": {name: value},
 /// "checks": [{"group", "name", "expected", "found", "deviation", "tolerance", "reason", "outcome": "passed"|
-/// "failed"|"left-out"}]}. `deviation` and `tolerance` are relative to `expected`, null of what is no number.
+/// "failed"|"left-out"}]}. `deviation` and `tolerance` are relative to `expected`, and null for values that
+/// are not numbers.
 std::string selfTestJson(const SelfTest& test, const std::string& program, const std::string& at);
 
 }  // namespace alidade

@@ -9,7 +9,7 @@
 
 namespace alidade {
 
-/// What the lines of a group compare, as a heading.
+/// The content of a group, as a heading.
 std::string titleOf(CheckGroup group);
 
 /// "passed", "failed", "left out".
@@ -30,7 +30,7 @@ struct CheckSection {
 /// In the order of the groups; the lines stay those of `test`.
 std::vector<CheckSection> sectionsOf(const SelfTest& test);
 
-/// Two digits of a relative deviation or tolerance: "1.3e-12"; 0 as "0", absent as nothing.
+/// A relative deviation or tolerance with two digits: "1.3e-12"; 0 as "0", absent as an empty text.
 std::string shareText(const std::optional<double>& share);
 
 /// The verdict over all lines, one sentence.

@@ -16,12 +16,12 @@ namespace {
 
 constexpr double calibrationSigma = 5;  // arcsec, see compensator.h
 constexpr double calibrationStale = 0.05, tiltsStale = 0.5, halfCorrectedStale = 0.1;
-constexpr double freeIndex = 300;  // arcsec: beyond what a compensator bears
+constexpr double freeIndex = 300;  // arcsec: beyond a compensator's range
 constexpr double freeTilt = 3600;  // arcsec: keeps the equations regular
 constexpr double leastOfUse = 30;  // arcsec, of σ: half of a plausible tilt
 constexpr double significant = 4;  // in σ
 
-/// One of the switches, over all rows.
+/// The state of a switch, over all rows.
 enum class Switch { Unknown, On, Off, Mixed };
 
 Switch stateOf(const Measurement& measurement, bool Corrections::*isOn) {
@@ -66,10 +66,10 @@ class TiltEquations {
   }
 
   Eigen::Vector2d tilt() const { return m_values.head<2>(); }
-  /// The larger one in size.
+  /// The index that is larger in size.
   double index() const { return std::abs(m_values[2]) > std::abs(m_values[3]) ? m_values[2] : m_values[3]; }
   double range() const { return m_range; }
-  /// Of the range, so far as scatter makes one.
+  /// σ of the range due to scatter.
   double sigmaOfRange() const { return m_sigmaOfRange; }
   double sigma(int i) const {
     const double ofIndex = hasBothFaces() ? index() : 0;
@@ -100,7 +100,8 @@ class TiltEquations {
     }
   }
 
-  /// Each arc for itself, with the indices of all: how the rows scatter within one, and what they differ by.
+  /// Solves each arc separately, with the indices of all: yields the scatter within arcs and the differences
+  /// between them.
   void compareArcs() {
     std::vector<Eigen::Vector2d> tilts;
     double squares = 0, freedom = -2, largest = 0;

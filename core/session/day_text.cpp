@@ -13,7 +13,7 @@ namespace alidade {
 
 namespace {
 
-/// Digits or letters, and what stands before them.
+/// Digits or letters, with the separators before them.
 struct DayPart {
   std::string before, text;
   bool isNumber = false;
@@ -42,7 +42,7 @@ std::vector<DayPart> partsOf(const std::string& typed, std::string& rest) {
   return parts;
 }
 
-/// 1…12 of "Mar", "mar", "March"; 0 of anything else.
+/// 1…12 for "Mar", "mar", "March"; 0 for other texts.
 int monthNamed(const std::string& text) {
   constexpr std::string_view names[] = {"january",   "february", "march",    "april",
                                         "may",       "june",     "july",     "august",

@@ -21,11 +21,11 @@ namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 constexpr double longestMm = 1e6;
-// Finer than any circle reads; far below, evidence and weights lose their digits.
+// The lower limit is finer than any circle; far below it, evidence and weights lose their digits.
 constexpr double leastSigmaArcsec = 0.001, largestSigmaArcsec = 3600;
 
-// Within 0.5″ to 1.5″, the range taken for setting accuracies of compensators; a choice, which no data sheet
-// was looked up for. State that of the instrument.
+// Within 0.5″ to 1.5″, the assumed range of setting accuracies of compensators; a choice, not from a data
+// sheet. State that of the instrument.
 constexpr double usualSigmaCompensator = 1;
 // Compensators work within some 4′; a tilt beyond this was typed in another unit.
 constexpr double largestTiltArcsec = 3600;
@@ -45,7 +45,7 @@ struct NumberRule {
   double high;  ///< always excluded
   std::optional<double> fallback;
   const char* refusal;              ///< of a number out of range, for `Phrase::of` with the number
-  const char* whenEmpty = nullptr;  ///< for `Phrase::of`, where the field may not be empty
+  const char* whenEmpty = nullptr;  ///< for `Phrase::of`; the field is then required
 };
 
 constexpr const char* noLength =
@@ -315,7 +315,7 @@ std::optional<Problem> dateProblem(const std::string& text) {
 std::optional<std::string> entryProblem(const Session& session, const std::string& field,
                                         const std::string& text) {
   if (ruleFor(field)) return sentence(numberEntry(field, text));
-  // Where the kind of circle is unknown, the wider range of the elevation circle holds.
+  // If the kind of circle is unknown, the wider range of the elevation circle applies.
   const auto known = verticalCircleEntry(session.geometry.verticalCircle);
   const VerticalCircle circle = known ? *known : VerticalCircle::Elevation;
   constexpr std::string_view ofRows = "readings.";

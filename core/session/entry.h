@@ -11,13 +11,13 @@
 
 namespace alidade {
 
-// The rules for single entries: what a text in one field may be and what an empty one stands for.
+// The rules for single entries: the valid texts of a field and the meaning of an empty one.
 
-/// A number in the unit of its field, in range. Empty text is the field's default, or nothing where it has
-/// none. `field` is named as for `entryProblem`; asking for a field that holds no number is a bug.
+/// A number in the unit of its field, in range. Empty text gives the field's default, or nothing if it has
+/// none. `field` is named as for `entryProblem`; it must be a number field.
 Result<std::optional<double>> numberEntry(std::string_view field, const std::string& text);
 
-/// What is known of a number of an effect, in any unit; empty: 0.
+/// The known value of a parameter of an effect, in any unit; empty: 0.
 Result<double> knownValueEntry(const std::string& text);
 /// Its standard uncertainty, > 0.
 Result<double> knownSigmaEntry(const std::string& text);
@@ -25,7 +25,7 @@ Result<double> knownSigmaEntry(const std::string& text);
 /// A whole number from `low` to `high`.
 struct WholeRule {
   int low, high;
-  std::optional<int> fallback;  ///< what an empty text stands for; absent: for nothing
+  std::optional<int> fallback;  ///< value of an empty text; absent: none
   const char* refusal;          ///< of a number out of range, for `Phrase::of` with the number
 };
 
@@ -37,10 +37,10 @@ struct AngleRule {
   bool mayBeEmpty = false;
 };
 
-/// The number, or the fallback of an empty text.
+/// The number, or the fallback for an empty text.
 Result<std::optional<int>> wholeEntry(const WholeRule& rule, const std::string& text);
 
-/// The angle; nothing for an empty text where the rule allows one.
+/// The angle; nothing for an empty text if the rule allows it.
 Result<std::optional<Angle>> angleEntry(const AngleRule& rule, const std::string& text,
                                         VerticalCircle circle);
 
@@ -53,21 +53,21 @@ inline constexpr CorrectionSwitch correctionSwitches[] = {{"inclination", &Corre
                                                           {"standing_axis", &Corrections::standingAxis},
                                                           {"collimation", &Corrections::collimation},
                                                           {"tilting_axis", &Corrections::tiltingAxis}};
-/// The word of a row whose instrument had all of them off.
+/// The word of a row whose instrument had all switches off.
 inline constexpr std::string_view noCorrections = "none";
 
-/// What a compensator read, in arcseconds; nothing for an empty text.
+/// A compensator reading, in arcseconds; nothing for an empty text.
 Result<std::optional<Angle>> tiltEntry(const std::string& text);
 
-/// The words of what was on; nothing for an empty text, which says that it is not known.
+/// The switches that were on; nothing for an empty text, which means unknown.
 Result<std::optional<Corrections>> correctionsEntry(const std::string& text);
 
 /// 0 or 180.
 Result<int> axisEntry(const std::string& text);
 
-/// "dms", also empty, "degrees" or "gon".
+/// "dms" (default), "degrees" or "gon".
 Result<CircleUnit> circleUnitEntry(const std::string& text);
-/// That of the session's instrument; degrees, minutes and seconds where its text means nothing.
+/// The unit of the session's instrument; degrees, minutes and seconds if its text is invalid.
 CircleUnit circleUnitOf(const Session& session);
 
 Result<VerticalCircle> verticalCircleEntry(const std::string& text);
@@ -78,7 +78,7 @@ Result<ZeroIs> zeroIsEntry(const std::string& text);
 Result<VerticalAngleRelation> verticalAngleEntry(const std::string& text);
 Result<RadiusModel> radiusModelEntry(const std::string& text);
 
-/// Why `text` is no date; an empty one is allowed.
+/// Why `text` is not a date; an empty text is allowed.
 std::optional<Problem> dateProblem(const std::string& text);
 
 }  // namespace alidade

@@ -21,7 +21,7 @@ bool lacksZero(const Position& position) {
   return position.zero.horizontal.empty() || position.zero.vertical.empty();
 }
 
-/// Half a zero, or readings without one.
+/// Does the position have half a zero, or readings without one?
 bool isBegunWithoutZero(const Position& position) {
   const bool isHalf = position.zero.horizontal.empty() != position.zero.vertical.empty();
   return isHalf || (lacksZero(position) && std::ranges::any_of(position.readings, isTyped));
@@ -58,7 +58,7 @@ EntryToCome followedToCome(const Session& session, const FollowedSighting& next)
           .isAfter = planned.isAfter};
 }
 
-/// What is left of a position that nothing was begun in and left.
+/// The next entry of a position without half-finished entries.
 std::optional<EntryToCome> leftOf(const Session& session, std::size_t position,
                                   const ProtocolProgress* progress) {
   if (lacksZero(session.positions[position])) return zeroToCome(position);

@@ -5,13 +5,13 @@
 
 namespace alidade {
 
-/// Both circles as face 1 reads them; not wrapped.
+/// Both circles converted to face 1; not wrapped.
 struct FaceOneReading {
   Angle horizontal, vertical;
 };
 
 /// A reading of `face` 1 or 2 as its face 1 equivalent. Face 2: α − 180°; 360° − β on a zenith circle, 180° −
-/// β on an elevation circle, whose readings go on from the zenith at 90° when the telescope is turned
+/// β on an elevation circle, whose readings continue beyond 90° at the zenith when the telescope is turned
 /// through.
 FaceOneReading inFaceOne(Angle horizontal, Angle vertical, int face, VerticalCircle circle);
 

@@ -13,8 +13,8 @@
 
 namespace alidade {
 
-/// The texts of a row as they were first entered, of those fields that were changed since; by their names in
-/// the session file. Empty in almost every row, where it takes no room; copies share what they hold.
+/// The first entered texts of those fields of a row that were changed since, by their names in the session
+/// file. Empty in almost every row, without using memory; copies share their content.
 class FirstTexts {
  public:
   using Texts = boost::container::small_flat_map<std::string, std::string, 1, std::less<>>;
@@ -25,14 +25,14 @@ class FirstTexts {
   }
   bool empty() const { return !m_texts; }
 
-  /// Absent where the field stands as it was entered.
+  /// Absent if the field was not changed.
   std::optional<std::string> of(std::string_view field) const {
     const auto found = all().find(field);
     return found == all().end() ? std::nullopt : std::optional(found->second);
   }
 
   void set(std::string_view field, std::string text) {
-    constexpr std::size_t afterTheFirst = 6;  // a row that is cleared has so many; the first takes no room
+    constexpr std::size_t afterTheFirst = 6;  // number for a cleared row; the first uses no memory
     Texts& texts = own();
     if (texts.size() == 1) texts.reserve(afterTheFirst);
     texts.insert_or_assign(std::string(field), std::move(text));
@@ -48,7 +48,7 @@ class FirstTexts {
   bool operator==(const FirstTexts& other) const { return all() == other.all(); }
 
  private:
-  /// To be changed: where others share them, a copy.
+  /// For modification: makes a copy if the texts are shared.
   Texts& own() {
     if (!m_texts)
       m_texts = std::make_shared<Texts>();

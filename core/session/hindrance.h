@@ -7,8 +7,8 @@
 
 namespace alidade {
 
-/// Of the entries of a session that cannot be used those that a number rests on. None rests on a date, and on
-/// the temperature only where a length expands: result and verdict stand without them.
+/// The unusable entries of a session that affect a number. A date never does, and the temperature only if a
+/// length expands: result and verdict are independent of them.
 std::vector<Problem> hindrances(const Session& session, const std::vector<Problem>& problems);
 
 }  // namespace alidade

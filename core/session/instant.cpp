@@ -7,7 +7,7 @@ namespace alidade {
 
 namespace {
 
-/// Takes a text from its beginning.
+/// Reads a text from its beginning.
 class InstantReader {
  public:
   explicit InstantReader(std::string_view text) : m_rest(text) {}
@@ -20,7 +20,7 @@ class InstantReader {
     return true;
   }
 
-  /// So many digits; −1 where there are fewer.
+  /// A number of exactly `count` digits; −1 if there are fewer.
   int digits(std::size_t count) {
     if (m_rest.size() < count) return -1;
     int number = 0;
@@ -32,7 +32,7 @@ class InstantReader {
     return number;
   }
 
-  /// What follows the point of seconds.
+  /// The decimals of the seconds, after the point.
   double fraction() {
     double sum = 0, place = 1;
     for (; !m_rest.empty() && m_rest.front() >= '0' && m_rest.front() <= '9'; m_rest.remove_prefix(1))
@@ -40,7 +40,7 @@ class InstantReader {
     return sum;
   }
 
-  /// Minutes east; absent where no zone can be read.
+  /// Minutes east; absent if the zone cannot be read.
   std::optional<int> zone() {
     if (m_rest.empty() || take('Z')) return 0;
     const bool isEast = take('+');

@@ -39,7 +39,7 @@ InstrumentRecord recordFrom(const ObjectReader& reader) {
           .origin = reader.origin({"known"})};
 }
 
-/// Goes through the entries of a record; the first that means nothing is told.
+/// Examines the entries of a record and keeps the first problem.
 class RecordExaminer {
  public:
   std::optional<Problem> examine(const InstrumentRecord& record) {

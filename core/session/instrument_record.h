@@ -9,16 +9,16 @@
 
 namespace alidade {
 
-/// What `KnownSize::from` says of a size that the instrument check found.
+/// The text of `KnownSize::from` for a size from the instrument check.
 inline constexpr std::string_view fromInstrumentCheck = "instrument check after ISO 17123-3";
 
-/// What is known of an instrument from one session to the next: how its circles scatter, and the sizes of its
-/// errors with their standard uncertainties. A file of its own, `*.alidade-instrument`; as in a session,
+/// Knowledge of an instrument that carries over between sessions: the scatter of its circles, and the sizes
+/// of its errors with their standard uncertainties. A separate file, `*.alidade-instrument`; as in a session,
 /// every number is kept as its text.
 struct InstrumentRecord {
   std::string name = {}, serial = {};
   std::string certificate = {}, traceability = {};  ///< of its calibration, of its circles
-  std::string date = {};                            ///< on which all of it was found; required
+  std::string date = {};                            ///< date of all findings; required
   // Empty: not stated.
   std::string sigmaHorizontalArcsec = {}, sigmaVerticalArcsec = {}, sigmaZeroArcsec = {};
   LineOfSight lineOfSight = {};
@@ -28,15 +28,15 @@ struct InstrumentRecord {
   bool operator==(const InstrumentRecord&) const = default;
 };
 
-/// Reads the text of a `*.alidade-instrument` file (JSON, UTF-8, format version 1). Fails, with the place, on
-/// what `readSession` fails on, and on every entry that means nothing: a record is not edited, so what is
-/// wrong with it must be said when it is taken.
+/// Reads the text of a `*.alidade-instrument` file (JSON, UTF-8, format version 1). Fails, with the place, as
+/// `readSession` does, and on every invalid entry: records cannot be edited, so problems must be reported
+/// when one is read.
 Result<InstrumentRecord> readInstrumentRecord(std::string_view text);
 
-/// The record as the text of a file, ending in a newline. Unknown keys and untouched values survive.
+/// The record as the text of a file, ending in a newline. Unknown keys and unchanged values are preserved.
 std::string writeInstrumentRecord(const InstrumentRecord& record);
 
-/// Reads a record from a file; the sentence names the file's trouble where it cannot be opened.
+/// Reads a record from a file; the problem says why the file cannot be opened.
 Result<InstrumentRecord> loadInstrumentRecord(const std::string& path);
 
 }  // namespace alidade

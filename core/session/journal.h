@@ -11,17 +11,17 @@ namespace alidade {
 
 struct Session;
 
-/// One change of an entry that stood already: what an original observation was, what it became and why. Kept
-/// as text, as everything in a session; what does not apply is empty.
+/// One recorded change: the original observation, its new value and the reason. Kept as text, like everything
+/// in a session; texts that do not apply are empty.
 struct JournalEntry {
   std::string at = {};     ///< when, UTC: 2026-03-14T15:09:26Z
-  std::string by = {};     ///< the operator, as the session had it then
-  std::string place = {};  ///< in the session file, as it was then: "positions[0].readings[4].vertical"
+  std::string by = {};     ///< operator according to the session at that time
+  std::string place = {};  ///< in the session file at that time: "positions[0].readings[4].vertical"
   std::string axis = {};   ///< of the position: 0 or 180
   std::string point = {}, round = {}, face = {};  ///< of the row
   std::string from = {}, to = {};                 ///< as typed
   std::string why = {};                           ///< one of `journal_reasons`
-  std::string hash = {};  ///< SHA-256 over the entry before and this one, in hexadecimal digits
+  std::string hash = {};  ///< SHA-256 over the previous entry's hash and this entry, in hexadecimal digits
   JsonOrigin origin = {};
 
   bool operator==(const JournalEntry&) const = default;
@@ -43,7 +43,8 @@ inline constexpr JournalField journalFields[] = {
 /// Why an entry was changed.
 namespace journal_reasons {
 inline constexpr const char* retyped = "retyped";
-inline constexpr const char* suggestion = "suggestion";  ///< of the search for misread readings, accepted
+inline constexpr const char* suggestion = "suggestion";  ///< accepted proposal of the search for misread
+                                                         ///< readings
 inline constexpr const char* cleared = "cleared";
 inline constexpr const char* pasted = "pasted";
 inline constexpr const char* excluded = "excluded";
@@ -51,40 +52,41 @@ inline constexpr const char* usedAgain = "used_again";
 inline constexpr const char* deleted = "deleted";
 inline constexpr const char* inserted = "inserted";
 inline constexpr const char* moved = "moved";        ///< to another position
-inline constexpr const char* imported = "imported";  ///< `to`: rows of which file, lines and SHA-256
+inline constexpr const char* imported = "imported";  ///< `to`: file, lines and SHA-256 of the rows
 inline constexpr const char* undone = "undone";      ///< after it had been saved
-inline constexpr const char* sealed = "sealed";      ///< from: the revision, `to`: the digest of the content
+inline constexpr const char* sealed = "sealed";      ///< `from`: the revision, `to`: the digest of the
+                                                     ///< content
 }  // namespace journal_reasons
 
-/// The hash of `entry` where `before` is that of the entry before it, empty for the first: SHA-256 over the
+/// The hash of `entry`, with `before` that of the previous entry, empty for the first: SHA-256 over the
 /// compact JSON list of `before` and the entry's texts in the order of `journalFields`.
 std::string journalHash(const std::string& before, const JournalEntry& entry);
 
-/// Adds the entry with its hash.
+/// Appends the entry with its hash.
 void enterInJournal(std::vector<JournalEntry>& journal, JournalEntry entry);
 
-/// Index of the first entry whose hash is not that of what stands there: it, or one before it, was changed or
-/// taken out. Absent where the chain is whole.
+/// Index of the first entry with a wrong hash: this entry or an earlier one was changed or removed. Absent if
+/// the chain is intact.
 std::optional<std::size_t> firstBrokenEntry(const std::vector<JournalEntry>& journal);
 
-/// SHA-256 of the session without its journal, as its file would be, in hexadecimal digits.
+/// SHA-256 of the session without its journal, as written to a file, in hexadecimal digits.
 std::string contentDigest(const Session& session);
 
-/// How many cells of readings are not as they were first entered.
+/// The number of reading cells that differ from their first entry.
 std::size_t changedReadings(const Session& session);
 
-/// What a session was sealed as.
+/// The state of a session when it was sealed.
 struct Seal {
   std::string at, by;
   int revision = 0;       ///< 0 for the first seal
-  std::string digest;     ///< of what was sealed
+  std::string digest;     ///< of the sealed content
   std::size_t entry = 0;  ///< its index in the journal
 };
 
-/// The last seal; absent where the session was never sealed.
+/// The last seal; absent if the session was never sealed.
 std::optional<Seal> sealOf(const std::vector<JournalEntry>& journal);
 
-/// Is the content still what was sealed? Writes all of the session to see.
+/// Is the content still the sealed one? Writes the whole session to compare.
 bool isAsSealed(const Session& session, const Seal& seal);
 
 /// The entry that seals the present content as the next revision.

@@ -26,19 +26,19 @@ std::size_t rowCountOf(const Session& session) {
   return count;
 }
 
-/// Times are written in one form, which sorts.
+/// The first entry earlier than its predecessor; times have one format, which sorts.
 std::optional<std::size_t> firstBackwards(const std::vector<JournalEntry>& journal) {
   for (std::size_t i = 1; i < journal.size(); ++i)
     if (!journal[i].at.empty() && !journal[i - 1].at.empty() && journal[i].at < journal[i - 1].at) return i;
   return {};
 }
 
-/// Entries that tell of many cells at once, whose rows keep their first texts themselves.
+/// Entries that summarise changes of many cells, whose rows keep their first texts.
 bool countsCells(const JournalEntry& entry) {
   return entry.place.ends_with("].readings");
 }
 
-/// Rows that keep what was first entered although no entry tells of a change from it.
+/// Adds rows that keep first texts without an entry for the change.
 void addUntoldFirstTexts(const Session& session, std::vector<JournalContradiction>& contradictions) {
   if (std::ranges::any_of(session.journal, countsCells)) return;
   std::set<std::pair<std::string, std::string>> told;
@@ -118,7 +118,7 @@ void keepSealedContent(JournalEntry& seal, const std::string& content) {
   if (content.size() > most) return;
   nlohmann::ordered_json object = nlohmann::ordered_json::object();
   for (const JournalField& field : journalFields)
-    object[field.key] = "-";  // the order; the writer fills them in
+    object[field.key] = "-";  // fixes the order; the writer fills in the values
   object[contentKey] = content;
   seal.origin = JsonOrigin(object);
 }

@@ -22,7 +22,7 @@ constexpr const char* flagName = "excluded";
 constexpr std::string_view toldInWords[] = {"instrument.known", "device.known", "instrument.record",
                                             "protocol", "model.effects"};
 
-/// The number in `[12]` at the start of `text`, which is shortened by it.
+/// The number in `[12]` at the start of `text`, which is removed.
 std::optional<std::size_t> takeIndex(std::string_view& text, std::string_view name) {
   if (!text.starts_with(name)) return {};
   std::string_view rest = text.substr(name.size());
@@ -54,7 +54,7 @@ std::string textIn(const Json& object, const std::string& key, ValueKind kind) {
   return textOf(*found, kind).value_or(found->dump());
 }
 
-/// As the text is after a file: 1.0 comes back as 1.
+/// The text as read back from a file: 1.0 becomes 1.
 std::string filedText(const std::string& text, ValueKind kind) {
   return text.empty() ? text : textOf(valueOf(text, kind), kind).value_or(text);
 }
@@ -83,7 +83,7 @@ std::string rowTextOf(const Json& row) {
   return rowText(reading);
 }
 
-/// The reverse of `rowText`: its fields come in one order, and a value ends where a later one begins.
+/// The inverse of `rowText`: fields have a fixed order, and a value ends at the next field.
 Json rowOfText(std::string_view text) {
   constexpr std::string_view excluded = ", excluded";
   Json row = Json::object();
@@ -104,13 +104,13 @@ Json rowOfText(std::string_view text) {
   return row;
 }
 
-/// Is a member with this value as good as none?
+/// Is a member with this value equivalent to a missing one?
 bool saysNothing(const Json& value) {
   const bool isEmptyText = value.is_string() && value.get_ref<const std::string&>().empty();
   return isEmptyText || value == false || value.is_null();
 }
 
-/// Every value by its place; what is empty is as if it were not there.
+/// Every value by its place, without empty ones.
 void flatten(const Json& value, const std::string& place, std::map<std::string, std::string>& texts) {
   if (value.is_object()) {
     for (const auto& [key, member] : value.items())
@@ -157,8 +157,8 @@ void JournalReplay::takeBack(std::size_t index) {
   for (std::size_t i = m_taken; i <= index; ++i) takeBackOne(i);
 }
 
-/// Rows that went in one edit, or came back in one, have the numbers that they have together: they are taken
-/// back in the order of the journal. All other entries are edits of their own here.
+/// Rows deleted, or restored, in one edit have consistent numbers: they are reverted together, in the order
+/// of the journal. Every other entry counts as an edit of its own.
 std::size_t JournalReplay::firstOfEdit(std::size_t last) const {
   const auto isBefore = [&](const JournalEntry& one, const JournalEntry& next) {
     const auto a = pathOf(one.place), b = pathOf(next.place);
@@ -201,8 +201,8 @@ JournalReplay::Json* JournalReplay::rowsOf(const Path& path) {
   return rows.is_array() ? &rows : nullptr;
 }
 
-/// Before a first seal: the one row of the entry's point, round and face. Rows that came while they were
-/// empty left no entry, so that the index says nothing.
+/// Before the first seal: the only row with the entry's point, round and face. Rows added while empty have no
+/// entry, so the index is unreliable.
 JournalReplay::Json* JournalReplay::rowOf(const Path& path, const JournalEntry& entry) {
   Json* rows = rowsOf(path);
   if (!rows) return nullptr;
@@ -234,7 +234,8 @@ void JournalReplay::takeBackCell(const Path& path, std::size_t index) {
   }
   const std::string held = cellTextOf(*row, path.field);
   const ValueKind kind = kindOfField(path.field, true);
-  // Before a first seal, a cell may be filled in, and its row may be another one: the mark of a change tells.
+  // Before the first seal, a cell may have been filled in or belong to another row: only a marked change
+  // counts.
   const auto marks = row->find(firstTexts);
   const bool isMarked = marks != row->end() && marks->contains(path.field);
   if (held != filedText(entry.to, kind) && (isSealed || (isMarked && !entry.to.empty())))
@@ -246,7 +247,7 @@ void JournalReplay::takeBackCell(const Path& path, std::size_t index) {
     if (entry.from != "excluded") m_absent.push_back(pointer);
     return;
   }
-  if (entry.to.empty()) m_isExact = false;  // its key went, and with it the order of the keys
+  if (entry.to.empty()) m_isExact = false;  // its key was removed, so the order of the keys is lost
   (*row)[path.field] = valueOf(entry.from, kind);
   if (entry.from.empty()) m_absent.push_back(pointer);
   if (!isMarked) return;
@@ -302,7 +303,7 @@ void JournalReplay::takeBackText(const Path& path, const JournalEntry& entry) {
   if (entry.from.empty()) m_absent.push_back(pointer + pointed(key));
 }
 
-/// Of the content with each of `m_absent` there or not; the latter first.
+/// Digests of the content with each of `m_absent` present or absent; absent first.
 std::vector<std::string> JournalReplay::digestsOfAllForms() const {
   constexpr std::size_t mostUnsure = 6;
   std::vector<std::string> places(m_absent.begin(), m_absent.end());

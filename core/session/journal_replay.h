@@ -11,7 +11,7 @@
 
 namespace alidade {
 
-/// The content of a session file, out of which entries of its journal are taken back, the last first.
+/// The content of a session file, in which the entries of its journal are reverted, the last first.
 class JournalReplay {
  public:
   using Json = nlohmann::ordered_json;
@@ -21,7 +21,7 @@ class JournalReplay {
 
   /// To be called from the last entry to the first.
   void takeBack(std::size_t entry);
-  /// Compares the content with what the entry sealed, and goes on from that where it is known.
+  /// Compares the content with the sealed one, and continues from the seal's copy if there is one.
   CheckedSeal::State atSeal(std::size_t entry);
 
   std::vector<JournalContradiction> takeContradictions() { return std::move(m_contradictions); }
@@ -49,12 +49,12 @@ class JournalReplay {
   const std::vector<JournalEntry>& m_journal;
   std::unique_ptr<Json> m_content;
   std::vector<JournalContradiction> m_contradictions;
-  std::size_t m_taken = static_cast<std::size_t>(-1);  ///< from this entry on all are taken back
-  bool m_isOpaque = false;                             ///< an entry was met that cannot be taken back
-  bool m_isExact = true;              ///< what was taken back is as it was written, but for `m_absent`
-  std::set<std::string> m_told;       ///< places that entries tell of in words, not in texts
-  std::vector<std::string> m_absent;  ///< JSON pointers of empty or false members: were they there at all?
-  std::vector<Json> m_gone;           ///< rows that were taken back: where they came from they may have gone
+  std::size_t m_taken = static_cast<std::size_t>(-1);  ///< entries from this one on are reverted
+  bool m_isOpaque = false;                             ///< an entry was met that cannot be reverted
+  bool m_isExact = true;              ///< reverted content is as originally written, except for `m_absent`
+  std::set<std::string> m_told;       ///< places that entries describe in words instead of texts
+  std::vector<std::string> m_absent;  ///< JSON pointers of empty or false members that may have been absent
+  std::vector<Json> m_gone;           ///< reverted rows, for entries that move them
 };
 
 }  // namespace alidade

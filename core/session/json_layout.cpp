@@ -9,7 +9,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Writes one document; `m_text` grows as it goes.
+/// Writes one document by appending to `m_text`.
 class Layout {
  public:
   explicit Layout(const RowsOf& rows) : m_rows(rows) {}
@@ -116,7 +116,7 @@ class Layout {
   }
 
   const RowsOf& m_rows;
-  std::size_t m_position = 0;  ///< the one being written
+  std::size_t m_position = 0;  ///< currently written
   std::string m_text;
 };
 

@@ -16,23 +16,22 @@ namespace alidade {
 /// For "must be a number, not a list".
 std::string jsonTypeName(const nlohmann::ordered_json& value);
 
-/// What a file says of itself, and what to say of one that does not. Phrases are for `Phrase::of`.
+/// The format of a file, and the sentences for files of other formats. Phrases are for `Phrase::of`.
 struct JsonFormat {
   const char* id;         ///< "alidade-session"
-  const char* isNone;     ///< of a file that says no format
+  const char* isNone;     ///< for a file without a format
   const char* choose;     ///< what to do instead: "choose a session file"
-  const char* noVersion;  ///< of a version that never was, with it and the newest one
+  const char* noVersion;  ///< for an invalid version, with it and the newest one
 };
 
-/// Takes values out of one object of a file. The first thing that is wrong is kept; what follows then has no
-/// effect.
+/// Takes values out of one object of a file. The first problem is kept; later ones are ignored.
 class ObjectReader {
  public:
   using Json = nlohmann::ordered_json;
 
   ObjectReader(const Json& json, Place where, std::optional<Problem>& problem);
 
-  /// The text that a value of this kind is kept as; empty where there is none.
+  /// The text of a value of this kind; empty if it is missing.
   std::string value(std::string_view key, ValueKind kind) const;
   std::string text(const char* key) const { return value(key, ValueKind::Text); }
   std::string number(const char* key) const { return value(key, ValueKind::Number); }
@@ -47,20 +46,20 @@ class ObjectReader {
   bool flag(std::string_view key) const;
 
   ObjectReader object(const char* key) const;
-  /// The members of a list; none where the key is absent or no list.
+  /// The members of a list; empty if the key is absent or has another type.
   const Json& list(const char* key) const;
   /// One object of a list.
   ObjectReader member(const char* key, std::size_t index, const Json& json) const;
 
   bool require(std::string_view key, const char* remedy) const;
-  /// `"format"` is that one, and `"version"` one that this program reads.
+  /// Checks that `"format"` is this one, and `"version"` one that this program reads.
   void checkFormat(const JsonFormat& format) const;
 
   void report(const std::string& what, const Place& where) const;
   const Json* find(std::string_view wanted) const;
   Place placeOf(std::string_view key) const;
 
-  /// The origin without the values of `parts`, which have origins of their own.
+  /// The origin without the values of `parts`, which have their own origins.
   JsonOrigin origin(const std::vector<const char*>& parts = {}) const;
 
  private:

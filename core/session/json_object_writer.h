@@ -12,11 +12,11 @@
 namespace alidade {
 
 enum class Presence {
-  Optional,  ///< left out where there is nothing to say
+  Optional,  ///< omitted if empty
   Required,  ///< written even where empty
 };
 
-/// Brings the object a part was read from up to date, and touches nothing that did not change.
+/// Updates the object from which a part was read, and keeps everything unchanged that did not change.
 class ObjectWriter {
  public:
   using Json = nlohmann::ordered_json;
@@ -37,19 +37,19 @@ class ObjectWriter {
   void flag(std::string_view key, bool current);
   void constant(const char* key, Json value);
 
-  /// Written where it has content or was there before.
+  /// Written if it has content or existed before.
   void part(const char* key, Json value, Presence presence = Presence::Optional);
-  /// Left out where it is empty.
+  /// Omitted if it is empty.
   void partIfAny(const char* key, Json value);
-  /// How many rows there are, for the layout, which asks for each.
+  /// The number of rows, for the layout, which requests each of them.
   void rows(const char* key, std::size_t count, Presence presence);
-  /// A member that was there before keeps its JSON type.
+  /// An existing member keeps its JSON type.
   void list(const char* key, const std::vector<std::string>& current);
 
   Json take();
 
  private:
-  std::unique_ptr<Json> m_json;  ///< the rest of the house does without its header
+  std::unique_ptr<Json> m_json;  ///< by pointer, so that other files do not include its header
 };
 
 }  // namespace alidade

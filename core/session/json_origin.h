@@ -5,15 +5,15 @@
 
 namespace alidade {
 
-/// The JSON object a part of a session was read from. The writer starts from it, so unknown keys, the order
-/// of the keys, absent optional keys and the values of untouched keys survive a load and save.
-/// Carries no meaning of its own: two parts that differ only in their origin are equal.
+/// The JSON object from which a part of a session was read. The writer starts from it, so unknown keys, the
+/// order of the keys, absent optional keys and the values of unchanged keys survive a load and save. Not part
+/// of the content: two parts that differ only in their origin are equal.
 class JsonOrigin {
  public:
   JsonOrigin() = default;
   explicit JsonOrigin(const nlohmann::ordered_json& object);
 
-  const nlohmann::ordered_json& object() const;  ///< an empty object where the part was not read from a file
+  const nlohmann::ordered_json& object() const;  ///< an empty object if the part was not read from a file
 
   bool operator==(const JsonOrigin&) const { return true; }
 

@@ -30,9 +30,9 @@ std::string lineAndColumn(std::string_view text, std::size_t byte) {
   return Phrase::of("line %1, column %2", line, column);
 }
 
-/// Builds the document from the parser's events, but for the rows of readings, which are handed on one by
-/// one. Unlike the library's own builder it takes linear time for objects with many keys and notices a key
-/// that stands twice.
+/// Builds the document from the parser's events, except for the rows of readings, which are passed on one by
+/// one. Unlike the library's own builder it takes linear time for objects with many keys and detects
+/// duplicate keys.
 class DocumentBuilder : public Json::json_sax_t {
  public:
   DocumentBuilder(std::string_view text, Json& document, const TakeRow& takeRow)
@@ -74,12 +74,12 @@ class DocumentBuilder : public Json::json_sax_t {
   struct Level {
     Json* value;
     bool holdsRows = false;  ///< the readings of a position
-    std::size_t taken = 0;   ///< members of a list that were handed on
+    std::size_t taken = 0;   ///< members of a list already passed on
     std::string key = {};
     std::unordered_set<std::string> keys = {};  ///< of an object with more than a few
   };
 
-  /// A few keys are compared sooner than put into a set.
+  /// A linear search is faster than a set for a few keys.
   static bool stoodBefore(Level& level) {
     constexpr std::size_t few = 16;
     const auto& members = level.value->get_ref<const Json::object_t&>();
@@ -136,13 +136,13 @@ class DocumentBuilder : public Json::json_sax_t {
     return true;
   }
 
-  /// Members that grow are copied, keys and all.
+  /// A growing container copies its members with all keys.
   static void makeRoomForRow(Json& row) {
     constexpr std::size_t usual = 8;
     static_cast<std::vector<Json::object_t::value_type>&>(row.get_ref<Json::object_t&>()).reserve(usual);
   }
 
-  /// The member at hand is one of `positions[…]`.
+  /// Is the current member one of `positions[…]`?
   bool isInPosition() const {
     return m_levels.size() == 3 && m_levels[2].value->is_object() && m_levels[1].value->is_array() &&
            m_levels[0].value->is_object() && m_levels[0].key == "positions";
@@ -154,7 +154,7 @@ class DocumentBuilder : public Json::json_sax_t {
     return m_isWhole || handOnRow();
   }
 
-  /// The value that was placed last is kept no longer if it is a row.
+  /// Passes on the last value if it is a row, and drops it.
   bool handOnRow() {
     Level& level = m_levels.back();
     if (!level.holdsRows) return true;
@@ -181,7 +181,7 @@ class DocumentBuilder : public Json::json_sax_t {
     return true;
   }
 
-  /// The place of the member at hand, in the terms of a session where it lies in one.
+  /// The place of the current member, in terms of a session if it is in one.
   Place place() const {
     Place place;
     for (const Level& level : m_levels) {
@@ -226,7 +226,7 @@ class DocumentBuilder : public Json::json_sax_t {
   const TakeRow& m_takeRow;
   std::vector<Level> m_levels;
   std::size_t m_rows = 0, m_values = 0, m_valuesBesideRows = 0;
-  bool m_isWhole = false;  // the document is complete: nothing may follow
+  bool m_isWhole = false;  // the document is complete: any further text is an error
 };
 
 }  // namespace

@@ -9,14 +9,14 @@
 
 namespace alidade {
 
-/// Takes a member of `positions[…].readings`, whatever it is, as soon as it is read.
+/// Receives each member of `positions[…].readings`, of any type, as soon as it is read.
 using TakeRow = std::function<void(const Place& where, const nlohmann::ordered_json& row)>;
 
-/// Parses JSON text (UTF-8, with or without a byte order mark) into `json`, the order of the keys kept.
-/// Refuses, with line and column or the place: what is not UTF-8 or not JSON, a key that stands twice in one
-/// object (one of its values would be lost), and what is beyond the limits (core/base/limits.h). With
-/// `takeRow`, the rows of readings are handed to it in their order and are no part of `json`, where their
-/// lists are empty: all of them at once would take many times their text.
+/// Parses JSON text (UTF-8, with or without a byte order mark) into `json`, keeping the order of the keys.
+/// Refuses, with line and column or the place: invalid UTF-8 or JSON, a duplicate key in an object (one of
+/// its values would be lost), and content beyond the limits (core/base/limits.h). With `takeRow`, the rows of
+/// readings are passed to it in order and their lists in `json` stay empty: all rows at once would take many
+/// times the memory of their text.
 std::optional<Problem> parseJson(std::string_view text, nlohmann::ordered_json& json,
                                  const TakeRow& takeRow = {});
 

@@ -9,13 +9,13 @@
 
 namespace alidade {
 
-// What is known of effects stands alike in sessions and in instrument records: a list `known`.
+// Known sizes of effects have the same form in sessions and in instrument records: a list `known`.
 
-/// That of the reader's object; empty where it has none.
+/// The list in the reader's object; empty if it has none.
 std::vector<KnownSize> readKnown(const ObjectReader& reader);
 nlohmann::ordered_json knownJson(const std::vector<KnownSize>& known);
 
-// So does the offset of the line of sight: members of the object itself.
+// The offset of the line of sight also has the same form: members of the object itself.
 
 LineOfSight readLineOfSight(const ObjectReader& reader);
 void writeLineOfSight(ObjectWriter& writer, const LineOfSight& lineOfSight);

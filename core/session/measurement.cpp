@@ -25,8 +25,9 @@ struct KnownOffset {
   double millimetres, sigma, correlation;
 };
 
-/// Mechanics keep the line of sight within 0.1 mm of the axis (1σ). The collimation of a check at other
-/// distances may hold as much; any other source is believed to state that of these distances.
+/// Manufacturing keeps the line of sight within 0.1 mm of the axis (1σ). The collimation of a check at other
+/// distances may include such an offset; any other source is assumed to state the collimation at these
+/// distances.
 KnownOffset offsetBeside(const KnownNumber& collimation) {
   constexpr double plausible = 0.1;
   const bool isChecked = collimation.from.find(fromInstrumentCheck) != std::string::npos;
@@ -48,7 +49,7 @@ KnownNumber atDistance(KnownNumber collimation, const KnownOffset& offset, doubl
   return collimation;
 }
 
-/// Goes through a session in the order of its file.
+/// Examines a session in the order of its file.
 class Examiner : private ProblemReporter {
  public:
   explicit Examiner(const Session& session) : m_session(session) {}
@@ -87,8 +88,8 @@ class Examiner : private ProblemReporter {
   }
 
  private:
-  /// The entry's value; empty, and reported, where it cannot be used. The inner optional is an entry left
-  /// empty.
+  /// The entry's value; empty, with a problem reported, if it cannot be used. The inner optional is empty for
+  /// an empty entry.
   std::optional<std::optional<double>> number(const std::string& field, const std::string& text) {
     return take(numberEntry(field, text), {.field = field});
   }
@@ -97,7 +98,7 @@ class Examiner : private ProblemReporter {
     if (const auto problem = dateProblem(text)) report(*problem, {.field = field});
   }
 
-  /// Without this number there is no measurement.
+  /// A number without which there is no measurement.
   double vitalNumber(const std::string& field, const std::string& text) {
     const auto value = number(field, text);
     if (!value) m_usable = false;
@@ -207,8 +208,8 @@ class Examiner : private ProblemReporter {
     }
   }
 
-  /// At the distance of the slider e/D is a part of the collimation. The distance is known well enough: an
-  /// error of 1 % is a hundredth of e/D.
+  /// At the distance of the slider, e/D is part of the collimation. The distance is known well enough: an
+  /// error of 1 % changes e/D by a hundredth.
   void takeLineOfSight() {
     const LineOfSight& entered = m_session.instrument.lineOfSight;
     const auto offset = number("instrument.line_of_sight_mm", entered.offsetMm);
@@ -222,7 +223,7 @@ class Examiner : private ProblemReporter {
             known, *offset ? KnownOffset{**offset, **sigma, **correlation} : offsetBeside(known), distance);
   }
 
-  /// Positions at once where they are long; what is wrong with them, in the order of the file.
+  /// Long positions are examined in parallel; problems are reported in file order.
   void examinePositions() {
     const std::vector<Position>& positions = m_session.positions;
     const std::vector<std::size_t> firsts = firstSequences(m_session);
@@ -257,8 +258,8 @@ class Examiner : private ProblemReporter {
     setMoments(m_measurement);
   }
 
-  /// A zero more than half a right angle off the horizon is of the other kind of circle, or of none that
-  /// counts from the plumb line.
+  /// A zero more than 45° off the horizon belongs to the other kind of circle, or to one that does not count
+  /// from the plumb line.
   Angle zeroElevation(Angle vertical) const {
     constexpr double steepest = 45;  // degrees
     const bool isZenith = m_measurement.verticalCircle == VerticalCircle::Zenith;
@@ -266,7 +267,7 @@ class Examiner : private ProblemReporter {
     return std::abs(elevation.degrees()) <= steepest ? elevation : Angle();
   }
 
-  /// Zeros that differ are not one.
+  /// Examines the zeros; different zeros contradict a common one.
   ExaminedZeros zerosOf() {
     ExaminedZeros zeros = examineZeros(m_session, m_circle, m_measurement.pointingZeros,
                                        m_measurement.sigmaZeroHorizontal, m_measurement.sigmaZeroVertical);
@@ -290,7 +291,7 @@ class Examiner : private ProblemReporter {
 
 namespace {
 
-/// Of the rows of a session, as shares of it.
+/// Moments of the rows of a session, as shares of its duration.
 class Clock {
  public:
   explicit Clock(const Measurement& measurement)
@@ -307,7 +308,7 @@ class Clock {
     m_isTimed = m_last > m_first;
   }
 
-  /// Of a row of the `arc`-th arc.
+  /// The moment of a row of the `arc`-th arc.
   double at(const Sighting& sighting, std::size_t arc) const {
     if (m_isTimed) return share(*sighting.minutes);
     const double since = static_cast<double>(sighting.sequence) + m_pause * static_cast<double>(arc);
@@ -325,7 +326,7 @@ class Clock {
   bool m_isTimed;
 };
 
-/// When a zero is sighted that reads as the mean of the sightings in either face, both faces alike.
+/// The moment of a zero equal to the mean of the sightings with both faces weighted equally.
 double meanMoment(const std::vector<SightedZero>& sightings) {
   double sum = 0;
   int faces = 0;
@@ -344,8 +345,8 @@ double meanMoment(const std::vector<SightedZero>& sightings) {
   return faces > 0 ? sum / faces : 0;
 }
 
-/// The sightings of one zero for all: those before the readings belong to the first arc, those behind to the
-/// last.
+/// The sightings of a zero common to all: those before the readings belong to the first arc, those after to
+/// the last.
 std::vector<std::vector<SightedZero>> sightingsBesideTheirRows(const Measurement& measurement) {
   std::vector<std::vector<SightedZero>> zeros;
   for (const ArcMeasurement& arc : measurement.arcs) zeros.push_back(arc.zeroSightings);
@@ -409,7 +410,7 @@ std::vector<std::size_t> firstAtTheirAxes(const Measurement& measurement) {
 
 namespace {
 
-/// Up to how their texts are written.
+/// Are the zeros equal up to the rounding of their texts?
 bool haveSameZero(const ArcMeasurement& one, const ArcMeasurement& other) {
   constexpr double rounding = 1e-6;  // arcsec
   const auto areAlike = [](Angle a, Angle b) { return std::abs(wrapped(a - b).arcseconds()) < rounding; };

@@ -15,22 +15,22 @@
 namespace alidade {
 
 enum class PointingZeros {
-  Unstated,  ///< taken as Each
+  Unstated,  ///< treated as Each
   Each,      ///< every position has its own
-  One,       ///< sighted once, for all positions
+  One,       ///< sighted once for all positions
 };
 
-/// How the plane of the arc stands where the pointing zero is inclined against the horizon.
+/// The orientation of the arc plane if the pointing zero is inclined to the horizon.
 enum class ArcPlane {
-  Vertical,  ///< plumb, whatever the zero's elevation
+  Vertical,  ///< plumb for any elevation of the zero
   Square,    ///< perpendicular to the pointing zero
 };
 
 /// What the pointing zeros of the positions sight.
 enum class ZeroIs {
-  Unstated,  ///< a mark where they agree
+  Unstated,  ///< a mark if they agree
   Mark,      ///< one fixed direction
-  Normal,    ///< the guideway's own normal, set anew in each position
+  Normal,    ///< the guideway's own normal, set again in each position
   Unknown,
 };
 
@@ -42,147 +42,148 @@ enum class VerticalAngleRelation {
   Planar,  ///< tan e = y/L: the published relation
 };
 
-/// What the fit takes the radius for.
+/// How the fit treats the radius.
 enum class RadiusModel {
   Free,    ///< each position has its own
   Common,  ///< one for both positions, as of one rigid guideway
-  Known,   ///< one for both, observed beforehand: R0 with its σ
+  Known,   ///< one for both, with a prior: R0 with its σ
 };
 
-/// What a tolerance limits: of the distance of the arc's centre from the axis …
+/// The quantity that a tolerance limits: of the distance of the arc's centre from the axis …
 enum class Measurand {
   Intersection,  ///< … the component in the plane of the arc, Δd
-  Distance,      ///< … all of it, across the plane, too
+  Distance,      ///< … the whole distance, including the part across the plane
 };
 
-/// What an instrument took off its readings by itself.
+/// The corrections that an instrument applied to its readings.
 struct Corrections {
-  bool inclination = false;   ///< of both circles, by what its compensator read
+  bool inclination = false;   ///< of both circles, by the compensator reading
   bool standingAxis = false;  ///< of the horizontal circle, by the same
-  bool collimation = false;   ///< by its own calibration, as the next
+  bool collimation = false;   ///< by its own calibration, like the next
   bool tiltingAxis = false;
 
   bool operator==(const Corrections&) const = default;
 };
 
-/// One row of readings, reduced: face 1 equivalent, from the pointing zero, right and up positive, |a|, |e| <
-/// 90°.
+/// One row of readings, reduced: face 1 equivalent, relative to the pointing zero, right and up positive,
+/// |a|, |e| < 90°.
 struct Sighting {
   std::size_t row = 0;       ///< index into the position's readings
-  std::size_t sequence = 0;  ///< index into all rows of the session, excluded ones too, in the order taken
-  std::size_t order = 0;     ///< the same with the sightings of the zeros counted among the rows
-  double elapsed = 0;        ///< share of the session gone by when it was taken, 0…1
+  std::size_t sequence = 0;  ///< index into all rows of the session, excluded ones included, in the order
+                             ///< taken
+  std::size_t order = 0;     ///< the same, counting the sightings of the zeros among the rows
+  double elapsed = 0;        ///< share of the session elapsed when it was taken, 0…1
   int point = 0;
   int round = 1;
   int face = 1;
   Angle a;  ///< horizontal, right positive
   Angle e;  ///< vertical, up positive
   std::optional<Angle> slider;
-  std::optional<Angle> tiltCross = {}, tiltLength = {};  ///< of the vertical axis, as compensator.h has them
-  std::optional<Corrections> corrections = {};           ///< that were on, where that is known
-  std::optional<double> minutes = {};                    ///< when, on any clock; where its time is stated
-  bool isZero = false;  ///< of a pointing zero, where it takes part as an observation
+  std::optional<Angle> tiltCross = {}, tiltLength = {};  ///< of the vertical axis, as in compensator.h
+  std::optional<Corrections> corrections = {};           ///< switches that were on, if known
+  std::optional<double> minutes = {};                    ///< time on any clock, if stated
+  bool isZero = false;  ///< a sighting of a pointing zero that is an observation
 };
 
 /// One sighting of a pointing zero.
 struct SightedZero {
   int face = 1;
-  bool isAfter = false;  ///< behind the rows of its position; else before them
-  Angle a, e;            ///< from the position's zero, as face 1 has it; right and up positive
+  bool isAfter = false;  ///< after the rows of its position; else before them
+  Angle a, e;            ///< relative to the position's zero, in face 1; right and up positive
   std::optional<double> minutes = {};
   std::size_t order = 0;  ///< as of a row
   double elapsed = 0;
 };
 
-/// How a pointing zero was sighted, that is the mean of some sightings.
+/// The sightings whose mean is the pointing zero.
 struct ZeroSightings {
   int count = 1;
-  bool isInBothFaces = false;   ///< which weigh alike; else in face 1
-  double factor = 1;            ///< σ of the mean over that of a single sighting
-  double elapsed = 0;           ///< when a zero is sighted that reads as their mean: a drift counts from then
-  bool hasLeftOutFace = false;  ///< face 2 was left out, since not all positions have it
-  /// By what it moved from before to after, as face 1 reads it; where it was sighted both times in one face.
+  bool isInBothFaces = false;   ///< with equal weights; else in face 1
+  double factor = 1;            ///< σ of the mean divided by that of a single sighting
+  double elapsed = 0;           ///< moment of a zero equal to their mean: drift counts from there
+  bool hasLeftOutFace = false;  ///< face 2 is ignored, since not all positions have it
+  /// Its change from before to after the readings, in face 1; absent unless sighted both times in one face.
   struct Move {
     Angle horizontal, vertical;
-    double factor = 1;  ///< σ of either over that of a single sighting
+    double factor = 1;  ///< σ of either divided by that of a single sighting
   };
   std::optional<Move> moved = {};
 };
 
-/// What was read in one position of the axis, excluded and unusable rows left out.
+/// The readings of one position of the axis, without excluded and unusable rows.
 struct ArcMeasurement {
   std::size_t position = 0;            ///< index into the session's positions
   int axisDeg = 0;                     ///< 0 or 180
-  Angle zeroHorizontal, zeroVertical;  ///< α0 and β0 as read, as face 1 has them
+  Angle zeroHorizontal, zeroVertical;  ///< α0 and β0 as read, converted to face 1
   std::vector<Sighting> sightings;
-  int time = 1;  ///< the how many-th position of the session at this axis
+  int time = 1;  ///< repeat at this axis in the session
   ZeroSightings zero = {};
-  std::vector<SightedZero> zeroSightings = {};  ///< that count; of one zero for all, in the arc next to it
-  /// e0: of the pointing zero over the horizon, up positive; 0 where the vertical circle cannot count from
-  /// the plumb line.
+  std::vector<SightedZero> zeroSightings = {};  ///< those that count; a zero common to all is in the adjacent
+                                                ///< arc
+  /// e0: elevation of the pointing zero above the horizon, up positive; 0 if the vertical circle cannot count
+  /// from the plumb line.
   Angle zeroElevation = {};
 };
 
-/// What is known beforehand of one number of an effect, as it stands at `where`. Which number of the
-/// catalogue is meant, if any: `parameterMeant` (known_sizes.h).
+/// Prior knowledge of one parameter of an effect, entered at `where`. `parameterMeant` (known_sizes.h) finds
+/// the catalogue's parameter, if there is one.
 struct KnownNumber {
   Place where = {};
   std::string effect = {}, parameter = {}, unit = {}, from = {}, date = {};
   double value = 0, sigma = 0;  ///< in that unit, σ > 0
-  /// Chance that it holds no longer: the instrument was knocked or adjusted since. Of such records, one in
-  /// fifty.
+  /// Probability that it no longer holds because the instrument was knocked or adjusted since: one in fifty
+  /// such records.
   double staleChance = 0.02;
 };
 
-/// In which of their directions the zeros of all positions sight one mark, its circle as it was.
+/// The directions in which the zeros of all positions sight one mark with an unchanged circle.
 struct CommonZeros {
   bool horizontal = false, vertical = false;
 
   bool operator==(const CommonZeros&) const = default;
 };
 
-/// What a session means: every value present, in range and in the reference frame o0. Lengths in mm.
+/// The meaning of a session: every value present, in range and in the reference frame o0. Lengths in mm.
 struct Measurement {
   double distance = 0;       ///< L > 0
   double sigmaDistance = 0;  ///< ≥ 0
   double nominalRadius = 0;  ///< R0 > 0
-  double sigmaRadius = 0;    ///< of R0, ≥ 0; of use where the radius is known, and as a closure
-  /// By what L and R0 are longer than stated, at the temperature of the session instead of 20 °C; already in
-  /// both.
+  double sigmaRadius = 0;    ///< of R0, ≥ 0; used if the radius is known, and as a closure
+  /// Expansion of L and R0 at the temperature of the session relative to 20 °C; included in both.
   double distanceExpansion = 0, radiusExpansion = 0;
   RadiusModel radiusModel = RadiusModel::Free;
   Angle sigmaHorizontal, sigmaVertical;          ///< of a circle reading, > 0
   Angle sigmaZeroHorizontal, sigmaZeroVertical;  ///< of one sighting of a pointing zero, ≥ 0
-  /// No σ of the zeros is stated: their sightings are readings of the circles, and scatter as these do.
+  /// No σ of the zeros is stated: their sightings are circle readings and scatter like these.
   bool zerosAreReadings = false;
-  /// By how much sightings of one zero differ from one to the next more than their σ has it; ≥ 1.
+  /// Factor by which sightings of one zero differ more than their σ allows; ≥ 1.
   double zeroScatter = 1;
   PointingZeros pointingZeros = PointingZeros::Unstated;
-  /// The sightings of the zeros stand behind the rows of their arcs, as observations (sighted_zeros.h).
+  /// The sightings of the zeros follow the rows of their arcs, as observations (sighted_zeros.h).
   std::optional<CommonZeros> sightedZeros = {};
   ArcPlane plane = ArcPlane::Vertical;
-  bool isPlaneStated = true;  ///< else it may as well be square to the zero
+  bool isPlaneStated = true;  ///< else it may be perpendicular to the zero
   ZeroIs zeroIs = ZeroIs::Unstated;
   Angle sigmaSlider;                                  ///< > 0
-  Angle sigmaCompensator = Angle::fromArcseconds(1);  ///< of what it sets to or reads, > 0
+  Angle sigmaCompensator = Angle::fromArcseconds(1);  ///< of its setting or reading, > 0
   VerticalCircle verticalCircle = VerticalCircle::Zenith;
-  CircleUnit angleUnit = CircleUnit::Dms;  ///< in which angles are shown
+  CircleUnit angleUnit = CircleUnit::Dms;  ///< for displayed angles
   VerticalAngleRelation relation = VerticalAngleRelation::Exact;
   std::optional<double> tolerance;                ///< mm, > 0
-  Measurand measurand = Measurand::Intersection;  ///< that it is of
+  Measurand measurand = Measurand::Intersection;  ///< limited by the tolerance
   double coverage = 0.95;                         ///< in (0, 1)
   std::optional<double> referenceIntersection;    ///< mm
-  std::optional<double> sigmaReference;           ///< mm, > 0; only with a reference, where stated
+  std::optional<double> sigmaReference;           ///< mm, > 0; only with a reference, if stated
   std::vector<ArcMeasurement> arcs;               ///< of each position, in the order taken
-  std::size_t rows = 0;                           ///< of the whole session, excluded ones too
-  double pauseRows = 0;  ///< how many rows would fit between two positions; of use where rows have no times
-  std::vector<std::string> effects;  ///< ids of model.effects, to be estimated along
-  std::vector<KnownNumber> known;    ///< of the instrument, then of the device
+  std::size_t rows = 0;                           ///< of the whole session, excluded ones included
+  double pauseRows = 0;  ///< number of rows that would fit between two positions; used if rows have no times
+  std::vector<std::string> effects;  ///< ids of model.effects, to be estimated
+  std::vector<KnownNumber> known;    ///< of the instrument, followed by the device
 
-  /// One zero, wrong by the same in every arc.
+  /// Is there a single zero, with the same error in every arc?
   bool hasOneZero() const { return pointingZeros == PointingZeros::One; }
 
-  /// Of the mean of the sightings of an arc's zero, as they scatter.
+  /// σ of the mean of the sightings of an arc's zero, including their scatter.
   Angle sigmaOfZeroHorizontal(const ArcMeasurement& arc) const {
     return sigmaZeroHorizontal * (zeroScatter * arc.zero.factor);
   }
@@ -191,43 +192,43 @@ struct Measurement {
   }
 };
 
-/// Every row says when it was read, so that the moments need no rows to count them.
+/// Does every row state its time, so that moments do not depend on row counts?
 bool hasTimes(const Measurement& measurement);
 
-/// Numbers rows and sightings of zeros in the order taken, and says how much of the session was gone by: by
-/// their times where every row has one, else by the rows. A zero without a time of its own is sighted just
-/// before the first row of its position, or just behind the last; one for all, before the first of all.
+/// Numbers rows and sightings of zeros in the order taken, and sets the elapsed share of the session: from
+/// times if every row has one, else from row numbers. A zero without a time is placed just before the first
+/// row of its position, or just after the last; a common zero before all rows.
 void setMoments(Measurement& measurement);
 
-/// Of each arc the first one at its axis, itself unless its position is one measured again: the arcs of one
-/// axis have one centre and radius.
+/// For each arc the first one at its axis, which is itself unless its position is a repeat: the arcs of one
+/// axis share centre and radius.
 std::vector<std::size_t> firstAtTheirAxes(const Measurement& measurement);
 
 /// Is any axis measured more than once?
 bool hasRepeats(const Measurement& measurement);
 
-/// Have all arcs the same pointing zero? False of a single arc.
+/// Do all arcs have the same pointing zero? False for a single arc.
 bool hasAlikeZeros(const Measurement& measurement);
 
 /// Are there arcs at 0° and at 180°, so that there is an intersection?
 bool hasBothAxes(const Measurement& measurement);
 
-/// A session examined: what can be used, and a sentence for everything that cannot, in the order of the file.
+/// The result of examining a session: the usable part, and a sentence for everything unusable, in the order
+/// of the file.
 struct Examined {
-  std::optional<Measurement> measurement;  ///< absent where L, R0, a σ or the model itself is unusable
+  std::optional<Measurement> measurement;  ///< absent if L, R0, a σ or the model itself is unusable
   std::vector<Problem> problems;           ///< empty: the whole session is sound
 };
 
-/// Works out what the texts of a session mean. Rows with an unusable entry, and positions with an unusable
-/// pointing zero, are left out of the measurement and reported. Rows without any entry are incomplete, so
-/// reported too. Excluded rows are not examined: they were excluded because they are of no use. Of two rows
-/// with the same point, round and face in one position the second is reported and left out. Where the
-/// coverage is unusable there is no tolerance either: no verdict rests on a level nobody chose.
+/// Converts the texts of a session to a measurement. Rows with an unusable entry, and positions with an
+/// unusable pointing zero, are left out and reported, as are rows without any entry. Excluded rows are not
+/// examined. Of two rows with the same point, round and face in one position the second is reported and left
+/// out. If the coverage is unusable there is no tolerance either: a verdict needs a chosen level.
 Examined examine(const Session& session);
 
-/// Is `text` usable as the value of the field at `where`? The sentence where it is not. For marking entries
-/// in place: the same rules as `examine`, without the checks that need other entries. `field` is a name of
-/// the session file without indices: `geometry.distance_mm`, `pointing_zero.vertical`, `readings.horizontal`,
+/// Why `text` is unusable as the value of the field at `where`; absent if it is usable. For marking entries
+/// in place: the rules of `examine`, without checks that need other entries. `field` is a name of the session
+/// file without indices: `geometry.distance_mm`, `pointing_zero.vertical`, `readings.horizontal`,
 /// `readings.face`, `acceptance.coverage`, `axis_deg`, `measured_on`, `device.known.sigma`, …
 std::optional<std::string> entryProblem(const Session& session, const std::string& field,
                                         const std::string& text);

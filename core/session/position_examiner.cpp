@@ -18,10 +18,10 @@ namespace alidade {
 
 namespace {
 
-/// Further from the pointing zero than this nothing on the arc is sighted: the tangents grow beyond sense.
+/// Sightings on the arc are closer to the pointing zero than this: beyond it the tangents grow excessively.
 constexpr double widestDegrees = 80;
 
-/// What no two rows of a position have in common.
+/// The key of a row, unique within a position.
 struct VisitFace {
   int round = 0, point = 0, face = 0;
 
@@ -67,7 +67,7 @@ class PositionExaminer : private ProblemReporter {
   }
 
  private:
-  /// Where the kind of circle is unknown, the wider range of the elevation circle holds.
+  /// If the kind of circle is unknown, the wider range of the elevation circle applies.
   VerticalCircle circleForRanges() const { return m_circle.value_or(VerticalCircle::Elevation); }
 
   static Place at(Place place, const char* field) {
@@ -75,8 +75,8 @@ class PositionExaminer : private ProblemReporter {
     return place;
   }
 
-  /// The value of an entry; empty, and reported, where it cannot be used. Its place is put together only
-  /// then.
+  /// The value of an entry; empty, with a problem reported, if it cannot be used. Only then is its place
+  /// built.
   template <typename Value>
   std::optional<Value> valueOf(const Result<Value>& entry, const Place& place, const char* field) {
     if (entry) return *entry;
@@ -94,7 +94,7 @@ class PositionExaminer : private ProblemReporter {
     return valueOf(tiltEntry(text), place, field).value_or(std::nullopt);
   }
 
-  /// The row reduced from the zero; empty where it cannot be used or there is nothing to reduce it from.
+  /// The row reduced by the zero; empty if it cannot be used or there is no zero.
   std::optional<Sighting> examineRow(const Reading& row, const Place& place) {
     if (isBlank(row)) {
       report({Phrase::of("is empty, as is the whole row: type its readings or delete the row")},
@@ -126,7 +126,7 @@ class PositionExaminer : private ProblemReporter {
     return sighting;
   }
 
-  /// Point, round and face; the same three twice in one position are a slip of the pen.
+  /// Point, round and face; a repetition of all three within a position is an error.
   void examineVisit(const Reading& row, const Place& place, Sighting& sighting) {
     const auto point = valueOf(wholeEntry(pointRule, row.point), place, "point");
     const auto round = valueOf(wholeEntry(roundRule, row.round), place, "round");
@@ -159,7 +159,7 @@ class PositionExaminer : private ProblemReporter {
            at(place, field));
   }
 
-  /// From an inclined zero the horizon is not where e is 0.
+  /// If the zero is inclined, e = 0 is not the horizon.
   void checkSteepness(const ZeroDirection& zero, Angle e, const std::string& text, const Place& place) {
     const Angle zeroUp = *m_circle == VerticalCircle::Zenith ? wrapped(Angle::fromDegrees(90) - zero.vertical)
                                                              : wrapped(zero.vertical);

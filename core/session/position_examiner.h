@@ -10,15 +10,15 @@
 
 namespace alidade {
 
-// One position of a session examined.
+// The examination of one position of a session.
 
 struct ExaminedPosition {
-  std::vector<Sighting> sightings;  ///< of the rows that can be used
-  std::vector<Problem> problems;    ///< in the order of the file; not those of the axis
+  std::vector<Sighting> sightings;  ///< of the usable rows
+  std::vector<Problem> problems;    ///< in the order of the file; without those of the axis
 };
 
 /// `index` among the session's positions, `firstSequence` that of its first row (`firstSequences`). `circle`:
-/// absent where nobody knows, and then nothing can be reduced; nor without a `zero`.
+/// absent if unknown; readings cannot be reduced then, nor without a `zero`.
 ExaminedPosition examinePosition(const Position& position, std::size_t index, std::size_t firstSequence,
                                  const ExaminedZero& zero, const std::optional<VerticalCircle>& circle);
 

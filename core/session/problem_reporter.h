@@ -9,12 +9,12 @@
 
 namespace alidade {
 
-/// Keeps what is wrong with entries, in the order they are gone through.
+/// Collects problems of entries in the order of examination.
 class ProblemReporter {
  protected:
   void report(const Problem& problem, const Place& where) { m_problems.push_back({problem.what, where}); }
 
-  /// The value; empty, and reported, where there is none.
+  /// The value; empty, with the problem reported, if there is none.
   template <typename Value>
   std::optional<Value> take(const Result<Value>& result, const Place& where) {
     if (result) return *result;

@@ -13,7 +13,7 @@ namespace alidade {
 
 namespace {
 
-/// The how many-th at its axis each position is, with that axis.
+/// A position's axis and its repeat at that axis.
 using AxisTime = std::pair<int, int>;
 
 std::vector<AxisTime> axesOf(const SightingProtocol& protocol) {
@@ -24,8 +24,8 @@ std::vector<AxisTime> axesOf(const SightingProtocol& protocol) {
   return axes;
 }
 
-/// As `Measurement` counts them: where no axis comes again the 0° position is the first whatever the order of
-/// the file, so the how many-th at its axis tells a position.
+/// Positions by axis and repeat, as `Measurement` counts them: without repeats the 0° position is the first
+/// whatever the order of the file, so axis and repeat identify a position.
 std::map<AxisTime, std::size_t> positionsOf(const Session& session) {
   std::map<AxisTime, std::size_t> positions;
   std::map<int, int> times;
@@ -35,7 +35,7 @@ std::map<AxisTime, std::size_t> positionsOf(const Session& session) {
   return positions;
 }
 
-/// The faces at the place that is the `index`-th in its round.
+/// The faces at the `index`-th place of a round.
 std::vector<int> facesAt(const ProtocolRound& round, std::size_t index) {
   if (round.faces.size() <= 2) return round.faces;
   const auto first = round.faces.begin() + (index % 2 == 0 ? 0 : 2);
@@ -49,8 +49,8 @@ struct RowState {
 
 using RowKey = std::tuple<int, int, int>;  ///< point, round, face
 
-/// The rows of a position by what they sight. Of two rows alike the one that is used counts, of two excluded
-/// ones the first.
+/// The rows of a position by what they sight. Of two equal rows the included one counts, of two excluded ones
+/// the first.
 std::map<RowKey, RowState> rowsOf(const Position& position) {
   std::map<RowKey, RowState> rows;
   for (std::size_t i = 0; i < position.readings.size(); ++i) {
@@ -82,7 +82,7 @@ bool isSighted(const PointingZero& zero, const PlannedSighting& planned) {
   return false;
 }
 
-/// Follows a session through its protocol.
+/// Follows the progress of a session in its protocol.
 class Follower {
  public:
   Follower(const Session& session, const SightingProtocol& protocol) : m_session(session) {
@@ -134,8 +134,8 @@ class Follower {
     return followed.state == SightingState::Taken || followed.state == SightingState::Excluded;
   }
 
-  /// Rows stand in the order in which they were taken: of those of a position, in that order, one is out of
-  /// turn that the protocol has before any taken earlier.
+  /// Rows are in the order in which they were taken: one is out of turn if the protocol has it before a row
+  /// of the position taken earlier.
   void markOutOfTurn() {
     for (std::size_t position = 0; position < m_session.positions.size(); ++position) {
       std::vector<std::pair<std::size_t, std::size_t>> taken;  // row, index in the protocol
@@ -160,7 +160,7 @@ class Follower {
     return m_progress.sightings[index].planned.protocolPosition == protocolPosition;
   }
 
-  /// Of a position: the sighting there taken last, by the rows, else the last of its zeros.
+  /// The sighting of a position that was taken last, by its rows, else the last of its zeros.
   std::optional<std::size_t> lastTaken(std::size_t protocolPosition) const {
     std::optional<std::size_t> last, lastZero;
     for (std::size_t i = 0; i < m_progress.sightings.size(); ++i) {
@@ -187,8 +187,7 @@ class Follower {
     return m_rows[*followed.position].at(keyOf(followed.planned)).isHalf;
   }
 
-  /// The first zero before the readings counts for all of them: where readings are there already, it is
-  /// missing.
+  /// The first zero counts for all readings of the position: it is missing if there are readings already.
   std::optional<std::size_t> missingZero() const {
     std::optional<std::size_t> zero;
     for (std::size_t i = 0; i < m_progress.sightings.size(); ++i) {
@@ -219,7 +218,7 @@ class Follower {
     return firstLeft(0, count, true);
   }
 
-  /// Onward from the last one, places before zeros; then what was passed over; then zeros behind the
+  /// Searches onward from the last sighting, places before zeros; then the skipped ones; then zeros after the
   /// readings.
   std::optional<std::size_t> nextWithin(std::size_t first, std::size_t end, std::size_t last) const {
     const bool isAtZeros =
@@ -231,7 +230,7 @@ class Follower {
   }
 
   void markMissed() {
-    bool isPassed = false;  // anything of the position behind it is there
+    bool isPassed = false;  // a later sighting of the position exists
     for (std::size_t i = m_progress.sightings.size(); i-- > 0;) {
       FollowedSighting& followed = m_progress.sightings[i];
       const std::size_t position = followed.planned.protocolPosition;

@@ -11,7 +11,7 @@ namespace alidade {
 
 namespace {
 
-/// Texts and numbers one behind the other, each of a length that is known, so that no two lists look alike.
+/// Concatenates texts and numbers, each with its length, so that different lists have different bytes.
 class ReadingBytes {
  public:
   void add(std::uint64_t number) {

@@ -7,13 +7,13 @@ namespace alidade {
 
 namespace {
 
-/// Becomes whatever is asked for.
+/// Converts to any type.
 struct Anything {
   template <typename Value>
   operator Value() const;
 };
 
-/// The number of members of a plain struct: the most it can be made of.
+/// The number of members of a plain struct: the largest number of initialisers it accepts.
 template <typename Struct, typename... Members>
 constexpr std::size_t memberCount() {
   if constexpr (requires { Struct{Members()..., Anything()}; })

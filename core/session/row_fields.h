@@ -15,8 +15,8 @@
 
 namespace alidade {
 
-// What a row consists of, said once: the session file, the checks of entries, the import of tables, the table
-// in the window and the one in the report go through these fields.
+// The fields of a row, defined once for the session file, the checks of entries, the import of tables, the
+// table in the window and the one in the report.
 
 inline constexpr WholeRule pointRule{
     0, std::numeric_limits<int>::max(), {}, PHRASE_LATER("Phrase", "%1 is no point: points count from 0")};
@@ -24,22 +24,22 @@ inline constexpr WholeRule roundRule{1, std::numeric_limits<int>::max(), 1,
                                      PHRASE_LATER("Phrase", "%1 is no round: rounds count from 1")};
 inline constexpr WholeRule faceRule{1, 2, 1, PHRASE_LATER("Phrase", "%1 is no face: type 1 or 2")};
 
-// Of the circles, for pointing zeros too.
+// Rules of the circles, for pointing zeros too.
 inline constexpr AngleRule horizontalRule{.low = 0, .lowOfElevation = 0, .high = 360};
 inline constexpr AngleRule verticalRule{.low = 0, .lowOfElevation = -90, .high = 360};
-/// The slider turns both ways.
+/// The slider turns in both directions.
 inline constexpr AngleRule sliderRule{
     .low = -360, .lowOfElevation = -360, .high = 360, .isHighIncluded = true, .mayBeEmpty = true};
 
 struct FreeText {};
-/// A number as a rule; whatever it says is kept, as nothing is computed from it.
+/// Any number; it is kept as typed, as no calculation uses it.
 struct NumberText {};
 /// Arcseconds, by `tiltEntry`.
 struct TiltRule {};
 /// Words, by `correctionsEntry`.
 struct CorrectionsRule {};
 
-/// What a text of a row must be.
+/// The rule for a text of a row.
 using RowRule = std::variant<FreeText, NumberText, WholeRule, AngleRule, TiltRule, CorrectionsRule>;
 
 /// One field of a row: a text, or a flag.
@@ -48,10 +48,11 @@ struct RowField {
   std::string Reading::*text;     ///< null for a flag
   bool Reading::*flag = nullptr;  ///< null for a text
   RowRule rule;                   ///< of the text
-  const char* remedy = nullptr;   ///< where a file lacks the field, for `Phrase::of`; null: it may be absent
+  const char* remedy = nullptr;   ///< if the field is missing in a file, for `Phrase::of`; null: it is
+                                  ///< optional
 };
 
-/// In the order in which the session file has them.
+/// In the order of the session file.
 inline constexpr std::array rowFields{
     RowField{.key = "point", .text = &Reading::point, .rule = pointRule},
     RowField{.key = "round", .text = &Reading::round, .rule = roundRule},
@@ -82,7 +83,7 @@ constexpr const RowField& rowField(bool Reading::*flag) {
   return *std::ranges::find(rowFields, flag, &RowField::flag);
 }
 
-/// By its name in the session file; null where no field has it.
+/// The field by its name in the session file; null if there is none.
 constexpr const RowField* rowFieldNamed(std::string_view key) {
   const auto found = std::ranges::find(rowFields, key, &RowField::key);
   return found == rowFields.end() ? nullptr : &*found;
@@ -96,7 +97,7 @@ constexpr bool isFreeText(const RowField& field) {
          (std::holds_alternative<FreeText>(field.rule) || std::holds_alternative<NumberText>(field.rule));
 }
 
-/// How its text becomes JSON.
+/// How the field's text is written in JSON.
 constexpr ValueKind kindOf(const RowField& field) {
   if (isAngle(field)) return ValueKind::Angle;
   const bool isNumber = std::holds_alternative<WholeRule>(field.rule) ||
@@ -105,28 +106,28 @@ constexpr ValueKind kindOf(const RowField& field) {
   return isNumber ? ValueKind::Number : ValueKind::Text;
 }
 
-/// What an empty text of the field stands for, as it would be typed: "1" for a round. Empty: for nothing.
+/// The meaning of an empty text of the field, as it would be typed: "1" for a round. Empty: none.
 std::string usualText(const RowField& field);
 
-/// Why `text` cannot stand in the field of a row whose vertical circle is of that kind.
+/// Why `text` is invalid in the field of a row with this kind of vertical circle.
 std::optional<Problem> entryProblem(const RowField& field, const std::string& text, VerticalCircle circle);
 
-/// What a row tells of the compensator and of the corrections that were on.
+/// The texts of a row on the compensator and the corrections that were on.
 inline constexpr std::string Reading::*compensatorTexts[] = {
     &Reading::tiltCrossArcsec, &Reading::tiltLengthArcsec, &Reading::corrections};
-/// Does any row of the session?
+/// Does any row of the session have such a text?
 bool tellsOfCompensator(const Session& session);
 
-/// What came with a row from the instrument: when, with which return code, from which instrument.
+/// The data from the instrument with a row: time, return code, serial number.
 inline constexpr std::string Reading::*arrivalTexts[] = {&Reading::takenAt, &Reading::returnCode,
                                                          &Reading::instrumentSerial};
 /// The same of a pointing zero, in the same order.
 inline constexpr std::string ZeroSighting::*zeroArrivalTexts[] = {
     &ZeroSighting::takenAt, &ZeroSighting::returnCode, &ZeroSighting::instrumentSerial};
-/// Did anything come with any row of the session or with any pointing zero?
+/// Does any row or pointing zero of the session have such data?
 bool tellsOfArrival(const Session& session);
 
-/// A sighting of a pointing zero, the first as the further ones are.
+/// The first sighting of a pointing zero in the form of the further ones.
 ZeroSighting firstSighting(const PointingZero& zero);
 
 /// Is nothing typed in this row?

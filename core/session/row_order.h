@@ -7,12 +7,12 @@
 
 namespace alidade {
 
-/// Indices of the session's positions in the order taken: 0° first, whatever the order of the file; in the
-/// order of the file where an axis comes again.
+/// Indices of the session's positions in the order taken: 0° first in any file order; in file order if an
+/// axis repeats.
 std::vector<std::size_t> positionsAsTaken(const Session& session);
 
 /// The number of each position's first row among all rows of the session in the order taken, excluded ones
-/// too.
+/// included.
 std::vector<std::size_t> firstSequences(const Session& session);
 
 }  // namespace alidade

@@ -10,40 +10,41 @@
 
 namespace alidade {
 
-// The plain data of one measurement, as typed. Every number and angle is kept as its text, so nothing the
-// user typed is lost or rounded, bad entries included; empty text means "not given". What the texts mean is
-// worked out by `examine` (measurement.h), which is the only road from here to a fit. Names and units are
-// those of the session file. A JSON number of decimal degrees appears here as `341.873333°`.
+// The plain data of one measurement, as typed. Every number and angle is kept as its text, so that user
+// input, even invalid, is neither lost nor rounded; empty text means "not given". `examine` (measurement.h)
+// converts the texts and is the only way from here to a fit. Names and units are those of the session file. A
+// JSON number of decimal degrees appears here as `341.873333°`.
 
 /// One row of readings: the slider at one place, sighted in one face.
 struct Reading {
-  std::string point;  ///< whole number; names the slider place within position and round; empty: the row's
-                      ///< number from 1
+  std::string point;  ///< whole number; identifies the slider place within position and round; empty: the
+                      ///< row's number from 1
   std::string round;  ///< whole number ≥ 1; empty: 1
   std::string face;   ///< 1 or 2; empty: 1
   std::string horizontal;        ///< circle reading α
   std::string vertical;          ///< circle reading β
   std::string slider;            ///< slider coordinate; may be empty
-  std::string tiltCrossArcsec;   ///< what the compensator read across the line of sight; may be empty
-  std::string tiltLengthArcsec;  ///< along it; signs: compensator.h
-  std::string corrections;  ///< that the instrument had on, words of `correctionSwitches` or "none"; empty:
-                            ///< not known
-  std::string takenAt;      ///< when the instrument sent it, ISO 8601 with zone; may be empty, as the next
-  std::string returnCode;   ///< of GeoCOM, that came with the angles
-  std::string instrumentSerial;  ///< of the instrument that sent it
-  bool excluded = false;         ///< kept and shown, but no part of any fit
+  std::string tiltCrossArcsec;   ///< compensator reading across the line of sight; may be empty
+  std::string tiltLengthArcsec;  ///< along the line of sight; signs: compensator.h
+  std::string corrections;       ///< switches that were on, words of `correctionSwitches` or "none"; empty:
+                                 ///< unknown
+  std::string takenAt;     ///< time of transmission by the instrument, ISO 8601 with zone; may be empty,
+                           ///< like the next
+  std::string returnCode;  ///< GeoCOM return code received with the angles
+  std::string instrumentSerial;  ///< serial of the sending instrument
+  bool excluded = false;         ///< kept and shown, but not used in any fit
   std::string note;
-  FirstTexts asRead;  ///< of what was changed since it was entered
+  FirstTexts asRead;  ///< original texts of changed fields
   JsonOrigin origin;
 
   bool operator==(const Reading&) const = default;
 };
 
-/// A further sighting of a pointing zero; both texts empty: there was none.
+/// A further sighting of a pointing zero; both texts are empty if there was none.
 struct ZeroSighting {
   std::string horizontal, vertical;
   JsonOrigin origin = {};
-  std::string takenAt = {}, returnCode = {}, instrumentSerial = {};  ///< as of a row
+  std::string takenAt = {}, returnCode = {}, instrumentSerial = {};  ///< as in a row
 
   bool operator==(const ZeroSighting&) const = default;
 };
@@ -55,12 +56,12 @@ struct PointingZero {
   ZeroSighting after = {};       ///< after them in face 1
   ZeroSighting afterInTwo = {};  ///< after them in face 2
   JsonOrigin origin = {};
-  std::string takenAt = {}, returnCode = {}, instrumentSerial = {};  ///< of the first, as of a row
+  std::string takenAt = {}, returnCode = {}, instrumentSerial = {};  ///< of the first, as in a row
 
   bool operator==(const PointingZero&) const = default;
 };
 
-/// Where a further sighting of a pointing zero stands.
+/// The place of a further sighting of a pointing zero.
 struct ZeroSlot {
   const char* key;  ///< in the session file, within `pointing_zero`
   ZeroSighting PointingZero::*sighting;
@@ -80,15 +81,15 @@ struct Position {
   bool operator==(const Position&) const = default;
 };
 
-/// What is known of one number of an effect beforehand: from a certificate, from a check of the instrument.
+/// Prior knowledge of one parameter of an effect: from a certificate or a check of the instrument.
 struct KnownSize {
   std::string effect = {};     ///< id of the catalogue
-  std::string parameter = {};  ///< which of its numbers; empty where it has one
+  std::string parameter = {};  ///< one of its parameters; empty if it has only one
   std::string value = {};      ///< empty: 0
   std::string sigma = {};      ///< standard uncertainty; required
   std::string unit = {};       ///< that of the catalogue
-  std::string from = {};       ///< where it is known from
-  std::string date = {};       ///< when it was found
+  std::string from = {};       ///< source of the knowledge
+  std::string date = {};       ///< date of the finding
   JsonOrigin origin = {};
 
   bool operator==(const KnownSize&) const = default;
@@ -102,11 +103,11 @@ struct Device {
   bool operator==(const Device&) const = default;
 };
 
-/// The instrument record that what is known was taken from. All that was taken stands in the session itself,
-/// so a record that is moved or changed changes no result.
+/// The instrument record from which known values were taken. The session holds copies of all of them, so
+/// moving or changing the record does not affect results.
 struct NamedRecord {
-  std::string file = {};  ///< its name, without folder
-  std::string date = {};  ///< that it was made on
+  std::string file = {};  ///< its file name, without folder
+  std::string date = {};  ///< date of the record
   JsonOrigin origin = {};
 
   bool operator==(const NamedRecord&) const = default;
@@ -114,9 +115,9 @@ struct NamedRecord {
 
 /// The line of sight passes the vertical axis at a distance e. For e > 0 face 1 reads e/(D cos(elevation))
 /// too much on the horizontal circle and face 2 as much too little, D along the line of sight: at one
-/// distance that is a collimation of e/D, which adds to the known collimation.
+/// distance this is a collimation of e/D, added to the known collimation.
 struct LineOfSight {
-  std::string offsetMm = {};     ///< e; empty: not known
+  std::string offsetMm = {};     ///< e; empty: unknown
   std::string sigmaMm = {};      ///< its standard uncertainty; empty: 0
   std::string correlation = {};  ///< with the known collimation, −1 … 1; empty: 0
 
@@ -126,9 +127,8 @@ struct LineOfSight {
 struct Instrument {
   std::string name, serial;
   std::string certificate;   ///< of its calibration
-  std::string traceability;  ///< of its circles: to which standards, by whom
-  std::string
-      angleUnit;  ///< of angles typed without one, and in which they are shown: "dms", "degrees", "gon"
+  std::string traceability;  ///< of its circles: reference standards and laboratory
+  std::string angleUnit;  ///< of angles typed without one, and of displayed angles: "dms", "degrees", "gon"
   std::string sigmaHorizontalArcsec;   ///< empty: 2
   std::string sigmaVerticalArcsec;     ///< empty: 2
   std::string sigmaZeroArcsec;         ///< empty: as the circles'
@@ -154,15 +154,16 @@ struct Geometry {
   std::string distanceMm;       ///< L, theodolite to arc plane; required
   std::string sigmaDistanceMm;  ///< empty: 0, taken as exact
   std::string radiusMm;         ///< nominal R0; required
-  std::string sigmaRadiusMm;    ///< of R0 where the model takes it as known; empty: 0, taken as exact
+  std::string sigmaRadiusMm;    ///< of R0 if it is known in the model; empty: 0, taken as exact
   std::string verticalCircle;   ///< "zenith" or "elevation"; empty: zenith
-  std::string pointingZeros;    ///< "each": sighted in each position; "one": once, for all; empty: each
+  std::string pointingZeros;    ///< "each": sighted in each position; "one": once for all; empty: each
   std::string plane = {};       ///< of the arc: "vertical", or "square" to the pointing zero; empty: vertical
-  /// What the pointing zeros sight: "mark", one fixed direction; "normal", that of the guideway, set anew;
-  /// "unknown"; empty: a mark where they agree.
+  /// What the pointing zeros sight: "mark", one fixed direction; "normal", that of the guideway, set again in
+  /// each position; "unknown"; empty: a mark if they agree.
   std::string zeroIs = {};
   std::string distanceFrom;              ///< how L was measured, and its traceability
-  std::string distanceExpansionPpmPerK;  ///< of L, as stated for 20 °C; empty: 0, as it is at the temperature
+  std::string distanceExpansionPpmPerK;  ///< of L, as stated for 20 °C; empty: 0, L holds at the session's
+                                         ///< temperature
   std::string radiusExpansionPpmPerK;    ///< of R0 likewise
   JsonOrigin origin;
 
@@ -171,9 +172,9 @@ struct Geometry {
 
 struct Acceptance {
   std::string toleranceMm;  ///< empty: no verdict
-  std::string measurand;    ///< of the tolerance: "intersection" or "distance"; empty: intersection
+  std::string measurand;    ///< limited by the tolerance: "intersection" or "distance"; empty: intersection
   std::string coverage;     ///< in (0, 1); empty: 0.95
-  std::string referenceIntersectionMm;  ///< what the device was set to, where known; never enters a fit
+  std::string referenceIntersectionMm;  ///< the set value of the device, if known; never enters a fit
   std::string sigmaReferenceMm;         ///< of the reference; empty: not stated
   JsonOrigin origin;
 
@@ -183,18 +184,18 @@ struct Acceptance {
 struct Model {
   std::string verticalAngle;         ///< "exact" or "planar"; empty: exact
   std::string radius;                ///< "free", "common" or "known"; empty: free
-  std::vector<std::string> effects;  ///< ids of the effects to be estimated along; unknown ones stay
+  std::vector<std::string> effects;  ///< ids of the effects to estimate; unknown ones are kept
   JsonOrigin origin;
 
   bool operator==(const Model&) const = default;
 };
 
-/// What a laboratory prints on a report beside the measurement; nothing of it enters a fit.
+/// Entries that a laboratory prints on a report in addition to the measurement; they never enter a fit.
 struct ReportEntries {
   std::string number;                ///< unique; on every page
-  std::string laboratory, customer;  ///< who measured, and for whom
-  std::string authorisedBy;          ///< who answers for the report
-  std::string ruleAgreedBy;          ///< with whom the decision rule was agreed
+  std::string laboratory, customer;  ///< laboratory and customer
+  std::string authorisedBy;          ///< person responsible for the report
+  std::string ruleAgreedBy;          ///< person with whom the decision rule was agreed
   JsonOrigin origin;
 
   bool operator==(const ReportEntries&) const = default;
@@ -210,9 +211,9 @@ struct Session {
   Acceptance acceptance;
   Model model;
   std::vector<Position> positions;
-  /// The protocol of sightings that is followed, as its JSON; empty: none. See `protocolOf`.
+  /// The protocol of sightings in use, as its JSON; empty: none. See `protocolOf`.
   std::string protocol;
-  std::vector<JournalEntry> journal;  ///< changes of entries that stood, in their order
+  std::vector<JournalEntry> journal;  ///< recorded changes, in order
   JsonOrigin origin;
 
   bool operator==(const Session&) const = default;

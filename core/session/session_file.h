@@ -10,16 +10,15 @@ namespace alidade {
 
 /// Reads the text of a `*.alidade` file (JSON, UTF-8, format version 1). Fails, with the place, on text that
 /// is not JSON (line and column), another format, a newer version, a missing required key or a value of the
-/// wrong JSON type. Texts that mean nothing as numbers or angles are not its business: they are kept and
-/// reported by `examine`.
+/// wrong JSON type. Invalid numbers and angles are kept as texts, for `examine` to report.
 Result<Session> readSession(std::string_view text);
 
 /// The session as the text of a file, ending in a newline: indented by two blanks, one line per reading.
-/// Starts from the origins, so that a load and save loses nothing; a session that was read and not changed is
-/// written with equal JSON.
+/// Starts from the origins, so that load and save preserve everything; an unchanged session is written with
+/// equal JSON.
 std::string writeSession(const Session& session);
 
-/// Reads a session from a file; the sentence names the file's trouble where it cannot be opened.
+/// Reads a session from a file; the problem says why the file cannot be opened.
 Result<Session> loadSession(const std::string& path);
 
 }  // namespace alidade

@@ -20,7 +20,7 @@ using Json = nlohmann::ordered_json;
 
 constexpr std::uint64_t largestExactInteger = std::uint64_t{1} << 53;
 
-/// Does the text that the row keeps say all of a value, so that it is written as it was read?
+/// Does the row's text represent the value completely, so that it is written as read?
 bool isKeptAsText(std::string_view key, const Json& value) {
   const RowField* field = rowFieldNamed(key);
   if (!field || !field->text) return false;
@@ -165,7 +165,7 @@ Position readPosition(const Json& json, std::size_t index, RowsRead rows, std::o
       PHRASE_LATER("Phrase", "add the circle readings of the direction perpendicular to the arc plane"));
   if (problem) return position;
   position.zero = readPointingZero(reader.object("pointing_zero"));
-  reader.list("readings");  // must be one
+  reader.list("readings");  // requires a list
   if (!problem) problem = std::move(rows.problem);
   position.readings = std::move(rows.readings);
   position.origin = reader.origin({"pointing_zero", "readings"});
@@ -204,14 +204,13 @@ Session readDocument(const ObjectReader& reader, SessionRows& rows, std::optiona
   return session;
 }
 
-/// Written the same: 1 is not 1.0.
+/// Are both written identically? 1 differs from 1.0.
 bool isSame(const Json& a, const Json& b) {
   if (a.type() != b.type()) return false;
   return a.is_structured() || a.is_number_float() ? a.dump() == b.dump() : a == b;
 }
 
-/// The row with null for what its texts say: the writer puts those in. What is left is alike in
-/// most rows.
+/// The row with null for its text values, which the writer inserts. The remainder is equal in most rows.
 Json withoutTexts(Json row) {
   for (auto& [key, value] : row.get_ref<Json::object_t&>())
     if (isKeptAsText(key, value)) value = nullptr;

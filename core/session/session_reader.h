@@ -12,14 +12,14 @@
 
 namespace alidade {
 
-/// The rows of one position, and the first thing that is wrong in them.
+/// The rows of one position, and the first problem in them.
 struct RowsRead {
   std::vector<Reading> readings;
   std::optional<Problem> problem;
 };
 
-/// The rows of a session, read one by one as the parser hands them on. Rows that differ in their texts only
-/// share one origin, which takes up many times a text's memory.
+/// The rows of a session, received one by one from the parser. Rows that differ only in their texts share one
+/// origin, whose memory is many times that of a text.
 class SessionRows {
  public:
   void add(const Place& where, const nlohmann::ordered_json& row);
@@ -32,8 +32,8 @@ class SessionRows {
   bool isLikeLast(const nlohmann::ordered_json& row) const;
 };
 
-/// The session in a parsed file; `readSession` without the parsing. `rows`: of its positions, whose own lists
-/// are empty.
+/// The session in a parsed file; `readSession` without the parsing. `rows`: those of its positions, whose
+/// lists in `document` are empty.
 Result<Session> sessionFromJson(const nlohmann::ordered_json& document, SessionRows rows);
 
 }  // namespace alidade

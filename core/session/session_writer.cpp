@@ -161,7 +161,7 @@ Json positionJson(const Position& position) {
   return writer.take();
 }
 
-/// As it was read; what is no JSON as a text.
+/// The protocol's JSON as read; invalid JSON as a text.
 Json protocolJson(const std::string& text) {
   Json json = Json::parse(text, nullptr, false);
   return json.is_discarded() ? Json(text) : json;

@@ -27,7 +27,7 @@ int faceOf(const Reading& row) {
   return numberOr(row.face, 1);
 }
 
-/// Texts that are alike need not be read: the rows may be very many.
+/// Equal texts need not be parsed: there may be very many rows.
 bool isOfOneStretch(const Reading& a, const Reading& b) {
   return (a.round == b.round || roundOf(a) == roundOf(b)) && (a.face == b.face || faceOf(a) == faceOf(b));
 }
@@ -57,7 +57,7 @@ std::size_t stretchBefore(const std::vector<Reading>& rows, std::size_t end) {
   return end == 0 ? 0 : end - 1;
 }
 
-/// The row after `rows.size()` of a position that begins as these do; null where none does.
+/// The row at index `rows.size()` of a position that begins with the same rows; null if there is none.
 const Reading* asInAnotherPosition(const Session& session, std::size_t position) {
   const std::vector<Reading>& rows = session.positions[position].readings;
   for (std::size_t i = 0; i < session.positions.size(); ++i) {
@@ -69,8 +69,8 @@ const Reading* asInAnotherPosition(const Session& session, std::size_t position)
   return nullptr;
 }
 
-/// The point after those of the last stretch, if these are the beginning of the one before or of its
-/// reverse; null where they are not.
+/// The next point, if the last stretch repeats the beginning of the stretch before or of its reverse; else
+/// null.
 const Reading* asInTheStretchBefore(const std::vector<Reading>& rows) {
   const std::size_t first = lastStretch(rows);
   if (first == 0) return nullptr;
@@ -97,11 +97,11 @@ int nextPoint(const std::vector<Reading>& rows) {
   return isDescending && last > 1 ? last - 1 : last + 1;
 }
 
-/// Where each place is sighted in both faces before the slider moves on: how the last places were.
+/// The last places, if each place is sighted in both faces before the slider moves.
 struct Pairs {
   bool isHalf = false;    ///< the last place lacks its second face
   int firstFace = 1;      ///< of the last whole pair
-  int faceBefore = 0;     ///< of the pair before that; 0: there is none
+  int faceBefore = 0;     ///< of the pair before that; 0 if there is none
   std::size_t whole = 0;  ///< index of the first row of the last whole pair
 };
 
@@ -117,7 +117,7 @@ std::optional<Pairs> pairsAtTheEnd(const std::vector<Reading>& rows) {
   return Pairs{isHalf, faceOf(rows[end - 2]), isPair(end - 2) ? faceOf(rows[end - 4]) : 0, end - 2};
 }
 
-/// Each place in both faces, the next as the ones before: 1 2 1 2 or 1 2 2 1.
+/// The next row in pairs of faces, 1 2 1 2 or 1 2 2 1, as before.
 std::optional<Reading> asInPairs(const std::vector<Reading>& rows) {
   const auto pairs = rows.empty() ? std::nullopt : pairsAtTheEnd(rows);
   if (!pairs) return {};
@@ -135,7 +135,7 @@ std::optional<Reading> asInPairs(const std::vector<Reading>& rows) {
   return next;
 }
 
-/// Of a session that follows a protocol, as long as anything of it is left in the position.
+/// The next row in the session's protocol, while the position is incomplete.
 std::optional<Reading> asInTheProtocol(const Session& session, std::size_t position) {
   const auto protocol = protocolOf(session);
   if (!protocol || !*protocol) return {};
@@ -143,7 +143,7 @@ std::optional<Reading> asInTheProtocol(const Session& session, std::size_t posit
   const auto next = nextPlaceIn(progress, position);
   if (!next) return {};
   Reading row = rowFor(progress.sightings[*next].planned);
-  // With rounds and faces written out where they are written out already.
+  // Rounds and faces are written out if earlier rows have them written out.
   const std::vector<Reading>& rows = session.positions[position].readings;
   if (!rows.empty() && row.round.empty() && !rows.back().round.empty()) row.round = "1";
   if (!rows.empty() && row.face.empty() && !rows.back().face.empty()) row.face = "1";

@@ -29,7 +29,7 @@ constexpr JsonFormat protocolFormat = {
 constexpr AngleRule turnRule{
     .low = -360, .lowOfElevation = -360, .high = 360, .isHighIncluded = true, .mayBeEmpty = true};
 
-/// Takes a protocol out of JSON; the first thing that means nothing is told.
+/// Reads a protocol from JSON; keeps the first problem.
 class ProtocolReader {
  public:
   using Json = nlohmann::ordered_json;
@@ -234,7 +234,7 @@ std::optional<Angle> angleOf(const std::string& text) {
   return entry ? *entry : std::nullopt;
 }
 
-/// Where a protocol stands in a session.
+/// The problem with the protocol's place in the session.
 Problem within(const Problem& problem) {
   const std::string inside = problem.where.path();
   return {problem.what, {.field = inside.empty() ? "protocol" : "protocol." + inside}};
@@ -246,7 +246,7 @@ std::size_t sightingCount(const SightingProtocol& protocol) {
   std::size_t count = 0;
   for (const ProtocolPosition& position : protocol.positions) {
     count += position.zeros.before.size() + position.zeros.after.size();
-    // Of four faces two are sighted at each place: 1 and 2, then 2 and 1.
+    // Of four faces, each place has two: 1 and 2, then 2 and 1.
     for (const ProtocolRound& round : position.rounds)
       count += protocol.placesOf(position).size() * std::min<std::size_t>(2, round.faces.size());
   }

@@ -13,16 +13,16 @@
 
 namespace alidade {
 
-// A measurement protocol: what is sighted in a session, how often and in which order. A file of its own,
+// A measurement protocol: the sightings of a session, their number and order. A separate file,
 // `*.alidade-protocol`, or the `protocol` of a session that follows it. A session has one orientation of the
-// horizontal circle for each of its positions, so a circle that is turned between two rounds makes a position
-// measured again, with its own pointing zero.
+// horizontal circle per position, so turning the circle between two rounds begins a repeat of the position,
+// with its own pointing zero.
 
-/// A place of the slider. The arc angle is that of axis position 0°, counter-clockwise from the right as the
-/// observer sees it; where it is empty the slider coordinate stands for it.
+/// A place of the slider. The arc angle refers to axis position 0°, counter-clockwise from the right as the
+/// observer sees it; if it is empty, the slider coordinate replaces it.
 struct ProtocolPlace {
-  int point = 1;            ///< ≥ 0; names the place in the session
-  std::string slider = {};  ///< coordinate to which the slider is brought, as typed; may be empty
+  int point = 1;            ///< ≥ 0; identifies the place in the session
+  std::string slider = {};  ///< coordinate to set the slider to, as typed; may be empty
   std::string arc = {};     ///< nominal arc angle, as typed; may be empty
   JsonOrigin origin = {};
 
@@ -32,25 +32,26 @@ struct ProtocolPlace {
 /// One run through all places: a round of the session.
 struct ProtocolRound {
   bool isBack = false;  ///< from the last place to the first
-  /// In the order of pointing, while the slider stands still: one face, both, or both twice, the second pair
-  /// at every other place: 1 2 2 1 spares turning the telescope over.
+  /// In the order of pointing, while the slider is at rest: one face, both, or both twice, where every other
+  /// place uses the second pair: 1 2 2 1 saves turning the telescope over.
   std::vector<int> faces = {1};
   JsonOrigin origin = {};
 
   bool operator==(const ProtocolRound&) const = default;
 };
 
-/// In which faces the pointing zero is sighted, in the order of pointing.
+/// The faces in which the pointing zero is sighted, in the order of pointing.
 struct ProtocolZeros {
-  std::vector<int> before = {1}, after = {};  ///< of the readings; `before` holds face 1, on which all rests
+  std::vector<int> before = {1}, after = {};  ///< relative to the readings; `before` contains face 1, which
+                                              ///< is required
   JsonOrigin origin = {};
 
   bool operator==(const ProtocolZeros&) const = default;
 };
 
 struct ProtocolPosition {
-  int axisDeg = 0;  ///< 0 or 180; one that comes again is measured again
-  /// By how much the horizontal circle is turned against its first orientation, as typed; empty: not at all.
+  int axisDeg = 0;  ///< 0 or 180; a repeated value is measured again
+  /// Rotation of the horizontal circle relative to its first orientation, as typed; empty: none.
   std::string circleTurn = {};
   ProtocolZeros zeros = {};
   std::vector<ProtocolPlace> places = {};  ///< its own; empty: those of the protocol
@@ -74,29 +75,29 @@ struct SightingProtocol {
   }
 };
 
-/// A protocol holds no more of them: more than anybody sights by hand.
+/// Limit of sightings in a protocol: more than anyone takes by hand.
 inline constexpr std::size_t mostSightings = 10'000;
 
-/// Of the places and of the pointing zeros.
+/// The number of sightings of places and of pointing zeros.
 std::size_t sightingCount(const SightingProtocol& protocol);
 
-/// Reads the text of a `*.alidade-protocol` file (JSON, UTF-8, format version 1). Fails, with the place, on
-/// what `readSession` fails on and on every entry that means nothing.
+/// Reads the text of a `*.alidade-protocol` file (JSON, UTF-8, format version 1). Fails, with the place, as
+/// `readSession` does and on every invalid entry.
 Result<SightingProtocol> readProtocol(std::string_view text);
-/// The protocol as the text of a file, ending in a newline. Unknown keys survive.
+/// The protocol as the text of a file, ending in a newline. Unknown keys are preserved.
 std::string writeProtocol(const SightingProtocol& protocol);
-/// Reads a protocol from a file; the sentence names the file's trouble where it cannot be opened.
+/// Reads a protocol from a file; the problem says why the file cannot be opened.
 Result<SightingProtocol> loadProtocol(const std::string& path);
 
-/// The protocol that a session follows; nothing where it follows none. Fails, with the place in the session.
+/// The protocol of a session; absent without one. Fails, with the place in the session.
 Result<std::optional<SightingProtocol>> protocolOf(const Session& session);
-/// As `Session::protocol` keeps it.
+/// The text for `Session::protocol`.
 std::string protocolText(const SightingProtocol& protocol);
 
-/// The coordinate s of the slider at a place, where the protocol says it: its nominal arc angle, else its
-/// slider coordinate.
+/// The coordinate s of the slider at a place, if the protocol states it: from the nominal arc angle, else
+/// from the slider coordinate.
 std::optional<Angle> nominalPlace(const ProtocolPlace& place);
-/// Of the circle of a position against that of the first.
+/// Rotation of a position's circle relative to that of the first.
 Angle circleTurn(const ProtocolPosition& position);
 
 }  // namespace alidade

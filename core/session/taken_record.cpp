@@ -29,7 +29,7 @@ void takeWhereEmpty(std::string& own, const std::string& text) {
   if (own.empty()) own = text;
 }
 
-/// As the record's file had it before it was taken.
+/// The size as in the record's file, before it was taken.
 KnownSize withoutCitation(KnownSize size, const NamedRecord& record) {
   if (!isTakenFrom(record, size)) return size;
   size.from.erase(0, citationOf(record).size());
@@ -37,8 +37,8 @@ KnownSize withoutCitation(KnownSize size, const NamedRecord& record) {
   return size;
 }
 
-/// With the collimation that it belongs to: a collimation of a record that states no offset has e/D in it, as
-/// does one whose record stated an offset that this one does not.
+/// Takes the offset with its collimation: without a stated offset, a record's collimation includes e/D; so
+/// does one taken earlier from a record with an offset, if this record has none.
 void takeLineOfSight(Instrument& own, const InstrumentRecord& record) {
   const bool hasCollimation =
       std::ranges::any_of(record.known, [](const KnownSize& size) { return size.effect == "collimation"; });

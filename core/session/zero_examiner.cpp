@@ -21,10 +21,10 @@ namespace alidade {
 
 namespace {
 
-/// Sightings of one direction differ by no more, whatever the instrument's errors.
+/// Largest difference between sightings of one direction, including all errors of the instrument.
 constexpr double farthestApart = 0.5;  // degrees
 
-/// One sighting as face 1 has it, less the first.
+/// One sighting in face 1, relative to the first.
 struct FromFirst {
   int face = 1;
   bool isAfter = false;
@@ -36,10 +36,10 @@ struct FromFirst {
 
 struct PositionZero {
   std::optional<FaceOneReading> first;
-  std::vector<FromFirst> sightings;  ///< the first, too
+  std::vector<FromFirst> sightings;  ///< including the first
 };
 
-/// Up to how texts are written.
+/// Equal up to the rounding of the texts.
 bool areAlike(Angle a, Angle b) {
   constexpr double rounding = 1e-6;  // arcsec
   return std::abs(wrapped(a - b).arcseconds()) < rounding;
@@ -79,7 +79,7 @@ class ZeroExaminer : private ProblemReporter {
   }
 
   std::optional<Angle> angle(const AngleRule& rule, const std::string& text, const std::string& field) {
-    // Where the kind of circle is unknown, the wider range of the elevation circle holds.
+    // If the kind of circle is unknown, the wider range of the elevation circle applies.
     return take(angleEntry(rule, text, m_circle.value_or(VerticalCircle::Elevation)),
                 {.position = m_position, .field = field})
         .value_or(std::nullopt);
@@ -145,7 +145,7 @@ std::optional<ZeroSightings::Move> moveOf(const std::vector<FromFirst>& sighting
                              std::sqrt(move.factor) / faces};
 }
 
-/// As they are apart from their mean, face 1 having `horizontal` and `vertical` of it.
+/// The sightings relative to their mean, which in face 1 reads `horizontal` and `vertical`.
 std::vector<SightedZero> apartFrom(const std::vector<FromFirst>& sightings, Angle horizontal, Angle vertical,
                                    double up) {
   std::vector<SightedZero> apart;
@@ -158,7 +158,7 @@ std::vector<SightedZero> apartFrom(const std::vector<FromFirst>& sightings, Angl
   return apart;
 }
 
-/// The mean of the faces that count, each the mean of its sightings. `up`: 1 where the vertical circle grows
+/// The mean of the faces that count, each the mean of its sightings. `up`: 1 if the vertical circle increases
 /// upwards, else −1.
 ZeroDirection directionOf(const PositionZero& zero, bool withFaceTwo, double up) {
   std::vector<FromFirst> counting = zero.sightings;
@@ -204,7 +204,7 @@ void addScatter(Scatter& scatter, const std::vector<FromFirst>& sightings, Angle
   }
 }
 
-/// Gives every position the sightings of all of them; false where two contradict each other.
+/// Assigns the sightings of all positions to each of them; false if two contradict each other.
 bool poolSightings(std::vector<PositionZero>& zeros) {
   std::map<std::pair<int, bool>, FromFirst> pooled;
   const FaceOneReading* first = nullptr;

@@ -9,33 +9,33 @@
 
 namespace alidade {
 
-// The pointing zeros of a session examined: each is the mean of its sightings, in both faces alike, before
-// and after the readings of its position.
+// The examination of the pointing zeros of a session: each zero is the mean of its sightings before and after
+// the readings of its position, with both faces weighted equally.
 
-/// The pointing zero of one position, α0 and β0 as face 1 reads them.
+/// The pointing zero of one position, α0 and β0 converted to face 1.
 struct ZeroDirection {
   Angle horizontal, vertical;
   ZeroSightings sightings = {};
-  std::vector<SightedZero> each = {};  ///< of those that count; without their moments
+  std::vector<SightedZero> each = {};  ///< those that count; without their moments
 };
 
 struct ExaminedZero {
-  std::optional<ZeroDirection> direction;  ///< absent where it cannot be used
+  std::optional<ZeroDirection> direction;  ///< absent if it cannot be used
   std::vector<Problem> problems;           ///< in the order of the file
 };
 
 struct ExaminedZeros {
   std::vector<ExaminedZero> ofPositions;
   double scatter = 1;           ///< `Measurement::zeroScatter`
-  bool isOneOfSeveral = false;  ///< stated as one, but positions have sightings that differ
+  bool isOneOfSeveral = false;  ///< stated as one, but the sightings of positions differ
 };
 
-/// Of every position of the session. A sighting that cannot be used is left out and reported; without the
-/// first, in face 1 before the readings, a position has no zero. Only faces in which all zeros were sighted
-/// count, since what face 1 has of collimation and index is constant over an arc: of zeros sighted in
-/// different faces, it would not cancel. Where all positions have one zero (`PointingZeros::One`), each
-/// sighting stands in any of them. `circle` absent: nobody knows its kind, and there are no directions.
-/// σ: of single sightings, ≥ 0.
+/// Examines the zeros of every position. An unusable sighting is left out and reported; without the first, in
+/// face 1 before the readings, a position has no zero. Only faces in which all zeros were sighted count,
+/// since the effect of collimation and index in face 1 is constant over an arc: zeros in different faces
+/// would not cancel it. If all positions have one zero (`PointingZeros::One`), each sighting may be entered
+/// in any of them. `circle` absent: its kind is unknown, and there are no directions. σ: of single sightings,
+/// ≥ 0.
 ExaminedZeros examineZeros(const Session& session, const std::optional<VerticalCircle>& circle,
                            PointingZeros kind, Angle sigmaHorizontal, Angle sigmaVertical);
 

@@ -33,12 +33,12 @@ struct Release {
 template <typename Kind>
 using Owned = std::unique_ptr<Kind, Release>;
 
-/// The name of a file before what is wrong with it.
+/// The problem, preceded by the name of the file.
 Problem of(const std::string& path, const std::string& trouble) {
   return Problem{Phrase::of("%1: %2", visibleText(path), trouble)};
 }
 
-/// What OpenSSL says last, for those who know it.
+/// OpenSSL's last error, for experts.
 std::string reasonOfOpenSsl() {
   const char* reason = ERR_reason_error_string(ERR_peek_last_error());
   ERR_clear_error();
@@ -75,8 +75,8 @@ int handPassphrase(char* buffer, int size, int, void* given) {
   return static_cast<int>(passphrase.copy(buffer, passphrase.size()));
 }
 
-/// As ssh holds it: of the user's own file, whose permissions the user can mend. A key that others can read
-/// signs in nobody's name.
+/// The rule of ssh: applies to the user's own file, whose permissions the user can change. A key that others
+/// can read proves no identity.
 bool isOpenToOthers(const std::string& path) {
   struct stat status = {};
   return stat(path.c_str(), &status) == 0 && S_ISREG(status.st_mode) && status.st_uid == geteuid() &&

@@ -9,28 +9,27 @@
 
 namespace alidade {
 
-/// Where a key and its certificate lie, PEM each, and what opens the key.
+/// Paths of a key and its certificate, PEM each, and the source of the passphrase.
 struct SigningFiles {
   std::string key;          ///< path of a private key
-  std::string certificate;  ///< path: the signer's certificate first, those that vouch for it behind
+  std::string certificate;  ///< path: the signer's certificate first, followed by its chain
   std::string
-      passphraseFile;  ///< its first line opens the key; empty: the environment's `passphraseVariable`
+      passphraseFile;  ///< its first line is the passphrase; empty: the environment's `passphraseVariable`
 };
 
-/// Passphrases stand on no command line, where everybody on the machine could read them.
+/// Passphrases are not accepted on the command line, where every user of the machine could read them.
 inline constexpr const char* passphraseVariable = "ALIDADE_SIGN_PASSPHRASE";
 
-/// Signs bytes in the name of a certificate: detached, after the Cryptographic Message Syntax (RFC 5652), by
-/// OpenSSL, DER. `openssl cms -verify -binary -inform DER -in FILE.p7s -content FILE` checks it.
+/// Signs bytes with a certificate: detached, after the Cryptographic Message Syntax (RFC 5652), by OpenSSL,
+/// DER. `openssl cms -verify -binary -inform DER -in FILE.p7s -content FILE` checks it.
 class Signer {
  public:
-  /// Fails where the key is open to others, where a file cannot be read or is none of its kind, the
-  /// passphrase does not open the key, the key is not that of the certificate, or the certificate is not
-  /// valid now.
+  /// Fails if others can read the key, if a file is unreadable or of the wrong kind, the passphrase is wrong,
+  /// key and certificate do not match, or the certificate is not valid now.
   static Result<Signer> load(const SigningFiles& files);
 
   Result<std::string> sign(std::string_view bytes) const;
-  /// The files that it was loaded from, which nothing that it signs may replace.
+  /// The files that it was loaded from, which signed output must not replace.
   const std::vector<std::string>& paths() const;
 
  private:
@@ -40,7 +39,7 @@ class Signer {
   std::shared_ptr<const Identity> m_identity;
 };
 
-/// Beside the file that it signs: "report.pdf.p7s".
+/// The path next to the signed file: "report.pdf.p7s".
 std::string signaturePath(const std::string& path);
 
 }  // namespace alidade

@@ -74,7 +74,8 @@ class Draw {
     return {*own, static_cast<int>(std::count(axes.begin(), own + 1, *own))};
   }
 
-  /// One or two readings, off by a slip of the tens or the minutes that shows: one along the arc may not.
+  /// One or two readings, off by a detectable slip of the tens or the minutes: one along the arc may be
+  /// undetectable.
   void putGrossErrors() {
     constexpr int tries = 200;
     const std::vector<PlannedRow> rows = plannedRows(m_protocol);
@@ -113,7 +114,7 @@ class Draw {
     m_truth.jump = {.moment = m_random.uniform(0.15, 0.85), .horizontal = step(), .vertical = step()};
   }
 
-  /// Its vertical part, which next to nothing shows, as large as the one that the closures show.
+  /// Adds a vertical part, almost undetectable, as large as the horizontal one that the closures show.
   void putZeroSlip() {
     const NumberedPosition position = anyPosition();
     const double horizontal = sign() * m_random.uniform(20, 60), ratio = sign() * m_random.uniform(0.7, 1.4);
@@ -129,11 +130,11 @@ class Draw {
     if (m_random.uniform() < share) m_truth.sigmaReference = sigma;
   }
 
-  /// Of no catalogue, and far from all that a catalogued effect could leave: a radius harmonic as often as
+  /// An uncatalogued disturbance, well separated from every catalogued effect: a radius harmonic as often as
   /// any other kind.
   void putUnknown() {
     constexpr int tries = 30;
-    constexpr double mostSize = 300;  // mm or arcsec: never needed where it shows at all
+    constexpr double mostSize = 300;  // mm or arcsec: larger than any detectable disturbance needs
     constexpr double farther = 1.6;
     for (int i = 0; i < tries; ++i) {
       putForeign(m_truth, m_random);
@@ -146,7 +147,7 @@ class Draw {
     }
   }
 
-  /// Two that tell themselves apart from everything else, where the protocol allows it.
+  /// Two effects that are separable from everything else, if the protocol allows it.
   void putTwo() {
     constexpr int tries = 30;
     std::vector<TrueSize> sizes;
@@ -156,7 +157,7 @@ class Draw {
       if (&effect == first) continue;
       putEffect(effect);
       const std::optional<Visibility> shown = shownAs(std::string(effect.id));
-      const bool last = i + 3 >= tries;  // any two will do
+      const bool last = i + 3 >= tries;  // the last tries accept any two
       if (!last && (!shown || shown->sigma < clearVisibility || !shown->lookAlikes.empty())) continue;
       sizes.insert(sizes.end(), m_truth.effects.begin(), m_truth.effects.end());
       if (first) break;
@@ -165,7 +166,7 @@ class Draw {
     m_truth.effects = std::move(sizes);
   }
 
-  /// Of the catalogue, that the protocol can show at all.
+  /// A catalogued effect that the protocol can show.
   const Effect& anyEffect() {
     const std::vector<const Effect*> effects = soughtEffects();
     while (true) {
@@ -176,7 +177,7 @@ class Draw {
     }
   }
 
-  /// In a random direction, as large as makes it visible by what is drawn.
+  /// In a random direction, sized for the drawn visibility.
   void putEffect(const Effect& effect) {
     if (effect.response == Response::AllOrNothing) {
       m_truth.effects = {{effect.parameters.front().term, 1}};
@@ -187,7 +188,7 @@ class Draw {
     scale(target, m_options.mostPlausible, [&](double size) { setSize(effect, angle, size); });
   }
 
-  /// Calls `set` with sizes up to `most` until the truth shows by `target` σ.
+  /// Calls `set` with sizes up to `most` until the truth is visible by `target` σ.
   template <typename Set>
   void scale(double target, double most, const Set& set) {
     double size = std::min(1.0, most), lastSize = 0, lastShown = 0;
@@ -197,7 +198,7 @@ class Draw {
       if (!visible) return;
       const double shown = std::max(visible->sigma, 1e-9);
       if (std::abs(shown / target - 1) < 0.002) return;
-      // What shows grows with the size, that of a plane tilt with up to its square.
+      // Visibility grows with the size, for a plane tilt up to its square.
       const double power = step > 0 && size != lastSize
                                ? std::clamp(std::log(shown / lastShown) / std::log(size / lastSize), 1.0, 2.0)
                                : 1;
@@ -220,7 +221,7 @@ class Draw {
                        {parameters[1].term, size * std::sin(angle) * parameters[1].plausible}};
   }
 
-  /// How far the truth as it is shows, and what looks like it besides the effect it holds.
+  /// The visibility of the present truth, and the look-alikes of the effect `held`.
   std::optional<Visibility> shownAs(const std::string& held) const {
     const Result<Session> perfect = simulateWithoutNoise(m_protocol, m_truth, m_seed);
     if (!perfect) return std::nullopt;
@@ -228,7 +229,7 @@ class Draw {
     return found ? std::optional(*found) : std::nullopt;
   }
 
-  /// Of an effect of the catalogue, or of a zero that slipped.
+  /// The visibility of a catalogued effect, or of a zero slip.
   std::optional<Visibility> visibility(const std::string& kind) const {
     const bool isAlone = effectById(kind) || m_truth.zeroSlip;
     return isAlone && kind != relationId ? shownAs(kind) : std::nullopt;
@@ -256,12 +257,12 @@ const std::string& anyKind(const std::vector<TrialKind>& kinds, double share) {
   return kinds.back().name;
 }
 
-/// In one face and without slider hardly any two effects can be told from one another.
+/// In one face and without slider hardly any two effects are distinguishable.
 bool separatesCauses(const Protocol& protocol) {
   return protocol.slider || protocol.faces != FacePlan::FaceOne;
 }
 
-/// Those asked for, without what the protocol cannot show.
+/// The requested kinds that the protocol can show.
 std::vector<TrialKind> kindsOf(const BlindTrialOptions& options, const Protocol& protocol) {
   std::vector<TrialKind> kinds;
   for (const TrialKind& kind : trialKinds()) {
@@ -314,7 +315,7 @@ const std::vector<TrialKind>& trialKinds() {
 }
 
 Result<BlindTrial> drawBlindTrial(const BlindTrialOptions& options, std::uint64_t seed) {
-  // A stream of its own, apart from those of the guideway and the noise.
+  // A separate stream from those of the guideway and the noise.
   constexpr std::uint64_t stream = 2;
   RandomSource random(seed, stream);
   const auto protocols = namedProtocols();

@@ -12,22 +12,22 @@
 
 namespace alidade {
 
-// A blind trial: a session of a truth that is drawn and sealed, to be diagnosed, and scored when the seal is
-// opened. The kind is drawn first: nothing, one effect of the catalogue, misread values, a knocked tripod,
-// the other vertical angle relation, more noise than stated, two effects at once, a disturbance of no
-// catalogue. An effect is as large as makes it visible by a length that is uniform in a range of σ, but no
-// larger than a few of its plausible sizes.
+// A blind trial: a simulated session with a drawn and sealed truth, to be diagnosed, and scored when the seal
+// is opened. The kind is drawn first: none, one catalogued effect, misread values, a knocked tripod, the
+// other vertical angle relation, more noise than stated, two effects at once, an uncatalogued disturbance.
+// The size of an effect gives a visible length that is uniform in a range of σ, but is at most a few of its
+// plausible sizes.
 
 struct BlindTrialOptions {
-  std::string protocol;      ///< by name; empty: drawn from those known by name
+  std::string protocol;      ///< by name; empty: drawn from the named ones
   double leastVisible = 6;   ///< σ of the readings
   double mostVisible = 25;   ///< σ of the readings
   double mostPlausible = 6;  ///< plausible sizes
   std::vector<std::string> kinds =
-      {};  ///< of `trialKinds()`, one as likely as the other; empty: all, as often as there
+      {};  ///< of `trialKinds()`, with equal probability; empty: all, with their weights
 };
 
-/// A kind of truth and how often it is drawn.
+/// A kind of truth and its frequency.
 struct TrialKind {
   std::string name;  ///< an id of the catalogue, "none", "gross_error", "two_causes", "unknown", …
   double weight = 0;
@@ -37,15 +37,15 @@ struct TrialKind {
 const std::vector<TrialKind>& trialKinds();
 
 struct BlindTrial {
-  Session session;  ///< its title does not give the truth away
+  Session session;  ///< its title does not reveal the truth
   Truth truth;
   SealedTruth seal;
 };
 
-/// The same seed and options give the same trial. Fails where the protocol or a kind is not known.
+/// The same seed and options give the same trial. Fails if the protocol or a kind is unknown.
 Result<BlindTrial> drawBlindTrial(const BlindTrialOptions& options, std::uint64_t seed);
 
-/// Puts a disturbance of no catalogue into the truth, of size 1 (mm or arcsec), its place and form drawn.
+/// Adds an uncatalogued disturbance to the truth, of size 1 (mm or arcsec), with drawn place and form.
 void putForeign(Truth& truth, RandomSource& random);
 /// Gives it another size, mm or arcsec.
 void setForeignSize(Truth& truth, double size);

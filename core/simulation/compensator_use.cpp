@@ -23,7 +23,7 @@ double sizeOf(const Truth& truth, ErrorTerm term) {
   return found == truth.effects.end() ? 0 : found->value;
 }
 
-/// To 0.1″.
+/// Written to 0.1″.
 std::string written(double arcseconds) {
   return shortestText(std::round(arcseconds * 10) / 10);
 }

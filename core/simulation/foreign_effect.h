@@ -7,14 +7,14 @@
 
 namespace alidade {
 
-/// A disturbance that is in no catalogue and that no fit knows: what the diagnosis must leave unexplained.
+/// An uncatalogued disturbance, unknown to every fit, which the diagnosis must leave unexplained.
 struct ForeignEffect {
   enum class Kind {
     LocalDent,  ///< radius + size·exp(−½((s − first)/second)²): size mm, place and width in degrees of s
     CirclePeriods,  ///< δα = size·sin(first·α + second): size arcsec, periods a turn, phase in degrees
-    Settling,      ///< both orientations are off by size·exp(−t/first), t the share of the session gone by
+    Settling,      ///< both orientations are off by size·exp(−t/first), t the elapsed share of the session
     DistanceRamp,  ///< the distance grows by size, mm, over the session
-    Refraction,    ///< δe = size·sin 2e, arcsec: of the lower and the upper half alike
+    Refraction,    ///< δe = size·sin 2e, arcsec: the same for the lower and the upper half
     Backlash,      ///< on the way back (even rounds) the horizontal circle reads size, arcsec, more
     HighWarp,      ///< off the plane by size·sin(first·s + second), mm, turning with the guideway
   };
@@ -23,7 +23,7 @@ struct ForeignEffect {
   double size = 0, first = 0, second = 0;
 };
 
-/// What the command line and truth files call it, and what its numbers are.
+/// The name of the disturbance on the command line and in truth files, and its numbers.
 struct ForeignEffectName {
   ForeignEffect::Kind kind;
   std::string_view name;
@@ -38,7 +38,7 @@ std::string_view nameOf(ForeignEffect::Kind kind);
 double radiusBy(const ForeignEffect& effect, Angle s);
 /// The target off the plane in the guideway's own frame with the slider at `s`, mm.
 double offPlaneBy(const ForeignEffect& effect, Angle s);
-/// Added to the distance when a share `elapsed` of the session has gone by, mm.
+/// Added to the distance at the elapsed share `elapsed` of the session, mm.
 double distanceBy(const ForeignEffect& effect, double elapsed);
 /// Added to the azimuth, face 1 equivalent; `circle` is the horizontal reading of the face.
 Angle azimuthBy(const ForeignEffect& effect, Angle circle, double elapsed, bool wayBack);

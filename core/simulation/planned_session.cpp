@@ -22,7 +22,7 @@ std::string circleText(Angle angle) {
   return formatDms(wrapped(angle, Angle::fromDegrees(180)), secondDecimals, AngleSigns::Typewriter);
 }
 
-/// The value of a number field, where it can be used.
+/// The value of a number field, if it is usable.
 std::optional<double> numberOf(const char* field, const std::string& text) {
   const auto entry = numberEntry(field, text);
   return entry ? *entry : std::nullopt;
@@ -39,7 +39,7 @@ std::optional<Angle> angleOf(const AngleRule& rule, const std::string& text, Ver
   return entry ? *entry : std::nullopt;
 }
 
-/// The guideway that is thought of; nothing where the geometry cannot be used.
+/// The assumed guideway; absent if the geometry is unusable.
 std::optional<Truth> nominal(const Session& session) {
   const auto distance = numberOf("geometry.distance_mm", session.geometry.distanceMm);
   const auto radius = numberOf("geometry.radius_mm", session.geometry.radiusMm);
@@ -53,7 +53,7 @@ std::optional<Truth> nominal(const Session& session) {
   return truth;
 }
 
-/// The places of a position's points, spread evenly.
+/// Evenly spaced places of a position's points.
 class EvenPlaces {
  public:
   explicit EvenPlaces(const Position& position) {
@@ -73,7 +73,7 @@ class EvenPlaces {
  private:
   std::vector<int> m_points;
 
-  /// A row without a point is named by its number.
+  /// A row without a point has its number as point.
   static int pointOf(const Position& position, std::size_t row) {
     return wholeOf(pointRule, position.readings[row].point).value_or(static_cast<int>(row) + 1);
   }

@@ -9,16 +9,16 @@
 
 namespace alidade {
 
-/// Which faces are read.
+/// The faces that are read.
 enum class FacePlan {
   FaceOne,
-  BothAtEachPlace,  ///< face 1, then face 2, while the slider stands still
+  BothAtEachPlace,  ///< face 1, then face 2, with the slider at rest
   Alternating,      ///< odd rounds in face 1, even rounds in face 2
 };
 
-/// A plan of readings: what is read, how often and in which order.
+/// A plan of readings: their number and order.
 ///
-/// In each position the slider runs through its places there in odd rounds and back in even ones.
+/// In each position the slider moves forward through its places in odd rounds and back in even ones.
 struct Protocol {
   std::string name;
   std::string description;
@@ -39,16 +39,16 @@ struct PlannedRow {
   bool operator==(const PlannedRow&) const = default;
 };
 
-/// The rows of one position in the order in which they are taken; point 1 stands at `first`.
+/// The rows of one position in the order in which they are taken; point 1 is at `first`.
 std::vector<PlannedRow> plannedRows(const Protocol& protocol);
 
 /// The slider coordinate planned for a point, counted from 1.
 Angle plannedPlace(const Protocol& protocol, int point);
 
-/// The protocols known by name.
+/// The named protocols.
 std::span<const Protocol> namedProtocols();
 
-/// Null where no protocol has this name.
+/// Null if the name is unknown.
 const Protocol* protocolByName(std::string_view name);
 
 }  // namespace alidade

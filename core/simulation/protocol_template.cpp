@@ -8,7 +8,7 @@ namespace alidade {
 
 namespace {
 
-/// As it would be typed: to a thousandth of an arcsecond.
+/// The angle as typed text, to a thousandth of an arcsecond.
 std::string typedDegrees(Angle angle) {
   constexpr int decimals = 7;
   std::string text = fixedText(angle.degrees(), decimals);

@@ -8,11 +8,11 @@
 
 namespace alidade {
 
-/// What `simulate` would read by a plan, in the same order, as a protocol that a session can follow. The
-/// zeros are sighted in face 1, and where both faces are read in face 2, too.
+/// The readings of `simulate` for a plan, in the same order, as a protocol that a session can follow. The
+/// zeros are sighted in face 1, and also in face 2 if both faces are read.
 SightingProtocol templateOf(const Protocol& protocol);
 
-/// By the name that `simulate --protocol` knows it by; absent where there is none.
+/// By its name in `simulate --protocol`; absent if the name is unknown.
 std::optional<SightingProtocol> templateNamed(std::string_view name);
 
 }  // namespace alidade

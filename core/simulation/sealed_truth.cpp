@@ -31,7 +31,7 @@ void addGrossError(SealedTruth& truth, GrossErrorCell cell, double horizontal, d
   }
 }
 
-/// Whether all of them say by whole numbers which reading they mean.
+/// Do all of them identify their reading by whole numbers?
 bool readGrossErrors(const Json& list, SealedTruth& truth) {
   constexpr double mostCells = 1e9;
   for (const Json& blunder : list) {
@@ -59,12 +59,12 @@ bool isDiagnosable(const std::string& id) {
   return std::ranges::find(diagnosableEffects(), id) != diagnosableEffects().end();
 }
 
-/// A diagnosis may name it, or it is in no catalogue.
+/// Can a diagnosis name it, or is it uncatalogued?
 bool isCause(const std::string& id) {
   return id.starts_with("unknown") || isDiagnosable(id);
 }
 
-/// Letters to put in, leave out or exchange (Levenshtein).
+/// The number of letters to insert, delete or replace (Levenshtein).
 std::size_t lettersApart(std::string_view a, std::string_view b) {
   std::vector<std::size_t> row(b.size() + 1);
   std::iota(row.begin(), row.end(), std::size_t{0});
@@ -79,7 +79,7 @@ std::size_t lettersApart(std::string_view a, std::string_view b) {
   return row.back();
 }
 
-/// An effect that can be diagnosed was meant, and mistyped.
+/// Is it a mistyped name of a diagnosable effect?
 bool isMistyped(const std::string& kind) {
   constexpr std::size_t longest = 64, slips = 2;
   return !isDiagnosable(kind) && kind.size() <= longest &&
@@ -87,15 +87,15 @@ bool isMistyped(const std::string& kind) {
                              [&](const auto& id) { return lettersApart(kind, id) <= slips; });
 }
 
-/// The effect's id of what other referees call otherwise: a drift with its zeros sighted as it goes on, and
-/// readings written to coarse steps, which scatter more than stated.
+/// The effect's id for names of other test generators: a drift with repeatedly sighted zeros, and readings
+/// rounded to coarse steps, which scatter more than stated.
 std::string kindCalled(const std::string& kind) {
   if (kind == "drift_real_h") return "horizontal_drift";
   if (kind == "drift_real_v") return "vertical_drift";
   return kind == "rounding" ? noiseId : kind;
 }
 
-/// Why no answer to this truth could be right, the key at fault first.
+/// Why the truth cannot be scored, beginning with the key at fault.
 std::optional<std::string> whyUnscorable(const SealedTruth& truth) {
   for (const std::string& cause : truth.causes)
     if (!isCause(cause) && cause != truth.kind)
@@ -111,7 +111,7 @@ std::optional<std::string> whyUnscorable(const SealedTruth& truth) {
   return std::nullopt;
 }
 
-/// Reads one key after the other; the last one stays in `key`, for the sentence where it is wrong.
+/// Reads the keys in order; `key` holds the last one, for the sentence on a problem.
 std::optional<SealedTruth> readTruth(const std::string& id, const Json& json, std::string& key) {
   SealedTruth truth{.id = id};
   const auto at = [&](const char* name) -> const Json& { return json.at(key = name); };

@@ -18,7 +18,7 @@ namespace alidade {
 
 namespace {
 
-constexpr std::uint64_t farApart = 1'000'003;  // seeds of the sessions of a series
+constexpr std::uint64_t farApart = 1'000'003;  // distance between the seeds of a series' sessions
 
 /// Draws one series, step by step.
 class SeriesDraw {
@@ -62,7 +62,7 @@ class SeriesDraw {
   }
 
  private:
-  static constexpr std::uint64_t stream = 5, furtherStream = 6;  // apart from those of single trials
+  static constexpr std::uint64_t stream = 5, furtherStream = 6;  // separate from those of single trials
   std::uint64_t m_seed;
   RandomSource m_random, m_further;
   const Protocol* m_protocol = nullptr;
@@ -81,7 +81,7 @@ class SeriesDraw {
     }
   }
 
-  /// In one session of this plan at all, at a few plausible sizes.
+  /// Does a few plausible sizes of the effect show in one session of this plan?
   bool shows(const Effect& effect) const {
     constexpr double least = 1;
     const std::optional<double> visible = visibleIn(0, effect, 0.7);
@@ -105,7 +105,7 @@ class SeriesDraw {
       truth.effects.push_back({parameters[1].term, size * std::sin(angle) * parameters[1].plausible});
   }
 
-  /// Which instrument reads which guideway in each session.
+  /// Assigns an instrument and a guideway to each session.
   void layOut(std::optional<ErrorSource> source) {
     const bool crossed = m_random.uniform() < 0.4;
     const bool ofInstrument = source == ErrorSource::Instrument;
@@ -124,8 +124,8 @@ class SeriesDraw {
     m_seal.serial = ofInstrument ? "T-1" : "G-1";
   }
 
-  /// In all sessions of its owner, as large as makes it visible by what is drawn; false where it would have
-  /// to be far larger than plausible.
+  /// In all sessions of its owner, sized for the drawn visibility; false if that needs far more than the
+  /// plausible size.
   bool put(const Effect& effect) {
     constexpr double least = 6, most = 10, mostPlausible = 6;
     const double angle = m_random.uniform(0, 2 * std::numbers::pi), target = m_random.uniform(least, most);
@@ -141,7 +141,7 @@ class SeriesDraw {
     return true;
   }
 
-  /// Whose a disturbance of no catalogue is.
+  /// The owner of an uncatalogued disturbance.
   static ErrorSource sourceOf(const Truth& truth) {
     using enum ForeignEffect::Kind;
     if (!truth.foreign) return ErrorSource::Guideway;
@@ -160,9 +160,9 @@ class SeriesDraw {
     return ErrorSource::Time;
   }
 
-  /// One that all sessions of its owner share, what the time brings in all alike. Of sessions without noise
-  /// how far it shows, and how far beyond whatever effect of the catalogue is nearest in each, is in
-  /// proportion to its size.
+  /// A disturbance shared by all sessions of its owner; one of time is the same in all sessions. Without
+  /// noise its visibility, and the part beyond the nearest catalogued effect in each session, are
+  /// proportional to its size.
   void putUnknown() {
     constexpr double least = 8, most = 16, beyond = 6, mostSize = 300;
     Truth drawn = m_truths.front();
@@ -205,7 +205,7 @@ class SeriesDraw {
     return found ? std::optional(*found) : std::nullopt;
   }
 
-  /// By a knock that nobody overlooks, or by a session that scatters as a whole.
+  /// Adds an obvious knock, or larger scatter of the whole session.
   void spoilFurther(Truth& truth) {
     const auto step = [&] {
       return Angle::fromArcseconds((m_further.uniform() < 0.5 ? -1 : 1) * m_further.uniform(60, 600));
@@ -245,7 +245,7 @@ class SeriesDraw {
     }
   }
 
-  /// By one that shows by 12 σ in this session, and is not the one shared.
+  /// Adds an effect other than the shared one, visible by 12 σ in this session.
   void spoilByEffect(std::size_t s) {
     constexpr double visible = 12, mostPlausible = 8;
     for (int tries = 0; tries < 50; ++tries) {
@@ -253,7 +253,7 @@ class SeriesDraw {
       const double angle = m_random.uniform(0, 2 * std::numbers::pi);
       const double one = visibleIn(s, *effect, angle).value_or(0);
       if (effect->id == m_seal.kind || !(visible < mostPlausible * one)) continue;
-      // What the session shares is put in already, and `visibleIn` has seen it.
+      // The shared effect is already included, also in the result of `visibleIn`.
       Truth clean = m_truths[s];
       setSize(clean, *effect, angle, visible / std::max(one, 1e-9));
       m_truths[s] = clean;
@@ -267,7 +267,7 @@ class SeriesDraw {
 }  // namespace
 
 Result<SeriesTrial> drawSeriesTrial(std::uint64_t seed) {
-  constexpr std::uint64_t again = 1'000'000'007;  // where a plan cannot show what was drawn
+  constexpr std::uint64_t again = 1'000'000'007;  // if a plan cannot show what was drawn
   constexpr int tries = 20;
   for (std::uint64_t i = 0;; ++i) {
     Result<SeriesTrial> drawn = SeriesDraw(seed + i * again).trial();

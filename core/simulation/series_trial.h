@@ -12,19 +12,19 @@
 
 namespace alidade {
 
-// Blind trials of series: sessions of one truth that they share, sealed, diagnosed together, and scored when
-// the seal is opened.
+// Blind trials of series: sessions with a common sealed truth, diagnosed together, and scored when the seal
+// is opened.
 
-/// What a series holds.
+/// The truth of a series.
 struct SeriesSeal {
   std::string id;
-  std::string kind = "none";  ///< an effect of the catalogue, one of no catalogue, or none
+  std::string kind = "none";  ///< a catalogued effect, an uncatalogued one, or none
   CauseOwner owner = CauseOwner::Time;
-  std::string serial = {};  ///< of the owner; empty where the truth does not say
+  std::string serial = {};  ///< of the owner; empty if the truth does not state it
   std::string protocol = {};
-  std::optional<double> visible = {};       ///< of all sessions together, σ
-  std::optional<std::size_t> spoiled = {};  ///< a session with a cause of its own, its index
-  std::string spoiledBy = {};               ///< that
+  std::optional<double> visible = {};       ///< in all sessions together, σ
+  std::optional<std::size_t> spoiled = {};  ///< index of a session with a cause of its own
+  std::string spoiledBy = {};               ///< that cause
 };
 
 struct SeriesTrial {
@@ -32,39 +32,41 @@ struct SeriesTrial {
   std::vector<Session> sessions;
 };
 
-/// 8 to 12 sessions: nothing, or one effect of an instrument or a guideway that shows by 6 to 10 σ in all of
-/// them together, or, in a quarter of the series, one of no catalogue that shows by 8 to 16 σ and by 6 σ and
-/// more beside any effect of the catalogue. Either each session has another guideway (or instrument), or two
-/// instruments and three guideways are crossed. A third of them has one session spoiled: by a misread value,
-/// by a knocked tripod, or by another effect; in half of these the knock is a hard one, or the whole session
-/// scatters more. The same seed gives the same trial.
+/// 8 to 12 sessions with no shared effect, or one effect of an instrument or a guideway, visible by 6 to 10 σ
+/// in all of them together; a quarter of the series have an uncatalogued one, visible by 8 to 16 σ and by at
+/// least 6 σ beyond any catalogued effect. Either each session has another guideway (or instrument), or two
+/// instruments and three guideways are crossed. In a third of the series one session is spoiled: by a misread
+/// value, by a knocked tripod, or by another effect; in half of these the knock is a hard one, or the whole
+/// session scatters more. The same seed gives the same trial.
 Result<SeriesTrial> drawSeriesTrial(std::uint64_t seed);
 
 struct ScoredSeries {
   SeriesSeal seal;
-  bool isNamed = false;  ///< the truth is the first shared cause, or in its group; of no catalogue: told so
+  bool isNamed = false;  ///< the truth is the first shared cause, or in its group; or the diagnosis says
+                         ///< uncatalogued
   bool isFirst = false;  ///< it is that cause
   bool isOwnerRight = false;
-  bool isAlarm = false;         ///< a shared cause is named, or a shared gap of no catalogue told
-  bool isNoiseOfAll = false;    ///< larger noise of several sessions is told
-  bool isSpoilerFound = false;  ///< the spoiled session is told to hold a cause of its own
-  std::size_t namedAlone = 0, sessions = 0;  ///< sessions that name it, or have it in their group, alone
+  bool isAlarm = false;         ///< a shared cause is named, or a shared uncatalogued gap reported
+  bool isNoiseOfAll = false;    ///< larger noise of several sessions is reported
+  bool isSpoilerFound = false;  ///< the spoiled session is found to have its own cause
+  std::size_t namedAlone = 0, sessions = 0;  ///< sessions that name it, or have it in their group, when
+                                             ///< diagnosed alone
   std::string answer;
 };
 
 ScoredSeries scoreSeries(const SeriesSeal& seal, const SeriesDiagnosis& diagnosis);
 
-/// Draws, diagnoses and scores trials `seed` … `seed` + `count` − 1, in their order.
+/// Draws, diagnoses and scores trials `seed` … `seed` + `count` − 1, in order.
 Result<std::vector<ScoredSeries>> scoreDrawnSeries(std::size_t count, std::uint64_t seed,
                                                    std::size_t threads);
 
-/// Series made elsewhere: `folder`/truth.json, an object of series with `kind`, `shared` and `sessions`, and
-/// `folder`/SERIES/SESSION.alidade; where the truth does not say `shared`, the owner is the one that an
-/// effect of this kind has, and where it holds no `sessions`, they are those of its `intersection_mm`. Truths
-/// of sessions beside them are passed over. The sentence of a problem names the file.
+/// Stored series: `folder`/truth.json, an object of series with `kind`, `shared` and `sessions`, and
+/// `folder`/SERIES/SESSION.alidade. Without `shared` the owner is that of effects of this kind; without
+/// `sessions` they are those of `intersection_mm`. Truths of single sessions are skipped. Problems name the
+/// file.
 Result<std::vector<ScoredSeries>> scoreStoredSeries(const std::string& folder, std::size_t threads);
 
-/// Does the truth file hold series, and does it hold sessions?
+/// Does the truth file contain series, and does it contain sessions?
 bool holdsSeries(const std::string& folder);
 bool holdsSessions(const std::string& folder);
 

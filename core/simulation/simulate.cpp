@@ -25,7 +25,7 @@ int decimalsOf(double step) {
   return decimals;
 }
 
-/// As an observer writes a reading down: rounded to the step.
+/// A reading as an observer writes it: rounded to the step.
 std::string typed(Angle angle, const Angle& step) {
   const double steps = std::round(angle.radians() / step.radians());
   return formatDms(step * steps, decimalsOf(step.arcseconds()), AngleSigns::Typewriter);
@@ -44,7 +44,7 @@ std::string rowName(const TrueGrossError& m) {
          std::to_string(m.face);
 }
 
-/// Takes the rows of a session one after the other.
+/// Takes the rows of a session in order.
 class Simulator {
  public:
   enum class Noise { AsInTruth, None };
@@ -79,7 +79,7 @@ class Simulator {
            std::ranges::find(m_plan, PlannedRow{error.round, error.point, error.face}) != m_plan.end();
   }
 
-  /// Error of a reading with this σ. Draws whether or not there is noise.
+  /// Error of a reading with this σ. Draws even without noise, to keep the random sequence.
   Angle noise(Angle sigma) { return sigma * (m_share * m_random.normal()); }
 
   void state(Session& session) {
@@ -101,7 +101,7 @@ class Simulator {
     if (m_truth.plane == ArcPlane::Square) session.geometry.plane = "square";
   }
 
-  /// Behind all readings, whose noise is the same with and without it.
+  /// Called after all readings, so that their noise does not depend on it.
   void stateReference(Session& session) {
     if (!m_truth.sigmaReference) return;
     const double reference = m_truth.intersection + *m_truth.sigmaReference * m_share * m_random.normal();
@@ -180,11 +180,11 @@ class Simulator {
   const Protocol& m_protocol;
   const Truth& m_truth;
   RandomSource m_random;
-  double m_share;  ///< of the noise that is put in
+  double m_share;  ///< factor of the noise
   Angle m_step;
   std::vector<PlannedRow> m_plan;
   std::size_t m_rows = 0, m_taken = 0;
-  int m_time = 1;  ///< the how many-th position at its axis
+  int m_time = 1;  ///< the repeat at its axis
   Angle m_place;
   std::string m_slider;
 };

@@ -10,19 +10,19 @@
 
 namespace alidade {
 
-// The situation: a theodolite and a guideway with known errors (the truth) are read by a plan (the protocol).
-// What would be read comes from the one forward model (observe.h), with white normal noise of the stated σ on
-// every reading, and is typed rounded to the truth's step. The pointing zero of each position is sighted just
-// before its rows, in face 1, and again just behind them where the truth has it so.
+// The situation: a theodolite reads a guideway, both with known errors (the truth), by a plan (the protocol).
+// Readings follow from the one forward model (observe.h), with white normal noise of the stated σ, and are
+// rounded to the truth's step. The pointing zero of each position is sighted just before its rows, in face 1,
+// and again just after them if the truth requires it.
 
 /// Circle readings of face `face`, unrounded, and not wrapped.
 struct CircleReadings {
   Angle horizontal, vertical;
 };
 
-/// When a row is taken.
+/// The moment at which a row is taken.
 struct Moment {
-  double elapsed = 0;         ///< share of the session's rows gone by, 0…1
+  double elapsed = 0;         ///< elapsed share of the session's rows, 0…1
   bool afterJump = false;     ///< after the truth's jump
   bool wayBack = false;       ///< in an even round
   bool isSetUpAgain = false;  ///< in a position after the first
@@ -34,7 +34,7 @@ class PerfectReadings {
   /// `horizontalZero`: the circle's reading in the direction of the pointing zero.
   PerfectReadings(const Truth& truth, int axisDeg, Angle horizontalZero);
 
-  /// Of the pointing zero.
+  /// Readings of the pointing zero.
   CircleReadings zero(int face = 1, const Moment& moment = {}) const;
   /// With the slider at coordinate `s` (equal to φ at 0°, to −φ at 180°).
   CircleReadings target(Angle s, int face, const Moment& moment) const;
@@ -54,9 +54,8 @@ class PerfectReadings {
 };
 
 /// The session of a truth, by a protocol, with the noise of `seed`. The same seed gives the same places and
-/// the same noise whatever the truth and whether or not the slider is read. Fails, with the row, where a
-/// gross error names a row that the protocol does not have, or where a target cannot be sighted. Called as in
-/// samples/programs/simulate.cpp.
+/// noise for any truth, with or without slider readings. Fails, with the row, if a gross error names a row
+/// that the protocol lacks, or if a target cannot be sighted. Called as in samples/programs/simulate.cpp.
 Result<Session> simulate(const Protocol& protocol, const Truth& truth, std::uint64_t seed);
 
 /// The same places and rows, read without noise and without rounding to the truth's step.

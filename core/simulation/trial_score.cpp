@@ -17,14 +17,14 @@ bool isNamed(const Diagnosis& diagnosis, const std::string& id) {
   return std::ranges::find(diagnosis.causes, id, &Cause::effect) != diagnosis.causes.end();
 }
 
-/// The first cause, or one that it says cannot be told from it.
+/// Is it the first cause, or among its look-alikes?
 bool isFirst(const Diagnosis& diagnosis, const std::string& id) {
   if (diagnosis.causes.empty()) return false;
   const Cause& first = diagnosis.causes.front();
   return first.effect == id || holds(first.indistinguishableFrom, id);
 }
 
-/// Named and not in the truth's own group, of the group of the first cause.
+/// The members of the first cause's group that are outside the truth's own group.
 std::ptrdiff_t strangersIn(const Diagnosis& diagnosis, const SealedTruth& truth) {
   return std::ranges::count_if(diagnosis.causes.front().indistinguishableFrom, [&](const std::string& id) {
     return id != truth.kind && !holds(truth.lookAlikes, id);
@@ -66,7 +66,7 @@ bool isRight(TrialClass trialClass, const SealedTruth& truth, const Diagnosis& d
   return false;
 }
 
-/// Whether the interval holds the true Δd.
+/// Does the interval contain the true Δd?
 std::optional<bool> covers(const std::optional<IntersectionEstimate>& estimate, const SealedTruth& truth) {
   if (!estimate) return std::nullopt;
   return std::abs(estimate->value - truth.intersection) <= estimate->expanded;

@@ -9,20 +9,19 @@
 
 namespace alidade {
 
-// How a diagnosis did, with the seal open. What counts as right hangs on what the readings could show:
+// The score of a diagnosis, with the seal open. The right answer depends on what the readings could show:
 //
-//   none              the verdict is within-noise
-//   faint             an effect that leaves less than `clearVisibility` σ: missed in silence, or named
-//   unique            an effect that shows and that nothing looks like: it is the first cause
-//   look-alikes       an effect that shows and that others look like: it is the first cause or in the group
-//   of
-//                     the first, and that group holds no more than one that does not look like it
-//   gross_error       exactly the readings that are wrong, and nothing else
-//   two_causes        both, whatever else
-//   unknown           the verdict is not-in-catalogue
-//   others            the relation of the vertical circle, a jump, larger noise: it is the first cause
+//   none the verdict is within-noise
+//   faint an effect that leaves less than `clearVisibility` σ: not reported, or named
+//   unique a visible effect without look-alikes: it is the first cause
+//   look-alikes a visible effect with look-alikes: it is the first cause or in the group of the first,
+//                     and that group contains at most one that is not a look-alike
+//   gross_error exactly the readings that are wrong, and nothing else
+//   two_causes both, whatever else
+//   unknown the verdict is not-in-catalogue
+//   others the relation of the vertical circle, a jump, larger noise: it is the first cause
 //
-// A truth file that says nothing of how far the effect shows is scored as `others`.
+// A truth file without the visibility of the effect is scored as `others`.
 
 enum class TrialClass { None, Faint, Unique, LookAlikes, GrossError, SeveralCauses, Unknown, Other };
 
@@ -36,14 +35,14 @@ struct TrialScore {
   TrialClass trialClass = TrialClass::None;
   bool right = false;
   std::string answer =
-      {};  ///< the only cause, "several-causes" where more are named, or the verdict without one
+      {};                 ///< the only cause, "several-causes" if more are named, or the verdict without one
   bool detected = false;  ///< a gap was found at all
   bool named = false;     ///< the truth, alone or in a group, is the first cause
   /// With a cause named: is the true Δd within Δd ± U afterwards? Absent without cause or without Δd.
   std::optional<bool> covered = {};
-  /// Whatever the answer: is it within Δd ± U with the causes found, and as measured? Absent without Δd.
+  /// For any answer: is it within Δd ± U with the causes found, and measured? Absent without Δd.
   std::optional<bool> coveredAfter = {}, coveredMeasured = {};
-  /// With a cause named: is reduced χ² afterwards what noise leaves (above its 0.1 % point)?
+  /// With a cause named: is reduced χ² afterwards at noise level (above its 0.1 % point)?
   std::optional<bool> backToNoise = {};
 };
 
@@ -51,8 +50,8 @@ TrialClass classOf(const SealedTruth& truth);
 
 TrialScore scoreTrial(const SealedTruth& truth, const Diagnosis& diagnosis);
 
-/// The check with the library's right answer taken away: true where a single cause is named that does not
-/// look like the truth. `diagnosis` was made without the truth's effect.
+/// The check with the right answer removed from the library: true if a single cause is named that is not a
+/// look-alike of the truth. `diagnosis` was made without the truth's effect.
 bool blamesWrongCause(const SealedTruth& truth, const Diagnosis& diagnosis);
 
 }  // namespace alidade

@@ -9,7 +9,7 @@
 
 namespace alidade {
 
-/// So many of so many.
+/// A number of hits among a number of cases.
 struct Tally {
   std::size_t hits = 0, count = 0;
 
@@ -25,19 +25,19 @@ struct Tally {
   bool operator==(const Tally&) const = default;
 };
 
-/// Effects that show by `from` up to below `to` σ of the readings.
+/// Effects visible by `from` up to below `to` σ of the readings.
 struct DetectionBin {
   double from = 0, to = 0;
   Tally detected = {};  ///< a gap was found
-  Tally named = {};     ///< and the truth named, alone or in a group
+  Tally named = {};     ///< the truth is also named, alone or in a group
 };
 
-/// What became of the trials of one kind.
+/// The results of the trials of one kind.
 struct KindTally {
   Tally right = {}, named = {};
   Tally quiet = {};     ///< no gap was found
-  Tally after = {};     ///< true Δd within Δd ± U with the causes found, whatever they are
-  Tally measured = {};  ///< and as measured
+  Tally after = {};     ///< true Δd within Δd ± U with the causes found, whatever these are
+  Tally measured = {};  ///< the same with Δd, measured
 };
 
 struct TrialSummary {
@@ -45,11 +45,11 @@ struct TrialSummary {
   std::map<TrialClass, Tally> right = {};                                    ///< of the classes that occur
   std::map<std::string, std::map<std::string, std::size_t>> confusion = {};  ///< kind → answer → how often
   std::map<std::string, KindTally> kinds = {};
-  Tally falseAlarms = {};  ///< a gap found where there is none
+  Tally falseAlarms = {};  ///< a gap found without a cause
   std::vector<DetectionBin> detection = {};
   Tally covered = {};       ///< true Δd within Δd ± U after the cause is added
-  Tally backToNoise = {};   ///< reduced χ² after the cause is what noise leaves
-  Tally wrongWithout = {};  ///< a wrong cause blamed with the right one withheld
+  Tally backToNoise = {};   ///< reduced χ² after the cause is at noise level
+  Tally wrongWithout = {};  ///< a wrong cause blamed without the right one in the catalogue
 };
 
 TrialSummary summarise(const std::vector<ScoredTrial>& trials);

@@ -17,7 +17,7 @@ double unitOf(ErrorTerm term) {
 }  // namespace
 
 Truth drawTruth(std::uint64_t seed) {
-  // A stream of its own, apart from the one the readings are drawn from.
+  // A separate stream from that of the readings.
   constexpr std::uint64_t stream = 1;
   RandomSource random(seed, stream);
   Truth truth;

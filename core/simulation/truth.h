@@ -21,31 +21,31 @@ struct TrueSize {
 /// A jump that turns the instrument at one moment.
 struct OrientationJump {
   double moment = 0.5;         ///< share of the session's rows taken before it, in (0, 1)
-  Angle horizontal, vertical;  ///< steps of the circle readings, of their face 1 equivalents
+  Angle horizontal, vertical;  ///< steps of the circle readings, converted to face 1
 };
 
-/// The pointing zero of a position misread, in face 1 before its rows: all readings of the position stand
-/// shifted against it.
+/// The pointing zero of a position misread, in face 1 before its rows: all readings of the position are
+/// shifted relative to it.
 struct TrueZeroSlip {
   int axisDeg = 0;
-  Angle horizontal, vertical;  ///< of the circle readings, of their face 1 equivalents
-  int time = 1;                ///< the how many-th position at this axis
+  Angle horizontal, vertical;  ///< of the circle readings, converted to face 1
+  int time = 1;                ///< the repeat at this axis
 };
 
-/// A radial form error of any order, which no effect of the catalogue describes: A cos ns + B sin ns.
+/// A radial form error of any order, outside the catalogue: A cos ns + B sin ns.
 struct FormHarmonic {
   int order = 7;
   double cosine = 0, sine = 0;  ///< A and B, mm
 };
 
-/// One row whose circles were read or written down wrongly.
+/// One row whose circles were misread or mistyped.
 struct TrueGrossError {
   int axisDeg = 0, round = 1, point = 1, face = 1;
   Angle horizontal, vertical;  ///< added to the circle readings
-  int time = 1;                ///< the how many-th position at this axis
+  int time = 1;                ///< the repeat at this axis
 };
 
-/// How truth files number positions, which take turns: 0 at 0°, 1 at 180°, 2 at 0° again, …
+/// Position numbers in truth files, with alternating axes: 0 at 0°, 1 at 180°, 2 at 0° again, …
 struct NumberedPosition {
   int axisDeg = 0, time = 1;
 
@@ -53,22 +53,22 @@ struct NumberedPosition {
   static NumberedPosition of(int number) { return {number % 2 == 0 ? 0 : 180, number / 2 + 1}; }
 };
 
-/// Everything a simulated session hangs on and that its fit does not know. Lengths in mm, o0.
+/// All properties of a simulated session that its fit does not know. Lengths in mm, o0.
 ///
-/// The guideway turns about an axis at (y = axisHeight); its centre lies off that axis by the intersection,
-/// so y(0°) = axisHeight + Δd and y(180°) = axisHeight − Δd.
+/// The guideway turns about an axis at (y = axisHeight); its centre is off that axis by the intersection, so
+/// y(0°) = axisHeight + Δd and y(180°) = axisHeight − Δd.
 struct Truth {
   std::uint64_t seed = 0;
   std::string protocol;
 
-  double distance = 2405;  ///< L; the session states it with the error of `sigmaDistance`
+  double distance = 2405;  ///< L; the session states it with an error of `sigmaDistance`
   double radius = 400;
   double centreX = 0, axisHeight = 0, intersection = 0;
   Angle horizontalZero = Angle::fromDegrees(332);  ///< α0 in the first position
-  /// β0 of a perfect instrument: 90° on a zenith circle and 0° on an elevation circle where it stands at the
-  /// height of the axis.
+  /// β0 of a perfect instrument at the height of the axis: 90° on a zenith circle and 0° on an elevation
+  /// circle.
   Angle verticalZero = Angle::fromDegrees(90);
-  ArcPlane plane = ArcPlane::Vertical;  ///< where it does not
+  ArcPlane plane = ArcPlane::Vertical;  ///< if the instrument is at another height
   Angle sliderZero;                     ///< slider reading at s = 0
 
   std::vector<TrueSize> effects;  ///< each term at most once
@@ -77,27 +77,26 @@ struct Truth {
   std::optional<FormHarmonic> harmonic = {};
   std::optional<ForeignEffect> foreign = {};
   std::vector<TrueGrossError> grossErrors = {};
-  /// True noise of the circle readings over the stated one. Zeros and slider are as stated.
+  /// True noise of the circle readings divided by the stated one. Zeros and slider are as stated.
   double noiseFactor = 1;
 
-  // What the session states.
+  // Values that the session states.
   double nominalRadius = 400, sigmaDistance = 0;
   Angle sigmaHorizontal = Angle::fromArcseconds(2), sigmaVertical = Angle::fromArcseconds(2);
   Angle sigmaZero = Angle::fromArcseconds(2), sigmaSlider = Angle::fromArcseconds(5);
   VerticalCircle verticalCircle = VerticalCircle::Zenith;
-  std::optional<double> sigmaReference =
-      {};  ///< mm; with it the session states Δd, off by an error of that σ
+  std::optional<double> sigmaReference = {};  ///< mm; if set, the session states Δd with an error of that σ
 
   /// Each zero is sighted in both faces, before the rows of its position and after them; drift and jump act
-  /// on these as they do on the rows.
+  /// on them as on the rows.
   bool sightsZerosInFull = false;
 
   Angle placeSpread = Angle::fromArcseconds(60);  ///< 1σ of the slider's places about the planned ones
   Angle typingStep = Angle::fromArcseconds(0.1);  ///< readings are rounded to this
 };
 
-/// A guideway as they come, without any effect: Δx and axis height within ±2 mm, Δd within ±3 mm, the radius
-/// spread by 0.15 mm (1σ) about 400 mm, the horizontal circle anywhere.
+/// A typical guideway without effects: Δx and axis height within ±2 mm, Δd within ±3 mm, the radius spread by
+/// 0.15 mm (1σ) about 400 mm, the horizontal circle in any orientation.
 Truth drawTruth(std::uint64_t seed);
 
 /// The error terms in the model's own units.

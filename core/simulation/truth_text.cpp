@@ -22,7 +22,7 @@ using Numbers = std::vector<double>;
 constexpr const char* harmonicId = "form_harmonic";
 constexpr const char* zeroSlipId = "zero_slip";
 
-/// "tilt about x" of plane_tilt is plane_tilt.x; an only parameter goes by its effect's id.
+/// "tilt about x" of plane_tilt is plane_tilt.x; an only parameter has its effect's id.
 std::string nameOf(const Effect& effect, const EffectParameter& parameter) {
   if (effect.parameters.size() == 1) return std::string(effect.id);
   return std::string(effect.id) + "." + std::string(parameter.name.substr(parameter.name.rfind(' ') + 1));
@@ -66,7 +66,7 @@ bool isWhole(double number, double least) {
 
 constexpr const char* timeToo = ", and where the axis is measured again the how many-th time is meant";
 
-/// `count` numbers, an axis first, and behind them maybe the how many-th time it is measured.
+/// `count` numbers that begin with an axis, perhaps followed by the repeat at that axis.
 bool areOfAxis(const Numbers& numbers, std::size_t count) {
   if (numbers.size() != count && !(numbers.size() == count + 1 && isWhole(numbers.back(), 1))) return false;
   return numbers[0] == 0 || numbers[0] == 180;

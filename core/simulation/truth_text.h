@@ -9,25 +9,25 @@
 
 namespace alidade {
 
-/// Puts an effect into the truth. `text` is what the command line takes:
+/// Adds an effect to the truth. `text` is an argument of the command line:
 ///
-///   collimation=20            an effect of the catalogue with one parameter, in the catalogue's unit
-///   plane_tilt=0.3,0.1        with several, in their order
-///   plane_tilt.x=0.3          one of several, by the last word of its name; the others stay as they are
-///   orientation_jump=0.4,30,-20             moment (share of the rows), horizontal and vertical, arcsec
-///   underestimated_noise=2.5                true noise over the stated
-///   gross_error=180,1,11,1,60,0             axis, round, point, face, horizontal and vertical, arcsec
-///   form_harmonic=7,0.1,0.1                 order, cosine and sine, mm; not in the catalogue
-///   local_dent=0.1,60,8, settling=20,0.2, …  others that are in no catalogue (foreign_effect.h)
+///   collimation=20 an effect of the catalogue with one parameter, in the catalogue's unit
+///   plane_tilt=0.3,0.1 with several, in their order
+///   plane_tilt.x=0.3 one of several, by the last word of its name; the others stay as they are
+///   orientation_jump=0.4,30,-20 moment (share of the rows), horizontal and vertical, arcsec
+///   underestimated_noise=2.5 true noise divided by the stated one
+///   gross_error=180,1,11,1,60,0 axis, round, point, face, horizontal and vertical, arcsec
+///   form_harmonic=7,0.1,0.1 order, cosine and sine, mm; uncatalogued
+///   local_dent=0.1,60,8, settling=20,0.2, … other uncatalogued ones (foreign_effect.h)
 ///
-/// The sentence where it cannot be read.
+/// Returns why it cannot be read.
 std::optional<Problem> addEffect(Truth& truth, const std::string& text);
 
-/// Every name that `addEffect` takes, with its unit, a line each, for help texts.
+/// All names that `addEffect` accepts, with their units, a line each, for help texts.
 std::string effectNames();
 
-/// Ids of what a diagnosis should name, each once, in the order of the catalogue; what is in no catalogue
-/// begins with `unknown_`. An effect of size 0 is none.
+/// Ids that a diagnosis should name, each once, in the order of the catalogue; uncatalogued ones begin with
+/// `unknown_`. Effects of size 0 do not count.
 std::vector<std::string> trueCauses(const Truth& truth);
 
 /// `none`, the only cause, `two_causes` or `several_causes`.

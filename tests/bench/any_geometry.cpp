@@ -12,11 +12,13 @@
 #include "core/simulation/trial_summary.h"
 #include "tests/support/drawn_plan.h"
 
-// How the program does in plans that no test names: 3 to 500 places over 20° to 350° of arc, one to three
-// rounds, one face, both or in turn, with or without slider, L from 0.5 to 50 m, R from 50 mm to 5 m, σ from
-// 0.1″ to 60″. Half of the sessions hold nothing, half one effect of the catalogue of one to four plausible
-// sizes. Counts false alarms, right answers, and how often Δd ± U (stated 95 %) covers the truth, as modelled
-// where nothing is wrong and with the causes where some are named.
+// Results in plans outside the named tests: 3 to 500 places over 20° to 350° of arc, one to three rounds, one
+// face, both or in turn, with or without slider, L from 0.5 to 50 m, R from 50 mm to 5 m, σ from 0.1″ to 60″.
+// Half of the sessions have no effect, half one catalogued effect of one to four plausible sizes. Counts
+// false
+// alarms, right answers, and how often Δd ± U (stated 95 %) covers the truth, fit only if nothing is wrong
+// and
+// with the causes if some are named.
 //
 //   alidade_any_geometry [SESSIONS [SEED [THREADS]]]
 
@@ -34,7 +36,7 @@ const Effect& drawnEffect(std::mt19937_64& random, bool slider) {
   }
 }
 
-/// In a random direction.
+/// Adds an effect in a random direction.
 void putEffect(std::mt19937_64& random, const Effect& effect, Truth& truth) {
   const double size = std::uniform_real_distribution<double>(1, 4)(random),
                angle = std::uniform_real_distribution<double>(0, 2 * std::numbers::pi)(random);
@@ -46,7 +48,7 @@ void putEffect(std::mt19937_64& random, const Effect& effect, Truth& truth) {
                      {parameters[1].term, size * std::sin(angle) * parameters[1].plausible}};
 }
 
-/// Drawn again until its readings fix both arcs.
+/// Drawn again until its readings determine both arcs.
 Result<TrialCase> drawnCase(std::uint64_t seed) {
   std::mt19937_64 random(seed);
   while (true) {
@@ -67,7 +69,7 @@ Result<TrialCase> drawnCase(std::uint64_t seed) {
   }
 }
 
-/// Of sessions that hold nothing, with the session's own model.
+/// For sessions without an effect, with the session's own model.
 Tally coveredAsModelled(std::size_t count, std::uint64_t seed) {
   Tally covered;
   for (std::size_t i = 0; i < count; ++i) {

@@ -1,7 +1,7 @@
-// How long a chart takes on the window's thread: to show another fit, to be zoomed and moved, to draw
-// something else, each until it is painted. Prints least, median and worst of many, and how often a frame of
-// 60 Hz was missed, at 34 rows and at 10 000, or at those given. By the processor's clock of this thread,
-// which other programs lengthen less.
+// Measures how long a chart takes on the window's thread to show another fit, to be zoomed and moved, and to
+// draw something else, each until it is painted. Prints minimum, median and maximum of many runs, and how
+// often a frame of 60 Hz was missed, at 34 rows and at 10 000, or at those given. Times are this thread's
+// processor time, which other programs affect less.
 
 #include <QApplication>
 #include <QImage>
@@ -96,7 +96,7 @@ int main(int argc, char** argv) {
   if (!qEnvironmentVariableIsSet("QT_QPA_PLATFORM")) qputenv("QT_QPA_PLATFORM", "offscreen");
   QApplication application(argc, argv);
   setUpApplication(application);
-  QTemporaryDir settings;  // the user's are neither read nor written
+  QTemporaryDir settings;  // the user's settings are neither read nor written
   QSettings::setDefaultFormat(QSettings::IniFormat);
   QSettings::setPath(QSettings::IniFormat, QSettings::UserScope, settings.path());
   const QStringList given = application.arguments().mid(1);

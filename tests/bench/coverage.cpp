@@ -10,8 +10,8 @@
 #include "core/effects/catalogue.h"
 #include "core/simulation/simulate.h"
 
-// How often Δd ± U covers the true Δd: simulated sessions of several protocols, each with a truth and noise
-// of its own. Stated coverage 95 %; with 10 000 sessions the share is known to 0.22 % (1σ).
+// How often Δd ± U covers the true Δd: simulated sessions of several protocols, each with its own truth and
+// noise. Stated coverage 95 %; with 10 000 sessions the share is known to 0.22 % (1σ).
 //
 //   alidade_coverage [SESSIONS [THREADS]]
 
@@ -21,7 +21,7 @@ using namespace alidade;
 
 struct Setting {
   std::string name, protocol;
-  std::string effect = {};  ///< put in at its plausible size and estimated along
+  std::string effect = {};  ///< simulated at its plausible size and estimated
   int points = 17;
   double noiseFactor = 1, sigmaDistance = 0, sigmaZero = 2;
   RadiusModel radius = RadiusModel::Free;
@@ -51,7 +51,7 @@ void take(const Setting& setting, std::uint64_t seed, Tally& tally) {
   if (!session) return;
   Measurement measurement = examine(*session).measurement.value();
   measurement.radiusModel = setting.radius;
-  measurement.sigmaRadius = 0.15;  // the spread that the truth was drawn with
+  measurement.sigmaRadius = 0.15;  // the spread with which the truth was drawn
   if (!setting.effect.empty()) measurement.effects = {setting.effect};
   const SessionFit fit = fitSession(measurement);
   if (!fit.intersection) return;

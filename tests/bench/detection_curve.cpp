@@ -17,15 +17,15 @@
 #include "core/simulation/protocol.h"
 #include "core/simulation/trial_series.h"
 
-// Right answers against how far an effect shows, beside those of the ideal observer: one who knows what no
-// user can, the very chances and sizes that the simulator draws from, and who weighs the kinds by their exact
-// evidence. Half of the sessions hold nothing, the others one effect of the catalogue. Right is: the effect
-// itself, or one that these readings do not tell from it; and silence where there is nothing.
+// The share of right answers as a function of the effect's visibility, compared with an ideal observer. The
+// observer knows the exact probabilities and sizes of the simulator, which no user can, and weights the kinds
+// by their exact evidence. Half of the sessions have no effect, the others one catalogued effect. Right
+// answers are the effect itself, one that these readings cannot distinguish from it, and none without one.
 //
 //   alidade_detection_curve [SESSIONS [SEED [THREADS [FROM TO]]]]
 //
-// With FROM and TO every session holds an effect, one that shows by so many σ; the observer still believes
-// what he believes of all. Behind the curve stand the truths that one of the two knew and the other did not.
+// With FROM and TO every session has an effect, visible by that many σ; the observer's prior stays the same.
+// After the curve the truths are listed that only one of the two recognised.
 
 namespace {
 
@@ -34,7 +34,7 @@ using Eigen::VectorXd;
 
 constexpr double least = 2, most = 25, mostPlausible = 6;
 
-/// What is drawn of all that the observer believes to be drawn.
+/// The distribution of truths that the observer assumes.
 struct Drawn {
   double from = least, to = most;
   bool alsoNothing = true;
@@ -62,11 +62,11 @@ BlindTrial trialOf(std::uint64_t seed, const Drawn& drawn) {
 }
 
 /// ln of the evidence of a trace of this shape, averaged over the lengths that the simulator draws: `unit` is
-/// what one plausible size leaves in the direction.
+/// the trace of one plausible size in the direction.
 void addEvidence(std::vector<double>& logs, const Component& component, const VectorXd& direction,
                  const Leftover& leftover) {
   constexpr int steps = 60;
-  // How far each size shows, for a plane tilt not in proportion to it.
+  // The visibility of each size, which for a plane tilt is not proportional to it.
   constexpr int sizes = 60;
   std::vector<double> shown(sizes + 1, 0);
   for (int i = 1; i <= sizes; ++i)
@@ -130,7 +130,7 @@ struct Row {
   std::atomic<int> count = 0, product = 0, ideal = 0, worse = 0, better = 0;
 };
 
-/// How often one of the two was right where the other was not.
+/// Counts how often only one of the two was right.
 class Apart {
  public:
   void note(const std::string& what) {

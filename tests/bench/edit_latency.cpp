@@ -1,7 +1,7 @@
-// How long from a committed cell edit to the repainted charts: undo step, fit in the background, new figures,
-// paint. Prints the least, the median and the worst of 200 edits that correct a last digit, of 200 that slip
-// by degrees and of the 200 that mend these one by one, and what of it the window's own thread has worked,
-// which other programs lengthen less. Offscreen unless QT_QPA_PLATFORM says otherwise.
+// Measures the time from a committed cell edit to the repainted charts: undo step, fit in the background, new
+// figures, paint. Prints minimum, median and maximum of 200 edits that correct a last digit, of 200 that err
+// by degrees and of the 200 that correct these one by one, and the processor time of the window's own thread,
+// which other programs affect less. Offscreen unless QT_QPA_PLATFORM says otherwise.
 
 #include <QApplication>
 #include <QElapsedTimer>
@@ -25,7 +25,7 @@ namespace {
 using namespace alidade;
 using namespace alidade::ui;
 
-/// Counts the paint events of a widget and what it contains.
+/// Counts the paint events of a widget and its children.
 class PaintCounter : public QObject {
  public:
   explicit PaintCounter(QWidget* widget) {
@@ -42,11 +42,11 @@ class PaintCounter : public QObject {
   }
 };
 
-/// Milliseconds from the edit on.
+/// Milliseconds from the edit.
 struct Times {
-  double figures;  ///< until fit and figures were handed to every view
-  double picture;  ///< until both charts have painted them
-  double work;     ///< of that, what the processor spent on this thread
+  double figures;  ///< until every view has received fit and figures
+  double picture;  ///< until both charts are painted
+  double work;     ///< of that, processor time of this thread
 };
 
 double threadMilliseconds() {
@@ -55,7 +55,7 @@ double threadMilliseconds() {
   return static_cast<double>(now.tv_sec) * 1e3 + static_cast<double>(now.tv_nsec) * 1e-6;
 }
 
-/// The last digit of what was typed is another.
+/// Changes the last digit of the typed text.
 std::string corrected(std::string text) {
   const auto last = text.find_last_of("0123456789");
   text[last] = text[last] == '9' ? '0' : static_cast<char>(text[last] + 1);
@@ -113,12 +113,13 @@ int main(int argc, char** argv) {
   if (!qEnvironmentVariableIsSet("QT_QPA_PLATFORM")) qputenv("QT_QPA_PLATFORM", "offscreen");
   QApplication application(argc, argv);
   setUpApplication(application);
-  QTemporaryDir settings;  // the user's are neither read nor written
+  QTemporaryDir settings;  // the user's settings are neither read nor written
   QSettings::setDefaultFormat(QSettings::IniFormat);
   QSettings::setPath(QSettings::IniFormat, QSettings::UserScope, settings.path());
   const QString path =
       application.arguments().value(1, QStringLiteral(ALIDADE_SAMPLES_DIR "/paper-table-1.alidade"));
-  if (const auto problem = SessionDocument().load(path)) {  // the window would ask, and nobody answers
+  if (const auto problem = SessionDocument().load(path)) {  // the window would ask a question that nobody
+                                                            // answers
     std::fprintf(stderr, "%s: %s\n", qPrintable(path), problem->text().c_str());
     return 2;
   }

@@ -11,10 +11,10 @@
 #include "core/base/random_source.h"
 #include "core/observation/perfect_theodolite.h"
 
-// How far the fast fit of an arc lies from the minimum, over arcs at random: spans of 30° to 350°, radii of
-// 100 to 500 mm, distances of 0.6 to 24 m, noise of 0.1″ to 30″, both vertical angle relations. The minimum
-// is found again in 64-bit mantissas by Gauss and Newton's method with an arc angle for each place. No more
-// than 1e-9 mm are wanted.
+// The distance of the fast fit of an arc from the minimum, over random arcs: spans of 30° to 350°, radii of
+// 100
+// to 500 mm, distances of 0.6 to 24 m, noise of 0.1″ to 30″, both vertical angle relations. The reference
+// minimum uses 64-bit mantissas and Gauss-Newton with an arc angle for each place. The limit is 1e-9 mm.
 //
 //   alidade_fast_agreement [ARCS [SEED]]
 
@@ -53,8 +53,8 @@ RandomArc drawArc(RandomSource& random) {
   return arc;
 }
 
-/// A place on the circle at the angle φ, weighted: what is left of its readings, by circle (x, y, R) and by
-/// φ.
+/// A place on the circle at the angle φ, weighted: its residuals, with derivatives with respect to circle (x,
+/// y, R) and φ.
 struct Equation {
   Eigen::Matrix<Extended, 2, 3> byCircle;
   Eigen::Matrix<Extended, 2, 1> byAngle, left;

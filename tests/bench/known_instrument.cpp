@@ -15,12 +15,14 @@
 #include "core/simulation/protocol.h"
 #include "core/simulation/simulate.h"
 
-// What an instrument record is worth. First, by every named plan: which effects a session could not tell
-// apart with nothing known of the instrument, and with its constants (collimation, trunnion tilt, index, both
-// circles' eccentricities) known to 1″. Then, by plan and constant: sessions in which the constant is as the
-// record says (its error drawn from u), and sessions in which it has changed by 30″ since: how often what is
-// known is called stale, how often another cause is named, how often Δd ± U (95 %) as measured covers the
-// true Δd, with and without the record.
+// The benefit of an instrument record. First, for every named plan: which effects a session could not
+// distinguish without knowledge of the instrument, and with its constants (collimation, trunnion tilt, index,
+// both circles' eccentricities) known to 1″. Then, by plan and constant: sessions in which the constant
+// agrees
+// with the record (its error drawn from u), and sessions in which it has changed by 30″ since. Counts how
+// often
+// the known value is called stale, how often another cause is named, and how often Δd ± U (95 %), measured,
+// covers the true Δd, with and without the record.
 //
 //   alidade_known_instrument [SESSIONS [SEED [PLAN]]]
 
@@ -28,7 +30,7 @@ namespace {
 
 using namespace alidade;
 
-constexpr double known = 1, knock = 30;  // arcseconds: u of the record, and what has changed since
+constexpr double known = 1, knock = 30;  // arcseconds: u of the record, and the change since
 
 const std::vector<std::string_view> constants = {"collimation", "trunnion_tilt", "vertical_index",
                                                  "horizontal_circle_eccentricity",
@@ -48,7 +50,7 @@ Measurement measurementOf(const Session& session) {
   return *examine(session).measurement;
 }
 
-/// Effects that are connected by looking alike.
+/// Groups of effects connected as look-alikes.
 std::vector<std::set<std::string>> groupsOf(const PlanReview& review) {
   std::vector<std::set<std::string>> groups;
   for (const PlannedEffect& effect : review.effects) {
@@ -128,7 +130,7 @@ struct Tally {
   }
 };
 
-/// `hasChanged`: by the knock; the record knows the whole instrument either way.
+/// `hasChanged`: by the knock; the record holds the whole instrument in both cases.
 void printTrials(const Protocol& protocol, std::string_view id, bool hasChanged, int sessions,
                  std::uint64_t seed) {
   constexpr std::uint64_t stream = 91;

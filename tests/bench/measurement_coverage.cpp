@@ -14,11 +14,13 @@
 #include "core/simulation/simulate.h"
 #include "tests/support/drawn_plan.h"
 
-// How often Δd ± U covers the true Δd, of the fit alone and as measured, in sessions that hold every effect
-// of the catalogue, drawn about zero as wide as plausible, half and twice as wide, none at all, and one at a
-// time; and with noise three times the stated and zeros of which no σ is stated; both with zeros sighted in
-// both faces, before and after, too. By every named plan, and by plans and set-ups drawn anew for each
-// session. Stated coverage 95 %.
+// How often Δd ± U covers the true Δd, fit only and measured. The sessions have every effect of the
+// catalogue,
+// drawn about zero with the plausible width, half and twice that, none at all, and one at a time; or noise of
+// three times the stated one and zeros without a stated σ; the last two also with zeros sighted in both
+// faces,
+// before and after. For every named plan, and for plans and set-ups drawn for each session. Stated coverage
+// 95 %.
 //
 //   alidade_measurement_coverage [SESSIONS [SEED [ROWS]]]     only rows with ROWS in their names
 
@@ -29,12 +31,12 @@ using namespace alidade;
 struct Row {
   std::string name;
   double sizes = 1;
-  std::string_view only = {};  ///< id of the effect that alone is there; empty: every one
+  std::string_view only = {};  ///< id of the only effect; empty: every one
   double noise = 1;
   bool zerosInFull = false;
 };
 
-/// Drawn where `protocol` is null.
+/// Drawn if `protocol` is null.
 test::DrawnPlan planOf(const Protocol* protocol, std::uint64_t seed) {
   constexpr int mostPoints = 60;
   if (protocol) return {*protocol, drawTruth(seed)};
@@ -43,10 +45,10 @@ test::DrawnPlan planOf(const Protocol* protocol, std::uint64_t seed) {
 }
 
 void putEffects(Truth& truth, const Row& row, const Protocol& protocol, std::uint64_t seed) {
-  constexpr std::uint64_t stream = 55;  // apart from those of guideway and noise
+  constexpr std::uint64_t stream = 55;  // separate from those of guideway and noise
   truth.noiseFactor = row.noise;
   truth.sightsZerosInFull = row.zerosInFull;
-  if (row.noise != 1)  // and the zeros, of which nothing is stated, scatter as the circles do
+  if (row.noise != 1)  // and the zeros, without a stated σ, scatter like the circles
     truth.sigmaZero = std::min(truth.sigmaHorizontal, truth.sigmaVertical) * row.noise;
   RandomSource random(seed, stream);
   for (const Effect& effect : effectCatalogue()) {

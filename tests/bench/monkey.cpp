@@ -7,9 +7,9 @@
 #include "tests/ui/monkey/monkey.h"
 #include "ui/settings/theme.h"
 
-// alidade_monkey EVENTS [SEED [LOG]]: plays with the window offscreen, see tests/ui/monkey/monkey.h. The log
-// is written as it goes, so that what ended the program stands in its last line; the session at work stands
-// in LOG.alidade. Exit code 0 where all was in order.
+// alidade_monkey EVENTS [SEED [LOG]]: random input to the window offscreen, see tests/ui/monkey/monkey.h. The
+// log is written continuously, so that its last line shows the input that ended the program; LOG.alidade
+// holds the current session. Exit code 0 if nothing failed.
 
 namespace {
 

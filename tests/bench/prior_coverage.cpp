@@ -14,10 +14,10 @@
 #include "core/simulation/trial_series.h"
 #include "core/simulation/trial_summary.h"
 
-// How often Δd ± U covers the true Δd once the causes that a diagnosis names are added, where causes and
-// their sizes come as often as the diagnosis believes: each effect, a jump, larger noise and a misreading
-// with their prior odds, whatever else is there, of sizes normal with each width as likely. Stated coverage
-// 95 %.
+// How often Δd ± U covers the true Δd after the causes named by a diagnosis are added, if causes and sizes
+// have
+// the diagnosis' prior distribution: each effect, a jump, larger noise and a misreading with its prior odds,
+// independently, and sizes that are normal with equally probable widths. Stated coverage 95 %.
 //
 //   alidade_prior_coverage [SESSIONS [SEED [THREADS]]]
 
@@ -47,7 +47,7 @@ class Draw {
   }
 
  private:
-  static constexpr std::uint64_t stream = 77;  // apart from those of guideway and noise
+  static constexpr std::uint64_t stream = 77;  // separate from those of guideway and noise
   std::uint64_t m_seed;
   RandomSource m_random;
   Truth m_truth;

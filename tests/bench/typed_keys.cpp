@@ -1,7 +1,7 @@
-// Types entries into the window by key events, at so many milliseconds a key, while fits and diagnoses arrive
-// as they do, and counts the entries that are not stored as typed: at 34 rows all 68 angles of the published
-// table into an empty one, else the first 24 of them below the rows that are there. Arguments: milliseconds a
-// key (else 2, 8, 30, 60, 150). Offscreen unless QT_QPA_PLATFORM says otherwise.
+// Types entries into the window by key events, at a given number of milliseconds per key, while fits and
+// diagnoses arrive normally. Counts the entries that are not stored as typed. At 34 rows it types all 68
+// angles of the published table into an empty one, else the first 24 of them below the existing rows.
+// Arguments: milliseconds per key (else 2, 8, 30, 60, 150). Offscreen unless QT_QPA_PLATFORM says otherwise.
 
 #include <QApplication>
 #include <QElapsedTimer>
@@ -87,7 +87,7 @@ int main(int argc, char** argv) {
   if (!qEnvironmentVariableIsSet("QT_QPA_PLATFORM")) qputenv("QT_QPA_PLATFORM", "offscreen");
   QApplication application(argc, argv);
   setUpApplication(application);
-  QTemporaryDir settings;  // the user's are neither read nor written
+  QTemporaryDir settings;  // the user's settings are neither read nor written
   QSettings::setDefaultFormat(QSettings::IniFormat);
   QSettings::setPath(QSettings::IniFormat, QSettings::UserScope, settings.path());
   const Result<Session> paper = loadSession(ALIDADE_SAMPLES_DIR "/paper-table-1.alidade");

@@ -1,6 +1,6 @@
-// How often slips of the pen are found and corrected: simulated sessions with one slip that shows by more
-// than ten sigma, kind by kind and plan by plan, and how often a sound session names a suspect. Arguments:
-// sessions for each plan (2000), step in arcseconds to which readings are typed (0.1).
+// How often typing slips are found and corrected: simulated sessions with one slip, visible by more than ten
+// sigma, by kind and plan, and how often a sound session names a suspect. Arguments: sessions for each plan
+// (2000), step in arcseconds to which readings are typed (0.1).
 
 #include "tests/support/typed_slips.h"
 
@@ -84,7 +84,7 @@ void runPlan(const char* name, int sessions, double step, bool verbose) {
   all.print("all");
 }
 
-/// Slips next to each other: how often a correction is offered, and how often one that is none.
+/// Adjacent slips: how often a correction is proposed, and how often a wrong one.
 void runNeighbours(const char* name, int sessions, double step) {
   const Protocol& protocol = *protocolByName(name);
   for (const std::size_t count : {2U, 3U}) {

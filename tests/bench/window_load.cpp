@@ -1,7 +1,7 @@
-// How the window bears many rows: for each number of rows given (34, 10 000 and 100 000) it is opened, typed
-// in, pasted into, undone, scrolled and leafed through. Of each step it prints how long until the fit is
-// shown and painted, how long this thread has worked on it, the longest it has worked without looking at the
-// keyboard, and on what. Work is counted by the processor's clock, which other programs lengthen less.
+// Measures the window with many rows: for each number of rows given (34, 10 000 and 100 000) it is opened,
+// typed in, pasted into, undone, scrolled and paged through. For each step it prints the time until the fit
+// is shown and painted, the time this thread has worked on it, and the longest time without handling input,
+// with its cause. Work is processor time, which other programs affect less.
 
 #include <malloc.h>
 
@@ -49,7 +49,7 @@ double residentMiB() {
   return static_cast<double>(resident) * 4096 / (1 << 20);
 }
 
-/// Knows the single event that the thread has worked on longest.
+/// Records the single event that took this thread the longest time.
 class WatchedApplication : public QApplication {
  public:
   using QApplication::QApplication;
@@ -81,7 +81,7 @@ class WatchedApplication : public QApplication {
   std::string m_on;
 };
 
-/// Counts the paint events of a widget and what it contains.
+/// Counts the paint events of a widget and its children.
 class PaintCounter : public QObject {
  public:
   explicit PaintCounter(QWidget* widget) : m_widget(widget) {
@@ -89,7 +89,7 @@ class PaintCounter : public QObject {
   }
 
   void restart() { m_paints = 0; }
-  /// Since then, as far as it is in sight.
+  /// Painted since then, or not visible.
   bool isPainted() const { return m_paints > 0 || !m_widget->isVisible(); }
 
  protected:
@@ -117,16 +117,16 @@ class Load {
     });
   }
 
-  /// Until the fit that `act` asks for is shown and painted.
+  /// Until the fit caused by `act` is shown and painted.
   void edit(const char* what, const std::function<void()>& act) {
     m_isShown = false;
     measure(what, act, [this] { return isPainted() && m_window.job().isIdle(); });
   }
-  /// Until nothing is left to do but what runs in the background.
+  /// Until only background work is left.
   void look(const char* what, const std::function<void()>& act) {
     measure(what, act, [] { return true; });
   }
-  /// Waits for everything in the background.
+  /// Waits for all background work.
   void rest(const char* what) {
     measure(
         what, [] {}, [this] { return m_window.job().isIdle() && !m_window.gapJob().isAtWork(); });
@@ -269,7 +269,7 @@ int main(int argc, char** argv) {
   if (!qEnvironmentVariableIsSet("QT_QPA_PLATFORM")) qputenv("QT_QPA_PLATFORM", "offscreen");
   WatchedApplication application(argc, argv);
   setUpApplication(application);
-  QTemporaryDir settings;  // the user's are neither read nor written
+  QTemporaryDir settings;  // the user's settings are neither read nor written
   QSettings::setDefaultFormat(QSettings::IniFormat);
   QSettings::setPath(QSettings::IniFormat, QSettings::UserScope, settings.path());
   if (argc < 2)

@@ -1,8 +1,8 @@
-// How long from the start of the program until the window has painted for the first time, until it answers
-// the keyboard, and, with the file of a session, until its result stands there. As `app/workstation/main.cpp`
-// opens it, with settings of its own. One line a start: call it several times, the first reads the disk.
-// Counted from when the process was made, to a hundredth of a second; in brackets what the processor has
-// worked for it, which other programs lengthen less. Offscreen unless QT_QPA_PLATFORM says else.
+// Measures the time from the start of the program until the window is first painted, until it responds to the
+// keyboard, and, with a session file, until its result is shown. Opened as by `app/workstation/main.cpp`,
+// with separate settings. One line per start: call it several times, as the first one reads the disk. Times
+// count from the creation of the process, to a hundredth of a second; processor time, in brackets, is
+// affected less by other programs. Offscreen unless QT_QPA_PLATFORM says otherwise.
 
 #include <unistd.h>
 #include <QEvent>
@@ -45,7 +45,7 @@ Moment sinceStart() {
   return {milliseconds(CLOCK_BOOTTIME) - ticks * 1e3, milliseconds(CLOCK_PROCESS_CPUTIME_ID)};
 }
 
-/// Notes the first paint of anything in the window, and when the event loop comes round after it.
+/// Records the first paint of anything in the window, and the next pass of the event loop.
 class FirstPaint : public QObject {
  public:
   Moment painted, answering;

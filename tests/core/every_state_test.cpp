@@ -1,5 +1,5 @@
-// A session has an answer or a sentence in every state it passes through while it is typed, and in every
-// geometry: plans of 9 or 17 points, all that other tests know, prove nothing of 24.
+// A session has a result or a sentence in every state while it is typed, and in every geometry: the plans of
+// 9 or 17 points in other tests prove nothing about 24.
 
 #include <gtest/gtest.h>
 
@@ -15,7 +15,7 @@ namespace {
 
 using namespace alidade::test;
 
-/// Thousands of states, so that shards of them run side by side.
+/// Thousands of states, so shards of them run in parallel.
 class EveryState : public testing::TestWithParam<int> {};
 
 TEST_P(EveryState, OfTypingHasAnAnswerOrASentence) {
@@ -65,7 +65,7 @@ TEST_P(EveryGeometry, HasAnAnswerOrASentence) {
 
 INSTANTIATE_TEST_SUITE_P(FourHundred, EveryGeometry, testing::Range(0, 10));
 
-/// Inputs that no arc is behind.
+/// Inputs without an arc.
 class EveryFarOff : public testing::TestWithParam<int> {};
 
 TEST_P(EveryFarOff, HasAnAnswerInItsRangesOrASentence) {

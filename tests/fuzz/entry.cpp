@@ -6,8 +6,7 @@
 
 #include "tests/fuzz/targets.h"
 
-// One program for each target; libFuzzer has its main. An expectation that is not met ends it as an
-// exception.
+// One program for each target, with the main of libFuzzer. A failed expectation ends it as an exception.
 
 // NOLINTNEXTLINE(readability-identifier-naming): libFuzzer's name
 extern "C" int LLVMFuzzerInitialize(int*, char***) {

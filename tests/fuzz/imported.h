@@ -6,11 +6,11 @@
 
 namespace alidade::fuzz {
 
-/// Problems name lines and columns that the text has.
+/// Problems name lines and columns that exist in the text.
 void checkPlaces(const Recording& recording, std::string_view text);
 
-/// Imports a file as the console does: it is refused in words, or makes a session that can be kept and
-/// examined.
+/// Imports a file as the console does: it is refused with a sentence, or yields a session that can be saved
+/// and examined.
 void importBytes(std::string_view bytes, const ImportOptions& options);
 
 }  // namespace alidade::fuzz

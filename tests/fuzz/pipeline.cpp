@@ -47,7 +47,7 @@ void tellFit(const Session& session, const FitAnswer& answer) {
   requireJson(fitJson(name, answer.measurement, published));
 }
 
-/// Keeps what it finds in the answer.
+/// Adds the diagnosis to the answer.
 void diagnoseIt(FitAnswer& answer) {
   auto diagnosis = diagnose(answer.measurement, answer.fit);
   if (!diagnosis) return test::expectSentence(problemOf(diagnosis.problem()).text());
@@ -71,7 +71,7 @@ void review(const Session& session) {
   requireJson(console::planJson(name, *review, *findings));
 }
 
-/// By the protocol it says it follows, else by its own rows.
+/// By the protocol that the session names, else by its own rows.
 void lead(const Session& session) {
   const auto own = protocolOf(session);
   if (!own) return require(!own.problem().what.empty(), "a protocol refused without words");
@@ -91,7 +91,7 @@ void certify(const Session& session, const FitAnswer& answer) {
   test::expectCertificate(session, answer);
 }
 
-/// A number typed as 02 is kept as 2; from then on nothing changes any more.
+/// A number typed as 02 is kept as 2; after that nothing changes.
 void writeAndRead(const Session& session) {
   const std::string text = writeSession(session);
   const Result<Session> again = readSession(text);

@@ -5,8 +5,8 @@
 namespace alidade::fuzz {
 
 /// What the programs do with a session: write and read it again, examine it, fit it both ways, look for
-/// suspects, diagnose it, review it as a plan, and print all of that. Every answer has to keep to
-/// `every_answer.h`; a session that cannot be used has to be refused in words. None of its own texts may hold
+/// suspects, diagnose it, review it as a plan, and print all results. Every answer has to meet
+/// `every_answer.h`; an unusable session has to be refused with a sentence. None of its own texts may contain
 /// “nan” or “inf ”.
 void workThrough(const Session& session);
 

@@ -25,7 +25,7 @@ std::vector<std::string> filesOf(const std::string& folder) {
   return files;
 }
 
-/// File names as GoogleTest takes them for names of tests.
+/// File names converted to valid GoogleTest names.
 std::string testName(std::string text) {
   std::ranges::replace_if(
       text, [](char c) { return !std::isalnum(static_cast<unsigned char>(c)); }, '_');
@@ -46,7 +46,7 @@ TEST_P(Corpus, GoesThrough) {
 INSTANTIATE_TEST_SUITE_P(, Corpus, testing::ValuesIn(targets().begin(), targets().end()),
                          [](const auto& target) { return std::string(target.param.name); });
 
-/// Sessions that once ended the program.
+/// Sessions that once crashed the program.
 class OnceFatal : public testing::TestWithParam<std::string> {};
 
 TEST_P(OnceFatal, EndsInAnAnswerOrASentence) {

@@ -5,7 +5,7 @@
 
 namespace alidade::fuzz {
 
-/// What must hold for every input. A test fails by it, a fuzz target ends by it.
+/// A condition that must hold for every input. If it is violated, a test fails and a fuzz target ends.
 inline void require(bool holds, const std::string& what) {
   if (!holds) throw std::logic_error(what);
 }

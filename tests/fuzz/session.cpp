@@ -22,7 +22,7 @@ void throwSession(std::string_view bytes) {
   if (!session) return require(!session.problem().what.empty(), "a file refused without words");
   require(nlohmann::json::parse(withoutMark(bytes)) == nlohmann::json::parse(writeSession(*session)),
           "a session that is written with other values than it was read with");
-  // Sentences quote what was typed, and must not speak of what is no number.
+  // Sentences quote typed texts, so these must not contain “nan” or “inf ” themselves.
   if (bytes.find("nan") == bytes.npos && bytes.find("inf ") == bytes.npos) workThrough(*session);
 }
 

@@ -6,7 +6,7 @@
 
 namespace alidade::fuzz {
 
-/// Choices made by bytes. Where these have run out every choice is the first, so that any bytes will do.
+/// Choices determined by bytes. After the last byte every choice is the first, so any bytes are valid.
 class Steering {
  public:
   explicit Steering(std::string_view bytes) : m_bytes(bytes) {}
@@ -21,7 +21,7 @@ class Steering {
     return byte % count;
   }
 
-  /// One of the members of an array or a vector that has any.
+  /// A member of a non-empty array or vector.
   template <typename List>
   const auto& oneOf(const List& list) {
     return list[below(std::size(list))];

@@ -14,7 +14,7 @@ namespace {
 constexpr VerticalCircle circles[] = {VerticalCircle::Zenith, VerticalCircle::Elevation};
 constexpr CircleUnit units[] = {CircleUnit::Dms, CircleUnit::Degrees, CircleUnit::Gon};
 
-/// What came of a step is fit for a session, and no more readings come than lines.
+/// The results of a step are valid for a session, with at most as many readings as lines.
 void look(const TalkStep& step, VerticalCircle circle) {
   std::size_t received = 0;
   for (const TalkLine& line : step.lines) {
@@ -30,7 +30,7 @@ void look(const TalkStep& step, VerticalCircle circle) {
   }
 }
 
-/// Begun, asked and ticked now and then, the bytes in pieces as they steer it.
+/// Starts, requests readings and ticks occasionally; the bytes determine the pieces in which they arrive.
 template <class Talk>
 void throwAt(std::string_view bytes, const TalkCircles& settings) {
   Talk talk(settings);

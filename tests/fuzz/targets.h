@@ -5,8 +5,8 @@
 
 namespace alidade::fuzz {
 
-// What is thrown at the core, each in a source of its own. A target takes any bytes; it fails by `require`,
-// by an exception, or by what the sanitizers see.
+// The targets for the core, each in a separate source. A target accepts any bytes; it fails by `require`, by
+// an exception, or by a sanitizer's report.
 
 void throwSession(std::string_view bytes);  ///< a session file: read, write, fit, diagnose, plan
 void throwTyping(std::string_view bytes);   ///< a session as it is being typed, steered by the bytes
@@ -16,7 +16,7 @@ void throwAngles(std::string_view bytes);   ///< one entry of a form
 void throwTruth(std::string_view bytes);    ///< a truth file, or an effect of the command line
 void throwRecords(std::string_view bytes);  ///< a protocol, or the record of an instrument
 void throwValues(std::string_view bytes);   ///< values over time, or rounds of an instrument check
-void throwTalk(std::string_view bytes);     ///< what an instrument sends, and what is sent to a simulated one
+void throwTalk(std::string_view bytes);     ///< bytes from an instrument, and bytes sent to a simulated one
 
 struct Target {
   std::string_view name;  ///< of its program, corpus and dictionary

@@ -22,7 +22,7 @@ void readFile(const std::string& text) {
   }
 }
 
-/// Effects as the command line takes them, one in a line.
+/// Adds effects in the notation of the command line, one per line.
 void putIn(std::string_view lines) {
   constexpr std::size_t mostEffects = 6;
   Truth truth = drawTruth(1);

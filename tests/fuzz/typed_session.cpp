@@ -111,7 +111,7 @@ class Typist {
     return count;
   }
 
-  /// The next rows of the plan; where this position is complete, of the next.
+  /// Types the next rows of the plan, continuing with the next position once this one is complete.
   void typeRows(std::size_t count) {
     for (; count > 0 && allRows() < mostRows; --count) {
       if (rows().size() >= meantRows().size()) m_at = (m_at + 1) % m_session.positions.size();
@@ -125,7 +125,7 @@ class Typist {
     return *cells[m_steering.below(3)];
   }
 
-  /// A digit wrong, two digits swapped, or one left out.
+  /// Makes a digit wrong, swaps two digits, or omits one.
   void slip(std::string& text) {
     std::vector<std::size_t> digits;
     for (std::size_t i = 0; i < text.size(); ++i)
@@ -179,7 +179,7 @@ class Typist {
     *names[m_steering.below(3)] = m_steering.oneOf(texts);
   }
 
-  /// The readings of the row above copied down.
+  /// Copies the readings of the row above.
   void repeat(Reading* reading) {
     if (!reading) return;
     for (Reading& other : rows()) {
@@ -237,7 +237,7 @@ class Typist {
   Steering& m_steering;
   const Session m_meant;
   Session m_session;
-  std::size_t m_at = 0;  // position being typed
+  std::size_t m_at = 0;  // position now being typed
 };
 
 }  // namespace

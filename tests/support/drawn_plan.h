@@ -11,10 +11,10 @@
 
 namespace alidade::test {
 
-// Plans of readings and set-ups of any geometry, drawn from a seed: what all named plans have in common
-// (9 or 17 points, half a circle, 400 mm at 2.4 m, 2″) is drawn here.
+// Plans of readings and set-ups of any geometry, drawn from a seed. The common properties of all named plans
+// (9 or 17 points, half a circle, 400 mm at 2.4 m, 2″) are varied here.
 
-/// A number between two, evenly in its logarithm.
+/// A number in a range, uniform in its logarithm.
 inline double drawnSize(std::mt19937_64& random, double least, double most) {
   return std::exp(std::uniform_real_distribution<double>(std::log(least), std::log(most))(random));
 }
@@ -33,8 +33,8 @@ struct DrawnPlan {
 };
 
 /// `mostPoints` ≥ 3 places over 20° to 350° of arc, one to three rounds, one face, both or in turn, with or
-/// without slider, now and then an axis again; L from 0.5 to 50 m, R from 50 mm to 5 m but within 45° of the
-/// line of sight, both σ from 0.1″ to 60″. Without any effect.
+/// without slider, occasionally a repeated axis; L from 0.5 to 50 m, R from 50 mm to 5 m but within 45° of
+/// the line of sight, both σ from 0.1″ to 60″. Without any effect.
 inline DrawnPlan drawnPlan(std::mt19937_64& random, int mostPoints, std::uint64_t seed) {
   DrawnPlan plan;
   Protocol& protocol = plan.protocol;

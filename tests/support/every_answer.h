@@ -32,15 +32,15 @@
 
 namespace alidade::test {
 
-// What every answer keeps to, whatever was typed: it is there or a sentence says why not, every number that
-// is shown is one and in its range, and no sentence speaks of what is no number.
+// The conditions on every answer to any input: it exists or a sentence says why not, every number shown is
+// finite and in its range, and sentences contain no “nan” or “inf”.
 
 inline void expectSentence(const std::string& text) {
   EXPECT_FALSE(text.empty());
   for (const char* word : {"nan", "inf "}) EXPECT_EQ(text.find(word), std::string::npos) << text;
 }
 
-/// Only "fin", "inf": ids and units are no sentences.
+/// Only "fin", "inf": ids and units are not sentences.
 inline void expectNumber(double value, const char* what) {
   EXPECT_TRUE(std::isfinite(value)) << what << " is " << value;
 }
@@ -154,7 +154,7 @@ inline void expectDiagnosis(const Diagnosis& diagnosis) {
   }
 }
 
-/// Asks for everything that the program makes of a session.
+/// Requests everything that the program derives from a session.
 inline void expectAnswers(const Session& session) {
   const Examined examined = examine(session);
   for (const Problem& problem : examined.problems) expectSentence(problem.text());
@@ -167,7 +167,7 @@ inline void expectAnswers(const Session& session) {
   expectFit(measurement, fit);
   expectSuspects(session, findSuspects(session, measurement, fit));
   const auto diagnosis = diagnose(measurement);
-  if (measurement.known.empty()) {  // what is known may be so far off that nothing fits it
+  if (measurement.known.empty()) {  // known values may be so wrong that nothing fits them
     EXPECT_EQ(static_cast<bool>(diagnosis), !fit.arcs.empty());
   }
   diagnosis ? expectDiagnosis(*diagnosis) : expectSentence(problemOf(diagnosis.problem()).text());
@@ -206,14 +206,14 @@ inline void expectGuidance(const Guidance& guidance) {
     expectSentence(sentences);
 }
 
-/// By its own rows, so that all of it is there, and by a plan of the house.
+/// By its own rows, so that it is complete, and by a named plan.
 inline void expectGuidances(const Session& session) {
   std::vector<SightingProtocol> protocols{protocolFromRows(session), templateOf(namedProtocols().front())};
   for (SightingProtocol& protocol : protocols)
     if (!protocol.positions.empty()) expectGuidance(guidanceOf(session, std::move(protocol)));
 }
 
-/// Where there is anything to certify.
+/// If there is anything to certify.
 inline void expectCertificate(const Session& session, const FitAnswer& answer) {
   if (absence(answer.measurement, answer.fit.arcs.size(), answer.fit.findings)) return;
   const std::string bytes = writeSession(session);
@@ -226,7 +226,7 @@ inline void expectCertificate(const Session& session, const FitAnswer& answer) {
     EXPECT_EQ(certificate->xml.find(none), std::string::npos) << none;
 }
 
-/// What is asked for more rarely: the plan, the published method, draws, guidance, the certificate.
+/// Less frequent requests: the plan, the published method, draws, guidance, the certificate.
 inline void expectFurtherAnswers(const Session& session) {
   const Examined planned = examine(withPlannedReadings(session));
   if (planned.measurement) {

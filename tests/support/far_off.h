@@ -12,8 +12,8 @@
 
 namespace alidade::test {
 
-// Sessions whose readings lie far off any arc, or on one of which they say next to nothing, at any size of L,
-// R0 and σ that may be entered. Everything follows from the seed.
+// Sessions whose readings are far from any arc, or on an arc that they hardly determine, at any valid size of
+// L, R0 and σ. Everything follows from the seed.
 
 enum class FarOff { Anywhere, AtAPoint, OnALine, InAHeap, OnAnArcOfNoise, OnALargeArc, OnASmallArc };
 

@@ -13,7 +13,7 @@ inline constexpr bool holds = false;
 template <typename Kind, typename... Kinds>
 inline constexpr bool holds<Kind, std::variant<Kinds...>> = (std::is_same_v<Kind, Kinds> || ...);
 
-/// The first finding of this kind; null where there is none.
+/// The first finding of this kind; null if there is none.
 template <typename Kind>
 const Kind* found(const std::vector<FitFinding>& findings) {
   for (const FitFinding& finding : findings) {

@@ -6,7 +6,7 @@
 
 namespace alidade::test {
 
-/// Of a session with two faces, two rounds and slider readings.
+/// The leftover of a session with two faces, two rounds and slider readings.
 inline const Leftover& leftover() {
   static const Leftover instance = [] {
     const Measurement measurement = trialMeasurement("full");

@@ -1,7 +1,7 @@
 #pragma once
 
-// Defined where a sanitizer watches every access: it takes the address space for itself, brings its own
-// `new`, and multiplies what is used of memory and time, so limits on these mean nothing.
+// Defined if a sanitizer watches every access: it occupies the address space, replaces `new`, and multiplies
+// memory and time, so limits on these are meaningless.
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
 #define ALIDADE_MEMORY_IS_GUARDED
 #elif defined(__has_feature)
@@ -12,7 +12,7 @@
 
 namespace alidade::test {
 
-/// How many of `wanted` cases are run: under a sanitizer each takes ten times as long.
+/// How many of `wanted` cases to run: under a sanitizer each takes ten times as long.
 constexpr int inTheTime(int wanted) {
 #ifdef ALIDADE_MEMORY_IS_GUARDED
   return (wanted + 9) / 10;

@@ -16,7 +16,7 @@ struct ReferenceArc {
   double x, y, radius, sigmaX, sigmaY, sigmaRadius, chiSquare;  // mm
 };
 
-/// A session and its fit by tests/reference/high-precision/solve.py.
+/// A session and its fit from tests/reference/high-precision/solve.py.
 struct ReferenceFit {
   std::string name;
   Measurement measurement;

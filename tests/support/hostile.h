@@ -8,13 +8,13 @@
 
 namespace alidade::test {
 
-/// What somebody may put into a name to act on a terminal, to turn or hide text, or to be taken for markup.
+/// Names that try to control a terminal, reverse or hide text, or act as markup.
 struct HostileText {
   const char* what;
   std::string_view text;
 };
 
-/// All of it UTF-8; without a path's separator and NUL, so that it can be a file's name as well.
+/// All of them UTF-8, without path separators and NUL, so that they can also be file names.
 inline constexpr std::array hostileTexts = {
     HostileText{"clear the screen", "a\x1b[2J\x1b[Hb"},
     HostileText{"set the terminal's title",
@@ -35,9 +35,9 @@ inline constexpr std::array hostileTexts = {
     HostileText{"placeholders", "%1 %2 %n %s[*] {0}\\u202e\tCtrl+Q"},
 };
 
-/// Where a text as it is shown first holds what may never be in it: control characters other than those in
-/// `allowed`, what turns or hides text, or bytes that are no UTF-8. A second reading of Unicode, on purpose
-/// apart from that of the program.
+/// The first place of a shown text with forbidden content: control characters other than those in `allowed`,
+/// characters that reverse or hide text, or invalid UTF-8. A separate implementation of the Unicode rules,
+/// independent of the program's.
 inline std::optional<std::size_t> firstForbidden(std::string_view text, std::string_view allowed = "\n") {
   for (std::size_t at = 0; at < text.size();) {
     const auto byte = static_cast<unsigned char>(text[at]);

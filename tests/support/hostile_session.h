@@ -8,15 +8,15 @@
 
 namespace alidade::test {
 
-/// All of them, one behind the other.
+/// All of them, concatenated.
 inline std::string allHostileTexts() {
   std::string all;
   for (const HostileText& hostile : hostileTexts) all.append(hostile.text);
   return all;
 }
 
-/// The text of a session that can still be fitted, with `text` in every entry that is free: names, notes, an
-/// effect of no catalogue, sizes known of nothing, keys that the program does not know.
+/// The text of a session that can still be fitted, with `text` in every free entry: names, notes, an
+/// uncatalogued effect, known sizes of unknown effects, unknown keys.
 inline std::string hostileSession(const std::string& session, const std::string& text) {
   using Json = nlohmann::ordered_json;
   Json json = Json::parse(session);

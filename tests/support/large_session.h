@@ -7,7 +7,7 @@
 
 namespace alidade::test {
 
-/// A sound session of at least `rows` rows and at most 34 more, half of them in each position: the usual 17
+/// A valid session of at least `rows` rows and at most 34 more, half of them in each position: the usual 17
 /// points, read round after round.
 inline Session largeSession(std::size_t rows) {
   Protocol protocol;

@@ -18,7 +18,7 @@ inline Session paperSession() {
   session.geometry.distanceMm = "2405";
   session.geometry.radiusMm = "400";
   session.acceptance.toleranceMm = "2.5";
-  // The zero at 180° is not printed; with this one, in whole seconds, every printed centre comes out.
+  // The paper does not print the zero at 180°; this one, in whole seconds, reproduces every printed centre.
   session.positions.at(0).zero = {"332°32'54\"", "89°59'57\"", {}};
   session.positions.at(1).zero = {"332°32'50\"", "89°59'58\"", {}};
 

@@ -13,10 +13,9 @@
 
 namespace alidade::test {
 
-// Draws whose refit is known: what is drawn are the perfect readings of other circles than those that were
-// read.
+// Draws with a known refit: the drawn values are the perfect readings of other circles.
 
-/// Each σ its own, so that none can stand in for another.
+/// Each σ is different, so that a confusion would show.
 inline Measurement uncertainMeasurement() {
   Measurement measurement = usualMeasurement();
   measurement.sigmaVertical = Angle::fromArcseconds(3);
@@ -29,7 +28,7 @@ inline Measurement uncertainMeasurement() {
 }
 
 /// `measurement` with perfect arcs on both circles, over the upper half at 0° and the lower at 180°; with
-/// readings of a slider whose zero stands at 10° if there are `sliders`.
+/// `sliders`, readings of a slider with its zero at 10°.
 inline Measurement withPerfectArcs(Measurement measurement, const std::array<Circle, 2>& circles, int places,
                                    double spanDegrees, bool sliders = false) {
   measurement.arcs.clear();
@@ -48,11 +47,11 @@ inline Measurement withPerfectArcs(Measurement measurement, const std::array<Cir
   return measurement;
 }
 
-/// A drift of the vertical circle by so much: zenith readings grow over the session, so that e, counted from
-/// the zero that was sighted with the first row of its position, shrinks.
+/// Adds a drift of the vertical circle: zenith readings grow over the session, so that e decreases, counted
+/// from the zero that was sighted with the first row of its position.
 inline void addVerticalDrift(Measurement& measurement, Angle drift) {
   for (ArcMeasurement& arc : measurement.arcs) {
-    // Read as level, the zero stood higher by what it had drifted.
+    // The zero, read as level, was actually higher by its drift.
     const Angle ofZero = drift * arc.sightings.front().elapsed;
     ArcMeasurement level = {}, asItStood = {};
     asItStood.zeroElevation = ofZero;
@@ -65,7 +64,7 @@ inline void addVerticalDrift(Measurement& measurement, Angle drift) {
   }
 }
 
-/// A measurement with its fit, and what is drawn of it.
+/// A measurement with its fit and its draws.
 class FittedForDraws {
  public:
   explicit FittedForDraws(Measurement measurement)
@@ -83,7 +82,7 @@ class FittedForDraws {
   DrawPlan m_plan;
 };
 
-/// A draw of nothing but its scale.
+/// A draw without noise, with only its scale.
 inline Draw quietDraw(const RefitTask& task, double scale = 1) {
   Draw draw;
   task.plan.drawInto(draw, 1, 0);
@@ -92,8 +91,8 @@ inline Draw quietDraw(const RefitTask& task, double scale = 1) {
   return draw;
 }
 
-/// The draw in which the readings, L and R0 become those of `wanted`. The pointing zeros are drawn from the
-/// seed, and the readings' noise makes up for them.
+/// The draw that turns the readings, L and R0 into those of `wanted`. The pointing zeros are drawn from the
+/// seed, and the noise of the readings compensates for them.
 inline Draw drawOf(const RefitTask& task, const Measurement& wanted, double scale, std::uint64_t seed) {
   std::mt19937_64 random(seed);
   std::normal_distribution<double> normal;
@@ -107,7 +106,7 @@ inline Draw drawOf(const RefitTask& task, const Measurement& wanted, double scal
     zeros[0] = normal(random);
     zeros[1] = normal(random);
     const Angle zeroA = read.sigmaZeroHorizontal * zeros[0], zeroE = read.sigmaZeroVertical * zeros[1];
-    // An e that comes out greater is a zero that lies lower: the same place stands lower in the room.
+    // An e that is drawn larger means a lower zero: the same place is then lower in space.
     ArcMeasurement level = {}, lower = {};
     lower.zeroElevation = -zeroE;
     for (std::size_t i = 0; i < read.arcs[arc].sightings.size(); ++i) {
@@ -127,8 +126,8 @@ inline Draw drawOf(const RefitTask& task, const Measurement& wanted, double scal
   return draw;
 }
 
-/// A vertical drift in the model and one in what is drawn. Its prior is drawn to lie where the readings'
-/// drift does: else it would hold the estimate back.
+/// A vertical drift in the model and one in the drawn values. Its prior is drawn at the drift of the
+/// readings: otherwise it would bias the estimate.
 class DrawnDrift {
  public:
   DrawnDrift(const std::array<Circle, 2>& read, const std::array<Circle, 2>& drawn, std::uint64_t seed)

@@ -10,7 +10,7 @@
 
 namespace alidade::test {
 
-/// `count` arc angles spread evenly over `spanDegrees` around `middleDegrees`, in radians.
+/// `count` arc angles spaced evenly over `spanDegrees` around `middleDegrees`, in radians.
 inline std::vector<double> spread(int count, double spanDegrees, double middleDegrees = 90) {
   std::vector<double> angles;
   for (int i = 0; i < count; ++i) {
@@ -30,8 +30,8 @@ inline Measurement usualMeasurement() {
   return measurement;
 }
 
-/// The readings of targets on `circle` by closed form, written apart from the program's model: the direction
-/// to the target from tan a = x/L and sin e = y/|P| (exact) or tan e = y/L (planar).
+/// The readings of targets on `circle` in closed form, independent of the program's model: the direction to
+/// the target from tan a = x/L and sin e = y/|P| (exact) or tan e = y/L (planar).
 inline ArcMeasurement perfectArc(const Measurement& measurement, const Circle& circle,
                                  const std::vector<double>& angles, int axisDeg = 0) {
   ArcMeasurement arc;

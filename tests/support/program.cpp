@@ -16,7 +16,7 @@ namespace {
 
 using File = std::unique_ptr<std::FILE, int (*)(std::FILE*)>;
 
-// Files instead of pipes: no reader has to keep up with the program.
+// Files instead of pipes, so that output need not be read while the program runs.
 File temporaryFile() {
   File file(std::tmpfile(), &std::fclose);
   if (!file) throw std::system_error(errno, std::generic_category(), "tmpfile");

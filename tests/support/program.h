@@ -6,22 +6,22 @@
 
 namespace alidade::test {
 
-/// A program as a user calls it.
+/// A program call as by a user.
 struct ProgramCall {
-  std::string program;  ///< a path, or a name that PATH has
+  std::string program;  ///< a path, or a name found through PATH
   std::vector<std::string> arguments;
-  std::string input = {};                               ///< what it finds on stdin
-  std::string directory = {};                           ///< where it runs; empty: here
-  std::map<std::string, std::string> environment = {};  ///< set beside what this process has
-  std::string outputFile = {};                          ///< stdout goes there and is not captured
+  std::string input = {};                               ///< its stdin
+  std::string directory = {};                           ///< working directory; empty: the current one
+  std::map<std::string, std::string> environment = {};  ///< in addition to that of this process
+  std::string outputFile = {};                          ///< receives stdout, which is then not captured
 };
 
 struct ProgramRun {
-  int exitCode = -1;  ///< 128 + signal where one ended the program
+  int exitCode = -1;  ///< 128 + signal if a signal ended the program
   std::string out, err;
 };
 
-/// Runs the program to its end. Throws std::system_error where it could not be started.
+/// Runs the program to its end. Throws std::system_error if it could not be started.
 ProgramRun runProgram(const ProgramCall& call);
 
 }  // namespace alidade::test

@@ -5,7 +5,7 @@
 
 namespace alidade::test {
 
-/// A folder of its own for one test, gone with it.
+/// A separate folder for one test, removed with this object.
 class TemporaryFolder {
  public:
   TemporaryFolder();

@@ -1,7 +1,6 @@
-// QProcess starts a program by clone(), whose child shares the memory of its parent until it is another
-// program (CLONE_VM | CLONE_VFORK). The clone of the thread sanitizer takes the child for one with memory of
-// its own and ends the program in a failed check of itself; so these tests go past it, to that of the C
-// library.
+// QProcess starts a program by clone(), whose child shares its parent's memory until it executes another
+// program (CLONE_VM | CLONE_VFORK). The thread sanitizer's clone assumes separate memory and ends the program
+// in a failed internal check; these tests therefore call the C library's clone.
 
 #include <sched.h>
 

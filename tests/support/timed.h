@@ -4,8 +4,8 @@
 
 namespace alidade::test {
 
-/// Read a row a minute, without a pause, by zeros of which nobody knows whether they sight one mark: drifts
-/// are told by the rows alone, and known to go on evenly.
+/// Rows read once a minute without a pause, with zeros of unknown marks: only the rows determine drifts,
+/// which are known to be linear.
 inline Measurement timed(Measurement measurement) {
   for (ArcMeasurement& arc : measurement.arcs)
     for (Sighting& sighting : arc.sightings) sighting.minutes = static_cast<double>(sighting.sequence);

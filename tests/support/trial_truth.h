@@ -8,7 +8,7 @@
 
 namespace alidade::test {
 
-/// The truth of a ray-traced session in this program's terms: its names, units and signs.
+/// The truth of a ray-traced session in this program's names, units and signs.
 inline Truth truthOf(const Trial& trial) {
   using enum ErrorTerm;
   Truth truth;
@@ -16,7 +16,7 @@ inline Truth truthOf(const Trial& trial) {
   const auto put = [&](ErrorTerm term, const char* name, double factor = 1) {
     if (effects.contains(name)) truth.effects.push_back({term, factor * effects[name].get<double>()});
   };
-  put(Collimation, "collimation", -1);  // the ray tracer counts it the other way round
+  put(Collimation, "collimation", -1);  // the ray tracer has the opposite sign
   put(TrunnionTilt, "trunnion");
   put(VerticalIndex, "index");
   put(VerticalAxisTiltX, "axis_tilt_x");

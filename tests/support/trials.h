@@ -18,9 +18,9 @@ struct Trial {
   std::string id, kind, protocol;
   double intersection = 0;  ///< true Δd, mm
   nlohmann::json effects;   ///< true sizes: arcsec, mm, deg
-  double visibleSigma = 0;  ///< of the effect in the readings; infinite where it was not worked out
+  double visibleSigma = 0;  ///< of the effect in the readings; infinite if it was not calculated
   std::set<std::string> lookAlikes;
-  nlohmann::json truth;  ///< all that is known of it
+  nlohmann::json truth;  ///< the complete truth
   Measurement measurement;
 };
 
@@ -50,19 +50,20 @@ inline std::vector<Trial> trials() {
   return trialsIn("trials");
 }
 
-/// Whose effects show in what the two positions must agree on.
+/// Trials whose effects show in the conditions between the two positions.
 inline std::vector<Trial> closureTrials() {
   return trialsIn("closures");
 }
 
-/// The measurement of the trial without any effect that was taken by this protocol.
+/// The measurement, by this protocol, of the trial without any effect.
 inline Measurement trialMeasurement(const std::string& protocol) {
   for (Trial& trial : trials())
     if (trial.kind == "none" && trial.protocol == protocol) return std::move(trial.measurement);
   throw std::runtime_error("no trial without effect by protocol " + protocol);
 }
 
-/// A minute for each row, so that the pause between the positions is known, which linear moves leave out.
+/// Adds a minute for each row, so that the pause between the positions, in which linear drifts stop, is
+/// known.
 inline Measurement withTimes(Measurement measurement) {
   for (ArcMeasurement& arc : measurement.arcs)
     for (Sighting& sighting : arc.sightings) sighting.minutes = static_cast<double>(sighting.sequence);

@@ -13,8 +13,8 @@
 
 namespace alidade::test {
 
-// Simulated sessions with one slip of the pen of known kind, and whether the suspects found are right.
-// Written apart from the program's own list of slips.
+// Simulated sessions with one typing slip of known kind, and whether the suspects found are right.
+// Independent of the program's own list of slips.
 
 enum class Slip {
   None,
@@ -26,15 +26,15 @@ enum class Slip {
   TenSecondsOff,
   CirclesSwapped,
   WrongFace,
-  NeighbouringRow,  ///< one circle's readings of two consecutive rows in each other's place
+  NeighbouringRow,  ///< one circle's readings of two consecutive rows exchanged
 };
 
 inline constexpr int slipKinds = 9;
 
 struct SlippedSession {
   Session session;
-  std::vector<CellChange> cure;  ///< the cells at fault, with what was to be typed
-  double visibleSigma = 0;  ///< the largest of error times √redundancy over σ; infinite where unusable
+  std::vector<CellChange> cure;  ///< the cells at fault, with the correct texts
+  double visibleSigma = 0;       ///< the largest of error times √redundancy over σ; infinite if unusable
 };
 
 inline std::string& cell(Session& session, const Place& where) {
@@ -72,7 +72,7 @@ inline std::string typedWrongly(const std::string& text, Slip slip, std::mt19937
                    AngleSigns::Typewriter);
 }
 
-/// The error of the slip in the clean fit, where both are usable.
+/// The error of the slip in the clean fit, if both are usable.
 inline double visibleSigma(const SlippedSession& slipped, const JointFit& fit,
                            const Measurement& measurement) {
   double most = 0;
@@ -95,14 +95,14 @@ inline double visibleSigma(const SlippedSession& slipped, const JointFit& fit,
   return most;
 }
 
-/// A session by the protocol whose slip shows by more than ten sigma; the truth, place and slip follow from
-/// the seed. Kinds that the protocol cannot have, or that happen to change nothing, are drawn anew.
+/// A session by the protocol whose slip is visible by more than ten sigma; the truth, place and slip follow
+/// from the seed. Kinds that are impossible in the protocol, or have no effect by chance, are drawn again.
 inline SlippedSession slippedSession(const Protocol& protocol, Slip slip, std::uint64_t seed,
                                      double step = 0.1) {
   std::mt19937_64 random(seed * 7919 + static_cast<std::uint64_t>(slip));
   Truth truth = drawTruth(seed);
   truth.typingStep = Angle::fromArcseconds(step);
-  // Ten seconds are five sigma of a 2″ instrument: only a better one shows them.
+  // Ten seconds are five sigma of a 2″ instrument: they need a better one to be visible.
   if (slip == Slip::TenSecondsOff) truth.sigmaHorizontal = truth.sigmaVertical = Angle::fromArcseconds(0.5);
   const Session clean = *simulate(protocol, truth, seed);
   const Measurement measurement = *examine(clean).measurement;
@@ -152,8 +152,8 @@ inline SlippedSession slippedSession(const Protocol& protocol, Slip slip, std::u
   return result;
 }
 
-/// A session by the protocol with `count` slips in readings next to each other: both circles of a row, or
-/// rows one behind the other (its places, or the two faces of a place).
+/// A session by the protocol with `count` slips in adjacent readings: both circles of a row, or consecutive
+/// rows (its places, or the two faces of a place).
 inline SlippedSession neighbouringSlips(const Protocol& protocol, std::size_t count, std::uint64_t seed,
                                         double step = 0.1) {
   std::mt19937_64 random(seed * 104729 + count);
@@ -188,7 +188,7 @@ inline SlippedSession neighbouringSlips(const Protocol& protocol, std::size_t co
   return result;
 }
 
-/// How many suspects are offered a correction that does not restore what was to be typed.
+/// The number of suspects with a correction that does not restore the correct text.
 inline std::size_t falseOffers(const SlippedSession& slipped, const std::vector<Suspect>& suspects) {
   const auto isFalse = [&](const CellChange& change) {
     const auto cure = std::ranges::find(slipped.cure, change.where, &CellChange::where);
@@ -201,8 +201,8 @@ inline std::size_t falseOffers(const SlippedSession& slipped, const std::vector<
 
 struct Found {
   bool rightCell = false;        ///< every cell at fault is named
-  bool rightCorrection = false;  ///< and the first proposal restores what was to be typed
-  std::size_t others = 0;        ///< cells named that are sound
+  bool rightCorrection = false;  ///< and the first proposal restores the correct text
+  std::size_t others = 0;        ///< sound cells that were named
 };
 
 inline Found judge(const SlippedSession& slipped, const std::vector<Suspect>& suspects) {

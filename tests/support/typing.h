@@ -14,17 +14,17 @@
 
 namespace alidade::test {
 
-// A session as it is typed: every state of the table from the first row to the last, with slips of the pen on
-// the way, in plans of any geometry and under any option of the model. Everything follows from the seed.
+// A session as it is typed: every state of the table from the first row to the last, including typing slips,
+// in plans of any geometry and under any option of the model. Everything follows from the seed.
 
-/// A text as it stands after a slip of the finger; may come out as it was.
+/// A text after a typing slip; may be unchanged.
 inline std::string slipped(std::string text, std::mt19937_64& random) {
   if (text.empty()) return text;
   const auto at = static_cast<std::size_t>(drawnCount(random, 0, static_cast<int>(text.size()) - 1));
   const char digit = static_cast<char>('0' + drawnCount(random, 0, 9));
   switch (drawnCount(random, 0, 6)) {
     case 0:
-      text.erase(at);  // half typed
+      text.erase(at);  // incomplete
       break;
     case 1:
       text.erase(at, 1);
@@ -38,7 +38,7 @@ inline std::string slipped(std::string text, std::mt19937_64& random) {
     case 4:
       if (at > 0) std::swap(text[at - 1], text[at]);
       break;
-    default: {  // a digit mistyped: by far the commonest
+    default: {  // a digit mistyped: by far the most frequent slip
       std::vector<std::size_t> digits;
       for (std::size_t i = 0; i < text.size(); ++i)
         if (text[i] >= '0' && text[i] <= '9') digits.push_back(i);
@@ -55,7 +55,7 @@ class Typing {
   explicit Typing(std::uint64_t seed) : m_random(seed) {
     const auto named = namedProtocols();
     DrawnPlan plan = drawnPlan(m_random, 24, seed);
-    if (drawnChance(m_random, 0.5)) {  // a plan of the house, at its own geometry
+    if (drawnChance(m_random, 0.5)) {  // a named plan, in its own geometry
       plan.protocol =
           named[static_cast<std::size_t>(drawnCount(m_random, 0, static_cast<int>(named.size()) - 1))];
       plan.truth = drawTruth(seed);
@@ -73,7 +73,7 @@ class Typing {
 
   const Session& session() const { return m_session; }
 
-  /// The next state: a row typed, with or without a slip, one retyped, excluded or taken out. False at the
+  /// The next state: a row typed, with or without a slip, or one retyped, excluded or deleted. False at the
   /// end.
   bool next() {
     if (drawnChance(m_random, 0.15) && touchUp()) return true;

@@ -16,7 +16,7 @@
 
 namespace alidade::test {
 
-// Verdicts of simulated sessions: as they are, with one row left out, with one circle misread by 60″.
+// Verdicts of simulated sessions: unchanged, with one row left out, with one circle misread by 60″.
 
 struct JudgedSession {
   Measurement measurement;
@@ -25,7 +25,7 @@ struct JudgedSession {
   AcceptanceDecision decision;
 };
 
-/// Absent without a verdict at all.
+/// Absent without a verdict.
 inline std::optional<JudgedSession> judged(Measurement measurement) {
   JudgedSession session{std::move(measurement), {}, {}, {}};
   session.fit = fitSession(session.measurement);
@@ -47,7 +47,7 @@ inline Measurement without(Measurement measurement, std::size_t arc, std::size_t
 /// A blind trial with a tolerance about as far from the true |Δd| as its U: two of three are within it.
 inline Measurement drawnAcceptance(const std::string& protocol, const std::vector<std::string>& kinds,
                                    std::uint64_t seed) {
-  constexpr std::uint64_t stream = 91;          // apart from those of trial and noise
+  constexpr std::uint64_t stream = 91;          // separate from those of trial and noise
   constexpr double usual = 0.25, least = 0.05;  // mm
   const BlindTrial trial = *drawBlindTrial({.protocol = protocol, .kinds = kinds}, seed);
   RandomSource random(seed, stream);
@@ -58,14 +58,14 @@ inline Measurement drawnAcceptance(const std::string& protocol, const std::vecto
   return measurement;
 }
 
-/// What becomes of the verdict of one session under `count` random changes of a single row.
+/// Changes of the verdict of one session under `count` random changes of a single row.
 struct Changes {
   int all = 0, other = 0;  ///< changes, and those with another verdict
   int better = 0;          ///< from undecided to accept …
-  int unsupported = 0;     ///< … where all readings had it conform with less than `support`
+  int unsupported = 0;     ///< … although all readings gave less than `support` for conformity
 };
 
-/// At a coverage of 95 %: 1 − 2 (1 − c), twice the risk on both sides that accept takes.
+/// At a coverage of 95 %: 1 − 2 (1 − c), twice the risk on both sides that accept allows.
 inline constexpr double support = 0.9;
 
 inline Changes changesOf(const JudgedSession& session, int count, std::uint64_t seed) {

@@ -40,7 +40,7 @@ std::optional<ArcFault> tooFewPlaces(const Measurement& measurement,
 std::optional<ArcFault> radiusUndetermined(const ArcFit& fit) {
   const double sigma = std::sqrt(fit.cofactor[2][2]);
   if (std::isfinite(sigma) && sigma <= largestRadiusUncertainty * fit.circle.radius) return std::nullopt;
-  constexpr double wide = 60;  // the sagitta is a seventh of the radius: too much for a theodolite's noise
+  constexpr double wide = 60;  // the sagitta is a seventh of the radius, far above a theodolite's noise
   const Angle span = arcSpan(fit);
   if (span.degrees() < wide) return arc_fault::ArcTooShort{span};
   return arc_fault::NothingTold{};
@@ -51,7 +51,7 @@ Angle arcSpan(const ArcFit& fit) {
   for (const auto& residual : fit.residuals) angles.push_back(residual.arcAngle);
   if (angles.size() < 2) return {};
   std::ranges::sort(angles);
-  // The widest gap is the part of the circle that was not sighted.
+  // The widest gap between sightings is the part of the circle outside the arc.
   double widestGap = angles.front() + 2 * std::numbers::pi - angles.back();
   for (std::size_t i = 1; i < angles.size(); ++i) widestGap = std::max(widestGap, angles[i] - angles[i - 1]);
   return Angle::fromRadians(2 * std::numbers::pi - widestGap);

@@ -11,14 +11,14 @@ namespace alidade {
 
 // Whether an arc's readings can carry a circle.
 
-/// Counts places that differ by more than the stated noise, up to the three that a circle takes.
+/// Counts places that differ by more than the stated noise, up to the three that determine a circle.
 class DifferentPlaces {
  public:
   static constexpr std::size_t needed = 3;
 
   explicit DifferentPlaces(const Measurement& measurement);
 
-  /// With this one, too?
+  /// Counts this place; true once there are enough.
   bool areEnoughWith(const PlanePoint<double>& place);
   std::size_t count() const { return m_places.size(); }
 
@@ -27,13 +27,13 @@ class DifferentPlaces {
   boost::container::static_vector<PlanePoint<double>, needed> m_places;
 };
 
-/// Why the places sighted fix no circle before any fit: fewer than three of them differ by more than the
-/// stated noise.
+/// Why the places sighted cannot determine a circle: fewer than three of them differ by more than the stated
+/// noise. Tested before any fit.
 std::optional<ArcFault> tooFewPlaces(const Measurement& measurement,
                                      const std::vector<PlanePoint<double>>& places);
 
-/// Why the fitted circle is none: from the stated noise alone its radius is uncertain by more than a third of
-/// itself (1σ), so the sagitta drowns in the noise and the linear theory behind every σ no longer holds.
+/// Why the fitted circle is not determined: the stated noise alone makes its radius uncertain by more than a
+/// third of itself (1σ). The noise then hides the sagitta, and the linear theory behind every σ is invalid.
 std::optional<ArcFault> radiusUndetermined(const ArcFit& fit);
 
 /// The angle the sighted places span, seen from the fitted centre, in (0, 2π].

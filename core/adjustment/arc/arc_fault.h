@@ -7,7 +7,7 @@
 
 namespace alidade {
 
-/// Why the readings of an arc give no circle; `core/wording/arc_fault.h` says it.
+/// Why the readings of an arc give no circle; `core/wording/arc_fault.h` has the sentences.
 namespace arc_fault {
 
 /// A circle needs three places.
@@ -19,11 +19,11 @@ struct PlacesRepeat {
   std::size_t different = 0;  ///< 1 or 2
 };
 struct PlacesOnALine {};
-/// The sagitta of the arc drowns in the noise.
+/// The noise hides the sagitta of the arc.
 struct ArcTooShort {
   Angle span;  ///< below 60°
 };
-/// The radius drowns in the noise although the arc is not short.
+/// The noise hides the radius although the arc is not short.
 struct NothingTold {};
 
 /// Of the published method, which needs five places.

@@ -30,7 +30,7 @@ struct NormalEquations {
   double chiSquare = 0;  // of the visit means
 };
 
-/// As `minimise` wants it: every visit stands at its foot point, so that λ is to be relied on at once.
+/// The interface of `minimise`. Every visit is at its foot point, so λ is valid at once.
 class ArcProblem {
  public:
   using State = Circle;

@@ -19,26 +19,26 @@ namespace alidade {
 /// A symmetric 3×3 matrix over (Δx, Δy, R), row by row, in mm².
 using Covariance3 = std::array<std::array<double, 3>, 3>;
 
-/// What one sighting leaves over: observed minus adjusted.
+/// The residuals of one sighting: observed minus adjusted.
 struct SightingResidual {
   std::size_t row = 0;  ///< index into the position's readings
   double arcAngle = 0;  ///< φ of the adjusted target, radians in (−π, π]
   Angle horizontal;     ///< v_a
   Angle vertical;       ///< v_e, up positive for either kind of vertical circle
-  /// Of both, w = v/(s0 σ √r) by the fit of the whole session. NaN where no other reading checks the reading,
-  /// and of an arc fitted alone.
+  /// w = v/(s0 σ √r) of each circle, from the fit of the whole session. NaN if no other reading checks the
+  /// reading, and for an arc fitted alone.
   double horizontalStandardised = std::numeric_limits<double>::quiet_NaN();
   double verticalStandardised = std::numeric_limits<double>::quiet_NaN();
 };
 
-/// One fitted arc. Published and rigorous fit both answer with it.
+/// One fitted arc: the result of both the published and the rigorous fit.
 struct ArcFit {
   std::size_t position = 0;  ///< index into the session's positions
   int axisDeg = 0;
   Circle circle;                            ///< y up
   std::vector<SightingResidual> residuals;  ///< in the order of the sightings
   int degreesOfFreedom =
-      0;  ///< readings of angles − slider places − unknowns; 0 or less: no check on the noise
+      0;  ///< readings of angles − slider places − unknowns; 0 or less: the noise cannot be checked
   double chiSquare = 0;    ///< Σ (v/σ)² with the stated σ
   double residualRms = 0;  ///< arcseconds, over all angle readings of the arc
   Covariance3 cofactor{};  ///< covariance of (Δx, Δy, R) from the stated σ of the readings alone
@@ -56,7 +56,7 @@ struct ArcFit {
 
 struct ArcFitOptions {
   std::optional<Circle> start =
-      {};  ///< empty: the fast fit, or an algebraic one where that is refused; neither needs a nominal radius
+      {};  ///< empty: the fast fit, or an algebraic one if that is refused; neither needs a nominal radius
   int maximumIterations = 200;  ///< of Levenberg-Marquardt, rejected steps counted
   /// Converged when the next step of (Δx, Δy, R) is shorter than this many standard deviations of the result.
   /// 1e-9 is some 10⁻¹¹ mm on the usual arc, and a hundred times what rounding does to the step.
@@ -75,7 +75,7 @@ struct ArcFitOptions {
 Result<ArcFit, ArcFault> fitArc(const Measurement& measurement, const ArcMeasurement& arc,
                                 const ArcFitOptions& options = {});
 
-/// Fills residuals, their rms and χ² of `fit` from its circle, as `relation` has vertical angles, whatever
+/// Fills residuals, their rms and χ² of `fit` from its circle, with vertical angles by `relation` instead of
 /// the measurement's own.
 void fillResiduals(ArcFit& fit, const Measurement& measurement, const ArcMeasurement& arc,
                    VerticalAngleRelation relation);

@@ -20,20 +20,21 @@ constexpr std::size_t sideBySide = 2;  // sets of lanes
 using Lanes = double __attribute__((vector_size(width * sizeof(double))));
 
 constexpr double largestAngle = std::numbers::pi / 4;
-constexpr double largestResidual = 0.002;  // rad; the series below are exact to rounding up to there
-constexpr double untold = 6;               // times the estimate of what an iteration leaves is more than that
+constexpr double largestResidual = 0.002;  // rad; the series below are exact to rounding up to this
+constexpr double untold = 6;               // bound on the remainder of an iteration, in units of its estimate
 constexpr double straight = 1e-10;         // variance across times along the chord, of R⁴; some 6° of arc
-constexpr double unlike = 0.01;            // how a part and all places differ in what a step leaves
+constexpr double unlike = 0.01;            // largest difference between a part and all places in their
+                                           // remainder
 constexpr int mostIterations = 12;
 constexpr int mostSurveys = 2;  // before residuals are too large for them
 constexpr std::size_t pilotPlaces = 16384;
-constexpr std::size_t share = 16;  // blocks of a sweep that are worked on at once
+constexpr std::size_t share = 16;  // blocks of a sweep that are processed together
 
 /// A pair of readings, and what the last iteration found for it.
 struct alignas(sizeof(Lanes)) PlaceEquation {
   Lanes tanA, tanE, secA;  ///< secA: with the exact relation only
-  Lanes y, perRise;        ///< of the plane point, and its derivative by e
-  Lanes weight;            ///< rows of the visit, 0 for lanes that hold none; where all are of one arc
+  Lanes y, perRise;        ///< of the plane point, and its derivative with respect to e
+  Lanes weight;            ///< rows of the visit, 0 for unused lanes; if all are of one arc
   Lanes w, perA, perE;     ///< misclosure, and the residuals of a and e per unit of it
   Lanes ux, uy;            ///< from the centre
 };
@@ -62,7 +63,7 @@ struct Normals : Information<T> {
   T w{}, xw{}, yw{}, ww{};
 };
 
-/// Linearised at adjusted readings.
+/// From the condition linearised at adjusted readings.
 template <typename T>
 struct Sums : Normals<T> {
   T xxw{}, xyw{};
@@ -85,16 +86,16 @@ struct Setup {
   double tolerance;
 };
 
-/// Inverse of the normal equations, and whether they can be told from singular ones.
+/// Inverse of the normal equations, and whether they are clearly nonsingular.
 template <typename T>
 struct Inverse {
   T xx, xy, yy, xh, yh, hh;
   T determinacy;
 };
 
-/// How far the iteration has come; `remaining` bounds the rest of the way, in units of R; `chance` the part
-/// of it that residuals bring about; `lag`: how far from where they belong places are linearised;
-/// `anisotropy`: how unlike in different directions a place errs, 0…1.
+/// The state of the iteration. `remaining` bounds the remaining way, in units of R; `chance` is the part due
+/// to residuals; `lag`: distance of the points of linearisation from the right ones; `anisotropy`: how much a
+/// place's error depends on direction, 0…1.
 template <typename T>
 struct Progress {
   Disc<T> disc;
@@ -109,7 +110,7 @@ struct Moments {
   T n{}, x{}, y{}, xx{}, xy{}, yy{}, xz{}, yz{};
 };
 
-/// Readings of one arc, four places side by side.
+/// Readings of one arc, four places per vector.
 struct Readings {
   const double *a, *e, *rows;  ///< rows: null where all visits have one
   std::size_t count;
@@ -117,7 +118,7 @@ struct Readings {
   std::size_t blocks() const { return (count + width - 1) / width; }
 };
 
-/// What a sweep over places found.
+/// The results of a sweep over places.
 template <typename S>
 struct Found {
   S sums;
@@ -127,11 +128,11 @@ struct Found {
 using Sweep = Found<Sums<double>>;
 using Survey = Found<CloseSums<double>>;
 
-/// What is reported: mm, mm².
+/// The reported result: mm, mm².
 template <typename T>
 struct Conclusion {
   T x, y, radius, xx, xy, yy, xr, yr, rr, chiSquare;
-  T sound;  ///< 0 where the fit is refused
+  T sound;  ///< 0 if the fit is refused
   int iterations;
 };
 
@@ -190,7 +191,7 @@ double lane(const Lanes& values, std::size_t index) {
   return values[index];
 }
 
-/// Absent where the fit is refused.
+/// Absent if the fit is refused.
 template <typename T>
 std::optional<FastArcFit> fitIn(const Conclusion<T>& c, std::size_t i = 0) {
   if (lane(c.sound, i) == 0) return std::nullopt;
@@ -202,7 +203,7 @@ std::optional<FastArcFit> fitIn(const Conclusion<T>& c, std::size_t i = 0) {
       c.iterations};
 }
 
-/// All places at once, each kept from one iteration to the next.
+/// Keeps all places in memory from one iteration to the next.
 std::optional<FastArcFit> fitKept(const ArcSetup& setup, const Readings& readings,
                                   const ReadingResiduals& residuals) {
   constexpr std::size_t fewBlocks = 16;
@@ -218,7 +219,7 @@ std::optional<FastArcFit> fitKept(const ArcSetup& setup, const Readings& reading
   return fitIn(plain::conclude(outcome, setup.distance));
 }
 
-/// Blocks of places taken at random, one out of each of as many equal stretches.
+/// Randomly chosen blocks of places, one from each of as many equal stretches.
 struct Part {
   std::vector<double> a, e, rows;
 
@@ -248,7 +249,7 @@ Vector times(const Normals<double>& n, const Step<double>& q) {
           n.x * q.x + n.y * q.y + n.one * q.half};
 }
 
-/// Of all places after the step.
+/// Second derivatives of all places after the step.
 Information<double> atEnd(const Information<double>& all, const Information<double>& before,
                           const Information<double>& after) {
   const double ratio = all.one / before.one;
@@ -259,14 +260,14 @@ Information<double> atEnd(const Information<double>& all, const Information<doub
   return {moved(&I::one), moved(&I::x), moved(&I::y), moved(&I::xx), moved(&I::xy), moved(&I::yy)};
 }
 
-/// The step of `progress` from `all` overshot by the square of its length, and how far the part tells: its
-/// gradients `before` and `after` the step show what the second derivatives do not.
+/// Corrects the step of `progress` from `all`, which overshoots by the square of its length. The part's
+/// gradients `before` and `after` the step show what the second derivatives omit.
 void mend(Progress<double>& progress, const CloseSums<double>& all, const CloseSums<double>& before,
           const CloseSums<double>& after) {
   const Step<double> step = progress.step;
   const Vector whole = gradient(all), wholeChange = times(all, step);
   const Vector first = gradient(before), partChange = times(before, step);
-  Vector second = gradient(after);  // by (x, y, half) from the circle after the step
+  Vector second = gradient(after);  // gradient with respect to (x, y, half) at the circle after the step
   second[0] += step.x * second[2];
   second[1] += step.y * second[2];
   Vector left;
@@ -284,7 +285,7 @@ bool isSettled(const Progress<double>& progress) {
   return progress.remaining < usualTolerance;
 }
 
-/// A part of the places first, then all of them, kept nowhere.
+/// Fits a part of the places first, then all of them, without storing them.
 std::optional<FastArcFit> fitStreamed(const ArcSetup& setup, const Readings& readings,
                                       const ReadingResiduals& residuals) {
   const Part part(readings);
@@ -302,7 +303,7 @@ std::optional<FastArcFit> fitStreamed(const ArcSetup& setup, const Readings& rea
        ++surveys, ++outcome.iterations) {
     Survey all, before, after;
     kernel().survey(readings, inner, progress.disc, all);
-    if (all.largestResidual > largestResidual) return std::nullopt;  // what is left to go is less by far
+    if (all.largestResidual > largestResidual) return std::nullopt;  // the remaining way is far shorter
     kernel().survey(part.readings(), inner, progress.disc, before);
     progress.anisotropy = plain::anisotropyOf(inner.variances, all.largestReading * all.largestReading);
     plain::advance(progress, all.sums);
@@ -314,7 +315,7 @@ std::optional<FastArcFit> fitStreamed(const ArcSetup& setup, const Readings& rea
   for (Sweep sweep; !isSettled(progress) && outcome.iterations < mostIterations; ++outcome.iterations) {
     kernel().sweep(readings, inner, progress.disc, {}, sweep);
     const double residual = plain::scatter(sweep.sums, 1 / progress.disc.square);
-    progress.lag = 0.5 * residual * residual * residual;  // they were brought near twice
+    progress.lag = 0.5 * residual * residual * residual;  // two steps approached them
     plain::advance(progress, sweep.sums);
   }
   const auto fit = fitIn(plain::conclude(outcome, l));
@@ -342,10 +343,10 @@ void fitArcsFast(const ArcSetup& setup, std::span<const double> a, std::span<con
   if (a.size() < 3 * fits.size()) std::ranges::fill(fits, std::nullopt);
   if (fits.empty() || a.size() < 3 * fits.size()) return;
   constexpr std::size_t batch = width * sideBySide;
-  constexpr std::size_t turn = 64;  // batches a thread takes at a time: some 70 µs
+  constexpr std::size_t turn = 64;  // batches per thread at a time: some 70 µs
   const std::size_t count = a.size() / fits.size(), batches = (fits.size() + batch - 1) / batch;
   const Setup inner = inside(setup, tolerance);
-  std::atomic<std::size_t> next = 0;  // batch that no thread has taken
+  std::atomic<std::size_t> next = 0;  // next batch that no thread has taken
   const auto work = [&] {
     std::vector<PlaceEquation> places(count * sideBySide);
     std::array<Conclusion<Lanes>, sideBySide> conclusions;

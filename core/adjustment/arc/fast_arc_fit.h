@@ -17,31 +17,30 @@ namespace alidade {
 // place gives one condition without a latent arc angle. With the distance (ux, uy) of the plane point from
 // the current centre,
 //
-//   f = (ux² + uy² − R²)/2 = 0,   f − ux δx − uy δy − h = 0 after a step,   h = (R'² − R² − |δ|²)/2,
+//   f = (ux² + uy² − R²)/2 = 0, f − ux δx − uy δy − h = 0 after a step, h = (R'² − R² − |δ|²)/2,
 //
-// linear in the unknowns (δx, δy, h). Its weight is 1/(f_a² σ_h² + f_e² σ_v²). Lengths are in units of L on
-// the way.
+// is linear in the unknowns (δx, δy, h). Its weight is 1/(f_a² σ_h² + f_e² σ_v²). Internal lengths are in
+// units of L.
 //
-// Start: Kåsa's circle. One step with the true first and second derivatives of Σ (v/σ)², got from a series
-// about the readings whose terms grow with residual/R, leads to the minimum of `fitArc` where residuals are a
-// few times 2″; what it leaves is bounded from the step and from the terms not taken along. Where that is not
-// little enough the condition is linearised at the adjusted readings of the iteration before (errors in both
-// circles, Pope 1972, "Some pitfalls to be avoided in the iterative adjustment of nonlinear problems") until
-// it is.
+// Start: Kåsa's circle. One step uses the true first and second derivatives of Σ (v/σ)², from a series about
+// the readings whose terms grow with residual/R. It reaches the minimum of `fitArc` for residuals of a few
+// times 2″; the step and the omitted terms bound the remainder. If that is too large, the condition is
+// linearised repeatedly at the adjusted readings of the iteration before (errors in both circles, Pope 1972,
+// "Some pitfalls to be avoided in the iterative adjustment of nonlinear problems").
 //
 // Refused, and left to the general fit: |a| or |e| above 45°, a residual above 0.002 rad (5 mm at 2.4 m),
-// places that hardly fix a circle, no convergence in a few iterations.
+// places that hardly determine a circle, no convergence in a few iterations.
 //
-// Of many places a part is fitted so, then all take one such step from there. It overshoots by the square of
-// its length; the part, which takes the same step, shows by how much.
+// Of many places a part is fitted like this; then one such step from its circle uses all of them. It
+// overshoots by the square of its length; the part, which takes the same step, shows by how much.
 //
-// Four places, or four fits, go side by side through the processor's vector units where it has them. Sums are
-// taken in one order whatever the processor and the number of threads.
+// Four places, or four fits, are processed together by vector units if the processor has them. The order of
+// summation is the same for every processor and number of threads.
 
-/// What may be left of the way to the minimum, in units of R.
+/// Bound on the remaining way to the minimum, in units of R.
 inline constexpr double usualTolerance = 1.5e-12;
 
-/// What all readings have in common.
+/// What all readings share.
 struct ArcSetup {
   double distance = 0;                            ///< L > 0, mm
   double sigmaHorizontal = 0, sigmaVertical = 0;  ///< of a reading, rad, > 0
@@ -55,21 +54,21 @@ struct FastArcFit {
   int iterations = 0;
 };
 
-/// Observed minus adjusted, rad, one for each reading. May be empty where they are not wanted.
+/// Observed minus adjusted, rad, one for each reading. May be empty if unwanted.
 struct ReadingResiduals {
   std::span<double> horizontal = {}, vertical = {};
 };
 
-/// Fits one arc to n places, `a[i]`, `e[i]` in rad, each the mean of `rows[i]` rows of one visit; no `rows`:
-/// of one. Absent where refused. Above some ten thousand places nothing is kept of each of them, and the
-/// cofactor comes from the second derivatives: good to 1e-4 where residuals are systematic.
+/// Fits one arc to n places, `a[i]`, `e[i]` in rad, each the mean of `rows[i]` rows of one visit, or of one
+/// row without `rows`. Absent if refused. Above some ten thousand places none is stored, and the cofactor
+/// comes from the second derivatives: good to 1e-4 if residuals are systematic.
 std::optional<FastArcFit> fitArcFast(const ArcSetup& setup, std::span<const double> a,
                                      std::span<const double> e, std::span<const double> rows = {},
                                      const ReadingResiduals& residuals = {});
 
-/// Fits as many arcs of the same number of places n as `fits` has entries: reading `i` of fit `j` is
-/// `a[j * n + i]`. Entry `j` is left empty where fit `j` is refused. The result does not depend on `threads`.
-/// `tolerance`: of the way to the minimum, in units of R.
+/// Fits as many arcs of the same number of places n as `fits` has entries: reading `i` of fit `j` is `a[j * n
+/// + i]`. Entry `j` stays empty if fit `j` is refused. The result is the same for any `threads`. `tolerance`:
+/// of the way to the minimum, in units of R.
 void fitArcsFast(const ArcSetup& setup, std::span<const double> a, std::span<const double> e,
                  std::span<std::optional<FastArcFit>> fits, int threads = 1,
                  double tolerance = usualTolerance);

@@ -13,7 +13,7 @@ namespace alidade {
 
 namespace {
 
-/// Σ (v/σ)² of what the rows of each visit differ by.
+/// Σ (v/σ)² of the differences between the rows of each visit.
 double chiSquareWithinVisits(const Whitening& whitening, const ArcMeasurement& arc,
                              const std::vector<Visit>& visits) {
   double sum = 0;
@@ -26,7 +26,7 @@ double chiSquareWithinVisits(const Whitening& whitening, const ArcMeasurement& a
   return sum;
 }
 
-/// Are three of the places different ones? Looks no further than to the third.
+/// Do at least three places differ? Stops at the third.
 bool areApart(const Measurement& measurement, const ZeroLine& line, const std::vector<Visit>& visits) {
   DifferentPlaces different(measurement);
   return std::ranges::any_of(visits, [&](const Visit& visit) {
@@ -54,7 +54,7 @@ std::optional<FastArcFit> fitVisitsFast(const Measurement& measurement, const st
 }
 
 Result<ArcFit, ArcFault> firstFit(const Measurement& measurement, const ArcMeasurement& arc) {
-  constexpr double surelyDetermined = 0.1;  // of R: the limit is a third
+  constexpr double surelyDetermined = 0.1;  // of R; the limit is a third
   const std::vector<Visit> visits = visitsOf(arc);
   const ArcView view(measurement, arc.axisDeg);
   const ZeroLine line(measurement, arc);

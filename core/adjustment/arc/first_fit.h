@@ -12,12 +12,12 @@
 
 namespace alidade {
 
-/// `fitArcFast` of an arc's visits: its y counts from the horizon (`ZeroLine::height`).
+/// `fitArcFast` for an arc's visits: its y counts from the horizon (`ZeroLine::height`).
 std::optional<FastArcFit> fitVisitsFast(const Measurement& measurement, const std::vector<Visit>& visits,
                                         const ZeroLine& line);
 
-/// What an adjustment of all arcs together starts from: as `fitArc`, but where the fast fit is sure of the
-/// arc there are no residuals yet, and cofactor and χ² are as good as that has them.
+/// The start of a joint adjustment of all arcs: `fitArc`, or the fast fit if it is reliable for the arc. Then
+/// residuals are missing, and cofactor and χ² have its accuracy.
 Result<ArcFit, ArcFault> firstFit(const Measurement& measurement, const ArcMeasurement& arc);
 
 }  // namespace alidade

@@ -9,14 +9,14 @@
 
 namespace alidade {
 
-// The equations of foot_point.h, of one visit (T: double) or of eight side by side (T: Eight).
+// The equations of foot_point.h, for one visit (T: double) or eight at once (T: Eight).
 
 /// Weights of the readings: 1/σ, per radian.
 struct Whitening {
   double horizontal = 0, vertical = 0, slider = 0;
 };
 
-/// What all visits of an arc have in common.
+/// What all visits of an arc share.
 struct ArcView {
   double distance = 0;  ///< L > 0, mm
   VerticalAngleRelation relation = VerticalAngleRelation::Exact;
@@ -26,23 +26,23 @@ struct ArcView {
   ArcView(const Measurement& measurement, int axisDeg);
 };
 
-/// A circle, and what the slider reads at φ = 0 (rad).
+/// A circle, and the slider reading at φ = 0 (rad).
 struct ArcUnknowns {
   Circle circle;
   double sliderZero = 0;
 };
 
-/// A point of the arc, and the readings there.
+/// A point of the arc, and its readings.
 template <typename T>
 struct alignas(sizeof(T)) Foot {
   T cosine{}, sine{};   ///< of the arc angle φ
-  Direction<T> left{};  ///< mean of the readings less what a perfect instrument reads there, radians
-  T sliderLeft{};       ///< the same of the slider reading, 0 without one
-  /// ∂(a, e)/∂(x, y, L) at the foot, per mm; a does not hang on y.
+  Direction<T> left{};  ///< mean of the readings minus those of a perfect instrument there, radians
+  T sliderLeft{};       ///< the same for the slider reading, 0 without one
+  /// ∂(a, e)/∂(x, y, L) at the foot, per mm; a is independent of y.
   T aX{}, aL{}, eX{}, eY{}, eL{};
 };
 
-/// Sine and cosine of an angle, but for a factor that both share.
+/// Sine and cosine of an angle, up to a common factor.
 template <typename T>
 struct Ratio {
   T above, below;
@@ -73,13 +73,14 @@ template <typename T>
   return t * (1 - tt * (1.0 / 3 - tt * (1.0 / 5)));
 }
 
-/// From the theodolite along the ground to where the line of sight meets the arc plane, x mm to the right.
+/// Ground distance from the theodolite to the point, x mm to the right, at which the line of sight meets the
+/// arc plane.
 template <typename T>
 [[gnu::always_inline]] inline T groundTo(const ArcView& view, const T& square) {
   return view.relation == VerticalAngleRelation::Exact ? squareRoot(square) : T{} + view.distance;
 }
 
-/// Where the line of sight meets the arc plane, mm.
+/// Intersection of the line of sight with the arc plane, mm.
 template <typename T>
 [[gnu::always_inline]] inline PlanePoint<T> sightedAlong(const ArcView& view, const T& tanA, const T& tanE) {
   const T x = view.distance * tanA;
@@ -95,7 +96,7 @@ template <typename T>
   foot.sine = length > 0 ? y / length : T{};
 }
 
-/// The residuals of the circles at the foot, and the derivatives into it.
+/// The residuals of the circles at the foot, and their derivatives.
 template <typename T>
 [[gnu::always_inline]] inline Direction<Ratio<T>> lookFrom(Foot<T>& foot, const ArcView& view,
                                                            const Circle& circle, const T& tanA,
@@ -120,8 +121,8 @@ template <typename T>
           view.whitening.vertical * radius * (foot.cosine * foot.eY - foot.sine * foot.eX)};
 }
 
-/// From the foot to the minimum of |r(φ)|²/2, rad. The second derivative holds what the arc's bend adds, that
-/// of the projection left out: steps then fall off faster. Nor where that is much, far from the arc. `along`:
+/// Step from the foot to the minimum of |r(φ)|²/2, rad. The second derivative includes the curvature of the
+/// arc, for faster convergence, but not that of the projection; far from the arc it omits both. `along`:
 /// `alongArc`; `rows` of the circles, `sliderRows` of the slider.
 template <typename T>
 [[gnu::always_inline]] inline T footStep(const ArcView& view, double radius, const Foot<T>& foot,
@@ -137,7 +138,7 @@ template <typename T>
   return left / (square + (magnitude<T>(bend) < 0.1 * square ? bend : T{}));
 }
 
-/// Turns the direction of the foot by a small angle.
+/// Rotates the direction of the foot by a small angle.
 template <typename T>
 [[gnu::always_inline]] inline void turnBySmall(Foot<T>& foot, const T& angle) {
   const T square = angle * angle;
@@ -150,16 +151,16 @@ template <typename T>
 
 inline constexpr int mostFootSteps = 25;
 
-/// Is the next step too little to be taken? Steps fall off by one ratio, that of residual to radius. Sizes of
-/// this step and the one before, rad.
+/// Is the next step negligible? Steps shrink by a constant ratio, that of residual to radius. Sizes of this
+/// step and the one before, rad.
 template <typename T>
 [[gnu::always_inline]] inline auto isLastFootStep(const T& size, const T& before) {
   constexpr double smallest = 1e-14;  // rad; 4e-12 mm on a 400 mm arc
-  constexpr double near = 1e-10;      // only from here on a step tells how short the next will be
+  constexpr double near = 1e-10;      // below this, the ratio predicts the next step
   return ((size < near) & (size * size < smallest * before)) | (size < smallest);
 }
 
-/// After the last step, whose square is nothing, the derivatives stay and the residuals move along.
+/// After the last step, whose square is negligible, keeps the derivatives and updates the residuals.
 template <typename T>
 [[gnu::always_inline]] inline void followLastStep(Foot<T>& foot, const ArcView& view,
                                                   const Direction<T>& along, const T& step) {

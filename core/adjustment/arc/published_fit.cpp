@@ -19,7 +19,7 @@ struct PaperColumns {
 
 PaperColumns columnsOf(const Measurement& measurement, const ArcMeasurement& arc) {
   const auto n = static_cast<Eigen::Index>(arc.sightings.size());
-  // β as printed: zenith angles grow downwards.
+  // β as printed: zenith angles increase downwards.
   const double sign = measurement.verticalCircle == VerticalCircle::Zenith ? -1 : 1;
   PaperColumns columns{Eigen::ArrayXd(n), Eigen::ArrayXd(n), {}, {}};
   for (Eigen::Index i = 0; i < n; ++i) {

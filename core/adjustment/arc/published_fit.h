@@ -8,7 +8,7 @@ namespace alidade {
 struct AsPrinted {
   double deltaRadius = 0;         ///< ΔR of the last iteration, mm (not the sum of both)
   double x = 0, y = 0;            ///< Δx, Δy, mm
-  double thetaX = 0, thetaY = 0;  ///< Δθx, Δθy, rad; third harmonics by a wrong sign, not tilts
+  double thetaX = 0, thetaY = 0;  ///< Δθx, Δθy, rad; third harmonics due to a wrong sign rather than tilts
 };
 
 struct PublishedFit {
@@ -16,17 +16,17 @@ struct PublishedFit {
   AsPrinted asPrinted;
 };
 
-/// The published method, to its printed digits: with x_i = L tan a_i and y_i = L tan(β_i − β0) kept at their
+/// The published method, to its printed digits. With x_i = L tan a_i and y_i = L tan(β_i − β0) fixed at their
 /// start values,
 ///
 ///   R0² − x_i² − y_i² = [−2R0, −2x_i, −2y_i, 2y_i² tan b − 2x_i y_i tan a, 2x_i² tan a − 2x_i y_i tan b] ·
 ///                       [ΔR, Δx, Δy, Δθx, Δθy]ᵀ
 ///
-/// is solved by least squares and R0 ← R0 + ΔR, exactly two times; converged where the last ΔR is below
-/// 0.0001 mm. (The paper prints +2y_i in rows 2..n: a misprint.) Kept for comparison only; it takes the
-/// vertical circle to read y/L, which no theodolite does, and is wrong by millimetres on this arc. Source:
-/// equations (2)-(9) of Cui, Ren, Yuan, Liu, "Intersection Measurement for Rotatable Arc Guideway System".
-/// Its covariance is not stated by the method and stays zero. Needs five different places.
+/// is solved by least squares and R0 ← R0 + ΔR, exactly two times; converged if the last ΔR is below 0.0001
+/// mm. (The paper prints +2y_i in rows 2..n: a misprint.) For comparison only: it assumes that the vertical
+/// circle reads y/L, which no theodolite does, and is wrong by millimetres on this arc. Source: equations
+/// (2)-(9) of Cui, Ren, Yuan, Liu, "Intersection Measurement for Rotatable Arc Guideway System". The method
+/// states no covariance; it stays zero. Needs five different places.
 Result<PublishedFit, ArcFault> fitArcAsPublished(const Measurement& measurement, const ArcMeasurement& arc);
 
 }  // namespace alidade

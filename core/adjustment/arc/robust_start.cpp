@@ -30,7 +30,7 @@ double distanceTo(const Circle& circle, const PlanePoint<double>& point) {
   return std::abs(std::hypot(point.x - circle.x, point.y - circle.y) - circle.radius);
 }
 
-/// The value that ⌊n/2⌋ + 2 of them do not exceed: with three numbers fitted, the most robust choice.
+/// The value that ⌊n/2⌋ + 2 sizes do not exceed: the most robust choice for three fitted numbers.
 double majorityBound(std::vector<double> sizes) {
   const auto middle = sizes.begin() + static_cast<std::ptrdiff_t>(sizes.size() / 2 + 1);
   std::nth_element(sizes.begin(), middle, sizes.end());
@@ -43,7 +43,7 @@ double majorityDistance(const Circle& circle, const Points& points) {
   return majorityBound(std::move(distances));
 }
 
-/// Rows evenly taken from all of them: more do not make the start better.
+/// A regular selection of rows: more do not improve the start.
 Points sample(const Points& points) {
   constexpr std::size_t most = 120;
   if (points.size() <= most) return points;
@@ -52,12 +52,12 @@ Points sample(const Points& points) {
   return some;
 }
 
-/// The circle through three points that the majority lies nearest to.
+/// The circle through three points with the smallest distances to the majority.
 std::optional<Circle> bestOfTriples(const Points& points) {
   std::optional<Circle> best;
   double least = std::numeric_limits<double>::infinity();
   const std::size_t n = points.size();
-  // Triples spread over the arc: steps through the rows that share no factor with each other.
+  // Triples spread over the arc: steps through the rows are coprime.
   for (std::size_t t = 0; t < mostTriples; ++t) {
     const std::size_t i = t % n, j = (i + 1 + n / 4 + t / 3 % (n / 2)) % n,
                       k = (j + 1 + n / 4 + t / 7 % (n / 2)) % n;
@@ -115,7 +115,7 @@ RobustStart robustStart(const Measurement& measurement, const ArcMeasurement& ar
   const Points some = sample(points);
   auto circle = bestOfTriples(some);
   if (!circle) return start;
-  // In mm what the circles' stated noise is worth: rows are never told apart by less than it.
+  // The stated noise of the circles in mm: rows closer than this are not separated.
   const double floor =
       measurement.distance * std::max(measurement.sigmaHorizontal, measurement.sigmaVertical).radians();
   double scatter = 0;

@@ -8,7 +8,7 @@ namespace {
 
 using Block = VisitFeet::Block;
 
-constexpr double nearlyHalf = 3;  // rad; beyond, a slider's residual may have to be wrapped
+constexpr double nearlyHalf = 3;  // rad; beyond it, a slider's residual may have to be wrapped
 constexpr std::size_t columns = ArcEquations::columns, sliderColumn = 3;
 
 template <typename Mask>
@@ -18,7 +18,7 @@ template <typename Mask>
   return all;
 }
 
-/// False where a residual is not small.
+/// False if a residual is large.
 [[gnu::always_inline]] inline bool look(Block& b, const ArcView& view, const Circle& circle) {
   const auto residuals = lookFrom<Eight>(b.foot, view, circle, b.tanA, b.tanE);
   const auto isSmall = [](const Ratio<Eight>& ratio) {
@@ -29,8 +29,8 @@ template <typename Mask>
   return true;
 }
 
-/// As `footPoint`, from where the visits stand; false where that takes more than series, or a slider's
-/// residual may have to be wrapped.
+/// `footPoint` for a block, from the current feet; false if series do not suffice or a slider's residual may
+/// have to be wrapped.
 [[gnu::always_inline]] inline bool settleTogether(Block& b, const ArcView& view, const Circle& circle) {
   if (!areAll(magnitude<Eight>(b.foot.sliderLeft) < nearlyHalf) || !look(b, view, circle)) return false;
   Eight before{};
@@ -51,7 +51,7 @@ template <typename Mask>
   return true;
 }
 
-/// One row of derivatives for each kind of reading, what lies along the arc taken off.
+/// One row of derivatives for each kind of reading, after subtracting the component along the arc.
 struct Rows {
   Eight along[3];  ///< ∂/∂φ, of unit length over all readings of the visit
   Eight reduced[3][columns];
@@ -133,13 +133,13 @@ template <bool hasSlider>
   equations.chiSquare = total(sums.chiSquare);
 }
 
-// The entries.
+// The entry points.
 
 ALIDADE_WIDE void standInPlane(Block& block, const ArcView& view, const Circle& circle) {
   turnTo<Eight>(block.foot, sightedAlong<Eight>(view, block.tanA, block.tanE), circle);
 }
 
-/// False where the block is to be settled visit by visit: then they stand where they stood.
+/// False if the block must be settled visit by visit; its visits are then unchanged.
 ALIDADE_WIDE bool settle(Block& block, const ArcView& view, const Circle& circle) {
   const Eight cosine = block.foot.cosine, sine = block.foot.sine;
   if (settleTogether(block, view, circle)) return true;
@@ -206,7 +206,7 @@ VisitReading VisitFeet::reading(std::size_t visit) const {
   return readingIn(m_blocks[visit / eight], visit % eight);
 }
 
-/// What the sliders leave where the visits stand.
+/// Computes the residuals of the sliders at the current feet.
 void VisitFeet::lookAtSliders(Block& block, const ArcUnknowns& unknowns) const {
   for (std::size_t i = 0; i < eight; ++i) {
     if (block.sliderRows[i] == 0) continue;

@@ -9,13 +9,13 @@
 
 namespace alidade {
 
-// All visits of an arc at their foot points (foot_point.h), eight side by side, and the normal equations that
-// they make there. Both faces of a visit read alike, so it has one row for each kind of reading, counted as
-// often as it was read; what lies along the arc is taken off, so that its angle is no unknown. Residuals are
-// found by series; eight visits of which one leaves more than 0.001 rad are done one by one.
+// All visits of an arc at their foot points (foot_point.h), eight at a time, and their normal equations. Both
+// faces of a visit read the same, so each kind of reading has one row, counted as often as it was read. The
+// component along the arc is subtracted, which eliminates the arc angle. Residuals are found by series; eight
+// visits of which one leaves more than 0.001 rad are processed one by one.
 
-/// Normal equations over what is estimated, (Δx, Δy, R) in mm and the slider's zero in rad, and what is
-/// considered: the pointing zeros of a and e in rad, and L in mm. From the stated σ.
+/// Normal equations over the estimated quantities, (Δx, Δy, R) in mm and the slider's zero in rad, and the
+/// considered ones: the pointing zeros of a and e in rad, and L in mm. From the stated σ.
 struct ArcEquations {
   static constexpr std::size_t estimated = 4, considered = 3, columns = estimated + considered;
 
@@ -24,10 +24,10 @@ struct ArcEquations {
   double chiSquare = 0;                                         ///< of the means of the visits
 };
 
-/// Of one reading of each kind at a visit: horizontal, vertical, slider.
+/// Reliability of one reading of each kind at a visit: horizontal, vertical, slider.
 struct VisitReliability {
   std::array<double, 3> redundancy{};  ///< 0…1
-  std::array<double, 3> rate{};        ///< ∂(what is asked for)/∂(reading in σ)
+  std::array<double, 3> rate{};        ///< ∂(requested quantity)/∂(reading in σ)
 };
 
 class VisitFeet {
@@ -41,27 +41,27 @@ class VisitFeet {
   VisitReading reading(std::size_t visit) const;
 
   enum class From { Plane, Before };
-  /// Takes every visit to its foot: from the nearest point in the plane, or from where it is since the last
-  /// time. Needs R > 0.
+  /// Moves every visit to its foot: from the nearest point in the plane, or from the last foot. Needs R > 0.
   ArcEquations settle(const ArcUnknowns& unknowns, From from);
 
-  // Of a visit, settled. Radians.
+  // Results of a settled visit, in radians.
   double arcAngle(std::size_t visit) const;         ///< in (−π, π]
-  Direction<double> left(std::size_t visit) const;  ///< mean of the readings less what a perfect one is there
-  double sliderLeft(std::size_t visit) const;       ///< likewise, where the slider was read
+  Direction<double> left(std::size_t visit) const;  ///< mean of the readings minus that of a perfect
+                                                    ///< instrument
+  double sliderLeft(std::size_t visit) const;       ///< the same for the slider, if it was read
 
-  /// Of the eight visits from `eight` · `block` on, settled. `cofactor`: inverse of the normal matrix over
-  /// what is estimated; `asked`: its product with the gradient of what is asked for.
+  /// Reliability of the eight visits from `eight` · `block` on, settled. `cofactor`: inverse of the normal
+  /// matrix of the estimated quantities; `asked`: its product with the gradient of the requested quantity.
   using Cofactor = std::array<std::array<double, ArcEquations::estimated>, ArcEquations::estimated>;
   std::array<VisitReliability, eight> reliabilityOf(
       std::size_t block, const Cofactor& cofactor,
       const std::array<double, ArcEquations::estimated>& asked) const;
 
-  /// Eight visits; in the last block the last of all stands in for those that are missing, and counts once.
+  /// Eight visits; in the last block the last visit fills empty lanes and counts once.
   struct alignas(sizeof(Eight)) Block {
     Foot<Eight> foot;
-    Eight tanA, tanE, rows, counts;          ///< counts: rows, 0 where there is no visit
-    Eight slider, sliderRows, sliderCounts;  ///< rows: 1 where it was read; counts likewise
+    Eight tanA, tanE, rows, counts;          ///< counts: rows, 0 for empty lanes
+    Eight slider, sliderRows, sliderCounts;  ///< rows: 1 if it was read; counts likewise
   };
 
  private:
@@ -72,7 +72,7 @@ class VisitFeet {
   std::vector<Block> m_blocks;
   std::size_t m_size = 0;
   bool m_hasSlider = false;
-  ArcUnknowns m_unknowns;  ///< of the last time
+  ArcUnknowns m_unknowns;  ///< of the last call
 };
 
 }  // namespace alidade

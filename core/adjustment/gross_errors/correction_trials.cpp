@@ -11,7 +11,8 @@ namespace alidade {
 
 namespace {
 
-/// Of the misfit of a row that agrees: no stricter than what it takes to call a reading misread.
+/// Least probability of the misfit for a row to agree: no stricter than the test that names a misread
+/// reading.
 constexpr double leastProbability = 1e-4;
 constexpr double mostSliderDisagreement = 5;
 
@@ -56,7 +57,7 @@ std::vector<GrossError> CorrectionTrials::grossErrorsIn(const Visited& visit) co
   return errors;
 }
 
-// Among very many rows two visits weigh nothing.
+// Two visits are negligible among very many rows.
 VisitCheck CorrectionTrials::checkOf(const Visited& visit, const Visited* other) const {
   constexpr std::size_t veryMany = 2000;
   auto inQuestion = readingsOf(m_sound, visit.arc, visit.round, visit.point);
@@ -70,8 +71,8 @@ VisitCheck CorrectionTrials::checkOf(const Visited& visit, const Visited* other)
   return VisitCheck(m_sound, visit.arc, options.without, fitJointly(m_sound, m_starts, options), options);
 }
 
-/// The rows of the visit with a correction, less the shifts of misread cells that it leaves alone; empty
-/// where they cannot be used.
+/// The rows of the visit with a correction, minus the shifts of misread cells that it does not change; empty
+/// if they cannot be used.
 std::vector<Sighting> CorrectionTrials::rowsWith(const Visited& visit, const Correction& correction,
                                                  const std::vector<GrossError>& keptOff) {
   const std::size_t position = m_fitted.arcs[visit.arc].position;
@@ -101,8 +102,8 @@ bool CorrectionTrials::agreesAsTyped(const Visited& visit, const VisitCheck& che
   return !rows.empty() && check.agreement(rows).probability >= leastProbability;
 }
 
-/// What the correction does to the visits of other rows it changes: the gain in likelihood; empty where
-/// they do not agree then.
+/// The gain in likelihood from visits of other rows that the correction changes; empty if these then
+/// disagree.
 std::optional<double> CorrectionTrials::gainElsewhere(const Visited& visit, const Correction& correction) {
   const ArcMeasurement& arc = m_fitted.arcs[visit.arc];
   double gain = 0;
@@ -117,13 +118,14 @@ std::optional<double> CorrectionTrials::gainElsewhere(const Visited& visit, cons
     if (!check.canCheck()) return std::nullopt;
     const VisitAgreement after = check.agreement(corrected);
     if (after.probability < leastProbability) return std::nullopt;
-    constexpr double unusable = -50;  // as typed it cannot have been meant
+    constexpr double unusable = -50;  // as typed it cannot have been intended
     gain += after.logLikelihood - (as.empty() ? unusable : check.agreement(as).logLikelihood);
   }
   return gain;
 }
 
-/// Of slider readings typed in both rows of a visit, where one reading was made, in σ.
+/// The disagreement, in σ, between slider readings typed in both rows of a visit, which should be one
+/// reading.
 double CorrectionTrials::sliderDisagreement(const std::vector<Sighting>& rows) const {
   if (rows.size() < 2 || !rows[0].slider || !rows[1].slider) return 0;
   return std::abs(wrapped(*rows[0].slider - *rows[1].slider).radians()) / m_fitted.sigmaSlider.radians();

@@ -16,13 +16,13 @@
 
 namespace alidade {
 
-/// A visit in question, with the rows that belong to it as typed.
+/// A visit in question, with its rows as typed.
 struct Visited {
   std::size_t arc = 0;  ///< index into the measurement's arcs
   int round = 1, point = 0;
   std::vector<std::size_t> rows;  ///< of the position
 
-  /// The same with one row more.
+  /// The visit with one more row.
   Visited with(std::size_t row) const;
 };
 
@@ -38,12 +38,12 @@ struct AgreeingCorrection {
 /// Which kind of reading a cell holds; a changed face turns both circles and counts as the horizontal one.
 ReadingKind kindOf(const std::string& field);
 
-/// Misread readings of a session, and the corrections of what was typed that would mend them: each is tried
+/// Misread readings of a session, and corrections of the typed text that would explain them: each is tested
 /// against a fit of all other readings.
 class CorrectionTrials {
  public:
-  /// Searches `fitted`, the fitted part of what `session` means, at the stated risk of naming a sound
-  /// reading. `fit`: of all its readings. Asked to stop, it finds none.
+  /// Searches `fitted`, the fitted part of the measurement of `session`, at the stated risk of naming a sound
+  /// reading. `fit`: of all its readings. If asked to stop, it finds none.
   CorrectionTrials(const Session& session, Measurement fitted, const JointFit& fit, double risk,
                    const std::stop_token& stop);
 
@@ -55,11 +55,11 @@ class CorrectionTrials {
   }
   Visited visitOf(std::size_t arc, int round, int point) const;
 
-  /// Against a fit without the visits in question.
+  /// Checks against a fit without the visits in question.
   VisitCheck checkOf(const Visited& visit, const Visited* other = nullptr) const;
   bool agreesAsTyped(const Visited& visit, const VisitCheck& check);
   /// The corrections that make the visit agree, the most probable first. `keptOff`: misread cells of the
-  /// visit whose error is taken off and not corrected. With `only`, corrections of that cell alone.
+  /// visit whose error is subtracted, not corrected. With `only`, corrections of that cell alone.
   std::vector<AgreeingCorrection> agreeing(const Visited& visit, const VisitCheck& check,
                                            const std::vector<GrossError>& keptOff = {},
                                            const ReadingRef* only = nullptr);
@@ -78,7 +78,7 @@ class CorrectionTrials {
   RowReader m_reader;
   JointFitOptions m_fitOptions;
   GrossErrorSearch m_search;
-  Measurement m_sound;  ///< the shifts taken off all misread readings
+  Measurement m_sound;  ///< with the shifts of all misread readings subtracted
   std::vector<Circle> m_starts;
 };
 

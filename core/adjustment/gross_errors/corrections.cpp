@@ -39,7 +39,7 @@ class ReadingCorrections {
   }
 
   void addMeantTexts(const Column& column) {
-    // A slip is as likely in either circle; slider readings are as many as visits, about.
+    // A slip is equally likely in either circle; there are about as many slider readings as visits.
     for (const MeantText& meant : meantTexts(m_readings[m_row].*column.text)) {
       Correction correction{meant.slip, meant.prior, {}, {}};
       change(correction, m_row, column, meant.text);
@@ -64,7 +64,7 @@ class ReadingCorrections {
     m_corrections.push_back(std::move(correction));
   }
 
-  /// The rows before and after, and those of the same face before and after.
+  /// The adjacent rows, and the adjacent rows of the same face.
   std::vector<std::size_t> neighbours() const {
     std::vector<std::size_t> rows;
     for (const std::size_t distance : {std::size_t{1}, std::size_t{2}}) {
@@ -106,7 +106,8 @@ RowReader::RowReader(const Session& session) : m_firstSequences(firstSequences(s
   m_alone.environment = session.environment;
   m_alone.geometry = session.geometry;
   m_alone.model = session.model;
-  for (const Position& position : session.positions)  // all: which faces of a zero count hangs on the others
+  for (const Position& position : session.positions)  // all positions: which faces of a zero count depends on
+                                                      // the others
     m_alone.positions.push_back(
         {.axisDeg = position.axisDeg, .zero = position.zero, .readings = {}, .origin = {}});
 }
@@ -114,7 +115,7 @@ RowReader::RowReader(const Session& session) : m_firstSequences(firstSequences(s
 std::optional<Sighting> RowReader::read(std::size_t position, std::size_t row, const Reading& reading) {
   Position& alone = m_alone.positions[position];
   alone.readings = {reading};
-  // A point without a number is named by its row.
+  // A point without a number is identified by its row.
   if (reading.point.empty()) alone.readings[0].point = std::to_string(row + 1);
   const Examined examined = examine(m_alone);
   alone.readings.clear();

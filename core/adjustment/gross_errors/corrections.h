@@ -17,28 +17,28 @@ namespace alidade {
 struct CellChange {
   Place where;  ///< position, reading and field: "horizontal", "vertical", "slider" or "face"
   std::string text;
-  std::string typed = {};  ///< what stands there now
+  std::string typed = {};  ///< current text
 
   bool operator==(const CellChange&) const = default;
 };
 
-/// A way in which a row may have been meant, one slip away from what was typed.
+/// An intended reading of a row, one slip away from the typed text.
 struct Correction {
   EntrySlip slip = EntrySlip::OneDigitWrong;
-  double prior = 0;                          ///< how often such a slip is, before anything is known
-  std::vector<CellChange> changes;           ///< all of them together; never empty
-  std::map<std::size_t, Reading> rows = {};  ///< the changed rows of the position as they would be
+  double prior = 0;                          ///< frequency of such a slip, before any reading
+  std::vector<CellChange> changes;           ///< made together; never empty
+  std::map<std::size_t, Reading> rows = {};  ///< the changed rows of the position after the correction
 };
 
-/// Everything that a row of a position may have been meant to be, whether or not it can be used.
+/// All possible intended readings of a row, whether or not they can be used.
 std::vector<Correction> correctionsOf(const Session& session, std::size_t position, std::size_t row);
 
-/// What one row means, apart from all others.
+/// Converts one row to a sighting, independently of all others.
 class RowReader {
  public:
   explicit RowReader(const Session& session);
 
-  /// Empty where the row, the pointing zero or the rest of the session cannot be used.
+  /// Empty if the row, the pointing zero or the rest of the session cannot be used.
   std::optional<Sighting> read(std::size_t position, std::size_t row, const Reading& reading);
 
  private:

@@ -17,7 +17,7 @@ struct KnownSlip {
   double share;
 };
 
-/// Rough shares: what matters is that no kind is out of the question.
+/// Rough shares: what matters is that every kind remains possible.
 constexpr std::array<KnownSlip, 9> slips = {{
     {EntrySlip::DigitsSwapped, 0.20},
     {EntrySlip::OneDigitWrong, 0.25},
@@ -30,7 +30,7 @@ constexpr std::array<KnownSlip, 9> slips = {{
     {EntrySlip::NeighbouringRow, 0.09},
 }};
 
-/// Where the digits of degrees, minutes and seconds stand in a text.
+/// The places of the digits of degrees, minutes and seconds in a text.
 struct Parts {
   struct Span {
     std::size_t at = 0, length = 0;
@@ -48,7 +48,7 @@ std::optional<Parts> partsOf(std::string_view text) {
   }
   if (runs.empty()) return std::nullopt;
   const Parts::Span first = runs.front();
-  if (first.length >= 5 && first.length <= 7)  // run together: DDDMMSS
+  if (first.length >= 5 && first.length <= 7)  // without separators: DDDMMSS
     return Parts{
         {first.at, first.length - 4}, {first.at + first.length - 4, 2}, {first.at + first.length - 2, 2}};
   if (runs.size() < 3 || first.length > 3 || runs[1].length > 2 || runs[2].length > 2) return std::nullopt;
@@ -66,7 +66,7 @@ std::string padded(int number, std::size_t width) {
   return std::string(width > digits.size() ? width - digits.size() : 0, '0') + digits;
 }
 
-/// The text with whole seconds added, everything but these digits as typed.
+/// The text with whole seconds added; all other characters stay as typed.
 std::string moved(std::string_view typed, const Parts& parts, int seconds) {
   constexpr int turn = 360 * 3600;
   const int before = 3600 * numberAt(typed, parts.degrees) + 60 * numberAt(typed, parts.minutes) +
@@ -76,9 +76,9 @@ std::string moved(std::string_view typed, const Parts& parts, int seconds) {
   const auto put = [&text](Parts::Span span, int number) {
     text.replace(span.at, span.length, padded(number, span.length));
   };
-  put(parts.seconds, after % 60);  // from the back, so that the places in front stay
+  put(parts.seconds, after % 60);  // from the end, so that earlier places stay valid
   put(parts.minutes, after / 60 % 60);
-  // Zeros stand in front of the degrees only where they were typed.
+  // Leading zeros of the degrees are kept only if they were typed.
   if (typed[parts.degrees.at] == '0')
     put(parts.degrees, after / 3600);
   else
@@ -86,7 +86,7 @@ std::string moved(std::string_view typed, const Parts& parts, int seconds) {
   return text;
 }
 
-/// A zero in front of other digits: a style of its own.
+/// A zero before other digits, which is a separate style.
 bool startsWithZero(std::string_view text) {
   return text.size() > 1 && text[0] == '0' && isDigit(text[1]);
 }

@@ -19,19 +19,19 @@ enum class EntrySlip {
   NeighbouringRow,  ///< readings in each other's row
 };
 
-/// How often a slip is of this kind, before anything is known: their sum over all kinds is 1.
+/// The share of this kind among all slips; the shares of all kinds add up to 1.
 double slipShare(EntrySlip slip);
 
-/// A text that may have been meant.
+/// A text that may have been intended.
 struct MeantText {
-  EntrySlip slip = EntrySlip::OneDigitWrong;  ///< the likelier one where two lead to the same text
+  EntrySlip slip = EntrySlip::OneDigitWrong;  ///< the more probable one if two lead to the same text
   std::string text;                           ///< in the style of the typed one
-  double prior = 0;                           ///< the kind's share over the number of texts it leads to
+  double prior = 0;                           ///< the kind's share divided by the number of its texts
 };
 
-/// What an angle may have been meant to be, one slip away from what was typed; each text once, the typed one
-/// not among them. Texts need not be angles in range. One degree, minute or ten seconds off needs degrees,
-/// minutes and seconds; other angles only have digits.
+/// The possible intended texts of an angle, one slip away from the typed text; each once, without the typed
+/// one. Texts may be out of range. One degree, minute or ten seconds off needs degrees, minutes and seconds;
+/// other angles only have digits.
 std::vector<MeantText> meantTexts(std::string_view typed);
 
 }  // namespace alidade

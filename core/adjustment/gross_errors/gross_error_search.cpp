@@ -36,7 +36,7 @@ MatrixXd matrixOf(const SquareMatrix& square) {
       square.values.data(), size, size);
 }
 
-/// The projector onto the residuals, entry by entry. Asked to stop it knows the first readings only.
+/// The projector onto the residuals, entry by entry. If asked to stop it holds only the first readings.
 class Projector {
  public:
   Projector(const Measurement& measurement, const JointFitOptions& options, const JointFit& fit,
@@ -49,7 +49,7 @@ class Projector {
       const VisitEquations equations = problem.equationsOf(state, v);
       const VisitEquations::Jacobian columns = JointProblem::reduced(equations);
       for (Index row = 0; row < equations.residual.size(); ++row) {
-        if (equations.jacobian.row(row).isZero(0)) continue;  // takes no part
+        if (equations.jacobian.row(row).isZero(0)) continue;  // excluded
         const ReadingRef cell = problem.cellOf(v, row);
         m_reduced.col(size()) =
             problem.spread(columns.row(row).transpose(), problem.visits()[v].arc).head(m_cofactor.rows());
@@ -68,7 +68,7 @@ class Projector {
     return i == j ? m_redundancies[static_cast<Index>(i)] : entry(i, j);
   }
 
-  /// As many as there are readings where it is none of them.
+  /// The index of the cell; the number of readings if it is not among them.
   std::size_t indexOf(const ReadingRef& cell) const {
     return std::min<std::size_t>(m_slots[cell.arc][slotIn(cell)], m_readings.size());
   }
@@ -77,9 +77,9 @@ class Projector {
   static constexpr std::size_t kinds = 3;
   MatrixXd m_cofactor;
   std::vector<TestedReading> m_readings;
-  MatrixXd m_reduced;  ///< derivatives of each by the unknowns, the arc angle eliminated
+  MatrixXd m_reduced;  ///< derivatives of each with respect to the unknowns, with the arc angle eliminated
   VectorXd m_redundancies;
-  std::vector<std::vector<std::uint32_t>> m_slots;  ///< of each arc: the reading behind a cell
+  std::vector<std::vector<std::uint32_t>> m_slots;  ///< for each arc: the reading of a cell
 
   Index size() const { return static_cast<Index>(m_readings.size()); }
   static std::size_t slotIn(const ReadingRef& cell) {
@@ -129,11 +129,11 @@ class Search {
     double size = 0;  ///< rad
   };
 
-  /// A sighting that is all there is of its visit. Both its circles tell one thing, how far off the arc it
-  /// is, so it is left out as a whole; the circle whose error would be the smaller one is named.
+  /// A sighting that is the only one of its visit. Its two circles give a single condition, its distance from
+  /// the arc, so it is left out as a whole; the circle with the smaller error is named.
   struct LeftOut {
     ReadingRef cell, other;
-    double size = 0, sigma = 0;  ///< rad; σ scaled as the others scatter
+    double size = 0, sigma = 0;  ///< rad; σ scaled by the scatter of the other readings
   };
 
   bool isStopped() const { return m_stop.stop_requested(); }
@@ -156,7 +156,7 @@ class Search {
     adjust();
   }
 
-  /// A first fit that those apart have no part in: the rows are put on the circle of the others.
+  /// A first fit without the deviating rows: these are moved onto the circle of the others.
   void fitWithoutApart() {
     m_shifted = m_measurement;
     const bool isKnown =
@@ -187,7 +187,7 @@ class Search {
     return m_alone[cell.arc][cell.sighting];
   }
 
-  /// Rows without a slider reading that are all there is of their visit.
+  /// Rows without a slider reading that are the only ones of their visit.
   static std::vector<bool> rowsAlone(const ArcMeasurement& arc) {
     std::vector<bool> alone(arc.sightings.size());
     for (const Visit& visit : visitsOf(arc))
@@ -212,7 +212,7 @@ class Search {
 
   std::size_t calls() const { return m_shifts.size() + m_leftOut.size(); }
 
-  /// How far each sighting left out is off the arc that the others fix, and which circle is named for it.
+  /// Measures how far each omitted sighting is from the arc of the others, and chooses the circle to name.
   void measureLeftOut() {
     const JointProblem problem(m_shifted, m_options.fit);
     JointState state = problem.stateOf(m_fit);
@@ -256,7 +256,7 @@ class Search {
     return matrix;
   }
 
-  /// What of an error of reading `k` still shows beside free shifts of `cells`.
+  /// The share of an error of reading `k` that shows, with free shifts of `cells`.
   double remainingRedundancy(const std::vector<std::size_t>& cells, const MatrixXd& inverse,
                              std::size_t k) const {
     VectorXd cross(static_cast<Index>(cells.size()));
@@ -274,7 +274,7 @@ class Search {
     take(cell);
   }
 
-  /// Fit and shifts together: Gauss-Newton on the shifts with the fit made anew for each step.
+  /// Adjusts fit and shifts together: Gauss-Newton on the shifts, with a new fit for each step.
   void adjust() {
     m_fitOptions.without = m_options.fit.without;
     for (const LeftOut& out : m_leftOut) {
@@ -293,7 +293,7 @@ class Search {
       startFromFit();
       m_projector.emplace(m_shifted, m_fitOptions, m_fit, m_stop);
       if (isStopped()) return;
-      // Where the fit ran away a reading may hang on nothing any more.
+      // After divergence, a reading may not depend on any unknown.
       std::erase_if(m_shifts, [&](const Shift& shift) {
         return m_projector->indexOf(shift.cell) == m_projector->readings().size();
       });
@@ -309,7 +309,7 @@ class Search {
     }
   }
 
-  /// The next fit starts where this one ended.
+  /// The next fit starts from the result of this one.
   void startFromFit() {
     if (!m_fit.converged()) return;
     for (std::size_t arc = 0; arc < m_circles.size(); ++arc) m_circles[arc] = m_fit.circleOf(arc);
@@ -317,7 +317,7 @@ class Search {
 
   int freedom() const { return m_fit.degreesOfFreedom - static_cast<int>(m_shifts.size()); }
 
-  /// Bound for |t| with `freedom` degrees.
+  /// Critical value of |t| with `freedom` degrees of freedom.
   double critical(int freedom) const {
     return ReadingTest{.risk = m_options.risk,
                        .tests = differentTests(m_fit.readings) + static_cast<int>(m_leftOut.size()),
@@ -346,7 +346,7 @@ class Search {
            statedSigma(m_measurement, m_shifts[i].cell.kind).radians();
   }
 
-  /// Of the shifts, then of the sightings left out.
+  /// For the shifts, then for the omitted sightings.
   double studentised(std::size_t i) const {
     if (i < m_shifts.size()) return m_shifts[i].size / sigmaOfShift(i);
     const LeftOut& out = m_leftOut[i - m_shifts.size()];
@@ -377,7 +377,7 @@ class Search {
     return true;
   }
 
-  /// Readings of the visit whose shift instead of shift `i` lowers χ² nearly as much.
+  /// Readings of the visit whose shift reduces χ² nearly as much as shift `i`.
   std::vector<ReadingRef> rivalsOf(std::size_t i) const {
     std::vector<std::size_t> others = called();
     const std::size_t self = others[i];
@@ -418,7 +418,7 @@ class Search {
                                     studentised(m_shifts.size() + i),
                                     {out.other}});
     }
-    // No reading is off by more than half a turn: such a size is what a fit runs away along.
+    // Errors of a reading are at most half a turn: a larger size means that the fit diverged.
     std::erase_if(search.grossErrors, [](const GrossError& error) {
       return !(std::abs(error.size.radians()) <= std::numbers::pi);
     });
@@ -442,7 +442,7 @@ class Search {
   JointFitOptions m_fitOptions;
   std::vector<Circle> m_circles;
   std::vector<ReadingRef> m_apart;
-  std::vector<std::vector<bool>> m_alone;  ///< of each arc, when it is needed
+  std::vector<std::vector<bool>> m_alone;  ///< for each arc, computed when needed
   std::vector<Shift> m_shifts;
   std::vector<LeftOut> m_leftOut;
   Measurement m_shifted;

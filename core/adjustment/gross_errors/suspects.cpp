@@ -15,9 +15,8 @@ namespace alidade {
 namespace {
 
 constexpr double leastShare = 0.01;        ///< of a proposal worth showing
-constexpr double leastShareBeside = 0.95;  ///< of a proposal beside other suspects
-/// Of the place that a correction leads to, in the scatter of the others: beyond, something else is wrong
-/// too.
+constexpr double leastShareBeside = 0.95;  ///< of a proposal if there are other suspects
+/// Largest deviation of a corrected place, in the scatter of the others: beyond it there is another error.
 constexpr double mostOffSpacing = 12;
 constexpr std::size_t mostProposals = 5, mostUnusableRows = 12;
 
@@ -43,7 +42,7 @@ class SuspectSearch {
   }
 
  private:
-  /// A row of the visit is among the suspects already: the slip that explains them both was found.
+  /// Is a row of the visit among the suspects already? Then the slip that explains both was found.
   bool isNamed(const Visited& visit) const {
     return std::ranges::any_of(m_suspects, [&](const Suspect& suspect) {
       return suspect.where.position == m_trials.measurement().arcs[visit.arc].position &&
@@ -71,7 +70,7 @@ class SuspectSearch {
       nameCells(visit, tried, errors.front().studentised);
       return;
     }
-    // More than one slip in the visit, or none that explains it.
+    // The visit has more than one slip, or one that no correction explains.
     for (const GrossError& one : errors) {
       std::vector<GrossError> others = errors;
       std::erase_if(others, [&](const GrossError& m) { return m.cell == one.cell; });
@@ -92,7 +91,7 @@ class SuspectSearch {
     return suspect;
   }
 
-  /// The cells that the most probable correction changes.
+  /// Names the cells that the most probable correction changes.
   void nameCells(const Visited& visit, const std::vector<AgreeingCorrection>& tried, double studentised) {
     const AgreeingCorrection& best = tried.front();
     const std::size_t position = m_trials.measurement().arcs[visit.arc].position;
@@ -131,7 +130,7 @@ class SuspectSearch {
     return wrapped(*typed - *meant) + (isFirst ? best.residual : Angle());
   }
 
-  /// The cell that the search blames.
+  /// Names the cell that the search found.
   void name(const GrossError& error, const std::vector<AgreeingCorrection>& tried) {
     const Sighting& sighting = m_trials.sightingOf(error.cell);
     const Visited visit = m_trials.visitOf(error.cell.arc, sighting.round, sighting.point);
@@ -148,7 +147,7 @@ class SuspectSearch {
     m_suspects.push_back(std::move(suspect));
   }
 
-  /// Rows that `examine` had to leave out, where a slip explains why.
+  /// Examines rows that `examine` left out, if a slip explains why.
   void lookAtUnusableRows() {
     std::size_t looked = 0;
     for (std::size_t arc = 0; arc < m_trials.measurement().arcs.size(); ++arc) {
@@ -175,7 +174,7 @@ class SuspectSearch {
     const Visited usable = m_trials.visitOf(arc, roundOf(row), pointOf(row));
     const VisitCheck check = m_trials.checkOf(usable);
     if (!check.canCheck()) return;
-    // The row may have nothing wrong with it: its face or point is taken by another.
+    // The row itself may be right, with its face or point taken by another row.
     const Visited alone{arc, usable.round, usable.point, {row}};
     if (m_trials.agreesAsTyped(alone, check)) return;
     Visited all = usable.with(row);
@@ -196,7 +195,7 @@ class SuspectSearch {
     suspect.proposals.clear();
   }
 
-  /// Of one visit, so that each hides what the other leaves.
+  /// Are both of one visit, so that each hides the residual of the other?
   static bool areTogether(const Suspect& a, const Suspect& b) {
     return a.where.position == b.where.position && a.round == b.round && a.point == b.point;
   }
@@ -211,8 +210,8 @@ class SuspectSearch {
         m_suspects, [&](const Suspect& other) { return &other != &suspect && !areOneSlip(suspect, other); });
   }
 
-  /// Beside other misread readings a correction is proposed only where it is all but certain, where nothing
-  /// in its visit is left unexplained, and where all readings agree once every suspect is corrected.
+  /// With other misread readings present, keeps a correction only if it is almost certain, it leaves nothing
+  /// in its visit unexplained, and all readings agree once every suspect is corrected.
   void keepWhatHoldsTogether() {
     std::vector<bool> isDoubtful;
     for (const Suspect& suspect : m_suspects) {
@@ -230,8 +229,7 @@ class SuspectSearch {
         if (areTogether(suspect, left)) mask(suspect);
   }
 
-  /// Visits that do not agree once all suspects are corrected, or their rows excluded where nothing is
-  /// proposed.
+  /// Visits that disagree after all suspects are corrected, or, without a proposal, their rows excluded.
   std::vector<Suspect> leftOnceCorrected() const {
     Session mended = m_session;
     for (const Suspect& suspect : m_suspects) {

@@ -27,13 +27,13 @@ double wrappedRadians(double radians) {
 
 struct PointPlace {
   int point = 0;
-  double phi = 0;  ///< rad, running on beyond ±π
+  double phi = 0;  ///< rad, continued beyond ±π
 };
 
-/// The arc angle as a straight line over the point number, and how closely the places keep to it.
+/// The arc angle as a linear function of the point number, and the scatter of the places about it.
 struct Spacing {
   double phiAtZero = 0, step = 0;  ///< rad, rad per point
-  double scatter = 0;              ///< 1σ of a place, rad; 0: nothing is known of the spacing
+  double scatter = 0;              ///< 1σ of a place, rad; 0: the spacing is unknown
 
   double off(int point, double phi) const {
     return scatter > 0 ? std::abs(wrappedRadians(phi - phiAtZero - step * point)) / scatter : 0;
@@ -46,7 +46,7 @@ struct Spacing {
   }
 };
 
-/// By medians, so that a place or two may be off.
+/// By medians, so that a few places may deviate.
 Spacing spacingOf(std::vector<PointPlace> places) {
   constexpr std::size_t fewest = 6, most = 60;
   std::ranges::sort(places, {}, &PointPlace::point);
@@ -75,13 +75,13 @@ Spacing spacingOf(std::vector<PointPlace> places) {
   return spacing;
 }
 
-/// What the fit of the other visits says of a probe's unknowns, and how well.
+/// The fit's prediction of a probe's unknowns, with its covariance.
 struct Prediction {
   JointState state;
   MatrixXd cofactor;
 };
 
-/// The unknowns stay; the arc angle of the only visit finds its place.
+/// Keeps the unknowns; the arc angle of the only visit is adjusted.
 JointState settled(const JointProblem& problem, JointState state) {
   const VectorXd noStep = VectorXd::Zero(static_cast<Index>(problem.estimated().size()));
   for (int iteration = 0; iteration < 12; ++iteration) {
@@ -92,7 +92,7 @@ JointState settled(const JointProblem& problem, JointState state) {
   return state;
 }
 
-/// Of the whitened residuals: their own noise, and that of the prediction.
+/// Covariance of the whitened residuals: their own noise plus that of the prediction.
 MatrixXd covarianceOf(const JointProblem& problem, const VisitEquations& equations,
                       const MatrixXd& cofactor) {
   const Index readings = equations.residual.size(), count = cofactor.rows();
@@ -111,11 +111,11 @@ struct VisitCheck::Content {
   std::vector<Unknown> unknowns;  ///< of the probe
   VectorXd values;
   MatrixXd cofactor;
-  double variance = 1;  ///< of the noise, in stated ones
+  double variance = 1;  ///< of the noise, in units of the stated one
   double freedom = 0;
   Spacing spacing;
 
-  /// Of the fit's numbers those that hold for the arc, with unknowns that the fit does not have left free.
+  /// Takes the fit's values for the arc, and leaves unknowns that the fit lacks free.
   void takeOver(const JointFit& fit, std::size_t arc) {
     std::vector<std::size_t> indices;
     for (Unknown unknown : fit.unknowns) {
@@ -135,14 +135,14 @@ struct VisitCheck::Content {
     }
   }
 
-  /// Index among `unknowns`; −1 for one that the fit does not have.
+  /// Index among `unknowns`; −1 if the fit lacks it.
   Index indexOf(const Unknown& unknown) const {
     const auto found = std::ranges::find(unknowns, unknown);
     return found == unknowns.end() ? -1 : found - unknowns.begin();
   }
 
   Prediction predictionFor(const JointProblem& problem) const {
-    constexpr double unknownZero = 100;  // rad²: the first slider reading of an arc tells nothing
+    constexpr double unknownZero = 100;  // rad²: the first slider reading of an arc adds no information
     const auto count = static_cast<Index>(problem.estimated().size());
     Prediction prediction{problem.start({circle}), MatrixXd::Zero(count, count)};
     std::vector<Index> indices;

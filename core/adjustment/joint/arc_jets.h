@@ -8,12 +8,12 @@
 
 namespace alidade {
 
-// What all readings of one arc hang on, each with its derivatives, for joint_problem.cpp. A reading is made
-// in two stages, and so are its derivatives: the guideway says where the target stands, the instrument what
-// it reads there. Either stage knows the derivatives by its own quantities only; the chain rule joins them.
-// Jets are of a fixed size, which the compiler unrolls.
+// All quantities on which the readings of one arc depend, with derivatives, for joint_problem.cpp. A reading
+// is modelled in two stages, and so are its derivatives: the guideway places the target, the instrument reads
+// it. Each stage has derivatives with respect to its own quantities; the chain rule joins them. Jets have a
+// fixed size, which the compiler unrolls.
 
-/// Even sizes are quicker.
+/// Rounds up to an even size, which is faster.
 constexpr int evenSize(int slots) {
   return slots + slots % 2;
 }
@@ -40,7 +40,7 @@ struct ArcJets {
   ArcPose<GuidewayJet> pose{constant<GuidewayJet>(0), constant<GuidewayJet>(0), constant<GuidewayJet>(0),
                             constant<GuidewayJet>(0), constant<GuidewayJet>(0), constant<GuidewayJet>(0)};
   GuidewayJet distance = constant<GuidewayJet>(0);
-  /// What the instrument's errors make of the pointing zero, as its circles read it.
+  /// The effect of the instrument's errors on the pointing zero, as its circles read it.
   Direction<InstrumentJet> zero{constant<InstrumentJet>(0), constant<InstrumentJet>(0)};
   double horizontalZero = 0;  ///< error of α0
   double zeroElevation = 0;   ///< e0 without the errors of the instrument and of β0
@@ -63,7 +63,7 @@ struct ArcJets {
       instrumentErrors.set(term, variable<InstrumentJet>(size, instrumentTermSlot + static_cast<int>(index)));
   }
 
-  /// As the instrument's stage sees it.
+  /// The target as input of the instrument's stage.
   static SpacePoint<InstrumentJet> asTarget(double x, double y, double z) {
     return {variable<InstrumentJet>(x, 0), variable<InstrumentJet>(y, 1), variable<InstrumentJet>(z, 2)};
   }

@@ -23,7 +23,7 @@ namespace {
 using Kind = Unknown::Kind;
 using Eigen::Matrix4d, Eigen::Vector4d;
 
-/// Of one arc. The slider's zero stays where it is without slider readings.
+/// The unknowns of one arc. Without slider readings the slider's zero stays fixed.
 constexpr std::array estimatedKinds{Kind::CentreX, Kind::CentreY, Kind::Radius, Kind::SliderZero};
 constexpr std::array consideredKinds{Kind::HorizontalZero, Kind::VerticalZero, Kind::Distance};
 constexpr int estimatedCount = estimatedKinds.size(), consideredCount = consideredKinds.size();
@@ -50,7 +50,7 @@ class ArcApart {
     m_unknowns.circle.y += m_line.height();
   }
 
-  /// False where refused. Once, before all else.
+  /// False if refused. Call it once, before all else.
   bool settle(const JointFitOptions& options) {
     readVisits();
     constexpr int mostIterations = 10;
@@ -85,7 +85,7 @@ class ArcApart {
   Eigen::Matrix<double, estimatedCount, consideredCount> perConsidered() const {
     Eigen::Matrix<double, estimatedCount, consideredCount> rates =
         -m_cofactor * m_normal.middleCols<consideredCount>(estimatedCount);
-    // The kernel knows the horizon, not the zero, from whose line y counts.
+    // The kernel counts y from the horizon, but results count from the line of the zero.
     const double cosine = std::cos(m_line.elevation());
     rates.col(1) << 0, -m_measurement.distance / (cosine * cosine), 0, 0;
     rates(1, 2) -= std::tan(m_line.elevation());
@@ -97,8 +97,8 @@ class ArcApart {
     return {m_unknowns.circle.x, m_unknowns.circle.y - m_line.height(), m_unknowns.circle.radius, zero};
   }
 
-  /// What is the arc's own in `fit`, which has room for all; its readings from `next` on. `gradient`: ∂Δd/∂
-  /// the centre's height.
+  /// Fills the arc's own values in `fit`, which has room for all; its readings from `next` on. `gradient`:
+  /// ∂Δd/∂ the centre's height.
   void fillReadings(JointFit& fit, AdjustedReading* next, double gradient) const {
     const auto sigmaOf = [&](ReadingKind kind) { return statedSigma(m_measurement, kind).radians(); };
     const std::array sigmas{sigmaOf(ReadingKind::Horizontal), sigmaOf(ReadingKind::Vertical),
@@ -168,7 +168,7 @@ class ArcApart {
     return *reading.slider - m_feet.view().turn * nearestArcAngle(m_unknowns.circle, place);
   }
 
-  /// Feet, normal equations and χ², the last but for what the rows of a visit differ by.
+  /// Feet, normal equations and χ², the latter without the differences between rows of a visit.
   void evaluate() {
     const bool isFirst = m_iterations == 0;
     const ArcEquations equations =
@@ -229,7 +229,7 @@ void addConsidered(JointFit& fit, const Measurement& measurement) {
   fit.consideredSigmas.push_back(measurement.sigmaDistance);
 }
 
-/// Of one arc beside the other; what both have in common is the distance.
+/// Combines the matrices of the arcs; they share only the distance.
 void fillMatrices(JointFit& fit, const std::vector<ArcApart>& arcs) {
   const std::size_t size = fit.unknowns.size(), width = fit.considered.size();
   fit.cofactor = {size, std::vector<double>(size * size)};

@@ -34,7 +34,7 @@ MatrixXd inverseScaled(const MatrixXd& matrix) {
   return scale.asDiagonal() * inverse * scale.asDiagonal();
 }
 
-/// As `minimise` wants it.
+/// The interface of `minimise`.
 class JointDescent {
  public:
   using State = JointState;
@@ -60,7 +60,7 @@ class JointDescent {
     return m_problem.moved(state, system.equations, solveScaled(damped, system.rightSide.head(m_estimated)));
   }
 
-  /// No radius is 0 or less: beyond, the same circle has all its arc angles turned by half a turn.
+  /// All radii are positive: beyond zero, the same circle has all arc angles turned by half a turn.
   bool isPossible(const JointState& state) const {
     for (std::size_t i = 0; i < m_problem.estimated().size(); ++i)
       if (m_problem.estimated()[i].kind == Unknown::Kind::Radius &&
@@ -91,7 +91,8 @@ VectorXd intersectionGradient(const Measurement& measurement, const std::vector<
   return gradient;
 }
 
-/// The error terms come last among the estimated unknowns; theirs are zeros.
+/// The normal matrix without error terms: these are the last estimated unknowns, and their entries become
+/// zero.
 MatrixXd withoutTerms(const MatrixXd& normalMatrix, const JointProblem& problem) {
   const auto isTerm = [](const Unknown& unknown) { return unknown.kind == Unknown::Kind::Error; };
   const auto estimated = static_cast<Index>(problem.estimated().size());
@@ -166,8 +167,8 @@ void fillReadings(JointFit& fit, const Measurement& measurement, const JointProb
   }
 }
 
-/// What is counted in χ² less what is estimated; an unknown with a prior is observed, too, and counts on both
-/// sides.
+/// Degrees of freedom: observations in χ² minus estimated unknowns. An unknown with a prior is also an
+/// observation and counts on both sides.
 void countDegreesOfFreedom(JointFit& fit, const JointProblem& problem) {
   for (std::size_t i = 0; i < fit.unknowns.size(); ++i) {
     if (problem.prior(i).isInformative()) continue;
@@ -179,8 +180,8 @@ void countDegreesOfFreedom(JointFit& fit, const JointProblem& problem) {
   for (const ArcMisfit& misfit : fit.misfits) fit.degreesOfFreedom += misfit.degreesOfFreedom;
 }
 
-/// It left every circle behind: by the stated noise alone a centre or a radius is uncertain by more than the
-/// least of the radii.
+/// Did the fit diverge from every circle? The stated noise alone makes a centre or radius uncertain by more
+/// than the smallest radius.
 bool hasRunAway(const JointFit& fit) {
   double radius = std::numeric_limits<double>::infinity(), sigma = 0;
   for (std::size_t i = 0; i < fit.unknowns.size(); ++i) {

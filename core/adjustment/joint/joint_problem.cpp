@@ -30,8 +30,8 @@ struct SlotSystem {
   Slots rightSide;
 };
 
-/// With the arc angle eliminated; of the matrix the lower triangle at least. `Columns`: the number of slots
-/// where it is known beforehand, which the compiler unrolls.
+/// The system with the arc angle eliminated; at least the lower triangle of the matrix. `Columns`: the number
+/// of slots if it is known at compile time, so that the compiler can unroll.
 template <int Columns>
 void addNormalEquations(SlotSystem& sum, const VisitEquations& equations) {
   constexpr int most = VisitEquations::mostRows,
@@ -45,9 +45,9 @@ void addNormalEquations(SlotSystem& sum, const VisitEquations& equations) {
   eliminateArcAngle(reduced, equations.along, share);
   Eigen::Map<Square> matrix(sum.matrix.data(), columns, columns);
   Eigen::Map<Vector> rightSide(sum.rightSide.data(), columns);
-  for (Index i = 0; i < rows; ++i) {  // by rows: inner products as short as theirs are slower
+  for (Index i = 0; i < rows; ++i) {  // by rows: inner products this short are slower
     const Vector row = reduced.row(i).transpose();
-    if constexpr (Columns == Eigen::Dynamic)  // the half of it: with many terms it is what takes the time
+    if constexpr (Columns == Eigen::Dynamic)  // only half of it: with many terms this dominates the time
       for (Index j = 0; j < columns; ++j) matrix.col(j).tail(columns - j) += row[j] * row.tail(columns - j);
     else
       matrix += row.lazyProduct(row.transpose());
@@ -107,7 +107,7 @@ void JointProblem::addArc(std::size_t arc) {
 }
 
 void JointProblem::addZero(const Unknown& zero, double sigma) {
-  constexpr double exact = 1e-15;  // rad: its weight would be no number
+  constexpr double exact = 1e-15;  // rad: the weight of a smaller one would not be finite
   if (m_estimatesZeros && sigma > exact)
     estimate(zero, {0, sigma});
   else
@@ -119,7 +119,7 @@ bool JointProblem::sharesRadius() const {
 }
 
 Prior JointProblem::radiusPrior() const {
-  // A radius taken as exact gets a nanometre: far below what any reading tells, far above rounding.
+  // An exact radius gets a σ of a nanometre: far below the resolution of any reading, far above rounding.
   constexpr double exact = 1e-6;
   const double sigma = m_measurement.sigmaRadius;
   const bool isObserved = m_measurement.radiusModel == RadiusModel::Known || (m_isClosed && sigma > 0);
@@ -245,7 +245,7 @@ Jets JointProblem::jetsOf(const JointState& state, std::size_t arc) const {
     jets.set(m_terms[t].term, value(firstTermSlot + t, m_terms[t].priorValue));
   const double elevation = m_measurement.arcs[arc].zeroElevation.radians(),
                ofVerticalZero = value(static_cast<std::size_t>(VerticalZero), 0);
-  if (m_measurement.sightedZeros) {  // the zeros are observations of their own
+  if (m_measurement.sightedZeros) {  // the zeros are separate observations
     jets.zeroElevation = elevation + ofVerticalZero;
     return jets;
   }
@@ -272,7 +272,7 @@ Pointing JointProblem::zeroPointing(const ArcMeasurement& arc) const {
   pointing.circle = m_measurement.verticalCircle;
   pointing.relation = m_measurement.relation;
   pointing.elapsed = arc.zero.elapsed;
-  // A jump before everything stands for one behind the zeros, which `linearise` asks for.
+  // A jump before everything means one after the zeros, which `linearise` requests.
   if (!arc.zeroSightings.empty() && m_jumpBefore.value_or(0) > 0)
     pointing.jumpShare =
         static_cast<double>(std::ranges::count_if(
@@ -299,7 +299,7 @@ bool JointProblem::takesPart(std::size_t arc, std::size_t sighting, ReadingKind 
   return !std::ranges::binary_search(m_without, std::tuple(arc, sighting, kind), {}, placeOf);
 }
 
-/// Jets no longer than the terms need; a perfect instrument is differentiated by its target alone.
+/// Jets as short as the terms allow; a perfect instrument is differentiated with respect to its target only.
 template <typename Function>
 auto JointProblem::withJets(const Function& function) const {
   if (m_terms.empty()) return function(ArcJets<ArcTerms::None>());
@@ -350,7 +350,7 @@ void JointProblem::eachVisit(const JointState& state,
 
 namespace {
 
-/// How a target moves in the room when the elevation of the zero line grows.
+/// The displacement of a target in space per elevation of the zero line.
 struct PerElevation {
   double y = 0, z = 0;  ///< mm per rad
 
@@ -360,15 +360,15 @@ struct PerElevation {
   }
 };
 
-/// Of a target at `y` and `z` in the room.
+/// For a target at `y` and `z` in space.
 PerElevation perElevation(double y, double z, double distance, double elevation, ArcPlane plane) {
   if (plane == ArcPlane::Square) return {-z, y};
   const double cosine = std::cos(elevation);
   return {distance / (cosine * cosine), 0};
 }
 
-/// The row of a circle reading: by the target's place in the room and by the instrument's terms, which turn
-/// the zero line, too.
+/// The row of a circle reading: derivatives with respect to the target's place and to the instrument's terms,
+/// which also rotate the zero line.
 template <typename Jets>
 void fillRow(VisitEquations::Jacobian::RowXpr row, const typename Jets::InstrumentJet& sighted,
              const typename Jets::InstrumentJet& zeroElevation, const PerElevation& perElevation,
@@ -396,7 +396,7 @@ void fillRow(VisitEquations::Jacobian::RowXpr row, const typename Jets::Instrume
   }
 }
 
-/// Directions count from the zero as it was read.
+/// Directions count from the zero as read.
 template <typename Jets>
 void takeOffZero(VisitEquations::Jacobian::RowXpr row, const typename Jets::InstrumentJet& zero,
                  const std::vector<EstimatedTerm>& terms) {
@@ -423,7 +423,7 @@ void fillSliderRow(VisitEquations::Jacobian::RowXpr row, const typename Jets::Gu
 
 }  // namespace
 
-/// A sighting of the zero: of its mark, whose direction hangs on nothing of the guideway.
+/// A sighting of the zero: its mark is independent of the guideway.
 template <typename Jets>
 void JointProblem::fillZeroEquations(const Jets& jets, std::size_t visitIndex,
                                      VisitEquations& equations) const {
@@ -478,7 +478,7 @@ void JointProblem::fillEquations(const Jets& jets, const JointState& state, std:
   const PerElevation turn = perElevation(place.y.value(), place.z.value(), jets.distance.value(),
                                          jets.zeroElevation, m_measurement.plane);
   const SpacePoint<InstrumentJet> target = Jets::asTarget(place.x.value(), place.y.value(), place.z.value());
-  // A perfect instrument reads alike whatever the face.
+  // A perfect instrument reads the same in both faces.
   const bool isPerfect = jets.instrumentErrors.isPerfect();
   Direction<InstrumentJet> sighted = jets.zero;
   if (isPerfect) sighted = circleDirection(jets.instrumentErrors, target, zeroPointing(arc));
@@ -603,7 +603,7 @@ JointState JointProblem::moved(const JointState& state, const std::vector<VisitE
       if (map[slot] >= 0 && map[slot] < step.size())
         residual -= equations.jacobian.col(static_cast<Index>(slot)) * step[map[slot]];
     const double length = equations.jacobian.col(phiSlot).norm();
-    if (length == 0) continue;  // nothing of this visit takes part
+    if (length == 0) continue;  // the whole visit is excluded
     const double turn = equations.along.dot(residual) / length;
     result.arcAngles[static_cast<Index>(v)] += boundedArcAngleStep(turn);
   }

@@ -11,26 +11,26 @@
 
 namespace alidade {
 
-// The equations behind `fitJointly`, visit by visit. Holds linear algebra types, so no other room
-// includes it.
+// The equations behind `fitJointly`, visit by visit. Holds linear algebra types, so only this folder includes
+// it.
 
-/// x, y, R, errors of both zeros, zero of the slider, L, then φ, then the error terms: what one visit's
-/// readings hang on.
+/// The quantities on which one visit's readings depend: x, y, R, errors of both zeros, zero of the slider, L,
+/// then φ, then the error terms.
 inline constexpr int distanceSlot = 6, phiSlot = 7, firstTermSlot = 8;
 inline constexpr int mostSlots = firstTermSlot + static_cast<int>(errorTermCount);
 
-/// As many as there are terms in the fit, without touching the heap.
+/// As many as the fit has terms, without heap allocation.
 using Slots = Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, mostSlots, 1>;
 
 /// A matrix over the slots of one arc.
 using SlotMatrix =
     Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, mostSlots, mostSlots>;
 
-/// Everything that is read while the slider stands at one place, whitened: rows horizontal, vertical for each
-/// row of the session, then the slider reading if there is one.
+/// All readings of one visit, whitened: rows horizontal, vertical for each row of the session, then the
+/// slider reading if there is one.
 struct VisitEquations {
   static constexpr int mostRows = 5;  // two circles in two faces, and the slider
-  /// On the heap: with room for every slot a session's equations would fill memory that few terms use.
+  /// On the heap: fixed room for every slot would fill memory that few terms use.
   using Jacobian = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
   Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, mostRows, 1> residual;
   Jacobian jacobian;
@@ -40,11 +40,11 @@ struct VisitEquations {
 struct VisitOfArc {
   std::size_t arc = 0;
   Visit visit;
-  const Sighting* slider = nullptr;  ///< the row whose slider reading stands for all of the visit
+  const Sighting* slider = nullptr;  ///< the row whose slider reading represents the visit
 };
 
 struct JointState {
-  /// Less what is known beforehand (`Prior::value`): estimated first, then the considered ones, which stay
+  /// Relative to the prior values (`Prior::value`): estimated first, then the considered ones, which stay
   /// zero.
   Eigen::VectorXd unknowns;
   Eigen::VectorXd arcAngles;  ///< of each visit
@@ -65,41 +65,41 @@ class JointProblem {
   const std::vector<Unknown>& estimated() const { return m_estimated; }
   const std::vector<Unknown>& considered() const { return m_considered; }
   double consideredSigma(std::size_t i) const { return m_consideredSigmas[i]; }
-  /// Of an estimated unknown. The state counts from its value, so that even a radius known to a nanometre is
-  /// not lost in rounding.
+  /// Of an estimated unknown. The state counts from the prior value, so that even a radius known to a
+  /// nanometre survives rounding.
   const Prior& prior(std::size_t i) const { return m_priors[i]; }
   const std::vector<VisitOfArc>& visits() const { return m_visits; }
-  /// Of each arc the one whose centre and radius it has.
+  /// For each arc the one whose centre and radius it shares.
   const std::vector<std::size_t>& firsts() const { return m_firsts; }
 
   JointState start(const std::vector<Circle>& circles) const;
-  /// Where a fit of the same measurement ended; error terms that were not part of it are zero.
+  /// The solution of a fit of the same measurement; error terms that it lacks are zero.
   JointState stateOf(const JointFit& fit) const;
-  /// The reading behind a row of a visit's equations.
+  /// The reading of a row of a visit's equations.
   ReadingRef cellOf(std::size_t visit, Eigen::Index row) const;
   VisitEquations equationsOf(const JointState& state, std::size_t visit) const;
   /// Of every visit.
   std::vector<VisitEquations> equationsOf(const JointState& state) const;
-  /// The same one after the other, in memory for one.
+  /// Visits the equations one after the other, in memory for one.
   void eachVisit(const JointState& state,
                  const std::function<void(std::size_t visit, const VisitEquations&)>& take) const;
-  /// `used`: a system no longer wanted, whose memory the new one takes over.
+  /// `used`: a discarded system whose memory the new one reuses.
   JointSystem system(const JointState& state, JointSystem used = {}) const;
-  /// The state after a step of the estimated unknowns, each arc angle following by its own equation.
-  /// `equations`: those of `state`, of each visit.
+  /// The state after a step of the estimated unknowns; each arc angle follows from its own equation.
+  /// `equations`: those of `state`, for each visit.
   JointState moved(const JointState& state, const std::vector<VisitEquations>& equations,
                    const Eigen::VectorXd& step) const;
 
-  /// A vector over an arc's slots spread over all unknowns.
+  /// A vector over an arc's slots, expanded to all unknowns.
   Eigen::VectorXd spread(const Slots& values, std::size_t arc) const;
   /// The part of a vector or matrix over the estimated unknowns that belongs to an arc's slots; 0 for the
   /// other slots.
   Slots gathered(const Eigen::VectorXd& values, std::size_t arc) const;
   SlotMatrix gathered(const Eigen::MatrixXd& values, std::size_t arc) const;
-  /// The equations' derivatives with the arc angle eliminated: what lies along ∂/∂φ is taken off every
-  /// column.
+  /// The equations' derivatives with the arc angle eliminated: the component along ∂/∂φ is subtracted from
+  /// every column.
   static VisitEquations::Jacobian reduced(const VisitEquations& equations);
-  /// The same of one row.
+  /// One row of the reduced derivatives.
   static Slots reduced(const VisitEquations& equations, Eigen::Index row);
 
  private:
@@ -108,14 +108,14 @@ class JointProblem {
   void addArc(std::size_t arc);
   void addZero(const Unknown& zero, double sigma);
   bool sharesRadius() const;
-  /// Of a radius that both positions share.
+  /// The prior of a radius shared by both positions.
   Prior radiusPrior() const;
-  /// Of the circles that an unknown of a centre or radius is of.
+  /// The mean over the circles that share an unknown centre or radius.
   double meanOf(const Unknown& unknown, const std::vector<Circle>& circles) const;
   void estimate(const Unknown& unknown, const Prior& prior);
   void consider(const Unknown& unknown, double sigma);
   void buildSlotMaps();
-  /// The arc angles without a seam, each arc's apart.
+  /// Unwraps the arc angles, each arc separately.
   void unwrap(JointState& state) const;
   template <typename Function>
   auto withJets(const Function& function) const;
@@ -147,7 +147,7 @@ class JointProblem {
   std::vector<double> m_consideredSigmas;
   std::vector<VisitOfArc> m_visits;
   std::vector<std::array<Eigen::Index, mostSlots>>
-      m_slotMaps;  ///< of each arc: the unknown behind a slot, −1 for none
+      m_slotMaps;  ///< for each arc: the unknown of a slot, −1 for none
 };
 
 }  // namespace alidade

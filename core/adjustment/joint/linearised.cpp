@@ -14,10 +14,10 @@ namespace {
 
 using Eigen::Index;
 
-/// In any unit: what is known as well as that is exact, and its weight, squared, would be no number.
+/// In any unit: a σ this small is exact, as its squared weight would not be finite.
 constexpr double asGoodAsZero = 1e-100;
 
-/// The terms of the fit as it found them, the others at zero.
+/// Options with the terms of the fit at its solution, the others at zero.
 JointFitOptions withTerms(JointFitOptions options, const std::vector<ErrorTerm>& terms) {
   for (const ErrorTerm term : terms)
     if (std::ranges::find(options.terms, term, &EstimatedTerm::term) == options.terms.end())
@@ -29,11 +29,11 @@ JointFitOptions withTerms(JointFitOptions options, const std::vector<ErrorTerm>&
   return options;
 }
 
-/// Circles, zeros and distance have their slots in the order of their kinds.
+/// The slots of circles, zeros and distance are in the order of their kinds.
 constexpr auto unknownKinds = static_cast<std::size_t>(Unknown::Kind::Error);
 static_assert(distanceSlot == static_cast<int>(Unknown::Kind::Distance));
 
-/// Room for the readings of visits, from `first` to before `end`.
+/// Reserves memory for the readings of visits, from `first` to before `end`.
 void reserve(Linearised& result, const std::vector<VisitOfArc>& visits, std::size_t first, std::size_t end) {
   std::size_t rows = 0, sliders = 0;
   for (std::size_t v = first; v < end; ++v) {
@@ -50,7 +50,7 @@ void reserve(Linearised& result, const std::vector<VisitOfArc>& visits, std::siz
   }
 }
 
-/// What is known of the unknowns and terms, without a reading.
+/// The prior knowledge of unknowns and terms, without a reading.
 Linearised withoutReadings(const JointProblem& problem, const JointState& state) {
   Linearised result;
   result.visits = problem.visits().size();
@@ -74,7 +74,7 @@ Linearised withoutReadings(const JointProblem& problem, const JointState& state)
   return result;
 }
 
-/// In pieces of so many visits.
+/// In pieces of this many visits.
 void linearise(const Measurement& measurement, const JointProblem& problem, const JointState& state,
                const std::vector<EstimatedTerm>& terms, std::size_t pieceLength,
                const std::function<void(Linearised)>& take) {

@@ -12,12 +12,12 @@
 
 namespace alidade {
 
-// The equations of a finished adjustment at its solution, for everything that asks "what would the readings
-// look like if …" without fitting anew: small changes of the unknowns, of the pointing zeros, and of every
-// error term of the forward model, whether or not the fit estimated it.
+// The equations of a finished adjustment at its solution. They predict how the readings change without a new
+// fit: for small changes of the unknowns, of the pointing zeros, and of every error term of the forward
+// model, whether or not the fit estimated it.
 
-/// One circle or slider reading, as in `JointFit::readings`. Millions of them are kept: no more rows than
-/// `limits::mostRows` need no wider numbers.
+/// One circle or slider reading, as in `JointFit::readings`. Millions are stored: `limits::mostRows` rows fit
+/// in these types.
 struct LinearReading {
   std::uint32_t sighting = 0;  ///< index into the arc's sightings
   std::uint32_t visit = 0;     ///< readings of one visit share their arc angle
@@ -32,7 +32,7 @@ struct LinearReading {
   double along = 0;     ///< (∂reading/∂φ)/σ, scaled to unit length over the visit
 };
 
-/// An observation of what is known beforehand: a whitened equation in one column.
+/// An observation of prior knowledge: a whitened equation in one column.
 struct PriorRow {
   std::size_t column = 0;
   double derivative = 0, residual = 0;
@@ -40,33 +40,33 @@ struct PriorRow {
 
 /// An observation of several unknowns at once: a whitened equation over all of them.
 struct Condition {
-  std::vector<double> derivatives;  ///< by `Linearised::unknowns`
+  std::vector<double> derivatives;  ///< in the order of `Linearised::unknowns`
   double residual = 0;
 };
 
-/// Whitened: everything is in units of the stated σ of the reading.
+/// Whitened: all values are in units of the stated σ of the reading.
 struct Linearised {
   std::vector<LinearReading> readings;  ///< visit after visit
   std::size_t visits = 0;
   std::vector<Unknown> unknowns;    ///< circles, slider zeros, pointing zeros and distance; no error terms
-  std::vector<std::size_t> firsts;  ///< of each arc the one whose centre and radius it has
-  /// Of each unknown, counted from where the fit has it, mm or rad: of a known radius and the considered ones
-  /// as stated, σ 0 where that is exact.
+  std::vector<std::size_t> firsts;  ///< for each arc the one whose centre and radius it shares
+  /// Prior of each unknown, relative to its value in the fit, mm or rad: a known radius and the considered
+  /// ones as stated, σ 0 if exact.
   std::vector<Prior> priors;
-  std::vector<Condition> conditions;  ///< none of a linearised fit: for whoever knows more
-  /// Where the fit has the terms.
+  std::vector<Condition> conditions;  ///< empty after `linearise`; callers with further knowledge add them
+  /// Values of the terms in the fit.
   std::array<double, errorTermCount> termValues{};
-  /// (∂reading/∂unknown)/σ, a column for each kind of unknown: of the reading's own arc.
+  /// (∂reading/∂unknown)/σ, a column for each kind of unknown of the reading's own arc.
   ReadingColumns perUnknown;
   /// (∂reading/∂term)/σ, a column for each `ErrorTerm`: rad, mm or 1 per unit of the term. The terms of a
-  /// jump as if it had come before every reading.
+  /// jump are those of one before every reading.
   ReadingColumns perTerm;
 
-  /// Readings of zeros weigh so many times what they are stated to.
+  /// Factor on the stated weight of zero readings.
   double zeroWeight = 1;
   void weighZeros(double weight);
 
-  /// Of a closed model: the positions are held against each other.
+  /// Is the model closed, so that conditions connect the positions?
   bool isClosed() const;
   double ofUnknown(std::size_t reading, std::size_t unknown) const {
     const LinearReading& own = readings[reading];
@@ -81,22 +81,22 @@ struct Linearised {
   }
   /// Indices of the unknowns that are not known exactly.
   std::vector<std::size_t> uncertainUnknowns() const;
-  /// What is known beforehand of some unknowns (their indices) and terms, whose columns stand in this order.
+  /// Prior knowledge of some unknowns (by index) and terms, whose columns are in this order.
   std::vector<PriorRow> priorRows(const std::vector<std::size_t>& ofUnknowns,
                                   const std::vector<EstimatedTerm>& terms) const;
 };
 
-/// The terms there are, in their order.
+/// All terms, in their order.
 const std::vector<ErrorTerm>& everyTerm();
 
-/// `fit` is what `fitJointly` made of `measurement` with `options`. Derivatives by terms that are neither in
-/// the fit nor among `terms` are left zero.
+/// `fit` is that of `measurement` with `options`. Derivatives with respect to terms neither in the fit nor
+/// among `terms` are zero.
 Linearised linearise(const Measurement& measurement, const JointFit& fit, const JointFitOptions& options = {},
                      const std::vector<ErrorTerm>& terms = everyTerm());
 
-/// Where no fit is needed, since the readings lie on these circles, one for each arc: planned ones, say.
-/// Handed on in pieces of whole visits, each as if the readings of the others were not asked for: all
-/// equations of a large plan would fill the memory.
+/// For readings that lie on these circles, one for each arc, such as planned ones, which need no fit.
+/// Delivered in pieces of whole visits, each as if the other readings were excluded: all equations of a large
+/// plan would fill the memory.
 void linearise(const Measurement& measurement, const std::vector<Circle>& circles,
                const JointFitOptions& options, const std::vector<ErrorTerm>& terms,
                const std::function<void(const Linearised& piece)>& take);

@@ -9,8 +9,8 @@
 
 namespace alidade {
 
-/// Columns over readings, those of each kind apart: what moves one circle often leaves the other and the
-/// slider alone, and then there is no column for it.
+/// Columns over readings, stored separately for each kind: an unknown that moves one circle often does not
+/// move the other and the slider, whose column is then empty.
 class ReadingColumns {
  public:
   ReadingColumns() = default;
@@ -18,9 +18,9 @@ class ReadingColumns {
     for (OfKind& own : m_kinds) own.columns.resize(columns);
   }
 
-  /// Of so many readings of the kind.
+  /// Reserves memory for this many readings of the kind.
   void reserve(ReadingKind kind, std::size_t readings) { ofKind(kind).readings = readings; }
-  /// Readings of a kind are numbered from 0 and come one after the other, each with every column.
+  /// Readings of a kind are numbered from 0 and appended in order, each with every column.
   void append(ReadingKind kind, std::size_t number, std::size_t column, double value) {
     OfKind& own = ofKind(kind);
     std::vector<double>& values = own.columns[column];
@@ -31,7 +31,7 @@ class ReadingColumns {
     }
     values.push_back(value);
   }
-  /// Every column of one reading.
+  /// Scales every column of one reading.
   void scale(ReadingKind kind, std::size_t number, double factor) {
     for (std::vector<double>& values : ofKind(kind).columns)
       if (!values.empty()) values[number] *= factor;
@@ -40,7 +40,7 @@ class ReadingColumns {
     const std::span<const double> values = of(kind, column);
     return values.empty() ? 0 : values[number];
   }
-  /// Empty where it is 0 for every reading.
+  /// Empty if it is 0 for every reading.
   std::span<const double> of(ReadingKind kind, std::size_t column) const {
     return m_kinds[static_cast<std::size_t>(kind)].columns[column];
   }

@@ -8,31 +8,31 @@
 
 namespace alidade {
 
-/// By which test an error of a reading of one session has to be found, with what chance, in what noise.
+/// The test, power and noise for detecting an error of a reading of one session.
 struct Detection {
   ReadingTest test = {};
   double power = 0.80;  ///< in (0.5, 1)
-  double scale = 1;     ///< s0 > 0: how the readings scatter, over the stated σ
-  /// `ReadingTest::detectableShift`, reckoned once.
+  double scale = 1;     ///< s0 > 0: scatter of the readings divided by the stated σ
+  /// `ReadingTest::detectableShift`, computed once.
   double shift = std::numeric_limits<double>::infinity();
 };
 
-/// As the search for misread readings tests a session: n different tests, f − 1 degrees of freedom. `scale`:
-/// s0 of the fit (`noiseScale`).
+/// As in the search for misread readings: n different tests, f − 1 degrees of freedom. `scale`: s0 of the fit
+/// (`noiseScale`).
 Detection detectionIn(const JointFit& fit, double scale, double power = 0.80);
 
-/// How well one reading is checked by the others, after Baarda, "A testing procedure for use in geodetic
-/// networks" (1968), for the test that is used.
+/// How well the other readings check one reading, after Baarda, "A testing procedure for use in geodetic
+/// networks" (1968), for the test in use.
 struct Reliability {
-  /// The smallest error of the reading that the test finds with the chance asked for: δ s0 σ/√r, with δ the
-  /// shift that is detected, σ stated and r the redundancy. The first reading of Table I: 34 places make as
-  /// many tests at 1 % in all, |t| from 4.152 on with 27 degrees of freedom, so δ = 5.080, and with s0
-  /// = 6.912, σ = 2″ and r = 0.612 it is 89.8″. (A normal test of one reading alone at 0.1 % in the stated
-  /// noise would find 10.6″.) A gross error that is in s0 makes it larger. Infinite where nothing checks the
-  /// reading, or the fit has fewer than two degrees of freedom.
+  /// The smallest error of the reading that the test finds at the requested power: δ s0 σ/√r, with δ the
+  /// detectable shift, σ stated and r the redundancy. Example, first reading of Table I: 34 places make as
+  /// many tests at 1 % in all, |t| from 4.152 on with 27 degrees of freedom, so δ = 5.080; with s0 = 6.912, σ
+  /// = 2″ and r = 0.612 it is 89.8″. (A normal test of one reading alone at 0.1 % in the stated noise would
+  /// find 10.6″.) A gross error included in s0 makes it larger. Infinite if no other reading checks it, or if
+  /// the fit has fewer than two degrees of freedom.
   Angle minimalDetectableBias;
-  double influence = 0;  ///< what such an error, unfound, does to Δd, mm, signed as the error; infinite along
-                         ///< with it unless none
+  double influence = 0;  ///< effect of such an undetected error on Δd, mm, signed as the error; infinite if
+                         ///< the bias is, unless there is none
 };
 
 Reliability reliabilityOf(const AdjustedReading& reading, const Detection& detection);

@@ -26,7 +26,7 @@ Differences differencesOf(const Measurement& measurement) {
   return greatest;
 }
 
-/// A zero of which no more is known than its direction is sighted once, just before its rows.
+/// A zero of which only the direction is known is sighted once, just before its rows.
 std::vector<SightedZero> sightingsOf(const Measurement& measurement, std::size_t index) {
   const ArcMeasurement& arc = measurement.arcs[index];
   const bool isElsewhere =
@@ -115,7 +115,7 @@ void putInZeros(Measurement& measurement) {
 }
 
 Angle sigmaOf(const Measurement& measurement, const Sighting& sighting, bool isVertical) {
-  constexpr double least = 1e-9;  // rad: below it the weight would swamp all other observations
+  constexpr double least = 1e-9;  // rad: a smaller σ would outweigh all other observations
   if (!sighting.isZero) return isVertical ? measurement.sigmaVertical : measurement.sigmaHorizontal;
   const Angle once = isVertical ? measurement.sigmaZeroVertical : measurement.sigmaZeroHorizontal;
   return Angle::fromRadians(std::max(least, once.radians()));

@@ -18,10 +18,10 @@ bool haveNothingInCommon(const Measurement& fitted) {
 
 namespace {
 
-/// What was read on an arc, visit by visit, each of as many rows.
+/// The readings of an arc, visit by visit, each of the same number of rows.
 struct VisitColumns {
   std::vector<double> a, e;        ///< rad
-  std::vector<std::size_t> noise;  ///< where the noise of each row stands in a draw
+  std::vector<std::size_t> noise;  ///< index of each row's noise in a draw
   int rows = 0;                    ///< of a visit
 
   VisitColumns(const RefitTask& task, std::size_t arc) {
@@ -61,7 +61,8 @@ class ArcsRefit : public Refit {
   }
 
  private:
-  /// The mean readings of every visit, with what was drawn. The zeros' part is common to them.
+  /// The mean readings of every visit plus their drawn noise. The contribution of the zeros is common to
+  /// them.
   void takeReadings(std::size_t arc, std::span<const Draw> draws) {
     const Measurement& read = m_task.fitted;
     const VisitColumns& visits = m_arcs[arc];
@@ -105,10 +106,10 @@ class ArcsRefit : public Refit {
       double* own = &centres[i * m_task.centres() + 2 * arc];
       const std::optional<FastArcFit>& fit = m_fits[i];
       const bool isFound = fit && isDetermined(*fit);
-      // Angles alone fix the shape; all lengths are in proportion to L.
+      // Angles determine only the shape; all lengths are proportional to L.
       const double longer = 1 + read.sigmaDistance / read.distance * draws[i].normals[DrawPlan::distance];
       own[0] = isFound ? fit->circle.x * longer : missingCentre;
-      // An e that comes out greater is a zero that lies lower.
+      // An e that is drawn larger means a lower zero.
       const double zeroE = sigmaZeroE * draws[i].zeroScale * draws[i].normals[m_task.plan.zeros(arc) + 1];
       const double overZero = fit ? fit->circle.y - read.distance * std::tan(elevation - zeroE) : 0;
       own[1] = isFound ? overZero * longer : missingCentre;

@@ -11,36 +11,35 @@
 
 namespace alidade {
 
-/// One draw of all that is uncertain about a session, in units of its σ. The numbers stand in the order of
-/// `DrawPlan`.
+/// One draw of all uncertain quantities of a session, in units of their σ, in the order of `DrawPlan`.
 struct Draw {
-  double scale = 1;      ///< of the noise of readings: s0, and Student's share in it
+  double scale = 1;      ///< of the noise of readings: s0, and its Student factor
   double zeroScale = 1;  ///< of the noise of the pointing zeros
   std::vector<double> normals;
 };
 
-/// Which numbers a draw is made of: distance, known radius, the priors of error terms; then arc by arc both
-/// zeros where they are its own, and sighting by sighting both circles and, where there is one, the slider.
+/// The numbers of a draw: distance, known radius, the priors of error terms; then for each arc both zeros if
+/// they are its own, and for each sighting both circles and, if read, the slider.
 class DrawPlan {
  public:
-  /// `fit` is what `fitSession` made of the measurement.
+  /// `fit` is the result of `fitSession` for the measurement.
   DrawPlan(const Measurement& fitted, const NoiseScale& noise);
 
-  /// Draw `number` of the seed, whoever asks for it.
+  /// Makes draw `number` of the seed, the same for every caller.
   void drawInto(Draw& draw, std::uint64_t seed, std::uint64_t number) const;
 
   std::size_t terms() const { return m_terms; }
   static constexpr std::size_t distance = 0, radius = 1, firstTerm = 2;
-  /// Where the two zeros of an arc stand.
+  /// Index of the two zeros of an arc.
   std::size_t zeros(std::size_t arc) const { return m_zeros[arc]; }
-  /// Where the readings of a sighting stand: horizontal, vertical, slider.
+  /// Index of the readings of a sighting: horizontal, vertical, slider.
   std::size_t readings(std::size_t arc, std::size_t sighting) const { return m_readings[arc][sighting]; }
 
  private:
   double drawScale(RandomSource& random) const;
 
   NoiseScale m_noise;
-  double m_zeroScatter = 0;  ///< in the σ of zeros that scatter as the readings do; 0: they do not
+  double m_zeroScatter = 0;  ///< in the σ of zeros that scatter like the readings; 0: they do not
   std::size_t m_terms = 0, m_count = 0;
   std::vector<std::size_t> m_zeros;
   std::vector<std::vector<std::size_t>> m_readings;

@@ -9,16 +9,17 @@
 
 // The forward model about a fit, to second order: of each reading, in units of its σ,
 //
-//   F(δ) = F(0) + J δ + ½ δᵀ H δ,   δ = changes of (x, y, R, slider's zero, L, φ, error terms)
+//   F(δ) = F(0) + J δ + ½ δᵀ H δ, δ = changes of (x, y, R, slider's zero, L, φ, error terms)
 //
-// J from automatic differentiation, H as differences of J. What was drawn enters as w = change of the
-// reading, and L is drawn itself. The adjustment is repeated by steps with the normal equations of the fit as
-// they are,
+// J is from automatic differentiation, H from differences of J. Drawn noise enters as w = change of the
+// reading, and L is drawn itself. The adjustment is repeated by steps with the unchanged normal equations of
+// the fit,
 //
-//   δ ← δ + N⁻¹ [(J + H δ)ᵀ (r + w − J δ − ½ δᵀ H δ) − what the priors pull],
+//   δ ← δ + N⁻¹ [(J + H δ)ᵀ (r + w − J δ − ½ δᵀ H δ) − prior terms],
 //
-// arc angles eliminated visit by visit. The first step is the linear propagation, the second holds all of
-// second order; further ones follow while they move anything. Draws go side by side.
+// with arc angles eliminated visit by visit. The first step is the linear propagation, the second includes
+// all
+// of second order; further ones follow until nothing changes. Draws are processed together.
 
 namespace alidade {
 
@@ -26,13 +27,13 @@ using Eigen::Index;
 
 namespace {
 
-/// What a visit hangs on: slider's zero, x, y, R, L, φ, the pointing zeros where they are estimated, then the
-/// error terms. The slider reads its zero along, so it is the one slot without second derivatives.
+/// The slots of a visit: slider's zero, x, y, R, L, φ, the pointing zeros if they are estimated, then the
+/// error terms. The slider reading is linear in its zero, the one slot without second derivatives.
 constexpr std::size_t fixedSlots = 6, zeroSlots = 2,
                       mostSlotsOfVisit = fixedSlots + zeroSlots + errorTermCount;
 constexpr std::size_t sliderAt = 0, centreAt = 1, distanceAt = 4, phiAt = 5;
 
-/// Where `JointProblem` has them.
+/// The corresponding slots of `JointProblem`.
 std::vector<Index> slotsWith(bool zeros, std::size_t terms) {
   using enum Unknown::Kind;
   std::vector<Index> slots;
@@ -45,16 +46,16 @@ std::vector<Index> slotsWith(bool zeros, std::size_t terms) {
 }
 
 struct ReadingRow {
-  std::size_t noise = 0;            ///< its number among a draw's
-  std::optional<std::size_t> zero;  ///< that of the pointing zero it is counted from
-  double perZero = 0;               ///< what 1 σ of it changes, in σ of the reading
+  std::size_t noise = 0;            ///< index of its noise in a draw
+  std::optional<std::size_t> zero;  ///< index of its pointing zero
+  double perZero = 0;               ///< effect of 1 σ of the zero, in σ of the reading
   double left = 0;                  ///< residual of the fit, σ
-  std::size_t first = 0;            ///< where J, then H, stand
+  std::size_t first = 0;            ///< start of J, followed by H
 };
 
 struct VisitBlock {
   std::size_t arc = 0, firstRow = 0, rows = 0;
-  std::size_t first = 0;  ///< where JᵀJ_φ stands
+  std::size_t first = 0;  ///< start of JᵀJ_φ
   double perAngle = 0;    ///< 1/|J_φ|²
 };
 
@@ -77,10 +78,10 @@ class ExpandedModel {
   std::size_t unknowns() const { return m_priorWeights.size(); }
   const std::vector<VisitBlock>& visits() const { return m_visits; }
   const std::vector<ReadingRow>& rows() const { return m_rows; }
-  /// The estimated unknown behind each slot of an arc; −1 for L and φ, and for a slider that is not there.
+  /// The estimated unknown of each slot of an arc; −1 for L and φ, and for an absent slider.
   const std::vector<int>& unknownsOf(std::size_t arc) const { return m_unknowns[arc]; }
   const double* numbers(std::size_t first) const { return &m_numbers[first]; }
-  /// 1/σ² of what is known of an unknown beforehand, and how far the fit is from it.
+  /// 1/σ² of the prior of an unknown, and its distance from the fit.
   double priorWeight(std::size_t unknown) const { return m_priorWeights[unknown]; }
   double beyondPrior(std::size_t unknown) const { return m_state.unknowns[static_cast<Index>(unknown)]; }
 
@@ -127,8 +128,8 @@ class ExpandedModel {
         ReadingRow reading;
         reading.noise = task.plan.readings(arc, cell.sighting) + kind;
         if (cell.kind != ReadingKind::Slider) {
-          // A zero read too great on the horizontal circle lets readings come out smaller, and an e that
-          // comes out greater is a zero that lies lower.
+          // A zero read too large on the horizontal circle decreases the readings, and an e that is drawn
+          // larger means a lower zero.
           const bool isHorizontal = cell.kind == ReadingKind::Horizontal;
           const auto slot =
               static_cast<Index>(isHorizontal ? Unknown::Kind::HorizontalZero : Unknown::Kind::VerticalZero);
@@ -144,7 +145,7 @@ class ExpandedModel {
     }
   }
 
-  /// A step that shows in the digits of J and is short beside what J changes over.
+  /// A step that is visible in the digits of J but short compared with the scale on which J changes.
   double stepOf(const RefitTask& task, std::size_t slot) const {
     constexpr double length = 0.1, angle = 1e-4;  // mm, rad
     if (slot == phiAt) return angle;
@@ -156,8 +157,8 @@ class ExpandedModel {
   void addSecondDerivatives(const RefitTask& task, const JointProblem& problem) {
     for (std::size_t slot = centreAt; slot < slots(); ++slot) {
       const double step = stepOf(task, slot);
-      // A circle's coordinate is another unknown for each arc: all are moved at once, none hangs on another
-      // arc's.
+      // A circle's coordinate is a separate unknown for each arc; all are moved at once, as arcs are
+      // independent.
       JointState above = m_state, below = m_state;
       const auto move = [&](JointState& state, double by) {
         if (slot == phiAt) {
@@ -187,7 +188,8 @@ class ExpandedModel {
         for (std::size_t i = 0; i < slots(); ++i) {
           const auto difference = above[v].jacobian(static_cast<Index>(row), m_slots[i]) -
                                   below[v].jacobian(static_cast<Index>(row), m_slots[i]);
-          second[i * slots() + slot] += difference / apart / 2;  // half of it in each of two places
+          second[i * slots() + slot] += difference / apart / 2;  // half of it in each of the two symmetric
+                                                                 // entries
           second[slot * slots() + i] += difference / apart / 2;
         }
       }
@@ -218,7 +220,7 @@ class ExpandedModel {
 
 namespace {
 
-/// One visit's equations at δ: adds (J + Hδ)ᵀ v over its slots; the first time, of a δ that has L alone,
+/// One visit's equations at δ: adds (J + Hδ)ᵀ v over its slots; the first time, for a δ that contains only L,
 /// without H.
 ALIDADE_WIDE void addGradient(const ExpandedModel& model, const VisitBlock& visit, const EightKept* normals,
                               const EightKept& scale, const EightKept* delta, bool isFirst,
@@ -271,7 +273,7 @@ class ExpandedRefit : public Refit {
   }
 
  private:
-  /// Fewer draws than go side by side: the first stands in for the rest.
+  /// If there are fewer draws than lanes, the first fills the others.
   void take(std::span<const Draw> draws) {
     m_normals.resize(draws.front().normals.size());
     for (std::size_t l = 0; l < eight; ++l) {
@@ -288,7 +290,7 @@ class ExpandedRefit : public Refit {
     takePriors();
   }
 
-  /// Where what is known beforehand was drawn to lie, from where the fit is.
+  /// The drawn values of the priors, relative to the fit.
   void takePriors() {
     const JointFit& joint = m_task.fit.joint;
     for (std::size_t i = 0; i < m_priors.size(); ++i) {
@@ -305,7 +307,7 @@ class ExpandedRefit : public Refit {
     }
   }
 
-  /// False where it moved next to nothing.
+  /// False if the change is negligible.
   bool step(bool isFirst) {
     for (std::size_t i = 0; i < m_gradient.size(); ++i)
       m_gradient[i].at = m_model->priorWeight(i) * (m_priors[i].at - m_unknowns[i].at);
@@ -336,8 +338,7 @@ class ExpandedRefit : public Refit {
   }
 
   bool solve() {
-    constexpr double little =
-        0.01;  // σ: the next step is as much less than this one as this one than the first
+    constexpr double little = 0.01;  // σ: steps shrink by a constant ratio, so the next one is negligible
     const SquareMatrix& cofactor = m_task.fit.joint.cofactor;
     m_step.assign(m_unknowns.size(), EightKept{});
     bool moved = false;

@@ -16,10 +16,9 @@ namespace alidade {
 namespace {
 
 constexpr std::size_t fewestDraws = 100;
-constexpr double chanceSigmas =
-    3;  // chance moves an end by three of its standard uncertainties once in 370 times
+constexpr double chanceSigmas = 3;  // chance exceeds three standard uncertainties of an end once in 370 times
 
-/// The quickest way of fitting again that serves the session.
+/// The fastest refit that is valid for the session.
 class Refits {
  public:
   Refits(const RefitTask& task, std::uint64_t seed) : m_task(task) {
@@ -35,8 +34,8 @@ class Refits {
   }
 
  private:
-  /// Does the expansion answer as the fit itself does? Of draws apart from those that count: to a thousandth
-  /// of σ in every centre, which is a fifth or less of the numerical tolerance.
+  /// Does the expansion agree with the fit itself? Tested on separate draws: to a thousandth of σ in every
+  /// centre, at most a fifth of the numerical tolerance.
   bool holds(std::uint64_t seed) const {
     constexpr std::size_t probes = 64;
     constexpr std::uint64_t apart = std::uint64_t{1} << 63;
@@ -59,7 +58,7 @@ class Refits {
   std::shared_ptr<const ExpandedModel> m_model;
 };
 
-/// Draw by draw Δx0 Δy0 Δx1 Δy1 and Δd, a column for each.
+/// Δx0 Δy0 Δx1 Δy1 and Δd of the draws, a column for each.
 class Columns {
  public:
   explicit Columns(const RefitTask& task) : m_values(task.centres() + (task.fit.intersection ? 1 : 0)) {
@@ -74,7 +73,7 @@ class Columns {
     for (std::vector<double>& column : m_values) column.resize(draws, missingCentre);
   }
 
-  /// All of a draw is missing where any of it is.
+  /// A draw is missing as a whole if any of its values is.
   void put(std::size_t draw, std::span<const double> centres) {
     const bool isThere = std::ranges::all_of(centres, [](double value) { return std::isfinite(value); });
     for (std::size_t i = 0; i < centres.size(); ++i) m_values[i][draw] = isThere ? centres[i] : missingCentre;
@@ -89,7 +88,7 @@ class Columns {
 
  private:
   std::vector<std::vector<double>> m_values;
-  std::size_t m_upper = 0, m_lower = 0;  ///< Δy at 0° and at 180° among the centres
+  std::size_t m_upper = 0, m_lower = 0;  ///< indices of Δy at 0° and at 180° among the centres
 };
 
 unsigned threadsOf(const MonteCarloOptions& options) {
@@ -107,8 +106,7 @@ void inParallel(unsigned threads, std::size_t count, const MakeWork& makeWork) {
   inThreads(threads, run);
 }
 
-/// Draws `first` … `end` − 1 by their numbers, whichever thread takes them, behind what the columns hold.
-/// False where it was stopped.
+/// Makes draws `first` … `end` − 1 on all threads and appends them by number. False if it was stopped.
 bool drawAll(Columns& columns, std::size_t first, std::size_t end, const RefitTask& task,
              const Refits& refits, const MonteCarloOptions& options, const std::stop_token& stop) {
   constexpr std::size_t batch = 256;
@@ -131,8 +129,7 @@ bool drawAll(Columns& columns, std::size_t first, std::size_t end, const RefitTa
   return !stop.stop_requested();
 }
 
-/// The value at `rank` in order of size. Orders only what lies beyond one σ on its side where the rank is
-/// there.
+/// The value at `rank` in order of size. Sorts only the values beyond one σ if the rank is among them.
 double valueAt(const std::vector<double>& values, std::size_t rank, const Spread& spread) {
   const bool isLow = 2 * rank < values.size();
   const double bound = isLow ? spread.mean - spread.sigma : spread.mean + spread.sigma;
@@ -171,8 +168,8 @@ double numericalTolerance(double sigma) {
   return sigma > 0 ? 0.5 * std::pow(10, std::floor(std::log10(sigma)) - 1) : 0;
 }
 
-/// Of the end of an interval with a share of (1 − coverage)/2 beyond it: √(p(1 − p)/M)/density, the density
-/// of the normal distribution of that σ.
+/// Standard uncertainty of the end of an interval with a share of (1 − coverage)/2 beyond it: √(p(1 −
+/// p)/M)/density, where the density is normal with that σ.
 double endpointSigma(double coverage, double sigma, std::size_t draws) {
   const double outside = (1 - coverage) / 2;
   const double z = normalQuantile(1 - outside);
@@ -224,8 +221,9 @@ bool isAnswered(const MonteCarlo& result) {
   return !result.intersection || result.linear != LinearPropagation::Undecided;
 }
 
-/// How many draws would tell: chance then fits into the tolerance, and where an end differs by more than
-/// that, between the two. The answer may not come at the first go, so never fewer than twice as many.
+/// The number of draws needed for a decision: chance then fits into the tolerance or, if an end differs by
+/// more, into the gap between the two. At least twice as many as before, as the first attempt may not
+/// suffice.
 std::size_t drawsToTell(const MonteCarlo& result, std::size_t drawn) {
   const double excess = worstOf(result) - result.tolerance;
   const double room = excess > 0 ? std::min(result.tolerance, excess) : result.tolerance;
@@ -253,8 +251,7 @@ std::optional<MonteCarlo> propagateDistributions(const Measurement& measurement,
     MonteCarlo result = resultOf(columns, task, drawn, options);
     if (result.draws < fewestDraws) return std::nullopt;
     if (options.draws || isAnswered(result)) return result;
-    if (drawn ==
-        mostDrawsLeftOpen) {  // an end lies so near to the tolerance that chance cannot be told from it
+    if (drawn == mostDrawsLeftOpen) {  // an end is so near the tolerance that chance prevents a decision
       result.linear =
           worstOf(result) <= result.tolerance ? LinearPropagation::Validated : LinearPropagation::Refuted;
       return result;

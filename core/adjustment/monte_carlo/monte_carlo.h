@@ -12,33 +12,33 @@
 
 namespace alidade {
 
-// The linear budget checked by propagating distributions (JCGM 101:2008). Each draw takes every reading, both
-// pointing zeros of each position, the distance and, where it is known, the radius from its distribution
-// about the value read, and fits anew: by the fast fit of arcs where they have nothing in common, by the
-// forward model to second order about the fit where that is held against fits in general and agrees to a
-// thousandth of σ, or else by those. Refits that are fast do not reach into the general ones' results by more
-// than that.
+// Checks the linear budget by propagating distributions (JCGM 101:2008). Each draw takes every reading, both
+// pointing zeros of each position, the distance and, if known, the radius from its distribution about the
+// value read, and fits again. It uses the fast fit of arcs if these are independent; else the forward model
+// to
+// second order about the fit, if that agrees with general fits to a thousandth of σ; else the general fits.
+// The fast refits therefore agree with the general ones to that accuracy.
 //
-// Zeros, distance and radius are normal with their stated σ. Readings, and the priors of effects estimated
-// along, are normal with σ scaled by s0 as in the budget; where s0 rests on f degrees of freedom the whole
-// draw is divided by √(χ²_f/f), which makes them Student with f (JCGM 101, 6.4.9). So σ comes out greater
-// than the budget's by up to √(f/(f − 2)), which k makes up for there.
+// Zeros, distance and radius are normal with their stated σ. Readings, and the priors of estimated effects,
+// are normal with σ scaled by s0 as in the budget; if s0 has f degrees of freedom the whole draw is divided
+// by √(χ²_f/f), which makes them Student with f (JCGM 101, 6.4.9). So σ exceeds the budget's by up to
+// √(f/(f − 2)), for which k compensates there.
 
-/// No more are made where their number is left open: some 200 MB.
+/// Maximum if the number is unspecified: some 200 MB.
 inline constexpr std::size_t mostDrawsLeftOpen = 5'000'000;
 
 struct MonteCarloOptions {
-  /// ≥ 100. Empty: as many as it takes to tell whether the linear budget holds, up to `mostDrawsLeftOpen`.
+  /// ≥ 100. Empty: as many as needed to decide whether the linear budget holds, up to `mostDrawsLeftOpen`.
   std::optional<std::size_t> draws = {};
   std::uint64_t seed = 1;
-  unsigned threads = 0;  ///< 0: as many as the machine has; the result does not depend on it
-  /// Counts the draws as they are made, for others to watch; null: nobody does.
+  unsigned threads = 0;  ///< 0: as many as the machine has; the result is the same for any number
+  /// Counts finished draws for a progress display; may be null.
   std::atomic<std::size_t>* made = nullptr;
 };
 
-/// What the draws say of one quantity, mm. The interval is the probabilistically symmetric one (7.7.2): from
-/// the r-th of M draws in order of size to the (r + q)-th, q the whole number next to pM and r the half of
-/// M − q, rounded up.
+/// The distribution of one quantity over the draws, mm. The interval is the probabilistically symmetric one
+/// (7.7.2): from the r-th of M draws in order of size to the (r + q)-th, where q is the integer nearest to pM
+/// and r is half of M − q, rounded up.
 struct Spread {
   double mean = 0, sigma = 0, low = 0, high = 0;
 };
@@ -46,8 +46,8 @@ struct Spread {
 /// Does the linear budget hold (clause 8)?
 enum class LinearPropagation {
   Validated,  ///< both ends of y ± U lie within the numerical tolerance of the interval's
-  Refuted,    ///< one of them lies farther off than chance in the draws explains
-  Undecided,  ///< too few draws to tell; not where their number was left open
+  Refuted,    ///< one of them deviates by more than chance in the draws explains
+  Undecided,  ///< too few draws to decide; only if their number was specified
 };
 
 struct CentreSpread {
@@ -56,8 +56,8 @@ struct CentreSpread {
 };
 
 struct MonteCarlo {
-  std::size_t draws = 0;   ///< that gave a result
-  std::size_t failed = 0;  ///< whose fit did not settle or whose readings fixed no circle; left out
+  std::size_t draws = 0;   ///< with a result
+  std::size_t failed = 0;  ///< left out, as the fit did not settle or the readings determined no circle
   std::uint64_t seed = 0;
   double coverage = 0.95;             ///< of the intervals
   std::vector<CentreSpread> centres;  ///< one for each axis
@@ -71,8 +71,8 @@ struct MonteCarlo {
   LinearPropagation linear = LinearPropagation::Undecided;
 };
 
-/// `fit` is what `fitSession` made of `measurement`. Empty where it was stopped, where no arc was fitted, or
-/// where fewer than 100 draws gave a result.
+/// `fit` is the result of `fitSession` for `measurement`. Empty if it was stopped, if no arc was fitted, or
+/// if fewer than 100 draws gave a result.
 std::optional<MonteCarlo> propagateDistributions(const Measurement& measurement, const SessionFit& fit,
                                                  const MonteCarloOptions& options = {},
                                                  const std::stop_token& stop = {});

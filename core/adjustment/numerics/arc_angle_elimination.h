@@ -5,19 +5,19 @@
 
 namespace alidade {
 
-// All readings of a visit hang on its arc angle φ, which nobody asks for. With the whitened equations
+// All readings of a visit depend on its arc angle φ, which is not a result. With the whitened equations
 // r − J δ − a δφ of a visit, a = ∂(readings)/∂φ and u = a/|a|, the best δφ leaves
 //
 //   (1 − u uᵀ)(r − J δ),
 //
-// so from every column what lies along u is taken off, and φ is gone. In the normal equations that is the
-// Schur complement of a block of one number: Jᵀ (1 − u uᵀ) J = JᵀJ − Jᵀa (aᵀa)⁻¹ aᵀJ. Readings that take no
-// part have zeros in u and J; where none takes part u is zero and nothing is taken off.
+// so subtracting from every column its component along u eliminates φ. In the normal equations this is the
+// Schur complement of a block of one number: Jᵀ (1 − u uᵀ) J = JᵀJ − Jᵀa (aᵀa)⁻¹ aᵀJ. Excluded readings have
+// zeros in u and J; if all are excluded u is zero and nothing is subtracted.
 //
-// For any matrices of Eigen, row by row at best, so that no linear algebra is included here.
+// For any Eigen matrices, preferably row-major; templates, so that no linear algebra is included here.
 
-/// Of the equations of one visit, a row for each reading. `along`: u. `share`: as many numbers as there are
-/// columns, to work with.
+/// For the equations of one visit, a row for each reading. `along`: u. `share`: working memory, as many
+/// numbers as there are columns.
 template <typename Rows, typename Along, typename Share>
 void eliminateArcAngle(Rows&& rows, const Along& along, Share& share) {
   share.setZero(rows.cols());
@@ -25,15 +25,15 @@ void eliminateArcAngle(Rows&& rows, const Along& along, Share& share) {
   for (std::ptrdiff_t i = 0; i < rows.rows(); ++i) rows.row(i) -= along[i] * share.transpose();
 }
 
-/// Of one column over the readings of many visits, one visit after the other: visit v ends before reading
-/// `endOfVisit[v]`. Both spans hold all readings, `along` the u of each visit.
+/// For one column over the readings of many visits in sequence: visit v ends before reading `endOfVisit[v]`.
+/// Both spans hold all readings, `along` the u of each visit.
 inline void eliminateArcAngles(std::span<double> column, std::span<const double> along,
                                std::span<const std::ptrdiff_t> endOfVisit) {
   const double* u = along.data();
   double* c = column.data();
   std::ptrdiff_t first = 0;
   for (const std::ptrdiff_t end : endOfVisit) {
-    if (end - first == 2) {  // by far the commonest, and too short for a loop
+    if (end - first == 2) {  // by far the most frequent case, and too short for a loop
       const double share = u[first] * c[first] + u[first + 1] * c[first + 1];
       c[first] -= share * u[first];
       c[first + 1] -= share * u[first + 1];

@@ -9,42 +9,44 @@
 namespace alidade {
 
 // Nonlinear least squares: minimise χ² = Σ (v/σ)² over some unknowns, from a start. Gauss-Newton steps with
-// the diagonal of the normal matrix N damped, times 1 + damping, so that nothing hangs on units. A step that
-// does not raise χ² is taken and the next is damped ten times less; another is tried again, damped ten times
+// the diagonal of the normal matrix N damped, times 1 + damping, so that units do not matter. A step that
+// does
+// not raise χ² is taken and the next is damped ten times less; otherwise it is repeated, damped ten times
 // more.
 //
-// How far the minimum is off is one number, with g = −½ ∂χ²/∂unknowns the right side of the normal equations:
+// One number measures the distance from the minimum, with g = −½ ∂χ²/∂unknowns the right side of the normal
+// equations:
 //
 //   λ = √(gᵀ N⁻¹ g)
 //
-// is the length of the undamped step in standard deviations of the result, the length of the gradient in the
-// same measure, and λ² is by how much χ² can still fall. Solvers that do not know the σ of their readings ask
-// for a short step, a small gradient and little cost, each with a tolerance of its own.
+// is the length of the undamped step in standard deviations of the result and the length of the gradient in
+// the same measure; λ² is the possible decrease of χ². Solvers that ignore the σ of their readings need three
+// tolerances instead, for step, gradient and cost.
 //
 // Source: D. W. Marquardt, "An algorithm for least-squares estimation of nonlinear parameters", J. SIAM 11
 // (1963).
 
 struct LeastSquaresOptions {
   int maximumIterations = 100;  ///< rejected steps counted
-  double tolerance = 1e-9;      ///< converged where λ < tolerance
-  /// … and λ < confirmation one step before. For equations that hold something back for the next step, as
-  /// arc angles that follow by their linear equations: their λ can be small by chance. Infinite: λ is to be
-  /// relied on, even that of the start.
+  double tolerance = 1e-9;      ///< converged if λ < tolerance
+  /// … and λ < confirmation one step before. For equations that defer a part to the next step, such as arc
+  /// angles that follow from their linear equations: their λ can be small by chance. Infinite: λ is reliable,
+  /// even at the start.
   double confirmation = std::numeric_limits<double>::infinity();
   double firstDamping = 1e-6;    ///< > 0
-  double largestDamping = 1e12;  ///< no descent where damping reaches it
+  double largestDamping = 1e12;  ///< no descent once damping reaches it
 };
 
 /// `Problem` has
-///   State, System                      where the unknowns are; normal equations there, with `chiSquare`
-///   System system(State, System used)  `used` is no longer wanted: its memory may be taken over
-///   double remaining(System)           λ; infinite where it is no number
+///   State, System values of the unknowns; normal equations there, with `chiSquare`
+///   System system(State, System used) `used` is discarded: its memory may be reused
+///   double remaining(System) λ; infinite if it cannot be computed
 ///   State moved(State, System, double damping)
-///   bool isPossible(State)             false: beyond a wall, such as R = 0; no step leads there
+///   bool isPossible(State) false: beyond a limit such as R = 0; no step leads there
 template <typename Problem>
 struct LeastSquaresMinimum {
   typename Problem::State state;
-  typename Problem::System system = {};  ///< there
+  typename Problem::System system = {};  ///< at `state`
   int iterations = 0;
   FitStatus status = FitStatus::TooManyIterations;
 };

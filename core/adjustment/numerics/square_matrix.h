@@ -5,8 +5,8 @@
 
 namespace alidade {
 
-/// A dense square matrix as a plain value, row by row: what an adjustment hands out without its linear
-/// algebra library.
+/// A dense square matrix as a plain value, row by row, so that results of an adjustment do not expose its
+/// linear algebra library.
 struct SquareMatrix {
   std::size_t size = 0;
   std::vector<double> values;  ///< size × size

@@ -8,13 +8,13 @@ namespace alidade {
 enum class Verdict { Accept, Reject, Undecided };
 
 /// Guard-banded decision: accept only if |Δd| + U ≤ tolerance, reject only if |Δd| − U > tolerance. All in
-/// mm, U ≥ 0, tolerance > 0. Undecided where value or U is not finite.
+/// mm, U ≥ 0, tolerance > 0. Undecided if value or U is not finite.
 Verdict decide(double value, double expanded, double tolerance);
 
 /// "accept", "reject", "undecided".
 std::string verdictName(Verdict verdict);
 
-/// Why no verdict rests on the lengths; `core/wording/verdict.h` says it.
+/// Why the lengths allow no verdict; `core/wording/verdict.h` has the sentences.
 struct LengthsInDoubt {
   struct Radius {
     int axisDeg = 0;
@@ -23,7 +23,7 @@ struct LengthsInDoubt {
   };
 
   double distance = 0, nominalRadius = 0;  ///< as typed, mm
-  std::optional<Radius> radius = {};       ///< that is far off; absent where the distance is too short
+  std::optional<Radius> radius = {};       ///< the deviating one; absent if the distance is too short
 };
 
 }  // namespace alidade

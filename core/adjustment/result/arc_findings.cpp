@@ -14,7 +14,7 @@ using namespace arc_finding;
 
 namespace {
 
-/// A chance this small is taken for a sign that the stated noise is wrong.
+/// A probability this small indicates that the stated noise is wrong.
 constexpr double surprise = 0.001;
 constexpr double poorRadiusUncertainty = 0.01;
 constexpr double farFromNominal = 0.05;

@@ -7,8 +7,8 @@
 
 namespace alidade {
 
-/// Findings on an arc's fit that stands: no redundancy, the same reading typed twice, scatter that does not
-/// go with the stated noise, a short arc, a radius far from the nominal one, no convergence.
+/// Findings on an arc that was fitted: no redundancy, the same reading typed twice, scatter that contradicts
+/// the stated noise, a short arc, a radius far from the nominal one, no convergence.
 std::vector<FitFinding> arcFindings(const Measurement& measurement, const ArcMeasurement& arc,
                                     const ArcFit& fit);
 

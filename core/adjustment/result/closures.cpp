@@ -71,7 +71,7 @@ std::optional<Misclosure> misclosureOf(const JointFit& fit, Unknown::Kind quanti
 
 namespace {
 
-/// Held against `known`, with its σ.
+/// Compared with `known`, with its σ.
 Closure closureOf(Closure::Of of, const Misclosure& misclosure, const NoiseScale& noise, double known = 0,
                   double sigma = 0) {
   const double together = std::hypot(misclosure.sigma, sigma);
@@ -131,7 +131,7 @@ std::vector<Closure> repeatsOf(const Measurement& measurement, const JointFit& a
 
 namespace {
 
-/// Of how much of a jump the zero of an arc was sighted after.
+/// The share of a jump that preceded the zero of an arc.
 double jumpShare(const ArcMeasurement& arc, const JointFitOptions& options) {
   if (!options.jumpBefore || arc.zeroSightings.empty()) return 0;
   const auto after = std::ranges::count_if(arc.zeroSightings, [&](const SightedZero& zero) {

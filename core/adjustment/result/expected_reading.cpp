@@ -14,16 +14,17 @@ namespace alidade {
 
 namespace {
 
-// A collimation or index error of some minutes is no slip of a finger, nor is a mark missed by some
-// millimetres: from one position to the other, those of the published table by 1.3 mm of 400.
+// Largest deviation within a visit. A collimation or index error of some minutes is not a typing error, nor
+// is a mark missed by some millimetres: between positions, those of the published table differ by 1.3 mm of
+// 400.
 constexpr Angle sameVisit = Angle::fromArcseconds(360);
 constexpr Angle samePoint = Angle::fromArcseconds(900);
 constexpr double centreShare =
-    0.02;  // of the radius, by which the centre may lie off the middle of the field
-constexpr double scaleOff = 0.5, scaleUnknown = 3;  // degrees, by which a slider's scale may be off
-constexpr double stepShare = 0.5;  // of the step from point to point, by which a guessed place may be off
+    0.02;  // of the radius: possible offset of the centre from the middle of the field
+constexpr double scaleOff = 0.5, scaleUnknown = 3;  // degrees: possible error of a slider's scale
+constexpr double stepShare = 0.5;  // of the step from point to point: possible error of an interpolated place
 
-/// Where the slider stood at a point: s, rad, as the mean of directions.
+/// The slider's coordinate at a point: s, rad, as the mean of directions.
 struct PlaceOfPoint {
   double cosines = 0, sines = 0;
 
@@ -41,7 +42,7 @@ struct Line {
   double first = 0, step = 0;
 };
 
-/// Through places evenly spaced by their points.
+/// The line through places that are evenly spaced by point number.
 std::optional<Line> lineThrough(const Places& places) {
   constexpr std::size_t fewest = 3;
   constexpr double evenly = 0.2;  // of a step
@@ -69,7 +70,7 @@ bool isNear(const Places& places, int point) {
   return point >= first - (last - first) / 2 && point <= last + (last - first) / 2;
 }
 
-/// What a place is expected from.
+/// The coordinate from which a place is predicted.
 struct Coordinate {
   double s = 0;
   Angle tolerance;
@@ -99,7 +100,7 @@ class Expectations {
   }
 
  private:
-  /// Fitted, here or elsewhere, else nominal.
+  /// The fitted circle, of this or another position, else the nominal one.
   Circle circleOf(const ArcMeasurement& arc) const {
     if (const ArcFit* own = m_fit.arcOfPosition(arc.position)) return own->circle;
     if (!m_fit.arcs.empty()) return m_fit.arcs.front().circle;
@@ -125,7 +126,7 @@ class Expectations {
                       samePoint + Angle::fromRadians(stepShare * atTheodolite)};
   }
 
-  /// Coordinates that are alike to the arcsecond are of one place.
+  /// Coordinates that are equal to the arcsecond belong to one place.
   static long long keyOf(double s) { return std::llround(Angle::fromRadians(s).arcseconds()); }
 
   Coordinate nominalPlace(double s) const {
@@ -145,7 +146,7 @@ class Expectations {
     const Direction<double> direction = ZeroLine(m_measurement, arc).observe(target);
     const bool isZenith = m_measurement.verticalCircle == VerticalCircle::Zenith;
     const Angle e = Angle::fromRadians(direction.e);
-    const FaceOneReading circles =  // the way to face 2 is the way back from it, but for whole turns
+    const FaceOneReading circles =  // converting to face 2 is the inverse, up to whole turns
         inFaceOne(arc.zeroHorizontal + Angle::fromRadians(direction.a),
                   isZenith ? arc.zeroVertical - e : arc.zeroVertical + e, sighting.face,
                   m_measurement.verticalCircle);
@@ -161,8 +162,8 @@ class Expectations {
   const SessionFit& m_fit;
   const NominalPlaces& m_nominal;
   Places m_places;
-  std::map<long long, PlaceOfPoint> m_offsets;  ///< from nominal coordinates, of each
-  PlaceOfPoint m_offset;                        ///< of all
+  std::map<long long, PlaceOfPoint> m_offsets;  ///< from nominal coordinates, for each
+  PlaceOfPoint m_offset;                        ///< for all
   std::optional<Line> m_line;
 };
 

@@ -13,8 +13,8 @@
 
 namespace alidade {
 
-// What a fit has to say of its data beyond its numbers, as numbers; `core/wording/findings.h` makes a
-// sentence of each. Lengths in mm, rows as indices into the readings of their position.
+// Findings of a fit on its data, as numbers; `core/wording/findings.h` makes a sentence of each. Lengths in
+// mm, rows as indices into the readings of their position.
 
 /// Of one arc that was fitted.
 namespace arc_finding {
@@ -22,7 +22,7 @@ namespace arc_finding {
 struct NotSettled {
   int iterations = 0;
 };
-/// No degrees of freedom.
+/// There are no degrees of freedom.
 struct NothingChecks {};
 struct ScattersMore {
   double reducedChiSquare = 1;
@@ -39,7 +39,7 @@ struct RadiusPoorlyKnown {
 struct RadiusFarFromNominal {
   double fitted = 0, nominal = 0;
 };
-/// Rows that hold the same pair of readings: the first of them, then each other one, in its order.
+/// Groups of rows with the same pair of readings: the first row, then each other one, in order.
 struct ReadingsRepeat {
   std::vector<std::pair<std::size_t, std::size_t>> rows;
 };
@@ -49,37 +49,37 @@ using What = std::variant<NotSettled, NothingChecks, ScattersMore, ScattersLess,
 
 }  // namespace arc_finding
 
-/// Of what was typed about the set-up. `time` is everywhere the how many-th position at its axis.
+/// On the typed set-up data. `time` is always the repeat at the position's axis.
 namespace setup_finding {
 
 /// No theodolite focuses so near.
 struct DistanceTooShort {
   double distance = 0, nominalRadius = 0;
 };
-/// Most places of these arcs lie on the wrong side of their centre.
+/// Most places of these arcs are on the wrong side of their centre.
 struct PlacesOnTheWrongSide {
   std::vector<int> axesDeg;
 };
-/// Has the pointing zero where a circle of the other kind has it.
+/// The pointing zero fits a vertical circle of the other kind.
 struct ZeroOfOtherCircle {
   int axisDeg = 0;
   Angle vertical;
   VerticalCircle circle = VerticalCircle::Zenith;
   int time = 1;
 };
-/// In one visit; of several the most different.
+/// Within one visit; the largest of several differences.
 struct SlidersDiffer {
   int axisDeg = 0;
   std::size_t firstRow = 0, otherRow = 0;
   Angle apart;
-  std::size_t others = 0;  ///< further ones
+  std::size_t others = 0;  ///< further differences
   int time = 1;
 };
-/// Of all positions, and the session does not say whether they are one.
+/// The zeros of all positions are identical; the session does not state whether they are one mark.
 struct ZerosAlike {
   std::size_t positions = 2;
 };
-/// By more than two sightings of one mark, and the session does not say what they sight.
+/// The zeros differ by more than two sightings of one mark; the session does not state what they sight.
 struct ZerosDiffer {
   Angle horizontal, vertical;  ///< the greatest difference from the first
 };
@@ -89,14 +89,14 @@ struct ReadingsRounded {
   Angle step;   ///< to which the readings are written
   Angle sigma;  ///< stated
 };
-/// From before the readings of the position to after them, more than sightings scatter.
+/// The zeros before and after the readings of the position differ by more than sightings scatter.
 struct ZeroMoved {
   int axisDeg = 0, time = 1;
   Angle horizontal, vertical;            ///< as face 1 reads it
   Angle sigmaHorizontal, sigmaVertical;  ///< of these
-  double scatter = 1;                    ///< by which U takes zeros to scatter more than stated
+  double scatter = 1;                    ///< factor by which U assumes zeros to scatter more than stated
 };
-/// In face 2, since other positions have no zero in it.
+/// The zero in face 2 is ignored, since other positions have none.
 struct ZeroFaceLeftOut {
   int axisDeg = 0, time = 1;
 };
@@ -112,7 +112,7 @@ struct ArcMissing {
   ArcFault why;
   int time = 1;
 };
-/// Each arc is determined alone, but not all of them together.
+/// Each arc is determined alone, but all of them together are not.
 struct Undetermined {
   bool hasEffects = false;  ///< in the model
 };
@@ -135,25 +135,25 @@ struct OffReference {
 struct UnknownEffect {
   std::string id;
 };
-/// What is known is of no number of the catalogue.
+/// A known value refers to no parameter of the catalogue.
 struct KnownOfNothing {
   std::string effect, parameter, unit;
 };
-/// Rows differ in what the instrument corrected, or only some tell; so nothing is known from it.
+/// Rows differ in the corrections of the instrument, or only some state them; so they are ignored.
 struct CorrectionsDiffer {
-  std::vector<std::string> switches;  ///< their words in a row
+  std::vector<std::string> switches;  ///< their switches in a row
 };
-/// There are tilts, but no row tells whether the instrument has taken them off.
+/// There are tilts, but no row states whether the instrument has corrected for them.
 struct TiltsUnused {};
-/// From one position to another, by what the compensator read.
+/// The compensator reading changed from one position to another.
 struct AxisMoved {
   Angle change;  ///< ≥ 0
 };
-/// What the compensator read in both faces is no tilt by so much.
+/// The mean compensator reading of both faces deviates from zero.
 struct CompensatorOff {
   Angle index;  ///< ≥ 0
 };
-/// The vertical circle is taken to read y/L.
+/// The vertical circle is modelled as reading y/L.
 struct PlanarRelation {};
 
 }  // namespace session_finding
@@ -175,7 +175,7 @@ struct FitFinding {
       session_finding::KnownOfNothing, session_finding::CorrectionsDiffer, session_finding::TiltsUnused,
       session_finding::AxisMoved, session_finding::CompensatorOff, session_finding::PlanarRelation>;
 
-  Severity severity = Severity::Warning;  ///< Error: an arc, or all of them, are not there because of this
+  Severity severity = Severity::Warning;  ///< Error: it is the reason why an arc, or all of them, are missing
   Place where;
   What what;
 };

@@ -22,8 +22,8 @@ std::vector<double> weightsOfIntersection(const SessionFit& fit) {
   return intersectionWeights(fit.joint, indexAt(0), indexAt(180));
 }
 
-/// Of what is as entered, on the unknown that it is in the equations (`ArcPose`): a zero stands there by its
-/// error, against which the readings are reduced, and up is the other way round on a zenith circle.
+/// Sign of an entered value relative to its unknown in the equations (`ArcPose`): the unknown of a zero is
+/// its error, by which the readings are reduced, and zenith circles count downwards.
 double perEntered(const Unknown& unknown, const Measurement& measurement) {
   if (!unknown.isPointingZero()) return 1;
   const bool countsUp =

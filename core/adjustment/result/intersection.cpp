@@ -17,7 +17,7 @@ namespace alidade {
 
 namespace {
 
-/// A scatter this improbably small is not trusted: the stated noise is taken instead.
+/// Scatter with such a small probability is not trusted: the stated noise is used instead.
 constexpr double improbablySmall = 0.001;
 
 struct Weight {
@@ -25,10 +25,10 @@ struct Weight {
   double factor = 0;
 };
 
-/// A linear combination of the unknowns, without those that take no part: most of them.
+/// A linear combination of the unknowns, without the zero weights: most are zero.
 using Weights = boost::container::small_vector<Weight, 8>;
 
-/// One entry of each source at most.
+/// At most one entry for each source.
 using Budget = boost::container::static_vector<BudgetEntry, 6>;
 
 Weights partsOf(const std::vector<double>& weights) {
@@ -70,7 +70,7 @@ bool isTerm(const Unknown& unknown) {
   return unknown.kind == Unknown::Kind::Error;
 }
 
-/// The variance that one kind of considered quantity brings.
+/// The variance due to one kind of considered quantity.
 double consideredVariance(const JointFit& fit, const Weights& weights, bool distance) {
   double variance = 0;
   for (std::size_t c = 0; c < fit.considered.size(); ++c) {
@@ -80,7 +80,7 @@ double consideredVariance(const JointFit& fit, const Weights& weights, bool dist
   return variance;
 }
 
-/// The variance that unknowns of a kind bring which are known beforehand, such as a known radius.
+/// The variance due to unknowns of a kind with prior knowledge, such as a known radius.
 template <typename Meant>
 double varianceOfKnown(const JointFit& fit, const SquareMatrix& cofactor, const Weights& weights,
                        const Meant& isMeant) {
@@ -98,7 +98,7 @@ bool isAny(const Unknown&) {
   return true;
 }
 
-/// The variance that zeros bring which are observations.
+/// The variance due to zeros that are observations.
 double varianceOfSightedZeros(const JointFit& fit, const SquareMatrix& cofactor, const Weights& weights) {
   if (fit.zeroRows.empty()) return 0;
   std::vector<double> turned(fit.unknowns.size());
@@ -113,7 +113,7 @@ double varianceOfSightedZeros(const JointFit& fit, const SquareMatrix& cofactor,
 double varianceOfReadings(const JointFit& fit, const SquareMatrix& cofactor, const Weights& weights) {
   const double known =
       varianceOfKnown(fit, cofactor, weights, isAny) + varianceOfSightedZeros(fit, cofactor, weights);
-  // In this order of its arguments max() lets NaN pass: what is unknown is not nothing.
+  // In this argument order max() passes NaN: unknown must not become zero.
   return std::max(quadraticForm(cofactor, weights) - known, 0.0);
 }
 
@@ -134,7 +134,7 @@ std::optional<std::size_t> arcAt(const Measurement& measurement, int axisDeg) {
 NoiseScale noiseScale(double chiSquare, int degreesOfFreedom) {
   constexpr double known = std::numeric_limits<double>::infinity();
   const NoiseScale asRead{std::sqrt(chiSquare / degreesOfFreedom), static_cast<double>(degreesOfFreedom)};
-  // The median of χ² lies below its mean f: from there on it is not improbably small.
+  // The median of χ² is below its mean f: above that it is not improbably small.
   if (degreesOfFreedom > 0 && chiSquare >= degreesOfFreedom) return asRead;
   const std::optional<double> tail = chiSquareUpperTail(chiSquare, degreesOfFreedom);
   if (!tail || 1 - *tail < improbablySmall) return {1, known};
@@ -275,7 +275,7 @@ std::vector<double> intersectionWeights(const JointFit& fit, std::size_t upper, 
 
 namespace {
 
-/// Of (O1 − O2)/2 along x, which is one and the same for both where they share it.
+/// The weights of (O1 − O2)/2 along x; both share x in some models, which makes it zero.
 std::vector<double> halfApartWeights(const JointFit& fit, std::size_t upper, std::size_t lower) {
   std::vector<double> weights(fit.unknowns.size());
   weights[fit.indexOf({.kind = Unknown::Kind::CentreX, .arc = upper})] += 0.5;

@@ -9,18 +9,17 @@
 
 namespace alidade {
 
-/// Index of the first arc at this axis angle; absent where there is none.
+/// Index of the first arc at this axis angle; absent if there is none.
 std::optional<std::size_t> arcAt(const Measurement& measurement, int axisDeg);
 
-/// How the readings scatter against what is stated.
+/// The scatter of the readings compared with the stated noise.
 struct NoiseScale {
-  double factor = 1;            ///< s0 = √(χ²/f): what comes from the readings is scaled by it
-  double degreesOfFreedom = 0;  ///< f behind the factor; infinite where the stated noise is taken as known
+  double factor = 1;            ///< s0 = √(χ²/f), which scales the contribution of the readings
+  double degreesOfFreedom = 0;  ///< f of the factor; infinite if the stated noise is known
 };
 
-/// The stated noise is taken as known, factor 1, where there is no redundancy or χ² is unknown, and where the
-/// scatter is so small (below its 0.1 % point) that it speaks against the readings' independence rather than
-/// for their precision.
+/// The stated noise counts as known, with factor 1, if there is no redundancy or χ² is unknown. So too if the
+/// scatter is below its 0.1 % point, which indicates dependent readings rather than precision.
 NoiseScale noiseScale(const JointFit& fit);
 NoiseScale noiseScale(double chiSquare, int degreesOfFreedom);
 
@@ -30,48 +29,47 @@ enum class UncertaintySource { Readings, ModelEffects, PlausibleSizes, KnownRadi
 struct BudgetEntry {
   UncertaintySource source = UncertaintySource::Readings;
   double sigma = 0;   ///< mm
-  double scaled = 0;  ///< the part of it that is known by the scatter of the readings alone, mm
+  double scaled = 0;  ///< its part known only from the scatter of the readings, mm
 };
 
 /// wᵀ Q e_u: the covariance of a linear combination of the unknowns (`weights`) with one of them.
 double covarianceWith(const SquareMatrix& cofactor, const std::vector<double>& weights, std::size_t unknown);
 
-/// The change of a linear combination of the unknowns by `JointFit::considered[index]`.
+/// The derivative of a linear combination of the unknowns with respect to `JointFit::considered[index]`.
 double ratePerConsidered(const JointFit& fit, const std::vector<double>& weights, std::size_t index);
 
-/// The variance that what is known beforehand of one unknown brings to a linear combination of all
-/// (`weights`): the gain of the adjustment on it times its σ, squared; 0 where nothing is known. `cofactor`:
-/// of the fit, with or without its terms.
+/// The variance that the prior of one unknown contributes to a linear combination of all (`weights`): the
+/// gain of the adjustment times its σ, squared; 0 without prior knowledge. `cofactor`: of the fit, with or
+/// without its terms.
 double varianceOfPrior(const JointFit& fit, const SquareMatrix& cofactor, const std::vector<double>& weights,
                        std::size_t unknown);
 
-/// The budget of a linear combination of the unknowns (`weights`, one for each): the readings, and what
-/// estimating error terms along costs on top, scaled by `scale`; what the readings do not tell of the terms,
-/// by their plausible sizes (both listed only if there are any); the radius where it is known, the pointing
-/// zeros, one for each position and independent, and the distance, common to both, as stated. Zeros of which
-/// no σ is stated (`Measurement::zerosAreReadings`) scatter as the circles do, and never less than stated for
-/// these.
+/// The budget of a linear combination of the unknowns (`weights`, one for each). Scaled by `scale`: the
+/// readings, and the additional cost of estimating error terms. Not scaled: the prior contribution of the
+/// terms by their plausible sizes (both listed only if there are terms); the radius if known; the pointing
+/// zeros, one for each position and independent; the distance, common to both, as stated. Zeros without a
+/// stated σ (`Measurement::zerosAreReadings`) scatter like the circles, and at least as stated for these.
 std::vector<BudgetEntry> budgetOf(const JointFit& fit, const std::vector<double>& weights, double scale);
 
-/// The covariance of two linear combinations of the unknowns, by their budgets: cov(a, b) = (var(a + b) −
+/// The covariance of two linear combinations of the unknowns, from their budgets: cov(a, b) = (var(a + b) −
 /// var(a − b))/4.
 double covarianceOf(const JointFit& fit, const std::vector<double>& one, const std::vector<double>& other,
                     double scale);
 
 /// The root of the sum of squares.
 double combined(std::span<const BudgetEntry> budget);
-/// The same of what is known by the scatter alone.
+/// The root of the sum of squares of the scaled parts.
 double scaledPart(std::span<const BudgetEntry> budget);
 
-/// Standard uncertainties of one arc's quantities, mm, and how the centre hangs on the radius.
+/// Standard uncertainties of one arc's quantities, mm, and how the centre depends on the radius.
 struct ArcSigma {
   double x = 0, y = 0, radius = 0;
-  /// Correlation of R with x and with y, −1…1. On half an arc a radius wrong by its σ takes the centre's
-  /// height along by this share of that height's σ. 0 where R is exact.
+  /// Correlation of R with x and with y, −1…1. On half an arc a radius error of its σ shifts the centre's
+  /// height by this share of that height's σ. 0 if R is exact.
   double radiusX = 0, radiusY = 0;
 };
 
-/// The budgets behind them, in the order of the sources of Δd's.
+/// The budgets of the arc's quantities, in the order of the sources of Δd's.
 struct ArcBudget {
   std::vector<BudgetEntry> x, y, radius;
 };
@@ -89,7 +87,7 @@ struct Intersection {
   double expanded = 0;                   ///< U = k σ at `coverage`
   double coverage = 0.95;                ///< in (0, 1)
   double coverageFactor = 0;             ///< k: Student's quantile at the effective degrees of freedom
-  double effectiveDegreesOfFreedom = 0;  ///< Welch-Satterthwaite; infinite where nothing was estimated
+  double effectiveDegreesOfFreedom = 0;  ///< Welch-Satterthwaite; infinite if no σ was estimated
   double inPlane = 0;                    ///< |O1 − O2|/2
   double inPlaneSigma = 0, inPlaneExpanded = 0;
   std::vector<BudgetEntry> budget;
@@ -101,7 +99,7 @@ std::vector<double> unitWeights(const JointFit& fit, const Unknown& unknown);
 /// ∂Δd/∂unknown of a fit whose arcs `upper` and `lower` are those at 0° and at 180°.
 std::vector<double> intersectionWeights(const JointFit& fit, std::size_t upper, std::size_t lower);
 
-/// Absent unless `measurement`, which was fitted, holds arcs at 0° and at 180°, and the fit is determined.
+/// Absent unless the fitted `measurement` has arcs at 0° and at 180° and the fit is determined.
 std::optional<Intersection> intersect(const Measurement& measurement, const JointFit& fit);
 /// `noise`: that of the fit.
 std::optional<Intersection> intersect(const Measurement& measurement, const JointFit& fit,

@@ -20,7 +20,7 @@ namespace {
 constexpr double tooSeldom = 0.01;
 constexpr double nearSteps = 10;  // of the grid, to either side
 
-/// What two rows that repeat each other have in common.
+/// The circle readings that two identical rows share.
 struct Circles {
   int face = 0;
   double a = 0, e = 0;  // rad
@@ -54,7 +54,7 @@ Mark markOf(const Sighting& row) {
 
 using IndexPair = std::pair<std::size_t, std::size_t>;
 
-/// Sightings that hold the same pair of readings: the first of them, then each other one, in its order.
+/// Pairs of sightings with the same readings: the first of a group with each other one, in order.
 std::vector<IndexPair> alikeIn(const ArcMeasurement& arc) {
   FirstIndex<Circles, HashOfCircles, std::identity> firsts(arc.sightings.size());
   std::vector<IndexPair> alike;
@@ -73,13 +73,13 @@ double gridOf(const ArcMeasurement& arc, Angle Sighting::*circle) {
   return alidade::gridOf(read);
 }
 
-/// Is it seldom enough that a number of events ≥ 1 of which `expected` are to be expected is as great?
+/// Is it improbable to find as many events (≥ 1) when `expected` are expected?
 bool isTooMany(std::size_t events, double expected) {
   const auto fewer = chiSquareUpperTail(2 * expected, 2 * static_cast<double>(events));  // Poisson's
   return fewer && 1 - *fewer < tooSeldom;
 }
 
-/// How many pairs of rows are of one place.
+/// The number of pairs of rows at one place.
 double pairsOfOnePlace(const ArcMeasurement& arc) {
   FirstIndex<Mark, HashOfMark, std::identity> firsts(arc.sightings.size());
   std::vector<std::size_t> counts(arc.sightings.size());
@@ -89,7 +89,8 @@ double pairsOfOnePlace(const ArcMeasurement& arc) {
   return pairs;
 }
 
-/// How many pairs of rows of different places lie a few steps of the grid from each other, but are not alike.
+/// The number of pairs of rows at different places that differ by a few steps of the grid without being
+/// equal.
 double nearPairsOfTwoPlaces(const ArcMeasurement& arc, double gridA, double gridE) {
   constexpr double reach = nearSteps + 0.5;
   struct Row {
@@ -127,8 +128,8 @@ double gridOf(const std::vector<double>& read) {
   return 0;
 }
 
-/// The one is off the other by a normal D; with its place between the marks of the grid as likely everywhere
-/// both show the same with probability E max(0, 1 − |D|/grid).
+/// The difference of the two is normal, D; for a uniform position on the grid both read the same with
+/// probability E max(0, 1 − |D|/grid).
 double chanceOfBeingAlike(double grid, double scatter) {
   if (!(grid > 0)) return 0;
   const double t = grid / (std::numbers::sqrt2 * scatter);
@@ -148,12 +149,12 @@ std::vector<std::pair<std::size_t, std::size_t>> repeatedRows(const Measurement&
   const auto ofOnePlace = static_cast<std::size_t>(std::ranges::count_if(alike, isOfOnePlace));
   const std::size_t ofTwo = alike.size() - ofOnePlace;
   const double gridA = gridOf(arc, &Sighting::a), gridE = gridOf(arc, &Sighting::e);
-  // Readings may scatter less than stated, and then are alike more often.
+  // Readings may scatter less than stated, and are then equal more often.
   const double ratio = fit.degreesOfFreedom > 0 ? std::min(1.0, std::sqrt(fit.reducedChiSquare())) : 1;
   const double chance = chanceOfBeingAlike(gridA, ratio * measurement.sigmaHorizontal.radians()) *
                         chanceOfBeingAlike(gridE, ratio * measurement.sigmaVertical.radians());
   const bool tellsOfOne = ofOnePlace > 0 && isTooMany(ofOnePlace, chance * pairsOfOnePlace(arc));
-  // Of two places near each other, which may be one that has two numbers.
+  // For two nearby places, which may be one place with two numbers.
   const double share = std::max(chance, 1 / ((2 * nearSteps + 1) * (2 * nearSteps + 1)));
   const bool tellsOfTwo =
       ofTwo > 0 && isTooMany(ofTwo, nearPairsOfTwoPlaces(arc, gridA, gridE) * share / (1 - share));

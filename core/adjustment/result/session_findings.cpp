@@ -25,7 +25,7 @@ bool holdsAxis(const Measurement& measurement, int axisDeg) {
                              [&](const ArcMeasurement& arc) { return arc.axisDeg == axisDeg; });
 }
 
-/// What the positions differ by where half a turn leaves it alone, if that is too much.
+/// A difference between the positions in a quantity that half a turn preserves, if it is too large.
 template <typename Finding>
 void judgeClosure(std::vector<FitFinding>& findings, const SessionFit& fit, Unknown::Kind quantity) {
   const ArcFit *upper = fit.arcAt(0), *lower = fit.arcAt(180);
@@ -43,8 +43,8 @@ void judgeClosure(std::vector<FitFinding>& findings, const SessionFit& fit, Unkn
   findings.push_back({Severity::Warning, {}, Finding{difference, bound}});
 }
 
-/// The readings tell the radius, too. What they say apart from R0 differs from the fitted radius as R0 does,
-/// in proportion to the weights: R0 − R has the variance σ0² − σ_R² where both agree with their σ.
+/// The readings also determine the radius. Their value without R0 differs from the fitted radius as R0 does,
+/// in proportion to the weights: R0 − R has the variance σ0² − σ_R² if both agree with their σ.
 void judgeKnownRadius(std::vector<FitFinding>& findings, const Measurement& measurement,
                       const SessionFit& fit) {
   if (measurement.radiusModel != RadiusModel::Known || fit.arcs.empty()) return;
@@ -79,7 +79,7 @@ void judgeReference(std::vector<FitFinding>& findings, const Measurement& measur
        OffReference{*measurement.referenceIntersection, difference, fit.intersection->expanded}});
 }
 
-/// What keeps tilts and corrections of the rows from telling as much as they could.
+/// Reports why tilts and corrections of the rows cannot be fully used.
 void judgeCompensator(std::vector<FitFinding>& findings, const Measurement& measurement) {
   const CompensatorNotes notes = compensatorKnowledge(measurement).notes;
   const auto add = [&](const char* field, FitFinding::What what) {

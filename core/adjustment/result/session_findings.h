@@ -6,14 +6,14 @@
 
 namespace alidade {
 
-/// A finding for each of the two positions that the intersection needs and the measurement does not hold.
+/// A finding for each of the two positions that the intersection needs and the measurement lacks.
 std::vector<FitFinding> missingPositions(const Measurement& measurement);
 
-/// What about the session's model needs care: an effect that is none, the published vertical angle.
+/// Problems of the session's model: an unknown effect, the published vertical angle.
 std::vector<FitFinding> modelFindings(const Measurement& measurement);
 
-/// What the session as a whole says about itself, beyond its single arcs: a missing position, radii of one
-/// rigid guideway that differ, a result away from the reference, a model that needs care.
+/// Findings on the session as a whole: a missing position, radii of one rigid guideway that differ, a result
+/// away from the reference, a problem of the model.
 std::vector<FitFinding> sessionFindings(const Measurement& measurement, const SessionFit& fit);
 
 }  // namespace alidade

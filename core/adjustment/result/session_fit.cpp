@@ -20,7 +20,7 @@ FitFinding missing(const ArcMeasurement& arc, const ArcFault& why) {
           session_finding::ArcMissing{arc.axisDeg, why, arc.time}};
 }
 
-/// The effects that the catalogue knows, each once.
+/// The effects that are in the catalogue, each once.
 std::vector<const Effect*> knownEffects(const std::vector<std::string>& ids) {
   std::vector<const Effect*> effects;
   for (const std::string& id : ids) {
@@ -38,7 +38,7 @@ std::vector<EstimatedTerm> termsOf(const std::vector<const Effect*>& effects) {
   return terms;
 }
 
-/// Circle, residuals and misfit of every arc as the joint adjustment leaves them; `scale`: s0.
+/// Takes circle, residuals and misfit of every arc from the joint adjustment; `scale`: s0.
 void takeOver(std::vector<ArcFit>& arcs, const JointFit& joint, double scale) {
   std::vector<double> squares(arcs.size());
   for (const AdjustedReading& reading : joint.readings) {
@@ -84,7 +84,7 @@ std::vector<EffectEstimate> estimatesOf(const JointFit& joint, const std::vector
   return estimates;
 }
 
-/// Of each arc alone, at once where they are long.
+/// Fits each arc alone, in parallel if they are long.
 std::vector<Result<ArcFit, ArcFault>> firstFits(const Measurement& measurement) {
   std::vector<Result<ArcFit, ArcFault>> fits(measurement.arcs.size(), ArcFault{});
   doEach(threadsFor(measurement.rows), fits.size(),
@@ -92,7 +92,7 @@ std::vector<Result<ArcFit, ArcFault>> firstFits(const Measurement& measurement) 
   return fits;
 }
 
-/// False where the arcs, each determined alone, are not so together.
+/// False if the arcs, each determined alone, are not determined together.
 bool adjust(SessionFit& fit, const Measurement& fitted) {
   std::vector<Circle> starts;
   for (const ArcFit& arc : fit.arcs) starts.push_back(arc.circle);
@@ -145,7 +145,7 @@ SessionFit fitSession(const Measurement& measurement) {
       fit.arcs.push_back(*std::move(firsts[i]));
     else
       fit.findings.push_back(missing(measurement.arcs[i], firsts[i].problem()));
-  std::optional<Measurement> part;  // a copy of all rows only where arcs are left out
+  std::optional<Measurement> part;  // copies the rows only if arcs are left out
   const auto fitted = [&]() -> const Measurement& {
     if (!part && fit.arcs.size() < measurement.arcs.size()) part = fittedPart(measurement, fit);
     return part ? *part : measurement;
@@ -177,7 +177,7 @@ std::vector<EstimatedTerm> estimatedTerms(const Measurement& measurement) {
 
 namespace {
 
-/// Of the arcs at one axis, each fitted by itself.
+/// The centre of the arcs at one axis, each fitted alone.
 struct PublishedCentre {
   PlanePoint<double> centre;
   AsPrinted asPrinted;

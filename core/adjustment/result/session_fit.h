@@ -13,42 +13,42 @@
 
 namespace alidade {
 
-/// A number of an effect that was estimated along, in the unit of the catalogue.
+/// An estimated parameter of an effect, in the unit of the catalogue.
 struct EffectEstimate {
   std::string effect, name, unit;
   double value = 0, sigma = 0;
 };
 
-/// The arcs fitted rigorously, their intersection, and what the data say about themselves. A plain value:
-/// computed from a measurement, shown by console, window and report alike.
+/// The arcs fitted rigorously, their intersection, and findings on the data. A plain value: computed from a
+/// measurement, shown by console, window and report.
 struct SessionFit {
-  std::vector<ArcFit> arcs;        ///< those that could be fitted, in the measurement's order
-  JointFit joint;                  ///< of these arcs together; empty where there are none
+  std::vector<ArcFit> arcs;        ///< the arcs that could be fitted, in the measurement's order
+  JointFit joint;                  ///< of these arcs together; empty if there are none
   std::vector<ArcSigma> sigmas;    ///< of each arc, scaled by the residuals of all
-  std::vector<ArcBudget> budgets;  ///< of each arc, behind `sigmas`
+  std::vector<ArcBudget> budgets;  ///< of each arc, from which `sigmas` follow
   NoiseScale noise;                ///< s0, common to all arcs
   std::optional<Intersection> intersection;
   std::vector<EffectEstimate> effects;
-  /// Why no verdict rests on the lengths (`doubtfulLengths`); empty where nothing speaks against them.
+  /// Why the lengths allow no verdict (`doubtfulLengths`); empty if they are not in doubt.
   std::optional<LengthsInDoubt> lengthsInDoubt;
   std::optional<Verdict> verdict;  ///< with an intersection and a tolerance; undecided with lengths in doubt
-  std::vector<FitFinding> findings;  ///< of the arcs and of the whole; an Error says why something is absent
+  std::vector<FitFinding> findings;  ///< of the arcs and of the whole; an Error explains a missing result
 
-  const ArcFit* arcAt(int axisDeg) const;  ///< the first at this axis; null where there is none
-  const ArcFit* arcOfPosition(std::size_t position) const;  ///< null where there is none
+  const ArcFit* arcAt(int axisDeg) const;                   ///< the first at this axis; null if there is none
+  const ArcFit* arcOfPosition(std::size_t position) const;  ///< null if there is none
 };
 
-/// Every arc that its readings fix is found by `fitArc`, then all of them together by `fitJointly`, with the
-/// slider readings and the effects that the session's model names. Called as in samples/programs/fit.cpp.
+/// Fits every arc that its readings determine by `fitArc`, then all of them together by `fitJointly`, with
+/// the slider readings and the effects that the session's model names. Called as in samples/programs/fit.cpp.
 SessionFit fitSession(const Measurement& measurement);
 
-/// The measurement with only those arcs that were fitted: what `SessionFit::joint` counts its arcs in.
+/// The measurement with only the fitted arcs, whose indices `SessionFit::joint` uses.
 Measurement fittedPart(const Measurement& measurement, const SessionFit& fit);
 
 /// The error terms of the effects that the measurement's model names, each with its plausible size as prior.
 std::vector<EstimatedTerm> estimatedTerms(const Measurement& measurement);
 
-/// The published method on each arc, for comparison; of an axis measured again Δd takes the mean centre.
+/// The published method on each arc, for comparison; for a repeated axis Δd uses the mean centre.
 struct PublishedSessionFit {
   std::vector<PublishedFit> arcs;
   std::optional<double> intersection;           ///< Δd, y up, mm

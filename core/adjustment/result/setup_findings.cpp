@@ -26,7 +26,7 @@ void judgeDistance(std::vector<FitFinding>& findings, const Measurement& measure
                       DistanceTooShort{measurement.distance, measurement.nominalRadius}});
 }
 
-/// Most rows lie below the centre at 0°, above it at 180°.
+/// Are most rows below the centre at 0°, or above it at 180°?
 bool isUpsideDown(const ArcFit& arc) {
   const double up = halfTurnSign(arc.axisDeg);
   const auto wrong = std::ranges::count_if(
@@ -48,13 +48,13 @@ void judgeSides(std::vector<FitFinding>& findings, const SessionFit& fit) {
       {Severity::Warning, Place{.position = position, .reading = {}, .field = "axis_deg"}, std::move(wrong)});
 }
 
-/// How far a reading of the vertical circle is from the horizon, 0…90°.
+/// The angle of a vertical reading from the horizon, 0…90°.
 double fromHorizon(Angle vertical, VerticalCircle circle) {
   const double horizon = circle == VerticalCircle::Zenith ? 90 : 0;
   return std::abs(std::remainder(vertical.degrees() - horizon, 180));
 }
 
-/// A zero nearer to the other kind's horizon than to its own.
+/// Reports a zero that is nearer to the horizon of the other kind of circle.
 void judgeVerticalCircle(std::vector<FitFinding>& findings, const Measurement& measurement) {
   constexpr double halfWay = 45;
   for (const ArcMeasurement& arc : measurement.arcs)
@@ -112,7 +112,7 @@ void judgeRounding(std::vector<FitFinding>& findings, const Measurement& measure
   }
 }
 
-/// Beyond what two sightings differ by in one case of a thousand.
+/// Reports differences that two sightings exceed in one case of a thousand.
 void judgeMoves(std::vector<FitFinding>& findings, const Measurement& measurement, const SessionFit& fit) {
   constexpr double farthest = 3.29;
   const double scale = measurement.zerosAreReadings ? std::max(1.0, fit.noise.factor) : 1;

@@ -8,7 +8,7 @@ namespace alidade {
 
 namespace {
 
-/// Least spread (rms) of sin e that tells c and i apart.
+/// Least spread (rms) of sin e that separates c from i.
 constexpr double leastSpread = 1e-3;
 
 std::optional<FaceDifference> differenceOf(const Measurement& measurement, std::size_t arc,
@@ -22,7 +22,7 @@ std::optional<FaceDifference> differenceOf(const Measurement& measurement, std::
     (sighting.face == 1 ? difference.faceOne : difference.faceTwo) = i;
   }
   if (!one || !two) return std::nullopt;
-  // Reduced readings of face 2 are turned over already, so 180° and 360° are gone.
+  // Reduced readings of face 2 are already converted to face 1, which removes 180° and 360°.
   const double down = measurement.verticalCircle == VerticalCircle::Zenith ? 1 : -1;
   difference.elevation = (one->e + two->e) * 0.5;
   difference.doubleCollimation = wrapped(one->a - two->a);

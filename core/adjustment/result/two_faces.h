@@ -10,16 +10,16 @@
 
 namespace alidade {
 
-// The situation: the slider stood still while the theodolite sighted it in both faces. What differs between
-// the two readings is the instrument's own:
+// The situation: the theodolite sighted the slider at rest in both faces. The difference between the two
+// readings is due to the instrument:
 //
-//   2c(e) = α1 − (α2 ± 180°) = 2c/cos e + 2i·tan e    j = (β1 + β2 − 360°)/2, elevation circle (… − 180°)/2
+//   2c(e) = α1 − (α2 ± 180°) = 2c/cos e + 2i·tan e j = (β1 + β2 − 360°)/2, elevation circle (… − 180°)/2
 //
 // with the collimation c and the trunnion axis tilt i of face 1 (δα = +c/cos e + i·tan e, in face 2 the
-// reverse) and the index error j, which the vertical circle's reading is too great by in both faces. So
+// reverse) and the index error j, by which the vertical circle reads too much in both faces. So
 // 2c·cos e/2 = c + i·sin e is a straight line in sin e, fitted by least squares with the weights of the
-// horizontal circle; the index is a mean. Zeros, drift and a leaning vertical axis are alike in both faces
-// and drop out; what c and i leave out is of third order, below 1e-4″ up to 500″. Source: any textbook of
+// horizontal circle; the index is a mean. Zeros, drift and a tilted vertical axis are equal in both faces and
+// cancel; terms that c and i omit are of third order, below 1e-4″ up to 500″. Source: any textbook of
 // surveying on the errors of the theodolite.
 
 /// A visit read in both faces.
@@ -38,10 +38,10 @@ struct InstrumentError {
   Angle value, sigma;
 };
 
-/// How the differences of one circle scatter: s0 = √(χ²/f) with its stated σ.
+/// The scatter of the differences of one circle: s0 = √(χ²/f) with its stated σ.
 struct FaceScatter {
   double chiSquare = 0;
-  int degreesOfFreedom = 0;  ///< 0: nothing to tell the scatter by
+  int degreesOfFreedom = 0;  ///< 0: the scatter cannot be determined
 
   double ratio() const;  ///< s0; 0 without redundancy
 };
@@ -49,14 +49,14 @@ struct FaceScatter {
 struct TwoFaces {
   std::vector<FaceDifference> visits;  ///< in the order of arcs and visits
   InstrumentError collimation;         ///< c
-  /// i; absent, and c a mean, where fewer than three visits or no spread of elevation (sin e within 0.001
-  /// rms) tell it apart from c.
+  /// i; absent, and c a mean, if there are fewer than three visits or too little spread of elevation (sin e
+  /// within 0.001 rms) to separate it from c.
   std::optional<InstrumentError> trunnionTilt;
   InstrumentError index;  ///< j
   FaceScatter horizontal, vertical;
 };
 
-/// Absent where no visit was read in both faces. σ are scaled by the scatter of their own circle on the terms
+/// Absent if no visit was read in both faces. Each σ is scaled by the scatter of its own circle, by the rules
 /// of `noiseScale`.
 std::optional<TwoFaces> compareFaces(const Measurement& measurement);
 

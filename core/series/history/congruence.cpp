@@ -32,7 +32,7 @@ Vector lengthsOf(const Epoch& epoch) {
   return vector;
 }
 
-/// What does not hang on where the theodolite stood.
+/// The numbers that do not depend on where the theodolite was set up.
 Vector deviceOf(const Vector& all) {
   const auto indexOf = [&](const char* id) -> Eigen::Index {
     return std::ranges::find(all.ids, id) - all.ids.begin();
@@ -60,7 +60,7 @@ Vector deviceOf(const Vector& all) {
   return own;
 }
 
-/// Welch and Satterthwaite's, of the traces.
+/// Degrees of freedom of a sum of covariances, by Welch and Satterthwaite from the traces.
 double freedomOf(const Eigen::MatrixXd& one, double oneFreedom, const Eigen::MatrixXd& other,
                  double otherFreedom) {
   const double a = one.trace(), b = other.trace();
@@ -75,7 +75,7 @@ std::optional<CongruenceTest> test(const Vector& one, double oneFreedom, const V
   const Eigen::MatrixXd covariance = one.covariance + other.covariance;
   const Eigen::VectorXd us = covariance.diagonal().cwiseSqrt();
   if (!us.allFinite() || !(us.minCoeff() > 0)) return std::nullopt;
-  // In units of the σ: centres and radii of a short arc hang together to many digits.
+  // In units of σ: the centres and radii of a short arc are highly correlated.
   const Eigen::MatrixXd correlation =
       us.cwiseInverse().asDiagonal() * covariance * us.cwiseInverse().asDiagonal();
   const Eigen::LLT<Eigen::MatrixXd> factor(correlation);
@@ -122,7 +122,7 @@ Congruence congruenceOf(const std::vector<Epoch>& epochs, std::size_t first, std
       a * a / one.intersection.degreesOfFreedom + b * b / other.intersection.degreesOfFreedom;
   const double freedom =
       inverse > 0 ? std::pow(congruence.u, 4) / inverse : std::numeric_limits<double>::infinity();
-  // What cancels had no degrees of freedom of its own; with fewer than one the interval has no end.
+  // The cancelled part is free of sampling error; below one degree of freedom the interval is unbounded.
   const double counted =
       std::max(freedom, std::min(one.intersection.degreesOfFreedom, other.intersection.degreesOfFreedom));
   congruence.expanded = coverageFactor(std::max(one.coverage, other.coverage), counted) * congruence.u;

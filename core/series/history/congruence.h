@@ -12,35 +12,36 @@ namespace alidade {
 // The situation: a device was measured at two epochs. Is it still the same? The numbers of both fits are
 // vectors x₁ and x₂ with their full covariances, and no reading is in both:
 //
-//   d = x₂ − x₁,  C = C₁ + C₂,  T = dᵀ C⁻¹ d,  T/m as F(m, f)
+//   d = x₂ − x₁, C = C₁ + C₂, T = dᵀ C⁻¹ d, T/m as F(m, f)
 //
-// (Pelzer 1971). O1 and O2 are told from where the theodolite stood; they agree only where it stood in the
-// same place. (O1 − O2)/2 and the radii are the device's own.
+// (Pelzer 1971). O1 and O2 refer to the theodolite; they can be compared only between set-ups in the same
+// place. (O1 − O2)/2 and the radii belong to the device.
 
-/// How far numbers of two epochs disagree.
+/// The disagreement between numbers of two epochs.
 struct CongruenceTest {
   std::vector<std::string> ids;     ///< of the numbers
-  std::vector<double> differences;  ///< the later less the earlier, mm
+  std::vector<double> differences;  ///< later minus earlier, mm
   std::vector<double> us;           ///< their standard uncertainties
   double statistic = 0;             ///< T
   double degreesOfFreedom = 0;      ///< f; may be infinite
-  double chance = 1;                ///< of so much or more where nothing has changed
+  double chance = 1;                ///< probability of such a statistic or a larger one if nothing has
+                                    ///< changed
 };
 
 struct Congruence {
-  std::size_t first = 0, second = 0;  ///< epochs, as they were given
-  /// Of Δd as found: the later less the earlier, mm. What both share cancels (`sharedVariance`).
+  std::size_t first = 0, second = 0;  ///< indices of the epochs as given
+  /// Of Δd, measured: later minus earlier, mm. Effects shared by both cancel (`sharedVariance`).
   double difference = 0, u = 0, expanded = 0;
-  double chance = 1;                          ///< of so much or more where Δd has not changed
+  double chance = 1;                          ///< probability of such a difference or a larger one if Δd has
+                                              ///< not changed
   bool hasChanged = false;                    ///< |difference| > U
   std::optional<CongruenceTest> device = {};  ///< (O1 − O2)/2 along x and y, and the radii
   std::optional<CongruenceTest> setUp = {};   ///< O1, O2 and the radii
 };
 
-/// The part of the variance of each Δd that both sessions have alike, so that it cancels in the difference:
-/// the effects of the guideway in sessions of one device, those of the instrument in sessions of one
-/// instrument. Devices and instruments are the same where both have the same serial number; where one has
-/// none nothing is taken for shared, which makes U larger than it is.
+/// The variance common to both values of Δd, which cancels in the difference: guideway effects in sessions of
+/// one device, instrument effects in sessions of one instrument. Devices and instruments are the same if
+/// their serial numbers are equal; without one nothing is shared, which overestimates U.
 double sharedVariance(const Epoch& one, const Epoch& other);
 
 bool haveOneInstrument(const Epoch& one, const Epoch& other);

@@ -11,7 +11,7 @@ namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
-/// log Σ exp.
+/// Accumulates log Σ exp.
 class LogSum {
  public:
   void add(double log) {
@@ -29,7 +29,7 @@ class LogSum {
   double m_largest = -infinite, m_sum = 0;
 };
 
-/// Of a size in units of ū, at noise s.
+/// Log density of a size in units of ū, at noise s.
 double logCauchy(double size, double s) {
   constexpr double scale = 3;
   const double width = scale * s;
@@ -40,7 +40,7 @@ struct Noise {
   double s = 1, logPrior = 0;
 };
 
-/// s on a grid fine enough for some thousand values, up to where no values ask for it.
+/// A grid of s, fine enough for some thousand values, up to where their evidence is negligible.
 std::vector<Noise> noiseGrid(double birge, std::size_t count, double least) {
   constexpr double asStated = 0.7;
   const double step = std::min(0.1, 1 / std::sqrt(static_cast<double>(count)));
@@ -119,7 +119,7 @@ class Evidence {
     return overNoise(m_chiSquare, [](double) { return 0.0; });
   }
 
-  /// Of one change of that size and σ at s = 1, which leaves χ².
+  /// Evidence of one change of that size and σ at s = 1, which leaves χ².
   double ofChange(double chiSquare, double size, double sigma) const {
     const double room = std::log(std::sqrt(2 * std::numbers::pi) * sigma);
     return overNoise(chiSquare, [&](double s) { return room + std::log(s) + logCauchy(size, s); });
@@ -158,7 +158,7 @@ class Evidence {
     return sum.log() - std::log(static_cast<double>(m_values.size()));
   }
 
-  /// χ² with one step elsewhere, the others held, for each first date after it.
+  /// χ² with one step at each possible first date after it and the others fixed.
   std::vector<double> movedChiSquares(const Stepping& stepping, std::size_t step) const {
     const std::size_t begin = step == 0 ? 0 : stepping.firsts[step - 1];
     const std::size_t end = step + 1 < stepping.firsts.size() ? stepping.firsts[step + 1] : m_dates.count();
@@ -199,13 +199,13 @@ class Evidence {
            logWays(sizes.size());
   }
 
-  /// In how many ways so many steps may lie.
+  /// Log of the number of ways to place so many steps.
   double logWays(std::size_t steps) const {
     const double places = static_cast<double>(m_dates.count() - 1), k = static_cast<double>(steps);
     return std::lgamma(places + 1) - std::lgamma(k + 1) - std::lgamma(places - k + 1);
   }
 
-  /// More steps are looked for until three numbers in a row have been less probable than the best.
+  /// Adds steps until three numbers in a row are less probable than the best.
   double ofSteps(CourseEvidence& evidence) const {
     constexpr std::size_t mostSteps = 30, patience = 3;
     StepSearch search(m_dates);
@@ -243,8 +243,8 @@ class Evidence {
     return moved;
   }
 
-  /// Of what the dates say one after the other (Kalman), the first level unknown; less what a constant
-  /// level at s = 1 has where nothing is left over, as the other accounts are told.
+  /// Log evidence of the dates in sequence (Kalman), the first level unknown; minus that of a constant level
+  /// at s = 1 with zero residuals, as for the other accounts.
   double ofWander() const {
     constexpr double finest = 0.3, ratio = 1.5;
     const double coarsest = std::max(30.0, 3 * std::sqrt(m_chiSquare / m_all.w));

@@ -11,22 +11,23 @@ namespace alidade {
 
 // How probable each account of the values is (`Course`). With ū the median of the stated u:
 //
-// - Every account has the noise s u, with one s for all values: s = 1 with 0.7 beforehand, else above it,
-//   with the density 1/s². So values that scatter more than stated are no row of steps. Where a part of u may
-//   not be there, the 0.7 are spread evenly over log s from the least that must be there to 1.
-// - What a change is in size (a step, what a trend makes over all dates, an odd value, how far values wander
+// - Every account has the noise s u, with one s for all values: s = 1 with prior probability 0.7, else above
+//   it, with the density 1/s². So values that scatter more than stated do not pass for a series of steps. If
+//   a part of u may be absent, the 0.7 are uniform in log s from its smallest value to 1.
+// - The size of a change (a step, a trend's change over all dates, an odd value's deviation, the wandering
 //   over all dates) has a Cauchy distribution of scale 3 s ū.
-// - Beforehand constant is 1/2, steps 1/4 (one 3/4 of it, two 3/16, …), a trend 1/8, an odd value and
-//   wandering 1/16 each. Every date may be that of a step, every value the odd one.
+// - The prior probability of constant is 1/2, of steps 1/4 (one 3/4 of it, two 3/16, …), of a trend 1/8, of
+//   an odd value and of wandering 1/16 each. Every date may be that of a step, every value the odd one.
 //
-// Levels and lines are integrated over in closed form (flat, the level; at the best value, the density of a
-// size), s and the rate of wandering numerically. The best dates of each number of steps are exact; over the
-// places of each step, the others held, it is summed.
+// Levels and lines are integrated in closed form (flat prior for the level; the size's density at its best
+// value), s and the rate of wandering numerically. The best dates of each number of steps are exact; the sum
+// runs over the dates of each step with the others fixed.
 
-/// One way to step, as the values prefer it.
+/// The most probable dates of a given number of steps.
 struct SteppingEvidence {
   Stepping stepping;
-  /// For each step: how probable each first date after it is, from 1 to the last, the other steps held.
+  /// For each step the probability of each first date after it, from 1 to the last, with the other steps
+  /// fixed.
   std::vector<std::vector<double>> places;
 };
 
@@ -38,14 +39,14 @@ struct CourseEvidence {
   double of(Course course) const;
 };
 
-/// A value for the evidence: its number among the dates, centred, in units of ū.
+/// A value for the evidence: its date index, and its size centred, in units of ū.
 struct ScaledValue {
   std::size_t date = 0;
   double years = 0;  ///< from the first date
   double x = 0, u = 1;
 };
 
-/// By date; at least three dates. `leastScatter`: in (0, 1], that s cannot be below.
+/// Values by date, with at least three dates. `leastScatter`: lower limit of s, in (0, 1].
 CourseEvidence courseEvidence(const std::vector<ScaledValue>& values, double leastScatter = 1);
 
 }  // namespace alidade

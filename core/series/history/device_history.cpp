@@ -25,7 +25,7 @@ QuantityHistory ofFit(const std::vector<Epoch>& epochs) {
   return {"intersection_of_fit", "mm", historyOf(std::move(values))};
 }
 
-/// Quantities that not every session has, in the order in which they come.
+/// Collects quantities that only some sessions have, in the order of their first occurrence.
 class Found {
  public:
   void add(const std::string& id, const std::string& unit, const DatedValue& value) {
@@ -74,7 +74,7 @@ DeviceHistory historyOfDevice(std::vector<Epoch> epochs) {
 
 History intersectionHistory(const std::vector<Epoch>& epochs) {
   const bool oneDevice = allShare(epochs, haveOneDevice), oneInstrument = allShare(epochs, haveOneInstrument);
-  // Of each effect that lasts its share in the sessions; in one that lists none it is 0.
+  // The share of each lasting effect in the sessions; 0 in a session that does not list it.
   std::map<std::string, std::vector<double>> shares;
   for (std::size_t i = 0; i < epochs.size(); ++i)
     for (const LastingShare& share : epochs[i].lasting)

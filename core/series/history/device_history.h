@@ -13,8 +13,8 @@ namespace alidade {
 
 /// One quantity of a device over time.
 struct QuantityHistory {
-  /// "intersection" as found, "intersection_of_fit", a length of `Epoch::lengths`, or of a cause
-  /// "effect: parameter" where it was found.
+  /// "intersection" (measured), "intersection_of_fit", a length of `Epoch::lengths`, or "effect: parameter"
+  /// of a cause that was found.
   std::string id;
   std::string unit;
   History history;
@@ -22,15 +22,15 @@ struct QuantityHistory {
 
 struct DeviceHistory {
   std::string name = {}, serial = {};
-  std::vector<Epoch> epochs = {};                ///< by date, as the values of the first quantity
-  std::vector<QuantityHistory> quantities = {};  ///< the intersection first
+  std::vector<Epoch> epochs = {};                ///< by date, like the values of the first quantity
+  std::vector<QuantityHistory> quantities = {};  ///< the intersection is the first
   std::vector<Congruence> congruences = {};      ///< of `pairsOf`
-  bool hasOneInstrument = false;                 ///< by its serial number, all sessions
+  bool hasOneInstrument = false;                 ///< all sessions have the same serial number
 };
 
-/// Epochs by device (its serial number, else its name), each in the order of their dates; of one date in the
-/// order given. Those without a date are left out: they go to `undated`, by their index. So are those that
-/// hold the same readings as one before them: they go to `copies`, each with that.
+/// Epochs by device (its serial number, else its name), by date and, within a date, in the order given.
+/// Epochs without a date are left out: `undated` holds their indices. So are those with the same readings as
+/// an earlier one: `copies` holds each with that one.
 struct DeviceHistories {
   std::vector<DeviceHistory> devices;
   std::vector<std::size_t> undated = {};
@@ -38,12 +38,13 @@ struct DeviceHistories {
 };
 DeviceHistories deviceHistories(const std::vector<Epoch>& epochs);
 
-/// Which epochs are compared: each with the next, and the first with the last; of some twenty, every two.
+/// The pairs of epochs to compare: each with the next, and the first with the last; up to some twenty, all
+/// pairs.
 std::vector<std::pair<std::size_t, std::size_t>> pairsOf(std::size_t epochs);
 
-/// Δd as found of these epochs, which are of one device. What all of them share (`sharedVariance`) is in each
-/// `u`, but not in `apart`; what may come and go, drifts and the like, is in `apart` as large as is
-/// plausible, and `least` is that of the fit alone.
+/// Δd, measured, of these epochs, which belong to one device. Effects shared by all (`sharedVariance`) are in
+/// each `u`, but not in `apart`. `apart` includes effects that may vary, such as drifts, at their plausible
+/// size; `least` is the uncertainty of the fit only.
 History intersectionHistory(const std::vector<Epoch>& epochs);
 
 }  // namespace alidade

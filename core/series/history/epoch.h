@@ -13,7 +13,7 @@
 
 namespace alidade {
 
-/// A part of the uncertainty of Δd that comes again with the same instrument, or the same device.
+/// A part of the uncertainty of Δd that recurs with the same instrument or the same device.
 struct LastingShare {
   std::string effect;
   ErrorSource source = ErrorSource::Instrument;  ///< or Guideway
@@ -32,31 +32,31 @@ struct EpochLength {
   double value = 0;
 };
 
-/// What one session has to say about its device, at its date.
+/// The results of one session about its device, at its date.
 struct Epoch {
   std::string file = {}, title = {};
   std::string readings = {};  ///< `readingsDigest`
-  std::string date = {};      ///< as the session has it; empty: none
+  std::string date = {};      ///< as in the session; empty: none
   double day = 0;             ///< from 2000-01-01; with a date
   std::string device = {}, deviceSerial = {}, instrument = {}, instrumentSerial = {};
   double coverage = 0.95;
-  /// As found: with what the diagnosis found, and everything plausible.
+  /// Δd, measured: with the effects that the diagnosis found and all plausible ones.
   IntersectionEstimate intersection = {};
   std::vector<LastingShare> lasting = {};  ///< of its uncertainty
-  Intersection ofFit = {};                 ///< by the readings, zeros and distance alone
-  std::vector<EpochLength> lengths = {};   ///< of the fit; one that both positions share stands once
+  Intersection ofFit = {};                 ///< from readings, zeros and distance only
+  std::vector<EpochLength> lengths = {};   ///< of the fit; a length shared by both positions occurs once
   SquareMatrix covariance = {};            ///< of these, mm², scaled by the residuals
-  double degreesOfFreedom = 0;             ///< behind that scale; may be infinite
+  double degreesOfFreedom = 0;             ///< of that scale; may be infinite
   std::vector<EpochCause> causes = {};
   std::optional<Verdict> verdict = {};
 };
 
-/// Fits and diagnoses the session of `file`. Fails where it has no Δd to tell, with the reason.
+/// Fits and diagnoses the session of `file`. Fails with the reason if the session yields no Δd.
 Result<Epoch> epochOf(const std::string& file, const Session& session);
-/// The same where that was done. `fit` has an intersection, `diagnosis` one as measured.
+/// The epoch of a finished fit and diagnosis. `fit` has an intersection, `diagnosis` a Δd, measured.
 Epoch epochOf(const std::string& file, const Session& session, const Measurement& measurement,
               const SessionFit& fit, const Diagnosis& diagnosis);
-/// The same of a file.
+/// The epoch of a session file.
 Result<Epoch> loadEpoch(const std::string& file);
 
 }  // namespace alidade

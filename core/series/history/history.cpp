@@ -23,7 +23,7 @@ double sumOfWeights(const std::vector<DatedValue>& values) {
 }
 
 double weightedMean(const std::vector<DatedValue>& values) {
-  const double first = values.front().value;  // taken off: else rounding eats what small u tell
+  const double first = values.front().value;  // subtracted: otherwise rounding hides small u
   double sum = 0;
   for (const DatedValue& value : values) sum += weightOf(value) * (value.value - first);
   return first + sum / sumOfWeights(values);
@@ -41,7 +41,7 @@ double medianOf(std::vector<double> numbers) {
   return *middle;
 }
 
-/// Of each value the number of its date.
+/// The date number of each value.
 std::vector<std::size_t> dateNumbers(const std::vector<DatedValue>& values) {
   std::vector<std::size_t> numbers(values.size(), 0);
   for (std::size_t i = 1; i < values.size(); ++i)
@@ -62,7 +62,7 @@ std::vector<ScaledValue> scaled(const History& history, const std::vector<std::s
   return values;
 }
 
-/// The median share of u that certainly is there.
+/// The median share of u that is certainly present.
 double leastScatterOf(const std::vector<DatedValue>& values) {
   std::vector<double> shares;
   shares.reserve(values.size());
@@ -71,7 +71,7 @@ double leastScatterOf(const std::vector<DatedValue>& values) {
   return medianOf(std::move(shares));
 }
 
-/// The larger of the scatter that is seen and that which must be.
+/// The larger of the observed scatter and the least possible one.
 double seenScatter(const History& history, double chiSquare, double freedom) {
   return freedom > 0 ? std::max(history.leastScatter, std::sqrt(chiSquare / freedom)) : 1;
 }
@@ -102,7 +102,7 @@ std::optional<HistoryTrend> trendOf(const History& history) {
   return trend;
 }
 
-/// The first and last place within 95 %.
+/// The first and last index within 95 %.
 std::pair<std::size_t, std::size_t> likelyPlaces(const std::vector<double>& probabilities, std::size_t best) {
   constexpr double within = 0.95;
   std::size_t first = best, last = best;
@@ -126,7 +126,7 @@ struct Level {
 };
 
 void tellSteps(History& history, const SteppingEvidence& found, const std::vector<std::size_t>& dates) {
-  std::vector<std::size_t> firstOfDate;  // and the end
+  std::vector<std::size_t> firstOfDate;  // with the end appended
   for (std::size_t i = 0; i < dates.size(); ++i)
     if (firstOfDate.size() == dates[i]) firstOfDate.push_back(i);
   std::vector<std::size_t> bounds{0};

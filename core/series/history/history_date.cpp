@@ -15,7 +15,7 @@ namespace alidade {
 
 namespace {
 
-constexpr int earliestYear = 1500, latestYear = 2200;  // theodolites, and room
+constexpr int earliestYear = 1500, latestYear = 2200;  // since the first theodolites, with a margin
 
 double dayOf(const std::chrono::year_month_day& date) {
   using std::chrono::sys_days;
@@ -32,7 +32,7 @@ std::optional<double> dayOf(int year, int month, int day) {
   return dayOf(date);
 }
 
-/// Groups of digits parted by one and the same sign.
+/// Groups of digits separated by one sign, the same throughout.
 struct Parts {
   std::vector<int> numbers;
   std::vector<std::size_t> lengths;

@@ -7,25 +7,25 @@
 
 namespace alidade {
 
-/// A day as somebody wrote it, and where it lies in time.
+/// A day as written, and its place in time.
 struct HistoryDate {
-  std::string text;  ///< as written, blanks around taken off
-  double day = 0;    ///< days from 2000-01-01 0 h; of a whole month or year its middle
+  std::string text;  ///< as written, without surrounding blanks
+  double day = 0;    ///< days from 2000-01-01 0 h; the middle of a whole month or year
   enum class Form { Day, Month, Year, DecimalYear } form = Form::Day;
 };
 
-/// Days of a year: by which trends are told.
+/// Days of a year, for trends.
 inline constexpr double daysPerYear = 365.25;
 
-/// Reads `2019-03-07`, `2019/3/7`, `2019.03.07`, `20190307`, `7.3.2019`, each perhaps with a time of day
-/// behind it (which is left out), `2019-03`, `2019` and the decimal year `2019.18` or `2019,18`. Not
-/// `3/7/2019`, which means two days.
+/// Reads `2019-03-07`, `2019/3/7`, `2019.03.07`, `20190307`, `7.3.2019`, each perhaps followed by a time of
+/// day (which is ignored), `2019-03`, `2019` and the decimal year `2019.18` or `2019,18`. Refuses the
+/// ambiguous `3/7/2019`.
 Result<HistoryDate> parseHistoryDate(std::string_view text);
 
-/// The same year read as a decimal one: 2019 is the beginning of it, as 2019.0 is.
+/// The year read as a decimal one: 2019 is its beginning, like 2019.0.
 HistoryDate asDecimalYear(const HistoryDate& year);
 
-/// The year and its part, to three places; to tell dates apart on an axis.
+/// The decimal year to three places; labels dates on an axis.
 double decimalYearOf(double day);
 
 }  // namespace alidade

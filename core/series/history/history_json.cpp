@@ -51,7 +51,7 @@ Json valueJson(const DatedValue& value) {
   return json;
 }
 
-/// The keys of the contract, and what stands behind them.
+/// The keys of the document and their values.
 Json seriesJson(const History& history, const std::string& unit) {
   Json values = Json::array(), steps = Json::array(), courses = Json::array();
   for (const DatedValue& value : history.values) values.push_back(valueJson(value));

@@ -8,12 +8,12 @@
 
 namespace alidade {
 
-/// The JSON document of `alidade-cli history --json`, ending in a newline: null for what is no number.
-/// `name` tells what it is of.
+/// The JSON document of `alidade-cli history --json`, ending in a newline; missing numbers are null. `name`
+/// says what it describes.
 std::string historyJson(const std::string& name, const ValueTable& table, const History& history);
 
-/// Of one device its intersection with all its quantities and congruences; of several a list of these under
-/// `devices`. `remarks`: sentences about sessions that take no part.
+/// For one device its intersection with all its quantities and congruences; for several a list of these under
+/// `devices`. `remarks`: sentences about sessions that are left out.
 std::string historyJson(const std::string& name, const DeviceHistories& histories,
                         const std::vector<std::string>& remarks);
 

@@ -99,7 +99,7 @@ std::vector<std::string> courseSentences(const History& history, const HistoryNu
   return sentences;
 }
 
-/// What else the values may say, and how probably.
+/// The other possible accounts, with their probabilities.
 std::string rivals(const History& history) {
   constexpr double least = 0.01;
   std::vector<std::string> told;
@@ -122,7 +122,7 @@ HistoryNumbers::HistoryNumbers(const History& history, std::string unit) : m_uni
   double largest = 0;
   for (const DatedValue& value : history.values) largest = std::max(largest, std::abs(value.value));
   const double least = leastU(history);
-  // Numbers that a person can read as they are stay so.
+  // Numbers between these limits are readable without a power of ten.
   constexpr double tooSmall = 1e-6, tooLarge = 1e7;
   if (largest >= tooLarge || (least < tooSmall && largest < 1))
     m_power = static_cast<int>(std::floor(std::log10(largest > 0 ? largest : least)));

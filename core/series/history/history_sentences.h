@@ -8,7 +8,7 @@
 
 namespace alidade {
 
-/// Numbers of one quantity, all with the decimals and the power of ten that show the least of its u with two
+/// Numbers of one quantity, all with the same decimals and power of ten, which show its smallest u with two
 /// digits.
 class HistoryNumbers {
  public:
@@ -19,34 +19,34 @@ class HistoryNumbers {
   std::string withUnit(double value) const;                   ///< "1.308 mm", "6.6743 × 10⁻¹¹ m³"
   std::string withUncertainty(double value, double u) const;  ///< "1.308 mm ± 0.021 mm"
   std::string ratePerYear(double value, double u) const;      ///< "0.12 mm/a ± 0.02 mm/a"
-  /// What a number is multiplied with before it is shown: a power of ten.
+  /// The power of ten by which a number is multiplied before it is shown.
   double scale() const;
-  std::string heading() const;  ///< "mm", "10⁻¹¹ m³", or empty: above a column of numbers
+  std::string heading() const;  ///< "mm", "10⁻¹¹ m³", or empty: heads a column of numbers
 
  private:
   int m_power = 0, m_decimals = 3;
-  std::string m_unit;  ///< with the power of ten before it
+  std::string m_unit;  ///< preceded by the power of ten
 
   std::string withUnit(double value, int decimals, const std::string& suffix) const;
 };
 
-/// What the history says, for people: mean, χ², what became of the quantity, what else it may be. Standard
-/// uncertainties.
+/// The history in sentences: mean, χ², what happened to the quantity, and what else is possible.
+/// Uncertainties are standard.
 std::vector<std::string> historySentences(const History& history, const std::string& unit);
 
-/// What all sessions of a device share, and what therefore was left out where they are compared.
+/// The uncertainty shared by all sessions of a device, which comparisons leave out.
 std::string sharedSentence(const DeviceHistory& device);
 
-/// Whether Δd has changed between two epochs, and whether the rest of the device has.
+/// Has Δd changed between two epochs, and has the rest of the device?
 std::vector<std::string> congruenceSentences(const std::vector<Epoch>& epochs, const Congruence& congruence);
 
-/// What people call a quantity by its id: "Δd as found", "O1, x", "trunnion axis tilt: tilt".
+/// The name of a quantity for people, by its id: "Δd, measured", "O1, x", "trunnion axis tilt: tilt".
 std::string quantityName(const std::string& id);
 
-/// What people call a course: "constant", "in steps".
+/// The name of a course for people: "constant", "in steps".
 std::string courseName(Course course);
 
-/// Why a session takes no part: `title` has no date.
+/// Why a session is left out: `title` has no date.
 std::string undatedSentence(const std::string& title);
 
 }  // namespace alidade

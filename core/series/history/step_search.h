@@ -14,7 +14,7 @@ struct WeightedSums {
   WeightedSums& operator+=(const WeightedSums& other);
 };
 
-/// Dates in their order, each with its values. Sums over stretches of them take no time.
+/// Dates in order, each with its values. Sums over stretches of dates take constant time.
 class DateSums {
  public:
   explicit DateSums(const std::vector<WeightedSums>& dates);
@@ -26,25 +26,25 @@ class DateSums {
   std::vector<WeightedSums> m_upTo;
 };
 
-/// The stretches with a level each that leave the least χ², for a given number of steps.
+/// The stretches, each with a level of its own, that minimise χ² for a given number of steps.
 struct Stepping {
-  std::vector<std::size_t> firsts;  ///< of each step the index of the first date after it, rising
+  std::vector<std::size_t> firsts;  ///< index of the first date after each step, ascending
   double chiSquare = 0;
 };
 
-/// Exact, for one step more with each call, by dynamic programming over the dates (Bellman 1961; Auger and
-/// Lawrence 1989): time grows with the square of their number.
+/// Exact search by dynamic programming over the dates (Bellman 1961; Auger and Lawrence 1989), with one step
+/// more per call. Time grows with the square of the number of dates.
 class StepSearch {
  public:
   explicit StepSearch(const DateSums& dates);
 
-  /// With one step more than before; the first call has one. There must be a date for it.
+  /// Adds one step to those of the last call, starting with one. There must be a date for it.
   Stepping next();
 
  private:
   const DateSums& m_dates;
   std::vector<double> m_best;                      ///< least χ² of the dates before `end`
-  std::vector<std::vector<std::size_t>> m_behind;  ///< for each number of steps: where the last one is
+  std::vector<std::vector<std::size_t>> m_behind;  ///< for each number of steps, the place of the last one
 };
 
 }  // namespace alidade

@@ -25,13 +25,13 @@ bool holdsAny(std::string_view text, std::initializer_list<std::string_view> par
   return std::ranges::any_of(parts, [&](std::string_view part) { return holds(text, part); });
 }
 
-/// A value and perhaps the uncertainty that stands with it.
+/// A value, with its uncertainty if that is in the same cell.
 struct ReadValue {
   double value = 0;
   std::optional<double> u = {};
 };
 
-/// `6.6743(15)` or `6.6743(15)e-11`: the digits in parentheses are of the last places.
+/// `6.6743(15)` or `6.6743(15)e-11`: the digits in parentheses refer to the last decimals.
 std::optional<ReadValue> withParentheses(const std::string& text) {
   const std::size_t open = text.find('('), close = text.find(')');
   if (open == std::string::npos || close == std::string::npos || close < open) return std::nullopt;
@@ -66,10 +66,10 @@ bool isBlank(std::string_view text) {
   return isOneOf(lowerCase(trimmed(text)), {"", "-", "–", "—", "n/a", "na", "nan", "none", "null"});
 }
 
-/// Which column holds what.
+/// What each column holds.
 struct Columns {
   std::optional<std::size_t> date, value, u;
-  double factor = 1;  ///< of the standard uncertainty to what the column holds
+  double factor = 1;  ///< from the column's numbers to the standard uncertainty
   std::string unit;
 };
 
@@ -130,7 +130,7 @@ class Reader {
   std::vector<std::string> m_names;
   bool m_isFirst = true, m_hasColumns = false;
 
-  /// Blanks part the columns where nothing else does; commas within numbers do not.
+  /// Blanks separate the columns if nothing else does, even if numbers contain commas.
   static CsvTable tableOf(const std::string& text) {
     CsvTable usual(text);
     std::optional<CsvRow> row = usual.next();
@@ -152,7 +152,7 @@ class Reader {
         row.cells, [](const CsvCell& cell) { return parseHistoryDate(cell.text) || parseValue(cell.text); });
   }
 
-  /// Further rows of names before the first of values: the last of them counts.
+  /// Takes further rows of names before the first values: the last of them counts.
   void readHead(const CsvRow& row) {
     m_columns = {};
     m_names.clear();
@@ -176,7 +176,7 @@ class Reader {
     return m_columns.date == column || m_columns.value == column || m_columns.u == column;
   }
 
-  /// What no name says, by the first row of values.
+  /// Assigns columns that no name identifies, by the first row of values.
   void settleColumns(const CsvRow& row) {
     m_hasColumns = true;
     const auto firstFree = [&](const auto& fits) -> std::optional<std::size_t> {
@@ -248,7 +248,7 @@ class Reader {
                 Phrase::of("the standard uncertainty %1 is not greater than 0: a value without one cannot "
                            "be weighed",
                            displayedU(*sigma)));
-    constexpr double largest = 1e30, smallest = 1e-30;  // squares of weighted values stay numbers
+    constexpr double largest = 1e30, smallest = 1e-30;  // keeps squares of weighted values finite
     const auto outOfRange = [&](const CsvCell* cell, double number) {
       return at(row, cell,
                 Phrase::of("%1 is out of range: values reach up to 1e30, uncertainties from 1e-30 to 1e30",
@@ -263,7 +263,7 @@ class Reader {
 
   static std::string displayedU(double sigma) { return shortestText(sigma); }
 
-  /// 2001,3,25,0,12: nobody can tell where a number ends.
+  /// In 2001,3,25,0,12 the numbers cannot be separated.
   bool hasCommasInNumbers(const CsvRow& row) const {
     constexpr std::size_t pieces = 5;
     return row.cells.size() == pieces && (m_names.empty() || m_names.size() < pieces) &&

@@ -26,16 +26,16 @@ namespace alidade {
 
 namespace {
 
-// Circles may read a full turn, and a little less than nothing.
+// Circles may read up to a full turn, and slightly below zero.
 constexpr AngleRule eitherCircle{.low = -360, .lowOfElevation = -360, .high = 360, .isHighIncluded = true};
 
-/// Without its last ending: what a station is called by the name of its file.
+/// The file's name without its last suffix: the name of its station.
 std::string stemOf(const std::string& name) {
   const std::size_t from = name.find_last_of("/\\") + 1, dot = name.rfind('.');
   return name.substr(from, dot != std::string::npos && dot > from ? dot - from : std::string::npos);
 }
 
-/// As the names of the columns say; `series` beside a round or a set is of the station.
+/// The layout by the names of the columns; next to a round or a set, `series` means the station.
 TableLayout layoutOf(const Recognised& recognised, AngleUnit unit) {
   TableLayout layout;
   layout.unit = unit;
@@ -46,14 +46,14 @@ TableLayout layoutOf(const Recognised& recognised, AngleUnit unit) {
   return layout;
 }
 
-/// How far both faces of a target are from closing, degrees: their vertical readings from a full turn, or,
-/// where there are none, their horizontal ones from half a turn. Infinite: cannot be read in this unit.
+/// By how much the two faces of a target fail to close, degrees: the vertical readings on a full turn or,
+/// without these, the horizontal ones on half a turn. Infinite if they cannot be read in this unit.
 double openingOf(double before, double after, bool isVertical) {
   const Angle sum = Angle::fromDegrees(isVertical ? after + before : after - before - 180);
   return std::abs(wrapped(sum).degrees());
 }
 
-/// In the middle of all targets; infinite where the readings cannot be read in this unit.
+/// The median over all targets; infinite if the readings cannot be read in this unit.
 double closureIn(AngleUnit unit, const Recording& recording) {
   const double unreadable = std::numeric_limits<double>::infinity();
   std::map<std::pair<std::size_t, std::string>, double> last;
@@ -76,7 +76,7 @@ double closureIn(AngleUnit unit, const Recording& recording) {
   return *middle;
 }
 
-/// Whichever lets the faces close by far the best; Unstated where none does.
+/// The unit in which the faces close clearly best; Unstated if there is none.
 AngleUnit unitByFaces(const Recording& plain) {
   constexpr double most = 0.5, byFar = 3;
   std::vector<std::pair<double, AngleUnit>> closures;
@@ -92,7 +92,7 @@ std::string spokenUnit(AngleUnit unit) {
   return unit == AngleUnit::Degrees ? Phrase::of("decimal degrees") : Phrase::of("degrees.minutes seconds");
 }
 
-/// Puts together the sightings of all files.
+/// Combines the sightings of all files.
 class CheckFiles {
  public:
   CheckFiles(const std::vector<CheckFile>& files, const CheckFileOptions& options)
@@ -139,7 +139,7 @@ class CheckFiles {
   Problem problemOf(std::vector<LineProblem> problems) const {
     for (LineProblem& problem : problems) {
       problem.file = fileName();
-      if (m_files[m_file].table) problem.column = 0;  // nobody sees the line that the cells are put into
+      if (m_files[m_file].table) problem.column = 0;  // the cells become a line that the user never sees
     }
     std::ranges::stable_sort(problems, {}, &LineProblem::line);
     return Problem{problems.size() == 1
@@ -157,7 +157,7 @@ class CheckFiles {
     return readTableOf(*text, layoutOf(*recognised, m_options.unit));
   }
 
-  /// Is a circle's reading a plain number that may be of several units?
+  /// Is a circle reading a plain number whose unit is ambiguous?
   static bool asksUnit(const Recording& recording) {
     return std::ranges::any_of(recording.sightings, [](const RecordedSighting& sighting) {
       const auto isPlain = [](const std::string& text) { return parseNumber(text) && !parseAngle(text); };
@@ -183,7 +183,7 @@ class CheckFiles {
     return readTable(text, layout);
   }
 
-  /// Both circles, or one and the same that all files have.
+  /// Takes both circles, or the same single one in all files.
   std::optional<Problem> takeCircles(const std::vector<Recording>& recordings) {
     m_result.circles = circlesOf(recordings.front());
     const auto isOther = [this](const Recording& each) { return circlesOf(each) != m_result.circles; };
@@ -209,7 +209,7 @@ class CheckFiles {
            (circle == &Reading::horizontal) == (m_result.circles == CheckCircles::HorizontalOnly);
   }
 
-  /// One kind of circle for all; where nothing says it, what the readings lie around.
+  /// Takes one kind of vertical circle for all; if nothing states it, the readings decide.
   std::optional<Problem> takeCircle(const std::vector<Recording>& recordings) {
     std::string kind = m_options.verticalCircle;
     for (const Recording& recording : recordings) {
@@ -242,7 +242,8 @@ class CheckFiles {
     return 2 * elevations > all;
   }
 
-  /// By the names that the files give, with that of the file where it gives none or another gives the same.
+  /// Names the stations as in the files; adds the file's name if a station has none or shares it with
+  /// another.
   void nameStations(const std::vector<Recording>& recordings) {
     std::map<std::string, std::size_t> uses;
     for (const Recording& recording : recordings)
@@ -284,7 +285,7 @@ class CheckFiles {
     return std::nullopt;
   }
 
-  /// Why the line cannot be used.
+  /// Takes a sighting; the result says why its line cannot be used.
   std::optional<LineProblem> takeSighting(const RecordedSighting& sighting, bool countsFromZero) {
     const Reading& row = sighting.row;
     const auto refuse = [&](const RowField& field, const std::string& why) {
@@ -327,7 +328,7 @@ class CheckFiles {
     return face == 1 || face == 2 ? std::optional(face) : std::nullopt;
   }
 
-  /// What the file calls the face is compared only: the circle knows.
+  /// Compares the face stated in the file with that of the circle, which decides.
   void noteFace(const std::string& stated, bool countsFromZero, int face) {
     if (stated.empty()) return;
     if (statedFace(stated, countsFromZero) != face) ++m_otherFaces;
@@ -351,7 +352,7 @@ class CheckFiles {
   const CheckFileOptions& m_options;
   std::size_t m_file = 0;
   std::size_t m_otherFaces = 0;
-  std::vector<std::size_t> m_firstStation;  ///< of each file
+  std::vector<std::size_t> m_firstStation;  ///< for each file
   std::map<std::string, std::size_t> m_targets;
   CheckReadings m_result;
 };

@@ -14,7 +14,7 @@ namespace alidade {
 
 namespace {
 
-constexpr double halfMillimetre = plausibleOffset;  // as the sentences call it
+constexpr double halfMillimetre = plausibleOffset;  // its name in the sentences
 
 std::string arcsec(double value) {
   return displayText(value, std::abs(value) < 100 ? 1 : 0) + "″";
@@ -25,7 +25,7 @@ std::string probability(double p) {
   return p < least ? "p < 0.001" : "p = " + displayText(p, 3);
 }
 
-/// What e of the line of sight shows as at a distance, arcsec.
+/// The angle that an offset e of the line of sight causes at a distance, arcsec.
 double shownAt(double metres, double millimetres) {
   return Angle::fromRadians(millimetres * 1e-3 / metres).arcseconds();
 }
@@ -35,7 +35,7 @@ std::string metresText(double metres) {
   return displayText(metres, metres < near ? 1 : 0) + " m";
 }
 
-/// Sentences on one station, with its name where there are several.
+/// Sentences on one station, with its name if there are several.
 class StationFindings {
  public:
   StationFindings(const StationCheck& station, bool isNamed, std::vector<Finding>& findings)
@@ -147,7 +147,7 @@ class StationFindings {
           Phrase::of("Check whether one round was entered several times."));
   }
 
-  /// Question c) of the standard.
+  /// Reports on question c) of the standard.
   void tellIndex() {
     const PairMean& index = m_station.index;
     if (!(index.u > 0)) return;
@@ -159,7 +159,7 @@ class StationFindings {
   }
 
   void tellTilt() {
-    constexpr double spread = 0.5;  // degrees, from which on it is looked for
+    constexpr double spread = 0.5;  // degrees; the effect is sought from this spread on
     if (m_station.causes.tilt) return tellStatedTilt(*m_station.causes.tilt);
     if (!(m_station.highestDeg - m_station.lowestDeg > spread))
       return add(
@@ -219,7 +219,7 @@ class StationFindings {
   }
 
   void tellSameDistance(const std::string& half) {
-    constexpr double farAway = 200;  // m, where half a millimetre is half a second
+    constexpr double farAway = 200;  // m; half a millimetre is then half an arcsecond
     if (m_station.nearestM < farAway)
       add(Severity::Note,
           Phrase::of("All targets are about as far away. A line of sight that passes the axis at e shows "

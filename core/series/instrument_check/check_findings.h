@@ -8,11 +8,11 @@
 
 namespace alidade {
 
-/// What the check says in sentences: what took no part, what is more than scatter (95 %), what these readings
-/// cannot tell apart, and how s compares with what is stated and from station to station.
+/// The results of the check in sentences: readings left out, values that exceed scatter (95 %), causes these
+/// readings cannot distinguish, and how s compares with the stated σ and between stations.
 std::vector<Finding> checkFindings(const InstrumentCheck& check);
 
-/// `3.2″ ± 0.4″`: a value with its standard uncertainty, to two digits of it; a dash where there is none.
+/// `3.2″ ± 0.4″`: a value with its standard uncertainty, to two digits of the latter; a dash if it has none.
 std::string withU(double value, double u, const std::string& unit);
 
 }  // namespace alidade

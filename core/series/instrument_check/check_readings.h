@@ -9,30 +9,30 @@
 
 namespace alidade {
 
-/// The circles that were read. ISO 17123-3 checks each by itself, too.
+/// The circles that were read. ISO 17123-3 also checks each separately.
 enum class CheckCircles { Both, HorizontalOnly, VerticalOnly };
 
-/// One sighting of a target in one face, as the circles had it.
+/// One sighting of a target in one face, as read from the circles.
 struct FaceReading {
   std::size_t station = 0, target = 0;  ///< indices of `CheckReadings`
-  std::string round = {};               ///< as the file has it; empty: it does not say
+  std::string round = {};               ///< as in the file; empty: not stated
   int face = 1;
-  Angle horizontal = {}, vertical = {};  ///< 0 of a circle that was not read
-  double distanceM = 0;                  ///< along the line of sight; 0: not known
+  Angle horizontal = {}, vertical = {};  ///< 0 for a circle that was not read
+  double distanceM = 0;                  ///< along the line of sight; 0: unknown
   std::size_t file = 0, line = 0;        ///< `file`: index of `CheckReadings::files`; `line` from 1, 0: none
 
   bool operator==(const FaceReading&) const = default;
 };
 
-/// What an instrument is checked with: sightings in the order in which they were taken.
+/// The readings of an instrument check, in the order in which they were taken.
 struct CheckReadings {
   std::vector<std::string> stations, targets;
   std::vector<FaceReading> readings;
-  std::vector<std::string> files = {};  ///< names for sentences; empty where there is one file
+  std::vector<std::string> files = {};  ///< names for sentences; empty for a single file
   VerticalCircle circle = VerticalCircle::Zenith;
   CheckCircles circles = CheckCircles::Both;
   std::string instrumentName, instrumentSerial, measuredOn;  ///< may be empty
-  std::vector<std::string> remarks = {};  ///< sentences: what was taken how, and what was not used
+  std::vector<std::string> remarks = {};  ///< sentences on assumptions and on what was not used
 };
 
 }  // namespace alidade

@@ -10,12 +10,12 @@ namespace alidade {
 
 namespace {
 
-/// To a thousandth of a second or so.
+/// Rounds to about a thousandth of an arcsecond.
 double rounded(double value, double perUnit = 1000) {
   return std::round(value * perUnit) / perUnit;
 }
 
-/// With its u and its correlation with the collimation, as the check's own fit has them.
+/// The offset with its u and its correlation with the collimation, from the fit of the check.
 LineOfSight lineOfSightOf(const InstrumentCheck& check) {
   if (!check.lineOfSight) return {};
   constexpr double perMillimetre = 10000, most = 0.9999;

@@ -7,10 +7,10 @@
 
 namespace alidade {
 
-/// An instrument record of what a check tells for sessions to come: σ of a reading in one face, √2 times the
-/// pooled s, the collimation, index and, where stated, trunnion tilt of all stations with u, in arcseconds,
-/// and the offset of the line of sight with its u, in mm, and its correlation with the collimation. `date`:
-/// year-month-day, of the check.
+/// An instrument record from the check, for later sessions: σ of a reading in one face, √2 times the pooled
+/// s; collimation, index and, where stated, trunnion tilt of all stations with u, in arcseconds; the offset
+/// of the line of sight with its u, in mm, and its correlation with the collimation. `date`: year-month-day,
+/// of the check.
 InstrumentRecord checkedRecord(const InstrumentCheck& check, const std::string& name,
                                const std::string& serial, const std::string& date);
 

@@ -6,8 +6,8 @@
 
 namespace alidade {
 
-/// The check of the readings, station by station. Fails, with the lines, where a figure cannot be right
-/// (`implausibility`): a wrong figure is worse than none.
+/// Checks the readings station by station. If a figure is implausible (`implausibility`), fails and names the
+/// lines: a wrong figure is worse than none.
 Result<InstrumentCheck> checkReadings(const CheckReadings& readings, const CheckOptions& options = {});
 
 }  // namespace alidade

@@ -11,7 +11,7 @@ namespace alidade {
 
 namespace {
 
-/// Least squares of half differences of the faces: c, then the causes asked for.
+/// Least squares of half differences of the faces: c, then the causes sought.
 class FaceFit {
  public:
   FaceFit(const std::vector<HalfDifference>& differences, bool ofTilt, bool ofDistance)
@@ -22,13 +22,13 @@ class FaceFit {
     for (const HalfDifference& difference : differences) add(difference);
   }
 
-  /// False where the unknowns cannot be told apart, or no degree of freedom is left.
+  /// False if the unknowns cannot be separated, or without a degree of freedom.
   bool solve() {
     m_dof = static_cast<double>(m_count - m_right.size());
     if (!(m_dof > 0)) return false;
     const Eigen::VectorXd lengths = m_normal.diagonal().cwiseSqrt();
     const Eigen::MatrixXd cosines = m_normal.cwiseQuotient(lengths * lengths.transpose());
-    constexpr double leastIndependent = 1e-10;  // rounding leaves 1e-16 of columns that are alike
+    constexpr double leastIndependent = 1e-10;  // rounding leaves 1e-16 of equal columns
     if (!(cosines.determinant() > leastIndependent)) return false;
     m_inverse = m_normal.inverse();
     m_solution = m_inverse * m_right;
@@ -87,7 +87,7 @@ bool isStated(const TwoCauses& cause, double plausible) {
   return cause.pValue < levelOfTests || shows(cause, plausible) >= least;
 }
 
-/// Chooses the causes that are stated.
+/// Chooses the causes to state.
 class FaceSeparation {
  public:
   explicit FaceSeparation(const std::vector<HalfDifference>& differences) : m_differences(differences) {}
@@ -141,7 +141,7 @@ class FaceSeparation {
     m_causes.collimation = fit.collimation();
   }
 
-  /// Each alone; of two that would be stated the one whose size is the more usual.
+  /// Fits each cause alone and, if both would be stated, keeps the one of the more usual size.
   void chooseEither() {
     FaceFit tilt(m_differences, true, false), sight(m_differences, false, true);
     const bool hasTilt = tilt.solve() && isStated(tilt.tilt(), plausibleTilt),

@@ -13,7 +13,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Degrees of freedom and numbers of things are whole.
+/// Formats degrees of freedom and counts as whole numbers.
 Json whole(double value) {
   return static_cast<long long>(value);
 }

@@ -8,12 +8,12 @@
 
 namespace alidade {
 
-/// The document of `alidade-cli instrument --json`. Keys carry their units; what has no value is null.
+/// The document of `alidade-cli instrument --json`. Keys carry their units; missing values are null.
 std::string instrumentJson(const InstrumentCheck& check, const std::vector<Finding>& findings,
                            const std::vector<std::string>& remarks);
 
-/// Every pair of readings: station, round, target, residuals of direction and vertical, and the course of
-/// each round.
+/// A row for each pair of readings: station, round, target, residuals of direction and vertical, and the
+/// course of each round.
 std::string instrumentCsv(const InstrumentCheck& check);
 
 }  // namespace alidade

@@ -16,7 +16,7 @@ namespace alidade {
 
 namespace {
 
-/// 12″, 3.4′, 2.1°: the unit that an angle of this size is spoken in.
+/// 12″, 3.4′, 2.1°: an angle in the usual unit for its size.
 std::string spokenAngle(double arcseconds) {
   constexpr double perMinute = 60, perDegree = 3600;
   const double size = std::abs(arcseconds);
@@ -32,10 +32,10 @@ double middleOf(std::vector<double> values) {
   return (*middle + *std::max_element(values.begin(), middle)) / 2;
 }
 
-/// One number of each pair, round by round, arcsec.
+/// One number of each pair, grouped by round, arcsec.
 using PairNumbers = std::vector<std::vector<double>>;
 
-/// Takes the median over the rounds off each target's numbers.
+/// Subtracts from each target's numbers their median over the rounds.
 void takeOffMedians(PairNumbers& numbers) {
   for (std::size_t k = 0; k < numbers.front().size(); ++k) {
     std::vector<double> column;
@@ -45,13 +45,13 @@ void takeOffMedians(PairNumbers& numbers) {
   }
 }
 
-/// A station whose figures are asked whether they can be.
+/// Tests whether the figures of a station are plausible.
 class StationPlausibility {
  public:
   StationPlausibility(const StationRounds& station, const StationCheck& check, const CheckBounds& bounds)
       : m_station(station), m_check(check), m_bounds(bounds) {}
 
-  /// The sentence, without the name of the file.
+  /// The sentence without the name of the file; absent if all figures are plausible.
   std::optional<std::string> problem() const {
     if (auto problem = facesFarApart()) return problem;
     if (m_station.rounds.empty() || m_station.targets.empty()) return std::nullopt;
@@ -79,7 +79,7 @@ class StationPlausibility {
         first->lines, quotation(first->target));
   }
 
-  /// Against the first round.
+  /// A target whose place differs from that in the first round.
   std::optional<std::string> targetElsewhere() const {
     for (std::size_t round = 1; round < m_station.rounds.size(); ++round) {
       const ObservedRound &before = m_station.rounds.front(), &here = m_station.rounds[round];
@@ -108,7 +108,7 @@ class StationPlausibility {
     return numbers;
   }
 
-  /// Directions of each round relative to their median.
+  /// Directions of each round relative to the round's median.
   PairNumbers directions() const {
     PairNumbers numbers = numbersOf([](const FacePair& here, const FacePair& first) {
       return (here.direction - first.direction).arcseconds();
@@ -123,7 +123,7 @@ class StationPlausibility {
     return numbers;
   }
 
-  /// The pair that departs most from the other rounds, by any of its numbers.
+  /// The pair that departs most from the other rounds in any of its numbers.
   std::optional<std::string> departure() const {
     using Words = std::pair<PairNumbers, const char*>;
     std::array<Words, 4> kinds{
@@ -186,7 +186,7 @@ class StationPlausibility {
     return std::nullopt;
   }
 
-  /// Less three standard uncertainties, as targets that differ little leave a cause open.
+  /// The size minus three standard uncertainties, as similar targets determine a cause poorly.
   static double certainSize(const TwoCauses& causes) {
     constexpr double uncertainties = 3;
     return std::max(0.0, std::abs(causes.other) - uncertainties * causes.uOther);

@@ -8,26 +8,27 @@
 
 namespace alidade {
 
-/// What no theodolite exceeds. The coarsest one in use, a builder's with a vernier of 1′, reads with a
-/// standard deviation of 17″ (1′/√12), so that a mean of both faces and half their difference have 12″.
+/// Bounds that no theodolite exceeds. The coarsest in use, a builder's with a vernier of 1′, reads with a
+/// standard deviation of 17″ (1′/√12), so a mean of both faces and half their difference have 12″.
 struct CheckBounds {
-  /// s of a direction and of a zenith angle, arcsec: five times the coarsest.
+  /// s of a direction and of a zenith angle, arcsec: five times that of the coarsest instrument.
   double scatter = 60;
-  /// By which a direction, zenith angle, collimation or index of one target in one round departs from its
-  /// median over the rounds, arcsec: five times the coarsest.
+  /// Departure of a direction, zenith angle, collimation or index of one target in one round from its median
+  /// over the rounds, arcsec: five times that of the coarsest instrument.
   double departure = 60;
   /// Collimation, index and tilt of the trunnion axis, arcsec: half a degree. Makers adjust to 30″, and
   /// instruments that correct them refuse more than about 6′.
   double axisError = 1800;
-  /// Offset of the line of sight from the vertical axis, mm. Mechanics keep it below a few tenths.
+  /// Offset of the line of sight from the vertical axis, mm. Mechanical tolerances are a few tenths at most.
   double lineOfSight = 5;
-  /// Share of the pairs whose faces differ by more than 1°: fewer are misread, more are no pairs.
+  /// Share of the pairs whose faces differ by more than 1°: a smaller share is misread, a larger one means
+  /// mismatched pairs.
   double farApart = 0.25;
 };
 
-/// Why the figures of the check cannot be right, with the lines of the file: targets at different places from
-/// round to round, a horizontal circle that counts in the opposite direction, an orientation or an index that
-/// jumps, figures beyond `bounds`. Absent where every figure can be. `stations` are those checked.
+/// Why the figures of the check are implausible, with the lines of the file: targets at different places from
+/// round to round, a horizontal circle that counts in the opposite direction, a jump of the orientation or
+/// the index, figures beyond `bounds`. Absent if all figures are plausible. `stations` are the checked ones.
 std::optional<Problem> implausibility(const std::vector<StationRounds>& stations,
                                       const InstrumentCheck& check, const CheckBounds& bounds = {});
 

@@ -13,19 +13,19 @@ namespace {
 
 constexpr double notKnown = std::numeric_limits<double>::quiet_NaN();
 
-/// One or two numbers of a station, with their cofactors and the variance that these are multiplied with.
+/// One or two numbers of a station, with their cofactors and the variance that scales these.
 struct StationNumbers {
   Eigen::VectorXd values;
   Eigen::MatrixXd cofactors;
-  double variance, dof;  ///< the variance NaN without degrees of freedom
+  double variance, dof;  ///< the variance is NaN without degrees of freedom
 };
 
-/// Least squares of the numbers of all stations.
+/// Least squares of the numbers over all stations.
 struct NumbersTogether {
   Eigen::VectorXd values;
   Eigen::MatrixXd cofactors;
   double variance = notKnown, dof = 0;  ///< pooled, within stations
-  double widening = 1;                  ///< of u, ≥ 1: √F of the differences between stations
+  double widening = 1;                  ///< factor of u, ≥ 1: √F of the differences between stations
   double differP = notKnown;
 
   double u(Eigen::Index k) const { return widening * std::sqrt(variance * cofactors(k, k)); }

@@ -11,7 +11,7 @@ namespace {
 
 using CommonPairs = std::vector<std::pair<std::size_t, std::size_t>>;
 
-/// Pairs stand in the order of the targets.
+/// Requires both rounds to be in the order of the targets.
 CommonPairs commonPairs(const ObservedRound& first, const ObservedRound& second) {
   CommonPairs common;
   std::size_t i = 0, k = 0;
@@ -24,7 +24,7 @@ CommonPairs commonPairs(const ObservedRound& first, const ObservedRound& second)
   return common;
 }
 
-/// The value farthest from the middle one, and how far: degrees, relative to the first one.
+/// The value farthest from the median, and its deviation: degrees, relative to the first value.
 std::pair<std::size_t, double> farthest(const std::vector<Angle>& values) {
   std::vector<double> degrees;
   degrees.reserve(values.size());

@@ -8,19 +8,19 @@
 
 namespace alidade {
 
-/// A target that two rounds show at different places.
+/// A target at different places in two rounds.
 struct RoundDifference {
-  std::size_t first = 0, second = 0;  ///< indices of its pairs in the one round and in the other
-  Angle by = {};                      ///< its distance from where the first round has it, ≥ 0
-  bool isVertical = false;            ///< by the vertical circle; else by the horizontal one
+  std::size_t first = 0, second = 0;  ///< indices of its pairs in the two rounds
+  Angle by = {};                      ///< distance from its place in the first round, ≥ 0
+  bool isVertical = false;            ///< in the vertical circle, else in the horizontal one
   bool isReversed = false;            ///< the horizontal circles count in opposite directions
 };
 
-/// How many targets both rounds have.
+/// The number of targets in both rounds.
 std::size_t commonTargets(const ObservedRound& first, const ObservedRound& second);
 
-/// The target that differs most, where one differs by more than `most`. The circle may be set to another
-/// reading between the rounds: directions are compared with each other only.
+/// The target that differs most, if it differs by more than `most`. The circle may have been reset between
+/// the rounds: directions are compared relative to each other.
 std::optional<RoundDifference> differenceOf(const ObservedRound& first, const ObservedRound& second,
                                             Angle most);
 

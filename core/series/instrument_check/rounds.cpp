@@ -16,14 +16,14 @@ namespace {
 
 using TargetFace = std::pair<std::size_t, int>;
 
-/// Readings of one station with the round that each is of, counted from 0.
+/// Readings of one station with the round of each, counted from 0.
 struct Numbered {
   std::vector<const FaceReading*> readings;
   std::vector<std::size_t> rounds;
   std::vector<std::string> names;  ///< of the rounds
 };
 
-/// Rounds as the file calls them; one that comes again, with other rounds between, is a further one.
+/// Takes the rounds stated in the file; one that recurs after other rounds is a further one.
 void takeStated(Numbered& numbered) {
   struct Seen {
     std::size_t pass = 0, run = 0;
@@ -47,7 +47,7 @@ void takeStated(Numbered& numbered) {
   }
 }
 
-/// Was every target sighted as often in either face as every other?
+/// Was every target sighted equally often in each face?
 bool isBalanced(const Numbered& numbered) {
   std::map<TargetFace, std::size_t> counts;
   std::set<std::size_t> targets;
@@ -99,8 +99,8 @@ class RoundBounds {
     return 2 * m_both > targets;
   }
 
-  /// The first target once more in the second half: the next sighting is of it in the other face, and only
-  /// that begins the next round.
+  /// Does this second sighting of the first target close the horizon, in the second half of a round? It does
+  /// unless the next sighting, in the other face, begins the next round.
   bool closesHorizon(std::size_t i) const {
     const auto [target, face] = key(i);
     const auto [firstTarget, firstFace] = key(m_start);
@@ -109,7 +109,7 @@ class RoundBounds {
   }
 
   Numbered& m_numbered;
-  std::set<TargetFace> m_seen;  ///< in the round at work
+  std::set<TargetFace> m_seen;  ///< in the current round
   std::size_t m_both = 0;       ///< targets seen in both faces
   std::size_t m_start = 0, m_round = 0;
 };
@@ -127,14 +127,14 @@ void numberRounds(Numbered& numbered) {
       numbered.names.push_back(std::to_string(numbered.names.size() + 1));
 }
 
-/// Both circles as face 1 reads them: the mean of several sightings in one face.
+/// Both circles converted to face 1: the mean of several sightings in one face.
 struct FaceMean {
   int count = 0;
   FaceOneReading first = {};
-  Angle horizontal = {}, vertical = {};  ///< sums of the differences from the first
+  Angle horizontal = {}, vertical = {};  ///< sums of differences from the first sighting
   double distanceM = 0;                  ///< sum
   int distances = 0;
-  std::size_t line = 0;  ///< of the first
+  std::size_t line = 0;  ///< of the first sighting
 
   void add(const FaceReading& reading, VerticalCircle circle) {
     const FaceOneReading read = inFaceOne(reading.horizontal, reading.vertical, reading.face, circle);
@@ -171,11 +171,11 @@ FacePair pairOf(const FaceMean& one, const FaceMean& two, std::size_t target, Ve
 }
 
 bool areFarApart(const FacePair& pair) {
-  constexpr double most = 1;  // degree; axes that are off by as much are no instrument's
+  constexpr double most = 1;  // degree; axis errors of an instrument stay below it
   return std::abs(pair.halfDirection.degrees()) > most || std::abs(pair.halfVertical.degrees()) > most;
 }
 
-/// Keeps of all pairs those of complete rounds.
+/// Keeps the pairs of complete rounds.
 class Completion {
  public:
   explicit Completion(StationRounds& station) : m_station(station) {}
@@ -188,7 +188,7 @@ class Completion {
   }
 
  private:
-  /// Leaves out what lacks the largest part of its pairs. False: nothing lacks any.
+  /// Drops the round or target with the largest share of missing pairs. False if none is missing.
   bool dropWorst() {
     std::vector<std::size_t> perTarget(m_station.targets.size());
     std::size_t fewest = m_targets.size();
@@ -248,10 +248,10 @@ class Completion {
   }
 
   StationRounds& m_station;
-  std::set<std::size_t> m_targets;  ///< that are kept
+  std::set<std::size_t> m_targets;  ///< the targets kept
 };
 
-/// Puts the sightings of one station together, target by target in each round.
+/// Groups the sightings of one station, target by target in each round.
 class StationSorting {
  public:
   StationSorting(const CheckReadings& readings, std::size_t station, Numbered numbered)
@@ -263,7 +263,7 @@ class StationSorting {
       m_result.file = readings.files[file];
   }
 
-  /// Rounds as observed, complete or not.
+  /// The rounds as observed, complete or incomplete.
   StationRounds sort() {
     for (std::size_t i = 0; i < m_numbered.readings.size(); ++i)
       take(*m_numbered.readings[i], m_numbered.rounds[i]);
@@ -305,7 +305,8 @@ class StationSorting {
 
   const CheckReadings& m_readings;
   Numbered m_numbered;
-  std::map<std::size_t, std::size_t> m_targets;  ///< of all stations to those of this one, as they come first
+  std::map<std::size_t, std::size_t> m_targets;  ///< from indices among all stations' targets to this
+                                                 ///< station's, in order of occurrence
   std::map<std::pair<std::size_t, std::size_t>, std::pair<FaceMean, FaceMean>>
       m_means;  ///< by round and target
   StationRounds m_result;

@@ -74,7 +74,7 @@ class StationEvaluation {
   }
 
  private:
-  /// Of a circle that was not read nothing is stated.
+  /// Clears the results of a circle that was not read.
   void forgetDirections() {
     m_check.direction = {};
     m_check.collimation = meanOf({});
@@ -101,7 +101,7 @@ class StationEvaluation {
   std::size_t targets() const { return m_check.targets; }
   std::size_t rounds() const { return m_check.rounds; }
 
-  /// Row by row (a round each), without its mean over the rounds and, where `ofRoundsToo`, that over the
+  /// Subtracts from rows (one per round) their mean over the rounds and, if `ofRoundsToo`, that over the
   /// targets.
   void takeOffMeans(std::vector<double>& rows, bool ofRoundsToo) const {
     for (std::size_t k = 0; k < targets(); ++k) {
@@ -126,8 +126,8 @@ class StationEvaluation {
   }
 
   void evaluateDirections() {
-    // Against the first round and, as the standard has it, the first target: small, wherever the circle
-    // stood.
+    // Relative to the first round and, as in the standard, the first target: small at any setting of the
+    // circle.
     std::vector<double> rows;
     std::vector<double> turns;
     for (std::size_t j = 0; j < rounds(); ++j) {
@@ -148,7 +148,7 @@ class StationEvaluation {
       for (std::size_t k = 0; k < targets(); ++k) sum += rows[j * targets() + k];
       turns[j] += sum / static_cast<double>(targets());
     }
-    constexpr double setAnew = 180;  // arcsec: a tripod that turns so far was knocked, or the circle was set
+    constexpr double setAnew = 180;  // arcsec: a larger turn means a knocked tripod or a reset circle
     const auto [least, most] = std::minmax_element(turns.begin(), turns.end());
     m_check.isCircleSetAnew = *most - *least > setAnew;
     const double mean = meanOf(turns).value;
@@ -189,7 +189,7 @@ class StationEvaluation {
     return values;
   }
 
-  /// F of the targets' means against the scatter within targets.
+  /// F test of the targets' means against the scatter within targets.
   void compareTargets() {
     double between = 0, within = 0;
     for (std::size_t k = 0; k < targets(); ++k) {
@@ -237,10 +237,10 @@ class StationEvaluation {
     m_check.orientationSlope = slopeOf(m_orientations);
   }
 
-  /// The collimation is that of the causes that these targets can show.
+  /// States the collimation together with the causes that these targets can show.
   void separateCauses() {
     measureSpread();
-    // What differs by pointing noise alone is no spread.
+    // Elevations that differ only by pointing noise count as equal.
     constexpr double leastDegrees = 0.5, leastRatio = 1.1;
     const bool hasTilt = m_check.highestDeg - m_check.lowestDeg > leastDegrees;
     const bool hasDistance = m_check.nearestM > 0 && m_check.farthestM > leastRatio * m_check.nearestM;
@@ -256,7 +256,7 @@ class StationEvaluation {
       widenByTargets();
   }
 
-  /// Targets that differ by more than scatter make u, with t − 1 degrees of freedom.
+  /// If targets differ by more than scatter, they determine u, with t − 1 degrees of freedom.
   void widenByTargets() {
     double squares = 0;
     for (const TargetMean& target : m_check.perTarget)
@@ -268,7 +268,7 @@ class StationEvaluation {
     mean.dof = count - 1;
   }
 
-  /// Distances only where those of all targets are known.
+  /// Takes distances only if those of all targets are known.
   void measureSpread() {
     const auto& perTarget = m_check.perTarget;
     const auto [lowest, highest] = std::ranges::minmax_element(perTarget, {}, &TargetMean::elevationDeg);

@@ -14,17 +14,17 @@ namespace alidade {
 // The full procedure of ISO 17123-3 at one station: n rounds to t targets, each in both faces. With x the
 // mean of both faces of round j to target k,
 //
-//   directions       x relative to the first target; d = x̄ₖ − xⱼₖ; r = d − d̄ⱼ; ν = (n − 1)(t − 1)
-//   zenith angles    r = x̄ₖ − xⱼₖ; ν = (n − 1) t
+//   directions x relative to the first target; d = x̄ₖ − xⱼₖ; r = d − d̄ⱼ; ν = (n − 1)(t − 1)
+//   zenith angles r = x̄ₖ − xⱼₖ; ν = (n − 1) t
 //   s = √(Σ r²/ν), of a direction or zenith angle observed once in both faces
 //
 // Half the difference of the faces is h = c/cos e + i tan e on the horizontal circle and j on the vertical
-// one, signs as of face 1 (core/effects). Every pair gives a collimation c = h cos e and an index j; stated
-// are their means, with u = s/√N and N − 1 degrees of freedom, s being their scatter. Where a trunnion tilt
-// or an offset of the line of sight is stated, the collimation is that of the same fit (face_causes.h).
-// Lengths in mm, angles in arcseconds.
+// one, signs as in face 1 (core/effects). Every pair gives a collimation c = h cos e and an index j; their
+// means are stated, with u = s/√N and N − 1 degrees of freedom, where s is their scatter. If a trunnion tilt
+// or an offset of the line of sight is stated, the collimation is from the same fit (face_causes.h). Lengths
+// in mm, angles in arcseconds.
 
-/// A standard deviation by its sum of squares; `s` is NaN without degrees of freedom.
+/// A standard deviation from its sum of squares; `s` is NaN without degrees of freedom.
 struct CheckScatter {
   double sumOfSquares = 0, dof = 0;
 
@@ -32,25 +32,24 @@ struct CheckScatter {
   void add(const CheckScatter& other);
 };
 
-/// RoundTrend of values over the rounds, by least squares, and whether it is one.
+/// Linear trend of values over the rounds, by least squares, and its significance.
 struct RoundTrend {
   double perRound, u;
   double dof;     ///< rounds − 2
-  double pValue;  ///< two-sided, of a slope as large by chance
+  double pValue;  ///< two-sided probability that chance exceeds the slope
 };
 
-/// What one round says.
+/// The results of one round.
 struct RoundCourse {
   std::string name;
   double collimation, index;
-  double
-      orientation;  ///< mean of the directions against that of all rounds; NaN where the circle was set anew
+  double orientation;  ///< mean of the directions relative to all rounds; NaN if the circle was reset
 };
 
-/// What a target says, over all rounds.
+/// The results of a target over all rounds.
 struct TargetMean {
   std::string name;
-  double elevationDeg, distanceM;  ///< the distance 0 where it is not known
+  double elevationDeg, distanceM;  ///< the distance is 0 if unknown
   double collimation, index;
 };
 
@@ -63,20 +62,20 @@ struct StationCheck {
   std::string station;
   CheckCircles circles = CheckCircles::Both;
   std::size_t targets = 0, rounds = 0;
-  CheckScatter direction, vertical;  ///< without degrees of freedom where the circle was not read
-  PairMean collimation = {};         ///< the one that all answers state
+  CheckScatter direction, vertical;  ///< without degrees of freedom if the circle was not read
+  PairMean collimation = {};         ///< the value that all results state
   PairMean index = {};
   FaceCauses causes = {};
-  double nearestM = 0, farthestM = 0;    ///< 0: not known of all targets
+  double nearestM = 0, farthestM = 0;    ///< 0: not known for all targets
   double lowestDeg = 0, highestDeg = 0;  ///< elevations
   bool isCircleSetAnew = false;          ///< between rounds
   std::optional<RoundTrend> collimationSlope, indexSlope, orientationSlope;
-  double targetsDifferP = 1;  ///< chance that c of targets differs as much by scatter alone; NaN: not known
+  double targetsDifferP = 1;  ///< probability that scatter alone causes such differences of c; NaN: unknown
   std::vector<RoundCourse> course;
   std::vector<TargetMean> perTarget;
   std::vector<PairResidual> residuals;
   std::vector<LeftOutReadings> leftOut;
-  std::string parted = {};  ///< sentence: why these rounds are a station of their own; else empty
+  std::string parted = {};  ///< sentence: why these rounds form a separate station; else empty
 
   std::size_t pairs() const { return targets * rounds; }
 };

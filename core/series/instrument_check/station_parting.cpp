@@ -14,9 +14,9 @@ namespace alidade {
 
 namespace {
 
-using RoundGroup = std::vector<std::size_t>;  // indices of rounds, in their order
+using RoundGroup = std::vector<std::size_t>;  // indices of rounds, ascending
 
-/// Groups of rounds that agree on where their targets are.
+/// Groups of rounds that agree on the places of their targets.
 class StationParting {
  public:
   explicit StationParting(StationRounds station) : m_station(std::move(station)) {}
@@ -29,7 +29,7 @@ class StationParting {
   }
 
  private:
-  /// False: there is one group, or no clear ones.
+  /// False if there is one group, or if the groups are unclear.
   bool findGroups() {
     constexpr std::size_t mostGroups = 1000;
     for (std::size_t round = 0; round < m_station.rounds.size(); ++round) {
@@ -45,7 +45,8 @@ class StationParting {
            std::ranges::all_of(m_groups, [](const RoundGroup& group) { return group.size() > 1; });
   }
 
-  /// The last one that it agrees with; of rounds that share no target with any, the last one. Absent: none.
+  /// The last group that the round agrees with; the last of all if it shares no target with any. Absent if
+  /// there is none.
   std::optional<std::size_t> groupOf(std::size_t round) {
     bool isCompared = false;
     for (std::size_t group = m_groups.size(); group-- > 0;)

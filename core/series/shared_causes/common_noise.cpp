@@ -11,14 +11,14 @@ namespace alidade {
 
 namespace {
 
-constexpr double knownTo = 0.1;  // the stated σ holds to a tenth
+constexpr double knownTo = 0.1;  // relative uncertainty of the stated σ
 constexpr double leastNoise = 1.25, mostNoise = 20;
-constexpr double noiseOdds = 0.04;  // larger than stated
+constexpr double noiseOdds = 0.04;  // that the noise is larger than stated
 
-/// What the sessions of an instrument leave, one entry for each.
+/// Remaining residuals of an instrument's sessions, one entry for each.
 struct Left {
   std::vector<std::size_t> sessions;
-  std::vector<bool> isNoisy;  ///< by its own account, which tells it where the session does so by itself
+  std::vector<bool> isNoisy;  ///< its own account already includes larger noise
   std::vector<double> chiSquares, f;
 
   double sumOfF() const { return std::accumulate(f.begin(), f.end(), 0.0); }
@@ -29,8 +29,8 @@ double logOf(double chiSquare, double f, double scale) {
   return -f * std::log(scale) - chiSquare / (2 * scale * scale);
 }
 
-/// Of a session that scatters by itself, whatever the others do: its likeliest scale, and the logarithm of
-/// its odds and evidence (by Laplace's method, every scale as likely by its logarithm).
+/// A session that scatters independently of the others: its likeliest scale, and the logarithm of its odds
+/// and evidence (by Laplace's method, with a uniform prior in log scale).
 struct OwnNoise {
   double scale = 1, log = 0;
 };
@@ -47,7 +47,7 @@ double logSumOfTwo(double a, double b) {
   return std::max(a, b) + std::log1p(std::exp(-std::abs(a - b)));
 }
 
-/// All scales of a range, each weighed by what the sessions say of it.
+/// The likeliest scale of a range, and the log evidence summed over the range.
 struct Range {
   double likeliest = 1, log = -std::numeric_limits<double>::infinity();
 };
@@ -72,7 +72,7 @@ Range weighed(const Left& left, double from, double to, const Prior& prior) {
   return range;
 }
 
-/// As stated to a tenth, or larger, in all sessions but those that scatter by themselves.
+/// Noise as stated within a tenth, or larger, in all sessions except those that scatter independently.
 std::vector<CommonNoise> noiseOf(const std::string& instrument, const Left& left) {
   constexpr double certain = 0.9;
   if (left.sumOfF() < 1) return {{.instrument = instrument, .sessions = left.sessions}};

@@ -6,24 +6,24 @@
 
 namespace alidade {
 
-/// How much more than stated an instrument scatters in all its sessions: a few percent show in hundreds of
-/// readings that one session cannot show, and would pass for effects. A session may scatter by itself, a
-/// stand that was knocked say, and says nothing of the others then.
+/// The factor by which an instrument scatters more than stated in all its sessions. A few per cent,
+/// undetectable in one session, show in hundreds of readings and could be mistaken for effects. A session may
+/// also scatter independently, after a knocked stand for example; it then says nothing about the others.
 struct CommonNoise {
   std::string instrument;
   std::vector<std::size_t> sessions;
   double scale = 1, sigma = 0;  ///< of the stated noise
-  bool isLarger = false;        ///< by more than the tenth to which the stated σ holds
-  bool isOfOne = false;         ///< of the only session in `sessions`, by itself
-  double probability = 0;       ///< of that
+  bool isLarger = false;        ///< by more than the tenth to which the stated σ is known
+  bool isOfOne = false;         ///< applies only to the one session in `sessions`
+  double probability = 0;       ///< that it scatters independently
 };
 
-/// Of each instrument, from what `set` leaves of its sessions: all but those that scatter by themselves, then
-/// each of these.
+/// The noise of each instrument, from the residuals that `set` leaves in its sessions: first all sessions
+/// except those that scatter independently, then each of these.
 std::vector<CommonNoise> commonNoise(const std::vector<SessionSums>& sums,
                                      const std::vector<SessionOwners>& owners, const SharedSet& set);
 
-/// χ² of what the set and a session's account leave of it, stated σ.
+/// χ² that the set and the session's account leave, at the stated σ.
 double chiSquareLeft(const SessionSums& sums, std::size_t session, const SharedSet& set);
 
 }  // namespace alidade

@@ -19,7 +19,7 @@ namespace alidade {
 
 namespace {
 
-/// Days since some day; absent where it is no date.
+/// The date in days from a fixed origin; absent if it is invalid.
 std::optional<double> dayOf(const std::string& date) {
   int number[3] = {0, 0, 0};
   const char* at = date.data();
@@ -33,7 +33,7 @@ std::optional<double> dayOf(const std::string& date) {
   return 365.25 * number[0] + 30.4 * number[1] + number[2];
 }
 
-/// In the order in which they were measured, where all say when; else as handed in.
+/// The order of measurement if all sessions have a date; else the order given.
 std::vector<std::size_t> inOrder(const std::vector<SeriesSession>& sessions,
                                  const std::vector<std::size_t>& usable) {
   std::vector<std::size_t> order = usable;
@@ -64,7 +64,7 @@ Cause causeNamed(const std::string& id) {
   return cause;
 }
 
-/// Of each session the first one with the same readings.
+/// For each session the first one with the same readings.
 std::vector<std::size_t> firstsOf(const std::vector<SeriesSession>& sessions) {
   std::vector<std::string> digests;
   for (const SeriesSession& session : sessions) digests.push_back(session.readings);
@@ -80,7 +80,7 @@ void noteCopy(SeriesOutcome& outcome, const std::vector<SeriesSession>& sessions
   outcome.diagnosis.copies.push_back({fileOf(copy), fileOf(first)});
 }
 
-/// Tells how far it is, one call at a time.
+/// Reports progress, one call at a time.
 class Progress {
  public:
   Progress(const SeriesOptions& options, std::size_t all) : m_tell(options.progress), m_all(all) {}

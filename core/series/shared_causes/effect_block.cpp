@@ -10,7 +10,7 @@ using Eigen::Index, Eigen::MatrixXd;
 
 namespace {
 
-constexpr std::size_t mostSizes = 64;  // of one block, each a row of a dense matrix
+constexpr std::size_t mostSizes = 64;  // per block; each is a row of a dense matrix
 
 CauseOwner ownerOf(const Effect& effect) {
   switch (effect.source) {
@@ -25,8 +25,8 @@ CauseOwner ownerOf(const Effect& effect) {
   return CauseOwner::Time;
 }
 
-/// The sessions of each owner, owners in the order of their first session. Without a serial a session is its
-/// own.
+/// The sessions of each owner, in the order of their first session. A session without a serial has an owner
+/// of its own.
 std::vector<std::pair<std::string, std::vector<std::size_t>>> sessionsOf(
     const std::vector<SessionOwners>& owners, CauseOwner kind) {
   std::vector<std::pair<std::string, std::vector<std::size_t>>> groups;
@@ -50,7 +50,7 @@ std::vector<std::size_t> everySession(std::size_t count) {
 }
 
 void addPatternBlocks(std::vector<EffectBlock>& blocks, const std::vector<SessionOwners>& owners) {
-  constexpr double odds = 0.04;  // of any, as in one session
+  constexpr double odds = 0.04;  // of any pattern, as in one session
   constexpr std::size_t fewest = 3;
   const std::size_t before = blocks.size();
   for (std::size_t e = effectColumns().size(); e < sharedColumns().size(); ++e) {
@@ -75,7 +75,8 @@ double effectOdds() {
 
 std::vector<EffectBlock> effectBlocks(const std::vector<SessionOwners>& owners,
                                       const std::vector<std::string>& leftOut) {
-  constexpr double differing = 0.01;  // odds that what an owner should share has a size in each session
+  constexpr double differing = 0.01;  // odds that an effect which an owner should share has a size of its own
+                                      // in each session
   const auto ofInstruments = sessionsOf(owners, CauseOwner::Instrument),
              ofGuideways = sessionsOf(owners, CauseOwner::Guideway);
   std::vector<EffectBlock> blocks;
@@ -124,7 +125,7 @@ std::vector<EffectBlock> effectBlocks(const std::vector<SessionOwners>& owners,
 EffectBlock drifting(const EffectBlock& block, const std::vector<SessionOwners>& owners) {
   constexpr std::size_t fewest = 4;
   constexpr Index sines = 4;
-  constexpr double odds = 0.1;  // against a size that stays
+  constexpr double odds = 0.1;  // against a constant size
   if (block.sizes != SizesKind::One || block.isPattern() || block.sessions.size() < fewest ||
       block.columns().effect->response != Response::Linear)
     return {};

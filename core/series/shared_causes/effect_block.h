@@ -10,22 +10,22 @@
 
 namespace alidade {
 
-/// Whose a session is.
+/// The owners of a session.
 struct SessionOwners {
-  std::string instrument, guideway;  ///< serials; empty: nobody else's
+  std::string instrument, guideway;  ///< serials; empty: an owner of its own
   double time = 0;                   ///< 0…1 from the first session to the last
 };
 
-/// How the sizes of an effect in several sessions hang together: in session s they are Σⱼ Fₛⱼ zⱼ, with z
-/// normal around zero and all of one width.
+/// How the sizes of an effect in several sessions are related: in session s the size is Σⱼ Fₛⱼ zⱼ, where z is
+/// normal around zero with one width for all.
 enum class SizesKind {
   One,         ///< F = 1
   PerOwner,    ///< each instrument, or each guideway, has its own
   PerSession,  ///< each session has its own
-  Drifting,    ///< a random walk beside the one size: its first sines (Karhunen and Loève)
+  Drifting,    ///< one size plus a random walk: its first sines (Karhunen and Loève)
 };
 
-/// An effect, or a pattern of no catalogue, in the sessions of an owner.
+/// An effect, or an uncatalogued pattern, in the sessions of an owner.
 struct EffectBlock {
   std::size_t effect = 0;  ///< index into `sharedColumns()`
   CauseOwner owner = CauseOwner::Time;
@@ -33,7 +33,7 @@ struct EffectBlock {
   std::string serial = {};                 ///< with One
   std::vector<std::size_t> sessions = {};  ///< ascending
   Eigen::MatrixXd features = {};           ///< F, a row for each session; empty: one column of ones
-  double logPrior = 0;                     ///< odds against nothing, natural
+  double logPrior = 0;                     ///< natural log of the odds against no effect
 
   const EffectColumns& columns() const { return sharedColumns()[effect]; }
   bool isPattern() const { return columns().isPattern; }
@@ -47,15 +47,15 @@ struct EffectBlock {
   }
 };
 
-/// Every effect with every owner it may have, and each with sizes of its own in each owner or session where
-/// these are few; then every pattern with an owner that has several sessions.
+/// Every effect with every possible owner, and with a size for each owner or session if these are few; then
+/// every pattern whose owner has several sessions.
 std::vector<EffectBlock> effectBlocks(const std::vector<SessionOwners>& owners,
                                       const std::vector<std::string>& leftOut);
 
-/// The same with a size that changes with time; absent (no sessions) where too few sessions would show it.
+/// The block with a size that changes over time; absent (no sessions) if too few sessions would show it.
 EffectBlock drifting(const EffectBlock& block, const std::vector<SessionOwners>& owners);
 
-/// Odds of an effect before anything is read, shared by its owners.
+/// Prior odds of an effect, divided among its owners.
 double effectOdds();
 
 }  // namespace alidade

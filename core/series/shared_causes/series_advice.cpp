@@ -8,16 +8,16 @@ namespace alidade {
 
 namespace {
 
-/// Sessions until something that shows by `inOne` each is clear.
+/// Number of sessions, each showing it by `inOne`, until the cause is clear.
 int sessionsFor(double inOne) {
   constexpr double most = 99;
   return static_cast<int>(
       std::clamp(std::ceil(std::pow(clearlyToldApart() / std::max(inOne, 1e-9), 2)), 1.0, most));
 }
 
-/// Something may be there, but it shows too faintly so far.
+/// Advises further sessions if a cause is possible but still too faint.
 void addMore(SeriesDiagnosis& diagnosis, const SettledSeries& series) {
-  constexpr double likely = 0.2, clear = 6;  // probability; σ together from which a cause is named
+  constexpr double likely = 0.2, clear = 6;  // probability; combined σ from which a cause is named
   const auto best = std::ranges::find_if(
       series.sets, [](const SharedSet& set) { return !set.parts.empty() && !set.isShaped(); });
   if (best == series.sets.end() || best->chance < likely) return;

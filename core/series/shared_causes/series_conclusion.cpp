@@ -20,7 +20,7 @@ using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
 
 namespace {
 
-constexpr double namedFrom = 0.8;  // probability: a false alarm of a series is about many sessions
+constexpr double namedFrom = 0.8;  // probability; a false alarm of a series concerns many sessions
 
 std::vector<EffectBlock> blocksOf(const SharedSet& set) {
   std::vector<EffectBlock> blocks;
@@ -46,7 +46,7 @@ bool isPartOf(const SharedSet& smaller, const SharedSet& larger) {
                              [&](const SharedPart& part) { return holds(larger, part.block); });
 }
 
-/// The numbers of an effect, in the units of the catalogue, with the covariance of their weights.
+/// The parameters of an effect, in catalogue units, with the covariance of its weights.
 std::vector<CauseParameter> parametersOf(const EffectColumns& columns, const VectorXd& weights,
                                          const MatrixXd& covariance) {
   std::vector<CauseParameter> parameters;
@@ -60,7 +60,7 @@ std::vector<CauseParameter> parametersOf(const EffectColumns& columns, const Vec
   return parameters;
 }
 
-/// Of a part in the index-th of its sessions: how its weights hang on z, then how uncertain they are.
+/// Covariance of a part's weights in its index-th session, propagated from that of z.
 MatrixXd covarianceIn(const SharedSet& set, std::size_t p, std::size_t index) {
   const SharedPart& part = set.parts[p];
   Index first = 0;
@@ -72,7 +72,7 @@ MatrixXd covarianceIn(const SharedSet& set, std::size_t p, std::size_t index) {
   return slope * set.covariance.block(first, first, part.slope.cols(), part.slope.cols()) * slope.transpose();
 }
 
-/// Works out what the sets of a search come to.
+/// Derives the conclusion from the sets of a search.
 class Conclusion {
  public:
   Conclusion(const std::vector<SessionEvidence>& evidence, const std::vector<SessionOwners>& owners,
@@ -129,12 +129,12 @@ class Conclusion {
   std::vector<SharedSet> m_sets;
   std::vector<CommonNoise> m_noise;
   SharedSet m_best;
-  std::vector<std::vector<SharedRival>> m_rivals;  ///< of each part
-  std::vector<std::vector<std::size_t>> m_apart;   ///< of each part
+  std::vector<std::vector<SharedRival>> m_rivals;  ///< for each part
+  std::vector<std::vector<std::size_t>> m_apart;   ///< for each part
 
   std::size_t sessions() const { return m_evidence.size(); }
 
-  /// Once with the noise as stated, and again where the sessions of an instrument say that it is larger.
+  /// Searches with the stated noise, and again if the sessions of an instrument show larger noise.
   void search() {
     constexpr double matters = 1.02;
     m_sets = m_search.grown();
@@ -166,10 +166,10 @@ class Conclusion {
     return std::min(sum, 1.0);
   }
 
-  /// The likeliest set, or a smaller one of the same that is nearly as good; nothing unless something is
-  /// likely enough. With a pattern of no catalogue where that is likelier than all effects of the catalogue.
+  /// Chooses the likeliest set, or a smaller subset that is nearly as good; the empty set unless one is
+  /// likely enough. An uncatalogued pattern is included if it is likelier than all catalogued effects.
   void choose() {
-    constexpr double nearlyAsGood = 2, certain = 0.95;  // natural logarithm; beside a pattern
+    constexpr double nearlyAsGood = 2, certain = 0.95;  // natural logarithm; with a pattern
     const auto nothing = std::ranges::find_if(m_sets, [](const SharedSet& set) { return set.parts.empty(); });
     const double unknown = chanceOfPattern();
     const bool isUnknown = unknown > 1 - nothing->chance - unknown;
@@ -186,7 +186,7 @@ class Conclusion {
           other.logPosteriorOdds > best->logPosteriorOdds - nearlyAsGood && isPartOf(other, *best))
         simplest = &other;
     m_best = *simplest;
-    // A part that is not likely by itself, with whatever looks like it, is not named.
+    // Drops a part that, together with its look-alikes, is not likely enough to be named.
     for (std::size_t p = 0; p < m_best.parts.size();) {
       if (m_best.parts[p].block.isPattern()) {
         ++p;
@@ -205,7 +205,7 @@ class Conclusion {
     }
   }
 
-  /// Sessions that do not share a part, then whether it drifts, then what looks like it.
+  /// Determines which sessions lack a part, whether it drifts, then its look-alikes.
   void settle() {
     m_apart.assign(m_best.parts.size(), {});
     for (std::size_t p = 0; p < m_best.parts.size(); ++p)
@@ -220,7 +220,7 @@ class Conclusion {
     }
   }
 
-  /// One size with some sessions apart, or one that drifts.
+  /// Chooses between one size with some sessions excluded and a drifting size.
   void settle(std::size_t p) {
     const double better = std::log(3), eachApart = std::log(effectOdds());
     const EffectBlock drift = drifting(ofOneOwner(m_best.parts[p].block), m_owners);
@@ -238,7 +238,7 @@ class Conclusion {
     m_apart[p].clear();
   }
 
-  /// Of what has a size of its own in each session the same with one size, where all have one owner.
+  /// The block with one size instead of one per session, if all sessions have one owner.
   EffectBlock ofOneOwner(const EffectBlock& block) const {
     if (block.sizes != SizesKind::PerSession) return block;
     const auto same = std::ranges::find_if(m_blocks, [&](const EffectBlock& other) {
@@ -248,8 +248,7 @@ class Conclusion {
     return same == m_blocks.end() ? block : *same;
   }
 
-  /// A session whose own size is out of question beside that of the others does not share the effect; the
-  /// worst first.
+  /// Excludes sessions whose own size clearly contradicts that of the others, the worst first.
   void setApart(std::size_t p) {
     constexpr double outOfQuestion = 1e-4;
     constexpr std::size_t fewest = 3;
@@ -274,7 +273,7 @@ class Conclusion {
     }
   }
 
-  /// Chance that a session's own size is as far as it is from that of the others.
+  /// Probability that chance separates a session's own size this far from that of the others.
   double agreement(std::size_t p, std::size_t index) const {
     const EffectBlock& block = m_best.parts[p].block;
     const std::size_t session = block.sessions[index];
@@ -291,13 +290,13 @@ class Conclusion {
       right -= m_sums[session].normal(m_best.accounts[session], block.columns(), other.columns()) *
                others.parts[q].weightsIn(static_cast<std::size_t>(found - other.sessions.begin()));
     }
-    // N⁻¹ right is how far it is off; it scatters by N⁻¹ + covariance.
+    // N⁻¹ right is the difference of the sizes; its covariance is N⁻¹ + covariance.
     const MatrixXd spread = normal + normal * covarianceIn(others, p, index) * normal;
     const double square = right.dot(spread.completeOrthogonalDecomposition().solve(right));
     return chiSquareUpperTail(square, static_cast<double>(right.size())).value_or(1);
   }
 
-  /// What may stand in the place of a part, the likeliest first, with its odds against it.
+  /// The blocks that may replace a part, the likeliest first, each with its odds against the part.
   std::vector<std::pair<EffectBlock, double>> rivalBlocks(std::size_t p) const {
     constexpr double close = 0.03, supported = 0.1;
     const SharedPart& part = m_best.parts[p];
@@ -309,13 +308,13 @@ class Conclusion {
       if (m_stop.stop_requested()) break;
       const bool isOther = std::ranges::none_of(
           m_best.parts, [&](const SharedPart& any) { return any.block.effect == block.effect; });
-      // Sizes of its own in each session, or with each owner, take up much; whether they do is for the odds.
+      // Sizes per session or per owner absorb much; the odds decide whether they exist.
       if (!isOther || (block.isPattern() && m_best.isShaped())) continue;
       if (2 * block.sessions.size() < part.block.sessions.size()) continue;
       const double difference = m_search.differenceFrom(part, block) / noise;
       if (difference > clearlyToldApart()) continue;
       blocks[p] = block;
-      // Weighed last, beside all others, as the part itself is.
+      // Weighed last, after all others, like the part itself.
       std::vector<EffectBlock> own = blocksOf(m_best);
       std::swap(blocks[p], blocks.back());
       std::swap(own[p], own.back());
@@ -331,8 +330,7 @@ class Conclusion {
     return rivals;
   }
 
-  /// Where more than half of the sessions each hold a pattern of no catalogue by themselves: what most of
-  /// these follow.
+  /// The pattern that most sessions follow, if more than half each have an uncatalogued pattern of their own.
   std::optional<SharedPattern> patternOfMost() const {
     SharedPattern pattern{.follows = {}, .probability = 1, .isOfEach = true};
     std::map<std::string, std::size_t> counts;
@@ -357,7 +355,7 @@ class Conclusion {
     return pattern;
   }
 
-  /// What a pattern among an account's causes follows; empty without one.
+  /// What the pattern among an account's causes follows; empty if there is none.
   static std::string shapeIn(const OwnAccount& account) {
     for (const std::string& id : account.causes)
       if (std::ranges::find(diagnosableEffects(), id) == diagnosableEffects().end()) return id;
@@ -379,7 +377,7 @@ class Conclusion {
             .visibleTogether = together};
   }
 
-  /// A cause for each owner with a size of its own.
+  /// The causes of a part: one for each owner with a size of its own.
   std::vector<SharedCause> causesOf(std::size_t p) const {
     const SharedPart& part = m_best.parts[p];
     const EffectColumns& columns = part.block.columns();
@@ -439,7 +437,7 @@ class Conclusion {
       cause.visibleTogether = std::sqrt(cause.visibleTogether);
       cause.visibleInOne = cause.visibleTogether / std::sqrt(static_cast<double>(cause.sessions.size()));
     }
-    // Those first whose own shows the most; of owners that have next to none of it nothing is said.
+    // Largest visible share first; owners with almost none of it are omitted.
     std::ranges::stable_sort(causes, std::greater{}, &SharedCause::visibleTogether);
     constexpr double shows = 2;  // σ
     while (causes.size() > 1 && causes.back().visibleTogether < shows) causes.pop_back();
@@ -460,7 +458,7 @@ class Conclusion {
     }
   }
 
-  /// Causes that a session holds by itself.
+  /// Adds the causes that each session has of its own.
   void addOwn(SeriesConclusion& conclusion) const {
     conclusion.own.resize(sessions());
     conclusion.ownChance.assign(sessions(), 0);
@@ -503,7 +501,7 @@ class Conclusion {
                                                               : DiagnosisVerdict::Ambiguous;
   }
 
-  /// Σ of the squared circle residuals, arcseconds, with the sizes of a set taken off.
+  /// Σ of the squared circle residuals, arcseconds, after subtracting the effects of a set.
   double circleSquares(std::size_t s, const SharedSet& set) const {
     double squares = m_evidence[s].circleSquares;
     std::vector<std::pair<const EffectColumns*, VectorXd>> shares;
@@ -520,7 +518,7 @@ class Conclusion {
     return std::max(squares, 0.0);
   }
 
-  /// Each fold's sessions by the sizes that the others have; few sessions are each a fold.
+  /// The set fitted without each fold's sessions; few sessions are a fold each.
   std::vector<SharedSet> foldsOf() const {
     std::vector<SharedSet> folds;
     for (std::size_t fold = 0; fold < foldCount(); ++fold)
@@ -568,7 +566,7 @@ class Conclusion {
                                                                : 1 - std::sqrt(heldOut / before);
   }
 
-  /// What the sessions of other folds say of the effects that each shares.
+  /// What sessions of other folds say about each session's shared effects.
   std::vector<std::vector<KnownNumber>> known() const {
     std::vector<std::vector<KnownNumber>> known(sessions());
     const std::vector<SharedSet> folds = foldsOf();

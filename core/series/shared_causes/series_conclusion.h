@@ -10,12 +10,12 @@
 
 namespace alidade {
 
-/// What the sessions of a series say together, before each is looked at again.
+/// The combined result of a series, before each session is diagnosed again.
 struct SeriesConclusion {
-  SeriesDiagnosis diagnosis;  ///< without `sessions`, but for their order
-  /// What the other sessions say of the effects a session shares.
+  SeriesDiagnosis diagnosis;  ///< `sessions` holds only their order
+  /// What the other sessions say about the effects that a session shares.
   std::vector<std::vector<KnownNumber>> known;
-  std::vector<std::vector<std::string>> own;  ///< ids of what each session holds by itself
+  std::vector<std::vector<std::string>> own;  ///< ids of the causes of each session alone
   std::vector<double> ownChance;
 };
 

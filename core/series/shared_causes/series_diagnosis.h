@@ -12,40 +12,40 @@
 
 namespace alidade {
 
-// What a series of sessions answers.
+// The result of a series of sessions.
 
-/// To whom an effect belongs: to an instrument, known by its serial, in all sessions with it; to a guideway
-/// likewise; or to the session, which shares it with no other.
+/// The owner of an effect: an instrument, identified by its serial, in all its sessions; likewise a guideway;
+/// or the session itself, as for effects of time.
 enum class CauseOwner { Instrument, Guideway, Time };
 
 /// "instrument", "guideway", "time".
 std::string_view nameOf(CauseOwner owner);
 
-/// How large an effect is in one session.
+/// The size of an effect in one session.
 struct SizeInSession {
   std::size_t session = 0;
   std::vector<CauseParameter> parameters = {};
 };
 
-/// What the series cannot tell from a cause.
+/// An alternative that the series cannot distinguish from a cause.
 struct SharedRival {
   std::string effect;
   CauseOwner owner = CauseOwner::Time;
-  std::string serial = {};  ///< empty: of each owner by itself, or of none
+  std::string serial = {};  ///< empty: of each owner separately, or of none
   double odds = 0;          ///< against the cause
 };
 
 struct SharedCause {
-  Cause cause;  ///< its sizes are those of all sessions; of a drifting one those of the last
+  Cause cause;  ///< sizes for all sessions; for a drifting cause, for the last one
   CauseOwner owner = CauseOwner::Time;
-  std::string serial = {};                 ///< of the owner; empty where it has none, or is the time
-  std::vector<std::size_t> sessions = {};  ///< that it acts in, of the series
+  std::string serial = {};                 ///< of the owner; empty if it has none, or for effects of time
+  std::vector<std::size_t> sessions = {};  ///< indices of the sessions in which it acts
   bool isDrifting = false;                 ///< its size changes from session to session
-  std::vector<SizeInSession> sizes = {};   ///< where it drifts, and of the time
-  std::vector<std::size_t> apart = {};     ///< of its owner's sessions those that do not share it
+  std::vector<SizeInSession> sizes = {};   ///< for drifting causes and effects of time
+  std::vector<std::size_t> apart = {};     ///< sessions of its owner that do not share it
   std::vector<SharedRival> rivals = {};    ///< the likeliest first
-  double visibleInOne = 0;                 ///< what it leaves in a session, σ: root mean square
-  double visibleTogether = 0;              ///< in all of them
+  double visibleInOne = 0;                 ///< root mean square of its trace in a session, σ
+  double visibleTogether = 0;              ///< its trace in all of them, σ
 };
 
 /// Which session to measure next.
@@ -53,12 +53,12 @@ struct SeriesAdvice {
   enum class What {
     OtherInstrument,  ///< the same guideway with another instrument
     OtherGuideway,    ///< another guideway with the same instrument
-    Again,            ///< the same two again: it shows too faintly so far
+    Again,            ///< the same two again: the cause is still too faint
   };
   What what = What::Again;
-  std::string instrument = {}, guideway = {};  ///< serials; empty: any, or any other than those so far
+  std::string instrument = {}, guideway = {};  ///< serials; empty: any, or any not used so far
   std::vector<std::string> separates = {};     ///< ids
-  double bySigma = 0;                          ///< difference once `sessions` are measured, σ
+  double bySigma = 0;                          ///< difference after `sessions` are measured, σ
   int sessions = 1;
 };
 
@@ -67,49 +67,50 @@ struct SeriesMember {
   std::string name, measuredOn;
   std::string instrumentName, instrument;  ///< name and serial
   std::string guidewayName, guideway;
-  std::size_t file = 0;  ///< of what was handed in, index
+  std::size_t file = 0;  ///< index among the input
   DiagnosisVerdict alone = DiagnosisVerdict::WithinNoise;
   std::vector<Cause> causesAlone = {};
-  std::vector<Cause> own = {};  ///< what it holds by itself in the light of the series
-  /// In the light of the series: what other sessions say of shared effects is known beforehand.
+  std::vector<Cause> own = {};  ///< causes of this session alone, given the series
+  /// The diagnosis given the series: the other sessions' results on shared effects are its prior knowledge.
   Diagnosis diagnosis = {};
-  std::vector<KnownNumber> shared = {};  ///< that
+  std::vector<KnownNumber> shared = {};  ///< that prior knowledge
 };
 
-/// A file that holds what another one holds: the other one counts.
+/// A file with the same content as another one, which counts for both.
 struct SeriesCopy {
   std::string file, first;
 };
 
-/// What sessions share, where no effect of the catalogue explains it.
+/// What sessions share, if no catalogued effect explains it.
 struct SharedPattern {
   std::string follows;  ///< "radius along the guideway", …
-  int order = 0;        ///< periods in a turn; 0: it is no harmonic
-  /// Of the gap of all sessions that it takes up, 0…1; not a number where each session holds one by itself.
+  int order = 0;        ///< periods per turn; 0: not a harmonic
+  /// The share of all sessions' gap that it explains, 0…1; NaN if each session has a pattern of its own.
   double share = std::numeric_limits<double>::quiet_NaN();
   CauseOwner owner = CauseOwner::Time;
   std::string serial = {};                 ///< of the owner
-  std::vector<std::size_t> sessions = {};  ///< that it acts in
-  double probability = 0;                  ///< that what they share is of no catalogue, 0…1
-  bool isOfEach = false;                   ///< each of these sessions holds one by itself, not all the same
-  double visibleInOne = 0;                 ///< what it leaves in a session, σ: root mean square
-  double visibleTogether = 0;              ///< in all of them
+  std::vector<std::size_t> sessions = {};  ///< in which it acts
+  double probability = 0;                  ///< that the shared pattern is uncatalogued, 0…1
+  bool isOfEach = false;                   ///< each of these sessions has one of its own, and they differ
+  double visibleInOne = 0;                 ///< root mean square of its trace in a session, σ
+  double visibleTogether = 0;              ///< its trace in all of them, σ
 };
 
 struct SeriesDiagnosis {
   DiagnosisVerdict verdict = DiagnosisVerdict::WithinNoise;
-  GapSize gap, after;  ///< of all sessions, with what the positions of each must agree on
-  Shrinkage shrink;    ///< held out: each session predicted by the sizes the others give
+  GapSize gap, after;  ///< of all sessions, including the conditions between the positions of each
+  Shrinkage shrink;    ///< cross-validated: each session predicted from the sizes of the others
   std::vector<SharedCause> causes;
-  std::optional<SharedPattern> pattern;  ///< with NotInCatalogue; beside it `causes` that are certain
-  double unknownChance = 0;              ///< that the sessions share a pattern of no catalogue, 0…1
-  std::vector<Candidate> candidates;     ///< as shared by all sessions of an owner, the best owner of each
-  std::vector<GapShare> where;           ///< by frame, session, instrument and guideway
+  std::optional<SharedPattern> pattern;  ///< with NotInCatalogue; `causes` are then certain
+  double unknownChance = 0;           ///< probability that the sessions share an uncatalogued pattern, 0…1
+  std::vector<Candidate> candidates;  ///< as shared by all sessions of an owner, with the best owner for
+                                      ///< each
+  std::vector<GapShare> where;        ///< by frame, session, instrument and guideway
   std::vector<UnseenEffect> unseen;
   std::vector<SeriesAdvice> advice;
-  std::vector<SeriesMember> sessions;                      ///< in the order in which they were measured
+  std::vector<SeriesMember> sessions;                      ///< in order of measurement
   std::size_t withoutInstrument = 0, withoutGuideway = 0;  ///< sessions without a serial
-  std::vector<SeriesCopy> copies;                          ///< left out, in the order handed in
+  std::vector<SeriesCopy> copies;                          ///< left out, in the order given
 };
 
 }  // namespace alidade

@@ -10,7 +10,7 @@
 
 namespace alidade {
 
-/// What a conclusion has settled on; what is said of it beside the causes follows from that alone.
+/// The settled part of a conclusion, from which all statements except the causes are derived.
 struct SettledSeries {
   const std::vector<SessionEvidence>& evidence;
   const std::vector<SessionOwners>& owners;
@@ -29,14 +29,15 @@ struct SettledSeries {
 /// How well each effect alone explains the sessions.
 void addCandidates(SeriesDiagnosis& diagnosis, const SettledSeries& series);
 
-/// Shares of the gap: by what its causes belong to, by session, instrument and guideway.
+/// Shares of the gap: by owner of the causes, by session, instrument and guideway.
 void addWhere(SeriesDiagnosis& diagnosis, const SettledSeries& series);
 
-/// What would move Δd, the mean of the sessions, and shows in none of them nor in all together.
+/// Effects that would move Δd, the mean of the sessions, but are undetectable in each session and in all
+/// together.
 void addUnseen(SeriesDiagnosis& diagnosis, const SettledSeries& series);
 
-/// Which session to measure next: what separates look-alikes of different owners, or makes clear what is
-/// faint.
+/// Which session to measure next: one that separates look-alikes of different owners, or clarifies a faint
+/// cause.
 void addAdvice(SeriesDiagnosis& diagnosis, const SettledSeries& series);
 
 }  // namespace alidade

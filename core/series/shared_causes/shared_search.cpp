@@ -14,7 +14,7 @@ namespace {
 
 using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
-/// Sessions add up: what a series shows may be far smaller than what is plausible of one session.
+/// Relative widths: a series can show sizes far below the plausible size in one session.
 constexpr double widths[] = {0.03, 0.1, 0.3, 1, 3};
 
 std::span<const double> spanOf(const RowMajor& matrix) {
@@ -24,7 +24,7 @@ std::span<const double> spanOf(const VectorXd& vector) {
   return {vector.data(), static_cast<std::size_t>(vector.size())};
 }
 
-/// Calls `visit` with the place of each session that both have.
+/// Calls `visit` with the indices of each session that both have.
 template <typename Visit>
 void forCommon(const EffectBlock& a, const EffectBlock& b, const Visit& visit) {
   std::size_t i = 0, j = 0;
@@ -49,7 +49,7 @@ double logSumOf(const std::vector<double>& logs) {
   return most + std::log(sum);
 }
 
-/// Each against the largest, so that they add up to 1 however large the logarithms are.
+/// Scaled by the largest, so that they add up to 1 for logarithms of any size.
 std::vector<double> chancesByLog(std::vector<double> logs) {
   const double most = *std::ranges::max_element(logs);
   double sum = 0;
@@ -58,7 +58,7 @@ std::vector<double> chancesByLog(std::vector<double> logs) {
   return logs;
 }
 
-/// (1, 0, …) and the sums of two features.
+/// Adds (1, 0, …) and the sums of two features.
 template <typename Add>
 void addProducts(const Eigen::RowVectorXd& a, const Eigen::RowVectorXd& b, const Add& add) {
   for (Index j = 0; j < a.size(); ++j)
@@ -76,7 +76,7 @@ EffectVector SharedPart::weightsIn(std::size_t index) const {
   return own;
 }
 
-/// A block beside a set: what is left for it of its normal equations, and its products with the set's z.
+/// A block relative to a set: what the set leaves of its normal equations, and its products with the set's z.
 struct SharedSearch::Beside {
   MatrixXd products, gram;
   VectorXd right;
@@ -132,7 +132,7 @@ SharedSearch::Beside SharedSearch::beside(const SharedSet& set, const MatrixXd& 
   return beside;
 }
 
-/// The set's posterior grows by the block's weights (the inverse of a matrix in blocks).
+/// Extends the set's posterior by the block's weights (block matrix inversion).
 void SharedSearch::take(SharedSet& set, const EffectBlock& block, const Counts& counts) const {
   const Response response = block.columns().effect->response;
   const Beside own = beside(set, set.covariance, block, set.accounts, counts);
@@ -192,14 +192,14 @@ double SharedSearch::accountsOf(const SharedSet& set) const {
   double sum = 0;
   for (std::size_t s = 0; s < m_sessions.size(); ++s) {
     const std::vector<double> odds = accountOdds(s, set);
-    // What is chosen, as the sizes were found with it, and what else may be.
+    // The chosen account, with which the sizes were found, and the alternatives.
     const std::size_t chosen = set.accounts[s];
     sum += ownOdds(s, chosen) + logSumOf(odds) - odds[chosen];
   }
   return sum;
 }
 
-/// Of an account, before anything that is shared.
+/// Log odds of an account, before anything shared.
 double SharedSearch::ownOdds(std::size_t session, std::size_t account) const {
   const double each = -std::log(static_cast<double>(m_sessions.size()));
   return m_sessions[session].logOdds(account) + (account > 0 ? each : 0);
@@ -259,7 +259,7 @@ SharedSet SharedSearch::madeOf(const std::vector<EffectBlock>& blocks,
     SharedSet set = fitted(blocks, own);
     set.logPosteriorOdds += accountsOf(set);
     std::vector<std::size_t> next = likeliestAccounts(set, true);
-    // As good is better: then the accounts are those that the sizes were found with.
+    // Equal is accepted: the accounts are then those with which the sizes were found.
     if (round == 0 || set.logPosteriorOdds > best.logPosteriorOdds - rounding) best = std::move(set);
     if (next == own || m_stop.stop_requested()) break;
     own = std::move(next);
@@ -274,9 +274,9 @@ bool SharedSearch::mayTake(const SharedSet& set, const EffectBlock& block) const
   });
 }
 
-/// Those that gain the most beside the set: with what sessions hold by themselves, and with misread values
-/// and noise alone, since an effect that shows in each session is an account of each. Patterns take no place
-/// from effects.
+/// The blocks that gain most in addition to the set, both with the sessions' own causes and with misread
+/// values and noise only: an effect visible in each session is an account of each. Patterns do not displace
+/// effects.
 std::vector<SharedSearch::Growth> SharedSearch::promising(const SharedSet& set) const {
   constexpr std::size_t most = 6, mostPatterns = 3;
   std::vector<Growth> all;

@@ -12,34 +12,34 @@
 
 namespace alidade {
 
-// Which shared effects explain what the sessions of a series leave over. In the linear model with normal
-// weights the evidence of a set of effects has a closed form in sums over the sessions; what each session
-// holds by itself (`OwnAccount`) is chosen anew beside every set, so that what one session suffers from does
-// not pass for what all share.
+// Which shared effects explain the leftovers of a series' sessions. In the linear model with normal weights
+// the evidence of a set of effects has a closed form in sums over the sessions. What each session has of its
+// own (`OwnAccount`) is chosen again with every set, so that one session's cause does not pass for a shared
+// one.
 //
 // Source: as `explanation.h`; the sums are those of normal equations of independent observations.
 
-/// An effect of a set with the weights it takes.
+/// An effect of a set with its weights.
 struct SharedPart {
   EffectBlock block;
   double width = 1, logGain = 0;
-  // The block's columns (those of the effect for each feature) take the weights fixed + slope z.
+  // The block's columns (those of the effect for each feature) have the weights fixed + slope z.
   Eigen::VectorXd fixed = {};
   Eigen::MatrixXd slope = {};
-  Eigen::VectorXd weights = {};  ///< so taken
+  Eigen::VectorXd weights = {};  ///< resulting
 
-  /// In the index-th of its sessions.
+  /// Weights in the index-th of its sessions.
   EffectVector weightsIn(std::size_t index) const;
 };
 
 struct SharedSet {
   std::vector<SharedPart> parts = {};
   std::vector<std::size_t> accounts = {};  ///< of each session
-  double logPosteriorOdds = 0;             ///< against nothing in any session, natural
-  double chance = 0;                       ///< 0…1, of those found
-  Eigen::MatrixXd covariance = {};         ///< of z of all parts, one after the other
+  double logPosteriorOdds = 0;             ///< natural log of the odds against no effect in any session
+  double chance = 0;                       ///< 0…1, among the sets found
+  Eigen::MatrixXd covariance = {};         ///< of z of all parts, concatenated
 
-  /// Holds a pattern of no catalogue.
+  /// Does it contain an uncatalogued pattern?
   bool isShaped() const {
     return std::ranges::any_of(parts, [](const SharedPart& part) { return part.block.isPattern(); });
   }
@@ -47,27 +47,27 @@ struct SharedSet {
 
 class SharedSearch {
  public:
-  /// All have to live as long.
+  /// The arguments must outlive the search.
   SharedSearch(const std::vector<SessionSums>& sessions, const std::vector<EffectBlock>& blocks,
                const std::stop_token& stop)
       : m_sessions(sessions), m_blocks(blocks), m_stop(stop) {}
 
-  /// The likeliest first; always holds the set of nothing. Each set once.
+  /// The sets found, the likeliest first, without duplicates; includes the empty set.
   std::vector<SharedSet> grown() const;
-  /// Exactly these, each as it is beside those before it; sessions start from these accounts.
+  /// The set of exactly these blocks, each added after those before it; sessions start from these accounts.
   SharedSet madeOf(const std::vector<EffectBlock>& blocks, const std::vector<std::size_t>& accounts) const;
-  /// Sizes under these very accounts. `sessions`: those that count; empty: all.
+  /// Sizes under exactly these accounts. `sessions`: those that count; empty: all.
   SharedSet fitted(const std::vector<EffectBlock>& blocks, const std::vector<std::size_t>& accounts,
                    const std::function<bool(std::size_t)>& counts = {}) const;
-  /// What an account of a session comes to beside a set, and the chance of each.
+  /// Log odds of each account of a session, given a set.
   std::vector<double> accountOdds(std::size_t session, const SharedSet& set) const;
   std::vector<double> accountChances(std::size_t session, const SharedSet& set) const;
-  /// What a block alone adds under no account.
+  /// The gain of a block alone, without accounts.
   ColumnGain alone(const EffectBlock& block) const;
-  /// Visible length of a part's weights, σ, of all its sessions, or in the index-th.
+  /// Visible length of a part's weights, σ, in all its sessions, or in the index-th.
   double visibleLength(const SharedPart& part) const;
   double visibleLengthIn(const SharedPart& part, std::size_t index) const;
-  /// How near the block can come to what a part leaves, σ.
+  /// The smallest difference between the block and a part's trace, σ.
   double differenceFrom(const SharedPart& part, const EffectBlock& block) const;
 
  private:

@@ -6,14 +6,14 @@
 
 namespace alidade::bench {
 
-/// Leaves the circle beside the time, for `table.py` to compare between programs.
+/// Records the circle with the time, for `table.py` to compare between programs.
 inline void answer(benchmark::State& state, const Circle& circle) {
   state.counters["x"] = circle.x;
   state.counters["y"] = circle.y;
   state.counters["R"] = circle.radius;
 }
 
-/// The mean of a circle over many arcs, as an answer for all of them.
+/// The mean of a circle over many arcs, as a common result.
 class MeanCircle {
  public:
   void add(const Circle& circle) {

@@ -7,10 +7,9 @@
 
 #include "tests/bench/speed/readings.h"
 
-// alidade_speed [GOOGLE BENCHMARK OPTION]...   times the workloads, one file for each
-// alidade_speed --readings FOLDER              writes their readings, for peers in other languages: all a,
-// then
-//                                              all e, as doubles in rad
+// alidade_speed [GOOGLE BENCHMARK OPTION]... times the workloads, one file for each
+// alidade_speed --readings FOLDER writes their readings, for peers in other languages: all a,
+//                                              then all e, as doubles in rad
 
 namespace {
 

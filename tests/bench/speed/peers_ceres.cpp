@@ -10,9 +10,9 @@
 #include "tests/bench/speed/readings.h"
 
 // The peers in C++: Ceres and its TinySolver on the same readings. Tuned: the arc angles are eliminated
-// (variable projection), so that 3 unknowns remain and every point gives one residual, its distance from the
-// arc in units of σ, with its exact derivative; one cost function for all points, dense normal equations, no
-// logging. Its sum of squares is that of the readings' residuals.
+// (variable projection), which leaves 3 unknowns and one residual per point, its distance from the arc in
+// units of σ, with its exact derivative; one cost function for all points, dense normal equations, no
+// logging. The sum of squares equals that of the readings' residuals.
 
 namespace alidade::bench {
 namespace {
@@ -22,7 +22,7 @@ struct Distance {
   std::array<double, 3> perUnknown{};
 };
 
-/// Of one pair of readings from the arc, in σ, to rounding: the foot point by Gauss and Newton.
+/// The distance of one pair of readings from the arc, in σ, to rounding: the foot point by Gauss-Newton.
 Distance distanceOf(const ArcSetup& setup, const double* circle, double a, double e) {
   const auto [x, y] = sightedPoint({a, e}, setup.distance, setup.relation);
   const double length = setup.distance;
@@ -57,7 +57,7 @@ Arc arcAt(std::size_t index) {
           .e = shortArcs().vertical(index * pointsOfArc, pointsOfArc)};
 }
 
-/// Kåsa's circle, as the fits of this program start.
+/// Kåsa's circle, the start of this program's fits.
 std::array<double, 3> startOf(const Arc& arc) {
   Eigen::Matrix3d normal = Eigen::Matrix3d::Zero();
   Eigen::Vector3d right = Eigen::Vector3d::Zero();
@@ -126,7 +126,7 @@ Circle circleOf(const std::array<double, 3>& values) {
   return {values[0], values[1], values[2]};
 }
 
-/// What TinySolver asks for; it keeps the normal equations to itself, so there is no covariance.
+/// The interface of TinySolver, which keeps the normal equations private, so there is no covariance.
 struct TinyArc {
   using Scalar = double;
   enum { NUM_RESIDUALS = pointsOfArc, NUM_PARAMETERS = 3 };

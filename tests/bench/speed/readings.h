@@ -8,12 +8,12 @@
 
 namespace alidade::bench {
 
-// What all workloads and all peers are given: arcs of R 400 mm over 120°, seen from L 2405 mm, σ 2″ on both
+// The input of all workloads and peers: arcs of R 400 mm over 120°, seen from L 2405 mm, σ 2″ on both
 // circles, the same readings on every machine.
 
 inline constexpr std::size_t pointsOfArc = 17;
 inline constexpr std::size_t manyArcs = 100'000;      ///< of W3
-inline constexpr std::size_t peerArcs = 500;          ///< the first of them, which the slower peers are given
+inline constexpr std::size_t peerArcs = 500;          ///< the first of them, for the slower peers
 inline constexpr std::size_t manyPoints = 1'000'000;  ///< of W4
 
 ArcSetup usualSetup();
@@ -27,7 +27,7 @@ struct ArcReadings {
   std::span<const double> vertical(std::size_t first, std::size_t count) const;
 };
 
-/// One arc after the other, each with a circle of its own near (1, −0.5, 400) mm.
+/// Consecutive arcs, each with a circle of its own near (1, −0.5, 400) mm.
 ArcReadings noisyArcs(std::size_t arcs, std::size_t points);
 
 /// The arcs of W3; the first is that of W1, the first two those of W2.

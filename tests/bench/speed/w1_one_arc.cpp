@@ -22,7 +22,7 @@ void fastFit(benchmark::State& state) {
 }
 BENCHMARK(fastFit)->Name("W1/alidade");
 
-/// With the checks of the geometry, the residuals and the confirmation by the general equations.
+/// Includes the checks of the geometry, the residuals and the confirmation by the general equations.
 void wholeFit(benchmark::State& state) {
   const Measurement measurement = usualMeasurement(1);
   for (auto _ : state) {

@@ -9,7 +9,7 @@
 #include "tests/bench/speed/readings.h"
 
 // W2: both arcs of a session, 17 points each, to Δd, U and all residuals. U is that of the readings, scaled
-// by their scatter; k is Student's quantile, worked out once for the 28 degrees of freedom.
+// by their scatter; k is Student's quantile, calculated once for the 28 degrees of freedom.
 
 namespace alidade::bench {
 namespace {
@@ -55,7 +55,7 @@ void fastFits(benchmark::State& state) {
 }
 BENCHMARK(fastFits)->Name("W2/alidade");
 
-/// Everything a session is told: budgets, reliability, findings.
+/// All results for a session: budgets, reliability, findings.
 void wholeFit(benchmark::State& state) {
   const Measurement measurement = usualMeasurement(2);
   Outcome outcome;

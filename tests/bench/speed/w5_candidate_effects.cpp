@@ -8,8 +8,8 @@
 #include "core/diagnosis/search/explanation.h"
 #include "tests/bench/speed/measurements.h"
 
-// W5: every effect of the catalogue (17, of 29 numbers) on 34 points: from the finished fit to the evidence
-// of each. A candidate is one or two columns projected off the base fit, not a fit of its own.
+// W5: every effect of the catalogue (17, with 29 parameters) on 34 points: from the finished fit to the
+// evidence of each. A candidate is one or two columns projected off the base fit, without a fit of its own.
 
 namespace alidade::bench {
 namespace {
@@ -22,11 +22,11 @@ double bestEvidence(const Leftover& leftover) {
   return best;
 }
 
-/// Leaves beside the time by how much χ² falls with each effect that peers fit, too, for `table.py`.
+/// Records, with the time, the decrease of χ² for each effect that peers also fit, for `table.py`.
 void answer(benchmark::State& state, const Leftover& leftover) {
   for (const EffectComponent& effect : effectComponents(leftover, {})) {
     const Eigen::MatrixXd gram = effect.gram();
-    if (gram.trace() < 1e-6) continue;  // nothing of it shows
+    if (gram.trace() < 1e-6) continue;  // undetectable
     const Eigen::VectorXd products = effect.visibleColumns(leftover).transpose() * leftover.residual();
     state.counters["fall by " + std::string(effect.id())] = products.dot(gram.ldlt().solve(products));
   }
@@ -40,7 +40,7 @@ void candidateEffects(benchmark::State& state) {
 }
 BENCHMARK(candidateEffects)->Name("W5/alidade")->Unit(benchmark::kMicrosecond);
 
-/// The derivatives by all error terms included.
+/// Includes the derivatives with respect to all error terms.
 void fromTheFit(benchmark::State& state) {
   const Measurement measurement = usualMeasurement(2);
   const JointFit fit = fitSession(measurement).joint;

@@ -21,7 +21,7 @@ void jointFit(benchmark::State& state) {
   const Measurement measurement = fullMeasurement();
   std::vector<Circle> starts;
   for (const ArcFit& arc : fitSession(measurement).arcs) starts.push_back(arc.circle);
-  for (Circle& start : starts) start.radius += 0.01;  // not at the answer already
+  for (Circle& start : starts) start.radius += 0.01;  // start away from the result
   for (auto _ : state) {
     const JointFit fit = fitJointly(measurement, starts);
     benchmark::DoNotOptimize(smallestDetectable(fit));
@@ -29,7 +29,7 @@ void jointFit(benchmark::State& state) {
 }
 BENCHMARK(jointFit)->Name("W6/alidade")->Unit(benchmark::kMicrosecond);
 
-/// From the readings to the findings, the fits of the single arcs included.
+/// From the readings to the findings, including the fits of the single arcs.
 void wholeFit(benchmark::State& state) {
   const Measurement measurement = fullMeasurement();
   for (auto _ : state) {

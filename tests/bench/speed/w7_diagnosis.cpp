@@ -19,7 +19,7 @@ void withinNoise(benchmark::State& state) {
 }
 BENCHMARK(withinNoise)->Name("W7/alidade")->Unit(benchmark::kMillisecond);
 
-/// Search, fits with the causes, held-out readings and steps are added.
+/// Adds the search, fits with the causes, held-out readings and steps.
 void twoCauses(benchmark::State& state) {
   Truth truth = drawTruth(1);
   truth.effects = {{ErrorTerm::HorizontalDrift, 30}, {ErrorTerm::LobingCosine, 0.1}};

@@ -29,7 +29,7 @@ Json document(const Json& list, const Json& inner) {
           {"last", nullptr}};
 }
 
-// The library's own text of the document that holds everything.
+// The library's own text of a document with every kind of value.
 TEST(JsonText, IsThatOfTheWholeDocumentWhateverIsWrittenLater) {
   for (const std::size_t count : {0, 1, 3})
     EXPECT_EQ(

@@ -13,7 +13,7 @@
 namespace alidade::test {
 namespace {
 
-/// A table with its cells by the names of their columns.
+/// The rows of a table, with cells by column name.
 std::vector<std::map<std::string, std::string>> rowsOf(const std::string& csv) {
   CsvTable table(csv);
   std::vector<std::string> names;
@@ -31,7 +31,7 @@ std::vector<std::map<std::string, std::string>> rowsOf(const std::string& csv) {
   return rows;
 }
 
-// The first reading of Table I: 25.19″ of 2″ stated, r = 0.612, w = 2.33, 89.8″ to be found.
+// The first reading of Table I: 25.19″ with 2″ stated, r = 0.612, w = 2.33, 89.8″ detectable.
 TEST(ResidualsCsv, HoldsEveryReadingOfThePaper) {
   const Measurement measurement = *examine(paperSession()).measurement;
   const auto rows = rowsOf(residualsCsv(measurement, fitSession(measurement)));

@@ -201,7 +201,7 @@ TEST(ParseAngle, RefusesDigitsOfOtherScripts) {
     EXPECT_THAT(parseAngle(text).problem().what, HasSubstr("has digits of another script")) << text;
 }
 
-// Other signs for the same say the same.
+// Alternative signs have the same meaning.
 TEST(ParseAngle, ReadsEachSignAlike) {
   const std::vector<std::vector<std::string>> signs{{"°", "º", "˚", "◦", "∘", "⁰", "度"},
                                                     {"'", "′", "’", "´", "`", "ʹ", "‘", "＇", "分"},

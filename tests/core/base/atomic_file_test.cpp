@@ -30,7 +30,7 @@ class AtomicFile : public ::testing::Test {
     std::sort(names.begin(), names.end());
     return names;
   }
-  /// The sentence; the old file must still be whole and alone in its folder.
+  /// The sentence; the old file must still be complete and alone in its folder.
   std::string refusal(const FileCalls& calls) const {
     const std::string old = folder.file("old", "kept");
     const auto problem = writeFile(old, std::string(100000, 'x'), {}, calls);
@@ -69,7 +69,7 @@ TEST_F(AtomicFile, WritesRelativeToTheWorkingFolder) {
   EXPECT_EQ(*readFile(path("here")), "x");
 }
 
-// A new file has the permissions that any program's would have.
+// A new file has the usual permissions.
 TEST_F(AtomicFile, KeepsThePermissionsOfTheOldFile) {
   const auto modeOf = [](const std::string& file) {
     struct stat status = {};
@@ -141,7 +141,7 @@ TEST_F(AtomicFile, NoticesADiskThatFillsUpHalfWay) {
   EXPECT_EQ(readFile(path("old"))->size(), 100000u);
 }
 
-// The kernel's own limit, without any call replaced.
+// The kernel's own limit, without a replaced call.
 TEST_F(AtomicFile, NoticesTheLimitOfTheSystem) {
   const auto before = std::signal(SIGXFSZ, SIG_IGN);
   rlimit limit = {};
@@ -169,7 +169,7 @@ TEST_F(AtomicFile, SynchronisesTheFileBeforeItTakesItsPlaceAndThenTheFolder) {
   };
   EXPECT_FALSE(writeFile(path("a"), "x", {}, calls));
   EXPECT_THAT(steps, ElementsAre("sync file", "rename", "sync folder"));
-  // Disks that know no synchronising are written to all the same.
+  // Disks without synchronisation are still written to.
   calls.sync = failing(EINVAL, calls.sync);
   EXPECT_FALSE(writeFile(path("a"), "x", {}, calls));
 }
@@ -228,8 +228,8 @@ TEST_F(AtomicFile, WritesSeveralOnlyWhenAllCanBe) {
   EXPECT_EQ(*readFile(first) + *readFile(path("second")), "ab");
 }
 
-// A device is no file to be replaced; it would be lost.
-// A report and its signature: never the new one beside the old other.
+// A device must not be replaced; it would be lost. A report and its signature: never a new one with the old
+// other.
 TEST_F(AtomicFile, PutsBackWhatTookItsPlaceBeforeAnotherFailed) {
   for (const bool isOld : {true, false})
     for (const int failingAt : {1, 2, 3}) {
@@ -275,7 +275,7 @@ TEST_F(AtomicFile, SaysWhatStandsWhereItCannotBePutBack) {
   EXPECT_THAT(problem->what, HasSubstr(names().front()));
 }
 
-// The new bytes of both are there, though they may not outlast a power cut.
+// The new bytes of both are there, though they may not survive a power cut.
 TEST_F(AtomicFile, LeavesNoneBehindWhereTheFolderCannotBeSynchronised) {
   FileCalls calls;
   calls.sync = [](int file) {
@@ -306,7 +306,7 @@ TEST_F(AtomicFile, WritesToDevicesAndPipesDirectly) {
   EXPECT_TRUE(fs::is_fifo(path("pipe")));
 }
 
-// Opened by its name again, what the program wrote before would be written over.
+// Reopening it by its name would overwrite the program's earlier output.
 TEST_F(AtomicFile, WritesOnToAnOpenFileOfTheProgram) {
   const int file = open(path("log").c_str(), O_WRONLY | O_CREAT, 0600);
   ASSERT_EQ(write(file, "one ", 4), 4);

@@ -21,7 +21,7 @@ TEST(CompletedAngle, IsABareNumberWithTheSignOfTheUnit) {
   EXPECT_EQ(degrees("341"), "341");
 }
 
-/// Whatever says itself what it is, or is no number, stays as typed.
+/// Texts with a unit of their own, and texts that are not numbers, stay as typed.
 TEST(CompletedAngle, LeavesEverythingElseAsTyped) {
   for (const char* typed : {"", " ", "341 52 24", "341°52'24\"", "341-52-24.5", "379.859gon", "341.8733°",
                             "12.", ".5", "1.2.3", "x", "-", "1e5", "341.52.24"})

@@ -15,7 +15,7 @@ TEST(Failure, IsNoneOfWorkThatComesToItsEnd) {
 }
 
 TEST(Failure, CallsLackOfMemorySo) {
-  // Thrown as `new` throws it: a sanitizer ends the program where so much is asked for.
+  // Thrown as by `new`: a sanitizer would end the program at such an allocation.
   EXPECT_EQ(failureOf([] { throw std::bad_alloc(); }), "out of memory");
 }
 

@@ -21,9 +21,9 @@ std::optional<std::string> attribute(const std::string& path, const char* name) 
   return size < 0 ? std::nullopt : std::optional(std::string(value, static_cast<std::size_t>(size)));
 }
 
-/// The list as the system takes it: a version, then tag, rights and id of each entry, little-endian. The
-/// owner may read and write, user 1234 may read, the file's group may do nothing; the mask makes its mode
-/// look like 0660.
+/// The list in the system's format: a version, then tag, rights and id of each entry, little-endian. The
+/// owner may read and write, user 1234 may read, the file's group has no rights; with the mask its mode
+/// appears as 0660.
 std::string listForOneReader() {
   struct Entry {
     std::uint16_t tag, rights;
@@ -53,7 +53,7 @@ TEST(FileAttributes, OutliveASave) {
   EXPECT_EQ(status.st_mode & 0777, 0660u);
 }
 
-/// The folder's default list is for files that are new.
+/// The folder's default list applies only to new files.
 TEST(FileAttributes, OfTheFolderDoNotOpenAFileThatIsThere) {
   const TemporaryFolder folder;
   const std::string file = folder.file("s.alidade", "old"), list = listForOneReader();

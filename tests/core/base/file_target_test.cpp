@@ -35,7 +35,7 @@ TEST(FileTarget, TellsWhatStandsThere) {
   EXPECT_EQ(fileTarget("/dev/stdout")->descriptor, 1);
 }
 
-// Where the kernel protects links, it refuses them whatever the rights of the reader.
+// If the kernel protects links, it refuses them for any reader.
 TEST(FileTarget, FollowsNoLinkOfAnotherInAFolderThatAllMayWrite) {
   std::ifstream isProtected("/proc/sys/fs/protected_symlinks");
   const TemporaryFolder folder;
@@ -51,7 +51,7 @@ TEST(FileTarget, FollowsNoLinkOfAnotherInAFolderThatAllMayWrite) {
   EXPECT_THAT(target.problem().what, HasSubstr("another user"));
 }
 
-// Whoever may write everywhere is not stopped by a file's permissions.
+// Users who may write everywhere are not stopped by a file's permissions.
 TEST(FileTarget, RefusesAReadOnlyFile) {
   const TemporaryFolder folder;
   const std::string file = folder.file("file", "x");

@@ -12,7 +12,7 @@
 namespace alidade {
 namespace {
 
-/// All keys into few slots.
+/// Maps all keys to a few slots.
 struct Crowding {
   std::size_t operator()(int key) const { return static_cast<std::size_t>(key) % 3; }
 };
@@ -52,7 +52,7 @@ TEST(FirstIndex, TellsItOfManyKeysThatRepeat) {
   }
 }
 
-// Rounds of up to ten places, some read again, some longer than the table at first, one taken up again.
+// Rounds of up to ten places, some read again, some initially longer than the table, one resumed.
 TEST(FirstIndex, TellsItOfGroupsInAnyOrder) {
   RandomSource random(8);
   std::vector<int> keys;
@@ -67,7 +67,7 @@ TEST(FirstIndex, TellsItOfGroupsInAnyOrder) {
   expectAsInAMap<std::hash<int>>(negative);
 }
 
-// More keys than the table has at first in one group.
+// In one group, more keys than the table first holds.
 TEST(FirstIndex, GrowsWithinAGroup) {
   struct OneGroup {
     int operator()(int /*key*/) const { return 0; }

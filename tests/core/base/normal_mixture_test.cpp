@@ -12,7 +12,7 @@ namespace {
 
 const std::vector<NormalPart> mixture{{3, 1, 0.2}, {1, 2.5, 0.5}, {0.2, -4, 0.1}};
 
-/// ∫ f(x) × density dx by the trapezoidal rule; of normal peaks at steps below half their σ exact to 1e-9.
+/// ∫ f(x) × density dx by the trapezoidal rule; for normal peaks at steps below half their σ exact to 1e-9.
 template <typename Function>
 double integral(const Function& f) {
   constexpr double step = 0.001, reach = 10;
@@ -31,7 +31,7 @@ TEST(NormalMixture, HasTheMomentsOfItsDensity) {
               1e-6);
 }
 
-// The ends of the interval fall between two steps of the integral: half a step of a density below 2.
+// The ends of the interval are between two steps of the integral: half a step of a density below 2.
 TEST(NormalMixture, HoldsTheCoverageOfItsDensity) {
   for (const double coverage : {0.5, 0.9, 0.95, 0.99}) {
     const double half = halfWidth(mixture, 0.7, coverage);
@@ -58,8 +58,8 @@ TEST(NormalMixture, OfOnePartIsThatOfTheNormalDistribution) {
   EXPECT_NEAR(halfWidth({{0.3, 5, 2}}, 5, 0.95), 2 * coverageFactor(0.95, INFINITY), 1e-5);
 }
 
-// Of two peaks far apart the lesser, of a tenth, has to lie within but for the half of it that makes up 5 %;
-// twice the standard deviation, 0.6 of their distance, stays away from it.
+// Of two distant peaks the smaller, with a tenth, must be inside except for its half that makes up 5 %; twice
+// the standard deviation, 0.6 of their distance, does not reach it.
 TEST(NormalMixture, ReachesToALesserPeakThatTheCoverageNeeds) {
   const std::vector<NormalPart> two{{0.9, 0, 0.01}, {0.1, 1, 0.01}};
   const MeanAndSigma moments = momentsOf(two);

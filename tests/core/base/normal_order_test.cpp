@@ -11,7 +11,7 @@ double normalTail(double z) {
   return std::erfc(z / std::sqrt(2)) / 2;
 }
 
-// The expected order statistics of ten normal values (Harter 1961), which Blom's scores are close to.
+// The expected order statistics of ten normal values (Harter 1961), which Blom's scores approximate.
 TEST(NormalOrder, ScoresAreCloseToTheExpectedValues) {
   const double expected[] = {-1.53875, -1.00136, -0.65606, -0.37576, -0.12267};
   for (std::size_t i = 0; i < 5; ++i) {
@@ -22,7 +22,7 @@ TEST(NormalOrder, ScoresAreCloseToTheExpectedValues) {
   EXPECT_DOUBLE_EQ(normalScore(1, 1), 0);
 }
 
-// The greatest of n lies below z with probability Φ(z)ⁿ, the least above with (1 − Φ(z))ⁿ.
+// The largest of n is below z with probability Φ(z)ⁿ, the smallest above it with (1 − Φ(z))ⁿ.
 TEST(NormalOrder, QuantilesOfTheExtremesAreThoseOfPowers) {
   for (const std::size_t count : {1U, 2U, 34U, 20000U})
     for (const double probability : {0.025, 0.5, 0.975}) {

@@ -10,7 +10,7 @@
 namespace alidade {
 namespace {
 
-// Computed apart, in Python, from the published definitions of SplitMix64 and xoshiro256++.
+// Computed independently in Python from the published definitions of SplitMix64 and xoshiro256++.
 TEST(RandomSource, FollowsThePublishedGenerator) {
   RandomSource random(42, 7);
   EXPECT_EQ(random.bits(), 0xd9893fc677d6169u);
@@ -18,7 +18,7 @@ TEST(RandomSource, FollowsThePublishedGenerator) {
   EXPECT_EQ(random.bits(), 0xb20f071eca7887c8u);
 }
 
-// Against another library's quantile, over the range that 64 bits reach.
+// Compared with another library's quantile, over the range of 64 bits.
 TEST(RandomSource, TurnsUniformNumbersIntoNormalOnes) {
   const boost::math::normal normal;
   std::vector<double> probabilities{0.5, 0.075, 0.925, 0.0751, 1e-11, 2e-11};

@@ -27,8 +27,8 @@ TEST(Statistics, ChiSquareTailMeetsItsClosedForm) {
 }
 
 // With an even f the tail is a sum of Poisson's terms, exp(−x/2) Σ (x/2)^k/k! for k < f/2; for many degrees
-// of freedom it is normal after Wilson and Hilferty, to 1e-4 at f = 10⁵. What a plan without noise leaves is
-// all but nothing.
+// of freedom it is normal after Wilson and Hilferty, to 1e-4 at f = 10⁵. A plan without noise has almost zero
+// χ².
 TEST(Statistics, ChiSquareTailStandsForManyDegreesOfFreedom) {
   for (const double f : {2000.0, 3600.0, 1e5, 1e7})
     for (const double chiSquare : {0.0, 1e-300, 1e-20, 1.0, f / 10, f / 2})
@@ -45,8 +45,8 @@ TEST(Statistics, ChiSquareTailStandsForManyDegreesOfFreedom) {
   }
 }
 
-// F with two numerator degrees has the closed form (1 + 2F/n)^(−n/2); with infinitely many in the
-// denominator it is χ²/2.
+// F with two numerator degrees has the closed form (1 + 2F/n)^(−n/2); with an infinite denominator it is
+// χ²/2.
 TEST(Statistics, GivesTheUpperTailOfF) {
   for (const double ratio : {0.0, 0.3, 1.0, 4.0, 20.0}) {
     for (const double n : {1.0, 5.0, 28.0})
@@ -85,7 +85,8 @@ TEST(Statistics, HasNoTailOfTheUnknown) {
   EXPECT_EQ(chiSquareUpperTail(1e300, 3), 0);
 }
 
-// No interval is wide enough without degrees of freedom, nor beyond what doubles hold; nothing is thrown.
+// Without degrees of freedom, or beyond the range of doubles, every interval is too narrow; no exception is
+// thrown.
 TEST(Statistics, HasAnInfiniteFactorWhereNoIntervalIsWideEnough) {
   EXPECT_EQ(coverageFactor(0.95, 0), infinite);
   EXPECT_EQ(coverageFactor(0.95, std::nan("")), infinite);
@@ -93,8 +94,8 @@ TEST(Statistics, HasAnInfiniteFactorWhereNoIntervalIsWideEnough) {
   EXPECT_GT(coverageFactor(0.9999999, 0.05), 1e15);
 }
 
-// JCGM 100, G.4.1: of two parts of equal variance, one of them known, the other with ν, σ has 4ν; a part
-// alone has its own.
+// JCGM 100, G.4.1: for two parts of equal variance, one known, the other with ν, σ has 4ν; a single part has
+// its own.
 TEST(Statistics, StudentsTailMeetsItsClosedForms) {
   for (const double t : {-40.0, -1.0, 0.0, 0.3, 2.5, 1e6}) {
     EXPECT_NEAR(*studentLowerTail(t, 1), 0.5 + std::atan(t) / std::numbers::pi, 1e-14) << t;

@@ -25,7 +25,7 @@ TEST(TypedText, ReplacesWhatKeyboardsAndPdfsGive) {
   EXPECT_EQ(plainSigns("＋１，５；－２"), "+1,5;-2");
 }
 
-// Of what was accepted before, plain signs and the typographic ones, nothing changes.
+// Formerly accepted texts, with plain and typographic signs, are unchanged.
 TEST(TypedText, KeepsPlainSigns) {
   for (char c = ' '; c <= '~'; ++c) {
     if (c == '`') continue;

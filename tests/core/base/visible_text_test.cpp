@@ -58,7 +58,7 @@ TEST(VisibleText, KeepsTheControlCharactersItIsTold) {
   EXPECT_EQ(visibleText("a\nb\tc\r", "\n\t"), "a\nb\tc\\u000d");
 }
 
-// Character by character, against a second reading of what must never be shown.
+// Character by character, compared with a second implementation of the forbidden characters.
 TEST(VisibleText, LeavesNothingHiddenOfAllUnicode) {
   std::size_t escaped = 0;
   for (char32_t code = 0; code <= 0x10FFFF; ++code) {
@@ -75,7 +75,7 @@ TEST(VisibleText, LeavesNothingHiddenOfAllUnicode) {
   EXPECT_EQ(escaped, 65u + 2 + 3 + 4174);
 }
 
-// The same JSON document, in whose strings nothing is hidden any more.
+// The same JSON document, without hidden characters in its strings.
 TEST(VisibleText, MeansTheSameWithinJson) {
   const std::string title = "\x1b\u009b\u202E\u2028\x7f\U000E0041\\u0041 \"<b>\"";
   const std::string dumped = nlohmann::json{{"title", title}}.dump(2);

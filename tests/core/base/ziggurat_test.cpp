@@ -12,13 +12,13 @@ namespace {
 
 constexpr int count = 2'000'000;
 
-/// How often |z| is greater.
+/// The share of numbers with a larger |z|.
 double shareBeyond(double z) {
   return std::erfc(z / std::numbers::sqrt2);
 }
 
-// Of n numbers a share p lies beyond, give or take √(np(1 − p)); five times that once in two million. 3.6542
-// is where the tail begins, which is drawn in another way.
+// Of n numbers a share p is beyond, ± √(np(1 − p)); five times that once in two million. 3.6542 is the start
+// of the tail, which is drawn by another method.
 TEST(Ziggurat, HasTheTailsOfTheNormalDistribution) {
   constexpr std::array bounds{0.1, 0.5, 1.0, 2.0, 3.0, 3.5, 3.6541, 3.6543, 4.0, 4.5};
   std::array<int, bounds.size()> above{}, below{};
@@ -37,7 +37,7 @@ TEST(Ziggurat, HasTheTailsOfTheNormalDistribution) {
   }
 }
 
-// χ² over 200 stretches as likely as each other: a layer that is too wide or too narrow shows there.
+// χ² over 200 equally probable intervals: it detects a layer that is too wide or too narrow.
 TEST(Ziggurat, FillsEveryStretchAlike) {
   constexpr int stretches = 200;
   std::array<int, stretches> found{};

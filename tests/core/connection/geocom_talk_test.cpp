@@ -13,7 +13,8 @@ using testing::HasSubstr;
 
 const std::string angles = "0,4.353982047,1.454868102,2.4e-6,1000,-9.7e-6,4.8e-6,2.4e-6,1000,0";
 
-/// Awake, and asked for a reading, which is question 7: after 1 and 2, nothing asks back.
+/// Awake, with a reading requested, which is question 7: after 1 and 2, unanswered questions are not
+/// repeated.
 struct GeoComBench {
   GeoComTalk talk;
   TalkBench bench{talk};
@@ -30,13 +31,13 @@ struct GeoComBench {
     for (const char* rest : {"0", "0", "0,15", "0,\"TS16\"", "0,123456", "0,9,10,1", "0,24"})
       answerLast(rest);
   }
-  /// Asked for a reading, and said which instrument it is.
+  /// Requests a reading, and states the instrument.
   void take(const std::string& serial = "123456") {
     bench.keep(talk.take(bench.now));
     EXPECT_THAT(bench.sent, HasSubstr("%R1Q,5003,"));
     answerLast("0," + serial);
   }
-  /// Up to the question for the angles.
+  /// Continues up to the question for the angles.
   void askForAngles() {
     take();
     EXPECT_THAT(bench.sent, HasSubstr("%R1Q,2014,"));
@@ -118,7 +119,7 @@ TEST(GeoComTalk, TheFaceIsReadFromTheCircle) {
   geocom.answerLast("0,1.0,4.8,0,0,0,0,0,0,0");
   ASSERT_EQ(geocom.bench.readings.size(), 1U);
   EXPECT_EQ(geocom.bench.readings[0].face, 2);
-  // 4.8 rad of zenith angle: the elevation circle goes on from 90° at the zenith, so 450° − 275.0198°.
+  // 4.8 rad of zenith angle: the elevation circle continues from 90° at the zenith, so 450° − 275.0198°.
   EXPECT_NEAR(parseAngle(geocom.bench.readings[0].vertical)->degrees(), 174.98026, 1e-4);
   EXPECT_TRUE(geocom.bench.said("the circle counts")) << "the instrument said face 1";
 }
@@ -290,7 +291,7 @@ TEST(GeoComTalk, AskedTwiceTakesOnce) {
   EXPECT_EQ(geocom.bench.readings.size(), 1U);
 }
 
-/// Each once and in order, with every fault, as sharp as told.
+/// Each once and in order, with every fault, at full resolution.
 TEST(GeoComTalk, TakesTwoFacesWithEveryFault) {
   SimulatedOptions options{.sightings = twoFaceSightings(36), .faultEvery = 3};
   options.faults = {InstrumentFault::Garbage, InstrumentFault::Cut,  InstrumentFault::Silent,

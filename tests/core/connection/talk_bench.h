@@ -8,7 +8,7 @@
 
 namespace alidade {
 
-/// A talk and what came of it so far, with a clock that is set by hand.
+/// A connection and its results so far, with a manual clock.
 struct TalkBench {
   InstrumentTalk& talk;
   Milliseconds now = 0;
@@ -26,7 +26,7 @@ struct TalkBench {
     now += time;
     keep(talk.tick(now));
   }
-  /// What was sent since the last time.
+  /// The bytes sent since the last call.
   std::string told() { return std::exchange(sent, {}); }
   bool said(const std::string& part) const {
     for (const std::string& remark : remarks)
@@ -35,13 +35,13 @@ struct TalkBench {
   }
 };
 
-/// Lets both talk until nothing more is said now.
+/// Runs both sides until neither sends anything more at this time.
 inline void exchange(TalkBench& bench, SimulatedInstrument& instrument) {
   for (std::string said = bench.told(); !said.empty(); said = bench.told())
     bench.receive(instrument.receive(said));
 }
 
-/// `count` places in both faces, a tenth of a second sharp, no two alike.
+/// `count` places in both faces, with a resolution of a tenth of a second, all different.
 inline std::vector<SimulatedSighting> twoFaceSightings(int count) {
   std::vector<SimulatedSighting> sightings;
   for (int i = 0; i < count; ++i) {

@@ -46,13 +46,13 @@ TEST_P(EffectTest, IsNothingAtZero) {
   for (const int face : {1, 2}) {
     const Direction<double> none = readAt({}, pointing(face)),
                             zero = readAt(with(GetParam().term, 0), pointing(face));
-    // The long formulas at zero against the short ones: a few roundings of an angle.
+    // The long formulas at zero compared with the short ones: a few roundings of an angle.
     EXPECT_NEAR(zero.a, none.a, 1e-15);
     EXPECT_NEAR(zero.e, none.e, 1e-15);
   }
 }
 
-// Reversed, a small effect is reversed: what is left is second order, (30″)² and the like.
+// Reversing a small effect reverses its trace, up to second order, (30″)² and the like.
 TEST_P(EffectTest, ChangesSignWithItsSize) {
   const double size = 1e-3 * plausibleSize(GetParam());
   for (const int axisDeg : {0, 180}) {
@@ -98,7 +98,7 @@ TEST(EffectCatalogue, FindsTheEffectOfATerm) {
   for (const ErrorTerm term : {HorizontalJump, VerticalJump}) EXPECT_EQ(effectOf(term), nullptr);
 }
 
-// Who reads a result in English finds the id of an effect by its name.
+// Readers of an English result find the id of an effect by its name.
 TEST(EffectCatalogue, CallsEffectsAsTheirIdsDo) {
   for (const Effect& effect : effectCatalogue()) {
     std::string id = effect.name;
@@ -120,8 +120,7 @@ TEST(EffectCatalogue, GivesOutTheNamesOfNumbersInTheLanguageOfTheProgram) {
   EXPECT_EQ(name, "tilt about x!");
 }
 
-/// By how much three plausible sizes of an effect change a reading otherwise than three times what one does,
-/// σ of 2″.
+/// The deviation from linearity of a reading's change for three plausible sizes of an effect, at σ of 2″.
 double bendOf(const Effect& effect) {
   const auto readWith = [&](double sizes) {
     ErrorTerms<double> errors;
@@ -144,7 +143,7 @@ TEST(EffectCatalogue, KnowsWhichEffectsBend) {
   }
 }
 
-// The numbers of one effect are its parts along two directions, of which neither is the likelier.
+// The parameters of one effect are its components along two equivalent directions.
 TEST(EffectCatalogue, ExpectsAsMuchInEitherDirection) {
   for (const Effect& effect : effectCatalogue())
     for (const EffectParameter& parameter : effect.parameters) {
@@ -159,8 +158,8 @@ TEST(EffectCatalogue, FindsEffectsByTheirId) {
   EXPECT_EQ(effectById("moonlight"), nullptr);
 }
 
-// A plane askew by 0.28° on the plan of Table I, worked out apart from this program: Δx opens by −0.53 to
-// −0.68 mm, and Δd stays where the guideway's turn takes it off.
+// A plane skewed by 0.28° in the plan of Table I, calculated independently of this program: Δx opens by −0.53
+// to −0.68 mm, and Δd stays, as the guideway's rotation cancels it.
 TEST(Effects, OpenTheCentreByAPlaneAskewAndLeaveTheIntersection) {
   Truth truth = drawTruth(7);
   const auto fitted = [&] {
@@ -175,7 +174,7 @@ TEST(Effects, OpenTheCentreByAPlaneAskewAndLeaveTheIntersection) {
   EXPECT_NEAR(askew.intersection->value, none.intersection->value, 0.01);
 }
 
-// The first-order formulas of the textbooks, at 1″, where what they leave out is below 1e-5 of the effect.
+// The first-order formulas of the textbooks, at 1″, where the omitted terms are below 1e-5 of the effect.
 TEST(Effects, MeetTheTextbookFormulasOfTheInstrument) {
   const double size = Angle::fromArcseconds(1).radians();
   for (const int face : {1, 2}) {
@@ -202,7 +201,7 @@ TEST(Effects, MeetTheTextbookFormulasOfTheInstrument) {
     EXPECT_NEAR(changeOfE(VerticalRefraction), tens * tens, tolerance);  // the same in both faces
     EXPECT_NEAR(changeOfA(HorizontalDrift), 0.7, tolerance);
     EXPECT_NEAR(changeOfE(VerticalDrift), -0.7, tolerance);
-    // A leaning vertical axis acts alike in both faces: along tan e on α, and directly on e.
+    // A tilted vertical axis acts equally in both faces: along tan e on α, and directly on e.
     EXPECT_NEAR(std::abs(changeOfA(VerticalAxisTiltZ)), std::abs(std::tan(none.e) * std::cos(none.a)),
                 tolerance);
     EXPECT_NEAR(std::abs(changeOfE(VerticalAxisTiltX)), std::abs(std::cos(none.a)), tolerance);
@@ -215,9 +214,9 @@ struct TruthName {
   double factor = 1;
 };
 
-/// Not the plane's tilt: to first order it leaves no trace, so its sign cannot be told.
+/// Without the plane's tilt: to first order it has no trace, so its sign is undetectable.
 const std::map<ErrorTerm, TruthName> truthNames = {
-    {Collimation, {"collimation", -1}},  // the ray tracer counts it the other way round
+    {Collimation, {"collimation", -1}},  // the ray tracer has the opposite sign
     {TrunnionTilt, {"trunnion"}},
     {VerticalIndex, {"index"}},
     {VerticalAxisTiltX, {"axis_tilt_x"}},
@@ -235,8 +234,8 @@ const std::map<ErrorTerm, TruthName> truthNames = {
 };
 
 // Sessions of an independent ray tracer, each with one effect of known size. With that effect in the model
-// nothing but noise is left (χ² within its 0.01 % points), Δd covers the truth (k = 4 instead of 2 at this
-// many checks), and the size comes out within 4 σ where the readings tell it at all.
+// only noise is left (χ² within its 0.01 % points), Δd covers the truth (k = 4 instead of 2 for this many
+// checks), and the size is found within 4 σ if the readings determine it.
 TEST(Effects, ExplainTheRayTracersSessions) {
   int checked = 0;
   for (const test::Trial& trial : test::trials()) {
@@ -254,7 +253,8 @@ TEST(Effects, ExplainTheRayTracersSessions) {
     for (std::size_t i = 0; i < effect.parameters.size(); ++i) {
       const auto name = truthNames.find(effect.parameters[i].term);
       if (name == truthNames.end()) continue;
-      // What the readings do not tell stays at its prior, which the ray tracer's sizes exceed several times.
+      // A size that the readings do not determine stays at its prior, which the ray tracer's sizes exceed
+      // several times.
       if (fit.effects[i].sigma > effect.parameters[i].plausible / 2) continue;
       const double truth = name->second.factor * trial.effects.value(name->second.name, 0.0);
       EXPECT_LT(std::abs(fit.effects[i].value - truth), 4 * fit.effects[i].sigma) << name->second.name;

@@ -26,7 +26,7 @@ TEST(CauseIds, AreThoseOfTheCatalogueAndThreeMore) {
   }
 }
 
-// The ray tracer calls its causes by the same ids, in files that outlive every version of this program.
+// The ray tracer uses the same ids, in files that outlive every version of this program.
 TEST(CauseIds, AreThoseOfTruthFiles) {
   std::set<std::string> kinds;
   for (const test::Trial& trial : test::trials()) {

@@ -12,7 +12,8 @@
 #include "core/simulation/simulate.h"
 #include "core/simulation/truth_text.h"
 
-// What is displaced between the positions: Δd follows it by half, and no reading tells.
+// The displacement of the set-up between the positions: Δd changes by half of it, undetectable in any
+// reading.
 
 namespace alidade {
 namespace {
@@ -27,7 +28,7 @@ Measurement displaced(const char* plan, double x, double y, double* intersection
 TEST(SetupShift, MovesTheIntersectionByHalfOfItsHeight) {
   double truth = 0;
   const SessionFit fit = fitSession(displaced("paper", 0.3, 0.2, &truth));
-  // The second arc stands higher and to the right by the shift; the readings are rounded to 1e-6″.
+  // The second arc is higher and to the right by the shift; the readings are rounded to 1e-6″.
   EXPECT_NEAR(fit.intersection->value, truth - 0.1, 1e-6);
   EXPECT_NEAR(fit.arcs[1].circle.x - fit.arcs[0].circle.x, 0.3, 1e-6);
   for (const ArcFit& arc : fit.arcs) EXPECT_LT(arc.residualRms, 1e-4);

@@ -155,7 +155,7 @@ TEST(AngleColumns, AreJoinedForTheClipboard) {
   EXPECT_FALSE(joinedTable({{"1", "17"}, {"2", "18"}}));
 }
 
-/// One of both circles as the table has it, and its arcseconds.
+/// A circle reading as written in the table, and its arcseconds.
 struct WrittenAngle {
   std::array<std::string, 3> parts;
   double arcseconds = 0;

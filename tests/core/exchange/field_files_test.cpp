@@ -7,7 +7,7 @@
 #include "core/exchange/import.h"
 #include "tests/support/file_content.h"
 
-// The files of tests/reference/import, whose README says what each of them holds.
+// The files of tests/reference/import, whose README describes each of them.
 
 namespace alidade::test {
 namespace {
@@ -16,7 +16,7 @@ using ::testing::Contains;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
-/// The rows of a file as `point horizontal vertical`, and what was told of it.
+/// The rows of a file as `point horizontal vertical`, and its remarks.
 struct ReadFile {
   std::vector<std::string> rows, remarks;
   std::string refusal;

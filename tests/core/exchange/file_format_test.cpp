@@ -9,7 +9,7 @@
 #include "core/exchange/recognise.h"
 #include "tests/support/file_content.h"
 
-// One table says all of a format: what is read, and what is named in a sentence and refused.
+// One table defines every format: those that are read, and those that are named and refused.
 
 namespace alidade::test {
 namespace {
@@ -22,7 +22,7 @@ using ::testing::StartsWith;
 
 const std::string samplesOfImport = ALIDADE_REFERENCE_DIR "/import/";
 
-/// Of the import of a file; empty where it can be imported.
+/// The refusal of an import; empty if the file can be imported.
 std::string importRefusalOf(const std::string& name) {
   const std::string bytes = contentOf(samplesOfImport + "named/" + name);
   const auto import = importReadings({ReadingsFile{.name = name, .bytes = bytes}});
@@ -86,7 +86,7 @@ TEST(FileFormats, TakeNoSampleForAnotherFormat) {
           suffix == ".csv" || (suffix.empty() && entry.path().parent_path().filename() == "csv");
       if (!entry.is_regular_file() || (!isTable && suffix != ".gsi" && suffix != ".jxl")) continue;
       const auto text = readingsText(contentOf(entry.path().string()));
-      if (!text) continue;  // no text at all, and told so
+      if (!text) continue;  // a binary file, reported as such
       tables += isTable ? 1 : 0;
       const std::string wanted = isTable ? "table" : suffix == ".gsi" ? "gsi" : "jobxml";
       EXPECT_EQ(idOfFormatOf(*text), wanted) << entry.path();
@@ -150,7 +150,7 @@ TEST(FileFormats, ChosenColumnsHoldForWhatOnlyLooksLikeAFormat) {
   EXPECT_TRUE(importReadings({ReadingsFile{.name = "a.txt", .bytes = bytes, .table = layout}}));
 }
 
-/// Guide, README and metadata of the desktop name every format that is read.
+/// Guide, README and desktop metadata name every format that is read.
 TEST(FileFormats, AreNamedWhereverFormatsAreListed) {
   const std::string root = ALIDADE_SAMPLES_DIR "/../";
   for (const char* file : {"README.md", "core/exchange/README.md", "resources/help/en/entering.html",

@@ -224,7 +224,7 @@ TEST(GsiReader, TellsWhatWasNotMeasured) {
   EXPECT_THAT(recording.unused, Contains(HasSubstr("worked out, not measured: 1, first in line 2")));
 }
 
-// 0°00'23.40" beside a zenith angle that shows where the sign stands; 107.12234 has it behind the degrees.
+// 0°00'23.40" next to a zenith angle that shows the place of the sign; 107.12234 has it after the degrees.
 TEST(GsiReader, ReadsAWrittenDecimalSign) {
   const Recording recording = readGsi(
       "*110001+0000000000000001 21.324+00000000000023.40 22.324+00000000884731.50\n"

@@ -7,7 +7,7 @@
 
 #include "core/base/angle_text.h"
 
-// The words and their values are those of the data format chapter of the TPS1100 user manual, where it gives
+// The words and their values are those of the data format chapter of the TPS1100 user manual, if it gives
 // any.
 
 namespace alidade::test {
@@ -92,7 +92,7 @@ TEST(GsiWord, RefusesWhatIsNoAngle) {
   EXPECT_THAT(refusalOf("*21.102+1234567890123456"), HasSubstr("larger than a circle"));
 }
 
-// Minutes beyond 59 are passed on as they stand; the rules of entries tell of them.
+// Minutes beyond 59 are passed on unchanged; the rules of entries report them.
 TEST(GsiWord, LeavesRangesToTheRulesOfEntries) {
   EXPECT_EQ(angleOf("22.104+08875000"), "88°75'00.0\"");
   EXPECT_FALSE(parseAngle(angleOf("22.104+08875000")));

@@ -35,7 +35,7 @@ std::string paperCsv() {
   return {std::istreambuf_iterator<char>(file), {}};
 }
 
-/// What the paper states beside its table.
+/// The paper's statements outside its table.
 ImportOptions paperOptions() {
   const Session paper = paperSession();
   ImportOptions options;
@@ -118,7 +118,7 @@ TEST(Import, RefusesALineBehindTheLastReading) {
   EXPECT_THAT(import.problem().what, HasSubstr("its last reading in line 2"));
 }
 
-// Readings of one point, face and round are one visit: no two may end up in the same.
+// Readings of one point, face and round are one visit: two of them must not become the same.
 TEST(Import, PassesOverRoundsThatTheFileStates) {
   const auto roundsOf = [](const std::string& rows) {
     std::string rounds;
@@ -151,7 +151,7 @@ std::string axesOf(const Import& import) {
   return axes;
 }
 
-// Places that are sighted again after the axis has come back make another position, with the zeros sighted
+// Places that are sighted again after the axis returned belong to another position, with the zeros sighted
 // then; further rounds and other places do not.
 TEST(Import, MakesAPositionOfEachTimeTheAxisComesBack) {
   const auto of = [](const std::string& rows) { return imported("axis,point,round,face,Hz,V\n" + rows); };
@@ -260,7 +260,7 @@ TEST(Import, RefusesWhatHoldsNoReadings) {
   EXPECT_THAT(refusal("a,b\n1,2\n"), HasSubstr("line 1"));
 }
 
-/// What every import must keep: a session that can be written and read, a sentence and a line for every
+/// The conditions on every import: a session that can be written and read, a sentence and a line for every
 /// problem.
 void expectSound(const std::string& text) {
   const Result<Import> import = importReadings(text);
@@ -277,7 +277,7 @@ void expectSound(const std::string& text) {
   EXPECT_EQ(writeSession(*again), writeSession(import->session)) << text;
 }
 
-// 6000 files, each with up to eight bytes of a sound one changed, dropped or doubled.
+// 6000 files, each with up to eight bytes of a valid one changed, removed or doubled.
 TEST(Import, SurvivesDamagedFiles) {
   std::mt19937 random(20180101);
   const auto below = [&random](std::size_t count) { return random() % count; };

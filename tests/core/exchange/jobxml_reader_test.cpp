@@ -88,7 +88,7 @@ TEST(JobXml, IsRefusedWhereItIsBrokenOff) {
   EXPECT_EQ(recording.sightings.size(), 1u) << "what stands before the break tells whether the axis is named";
 }
 
-/// The same point set up on twice has its circle turned: two stations.
+/// The second set-up on the same point has its circle turned: two stations.
 TEST(JobXml, KeepsSetUpsApart) {
   const auto station = [](const std::string& id) {
     return "<StationRecord ID=\"" + id + "\"><StationName>K</StationName></StationRecord>\n";

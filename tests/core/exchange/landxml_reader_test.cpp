@@ -12,7 +12,7 @@ using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 
-/// With one observation, whose attributes are given.
+/// A file with one observation, with the given attributes.
 std::string landXmlOf(const std::string& units, const std::string& observation) {
   return "<LandXML version=\"1.2\">\n<Units><Metric linearUnit=\"millimeter\" " + units +
          "/></Units>\n<Survey><InstrumentSetup id=\"s\" stationName=\"K\"/><ObservationGroup setupID=\"s\">\n"

@@ -75,7 +75,7 @@ TEST(M5Reader, ReadsSightingsInEveryUnit) {
   EXPECT_EQ(recording.sightings[0].columnOf(rowField(&Reading::point)), 48u);
 }
 
-// The lines of the manual's electronic field book as GeoEasy's documentation prints them.
+// The lines of the manual's electronic field book as printed in GeoEasy's documentation.
 TEST(M5Reader, ReadsAPublishedFieldBook) {
   const Recording recording = readM5(
       "For M5|Adr 00017|TI      EL STAT                |                      |                      |       "

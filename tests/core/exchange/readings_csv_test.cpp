@@ -17,7 +17,7 @@ using ::testing::HasSubstr;
 using ::testing::Not;
 using ::testing::StartsWith;
 
-/// The session without its rows, as the window imports into it.
+/// The session without its rows, as the target of an import in the window.
 Session withoutRows(Session session) {
   for (Position& position : session.positions) position.readings.clear();
   return session;
@@ -110,7 +110,7 @@ TEST(ReadingsCsv, WhatSomebodyWroteReadsBack) {
   rows[1].note = "'+1, 'quoted' and # more";
   rows[2].note = "@all - wind, \"gusts\"; αβ";
   rows[3].note = "-12.5";
-  rows[4].horizontal = "=2*3";  // marked in the table, and kept
+  rows[4].horizontal = "=2*3";  // protected in the table, and kept
   rows[5].excluded = true;
   rows[6].round = "7";
   rows[7].point = "200";

@@ -32,7 +32,7 @@ std::string record(const std::string& kind, const std::vector<std::string>& fiel
   return text + end;
 }
 
-/// The same of SDR2x: points of 4, numbers of 10.
+/// The same for SDR2x: points of 4 characters, numbers of 10.
 std::string shortRecord(const std::string& from, const std::string& to, const std::string& distance,
                         const std::string& vertical, const std::string& horizontal) {
   return "09F1" + filled(from, 4) + filled(to, 4) + filled(distance, 10) + filled(vertical, 10) +
@@ -159,7 +159,7 @@ TEST(SdrReader, TellsOfRecordsThatNobodyNeeds) {
     EXPECT_THAT(recording.unused, Contains(HasSubstr(told)));
 }
 
-// Columns of names beyond ASCII: characters of Latin-1, bytes of GB 18030 (two for a character), bytes of
+// Columns after names beyond ASCII: characters of Latin-1, bytes of GB 18030 (two for a character), bytes of
 // UTF-8.
 TEST(SdrReader, FindsTheColumnsBehindNamesOfAnyEncoding) {
   const std::string before = heading("SDR33", "111111") + "09F1" + filled("K1", 16),

@@ -7,7 +7,7 @@
 #include "core/session/measurement.h"
 #include "tests/support/paper_table.h"
 
-// Several files in one import, readings added to a session, and what is kept of where rows came from.
+// Several files in one import, readings added to a session, and the recorded origins of rows.
 
 namespace alidade::test {
 namespace {

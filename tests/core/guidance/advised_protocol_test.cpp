@@ -7,7 +7,7 @@
 namespace alidade {
 namespace {
 
-/// What was read by a plan is that plan, but for names, and coordinates that nobody wrote down.
+/// The protocol from readings of a plan is that plan, except for names and unrecorded coordinates.
 TEST(ProtocolFromRows, IsThePlanThatWasRead) {
   for (const Protocol& named : namedProtocols()) {
     const Session session = *simulate(named, test::truth(), 3);

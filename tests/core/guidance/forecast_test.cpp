@@ -13,11 +13,11 @@ namespace {
 
 struct Foreseen {
   int known = 0, unknown = 0;
-  double farthest = 0;       ///< arcseconds, of those on an arc that is fitted
-  double farthestShare = 0;  ///< of the tolerance, of all
+  double farthest = 0;       ///< arcseconds, for readings on a fitted arc
+  double farthestShare = 0;  ///< of the tolerance, for all
 };
 
-/// Reads a simulated session row by row, each foreseen from what was read before it.
+/// Reads a simulated session row by row, predicting each from those before it.
 Foreseen foresee(const Session& whole, const SightingProtocol& protocol) {
   Foreseen seen;
   for (std::size_t p = 0; p < whole.positions.size(); ++p)
@@ -42,8 +42,8 @@ Foreseen foresee(const Session& whole, const SightingProtocol& protocol) {
   return seen;
 }
 
-// The slider stands within 60″ (1σ) of its mark each time it comes there: 10″ at the theodolite, then and
-// before; 4.5 σ of the difference in 500 rows. Before the place was seen, its coordinate is as good.
+// The slider is within 60″ (1σ) of its mark at each visit: 10″ at the theodolite, both now and earlier; 4.5 σ
+// of the difference in 500 rows. For a new place its coordinate is as accurate.
 const double asTheSliderComes = 60 * 400.0 / 2400 * std::sqrt(2) * 4.5;
 
 TEST(Forecast, IsNearEveryReadingOfEveryNamedProtocol) {
@@ -76,7 +76,7 @@ TEST(Forecast, IsOfOnePositionAlone) {
   EXPECT_LT(seen.farthestShare, 1);
 }
 
-/// The second position from the first, its zero not yet sighted: 90° farther on the circle.
+/// The second position predicted from the first, before its zero is sighted: 90° farther on the circle.
 TEST(Forecast, TurnsTheCircleAsTheProtocolDoes) {
   const Protocol named = *protocolByName("shifted-circle");
   const Session whole = *simulate(named, test::truth(), 7);

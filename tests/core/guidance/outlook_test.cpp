@@ -11,7 +11,7 @@
 namespace alidade {
 namespace {
 
-/// A session and all that is known of it.
+/// A session with all results needed for an outlook.
 struct Known {
   Session session;
   Measurement measurement;
@@ -25,7 +25,7 @@ struct Known {
   }
 };
 
-/// Zeros and distance exact: all that is left is the noise of the readings.
+/// Exact zeros and distance, so that only the noise of the readings remains.
 Truth onlyNoise() {
   Truth truth = test::truth();
   truth.sigmaZero = Angle();
@@ -37,7 +37,7 @@ TEST(Outlook, OfWhatIsThereIsUOfTheFit) {
     const Known known(*simulate(*protocolByName(name), test::truth(), 11));
     const Outlook outlook = known.outlook(test::asSimulated(*protocolByName(name)));
     ASSERT_TRUE(outlook.now && known.fit.intersection) << name;
-    // Linearised where the readings lie on the arcs, not beside them: the weights differ by the residuals.
+    // Linearised at readings on the arcs, without residuals, which would change the weights.
     EXPECT_NEAR(outlook.now->ofFit, known.fit.intersection->expanded, 1e-3 * known.fit.intersection->expanded)
         << name;
     ASSERT_FALSE(outlook.ahead.empty());
@@ -45,8 +45,8 @@ TEST(Outlook, OfWhatIsThereIsUOfTheFit) {
   }
 }
 
-/// Closed form: with the noise alone σ of n times as many rounds is 1/√n of it. U has Student's factor too,
-/// which is known here (σ taken as stated), so the noise is made too small for an estimate of its own.
+/// Closed form: with noise only, σ of n times as many rounds is 1/√n of it. U also has Student's factor,
+/// which is known here (σ as stated), so the noise is too small for an estimate of its own.
 TEST(Outlook, OfMoreRoundsGoesDownAsTheRootOfTheirNumber) {
   Protocol plan = test::plan(17, 10, 10, 1);
   Truth exact = onlyNoise();
@@ -61,7 +61,7 @@ TEST(Outlook, OfMoreRoundsGoesDownAsTheRootOfTheirNumber) {
       << "nothing but noise: what 2e-4 of U leave of a difference of squares";
 }
 
-/// Against sessions in which the further rounds are read, with noise: on the average of their own U.
+/// Compared with sessions in which the further rounds are read, with noise: with the average of their own U.
 TEST(Outlook, IsWhatFurtherRoundsComeTo) {
   Protocol plan = test::plan(9, 10, 20, 3);
   Protocol planned = plan;
@@ -75,12 +75,12 @@ TEST(Outlook, IsWhatFurtherRoundsComeTo) {
     foreseen += outlook.ahead.at(2).expanded.ofFit / sessions;
     come += all.fit.intersection->expanded / sessions;
   }
-  // s0 of 12 degrees of freedom scatters by 20 %, the mean of 40 by 3.2 %, that of 48 by 1.6 %: three of
+  // s0 of 12 degrees of freedom scatters by 20 %, the mean of 40 by 3.2 %, that of 48 by 1.6 %: three times
   // both.
   EXPECT_NEAR(foreseen, come, 0.11 * come);
 }
 
-/// The rest of a protocol, half of it read.
+/// The rest of a protocol, with half of it read.
 TEST(Outlook, OfTheRestOfTheProtocolIsUOfAllOfIt) {
   const Protocol plan = *protocolByName("two-face");
   Truth truth = test::truth();
@@ -92,11 +92,12 @@ TEST(Outlook, OfTheRestOfTheProtocolIsUOfAllOfIt) {
   EXPECT_GT(ahead.now->ofFit, 1.02 * there.now->ofFit) << "the zeros make up most of it";
 }
 
-/// What `plan` says of the way back is what one more round comes to, and with nothing more what is there.
+/// U of `plan` for the way back equals that of one more round, and with no further measure that of the
+/// existing rows.
 TEST(Outlook, AsMeasuredIsThatOfThePlan) {
   const Protocol plan = *protocolByName("paper");
   Session session = *simulateWithoutNoise(plan, test::truth(), 2);
-  session.geometry.zeroIs = "unknown";  // else a way back promises little beside what the zeros tell
+  session.geometry.zeroIs = "unknown";  // else a way back gains little compared with the zeros
   const Known known(session);
   const auto review = reviewPlan(known.measurement, known.fit);
   ASSERT_TRUE(review);
@@ -162,7 +163,7 @@ TEST(Outlook, IsThereAsSoonAsAZeroIs) {
   const Outlook outlook = known.outlook(templateOf(plan), {.withInstead = false});
   EXPECT_FALSE(outlook.now);
   ASSERT_FALSE(outlook.ahead.empty());
-  // The noise is taken as stated, where later 92 degrees of freedom estimate it: by 7.4 % (1σ), three of it.
+  // The noise is that stated, while later 92 degrees of freedom estimate it: to 7.4 % (1σ), three times that.
   EXPECT_NEAR(outlook.ahead.front().expanded.ofFit, all.fit.intersection->expanded,
               0.22 * all.fit.intersection->expanded);
 }
@@ -197,8 +198,8 @@ TEST(CarriedOut, HasEverySightingOfTheProtocolAndOfTheFurtherRounds) {
   }
 }
 
-/// Both faces of a visit see the slider in one place, also where the instrument has an error, which the fit
-/// would take for scatter.
+/// Both faces of a visit see the slider in one place, even with an instrument error, which the fit would
+/// otherwise interpret as scatter.
 TEST(CarriedOut, LeavesTheSliderWhereItStoodInAVisit) {
   const Protocol plan = *protocolByName("two-face");
   Truth truth = test::truth();
@@ -220,8 +221,7 @@ TEST(CarriedOut, LeavesTheSliderWhereItStoodInAVisit) {
   EXPECT_EQ(compared, 68) << "17 places there and back, in two positions";
 }
 
-/// What the pages of a result say is where the outlook starts from, with an error that one face cannot show,
-/// too.
+/// The outlook starts from the U on the result pages, also with an error that one face cannot show.
 TEST(Outlook, StartsFromTheResult) {
   for (const char* name : {"paper", "two-face"}) {
     Truth truth = test::truth();

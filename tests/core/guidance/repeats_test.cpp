@@ -44,7 +44,8 @@ TEST(Repeats, AreNoneInSoundSessions) {
                        .empty()
                    ? 0
                    : 1;
-  // Three comparisons at 1 % each, on an estimated scale: at most 5 in 90 but once in hundreds of such tests.
+  // Three comparisons at 1 % each, on an estimated scale: at most 5 in 90 except once in hundreds of such
+  // tests.
   EXPECT_LE(named, 7);
 }
 
@@ -65,7 +66,7 @@ TEST(Repeats, NameAMisreadReadingAndNothingElseForIt) {
   EXPECT_EQ(planned.face, 2);
 }
 
-/// Collimation and index are alike everywhere: no reason. One pair that differs is.
+/// Collimation and index are the same everywhere and no reason; one pair that differs is.
 TEST(Repeats, NameFacesThatDifferOtherwiseThanElsewhere) {
   const Protocol& named = *protocolByName("two-face");
   Truth truth = test::truth();
@@ -90,7 +91,7 @@ TEST(Repeats, NameAPlaceThatLiesElsewhereOnTheWayBack) {
   ASSERT_EQ(repeats.size(), 1u);
   EXPECT_EQ(repeats[0].reason, Repeat::Reason::WaysDisagree);
   EXPECT_EQ(progressOf(session, protocol).sightings[repeats[0].sightings[0]].planned.point, 9);
-  // Point 9 stands at 90°, where up is outward; a zenith circle reads down.
+  // Point 9 is at 90°, where up is outward; a zenith circle reads down.
   EXPECT_LT(repeats[0].size, -25);
 }
 

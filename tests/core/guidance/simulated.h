@@ -9,7 +9,7 @@
 
 namespace alidade::test {
 
-/// A plan of readings unlike the named ones.
+/// A plan of readings different from the named ones.
 inline Protocol plan(int points, double first, double step, int rounds, FacePlan faces = FacePlan::FaceOne) {
   return {.name = "own",
           .description = "",
@@ -32,15 +32,14 @@ inline Truth truth(VerticalCircle circle = VerticalCircle::Zenith) {
   return truth;
 }
 
-/// What `simulate` reads: zeros in face 1 alone.
+/// The readings of `simulate`: zeros in face 1 alone.
 inline SightingProtocol asSimulated(const Protocol& plan) {
   SightingProtocol protocol = templateOf(plan);
   for (ProtocolPosition& position : protocol.positions) position.zeros.before = {1};
   return protocol;
 }
 
-/// What is left of a session after its first rows, in the order taken, and before anything is read in a later
-/// position.
+/// A session cut after its first rows, in the order taken, before later positions have readings.
 inline Session cut(Session session, std::size_t position, std::size_t rows) {
   session.positions[position].readings.resize(rows);
   for (std::size_t later = position + 1; later < session.positions.size(); ++later) {
@@ -50,7 +49,7 @@ inline Session cut(Session session, std::size_t position, std::size_t rows) {
   return session;
 }
 
-/// Without the rounds behind the `rounds`-th.
+/// Without the rounds after the `rounds`-th.
 inline Session firstRounds(Session session, int rounds) {
   for (Position& position : session.positions)
     std::erase_if(position.readings,

@@ -8,7 +8,7 @@
 namespace alidade {
 namespace {
 
-// Against the rotation itself: by `axisDeg` about x.
+// Compared with the rotation itself: by `axisDeg` about x.
 TEST(HalfTurn, SignIsThatOfARotationAboutX) {
   for (const int axisDeg : {0, 180}) {
     const double angle = axisDeg * std::numbers::pi / 180;
@@ -18,7 +18,7 @@ TEST(HalfTurn, SignIsThatOfARotationAboutX) {
   }
 }
 
-// A mark of the guideway's scale stands at s in its own plane; turned with it, it is seen at φ.
+// A mark of the guideway's scale is at s in its own plane; turned with it, it is seen at φ.
 TEST(HalfTurn, SliderCoordinateStaysWithTheGuideway) {
   for (const int axisDeg : {0, 180})
     for (const double s : {-2.5, -0.4, 0.0, 1.0, 3.0}) {

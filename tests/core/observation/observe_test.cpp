@@ -37,7 +37,7 @@ Measurement everythingAtOnce(VerticalCircle circle) {
   return measurement;
 }
 
-/// One reading by plain doubles from a fit's values with some of them changed: the model's other
+/// One reading in plain doubles from a fit's values with some of them changed: the model's other
 /// instantiation.
 class ReadingModel {
  public:
@@ -118,7 +118,7 @@ class DerivativeTest : public testing::TestWithParam<VerticalCircle> {
   }
 
   /// Both derivatives of every seventh reading, of all kinds and faces, per `h`. A difference of readings
-  /// near 1 rad is rounded to some 1e-15, and so is `numeric`; h makes the changes some 1e-4 rad.
+  /// near 1 rad is rounded to some 1e-15, and so is `numeric`; h causes changes of some 1e-4 rad.
   void compare(const std::string& name, const Unknown& unknown, double h,
                const std::function<double(std::size_t)>& automatic) {
     double largest = 0;
@@ -167,7 +167,7 @@ TEST_P(DerivativeTest, OfEveryErrorTermMeetsTheNumericOne) {
   }
 }
 
-// The derivatives by the arc angle are given by their direction within a visit.
+// Derivatives with respect to the arc angle are given by their direction within a visit.
 TEST_P(DerivativeTest, ByTheArcAngleMeetsTheNumericOne) {
   std::map<std::size_t, std::vector<std::size_t>> visits;
   for (std::size_t i = 0; i < linear.readings.size(); ++i) visits[linear.readings[i].visit].push_back(i);
@@ -189,8 +189,8 @@ INSTANTIATE_TEST_SUITE_P(Circles, DerivativeTest,
                            return circle.param == VerticalCircle::Zenith ? "Zenith" : "Elevation";
                          });
 
-// What each error of the guideway does to the target, to first order, from its description alone: radially,
-// across the plane, or downwards in the room. R = 400 mm, s = φ at 0° and −φ at 180°.
+// The effect of each error of the guideway on the target, to first order, from its description alone:
+// radially, across the plane, or downwards in space. R = 400 mm, s = φ at 0° and −φ at 180°.
 TEST(Target, MovesAsTheErrorsOfTheGuidewayAreDescribed) {
   struct Shift {
     double x, y, z;

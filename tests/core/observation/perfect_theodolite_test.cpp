@@ -16,7 +16,8 @@ TEST(PerfectTheodolite, ReadsTheAnglesOfTheSightLine) {
     for (const double y : {-700.0, 0.0, 1.0, 650.0}) {
       const Direction<double> read =
           observe(PlanePoint<double>{x, y}, distance, VerticalAngleRelation::Exact);
-      // The unit vector of the reading, turned back, has to hit the target: no formula shared with `observe`.
+      // The unit vector of the reading, converted back, has to hit the target, without a formula shared with
+      // `observe`.
       const double slant = std::sqrt(x * x + y * y + distance * distance);
       EXPECT_NEAR(std::cos(read.e) * std::sin(read.a), x / slant, 1e-15);
       EXPECT_NEAR(std::sin(read.e), y / slant, 1e-15);

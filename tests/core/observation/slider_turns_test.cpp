@@ -14,8 +14,8 @@ double inDegrees(double radians) {
   return Angle::fromRadians(radians).degrees();
 }
 
-/// s of each place, degrees, once its arc angle was taken from a direction and unwrapped. The slider reads
-/// `zero` more than s, on a scale from 0° to 360°, where it is read.
+/// s of each place, degrees, after its arc angle was found from a direction and unwrapped. Where it is read,
+/// the slider reads `zero` more than s, on a scale from 0° to 360°.
 std::vector<double> unwrapped(const std::vector<double>& places, int axisDeg, double zero = 0,
                               const std::vector<bool>& isRead = {}) {
   std::vector<Sighting> rows(places.size());
@@ -57,7 +57,7 @@ TEST(SliderTurns, FollowTheScaleAllButRoundTheCircle) {
 }
 
 TEST(SliderTurns, LeaveLessThanHalfATurnAsItIs) {
-  const std::vector<double> places{-170, -120, -60, -10};  // upside down, and told as such
+  const std::vector<double> places{-170, -120, -60, -10};  // upside down, and reported as such
   expectSame(unwrapped(places, 0), places);
 }
 

@@ -31,8 +31,8 @@ ArcMeasurement arcOf(const std::vector<Row>& rows) {
   return arc;
 }
 
-// A way back, and the second face after the first: the slider goes 3, 1, 2, then round 2 before round 1 has
-// ended.
+// A way back, and the second face after the first: the slider goes 3, 1, 2, then round 2 begins before round
+// 1 has ended.
 TEST(Visits, AreInTheOrderOfTheirFirstRows) {
   const ArcMeasurement arc = arcOf(
       {{1, 3, 1, 0, 0}, {1, 1, 1, 0, 0}, {2, 2, 1, 0, 0}, {1, 2, 1, 0, 0}, {1, 1, 2, 0, 0}, {1, 3, 2, 0, 0}});
@@ -41,7 +41,7 @@ TEST(Visits, AreInTheOrderOfTheirFirstRows) {
   EXPECT_EQ(order, (std::vector<std::pair<int, int>>{{1, 3}, {1, 1}, {2, 2}, {1, 2}}));
 }
 
-// Rounds up and down, ways there, back and crosswise, faces together or apart: as found by looking row by
+// Rounds up and down, ways there, back and crosswise, faces together or apart: compared with a search row by
 // row.
 TEST(Visits, AreFoundInWhateverOrderTheRowsWereTaken) {
   std::mt19937 random(13);

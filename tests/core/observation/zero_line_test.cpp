@@ -12,7 +12,7 @@ struct Station {
   ArcMeasurement arc;
 };
 
-/// The instrument stands `height` mm below the axis.
+/// The instrument is `height` mm below the axis.
 Station stationBelow(double height, ArcPlane plane, alidade::VerticalAngleRelation relation) {
   Station station;
   station.measurement.distance = 2405;
@@ -40,7 +40,7 @@ TEST(ZeroLine, CountsElevationsFromThePlumbLine) {
   EXPECT_NEAR(-Angle::fromRadians(line.observe({400, 0}).e).arcseconds(), 59.3, 2);
 }
 
-// A plane square to the zero, seen by its rotation about the trunnion axis written out.
+// A plane square to the zero, compared with its rotation about the trunnion axis written out.
 TEST(ZeroLine, TurnsASquarePlaneWithTheZero) {
   const Station below = stationBelow(50, ArcPlane::Square, alidade::VerticalAngleRelation::Exact);
   const double e0 = std::atan2(50, 2405), x = 300, y = 350;

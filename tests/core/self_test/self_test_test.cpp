@@ -29,7 +29,7 @@ TEST(SelfTest, PassesHere) {
   const SelfTest test = runSelfTest({});
   EXPECT_EQ(failedLines(test.checks), std::vector<std::string>());
   EXPECT_TRUE(test.hasPassed());
-  EXPECT_EQ(test.count(SelfCheck::Outcome::LeftOut), 1U);  // it is not installed
+  EXPECT_EQ(test.count(SelfCheck::Outcome::LeftOut), 1U);  // the program is not installed
   EXPECT_GE(test.count(SelfCheck::Outcome::Passed), 200U);
   for (const SelfCheck& check : test.checks) {
     EXPECT_STRNE(check.reason, "") << check.name;
@@ -43,8 +43,8 @@ TEST(SelfTest, HoldsThirtyDigitsOfEveryFit) {
         << check.name << " " << check.expected;
 }
 
-// Every number of the references is looked at: each of them spoilt by a hundred thousandth, or by its last
-// letter, fails in one line, and in that of its own.
+// Every reference number is used: changing any of them by a hundred thousandth, or in its last letter, makes
+// exactly its own line fail.
 TEST(SelfTest, EveryReferenceThatIsWrongFailsInItsLine) {
   const Json whole = Json::parse(compiledReferences().fits);
   int spoilt = 0;

@@ -21,7 +21,7 @@ using testing::IsEmpty;
 
 constexpr double oneArcsec = std::numbers::pi / 180 / 3600;
 
-/// A row at this azimuth with what a compensator reads there.
+/// A row at this azimuth with the compensator's readings there.
 struct Row {
   double degrees = 0;
   int face = 1;
@@ -71,8 +71,8 @@ std::vector<std::string> findingsOf(const Measurement& measurement) {
   return texts;
 }
 
-// The plumb line seen from an instrument that leans as the forward model has it: its rotations, written out
-// once more. What lies along and across the line of sight is what a liquid compensator reads.
+// The plumb line seen from an instrument tilted as in the forward model, with its rotations written out
+// independently. A liquid compensator reads its components along and across the line of sight.
 TEST(Compensator, ReadsThePlumbLineInTheAlidade) {
   const AxisTilt tilt{40 * oneArcsec, -70 * oneArcsec};
   const Eigen::Matrix3d labFromInstrument = (Eigen::AngleAxisd(tilt.aboutZ, Eigen::Vector3d::UnitZ()) *
@@ -91,8 +91,8 @@ TEST(Compensator, ReadsThePlumbLineInTheAlidade) {
     }
 }
 
-// An axis that leans towards the target lets it stand higher; one that leans to the right lets high targets
-// be read too far left, by the tilt times tan e.
+// An axis that leans towards the target raises it; one that leans to the right makes high targets read too
+// far left, by the tilt times tan e.
 TEST(Compensator, HasTheSignsOfTheForwardModel) {
   const double t = 50 * oneArcsec;
   const auto read = [](double aboutX, double aboutZ, SpacePoint<double> target) {
@@ -102,7 +102,7 @@ TEST(Compensator, HasTheSignsOfTheForwardModel) {
     return circleDirection(errors, target, Pointing());
   };
   const SpacePoint<double> ahead{0, 0, -2405}, high{0, 400, -2405};
-  // tx = −t: the compensator reads length = +t, and the level target stands higher by as much.
+  // tx = −t: the compensator reads length = +t, and the level target appears higher by the same amount.
   EXPECT_NEAR(tiltsRead({-t, 0}, Angle(), 1).length, t, 1e-15);
   EXPECT_NEAR(read(-t, 0, ahead).e, t, 1e-9);
   // tz = −t: cross = +t, and a target at the elevation e reads δα = −t tan e.
@@ -124,11 +124,12 @@ TEST(Compensator, FindsTheTiltOfTheAxisFromOneFace) {
   for (const KnownNumber& number : known) ASSERT_TRUE(parameterMeant(number)) << number.parameter;
   EXPECT_EQ(parameterMeant(known[0])->term, ErrorTerm::VerticalAxisTiltX);
   EXPECT_EQ(parameterMeant(known[1])->term, ErrorTerm::VerticalAxisTiltZ);
-  // The index is 0 ± σ and cannot be told from the tilt over so few degrees: it pulls towards zero by what
-  // ten rows weigh less than all of σ.
+  // The index is 0 ± σ and inseparable from the tilt over so few degrees: it pulls towards zero by the ratio
+  // of the weights of ten rows and of σ.
   EXPECT_NEAR(known[0].value, 33, 0.01);
   EXPECT_NEAR(known[1].value, -21, 0.01);
-  // All of σ shared, an index of the same, the mean of ten rows; the turn of 9° tells a little of the index.
+  // All of σ shared, an index with the same σ, the mean of ten rows; the rotation of 9° hardly determines the
+  // index.
   for (const KnownNumber& number : known) EXPECT_NEAR(number.sigma, 0.5 * std::sqrt(2.1), 0.03);
   EXPECT_THAT(findingsOf(measurement), IsEmpty());
 }
@@ -143,7 +144,7 @@ TEST(Compensator, FreesTheTiltOfItsIndexWithBothFaces) {
   for (const KnownNumber& number : known) EXPECT_NEAR(number.sigma, std::sqrt(1 + 9 + 1. / 12), 0.01);
 }
 
-// Also where a program counts tilts along the line of sight, which does not turn over in face 2.
+// Also if a program counts tilts along the line of sight with a sign that does not change in face 2.
 TEST(Compensator, DoesNotBelieveTiltsThatDoNotTurnOver) {
   const Measurement measurement = measuredWith(bothFaces, {.indexCross = 2, .indexLength = 30});
   EXPECT_THAT(compensatorKnowledge(measurement).known, IsEmpty());

@@ -72,7 +72,7 @@ TEST(Journal, LeavesNothingInTheFileWhereThereIsNone) {
   EXPECT_EQ(writeSession(taken).find("as_read"), std::string::npos) << "taken out of what was read";
 }
 
-/// Whatever text of whichever entry is changed, or an entry taken out, shows, and where.
+/// Changing any text of any entry, or removing an entry, is detected and located.
 TEST(Journal, ShowsEveryChangeOfALine) {
   std::vector<JournalEntry> journal;
   for (int i = 0; i < 6; ++i) enterInJournal(journal, change(std::to_string(i), std::to_string(i + 1)));

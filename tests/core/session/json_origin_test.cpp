@@ -26,7 +26,7 @@ TEST(JsonOrigin, OfNothingReadIsAnEmptyObject) {
   EXPECT_EQ(JsonOrigin(Json::object()).object(), Json::object());
 }
 
-// Rows share what they have in common, which takes up many times a text's memory.
+// Rows share their common part, whose memory is many times that of a text.
 TEST(JsonOrigin, IsSharedByItsCopiesAndOutlivedByThem) {
   std::optional<JsonOrigin> first(Json{{"k", 1}});
   const JsonOrigin copy = *first;

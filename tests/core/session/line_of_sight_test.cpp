@@ -6,8 +6,8 @@
 #include "core/session/session_file.h"
 #include "core/session/taken_record.h"
 
-// The offset e of the line of sight from the vertical axis: in a record, in a session, and in what is known
-// of the collimation at the session's distance.
+// The offset e of the line of sight from the vertical axis: in a record, in a session, and in the known
+// collimation at the session's distance.
 
 namespace alidade {
 namespace {

@@ -259,7 +259,7 @@ TEST(Measurement, NamesWhatIsNoPositionOfTheAxis) {
   EXPECT_THAT(soleProblem(session).what, HasSubstr("“90” is no position of the axis: type 0 or 180"));
 }
 
-// Where an axis comes again the order of the file is that of the measurement, else 0° was taken first.
+// If an axis repeats the order of the file is that of the measurement, else 0° was taken first.
 TEST(Measurement, TakesAnAxisThatComesAgainInTheOrderOfTheFile) {
   for (const std::vector<std::string>& axes :
        {std::vector<std::string>{"0", "180", "0"}, {"180", "0", "180"}, {"0", "0"}, {"180", "0", "0", "0"}}) {
@@ -292,7 +292,7 @@ TEST(Measurement, TakesAnAxisThatComesAgainInTheOrderOfTheFile) {
   EXPECT_EQ(firstAtTheirAxes(once), (std::vector<std::size_t>{0, 1}));
 }
 
-// A position that cannot be used still counts: the next one at its axis was measured a second time.
+// An unusable position still counts: the next one at its axis is the second repeat.
 TEST(Measurement, CountsPositionsAtAnAxisWithThoseThatCannotBeUsed) {
   Session session = soundSession();
   session.positions.push_back(session.positions[0]);
@@ -391,7 +391,7 @@ TEST(Measurement, HasOneZeroWhereItIsStatedAndTheSameEverywhere) {
   EXPECT_TRUE(examine(session).measurement->hasOneZero());
 }
 
-// Closed form: L (1 + α (T − 20 K)), and σ(L) with L α σ(T) beside it.
+// Closed form: L (1 + α (T − 20 K)), and σ(L) combined with L α σ(T).
 TEST(Measurement, TakesLengthsToTheTemperatureOfTheSession) {
   Session session = soundSession();
   const Measurement stated = *examine(session).measurement;
@@ -470,7 +470,7 @@ TEST(Measurement, EverySampleAndReferenceSessionIsSound) {
   }
 }
 
-// Long positions are gone through at once.
+// Long positions are examined in parallel.
 TEST(Measurement, OfLongPositionsIsInTheOrderOfTheFileToo) {
   constexpr std::size_t rows = 4000, wrong = 1000;
   Session session = soundSession();

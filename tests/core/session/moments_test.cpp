@@ -18,7 +18,7 @@ Reading timedRow(int point, const std::string& takenAt = {}) {
   return row;
 }
 
-/// Two positions of three rows each; the zeros are sighted before and behind them.
+/// Two positions of three rows each; the zeros are sighted before and after them.
 Session threeRowsEach() {
   Session session;
   session.geometry.distanceMm = "2405";
@@ -94,7 +94,7 @@ TEST(Moments, StandApartFromTheElevationOfTheZero) {
   for (Position& position : session.positions) position.zero.after = {};
   const Measurement level = *examine(session).measurement;
   for (const ArcMeasurement& arc : level.arcs) EXPECT_NEAR(arc.zeroElevation.degrees(), 0.5, 1e-12);
-  session.geometry.verticalCircle = "elevation";  // 89.5° up is no zero of an elevation circle
+  session.geometry.verticalCircle = "elevation";  // 89.5° up is not a valid zero of an elevation circle
   const Measurement other = *examine(session).measurement;
   for (const ArcMeasurement& arc : other.arcs) EXPECT_EQ(arc.zeroElevation.radians(), 0);
 }

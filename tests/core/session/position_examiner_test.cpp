@@ -25,7 +25,7 @@ std::string typed(double degrees) {
   return fixedText(std::fmod(degrees + 720, 360), 12) + "°";
 }
 
-/// A row that reads what a theodolite reads which is turned by `a` and `e` from a zero at 10° on the horizon.
+/// A row read by a theodolite turned by `a` and `e` from a zero at 10° on the horizon.
 Reading rowAt(double a, double e, int face = 1, VerticalCircle circle = VerticalCircle::Zenith) {
   const bool zenith = circle == VerticalCircle::Zenith;
   Reading row;
@@ -61,8 +61,7 @@ std::vector<std::string> pathsOf(const ExaminedPosition& position) {
   return paths;
 }
 
-// Wherever the circles stand, and with a zero up to a degree off the horizon. Twelve decimals of a degree
-// leave 1e-12.
+// For any circle reading, and a zero up to a degree off the horizon. Twelve decimals of a degree leave 1e-12.
 TEST(PositionExaminer, ReducesEitherFaceOfEitherCircle) {
   std::mt19937 random(4);
   std::uniform_real_distribution<double> anywhere(0, 360), wide(-79.9, 79.9);
@@ -104,7 +103,7 @@ TEST(PositionExaminer, CountsRowsAsTheSessionDoes) {
   EXPECT_DOUBLE_EQ(last.slider->degrees(), -5.5);
 }
 
-// Of some hundred rows with numbers at random; excluded ones stand in nobody's way.
+// Some hundred rows with random numbers; excluded ones do not conflict.
 TEST(PositionExaminer, RefusesTheSamePointRoundAndFaceOnly) {
   std::mt19937 random(5);
   const std::vector<std::string> points{"", "0", "1", "2", "40", "999999999"}, rounds{"", "1", "2", "60"};
@@ -156,8 +155,8 @@ TEST(PositionExaminer, RefusesWhatLiesFarFromTheZero) {
       }
 }
 
-// Entries are judged wherever they can be, each by its own; where the kind of circle is unknown, elevations
-// below the horizon pass.
+// Every entry that can be judged is, independently of the others; if the kind of circle is unknown,
+// elevations below the horizon pass.
 TEST(PositionExaminer, JudgesRowsThatNothingCanBeReducedFrom) {
   Position position = positionWith({rowAt(1, 1), rowAt(2, 2), {}, rowAt(4, 4), rowAt(170, 0)}, "lost");
   position.readings[1].horizontal = "400°";

@@ -7,7 +7,7 @@
 namespace alidade {
 namespace {
 
-/// "0: z1 z2 1.1.1 1.1.2 | 180: …", point.round.face; zeros behind the readings as Z.
+/// "0: z1 z2 1.1.1 1.1.2 | 180: …", point.round.face; zeros after the readings as Z.
 std::string told(const PlannedSighting& planned) {
   if (planned.isZero) return (planned.isAfter ? "Z" : "z") + std::to_string(planned.face);
   return std::to_string(planned.point) + "." + std::to_string(planned.round) + "." +
@@ -74,7 +74,7 @@ TEST(SightingsInOrder, AreThoseOfTwentyFourPlaces) {
   EXPECT_EQ(told(sightings.back()), "1.2.2");
 }
 
-/// A session that is read as told: "z1" a zero, else point.round.face with x where it is excluded.
+/// A session with the given readings: "z1" a zero, else point.round.face, with x if it is excluded.
 class Led {
  public:
   explicit Led(SightingProtocol protocol) : m_protocol(std::move(protocol)), m_session(blankSession()) {

@@ -16,7 +16,7 @@ namespace {
 using testing::ElementsAre;
 using testing::IsEmpty;
 
-/// A text that no rule but that of free texts lets through.
+/// A text that only the rule of free texts accepts.
 constexpr const char* nonsense = "nonsense";
 
 /// One row with a text in every field.
@@ -30,7 +30,7 @@ Session sessionOfOneRow(const std::string& text) {
   return session;
 }
 
-// The order of the keys of a row that is new, as in the files written so far.
+// The order of the keys of a new row, as in existing files.
 TEST(RowFields, AreWrittenInTheOrderOfTheFile) {
   Session session = sessionOfOneRow("1");
   session.positions[0].readings[0].excluded = true;
@@ -52,7 +52,7 @@ TEST(RowFields, SurviveTheFile) {
   EXPECT_EQ(read->positions[0].readings, session.positions[0].readings);
 }
 
-// Whatever its rule refuses, the check of the whole session and that of the single entry tell at its place.
+// A text that its rule refuses is reported at its place by both the session check and the single entry check.
 TEST(RowFields, AreCheckedByTheirRules) {
   const Session session = sessionOfOneRow(nonsense);
   std::set<std::string> told;
@@ -68,7 +68,7 @@ TEST(RowFields, AreCheckedByTheirRules) {
   }
 }
 
-/// A text that its rule lets through.
+/// A text that its rule accepts.
 std::string soundText(const RowField& field) {
   if (std::holds_alternative<CorrectionsRule>(field.rule)) return "collimation";
   if (std::holds_alternative<NumberText>(field.rule)) return "1284";
@@ -93,13 +93,13 @@ TEST(RowFields, ComeFromTables) {
   }
 }
 
-// The name in the file names the column.
+// The file's name of the field also names its column.
 TEST(RowFields, AreToldApartByTheirKeys) {
   for (const RowField& field : rowFields)
     EXPECT_EQ(columnName(std::string(field.key)).column, TableColumn{&field}) << field.key;
 }
 
-// As people name such columns; a tilt in another unit is none.
+// Common names of such columns; a tilt in another unit is ignored.
 TEST(RowFields, KnowHowTiltsAreNamed) {
   for (const char* name : {"Cross tilt", "tilt_cross_arcsec", "Transverse inclination [arcsec]"})
     EXPECT_EQ(columnName(name).column, TableColumn{&rowField(&Reading::tiltCrossArcsec)}) << name;
@@ -126,7 +126,7 @@ TEST(RowFields, RefuseTiltsAndCorrectionsThatMeanNothing) {
     EXPECT_THAT(said(&Reading::corrections, typed), testing::HasSubstr("names no corrections")) << typed;
 }
 
-// Rows without them are written as they were.
+// Rows without them are written unchanged.
 TEST(RowFields, OfTheCompensatorAreWrittenWhereTheyAre) {
   Session session = blankSession();
   session.geometry.distanceMm = "2405";
@@ -167,7 +167,7 @@ TEST(RowFields, KnowWhatAnEmptyTextStandsFor) {
     EXPECT_EQ(usualText(rowField(text)), "");
 }
 
-// Excluding a row is nothing typed in it; each text is.
+// Excluding a row does not count as typing in it; each text does.
 TEST(RowFields, TellABlankRow) {
   Reading row;
   row.excluded = true;

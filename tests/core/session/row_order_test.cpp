@@ -34,7 +34,7 @@ TEST(FirstSequences, FollowTheFileWhereAnAxisComesAgain) {
   EXPECT_EQ(positionsAsTaken(withAxes({{"180", 5}, {"0", 17}, {"", 2}})), (Sequences{1, 0, 2}));
 }
 
-// What was typed wrongly keeps its place among the others.
+// Wrongly typed positions keep their place among the others.
 TEST(FirstSequences, KeepsTheOrderOfTheFileOtherwise) {
   EXPECT_EQ(firstSequences(withAxes({{"", 3}, {"180", 5}, {"0", 17}})), (Sequences{17, 20, 0}));
   EXPECT_EQ(firstSequences(withAxes({})), Sequences{});

@@ -45,7 +45,7 @@ std::string contentOf(const std::filesystem::path& path) {
   return {std::istreambuf_iterator<char>(file), {}};
 }
 
-/// What every session must survive: reading and writing loses nothing, and writing is stable.
+/// The conditions on every session: reading and writing is lossless, and writing is stable.
 void expectLossless(const std::string& text) {
   const Result<Session> session = readSession(text);
   ASSERT_TRUE(session) << session.problem().text();
@@ -63,7 +63,7 @@ std::string sentenceOn(const Json& json) {
   return session ? "accepted" : session.problem().text();
 }
 
-/// The complete session with the value at a JSON pointer replaced, or taken out where it is discarded.
+/// The complete session with the value at a JSON pointer replaced, or removed if it is discarded.
 std::string sentenceWith(const char* pointer, const Json& value) {
   Json json = completeSession();
   json[Json::json_pointer(pointer)] = value;
@@ -394,7 +394,7 @@ TEST(SessionFile, RowsKeepTheirUnknownKeysWhenTheyMove) {
   EXPECT_FALSE(written["positions"][0]["readings"][2].contains("weather"));
 }
 
-// Rows that are alike but for their texts share what else is kept of them.
+// Rows that differ only in their texts share the rest.
 TEST(SessionFile, KeepsEveryWayToWriteARow) {
   Json json = completeSession();
   Json& rows = json["positions"][0]["readings"];

@@ -18,7 +18,7 @@ Json rowOf(unsigned point) {
   return {{"point", point}, {"horizontal", std::to_string(point) + " 0 0"}, {"vertical", "90 0 0"}};
 }
 
-/// A document as the parser leaves it: its rows are handed on apart.
+/// A document as the parser leaves it: its rows are passed on separately.
 Json soundDocument() {
   return Json::parse(R"({
     "format": "alidade-session", "version": 1, "title": "t", "report": {"number": "1"}, "device": {"name": "d"},
@@ -56,7 +56,7 @@ TEST(SessionRows, KeepTheFirstThingWrongOfEachPosition) {
   EXPECT_FALSE(rows.take(1).problem);
 }
 
-// A hundred thousand rows are alike but for their texts.
+// A hundred thousand rows that differ only in their texts.
 TEST(SessionRows, ShareAnOriginWhereTheyDifferInTheirTextsOnly) {
   SessionRows rows;
   Json other = rowOf(3);
@@ -71,8 +71,8 @@ TEST(SessionRows, ShareAnOriginWhereTheyDifferInTheirTextsOnly) {
   EXPECT_NE(originOf(2), originOf(3));
 }
 
-/// A row put together again from its origin, in which null stands for what its texts say. Only the circles'
-/// are written where they are empty.
+/// A row rebuilt from its origin, in which null replaces its texts. Only those of the circles are written if
+/// empty.
 Json madeAgain(const Reading& reading) {
   Json row = reading.origin.object();
   const auto put = [&](const char* key, const std::string& text, bool isNumber, bool isRequired = false) {
@@ -92,7 +92,7 @@ Json madeAgain(const Reading& reading) {
   return row;
 }
 
-// Whichever row comes before it: a null of the file, 1.0, "1" and "" are no texts of a row, 1 is.
+// For any preceding row: null in the file, 1.0, "1" and "" are not kept as texts of a row, 1 is.
 TEST(SessionRows, LoseNothingWhateverTheRowBefore) {
   std::vector<Json> ways;
   for (const char* way :
@@ -124,7 +124,7 @@ TEST(SessionRows, LoseNothingWhateverTheRowBefore) {
   }
 }
 
-// Broken from its end to its beginning, a document is refused for what was broken last.
+// Damaged from its end to its beginning, a document is refused for the latest damage.
 TEST(SessionFromJson, NamesTheFirstThingWrong) {
   Json json = soundDocument();
   SessionRows sound, wrong;
@@ -168,7 +168,7 @@ TEST(SessionFromJson, NamesTheFirstThingWrong) {
   }
 }
 
-// A part's values would stand in the file twice if the whole kept them, too; their keys keep their place.
+// A part's values would be in the file twice if the whole kept them too; their keys keep their place.
 TEST(SessionFromJson, PutsEachValueIntoOneOrigin) {
   const Json json = soundDocument();
   SessionRows rows;

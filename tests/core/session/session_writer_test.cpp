@@ -23,7 +23,7 @@ Session read(const Json& json) {
   return *readSession(json.dump());
 }
 
-/// As somebody else's program may write it: keys in an order of their own, and keys that nobody knows.
+/// As written by another program: keys in a different order, and unknown keys.
 Json foreignDocument() {
   return Json::parse(R"({
     "positions": [
@@ -38,7 +38,7 @@ Json foreignDocument() {
     "model": {"effects": ["trunnion_tilt", 7, {"deep": 1.0}, "collimation"], "radius": "free"}})");
 }
 
-// A session that was typed, not read: in the order of the format, a number where its text is one.
+// A session that was typed instead of read: in the order of the format, a number if its text is one.
 TEST(SessionWriter, SpellsOutEverythingThatASessionHolds) {
   Session session;
   session.title = "t";
@@ -100,7 +100,7 @@ TEST(SessionWriter, SpellsOutEverythingThatASessionHolds) {
   EXPECT_EQ(written(session), expected.dump());
 }
 
-// What came with rows and zeros is read and comes back as it was read, whatever it says.
+// Data from the instrument with rows and zeros are read and written back unchanged, whatever their content.
 TEST(SessionWriter, KeepsWhatCameFromTheInstrument) {
   const Json document = Json::parse(R"({"format": "alidade-session", "version": 1,
     "geometry": {"distance_mm": 2405, "radius_mm": 400}, "positions": [{"axis_deg": 0,
@@ -146,7 +146,7 @@ TEST(SessionWriter, WritesWhatWasTakenBackAsItWasRead) {
   EXPECT_EQ(written(session), foreignDocument().dump());
 }
 
-/// What an empty table leaves of a part: where it was read from.
+/// The remainder of a part after its table was emptied: its origin.
 template <typename Part>
 Part emptied(const Part& part) {
   Part empty;
@@ -154,7 +154,7 @@ Part emptied(const Part& part) {
   return empty;
 }
 
-// What the format requires stays as an empty text; the rest leaves with its key.
+// Keys required by the format stay with an empty text; the others are removed.
 TEST(SessionWriter, LeavesOutWhatWasEmptied) {
   Session session = read(foreignDocument());
   session.title.clear();
@@ -186,7 +186,7 @@ TEST(SessionWriter, MovesWhatIsUnknownAlongWithItsPart) {
   std::swap(expected["positions"][0], expected["positions"][1]);
   EXPECT_EQ(written(session), expected.dump());
 
-  // From one position to the other, which had no list of rows and gets one.
+  // Moved between positions, one of which had no list of rows and receives one.
   session.positions[0].readings.push_back(session.positions[1].readings[0]);
   session.positions[1].readings.erase(session.positions[1].readings.begin());
   expected["positions"][0]["readings"] = Json::array({expected["positions"][1]["readings"][0]});

@@ -55,8 +55,8 @@ TEST(ZeroExaminer, TakesOneSightingAsItIs) {
   EXPECT_EQ(zeros.scatter, 1);
 }
 
-// Worked out by hand: face 1 reads 0″ and 4″, face 2 10″ and 14″ more, the vertical circle of face 2 360°
-// less what face 1 has.
+// Calculated by hand: face 1 reads 0″ and 4″, face 2 10″ and 14″ more, the vertical circle of face 2 360°
+// minus face 1.
 TEST(ZeroExaminer, TakesTheMeanOfBothFacesBeforeAndAfter) {
   Session session = twoZeros();
   for (Position& position : session.positions) {
@@ -92,7 +92,7 @@ TEST(ZeroExaminer, NeverTakesZerosToScatterLessThanStated) {
   EXPECT_EQ(examineZeros(session, VerticalCircle::Zenith, PointingZeros::Each, {}, {}).scatter, 1) << "exact";
 }
 
-// A face weighs as the other, however often it was sighted: 1/2 √(1/2 + 1).
+// Both faces have equal weight, for any number of sightings: 1/2 √(1/2 + 1).
 TEST(ZeroExaminer, WeighsTheFacesAlike) {
   Session session = twoZeros();
   for (Position& position : session.positions) {
@@ -126,7 +126,7 @@ TEST(ZeroExaminer, LeavesOutAFaceThatNotEveryPositionHas) {
   }
   EXPECT_FALSE(zeros.ofPositions[0].direction->sightings.hasLeftOutFace);
   EXPECT_TRUE(zeros.ofPositions[1].direction->sightings.hasLeftOutFace);
-  session.positions[0].zero.horizontal = "x";  // no zero, so it has no say
+  session.positions[0].zero.horizontal = "x";  // unusable, so it is ignored
   EXPECT_EQ(examined(session).ofPositions[1].direction->sightings.count, 2);
 }
 

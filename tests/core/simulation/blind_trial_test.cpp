@@ -39,7 +39,7 @@ TEST(BlindTrial, ShowsAsFarAsAskedOrIsAsLargeAsItMayBe) {
         for (const EffectParameter& parameter : effectById(kind)->parameters)
           if (parameter.term == size.term) square += std::pow(size.value / parameter.plausible, 2);
       EXPECT_LE(std::sqrt(square), 4 * (1 + 1e-12));
-      EXPECT_LT(*trial.seal.visible, 12.1);  // to 0.2 %, as the sizes are sought
+      EXPECT_LT(*trial.seal.visible, 12.1);  // to 0.2 %, the tolerance of the size search
       if (std::sqrt(square) < 3.99) {
         EXPECT_GT(*trial.seal.visible, 8.9);
       }
@@ -56,8 +56,8 @@ TEST(BlindTrial, GivesNothingAwayInTheSession) {
   }
 }
 
-// Every kind turns up as often as stated: a share p of n draws has σ = √(p(1 − p)/n); 4.5 σ for each of some
-// 24 kinds. The slider's effects are drawn only where the slider is read.
+// Every kind occurs as often as stated: a share p of n draws has σ = √(p(1 − p)/n); 4.5 σ for each of some 24
+// kinds. The slider's effects are drawn only if the slider is read.
 TEST(BlindTrial, DrawsEveryKindAsOftenAsStated) {
   constexpr int count = 250;
   std::map<std::string, int> drawn;
@@ -83,7 +83,7 @@ TEST(BlindTrial, DrawsNoSliderEffectWithoutSlider) {
               HasSubstr("shows none"));
 }
 
-// Two effects are two, told apart from each other and from all else where the protocol can.
+// Two different effects, separable from each other and from all others if the protocol allows it.
 TEST(BlindTrial, PutsTwoEffectsWhereTwoAreAskedFor) {
   for (std::uint64_t seed = 1; seed <= 4; ++seed) {
     const BlindTrial trial = *drawBlindTrial({.protocol = "full", .kinds = {"two_causes"}}, seed);

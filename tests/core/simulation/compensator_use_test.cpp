@@ -42,8 +42,8 @@ Diagnosis diagnosisOf(const Session& session, const DiagnosisOptions& options = 
   return *diagnosis;
 }
 
-// The axis leans backwards by 200″ and to the right by 200″; in face 2 the compensator stands the other way
-// round.
+// The axis is tilted backwards by 200″ and to the right by 200″; in face 2 the compensator is rotated by half
+// a turn.
 TEST(CompensatorUse, StatesTheTiltsOfTheTruth) {
   const Truth truth = tiltedTruth(1);
   Session session = sessionOf(truth, 1, "full");
@@ -51,7 +51,7 @@ TEST(CompensatorUse, StatesTheTiltsOfTheTruth) {
   for (const Position& position : session.positions)
     for (const Reading& row : position.readings) {
       const double side = row.face == "2" ? -1 : 1;
-      // The places lie within 10° of straight ahead: 200″ sin 10° = 35″, and 200″ (1 − cos 10°) = 3″.
+      // The places are within 10° of straight ahead: 200″ sin 10° = 35″, and 200″ (1 − cos 10°) = 3″.
       EXPECT_NEAR(std::stod(row.tiltCrossArcsec), side * 200, 38);
       EXPECT_NEAR(std::stod(row.tiltLengthArcsec), side * -200, 38);
       EXPECT_EQ(row.corrections, "none");
@@ -71,8 +71,8 @@ TEST(CompensatorUse, OnTakesTheTiltOffTheReadings) {
   for (const TrueSize& size : left.effects) EXPECT_LT(std::abs(size.value), 5) << "5 σ";
 }
 
-// The known tilts are as far from the truth as their σ says: 2 × 60 numbers, the rms over σ within 25 % of 1
-// (4 σ).
+// The known tilts differ from the truth as their σ says: 2 × 60 numbers, the rms over σ within 25 % of 1 (4
+// σ).
 TEST(CompensatorUse, TiltsAreKnownAsWellAsStated) {
   double squares = 0;
   int count = 0;
@@ -89,8 +89,8 @@ TEST(CompensatorUse, TiltsAreKnownAsWellAsStated) {
     }
   }
   const double rms = std::sqrt(squares / count);
-  // One face cannot tell the index, which is all there is: σ is that of an index and of a setting error, √2
-  // of it.
+  // One face cannot determine the index, the main contribution: σ is that of an index and of a setting error,
+  // √2 of it.
   EXPECT_GT(rms, 0.5);
   EXPECT_LT(rms, 1.25);
 }
@@ -106,8 +106,8 @@ TEST(CompensatorUse, TiltsThatAreKnownAreNoCause) {
   EXPECT_LT(known.after.rms, 0.97 * alone.gap.rms) << "2.0″ to 1.9″, as with the tilt found";
 }
 
-// Tilts counted the other way are not believed where the readings show them, and it is said what is wrong:
-// where an arm may sag as well, that one of the two is, and where it cannot, which.
+// Tilts with the opposite sign are rejected if the readings show them, and the reason is stated: if an arm
+// may also sag, that it is one of the two, and if it cannot, which.
 TEST(CompensatorUse, TheOtherSignIsFoundOut) {
   const Truth truth = tiltedTruth(3);
   Session session = sessionOf(truth, 3, "full");

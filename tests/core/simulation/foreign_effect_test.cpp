@@ -23,7 +23,7 @@ TEST(ForeignEffect, FollowsItsFormula) {
   EXPECT_NEAR(radiusBy(dent, degrees(70)), 0.2 * std::exp(-0.5), 1e-12);
   const ForeignEffect periods{.kind = Kind::CirclePeriods, .size = 4, .first = 6, .second = 0};
   EXPECT_NEAR(azimuthBy(periods, degrees(15), 0, false).arcseconds(), 4, 1e-9);
-  EXPECT_NEAR(azimuthBy(periods, degrees(195), 0, false).arcseconds(), 4, 1e-9);  // even: both faces alike
+  EXPECT_NEAR(azimuthBy(periods, degrees(195), 0, false).arcseconds(), 4, 1e-9);  // even: equal in both faces
   const ForeignEffect settling{.kind = Kind::Settling, .size = 10, .first = 0.2, .second = 0};
   EXPECT_NEAR(azimuthBy(settling, {}, 0.2, false).arcseconds(), 10 / std::exp(1), 1e-9);
   EXPECT_NEAR(elevationBy(settling, {}, 0).arcseconds(), 10, 1e-9);
@@ -37,7 +37,7 @@ TEST(ForeignEffect, FollowsItsFormula) {
               1e-12);
 }
 
-// Every kind reaches the readings, and each is a kind of its own in the truth file.
+// Every kind affects the readings, and each is a separate kind in the truth file.
 TEST(ForeignEffect, IsReadByEverySimulatedTheodolite) {
   std::set<std::string> kinds;
   const Protocol& protocol = *protocolByName("there-and-back");

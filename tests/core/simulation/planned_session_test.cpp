@@ -11,7 +11,7 @@
 namespace alidade {
 namespace {
 
-/// The rows of a protocol, not yet read.
+/// The rows of a protocol, without readings.
 Session unread(const char* protocol) {
   Session session = *simulate(*protocolByName(protocol), drawTruth(3), 3);
   for (Position& position : session.positions) {

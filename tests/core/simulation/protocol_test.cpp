@@ -20,7 +20,7 @@ TEST(Protocol, PlansTheRowsOfTheTrials) {
       for (const Sighting& sighting : measurement.arcs[i].sightings) {
         rows.push_back({sighting.round, sighting.point, sighting.face});
         EXPECT_EQ(sighting.slider.has_value(), protocol->slider) << name;
-        // The slider stood within some arcminutes of the place planned.
+        // The slider was within some arcminutes of the planned place.
         if (sighting.slider) {
           const double away = (*sighting.slider - plannedPlace(*protocol, sighting.point)).degrees();
           EXPECT_NEAR(away, 0, 0.1);

@@ -49,7 +49,7 @@ TEST(SealedTruth, NamesTheTruthAndTheKeyThatAreWrong) {
               HasSubstr("blunders"));
 }
 
-// A slip in the truth would only ever score a wrong answer.
+// A typing error in the truth would only score as a wrong answer.
 TEST(SealedTruth, RefusesWhatNoAnswerCanBeRightFor) {
   const auto problemWith = [](const std::string& members) {
     return problemOf(R"({"a1": {"intersection_mm": 0, )" + members + "}}");
@@ -69,7 +69,7 @@ TEST(SealedTruth, RefusesWhatNoAnswerCanBeRightFor) {
               HasSubstr("visible_sigma must not be negative"));
 }
 
-// Sets made elsewhere may hold what nobody here has seen.
+// Sets made elsewhere may contain kinds unknown here.
 TEST(SealedTruth, TakesEveryKindOfNoCatalogue) {
   for (const char* kind :
        {"unknown_refraction", "unknown_tripod_of_wood", "unknown", "radial_bump", "settling"}) {
@@ -81,7 +81,8 @@ TEST(SealedTruth, TakesEveryKindOfNoCatalogue) {
   }
 }
 
-// Other referees have other names for an effect, and for all of them at once; a series is no session.
+// Other test generators have other names for an effect, and for all of them together; a series is not a
+// session.
 TEST(SealedTruth, KnowsWhatOtherRefereesCallIt) {
   const auto truths = *readSealedTruths(R"({
     "a": {"kind": "drift_real_v", "intersection_mm": 0, "plan": "far"},
@@ -108,7 +109,7 @@ TEST(SealedTruth, IsMadeOfASimulatedTruth) {
   EXPECT_THAT(seal.grossErrors, IsEmpty());
 }
 
-// The same truth by way of its file.
+// The same truth after writing and reading its file.
 TEST(SealedTruth, IsTheSameByWayOfAFile) {
   Truth truth = drawTruth(4);
   truth.protocol = "full";

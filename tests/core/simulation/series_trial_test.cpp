@@ -41,7 +41,8 @@ TEST(SeriesTrial, DoesNotDependOnTheNumberOfThreads) {
   EXPECT_EQ(fingerprint(*one), fingerprint(*three));
 }
 
-// Of 16 drawn series one may be missed: their effects show by 6 to 10 σ, those of no catalogue by 8 and more.
+// Of 16 drawn series one may be missed: their effects are visible by 6 to 10 σ, uncatalogued ones by 8 and
+// more.
 TEST(SeriesTrial, OfDrawnSeriesNearlyAllAreAnsweredRightly) {
   const auto all = scoreDrawnSeries(16, 400, 0);
   ASSERT_TRUE(all) << all.problem().text();

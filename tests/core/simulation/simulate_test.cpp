@@ -18,8 +18,8 @@ namespace {
 
 using testing::HasSubstr;
 
-/// What the readings of one position leave over when truth and model are put in and only what chance decided
-/// is sought: the slider's places, and the errors of the pointing zero and of the slider's zero.
+/// The residuals of one position with truth and model given, after estimating only the random quantities: the
+/// slider's places, and the errors of the pointing zero and of the slider's zero.
 class Leftover {
  public:
   Leftover(const test::Trial& trial, const Truth& truth, const ArcMeasurement& arc)
@@ -33,7 +33,7 @@ class Leftover {
     }
   }
 
-  /// In units of the noise put in.
+  /// In units of the simulated noise.
   double chiSquare() const {
     double sum = 0;
     for (const auto& [key, rows] : m_visits)
@@ -133,8 +133,8 @@ class Leftover {
 };
 
 // An independent ray tracer turned a theodolite built from rotation matrices until it hit the target. With
-// its truth put in, this program's readings differ from its readings by the noise that it added: χ² within
-// its 0.01 % points, the pointing zeros within 4.5 σ.
+// its truth, this program's readings differ from its readings by the added noise: χ² within its 0.01 %
+// points, the pointing zeros within 4.5 σ.
 TEST(Simulate, ReadsWhatTheRayTracerReads) {
   for (const test::Trial& trial : test::trials()) {
     const Truth truth = test::truthOf(trial);
@@ -159,7 +159,7 @@ Session simulated(const std::string& protocol, const Truth& truth, std::uint64_t
   return simulate(*protocolByName(protocol), truth, seed).operator*();
 }
 
-// Without effects the readings hold noise alone: summed over 40 sessions, χ² lies within its 0.01 % points
+// Without effects the readings contain only noise: summed over 40 sessions, χ² is within its 0.01 % points
 // and Δd scatters as the fit says, its mean square within the 0.01 % points of 40 squared normal numbers.
 TEST(Simulate, AddsTheStatedNoiseAndNoMore) {
   const Truth truth = plainTruth();
@@ -217,7 +217,7 @@ TEST(Simulate, RoundsToTheTypingStepAndStaysOnTheCircle) {
   EXPECT_TRUE(examine(session).problems.empty());
 }
 
-// A gross error moves the one row that it names, in the sense of the circle, and no other.
+// A gross error changes only the row that it names, in the sense of the circle.
 TEST(Simulate, MisreadsTheNamedRow) {
   Truth truth = plainTruth();
   const Session clean = simulated("full", truth);
@@ -246,11 +246,12 @@ TEST(Simulate, RefusesToMisreadARowThatIsNotPlanned) {
 
 TEST(Simulate, RefusesWhatCannotBeSighted) {
   Truth truth = plainTruth();
-  truth.distance = 10;  // an arc of 400 mm from 10 mm away lies more than 80° off
+  truth.distance = 10;  // from 10 mm away, an arc of 400 mm extends beyond 80°
   EXPECT_FALSE(simulate(*protocolByName("paper"), truth, 1));
 }
 
-// What is known of the truth comes back: an elevation circle, a shifted circle, a distance with an error.
+// The known parts of the truth are recovered: an elevation circle, a shifted circle, a distance with an
+// error.
 TEST(Simulate, IsReadBackByTheFit) {
   Truth truth = plainTruth();
   truth.verticalCircle = VerticalCircle::Elevation;
@@ -282,8 +283,8 @@ TEST(Simulate, ReadsWithoutNoiseWhatIsThere) {
                 5 * 2 * 1.5);
 }
 
-// Rows are counted from 0: of 34 rows the one at 17/33 of the session is the first after a knock at that very
-// moment, as it is after one a little before it.
+// Rows are counted from 0: of 34 rows the one at 17/33 of the session is the first after a knock at that
+// exact moment, and after one slightly earlier.
 TEST(Simulate, KnockAtTheMomentOfARowComesBeforeIt) {
   const auto sessionKnockedAt = [](double row) {
     Truth truth = drawTruth(5);
@@ -296,7 +297,7 @@ TEST(Simulate, KnockAtTheMomentOfARowComesBeforeIt) {
   EXPECT_NE(at.positions[1].readings, sessionKnockedAt(17.5).positions[1].readings);
 }
 
-/// What two sessions of one seed differ by in the horizontal circle, arcsec, position by position.
+/// The differences between two sessions of one seed in the horizontal circle, arcsec, position by position.
 std::vector<double> meanShifts(const Measurement& one, const Measurement& other) {
   std::vector<double> shifts;
   for (std::size_t arc = 0; arc < one.arcs.size(); ++arc) {
@@ -308,7 +309,7 @@ std::vector<double> meanShifts(const Measurement& one, const Measurement& other)
   return shifts;
 }
 
-// 0°, 180°, 0°: each position with its own zero, and what is meant for the second at 0° found there alone.
+// 0°, 180°, 0°: each position has its own zero, and an error meant for the second at 0° occurs only there.
 TEST(Simulate, MeasuresAPositionAgain) {
   const Protocol& again = *protocolByName("again");
   Truth truth = drawTruth(4);

@@ -13,7 +13,7 @@ Cause cause(const std::string& effect, std::vector<std::string> group = {}) {
           .readings = {}};
 }
 
-/// The verdict that goes with the causes.
+/// A diagnosis of these causes with the corresponding verdict.
 Diagnosis diagnosed(std::vector<Cause> causes) {
   Diagnosis diagnosis;
   using enum DiagnosisVerdict;

@@ -47,7 +47,7 @@ TEST(TrialSeries, ReportsEveryTrialOnce) {
   EXPECT_EQ(last, 6u);
 }
 
-// The ray tracer's stored sessions; of the two-cause sessions one has a cause that leaves no trace.
+// The ray tracer's stored sessions; one of the two-cause sessions has a cause that is undetectable.
 TEST(TrialSeries, ScoresTrialsMadeElsewhere) {
   const auto trials = scoreStoredTrials({}, stored);
   ASSERT_TRUE(trials) << trials.problem().text();
@@ -60,9 +60,9 @@ TEST(TrialSeries, ScoresTrialsMadeElsewhere) {
   EXPECT_EQ(summary.backToNoise.hits, summary.backToNoise.count);
 }
 
-// In one face and without slider the spacing of the places tells which circle was misread, where they keep
-// it: 84 of 100 drawn sessions, and without it the circle is a coin toss. Disturbances of no catalogue stay
-// unexplained where no effect resembles them: of one face and one sweep, in 6 of the 10 drawn here.
+// In one face and without slider only evenly spaced places show which circle was misread: 84 of 100 drawn
+// sessions, else it is a coin toss. Uncatalogued disturbances stay unexplained if no effect resembles them:
+// with one face and one sweep, in 6 of the 10 drawn here.
 TEST(TrialSeries, IsRightWhereOnlyTheSurroundingsTell) {
   const auto rightOf = [](const char* protocol, const char* kind) {
     const auto trials = scoreDrawnTrials({.count = 10}, {.protocol = protocol, .kinds = {kind}}, 20);

@@ -15,7 +15,7 @@ namespace {
 
 using testing::ElementsAre;
 
-/// Scored trials of any kind, their answers, hits and visibilities drawn.
+/// Scored trials of any kind, with drawn answers, hits and visibilities.
 std::vector<ScoredTrial> drawnTrials(std::size_t count) {
   std::mt19937_64 random(count);
   const auto below = [&](int end) { return std::uniform_int_distribution<int>(0, end - 1)(random); };
@@ -40,7 +40,7 @@ std::vector<ScoredTrial> drawnTrials(std::size_t count) {
   return trials;
 }
 
-/// How many are `among` those counted, and how many of these hit.
+/// The number of trials satisfying `among` that are counted, and the number of hits.
 Tally counted(const std::vector<ScoredTrial>& trials, const std::function<bool(const ScoredTrial&)>& among,
               const std::function<bool(const ScoredTrial&)>& isHit) {
   Tally tally;
@@ -99,7 +99,7 @@ TEST(TrialSummary, CountsWhatWasDrawn) {
   }
 }
 
-// Bins lie side by side, and every effect whose trace was worked out is in one of them.
+// Bins are adjacent, and every effect with a known trace is in one of them.
 TEST(TrialSummary, PutsEachEffectIntoOneBin) {
   const std::vector<ScoredTrial> trials = drawnTrials(300);
   const std::vector<DetectionBin> bins = summarise(trials).detection;
@@ -114,7 +114,8 @@ TEST(TrialSummary, PutsEachEffectIntoOneBin) {
                      [](const ScoredTrial& t) { return t.score.detected; }));
 }
 
-// What shows by 6 σ is asked for; a little less is not among it. Nothing is told of bins without effects.
+// Effects visible by 6 σ are in the required range; slightly less is not. Bins without effects are not
+// listed.
 TEST(TrialSummary, BeginsABinAtItsEdge) {
   const std::vector<DetectionBin> bins =
       summarise({showing(0), showing(5.999), showing(6), showing(1e6)}).detection;

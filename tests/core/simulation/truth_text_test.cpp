@@ -73,7 +73,7 @@ TEST(TruthText, TakesWhatIsNoErrorTerm) {
   EXPECT_NEAR(json.at("true_sigma_arcsec").get<double>(), 5, 1e-9);
 }
 
-// 0 at 0°, 1 at 180°, 2 at 0° again: as a truth file numbers the positions.
+// 0 at 0°, 1 at 180°, 2 at 0° again: the position numbers of a truth file.
 TEST(TruthText, TellsWhichPositionAtAnAxisIsMeant) {
   const Truth truth =
       with({"zero_slip=0,30,-40,2", "gross_error=180,1,11,1,60,0,2", "gross_error=0,1,3,1,0,60"});

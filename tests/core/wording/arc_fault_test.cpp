@@ -23,7 +23,7 @@ TEST(ArcFaultInWords, BlamesTheArcOrTheReadings) {
   EXPECT_THAT(textOf(PlacesOnALine{}), HasSubstr("straight line"));
 }
 
-// "The arc at 0° …." is put around it.
+// The text continues "The arc at 0° …."
 TEST(ArcFaultInWords, IsTheEndOfASentenceWithoutItsStop) {
   for (const ArcFault& fault :
        {ArcFault(TooFewPlaces{}), ArcFault(PlacesRepeat{}), ArcFault(PlacesOnALine{}),

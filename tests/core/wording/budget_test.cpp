@@ -5,7 +5,7 @@
 namespace alidade {
 namespace {
 
-// The console's JSON has these names.
+// The console's JSON uses these names.
 TEST(BudgetInWords, NamesEachSource) {
   EXPECT_EQ(textOf(UncertaintySource::Readings), "readings");
   EXPECT_EQ(textOf(UncertaintySource::ModelEffects), "model effects");

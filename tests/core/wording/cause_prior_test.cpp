@@ -7,7 +7,7 @@
 namespace alidade {
 namespace {
 
-// As the catalogue of effects has them.
+// As in the catalogue of effects.
 TEST(PlausibleSize, IsThatOfTheCatalogue) {
   EXPECT_EQ(plausibleSizeText("trunnion_tilt"), "30 arcsec");
   EXPECT_EQ(plausibleSizeText("arc_lobing"), "0.05 mm");

@@ -7,7 +7,7 @@
 namespace alidade {
 namespace {
 
-// The console's JSON has these names.
+// The console's JSON uses these names.
 TEST(MeasureInWords, HasAName) {
   std::set<std::string> names;
   for (const Measure measure :

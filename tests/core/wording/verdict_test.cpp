@@ -26,7 +26,7 @@ TEST(VerdictSentence, StatesTheNumbersItRestsOn) {
   EXPECT_THAT(verdictSentence(1, 0.01, 1, 0.95), HasSubstr("neither wholly within nor wholly outside"));
 }
 
-// As printed before, "1.31 mm ± 0.21 mm" within ± 1.519 mm contradicted itself.
+// In an earlier version, "1.31 mm ± 0.21 mm" within ± 1.519 mm contradicted itself.
 TEST(VerdictSentence, RoundsSoThatItDoesNotContradictItself) {
   EXPECT_THAT(verdictSentence(1.3076, 0.2111, 1.519, 0.95),
               AllOf(HasSubstr("1.308 mm ± 0.211 mm"), HasSubstr("is within")));
@@ -39,7 +39,7 @@ TEST(VerdictSentence, RoundsSoThatItDoesNotContradictItself) {
     const double tolerance = std::round(sum * 1e5) / 1e5;
     const int decimals = decimalsToDecide(value, expanded, tolerance);
     EXPECT_GE(decimals, decimalsFor(expanded));
-    // By the numbers as they are printed, which a double holds to far less than a nanometre.
+    // With the printed numbers, which a double represents to far less than a nanometre.
     const double printed =
         std::abs(std::stod(fixedText(value, decimals))) + std::stod(fixedText(expanded, decimals));
     EXPECT_EQ(printed <= tolerance + 1e-12, decide(value, expanded, tolerance) == Verdict::Accept)
@@ -47,7 +47,7 @@ TEST(VerdictSentence, RoundsSoThatItDoesNotContradictItself) {
   }
 }
 
-/// Of what the session's own model and, where there is one, a diagnosis say.
+/// The sentence for the session's own model and, if there is one, a diagnosis.
 std::string sentenceOf(const Measurement& measurement, const SessionFit& fit,
                        const Diagnosis* diagnosis = nullptr) {
   return verdictSentence(measurement, fit, diagnosis, *decideAcceptance(measurement, fit, diagnosis));

@@ -24,7 +24,7 @@ TEST(ArcChecks, CountPlacesThatDifferByMoreThanTheNoise) {
   EXPECT_FALSE(check({{0, 0}, {9, 9}, {0, 1.1 * noise}}));
 }
 
-// A short arc has a small sagitta; a wide one, or one of no number, has something else.
+// A short arc has a small sagitta; a wide one, or one without finite numbers, fails for another reason.
 TEST(ArcChecks, BlameTheShortArcOnlyWhereItIsShort) {
   ArcFit fit;
   fit.circle.radius = 400;
@@ -41,7 +41,7 @@ TEST(ArcChecks, BlameTheShortArcOnlyWhereItIsShort) {
   EXPECT_TRUE(std::holds_alternative<NothingTold>(spanning(NAN)));
 }
 
-// The part of the circle that was not sighted is the widest gap, wherever φ = ±180° lies.
+// The unsighted part of the circle is the widest gap, wherever φ = ±180° is.
 TEST(ArcChecks, SpanIsWhatTheWidestGapLeaves) {
   const Measurement measurement = test::usualMeasurement();
   for (const double middle : {90.0, 180.0, 270.0}) {

@@ -22,8 +22,8 @@ struct PaperFigures {
 
 class ArcFitOfTableI : public testing::TestWithParam<PaperFigures> {};
 
-// From tests/reference/high-precision, solved at 60 digits independently of this program. 1e-9
-// mm is a millionth of the uncertainty and a hundred times the rounding of the readings.
+// From tests/reference/high-precision, solved at 60 digits independently of this program. 1e-9 mm is a
+// millionth of the uncertainty and a hundred times the rounding of the readings.
 TEST_P(ArcFitOfTableI, MeetsTheHighPrecisionSolution) {
   const PaperFigures& expected = GetParam();
   Measurement measurement = test::paperMeasurement();
@@ -76,7 +76,7 @@ TEST(ArcFit, RecoversTheCircleOfPerfectReadings) {
         measurement.relation = relation;
         const auto fit = fitArc(measurement, test::perfectArc(measurement, truth, test::spread(9, span)));
         ASSERT_TRUE(fit) << textOf(fit.problem());
-        // 1e-16 rad of rounding in a reading is 2e-13 mm; a 20° arc enlarges it some hundred times.
+        // 1e-16 rad of rounding in a reading is 2e-13 mm; a 20° arc magnifies it some hundred times.
         EXPECT_NEAR(fit->circle.x, truth.x, 1e-9);
         EXPECT_NEAR(fit->circle.y, truth.y, 1e-9);
         EXPECT_NEAR(fit->circle.radius, truth.radius, 1e-9);
@@ -112,8 +112,8 @@ TEST(ArcFit, MirrorsWithTheReadings) {
   EXPECT_NEAR(mirror->circle.radius, fit->circle.radius, 1e-9);
 }
 
-// The covariance against 4000 simulated arcs: a sample σ of 4000 scatters by 1/√8000 = 1.1 %, so 5 % is 4.5
-// of those.
+// The covariance compared with 4000 simulated arcs: a sample σ of 4000 scatters by 1/√8000 = 1.1 %, so 5 % is
+// 4.5 times that.
 TEST(ArcFit, CovarianceMeetsTheScatterOfSimulatedArcs) {
   Measurement measurement = test::usualMeasurement();
   measurement.sigmaVertical = Angle::fromArcseconds(5);
@@ -192,8 +192,8 @@ TEST(ArcFit, SaysWhyReadingsFixNoCircle) {
   EXPECT_TRUE(refusal<PlacesOnALine>(measurement, line));
 }
 
-// Noise on a nearly straight run of places may bend it either way; whatever comes, it is an answer or says
-// why there is none.
+// Noise may bend an almost straight row of places either way; in any case there is a result or a reason why
+// not.
 TEST(ArcFit, ShortArcsEndInAnAnswerOrAReason) {
   const Measurement measurement = test::usualMeasurement();
   std::mt19937_64 generator(11);
@@ -221,7 +221,7 @@ TEST(ArcFit, SaysWhyItEnded) {
   const auto brief = fitArc(measurement, arc, {.start = afar, .maximumIterations = 1});
   EXPECT_EQ(brief->status, FitStatus::TooManyIterations);
   EXPECT_EQ(brief->iterations, 1);
-  // No fit comes nearer than rounding lets it.
+  // A fit cannot come nearer than rounding error.
   EXPECT_NE(fitArc(measurement, arc, {.start = afar, .tolerance = 0})->status, FitStatus::Converged);
 }
 

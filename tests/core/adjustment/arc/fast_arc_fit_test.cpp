@@ -24,7 +24,7 @@ struct Columns {
   std::vector<double> a, e;
 };
 
-/// From the horizon.
+/// Counted from the horizon.
 Columns columnsOf(const ArcMeasurement& arc) {
   Columns columns;
   for (const Sighting& sighting : arc.sightings) {
@@ -41,7 +41,7 @@ std::optional<FastArcFit> fitFast(const Measurement& measurement, const ArcMeasu
   return fit;
 }
 
-/// By Levenberg and Marquardt with the general foot points, from a start far off.
+/// By Levenberg-Marquardt with the general foot points, from a distant start.
 ArcFit fitGenerally(const Measurement& measurement, const ArcMeasurement& arc, const Circle& near) {
   const auto fit = fitArc(measurement, arc, {.start = Circle{near.x + 3, near.y - 2, near.radius * 1.01}});
   if (!fit || !fit->converged()) throw std::runtime_error("the general fit found no minimum");
@@ -49,13 +49,13 @@ ArcFit fitGenerally(const Measurement& measurement, const ArcMeasurement& arc, c
 }
 
 void expectSame(const FastArcFit& fast, const ArcFit& general, double ofCofactor = 1e-5) {
-  // The general fit stops within 1e-9 σ of the minimum, which counts where σ is some millimetres.
+  // The general fit stops within 1e-9 σ of the minimum, which matters if σ is some millimetres.
   const double small = smallLength + 3e-9 * std::sqrt(general.cofactor[1][1] + general.cofactor[2][2]);
   EXPECT_NEAR(fast.circle.x, general.circle.x, small);
   EXPECT_NEAR(fast.circle.y, general.circle.y, small);
   EXPECT_NEAR(fast.circle.radius, general.circle.radius, small);
   EXPECT_NEAR(fast.chiSquare, general.chiSquare, 1e-8 * (1 + general.chiSquare));
-  // The last linearisation is a micrometre away from the minimum at most.
+  // The last linearisation is at most a micrometre from the minimum.
   for (std::size_t i = 0; i < 3; ++i)
     for (std::size_t j = 0; j < 3; ++j)
       EXPECT_NEAR(fast.cofactor[i][j], general.cofactor[i][j],
@@ -73,7 +73,7 @@ TEST(FastArcFit, MeetsTheHighPrecisionSolutions) {
       EXPECT_NEAR(fit->circle.x, reference.arcs[i].x, smallLength);
       EXPECT_NEAR(fit->circle.y, reference.arcs[i].y, smallLength);
       EXPECT_NEAR(fit->circle.radius, reference.arcs[i].radius, smallLength);
-      // Worked out at the circle before the last step, some micrometres away.
+      // Computed at the circle before the last step, some micrometres away.
       EXPECT_NEAR(std::sqrt(fit->cofactor[1][1]), reference.arcs[i].sigmaY, 2e-6 * reference.arcs[i].sigmaY);
       EXPECT_NEAR(fit->chiSquare, reference.arcs[i].chiSquare, 1e-8 * (1 + reference.arcs[i].chiSquare));
       ++met;
@@ -82,8 +82,8 @@ TEST(FastArcFit, MeetsTheHighPrecisionSolutions) {
   EXPECT_GE(met, 24);
 }
 
-// Geometries at random: whatever the fast fit accepts is the minimum that the general fit finds from
-// elsewhere.
+// Random geometries: every fit that the fast one accepts is the minimum that the general fit finds from
+// another start.
 TEST(FastArcFit, IsTheGeneralFitOnWhateverItAccepts) {
   std::mt19937_64 generator(20261121);
   std::uniform_real_distribution<double> uniform;
@@ -149,8 +149,7 @@ TEST(FastArcFit, ManyAtOnceAreTheSingleOnes) {
   }
 }
 
-// Above some ten thousand places they are no longer kept: the same minimum, and residuals that sum up to its
-// χ².
+// Above some ten thousand places they are not stored: the same minimum, and residuals consistent with its χ².
 TEST(FastArcFit, ManyPlacesMeetTheGeneralFit) {
   const Measurement measurement = test::usualMeasurement();
   std::mt19937_64 generator(3);
@@ -169,8 +168,8 @@ TEST(FastArcFit, ManyPlacesMeetTheGeneralFit) {
   }
 }
 
-// The part that is fitted first is taken block by block: the order of the places must not matter, nor a
-// pattern in it.
+// The part that is fitted first consists of blocks: neither the order of the places nor a pattern in it may
+// matter.
 TEST(FastArcFit, ManyPlacesInAnyOrder) {
   const Measurement measurement = test::usualMeasurement();
   std::mt19937_64 generator(4);
@@ -188,7 +187,7 @@ TEST(FastArcFit, ManyPlacesInAnyOrder) {
   EXPECT_NEAR(shuffled->cofactor[1][1], ordered->cofactor[1][1], 2e-6 * ordered->cofactor[1][1]);
 }
 
-// Errors that no chance evens out: each place 6″ off, as an unmodelled effect leaves them.
+// Errors that do not average out: each place 6″ off, as left by an unmodelled effect.
 TEST(FastArcFit, ManyPlacesWithSystematicErrorsMeetTheGeneralFit) {
   const Measurement measurement = test::usualMeasurement();
   ArcMeasurement arc = test::perfectArc(measurement, {-2, 1, 400}, test::spread(70003, 120));
@@ -199,8 +198,8 @@ TEST(FastArcFit, ManyPlacesWithSystematicErrorsMeetTheGeneralFit) {
   }
   const auto fast = fitFast(measurement, arc);
   ASSERT_TRUE(fast);
-  // Second derivatives hold the residuals times the curvature of the arc, which do not even out: 6″ at L to
-  // R.
+  // Second derivatives contain the residuals times the curvature of the arc, which do not average out: 6″ at
+  // L to R.
   expectSame(*fast, fitGenerally(measurement, arc, fast->circle), 1e-4);
 }
 
@@ -247,7 +246,7 @@ TEST(FastArcFit, RefusesWhatItCannot) {
   EXPECT_TRUE(refuses({0, 0, 400}, {}));
   EXPECT_TRUE(refuses({0, 0, 400}, test::spread(2, 90)));
   EXPECT_TRUE(refuses({0, 0, 400}, std::vector<double>(7, 1.0)));
-  EXPECT_TRUE(refuses({0, 0, 400}, test::spread(17, 2)));     // hardly bent
+  EXPECT_TRUE(refuses({0, 0, 400}, test::spread(17, 2)));     // almost straight
   EXPECT_TRUE(refuses({0, 0, 3000}, test::spread(17, 150)));  // angles above 45°
   ArcMeasurement slip = test::perfectArc(measurement, {0, 0, 400}, test::spread(17, 150));
   slip.sightings[8].e = slip.sightings[8].e + Angle::fromDegrees(1);

@@ -32,8 +32,8 @@ ArcMeasurement inBothFaces(const ArcMeasurement& arc, Angle horizontal, Angle ve
   return both;
 }
 
-// Rows whose mean is perfect leave their own difference only: χ² is (d/σ)² of each reading. Rounding in the
-// readings is some 1e-12 mm, what the fast fit leaves 1e-9 mm.
+// For rows with a perfect mean only their difference remains: χ² is (d/σ)² of each reading. Rounding of the
+// readings is some 1e-12 mm, the remainder of the fast fit 1e-9 mm.
 TEST(FirstFit, SumsWhatTheFacesOfAVisitDifferBy) {
   Measurement measurement = test::usualMeasurement();
   measurement.sigmaVertical = Angle::fromArcseconds(5);
@@ -57,8 +57,8 @@ TEST(FirstFit, SumsWhatTheFacesOfAVisitDifferBy) {
   }
 }
 
-// Round after round through the same places: those of the first, the middle and the last visit are one place
-// where the rounds are many enough. Only the general fit fills residuals.
+// Round after round through the same places: with enough rounds the first, the middle and the last visit are
+// at one place. Only the general fit fills residuals.
 TEST(FirstFit, TakesTheFastFitHoweverOftenThePlacesComeAgain) {
   const Measurement measurement = test::usualMeasurement();
   const ArcMeasurement once = test::perfectArc(measurement, circleSighted, test::spread(5, 160), 0);
@@ -79,8 +79,8 @@ TEST(FirstFit, TakesTheFastFitHoweverOftenThePlacesComeAgain) {
   }
 }
 
-// Of the ray-traced sessions, free of effects or not, in one face or two, and by either relation. The
-// general fit stops within 1e-9 σ; cofactors come from a circle some micrometres away.
+// Ray-traced sessions, with and without effects, in one face or two, and by either relation. The general fit
+// stops within 1e-9 σ; cofactors are from a circle some micrometres away.
 TEST(FirstFit, IsTheFitOfTheArc) {
   for (test::Trial& trial : test::trials())
     for (const auto relation : {VerticalAngleRelation::Exact, VerticalAngleRelation::Planar}) {
@@ -103,7 +103,7 @@ TEST(FirstFit, IsTheFitOfTheArc) {
     }
 }
 
-// Beyond 45° from the line of sight nothing is fast.
+// Beyond 45° from the line of sight the fast fit refuses.
 TEST(FirstFit, TakesTheGeneralFitWhereTheFastOneIsRefused) {
   Measurement measurement = test::usualMeasurement();
   measurement.distance = 300;
@@ -116,7 +116,7 @@ TEST(FirstFit, TakesTheGeneralFitWhereTheFastOneIsRefused) {
   EXPECT_NEAR(fit->residuals.front().arcAngle, test::spread(9, 160).front(), 1e-9);
 }
 
-// The reason is that of the fit of the arc, which the stated noise alone decides.
+// The reason is that of the fit of the arc, which depends only on the stated noise.
 TEST(FirstFit, RefusesWhatFixesNoCircle) {
   Measurement measurement = test::usualMeasurement();
   const auto faultOf = [&](const std::vector<double>& angles) {
@@ -127,7 +127,7 @@ TEST(FirstFit, RefusesWhatFixesNoCircle) {
   EXPECT_TRUE(std::holds_alternative<arc_fault::PlacesRepeat>(faultOf({1, 1, 1, 2, 2, 2, 2})));
   EXPECT_TRUE(
       std::holds_alternative<arc_fault::PlacesRepeat>(faultOf({1, 1.0001, 1.00015, 0.9999, 2, 2.0001})));
-  // Two places 0.11 mm apart, 4.8 σ of 2″, and the one across, by which a circle could well be told.
+  // Two places 0.11 mm apart, 4.8 σ of 2″, and a distant one, which would determine a circle.
   EXPECT_TRUE(std::holds_alternative<arc_fault::PlacesRepeat>(faultOf({1, 1.00028, 1 + std::numbers::pi})));
   // 2′ are 1.4 mm: the sagittas of these arcs, R (1 − cos span/2), are 0.9 mm and 3.4 mm.
   measurement.sigmaHorizontal = measurement.sigmaVertical = Angle::fromArcseconds(120);
@@ -135,8 +135,8 @@ TEST(FirstFit, RefusesWhatFixesNoCircle) {
     EXPECT_TRUE(std::holds_alternative<arc_fault::ArcTooShort>(faultOf(test::spread(4, span)))) << span;
 }
 
-// A visit of two rows weighs as two of one: with the first read twice the circleSighted moves to where three
-// single rows put it.
+// A visit of two rows counts as two visits of one: reading the first twice moves the circle as three single
+// rows there do.
 TEST(FirstFit, WeighsVisitsByTheirRows) {
   const Measurement measurement = test::usualMeasurement();
   ArcMeasurement arc = test::perfectArc(measurement, circleSighted, test::spread(7, 160));

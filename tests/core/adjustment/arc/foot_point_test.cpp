@@ -51,7 +51,7 @@ TEST_P(FootPointTest, IsTheNearestPointInUnitsOfSigma) {
     EXPECT_GT(costAt(foot.phi + away, GetParam()), nearest) << away;
 }
 
-// Started elsewhere on the arc, it ends at the same point, to rounding of its angle.
+// From another start on the arc it ends at the same point, to rounding of its angle.
 TEST_P(FootPointTest, IsFoundFromAFar) {
   const FootPoint foot = footOn(circle, GetParam());
   for (const double away : {-0.5, -1e-3, 0.2}) {
@@ -66,8 +66,8 @@ TEST_P(FootPointTest, IsFoundFromAFar) {
   }
 }
 
-// A point typed a degree off lies a tenth of the radius beside the arc, and each step is a tenth of the one
-// before: only the last of them are short enough.
+// A point typed a degree off is a tenth of the radius from the arc, and each step is a tenth of the one
+// before: only the last ones are short enough.
 TEST_P(FootPointTest, IsFoundToRoundingFarFromTheArcToo) {
   Direction<double> off = sighted(GetParam());
   off.a -= Angle::fromDegrees(1).radians();
@@ -83,7 +83,8 @@ TEST_P(FootPointTest, IsFoundToRoundingFarFromTheArcToo) {
   }
 }
 
-// With a slider reading 30″ off, of either sense, and two rows: no place beside the foot is any better.
+// With a slider reading 30″ off, in either sense, and two rows: no neighbouring place is better than the
+// foot.
 TEST_P(FootPointTest, WeighsTheSliderAlong) {
   for (const int axisDeg : {0, 180}) {
     const ArcView view = viewOf(GetParam(), axisDeg);

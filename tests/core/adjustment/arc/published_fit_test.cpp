@@ -29,7 +29,7 @@ TEST_F(PublishedFitOfTableI, ReproducesEveryPrintedDigitOfTheCentresAndTheInters
   EXPECT_NEAR(*m_fit.intersectionAsPrinted, 1.934, threeDigits);
 }
 
-// The printed ΔR is the increment of the second iteration, not the difference to the nominal radius.
+// The printed ΔR is the increment of the second iteration, not the difference from the nominal radius.
 TEST_F(PublishedFitOfTableI, ReproducesThePrintedRadiusCorrections) {
   EXPECT_NEAR(m_upper.deltaRadius, -0.0091, fourDigits);
   EXPECT_NEAR(m_lower.deltaRadius, -0.0318, fourDigits);
@@ -37,8 +37,8 @@ TEST_F(PublishedFitOfTableI, ReproducesThePrintedRadiusCorrections) {
   EXPECT_NEAR(m_fit.arcs[1].arc.circle.radius, 400 + 5.0755 - 0.0318, 2 * fourDigits);
 }
 
-// Printed: Δθx 2.8e-5 and 3.6e-5, Δθy −3.9e-5 and −1.7e-5. The system's Δθx have these digits with a thousand
-// times the size, one with the other sign; its Δθy have nothing in common with the printed ones.
+// Printed: Δθx 2.8e-5 and 3.6e-5, Δθy −3.9e-5 and −1.7e-5. The system's Δθx have these digits but are a
+// thousand times larger, one with the opposite sign; its Δθy are unrelated to the printed ones.
 TEST_F(PublishedFitOfTableI, DoesNotReproduceThePrintedTilts) {
   EXPECT_NEAR(m_upper.thetaX, 0.02835, 0.5e-5);
   EXPECT_NEAR(m_lower.thetaX, -0.03602, 0.5e-5);
@@ -65,16 +65,15 @@ PublishedSessionFit ofErrorFreeReadings(double intersection) {
   return fitSessionAsPublished(measurement);
 }
 
-// Why the published agreement with its 2 mm setting is a coincidence: on error-free readings of a real
-// (exact) theodolite the method is wrong by 3 mm, its tilt columns soaking up what the planar relation leaves
-// out.
+// The published agreement with its 2 mm setting is a coincidence: on error-free readings of a real (exact)
+// theodolite the method is wrong by 3 mm, as its tilt columns absorb what the planar relation omits.
 TEST(PublishedFit, IsWrongByMillimetresOnErrorFreeReadings) {
   EXPECT_NEAR(*ofErrorFreeReadings(0).intersection, -3.0, 0.1);
   EXPECT_NEAR(*ofErrorFreeReadings(2).intersection, -1.0, 0.1);
   EXPECT_NEAR(ofErrorFreeReadings(0).arcs[0].asPrinted.thetaX, 0.030, 0.002);
 }
 
-// On readings that follow its own planar relation its centre columns are sound: no tilt, the true centre.
+// On readings that follow its own planar relation its centre columns are right: no tilt, the true centre.
 TEST(PublishedFit, IsConsistentWithItsOwnRelation) {
   Measurement measurement = test::usualMeasurement();
   measurement.relation = VerticalAngleRelation::Planar;
@@ -82,7 +81,7 @@ TEST(PublishedFit, IsConsistentWithItsOwnRelation) {
   const auto fit =
       fitArcAsPublished(measurement, test::perfectArc(measurement, truth, test::spread(17, 160)));
   ASSERT_TRUE(fit);
-  // The linear system leaves out Δx² + Δy² (0.9 mm²), which is a radius change of about 0.9/2R = 0.0011 mm.
+  // The linear system omits Δx² + Δy² (0.9 mm²), equivalent to a radius change of about 0.9/2R = 0.0011 mm.
   EXPECT_NEAR(fit->arc.circle.x, truth.x, 0.002);
   EXPECT_NEAR(fit->arc.circle.y, truth.y, 0.002);
   EXPECT_NEAR(fit->arc.circle.radius, truth.radius, 0.002);

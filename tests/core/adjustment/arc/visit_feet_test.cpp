@@ -32,7 +32,7 @@ ArcView viewIn(const Situation& situation) {
 }
 
 /// Visits along 5 rad of the arc, of one row or two, every third without a slider reading, each circle off by
-/// up to `off` and the slider likewise.
+/// up to `off`, and the slider too.
 std::vector<VisitReading> visitsAlong(const Situation& situation, std::size_t count, Angle off) {
   std::mt19937 random(static_cast<unsigned>(count));
   std::uniform_real_distribution<double> within(-off.radians(), off.radians());
@@ -57,7 +57,7 @@ VisitFeet feetOf(const Situation& situation, const std::vector<VisitReading>& vi
   return feet;
 }
 
-/// Over x, y, R and the slider's zero.
+/// Order: x, y, R and the slider's zero.
 ArcUnknowns moved(const Eigen::Vector4d& by) {
   return {{trueCircle.x + by[0], trueCircle.y + by[1], trueCircle.radius + by[2]}, trueSliderZero + by[3]};
 }
@@ -69,9 +69,9 @@ double chiSquareAt(const Situation& situation, const std::vector<VisitReading>& 
 
 class VisitFeetTest : public testing::TestWithParam<Situation> {};
 
-// Side by side and one by one are the same equations; what differs is where each of eight stops, within
-// rounding of its angle. Beyond 0.001 rad (206″) eight of which one is off are done one by one; 2° off, a
-// fifth of the radius beside the arc, a foot depends by some 1e-11 rad on where it was sought from.
+// Eight at a time and one by one, the equations are the same; only the final point differs, within rounding
+// of its angle. Above 0.001 rad (206″) a block with one such visit is processed one by one; at 2°, a fifth of
+// the radius from the arc, a foot depends on its start by some 1e-11 rad.
 TEST_P(VisitFeetTest, AreTheFootPointsOfEachVisit) {
   for (const std::size_t count : {1, 2, 7, 8, 9, 17, 24, 40})
     for (const double arcseconds : {0.0, 2.0, 100.0, 400.0, 7200.0}) {
@@ -112,9 +112,9 @@ TEST_P(VisitFeetTest, AreTheFootPointsOfEachVisit) {
     }
 }
 
-// Of circle readings alone a visit leaves one condition, its distance d from the arc in σ: χ² = d², and with
-// g = −∂d/∂(x, y, R) the equations are g gᵀ and g d. The gradient is some 40 σ/mm; central differences over
-// 1 µm err by 1e-8 σ/mm from rounding (1e-16 rad against 2″) and less from curvature.
+// With circle readings alone a visit leaves one condition, its distance d from the arc in σ: χ² = d², and
+// with g = −∂d/∂(x, y, R) the equations are g gᵀ and g d. The gradient is some 40 σ/mm; central differences
+// over 1 µm err by 1e-8 σ/mm from rounding (1e-16 rad compared with 2″) and less from curvature.
 TEST_P(VisitFeetTest, GradientMeetsTheChangeOfTheDistance) {
   Situation situation = GetParam();
   situation.hasSlider = false;
@@ -139,8 +139,8 @@ TEST_P(VisitFeetTest, GradientMeetsTheChangeOfTheDistance) {
   }
 }
 
-// −½ ∂χ²/∂u by central differences, feet found anew each time: over 1 µm and 1e-7 rad they err by 1e-6 of
-// some 100/mm and 1e7/rad from curvature and rounding.
+// −½ ∂χ²/∂u by central differences, with new feet each time: over 1 µm and 1e-7 rad they err by 1e-6 of some
+// 100/mm and 1e7/rad from curvature and rounding.
 TEST_P(VisitFeetTest, RightSideIsTheGradientOfTheMisfit) {
   const auto visits = visitsAlong(GetParam(), 17, Angle::fromArcseconds(20));
   const ArcEquations equations =
@@ -155,8 +155,8 @@ TEST_P(VisitFeetTest, RightSideIsTheGradientOfTheMisfit) {
   }
 }
 
-// Without residuals χ² of circles near the true one is δᵀNδ, but for terms of third order: of 1 µm or 1e-6
-// rad 1e-5 of it.
+// Without residuals χ² of circles near the true one is δᵀNδ, up to third order: for 1 µm or 1e-6 rad, 1e-5 of
+// it.
 TEST_P(VisitFeetTest, NormalMatrixIsTheCurvatureOfTheMisfit) {
   const auto visits = visitsAlong(GetParam(), 17, {});
   const ArcEquations equations =
@@ -176,7 +176,7 @@ TEST_P(VisitFeetTest, NormalMatrixIsTheCurvatureOfTheMisfit) {
     }
 }
 
-// What is redundant in all readings is what there are more of them than unknowns, arc angles counted.
+// The sum of the redundancies is the number of readings minus that of the unknowns, including arc angles.
 TEST_P(VisitFeetTest, RedundanciesAddUpToTheDegreesOfFreedom) {
   for (const std::size_t count : {5, 8, 17, 30}) {
     const auto visits = visitsAlong(GetParam(), count, Angle::fromArcseconds(2));

@@ -17,7 +17,7 @@
 namespace alidade::test {
 namespace {
 
-/// Against all readings of the session, at the usual risk.
+/// Compares with all readings of the session, at the usual risk.
 CorrectionTrials trialsOf(const Session& session, const std::stop_token& stop = {}) {
   const Measurement measurement = *examine(session).measurement;
   const SessionFit fit = fitSession(measurement);
@@ -28,7 +28,7 @@ Session sound(const char* plan) {
   return *simulate(*protocolByName(plan), drawTruth(4), 4);
 }
 
-/// The visit that a row belongs to as typed; the plans number their points and rounds.
+/// The visit of a row as typed; the plans number their points and rounds.
 Visited visitAt(const CorrectionTrials& trials, const Session& session, const Place& where) {
   const Reading& row = session.positions[*where.position].readings[*where.reading];
   return trials.visitOf(*where.position, row.round.empty() ? 1 : std::stoi(row.round), std::stoi(row.point));
@@ -41,7 +41,7 @@ bool restores(const Correction& correction, const std::vector<CellChange>& cure)
                                      });
 }
 
-/// Types a reading wrongly; what mends it.
+/// Types a wrong reading; returns its correction.
 CellChange spoil(Session& session, const Place& where, Slip slip) {
   std::mt19937_64 random(1);
   const std::string meant = cell(session, where);
@@ -77,15 +77,17 @@ TEST(CorrectionTrials, GatherTheRowsOfAVisit) {
   EXPECT_TRUE(trials.visitOf(0, 3, 1).rows.empty());
 }
 
-// Slips that show by ten σ and more, of single sightings, with the slider, and in two faces: as typed the
-// visit is out of the question, and what mends it comes first and leaves some noise. All that agree stand in
-// the order of their scores.
+// Slips visible by ten σ and more, of single sightings, with the slider, and in two faces: the visit as typed
+// is rejected, and the right correction comes first and leaves some noise. All that agree are ordered by
+// score.
 TEST(CorrectionTrials, PutWhatWasMeantFirst) {
   using enum Slip;
   for (const char* plan : {"paper", "paper-slider", "two-face"})
     for (const Slip slip : {DegreeOff, TenMinutesOff, MinuteOff, NeighbouringRow})
       for (const std::uint64_t seed : {1u, 2u}) {
-        if (slip == NeighbouringRow && std::string(plan) == "two-face") continue;  // then of the same visit
+        if (slip == NeighbouringRow && std::string(plan) == "two-face")
+          continue;  // both rows are then of
+                     // the same visit
         SCOPED_TRACE(std::string(plan) + " " + std::to_string(static_cast<int>(slip)) + " " +
                      std::to_string(seed));
         const SlippedSession slipped = slippedSession(*protocolByName(plan), slip, seed);
@@ -103,8 +105,8 @@ TEST(CorrectionTrials, PutWhatWasMeantFirst) {
       }
 }
 
-// In one face and without slider the score is what it says: how often such a slip is, how well the row goes
-// with all others, and where another row changes, what that gains in its visit. Sums in the same order: 1e-9.
+// In one face and without slider the score is the sum of three parts: the frequency of the slip, the row's
+// agreement with all others, and the gain in the visit of another changed row. Sums in the same order: 1e-9.
 TEST(CorrectionTrials, ScoreBySlipAndBothVisits) {
   using enum Slip;
   int inOne = 0, inTwo = 0;
@@ -134,9 +136,9 @@ TEST(CorrectionTrials, ScoreBySlipAndBothVisits) {
   EXPECT_GE(inTwo, 3);
 }
 
-// Of two texts that one cell may have held, the greater leaves the greater residual: as read, on a zenith
-// circle too, in either face and of the slider, which is the first row's. Sound rows read to 5″ might have
-// been many texts.
+// Of two possible texts for a cell, the larger leaves the larger residual: as read, also on a zenith circle,
+// in either face and for the slider, whose reading is the first row's. Sound rows read to 5″ allow many
+// texts.
 TEST(CorrectionTrials, TellResidualsAsRead) {
   for (const char* plan : {"paper", "full"}) {
     Truth truth = drawTruth(4);
@@ -163,7 +165,7 @@ TEST(CorrectionTrials, TellResidualsAsRead) {
   }
 }
 
-// At a probability of 10⁻⁴ each, of 68 visits none is expected to fail.
+// At a probability of 10⁻⁴ each, none of 68 visits is expected to fail.
 TEST(CorrectionTrials, LetSoundVisitsStandAsTyped) {
   for (const char* plan : {"paper", "full"}) {
     const Session session = sound(plan);
@@ -177,9 +179,8 @@ TEST(CorrectionTrials, LetSoundVisitsStandAsTyped) {
   }
 }
 
-// What the visit itself reads, by whatever it is off, has no part in the check; and what a second visit reads
-// that is named along, though 3 σ of it are too little to be called misread. Two fits from different starts
-// leave a millionth.
+// The check excludes the readings of the visit itself, whatever their error, and of a second named visit,
+// even if 3 σ are too little for a misreading. Two fits from different starts differ by a millionth.
 TEST(CorrectionTrials, CheckByOtherVisitsAlone) {
   const Session session = sound("paper");
   Session changed = session;
@@ -197,8 +198,8 @@ TEST(CorrectionTrials, CheckByOtherVisitsAlone) {
   EXPECT_GT(std::abs(logLikelihood(ofChanged, nullptr) - logLikelihood(trials, nullptr)), 1e-3);
 }
 
-// The horizontal circle in face 1 and the vertical one in face 2: no one slip explains both, but with either
-// taken off the other is mended. Of that cell alone, and by changes of no other.
+// The horizontal circle in face 1 and the vertical one in face 2: a single slip cannot explain both, but with
+// either error subtracted the other is corrected, by changes of that cell alone.
 TEST(CorrectionTrials, MendTwoSlipsOfOneVisitOneByOne) {
   Session session = sound("full");
   const std::vector<CellChange> cures{
@@ -224,9 +225,9 @@ TEST(CorrectionTrials, MendTwoSlipsOfOneVisitOneByOne) {
   }
 }
 
-// Both rows of each visit hold the one slider reading that was made. The fit takes the first: with the second
-// typed wrongly nothing is misread, but only the slider mends it. Of what 30″ too much or too little may have
-// been the nearest comes first, by 10″ = 2 σ from the next; where it is a degree, one text fits.
+// Both rows of each visit hold the same slider reading, and the fit takes the first. If the second is typed
+// wrongly nothing is misread, but only the slider needs correction. Of the possible texts for 30″ too much or
+// too little the nearest comes first, by 10″ = 2 σ from the next; for a degree, only one text fits.
 TEST(CorrectionTrials, HoldTheSliderOfTwoRowsAgainstEachOther) {
   Session session = sound("full");
   std::vector<Reading>& readings = session.positions[0].readings;
@@ -264,7 +265,8 @@ TEST(CorrectionTrials, MendRowsThatCouldNotBeUsed) {
   EXPECT_TRUE(restores(tried[0].correction, {{where, meant}}));
 }
 
-// A row that was typed twice stands in its visit twice, in one face: as sound as each is, no visit is so.
+// A row that was typed twice occurs in its visit twice, in one face: each copy is sound, but the visit is
+// not.
 TEST(CorrectionTrials, TakeEachFaceOfAVisitOnce) {
   Session session = sound("two-face");
   std::vector<Reading>& readings = session.positions[1].readings;
@@ -276,7 +278,7 @@ TEST(CorrectionTrials, TakeEachFaceOfAVisitOnce) {
   EXPECT_FALSE(trials.agreesAsTyped(visit.with(readings.size() - 1), check));
 }
 
-// The slip is in face 1: no text of face 2 mends it, and what exchanges rows is no text of one cell.
+// The slip is in face 1: a text of face 2 cannot correct it, and exchanging rows changes more than one cell.
 TEST(CorrectionTrials, ChangeOneCellAloneWhereAsked) {
   Session session = sound("two-face");
   const CellChange cure =
@@ -298,8 +300,8 @@ TEST(CorrectionTrials, ChangeOneCellAloneWhereAsked) {
   EXPECT_TRUE(ofBoth.agreeing(one, ofBoth.checkOf(one), {}, &only).empty());
 }
 
-// The slider turns back at its last place: there two rows in sequence read nearly the same, and either would
-// do for the other. What is typed wrongly in one would do for neither.
+// The slider turns back at its last place: two consecutive rows there read nearly the same and could replace
+// each other. A wrongly typed text of one fits neither.
 TEST(CorrectionTrials, MendNoRowAtTheCostOfItsNeighbour) {
   Session session = sound("there-and-back");
   const CellChange cure =
@@ -313,8 +315,8 @@ TEST(CorrectionTrials, MendNoRowAtTheCostOfItsNeighbour) {
   for (const AgreeingCorrection& one : tried) EXPECT_NE(one.correction.slip, EntrySlip::NeighbouringRow);
 }
 
-// A collimation of 100″ that the session's model knows: a slip of a minute shows beside it. Without the
-// effect all readings would scatter as much as the slip.
+// A collimation of 100″ that is in the session's model: a slip of a minute is visible. Without the effect all
+// readings would scatter as much as the slip.
 TEST(CorrectionTrials, KeepToTheModelOfTheSession) {
   Truth truth = drawTruth(4);
   truth.effects = {{ErrorTerm::Collimation, 100}};

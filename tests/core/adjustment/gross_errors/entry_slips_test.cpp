@@ -58,7 +58,7 @@ TEST(EntrySlips, ListEachTextOnceAndNeverTheTypedOne) {
   EXPECT_TRUE(std::ranges::adjacent_find(texts) == texts.end());
 }
 
-// Ten seconds off may also be one digit wrong. Of the five neighbours in 81°48'23" all five differ.
+// Ten seconds off may also be one wrong digit. Each of the five neighbours in 81°48'23" differs.
 TEST(EntrySlips, AddUpTheWaysToOneText) {
   const auto texts = meantTexts("81°48'23\"");
   const auto both = std::ranges::find(texts, "81°48'32\"", &MeantText::text);

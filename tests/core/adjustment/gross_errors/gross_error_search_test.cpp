@@ -47,13 +47,13 @@ TEST(GrossErrorSearch, FindsTheGrossErrorsOfTheRayTracer) {
     EXPECT_EQ(blunder.at(2), sighting.point);
     EXPECT_EQ(blunder.at(3), sighting.face);
     EXPECT_THAT(found.rivals, IsEmpty());
-    // Zenith readings grow downwards, reduced ones upwards; all three are in face 1.
+    // Zenith readings increase downwards, reduced ones upwards; all three are in face 1.
     const double size = found.size.arcseconds() * (found.cell.kind == Horizontal ? 1 : -1);
     EXPECT_NEAR(size, blunder.at(found.cell.kind == Horizontal ? 4 : 5), 4 * found.sigma.arcseconds());
   }
 }
 
-// Instruments and guideways with effects misfit as a whole, and no reading of theirs is misread.
+// Effects of instruments and guideways cause a misfit of the whole session, without a misread reading.
 TEST(GrossErrorSearch, BlamesNoReadingForAnEffect) {
   for (const Trial& trial : trials()) {
     if (trial.kind == "gross_error") continue;
@@ -61,7 +61,7 @@ TEST(GrossErrorSearch, BlamesNoReadingForAnEffect) {
   }
 }
 
-// Its readings scatter seven times more than stated, but none more than the rest.
+// Its readings scatter seven times more than stated, but all alike.
 TEST(GrossErrorSearch, NamesNothingInThePapersReadings) {
   const GrossErrorSearch search = searchGrossErrors(paperMeasurement());
   EXPECT_THAT(search.grossErrors, IsEmpty());
@@ -74,7 +74,7 @@ TEST(GrossErrorSearch, NamesASoundReadingInOneSessionOfAHundred) {
   EXPECT_NEAR(searchGrossErrors(paperMeasurement()).criticalValue, 4.1309, 0.0001);
 }
 
-// Each of the four pulls the fit of its arc by more than the noise of all others; the largest by metres.
+// Each of the four shifts the fit of its arc by more than the noise of all others; the largest by metres.
 TEST(GrossErrorSearch, FindsSeveralThatWouldMaskEachOther) {
   Measurement measurement = noisyMeasurement(1);
   shiftReading(measurement, {0, 8, Vertical}, Angle::fromDegrees(-10));
@@ -90,7 +90,7 @@ TEST(GrossErrorSearch, FindsSeveralThatWouldMaskEachOther) {
   EXPECT_NEAR(search.grossErrors[0].size.degrees(), 10, 4 * search.grossErrors[0].sigma.degrees());
 }
 
-// Without a second face or the slider, a misfit across the arc may come from either circle.
+// Without a second face or the slider, a misfit across the arc can come from either circle.
 TEST(GrossErrorSearch, SaysThatEitherCircleOfASingleSightingMayBeAtFault) {
   Measurement measurement = noisyMeasurement(2);
   shiftReading(measurement, {1, 4, Vertical}, Angle::fromArcseconds(90));
@@ -111,7 +111,7 @@ TEST(GrossErrorSearch, TestsNothingWithoutRedundancy) {
   EXPECT_EQ(search.criticalValue, 0);
 }
 
-// Rows far off the circle are left out from the start, however many; only as many as asked for are named.
+// Rows far off the circle are left out from the start, in any number; at most the requested number is named.
 TEST(GrossErrorSearch, AreManagedInThousandsOfReadings) {
   std::mt19937_64 generator(9);
   Measurement measurement = usualMeasurement();

@@ -36,8 +36,9 @@ Score scoreOf(const char* plan, int sessions) {
   return score;
 }
 
-// A slip that shows by more than ten sigma: the right cell in 99 % and the right correction in 95 % of all
-// sessions. Of 90 that leaves at most 5 and 12 misses, but for one chance in a thousand each (binomial).
+// Slips visible by more than ten sigma: the right cell in 99 % and the right correction in 95 % of all
+// sessions. For 90 sessions this allows at most 5 and 12 misses, exceeded with probability 0.001 each
+// (binomial).
 TEST(Suspects, AreTheSlipsOfSingleSightings) {
   const Score score = scoreOf("paper", 90);
   EXPECT_LE(score.wrongCell, 5);
@@ -56,8 +57,8 @@ TEST(Suspects, AreTheSlipsOfSightingsInTwoFaces) {
   EXPECT_LE(score.wrongCorrection, 8);
 }
 
-// At a risk of 0.05 for a session, 150 sound ones name 7.5 on average; more than 17 have one chance in a
-// thousand (binomial).
+// At a risk of 0.05 for a session, 150 sound ones name 7.5 on average; more than 17 have a probability of
+// 0.001 (binomial).
 TEST(Suspects, AreNamedInSoundSessionsAsRarelyAsStated) {
   int alarms = 0;
   for (std::uint64_t seed = 1; seed <= 150; ++seed) {
@@ -73,9 +74,8 @@ TEST(Suspects, AreNoneInThePapersReadings) {
   EXPECT_THAT(suspectsOf(paperSession()), IsEmpty());
 }
 
-// Two or three slips next to each other. Before corrections had to hold together, 101 of 1200 such sessions
-// (300 seeds of each line below) offered one that restores nothing; then 18 did. The bound is three times
-// that share.
+// Two or three adjacent slips. Before corrections had to be consistent, 101 of 1200 such sessions (300 seeds
+// of each line below) had a wrong proposal; since then 18. The bound is three times that share.
 TEST(Suspects, AreNotGivenACorrectionThatAnotherSlipFeigns) {
   std::size_t sessions = 0, offers = 0;
   for (const char* plan : {"paper", "two-face"})
@@ -90,7 +90,7 @@ TEST(Suspects, AreNotGivenACorrectionThatAnotherSlipFeigns) {
   EXPECT_GE(offers, 300u) << "what is certain is still offered";
 }
 
-// Minutes of the vertical circle swapped: 22°40' too much on the arc's readings of 7″ scatter.
+// Minutes of the vertical circle swapped: 22°40' too much on an arc whose readings scatter by 7″.
 TEST(Suspects, SayWhatWasProbablyMeant) {
   Session session = paperSession();
   std::string& typed = session.positions[0].readings[4].vertical;
@@ -108,7 +108,7 @@ TEST(Suspects, SayWhatWasProbablyMeant) {
   EXPECT_EQ(suspects[0].proposals[0].changes, (std::vector<CellChange>{{suspects[0].where, meant, typed}}));
 }
 
-// The minutes are no minutes: the row takes no part in the fit, but the rest tells what it should say.
+// The minutes are out of range: the row is excluded from the fit, but the others predict its reading.
 TEST(Suspects, IncludeRowsThatCouldNotBeUsed) {
   Session session = paperSession();
   std::string& typed = session.positions[1].readings[7].horizontal;
@@ -130,7 +130,7 @@ TEST(Suspects, AreLeftAloneOnceAskedToStop) {
   EXPECT_THAT(findSuspects(session, measurement, fit, {}, stop.get_token()), IsEmpty());
 }
 
-// From its beginning to its end and a little beyond, in sixty steps.
+// From its start to slightly after its end, in sixty steps.
 TEST(Suspects, AreSomeOfAllOnceAskedToStopMeanwhile) {
   Session session = slippedSession(*protocolByName("paper"), Slip::DigitWrong, 5001).session;
   session.positions[0].readings[4].vertical = session.positions[0].readings[11].vertical;

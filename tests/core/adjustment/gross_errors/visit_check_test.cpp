@@ -33,8 +33,8 @@ VisitAgreement agreementOf(const Measurement& measurement, std::size_t arc, cons
   return check.agreement({sighting});
 }
 
-// The probability of a sound visit is evenly spread over 0…1, whatever the noise: its mean over 170 visits
-// is 1/2 within four times 0.29/√170.
+// The probability of a sound visit is uniform over 0…1, for any noise: its mean over 170 visits is 1/2 within
+// four times 0.29/√170.
 TEST(VisitCheck, GivesSoundVisitsEvenlySpreadProbabilities) {
   double sum = 0;
   int visits = 0;
@@ -61,7 +61,7 @@ TEST(VisitCheck, SeesWhatIsOffTheArc) {
   EXPECT_NEAR(Angle::fromRadians(agreement.residuals[1]).arcseconds(), 60, 8);
 }
 
-// Along the arc nothing is off it, but the place is: 10′ across the line of sight are 1° of arc.
+// Along the arc it is still on it, but the place is off: 10′ across the line of sight are 1° of arc.
 TEST(VisitCheck, PrefersThePlaceThatKeepsTheSpacing) {
   const Measurement measurement = noisyThereAndBack(4);
   Sighting sighting = measurement.arcs[0].sightings[8];

@@ -8,7 +8,7 @@
 #include "core/base/random_source.h"
 #include "tests/support/perfect_session.h"
 
-// The fast adjustment held against the general one, wherever it accepts.
+// The fast adjustment compared with the general one, wherever it accepts.
 
 namespace alidade {
 namespace {
@@ -28,9 +28,8 @@ void addFacesAndSlider(ArcMeasurement& arc, const std::vector<double>& angles, b
   }
 }
 
-/// 4 to 60 places on 30° to 330° of arc, L from 0.6 to 24 m, R from 50 to 5000 mm as far as seen within 40°,
-/// σ from 0.1″ to 30″, noise up to three times the stated; one or both positions, faces, and sliders as they
-/// come.
+/// 4 to 60 places on 30° to 330° of arc, L from 0.6 to 24 m, R from 50 to 5000 mm if seen within 40°, σ from
+/// 0.1″ to 30″, noise up to three times the stated; one or both positions, and random faces and sliders.
 Measurement drawMeasurement(RandomSource& random) {
   Measurement measurement = test::usualMeasurement();
   measurement.distance = 600 * std::exp(random.uniform(0, std::log(40)));
@@ -63,7 +62,7 @@ Measurement drawMeasurement(RandomSource& random) {
   return measurement;
 }
 
-/// Numbers of both fits differ by rounding alone: `share` of the greatest of their kind.
+/// Numbers of both fits differ only by rounding: `share` of the largest of their kind.
 void expectAlike(const std::vector<double>& one, const std::vector<double>& other, double share,
                  const char* what) {
   ASSERT_EQ(one.size(), other.size()) << what;
@@ -80,7 +79,7 @@ void expectAlike(const JointFit& fast, const JointFit& general) {
   EXPECT_EQ(fast.converged(), general.converged());
   EXPECT_NEAR(fast.chiSquare, general.chiSquare, 1e-8 * (1 + general.chiSquare));
   for (std::size_t i = 0; i < fast.values.size(); ++i) {
-    // Both stop where the next step is below 1e-9 σ; of poor arcs σ is many millimetres.
+    // Both stop when the next step is below 1e-9 σ; for poor arcs σ is many millimetres.
     const double sigma = std::sqrt(general.cofactor(i, i));
     EXPECT_NEAR(fast.values[i], general.values[i], 1e-9 + 2e-9 * sigma) << i;
     for (std::size_t k = 0; k < fast.values.size(); ++k)
@@ -144,7 +143,7 @@ TEST(FastJointFit, LeavesToTheGeneralOneWhatItIsNotMadeFor) {
   EXPECT_FALSE(fitJointlyFast(measurement, starts));
 }
 
-// What an adjustment starts from is what `fitArc` finds, to what the fast fit is good for.
+// The start of an adjustment is the result of `fitArc`, to the accuracy of the fast fit.
 TEST(FirstFit, IsTheFitOfTheArc) {
   RandomSource random(6);
   for (int i = 0; i < 100; ++i) {

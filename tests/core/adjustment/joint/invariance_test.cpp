@@ -9,13 +9,13 @@
 #include "core/simulation/simulate.h"
 #include "tests/support/paper_table.h"
 
-// What may not change a result, and what has to change it in a known way. All on the whole road from the
+// Transformations that must leave a result unchanged, or change it in a known way. Each test goes from the
 // session's texts to the result.
 
 namespace alidade {
 namespace {
 
-/// Without whatever hangs on the direction of the circle or on time.
+/// Without anything that depends on the direction of the circle or on time.
 Session sessionOf(const std::string& protocol) {
   Truth truth = drawTruth(21);
   truth.sigmaDistance = 1;
@@ -35,7 +35,8 @@ void turnCircle(Session& session, double degrees) {
   }
 }
 
-/// Equal results of the same readings differ by how the solvers round: some 1e-11 mm, for σ relatively alike.
+/// Results of the same readings differ by rounding in the solvers: some 1e-11 mm, and for σ relatively the
+/// same.
 void expectSame(const SessionFit& one, const SessionFit& other) {
   ASSERT_TRUE(one.intersection && other.intersection);
   EXPECT_NEAR(one.intersection->value, other.intersection->value, 1e-9);
@@ -60,12 +61,12 @@ TEST_P(InvarianceTest, TurningTheHorizontalCircleChangesNothing) {
   const Session session = sessionOf(GetParam());
   const SessionFit before = fitted(session);
   const double zero = parseAngle(session.positions[0].zero.horizontal)->degrees();
-  // To any place, and so that the zero, one end of the arc or the other comes to lie on 0/360.
+  // To any place, and so that the zero or either end of the arc comes to be at 0/360.
   for (const double degrees : {123.0, -zero, -zero + 9.4, -zero - 9.4, -zero + 180.0}) {
     Session turned = session;
     turnCircle(turned, degrees);
     SCOPED_TRACE(degrees);
-    // Typed to 0.1″ again: the turn in whole 0.1″ loses nothing.
+    // Typed to 0.1″ again: a rotation in whole 0.1″ is exact.
     expectSame(before, fitted(turned));
   }
 }
@@ -113,7 +114,8 @@ TEST_P(InvarianceTest, ScalingAllLengthsScalesTheResult) {
   }
 }
 
-// Seen in a mirror, right is left: x changes its sign, the slider runs the other way, heights stay.
+// In a mirror right becomes left: x changes its sign, the slider runs in the opposite direction, heights
+// stay.
 TEST_P(InvarianceTest, AMirrorTurnsRightAndLeftAlone) {
   const Measurement measurement = test::measurementOf(sessionOf(GetParam()));
   Measurement mirrored = measurement;
@@ -133,7 +135,7 @@ TEST_P(InvarianceTest, AMirrorTurnsRightAndLeftAlone) {
   EXPECT_NEAR(after.intersection->sigma, before.intersection->sigma, 1e-9);
 }
 
-// Seen upside down, the upper arc is the lower one: heights change their sign.
+// Upside down, the upper arc becomes the lower one: heights change their sign.
 TEST_P(InvarianceTest, AMirrorInTheWaterTurnsHeights) {
   const Measurement measurement = test::measurementOf(sessionOf(GetParam()));
   Measurement mirrored = measurement;

@@ -30,8 +30,8 @@ double valueOf(const JointFit& fit, const Unknown& unknown) {
   return fit.values.at(fit.indexOf(unknown));
 }
 
-// Two formulations of the same problem, one arc at a time with the nearest points projected out, and all at
-// once with the arc angles as unknowns, have to end at the same minimum.
+// Two formulations of the same problem must have the same minimum: one arc at a time with the nearest points
+// projected out, and all at once with the arc angles as unknowns.
 TEST(JointFit, AgreesWithTheFitsOfSingleArcs) {
   const Measurement measurement = test::paperMeasurement();
   const JointFit fit = fitted(measurement);
@@ -69,8 +69,8 @@ TEST(JointFit, ConvergesFromPoorStarts) {
     }
 }
 
-// Readings that name no number leave neither a minimum nor anything determined, and so do two places for the
-// three unknowns of an arc.
+// Readings that are not finite determine neither a minimum nor any value, nor do two places for the three
+// unknowns of an arc.
 TEST(JointFit, SaysWhereItsEquationsHaveLostTheirRank) {
   Measurement measurement = test::paperMeasurement();
   measurement.arcs.resize(1);
@@ -83,8 +83,8 @@ TEST(JointFit, SaysWhereItsEquationsHaveLostTheirRank) {
   EXPECT_EQ(fitJointly(measurement, {{0, 0, 400}}).status, FitStatus::Undetermined);
 }
 
-// Without a step taken the values are those of the start: of a term the start it is told, whatever its prior,
-// of a shared radius the mean of the circles', though it is known otherwise.
+// Without a step the values are those of the start: for a term the given start, whatever its prior; for a
+// shared radius the mean of the circles', even if another value is known.
 TEST(JointFit, StartsWhereItIsTold) {
   Measurement measurement = test::paperMeasurement();
   const std::vector<Circle> starts{{-1, 2, 401}, {3, -4, 405}};
@@ -106,9 +106,9 @@ TEST(JointFit, StartsWhereItIsTold) {
   }
 }
 
-// Moving every reading, or L, by a little and fitting again is what the sensitivities promise to first order.
-// Their dependence on the residuals, which linear theory leaves out, is some 1e-4 of them at the residuals of
-// Table I.
+// The sensitivities predict, to first order, the change after moving every reading, or L, by a little and
+// fitting again. Their dependence on the residuals, which linear theory omits, is some 1e-4 at the residuals
+// of Table I.
 TEST(JointFit, SensitivitiesToWhatIsConsideredMeetRefits) {
   const Measurement measurement = test::paperMeasurement();
   const JointFit fit = fitted(measurement);
@@ -126,8 +126,8 @@ TEST(JointFit, SensitivitiesToWhatIsConsideredMeetRefits) {
   };
   const Angle shift = Angle::fromArcseconds(1);
 
-  // Readings come out smaller by the horizontal zero's error and greater by the vertical one's: removing such
-  // an error is adding and taking off the shift.
+  // The horizontal zero's error decreases readings and the vertical one's increases them, so removing them
+  // adds and subtracts the shift.
   Measurement horizontal = measurement, vertical = measurement, farther = measurement;
   for (Sighting& s : horizontal.arcs[0].sightings) s.a = s.a + shift;
   for (Sighting& s : vertical.arcs[0].sightings) s.e = s.e - shift;
@@ -138,7 +138,7 @@ TEST(JointFit, SensitivitiesToWhatIsConsideredMeetRefits) {
   expectChange(farther, {.kind = Unknown::Kind::Distance}, 0.1);
 }
 
-// Each reading's redundancy and its pull on Δd against a refit with that reading moved by 1″.
+// Each reading's redundancy and its influence on Δd, compared with a refit after moving that reading by 1″.
 TEST(JointFit, RedundancyAndInfluenceMeetRefits) {
   const Measurement measurement = test::trialMeasurement("full");
   const JointFit fit = fitted(measurement);
@@ -187,7 +187,7 @@ TEST(JointFit, SliderReadingsFixPlacesAlongTheArc) {
   EXPECT_EQ(with.degreesOfFreedom - without.degreesOfFreedom, 2 * (17 - 1));
 }
 
-// A reading that takes no part can be off by any amount, and is no longer counted.
+// An excluded reading can be off by any amount and is not counted.
 TEST(JointFit, LeavesReadingsOutThatTakeNoPart) {
   const Measurement good = test::trialMeasurement("full");
   Measurement bad = good;
@@ -198,7 +198,7 @@ TEST(JointFit, LeavesReadingsOutThatTakeNoPart) {
   ASSERT_TRUE(fromGood.converged() && fromBad.converged());
   EXPECT_EQ(fromGood.degreesOfFreedom, fitted(good).degreesOfFreedom - 1);
   for (std::size_t i = 0; i < fromGood.values.size(); ++i)
-    EXPECT_NEAR(fromBad.values[i], fromGood.values[i], 1e-9);  // mm, rad: both converged that far
+    EXPECT_NEAR(fromBad.values[i], fromGood.values[i], 1e-9);  // mm, rad: both converged to this
 }
 
 std::size_t orderOfRow(const Measurement& measurement, std::size_t sequence) {
@@ -208,7 +208,7 @@ std::size_t orderOfRow(const Measurement& measurement, std::size_t sequence) {
   return 0;
 }
 
-// The ray tracer knocked the tripod at a moment it tells; with the step put there, noise is left over.
+// The ray tracer knocked the tripod at a stated moment; with the step at that moment only noise remains.
 TEST(JointFit, FindsTheJumpOfAKnockedTripod) {
   for (const test::Trial& trial : test::trials()) {
     if (trial.kind != "orientation_jump") continue;
@@ -230,9 +230,9 @@ TEST(JointFit, FindsTheJumpOfAKnockedTripod) {
   }
 }
 
-// Readings without noise, knocked from the row on that is named so that the circles read 30″ and, on the
-// zenith circle, 20″ more: with the step put there nothing is left over, and the step comes out. 1e-6 of χ²
-// is what converging leaves.
+// Readings without noise, with a knock from the given row on after which the circles read 30″ and, on the
+// zenith circle, 20″ more: with the step there, residuals vanish and the step is found. 1e-6 of χ² is the
+// convergence limit.
 TEST(JointFit, StepActsFromTheNamedRowOn) {
   Measurement measurement = test::usualMeasurement();
   for (const int axisDeg : {0, 180})

@@ -26,7 +26,7 @@ std::vector<Circle> arcsAlone(const Measurement& measurement) {
   return starts;
 }
 
-/// Each way to set up the equations: perfect, with the guideway's terms or all of them, of sessions with one
+/// Each way to set up the equations: perfect, with the guideway's terms or all of them, for sessions with one
 /// face and two, with slider and without.
 struct Case {
   std::string name;
@@ -58,9 +58,9 @@ std::vector<Case> cases() {
   return all;
 }
 
-// Readings of perfect arcs, from zeros that are off: by their definition horizontal readings come out smaller
-// by the zero's error, vertical ones greater, and a zero read as level is not. Rounding in a reading is 1e-16
-// rad, 1e-11 σ.
+// Readings of perfect arcs, from wrong zeros: by definition the zero's error decreases horizontal readings
+// and increases vertical ones, and a zero read as level is inclined. Rounding in a reading is 1e-16 rad,
+// 1e-11 σ.
 TEST(JointProblem, PerfectReadingsLeaveNothing) {
   for (const auto relation : {VerticalAngleRelation::Exact, VerticalAngleRelation::Planar}) {
     Measurement measurement = test::usualMeasurement();
@@ -99,7 +99,7 @@ TEST(JointProblem, PerfectReadingsLeaveNothing) {
   }
 }
 
-// The state counts from what is known beforehand: a radius of 400 mm, a term of 1e-5.
+// The state counts from the prior values: a radius of 400 mm, a term of 1e-5.
 TEST(JointProblem, StartsAtTheCirclesAndTermsGiven) {
   Measurement measurement = test::trialMeasurement("two-face");
   measurement.radiusModel = RadiusModel::Known;
@@ -111,8 +111,8 @@ TEST(JointProblem, StartsAtTheCirclesAndTermsGiven) {
   EXPECT_LT((state.unknowns - expected).cwiseAbs().maxCoeff(), 1e-12) << state.unknowns.transpose();
 }
 
-// By differences over 1e-4 mm or rad: they leave 1e-9 of the third derivatives, and of the residuals'
-// rounding, some 1e-11 σ, 1e-7 in columns of up to 1e5.
+// By differences over 1e-4 mm or rad. They err by 1e-9 of the third derivatives, and by the rounding of the
+// residuals, some 1e-11 σ: 1e-7 in columns of up to 1e5.
 TEST(JointProblem, JacobianIsHowTheResidualsChange) {
   for (const Case& one : cases()) {
     SCOPED_TRACE(one.name);
@@ -144,9 +144,9 @@ TEST(JointProblem, JacobianIsHowTheResidualsChange) {
   }
 }
 
-// A drift acts by the time gone by since the zero of the position was sighted, beside its first row; a jump
-// from its row on, and on a later zero as well, so that its position stands as before; zenith readings grow
-// by either. Both add to the reading itself, so rounding is all.
+// A drift acts by the time since the zero of the position was sighted, next to its first row. A jump acts
+// from its row on, also on a later zero, whose position is then unchanged; zenith readings increase by
+// either. Both are added to the reading itself, so only rounding remains.
 TEST(JointProblem, DriftsAndJumpsActByTheRowsPlaceInTime) {
   using enum ErrorTerm;
   const Measurement measurement = test::trialMeasurement("full");
@@ -167,7 +167,8 @@ TEST(JointProblem, DriftsAndJumpsActByTheRowsPlaceInTime) {
                    ofZero = static_cast<double>(rows.front().sequence) / last;
       const double jump = cell.arc == 1 || sequence >= knocked ? 1 : 0, jumpOfZero = cell.arc == 1 ? 1 : 0;
       Eigen::Vector4d expected = Eigen::Vector4d::Zero();
-      // A zero that was read lower for the drift stood higher, and so did the arc that counts from it.
+      // A zero that was read lower due to the drift was actually higher, and so was the arc that counts from
+      // it.
       const double turn = equations.jacobian(row, static_cast<int>(Unknown::Kind::VerticalZero)) *
                           statedSigma(measurement, ReadingKind::Vertical).radians();
       if (cell.kind == ReadingKind::Horizontal) expected << time - ofZero, 0, jump - jumpOfZero, 0;
@@ -208,8 +209,8 @@ Whole wholeOf(const JointProblem& problem, const JointState& state) {
   return whole;
 }
 
-// N and its right side with the arc angles in them, eliminated here by Schur's complement. Both sides round
-// at some 1e-16 of the greatest products.
+// N and its right side including the arc angles, eliminated here by Schur's complement. Both sides round at
+// some 1e-16 of the largest products.
 TEST(JointProblem, NormalEquationsAreThoseOfAllReadingsAtOnce) {
   for (const Case& one : cases()) {
     SCOPED_TRACE(one.name);
@@ -235,11 +236,11 @@ TEST(JointProblem, NormalEquationsAreThoseOfAllReadingsAtOnce) {
   }
 }
 
-// The step of unknowns and arc angles that all equations solved at once ask for. 1e-7 of it is what the
-// worst of the matrices costs.
+// The step of unknowns and arc angles from solving all equations at once. The worst of the matrices loses
+// 1e-7 of it.
 TEST(JointProblem, ArcAnglesFollowTheUnknowns) {
   for (const Case& one : cases()) {
-    if (one.options.terms.size() > 2) continue;  // all of them are not told apart
+    if (one.options.terms.size() > 2) continue;  // all of them together are inseparable
     SCOPED_TRACE(one.name);
     const JointProblem problem(one.measurement, one.options);
     std::vector<Circle> starts = arcsAlone(one.measurement);
@@ -261,8 +262,7 @@ TEST(JointProblem, ArcAnglesFollowTheUnknowns) {
   }
 }
 
-// A reading that is changed by its σ changes its own row by 1 and no other; one that takes no part changes
-// none.
+// Changing a reading by its σ changes its own row by 1 and no other; an excluded one changes none.
 TEST(JointProblem, EachRowIsOfTheReadingItNames) {
   const Measurement measurement = test::trialMeasurement("full");
   const JointFitOptions options{.without = {{1, 9, ReadingKind::Vertical}, {0, 4, ReadingKind::Slider}}};
@@ -288,8 +288,8 @@ TEST(JointProblem, EachRowIsOfTheReadingItNames) {
   EXPECT_EQ(silent, options.without.size());
 }
 
-// Where a fit ended nothing pulls at what was estimated and χ² is its own, and a term that was no part of it
-// is zero. The fit stops 1e-9 σ from there.
+// At the solution of a fit the gradient of the estimated unknowns is zero, χ² is the fit's, and terms that it
+// lacks are zero. The fit stops 1e-9 σ from there.
 TEST(JointProblem, TakesUpTheStateOfAFit) {
   for (const Case& one : cases()) {
     if (one.options.terms.size() > 2) continue;

@@ -17,7 +17,7 @@ JointFit fitOf(const Measurement& measurement, const JointFitOptions& options = 
   return fitJointly(measurement, starts, options);
 }
 
-// At the solution the residuals are at right angles to everything the fit was free to change.
+// At the solution the residuals are orthogonal to the columns of all free unknowns.
 TEST(Linearised, ResidualsStandOnTheFreeUnknowns) {
   for (const char* protocol : {"paper", "paper-slider", "two-face", "full"}) {
     SCOPED_TRACE(protocol);
@@ -35,7 +35,7 @@ TEST(Linearised, ResidualsStandOnTheFreeUnknowns) {
   }
 }
 
-// A small collimation put into the readings by its textbook formula, δα = ±c/cos e, is what the column says.
+// The column agrees with a small collimation added to the readings by the textbook formula, δα = ±c/cos e.
 TEST(Linearised, ColumnsOfTermsAreWhatTheTermsDo) {
   const Measurement measurement = test::trialMeasurement("two-face");
   const Linearised linear = linearise(measurement, fitOf(measurement));
@@ -43,17 +43,17 @@ TEST(Linearised, ColumnsOfTermsAreWhatTheTermsDo) {
     const LinearReading& reading = linear.readings[i];
     const Sighting& sighting = measurement.arcs[reading.arc].sightings[reading.sighting];
     const double side = sighting.face == 1 ? 1 : -1;
-    // The pointing zero, read in face 1 on the horizon, has the error as well.
+    // The pointing zero, read in face 1 on the horizon, has the same error.
     const double expected =
         reading.kind == ReadingKind::Horizontal ? side / std::cos(sighting.e.radians()) - 1 : 0;
     EXPECT_NEAR(linear.ofTerm(i, ErrorTerm::Collimation) * reading.sigma, expected,
-                1e-4);  // e is read, not adjusted
+                1e-4);  // e is the reading instead of the adjusted value
     EXPECT_EQ(linear.ofTerm(i, ErrorTerm::VerticalJump) != 0, reading.kind == ReadingKind::Vertical);
   }
 }
 
-// Of a radius known to 0.5 mm and a term that 1e-4 is plausible for, at the fit: in σ how far each was
-// pulled.
+// A radius known to 0.5 mm and a term with the plausible size 1e-4, at the fit: their distance from the prior
+// in σ.
 TEST(Linearised, WhatIsKnownBeforehandIsOneRowEach) {
   Measurement measurement = test::trialMeasurement("two-face");
   measurement.radiusModel = RadiusModel::Known;

@@ -9,7 +9,7 @@
 #include "core/simulation/protocol.h"
 #include "core/simulation/simulate.h"
 
-// Arcs of more than half a turn, over everything that a fit makes of them.
+// Arcs of more than half a turn, in all parts of a fit.
 
 namespace alidade {
 namespace {
@@ -26,7 +26,7 @@ class LongArc : public testing::TestWithParam<double> {};
 
 INSTANTIATE_TEST_SUITE_P(Ends, LongArc, testing::Values(170.0, 200.0, 290.0));
 
-// Without noise the scale put in comes out, drawn to 0 by its plausible size: by (σ/5e-4)² of it.
+// Without noise the true scale is found, reduced by its prior by (σ/5e-4)² of it.
 TEST_P(LongArc, TellsTheScaleOfTheSlider) {
   Truth truth = drawTruth(3);
   truth.effects = {{ErrorTerm::SliderScale, 4e-4}};
@@ -38,7 +38,7 @@ TEST_P(LongArc, TellsTheScaleOfTheSlider) {
   EXPECT_NEAR(fit.intersection->value, truth.intersection, 3e-4);
 }
 
-// By the quick adjustment and by the general one; 1e-6 rad are what readings of 1e-6″ leave.
+// By the fast adjustment and by the general one; readings of 1e-6″ leave 1e-6 rad.
 TEST_P(LongArc, HasItsAnglesWithoutASeam) {
   const Protocol protocol = upTo(GetParam());
   Measurement measurement = *examine(*simulateWithoutNoise(protocol, drawTruth(5), 5)).measurement;

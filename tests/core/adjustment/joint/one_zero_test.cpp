@@ -12,7 +12,7 @@
 #include "core/simulation/simulate.h"
 #include "tests/support/paper_table.h"
 
-// One pointing zero for both positions, over everything that a fit makes of it.
+// One pointing zero for both positions, in all parts of a fit.
 
 namespace alidade {
 namespace {
@@ -32,21 +32,21 @@ double shareOfZeros(const Measurement& measurement) {
   return 0;
 }
 
-/// All readings counted from a zero that is wrong by so much.
+/// All readings counted from a zero with this error.
 Measurement shifted(Measurement measurement, Angle horizontal, Angle vertical) {
   for (ArcMeasurement& arc : measurement.arcs)
     for (Sighting& sighting : arc.sightings) {
       sighting.a = sighting.a + horizontal;
       sighting.e = sighting.e + vertical;
     }
-  // What was read stands in the room as before, the zero lies lower.
+  // The readings stay the same in space while the zero is lower.
   for (ArcMeasurement& arc : measurement.arcs) arc.zeroElevation = arc.zeroElevation - vertical;
   return measurement;
 }
 
-// What a zero wrong in all arcs by its σ moves Δd by, fitted anew. Its elevation cancels, and so does next to
-// all of its azimuth: of what is left residuals of 9″, which the derivative leaves out, bend a tenth. Of two
-// zeros apart the share is L σ/√2, 16 µm.
+// The change of Δd, after a new fit, for a zero wrong in all arcs by its σ. Its elevation cancels, and so
+// does almost all of its azimuth; residuals of 9″, which the derivative omits, change the rest by a tenth.
+// With two separate zeros the share is L σ/√2, 16 µm.
 TEST(OneZero, BringsWhatAnErrorOfItMovesTheIntersectionBy) {
   const Measurement measurement = withOneZero();
   const auto movedBy = [&](Angle horizontal, Angle vertical) {
@@ -77,7 +77,7 @@ TEST(OneZero, IsTheSameInTheGeneralFit) {
   EXPECT_NEAR(slow.inPlaneSigma, fit.intersection->inPlaneSigma, 1e-9);
 }
 
-// In both fast ways of drawing anew; 20 000 draws tell σ to 0.5 %, and 60″ bend it by some 1 %.
+// In both fast refits; 20 000 draws determine σ to 0.5 %, and 60″ change it by some 1 % nonlinearly.
 TEST(OneZero, IsDrawnOnce) {
   for (const RadiusModel radius : {RadiusModel::Free, RadiusModel::Common}) {
     Measurement measurement = withOneZero();
@@ -90,15 +90,15 @@ TEST(OneZero, IsDrawnOnce) {
   }
 }
 
-// Sessions whose one zero is 60″ off in both positions, of which 2″ are stated each: U covers Δd in no fewer
-// than 19 of 20 sessions, and where the zeros are said to be apart U is as large for nothing.
+// Sessions whose one zero is 60″ off in both positions, with 2″ stated for each: U covers Δd in at least 19
+// of 20 sessions; if the zeros are stated as separate, U is needlessly as large.
 TEST(OneZero, CoversSessionsReadFromIt) {
   int covered = 0;
   constexpr int sessions = 100;
   for (std::uint64_t seed = 1; seed <= sessions; ++seed) {
     const Truth truth = drawTruth(seed);
     Measurement measurement = *examine(*simulate(*protocolByName("paper"), truth, seed)).measurement;
-    // Counted from the zero that is true, up to one error.
+    // Counted from the true zero, with one common error.
     const ArcMeasurement first = measurement.arcs[0];
     for (ArcMeasurement& arc : measurement.arcs) {
       const Angle horizontal = arc.zeroHorizontal - first.zeroHorizontal,
@@ -115,7 +115,7 @@ TEST(OneZero, CoversSessionsReadFromIt) {
     const Intersection found = *fitSession(measurement).intersection;
     covered += std::abs(found.value - truth.intersection) <= found.expanded;
   }
-  EXPECT_GE(covered, 86);  // of 95 expected, but in one of ten thousand runs
+  EXPECT_GE(covered, 86);  // 95 are expected; fewer than this in one of ten thousand runs
 }
 
 }  // namespace

@@ -12,7 +12,7 @@
 namespace alidade {
 namespace {
 
-// Bounds of Student's t from the incomplete beta function, in 20 digits.
+// Critical values of Student's t from the incomplete beta function, in 20 digits.
 TEST(ReadingTest, SharesTheRiskOutOverAllTests) {
   const auto bound = [](int tests, int freedom) {
     return ReadingTest{.tests = tests, .degreesOfFreedom = freedom}.criticalValue();
@@ -24,8 +24,8 @@ TEST(ReadingTest, SharesTheRiskOutOverAllTests) {
   EXPECT_TRUE(std::isinf(bound(34, 0)));
 }
 
-// The noncentrality at which t exceeds the bound in 80 % of cases, the distribution integrated numerically
-// with 20 digits; the approximation is too large by what its header says.
+// The noncentrality at which t exceeds the critical value in 80 % of cases, the distribution integrated
+// numerically with 20 digits; the approximation errs by the amounts in its header.
 TEST(ReadingTest, DetectsTheShiftOfANoncentralT) {
   struct Exact {
     int tests, freedom;
@@ -42,7 +42,7 @@ TEST(ReadingTest, DetectsTheShiftOfANoncentralT) {
   EXPECT_TRUE(std::isinf(ReadingTest{.degreesOfFreedom = 0}.detectableShift(0.80)));
 }
 
-// With the scale as good as known the test is Baarda's: the normal quantiles of any table.
+// If the scale is almost known the test is Baarda's, with the normal quantiles of any table.
 TEST(ReadingTest, IsBaardasInKnownNoise) {
   constexpr int many = 100'000'000;
   const auto shift = [](double risk, double power) {
@@ -56,14 +56,14 @@ TEST(ReadingTest, IsBaardasInKnownNoise) {
 
 TEST(ReadingTest, CountsBothCirclesOfASingleRowOnce) {
   EXPECT_EQ(differentTests(fitSession(test::paperMeasurement()).joint.readings), 34);
-  // Two faces and the slider: five readings of each of the 34 visits, of which none is a repetition.
+  // Two faces and the slider: five readings of each of the 34 visits, all of them different tests.
   const Measurement full = test::trialMeasurement("full");
   std::size_t readings = 0;
   for (const AdjustedReading& reading : fitSession(full).joint.readings) readings += reading.isChecked();
   EXPECT_EQ(differentTests(fitSession(full).joint.readings), static_cast<int>(readings));
 }
 
-// The general fit and the fast one number visits alike.
+// The general fit and the fast one number visits identically.
 TEST(ReadingTest, CountsTheSameInEitherFit) {
   const Measurement measurement = test::paperMeasurement();
   std::vector<Circle> starts;

@@ -24,7 +24,7 @@ TEST(Reliability, IsTheDetectableShiftInTheNoiseThatIsThere) {
   EXPECT_DOUBLE_EQ(reliability.influence, -0.5 * 60);
 }
 
-// Table I: 89.76″ by a noncentral t with 27 degrees of freedom that exceeds 4.1522 in 80 % of cases,
+// Table I: 89.76″ from a noncentral t with 27 degrees of freedom that exceeds 4.1522 in 80 % of cases,
 // integrated numerically, at s0 = 6.9119 and r = 0.61173; the approximation may add 0.04 %.
 TEST(Reliability, OfTheFirstReadingOfTableI) {
   const SessionFit fit = fitSession(test::paperMeasurement());
@@ -41,7 +41,7 @@ TEST(Reliability, OfAReadingThatNothingChecksIsInfinite) {
   EXPECT_EQ(reliabilityOf({.sigma = 1, .redundancy = 0, .perReading = 0}, detection).influence, 0);
 }
 
-// Four places leave one degree of freedom to an arc, which the shift that is tested takes.
+// Four places leave one degree of freedom to an arc, which the tested shift uses.
 TEST(Reliability, IsInfiniteWhereNoScatterIsLeftToTestBy) {
   Measurement measurement = test::usualMeasurement();
   measurement.arcs = {test::perfectArc(measurement, {0, 0, 400}, test::spread(4, 150))};
@@ -65,7 +65,7 @@ Measurement oneArc(int places, int faces) {
   return measurement;
 }
 
-/// How often an error of the minimal size in reading `cell` is called by the search for misread readings.
+/// How often the search for misread readings names an error of the minimal size in reading `cell`.
 double shareFound(const Measurement& perfect, const ReadingRef& cell, int sessions) {
   const Circle start{0, 0, 400};
   const JointFit clean = fitJointly(perfect, {start});
@@ -87,20 +87,20 @@ double shareFound(const Measurement& perfect, const ReadingRef& cell, int sessio
   return static_cast<double>(found) / sessions;
 }
 
-// The search itself, on simulated sessions with one error of the minimal size: found in 80 %. Of 1500 the
-// share scatters by 1 %; three of that are allowed.
+// The search itself, on simulated sessions with one error of the minimal size: found in 80 %. For 1500
+// sessions the share scatters by 1 %; three times that is allowed.
 TEST(Reliability, FindsWhatItPromises) {
   EXPECT_NEAR(shareFound(oneArc(17, 1), {0, 2, Horizontal}, 1500), 0.80, 0.03);
   EXPECT_NEAR(shareFound(oneArc(9, 2), {0, 3, Vertical}, 1500), 0.80, 0.03);
 }
 
-// Of few readings the approximation promises a little less than it keeps: 2 degrees of freedom, 81.4 %.
+// For few readings the approximation is slightly pessimistic: 81.4 % with 2 degrees of freedom.
 TEST(Reliability, FindsMoreThanItPromisesWhereFewReadingsAreThere) {
   EXPECT_NEAR(shareFound(oneArc(6, 1), {0, 1, Horizontal}, 1500), 0.814, 0.03);
 }
 
-// By another route: the search fits the reading's shift along and divides by the scatter of all others. In
-// linear theory its t is w √((f − 1)/(f − w²)) of the fit of all readings (A. J. Pope, 1976).
+// Another method: the search fits the reading's shift and divides by the scatter of all others. In linear
+// theory its t is w √((f − 1)/(f − w²)) of the fit of all readings (A. J. Pope, 1976).
 TEST(Reliability, StandardisedResidualIsTheSearchsTest) {
   Measurement measurement = oneArc(17, 2);
   std::mt19937_64 generator(8);

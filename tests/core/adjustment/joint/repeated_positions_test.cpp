@@ -9,7 +9,7 @@
 #include "core/adjustment/result/session_fit.h"
 #include "tests/support/perfect_session.h"
 
-// An axis that is measured again.
+// A repeated axis.
 
 namespace alidade {
 namespace {
@@ -18,7 +18,7 @@ using enum Unknown::Kind;
 
 constexpr Circle at0{0.3, 1, 400.2}, at180{-0.1, -1, 400.5};
 
-/// 0°, 180°, 0° with zeros known to 2″, and of different numbers of points.
+/// 0°, 180°, 0° with zeros known to 2″, and different numbers of points.
 Measurement measuredAgain(int points = 13) {
   Measurement measurement = test::usualMeasurement();
   measurement.sigmaZeroHorizontal = measurement.sigmaZeroVertical = Angle::fromArcseconds(2);
@@ -34,7 +34,7 @@ Measurement measuredAgain(int points = 13) {
   return measurement;
 }
 
-/// As if the zero of an arc had been read wrongly.
+/// Simulates a misread zero of an arc.
 void turn(ArcMeasurement& arc, double horizontalArcsec, double verticalArcsec) {
   for (Sighting& sighting : arc.sightings) {
     sighting.a = sighting.a + Angle::fromArcseconds(horizontalArcsec);
@@ -57,31 +57,31 @@ TEST(RepeatedPositions, ShareOneCircle) {
   }
   EXPECT_EQ(fit.arcs[2].time, 2);
   EXPECT_NEAR(fit.intersection->value, 1, 1e-8);
-  // Two circles of each row less a place of each and two circles; the zeros are observed.
+  // Two circles of each row minus a place for each and two circles; the zeros are observed.
   EXPECT_EQ(fit.joint.degreesOfFreedom, 2 * 43 - 43 - 6);
 }
 
-// Two zeros at one axis that differ by δ: whichever is right, the centre lies half way, each zero takes its
-// half but for what the readings' noise leaves to them, and Δd moves by half of what one zero would move it.
-// In closed form for zeros alone: a turn by δ moves a far centre by L δ.
+// Two zeros at one axis that differ by δ: whichever is right, the centre is half way. Each zero takes half of
+// δ, apart from the part left to the noise of the readings, and Δd changes by half of the effect of one zero.
+// In closed form for zeros alone: a rotation by δ moves a far centre by L δ.
 TEST(RepeatedPositions, MeetHalfWay) {
   constexpr double moved = 20;
   Measurement measurement = measuredAgain();
   turn(measurement.arcs[2], moved, -moved);
   const SessionFit fit = fitSession(measurement);
   const double full = measurement.distance * Angle::fromArcseconds(moved).radians();
-  EXPECT_NEAR(fit.arcs[0].circle.x - at0.x, full / 2, 0.03 * full);  // the arc stands 400 mm off
+  EXPECT_NEAR(fit.arcs[0].circle.x - at0.x, full / 2, 0.03 * full);  // the arc is 400 mm off
   EXPECT_NEAR(fit.intersection->value - 1, -full / 4, 0.03 * full);
   const double first = valueOf(fit.joint, HorizontalZero, 0), again = valueOf(fit.joint, HorizontalZero, 2);
   EXPECT_NEAR(Angle::fromRadians(first + again).arcseconds(), 0, 1e-3);
-  // Between what the zeros say, that there is no difference, and what the arcs alone say, by their weights.
+  // Between the zeros, which show no difference, and the arcs alone, by their weights.
   const double told = std::abs(Angle::fromRadians(again - first).arcseconds());
   const double ofZero = measurement.distance * measurement.sigmaZeroHorizontal.radians(),
                ofArc = std::sqrt(fitArc(measurement, measurement.arcs[0])->cofactor[0][0]);
   EXPECT_NEAR(told, moved * ofZero * ofZero / (ofZero * ofZero + ofArc * ofArc), 0.03 * moved);
 }
 
-// The second zero halves the variance that zeros bring to one of two centres: ½ √(2″²/2 + 2″²) L.
+// The second zero halves the variance due to zeros of one of two centres: ½ √(2″²/2 + 2″²) L.
 TEST(RepeatedPositions, HalveTheVarianceOfTheirZeros) {
   const Measurement measurement = measuredAgain();
   const SessionFit fit = fitSession(measurement);
@@ -92,8 +92,8 @@ TEST(RepeatedPositions, HalveTheVarianceOfTheirZeros) {
   EXPECT_NEAR(ofZeros, std::sqrt(1.5) / 2 * one, 0.03 * one);
 }
 
-// As often as stated: of 400 noisy sessions with zeros off by their σ the mean of (Δd error/σ)² is 1 within
-// four times √(2/400).
+// σ is as stated: for 400 noisy sessions with zeros off by their σ the mean of (Δd error/σ)² is 1 within four
+// times √(2/400).
 TEST(RepeatedPositions, AreAsUncertainAsStated) {
   std::mt19937_64 generator(7);
   std::normal_distribution<double> normal;
@@ -112,7 +112,7 @@ TEST(RepeatedPositions, AreAsUncertainAsStated) {
   EXPECT_NEAR(sum / sessions, 1, 4 * std::sqrt(2.0 / sessions) + 0.1);  // σ itself is estimated
 }
 
-// Apart, each is fitted as if alone, by the fast adjustment and by the general one.
+// With `isApart`, each is fitted as if alone, by the fast adjustment and by the general one.
 TEST(RepeatedPositions, CanBeFittedApart) {
   Measurement measurement = measuredAgain();
   turn(measurement.arcs[2], 10, 5);
@@ -130,7 +130,7 @@ TEST(RepeatedPositions, CanBeFittedApart) {
   EXPECT_FALSE(fitJointlyFast(measurement, starts)) << "they have a centre in common";
 }
 
-// The derivatives of the readings by a shared centre are there for every arc that has it.
+// Every arc with a shared centre has the derivatives of its readings with respect to it.
 TEST(RepeatedPositions, AllHangOnTheSharedUnknowns) {
   const Measurement measurement = measuredAgain();
   const SessionFit fit = fitSession(measurement);
@@ -143,7 +143,7 @@ TEST(RepeatedPositions, AllHangOnTheSharedUnknowns) {
     }
 }
 
-// 0° and 0° alone: one centre, and no intersection.
+// 0° and 0° only: one centre, and no intersection.
 TEST(RepeatedPositions, MakeNoIntersectionByThemselves) {
   Measurement measurement = measuredAgain();
   measurement.arcs.erase(measurement.arcs.begin() + 1);
@@ -153,7 +153,7 @@ TEST(RepeatedPositions, MakeNoIntersectionByThemselves) {
   EXPECT_FALSE(fit.intersection);
 }
 
-// The published method has no common centre: Δd takes the mean.
+// The published method has no common centre: Δd uses the mean.
 TEST(RepeatedPositions, AreAveragedByThePublishedMethod) {
   Measurement measurement = measuredAgain();
   turn(measurement.arcs[2], 0, 30);

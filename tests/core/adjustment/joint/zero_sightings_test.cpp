@@ -11,7 +11,7 @@
 #include "core/simulation/protocol.h"
 #include "core/simulation/simulate.h"
 
-// Pointing zeros that are sighted several times, over everything that a fit makes of them.
+// Pointing zeros that are sighted several times, in all parts of a fit.
 
 namespace alidade {
 namespace {
@@ -23,7 +23,7 @@ struct Sighted {
   Measurement measurement() const { return *examine(session).measurement; }
 };
 
-/// Without noise, by a plan in both faces with the slider read.
+/// Without noise, by a plan in both faces with slider readings.
 Sighted sighted(bool inFull, std::initializer_list<TrueSize> effects = {}) {
   Sighted sighted{drawTruth(11), {}};
   sighted.truth.sightsZerosInFull = inFull;
@@ -38,7 +38,7 @@ double shareOfZeros(const SessionFit& fit) {
   return 0;
 }
 
-/// The farthest that a centre is from where it is.
+/// The largest distance of a centre from its true place.
 double centresOff(const SessionFit& fit, const Truth& truth) {
   double most = 0;
   for (const ArcFit& arc : fit.arcs) {
@@ -48,8 +48,8 @@ double centresOff(const SessionFit& fit, const Truth& truth) {
   return most;
 }
 
-// The model knows in which faces and when the zeros were sighted: with the effects estimated along, the
-// circles are where they are. The readings are rounded to 1e-6″, and with σ of 0.01″ the priors hardly pull.
+// The model includes the faces and moments of the zeros: with the effects estimated, the circles are right.
+// The readings are rounded to 1e-6″, and with σ of 0.01″ the priors have little weight.
 TEST(ZeroSightings, AreOfTheOneForwardModel) {
   Sighted full = sighted(true, {{ErrorTerm::Collimation, 40},
                                 {ErrorTerm::VerticalIndex, -30},
@@ -66,9 +66,9 @@ TEST(ZeroSightings, AreOfTheOneForwardModel) {
   EXPECT_LT(centresOff(fit, full.truth), 1e-4) << "a zero in face 1 alone would put them off by 0.5 mm";
 }
 
-// By what a drift moves Δd: nothing, where the zero of each position is sighted beside its first row, since
-// both positions then lie as long behind their zeros, nor where it is sighted before and after it. One zero
-// for both would leave L D/4.
+// The change of Δd due to a drift is zero if the zero of each position is sighted next to its first row,
+// since both positions are then equally delayed, and if it is sighted before and after. One zero for both
+// would leave L D/4.
 TEST(ZeroSightings, BeforeAndAfterTakeADriftOut) {
   const double drift = Angle::fromArcseconds(30).radians();
   const auto movedBy = [&](bool inFull) {
@@ -78,7 +78,7 @@ TEST(ZeroSightings, BeforeAndAfterTakeADriftOut) {
   for (const bool inFull : {false, true}) EXPECT_LT(movedBy(inFull), 0.03 * 2405 * drift / 4);
 }
 
-// Four sightings, two in each face, without noise: half of what one brings.
+// Four sightings, two in each face, without noise: half the uncertainty of a single one.
 TEST(ZeroSightings, BringAsMuchAsTheirMeanIsUncertain) {
   const SessionFit once = fitSession(sighted(false).measurement()),
                    full = fitSession(sighted(true).measurement());
@@ -86,7 +86,7 @@ TEST(ZeroSightings, BringAsMuchAsTheirMeanIsUncertain) {
   EXPECT_NEAR(full.intersection->value, once.intersection->value, 1e-6);
 }
 
-/// A fit's measurement with zeros that scatter so many times as stated.
+/// A fit's measurement with zeros that scatter by this multiple of the stated σ.
 Measurement scattering(double times, bool areReadings) {
   Measurement measurement = sighted(true).measurement();
   measurement.zeroScatter = times;
@@ -94,8 +94,8 @@ Measurement scattering(double times, bool areReadings) {
   return measurement;
 }
 
-// As they scatter themselves or as the circles do where they are readings of these, whichever is more, and
-// not both: the readings of a session without noise scatter ten times as little as stated, s0 scales nothing.
+// The larger of their own scatter and, if they are circle readings, that of the circles, but not both: the
+// readings of a session without noise scatter a tenth of the stated σ, so s0 scales nothing.
 TEST(ZeroSightings, CountAsTheyScatter) {
   const double asStated = shareOfZeros(fitSession(scattering(1, false)));
   EXPECT_NEAR(shareOfZeros(fitSession(scattering(3, false))) / asStated, 3, 1e-9);
@@ -117,7 +117,7 @@ TEST(ZeroSightings, CountAsTheyScatter) {
   EXPECT_NEAR(shareOfZeros(noisy(3 * s0)) / asStated, 3 * s0, 1e-4 * s0);
 }
 
-// The same by noise taken for larger, as the diagnosis takes it.
+// The same with a larger noise, as assumed by the diagnosis.
 TEST(ZeroSightings, ScatterAsTheNoiseIsTakenFor) {
   for (const double scatter : {1.0, 2.0, 5.0}) {
     const Measurement before = scattering(scatter, true), after = withNoise(before, 3);
@@ -126,7 +126,7 @@ TEST(ZeroSightings, ScatterAsTheNoiseIsTakenFor) {
   }
 }
 
-// Draws against the budget, where zeros are all that matters: 10⁵ of them know a σ to 0.3 %.
+// Draws compared with the budget, if only zeros matter: 10⁵ draws determine σ to 0.3 %.
 TEST(ZeroSightings, AreDrawnAsTheirMeanIsUncertain) {
   for (const bool hasTerms : {false, true}) {
     Measurement measurement = scattering(2, false);

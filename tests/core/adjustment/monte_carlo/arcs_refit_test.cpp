@@ -16,7 +16,7 @@ constexpr std::array circlesApart{Circle{0.5, 1, 400}, Circle{0, -1, 400}};
 // Either refit stops within a millionth of σ, some 1e-7 mm.
 constexpr double leftByEither = 1e-6;  // mm
 
-/// A second row of each place, in face 2. What the faces differ by cancels in their mean.
+/// Adds a second row at each place, in face 2. The differences of the faces cancel in their mean.
 Measurement inBothFaces(Measurement measurement, Angle difference) {
   for (ArcMeasurement& arc : measurement.arcs) {
     std::vector<Sighting> rows;
@@ -62,8 +62,8 @@ TEST(ArcsRefit, ServesArcsThatHaveNothingInCommon) {
   EXPECT_TRUE(serves(effect));
 }
 
-// Perfect readings leave the minimum no choice, and arcs in proportion have their centres in proportion: L is
-// drawn, too. Some counts of drawn are no whole number of lanes.
+// Perfect readings determine the minimum uniquely, and proportional arcs have proportional centres: L is
+// drawn too. Some numbers of draws do not fill all lanes.
 TEST(ArcsRefit, FindsTheCirclesWhoseReadingsWereDrawn) {
   const Measurement measurement = test::withPerfectArcs(test::uncertainMeasurement(), circlesApart, 9, 150);
   for (const bool faces : {false, true})
@@ -89,8 +89,8 @@ TEST(ArcsRefit, FindsTheCirclesWhoseReadingsWereDrawn) {
     }
 }
 
-// A reading that is off by 10′ is more than the fast fit takes, and then the general one answers; of an arc
-// that lies in one place, or is 2° long, nobody finds anything. The draws beside them do not suffer.
+// The fast fit refuses a reading off by 10′, and the general one replaces it; an arc at a single place, or 2°
+// long, has no result in either. The other draws are unaffected.
 TEST(ArcsRefit, LeavesToTheGeneralOneWhatTheFastFitRefuses) {
   const Measurement measurement = test::withPerfectArcs(test::uncertainMeasurement(), circlesApart, 9, 150);
   const test::FittedForDraws fitted(measurement);

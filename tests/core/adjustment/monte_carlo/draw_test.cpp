@@ -28,7 +28,7 @@ Measurement unlikeArcs() {
   return measurement;
 }
 
-/// The greatest distance of what was drawn from a distribution (Kolmogorov), in 1/√n: above 2.23 once in 10⁴
+/// The largest distance of the sample from a distribution (Kolmogorov), in 1/√n: above 2.23 once in 10⁴
 /// times.
 double distanceFrom(const std::function<double(double)>& distribution, std::vector<double> drawn) {
   std::ranges::sort(drawn);
@@ -47,7 +47,7 @@ double normalDistribution(double x) {
   return std::erfc(-x / std::numbers::sqrt2) / 2;
 }
 
-// Every number has one place: none is left over, none serves twice.
+// Each number has one index: none is unused, none is used twice.
 TEST(Draw, GivesEveryUncertainNumberAPlaceOfItsOwn) {
   for (const std::vector<std::string>& effects :
        {std::vector<std::string>{}, {"collimation"}, {"plane_tilt", "vertical_drift"}}) {
@@ -73,7 +73,7 @@ TEST(Draw, GivesEveryUncertainNumberAPlaceOfItsOwn) {
   }
 }
 
-// From the last to the first, into a draw of a longer plan, or by a plan made anew.
+// In reverse order, into a draw of a longer plan, or by a new plan.
 TEST(Draw, IsTheSameWhoeverAsksForIt) {
   const Measurement measurement = unlikeArcs();
   const NoiseScale noise{1.3, 12};
@@ -93,8 +93,8 @@ TEST(Draw, IsTheSameWhoeverAsksForIt) {
   }
 }
 
-// 500 draws of 46 numbers; neighbours in one draw, and the same number in two draws, know nothing of each
-// other: of n products the mean is 0 within 1/√n, here four times that.
+// 500 draws of 46 numbers; neighbours in one draw, and the same number in two draws, are independent: the
+// mean of n products is 0 within 1/√n, here four times that.
 TEST(Draw, IsOfIndependentNormalNumbers) {
   const DrawPlan plan(unlikeArcs(), {1, known});
   Draw draw, before;
@@ -116,8 +116,9 @@ TEST(Draw, IsOfIndependentNormalNumbers) {
   EXPECT_LT(distanceFrom(normalDistribution, all), hardlyEver);
 }
 
-// A reading's error over s0 is Student's, whose distributions with 1, 2 and 4 degrees of freedom are closed;
-// with many it is nearly normal, and exactly where the noise is known. Large and small s0 in turn.
+// A reading's error divided by s0 is Student's, whose distributions with 1, 2 and 4 degrees of freedom have
+// closed forms; with many it is almost normal, and exactly so if the noise is known. Large and small s0 in
+// turn.
 TEST(Draw, ScattersReadingsAsStudentDid) {
   struct Case {
     double factor, freedom;
@@ -145,10 +146,10 @@ TEST(Draw, ScattersReadingsAsStudentDid) {
   }
 }
 
-// (s0/scale)² is χ² over its degrees of freedom f, whole or not: its mean is 1 and its variance 2/f. Of n
-// draws the mean is known to √(2/(f n)), four times that is allowed; the variance to 2 % where f is as small
-// as 1. With 1, 2 and 4 degrees of freedom the distribution is closed. A plan of no readings is quickly
-// drawn.
+// (s0/scale)² is χ² divided by its degrees of freedom f, integer or fractional: its mean is 1 and its
+// variance 2/f. For n draws the mean is known to √(2/(f n)), with four times that allowed; the variance to 2
+// % even at f = 1. With 1, 2 and 4 degrees of freedom the distribution has a closed form. A plan without
+// readings is drawn fast.
 TEST(Draw, HasTheScaleOfAnyDegreesOfFreedom) {
   constexpr std::uint64_t draws = 100000;
   struct Case {

@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::array circlesRead{Circle{0.5, 1, 400}, Circle{0, -1, 400}};
 
-/// How far the refit of each draw is from the centres of its circles at most, in σ of the session.
+/// The largest distance of a draw's refit from the centres of its circles, in σ of the session.
 double missed(const RefitTask& task, const std::vector<Draw>& drawn,
               const std::vector<std::array<Circle, 2>>& circles) {
   const std::vector<double> found = test::centresOf(*expandedRefit(task, expandedModel(task)), task, drawn);
@@ -29,8 +29,8 @@ double missed(const RefitTask& task, const std::vector<Draw>& drawn,
   return most;
 }
 
-// Perfect readings leave the minimum no choice. Changes of a few σ on a usual arc leave 1e-5 σ of third order
-// at most. The draws fill the lanes once and in part again.
+// Perfect readings determine the minimum uniquely. Changes of a few σ on a usual arc leave at most 1e-5 σ of
+// third order. The draws fill the lanes once and then partly.
 TEST(ExpandedRefit, FindsTheCirclesWhoseReadingsWereDrawn) {
   for (const RadiusModel radius : {RadiusModel::Free, RadiusModel::Common, RadiusModel::Known})
     for (const bool sliders : {false, true}) {
@@ -56,8 +56,8 @@ TEST(ExpandedRefit, FindsTheCirclesWhoseReadingsWereDrawn) {
     }
 }
 
-// Three arcs, of which two have one centre, and zeros that are estimated: as the fits themselves have it.
-// What was drawn of the zeros and the readings moves a centre by some σ; a thousandth is of third order.
+// Three arcs, two of them with a common centre, and estimated zeros: the same as by the fits themselves. The
+// drawn zeros and readings move a centre by some σ; a thousandth is of third order.
 TEST(ExpandedRefit, AgreesWithTheGeneralOneOnPositionsMeasuredAgain) {
   for (const bool sliders : {false, true}) {
     Measurement measurement =
@@ -87,9 +87,9 @@ TEST(ExpandedRefit, AgreesWithTheGeneralOneOnPositionsMeasuredAgain) {
   }
 }
 
-// Targets that move along the arc, by 3.5 mm at its ends, leave its tangents by up to 0.015 mm: with
-// readings of 1′ the linear budget's Δd is off by a thirtieth of σ. What is left is of third order, below the
-// thousandth of σ that `propagateDistributions` asks for.
+// Targets that move along the arc, by 3.5 mm at its ends, depart from its tangents by up to 0.015 mm: with
+// readings of 1′ the linear budget's Δd is off by a thirtieth of σ. The remainder is of third order, below
+// the thousandth of σ that `propagateDistributions` requires.
 TEST(ExpandedRefit, IsGoodToSecondOrder) {
   Measurement measurement = test::uncertainMeasurement();
   measurement.sigmaHorizontal = measurement.sigmaVertical = Angle::fromArcseconds(60);

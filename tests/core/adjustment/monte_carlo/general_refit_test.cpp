@@ -23,8 +23,8 @@ void expectCentres(const std::vector<double>& found, const std::array<Circle, 2>
   }
 }
 
-// Perfect readings, whatever they are drawn as, leave the minimum no choice. Under a radius that is known the
-// circles have it, as drawn.
+// Perfect readings, for any drawn circles, determine the minimum uniquely. With a known radius the circles
+// have the drawn one.
 TEST(GeneralRefit, FindsTheCirclesWhoseReadingsWereDrawn) {
   for (const RadiusModel radius : {RadiusModel::Free, RadiusModel::Common, RadiusModel::Known})
     for (const bool sliders : {false, true}) {
@@ -47,7 +47,7 @@ TEST(GeneralRefit, FindsTheCirclesWhoseReadingsWereDrawn) {
     }
 }
 
-// Where the readings scatter the minimum is a compromise: that of a session in which they were typed so.
+// If the readings scatter, the minimum is a compromise: that of a session with these readings typed.
 TEST(GeneralRefit, IsTheFitOfTheSessionDrawn) {
   std::mt19937_64 generator(12);
   for (const RadiusModel radius : {RadiusModel::Free, RadiusModel::Common, RadiusModel::Known}) {
@@ -73,7 +73,7 @@ TEST(GeneralRefit, DrawsWhatIsKnownOfEffectsBeforehand) {
   expectCentres(test::centresOf(*generalRefit(task), task, {drift.draw()}), circles);
 }
 
-// All readings of the arc at 180° drawn into one place; the draws before and after do not suffer.
+// All readings of the arc at 180° are drawn at one place; the draws before and after are unaffected.
 TEST(GeneralRefit, MissesTheArcThatFixesNoCircle) {
   const std::array<Circle, 2> circles{Circle{0.5, 1, 400}, Circle{0, -1, 400}};
   const Measurement measurement = test::withPerfectArcs(test::uncertainMeasurement(), circles, 9, 150);

@@ -17,7 +17,7 @@ MonteCarlo checked(const Measurement& measurement, const MonteCarloOptions& opti
 }
 
 // The usual arc is nearly linear in its readings. σ of the draws is the budget's with the readings' share
-// widened to Student's, √(f/(f − 2)); with 4000 draws it is known to 1.1 %, an end of the interval to
+// widened to Student's, √(f/(f − 2)); 4000 draws determine it to 1.1 %, and an end of the interval to
 // `endpointSigma`.
 TEST(MonteCarlo, AgreesWithTheLinearBudgetOfTableI) {
   const Measurement measurement = test::paperMeasurement();
@@ -41,7 +41,7 @@ TEST(MonteCarlo, AgreesWithTheLinearBudgetOfTableI) {
   }
 }
 
-// Slider readings, both faces and an effect with its prior go through the joint fit.
+// Slider readings, both faces and an effect with its prior use the joint fit.
 TEST(MonteCarlo, DrawsWhateverTheFitTakes) {
   Measurement measurement = test::trialMeasurement("paper-slider");
   measurement.effects = {"vertical_drift"};
@@ -55,8 +55,8 @@ TEST(MonteCarlo, DrawsWhateverTheFitTakes) {
   EXPECT_EQ(check.failed, 0u);
 }
 
-// A position measured again: one centre for each axis, zeros estimated. σ of 4000 draws is known to 1.1 %,
-// and Student's width of some 40 degrees of freedom adds 3 %.
+// A repeated position: one centre for each axis, and estimated zeros. σ of 4000 draws is known to 1.1 %, and
+// Student's width with some 40 degrees of freedom adds 3 %.
 TEST(MonteCarlo, DrawsPositionsMeasuredAgain) {
   for (const char* protocol : {"again", "full-again"}) {
     const Measurement measurement =
@@ -85,7 +85,8 @@ TEST(MonteCarlo, IsTheSameOnAnyNumberOfThreads) {
   EXPECT_NE(one.intersection->mean, other.intersection->mean);
 }
 
-// On 20° of arc a noise of 40″ makes R uncertain by a tenth, far beyond the linear: the check has to say so.
+// On 20° of arc a noise of 40″ makes R uncertain by a tenth, far beyond the linear range: the check has to
+// say so.
 TEST(MonteCarlo, RefutesTheLinearBudgetOfAPoorArc) {
   Measurement measurement = test::paperMeasurement();
   for (ArcMeasurement& arc : measurement.arcs)

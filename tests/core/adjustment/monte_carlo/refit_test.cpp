@@ -9,15 +9,15 @@
 #include "tests/support/paper_table.h"
 #include "tests/support/trials.h"
 
-// The three ways of fitting a draw again are told apart by their speed alone.
+// The three refits of a draw differ only in speed.
 
 namespace alidade {
 namespace {
 
 constexpr std::size_t draws = 200;
 
-/// The greatest difference of a centre's coordinate over the draws, in its σ. A millionth of it is what the
-/// general fit leaves itself.
+/// The largest difference of a centre's coordinate over the draws, in its σ. The general fit itself is
+/// accurate to a millionth of it.
 double differenceOf(Refit& one, Refit& other, const RefitTask& task) {
   std::vector<Draw> drawn(draws);
   for (std::size_t i = 0; i < draws; ++i) task.plan.drawInto(drawn[i], 3, i);
@@ -38,7 +38,7 @@ Measurement sample(const std::string& name) {
   return *examine(*loadSession(std::string(ALIDADE_SAMPLES_DIR) + "/" + name)).measurement;
 }
 
-/// Everything uncertain that a session can have.
+/// A session with every kind of uncertainty.
 Measurement everything() {
   Measurement measurement = test::trialMeasurement("paper-slider");
   measurement.effects = {"collimation", "vertical_drift"};
@@ -85,7 +85,7 @@ TEST(Refit, ByExpansionIsTheGeneralOne) {
   }
 }
 
-// Of a draw the answer does not hang on those that go beside it.
+// The result of a draw is independent of the draws processed with it.
 TEST(Refit, ByExpansionTakesDrawsOneByOne) {
   const Measurement measurement = sample("two-faces.alidade");
   const SessionFit fit = fitSession(measurement);

@@ -13,7 +13,7 @@ namespace {
 using Eigen::MatrixXd, Eigen::VectorXd;
 using RowMajorMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
-/// Any numbers, the same each time.
+/// Arbitrary numbers, the same each time.
 MatrixXd numbers(Eigen::Index rows, Eigen::Index columns, double seed) {
   return MatrixXd::NullaryExpr(rows, columns, [seed](Eigen::Index i, Eigen::Index j) {
     return std::sin(seed + 1.7 * static_cast<double>(i) + 2.9 * static_cast<double>(j));
@@ -25,7 +25,7 @@ VectorXd slopes(Eigen::Index readings) {
   return 3 * numbers(readings, 1, 0.4).col(0).array() + 0.2;
 }
 
-// The unknowns of the whole system, φ among them, are those of the system without φ.
+// The unknowns of the whole system, including φ, equal those of the system without φ.
 TEST(ArcAngleElimination, LeavesTheSolutionOfTheWholeSystem) {
   for (const Eigen::Index readings : {4, 5}) {
     const MatrixXd jacobian = numbers(readings, 2, 0);
@@ -56,7 +56,7 @@ TEST(ArcAngleElimination, MakesTheSchurComplementOfTheNormalEquations) {
   EXPECT_LT((rows.transpose() * slope).norm(), 1e-14);
 }
 
-// Visits of one to five readings, one of which takes no part, and one visit of which none does.
+// Visits of one to five readings, one of which is excluded, and one visit with all readings excluded.
 TEST(ArcAngleElimination, OfAColumnIsThatOfEachVisit) {
   const std::vector<std::ptrdiff_t> ends{2, 3, 7, 12, 12, 14};
   VectorXd along = slopes(14), column = numbers(14, 1, 3);

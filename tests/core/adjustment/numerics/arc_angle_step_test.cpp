@@ -27,7 +27,7 @@ TEST(ArcAngleStep, LeadsToTheFootTheShortWay) {
     }
 }
 
-// From ten radii away the whole step would lead anywhere, the bounded one leads to within a step of the foot.
+// From ten radii away the whole step would lead anywhere; the bounded one ends within a step of the foot.
 TEST(ArcAngleStep, KeepsAPoorStartOnItsSide) {
   for (const double theta : {-2.0, -1.0, 1.0, 2.0}) {
     double left = theta;
@@ -39,7 +39,7 @@ TEST(ArcAngleStep, KeepsAPoorStartOnItsSide) {
   }
 }
 
-// 1 − cos of the bound, as its comment has it.
+// 1 − cos of the bound, as stated in its comment.
 TEST(ArcAngleStep, TangentIsStillNearTheArcThere) {
   EXPECT_NEAR(1 - std::cos(longestArcAngleStep), 0.045, 0.0005);
   EXPECT_EQ(std::ceil(std::numbers::pi / longestArcAngleStep), 11);

@@ -71,13 +71,13 @@ TEST(LeastSquares, FindsTheRootOfACurve) {
   EXPECT_NEAR(found.system.chiSquare, 0, 1e-20);
 }
 
-// A start on the minimum is left only after a step there and another one that confirms it.
+// From a start at the minimum it ends only after a step there and a second one that confirms it.
 TEST(LeastSquares, DoesNotTrustASmallStepThatNeedsConfirmation) {
   const OneUnknown problem = line();
   const auto found = minimise(problem, 2.0, {.tolerance = 1e-6, .confirmation = 1e-4});
   EXPECT_EQ(found.status, FitStatus::Converged);
   EXPECT_EQ(found.iterations, 2);
-  // From afar the first step leaves less than the tolerance, but no step before it was small.
+  // From afar the first step leaves less than the tolerance, but the step before it was not small.
   const auto fromAfar =
       minimise(problem, 12.0, {.tolerance = 1e-3, .confirmation = 1e-2, .firstDamping = 1e-6});
   EXPECT_EQ(fromAfar.iterations, 2);
@@ -101,14 +101,14 @@ TEST(LeastSquares, SaysThatNoStepLowersChiSquare) {
   EXPECT_EQ(found.iterations, 6);  // from 1e-3 up to before 1e3
 }
 
-// The parabola's other root lies beyond the wall, and so does the undamped step.
+// The parabola's other root is beyond the wall, and so is the undamped step.
 TEST(LeastSquares, StopsShortOfAWall) {
   OneUnknown problem = parabola();
   problem.wall = 0;
   EXPECT_LT(problem.moved(0.1, problem.system(-0.1, {}), 0), 0);
   const auto found = minimise(problem, 0.1, {.tolerance = 1e-12});
   EXPECT_NEAR(found.state, 3, 1e-12);
-  // Where the minimum itself lies beyond it, the steps come as near as damping lets them and end there.
+  // If the minimum itself is beyond it, the steps approach as far as damping allows and end there.
   OneUnknown beyond = line();
   beyond.wall = 5;
   beyond.evaluated = 0;
@@ -116,10 +116,10 @@ TEST(LeastSquares, StopsShortOfAWall) {
   EXPECT_EQ(atTheWall.status, FitStatus::NoDescent);
   EXPECT_GT(atTheWall.state, 5);
   EXPECT_LT(atTheWall.state, 6);
-  EXPECT_LT(beyond.evaluated, atTheWall.iterations);  // nothing is asked for from behind the wall
+  EXPECT_LT(beyond.evaluated, atTheWall.iterations);  // nothing is evaluated beyond the wall
 }
 
-// v = 1/x falls for ever: x doubles at each step, and what is left of the way never becomes short.
+// v = 1/x decreases for ever: x doubles at each step, and the remaining way never becomes short.
 TEST(LeastSquares, DoesNotCallARunawayConverged) {
   const OneUnknown problem{.residual = [](double x) { return 1 / x; },
                            .derivative = [](double x) { return -1 / (x * x); }};

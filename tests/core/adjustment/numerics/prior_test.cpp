@@ -13,7 +13,7 @@ TEST(Prior, SaysNothingUnlessTold) {
   EXPECT_EQ(nothing.weight(), 0);
 }
 
-// The estimate from one reading and what was known is their mean, weighted by 1/σ².
+// The estimate from one reading and a prior is their mean, weighted by 1/σ².
 TEST(Prior, CountsAsOneMoreObservation) {
   const Prior known{10, 2};
   const double read = 13, sigma = 1, start = 11;

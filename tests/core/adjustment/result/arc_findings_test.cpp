@@ -70,7 +70,7 @@ TEST(ArcFindings, TellAnArcTooShortForARadius) {
   EXPECT_GT(found<RadiusPoorlyKnown>(findings)->sigma, 4);  // a hundredth of the radius
 }
 
-// σ of the radius is some hundredths of a millimetre here: beside a twentieth of 400 mm it does not count.
+// σ of the radius is some hundredths of a millimetre here, negligible compared with a twentieth of 400 mm.
 TEST(ArcFindings, TakeATwentiethForFarFromNominal) {
   for (const auto& [nominal, far] : {std::pair(400 / 1.04, false),
                                      {400 / 0.96, false},

@@ -24,7 +24,7 @@ std::vector<Closure> closuresOf(const Measurement& measurement) {
   return alidade::closuresOf(measurement, fitSession(measurement).joint);
 }
 
-// Whichever position stands first in the file. With exact zeros and distance the arcs have nothing in common.
+// For any order of the positions in the file. With exact zeros and distance the arcs are independent.
 TEST(Closures, AreTheDifferencesOfThePositions) {
   const Measurement measurement = withArcs({0.3, 1, 400.2}, {-0.1, -1, 400.5});
   const SessionFit fit = fitSession(measurement);
@@ -38,8 +38,8 @@ TEST(Closures, AreTheDifferencesOfThePositions) {
   EXPECT_NEAR(closures[1].sigma, std::hypot(fit.sigmas[0].x, fit.sigmas[1].x), 1e-10);
 }
 
-// A zero that is off by its σ moves its centre by L times that; an error of L is common to both radii, and of
-// each radius 1 mm of L would be 0.166 mm.
+// A zero error of its σ moves its centre by L times that; an error of L is common to both radii, and would be
+// 0.166 mm in each for 1 mm of L.
 TEST(Closures, CarryTheZerosAndNotTheDistance) {
   Measurement measurement = withArcs({0, 1, 400}, {0, -1, 400});
   const double of = closuresOf(measurement)[0].sigma, ofCentre = closuresOf(measurement)[1].sigma;
@@ -48,11 +48,10 @@ TEST(Closures, CarryTheZerosAndNotTheDistance) {
   const std::vector<Closure> closures = closuresOf(measurement);
   EXPECT_NEAR(closures[0].sigma, of, 0.02 * of);
   const double ofZeros = std::sqrt(2) * 2405 * Angle::fromArcseconds(10).radians();
-  EXPECT_NEAR(closures[1].sigma, std::hypot(ofCentre, ofZeros), 0.03 * ofZeros);  // the arc stands 400 mm off
+  EXPECT_NEAR(closures[1].sigma, std::hypot(ofCentre, ofZeros), 0.03 * ofZeros);  // the arc is 400 mm off
 }
 
-// A position measured again through a zero that is off by (h, v) stands L h aside and L v higher, and its
-// radius is none the larger.
+// A repeated position with a zero off by (h, v) is L h to the side and L v higher, with the same radius.
 TEST(Closures, TellWhatRepeatsDisagreeBy) {
   Measurement measurement = withArcs({0, 1, 400}, {0, -1, 400});
   std::ranges::reverse(measurement.arcs);
@@ -90,8 +89,8 @@ TEST(Closures, NeedBothPositionsAndWhatIsFreeInEach) {
   EXPECT_TRUE(closuresOf(measurement).empty());
 }
 
-// The chance of sound sessions is evenly spread over 0…1, however many points they have: of 400 its mean is
-// 1/2 within four times 0.29/√400, and one in a thousand fails, so hardly more than four.
+// The chance of sound sessions is uniform over 0…1, for any number of points: the mean of 400 is 1/2 within
+// four times 0.29/√400, and one in a thousand fails, so hardly more than four.
 TEST(Closures, FailByChanceAsOftenAsTheySay) {
   std::mt19937_64 generator(20261123);
   double sum = 0;

@@ -11,7 +11,7 @@
 namespace alidade {
 namespace {
 
-/// The session as it was before the row was typed.
+/// The session before the row was typed.
 std::optional<ExpectedReading> beforeRow(const Session& session, std::size_t position, std::size_t row) {
   Session typed = session;
   typed.positions[position].readings.resize(row);
@@ -25,7 +25,7 @@ std::optional<ExpectedReading> beforeRow(const Session& session, std::size_t pos
                          {position, number(next.point), number(next.round), number(next.face)});
 }
 
-/// By how much either circle was read elsewhere.
+/// The deviation of either circle from its expected reading.
 Angle missOf(const ExpectedReading& expected, const Reading& read) {
   const auto miss = [](Angle angle, const std::string& typed) {
     return std::abs(wrapped(*parseAngle(typed) - angle).radians());
@@ -43,13 +43,13 @@ TEST(ExpectedReading, IsNearEveryReadingOfThePaperFromTheFourthOn) {
       if (!expected) continue;
       const Angle miss = missOf(*expected, session.positions[position].readings[row]);
       EXPECT_LT(miss, expected->tolerance) << position << " " << row;
-      // 1.3° is the least step from point to point: what is a place off is told.
+      // 1.3° is the smallest step from point to point: a reading one place off is detected.
       EXPECT_LT(expected->tolerance.degrees(), 1.3);
     }
 }
 
-/// A reading of a session that was read by another program under a known truth is never called an accident;
-/// but where one was misread on purpose.
+/// Readings of a session simulated by another program with known truth are never called significant, except
+/// those deliberately misread.
 TEST(ExpectedReading, ToleratesEveryReadingOfTheTrialsAsTheyAreTaken) {
   int known = 0, unknown = 0;
   for (const test::Trial& trial : test::trials()) {

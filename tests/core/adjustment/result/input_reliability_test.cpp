@@ -30,8 +30,8 @@ InputReliability reliabilityOf(const Session& session, const Unknown& input) {
   return found == all.end() ? InputReliability{} : *found;
 }
 
-/// By how much a figure of the fit is larger for a unit by which what was entered is: fits with more and with
-/// less of it.
+/// The derivative of a result of the fit with respect to an entered value: from fits with a larger and a
+/// smaller value.
 double slope(const Session& session, double step, const Change& change,
              const std::function<double(const SessionFit&)>& figure) {
   const auto figureAt = [&](double more) {
@@ -75,7 +75,7 @@ Session onElevationCircle() {
   return session;
 }
 
-/// With 0° measured again, its zero read 6″ otherwise.
+/// With 0° repeated, its zero read 6″ differently.
 Session measuredAgain() {
   Session session = test::paperSession();
   session.positions.push_back(session.positions[0]);
@@ -83,8 +83,8 @@ Session measuredAgain() {
   return session;
 }
 
-// Entered a little differently and fitted anew: Δd follows at the rate stated, in sign and size. Linear but
-// for 1e-3 of the largest.
+// With a slightly different entry, a new fit changes Δd at the stated rate, in sign and size. Linear to 1e-3
+// of the largest.
 TEST(InputReliability, SaysWhatAnErrorDoesToTheIntersection) {
   for (const Session& session : {test::paperSession(), onElevationCircle(), measuredAgain()}) {
     SCOPED_TRACE(session.geometry.verticalCircle + std::to_string(session.positions.size()));
@@ -112,8 +112,8 @@ TEST(InputReliability, NothingChecksZerosAndDistance) {
   for (const InputReliability& input : inputs) EXPECT_EQ(input.redundancy, 0);
 }
 
-// An axis measured again checks its zeros: the share of an error that shows is what the adjusted zero moves
-// away from the one entered.
+// A repeated axis checks its zeros: the visible share of an error is the change of the adjusted zero relative
+// to the entered one.
 TEST(InputReliability, AnotherPositionChecksTheZero) {
   const Session session = measuredAgain();
   const double shown = slope(session, 5, ofVerticalZero(0), [](const SessionFit& fit) {
@@ -124,7 +124,7 @@ TEST(InputReliability, AnotherPositionChecksTheZero) {
   EXPECT_NEAR(zero.redundancy, std::abs(shown), 1e-3);
 }
 
-// The share of an error of R0 that shows is what the adjusted radius does not follow it by.
+// The visible share of an error of R0 is the part that the adjusted radius does not follow.
 TEST(InputReliability, TheReadingsCheckAKnownRadius) {
   Session session = test::paperSession();
   session.model.radius = "known";

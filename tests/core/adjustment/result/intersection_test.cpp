@@ -57,7 +57,7 @@ TEST(Intersection, PaysForThePointingZeros) {
   EXPECT_EQ(share(*intersect(measurement, fitted(measurement)), UncertaintySource::PointingZeros), 0);
 }
 
-// All lengths are proportional to L, so Δd errs with L by the same share.
+// All lengths are proportional to L, so Δd has the same relative error as L.
 TEST(Intersection, PaysForTheDistanceInProportion) {
   Measurement measurement = test::paperMeasurement();
   measurement.sigmaDistance = 5;
@@ -74,7 +74,7 @@ TEST(Intersection, CombinesItsBudget) {
   for (const BudgetEntry& entry : intersection.budget) sum += entry.sigma * entry.sigma;
   EXPECT_DOUBLE_EQ(intersection.sigma * intersection.sigma, sum);
   EXPECT_DOUBLE_EQ(intersection.expanded, intersection.coverageFactor * intersection.sigma);
-  // 28 degrees of freedom, a little more for the share that was not estimated: k between t(31) = 2.040 and
+  // 28 degrees of freedom, slightly more due to the part that was not estimated: k between t(31) = 2.040 and
   // t(28) = 2.048.
   EXPECT_GT(intersection.effectiveDegreesOfFreedom, 28);
   EXPECT_LT(intersection.effectiveDegreesOfFreedom, 31);
@@ -82,9 +82,9 @@ TEST(Intersection, CombinesItsBudget) {
   EXPECT_LT(intersection.coverageFactor, 2.048);
 }
 
-// Guide to the expression of uncertainty (JCGM 100), G.2b: ν = u⁴/Σ(uᵢ⁴/νᵢ). Only what the readings bring is
-// estimated, from 28 degrees of freedom; zeros that bring twice as much make ν sixteen times and more of it.
-// k of so many degrees of freedom is the normal one to 0.4 %: t(∞) = 1.960.
+// Guide to the expression of uncertainty (JCGM 100), G.2b: ν = u⁴/Σ(uᵢ⁴/νᵢ). Only the readings' contribution
+// is estimated, with 28 degrees of freedom; zeros with twice that contribution increase ν at least
+// sixteenfold. With so many degrees of freedom k is the normal one to 0.4 %: t(∞) = 1.960.
 TEST(Intersection, CountsDegreesOfFreedomAfterWelchAndSatterthwaite) {
   Measurement measurement = test::paperMeasurement();
   measurement.sigmaZeroHorizontal = measurement.sigmaZeroVertical = Angle::fromArcseconds(25);
@@ -99,8 +99,8 @@ TEST(Intersection, CountsDegreesOfFreedomAfterWelchAndSatterthwaite) {
   EXPECT_NEAR(intersection.coverageFactor, 1.960, 0.006);
 }
 
-// Below its 0.1 % point, χ²(28) = 10.391 in the tables, the scatter of Table I is not believed; its χ² is
-// 28 · 6.91² with 2″ and falls with the square of the stated σ.
+// Below its 0.1 % point, χ²(28) = 10.391 in the tables, the scatter of Table I is not trusted; its χ² is 28 ·
+// 6.91² with 2″ and falls with the square of the stated σ.
 TEST(Intersection, BelievesAScatterDownToItsLowestThousandth) {
   Measurement measurement = test::paperMeasurement();
   const auto factorWith = [&](double chiSquare) {
@@ -112,9 +112,9 @@ TEST(Intersection, BelievesAScatterDownToItsLowestThousandth) {
   EXPECT_EQ(factorWith(10.2), 1);
 }
 
-// "readings" is what they would bring if the effect were known, that is without it in the model; what they
-// bring beyond that, since they have to tell its size as well, is the effect's share. A drift beside the
-// height of an arc that takes as long costs about as much again.
+// "readings" is their contribution if the effect were known, that is without it in the model; the additional
+// cost of determining its size is the effect's share. A drift, correlated with the height of an arc that
+// takes as long, costs about as much again.
 TEST(Intersection, PaysForAnEffectThatIsEstimatedAlong) {
   Measurement measurement = test::usualMeasurement();
   for (const int axisDeg : {0, 180}) {
@@ -124,7 +124,8 @@ TEST(Intersection, PaysForAnEffectThatIsEstimatedAlong) {
   }
   setMoments(measurement);
   const Intersection without = *fitSession(measurement).intersection;
-  measurement.pointingZeros = PointingZeros::One;  // of its own, each position would take most of a drift
+  measurement.pointingZeros = PointingZeros::One;  // with its own zero, each position would absorb most of a
+                                                   // drift
   setMoments(measurement);
   measurement.effects = {"vertical_drift"};
   const SessionFit fit = fitSession(measurement);
@@ -140,8 +141,8 @@ TEST(Intersection, PaysForAnEffectThatIsEstimatedAlong) {
   EXPECT_NEAR(fit.intersection->sigma, std::sqrt(variance(0) + variance(1)), 1e-9);
 }
 
-// What is plausible is no reading: however these scatter, an effect that they do not show is as uncertain as
-// it was before, 1 mm of a plane's offset, and Table I does not show it.
+// A plausible size is not a reading: whatever the scatter, an effect that the readings do not show keeps its
+// prior uncertainty, here 1 mm of a plane's offset, which Table I does not show.
 TEST(Intersection, TakesPlausibleSizesAsTheyAre) {
   Measurement measurement = test::paperMeasurement();
   measurement.effects = {"plane_offset"};
@@ -151,8 +152,8 @@ TEST(Intersection, TakesPlausibleSizesAsTheyAre) {
   EXPECT_NEAR(fit.effects.at(0).sigma, 1, 0.01);
 }
 
-// The zeros of Table I scatter as its readings, 6.91 times the 2″ of the circles, where no σ of theirs is
-// stated; and no less than stated where the readings scatter less.
+// The zeros of Table I scatter like its readings, 6.91 times the 2″ of the circles, if they have no stated σ;
+// and at least as stated if the readings scatter less.
 TEST(Intersection, HasZerosScatterAsTheReadingsWhereNothingIsStatedOfThem) {
   Measurement measurement = test::paperMeasurement();
   measurement.sigmaZeroHorizontal = measurement.sigmaZeroVertical = Angle::fromArcseconds(2);
@@ -189,9 +190,9 @@ Measurement simulated(std::mt19937_64& generator, int places, double noiseFactor
   return measurement;
 }
 
-// 95 % intervals hold the truth in 95 % of sessions, whether the stated noise is right or half of what it is,
-// with ample and with scant redundancy. Of 3000 sessions the share scatters by 0.4 %; 1.5 % is nearly four of
-// those.
+// 95 % intervals contain the truth in 95 % of sessions, whether the stated noise is right or half the true
+// one, with ample and with scant redundancy. For 3000 sessions the share scatters by 0.4 %; 1.5 % is nearly
+// four times that.
 TEST(Intersection, IntervalsCoverTheTruthAsStated) {
   std::mt19937_64 generator(17);
   for (const int places : {5, 17})
@@ -220,8 +221,8 @@ TEST(Intersection, TakesTheStatedNoiseWhereNothingChecksIt) {
 }
 
 // The budget of Δd follows from those of the heights: readings and zeros of the two arcs are independent, so
-// their variances add up to four times Δd's. A wrong distance takes heights on either side of the zero
-// direction apart, and half of that is what it does to Δd.
+// their variances add up to four times Δd's. A distance error moves heights on either side of the zero
+// direction in opposite directions, and Δd by half of that.
 TEST(ArcBudget, OfTheHeightsAddsUpToThatOfTheIntersection) {
   Measurement measurement = test::paperMeasurement();
   measurement.sigmaDistance = 1;

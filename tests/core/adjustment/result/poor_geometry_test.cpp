@@ -9,8 +9,8 @@
 #include "tests/support/found.h"
 #include "tests/support/paper_table.h"
 
-// Readings that say little end in an answer with an honest uncertainty, or in a sentence; never in a value
-// that is no number.
+// Readings with little information end in a result with an honest uncertainty, or in a sentence; never in
+// NaN.
 
 namespace alidade {
 namespace {
@@ -45,8 +45,8 @@ void expectFinite(const SessionFit& fit) {
   EXPECT_TRUE(std::isfinite(fit.intersection->expanded));
 }
 
-/// An answer whose U at 99.99 % covers the truth, or an error in words. With little redundancy Student's k is
-/// large, so σ alone would not do.
+/// A result whose U at 99.99 % covers the truth, or an error in words. With little redundancy Student's k is
+/// large, so σ alone would be too small.
 void expectAnswerOrSentence(const SessionFit& fit) {
   expectFinite(fit);
   const bool error =
@@ -72,7 +72,7 @@ TEST(PoorGeometry, FewPlacesOrAShortArcEndInAnAnswerOrASentence) {
       }
 }
 
-// Five places over 20° still fix a circle, though a poor one: the uncertainty has to say how poor.
+// Five places over 20° still determine a circle, though a poor one: the uncertainty has to say how poor.
 TEST(PoorGeometry, TwentyDegreesAreAnswered) {
   const SessionFit fit = fitSession(measured(planOf(5, 80, 20)));
   ASSERT_TRUE(fit.intersection);
@@ -115,7 +115,7 @@ TEST(PoorGeometry, AnEmptySessionIsASentence) {
   EXPECT_FALSE(fitSession(measurement).findings.empty());
 }
 
-// Every effect of the catalogue at once on the poorest plan: priors alone decide, and nothing blows up.
+// Every effect of the catalogue at once on the poorest plan: the priors alone decide, and nothing diverges.
 TEST(PoorGeometry, EveryEffectAtOnceIsAnswered) {
   for (const char* protocol : {"paper", "full"}) {
     Measurement measurement = measured(*protocolByName(protocol));
@@ -132,8 +132,8 @@ TEST(PoorGeometry, EveryEffectAtOnceIsAnswered) {
   }
 }
 
-// The time of a fit grows with its readings, not with their square: 16 times as many take some 16 times as
-// long, at the square 256 times. Of the processor's time, so that a busy machine does not matter.
+// The time of a fit is proportional to its readings, not to their square: 16 times as many take some 16 times
+// as long, compared with 256 times for the square. Processor time, so that a busy machine does not matter.
 TEST(PoorGeometry, ManyReadingsTakeTimeInProportion) {
   const auto secondsOf = [](int points) {
     const Measurement measurement = measured(planOf(points, 10, 160));

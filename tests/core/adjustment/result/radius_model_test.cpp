@@ -30,7 +30,7 @@ struct Gaussian {
   Vector mean;
   SquareMatrix covariance;
 
-  /// What it becomes once hᵀθ was observed as `value` with `variance`: the update of Bayes and Kalman.
+  /// The update of Bayes and Kalman after hᵀθ is observed as `value` with `variance`.
   void observe(const Vector& h, double value, double variance) {
     const std::size_t n = mean.size();
     Vector gain(n);
@@ -47,8 +47,9 @@ struct Gaussian {
   }
 };
 
-// The free fit with R1 = R2 and R = R0 observed on top is the fit with a common or known radius, by closed
-// form, up to the curvature of the model: radii move by some 0.1 mm, of which curvature is some 1e-4.
+// The free fit with R1 = R2 and R = R0 as additional observations equals the fit with a common or known
+// radius, in closed form, up to the curvature of the model: radii change by some 0.1 mm, with a curvature of
+// some 1e-4.
 TEST(RadiusModel, IsTheFreeFitConditioned) {
   for (const char* protocol : {"paper", "full"}) {
     const Measurement measurement = test::trialMeasurement(protocol);
@@ -80,8 +81,8 @@ TEST(RadiusModel, IsTheFreeFitConditioned) {
   }
 }
 
-// Minima found by another solver (Gauss and Newton's steps on centres and radius by differences, every arc
-// angle at its foot) from Table I, which agrees with its own finer steps to some 1e-7 mm.
+// Minima found by another solver (Gauss-Newton steps on centres and radius by differences, every arc angle at
+// its foot) from Table I, which agrees with its own finer steps to some 1e-7 mm.
 TEST(RadiusModel, MeetsAnotherSolverOnTableI) {
   struct Case {
     RadiusModel model;
@@ -106,8 +107,8 @@ double entryOf(const Intersection& intersection, UncertaintySource source) {
   return -1;
 }
 
-// The readings' share is what independent errors of every reading make of Δd, the radius' share what a radius
-// wrong by its σ makes of it: both against the budget.
+// The readings' share is the effect of independent errors of every reading on Δd, the radius' share that of a
+// radius error of its σ: both compared with the budget.
 TEST(RadiusModel, BudgetHoldsReadingsAndRadiusApart) {
   const double sigma = 0.02;
   const Measurement measurement = with(RadiusModel::Known, test::trialMeasurement("paper"), sigma);
@@ -115,7 +116,7 @@ TEST(RadiusModel, BudgetHoldsReadingsAndRadiusApart) {
   double variance = 0;
   for (const AdjustedReading& reading : fit.joint.readings)
     variance += std::pow(reading.perReading * reading.sigma, 2);
-  // Residuals of a few σ make the linear shares good to some 1e-4.
+  // With residuals of a few σ the linear shares are accurate to some 1e-4.
   EXPECT_NEAR(entryOf(*fit.intersection, UncertaintySource::Readings), fit.noise.factor * std::sqrt(variance),
               1e-4 * std::sqrt(variance));
 
@@ -129,7 +130,7 @@ TEST(RadiusModel, BudgetHoldsReadingsAndRadiusApart) {
       entryOf(*fitSession(test::trialMeasurement("paper")).intersection, UncertaintySource::KnownRadius), -1);
 }
 
-// What the readings and R0 check adds up to the degrees of freedom: the trace of a projector.
+// The redundancies of readings and R0 add up to the degrees of freedom: the trace of a projector.
 TEST(RadiusModel, RedundanciesAddUpToTheDegreesOfFreedom) {
   const Measurement measurement = test::trialMeasurement("paper");
   const int free = fitSession(measurement).joint.degreesOfFreedom;
@@ -144,14 +145,15 @@ TEST(RadiusModel, RedundanciesAddUpToTheDegreesOfFreedom) {
   EXPECT_NEAR(sum, known.degreesOfFreedom, 1e-6);
 }
 
-// On an upper arc a greater radius lowers the centre, on a lower arc it lifts it; known, it says nothing.
+// On an upper arc a larger radius lowers the centre, on a lower arc it raises it; a known radius has no
+// correlation.
 TEST(RadiusModel, CorrelationWithTheCentreIsStated) {
   const Measurement measurement = test::paperMeasurement();
   const SessionFit free = fitSession(measurement);
   EXPECT_LT(free.sigmas[0].radiusY, -0.4);
   EXPECT_GT(free.sigmas[1].radiusY, 0.4);
   EXPECT_LT(std::abs(free.sigmas[0].radiusX), 0.1);
-  // Against the definition, where readings are the only source.
+  // Compared with the definition, with readings as the only source.
   Measurement exactZeros = measurement;
   exactZeros.sigmaZeroHorizontal = exactZeros.sigmaZeroVertical = Angle();
   const SessionFit fit = fitSession(exactZeros);

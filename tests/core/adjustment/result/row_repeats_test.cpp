@@ -14,7 +14,7 @@ namespace {
 
 using testing::ElementsAre, testing::IsEmpty, testing::Pair;
 
-/// How an arc is read: so many places along 160°, round after round, on a grid of so many arcseconds.
+/// How an arc is read: the number of places along 160°, the rounds, and the grid in arcseconds.
 struct Reader {
   int places = 17, rounds = 1;
   double gridArcseconds = 1, noiseArcseconds = 2;
@@ -51,7 +51,7 @@ void copy(ArcMeasurement& arc, std::size_t from, std::size_t to) {
   arc.sightings[to].e = arc.sightings[from].e;
 }
 
-/// In how many of 400 sessions of honest readings rows are told to be copies.
+/// The number, of 400 sessions of honest readings, in which rows are reported as copies.
 int falseAlarms(const Reader& reader) {
   const Measurement measurement = test::usualMeasurement();
   RandomSource random(12);
@@ -63,9 +63,9 @@ int falseAlarms(const Reader& reader) {
   return alarms;
 }
 
-// One of a hundred is allowed, of 400 sessions 4; 12 is more than a fair count ever reaches (1 in 2000).
-// Without reckoning with chance all sessions of six rounds read to whole seconds are suspected, and every
-// second one of two rounds.
+// One of a hundred is allowed, of 400 sessions 4; 12 has a probability of 1 in 2000. Without allowing for
+// chance all sessions of six rounds read to whole seconds would be reported, and every second one of two
+// rounds.
 TEST(RowRepeats, AreNotMadeOfChance) {
   for (const double grid : {5.0, 1.0, 0.5, 0.1, 0.324})
     for (const int rounds : {1, 2, 6})
@@ -75,7 +75,7 @@ TEST(RowRepeats, AreNotMadeOfChance) {
   EXPECT_LE(falseAlarms({.rounds = 2, .isNumberedAnew = true}), 12) << "there and back, numbers of their own";
 }
 
-// Sixty thousand places lie 1.6″ apart: there rows of neighbours are alike by chance.
+// Sixty thousand places are 1.6″ apart: rows of neighbours are then equal by chance.
 TEST(RowRepeats, AreNotMadeOfPlacesThatLieNearEachOther) {
   const Measurement measurement = test::usualMeasurement();
   RandomSource random(5);
@@ -97,7 +97,7 @@ TEST(RowRepeats, AreOneCopiedRow) {
   }
 }
 
-// A copied round is far more than the one pair in three that chance makes.
+// A copied round is far more than the chance of one pair in three sessions.
 TEST(RowRepeats, AreACopiedRound) {
   const Measurement measurement = test::usualMeasurement();
   RandomSource random(9);
@@ -106,7 +106,7 @@ TEST(RowRepeats, AreACopiedRound) {
   EXPECT_EQ(repeatsOf(measurement, arc).size(), 17u);
 }
 
-// To a tenth of a second, one row of the round before is enough.
+// On a grid of a tenth of a second, one row of the round before is enough.
 TEST(RowRepeats, AreOneRowOfTheRoundBeforeOnAFineGrid) {
   const Measurement measurement = test::usualMeasurement();
   RandomSource random(11);
@@ -127,7 +127,7 @@ TEST(GridOf, IsTheCoarsestThatAllReadingsStandOn) {
   }
 }
 
-// Against 100 000 pairs drawn: four of their σ at most.
+// Compared with 100 000 drawn pairs: at most four of their σ.
 TEST(ChanceOfBeingAlike, IsAsOftenAsTwoReadingsAre) {
   RandomSource random(4);
   for (const double grid : {0.2, 1.0, 3.0, 20.0}) {

@@ -8,8 +8,7 @@
 #include "tests/support/found.h"
 #include "tests/support/perfect_session.h"
 
-// Readings without noise: there the stated σ are taken as known, and 0.1 % of risk is 3.2905 σ (normal
-// tables).
+// Readings without noise: the stated σ then count as known, and 0.1 % of risk is 3.2905 σ (normal tables).
 
 namespace alidade {
 namespace {
@@ -28,8 +27,8 @@ bool says(const Measurement& measurement) {
   return test::found<Kind>(sessionFindings(measurement, fitSession(measurement))) != nullptr;
 }
 
-// Of two arcs fitted apart, with exact zeros and distance, σ of the difference is the root of the sum of
-// squares.
+// For two arcs fitted separately, with exact zeros and distance, σ of the difference is the root of the sum
+// of squares.
 TEST(SessionFindings, RadiiDifferByMoreThanTheirNoiseAllows) {
   const std::vector<ArcSigma> sigmas = fitSession(withRadii(400, 400)).sigmas;
   const double bound = quantile * std::hypot(sigmas.at(0).radius, sigmas.at(1).radius);
@@ -67,8 +66,8 @@ TEST(SessionFindings, KnownRadiusIsHeldAgainstWhatTheReadingsSay) {
     measurement.sigmaRadius = sigma;
     const double bound = quantile * std::hypot(sigma, ofReadings);
     for (const double side : {-1.0, 1.0}) {
-      // 9 % of either side of the bound: with R0 put in, the readings do not fit, and s0 is no longer
-      // quite 1.
+      // 9 % on either side of the bound: with R0 included, the readings do not fit, and s0 is slightly
+      // different from 1.
       measurement.nominalRadius = 400 + side * 0.91 * bound;
       EXPECT_FALSE(says<session_finding::KnownRadiusContradicted>(measurement)) << sigma;
       measurement.nominalRadius = 400 + side * 1.09 * bound;

@@ -30,8 +30,7 @@ TEST(SessionFit, OfTableIAcceptsWithinItsTolerance) {
   EXPECT_EQ(fit.arcAt(90), nullptr);
 }
 
-// 1.96 mm between the radii of one rigid guideway, and 0.69 mm to the 2 mm setting: neither may pass in
-// silence.
+// 1.96 mm between the radii of one rigid guideway, and 0.69 mm from the 2 mm setting: both must be reported.
 TEST(SessionFit, OfTableIDoesNotHideWhatItsReadingsLeaveOpen) {
   Measurement measurement = test::paperMeasurement();
   measurement.referenceIntersection = 2;
@@ -104,7 +103,7 @@ TEST(SessionFit, NamesWhatIsKnownOfNothing) {
   EXPECT_EQ(found<KnownOfNothing>(fit.findings)->unit, "mm");
 }
 
-// Far more unknowns than these readings tell: priors hold them, and an answer comes with its larger
+// Far more unknowns than these readings determine: priors limit them, and the result has a larger
 // uncertainty.
 TEST(SessionFit, EstimatesTheWholeCatalogueAtOnce) {
   Measurement measurement = test::paperMeasurement();
@@ -113,7 +112,7 @@ TEST(SessionFit, EstimatesTheWholeCatalogueAtOnce) {
   measurement.effects.emplace_back("collimation");  // named twice, estimated once
   const SessionFit fit = fitSession(measurement);
   EXPECT_EQ(fit.effects.size(),
-            errorTermCount - 2);  // the jump's two are in no effect
+            errorTermCount - 2);  // the jump's two belong to no effect
   EXPECT_TRUE(fit.joint.converged());
   EXPECT_EQ(fit.joint.degreesOfFreedom, alone);
   ASSERT_TRUE(fit.intersection);
@@ -127,8 +126,8 @@ TEST(SessionFit, ExchangingThePositionsChangesTheSignOnly) {
   EXPECT_DOUBLE_EQ(fitSession(measurement).intersection->value, -value);
 }
 
-// The 0° position was taken first, however the file has them: a drift estimated along must not know the
-// order. 200″ of drift in the vertical circle, Δd −0.703.
+// The 0° position was taken first in any file order, so an estimated drift must be independent of it. 200″ of
+// drift in the vertical circle, Δd −0.703.
 TEST(SessionFit, ReversingThePositionsInTheFileChangesNothing) {
   Truth truth = drawTruth(7);
   ASSERT_FALSE(addEffect(truth, "vertical_drift=200"));

@@ -63,7 +63,8 @@ TEST(SetupFindings, AreNoneWhereTheSetUpIsAsTyped) {
   EXPECT_FALSE(fitOf(test::paperSession()).lengthsInDoubt);
 }
 
-// The lengths of the fit are proportional to L: with metres for millimetres every number is a thousandth.
+// The lengths of the fit are proportional to L: with metres instead of millimetres every number is a
+// thousandth.
 TEST(SetupFindings, WithholdTheVerdictWhereTheDistanceIsInMetres) {
   Session session = test::paperSession();
   session.geometry.distanceMm = "2.405";
@@ -101,7 +102,7 @@ TEST(SetupFindings, DrawTheLineAtATenthOfAMetre) {
   }
 }
 
-/// 18 % is odd, and said to be, but not out of the world; 25 % is.
+/// 18 % is unusual, and reported, but possible; 25 % is not.
 TEST(SetupFindings, WithholdTheVerdictBeyondAFifthOfTheNominalRadius) {
   Measurement measurement = test::usualMeasurement();
   measurement.tolerance = 1;
@@ -120,7 +121,7 @@ TEST(SetupFindings, WithholdTheVerdictBeyondAFifthOfTheNominalRadius) {
   }
 }
 
-// Table I is of a zenith circle. Read as elevation the arcs stand upside down and Δd changes its sign.
+// Table I is of a zenith circle. Read as elevation the arcs are upside down and Δd changes its sign.
 TEST(SetupFindings, NameAVerticalCircleOfTheOtherKind) {
   Session session = test::paperSession();
   session.geometry.verticalCircle = "elevation";
@@ -213,7 +214,7 @@ TEST(SetupFindings, TellOfAZeroThatMovedAndOfAFaceLeftOut) {
   EXPECT_NEAR(moved->vertical.arcseconds(), -10, 0.06);
   EXPECT_NEAR(moved->sigmaVertical.arcseconds(), 2 * std::sqrt(2), 1e-9);
   EXPECT_EQ(moving.front().where.path(), "positions[1].pointing_zero.after.horizontal");
-  session.instrument.sigmaZeroArcsec.clear();  // as the readings scatter, seven times as stated
+  session.instrument.sigmaZeroArcsec.clear();  // like the readings, seven times as stated
   EXPECT_FALSE(found<ZeroMoved>(findingsOf(session)));
 
   EXPECT_FALSE(found<ZeroFaceLeftOut>(findingsOf(session)));
@@ -226,7 +227,7 @@ TEST(SetupFindings, TellOfAZeroThatMovedAndOfAFaceLeftOut) {
 
 TEST(SetupFindings, NameTheRowsOfDifferentSliderValues) {
   Session session = facesWithSlider();
-  session.positions[1].readings[5].slider = "31°";  // point 3, whose other row says 30°
+  session.positions[1].readings[5].slider = "31°";  // point 3, whose other row has 30°
   const auto findings = findingsOf(session);
   const auto* differ = found<SlidersDiffer>(findings);
   ASSERT_TRUE(differ);

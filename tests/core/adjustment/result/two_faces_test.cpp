@@ -21,8 +21,7 @@ Angle degrees(double value) {
   return Angle::fromDegrees(value);
 }
 
-/// Both faces at each of these elevations (degrees), by the textbook's formulas, written apart from the
-/// model.
+/// Both faces at each of these elevations (degrees), by the textbook's formulas, independent of the model.
 Measurement twoFaceReadings(const Errors& errors, const std::vector<double>& elevations,
                             VerticalCircle circle = VerticalCircle::Zenith) {
   Measurement measurement = test::usualMeasurement();
@@ -74,8 +73,8 @@ TEST(TwoFaces, CountTheIndexAsAnExcessOfTheReadingOnEitherCircle) {
   EXPECT_NEAR(faces->index.value.arcseconds(), 12, rounding);
 }
 
-// Two visits each at ±10°: w = 2c·cos e/2 has σ = 2″·cos e/√2, the mean of four half of it, the slope
-// 1/sin 10° times that of the mean; an index has σ = 2″/√2.
+// Two visits each at ±10°: w = 2c·cos e/2 has σ = 2″·cos e/√2, the mean of four half of it, the slope 1/sin
+// 10° times that of the mean; an index has σ = 2″/√2.
 TEST(TwoFaces, StateUncertaintiesOfTheStatedNoiseWhereReadingsScatterImprobablyLittle) {
   const auto faces = compareFaces(twoFaceReadings({5, 5, 5}, {10, -10, 10, -10}));
   ASSERT_TRUE(faces && faces->trunnionTilt);
@@ -120,8 +119,8 @@ TEST(TwoFaces, NeedBothFacesOfOneVisit) {
   EXPECT_FALSE(compareFaces(measurement));
 }
 
-// Collimation and index of the independent ray tracer, whose collimation counts the other way; nothing where
-// it put nothing. Within 4 σ.
+// Collimation and index of the independent ray tracer, whose collimation has the opposite sign; zero without
+// them. Within 4 σ.
 TEST(TwoFaces, TellTheRayTracersInstrument) {
   const std::map<std::string, Errors> counts = {
       {"none", {}}, {"collimation", {-1, 0, 0}}, {"vertical_index", {0, 0, 1}}};
@@ -142,8 +141,8 @@ TEST(TwoFaces, TellTheRayTracersInstrument) {
   EXPECT_GE(compared, 4);
 }
 
-// The joint adjustment estimates the same errors from the same differences, by the exact model and
-// derivatives of its own; its priors of 30″ pull by less than a thousandth.
+// The joint adjustment estimates the same errors from the same differences, with the exact model and its own
+// derivatives; its priors of 30″ change them by less than a thousandth.
 TEST(TwoFaces, MeetTheJointAdjustmentsEstimates) {
   Measurement measurement = test::trialMeasurement("two-face");
   const auto faces = compareFaces(measurement);

@@ -8,7 +8,7 @@
 namespace alidade {
 namespace {
 
-// A long vector is as uncertain as along itself: 3-4-5 with the gradient (3/5, 4/5).
+// A long vector has the uncertainty along its direction: 3-4-5 with the gradient (3/5, 4/5).
 TEST(UncertainLength, OfALongVectorIsThatAlongIt) {
   const UncertainLength length =
       lengthOf({.x = 300, .y = 400, .varianceX = 0.04, .varianceY = 0.01, .covariance = 0.01});
@@ -23,8 +23,8 @@ TEST(UncertainLength, OfNothingIsThatInBothDirections) {
 }
 
 // The scatter of lengths of drawn vectors, from seven times their uncertainty on: the next order of the
-// expansion is some (u/|v|)², 2 %, and 200 000 draws tell the scatter to 0.2 %. Of a shorter vector it is no
-// less than the scatter.
+// expansion is some (u/|v|)², 2 %, and 200 000 draws determine the scatter to 0.2 %. For a shorter vector it
+// is at least the scatter.
 TEST(UncertainLength, IsTheScatterOfLengths) {
   std::mt19937_64 generator(1);
   std::normal_distribution<double> normal;

@@ -84,7 +84,7 @@ TEST(Congruence, OfEstimatedScatterIsLessSure) {
   const double known = congruenceOf(epochs, 0, 1).setUp->chance;
   for (Epoch& epoch : epochs) epoch.degreesOfFreedom = 8;
   const Congruence congruence = congruenceOf(epochs, 0, 1);
-  EXPECT_NEAR(congruence.setUp->degreesOfFreedom, 16, 1e-9);  // of equal variances the sum
+  EXPECT_NEAR(congruence.setUp->degreesOfFreedom, 16, 1e-9);  // for equal variances the sum
   EXPECT_GT(congruence.setUp->chance, known);
 }
 
@@ -125,7 +125,7 @@ TEST(DeviceHistories, ShareWhatLastsInTheMeanAlone) {
   EXPECT_NEAR(history.values[0].apart, 0.3, 1e-12);
   EXPECT_EQ(history.values[0].u, 0.5);
   EXPECT_NEAR(history.mean.u, std::sqrt(0.09 / 4 + 0.16), 1e-12);
-  // What is not alike does not cancel: shares of 0.3 and 0.5 are 0.1 off their mean.
+  // Different parts do not cancel: shares of 0.3 and 0.5 are 0.1 off their mean.
   for (int i = 0; i < 4; ++i) epochs[static_cast<std::size_t>(i)].lasting[0].sigma = i % 2 == 0 ? 0.3 : 0.5;
   EXPECT_NEAR(intersectionHistory(epochs).values[0].apart, std::sqrt(0.25 - 0.09 + 0.01), 1e-12);
 }

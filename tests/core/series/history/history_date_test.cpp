@@ -21,7 +21,7 @@ TEST(HistoryDate, CountsDaysOfTheCalendar) {
   EXPECT_EQ(dayOf("2000-01-01"), 0);
   EXPECT_EQ(dayOf("2000-03-01"), 60);  // a leap year
   EXPECT_EQ(dayOf("1999-12-31"), -1);
-  EXPECT_EQ(dayOf("2100-03-01") - dayOf("2100-02-28"), 1);  // none
+  EXPECT_EQ(dayOf("2100-03-01") - dayOf("2100-02-28"), 1);  // not a leap year
 }
 
 TEST(HistoryDate, OfAMonthOrYearIsItsMiddle) {

@@ -48,10 +48,9 @@ TEST(History, HasTheMeanAndMisfitOfTheClosedForms) {
   EXPECT_NEAR(history.birgeRatio, std::sqrt(chiSquare / 2), 1e-12);
 }
 
-// The sixteen determinations of G behind CODATA's adjustment of 2018 (Tiesinga and others, Rev. Mod. Phys.
-// 93, 025010, table XXIX): weighted mean 6.674 30e-11, Birge ratio 3.6. Three small correlations there are
-// not taken along here; they and the rounding of what is printed move the mean by one and a half of its last
-// digit.
+// The sixteen determinations of G used in CODATA's adjustment of 2018 (Tiesinga and others, Rev. Mod. Phys.
+// 93, 025010, table XXIX): weighted mean 6.674 30e-11, Birge ratio 3.6. Three small correlations are ignored
+// here; they and the rounding of the printed values change the mean by one and a half of its last digit.
 TEST(History, OfNewtonsConstantIsAsPublished) {
   const std::vector<std::array<double, 3>> published = {
       {1982, 6.67248, 0.00043},   {1996, 6.6729, 0.0005},   {1997, 6.67398, 0.00070},
@@ -67,7 +66,7 @@ TEST(History, OfNewtonsConstantIsAsPublished) {
   EXPECT_NEAR(history.birgeRatio, 3.6, 0.1);
   EXPECT_LT(*history.chance, 1e-20);
   EXPECT_FALSE(*history.stable);
-  EXPECT_THAT(history.steps, IsEmpty());  // they scatter, and nobody believes that G went in steps
+  EXPECT_THAT(history.steps, IsEmpty());  // they scatter, but G does not change in steps
   EXPECT_NEAR(history.mean.scattered, history.birgeRatio * history.mean.u, 1e-12);
 }
 
@@ -184,7 +183,7 @@ TEST(History, DoesNotHangOnOrderUnitsOrOrigin) {
     EXPECT_EQ(changed.steps[0].first, history.steps[0].first);
     EXPECT_NEAR(changed.steps[0].size / scale, history.steps[0].size, 1e-9);
     EXPECT_NEAR(changed.chiSquare, history.chiSquare, 1e-7);
-    // Rounding of the shifted values reaches the probabilities, too.
+    // Rounding of the shifted values also affects the probabilities.
     EXPECT_NEAR(changed.courses[0].probability, history.courses[0].probability, 1e-7);
   }
 }
@@ -196,7 +195,7 @@ TEST(History, LeavesWhatIsSharedToTheMean) {
   EXPECT_NEAR(shared.mean.u, std::sqrt(0.5 + 9), 1e-12);
 }
 
-// With the odds as they stand in the header 2000 draws give 0.0 to 0.3 % for each; 2 % of 600 is 12.
+// With the odds in the header, 2000 draws give 0.0 to 0.3 % for each; 2 % of 600 is 12.
 TEST(History, SeldomTellsAChangeWhereThereIsNone) {
   std::mt19937_64 generator(9);
   for (const std::size_t count : {3, 4, 6, 10, 20, 60})
@@ -212,7 +211,7 @@ TEST(History, SeldomTellsAChangeWhereThereIsNone) {
     }
 }
 
-// Values that scatter three times as much as stated: 5 % of 600 is 30; seen 0 to 5.4 %.
+// Values that scatter three times as much as stated: 5 % of 600 is 30; observed 0 to 5.4 %.
 TEST(History, TakesUnderstatedUncertaintiesForThatRatherThanForSteps) {
   std::mt19937_64 generator(10);
   for (const std::size_t count : {3, 4, 6, 10, 20, 60}) {
@@ -223,7 +222,7 @@ TEST(History, TakesUnderstatedUncertaintiesForThatRatherThanForSteps) {
   }
 }
 
-// Seen: 97, 98 and 99.7 % of 2000 draws.
+// Observed: 97, 98 and 99.7 % of 2000 draws.
 TEST(History, SeldomMissesAStepOfSixU) {
   std::mt19937_64 generator(11);
   for (const std::size_t count : {10, 20, 60}) {

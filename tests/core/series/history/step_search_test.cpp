@@ -9,7 +9,7 @@
 namespace alidade {
 namespace {
 
-/// χ² of values about the mean of each stretch, by the definition.
+/// χ² of values about the mean of each stretch, from the definition.
 double chiSquareOf(const std::vector<double>& x, const std::vector<double>& u,
                    const std::vector<std::size_t>& firsts) {
   double sum = 0;

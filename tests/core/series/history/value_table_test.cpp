@@ -83,7 +83,7 @@ TEST(ValueTable, SaysWhereItCannotBeUsed) {
   EXPECT_THAT(refusal("2001,1,0.1\n2002,1,\n"), HasSubstr("no standard uncertainty"));
   EXPECT_THAT(refusal("2001,1\n2002,1\n"), HasSubstr("no standard uncertainty"));
   EXPECT_THAT(refusal("2001,1,1e-320\n"), HasSubstr("line 1"));
-  // A weighted mean of these is none: its terms are beyond every number.
+  // A weighted mean of these does not exist: its terms exceed the range of numbers.
   EXPECT_THAT(refusal("2001,1e308,1e-150\n"), HasSubstr("line 1, column 6: 1e+308 is out of range"));
   EXPECT_THAT(refusal("2001,1,1e31\n"), HasSubstr("line 1, column 8: 1e+31 is out of range"));
   EXPECT_EQ(refusal("2001,-1e30,1e-30\n2002,1e30,1e30\n"), "none");

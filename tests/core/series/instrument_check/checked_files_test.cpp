@@ -7,9 +7,9 @@
 #include "core/series/instrument_check/check_record.h"
 #include "core/series/instrument_check/checked_readings.h"
 
-// Files of tests/reference/import. The wanted figures are of plain loops over the files in another language,
-// by the formulas of ISO 17123-3 and least squares of two unknowns; angles in the files end at 0.1″, so that
-// the figures agree as far as they are written here.
+// Files of tests/reference/import. The expected figures are from plain loops over the files in another
+// language, by the formulas of ISO 17123-3 and least squares of two unknowns; angles in the files end at
+// 0.1″, so the figures agree to all digits here.
 
 namespace alidade::test {
 namespace {

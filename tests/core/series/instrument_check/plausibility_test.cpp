@@ -49,7 +49,7 @@ Change raised(double arcseconds) {
 }
 
 TEST(Implausibility, LetsEveryInstrumentPass) {
-  // A builder's vernier of 1′ has 17″; an electronic one half a second. 200 draws of each.
+  // A builder's vernier of 1′ has 17″; an electronic circle half an arcsecond. 200 draws of each.
   for (const double noise : {0.5, 17.0})
     for (std::uint64_t seed = 0; seed < 200; ++seed)
       ASSERT_EQ(refusal(simulatedRounds({.collimation = 30, .tilt = 40, .index = 300, .noise = noise}, spread,
@@ -104,7 +104,7 @@ TEST(Implausibility, NamesTheFileAmongSeveral) {
   EXPECT_THAT(refusal(readings), testing::StartsWith("“south.gsi” lines 11"));
 }
 
-/// Rounds at several places of the instrument, one behind the other, as of one station.
+/// Consecutive rounds at several places of the instrument, as of one station.
 CheckReadings atPlaces(const std::vector<int>& rounds) {
   CheckReadings all;
   for (std::size_t place = 0; place < rounds.size(); ++place) {
@@ -128,7 +128,7 @@ TEST(PartedByGeometry, EvaluatesPlacesOfTheInstrumentOneByOne) {
   EXPECT_EQ(check->stations[0].station, "S (1)");
   EXPECT_EQ(check->stations[2].rounds, 4U);
   EXPECT_EQ(check->direction.dof, 6 + 3 + 9);
-  // 1″ of a reading is 0.71″ of both faces; 18 degrees of freedom scatter by 17 %, three of it.
+  // 1″ of a reading is 0.71″ of both faces; with 18 degrees of freedom it scatters by 17 %, three times that.
   EXPECT_NEAR(check->direction.s(), 0.71, 0.36);
   const std::vector<Finding> findings = checkFindings(*check);
   EXPECT_TRUE(std::ranges::any_of(findings, [](const Finding& finding) {

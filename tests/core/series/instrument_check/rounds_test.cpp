@@ -8,7 +8,7 @@
 namespace alidade::test {
 namespace {
 
-/// Sightings as `A1 B1 B2 A2`: target and face; a word before a colon is the round as the file has it.
+/// Sightings as `A1 B1 B2 A2`: target and face; a word before a colon is the round stated in the file.
 CheckReadings sighted(const std::string& order) {
   CheckReadings readings;
   readings.stations = {"S"};

@@ -14,13 +14,13 @@ struct Target {
   double azimuthDeg, elevationDeg, distanceM = 0;
 };
 
-/// What an instrument with known errors reads, by the formulas of a textbook and nothing of the program's
-/// own.
+/// The readings of an instrument with known errors, by the formulas of a textbook and without code of the
+/// program.
 struct SimulatedInstrument {
-  double collimation = 0, tilt = 0, index = 0;  ///< arcsec, as of face 1
+  double collimation = 0, tilt = 0, index = 0;  ///< arcsec, for face 1
   double eccentricityMm = 0;                    ///< of the line of sight
   double noise = 0;                             ///< of one reading, arcsec
-  double circleStepDeg = 0;                     ///< by which the circle is set on between rounds
+  double circleStepDeg = 0;                     ///< by which the circle is turned between rounds
   double driftPerRound = 0;                     ///< of the orientation, arcsec
 };
 

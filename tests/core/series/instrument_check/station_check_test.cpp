@@ -48,7 +48,7 @@ TEST(StationCheck, IsWhatIsWorkedByHand) {
   EXPECT_NEAR(check.index.value, 0, 1e-6);
 }
 
-/// The formula in which the standard has it worked by hand, from the raw readings: Σ r² = Σ d² − Σⱼ(Σₖ d)²/t.
+/// The formula of the standard for calculation by hand, from the raw readings: Σ r² = Σ d² − Σⱼ(Σₖ d)²/t.
 TEST(StationCheck, AgreesWithPlainLoops) {
   const CheckReadings readings = simulatedRounds(
       {.collimation = 4, .tilt = 3, .index = -6, .noise = 2, .circleStepDeg = 25.7}, fourTargets, 7, 11);
@@ -131,7 +131,7 @@ TEST(StationCheck, FollowsTheCourseOverTheRounds) {
   EXPECT_FALSE(set.orientationSlope);
 }
 
-/// ISO 17123-3 tests each circle by itself: what the other one reads changes nothing.
+/// ISO 17123-3 tests each circle separately: readings of the other one change nothing.
 TEST(StationCheck, EvaluatesEachCircleByItself) {
   const std::vector<Target> level{{10, 0}, {95, 0}, {200, 0}, {290, 0}};
   CheckReadings readings = simulatedRounds({.collimation = 5, .index = -3, .noise = 1}, level, 4, 8);
@@ -150,8 +150,8 @@ TEST(StationCheck, EvaluatesEachCircleByItself) {
   EXPECT_TRUE(std::isnan(zeniths.collimation.value));
 }
 
-/// Two targets, near and steep against far and level: a tilt of 140″ would show as the offset of 0.12 mm
-/// does.
+/// Two targets, near and steep, far and level: a tilt of 140″ would have the same effect as the offset of
+/// 0.12 mm.
 TEST(StationCheck, StatesTheMoreUsualOfTwoCausesThatLookAlike) {
   const StationCheck check = checkOf(simulatedRounds(
       {.collimation = 8, .eccentricityMm = 0.117, .noise = 0.5}, {{20, 4, 2.4}, {140, 0, 60}}, 8, 4));
@@ -185,8 +185,7 @@ TEST(StationCheck, OfIdenticalRoundsIsZero) {
   EXPECT_NEAR(check.collimation.u, 0, 1e-6);
 }
 
-/// Over 2000 draws s² is right on average, and the intervals of 95 % hold what they should as often as
-/// stated.
+/// Over 2000 draws s² is right on average, and the 95 % intervals contain the true values as often as stated.
 TEST(StationCheck, StatesItsUncertaintyAsItIs) {
   constexpr int draws = 2000;
   constexpr double noise = 2;
@@ -210,7 +209,7 @@ TEST(StationCheck, StatesItsUncertaintyAsItIs) {
     ofDirections += plain.direction.s() * plain.direction.s() / draws;
     ofVerticals += plain.vertical.s() * plain.vertical.s() / draws;
   }
-  // Binomial, 2000 draws: σ = 0.49 %; 3.5 σ. The weights cos e make those of c and e not quite of one size.
+  // Binomial, 2000 draws: σ = 0.49 %; 3.5 σ. The weights cos e make those of c and e slightly different.
   for (const int count : {collimation, index, tilt, eccentricity})
     EXPECT_NEAR(static_cast<double>(count) / draws, 0.95, 0.017);
   // s is of the mean of two faces: σ²/2. The mean of 2000 s² with 9 degrees of freedom scatters by 1.05 %.

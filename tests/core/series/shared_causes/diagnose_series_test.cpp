@@ -8,7 +8,7 @@
 #include "core/simulation/protocol.h"
 #include "core/simulation/simulate.h"
 
-// Series simulated from truths that are known, each of too short sessions to show by itself what all share.
+// Series simulated from known truths, each of sessions too short to show the shared cause alone.
 
 namespace alidade {
 namespace {
@@ -48,7 +48,7 @@ SeriesDiagnosis answerTo(const std::vector<SeriesSession>& sessions,
   return (*std::move(outcome)).diagnosis;
 }
 
-/// Shows by some 2.5 σ in a session of two faces.
+/// Visible by some 2.5 σ in a session of two faces.
 void tiltTrunnion(Truth& truth, std::size_t) {
   truth.effects = {{ErrorTerm::TrunnionTilt, 4}};
 }
@@ -64,7 +64,7 @@ TEST(DiagnoseSeries, NamesWhatNoSessionShowsAlone) {
   EXPECT_FALSE(cause.isDrifting);
   EXPECT_THAT(cause.cause.indistinguishableFrom, IsEmpty());
   EXPECT_EQ(series.verdict, DiagnosisVerdict::SingleCause);
-  // Within 3.3 u of the truth: a thousandth of all draws is not.
+  // Within 3.3 u of the truth: exceeded by a thousandth of all draws.
   const CauseParameter& tilt = cause.cause.parameters.front();
   EXPECT_NEAR(tilt.value, 4, 3.3 * tilt.sigma);
   EXPECT_LT(tilt.sigma, 1);
@@ -73,7 +73,7 @@ TEST(DiagnoseSeries, NamesWhatNoSessionShowsAlone) {
 }
 
 // Independent sessions of one plan: information adds, so four times the sessions have half the u. The prior
-// of 9″ and more weighs less than a hundredth of it.
+// of 9″ and more has a weight below a hundredth of it.
 TEST(DiagnoseSeries, MoreSessionsKnowTheSizeBetter) {
   const SeriesDiagnosis few = answerTo(drawn({.count = 4, .put = [](Truth& truth, std::size_t) {
                                                 truth.effects = {{ErrorTerm::TrunnionTilt, 20}};
@@ -93,7 +93,7 @@ TEST(DiagnoseSeries, IsSilentWhereNothingIsShared) {
   EXPECT_EQ(series.verdict, DiagnosisVerdict::WithinNoise);
 }
 
-// In one face without slider a trunnion tilt leaves what a warp leaves; only who was there tells.
+// In one face without slider a trunnion tilt leaves the same trace as a warp; only the serials separate them.
 TEST(DiagnoseSeries, SerialsTellLookAlikesApart) {
   const auto tilt = [](Truth& truth, std::size_t) { truth.effects = {{ErrorTerm::TrunnionTilt, 40}}; };
   const SeriesDiagnosis apart = answerTo(drawn({.protocol = "paper", .put = tilt}));
@@ -111,7 +111,7 @@ TEST(DiagnoseSeries, SerialsTellLookAlikesApart) {
   EXPECT_TRUE(first.effect == "trunnion_tilt" ||
               std::ranges::count(first.indistinguishableFrom, "trunnion_tilt") == 1);
   EXPECT_EQ(alike.verdict, DiagnosisVerdict::Ambiguous);
-  // The same two together again would never tell.
+  // The same two together again would never separate them.
   ASSERT_FALSE(alike.advice.empty());
   EXPECT_NE(alike.advice.front().what, SeriesAdvice::What::Again);
 }
@@ -151,7 +151,7 @@ TEST(DiagnoseSeries, OneMisreadValueSpoilsNothing) {
   EXPECT_THAT(series.sessions[2].own, IsEmpty());
 }
 
-/// In the sessions' own guideway, faint in each (some 3 σ).
+/// A cause of the sessions' common guideway, faint in each (some 3 σ).
 Drawn ofOneGuideway(double amplitude) {
   return {.put =
               [amplitude](Truth& truth, std::size_t) {
@@ -161,8 +161,8 @@ Drawn ofOneGuideway(double amplitude) {
           .guideway = [](std::size_t) { return std::string("G-1"); }};
 }
 
-// A fifth harmonic of the radius is in no catalogue, and sessions share it with their guideway, whether or
-// not a session shows it alone.
+// A fifth harmonic of the radius is uncatalogued, and sessions share it with their guideway, whether or not a
+// session shows it alone.
 TEST(DiagnoseSeries, WhatNoCatalogueHoldsIsToldAsThat) {
   for (const double amplitude : {0.01, 0.14}) {
     const SeriesDiagnosis series = answerTo(drawn(ofOneGuideway(amplitude)));
@@ -179,7 +179,7 @@ TEST(DiagnoseSeries, WhatNoCatalogueHoldsIsToldAsThat) {
   }
 }
 
-// Where nothing is shared, or an effect of the catalogue, no pattern is told.
+// Without a shared cause, or with a catalogued one, no pattern is reported.
 TEST(DiagnoseSeries, NoPatternStandsInForNothingOrForAnEffect) {
   for (const bool isTilted : {false, true}) {
     const SeriesDiagnosis series =
@@ -189,7 +189,7 @@ TEST(DiagnoseSeries, NoPatternStandsInForNothingOrForAnEffect) {
   }
 }
 
-// One session that scatters four times as much says nothing of the seven others.
+// One session that scatters four times as much does not affect the seven others.
 TEST(DiagnoseSeries, NoiseOfOneSessionIsNotThatOfAll) {
   const SeriesDiagnosis series = answerTo(drawn({.put = [](Truth& truth, std::size_t s) {
     tiltTrunnion(truth, s);
@@ -205,7 +205,7 @@ TEST(DiagnoseSeries, NoiseOfOneSessionIsNotThatOfAll) {
   EXPECT_EQ(series.sessions[3].own.front().effect, "underestimated_noise");
 }
 
-// And where all scatter so, it is the instrument.
+// If all scatter so, it is the instrument.
 TEST(DiagnoseSeries, NoiseOfAllIsThatOfTheInstrument) {
   const SeriesDiagnosis series =
       answerTo(drawn({.put = [](Truth& truth, std::size_t) { truth.noiseFactor = 1.6; }}));
@@ -225,7 +225,7 @@ TEST(DiagnoseSeries, ASessionThatDoesNotShareItIsSetApart) {
   EXPECT_EQ(cause.cause.effect, "trunnion_tilt");
   const CauseParameter& tilt = cause.cause.parameters.front();
   EXPECT_NEAR(tilt.value, 12, 3.3 * tilt.sigma);
-  // Either told as not sharing it, or as holding one of its own beside it.
+  // Reported either as not sharing it, or as having an additional cause of its own.
   EXPECT_TRUE(std::ranges::count(cause.apart, 5u) == 1 || !series.sessions[5].own.empty());
 }
 
@@ -272,7 +272,7 @@ TEST(DiagnoseSeries, NeitherOrderNorThreadsMatter) {
   }
 }
 
-// What the others say of a session's share is as sure as the others are, not surer.
+// The knowledge from the others about a session's share is exactly as certain as they are.
 TEST(DiagnoseSeries, ASessionKnowsWhatTheOthersSay) {
   const SeriesDiagnosis series = answerTo(drawn({.put = tiltTrunnion}));
   for (const SeriesMember& member : series.sessions) {
