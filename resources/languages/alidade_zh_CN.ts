@@ -1264,16 +1264,20 @@ Sealed by:</source>
         <translation>已在模型中：%1</translation>
     </message>
     <message>
-        <source>Unseen though a plausible size moves Δd by more than U: %1.</source>
-        <translation>合理大小即可使 Δd 移动超过 U，却无法看出：%1。</translation>
-    </message>
-    <message>
-        <source>Unseen though a plausible size moves Δd by more than U: %1; and %2 more.</source>
-        <translation>合理大小即可使 Δd 移动超过 U，却无法看出：%1；以及另外 %2 个。</translation>
-    </message>
-    <message>
         <source>+ what is known</source>
         <translation>+ 已知量值</translation>
+    </message>
+    <message>
+        <source>More causes than these readings can take apart</source>
+        <translation>原因多于这些读数所能区分的数目</translation>
+    </message>
+    <message>
+        <source>Undetectable here, yet a plausible size moves Δd by more than U: %1.</source>
+        <translation>在此无法检出，但合理大小使 Δd 移动超过 U：%1。</translation>
+    </message>
+    <message>
+        <source>Undetectable here, yet a plausible size moves Δd by more than U: %1; and %2 more.</source>
+        <translation>在此无法检出，但合理大小使 Δd 移动超过 U：%1；另有 %2 个。</translation>
     </message>
 </context>
 <context>
@@ -3372,10 +3376,6 @@ Includes every catalogued effect, limited by these readings or by its plausible 
         <translation>请检查 R0、其 σ 和距离，或让半径自由。</translation>
     </message>
     <message>
-        <source>By the fit alone the intersection differs from the reference %1 mm by %2 mm, more than its expanded uncertainty of %3 mm.</source>
-        <translation>仅按拟合，相交度与参考值 %1 mm 相差 %2 mm，大于其扩展不确定度 %3 mm。</translation>
-    </message>
-    <message>
         <source>Nothing was fitted to the reference; find what separates the two.</source>
         <translation>没有任何量是按参考值拟合的；请找出两者差异的原因。</translation>
     </message>
@@ -3628,44 +3628,12 @@ Includes every catalogued effect, limited by these readings or by its plausible 
         <translation>不能明确判断在%1 之内或之外</translation>
     </message>
     <message>
-        <source>By the fit alone, the intersection is %1; with all that these readings leave possible, it is %2; with these uncertainties it cannot be said whether it lies within %3.</source>
-        <translation>仅按拟合，相交度为 %1；考虑这些读数所留下的一切可能，为 %2；在这样的不确定度下不能断定是否在%3 之内。</translation>
-    </message>
-    <message>
-        <source>By the fit alone, the intersection is %1; with all that these readings leave possible, it is %2; both lie %3, their uncertainty included.</source>
-        <translation>仅按拟合，相交度为 %1；考虑这些读数所留下的一切可能，为 %2；计入不确定度，两者都%3。</translation>
-    </message>
-    <message>
         <source>Add to the model what was found, or measure what the diagnosis advises.</source>
         <translation>请将所发现的效应加入模型，或按诊断的建议测量。</translation>
     </message>
     <message>
-        <source>The most of U comes from %1, as large as is plausible: with %2 U would come to some %3 mm.</source>
-        <translation>U 主要来自%1（按合理大小计）：加上%2，U 约为 %3 mm。</translation>
-    </message>
-    <message>
-        <source>The most of U comes from %1, as large as is plausible: measure what shows it.</source>
-        <translation>U 主要来自%1（按合理大小计）：请测量能显示它的量。</translation>
-    </message>
-    <message>
-        <source>By the fit alone, the intersection is %1, %2; but with what the diagnosis found, these readings do not determine it.</source>
-        <translation>仅按拟合，相交度为 %1，%2；但考虑诊断所发现的，这些读数不能确定它。</translation>
-    </message>
-    <message>
-        <source>By the fit alone, the intersection is %1, %2; with all that these readings leave possible, it is %3, %4. %5</source>
-        <translation>仅按拟合，相交度为 %1，%2；考虑这些读数所留下的一切可能，为 %3，%4。%5</translation>
-    </message>
-    <message>
         <source>it</source>
         <translation>该限</translation>
-    </message>
-    <message>
-        <source>As measured, the distance of the arc&apos;s centre from the axis is %1: %2 in the plane of the arc (Δd), %3 across it (Δz); it lies %4, its uncertainty included.</source>
-        <translation>实测圆心到回转轴的距离为 %1：其中圆弧平面内为 %2（Δd），垂直于平面为 %3（Δz）；计入不确定度，它%4。</translation>
-    </message>
-    <message>
-        <source>This judges the plane of the arc alone: across it, its centre lies %1 off the axis.</source>
-        <translation>这只判定圆弧平面之内：在垂直方向上，圆心偏离回转轴 %1。</translation>
     </message>
     <message>
         <source>more than 99.9 %</source>
@@ -3682,26 +3650,6 @@ Includes every catalogued effect, limited by these readings or by its plausible 
     <message>
         <source>The tolerance is of the distance from the axis as a whole, and how far the arc&apos;s centre lies off it across the plane of the arc was not measured: read both positions over more of the arc, or state it (device.known: plane_offset). %1</source>
         <translation>允差针对到回转轴的整个距离，而圆心在垂直于圆弧平面方向上的偏离未经测量：请在更长的弧段上读取两个轴位，或声明它（device.known: plane_offset）。%1</translation>
-    </message>
-    <message>
-        <source>%1 By all that is possible, it conforms with a probability of %2.</source>
-        <translation>%1考虑一切可能，其合格概率为 %2。</translation>
-    </message>
-    <message>
-        <source>%1 It conforms with a probability of %2.</source>
-        <translation>%1其合格概率为 %2。</translation>
-    </message>
-    <message>
-        <source>By the fit alone, the intersection is %1; it lies within %2, its uncertainty included.</source>
-        <translation>仅按拟合，相交度为 %1；计入不确定度，它在%2 之内。</translation>
-    </message>
-    <message>
-        <source>By the fit alone, the intersection is %1; it lies outside %2, its uncertainty included.</source>
-        <translation>仅按拟合，相交度为 %1；计入不确定度，它在%2 之外。</translation>
-    </message>
-    <message>
-        <source>By the fit alone, the intersection is %1; with this uncertainty it cannot be said whether it lies within %2.</source>
-        <translation>仅按拟合，相交度为 %1；在这样的不确定度下不能断定是否在%2 之内。</translation>
     </message>
     <message>
         <source>there are no readings to export; enter those of the axis positions</source>
@@ -4816,10 +4764,6 @@ Includes every catalogued effect, limited by these readings or by its plausible 
         <translation>模型与读数差距的诊断</translation>
     </message>
     <message>
-        <source>As measured, Δd is averaged over what the readings leave possible: every effect of the catalogue takes part at its plausible or known size.</source>
-        <translation>实测的 Δd 是对读数所容许的各种可能取平均：目录中的每种效应都以合理或已知的大小参与。</translation>
-    </message>
-    <message>
         <source>Calibration certificate of the instrument</source>
         <translation>仪器的校准证书</translation>
     </message>
@@ -5014,10 +4958,6 @@ Includes every catalogued effect, limited by these readings or by its plausible 
     <message>
         <source>beyond the tolerance</source>
         <translation>超出允差</translation>
-    </message>
-    <message>
-        <source>By the fit alone Δd is on one side of the tolerance, as measured on the other: look at the gap before more is sighted.</source>
-        <translation>仅按拟合，Δd 在允差的一侧；按测量结果则在另一侧：继续照准之前请先查看差距。</translation>
     </message>
     <message>
         <source>It is enough: U = %1 mm, and the verdict, %2, needs %3 mm.</source>
@@ -5870,6 +5810,143 @@ Includes every catalogued effect, limited by these readings or by its plausible 
     <message>
         <source>State what they sight (geometry.zero_is): mark, one fixed mark; normal, the guideway&apos;s own normal, set anew; or unknown.</source>
         <translation>请说明它们瞄准的是什么（geometry.zero_is）：mark，同一固定标志；normal，重新设定的导轨自身法线；或 unknown。</translation>
+    </message>
+    <message>
+        <source>Δd, measured, is averaged over every explanation that the readings do not exclude, with every catalogued effect as large as readings and its plausible or known size allow.</source>
+        <translation>实测 Δd 是读数不能排除的所有解释的平均，目录中每个影响的大小以读数及其合理值或已知值为限。</translation>
+    </message>
+    <message>
+        <source>%1 point %2</source>
+        <translation>%1 点 %2</translation>
+    </message>
+    <message>
+        <source>%1 point %2 (round %3, face %4)</source>
+        <translation>%1 点 %2（第 %3 测回，盘位 %4）</translation>
+    </message>
+    <message>
+        <source>accepted</source>
+        <translation>合格</translation>
+    </message>
+    <message>
+        <source>rejected</source>
+        <translation>不合格</translation>
+    </message>
+    <message>
+        <source>undecided</source>
+        <translation>待定</translation>
+    </message>
+    <message>
+        <source>one of %1 others</source>
+        <translation>其余 %1 个之一</translation>
+    </message>
+    <message>
+        <source>%1 without %2</source>
+        <translation>去掉 %2 则%1</translation>
+    </message>
+    <message>
+        <source>between the pointing zero and the first sighting at %1</source>
+        <translation>在 %1 的零方向与首次照准之间</translation>
+    </message>
+    <message>
+        <source>during the readings at %1</source>
+        <translation>在 %1 的读数期间</translation>
+    </message>
+    <message>
+        <source>The verdict holds on the condition that the tripod was not knocked %1. These readings cannot show such a knock; one of plausible size moves Δd by ± %2 mm. The probability of conformity includes it.</source>
+        <translation>本结论成立的条件是：三脚架%1未受碰动。这些读数无法显示此类碰动；合理大小的碰动使 Δd 移动 ± %2 mm。合格概率已将其计入。</translation>
+    </message>
+    <message>
+        <source>The verdict depends on a single row: %1.</source>
+        <translation>结论取决于单行读数：%1。</translation>
+    </message>
+    <message>
+        <source>There are more causes than these readings can take apart. With every effect of the catalogue at a plausible size, %1.</source>
+        <extracomment>&quot;the residuals shrink from 12.0″ to 2.0″&quot;</extracomment>
+        <translation>原因多于这些读数所能区分的数目。把目录中的所有效应按合理大小计入后，%1。</translation>
+    </message>
+    <message>
+        <source>%1 Only this is certain: %2.</source>
+        <translation>%1 只有这一点可以确定：%2。</translation>
+    </message>
+    <message>
+        <source>Δd, fit only, and Δd, measured, are on different sides of the tolerance: look at the gap before you sight more.</source>
+        <translation>仅拟合 Δd 与实测 Δd 分处允差两侧：继续照准前请先查看偏差。</translation>
+    </message>
+    <message>
+        <source>Δd, fit only, differs from the reference %1 mm by %2 mm, more than its expanded uncertainty of %3 mm.</source>
+        <translation>仅拟合 Δd 与参考值 %1 mm 相差 %2 mm，超过其扩展不确定度 %3 mm。</translation>
+    </message>
+    <message>
+        <source>All readings of the vertical circle are multiples of %1: rounding alone scatters them by %2 (1σ), more than the stated %3.</source>
+        <translation>垂直度盘的所有读数都是 %1 的整数倍：仅修约就使其离散 %2（1σ），超过给定的 %3。</translation>
+    </message>
+    <message>
+        <source>All readings of the horizontal circle are multiples of %1: rounding alone scatters them by %2 (1σ), more than the stated %3.</source>
+        <translation>水平度盘的所有读数都是 %1 的整数倍：仅修约就使其离散 %2（1σ），超过给定的 %3。</translation>
+    </message>
+    <message>
+        <source>Enter the readings as finely as the instrument gives them, or state a σ of at least %1.</source>
+        <translation>请按仪器给出的分辨力输入读数，或给定不小于 %1 的 σ。</translation>
+    </message>
+    <message>
+        <source>Δd = %2, all effects considered; %1 from the fit only. Neither interval is wholly within or wholly outside %3.</source>
+        <translation>考虑全部影响，Δd = %2；仅拟合为 %1。两个区间都不完全在%3之内或之外。</translation>
+    </message>
+    <message>
+        <source>Δd = %2, all effects considered; %1 from the fit only. Both intervals are %3.</source>
+        <translation>考虑全部影响，Δd = %2；仅拟合为 %1。两个区间都%3。</translation>
+    </message>
+    <message>
+        <source>Most of U comes from %1 at its plausible size: with %2, U would be about %3 mm.</source>
+        <translation>U 主要来自合理大小的%1：采用%2后，U 约为 %3 mm。</translation>
+    </message>
+    <message>
+        <source>Most of U comes from %1 at its plausible size: measure what shows it.</source>
+        <translation>U 主要来自合理大小的%1：请测量能显示它的量。</translation>
+    </message>
+    <message>
+        <source>Δd = %1 from the fit only, %2. With the causes of the diagnosis, these readings do not determine Δd.</source>
+        <translation>仅拟合 Δd = %1，%2。加入诊断所得原因后，这些读数不能确定 Δd。</translation>
+    </message>
+    <message>
+        <source>Δd = %1, all effects considered, is %2; Δd from the fit only, %3, is %4. %5</source>
+        <translation>考虑全部影响，Δd = %1，%2；仅拟合 Δd 为 %3，%4。%5</translation>
+    </message>
+    <message>
+        <source>The arc&apos;s centre is %1 from the axis, all effects considered: %2 in the plane of the arc (Δd), %3 across it (Δz). The interval is %4.</source>
+        <translation>考虑全部影响，圆弧中心距轴线 %1：圆弧平面内 %2（Δd），垂直于平面 %3（Δz）。该区间%4。</translation>
+    </message>
+    <message>
+        <source>Only the plane of the arc is judged: across it, the arc&apos;s centre is %1 from the axis.</source>
+        <translation>仅评定圆弧平面内的量：垂直于该平面，圆弧中心距轴线 %1。</translation>
+    </message>
+    <message>
+        <source>With a probability of %1 the gap is real and no catalogued effect explains it.</source>
+        <translation>存在真实偏差且目录中没有任何影响能解释它的概率为 %1。</translation>
+    </message>
+    <message>
+        <source>Misclosures without a catalogued cause add ± %1 mm (1σ); verdict and probability include it.</source>
+        <translation>没有目录内原因的闭合差另增加 ± %1 mm（1σ）；结论与概率均已计入。</translation>
+    </message>
+    <message>
+        <source>The verdict is open. %1</source>
+        <translation>结论待定。%1</translation>
+    </message>
+    <message>
+        <source>%1 Probability of conformity: %2.</source>
+        <translation>%1合格概率：%2。</translation>
+    </message>
+    <message>
+        <source>Δd = %1 from the fit only; the interval is within %2.</source>
+        <translation>仅拟合 Δd = %1；该区间在%2之内。</translation>
+    </message>
+    <message>
+        <source>Δd = %1 from the fit only; the interval is outside %2.</source>
+        <translation>仅拟合 Δd = %1；该区间在%2之外。</translation>
+    </message>
+    <message>
+        <source>Δd = %1 from the fit only; the interval is neither wholly within nor wholly outside %2.</source>
+        <translation>仅拟合 Δd = %1；该区间既不完全在%2之内，也不完全在其外。</translation>
     </message>
 </context>
 <context>

@@ -60,7 +60,10 @@ std::pair<std::size_t, bool> placeOf(const Component& jump, const Measurement& m
   if (const auto arc = jump.slippedArc()) return {*arc, true};
   const std::size_t first = jump.jumpMoment()->first;
   std::size_t arc = 0;
-  while (arc + 1 < measurement.arcs.size() && measurement.arcs[arc].sightings.back().sequence < first) ++arc;
+  const auto endsBefore = [&](const ArcMeasurement& one) {
+    return std::ranges::max(one.sightings, {}, &Sighting::order).order < first;
+  };
+  while (arc + 1 < measurement.arcs.size() && endsBefore(measurement.arcs[arc])) ++arc;
   return {arc, false};
 }
 
