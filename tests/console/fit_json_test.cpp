@@ -150,8 +150,12 @@ TEST(FitJson, TellsOfEachShareOfTheUncertaintyWhereItComesFrom) {
   EXPECT_EQ(entryOf("pointing zeros")["from"], "stated");
   EXPECT_EQ(entryOf("arc_ellipticity")["type"], "B");
   EXPECT_EQ(entryOf("arc_ellipticity")["from"], "default");
-  EXPECT_EQ(entryOf("arc_ellipticity")["sizes"][1],
-            Json({{"name", "sine"}, {"sigma", 0.05}, {"unit", "mm"}}));
+  const Json sine = entryOf("arc_ellipticity")["sizes"][1];
+  EXPECT_EQ(sine["name"], "sine");
+  EXPECT_EQ(sine["unit"], "mm");
+  // Effects of the guideway are larger here than plausible, by three times at most.
+  EXPECT_GT(sine["sigma"], 0.05);
+  EXPECT_LT(sine["sigma"], 0.15);
 }
 
 TEST(FitJson, ScalesTheReadingsBySoMuchAsTheyScatter) {
@@ -211,10 +215,10 @@ TEST(FitJson, DecidesByWhatMayHaveClosedThePositions) {
   EXPECT_EQ(decision["as_found"], "accept");
   EXPECT_EQ(decision["verdict"], "accept");
   EXPECT_GT(decision["conformance_probability"], 0.99);
-  // No row decides the verdict, although with 39 % nothing explains the gap.
+  // No row decides the verdict, although with 21 % nothing explains the gap.
   EXPECT_TRUE(decision["hangs_on"].empty());
   EXPECT_EQ(decision["hangs_on_sentence"], "");
-  EXPECT_NEAR(decision["unexplained_probability"], 0.39, 0.1);
+  EXPECT_NEAR(decision["unexplained_probability"], 0.21, 0.1);
   EXPECT_GT(answer["intersection_as_found"]["expanded_mm"],
             2 * answer["intersection"]["expanded_mm"].get<double>());
 }

