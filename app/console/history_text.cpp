@@ -130,7 +130,8 @@ std::string congruencesText(const DeviceHistory& device) {
   }
   return alignedColumns(rows) + "\n" +
          paragraph(
-             "Δd: as found, with all that is plausible and is not shared. Device: (O1 − O2)/2 and the radii "
+             "Δd, measured, with every effect that the sessions do not share. Device: (O1 − O2)/2 and the "
+             "radii "
              "by the readings alone, with their full covariance, wherever the theodolite stood.");
 }
 
@@ -152,7 +153,7 @@ std::string historyText(const std::string& name, const ValueTable& table, const 
 std::string historyText(const std::string& name, const DeviceHistories& histories) {
   std::string text = heading(name);
   for (const DeviceHistory& device : histories.devices) {
-    text += "\n" + deviceName(device) + ": Δd as found\n\n";
+    text += "\n" + deviceName(device) + ": Δd, measured\n\n";
     text += seriesText(device.quantities.front().history, device.quantities.front().unit);
     text += paragraph(sharedSentence(device));
     text += "\nQuantities\n\n" + quantitiesTable(device);

@@ -93,8 +93,7 @@ std::string planText(const std::string& session, const PlanReview& review,
                      const std::vector<Finding>& findings) {
   std::string text = heading(session) + "\n" + counted(review.readings, "reading") + " of circles and slider";
   if (const auto& estimate = review.intersection)
-    text += "; with the noise stated Δd would be known to " + fixedText(estimate->sigma, 4) +
-            " mm (1σ) by a fit alone.";
+    text += "; with the stated noise, u of Δd, fit only, would be " + fixedText(estimate->sigma, 4) + " mm.";
   text += "\n" + paragraph(attainableSentence(review.attainable));
   return text + effectsText(review) + lookAlikesText(review) + adviceText(review) + findingsText(findings);
 }

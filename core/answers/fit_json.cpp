@@ -138,8 +138,8 @@ Json decisionJson(const FitAnswer& answer, const AcceptanceDecision& decision) {
           {"unexplained_sigma_mm", answer.diagnosis ? answer.diagnosis->unexplained.sigma : undefined},
           {"conditions", conditionsJson(answer, decision)},
           {"condition_sentence", conditionSentence(answer.found(), decision)},
-          {"hangs_on", dependencesJson(answer.dependences)},
-          {"hangs_on_sentence", dependenceSentence(answer.dependences)},
+          {"depends_on", dependencesJson(answer.dependences)},
+          {"depends_on_sentence", dependenceSentence(answer.dependences)},
           {"reason", isOpen ? verdictSentence(answer.measurement, answer.fit, answer.found(), decision)
                             : std::string()}};
 }
@@ -376,7 +376,8 @@ std::string fitJson(const FitAnswer& answer) {
   if (fit.intersection) document["intersection"] = intersectionJson(*fit.intersection);
   const auto measured = answer.diagnosis ? answer.diagnosis->measured : std::nullopt;
   if (measured) {
-    document["intersection_as_found"] = asFoundJson(measured->estimate, measurement.coverage);
+    document["intersection_measured"] = asFoundJson(measured->estimate, measurement.coverage);
+    document["intersection_as_found"] = document["intersection_measured"];  // the name of earlier versions
     document["across_plane"] = lengthJson(measured->across);
     document["distance_from_axis"] = lengthJson(measured->distance);
   }

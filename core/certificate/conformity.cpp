@@ -48,14 +48,14 @@ std::string ruleText(const Measurement& measurement) {
   const std::string share = displayShortest(measurement.coverage * 100);
   if (measurement.measurand == Measurand::Distance)
     return Phrase::of(
-        "Of the distance d of the arc's centre from the axis: pass where d + U ≤ %1 mm as measured and |Δd| "
-        "+ U ≤ "
-        "%1 mm by the fit alone, fail where d − U > %1 mm. Guard band w = U at a coverage of %2 %.",
+        "Distance d of the arc's centre from the axis: pass if d + U ≤ %1 mm, measured, and |Δd| + U ≤ %1 "
+        "mm, "
+        "fit only; fail if d − U > %1 mm. Guard band w = U at a coverage of %2 %.",
         limit, share);
   return Phrase::of(
-      "Of the intersection Δd: pass where |Δd| + U ≤ %1 mm, fail where |Δd| − U > %1 mm, each both as "
-      "measured and by "
-      "the fit alone. Guard band w = U at a coverage of %2 %.",
+      "Intersection Δd, both measured and fit only: pass if |Δd| + U ≤ %1 mm, fail if |Δd| − U > %1 mm. "
+      "Guard "
+      "band w = U at a coverage of %2 %.",
       limit, share);
 }
 

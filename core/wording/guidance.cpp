@@ -256,11 +256,10 @@ std::string outlookSentences(const Outlook& outlook, const ProtocolProgress& pro
   if (account.isMeasured) {
     const Lengths own(outlook, {false});
     sentences.push_back(
-        outlook.now
-            ? Phrase::of("Of the fit alone U = %1 mm now, and %2 mm once the protocol is carried out.",
-                         own(outlook.now->ofFit), own(planned.expanded.ofFit))
-            : Phrase::of("Of the fit alone U = %1 mm once the protocol is carried out.",
-                         own(planned.expanded.ofFit)));
+        outlook.now ? Phrase::of("U of Δd, fit only, is %1 mm now and %2 mm at the end of the protocol.",
+                                 own(outlook.now->ofFit), own(planned.expanded.ofFit))
+                    : Phrase::of("U of Δd, fit only, is %1 mm at the end of the protocol.",
+                                 own(planned.expanded.ofFit)));
   }
   return joined(sentences);
 }

@@ -4116,14 +4116,6 @@ Includes every catalogued effect, limited by these readings or by its plausible 
         <translation>从经纬仪看，O1 和 O2 在别处；重新架设后总是如此。</translation>
     </message>
     <message>
-        <source>Δd as found</source>
-        <translation>所发现的 Δd</translation>
-    </message>
-    <message>
-        <source>Δd of the fit alone</source>
-        <translation>仅拟合的 Δd</translation>
-    </message>
-    <message>
         <source>O1, x</source>
         <translation>O1，x</translation>
     </message>
@@ -4632,14 +4624,6 @@ Includes every catalogued effect, limited by these readings or by its plausible 
         <translation>客户地址</translation>
     </message>
     <message>
-        <source>Of the distance d of the arc&apos;s centre from the axis: pass where d + U ≤ %1 mm as measured and |Δd| + U ≤ %1 mm by the fit alone, fail where d − U &gt; %1 mm. Guard band w = U at a coverage of %2 %.</source>
-        <translation>针对圆心到回转轴的距离 d：实测 d + U ≤ %1 mm 且仅按拟合 |Δd| + U ≤ %1 mm 时合格，d − U &gt; %1 mm 时不合格。保护带 w = U，包含概率 %2 %。</translation>
-    </message>
-    <message>
-        <source>Of the intersection Δd: pass where |Δd| + U ≤ %1 mm, fail where |Δd| − U &gt; %1 mm, each both as measured and by the fit alone. Guard band w = U at a coverage of %2 %.</source>
-        <translation>针对相交度 Δd：|Δd| + U ≤ %1 mm 时合格，|Δd| − U &gt; %1 mm 时不合格，实测值与仅按拟合的值都须如此。保护带 w = U，包含概率 %2 %。</translation>
-    </message>
-    <message>
         <source>No statement of conformity. %1</source>
         <translation>不作符合性声明。%1</translation>
     </message>
@@ -5078,14 +5062,6 @@ Includes every catalogued effect, limited by these readings or by its plausible 
     <message>
         <source>When it is enough is told as soon as a pointing zero is there, and both positions are in the protocol.</source>
         <translation>有了瞄准零位、且方案含两个轴位后，即可得知何时足够。</translation>
-    </message>
-    <message>
-        <source>Of the fit alone U = %1 mm now, and %2 mm once the protocol is carried out.</source>
-        <translation>仅按拟合，目前 U = %1 mm，方案测完后为 %2 mm。</translation>
-    </message>
-    <message>
-        <source>Of the fit alone U = %1 mm once the protocol is carried out.</source>
-        <translation>仅按拟合，方案测完后 U = %1 mm。</translation>
     </message>
     <message>
         <source>the session was simulated with this truth and no other cause; the answer is a word</source>
@@ -5948,6 +5924,30 @@ Includes every catalogued effect, limited by these readings or by its plausible 
         <source>Δd = %1 from the fit only; the interval is neither wholly within nor wholly outside %2.</source>
         <translation>仅拟合 Δd = %1；该区间既不完全在%2之内，也不完全在其外。</translation>
     </message>
+    <message>
+        <source>Distance d of the arc&apos;s centre from the axis: pass if d + U ≤ %1 mm, measured, and |Δd| + U ≤ %1 mm, fit only; fail if d − U &gt; %1 mm. Guard band w = U at a coverage of %2 %.</source>
+        <translation>圆弧中心到轴线的距离 d：实测 d + U ≤ %1 mm 且仅拟合 |Δd| + U ≤ %1 mm 时合格；d − U &gt; %1 mm 时不合格。保护带 w = U，包含概率 %2 %。</translation>
+    </message>
+    <message>
+        <source>Intersection Δd, both measured and fit only: pass if |Δd| + U ≤ %1 mm, fail if |Δd| − U &gt; %1 mm. Guard band w = U at a coverage of %2 %.</source>
+        <translation>相交度 Δd（实测与仅拟合均须满足）：|Δd| + U ≤ %1 mm 时合格，|Δd| − U &gt; %1 mm 时不合格。保护带 w = U，包含概率 %2 %。</translation>
+    </message>
+    <message>
+        <source>Δd, measured</source>
+        <translation>Δd，实测</translation>
+    </message>
+    <message>
+        <source>Δd, fit only</source>
+        <translation>Δd，仅拟合</translation>
+    </message>
+    <message>
+        <source>U of Δd, fit only, is %1 mm now and %2 mm at the end of the protocol.</source>
+        <translation>仅拟合 Δd 的 U 目前为 %1 mm，测量方案完成时为 %2 mm。</translation>
+    </message>
+    <message>
+        <source>U of Δd, fit only, is %1 mm at the end of the protocol.</source>
+        <translation>测量方案完成时，仅拟合 Δd 的 U 为 %1 mm。</translation>
+    </message>
 </context>
 <context>
     <name>PlaceText</name>
@@ -6632,10 +6632,6 @@ a clause as a sentence</extracomment>
         <translation>同一刚性圆弧绕 x 方向的轴转半圈，其半径不变，圆心的 x 不动；声明了 σ 时，R0 和参考值也计入。U 的包含概率为 %1 %。</translation>
     </message>
     <message>
-        <source>The following effects would leave no clear trace in these readings, so U of the fit alone holds nothing of them; U as measured holds what its budget lists. A plausible size of each would move Δd by: %1.</source>
-        <translation>以下效应在这些读数中不会留下明显痕迹，因此仅拟合的 U 不包含它们；实测的 U 包含其预算所列各项。各自的合理大小会使 Δd 移动：%1。</translation>
-    </message>
-    <message>
         <source>Further readings would show some of them: %1.</source>
         <translation>进一步的读数可显示其中一些：%1。</translation>
     </message>
@@ -7044,18 +7040,6 @@ a clause as a sentence</extracomment>
         <translation>允差针对圆心到轴的距离 d = √(Δd² + Δz²)，Δz 垂直于圆弧平面。</translation>
     </message>
     <message>
-        <source>Accepted: d + U ≤ %1 as measured, and |Δd| + U ≤ %1 by the fit alone; rejected: d − U &gt; %1; else undecided.</source>
-        <translation>接受：实测 d + U ≤ %1，且仅拟合 |Δd| + U ≤ %1；拒绝：d − U &gt; %1；否则未定。</translation>
-    </message>
-    <message>
-        <source>Accepted: |Δd| + U ≤ %1; rejected: |Δd| − U &gt; %1; by the fit alone and as measured; else undecided.</source>
-        <translation>接受：|Δd| + U ≤ %1；拒绝：|Δd| − U &gt; %1；仅拟合和实测均如此；否则未定。</translation>
-    </message>
-    <message>
-        <source>Accepted: |Δd| + U ≤ %1; rejected: |Δd| − U &gt; %1; by the fit alone; else undecided.</source>
-        <translation>接受：|Δd| + U ≤ %1；拒绝：|Δd| − U &gt; %1；按仅拟合；否则未定。</translation>
-    </message>
-    <message>
         <source>Guard band w = U (coverage %1 %).</source>
         <translation>保护带 w = U（包含概率 %1 %）。</translation>
     </message>
@@ -7093,10 +7077,6 @@ a clause as a sentence</extracomment>
         <source>%1, estimated along with the arcs</source>
         <extracomment>%1: effects</extracomment>
         <translation>%1，与圆弧一并估计</translation>
-    </message>
-    <message>
-        <source>as measured, what is known beforehand: %1</source>
-        <translation>实测时，事先已知的：%1</translation>
     </message>
     <message>
         <source>none</source>
@@ -7265,14 +7245,6 @@ a clause as a sentence</extracomment>
         <translation>走势</translation>
     </message>
     <message>
-        <source>Standard uncertainties; of all but Δd as found by the readings alone.</source>
-        <translation>标准不确定度；除所发现的 Δd 外，均仅按读数。</translation>
-    </message>
-    <message>
-        <source>O1 and O2 are told from where the theodolite stood: they stay only where it stands on a pillar.</source>
-        <translation>O1 和 O2 以经纬仪所在位置为准：只有架在观测墩上时才保持不变。</translation>
-    </message>
-    <message>
         <source>Sessions compared</source>
         <translation>会话比较</translation>
     </message>
@@ -7299,10 +7271,6 @@ a clause as a sentence</extracomment>
     <message>
         <source>Each session with the next, and the first with the last.</source>
         <translation>每次会话与下一次比较，第一次与最后一次比较。</translation>
-    </message>
-    <message>
-        <source>Δd: as found, with its expanded uncertainty; what both sessions share cancels.</source>
-        <translation>Δd：所发现的值及其扩展不确定度；两次会话共有的部分抵消。</translation>
     </message>
     <message>
         <source>Device: (O1 − O2)/2 and the radii by the readings alone, T = dᵀC⁻¹d with the full covariance of both fits.</source>
@@ -7454,6 +7422,38 @@ a clause as a sentence</extracomment>
     <message>
         <source>The intersection Δd = (y(O1) − y(O2))/2 is half the distance of the arc centres at 0° (O1) and 180° (O2) across the axis. The share of the readings in its uncertainty is scaled by their scatter (s0), pointing zeros and distance enter as stated; the expanded uncertainty U of Δd, fit only, is k times the combined standard uncertainty, k from Student&apos;s distribution with ν effective degrees of freedom. Δd, measured, includes every effect of the catalogue, known beforehand to 1σ of its plausible size, and its U also holds what else may explain the readings.</source>
         <translation>相交度 Δd = (y(O1) − y(O2))/2 是 0°（O1）和 180°（O2）两圆心在垂直于轴方向上距离的一半。读数对其不确定度的贡献按离散（s0）放大，瞄准零位和距离按给定值计入；Δd，仅拟合的扩展不确定度 U 为合成标准不确定度的 k 倍，k 取自有效自由度为 ν 的 t 分布。Δd，实测包含目录中的每个效应，事先已知至其合理大小的 1σ，其 U 还包含其他可能解释读数的原因。</translation>
+    </message>
+    <message>
+        <source>Standard uncertainties; all but that of Δd, measured, by the readings alone.</source>
+        <translation>标准不确定度；除实测 Δd 外，均仅由读数得出。</translation>
+    </message>
+    <message>
+        <source>O1 and O2 refer to the theodolite: compare them only between set-ups on the same pillar.</source>
+        <translation>O1 与 O2 以经纬仪为基准：只能在同一观测墩的各次设站之间比较。</translation>
+    </message>
+    <message>
+        <source>Δd, measured, with its expanded uncertainty; what both sessions share cancels.</source>
+        <translation>实测 Δd 及其扩展不确定度；两次测量共有的部分互相抵消。</translation>
+    </message>
+    <message>
+        <source>The following effects are undetectable in these readings. U of Δd, fit only, does not include them; U of Δd, measured, includes what its budget lists. A plausible size of each would move Δd by: %1.</source>
+        <translation>下列影响在这些读数中无法检出。仅拟合 Δd 的 U 不包含它们；实测 Δd 的 U 包含其不确定度预算所列各项。各影响取合理大小时使 Δd 移动：%1。</translation>
+    </message>
+    <message>
+        <source>Accepted: d + U ≤ %1, measured, and |Δd| + U ≤ %1, fit only; rejected: d − U &gt; %1; else undecided.</source>
+        <translation>合格：实测 d + U ≤ %1 且仅拟合 |Δd| + U ≤ %1；不合格：d − U &gt; %1；否则待定。</translation>
+    </message>
+    <message>
+        <source>Accepted: |Δd| + U ≤ %1; rejected: |Δd| − U &gt; %1; both measured and fit only; else undecided.</source>
+        <translation>合格：|Δd| + U ≤ %1；不合格：|Δd| − U &gt; %1；实测与仅拟合均须满足；否则待定。</translation>
+    </message>
+    <message>
+        <source>Accepted: |Δd| + U ≤ %1; rejected: |Δd| − U &gt; %1; fit only; else undecided.</source>
+        <translation>合格：|Δd| + U ≤ %1；不合格：|Δd| − U &gt; %1；仅拟合；否则待定。</translation>
+    </message>
+    <message>
+        <source>known sizes in Δd, measured: %1</source>
+        <translation>实测 Δd 采用的已知值：%1</translation>
     </message>
 </context>
 <context>
@@ -7677,10 +7677,6 @@ a clause as a sentence</extracomment>
         <translation>%1，序列号 %2</translation>
     </message>
     <message>
-        <source>O1 and O2 are told from where the theodolite stood: they stay only where it stands on a pillar.</source>
-        <translation>O1 和 O2 以经纬仪所在位置为准：只有架在观测墩上时才保持不变。</translation>
-    </message>
-    <message>
         <source>accept</source>
         <translation>接受</translation>
     </message>
@@ -7691,6 +7687,10 @@ a clause as a sentence</extracomment>
     <message>
         <source>undecided</source>
         <translation>未定</translation>
+    </message>
+    <message>
+        <source>O1 and O2 refer to the theodolite: compare them only between set-ups on the same pillar.</source>
+        <translation>O1 与 O2 以经纬仪为基准：只能在同一观测墩的各次设站之间比较。</translation>
     </message>
 </context>
 <context>
@@ -7736,8 +7736,8 @@ a clause as a sentence</extracomment>
         <translation>没有结果而略去的抽样：%1。</translation>
     </message>
     <message>
-        <source>Checked by simulation (JCGM 101, %1 draws), the fit alone: Δd = %2, u = %3, %4 % from %5 to %6. %7 %8</source>
-        <translation>经模拟检验（JCGM 101，%1 次抽样），仅拟合：Δd = %2，u = %3，%4 % 从 %5 到 %6。%7 %8</translation>
+        <source>Monte Carlo (JCGM 101, %1 draws) of Δd, fit only: Δd = %2, u = %3, %4 % from %5 to %6. %7 %8</source>
+        <translation>蒙特卡洛法（JCGM 101，%1 次抽样），仅拟合：Δd = %2，u = %3，%4 % 区间为 %5 至 %6。%7 %8</translation>
     </message>
 </context>
 <context>

@@ -105,11 +105,12 @@ TEST(FitJson, HasTheKeysOfTheContract) {
       keysOf(fit["decision"]),
       (std::set<std::string>{"tolerance_mm", "measurand", "verdict", "conformance_probability", "as_modelled",
                              "as_found", "unexplained_probability", "unexplained_sigma_mm", "conditions",
-                             "condition_sentence", "hangs_on", "hangs_on_sentence", "reason"}));
+                             "condition_sentence", "depends_on", "depends_on_sentence", "reason"}));
   EXPECT_EQ(fit["decision"]["measurand"], "intersection");
   for (const char* length : {"across_plane", "distance_from_axis"})
     EXPECT_EQ(keysOf(fit[length]), (std::set<std::string>{"value_mm", "sigma_mm", "expanded_mm"}));
-  EXPECT_EQ(keysOf(fit["intersection_as_found"]), keysOf(fit["intersection"]));
+  EXPECT_EQ(keysOf(fit["intersection_measured"]), keysOf(fit["intersection"]));
+  EXPECT_EQ(fit["intersection_measured"], fit["intersection_as_found"]) << "the name of earlier versions";
   EXPECT_TRUE(fit["suspects"].is_array());
   EXPECT_EQ(fit["arcs"][0]["readings"], 17);
   EXPECT_EQ(fit["arcs"][0]["degrees_of_freedom"], 14);
@@ -216,8 +217,8 @@ TEST(FitJson, DecidesByWhatMayHaveClosedThePositions) {
   EXPECT_EQ(decision["verdict"], "accept");
   EXPECT_GT(decision["conformance_probability"], 0.99);
   // No row decides the verdict, although with 21 % nothing explains the gap.
-  EXPECT_TRUE(decision["hangs_on"].empty());
-  EXPECT_EQ(decision["hangs_on_sentence"], "");
+  EXPECT_TRUE(decision["depends_on"].empty());
+  EXPECT_EQ(decision["depends_on_sentence"], "");
   EXPECT_NEAR(decision["unexplained_probability"], 0.21, 0.1);
   EXPECT_GT(answer["intersection_as_found"]["expanded_mm"],
             2 * answer["intersection"]["expanded_mm"].get<double>());

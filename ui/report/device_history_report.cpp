@@ -101,10 +101,10 @@ void addQuantities(ReportSheet& sheet, const DeviceHistory& device) {
   }
   table.finish();
   sheet.skip(1);
-  addSentences(
-      sheet, {Report::tr("Standard uncertainties; of all but Δd as found by the readings alone."),
-              Report::tr("O1 and O2 are told from where the theodolite stood: they stay only where it stands "
-                         "on a pillar.")});
+  addSentences(sheet,
+               {Report::tr("Standard uncertainties; all but that of Δd, measured, by the readings alone."),
+                Report::tr("O1 and O2 refer to the theodolite: compare them only between set-ups on the same "
+                           "pillar.")});
 }
 
 void addCongruences(ReportSheet& sheet, const DeviceHistory& device) {
@@ -139,7 +139,7 @@ void addCongruences(ReportSheet& sheet, const DeviceHistory& device) {
   addSentences(
       sheet,
       {Report::tr("Each session with the next, and the first with the last."),
-       Report::tr("Δd: as found, with its expanded uncertainty; what both sessions share cancels."),
+       Report::tr("Δd, measured, with its expanded uncertainty; what both sessions share cancels."),
        Report::tr(
            "Device: (O1 − O2)/2 and the radii by the readings alone, T = dᵀC⁻¹d with the full covariance "
            "of both fits.")});

@@ -176,9 +176,10 @@ void addUnseen(ReportSheet& sheet, const Gap& gap) {
   for (const Advice& advice : gap.diagnosis->advice)
     if (advice.ofUnseen) measures.append(qText(textOf(advice.measures)));
   QStringList sentences{
-      Report::tr("The following effects would leave no clear trace in these readings, so U of the fit alone "
-                 "holds nothing of them; U as measured holds what its budget lists. A plausible size of each "
-                 "would move Δd by: %1.")
+      Report::tr(
+          "The following effects are undetectable in these readings. U of Δd, fit only, does not include "
+          "them; U "
+          "of Δd, measured, includes what its budget lists. A plausible size of each would move Δd by: %1.")
           .arg(unseenText(unseen))};
   if (!measures.isEmpty())
     sentences.append(

@@ -40,15 +40,14 @@ QString measurandText(const Gap& gap) {
 QString acceptanceRule(const Gap& gap, const QString& tolerance) {
   if (isOfDistance(gap))
     return Report::tr(
-               "Accepted: d + U ≤ %1 as measured, and |Δd| + U ≤ %1 by the fit alone; rejected: d − U > "
-               "%1; else undecided.")
+               "Accepted: d + U ≤ %1, measured, and |Δd| + U ≤ %1, fit only; rejected: d − U > %1; else "
+               "undecided.")
         .arg(tolerance);
   if (gap.diagnosis)
-    return Report::tr(
-               "Accepted: |Δd| + U ≤ %1; rejected: |Δd| − U > %1; by the fit alone and as measured; "
-               "else undecided.")
-        .arg(tolerance);
-  return Report::tr("Accepted: |Δd| + U ≤ %1; rejected: |Δd| − U > %1; by the fit alone; else undecided.")
+    return Report::
+        tr("Accepted: |Δd| + U ≤ %1; rejected: |Δd| − U > %1; both measured and fit only; else undecided.")
+            .arg(tolerance);
+  return Report::tr("Accepted: |Δd| + U ≤ %1; rejected: |Δd| − U > %1; fit only; else undecided.")
       .arg(tolerance);
 }
 
@@ -143,7 +142,7 @@ QString correctionsText(const Evaluation& evaluation) {
     parts.append(Report::tr("%1, estimated along with the arcs").arg(Report::list(estimated)));
   if (const auto& measurement = evaluation.examined.measurement)
     if (const QStringList known = knownSizes(*measurement); !known.isEmpty())
-      parts.append(Report::tr("as measured, what is known beforehand: %1").arg(Report::list(known)));
+      parts.append(Report::tr("known sizes in Δd, measured: %1").arg(Report::list(known)));
   //: corrections: none
   if (parts.isEmpty()) parts.append(Report::tr("none"));
   if (evaluation.session.journal.empty() && evaluation.journal.empty())

@@ -32,7 +32,7 @@ QStringList historyLines(const DeviceHistory& device, const QuantityHistory& qua
   if (quantity.id == "intersection") lines.append(qText(sharedSentence(device)));
   if (quantity.id.starts_with("o1_") || quantity.id.starts_with("o2_"))
     lines.append(SeriesTexts::tr(
-        "O1 and O2 are told from where the theodolite stood: they stay only where it stands on a pillar."));
+        "O1 and O2 refer to the theodolite: compare them only between set-ups on the same pillar."));
   return lines;
 }
 

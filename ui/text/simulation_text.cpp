@@ -75,8 +75,7 @@ QString agreementSentence(const MonteCarlo& check) {
 QString simulationParagraph(const MonteCarlo& check) {
   const Spread& spread = *check.intersection;
   return SimulationText::tr(
-             "Checked by simulation (JCGM 101, %1 draws), the fit alone: Δd = %2, u = %3, %4 % from %5 to "
-             "%6. %7 %8")
+             "Monte Carlo (JCGM 101, %1 draws) of Δd, fit only: Δd = %2, u = %3, %4 % from %5 to %6. %7 %8")
       .arg(check.draws)
       .arg(lengthText(spread.mean, 4), lengthText(spread.sigma, 4), plainNumberText(100 * check.coverage),
            numberText(spread.low, 4), lengthText(spread.high, 4), agreementWord(check),

@@ -227,8 +227,8 @@ std::vector<std::string> congruenceSentences(const std::vector<Epoch>& epochs, c
 }
 
 std::string quantityName(const std::string& id) {
-  if (id == "intersection") return Phrase::of("Δd as found");
-  if (id == "intersection_of_fit") return Phrase::of("Δd of the fit alone");
+  if (id == "intersection") return Phrase::of("Δd, measured");
+  if (id == "intersection_of_fit") return Phrase::of("Δd, fit only");
   if (id == "o1_x") return Phrase::of("O1, x");
   if (id == "o1_y") return Phrase::of("O1, y");
   if (id == "o2_x") return Phrase::of("O2, x");

@@ -48,7 +48,7 @@ TEST(AcceptanceReport, TellsWhatLiesAcrossThePlane) {
   const auto front = [](const char* coverage) {
     Session session = paperSession();
     session.acceptance.coverage = coverage;
-    return Printed(session).page(0);
+    return Printed(session).page(0).simplified();
   };
   const QString ofVerdict = QStringLiteral("across it, the arc's centre is 5.9 mm ± 1.2 mm from the axis"),
                 ofCentres = QStringLiteral("its centre lies Δz = −5.9 mm ± ");
@@ -398,7 +398,7 @@ TEST(AcceptanceReport, StatesTheMeasurandAndTheDecisionRuleWithItsRisk) {
   for (const char* text :
        {"half the difference of the heights of the arc centres at 0° (O1) and at 180° (O2), y up; positive "
         "where the centre is the higher one at 0°",
-        "Accepted: |Δd| + U ≤ 2.5 mm; rejected: |Δd| − U > 2.5 mm; by the fit alone and as measured; else "
+        "Accepted: |Δd| + U ≤ 2.5 mm; rejected: |Δd| − U > 2.5 mm; both measured and fit only; else "
         "undecided. Guard band w = U (coverage 95 %): a verdict is wrong with a probability of at most 2."})
     EXPECT_TRUE(both.contains(QString::fromUtf8(text))) << text << "\n" << both.toStdString();
   session = *loadSession(samplePath(QStringLiteral("clean-session.alidade")).toStdString());
@@ -432,9 +432,9 @@ TEST(AcceptanceReport, CountsExclusionsAndCorrectionsWithTheirReasonsInFront) {
   EXPECT_TRUE(counted.contains(QStringLiteral(
       "Exclusions 4 of 34 rows of readings: 2 × “tripod was touched”, 1 × “glare”, 1 × without a note")))
       << counted.toStdString();
-  EXPECT_TRUE(counted.contains(QStringLiteral(
-      "Corrections trunnion tilt, plane tilt, estimated along with the arcs; as measured, what "
-      "is known beforehand: collimation −3.20″")))
+  EXPECT_TRUE(counted.contains(
+      QStringLiteral("Corrections trunnion tilt, plane tilt, estimated along with the arcs; known "
+                     "sizes in Δd, measured: collimation −3.20″")))
       << counted.toStdString();
   for (std::size_t row = 0; row < 10; ++row) {
     session.positions[0].readings[row].excluded = true;

@@ -56,8 +56,8 @@ Coverage coverageOf(const char* name, int sessions, double sizes) {
   return coverage;
 }
 
-// Every effect there as large as is plausible: of 1200 such sessions 94.7 to 96.0 % are covered, by plan. Of
-// 40 by each plan at least 33 are, but in one of ten thousand runs. The fit alone covers a quarter to four
+// Every effect there as large as is plausible: of 100 such sessions by each plan 94 to 98 are covered. Of 40
+// by each plan at least 33 are, but in one of ten thousand runs. The fit alone covers a quarter to four
 // fifths.
 TEST(MeasuredIntersection, CoversWhateverMayBeThere) {
   for (const char* plan : {"paper", "paper-slider", "two-face", "full", "again"}) {

@@ -108,7 +108,7 @@ TEST(Simulation, IsStoppedByItsButtonAndByAnEdit) {
   ASSERT_TRUE(bench.finish());
   bench.open.settle();
   EXPECT_THAT(bench.shown(), HasSubstr("Stopped, for the session has changed."));
-  EXPECT_FALSE(bench.report().contains(QStringLiteral("Checked by simulation")));
+  EXPECT_FALSE(bench.report().contains(QStringLiteral("Monte Carlo (JCGM")));
 }
 
 TEST(Simulation, GoesOnUntilWhatItIsOfHasChanged) {
@@ -161,18 +161,18 @@ TEST(Simulation, DoesNotWaitWhereThereIsNothingToSimulateOrItIsStopped) {
 
 TEST(Simulation, IsToldOnPaperOfTheSessionItIsOf) {
   SimulationBench bench;
-  EXPECT_FALSE(bench.report().contains(QStringLiteral("Checked by simulation")));
+  EXPECT_FALSE(bench.report().contains(QStringLiteral("Monte Carlo (JCGM")));
   bench.run();
   changeField(bench.open->document(), {.field = "operator"}, "M. Ruiz");
   bench.open.settle();
   EXPECT_THAT(bench.shown(), HasSubstr("simulated")) << "nothing that enters a fit has changed";
-  EXPECT_TRUE(bench.report().contains(
-      QStringLiteral("Checked by simulation (JCGM 101, 2000 draws), the fit alone: ")));
+  EXPECT_TRUE(
+      bench.report().contains(QStringLiteral("Monte Carlo (JCGM 101, 2000 draws) of Δd, fit only: ")));
 
   ReadingsEditor(bench.open->document(), 1).setExcluded({3}, true);
   bench.open.settle();
   EXPECT_THAT(bench.shown(), Not(HasSubstr("simulated")));
-  EXPECT_FALSE(bench.report().contains(QStringLiteral("Checked by simulation")));
+  EXPECT_FALSE(bench.report().contains(QStringLiteral("Monte Carlo (JCGM")));
   bench.open->undo();
   bench.open.settle();
   EXPECT_THAT(bench.shown(), HasSubstr("simulated")) << "back where it was run";
