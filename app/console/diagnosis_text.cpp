@@ -140,13 +140,13 @@ std::string adviceText(const Diagnosis& diagnosis) {
   if (diagnosis.advice.empty()) return "";
   std::string text = "\nWhat to measure next\n";
   for (const Advice& advice : diagnosis.advice)
-    text += paragraph(
-        "  " + howTo(advice.measures) + (advice.ofUnseen ? ": would show " : ": tells apart every two of ") +
-            listed(advice.separates) + ", by " + fixedText(advice.bySigma, 1) + " σ or more" +
-            (advice.oneLeft > 0
-                 ? "; one answer is left with a probability of " + shortProbabilityText(advice.oneLeft)
-                 : std::string()),
-        4);
+    text += paragraph("  " + howTo(advice.measures) +
+                          (advice.ofUndetectable ? ": would show " : ": tells apart every two of ") +
+                          listed(advice.separates) + ", by " + fixedText(advice.bySigma, 1) + " σ or more" +
+                          (advice.oneLeft > 0 ? "; one answer is left with a probability of " +
+                                                    shortProbabilityText(advice.oneLeft)
+                                              : std::string()),
+                      4);
   return text;
 }
 
@@ -155,10 +155,10 @@ std::string attainableText(const Diagnosis& diagnosis) {
   return sentence.empty() ? sentence : "\nWhat U could be\n" + paragraph("  " + sentence, 2);
 }
 
-std::string unseenText(const Diagnosis& diagnosis) {
-  if (diagnosis.unseen.empty()) return "";
+std::string undetectableText(const Diagnosis& diagnosis) {
+  if (diagnosis.undetectable.empty()) return "";
   Rows rows{{"  effect", "moves Δd by (mm)", "leaves (σ)"}};
-  for (const UnseenEffect& effect : diagnosis.unseen)
+  for (const UndetectableEffect& effect : diagnosis.undetectable)
     rows.push_back({"  " + effect.effect, fixedText(effect.influence, 4), fixedText(effect.visibleSigma, 1)});
   return "\nUnseen: what a plausible size of these would do without leaving a clear trace\n" +
          alignedColumns(rows);
@@ -174,7 +174,7 @@ std::string diagnosisText(const std::string& session, const Diagnosis& diagnosis
   text += knownText(diagnosis);
   if (diagnosis.verdict != DiagnosisVerdict::WithinNoise) text += whereText(diagnosis);
   return text + closuresText(diagnosis) + whatItWouldTakeText(diagnosis) + adviceText(diagnosis) +
-         attainableText(diagnosis) + unseenText(diagnosis) + findingsText(findings);
+         attainableText(diagnosis) + undetectableText(diagnosis) + findingsText(findings);
 }
 
 }  // namespace alidade::console

@@ -37,7 +37,7 @@ std::string effectsText(const PlanReview& review) {
   Rows rows{{"  effect", "plausible", "shows by (σ)", "moves Δd by (mm)", ""}};
   for (const PlannedEffect& effect : review.effects)
     rows.push_back({"  " + effect.effect, plausibleSizeText(effect.effect), visibilityText(effect),
-                    influenceText(review, effect), effect.unseen ? "unseen" : ""});
+                    influenceText(review, effect), effect.undetectable ? "unseen" : ""});
   return "\nEffects of plausible size\n" + alignedColumns(rows);
 }
 
@@ -84,7 +84,7 @@ Json effectJson(const PlanReview& review, const PlannedEffect& effect) {
           {"look_alikes", alike},
           {"influence_mm", review.intersection ? Json(effect.influence) : Json()},
           {"visible_sigma_there", effect.visibleThere},
-          {"unseen", effect.unseen}};
+          {"unseen", effect.undetectable}};
 }
 
 }  // namespace

@@ -120,10 +120,10 @@ std::string adviceText(const SeriesDiagnosis& series) {
   return text;
 }
 
-std::string unseenText(const SeriesDiagnosis& series) {
-  if (series.unseen.empty()) return "";
+std::string undetectableText(const SeriesDiagnosis& series) {
+  if (series.undetectable.empty()) return "";
   Rows rows{{"  effect", "moves Δd by (mm)", "leaves (σ)"}};
-  for (const UnseenEffect& effect : series.unseen)
+  for (const UndetectableEffect& effect : series.undetectable)
     rows.push_back({"  " + effect.effect, fixedText(effect.influence, 4), fixedText(effect.visibleSigma, 1)});
   return "\nUnseen by all sessions together: what a plausible size of these would do\n" +
          alignedColumns(rows);
@@ -137,7 +137,7 @@ std::string seriesText(const std::string& name, const SeriesDiagnosis& series) {
   if (series.pattern) text += patternText(*series.pattern);
   for (const SharedCause& cause : series.causes) text += causeText(cause, series);
   if (!series.causes.empty() || series.pattern) text += whereText(series);
-  return text + sessionsText(series) + adviceText(series) + unseenText(series) +
+  return text + sessionsText(series) + adviceText(series) + undetectableText(series) +
          findingsText(findingsOf(series));
 }
 

@@ -139,7 +139,7 @@ Json diagnosisDocument(const std::string& session, const Diagnosis& diagnosis,
               {"plausible_sizes", required.plausibleSizes},
               {"visible_sigma", required.visibleSigma}};
     });
-  json["unseen"] = listJson(diagnosis.unseen, [](const UnseenEffect& effect) -> Json {
+  json["unseen"] = listJson(diagnosis.undetectable, [](const UndetectableEffect& effect) -> Json {
     return {{"effect", effect.effect},
             {"influence_mm", effect.influence},
             {"visible_sigma", effect.visibleSigma}};
@@ -148,7 +148,7 @@ Json diagnosisDocument(const std::string& session, const Diagnosis& diagnosis,
     return {{"measure", textOf(advice.measures)},
             {"separates", advice.separates},
             {"by_sigma", advice.bySigma},
-            {"one_left", advice.ofUnseen ? Json() : Json(advice.oneLeft)},
+            {"one_left", advice.ofUndetectable ? Json() : Json(advice.oneLeft)},
             {"anew", isReadAnew(advice.measures)}};
   });
   json["attainable"] = attainableJson(diagnosis.attainable);

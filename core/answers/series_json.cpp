@@ -82,7 +82,7 @@ Json together(const std::string& name, const SeriesDiagnosis& series) {
   all.shrink = series.shrink;
   all.candidates = series.candidates;
   all.where = series.where;
-  all.unseen = series.unseen;
+  all.undetectable = series.undetectable;
   Json json = diagnosisDocument(name, all, findingsOf(series));
   json["verdict"] = nameOf(series.verdict);
   json["sentence"] = sentenceOf(series);

@@ -15,7 +15,7 @@
 #include "core/diagnosis/gap/held_out.h"
 #include "core/diagnosis/observability/advice.h"
 #include "core/diagnosis/observability/attainable.h"
-#include "core/diagnosis/observability/unseen.h"
+#include "core/diagnosis/observability/undetectable.h"
 #include "core/effects/cause_ids.h"
 #include "core/effects/known_sizes.h"
 
@@ -191,10 +191,10 @@ Result<Diagnosis, DiagnosisFault> diagnose(const Measurement& measurement, const
   diagnosis.steps = stepsOf(inquiry, answer);
   diagnosis.before = estimateOf(own);
   diagnosis.afterwards = found;
-  const std::vector<Detectability> unseen =
+  const std::vector<Detectability> undetectable =
       undetectableEffects(inquiry.leftover, inquiry.candidates, perReading);
-  for (const Detectability& detectability : unseen)
-    diagnosis.unseen.push_back(
+  for (const Detectability& detectability : undetectable)
+    diagnosis.undetectable.push_back(
         {std::string(detectability.effect), detectability.influence, detectability.visible});
   if (answer.kind == Answer::Kind::Unknown) diagnosis.shape = shapeOf(inquiry);
   diagnosis.whatItWouldTake = std::move(required);
@@ -202,7 +202,7 @@ Result<Diagnosis, DiagnosisFault> diagnose(const Measurement& measurement, const
   diagnosis.leftAfter = inSigma(answer.opened);
   diagnosis.readings = readingsOf(own);
   if (stop.stop_requested()) return stopped;
-  diagnosis.advice = adviceFor(inquiry, possibleCausesOf(inquiry, answer), diagnosis.causes, unseen);
+  diagnosis.advice = adviceFor(inquiry, possibleCausesOf(inquiry, answer), diagnosis.causes, undetectable);
   if (stop.stop_requested()) return stopped;
   if (options.withAttainable && answer.kind != Answer::Kind::Unknown)
     diagnosis.attainable =

@@ -12,7 +12,7 @@
 #include "core/diagnosis/observability/attainable.h"
 #include "core/diagnosis/observability/further_terms.h"
 #include "core/diagnosis/observability/look_alikes.h"
-#include "core/diagnosis/observability/unseen.h"
+#include "core/diagnosis/observability/undetectable.h"
 #include "core/diagnosis/search/inquiry.h"
 #include "core/effects/known_sizes.h"
 
@@ -72,7 +72,7 @@ void seeInfluence(Planned& planned, const Component& component, const SharedProd
   summary.influence = detectability.influence;
   planned.mostDangerous = detectability.influence > 0 ? detectability.weights : planned.plainest;
   summary.visibleThere = detectability.influence > 0 ? detectability.visible : summary.mostVisible;
-  summary.unseen = detectability.isUndetectable();
+  summary.undetectable = detectability.isUndetectable();
 }
 
 /// Effects in the session's own model of which nothing is known.
@@ -102,7 +102,7 @@ std::vector<Planned> plannedEffects(const GapModel& model, const Leftover& lefto
   return effects;
 }
 
-/// The effects that further readings could say something of: the unseen, and those alike.
+/// The effects that further readings could say something of: the undetectable, and those alike.
 std::vector<Planned> effectsInQuestion(const std::vector<Planned>& effects) {
   const auto isAlikeTo = [](const Planned& planned, const std::string& id) {
     return std::ranges::find(planned.summary.lookAlikes, id, &LookAlike::effect) !=
@@ -110,7 +110,7 @@ std::vector<Planned> effectsInQuestion(const std::vector<Planned>& effects) {
   };
   std::vector<Planned> chosen;
   std::ranges::copy_if(effects, std::back_inserter(chosen), [&](const Planned& planned) {
-    return planned.summary.unseen || !planned.summary.lookAlikes.empty() ||
+    return planned.summary.undetectable || !planned.summary.lookAlikes.empty() ||
            std::ranges::any_of(
                effects, [&](const Planned& other) { return isAlikeTo(other, planned.summary.effect); });
   });
@@ -129,7 +129,7 @@ PlanAdvice adviceOf(const std::vector<Measure>& measures, const VisibleTerms& sh
     return combinationOf(*planned.effect) * planned.plainest;
   };
   for (const Planned& planned : inQuestion) {
-    if (planned.summary.unseen &&
+    if (planned.summary.undetectable &&
         lengthOf(shown, combinationOf(*planned.effect) * planned.mostDangerous) > clearlyDifferent)
       advice.reveals.push_back(planned.summary.effect);
     const VectorXd plainest = plainestOf(planned);

@@ -27,13 +27,13 @@ struct PlannedEffect {
   std::vector<LookAlike> lookAlikes;
   /// On Δd, mm, ≥ 0, in the direction that moves it most, and what it leaves there, σ: as a diagnosis has it.
   double influence = 0, visibleThere = 0;
-  bool unseen = false;
+  bool undetectable = false;
 };
 
 /// Readings to add, and what they would be good for.
 struct PlanAdvice {
   std::vector<Measure> measures;
-  std::vector<std::string> reveals;  ///< unseen so far, the most dangerous first
+  std::vector<std::string> reveals;  ///< undetectable so far, the most dangerous first
   std::vector<std::pair<std::string, std::string>>
       separates;  ///< look-alikes so far, told apart whichever it is
 };

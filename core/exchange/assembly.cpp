@@ -134,7 +134,7 @@ class Assembly {
       if (!recording.circleRemark.empty() && stated != named) remark(recording.circleRemark);
       if (!stated.empty() && stated != named)
         remark(Phrase::of("the vertical circle is stated as %1, but the file says %2: the file is followed",
-                          quotation(stated), spokenKey(named)));
+                          quotation(stated), plainKey(named)));
       stated = named;
     }
     const Result<VerticalCircle> circle = verticalCircleEntry(session.geometry.verticalCircle);
@@ -212,7 +212,7 @@ class Assembly {
     const std::string& file = areSeveral() ? m_files[sighting.file].name : std::string();
     m_problems.emplace_back(sighting.file, LineProblem{.line = sighting.line,
                                                        .column = column,
-                                                       .what = spokenKey(name) + " " + problem.what,
+                                                       .what = plainKey(name) + " " + problem.what,
                                                        .file = file});
   }
 
@@ -278,7 +278,7 @@ class Assembly {
       if (!sighting.isZero) continue;
       for (const RowField& field : rowFields)
         if (field.text && !isOfZero(field) && !(sighting.row.*field.text).empty())
-          remark(Phrase::of("the %1 %2 of the pointing zero in %3 is not used", spokenKey(field.key),
+          remark(Phrase::of("the %1 %2 of the pointing zero in %3 is not used", plainKey(field.key),
                             quotation(sighting.row.*field.text), lineOf(sighting)));
       if (sighting.row.excluded) {
         remark(Phrase::of("the excluded sighting of the pointing zero in %1 is not used", lineOf(sighting)));

@@ -73,7 +73,7 @@ std::optional<Problem> twoKindsOfCircle(const std::vector<Recording>& recordings
       return Problem{Phrase::of(
           "holds vertical readings of a circle of the kind %1, the readings before it are of the kind %2: a "
           "session has one, so import it into a session of its own",
-          spokenKey(recording.verticalCircle), spokenKey(kind))};
+          plainKey(recording.verticalCircle), plainKey(kind))};
     kind = recording.verticalCircle;
   }
   return std::nullopt;

@@ -25,7 +25,7 @@ std::string trimmed(std::string_view text) {
   return std::string(text.substr(first, text.find_last_not_of(" \t") - first + 1));
 }
 
-std::string spokenKey(std::string_view key) {
+std::string plainKey(std::string_view key) {
   static constexpr const char* keys[] = {
       PHRASE_LATER("Phrase", "axis"),       PHRASE_LATER("Phrase", "point"),
       PHRASE_LATER("Phrase", "round"),      PHRASE_LATER("Phrase", "face"),

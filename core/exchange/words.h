@@ -15,7 +15,7 @@ std::string trimmed(std::string_view text);
 
 /// The name for people of a row's field, an axis or a kind of vertical circle, from its key in files; other
 /// words are returned unchanged.
-std::string spokenKey(std::string_view key);
+std::string plainKey(std::string_view key);
 
 bool isOneOf(std::string_view word, std::initializer_list<std::string_view> words);
 

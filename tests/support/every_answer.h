@@ -148,9 +148,9 @@ inline void expectDiagnosis(const Diagnosis& diagnosis) {
     expectNumber(step.size.rms, step.effect.c_str());
     expectEstimate(step.intersection);
   }
-  for (const UnseenEffect& unseen : diagnosis.unseen) {
-    expectNumber(unseen.influence, unseen.effect.c_str());
-    EXPECT_GE(unseen.influence, 0) << unseen.effect;
+  for (const UndetectableEffect& undetectable : diagnosis.undetectable) {
+    expectNumber(undetectable.influence, undetectable.effect.c_str());
+    EXPECT_GE(undetectable.influence, 0) << undetectable.effect;
   }
 }
 

@@ -57,10 +57,10 @@ inline std::optional<std::size_t> firstForbidden(std::string_view text, std::str
     const bool control = code < 0x20 || (code >= 0x7F && code < 0xA0);
     const bool turns = code == 0x61C || code == 0x200E || code == 0x200F ||
                        (code >= 0x2028 && code <= 0x202E) || (code >= 0x2066 && code <= 0x2069);
-    const bool unseen = code == 0xAD || (code >= 0x200B && code <= 0x200D) ||
-                        (code >= 0x2060 && code <= 0x2064) || code == 0xFEFF ||
-                        (code >= 0xE0000 && code <= 0xE007F);
-    if ((control && !kept) || turns || unseen) return at;
+    const bool undetectable = code == 0xAD || (code >= 0x200B && code <= 0x200D) ||
+                              (code >= 0x2060 && code <= 0x2064) || code == 0xFEFF ||
+                              (code >= 0xE0000 && code <= 0xE007F);
+    if ((control && !kept) || turns || undetectable) return at;
     at += length;
   }
   return std::nullopt;

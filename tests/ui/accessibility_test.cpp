@@ -21,8 +21,9 @@ namespace {
 void gatherNameless(const QWidget& window, std::set<std::string>& nameless) {
   for (QWidget* widget : window.findChildren<QWidget*>()) {
     if (!widget->isVisible() || !(widget->focusPolicy() & Qt::TabFocus) || widget->focusProxy()) continue;
-    QAccessibleInterface* spoken = QAccessible::queryAccessibleInterface(widget);
-    if (spoken && !spoken->text(QAccessible::Name).isEmpty() && spoken->role() != QAccessible::NoRole)
+    QAccessibleInterface* accessible = QAccessible::queryAccessibleInterface(widget);
+    if (accessible && !accessible->text(QAccessible::Name).isEmpty() &&
+        accessible->role() != QAccessible::NoRole)
       continue;
     nameless.insert(widget->metaObject()->className() + std::string(" ") +
                     widget->objectName().toStdString() + " in " +
@@ -51,15 +52,15 @@ TEST(Accessibility, CellsOfTheReadingsAreSpokenWithWhatTheyMean) {
   open->document().startWith(paperSession());
   open.settle();
   QWidget* table = open->findChild<QWidget*>(QStringLiteral("readings0"));
-  QAccessibleInterface* spoken = QAccessible::queryAccessibleInterface(table);
-  ASSERT_TRUE(spoken && spoken->tableInterface());
-  EXPECT_EQ(spoken->role(), QAccessible::Table);
-  EXPECT_EQ(spoken->tableInterface()->rowCount(), 18) << "and the empty one";
-  QAccessibleInterface* cell = spoken->tableInterface()->cellAt(0, 4);
+  QAccessibleInterface* accessible = QAccessible::queryAccessibleInterface(table);
+  ASSERT_TRUE(accessible && accessible->tableInterface());
+  EXPECT_EQ(accessible->role(), QAccessible::Table);
+  EXPECT_EQ(accessible->tableInterface()->rowCount(), 18) << "and the empty one";
+  QAccessibleInterface* cell = accessible->tableInterface()->cellAt(0, 4);
   ASSERT_TRUE(cell);
   EXPECT_EQ(cell->text(QAccessible::Name).toStdString(), "341°52′24″");
   const auto said = [&](int row, int column) {
-    return spoken->tableInterface()->cellAt(row, column)->text(QAccessible::Name).toStdString();
+    return accessible->tableInterface()->cellAt(row, column)->text(QAccessible::Name).toStdString();
   };
   EXPECT_EQ(said(0, static_cast<int>(ReadingColumn::Used)), "used") << "a tick has no text";
   EXPECT_EQ(said(0, static_cast<int>(ReadingColumn::Note)), "Note: empty");

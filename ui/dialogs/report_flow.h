@@ -43,7 +43,7 @@ class ReportFlow : public QObject {
   SharedGap diagnosed(const QString& language = {}) const;
   /// `gap`, whose sentences are in the window's language, diagnosed again in the report's language if that
   /// differs. Null: the user stopped it.
-  SharedGap spokenIn(const QString& language, const SharedGap& gap);
+  SharedGap inLanguage(const QString& language, const SharedGap& gap);
   /// The user's choice for the report of `gap`, remembered; absent: cancelled. `lacks`: what will be missing,
   /// if different from a report.
   std::optional<ReportChoice> ask(const Gap& gap, ReportQuestion::Way way,
@@ -67,10 +67,10 @@ class ReportFlow : public QObject {
     QString folder;
     std::shared_ptr<const DeviceHistory> history;
   } m_told;  ///< last result of `historyIn`, kept while a report is being made
-  struct Spoken {
+  struct Translated {
     QString language;
     SharedGap of, gap;
-  } m_spoken;  ///< last result of `spokenIn`, kept while a report is being made
+  } m_translated;  ///< last result of `inLanguage`, kept while a report is being made
 };
 
 }  // namespace alidade::ui

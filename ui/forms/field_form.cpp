@@ -37,7 +37,7 @@ FieldForm::FieldForm(SessionDocument& document, const QVector<FormField>& fields
 
 QWidget* FieldForm::addEntry(SessionDocument& document, const FormField& field) {
   const Place place{.field = field.name};
-  const QString spoken = QString(field.caption).remove(QLatin1Char('&'));
+  const QString accessible = QString(field.caption).remove(QLatin1Char('&'));
   QWidget* entry = nullptr;
   if (field.choices.isEmpty()) {
     auto* line = new FieldEdit(document, place);
@@ -51,7 +51,8 @@ QWidget* FieldForm::addEntry(SessionDocument& document, const FormField& field) 
     entry = choice;
   }
   entry->setObjectName(QString::fromLatin1(field.name));
-  entry->setAccessibleName(field.unit.isEmpty() ? spoken : QStringLiteral("%1 (%2)").arg(spoken, field.unit));
+  entry->setAccessibleName(field.unit.isEmpty() ? accessible
+                                                : QStringLiteral("%1 (%2)").arg(accessible, field.unit));
   layOutByFont(*entry,
                [entry, width = field.choices.isEmpty() ? 60 : 84] { entry->setMinimumWidth(byFont(width)); });
   return entry;

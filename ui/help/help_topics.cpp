@@ -72,7 +72,7 @@ const std::vector<HelpPage>& allHelpPages() {
 }
 
 QUrl helpUrl(const QString& topic) {
-  QUrl url(QStringLiteral("qrc:/help/%1/%2.html").arg(spokenLanguage(), topic.section(u'#', 0, 0)));
+  QUrl url(QStringLiteral("qrc:/help/%1/%2.html").arg(shownLanguage(), topic.section(u'#', 0, 0)));
   if (const QString place = topic.section(u'#', 1); !place.isEmpty()) url.setFragment(place);
   return url;
 }

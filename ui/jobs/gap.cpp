@@ -91,22 +91,22 @@ std::optional<double> Gap::expandedUncertainty() const {
   return diagnosis && diagnosis->before ? std::optional(diagnosis->before->expanded) : std::nullopt;
 }
 
-std::vector<UnseenEffect> Gap::unseenBeyondU() const {
+std::vector<UndetectableEffect> Gap::undetectableBeyondU() const {
   const std::optional<double> expanded = expandedUncertainty();
   if (!expanded) return {};
-  std::vector<UnseenEffect> effects = diagnosis->unseen;
-  std::erase_if(effects, [&](const UnseenEffect& e) { return e.influence <= *expanded; });
+  std::vector<UndetectableEffect> effects = diagnosis->undetectable;
+  std::erase_if(effects, [&](const UndetectableEffect& e) { return e.influence <= *expanded; });
   return effects;
 }
 
-std::vector<UnseenEffect> Gap::noticeablyUnseen() const {
+std::vector<UndetectableEffect> Gap::noticeablyUndetectable() const {
   constexpr std::size_t most = 8;
   constexpr double noticeable = 0.02;
   if (!diagnosis) return {};
   const double expanded = expandedUncertainty().value_or(0);
-  std::vector<UnseenEffect> effects = diagnosis->unseen;
+  std::vector<UndetectableEffect> effects = diagnosis->undetectable;
   std::erase_if(effects,
-                [&](const UnseenEffect& effect) { return effect.influence < noticeable * expanded; });
+                [&](const UndetectableEffect& effect) { return effect.influence < noticeable * expanded; });
   effects.resize(std::min(most, effects.size()));
   return effects;
 }

@@ -53,10 +53,10 @@ struct Gap {
   bool isNoiseAlone() const;
   /// Undetectable effects of which a plausible size moves Δd by more than U: the untested assumptions of the
   /// result. Empty without a diagnosis.
-  std::vector<UnseenEffect> unseenBeyondU() const;
+  std::vector<UndetectableEffect> undetectableBeyondU() const;
   /// Undetectable effects of which a plausible size moves Δd by a fiftieth of U or more: the worst eight at
   /// most. Empty without a diagnosis.
-  std::vector<UnseenEffect> noticeablyUnseen() const;
+  std::vector<UndetectableEffect> noticeablyUndetectable() const;
 };
 
 /// Diagnoses the evaluation, weighing the causes with the reference (`DiagnosisOptions::withReference`) if

@@ -41,9 +41,9 @@ const Tongue* tongueOf(const QString& id) {
 
 QString Interpreter::translate(const char* context, const char* source, const char* disambiguation,
                                int n) const {
-  const Tongue* spoken = tongue();
-  if (!spoken) return {};
-  for (const auto& texts : spoken->texts)
+  const Tongue* accessible = tongue();
+  if (!accessible) return {};
+  for (const auto& texts : accessible->texts)
     if (const QString text = texts->translate(context, source, disambiguation, n); !text.isEmpty())
       return text;
   return {};

@@ -62,7 +62,7 @@ void speak(const QString& id) {
   Phrase::setInterpreter(interpretedPhrase);
 }
 
-QString spokenLanguage() {
+QString shownLanguage() {
   const Tongue* tongue = Interpreter::tongue();
   return tongue ? tongue->id : allLanguages().front().id;
 }

@@ -26,6 +26,6 @@ void rememberLanguage(const QString& id);
 void speak(const QString& id);
 
 /// The current language of this thread.
-QString spokenLanguage();
+QString shownLanguage();
 
 }  // namespace alidade::ui

@@ -8,11 +8,11 @@
 #include "core/wording/session_findings.h"
 #include "ui/commands/change_known.h"
 #include "ui/document/session_document.h"
+#include "ui/text/accessible_cell.h"
 #include "ui/text/effect_text.h"
 #include "ui/text/entry_text.h"
 #include "ui/text/known_text.h"
 #include "ui/text/quantity_text.h"
-#include "ui/text/spoken_cell.h"
 #include "ui/text/visible_text.h"
 
 namespace alidade::ui {
@@ -102,7 +102,8 @@ QVariant KnownSizesModel::data(const QModelIndex& index, int role) const {
     case Qt::DisplayRole:
       return text(index);
     case Qt::AccessibleTextRole:
-      return spokenCell(text(index), headerData(index.column(), Qt::Horizontal, Qt::DisplayRole).toString());
+      return accessibleCell(text(index),
+                            headerData(index.column(), Qt::Horizontal, Qt::DisplayRole).toString());
     case Qt::EditRole:
       return cell ? QVariant(qText(typed(row, *cell))) : QVariant();
     case Qt::TextAlignmentRole:

@@ -11,10 +11,10 @@
 #include "core/session/sighting_order.h"
 #include "ui/commands/edit_readings.h"
 #include "ui/document/session_document.h"
+#include "ui/text/accessible_cell.h"
 #include "ui/text/entry_text.h"
 #include "ui/text/journal_text.h"
 #include "ui/text/quantity_text.h"
-#include "ui/text/spoken_cell.h"
 #include "ui/text/visible_text.h"
 
 namespace alidade::ui {
@@ -69,7 +69,7 @@ QVariant ReadingsModel::data(const QModelIndex& index, int role) const {
     case Qt::DisplayRole:
       return cellText(row, column);
     case Qt::AccessibleTextRole:
-      return spokenText(row, column);
+      return accessibleText(row, column);
     case Qt::EditRole:
       return readingText(column) ? qText(reading(row).*readingText(column)) : QVariant();
     case Qt::CheckStateRole:
@@ -94,9 +94,9 @@ QVariant ReadingsModel::data(const QModelIndex& index, int role) const {
 }
 
 /// A checkbox has no text of its own.
-QString ReadingsModel::spokenText(int row, ReadingColumn column) const {
+QString ReadingsModel::accessibleText(int row, ReadingColumn column) const {
   if (column == ReadingColumn::Used) return reading(row).excluded ? tr("excluded") : tr("used");
-  return spokenCell(cellText(row, column), titleOf(column));
+  return accessibleCell(cellText(row, column), titleOf(column));
 }
 
 QString ReadingsModel::titleOf(ReadingColumn column) const {

@@ -77,7 +77,7 @@ class ReadingsModel : public QAbstractTableModel {
   /// Empty if the cell has its first entry.
   QString changeTip(int row, ReadingColumn column) const;
   QString residualTip(int row, ReadingColumn column) const;
-  QString spokenText(int row, ReadingColumn column) const;
+  QString accessibleText(int row, ReadingColumn column) const;
   QString titleOf(ReadingColumn column) const;
   QVariant pendingRowData(ReadingColumn column, int role) const;
   QString columnTitle(ReadingColumn column) const;

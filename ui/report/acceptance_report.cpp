@@ -82,7 +82,7 @@ void layOut(ReportSheet& sheet, const Gap& gap, const ReportOptions& options) {
   addKnown(sheet, gap);
   if (prints(ReportPart::Gap)) addGap(sheet, gap);
   if (prints(ReportPart::Closures)) addClosures(sheet, gap);
-  if (prints(ReportPart::Unseen)) addUnseen(sheet, gap);
+  if (prints(ReportPart::Undetectable)) addUndetectable(sheet, gap);
   if (options.history) {
     sheet.newPage();
     addDeviceHistory(sheet, *options.history);
@@ -139,7 +139,7 @@ std::vector<PdfAttachment> attachmentsOf(const ReportSource& source, const Repor
 /// events.
 template <typename Work>
 auto inLanguageOf(const ReportOptions& options, Work work) {
-  const QString before = spokenLanguage();
+  const QString before = shownLanguage();
   const LanguageScope language(options.language);
   ReportOptions within = options;
   if (options.goesOn)

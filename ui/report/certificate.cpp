@@ -29,7 +29,7 @@ CertificateLanguage languageOf(const QString& id) {
 /// English is the binding language.
 std::vector<CertificateLanguage> languagesOf(const ReportOptions& report) {
   const QString english = QStringLiteral("en");
-  const QString other = report.language.isEmpty() ? spokenLanguage() : report.language;
+  const QString other = report.language.isEmpty() ? shownLanguage() : report.language;
   std::vector<CertificateLanguage> languages{languageOf(english)};
   if (other != english) languages.push_back(languageOf(other));
   return languages;

@@ -14,7 +14,8 @@ const std::vector<ReportPartInfo>& allReportParts() {
       {ReportPart::Budget, "budget", QT_TRANSLATE_NOOP("ReportPart", "Budget of the uncertainty")},
       {ReportPart::Gap, "gap", QT_TRANSLATE_NOOP("ReportPart", "Gap between model and readings")},
       {ReportPart::Closures, "closures", QT_TRANSLATE_NOOP("ReportPart", "Closures")},
-      {ReportPart::Unseen, "unseen", QT_TRANSLATE_NOOP("ReportPart", "What these readings would not show")},
+      {ReportPart::Undetectable, "unseen",
+       QT_TRANSLATE_NOOP("ReportPart", "What these readings would not show")},
       {ReportPart::Signatures, "signatures", QT_TRANSLATE_NOOP("ReportPart", "Lines to sign")}};
   return parts;
 }
@@ -30,8 +31,8 @@ bool isThere(ReportPart part, const Gap& gap) {
       return gap.diagnosis && !gap.isNoiseAlone() && (gap.isOpen() || gap.stages.size() >= 2);
     case ReportPart::Closures:
       return gap.diagnosis && !gap.diagnosis->closures.empty();
-    case ReportPart::Unseen:
-      return !gap.noticeablyUnseen().empty();
+    case ReportPart::Undetectable:
+      return !gap.noticeablyUndetectable().empty();
     default:
       return true;
   }

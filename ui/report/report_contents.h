@@ -20,7 +20,7 @@ enum class ReportPart {
   Budget,
   Gap,
   Closures,
-  Unseen,
+  Undetectable,
   Signatures
 };
 

@@ -169,18 +169,18 @@ void addClosures(ReportSheet& sheet, const Gap& gap) {
   addRequired(sheet, gap.diagnosis->whatItWouldTake);
 }
 
-void addUnseen(ReportSheet& sheet, const Gap& gap) {
-  const std::vector<UnseenEffect> unseen = gap.noticeablyUnseen();
-  if (unseen.empty()) return;
+void addUndetectable(ReportSheet& sheet, const Gap& gap) {
+  const std::vector<UndetectableEffect> undetectable = gap.noticeablyUndetectable();
+  if (undetectable.empty()) return;
   QStringList measures;
   for (const Advice& advice : gap.diagnosis->advice)
-    if (advice.ofUnseen) measures.append(qText(textOf(advice.measures)));
+    if (advice.ofUndetectable) measures.append(qText(textOf(advice.measures)));
   QStringList sentences{
       Report::tr(
           "The following effects are undetectable in these readings. U of Δd, fit only, does not include "
           "them; U "
           "of Δd, measured, includes what its budget lists. A plausible size of each would move Δd by: %1.")
-          .arg(unseenText(unseen))};
+          .arg(undetectableText(undetectable))};
   if (!measures.isEmpty())
     sentences.append(
         Report::tr("Further readings would show some of them: %1.").arg(Report::clauses(measures)));

@@ -16,6 +16,6 @@ void addClosures(ReportSheet& sheet, const Gap& gap);
 
 /// Limits of Δd ± U: undetectable effects in these readings, the change of Δd by a plausible size of each,
 /// and further readings to detect them.
-void addUnseen(ReportSheet& sheet, const Gap& gap);
+void addUndetectable(ReportSheet& sheet, const Gap& gap);
 
 }  // namespace alidade::ui

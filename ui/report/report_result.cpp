@@ -8,6 +8,7 @@
 #include "core/wording/conditions.h"
 #include "ui/report/report_table.h"
 #include "ui/report/report_text.h"
+#include "ui/text/accessible_place.h"
 #include "ui/text/budget_text.h"
 #include "ui/text/cause_text.h"
 #include "ui/text/effect_text.h"
@@ -16,7 +17,6 @@
 #include "ui/text/headline.h"
 #include "ui/text/position_text.h"
 #include "ui/text/quantity_text.h"
-#include "ui/text/spoken_place.h"
 
 namespace alidade::ui {
 namespace {
@@ -45,7 +45,7 @@ QString coverageLine(const Gap& gap) {
 }
 
 QString problemText(const Session& session, const Problem& problem) {
-  const QString place = spokenPlace(session, problem.where);
+  const QString place = accessiblePlace(session, problem.where);
   if (place.isEmpty()) return qText(problem.what);
   //: a place, and what is wrong there
   return Report::tr("%1: %2").arg(place, qText(problem.what));
@@ -259,7 +259,7 @@ void addVerdict(ReportSheet& sheet, const Gap& gap) {
   add(headline.verdict.sentence, type::body);
   add(dependencesLine(gap), type::body);
   if (evaluation.fit.intersection) add(coverageLine(gap), type::label);
-  add(unseenBeyondUText(gap), type::body);
+  add(undetectableBeyondUText(gap), type::body);
   add(findingsLine(gap), type::body.inBold());
   double height = inset;
   for (const Part& part : parts) height += part.lines.size() * sheet.lineHeight(part.style) + 0.4;

@@ -100,7 +100,7 @@ void addFindings(ReportSheet& sheet, const Gap& gap) {
   const std::vector<Finding> findings = findingsOf(evaluation);
   sheet.heading(Report::tr("Findings"));
   if (!misread && findings.empty() && !gap.isOpen()) {
-    const bool isSound = gap.diagnosis && gap.unseenBeyondU().empty();
+    const bool isSound = gap.diagnosis && gap.undetectableBeyondU().empty();
     sheet.paragraph(!evaluation.fit.intersection ? Report::tr("None.")
                     : isSound ? Report::tr("None: nothing in the data speaks against the result.")
                               : Report::tr("None in the data, but see above what they would not show."));

@@ -40,13 +40,13 @@ void addLanguages(std::vector<SelfCheck>& checks) {
     const LanguageScope scope(language.id);
     const bool isEnglish = language.id == QLatin1String("en");
     const std::string found = Phrase::of("passed");
-    const bool isSpoken = isEnglish == (found == "passed");
+    const bool isAccessible = isEnglish == (found == "passed");
     checks.push_back({.group = inWindow,
                       .name = "language " + language.id.toStdString(),
                       .expected = isEnglish ? "passed" : "not English",
                       .found = found,
                       .reason = PHRASE_LATER("Phrase", "a word of this page, in that language"),
-                      .outcome = isSpoken ? SelfCheck::Outcome::Passed : SelfCheck::Outcome::Failed});
+                      .outcome = isAccessible ? SelfCheck::Outcome::Passed : SelfCheck::Outcome::Failed});
   }
 }
 
@@ -71,9 +71,9 @@ void addFonts(std::vector<SelfCheck>& checks) {
                     .expected = "one",
                     .found = chinese.isEmpty() ? "none" : chinese.first().toStdString(),
                     .reason = PHRASE_LATER("Phrase", "only a window or report in Chinese needs one"),
-                    .outcome = !chinese.isEmpty()                            ? SelfCheck::Outcome::Passed
-                               : spokenLanguage() == QStringLiteral("zh_CN") ? SelfCheck::Outcome::Failed
-                                                                             : SelfCheck::Outcome::LeftOut});
+                    .outcome = !chinese.isEmpty()                           ? SelfCheck::Outcome::Passed
+                               : shownLanguage() == QStringLiteral("zh_CN") ? SelfCheck::Outcome::Failed
+                                                                            : SelfCheck::Outcome::LeftOut});
 }
 
 }  // namespace

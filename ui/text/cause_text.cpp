@@ -142,9 +142,9 @@ QString stageText(const Gap& gap, const GapStage& stage) {
                                                : QStringLiteral("+ ") + name;
 }
 
-QString unseenText(const std::vector<UnseenEffect>& effects) {
+QString undetectableText(const std::vector<UndetectableEffect>& effects) {
   QStringList texts;
-  for (const UnseenEffect& effect : effects)
+  for (const UndetectableEffect& effect : effects)
     texts.append(QStringLiteral("%1 ± %2").arg(causeName(effect.effect),
                                                lengthText(effect.influence, decimalsFor(effect.influence))));
   return texts.join(QStringLiteral("; "));
@@ -162,19 +162,19 @@ bool isConditional(const Gap& gap) {
 
 }  // namespace
 
-QString unseenBeyondUText(const Gap& gap) {
+QString undetectableBeyondUText(const Gap& gap) {
   constexpr std::size_t mostNamed = 3;
-  std::vector<UnseenEffect> effects = gap.unseenBeyondU();
+  std::vector<UndetectableEffect> effects = gap.undetectableBeyondU();
   if (isConditional(gap))  // the verdict states it
-    std::erase_if(effects, [](const UnseenEffect& effect) { return effect.effect == jumpId; });
+    std::erase_if(effects, [](const UndetectableEffect& effect) { return effect.effect == jumpId; });
   if (effects.empty()) return {};
   const std::size_t more = effects.size() - std::min(effects.size(), mostNamed);
   effects.resize(effects.size() - more);
   if (more == 0)
     return GapText::tr("Undetectable here, yet a plausible size moves Δd by more than U: %1.")
-        .arg(unseenText(effects));
+        .arg(undetectableText(effects));
   return GapText::tr("Undetectable here, yet a plausible size moves Δd by more than U: %1; and %2 more.")
-      .arg(unseenText(effects), QString::number(more));
+      .arg(undetectableText(effects), QString::number(more));
 }
 
 QString plausibleText(const std::string& id) {

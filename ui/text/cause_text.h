@@ -34,9 +34,9 @@ QString diagnosisText(const Diagnosis& diagnosis);
 QString gapSentence(const Gap& gap);
 
 /// "plane tilt ± 0.12 mm; gravity sag ± 0.05 mm": the change of Δd by a plausible size of each.
-QString unseenText(const std::vector<UnseenEffect>& effects);
+QString undetectableText(const std::vector<UndetectableEffect>& effects);
 /// The worst three undetectable effects that may move Δd by more than U; empty if there are none.
-QString unseenBeyondUText(const Gap& gap);
+QString undetectableBeyondUText(const Gap& gap);
 
 /// The model at this stage of the gap: "as modelled", "in the model: gravity sag", "+ collimation".
 QString stageText(const Gap& gap, const GapStage& stage);

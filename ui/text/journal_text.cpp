@@ -9,8 +9,8 @@
 #include "core/wording/journal.h"
 #include "ui/document/field.h"
 #include "ui/document/reading_column.h"
+#include "ui/text/accessible_place.h"
 #include "ui/text/entry_text.h"
-#include "ui/text/spoken_place.h"
 #include "ui/text/visible_text.h"
 
 namespace alidade::ui {
@@ -39,7 +39,7 @@ QString journalPlace(const JournalEntry& entry) {
   if (!match.hasMatch()) return fieldNoun(qText(entry.place), false);
   QStringList parts{visibleLine(entry.axis) + u'°'};
   const bool isOfRow = !match.captured(2).isEmpty();
-  if (isOfRow) parts.append(spokenRow(match.captured(2).toULongLong(), entry.point));
+  if (isOfRow) parts.append(accessibleRow(match.captured(2).toULongLong(), entry.point));
   if (const QString noun = fieldNoun(match.captured(3), isOfRow); !noun.isEmpty()) parts.append(noun);
   return parts.join(QStringLiteral(", "));
 }

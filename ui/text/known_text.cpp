@@ -52,11 +52,11 @@ QString knownText(const KnownSize& size) {
   return size.from.empty() ? what : what + QStringLiteral(", ") + qText(size.from);
 }
 
-QString spokenKnown(const Session& session, const KnownPlace& place) {
+QString accessibleKnown(const Session& session, const KnownPlace& place) {
   const KnownSize* size = knownSize(session, place.ref);
   if (!size) return {};
-  const QString spoken = Known::tr("known size of %1").arg(entryName(*size));
-  return place.member.empty() ? spoken : spoken + QStringLiteral(", ") + memberName(place.member);
+  const QString accessible = Known::tr("known size of %1").arg(entryName(*size));
+  return place.member.empty() ? accessible : accessible + QStringLiteral(", ") + memberName(place.member);
 }
 
 }  // namespace alidade::ui

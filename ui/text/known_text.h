@@ -18,6 +18,6 @@ QString knownName(const Session& session, const KnownRow& row);
 QString knownText(const KnownSize& size);
 
 /// "known size of collimation, u"; empty if the session has no such entry.
-QString spokenKnown(const Session& session, const KnownPlace& place);
+QString accessibleKnown(const Session& session, const KnownPlace& place);
 
 }  // namespace alidade::ui

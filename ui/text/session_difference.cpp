@@ -6,9 +6,9 @@
 #include "core/session/row_fields.h"
 #include "core/session/session_file.h"
 #include "ui/document/field.h"
+#include "ui/text/accessible_place.h"
 #include "ui/text/entry_text.h"
 #include "ui/text/known_text.h"
-#include "ui/text/spoken_place.h"
 
 namespace alidade::ui {
 
@@ -111,7 +111,7 @@ class Comparison {
   }
 
   void add(const Session& session, const Place& place, const QString& mine, const QString& theirs) {
-    if (m_found.count < SessionDifference::most) return add({spokenPlace(session, place), mine, theirs});
+    if (m_found.count < SessionDifference::most) return add({accessiblePlace(session, place), mine, theirs});
     ++m_found.count;
   }
 

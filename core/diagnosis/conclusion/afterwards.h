@@ -33,7 +33,7 @@ std::vector<Explanation> withRivals(const Answer& answer, const Explanation& exp
 const Explanation* explanationOf(const Inquiry& inquiry, const Answer& answer);
 
 /// An explanation may be averaged over: the readings speak for each of its parts (what only might be there
-/// besides is unseen, and told apart), and under larger noise it is not what that noise stands for.
+/// besides is undetectable, and told apart), and under larger noise it is not what that noise stands for.
 bool isOfAccount(const Explanation& explanation, const Answer& answer);
 
 }  // namespace alidade

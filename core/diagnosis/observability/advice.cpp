@@ -238,10 +238,10 @@ void keepUsefulCombinations(std::vector<Advice>& list) {
   });
 }
 
-std::optional<Advice> revealing(const std::vector<Detectability>& unseen, std::vector<Measure> measures,
+std::optional<Advice> revealing(const std::vector<Detectability>& undetectable, std::vector<Measure> measures,
                                 const VisibleTerms& terms) {
-  Advice advice{.measures = std::move(measures), .ofUnseen = true};
-  for (const Detectability& detectability : unseen) {
+  Advice advice{.measures = std::move(measures), .ofUndetectable = true};
+  for (const Detectability& detectability : undetectable) {
     const Effect* effect = effectById(detectability.effect);
     if (!effect) continue;
     const double visible = lengthOf(terms, combinationOf(*effect) * detectability.weights);
@@ -268,14 +268,14 @@ std::optional<Advice> tellingFromJump(const Inquiry& inquiry, const std::vector<
 }
 
 /// What shows a jump that no reading shows, such as one between the zero and the first place.
-std::optional<Advice> revealingJump(const Inquiry& inquiry, const std::vector<Detectability>& unseen) {
-  const auto jump = std::ranges::find(unseen, jumpId, &Detectability::effect);
-  if (jump == unseen.end()) return std::nullopt;
+std::optional<Advice> revealingJump(const Inquiry& inquiry, const std::vector<Detectability>& undetectable) {
+  const auto jump = std::ranges::find(undetectable, jumpId, &Detectability::effect);
+  if (jump == undetectable.end()) return std::nullopt;
   const Eigen::Vector2d sigmas = sigmasOfTwoSightings(*inquiry.base.measurement);
   return Advice{.measures = {Measure::ZeroSightedAgain},
                 .separates = {jumpId},
                 .bySigma = (plausibleJump * jump->weights).cwiseQuotient(sigmas).norm(),
-                .ofUnseen = true};
+                .ofUndetectable = true};
 }
 
 /// Those of the catalogue, by their id in the list.
@@ -315,14 +315,15 @@ std::vector<Advice> separating(const Inquiry& inquiry, const std::vector<Possibl
   return list;
 }
 
-/// Of readings that show the unseen: the most telling first.
-std::vector<Advice> revealing(const Inquiry& inquiry, const std::vector<Detectability>& unseen) {
-  const std::vector<const Effect*> effects = effectsIn(unseen, &Detectability::effect);
+/// Of readings that show the undetectable: the most telling first.
+std::vector<Advice> revealing(const Inquiry& inquiry, const std::vector<Detectability>& undetectable) {
+  const std::vector<const Effect*> effects = effectsIn(undetectable, &Detectability::effect);
   std::vector<Advice> list;
   if (effects.empty()) return list;
   FurtherTerms further(inquiry.base, inquiry.leftover.equations(), effects);
   eachFurtherReadings(inquiry.base, [&](const FurtherReadings& plan) {
-    if (const auto advice = revealing(unseen, plan.measures, further.shownBy(plan))) list.push_back(*advice);
+    if (const auto advice = revealing(undetectable, plan.measures, further.shownBy(plan)))
+      list.push_back(*advice);
   });
   std::ranges::sort(list, [](const Advice& a, const Advice& b) {
     return std::pair(a.separates.size(), a.bySigma) > std::pair(b.separates.size(), b.bySigma);
@@ -333,16 +334,17 @@ std::vector<Advice> revealing(const Inquiry& inquiry, const std::vector<Detectab
 }  // namespace
 
 std::vector<Advice> adviceFor(const Inquiry& inquiry, const std::vector<PossibleCause>& suspects,
-                              const std::vector<Cause>& causes, const std::vector<Detectability>& unseen) {
+                              const std::vector<Cause>& causes,
+                              const std::vector<Detectability>& undetectable) {
   constexpr std::size_t most = 16;  // every set of them is looked at
   const bool isUnclear = suspects.size() > 1 && suspects.size() <= most;
-  std::vector<Advice> list = isUnclear ? separating(inquiry, suspects) : revealing(inquiry, unseen);
+  std::vector<Advice> list = isUnclear ? separating(inquiry, suspects) : revealing(inquiry, undetectable);
   const auto isZero = [](const Advice& advice) {
     return advice.measures == std::vector{Measure::ZeroSightedAgain};
   };
   if (const std::optional<Advice> zero = tellingFromJump(inquiry, causes)) {
     list.insert(list.begin(), *zero);
-  } else if (const std::optional<Advice> jump = revealingJump(inquiry, unseen);
+  } else if (const std::optional<Advice> jump = revealingJump(inquiry, undetectable);
              jump && std::ranges::none_of(list, isZero)) {
     list.insert(isUnclear ? list.end() : list.begin(), *jump);
   }

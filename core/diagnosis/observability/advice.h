@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "core/diagnosis/observability/unseen.h"
+#include "core/diagnosis/observability/undetectable.h"
 #include "core/diagnosis/result/diagnosis.h"
 #include "core/diagnosis/search/inquiry.h"
 
@@ -28,6 +28,7 @@ struct PossibleCause {
 /// measure that most probably leaves one answer comes first, of those alike the one that costs the least;
 /// several together are offered where no single one leaves one answer.
 std::vector<Advice> adviceFor(const Inquiry& inquiry, const std::vector<PossibleCause>& suspects,
-                              const std::vector<Cause>& causes, const std::vector<Detectability>& unseen);
+                              const std::vector<Cause>& causes,
+                              const std::vector<Detectability>& undetectable);
 
 }  // namespace alidade

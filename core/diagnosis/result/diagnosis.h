@@ -165,7 +165,7 @@ struct ClosureStep {
 };
 
 /// An effect that these readings would not show.
-struct UnseenEffect {
+struct UndetectableEffect {
   std::string effect;
   double influence = 0;     ///< on Δd of its plausible size, mm, ≥ 0
   double visibleSigma = 0;  ///< what it would leave in the readings, σ
@@ -208,7 +208,7 @@ struct Advice {
   double bySigma = 0;                       ///< difference of the least different two of them, σ
   /// Probability that one answer is left of all that these readings cannot tell apart.
   double oneLeft = 0;
-  bool ofUnseen = false;  ///< `separates`: what would show that does not yet, by `bySigma` or more
+  bool ofUndetectable = false;  ///< `separates`: what would show that does not yet, by `bySigma` or more
 };
 
 /// The session has to be read anew for one of them; else what is read comes beside it.
@@ -256,7 +256,7 @@ struct Diagnosis {
   std::optional<MeasuredIntersection> measured;
   std::vector<ClosureStep> closures;
   Unexplained unexplained;
-  std::vector<UnseenEffect> unseen;                 ///< the most dangerous first
+  std::vector<UndetectableEffect> undetectable;     ///< the most dangerous first
   std::vector<UndetectableJump> undetectableJumps;  ///< in the order of the positions
   /// With a reference that has a σ: of the effects that these readings do not exclude at that size, the most
   /// plausible first.

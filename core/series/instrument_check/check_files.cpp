@@ -87,7 +87,7 @@ AngleUnit unitByFaces(const Recording& plain) {
   return isClear ? closures[0].second : AngleUnit::Unstated;
 }
 
-std::string spokenUnit(AngleUnit unit) {
+std::string accessibleUnit(AngleUnit unit) {
   if (unit == AngleUnit::Gon) return Phrase::of("gon");
   return unit == AngleUnit::Degrees ? Phrase::of("decimal degrees") : Phrase::of("degrees.minutes seconds");
 }
@@ -179,7 +179,7 @@ class CheckFiles {
     remark(
         Phrase::of("plain numbers are taken for %1, as the vertical readings of both faces then add up to "
                    "a full turn",
-                   spokenUnit(layout.unit)));
+                   accessibleUnit(layout.unit)));
     return readTable(text, layout);
   }
 
@@ -218,7 +218,7 @@ class CheckFiles {
         return Problem{Phrase::of(
             "vertical readings of a circle of the kind %1 and of the kind %2 cannot be checked together: "
             "check them one after the other",
-            spokenKey(kind), spokenKey(recording.verticalCircle))};
+            plainKey(kind), plainKey(recording.verticalCircle))};
       kind = recording.verticalCircle;
     }
     if (kind.empty() && areElevations(recordings)) {

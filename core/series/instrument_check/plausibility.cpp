@@ -17,7 +17,7 @@ namespace alidade {
 namespace {
 
 /// 12″, 3.4′, 2.1°: an angle in the usual unit for its size.
-std::string spokenAngle(double arcseconds) {
+std::string accessibleAngle(double arcseconds) {
   constexpr double perMinute = 60, perDegree = 3600;
   const double size = std::abs(arcseconds);
   if (size >= perDegree) return displayText(size / perDegree, 1) + "°";
@@ -94,7 +94,7 @@ class StationPlausibility {
       return Phrase::of(
           "%1: target %2 is %3 from its place in %4: name the stations where the instrument was moved, give "
           "each target a name of its own, or correct the reading",
-          linesOf(two), targetName(two), spokenAngle(difference->by.arcseconds()), linesOf(one));
+          linesOf(two), targetName(two), accessibleAngle(difference->by.arcseconds()), linesOf(one));
     }
     return std::nullopt;
   }
@@ -159,13 +159,13 @@ class StationPlausibility {
     return Phrase::of(
         "%1: the %2 of target %3 departs by %4 from its median over the rounds: a reading is wrong, or the "
         "circle or the tripod moved within the round; correct these lines or leave the round out",
-        linesOf(worst), Phrase::of(name), targetName(worst), spokenAngle(most));
+        linesOf(worst), Phrase::of(name), targetName(worst), accessibleAngle(most));
   }
 
   std::optional<std::string> figures() const {
     const auto beyond = [this](double value, double most, const char* name) -> std::optional<std::string> {
       if (!(std::abs(value) > most)) return std::nullopt;
-      return figureProblem(name, spokenAngle(value));
+      return figureProblem(name, accessibleAngle(value));
     };
     if (auto s = beyond(m_check.direction.s(), m_bounds.scatter, PHRASE_LATER("Phrase", "s of a direction")))
       return s;

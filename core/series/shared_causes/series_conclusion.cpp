@@ -111,7 +111,7 @@ class Conclusion {
                                 m_sums,     m_blocks, m_search, m_sets,    m_best};
     addCandidates(diagnosis, settled);
     addWhere(diagnosis, settled);
-    addUnseen(diagnosis, settled);
+    addUndetectable(diagnosis, settled);
     addAdvice(diagnosis, settled);
     conclusion.known = known();
     return conclusion;

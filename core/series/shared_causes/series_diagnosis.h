@@ -106,7 +106,7 @@ struct SeriesDiagnosis {
   std::vector<Candidate> candidates;  ///< as shared by all sessions of an owner, with the best owner for
                                       ///< each
   std::vector<GapShare> where;        ///< by frame, session, instrument and guideway
-  std::vector<UnseenEffect> unseen;
+  std::vector<UndetectableEffect> undetectable;
   std::vector<SeriesAdvice> advice;
   std::vector<SeriesMember> sessions;                      ///< in order of measurement
   std::size_t withoutInstrument = 0, withoutGuideway = 0;  ///< sessions without a serial

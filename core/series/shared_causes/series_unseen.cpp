@@ -6,7 +6,7 @@
 
 namespace alidade {
 
-void addUnseen(SeriesDiagnosis& diagnosis, const SettledSeries& series) {
+void addUndetectable(SeriesDiagnosis& diagnosis, const SettledSeries& series) {
   constexpr double negligible = 1e-3;  // mm
   for (const EffectColumns& columns : effectColumns()) {
     if (columns.effect->response == Response::AllOrNothing) continue;
@@ -29,9 +29,9 @@ void addUnseen(SeriesDiagnosis& diagnosis, const SettledSeries& series) {
       weights.tail(3) << along[0] * along[0] / 2, along[0] * along[1], along[1] * along[1] / 2;
     const double visible = std::sqrt(std::max(weights.dot(normal * weights), 0.0));
     if (visible < clearlyToldApart())
-      diagnosis.unseen.push_back({std::string(columns.effect->id), moves, visible});
+      diagnosis.undetectable.push_back({std::string(columns.effect->id), moves, visible});
   }
-  std::ranges::sort(diagnosis.unseen, std::greater{}, &UnseenEffect::influence);
+  std::ranges::sort(diagnosis.undetectable, std::greater{}, &UndetectableEffect::influence);
 }
 
 }  // namespace alidade

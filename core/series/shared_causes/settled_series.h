@@ -34,7 +34,7 @@ void addWhere(SeriesDiagnosis& diagnosis, const SettledSeries& series);
 
 /// Effects that would move Δd, the mean of the sessions, but are undetectable in each session and in all
 /// together.
-void addUnseen(SeriesDiagnosis& diagnosis, const SettledSeries& series);
+void addUndetectable(SeriesDiagnosis& diagnosis, const SettledSeries& series);
 
 /// Which session to measure next: one that separates look-alikes of different owners, or clarifies a faint
 /// cause.

@@ -217,9 +217,9 @@ TEST(Diagnosis, TellsWhatWouldSeparateLookAlikes) {
     if (trial.protocol != "paper") continue;
     const Diagnosis diagnosis = diagnosed(trial.measurement);
     ASSERT_FALSE(diagnosis.advice.empty());
-    EXPECT_FALSE(diagnosis.advice.front().ofUnseen);
+    EXPECT_FALSE(diagnosis.advice.front().ofUndetectable);
     for (const Advice& advice : diagnosis.advice) {
-      if (advice.ofUnseen) continue;
+      if (advice.ofUndetectable) continue;
       EXPECT_GE(advice.separates.size(), 2u);
       EXPECT_GT(advice.bySigma, 4);  // what counts as told apart
     }
@@ -230,12 +230,13 @@ TEST(Diagnosis, TellsWhatWouldSeparateLookAlikes) {
 // plausible one, 60″ in whatever direction, is seen in two sightings of the zero, 2″ each.
 TEST(Diagnosis, AdvisesToSightTheZeroAgainWhereAKnockGoesUnseen) {
   const Diagnosis diagnosis = diagnosed(test::trialMeasurement("full"));
-  ASSERT_THAT(diagnosis.unseen, testing::Contains(testing::Field(&UnseenEffect::effect, "orientation_jump")));
+  ASSERT_THAT(diagnosis.undetectable,
+              testing::Contains(testing::Field(&UndetectableEffect::effect, "orientation_jump")));
   ASSERT_FALSE(diagnosis.advice.empty());
   const Advice& first = diagnosis.advice.front();
   EXPECT_EQ(first.measures.front(), Measure::ZeroSightedAgain);
   EXPECT_THAT(first.separates, testing::ElementsAre("orientation_jump"));
-  EXPECT_TRUE(first.ofUnseen);
+  EXPECT_TRUE(first.ofUndetectable);
   EXPECT_NEAR(first.bySigma, 60 / (2 * std::numbers::sqrt2), 1e-9);
 }
 
@@ -246,9 +247,9 @@ TEST(Diagnosis, AdvisesOfWhatIsUnseenWhereNothingIsFound) {
   EXPECT_THAT(diagnosis.advice,
               testing::Contains(testing::Field(&Advice::measures, std::vector{Measure::BothFaces})));
   for (const Advice& advice : diagnosis.advice) {
-    EXPECT_TRUE(advice.ofUnseen) << static_cast<int>(advice.measures.front());
+    EXPECT_TRUE(advice.ofUndetectable) << static_cast<int>(advice.measures.front());
     for (const std::string& id : advice.separates)
-      EXPECT_THAT(diagnosis.unseen, testing::Contains(testing::Field(&UnseenEffect::effect, id)))
+      EXPECT_THAT(diagnosis.undetectable, testing::Contains(testing::Field(&UndetectableEffect::effect, id)))
           << static_cast<int>(advice.measures.front());
   }
 }

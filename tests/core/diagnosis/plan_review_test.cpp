@@ -69,8 +69,8 @@ TEST(PlanReview, SeesWhatAnEffectDoes) {
 TEST(PlanReview, FindsWhatMovesTheIntersectionUnseen) {
   const PlanReview paper = reviewOf("paper"), full = reviewOf("full");
   for (const char* id : {"vertical_drift", "horizontal_circle_eccentricity"}) {
-    EXPECT_TRUE(of(paper, id).unseen) << id;
-    EXPECT_FALSE(of(full, id).unseen) << id;
+    EXPECT_TRUE(of(paper, id).undetectable) << id;
+    EXPECT_FALSE(of(full, id).undetectable) << id;
   }
   EXPECT_GT(paper.intersection->sigma, full.intersection->sigma);
   EXPECT_GT(full.readings, paper.readings);
@@ -86,14 +86,14 @@ TEST(PlanReview, AgreesWithTheDiagnosisOnWhatIsUnseen) {
     const Diagnosis diagnosis = *diagnose(measurement);
     std::vector<std::string> planned, diagnosed;
     for (const PlannedEffect& effect : review.effects)
-      if (effect.unseen) planned.push_back(effect.effect);
-    for (const UnseenEffect& unseen : diagnosis.unseen) {
-      if (unseen.effect == "orientation_jump") continue;  // not of the catalogue
-      diagnosed.push_back(unseen.effect);
-      const PlannedEffect& effect = of(review, unseen.effect);
-      EXPECT_NEAR(unseen.visibleSigma, effect.visibleThere, 0.01 * effect.visibleThere + 1e-3);
-      EXPECT_NEAR(unseen.influence, effect.influence, 0.01 * effect.influence);
-      EXPECT_GT(unseen.influence, 0.001) << "mm: less is not worth a word";
+      if (effect.undetectable) planned.push_back(effect.effect);
+    for (const UndetectableEffect& undetectable : diagnosis.undetectable) {
+      if (undetectable.effect == "orientation_jump") continue;  // not of the catalogue
+      diagnosed.push_back(undetectable.effect);
+      const PlannedEffect& effect = of(review, undetectable.effect);
+      EXPECT_NEAR(undetectable.visibleSigma, effect.visibleThere, 0.01 * effect.visibleThere + 1e-3);
+      EXPECT_NEAR(undetectable.influence, effect.influence, 0.01 * effect.influence);
+      EXPECT_GT(undetectable.influence, 0.001) << "mm: less is not worth a word";
     }
     EXPECT_THAT(diagnosed, testing::UnorderedElementsAreArray(planned));
   }

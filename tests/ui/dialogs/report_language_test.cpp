@@ -94,12 +94,12 @@ TEST_F(ReportLanguageTest, IsNotThatOfTheWindowMeanwhile) {
   ReportOptions options;
   options.language = QStringLiteral("zh_CN");
   options.goesOn = [&](double) {
-    heard.insert(spokenLanguage());
+    heard.insert(shownLanguage());
     return true;
   };
   ASSERT_TRUE(writeAcceptanceReport(evaluate(document.session()), {}, dialogs.reportPath, options));
   EXPECT_EQ(heard, QSet<QString>{QStringLiteral("en")});
-  EXPECT_EQ(spokenLanguage(), QStringLiteral("en"));
+  EXPECT_EQ(shownLanguage(), QStringLiteral("en"));
 }
 
 }  // namespace

@@ -19,7 +19,7 @@ namespace {
 
 /// The page in the current language.
 QString pageText(const QString& id) {
-  QFile page(QStringLiteral(":/help/%1/%2.html").arg(spokenLanguage(), id));
+  QFile page(QStringLiteral(":/help/%1/%2.html").arg(shownLanguage(), id));
   return page.open(QIODevice::ReadOnly) ? QString::fromUtf8(page.readAll()) : QString();
 }
 

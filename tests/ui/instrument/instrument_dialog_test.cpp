@@ -182,8 +182,8 @@ TEST(InstrumentDialog, OpensFromTheMenuAndNamesEveryControl) {
       QCoreApplication::processEvents();
       for (QWidget* widget : dialog->findChildren<QWidget*>()) {
         if (!widget->isVisible() || !(widget->focusPolicy() & Qt::TabFocus) || widget->focusProxy()) continue;
-        QAccessibleInterface* spoken = QAccessible::queryAccessibleInterface(widget);
-        EXPECT_TRUE(spoken && !spoken->text(QAccessible::Name).isEmpty())
+        QAccessibleInterface* accessible = QAccessible::queryAccessibleInterface(widget);
+        EXPECT_TRUE(accessible && !accessible->text(QAccessible::Name).isEmpty())
             << widget->metaObject()->className() << " " << widget->objectName().toStdString();
       }
     }

@@ -35,7 +35,7 @@ TEST(Languages, AreRememberedUntilNoneIsChosen) {
 
 TEST(Languages, AreSpokenByWindowAndCoreAlike) {
   const Speaking speaking(QStringLiteral("zh_CN"));
-  EXPECT_EQ(spokenLanguage(), QStringLiteral("zh_CN"));
+  EXPECT_EQ(shownLanguage(), QStringLiteral("zh_CN"));
   EXPECT_EQ(undoText(), QStringLiteral("撤销(&U)"));
   EXPECT_NE(Phrase::of("readings"), "readings");
 }
@@ -48,9 +48,9 @@ TEST(Languages, OfAScopeAreThoseOfItsThreadAlone) {
     const LanguageScope inner(QStringLiteral("en"));
     EXPECT_EQ(undoText(), QStringLiteral("&Undo"));
     const LanguageScope unknown(QStringLiteral("tlh"));
-    EXPECT_EQ(spokenLanguage(), QStringLiteral("en"));
+    EXPECT_EQ(shownLanguage(), QStringLiteral("en"));
   }
-  EXPECT_EQ(spokenLanguage(), QStringLiteral("zh_CN"));
+  EXPECT_EQ(shownLanguage(), QStringLiteral("zh_CN"));
   QString elsewhere;
   std::thread([&] { elsewhere = undoText(); }).join();
   EXPECT_EQ(elsewhere, QStringLiteral("&Undo"));

@@ -138,10 +138,10 @@ TEST(AcceptanceReport, StatesTheSigmaOfR0WhereItIsStated) {
 TEST(AcceptanceReport, TellsWhatTheReadingsWouldNotShow) {
   const Session onePlan = *simulate(*protocolByName("paper"), drawTruth(1), 1);
   const Diagnosis diagnosis = *diagnose(*examine(onePlan).measurement);
-  ASSERT_FALSE(diagnosis.unseen.empty());
+  ASSERT_FALSE(diagnosis.undetectable.empty());
   const Printed report(onePlan);
   EXPECT_TRUE(report.contains("What these readings would not show"));
-  const UnseenEffect& worst = diagnosis.unseen.front();
+  const UndetectableEffect& worst = diagnosis.undetectable.front();
   const QString figure = numberText(worst.influence, decimalsFor(worst.influence));
   const QString text = report.text().simplified();
   EXPECT_TRUE(text.contains(causeName(worst.effect) + QStringLiteral(" ± ") + figure)) << text.toStdString();
@@ -167,10 +167,10 @@ TEST(AcceptanceReport, PutsBothAccountsAndWhatIsUnseenBesideTheVerdict) {
 
   const Session sound = *simulate(*protocolByName("paper"), drawTruth(1), 1);
   const Diagnosis diagnosis = *diagnose(*examine(sound).measurement);
-  ASSERT_GT(diagnosis.unseen.front().influence, diagnosis.measured->estimate.expanded);
+  ASSERT_GT(diagnosis.undetectable.front().influence, diagnosis.measured->estimate.expanded);
   const QString front = Printed(sound).page(0).simplified();
-  EXPECT_TRUE(
-      front.contains(QStringLiteral("moves Δd by more than U: ") + causeName(diagnosis.unseen[0].effect)))
+  EXPECT_TRUE(front.contains(QStringLiteral("moves Δd by more than U: ") +
+                             causeName(diagnosis.undetectable[0].effect)))
       << front.toStdString();
   EXPECT_FALSE(front.contains(QStringLiteral("nothing in the data speaks against")));
 }
@@ -251,11 +251,11 @@ TEST(AcceptanceReport, TellsAsUnseenOnlyWhatIsBeyondUAsMeasured) {
   ASSERT_TRUE(gap.measured());
   const double measured = gap.measured()->estimate.expanded;
   ASSERT_GT(measured, gap.diagnosis->before->expanded);
-  const auto isBetween = [&](const UnseenEffect& effect) {
+  const auto isBetween = [&](const UndetectableEffect& effect) {
     return effect.influence > gap.diagnosis->before->expanded && effect.influence <= measured;
   };
-  ASSERT_TRUE(std::ranges::any_of(gap.diagnosis->unseen, isBetween));
-  EXPECT_TRUE(gap.unseenBeyondU().empty());
+  ASSERT_TRUE(std::ranges::any_of(gap.diagnosis->undetectable, isBetween));
+  EXPECT_TRUE(gap.undetectableBeyondU().empty());
   EXPECT_FALSE(Printed(paperSession()).page(0).contains(QStringLiteral("more than U")));
 }
 

@@ -16,8 +16,8 @@ BarRows::BarRows(const QString& accessibleName, const QString& fileName, QWidget
   setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
 }
 
-void BarRows::changeTo(const QString& spoken) {
-  setAccessibleDescription(spoken);
+void BarRows::changeTo(const QString& accessible) {
+  setAccessibleDescription(accessible);
   updateGeometry();
   update();
 }

@@ -28,8 +28,8 @@ class BarRows : public QWidget, public ChartSource {
   void contextMenuEvent(QContextMenuEvent* event) override;
   void keyPressEvent(QKeyEvent* event) override;
   int rowHeight() const { return fontMetrics().height() + 9; }
-  /// Sets new rows; `spoken` is their text for screen readers.
-  void changeTo(const QString& spoken);
+  /// Sets new rows; `accessible` is their text for screen readers.
+  void changeTo(const QString& accessible);
 
   virtual int pictureHeight() const = 0;
   /// The tool tip at `point`; empty: none.

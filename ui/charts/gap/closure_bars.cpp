@@ -72,22 +72,22 @@ void ClosureBars::setGap(const Gap& gap) {
                  .inU = closure.value / expandedOf(closure, m_coverage),
                  .closure = closure};
   };
-  const auto spokenOf = [](const Value& value) {
+  const auto accessibleOf = [](const Value& value) {
     return value.figures + QStringLiteral(", ") + value.sigmas;
   };
-  QStringList spoken;
+  QStringList accessible;
   for (const ClosureStep& step : gap.diagnosis->closures) {
     Row row{
         .name = qText(nameInWords(step.before)), .about = {}, .before = valueOf(step.before), .after = {}};
-    row.about = row.name + QStringLiteral(" = ") + spokenOf(row.before);
+    row.about = row.name + QStringLiteral(" = ") + accessibleOf(row.before);
     if (step.after && !gap.diagnosis->causes.empty()) {
       row.after = valueOf(*step.after);
-      row.about += tr("; with the causes %1").arg(spokenOf(*row.after));
+      row.about += tr("; with the causes %1").arg(accessibleOf(*row.after));
     }
-    spoken.append(row.about);
+    accessible.append(row.about);
     m_rows.push_back(row);
   }
-  changeTo(spoken.join(QStringLiteral(". ")));
+  changeTo(accessible.join(QStringLiteral(". ")));
 }
 
 int ClosureBars::top(std::size_t row) const {

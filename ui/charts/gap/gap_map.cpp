@@ -98,15 +98,15 @@ void GapMap::setShares(const std::vector<GapShare>& shares) {
     m_bars.back().parts.push_back({partName(share), share.share});
   }
   std::erase_if(m_bars, [](const Bar& bar) { return bar.parts.size() < 2; });
-  QStringList spoken;
+  QStringList accessible;
   for (Bar& bar : m_bars) {
     std::stable_sort(bar.parts.begin(), bar.parts.end(),
                      [](const Part& a, const Part& b) { return numberIn(a.name) < numberIn(b.name); });
     QStringList parts;
     for (const Part& part : bar.parts) parts.append(part.name + u' ' + percentText(part.share));
-    spoken.append(bar.by + QStringLiteral(": ") + parts.join(QStringLiteral(", ")));
+    accessible.append(bar.by + QStringLiteral(": ") + parts.join(QStringLiteral(", ")));
   }
-  changeTo(spoken.join(QStringLiteral("; ")));
+  changeTo(accessible.join(QStringLiteral("; ")));
 }
 
 int GapMap::pictureHeight() const {

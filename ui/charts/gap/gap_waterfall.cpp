@@ -50,7 +50,7 @@ void GapWaterfall::setGap(const Gap& gap) {
   m_bars.clear();
   m_noise = gap.noiseRms;
   double before = gap.stages.empty() ? 0 : gap.stages.front().rms;
-  QStringList spoken;
+  QStringList accessible;
   for (const GapStage& stage : gap.stages) {
     Bar bar{.label = stageText(gap, stage),
             .rms = numberText(stage.rms, stage.rms < 100 ? 2 : 0),
@@ -62,11 +62,11 @@ void GapWaterfall::setGap(const Gap& gap) {
             .isModelled = stage.kind != GapStage::Kind::Proposed};
     bar.about = tr("%1: rms %2″, χ²/f %3, Δd = %4 mm")
                     .arg(bar.label, bar.rms, bar.chiSquare, estimateText(stage.intersection));
-    spoken.append(bar.about);
+    accessible.append(bar.about);
     m_bars.push_back(bar);
     before = stage.rms;
   }
-  changeTo(spoken.join(QStringLiteral("; ")));
+  changeTo(accessible.join(QStringLiteral("; ")));
 }
 
 int GapWaterfall::pictureHeight() const {

@@ -11,11 +11,11 @@
 #include "core/wording/diagnosis_sentence.h"
 #include "core/wording/verdict.h"
 #include "ui/settings/theme.h"
+#include "ui/text/accessible_place.h"
 #include "ui/text/cause_text.h"
 #include "ui/text/effect_text.h"
 #include "ui/text/entry_text.h"
 #include "ui/text/quantity_text.h"
-#include "ui/text/spoken_place.h"
 
 namespace alidade::ui {
 
@@ -46,7 +46,8 @@ QString jumpText(const Session& session, const Jump& jump) {
         "It happened between a pointing zero and the first place after it, or that zero was misread; in "
         "which of the positions these readings do not tell. No model of a session holds a jump, so there is "
         "none to add: sight both zeros again and read the positions anew.");
-  const QString row = spokenPlace(session, {.position = jump.place.position, .reading = jump.place.reading});
+  const QString row =
+      accessiblePlace(session, {.position = jump.place.position, .reading = jump.place.reading});
   QString text = CauseList::tr(
                      "It happened before %1. No model of a session holds a jump, so there is none to add: "
                      "look after the "

@@ -77,15 +77,15 @@ GapPanel::GapPanel(QWidget* parent)
       m_required(new FigureGrid(nullptr, FigureGrid::Captions::Wrapped)),
       m_requiredNote(wrappedLabel()),
       m_next(wrappedLabel()),
-      m_unseen(new FigureGrid(nullptr, FigureGrid::Captions::Wrapped)),
-      m_unseenNote(wrappedLabel()) {
+      m_undetectable(new FigureGrid(nullptr, FigureGrid::Captions::Wrapped)),
+      m_undetectableNote(wrappedLabel()) {
   setFocusPolicy(Qt::StrongFocus);
   column()->addLayout(m_grid);
   column()->addStretch();
   m_grid->setHorizontalSpacing(22);
   m_grid->setVerticalSpacing(6);
   m_shrinkage->setForegroundRole(QPalette::PlaceholderText);
-  m_unseenNote->setForegroundRole(QPalette::PlaceholderText);
+  m_undetectableNote->setForegroundRole(QPalette::PlaceholderText);
   m_requiredNote->setForegroundRole(QPalette::PlaceholderText);
   m_withReferenceNote->setForegroundRole(QPalette::PlaceholderText);
   m_withReferenceNote->setText(tr("Δd itself never rests on it."));
@@ -106,7 +106,7 @@ GapPanel::GapPanel(QWidget* parent)
                      m_closuresNote, m_withReference, m_withReferenceNote}),
               m_requiredBlock,
               block(tr("What to measure next"), {m_next}),
-              block(tr("What would go unseen"), {m_unseen, m_unseenNote}),
+              block(tr("What would go unseen"), {m_undetectable, m_undetectableNote}),
               createCandidates()};
   connect(m_causes, &CauseList::effectsWanted, this, &GapPanel::effectsWanted);
   connect(m_causes, &CauseList::effectUnwanted, this, &GapPanel::effectUnwanted);
@@ -193,7 +193,7 @@ void GapPanel::setGap(const SharedGap& gap) {
   showReference();
   showRequired();
   showNext();
-  showUnseen();
+  showUndetectable();
 }
 
 void GapPanel::setStale() {
@@ -279,8 +279,8 @@ void GapPanel::showNext() {
     const QString figure = numberText(advice.bySigma, 1);
     const QString what = causeNames(advice.separates, tr(" and ")).toHtmlEscaped();
     QString line = QStringLiteral("• <b>%1</b>: ").arg(qText(howTo(advice.measures)).toHtmlEscaped());
-    line += advice.ofUnseen ? tr("would show %1 by %2 σ or more").arg(what, figure)
-                            : tr("separates every two of %1 by %2 σ or more").arg(what, figure);
+    line += advice.ofUndetectable ? tr("would show %1 by %2 σ or more").arg(what, figure)
+                                  : tr("separates every two of %1 by %2 σ or more").arg(what, figure);
     if (advice.oneLeft > 0)
       line += tr("; one answer is left with a probability of %1")
                   .arg(qText(shortProbabilityText(advice.oneLeft)));
@@ -325,15 +325,15 @@ void GapPanel::showRequired() {
 }
 
 /// The change of Δd by a plausible size of each undetectable effect.
-void GapPanel::showUnseen() {
+void GapPanel::showUndetectable() {
   QVector<FigureGrid::Row> rows;
-  for (const UnseenEffect& effect : m_gap->noticeablyUnseen())
+  for (const UndetectableEffect& effect : m_gap->noticeablyUndetectable())
     rows.append({causeTitle(effect.effect),
                  {QStringLiteral("± ") + numberText(effect.influence, decimalsFor(effect.influence)),
                   numberText(effect.visibleSigma, 1)}});
-  m_unseen->setVisible(!rows.isEmpty());
-  m_unseen->setRows({tr("moves Δd  mm"), tr("leaves  σ")}, rows);
-  m_unseenNote->setText(
+  m_undetectable->setVisible(!rows.isEmpty());
+  m_undetectable->setRows({tr("moves Δd  mm"), tr("leaves  σ")}, rows);
+  m_undetectableNote->setText(
       rows.isEmpty() ? tr("No effect of plausible size could move Δd noticeably without leaving a trace.")
                      : tr("At their plausible size, without a clear trace in these readings."));
 }

@@ -61,7 +61,7 @@ class GapPanel : public ScrollPage {
   void showReference();
   void showRequired();
   void showNext();
-  void showUnseen();
+  void showUndetectable();
   void showCandidate();
   void addCandidate();
   /// The candidate in `row`; null if there is none.
@@ -85,8 +85,8 @@ class GapPanel : public ScrollPage {
   FigureGrid* m_required;
   QLabel* m_requiredNote;
   QLabel* m_next;
-  FigureGrid* m_unseen;
-  QLabel* m_unseenNote;
+  FigureGrid* m_undetectable;
+  QLabel* m_undetectableNote;
   QList<QWidget*> m_blocks;           ///< in reading order
   QWidget* m_requiredBlock;           ///< the block of required sizes, one of `m_blocks`
   bool m_returnsToReference = false;  ///< gives the keyboard back to the switch after the diagnosis

@@ -12,7 +12,7 @@
 
 #include "ui/commands/reading_block.h"
 #include "ui/settings/window_font.h"
-#include "ui/text/spoken_cell.h"
+#include "ui/text/accessible_cell.h"
 
 namespace alidade::ui {
 
@@ -41,7 +41,7 @@ QVariant DataModel::data(const QModelIndex& index, int role) const {
   if (!index.isValid()) return {};
   const DataColumn& column = m_columns[static_cast<std::size_t>(index.column())];
   if (role == Qt::TextAlignmentRole) return QVariant(column.alignment | Qt::AlignVCenter);
-  if (role == Qt::AccessibleTextRole) return spokenCell(column.text(index.row()), column.title);
+  if (role == Qt::AccessibleTextRole) return accessibleCell(column.text(index.row()), column.title);
   return role == Qt::DisplayRole ? column.text(index.row()) : QVariant();
 }
 

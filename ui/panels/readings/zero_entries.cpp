@@ -68,11 +68,11 @@ ZeroEntries::ZeroEntries(SessionDocument& document, std::size_t position, QWidge
   showFurther(false);
 }
 
-FieldEdit* ZeroEntries::addEntry(int row, int column, const std::string& field, const QString& spoken,
+FieldEdit* ZeroEntries::addEntry(int row, int column, const std::string& field, const QString& accessible,
                                  const QString& hint, FieldEdit::Shows shows) {
   auto* entry = new FieldEdit(m_document, {.position = m_position, .field = field}, shows);
   entry->setObjectName(QStringLiteral("%1 %2").arg(QString::fromStdString(field)).arg(m_position));
-  entry->setAccessibleName(spoken);
+  entry->setAccessibleName(accessible);
   entry->setHint(hint);
   m_layout->addWidget(entry, row, column);
   return entry;

@@ -29,7 +29,7 @@ class ZeroEntries : public QWidget {
   void furtherWanted(bool shown);
 
  private:
-  FieldEdit* addEntry(int row, int column, const std::string& field, const QString& spoken,
+  FieldEdit* addEntry(int row, int column, const std::string& field, const QString& accessible,
                       const QString& hint, FieldEdit::Shows shows = FieldEdit::Shows::Angle);
   QLabel* addCaption(int row, int column, const QString& caption, QWidget* buddy);
   void addFurther(int row, const std::string& key, const QString& caption, const QString& when);

@@ -10,10 +10,10 @@
 #include "ui/document/known_entry.h"
 #include "ui/document/reading_column.h"
 #include "ui/settings/theme.h"
+#include "ui/text/accessible_place.h"
 #include "ui/text/effect_text.h"
 #include "ui/text/entry_text.h"
 #include "ui/text/finding_text.h"
-#include "ui/text/spoken_place.h"
 #include "ui/text/visible_text.h"
 
 namespace alidade::ui {
@@ -22,7 +22,7 @@ namespace {
 
 /// "Distance L is empty: …", "0°, row 4 (point 4), vertical: “83 99 34” has …".
 QString problemText(const Session& session, const Problem& problem) {
-  const QString place = spokenPlace(session, problem.where);
+  const QString place = accessiblePlace(session, problem.where);
   const QString what = qText(problem.what);
   if (place.isEmpty()) return what;
   //: a place and what is wrong with what stands there, as a predicate and as a sentence
@@ -136,7 +136,7 @@ FindingsPanel::Entry FindingsPanel::gapEntry() const {
   const QString text =
       isOld ? tr("Before what was changed since: %1.") : tr("Model and readings disagree, see “Gap”. %1.");
   return {.icon = isOld ? QStringLiteral("none") : QStringLiteral("warning"),
-          .spoken = isOld ? tr("Before") : tr("Warning"),
+          .accessible = isOld ? tr("Before") : tr("Warning"),
           .text = text.arg(m_gapHeadline),
           .isGap = true};
 }
@@ -147,9 +147,9 @@ std::vector<FindingsPanel::Entry> FindingsPanel::entriesOf(const Evaluation& eva
   // The suspect bar shows the suspects, with the possible actions.
   for (const Finding& finding : findingsOf(evaluation)) {
     const QString icons[] = {QStringLiteral("note"), QStringLiteral("warning"), QStringLiteral("problem")};
-    const QString spoken[] = {tr("Note"), tr("Warning"), tr("Error")};
+    const QString accessible[] = {tr("Note"), tr("Warning"), tr("Error")};
     const auto severity = static_cast<std::size_t>(finding.severity);
-    entries.push_back({icons[severity], spoken[severity], qText(sentencesOf(finding)), finding.where});
+    entries.push_back({icons[severity], accessible[severity], qText(sentencesOf(finding)), finding.where});
   }
   return entries;
 }
@@ -157,14 +157,14 @@ std::vector<FindingsPanel::Entry> FindingsPanel::entriesOf(const Evaluation& eva
 /// Unusable entries, or only missing ones. Lists the first of very many; the table marks them all.
 std::vector<FindingsPanel::Entry> FindingsPanel::problemEntries(const Evaluation& evaluation, bool missing) {
   const QString icon = missing ? QStringLiteral("incomplete") : QStringLiteral("problem");
-  const QString spoken = missing ? tr("Missing") : tr("Problem");
+  const QString accessible = missing ? tr("Missing") : tr("Problem");
   std::vector<Entry> entries;
   std::size_t further = 0;
   Place next;
   for (const Problem& problem : evaluation.examined.problems) {
     if (isMissing(evaluation.session, problem.where) != missing) continue;
     if (entries.size() < mostListed)
-      entries.push_back({icon, spoken, problemText(evaluation.session, problem), problem.where});
+      entries.push_back({icon, accessible, problemText(evaluation.session, problem), problem.where});
     else if (further++ == 0)
       next = problem.where;
   }
@@ -174,7 +174,7 @@ std::vector<FindingsPanel::Entry> FindingsPanel::problemEntries(const Evaluation
                                 "these are made.")
                            : tr("%1 further entries cannot be used; those after the ones above are listed "
                                 "when these are mended.");
-  entries.push_back({icon, spoken, text.arg(further), next});
+  entries.push_back({icon, accessible, text.arg(further), next});
   return entries;
 }
 
@@ -185,7 +185,7 @@ bool FindingsPanel::saysSound() const {
 void FindingsPanel::add(const Entry& entry) {
   auto* item = new QListWidgetItem(themeIcon(entry.icon), visibleLine(entry.text), this);
   item->setToolTip(tipText(entry.text));
-  item->setData(Qt::AccessibleTextRole, QStringLiteral("%1: %2").arg(entry.spoken, entry.text));
+  item->setData(Qt::AccessibleTextRole, QStringLiteral("%1: %2").arg(entry.accessible, entry.text));
 }
 
 void FindingsPanel::keyPressEvent(QKeyEvent* event) {

@@ -38,7 +38,7 @@ class FindingsPanel : public QListWidget {
 
  private:
   struct Entry {
-    QString icon, spoken, text;
+    QString icon, accessible, text;
     Place place = {};
     bool isGap = false;
 

@@ -62,7 +62,7 @@ ResultPanel::ResultPanel(QWidget* parent)
       m_tolerance(wrappedLabel()),
       m_fitOnly(wrappedLabel()),
       m_missing(wrappedLabel()),
-      m_unseen(wrappedLabel()),
+      m_undetectable(wrappedLabel()),
       m_badgeIcon(new QLabel),
       m_badge(new QLabel),
       m_sentence(wrappedLabel()),
@@ -117,7 +117,8 @@ void ResultPanel::layOutHead() {
   badgeRow->addWidget(m_badgeIcon);
   badgeRow->addWidget(m_badge, 1);
   layout->addLayout(badgeRow);
-  for (QLabel* label : {m_sentence, m_missing, m_fitOnly, m_unseen, m_gapHint}) layout->addWidget(label);
+  for (QLabel* label : {m_sentence, m_missing, m_fitOnly, m_undetectable, m_gapHint})
+    layout->addWidget(label);
   layout->addStretch();
 }
 
@@ -139,8 +140,8 @@ void ResultPanel::setHeadline(const Headline& headline) {
 
 void ResultPanel::setGap(const Gap& gap) {
   m_head->setMinimumHeight(0);
-  m_unseen->setText(unbroken(unseenBeyondUText(gap)));
-  m_unseen->setVisible(!m_unseen->text().isEmpty());
+  m_undetectable->setText(unbroken(undetectableBeyondUText(gap)));
+  m_undetectable->setVisible(!m_undetectable->text().isEmpty());
   m_gapHeadline = gap.isOpen() ? gapHeadline(*gap.diagnosis) : QString();
   m_gapHint->setVisible(!m_gapHeadline.isEmpty());
   m_gapHint->setForegroundRole(QPalette::WindowText);
@@ -152,13 +153,13 @@ void ResultPanel::clearGap() {
   m_head->setMinimumHeight(0);
   m_gapHeadline.clear();
   m_gapHint->hide();
-  m_unseen->hide();
+  m_undetectable->hide();
 }
 
 /// The contents below stay unchanged.
 void ResultPanel::setGapStale() {
   m_head->setMinimumHeight(m_head->height());
-  m_unseen->hide();
+  m_undetectable->hide();
   if (m_gapHeadline.isEmpty()) return;
   m_gapHint->setForegroundRole(QPalette::PlaceholderText);
   m_gapHint->setText(tr("Before what was changed since: %1").arg(m_gapHeadline.toHtmlEscaped()));

@@ -58,8 +58,8 @@ class ResultPanel : public ScrollPage {
   QLabel* m_value;
   QLabel* m_tolerance;
   QLabel* m_fitOnly;
-  QLabel* m_missing;  ///< what is missing for a result
-  QLabel* m_unseen;   ///< undetectable effects that may move Δd by more than U
+  QLabel* m_missing;       ///< what is missing for a result
+  QLabel* m_undetectable;  ///< undetectable effects that may move Δd by more than U
   QLabel* m_badgeIcon;
   QLabel* m_badge;
   QLabel* m_sentence;

@@ -85,7 +85,7 @@ TEST(JumpComponents, StepThatLooksLikeAMisreadingIsNamedBesideIt) {
   ASSERT_FALSE(diagnosis.advice.empty());
   EXPECT_EQ(diagnosis.advice.front().separates,
             (std::vector<std::string>{"gross_error", "orientation_jump"}));
-  EXPECT_FALSE(diagnosis.advice.front().ofUnseen);
+  EXPECT_FALSE(diagnosis.advice.front().ofUndetectable);
 }
 
 // Where misread values are ruled out nothing else leaves what the knock leaves.

@@ -64,7 +64,7 @@ Cause misread(ReadingKind kind, double arcseconds, std::vector<std::string> like
   return cause;
 }
 
-Detectability unseen(std::string_view id, VectorXd weights) {
+Detectability undetectable(std::string_view id, VectorXd weights) {
   return {.effect = id, .weights = std::move(weights), .influence = 1, .visible = 0};
 }
 
@@ -140,7 +140,7 @@ TEST(Advice, PromisesOfEveryTwoWhatSessionsWithTheFurtherReadingsShow) {
           least = std::min(least, shownApart(protocol, one, second));
       }
     EXPECT_NEAR(advice->bySigma, least, 0.02 * least);
-    EXPECT_FALSE(advice->ofUnseen);
+    EXPECT_FALSE(advice->ofUndetectable);
     ++told;
   }
   EXPECT_GE(told, 2);
@@ -208,8 +208,8 @@ TEST(Advice, MeasuresTheDistanceInBothPositions) {
 // Of a way back that shows a plausible drift, again by a session that holds it.
 TEST(Advice, TellsWhatWouldShowTheUnseenWhereNothingIsToBeToldApart) {
   const Inquiry inquiry = paperInquiry();
-  const std::vector<Detectability> drifts{unseen("vertical_drift", VectorXd::Ones(1)),
-                                          unseen("horizontal_drift", -VectorXd::Ones(1))};
+  const std::vector<Detectability> drifts{undetectable("vertical_drift", VectorXd::Ones(1)),
+                                          undetectable("horizontal_drift", -VectorXd::Ones(1))};
   const Cause clear = causeOf("collimation", 40, {});
   for (const std::vector<Cause>& causes : {std::vector<Cause>{}, {clear}}) {
     const std::vector<Advice> list = adviceFor(inquiry, {}, causes, drifts);
@@ -228,7 +228,7 @@ TEST(Advice, TellsWhatWouldShowTheUnseenWhereNothingIsToBeToldApart) {
       ASSERT_EQ(advice != nullptr, !shown.empty());
       if (!advice) continue;
       EXPECT_EQ(advice->separates, shown);
-      EXPECT_TRUE(advice->ofUnseen);
+      EXPECT_TRUE(advice->ofUndetectable);
       EXPECT_NEAR(advice->bySigma, least, 0.02 * least);
     }
     EXPECT_TRUE(adviceTo(Measure::WayBack, list));
@@ -241,14 +241,14 @@ TEST(Advice, SightsTheZeroAgainWhereAMisreadValueMayBeAJump) {
   Measurement measurement = *model.measurement;
   measurement.sigmaVertical = Angle::fromArcseconds(5);
   const Inquiry inquiry = inquiryInto(*modelOf(measurement));
-  const std::vector<Detectability> unseenJump{unseen(jumpId, Vector2d(0.6, 0.8))};
+  const std::vector<Detectability> undetectableJump{undetectable(jumpId, Vector2d(0.6, 0.8))};
   for (const auto& [kind, sigma] : {std::pair{ReadingKind::Horizontal, 2.0}, {ReadingKind::Vertical, 5.0}}) {
-    const std::vector<Advice> list = adviceFor(inquiry, {}, {misread(kind, -60, {jumpId})}, unseenJump);
+    const std::vector<Advice> list = adviceFor(inquiry, {}, {misread(kind, -60, {jumpId})}, undetectableJump);
     ASSERT_EQ(list.size(), 1u);
     EXPECT_THAT(list[0].measures, ElementsAre(Measure::ZeroSightedAgain));
     EXPECT_THAT(list[0].separates, ElementsAre(grossErrorId, jumpId));
     EXPECT_NEAR(list[0].bySigma, 60 / sigma / std::numbers::sqrt2, 1e-9);
-    EXPECT_FALSE(list[0].ofUnseen);
+    EXPECT_FALSE(list[0].ofUndetectable);
   }
   EXPECT_TRUE(adviceFor(inquiry, {}, {misread(ReadingKind::Vertical, 60, {})}, {}).empty());
   Cause two = misread(ReadingKind::Vertical, 60, {jumpId});
@@ -261,8 +261,8 @@ TEST(Advice, SightsTheZeroAgainWhereAJumpGoesUnseen) {
   Measurement measurement = *modelBy(*protocolByName("paper"), {}).measurement;
   measurement.sigmaVertical = Angle::fromArcseconds(5);
   const Inquiry inquiry = inquiryInto(*modelOf(measurement));
-  const std::vector<Detectability> list{unseen("horizontal_drift", VectorXd::Ones(1)),
-                                        unseen(jumpId, Vector2d(0.6, -0.8))};
+  const std::vector<Detectability> list{undetectable("horizontal_drift", VectorXd::Ones(1)),
+                                        undetectable(jumpId, Vector2d(0.6, -0.8))};
   const double expected = std::hypot(36.0 / 2, 48.0 / 5) / std::numbers::sqrt2;
   const std::vector<Advice> alone = adviceFor(inquiry, {}, {}, list),
                             beside = adviceFor(
@@ -275,10 +275,10 @@ TEST(Advice, SightsTheZeroAgainWhereAJumpGoesUnseen) {
     EXPECT_THAT(zero.measures, ElementsAre(Measure::ZeroSightedAgain));
     EXPECT_THAT(zero.separates, ElementsAre(jumpId));
     EXPECT_NEAR(zero.bySigma, expected, 1e-9);
-    EXPECT_TRUE(zero.ofUnseen);
+    EXPECT_TRUE(zero.ofUndetectable);
   }
   for (const Advice& other : beside)
-    EXPECT_EQ(other.ofUnseen, other.measures.front() == Measure::ZeroSightedAgain);
+    EXPECT_EQ(other.ofUndetectable, other.measures.front() == Measure::ZeroSightedAgain);
 }
 
 TEST(Advice, IsNotGivenWhereNothingIsAsked) {

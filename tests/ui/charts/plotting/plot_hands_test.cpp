@@ -196,48 +196,48 @@ TYPED_TEST(PlotHands, APointReachedIsInSightAndActivatedByEnter) {
 }
 
 TYPED_TEST(PlotHands, TellsTheCurrentPointToScreenReaders) {
-  QAccessibleInterface* spoken = QAccessible::queryAccessibleInterface(&this->chart);
-  ASSERT_TRUE(spoken);
-  EXPECT_EQ(spoken->role(), QAccessible::Chart);
-  EXPECT_EQ(spoken->text(QAccessible::Value), QString());
-  EXPECT_FALSE(spoken->text(QAccessible::Name).isEmpty());
-  EXPECT_EQ(spoken->text(QAccessible::Description), this->plot().summary());
+  QAccessibleInterface* accessible = QAccessible::queryAccessibleInterface(&this->chart);
+  ASSERT_TRUE(accessible);
+  EXPECT_EQ(accessible->role(), QAccessible::Chart);
+  EXPECT_EQ(accessible->text(QAccessible::Value), QString());
+  EXPECT_FALSE(accessible->text(QAccessible::Name).isEmpty());
+  EXPECT_EQ(accessible->text(QAccessible::Description), this->plot().summary());
   QTest::keyClick(&this->chart, Qt::Key_Right);
-  EXPECT_EQ(spoken->text(QAccessible::Value), this->plot().describe(*this->plot().current()));
-  EXPECT_TRUE(spoken->text(QAccessible::Value).contains(QStringLiteral("point ")));
+  EXPECT_EQ(accessible->text(QAccessible::Value), this->plot().describe(*this->plot().current()));
+  EXPECT_TRUE(accessible->text(QAccessible::Value).contains(QStringLiteral("point ")));
 }
 
 TYPED_TEST(PlotHands, EveryPointHasWordsAPlaceAndARoleForScreenReaders) {
-  QAccessibleInterface* spoken = QAccessible::queryAccessibleInterface(&this->chart);
-  ASSERT_TRUE(spoken);
+  QAccessibleInterface* accessible = QAccessible::queryAccessibleInterface(&this->chart);
+  ASSERT_TRUE(accessible);
   const auto count = static_cast<int>(this->plot().markers().marks().size());
-  const int parts = spoken->childCount() - count;
+  const int parts = accessible->childCount() - count;
   ASSERT_GE(parts, 0);
   for (int i = 0; i < count; ++i) {
-    QAccessibleInterface* point = spoken->child(parts + i);
+    QAccessibleInterface* point = accessible->child(parts + i);
     ASSERT_TRUE(point && point->isValid());
-    EXPECT_EQ(point, spoken->child(parts + i)) << "one for each, not one for each call";
+    EXPECT_EQ(point, accessible->child(parts + i)) << "one for each, not one for each call";
     EXPECT_EQ(point->role(), QAccessible::ListItem);
-    EXPECT_EQ(point->parent(), spoken);
-    EXPECT_EQ(spoken->indexOfChild(point), parts + i);
+    EXPECT_EQ(point->parent(), accessible);
+    EXPECT_EQ(accessible->indexOfChild(point), parts + i);
     const QString words = point->text(QAccessible::Name);
     EXPECT_TRUE(words.contains(QStringLiteral("point ")) && !words.contains(u'\n')) << words.toStdString();
     EXPECT_FALSE(point->state().focused);
   }
-  QAccessibleInterface* first = spoken->child(parts);
+  QAccessibleInterface* first = accessible->child(parts);
   const QPoint middle = first->rect().center();
-  QAccessibleInterface* there = spoken->childAt(middle.x(), middle.y());
+  QAccessibleInterface* there = accessible->childAt(middle.x(), middle.y());
   ASSERT_TRUE(there);
   EXPECT_EQ(there->role(), QAccessible::ListItem);
   QTest::keyClick(&this->chart, Qt::Key_Right);
-  QAccessibleInterface* focused = spoken->focusChild();
+  QAccessibleInterface* focused = accessible->focusChild();
   ASSERT_TRUE(focused);
   EXPECT_TRUE(focused->state().focused);
   EXPECT_EQ(focused->text(QAccessible::Name),
             this->chart.currentPoint().replace(u'\n', QStringLiteral(", ")));
   this->chart.setEvaluation({});
   EXPECT_FALSE(first->isValid()) << "its reading is gone";
-  EXPECT_EQ(spoken->childCount(), parts);
+  EXPECT_EQ(accessible->childCount(), parts);
 }
 
 TYPED_TEST(PlotHands, TheCurrentPointStaysWithItsReading) {

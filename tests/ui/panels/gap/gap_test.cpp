@@ -476,8 +476,8 @@ TEST(Gap, HasNoTableOfWhatGoesUnseenWhereNothingDoes) {
   Gap gap = assessGap(std::make_shared<const Evaluation>(evaluateFit(paperSession())));
   ASSERT_TRUE(gap.diagnosis);
   GapPanel page;
-  const auto shown = [&](const std::vector<UnseenEffect>& unseen) {
-    gap.diagnosis->unseen = unseen;
+  const auto shown = [&](const std::vector<UndetectableEffect>& undetectable) {
+    gap.diagnosis->undetectable = undetectable;
     page.setGap(std::make_shared<const Gap>(gap));
     QString texts;
     for (const QLabel* label : page.findChildren<QLabel*>())

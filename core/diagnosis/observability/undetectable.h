@@ -27,7 +27,7 @@ struct Detectability {
 /// `perReading`: ∂Δd/∂reading, mm per σ of the reading.
 Detectability detectabilityOf(const Component& component, const SharedProducts& perReading);
 
-/// Those that are unseen, the most dangerous first; of a jump the worst moment.
+/// Those that are undetectable, the most dangerous first; of a jump the worst moment.
 std::vector<Detectability> undetectableEffects(const Leftover& leftover, const Candidates& candidates,
                                                const Eigen::VectorXd& perReading);
 

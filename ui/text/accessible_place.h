@@ -8,10 +8,10 @@
 namespace alidade::ui {
 
 /// "row 3 (point 7)"; `row` counts from 0, the text from 1.
-QString spokenRow(std::size_t row, const std::string& point);
+QString accessibleRow(std::size_t row, const std::string& point);
 
 /// The common name of a place in a session: "0°, row 3 (point 7), vertical", "180° again, pointing zero β0",
 /// "distance L". Rows count from 1. Empty for the session as a whole.
-QString spokenPlace(const Session& session, const Place& place);
+QString accessiblePlace(const Session& session, const Place& place);
 
 }  // namespace alidade::ui

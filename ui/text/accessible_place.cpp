@@ -1,4 +1,4 @@
-#include "ui/text/spoken_place.h"
+#include "ui/text/accessible_place.h"
 
 #include <QCoreApplication>
 #include <QStringList>
@@ -21,23 +21,23 @@ struct PlaceText {
 
 }  // namespace
 
-QString spokenRow(std::size_t row, const std::string& point) {
+QString accessibleRow(std::size_t row, const std::string& point) {
   const QString name = shortLine(qText(point).trimmed(), longestName);
   const QString number = QString::number(row + 1);
   return name.isEmpty() ? PlaceText::tr("row %1").arg(number)
                         : PlaceText::tr("row %1 (point %2)").arg(number, name);
 }
 
-QString spokenPlace(const Session& session, const Place& place) {
+QString accessiblePlace(const Session& session, const Place& place) {
   QStringList parts;
   if (place.position && *place.position < session.positions.size()) {
     const Position& position = session.positions[*place.position];
     parts.append(positionText(session, *place.position));
     if (place.reading && *place.reading < position.readings.size())
-      parts.append(spokenRow(*place.reading, position.readings[*place.reading].point));
+      parts.append(accessibleRow(*place.reading, position.readings[*place.reading].point));
   }
   if (const auto known = knownAt(place); known && knownSize(session, known->ref)) {
-    parts.append(spokenKnown(session, *known));
+    parts.append(accessibleKnown(session, *known));
   } else if (!place.field.empty()) {
     const Field* field = place.reading ? nullptr : fieldNamed(place.field);
     parts.append(field ? QCoreApplication::translate("Field", field->noun) : qText(place.field));

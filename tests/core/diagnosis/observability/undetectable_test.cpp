@@ -1,4 +1,4 @@
-#include "core/diagnosis/observability/unseen.h"
+#include "core/diagnosis/observability/undetectable.h"
 #include "core/diagnosis/candidates/effect_components.h"
 
 #include <gtest/gtest.h>
@@ -27,7 +27,7 @@ double intersectionOf(const Measurement& measurement) {
   return fitSession(measurement).intersection->value;
 }
 
-class Unseen : public ::testing::TestWithParam<const char*> {
+class Undetectable : public ::testing::TestWithParam<const char*> {
  protected:
   GapModel model = *modelOf(measurementBy(GetParam(), "plane_tilt", Eigen::Vector2d::Zero()));
   Leftover leftover{{linearise(*model.measurement, *model.fit, model.options)}};
@@ -43,7 +43,7 @@ class Unseen : public ::testing::TestWithParam<const char*> {
 // Sessions that hold the effect say how far it shows and where Δd goes; a plane tilt shows to second order
 // only where the slider is not read, and not the same on both sides. 3 % and 0.002 σ are of third order.
 // The influence is of first order: what 0.3° do to second order is some R²/L tan² 0.3° = 2 µm.
-TEST_P(Unseen, EffectsShowAndMoveTheIntersectionAsSessionsThatHoldThem) {
+TEST_P(Undetectable, EffectsShowAndMoveTheIntersectionAsSessionsThatHoldThem) {
   const double clean = intersectionOf(*model.measurement);
   for (const char* id : {"plane_tilt", "horizontal_circle_eccentricity", "vertical_drift", "plane_warp"}) {
     SCOPED_TRACE(std::string(GetParam()) + " " + id);
@@ -60,19 +60,19 @@ TEST_P(Unseen, EffectsShowAndMoveTheIntersectionAsSessionsThatHoldThem) {
 }
 
 // An index error is the same in every reading of one face and goes with the zeros: Δd stays.
-TEST_P(Unseen, WhatDoesNotMoveTheIntersectionIsNoDanger) {
+TEST_P(Undetectable, WhatDoesNotMoveTheIntersectionIsNoDanger) {
   const Detectability detectability = detectabilityOf(find("vertical_index"), perReading);
   EXPECT_LT(detectability.influence, negligibleInfluence);
   EXPECT_FALSE(detectability.isUndetectable());
   Candidates candidates;
   candidates.add(effects, PriorOdds().effect);
-  for (const Detectability& unseen : undetectableEffects(leftover, candidates, influence)) {
-    EXPECT_NE(unseen.effect, "vertical_index");
-    EXPECT_GT(unseen.influence, negligibleInfluence);
+  for (const Detectability& undetectable : undetectableEffects(leftover, candidates, influence)) {
+    EXPECT_NE(undetectable.effect, "vertical_index");
+    EXPECT_GT(undetectable.influence, negligibleInfluence);
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(OneFaceAndTwo, Unseen, ::testing::Values("paper", "paper-slider", "two-face"));
+INSTANTIATE_TEST_SUITE_P(OneFaceAndTwo, Undetectable, ::testing::Values("paper", "paper-slider", "two-face"));
 
 }  // namespace
 }  // namespace alidade

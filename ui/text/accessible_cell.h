@@ -5,6 +5,6 @@
 namespace alidade::ui {
 
 /// What a screen reader says in a cell: its text, or that the column named `title` is empty there.
-QString spokenCell(const QString& shown, const QString& title);
+QString accessibleCell(const QString& shown, const QString& title);
 
 }  // namespace alidade::ui

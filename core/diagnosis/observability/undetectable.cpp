@@ -1,4 +1,4 @@
-#include "core/diagnosis/observability/unseen.h"
+#include "core/diagnosis/observability/undetectable.h"
 
 #include <algorithm>
 #include <cmath>
@@ -35,7 +35,7 @@ Detectability detectabilityOf(const Component& component, const SharedProducts& 
 
 std::vector<Detectability> undetectableEffects(const Leftover& leftover, const Candidates& candidates,
                                                const VectorXd& perReading) {
-  std::vector<Detectability> unseen;
+  std::vector<Detectability> undetectable;
   const SharedProducts influence(leftover, perReading);
   for (std::size_t i = 0; i < candidates.size(); ++i) {
     const Component& component = candidates[i];
@@ -43,14 +43,14 @@ std::vector<Detectability> undetectableEffects(const Leftover& leftover, const C
     if (!isNamed || component.response() == Response::AllOrNothing) continue;
     Detectability detectability = detectabilityOf(component, influence);
     if (!detectability.isUndetectable()) continue;
-    const auto same = std::ranges::find(unseen, detectability.effect, &Detectability::effect);
-    if (same == unseen.end())
-      unseen.push_back(std::move(detectability));
+    const auto same = std::ranges::find(undetectable, detectability.effect, &Detectability::effect);
+    if (same == undetectable.end())
+      undetectable.push_back(std::move(detectability));
     else if (same->influence < detectability.influence)
       *same = std::move(detectability);
   }
-  std::ranges::sort(unseen, std::greater{}, &Detectability::influence);
-  return unseen;
+  std::ranges::sort(undetectable, std::greater{}, &Detectability::influence);
+  return undetectable;
 }
 
 namespace {
