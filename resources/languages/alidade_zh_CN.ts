@@ -2,6 +2,14 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="zh_CN" sourcelanguage="en">
 <context>
+    <name>AccessibleCell</name>
+    <message>
+        <source>%1: empty</source>
+        <extracomment>of a cell of a table: the name of its column</extracomment>
+        <translation>%1：空</translation>
+    </message>
+</context>
+<context>
     <name>AddPosition</name>
     <message>
         <source>Measure %1° again</source>
@@ -7749,14 +7757,6 @@ a clause as a sentence</extracomment>
         <translation>“%1”无法导入。
 
 %2</translation>
-    </message>
-</context>
-<context>
-    <name>SpokenCell</name>
-    <message>
-        <source>%1: empty</source>
-        <extracomment>of a cell of a table: the name of its column</extracomment>
-        <translation>%1：空</translation>
     </message>
 </context>
 <context>
