@@ -25,9 +25,10 @@ std::optional<Angle> readingStep(const std::vector<Angle>& readings, Angle fines
     });
   };
   std::vector<double> distinct = differences;
-  std::ranges::sort(distinct);
-  const auto repeated = std::ranges::unique(distinct, [](double a, double b) { return b - a < rounding; });
-  if (distinct.size() - repeated.size() < fewest) return std::nullopt;
+  std::sort(distinct.begin(), distinct.end());
+  const auto end =
+      std::unique(distinct.begin(), distinct.end(), [](double a, double b) { return b - a < rounding; });
+  if (static_cast<std::size_t>(end - distinct.begin()) < fewest) return std::nullopt;
   for (const double step : usualSteps) {
     if (step <= finest.arcseconds()) break;
     if (divides(step)) return Angle::fromArcseconds(step);
