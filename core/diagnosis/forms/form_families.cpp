@@ -64,7 +64,7 @@ class FamilyMaker {
   }
 
   void addCircle(FormCarrier carrier) {
-    constexpr int sparse = 20, orders = 24;
+    constexpr int sparse = 16, orders = 24, fewOrders = 4;
     const bool isVertical = carrier == Vertical;
     addHarmonics(
         {.carrier = carrier, .of = isVertical ? VerticalCircle : HorizontalCircle, .turnsWithFace = isVertical},
@@ -74,7 +74,8 @@ class FamilyMaker {
         const Form form{.carrier = carrier, .of = of, .turnsWithFace = turns};
         addPlaces(form, sparse);
         addPowers(form, 3);
-        addHarmonics(form, 4);
+        if (m_readings.has(form))
+          addHarmonics(form, rangeOf(form, 0).length() > std::numbers::pi ? orders : fewOrders);
       }
     add({.carrier = carrier, .function = Hysteresis, .of = Face});
     add({.carrier = carrier, .function = Hysteresis, .of = Leg});
@@ -84,7 +85,7 @@ class FamilyMaker {
   /// Of time.
   void addCourse(FormCarrier carrier) {
     constexpr int moments = 20, constants = 10;
-    constexpr double cycles = 0.25;
+    constexpr double cycles = 0.5;
     const Form form{.carrier = carrier, .of = T};
     std::vector<double> numbers;
     for (int i = 0; i < constants; ++i)
@@ -102,10 +103,18 @@ class FamilyMaker {
     return form;
   }
 
+  /// What follows the slider, which turns with the guideway, and does not turn.
+  static bool staysWithRoom(const Form& form) {
+    return form.of == S && (form.carrier == X || form.carrier == Y || form.carrier == Z);
+  }
+
   /// Two bits a word: carrier, function, argument, turning over, shape numbers; an order k has a share of 1/k.
   void add(const Form& form, std::vector<Form> grid = {}, double logVolume = 0) {
     if (!m_readings.has(form)) return;
-    const double words = 3 + (form.turnsWithFace && form.of != VerticalCircle ? 1 : 0) + form.count();
+    const bool hasOneFace = m_readings.face.maxCoeff() == m_readings.face.minCoeff();
+    if (form.turnsWithFace && form.of != VerticalCircle && hasOneFace) return;
+    const double words = 3 + (form.turnsWithFace && form.of != VerticalCircle ? 1 : 0) +
+                         (staysWithRoom(form) ? 1 : 0) + form.count();
     const double ofOrder = form.order > 1 ? std::log(form.order) : 0;
     if (grid.empty()) grid.push_back(form);
     m_families.push_back({form, std::move(grid), -words * 2 * std::numbers::ln2 - ofOrder, logVolume});
@@ -147,7 +156,10 @@ class FamilyMaker {
     if (!(range.length() > 0)) return;
     const Form bump = with(form, Bump);
     std::vector<Form> grid;
-    for (const double width : {0.025, 0.045, 0.08, 0.14, 0.25})
+    constexpr int dense = 20;
+    const std::vector<double> widths = steps > dense ? std::vector{0.025, 0.045, 0.08, 0.14, 0.25}
+                                                     : std::vector{0.05, 0.1, 0.2};
+    for (const double width : widths)
       for (int i = 0; i <= steps; ++i) {
         grid.push_back(bump);
         grid.back().numbers = {range.at(static_cast<double>(i) / steps), width * range.length()};
@@ -168,7 +180,7 @@ class FamilyMaker {
   }
 
   std::vector<double> between(const Form& form, const Range& range) const {
-    constexpr int most = 40;
+    constexpr std::size_t most = 24;
     constexpr double apart = 0.005;  // of the range: else the same place
     const VectorXd& of = m_readings.of(form.of);
     std::vector<double> values(of.begin(), of.end()), middles;

@@ -58,7 +58,7 @@ class SessionReadings {
     const VectorXd turn = each([&](Index i) { return halfTurnSign(arcOf(i).axisDeg); }),
                    off = m_leftover.column(ErrorTerm::PlaneOffset),
                    horizontal = perArcsecond * m_leftover.column(ErrorTerm::HorizontalJump),
-                   vertical = perArcsecond * m_leftover.column(ErrorTerm::VerticalJump);
+                   vertical = upwards() * perArcsecond * m_leftover.column(ErrorTerm::VerticalJump);
     set(FormCarrier::Radial, m_leftover.column(Unknown::Kind::Radius));
     set(FormCarrier::Across, off);
     set(FormCarrier::X, m_leftover.column(Unknown::Kind::CentreX));
@@ -72,6 +72,9 @@ class SessionReadings {
     // Along the arc the target moves away from the slider's reading: s + δ/R is sighted, s is read.
     set(FormCarrier::Tangential, slider * (-1 / (perArcsecond * m_measurement.nominalRadius)));
   }
+
+  /// A jump makes zenith readings grow.
+  double upwards() const { return m_measurement.verticalCircle == VerticalCircle::Zenith ? -1 : 1; }
 
   double sliderCoordinate(Index i) const {
     return sliderCoordinateOf(m_fit.arcAngles[at(i).arc][at(i).sighting], arcOf(i).axisDeg);
@@ -187,10 +190,13 @@ MatrixXd formColumns(const FormReadings& readings, const Form& form) {
   const bool fromZero = zero.size() > 0 && isOfInstrument(form.carrier);
   const Index functions = functionsOf(form);
   MatrixXd values(readings.count, functions);
+  // Neighbours often share a place or a moment.
+  Eigen::Array2d here = Eigen::Array2d::Zero(), there = here;
   for (Index i = 0; i < values.rows(); ++i) {
-    Eigen::Array2d own = formFunctions(form, x[i]);
-    if (form.turnsWithFace) own *= readings.face[i];
-    if (fromZero) own -= formFunctions(form, zero[i]);
+    if (i == 0 || x[i] != x[i - 1]) here = formFunctions(form, x[i]);
+    Eigen::Array2d own = form.turnsWithFace ? Eigen::Array2d(here * readings.face[i]) : here;
+    if (fromZero && (i == 0 || zero[i] != zero[i - 1])) there = formFunctions(form, zero[i]);
+    if (fromZero) own -= there;
     values.row(i) = own.head(functions).matrix().transpose();
   }
   if (form.carrier != FormCarrier::Orientation) return readings.of(form.carrier).asDiagonal() * values;

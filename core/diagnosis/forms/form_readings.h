@@ -17,7 +17,7 @@ inline constexpr std::size_t formCarriers = 10, formArguments = 9;
 struct FormReadings {
   Eigen::Index count = 0;
   /// ∂reading/∂carrier, whitened, per mm or arcsecond; empty where these readings do not have it. Of the
-  /// orientation: both circles added up.
+  /// orientation: both circles added up. Vertical: of the elevation in face 1, up positive.
   std::array<Eigen::VectorXd, formCarriers> carriers;
   /// Value of each argument: rad, share, or ±1; empty where it is the same for all readings or unknown.
   std::array<Eigen::VectorXd, formArguments> arguments;

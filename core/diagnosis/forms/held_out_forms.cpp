@@ -6,6 +6,7 @@
 #include <limits>
 #include <utility>
 
+#include "core/base/random_source.h"
 #include "core/base/statistics.h"
 
 namespace alidade {
@@ -119,21 +120,35 @@ struct Squares {
 
 }  // namespace
 
+std::vector<int> shuffledFolds(std::size_t count, int folds) {
+  constexpr std::uint64_t seed = 20240117;
+  RandomSource random(seed);
+  std::vector<int> all(count);
+  for (std::size_t i = 0; i < count; ++i) all[i] = static_cast<int>(i) % folds;
+  for (std::size_t i = count; i > 1; --i)
+    std::swap(all[i - 1], all[static_cast<std::size_t>(random.whole(0, static_cast<int>(i) - 1))]);
+  return all;
+}
+
 FormShrinkage heldOutForms(const DividedModel& plain, const DividedModel& full, const HeldOutReadings& held,
                            const FormReadings& readings, const std::vector<FormFamily>& families,
-                           double variance, const std::stop_token& stop) {
+                           double variance, const InSampleShrinkage& inSample,
+                           const std::stop_token& stop) {
   constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
   FormShrinkage shrink{.heldOut = unknown, .f = unknown, .p = unknown};
-  Squares before, after;
+  Squares before, plainAfter, fullAfter;
   for (int f = 0; f < held.folds && !stop.stop_requested(); ++f) {
     const Fold plainly(held, f, plain.left.size()), fully(held, f, full.left.size());
     const auto learnt = fully.learnt(full, readings, families, variance, stop);
     if (!learnt) continue;
     before.add(plainly.out(), plainly.errors(plain, MatrixXd(plain.left.size(), 0)), held.arcseconds);
-    after.add(fully.out(), fully.errors(full, full.outside(learnt->first)), held.arcseconds);
+    plainAfter.add(plainly.out(), plainly.errors(plain, plain.outside(learnt->first)), held.arcseconds);
+    fullAfter.add(fully.out(), fully.errors(full, full.outside(learnt->first)), held.arcseconds);
     plainly.test(plain, learnt->second, held.eliminated[static_cast<std::size_t>(f)], shrink, held.folds);
   }
+  const Squares& after = plainAfter.sum < fullAfter.sum ? plainAfter : fullAfter;
   shrink.heldOutReadings = after.count;
+  shrink.inSample = &after == &plainAfter ? inSample.plain : inSample.full;
   if (before.sum > 0 && after.count > 0) shrink.heldOut = 1 - std::sqrt(after.sum / before.sum);
   return shrink;
 }

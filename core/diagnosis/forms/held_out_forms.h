@@ -14,6 +14,9 @@ struct DividedModel {
   Eigen::VectorXd left;         ///< rows: readings, then what is known beforehand
 };
 
+/// A fold for each of `count` groups of readings, at random by a fixed seed, all of nearly one size.
+std::vector<int> shuffledFolds(std::size_t count, int folds);
+
 struct HeldOutReadings {
   static constexpr int none = -1;
   std::vector<int> fold;      ///< of each reading; none: always fitted, such as a pointing zero
@@ -23,6 +26,11 @@ struct HeldOutReadings {
   std::vector<int> eliminated = {};
 };
 
+/// With the forms in either model.
+struct InSampleShrinkage {
+  double plain = 0, full = 0;
+};
+
 /// The shrinkage of the readings held out, and the exact test that the forms predict nothing there.
 ///
 /// For each fold shape and amplitudes are found from the other readings. What they predict is one column g on
@@ -30,9 +38,11 @@ struct HeldOutReadings {
 /// of these readings alone, F = (gᵀQy)²/(gᵀQg) / (rest/ν) follows F(1, ν) if there is no form. Of several folds
 /// the least probability counts, times their number (Bonferroni).
 ///
-/// `plain`: without the forms; `full`: beside which they are estimated.
+/// `plain`: with what is certain; `full`: with every effect, beside which the forms are found. Before: `plain`
+/// without the forms. After: whichever of the two with the forms predicts better.
 FormShrinkage heldOutForms(const DividedModel& plain, const DividedModel& full, const HeldOutReadings& held,
                            const FormReadings& readings, const std::vector<FormFamily>& families,
-                           double variance, const std::stop_token& stop);
+                           double variance, const InSampleShrinkage& inSample,
+                           const std::stop_token& stop);
 
 }  // namespace alidade

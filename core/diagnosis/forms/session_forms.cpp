@@ -3,12 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
-#include <optional>
 #include <set>
 #include <utility>
 
-#include "core/base/random_source.h"
-#include "core/diagnosis/forms/found_form.h"
+#include "core/base/statistics.h"
+#include "core/diagnosis/forms/find_forms.h"
 #include "core/diagnosis/forms/held_out_forms.h"
 #include "core/diagnosis/gap/every_effect.h"
 #include "core/diagnosis/search/explained_model.h"
@@ -56,25 +55,14 @@ class SessionForms {
   }
 
   std::vector<FoundForm> find() {
-    constexpr std::size_t most = 3;
-    const std::vector<FormFamily> families = formFamilies(m_readings);
-    std::vector<FoundForm> found;
-    std::vector<FormFamily> chosen;
-    while (found.size() < most) {
-      const std::vector<WeighedForm> all = weighForms(m_system, m_readings, families, m_stop);
-      if (all.empty() || !isNamed(all)) break;
-      found.push_back(foundForm(all.front(), all));
-      addLookAlikes(all, found.back());
-      const Form& first = all.front().form;
-      chosen.push_back(*std::ranges::find_if(families, [&](const FormFamily& family) {
-        return family.form.carrier == first.carrier && family.form.function == first.function &&
-               family.form.of == first.of && family.form.turnsWithFace == first.turnsWithFace &&
-               family.form.order == first.order;
-      }));
-      m_system.takeUp(formColumns(m_readings, first));
-    }
-    if (!found.empty()) addShrinkage(found, chosen);
-    return found;
+    FoundForms result = findForms(
+        m_system, m_readings, formFamilies(m_readings),
+        {.isNamed = [this](const std::vector<WeighedForm>& all) { return isNamed(all); },
+         .isAnythingLeft = [this](Eigen::Index takenUp) { return isAnythingLeft(takenUp); },
+         .note = [this](const WeighedForm& first, FoundForm& found) { addLookAlikes(first, found); }},
+        m_stop);
+    if (!result.forms.empty()) addShrinkage(result);
+    return std::move(result.forms);
   }
 
  private:
@@ -84,7 +72,7 @@ class SessionForms {
   Leftover m_plain, m_full;
   FormReadings m_readings;
   FormSystem m_system;
-  MatrixXd m_beside;  ///< over the readings: jumps
+  MatrixXd m_beside;         ///< over the readings: jumps
 
   static GapModel plainModel(const Inquiry& inquiry, Explanation certain) {
     std::erase_if(certain.parts, [&](const Part& part) { return isJump(inquiry.of(part)); });
@@ -120,17 +108,16 @@ class SessionForms {
     m_beside.rightCols(columns.cols()) = columns;
   }
 
-  static double logSumOf(const std::vector<WeighedForm>& all) {
-    double sum = impossible;
-    for (const WeighedForm& each : all) sum = logSum(sum, each.logPosterior());
-    return sum;
+  /// Beyond what noise alone leaves in one of five sessions.
+  bool isAnythingLeft(Index takenUp) const {
+    constexpr double usual = 0.2;
+    const double freedom = static_cast<double>(m_full.degreesOfFreedom() - takenUp - m_beside.cols());
+    return chiSquareUpperTail(m_system.left().squaredNorm() / m_system.variance(), freedom).value_or(0) < usual;
   }
 
   /// Against nothing and the likeliest patterns.
   bool isNamed(const std::vector<WeighedForm>& all) const {
-    constexpr double least = 20;
-    const double forms = logSumOf(all), nothing = -std::log(PriorOdds{}.shape);
-    return all.front().amplitudes.size() > 0 && forms - nothing > std::log(least) && forms > logPatterns();
+    return beatNothing(all) && logSumOf(all) > logPatterns();
   }
 
   /// A pattern is what remains where no form fits, and so less likely beforehand. One of two columns is a
@@ -153,20 +140,18 @@ class SessionForms {
     return sum;
   }
 
-  void addLookAlikes(const std::vector<WeighedForm>& all, FoundForm& found) const {
+  /// Effects of the catalogue, of whatever size.
+  void addLookAlikes(const WeighedForm& first, FoundForm& found) const {
     constexpr double alike = 3;  // σ
-    for (const Form& form : lookAlikesOfFirst(m_system, m_readings, all))
-      found.indistinguishableFrom.push_back({form});
     const Leftover& bare = m_inquiry.leftover;
-    const VectorXd trace =
-        bare.visible(formColumns(m_readings, all.front().form) * all.front().amplitudes);
+    const VectorXd trace = bare.visible(formColumns(m_readings, first.form) * first.amplitudes);
     for (std::size_t i = 0; i < m_inquiry.candidates.size(); ++i) {
       const Component& component = m_inquiry.candidates[i];
       if (!component.isEffect()) continue;
       const MatrixXd columns = component.visibleColumns(bare).leftCols(component.weights());
       const VectorXd weights = columns.colPivHouseholderQr().solve(trace);
       if ((trace - columns * weights).norm() < alike)
-        found.indistinguishableFrom.push_back({all.front().form, std::string(component.id())});
+        found.indistinguishableFrom.push_back({first.form, std::string(component.id())});
     }
   }
 
@@ -207,7 +192,7 @@ class SessionForms {
                          .folds = byRounds ? std::min(rounds, most) : most,
                          .arcseconds = VectorXd::Zero(m_readings.count)};
     held.eliminated.assign(static_cast<std::size_t>(held.folds), 0);
-    const std::vector<int> shuffled = foldsOfVisits(held.folds);
+    const std::vector<int> shuffled = shuffledFolds(static_cast<std::size_t>(m_full.visits()), held.folds);
     for (Index v = 0; v < m_full.visits(); ++v) {
       const Leftover::Run run = m_full.readingsOf(v);
       if (run.length() == 0 || m_full.reading(run.first).isZero) continue;
@@ -231,16 +216,6 @@ class SessionForms {
     held.eliminated[static_cast<std::size_t>(fold)] += lost + (hasArcAngle ? 1 : 0);
   }
 
-  std::vector<int> foldsOfVisits(int folds) const {
-    constexpr std::uint64_t seed = 20240117;
-    RandomSource random(seed);
-    std::vector<int> all(static_cast<std::size_t>(m_full.visits()));
-    for (std::size_t v = 0; v < all.size(); ++v) all[v] = static_cast<int>(v) % folds;
-    for (std::size_t v = all.size(); v > 1; --v)
-      std::swap(all[v - 1], all[static_cast<std::size_t>(random.whole(0, static_cast<int>(v) - 1))]);
-    return all;
-  }
-
   double rmsOf(const VectorXd& left) const {
     double sum = 0, count = 0;
     for (Index i = 0; i < m_readings.count; ++i) {
@@ -252,13 +227,17 @@ class SessionForms {
   }
 
   /// Of all forms together, the same for each.
-  void addShrinkage(std::vector<FoundForm>& found, const std::vector<FormFamily>& chosen) const {
+  void addShrinkage(FoundForms& found) const {
     const DividedModel plain = divided(m_plain), full = divided(m_full);
-    FormShrinkage shrink =
-        heldOutForms(plain, full, heldOut(chosen), m_readings, chosen, m_system.variance(), m_stop);
-    const double before = rmsOf(plain.left);
-    if (before > 0) shrink.inSample = 1 - rmsOf(m_system.left()) / before;
-    for (FoundForm& form : found) form.shrink = shrink;
+    FormSystem plainSystem(plain.outside, plain.basis, plain.left, m_system.variance());
+    for (const FoundForm& each : found.forms) plainSystem.takeUp(formColumns(m_readings, each.form));
+    InSampleShrinkage inSample;
+    if (const double before = rmsOf(plain.left); before > 0)
+      inSample = {1 - rmsOf(plainSystem.left()) / before, 1 - rmsOf(m_system.left()) / before};
+    const FormShrinkage shrink =
+        heldOutForms(plain, full, heldOut(found.families), m_readings,
+                                              found.families, m_system.variance(), inSample, m_stop);
+    for (FoundForm& form : found.forms) form.shrink = shrink;
   }
 };
 
