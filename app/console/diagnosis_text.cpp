@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "app/console/findings_text.h"
+#include "app/console/forms_text.h"
 #include "app/console/text_layout.h"
 #include "core/base/list_text.h"
 #include "core/base/number_text.h"
@@ -171,7 +172,7 @@ std::string diagnosisText(const std::string& session, const Diagnosis& diagnosis
   std::string text = heading(session) + "\nVerdict: " + std::string(nameOf(diagnosis.verdict)) + "\n" +
                      paragraph(sentenceOf(diagnosis)) + gapText(diagnosis);
   for (const Cause& cause : diagnosis.causes) text += causeText(cause);
-  text += knownText(diagnosis);
+  text += formsText(diagnosis.forms) + knownText(diagnosis);
   if (diagnosis.verdict != DiagnosisVerdict::WithinNoise) text += whereText(diagnosis);
   return text + closuresText(diagnosis) + whatItWouldTakeText(diagnosis) + adviceText(diagnosis) +
          attainableText(diagnosis) + undetectableText(diagnosis) + findingsText(findings);

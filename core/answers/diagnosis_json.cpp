@@ -4,6 +4,7 @@
 
 #include "core/answers/attainable_json.h"
 #include "core/answers/findings_json.h"
+#include "core/answers/forms_json.h"
 #include "core/answers/json_text.h"
 #include "core/wording/diagnosis_sentence.h"
 #include "core/wording/measure.h"
@@ -154,6 +155,7 @@ Json diagnosisDocument(const std::string& session, const Diagnosis& diagnosis,
   json["attainable"] = attainableJson(diagnosis.attainable);
   if (diagnosis.shape)
     json["shape"] = {{"follows", diagnosis.shape->follows}, {"share", diagnosis.shape->share}};
+  if (diagnosis.verdict == DiagnosisVerdict::NotInCatalogue) json["forms"] = formsJson(diagnosis.forms);
   json["findings"] = findingsJson(findings);
   return json;
 }

@@ -11,6 +11,7 @@
 #include "core/diagnosis/conclusion/measured.h"
 #include "core/diagnosis/conclusion/required.h"
 #include "core/diagnosis/conclusion/unexplained.h"
+#include "core/diagnosis/forms/session_forms.h"
 #include "core/diagnosis/gap/gap_size.h"
 #include "core/diagnosis/gap/held_out.h"
 #include "core/diagnosis/observability/advice.h"
@@ -196,7 +197,10 @@ Result<Diagnosis, DiagnosisFault> diagnose(const Measurement& measurement, const
   for (const Detectability& detectability : undetectable)
     diagnosis.undetectable.push_back(
         {std::string(detectability.effect), detectability.influence, detectability.visible});
-  if (answer.kind == Answer::Kind::Unknown) diagnosis.shape = shapeOf(inquiry);
+  if (answer.kind == Answer::Kind::Unknown) {
+    diagnosis.shape = shapeOf(inquiry);
+    diagnosis.forms = formsBeyond(inquiry, answer.explanation, options, stop);
+  }
   diagnosis.whatItWouldTake = std::move(required);
   diagnosis.leftBefore = inSigma(own);
   diagnosis.leftAfter = inSigma(answer.opened);

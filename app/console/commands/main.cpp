@@ -9,6 +9,7 @@
 #include "app/console/channels.h"
 #include "app/console/commands/certificate_command.h"
 #include "app/console/commands/diagnose_command.h"
+#include "app/console/commands/discover_command.h"
 #include "app/console/commands/fit_command.h"
 #include "app/console/commands/history_command.h"
 #include "app/console/commands/import_command.h"
@@ -110,6 +111,8 @@ int run(int argc, char** argv, std::string& subject) {
   addFitCommand(app, fitRequest);
   DiagnoseRequest diagnoseRequest;
   addDiagnoseCommand(app, diagnoseRequest);
+  DiscoverRequest discoverRequest;
+  addDiscoverCommand(app, discoverRequest);
   SimulateRequest simulateRequest;
   addSimulateCommand(app, simulateRequest);
   PlanRequest planRequest;
@@ -164,6 +167,7 @@ int run(int argc, char** argv, std::string& subject) {
   };
   if (app.got_subcommand("plan")) return giveFrom(planRequest, runPlan);
   if (app.got_subcommand("protocol")) return giveFrom(protocolRequest, runProtocol);
+  if (app.got_subcommand("discover")) return giveFrom(discoverRequest, runDiscover);
   if (app.got_subcommand("journal")) return giveJournal(journalRequest, subject);
   if (app.got_subcommand("diagnose")) return giveDiagnosis(diagnoseRequest, subject);
   return giveFit(fitRequest, subject);

@@ -29,7 +29,7 @@ enum class Along {
   VerticalCircle,
 };
 enum class Of { Guideway, Time, Azimuth, Elevation, Circle, Leg };
-enum class Form {
+enum class Course {
   Harmonic,  ///< cosine and sine of so many periods in a turn
   Smooth,    ///< so many half waves, the shorter the weaker
   Settling,  ///< what dies away quickly, in between and slowly
@@ -41,18 +41,18 @@ struct Recipe {
   ErrorSource source;
   Along along;
   Of of;
-  Form form;
+  Course form;
   int number = 0;  ///< of the harmonic, or of the half waves
 
   Index functions() const {
     switch (form) {
-      case Form::Harmonic:
+      case Course::Harmonic:
         return 2;
-      case Form::Smooth:
+      case Course::Smooth:
         return number;
-      case Form::Settling:
+      case Course::Settling:
         return 3;
-      case Form::WayBack:
+      case Course::WayBack:
         break;
     }
     return 1;
@@ -61,7 +61,7 @@ struct Recipe {
 };
 
 void addHarmonics(std::vector<Recipe>& recipes, Recipe recipe, std::initializer_list<int> orders) {
-  recipe.form = Form::Harmonic;
+  recipe.form = Course::Harmonic;
   for (const int order : orders) {
     recipe.number = order;
     recipes.push_back(recipe);
@@ -76,19 +76,19 @@ std::vector<Recipe> makeRecipes() {
   const char* const plane = PHRASE_LATER("Phrase", "guideway out of its plane");
   const char* const slider = PHRASE_LATER("Phrase", "slider readings along the scale");
   ErrorSource source = ErrorSource::Guideway;
-  const auto add = [&](const char* follows, Along along, Of of, Form form, int number = 0) {
+  const auto add = [&](const char* follows, Along along, Of of, Course form, int number = 0) {
     list.push_back({follows, source, along, of, form, number});
   };
   addHarmonics(list, {radius, source, Radius, Of::Guideway, {}}, {4, 5, 6, 7, 8, 9, 10, 11, 12});
   addHarmonics(list, {plane, source, Across, Of::Guideway, {}}, {1, 3, 4, 5, 6, 7, 8});
   addHarmonics(list, {slider, source, Slider, Of::Guideway, {}}, {2, 3, 4, 5, 6, 7, 8});
   add(PHRASE_LATER("Phrase", "radius from place to place, turning with the guideway"), Radius, Of::Guideway,
-      Form::Smooth, manyWaves);
+      Course::Smooth, manyWaves);
   add(PHRASE_LATER("Phrase", "guideway out of its plane from place to place"), Across, Of::Guideway,
-      Form::Smooth, manyWaves);
-  add(PHRASE_LATER("Phrase", "slider readings from place to place"), Slider, Of::Guideway, Form::Smooth,
+      Course::Smooth, manyWaves);
+  add(PHRASE_LATER("Phrase", "slider readings from place to place"), Slider, Of::Guideway, Course::Smooth,
       manyWaves);
-  add(PHRASE_LATER("Phrase", "radius on the way back"), Radius, Of::Leg, Form::WayBack);
+  add(PHRASE_LATER("Phrase", "radius on the way back"), Radius, Of::Leg, Course::WayBack);
   source = ErrorSource::Instrument;
   addHarmonics(list,
                {PHRASE_LATER("Phrase", "horizontal readings along their circle"),
@@ -104,24 +104,24 @@ std::vector<Recipe> makeRecipes() {
                 Of::Circle,
                 {}},
                {2, 3, 4, 5, 6, 8, 12, 16, 24});
-  add(PHRASE_LATER("Phrase", "horizontal readings with azimuth"), Horizontal, Of::Azimuth, Form::Smooth,
+  add(PHRASE_LATER("Phrase", "horizontal readings with azimuth"), Horizontal, Of::Azimuth, Course::Smooth,
       waves);
-  add(PHRASE_LATER("Phrase", "vertical readings with elevation"), Vertical, Of::Elevation, Form::Smooth,
+  add(PHRASE_LATER("Phrase", "vertical readings with elevation"), Vertical, Of::Elevation, Course::Smooth,
       waves);
-  add(PHRASE_LATER("Phrase", "horizontal readings with elevation"), Horizontal, Of::Elevation, Form::Smooth,
+  add(PHRASE_LATER("Phrase", "horizontal readings with elevation"), Horizontal, Of::Elevation, Course::Smooth,
       waves);
-  add(PHRASE_LATER("Phrase", "vertical readings with azimuth"), Vertical, Of::Azimuth, Form::Smooth, waves);
+  add(PHRASE_LATER("Phrase", "vertical readings with azimuth"), Vertical, Of::Azimuth, Course::Smooth, waves);
   add(PHRASE_LATER("Phrase", "difference of the faces, horizontal"), HorizontalFaces, Of::Elevation,
-      Form::Smooth, waves);
-  add(PHRASE_LATER("Phrase", "difference of the faces, vertical"), VerticalFaces, Of::Elevation, Form::Smooth,
+      Course::Smooth, waves);
+  add(PHRASE_LATER("Phrase", "difference of the faces, vertical"), VerticalFaces, Of::Elevation, Course::Smooth,
       waves);
-  add(PHRASE_LATER("Phrase", "horizontal readings on the way back"), Horizontal, Of::Leg, Form::WayBack);
-  add(PHRASE_LATER("Phrase", "vertical readings on the way back"), Vertical, Of::Leg, Form::WayBack);
+  add(PHRASE_LATER("Phrase", "horizontal readings on the way back"), Horizontal, Of::Leg, Course::WayBack);
+  add(PHRASE_LATER("Phrase", "vertical readings on the way back"), Vertical, Of::Leg, Course::WayBack);
   source = ErrorSource::Time;
-  add(PHRASE_LATER("Phrase", "orientation settling with time"), Both, Of::Time, Form::Settling);
-  add(PHRASE_LATER("Phrase", "horizontal orientation with time"), Horizontal, Of::Time, Form::Smooth, waves);
-  add(PHRASE_LATER("Phrase", "vertical orientation with time"), Vertical, Of::Time, Form::Smooth, waves);
-  add(PHRASE_LATER("Phrase", "distance with time"), Distance, Of::Time, Form::Smooth, fewWaves);
+  add(PHRASE_LATER("Phrase", "orientation settling with time"), Both, Of::Time, Course::Settling);
+  add(PHRASE_LATER("Phrase", "horizontal orientation with time"), Horizontal, Of::Time, Course::Smooth, waves);
+  add(PHRASE_LATER("Phrase", "vertical orientation with time"), Vertical, Of::Time, Course::Smooth, waves);
+  add(PHRASE_LATER("Phrase", "distance with time"), Distance, Of::Time, Course::Smooth, fewWaves);
   return list;
 }
 
@@ -231,7 +231,7 @@ class Readings {
     switch (recipe.of) {
       case Of::Guideway:
         return each([&](Index i) {
-          return recipe.form == Form::Harmonic ? sliderCoordinate(i) : sliderCoordinate(i) / std::numbers::pi;
+          return recipe.form == Course::Harmonic ? sliderCoordinate(i) : sliderCoordinate(i) / std::numbers::pi;
         });
       case Of::Time:
         return each([&](Index i) {
@@ -254,17 +254,17 @@ class Readings {
     const VectorXd at = argument(recipe);
     MatrixXd functions(at.size(), recipe.functions());
     switch (recipe.form) {
-      case Form::Harmonic:
+      case Course::Harmonic:
         functions << (recipe.number * at.array()).cos(), (recipe.number * at.array()).sin();
         break;
-      case Form::Smooth:
+      case Course::Smooth:
         for (int k = 1; k <= recipe.number; ++k)
           functions.col(k - 1) = (k * std::numbers::pi * at.array()).cos() / std::sqrt(k);
         break;
-      case Form::Settling:
+      case Course::Settling:
         functions << (-at / 0.05).array().exp(), (-at / 0.15).array().exp(), (-at / 0.4).array().exp();
         break;
-      case Form::WayBack:
+      case Course::WayBack:
         functions = at;
         break;
     }
@@ -285,7 +285,7 @@ const std::vector<SessionPattern>& sessionPatterns() {
                            .source = recipe.source,
                            .response = Response::Linear,
                            .parameters = {}},
-                          recipe.form == Form::Harmonic ? recipe.number : 0,
+                          recipe.form == Course::Harmonic ? recipe.number : 0,
                           recipe.columns()});
     return patterns;
   }();

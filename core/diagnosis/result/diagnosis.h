@@ -9,6 +9,7 @@
 #include "core/adjustment/result/closures.h"
 #include "core/adjustment/result/intersection.h"
 #include "core/base/normal_mixture.h"
+#include "core/diagnosis/result/form.h"
 #include "core/observation/reading_ref.h"
 
 namespace alidade {
@@ -265,6 +266,7 @@ struct Diagnosis {
   /// Where it was asked for: first with nothing more (`attainableUncertainties`). Empty with NotInCatalogue.
   std::vector<AttainableUncertainty> attainable;
   std::optional<GapShape> shape;              ///< with NotInCatalogue
+  std::vector<FoundForm> forms;               ///< with NotInCatalogue; empty where none beats the pattern
   std::vector<double> leftBefore, leftAfter;  ///< residuals/σ before and after, in the order of `readings`
   std::vector<ReadingDeviation> readings;     ///< all that took part, `size` their residual before
 };

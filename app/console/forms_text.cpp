@@ -1,0 +1,32 @@
+#include "app/console/forms_text.h"
+
+#include "app/console/text_layout.h"
+#include "core/base/number_text.h"
+#include "core/wording/form_sentence.h"
+
+namespace alidade::console {
+
+std::string formsText(const std::vector<FoundForm>& forms) {
+  std::string text;
+  for (const FoundForm& form : forms) {
+    text += "\n" + paragraph(formSentence(form));
+    for (const FormNumber& number : form.parameters)
+      text += "  " + number.name + " " + fixedText(number.value, 3) + " (u " + fixedText(number.sigma, 3) + ")\n";
+    if (const std::string alike = lookAlikesSentence(form); !alike.empty()) text += paragraph("  " + alike, 2);
+  }
+  if (forms.empty()) return text;
+  const std::string shrink = shrinkSentence(forms.front());
+  return shrink.empty() ? text : text + paragraph("  " + shrink, 2);
+}
+
+std::string discoveryText(const std::string& table, const Discovery& discovery) {
+  std::string text = heading(table) + "\n" + std::to_string(discovery.readings) + " residuals, rms " +
+                     fixedText(discovery.rms, 2) + "″ outside the base columns, reduced χ² " +
+                     fixedText(discovery.reducedChiSquare, 2) + "\n";
+  if (discovery.noise > 1)
+    text += "Beside the forms they scatter " + fixedText(discovery.noise, 2) + " times as much as stated.\n";
+  if (discovery.forms.empty()) return text + "No form is 20 times as likely as none.\n";
+  return text + formsText(discovery.forms);
+}
+
+}  // namespace alidade::console

@@ -1,0 +1,64 @@
+#include "core/answers/forms_json.h"
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+namespace alidade {
+
+namespace {
+
+using FormDocument = nlohmann::ordered_json;
+
+FormDocument kindDocument(const Form& form) {
+  return {{"carrier", nameOf(form.carrier)}, {"form", nameOf(form.function)}, {"of", nameOf(form.of)}};
+}
+
+FormDocument lookAlikeDocument(const FormLookAlike& other) {
+  if (!other.effect.empty()) return {{"effect", other.effect}};
+  FormDocument json = kindDocument(other.form);
+  if (other.form.turnsWithFace) json["turns_with_face"] = true;
+  if (other.form.order > 0) json["order"] = other.form.order;
+  return json;
+}
+
+FormDocument parametersDocument(const FoundForm& found) {
+  FormDocument json = FormDocument::object();
+  for (const FormNumber& number : found.parameters) {
+    if (number.name == "order")
+      json[number.name] = static_cast<int>(number.value);
+    else
+      json[number.name] = number.value;
+    json["standard_uncertainty_" + number.name] = number.sigma;
+  }
+  return json;
+}
+
+FormDocument formDocument(const FoundForm& found) {
+  FormDocument json = kindDocument(found.form);
+  json["turns_with_face"] = found.form.turnsWithFace;
+  json["formula"] = found.formula;
+  FormDocument coefficients = FormDocument::object();
+  for (const FormNumber& number : found.coefficients) coefficients[number.name] = number.value;
+  json["coefficients"] = coefficients;
+  json["parameters"] = parametersDocument(found);
+  json["probability"] = found.probability;
+  json["indistinguishable_from"] = FormDocument::array();
+  for (const FormLookAlike& other : found.indistinguishableFrom)
+    json["indistinguishable_from"].push_back(lookAlikeDocument(other));
+  json["shrink"] = {{"in_sample", found.shrink.inSample},
+                    {"held_out", found.shrink.heldOut},
+                    {"f", found.shrink.f},
+                    {"p", found.shrink.p},
+                    {"held_out_readings", found.shrink.heldOutReadings}};
+  return json;
+}
+
+}  // namespace
+
+nlohmann::ordered_json formsJson(const std::vector<FoundForm>& forms) {
+  FormDocument json = FormDocument::array();
+  for (const FoundForm& form : forms) json.push_back(formDocument(form));
+  return json;
+}
+
+}  // namespace alidade

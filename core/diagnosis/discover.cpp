@@ -1,0 +1,116 @@
+#include "core/diagnosis/discover.h"
+
+#include <Eigen/QR>
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/phrase.h"
+#include "core/diagnosis/forms/find_forms.h"
+#include "core/diagnosis/forms/held_out_forms.h"
+#include "core/diagnosis/forms/residual_table.h"
+
+namespace alidade {
+
+using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
+
+namespace {
+
+/// Of the base columns; a column of zeros where there are none.
+MatrixXd basisOf(const MatrixXd& base) {
+  if (base.cols() == 0 || base.isZero()) return MatrixXd::Zero(base.rows(), 1);
+  const VectorXd scale = base.colwise().norm().cwiseMax(1e-300).cwiseInverse();
+  const Eigen::ColPivHouseholderQR<MatrixXd> qr(base * scale.asDiagonal());
+  return qr.householderQ() * MatrixXd::Identity(base.rows(), qr.rank());
+}
+
+MatrixXd asTheyAre(const MatrixXd& columns) {
+  return columns;
+}
+
+class TableForms {
+ public:
+  explicit TableForms(const ResidualTable& table) : m_table(table), m_basis(basisOf(table.base)) {
+    m_left = table.residual - m_basis * (m_basis.transpose() * table.residual).eval();
+    const Index rank = m_basis.isZero() ? 0 : m_basis.cols();
+    m_freedom = static_cast<double>(table.readings.count - rank);
+  }
+
+  double freedom() const { return m_freedom; }
+
+  Discovery find() const {
+    Discovery discovery{.readings = static_cast<int>(m_table.readings.count),
+                        .rms = rmsOf(m_left),
+                        .reducedChiSquare = m_left.squaredNorm() / m_freedom,
+                        .forms = {}};
+    // Stated σ are often too small: what is left beside the forms scatters as it does.
+    const std::vector<FormFamily> families = formFamilies(m_table.readings);
+    double variance = std::max(1.0, discovery.reducedChiSquare);
+    FoundForms found;
+    for (int round = 0; round < 2; ++round) {
+      FormSystem system = systemWith(variance);
+      found = search(system, families);
+      variance = std::max(1.0, system.left().squaredNorm() / std::max(1.0, m_freedom - numbersOf(found)));
+    }
+    discovery.noise = std::sqrt(variance);
+    addShrinkage(found, variance);
+    discovery.forms = std::move(found.forms);
+    return discovery;
+  }
+
+ private:
+  const ResidualTable& m_table;
+  MatrixXd m_basis;
+  VectorXd m_left;
+  double m_freedom = 0;
+
+  FormSystem systemWith(double variance) const { return {asTheyAre, m_basis, m_left, variance}; }
+
+  FoundForms search(FormSystem& system, const std::vector<FormFamily>& families) const {
+    return findForms(system, m_table.readings, families,
+                     {.isNamed = beatNothing,
+                      .isAnythingLeft = [](Index) { return true; },
+                      .note = [](const WeighedForm&, FoundForm&) {}},
+                     {});
+  }
+
+  static double numbersOf(const FoundForms& found) {
+    double numbers = 0;
+    for (const FoundForm& form : found.forms)
+      numbers += static_cast<double>(form.coefficients.size()) + form.form.count();
+    return numbers;
+  }
+
+  double rmsOf(const VectorXd& left) const {
+    return std::sqrt(left.cwiseProduct(m_table.sigma).squaredNorm() / static_cast<double>(left.size()));
+  }
+
+  void addShrinkage(FoundForms& found, double variance) const {
+    constexpr int folds = 4;
+    if (found.forms.empty()) return;
+    FormSystem system = systemWith(variance);
+    for (const FoundForm& form : found.forms) system.takeUp(formColumns(m_table.readings, form.form));
+    const double inSample = 1 - rmsOf(system.left()) / rmsOf(m_left);
+    const DividedModel model{asTheyAre, m_basis, m_left};
+    const HeldOutReadings held{.fold = shuffledFolds(static_cast<std::size_t>(m_left.size()), folds),
+                               .folds = folds,
+                               .arcseconds = m_table.sigma,
+                               .eliminated = std::vector<int>(folds, 0)};
+    const FormShrinkage shrink = heldOutForms(model, model, held, m_table.readings, found.families, variance,
+                                              {inSample, inSample}, {});
+    for (FoundForm& form : found.forms) form.shrink = shrink;
+  }
+};
+
+}  // namespace
+
+Result<Discovery> discover(std::string_view bytes) {
+  const Result<ResidualTable> table = readResiduals(bytes);
+  if (!table) return table.problem();
+  const TableForms forms(*table);
+  if (forms.freedom() < 1)
+    return Problem{Phrase::of("The base columns take up all %1 residuals: leave some of the columns out.",
+                              table->readings.count)};
+  return forms.find();
+}
+
+}  // namespace alidade

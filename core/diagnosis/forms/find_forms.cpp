@@ -1,0 +1,53 @@
+#include "core/diagnosis/forms/find_forms.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/diagnosis/candidates/candidates.h"
+
+namespace alidade {
+
+namespace {
+
+bool isOf(const FormFamily& family, const Form& form) {
+  const Form& own = family.form;
+  return own.carrier == form.carrier && own.function == form.function && own.of == form.of &&
+         own.turnsWithFace == form.turnsWithFace && own.order == form.order;
+}
+
+}  // namespace
+
+double logSumOf(const std::vector<WeighedForm>& all) {
+  double sum = impossible;
+  for (const WeighedForm& each : all) sum = logSum(sum, each.logPosterior());
+  return sum;
+}
+
+bool beatNothing(const std::vector<WeighedForm>& all) {
+  constexpr double least = 20;
+  return !all.empty() && all.front().amplitudes.size() > 0 &&
+         logSumOf(all) + std::log(PriorOdds{}.shape) > std::log(least);
+}
+
+FoundForms findForms(FormSystem& system, const FormReadings& readings, const std::vector<FormFamily>& families,
+                     const FormChoice& choice, const std::stop_token& stop) {
+  constexpr std::size_t most = 3;
+  FoundForms found;
+  Eigen::Index takenUp = 0;
+  while (found.forms.size() < most) {
+    const std::vector<WeighedForm> all = weighForms(system, readings, families, stop);
+    if (all.empty() || !choice.isNamed(all)) break;
+    const WeighedForm& first = all.front();
+    FoundForm& form = found.forms.emplace_back(foundForm(first, all));
+    for (const Form& other : lookAlikesOfFirst(system, readings, all)) form.indistinguishableFrom.push_back({other});
+    choice.note(first, form);
+    found.families.push_back(
+        *std::ranges::find_if(families, [&](const FormFamily& family) { return isOf(family, first.form); }));
+    system.takeUp(formColumns(readings, first.form));
+    takenUp += first.amplitudes.size() + first.form.count();
+    if (!choice.isAnythingLeft(takenUp)) break;
+  }
+  return found;
+}
+
+}  // namespace alidade

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <functional>
+#include <stop_token>
+#include <vector>
+
+#include "core/diagnosis/forms/found_form.h"
+
+namespace alidade {
+
+struct FoundForms {
+  std::vector<FoundForm> forms;
+  std::vector<FormFamily> families;  ///< of each form
+};
+
+/// What the readings at hand decide.
+struct FormChoice {
+  std::function<bool(const std::vector<WeighedForm>&)> isNamed;  ///< the first of all
+  std::function<bool(Eigen::Index takenUp)> isAnythingLeft;      ///< after forms of so many numbers
+  std::function<void(const WeighedForm&, FoundForm&)> note;      ///< completes a form that is named
+};
+
+/// One form after the other, up to three, each beside those before it, which `system` then takes up.
+FoundForms findForms(FormSystem& system, const FormReadings& readings, const std::vector<FormFamily>& families,
+                     const FormChoice& choice, const std::stop_token& stop);
+
+double logSumOf(const std::vector<WeighedForm>& all);
+/// Together by 20 : 1, at the odds of any pattern, and the first has amplitudes.
+bool beatNothing(const std::vector<WeighedForm>& all);
+
+}  // namespace alidade

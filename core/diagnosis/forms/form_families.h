@@ -1,0 +1,29 @@
+#pragma once
+
+#include <vector>
+
+#include "core/diagnosis/evidence/width.h"
+#include "core/diagnosis/forms/form_readings.h"
+
+namespace alidade {
+
+/// Forms that differ in their shape numbers only.
+struct FormFamily {
+  Form form;
+  std::vector<Form> grid;  ///< with shape numbers to start from; one where there are none
+  double logPrior = 0;     ///< natural; two bits for each word, of all families 1 together
+  double logVolume = 0;    ///< logarithm of the range of the shape numbers, as `shapeCoordinates` has them
+};
+
+/// All that these readings may show.
+std::vector<FormFamily> formFamilies(const FormReadings& readings);
+
+/// Shape numbers in which the search takes steps: logarithms of widths and time constants.
+Eigen::Array2d shapeCoordinates(const Form& form);
+void setShapeCoordinates(Form& form, const Eigen::Array2d& coordinates);
+
+/// Plausible size of an amplitude, mm or arcseconds, to which `formWidths` belong.
+double formUnit(FormCarrier carrier);
+const std::vector<Width>& formWidths();
+
+}  // namespace alidade

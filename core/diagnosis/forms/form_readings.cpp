@@ -1,0 +1,209 @@
+#include "core/diagnosis/forms/form_readings.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "core/observation/half_turn.h"
+
+namespace alidade {
+
+using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
+
+namespace {
+
+constexpr double perArcsecond = std::numbers::pi / 648000;
+
+/// Of the readings of a session.
+class SessionReadings {
+ public:
+  SessionReadings(const Leftover& leftover, const Measurement& measurement, const JointFit& fit)
+      : m_leftover(leftover), m_measurement(measurement), m_fit(fit) {
+    m_result.count = leftover.readings();
+    m_result.face = each([&](Index i) { return rowOf(i).face == 1 ? 1.0 : -1.0; });
+  }
+
+  FormReadings take() {
+    addCarriers();
+    addArguments();
+    addZeros();
+    return std::move(m_result);
+  }
+
+ private:
+  const Leftover& m_leftover;
+  const Measurement& m_measurement;
+  const JointFit& m_fit;
+  FormReadings m_result;
+
+  const LinearReading& at(Index i) const { return m_leftover.reading(i); }
+  const ArcMeasurement& arcOf(Index i) const { return m_measurement.arcs[at(i).arc]; }
+  const Sighting& rowOf(Index i) const { return arcOf(i).sightings[at(i).sighting]; }
+
+  template <typename Value>
+  VectorXd each(const Value& value) const {
+    VectorXd values(m_result.count);
+    for (Index i = 0; i < values.size(); ++i) values[i] = value(i);
+    return values;
+  }
+  void set(FormCarrier carrier, VectorXd values) {
+    if (values.squaredNorm() > 0) m_result.carriers[static_cast<std::size_t>(carrier)] = std::move(values);
+  }
+  void set(FormArgument argument, VectorXd values) {
+    if (values.maxCoeff() > values.minCoeff())
+      m_result.arguments[static_cast<std::size_t>(argument)] = std::move(values);
+  }
+
+  void addCarriers() {
+    const VectorXd turn = each([&](Index i) { return halfTurnSign(arcOf(i).axisDeg); }),
+                   off = m_leftover.column(ErrorTerm::PlaneOffset),
+                   horizontal = perArcsecond * m_leftover.column(ErrorTerm::HorizontalJump),
+                   vertical = upwards() * perArcsecond * m_leftover.column(ErrorTerm::VerticalJump);
+    set(FormCarrier::Radial, m_leftover.column(Unknown::Kind::Radius));
+    set(FormCarrier::Across, off);
+    set(FormCarrier::X, m_leftover.column(Unknown::Kind::CentreX));
+    set(FormCarrier::Y, m_leftover.column(Unknown::Kind::CentreY));
+    set(FormCarrier::Z, off.cwiseProduct(turn));
+    set(FormCarrier::Horizontal, horizontal);
+    set(FormCarrier::Vertical, vertical);
+    set(FormCarrier::Orientation, horizontal + vertical);
+    const VectorXd slider = perArcsecond * m_leftover.column(Unknown::Kind::SliderZero);
+    set(FormCarrier::Slider, slider);
+    // Along the arc the target moves away from the slider's reading: s + δ/R is sighted, s is read.
+    set(FormCarrier::Tangential, slider * (-1 / (perArcsecond * m_measurement.nominalRadius)));
+  }
+
+  /// A jump makes zenith readings grow.
+  double upwards() const { return m_measurement.verticalCircle == VerticalCircle::Zenith ? -1 : 1; }
+
+  double sliderCoordinate(Index i) const {
+    return sliderCoordinateOf(m_fit.arcAngles[at(i).arc][at(i).sighting], arcOf(i).axisDeg);
+  }
+
+  void addArguments() {
+    using enum FormArgument;
+    set(S, each([&](Index i) { return at(i).isZero ? 0 : sliderCoordinate(i); }));
+    set(T, each([&](Index i) { return rowOf(i).elapsed; }));
+    const VectorXd a = adjusted(ReadingKind::Horizontal), e = adjusted(ReadingKind::Vertical);
+    set(Azimuth, a);
+    set(Elevation, e);
+    set(HorizontalCircle, each([&](Index i) {
+          return arcOf(i).zeroHorizontal.radians() + a[i] + (rowOf(i).face == 1 ? 0 : std::numbers::pi);
+        }));
+    set(VerticalCircle, each([&](Index i) { return verticalCircle(e[i], rowOf(i).face); }));
+    set(Leg, each([&](Index i) { return at(i).isZero || rowOf(i).round % 2 == 1 ? 1.0 : -1.0; }));
+    set(Face, m_result.face);
+    set(Position, each([&](Index i) { return halfTurnSign(arcOf(i).axisDeg); }));
+  }
+
+  /// The circle reading at elevation `e`, rad.
+  double verticalCircle(double e, int face) const {
+    const bool isZenith = m_measurement.verticalCircle == VerticalCircle::Zenith;
+    const double first = isZenith ? std::numbers::pi / 2 - e : e;
+    return face == 1 ? first : (isZenith ? 2 : 1) * std::numbers::pi - first;
+  }
+
+  /// Azimuth or elevation above the horizon of the row of each reading, as the fit has it: a function of a
+  /// noisy direction would follow the noise.
+  VectorXd adjusted(ReadingKind kind) const {
+    std::vector<std::vector<double>> values;
+    for (const ArcMeasurement& arc : m_measurement.arcs)
+      for (auto& own = values.emplace_back(); const Sighting& row : arc.sightings)
+        own.push_back(kind == ReadingKind::Horizontal ? row.a.radians()
+                                                      : row.e.radians() + arc.zeroElevation.radians());
+    for (const AdjustedReading& reading : m_fit.readings)
+      if (reading.kind == kind) values[reading.arc][reading.sighting] -= reading.residual;
+    return each([&](Index i) { return values[at(i).arc][at(i).sighting]; });
+  }
+
+  /// Zeros that are readings, too, need no more: whatever a form does to them is in their own rows.
+  void addZeros() {
+    for (Index i = 0; i < m_result.count; ++i)
+      if (at(i).isZero) return;
+    const auto set = [&](FormArgument of, const auto& value) {
+      if (m_result.of(of).size() > 0) m_result.zeros[static_cast<std::size_t>(of)] = each(value);
+    };
+    set(FormArgument::T, [&](Index i) { return arcOf(i).zero.elapsed; });
+    set(FormArgument::Azimuth, [](Index) { return 0.0; });
+    set(FormArgument::Elevation, [&](Index i) { return arcOf(i).zeroElevation.radians(); });
+    set(FormArgument::HorizontalCircle, [&](Index i) { return arcOf(i).zeroHorizontal.radians(); });
+    set(FormArgument::VerticalCircle,
+        [&](Index i) { return verticalCircle(arcOf(i).zeroElevation.radians(), 1); });
+  }
+};
+
+bool isOfInstrument(FormCarrier carrier) {
+  return carrier == FormCarrier::Horizontal || carrier == FormCarrier::Vertical ||
+         carrier == FormCarrier::Orientation;
+}
+
+}  // namespace
+
+FormReadings formReadings(const Leftover& leftover, const Measurement& measurement, const JointFit& fit) {
+  return SessionReadings(leftover, measurement, fit).take();
+}
+
+double powerUnit(FormArgument of) {
+  return of == FormArgument::T ? 1 : std::numbers::pi / 18;
+}
+
+Eigen::Array2d formFunctions(const Form& form, double x) {
+  const double at = form.numbers[0];
+  switch (form.function) {
+    case FormFunction::Harmonic: {
+      const double turn = form.of == FormArgument::T ? 2 * std::numbers::pi * at * x : form.order * x;
+      return {std::cos(turn), std::sin(turn)};
+    }
+    case FormFunction::Bump: {
+      const double off = (x - at) / form.numbers[1];
+      return {std::exp(-off * off / 2), 0};
+    }
+    case FormFunction::Step:
+      return {x > at ? 1 : 0, 0};
+    case FormFunction::Hinge:
+      return {std::max(0.0, x - at) / powerUnit(form.of), 0};
+    case FormFunction::Exponential:
+      return {std::exp(-x / at), 0};
+    case FormFunction::Power:
+      return {std::pow(x / powerUnit(form.of), form.order), 0};
+    case FormFunction::Hysteresis:
+      break;
+  }
+  return {x, 0};
+}
+
+namespace {
+
+Index functionsOf(const Form& form) {
+  return form.function == FormFunction::Harmonic ? 2 : 1;
+}
+
+}  // namespace
+
+Index columnsOf(const Form& form) {
+  return functionsOf(form) * (form.carrier == FormCarrier::Orientation ? 2 : 1);
+}
+
+MatrixXd formColumns(const FormReadings& readings, const Form& form) {
+  const VectorXd& x = readings.of(form.of);
+  const VectorXd& zero = readings.zeros[static_cast<std::size_t>(form.of)];
+  const bool fromZero = zero.size() > 0 && isOfInstrument(form.carrier);
+  const Index functions = functionsOf(form);
+  MatrixXd values(readings.count, functions);
+  // Neighbours often share a place or a moment.
+  Eigen::Array2d here = Eigen::Array2d::Zero(), there = here;
+  for (Index i = 0; i < values.rows(); ++i) {
+    if (i == 0 || x[i] != x[i - 1]) here = formFunctions(form, x[i]);
+    Eigen::Array2d own = form.turnsWithFace ? Eigen::Array2d(here * readings.face[i]) : here;
+    if (fromZero && (i == 0 || zero[i] != zero[i - 1])) there = formFunctions(form, zero[i]);
+    if (fromZero) own -= there;
+    values.row(i) = own.head(functions).matrix().transpose();
+  }
+  if (form.carrier != FormCarrier::Orientation) return readings.of(form.carrier).asDiagonal() * values;
+  MatrixXd both(values.rows(), 2 * functions);
+  both << readings.of(FormCarrier::Horizontal).asDiagonal() * values,
+      readings.of(FormCarrier::Vertical).asDiagonal() * values;
+  return both;
+}
+
+}  // namespace alidade

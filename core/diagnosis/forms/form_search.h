@@ -1,0 +1,69 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <functional>
+#include <limits>
+#include <stop_token>
+#include <vector>
+
+#include "core/diagnosis/evidence/gain.h"
+#include "core/diagnosis/forms/form_families.h"
+
+namespace alidade {
+
+// The search for the form that leaves least. With F the columns of a form outside what the model takes up, r
+// what is left, v the variance of the readings and w the width of the amplitudes, the amplitudes are
+//
+//   (FᵀF + v/w²)⁻¹ Fᵀ r,      the evidence |1 + w² FᵀF/v|^(−1/2) exp(½ rᵀF (FᵀF + v/w²)⁻¹ Fᵀr/v),
+//
+// averaged over the widths. Over the shape numbers it is averaged by Laplace's method at the likeliest.
+// Source: MacKay, "Bayesian interpolation", Neural Computation 4 (1992).
+
+/// What a model takes up of the readings, and what it leaves.
+class FormSystem {
+ public:
+  using Outside = std::function<Eigen::MatrixXd(const Eigen::MatrixXd&)>;
+  /// `outside`: columns over the readings as rows of the system. `basis`: orthonormal, of what is taken up.
+  FormSystem(Outside outside, Eigen::MatrixXd basis, Eigen::VectorXd left, double variance);
+
+  const Eigen::VectorXd& left() const { return m_left; }
+  double variance() const { return m_variance; }
+  Eigen::MatrixXd visible(const Eigen::MatrixXd& columns) const;
+  /// Further columns over the readings, of any size.
+  void takeUp(const Eigen::MatrixXd& columns);
+
+  struct Products {
+    Eigen::MatrixXd all;    ///< columns as rows of the system
+    Eigen::MatrixXd taken;  ///< their products with the basis
+    Eigen::VectorXd right;  ///< with what is left
+
+    Eigen::MatrixXd gram(Eigen::Index first, Eigen::Index count) const;
+  };
+  Products productsOf(const Eigen::MatrixXd& columns) const;
+
+ private:
+  Outside m_outside;
+  Eigen::MatrixXd m_basis;
+  Eigen::VectorXd m_left;
+  double m_variance;
+};
+
+/// A family at its likeliest shape.
+struct WeighedForm {
+  Form form;
+  double logPrior = 0;
+  double logEvidence = impossible;       ///< at that shape, of its amplitudes
+  double logAveraged = impossible;       ///< over its shape numbers
+  double width = 1;                      ///< of the amplitudes, in units of the carrier
+  Eigen::Array2d sigmas{};               ///< standard uncertainty of `shapeCoordinates`
+  Eigen::VectorXd amplitudes = {};       ///< mm or arcseconds
+  Eigen::MatrixXd covariance = {};       ///< of these, the shape as uncertain as it is
+
+  double logPosterior() const { return logPrior + logAveraged; }
+};
+
+/// All families, the likeliest first; the first of them with shape numbers refined and amplitudes.
+std::vector<WeighedForm> weighForms(const FormSystem& system, const FormReadings& readings,
+                                    const std::vector<FormFamily>& families, const std::stop_token& stop);
+
+}  // namespace alidade

@@ -1,0 +1,166 @@
+#include "core/diagnosis/forms/found_form.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "core/base/number_text.h"
+
+namespace alidade {
+
+using Eigen::Index, Eigen::VectorXd;
+
+namespace {
+
+constexpr double degree = std::numbers::pi / 180;
+
+std::string shapeNumber(const Form& form, std::size_t index) {
+  return form.isOfAngle() ? fixedText(form.numbers[index] / degree, 1) + "°" : fixedText(form.numbers[index], 3);
+}
+
+std::string argumentText(FormArgument of) {
+  if (of == FormArgument::HorizontalCircle) return "alpha";
+  return of == FormArgument::VerticalCircle ? "beta" : std::string(nameOf(of));
+}
+
+/// The functions with their coefficients from `letter` on.
+std::string termsText(const Form& form, char letter) {
+  const std::string x = argumentText(form.of), a(1, letter), face = form.turnsWithFace ? "face*" : "";
+  switch (form.function) {
+    case FormFunction::Harmonic: {
+      const bool isOfTime = form.of == FormArgument::T;
+      const std::string order = isOfTime ? "2*pi*" + shapeNumber(form, 0) : std::to_string(form.order);
+      const std::string angle = order == "1" ? x : order + "*" + x;
+      const std::string b(1, static_cast<char>(letter + 1));
+      return face + a + "*cos(" + angle + ") + " + face + b + "*sin(" + angle + ")";
+    }
+    case FormFunction::Bump:
+      return face + a + "*bump(" + x + ", " + shapeNumber(form, 0) + ", " + shapeNumber(form, 1) + ")";
+    case FormFunction::Step:
+      return face + a + "*step(" + x + ", " + shapeNumber(form, 0) + ")";
+    case FormFunction::Hinge:
+      return face + a + "*max(0, " + x + " - " + shapeNumber(form, 0) + ")" + (form.isOfAngle() ? "/10°" : "");
+    case FormFunction::Exponential:
+      return face + a + "*exp(-" + x + "/" + shapeNumber(form, 0) + ")";
+    case FormFunction::Power:
+      return face + a + "*" + (form.isOfAngle() ? "(" + x + "/10°)" : x) +
+             (form.order > 1 ? "^" + std::to_string(form.order) : "");
+    case FormFunction::Hysteresis:
+      break;
+  }
+  return face + a + "*" + x;
+}
+
+char letterAfter(const Form& form, char letter) {
+  return static_cast<char>(letter + (form.function == FormFunction::Harmonic ? 2 : 1));
+}
+
+/// Of the numbers of the shape in `shapeCoordinates`, told in degrees or shares.
+void addShape(const WeighedForm& weighed, std::vector<FormNumber>& parameters) {
+  const Form& form = weighed.form;
+  const std::string unit = form.isOfAngle() ? "_deg" : "";
+  const double per = form.isOfAngle() ? degree : 1;
+  switch (form.function) {
+    case FormFunction::Bump:
+      parameters.push_back({"at" + unit, form.numbers[0] / per, weighed.sigmas[0] / per});
+      parameters.push_back(
+          {"width" + unit, form.numbers[1] / per, weighed.sigmas[1] * form.numbers[1] / per});
+      return;
+    case FormFunction::Step:
+    case FormFunction::Hinge:
+      parameters.push_back({"at" + unit, form.numbers[0] / per, weighed.sigmas[0] / per});
+      return;
+    case FormFunction::Exponential:
+      parameters.push_back({"tau", form.numbers[0], weighed.sigmas[0] * form.numbers[0]});
+      return;
+    case FormFunction::Harmonic:
+      if (form.of == FormArgument::T) parameters.push_back({"cycles", form.numbers[0], weighed.sigmas[0]});
+      return;
+    case FormFunction::Power:
+    case FormFunction::Hysteresis:
+      return;
+  }
+}
+
+bool isSameButOrder(const Form& a, const Form& b) {
+  return a.carrier == b.carrier && a.function == b.function && a.of == b.of &&
+         a.turnsWithFace == b.turnsWithFace;
+}
+
+/// Of the orders that are possible beside the likeliest.
+double sigmaOfOrder(const Form& form, const std::vector<WeighedForm>& all) {
+  double sum = 0, squares = 0;
+  const double best = all.front().logPosterior();
+  for (const WeighedForm& other : all) {
+    if (!isSameButOrder(other.form, form)) continue;
+    const double chance = std::exp(other.logPosterior() - best);
+    sum += chance;
+    squares += chance * std::pow(other.form.order - form.order, 2);
+  }
+  return sum > 0 ? std::sqrt(squares / sum) : 0;
+}
+
+/// Of one circle or length: the size of one or two coefficients.
+FormNumber amplitudeOf(const WeighedForm& weighed, Index first, Index count, const std::string& name) {
+  const VectorXd own = weighed.amplitudes.segment(first, count);
+  const auto covariance = weighed.covariance.block(first, first, count, count);
+  if (count == 1) return {name, own[0], std::sqrt(covariance(0, 0))};
+  const double size = own.norm();
+  const VectorXd along = size > 0 ? VectorXd(own / size) : VectorXd::Unit(count, 0);
+  return {name, size, std::sqrt(along.dot(covariance * along))};
+}
+
+}  // namespace
+
+std::string formulaOf(const Form& form) {
+  if (form.carrier != FormCarrier::Orientation) return std::string(nameOf(form.carrier)) + " = " + termsText(form, 'A');
+  return "horizontal = " + termsText(form, 'A') + ", vertical = " + termsText(form, letterAfter(form, 'A'));
+}
+
+FoundForm foundForm(const WeighedForm& weighed, const std::vector<WeighedForm>& all) {
+  const Form& form = weighed.form;
+  FoundForm found{.form = form, .formula = formulaOf(form)};
+  const Index count = weighed.amplitudes.size();
+  for (Index i = 0; i < count; ++i)
+    found.coefficients.push_back(
+        {std::string(1, static_cast<char>('A' + i)), weighed.amplitudes[i], std::sqrt(weighed.covariance(i, i))});
+  if (form.order > 0)
+    found.parameters.push_back({"order", static_cast<double>(form.order), sigmaOfOrder(form, all)});
+  addShape(weighed, found.parameters);
+  if (form.carrier == FormCarrier::Orientation) {
+    found.parameters.push_back(amplitudeOf(weighed, 0, count / 2, "horizontal_arcsec"));
+    found.parameters.push_back(amplitudeOf(weighed, count / 2, count / 2, "vertical_arcsec"));
+  } else {
+    const std::string name = form.isMillimetres() ? "amplitude_mm" : "amplitude_arcsec";
+    found.parameters.push_back(amplitudeOf(weighed, 0, count, name));
+  }
+  double sum = impossible;
+  for (const WeighedForm& other : all) sum = logSum(sum, other.logPosterior());
+  found.probability = std::exp(weighed.logPosterior() - sum);
+  return found;
+}
+
+std::vector<Form> lookAlikesOfFirst(const FormSystem& system, const FormReadings& readings,
+                                    const std::vector<WeighedForm>& all) {
+  constexpr double alike = 3;                  // σ
+  constexpr double nearly = alike * alike / 2; // natural logarithm
+  const WeighedForm& first = all.front();
+  const auto trace = [&](const WeighedForm& one) -> VectorXd {
+    return system.visible(formColumns(readings, one.form) * one.amplitudes);
+  };
+  const VectorXd own = trace(first);
+  std::vector<Form> forms;
+  for (std::size_t i = 1; i < all.size(); ++i) {
+    const bool isLikely = first.logPosterior() - all[i].logPosterior() < nearly;
+    const bool isAlike = !isLikely && all[i].amplitudes.size() > 0 &&
+                         (trace(all[i]) - own).norm() < alike * std::sqrt(system.variance());
+    if (isLikely || isAlike) forms.push_back(all[i].form);
+  }
+  if (first.form.carrier == FormCarrier::Slider && !readings.of(FormCarrier::Tangential).isZero()) {
+    forms.push_back(first.form);
+    forms.back().carrier = FormCarrier::Tangential;
+  }
+  return forms;
+}
+
+}  // namespace alidade

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <string_view>
+
+#include "core/base/result.h"
+#include "core/diagnosis/forms/form_readings.h"
+
+namespace alidade {
+
+/// A table of residuals, whitened by their stated σ.
+struct ResidualTable {
+  FormReadings readings;     ///< carriers horizontal, vertical and, where there are both, orientation
+  Eigen::VectorXd residual;  ///< over σ
+  Eigen::VectorXd sigma;     ///< arcsec
+  Eigen::MatrixXd base;      ///< over σ
+};
+
+/// As `discover` reads it.
+Result<ResidualTable> readResiduals(std::string_view bytes);
+
+}  // namespace alidade

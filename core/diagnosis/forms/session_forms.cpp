@@ -1,0 +1,253 @@
+#include "core/diagnosis/forms/session_forms.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <set>
+#include <utility>
+
+#include "core/base/statistics.h"
+#include "core/diagnosis/forms/find_forms.h"
+#include "core/diagnosis/forms/held_out_forms.h"
+#include "core/diagnosis/gap/every_effect.h"
+#include "core/diagnosis/search/explained_model.h"
+
+namespace alidade {
+
+using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
+
+namespace {
+
+Leftover leftoverOf(const GapModel& model) {
+  return Leftover(linearise(*model.measurement, *model.fit, model.options), model.options.terms);
+}
+
+/// Every effect but those that are not considered.
+GapModel withEffects(const GapModel& plain, const DiagnosisOptions& options) {
+  GapModel full = withEveryEffect(plain);
+  const auto isLeftOut = [&](const EstimatedTerm& term) {
+    const Effect* const effect = effectOf(term.term);
+    return effect && std::ranges::find(options.without, effect->id) != options.without.end();
+  };
+  if (std::erase_if(full.options.terms, isLeftOut) > 0) full.refit();
+  return full.fit->converged() ? full : plain;
+}
+
+/// Jumps have a moment, which a model's terms lack: they are columns beside it.
+bool isJump(const Component& component) {
+  return component.isJump() || component.slippedArc().has_value();
+}
+
+class SessionForms {
+ public:
+  SessionForms(const Inquiry& inquiry, const Explanation& certain, const DiagnosisOptions& options,
+               const std::stop_token& stop)
+      : m_inquiry(inquiry),
+        m_stop(stop),
+        m_plainModel(plainModel(inquiry, certain)),
+        m_fullModel(withEffects(m_plainModel, options)),
+        m_plain(leftoverOf(m_plainModel)),
+        m_full(leftoverOf(m_fullModel)),
+        m_readings(formReadings(m_full, *m_fullModel.measurement, *m_fullModel.fit)),
+        m_system(systemOf(m_full)) {
+    for (const Part& part : certain.parts)
+      if (isJump(inquiry.of(part))) addJump(part);
+  }
+
+  std::vector<FoundForm> find() {
+    FoundForms result = findForms(
+        m_system, m_readings, formFamilies(m_readings),
+        {.isNamed = [this](const std::vector<WeighedForm>& all) { return isNamed(all); },
+         .isAnythingLeft = [this](Eigen::Index takenUp) { return isAnythingLeft(takenUp); },
+         .note = [this](const WeighedForm& first, FoundForm& found) { addLookAlikes(first, found); }},
+        m_stop);
+    if (!result.forms.empty()) addShrinkage(result);
+    return std::move(result.forms);
+  }
+
+ private:
+  const Inquiry& m_inquiry;
+  const std::stop_token& m_stop;
+  GapModel m_plainModel, m_fullModel;  ///< with what is certain; with every effect, too
+  Leftover m_plain, m_full;
+  FormReadings m_readings;
+  FormSystem m_system;
+  MatrixXd m_beside;         ///< over the readings: jumps
+
+  static GapModel plainModel(const Inquiry& inquiry, Explanation certain) {
+    std::erase_if(certain.parts, [&](const Part& part) { return isJump(inquiry.of(part)); });
+    if (certain.parts.empty() && !certain.noisy) return inquiry.base;
+    GapModel model = modelWith(inquiry.base, certain, inquiry.candidates, inquiry.leftover);
+    return model.fit->isDetermined() ? model : inquiry.base;
+  }
+
+  static FormSystem systemOf(const Leftover& leftover) {
+    const auto outside = [&leftover](const MatrixXd& columns) { return leftover.outsideArcAngles(columns); };
+    return {outside, leftover.basis(), leftover.residual(), 1};
+  }
+
+  /// Beside a jump, unless the likeliest form explains what the jump was taken for.
+  void addJump(const Part& part) {
+    const Component& jump = m_inquiry.of(part);
+    MatrixXd columns = jump.wholeColumns(m_inquiry.leftover);
+    for (Index i = 0; i < columns.rows(); ++i)
+      if (!m_full.reading(i).takesPart) columns.row(i).setZero();
+    const FormSystem::Products products = m_system.productsOf(columns);
+    const double ofJump =
+        gainOf(jump.widths(), products.gram(0, columns.cols()), products.right, m_system.variance()).log +
+        m_inquiry.candidates.groupOf(part.component).logPrior;
+    FormSystem beside = m_system;
+    beside.takeUp(columns);
+    const std::vector<FormFamily> families = formFamilies(m_readings);
+    const double without = logSumOf(weighForms(m_system, m_readings, families, m_stop)),
+                 with = ofJump + logSumOf(weighForms(beside, m_readings, families, m_stop));
+    if (without > with) return;
+    m_system = std::move(beside);
+    const Index before = m_beside.cols();
+    m_beside.conservativeResize(columns.rows(), before + columns.cols());
+    m_beside.rightCols(columns.cols()) = columns;
+  }
+
+  /// Beyond what noise alone leaves in one of five sessions.
+  bool isAnythingLeft(Index takenUp) const {
+    constexpr double usual = 0.2;
+    const double freedom = static_cast<double>(m_full.degreesOfFreedom() - takenUp - m_beside.cols());
+    return chiSquareUpperTail(m_system.left().squaredNorm() / m_system.variance(), freedom).value_or(0) < usual;
+  }
+
+  /// Against nothing and the likeliest patterns.
+  bool isNamed(const std::vector<WeighedForm>& all) const {
+    return beatNothing(all) && logSumOf(all) > logPatterns();
+  }
+
+  /// A pattern is what remains where no form fits, and so less likely beforehand. One of two columns is a
+  /// harmonic, which is a form itself.
+  double logPatterns() const {
+    constexpr std::size_t most = 4;
+    constexpr double ofForms = 0.05;
+    std::set<std::size_t> seen;
+    double count = 0, sum = impossible;
+    for (std::size_t i = 0; i < m_inquiry.candidates.size(); ++i) count += m_inquiry.candidates[i].isShape() ? 1 : 0;
+    for (const Explanation& explanation : m_inquiry.explanations) {
+      if (!explanation.shaped || seen.size() == most) continue;
+      const Component& pattern = m_inquiry.of(explanation.parts.back());
+      if (pattern.columns() <= 2 || !seen.insert(explanation.parts.back().component).second) continue;
+      const FormSystem::Products products = m_system.productsOf(pattern.wholeColumns(m_inquiry.leftover));
+      const MatrixXd gram = products.gram(0, products.all.cols());
+      sum = logSum(sum, gainOf(pattern.widths(), gram, products.right, m_system.variance()).log +
+                            std::log(ofForms / count));
+    }
+    return sum;
+  }
+
+  /// Effects of the catalogue, of whatever size.
+  void addLookAlikes(const WeighedForm& first, FoundForm& found) const {
+    constexpr double alike = 3;  // σ
+    const Leftover& bare = m_inquiry.leftover;
+    const VectorXd trace = bare.visible(formColumns(m_readings, first.form) * first.amplitudes);
+    for (std::size_t i = 0; i < m_inquiry.candidates.size(); ++i) {
+      const Component& component = m_inquiry.candidates[i];
+      if (!component.isEffect()) continue;
+      const MatrixXd columns = component.visibleColumns(bare).leftCols(component.weights());
+      const VectorXd weights = columns.colPivHouseholderQr().solve(trace);
+      if ((trace - columns * weights).norm() < alike)
+        found.indistinguishableFrom.push_back({first.form, std::string(component.id())});
+    }
+  }
+
+  DividedModel divided(const Leftover& leftover) const {
+    FormSystem system = systemOf(leftover);
+    MatrixXd basis = leftover.basis();
+    if (m_beside.cols() > 0) {
+      MatrixXd all(basis.rows(), basis.cols() + m_beside.cols());
+      all << basis, leftover.outsideArcAngles(m_beside);
+      basis = all.colPivHouseholderQr().householderQ() * MatrixXd::Identity(all.rows(), all.cols());
+      system.takeUp(m_beside);
+    }
+    return {[&leftover](const MatrixXd& columns) { return leftover.outsideArcAngles(columns); },
+            std::move(basis), system.left()};
+  }
+
+  const Sighting& rowOf(Index i) const {
+    const LinearReading& reading = m_full.reading(i);
+    return m_fullModel.measurement->arcs[reading.arc].sightings[reading.sighting];
+  }
+
+  bool counts(Index i) const {
+    const LinearReading& reading = m_full.reading(i);
+    return reading.takesPart && !reading.isZero && reading.kind != ReadingKind::Slider;
+  }
+
+  /// Whole rounds, or visits at random where there is one, or where the form needs all rounds to be seen.
+  HeldOutReadings heldOut(const std::vector<FormFamily>& chosen) const {
+    constexpr int most = 4;
+    const bool needsRounds = std::ranges::any_of(chosen, [](const FormFamily& family) {
+      return family.form.of == FormArgument::T || family.form.of == FormArgument::Leg;
+    });
+    int rounds = 1;
+    for (Index i = 0; i < m_readings.count; ++i)
+      if (counts(i)) rounds = std::max(rounds, rowOf(i).round);
+    const bool byRounds = rounds > 1 && !needsRounds;
+    HeldOutReadings held{.fold = std::vector(static_cast<std::size_t>(m_readings.count), HeldOutReadings::none),
+                         .folds = byRounds ? std::min(rounds, most) : most,
+                         .arcseconds = VectorXd::Zero(m_readings.count)};
+    held.eliminated.assign(static_cast<std::size_t>(held.folds), 0);
+    const std::vector<int> shuffled = shuffledFolds(static_cast<std::size_t>(m_full.visits()), held.folds);
+    for (Index v = 0; v < m_full.visits(); ++v) {
+      const Leftover::Run run = m_full.readingsOf(v);
+      if (run.length() == 0 || m_full.reading(run.first).isZero) continue;
+      const int fold = byRounds ? (rowOf(run.first).round - 1) * held.folds / rounds
+                                : shuffled[static_cast<std::size_t>(v)];
+      addVisit(run, fold, held);
+    }
+    return held;
+  }
+
+  void addVisit(const Leftover::Run& run, int fold, HeldOutReadings& held) const {
+    int lost = 0;
+    bool hasArcAngle = false;
+    for (Index i = run.first; i < run.end; ++i) {
+      held.fold[static_cast<std::size_t>(i)] = fold;
+      const LinearReading& reading = m_full.reading(i);
+      lost += reading.takesPart ? 0 : 1;
+      hasArcAngle = hasArcAngle || reading.along != 0;
+      if (counts(i)) held.arcseconds[i] = Angle::fromRadians(reading.sigma).arcseconds();
+    }
+    held.eliminated[static_cast<std::size_t>(fold)] += lost + (hasArcAngle ? 1 : 0);
+  }
+
+  double rmsOf(const VectorXd& left) const {
+    double sum = 0, count = 0;
+    for (Index i = 0; i < m_readings.count; ++i) {
+      if (!counts(i)) continue;
+      sum += std::pow(left[i] * Angle::fromRadians(m_full.reading(i).sigma).arcseconds(), 2);
+      ++count;
+    }
+    return count > 0 ? std::sqrt(sum / count) : 0;
+  }
+
+  /// Of all forms together, the same for each.
+  void addShrinkage(FoundForms& found) const {
+    const DividedModel plain = divided(m_plain), full = divided(m_full);
+    FormSystem plainSystem(plain.outside, plain.basis, plain.left, m_system.variance());
+    for (const FoundForm& each : found.forms) plainSystem.takeUp(formColumns(m_readings, each.form));
+    InSampleShrinkage inSample;
+    if (const double before = rmsOf(plain.left); before > 0)
+      inSample = {1 - rmsOf(plainSystem.left()) / before, 1 - rmsOf(m_system.left()) / before};
+    const FormShrinkage shrink =
+        heldOutForms(plain, full, heldOut(found.families), m_readings,
+                                              found.families, m_system.variance(), inSample, m_stop);
+    for (FoundForm& form : found.forms) form.shrink = shrink;
+  }
+};
+
+}  // namespace
+
+std::vector<FoundForm> formsBeyond(const Inquiry& inquiry, const Explanation& certain,
+                                   const DiagnosisOptions& options, const std::stop_token& stop) {
+  constexpr Index mostReadings = 4000;  // beyond, the search takes seconds
+  if (inquiry.leftover.readings() > mostReadings || stop.stop_requested()) return {};
+  return SessionForms(inquiry, certain, options, stop).find();
+}
+
+}  // namespace alidade

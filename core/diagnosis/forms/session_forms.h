@@ -1,0 +1,17 @@
+#pragma once
+
+#include <stop_token>
+#include <vector>
+
+#include "core/diagnosis/result/form.h"
+#include "core/diagnosis/search/inquiry.h"
+
+namespace alidade {
+
+/// The forms of what is left beside what is certain, and beside every effect of the catalogue at its plausible
+/// size: up to three, the plainest first. A form beats nothing by 20 : 1, and the generic patterns; else there
+/// is none. `certain`: causes, without a pattern. Empty for a session of very many rows.
+std::vector<FoundForm> formsBeyond(const Inquiry& inquiry, const Explanation& certain,
+                                   const DiagnosisOptions& options, const std::stop_token& stop);
+
+}  // namespace alidade

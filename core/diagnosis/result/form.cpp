@@ -1,0 +1,45 @@
+#include "core/diagnosis/result/form.h"
+
+namespace alidade {
+
+namespace {
+
+constexpr std::array<std::string_view, 10> carrierNames = {
+    "radial", "tangential", "across", "x", "y", "z", "horizontal", "vertical", "orientation", "slider"};
+constexpr std::array<std::string_view, 7> functionNames = {"harmonic",    "bump",  "step",      "hinge",
+                                                           "exponential", "power", "hysteresis"};
+constexpr std::array<std::string_view, 9> argumentNames = {
+    "s", "t", "a", "e", "horizontal circle", "vertical circle", "leg", "face", "position"};
+
+}  // namespace
+
+std::string_view nameOf(FormCarrier carrier) {
+  return carrierNames[static_cast<std::size_t>(carrier)];
+}
+
+std::string_view nameOf(FormFunction function) {
+  return functionNames[static_cast<std::size_t>(function)];
+}
+
+std::string_view nameOf(FormArgument argument) {
+  return argumentNames[static_cast<std::size_t>(argument)];
+}
+
+int Form::count() const {
+  switch (function) {
+    case FormFunction::Bump:
+      return 2;
+    case FormFunction::Step:
+    case FormFunction::Hinge:
+    case FormFunction::Exponential:
+      return 1;
+    case FormFunction::Harmonic:
+      return of == FormArgument::T ? 1 : 0;
+    case FormFunction::Power:
+    case FormFunction::Hysteresis:
+      break;
+  }
+  return 0;
+}
+
+}  // namespace alidade

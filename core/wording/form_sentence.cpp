@@ -1,0 +1,158 @@
+#include "core/wording/form_sentence.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <numbers>
+#include <vector>
+
+#include "core/base/list_text.h"
+#include "core/base/phrase.h"
+#include "core/base/quantity_text.h"
+#include "core/wording/verdict.h"
+
+namespace alidade {
+
+namespace {
+
+std::string carrierText(const Form& form) {
+  switch (form.carrier) {
+    case FormCarrier::Radial:
+      return Phrase::of("radius");
+    case FormCarrier::Tangential:
+      return Phrase::of("place along the arc");
+    case FormCarrier::Across:
+      return Phrase::of("guideway across its plane");
+    case FormCarrier::X:
+      return Phrase::of("target in x");
+    case FormCarrier::Y:
+      return Phrase::of("target in y");
+    case FormCarrier::Z:
+      return Phrase::of("target in z");
+    case FormCarrier::Horizontal:
+      return Phrase::of("horizontal readings");
+    case FormCarrier::Vertical:
+      return Phrase::of("vertical readings");
+    case FormCarrier::Orientation:
+      return Phrase::of("orientation");
+    case FormCarrier::Slider:
+      break;
+  }
+  return Phrase::of("slider readings");
+}
+
+std::string symbolOf(FormArgument of) {
+  if (of == FormArgument::HorizontalCircle) return "α";
+  if (of == FormArgument::VerticalCircle) return "β";
+  if (of == FormArgument::Leg) return Phrase::of("(1 there, −1 back)");
+  if (of == FormArgument::Face) return Phrase::of("(1 in face 1, −1 in face 2)");
+  if (of == FormArgument::Position) return Phrase::of("(1 at 0°, −1 at 180°)");
+  return std::string(nameOf(of));
+}
+
+std::string numberText(const Form& form, std::size_t index) {
+  constexpr double degree = std::numbers::pi / 180;
+  return form.isOfAngle() ? displayText(form.numbers[index] / degree, 1) + "°"
+                          : displayText(form.numbers[index], 3);
+}
+
+/// What the amplitudes multiply: one text, or cosine and sine.
+std::vector<std::string> functionTexts(const Form& form) {
+  const std::string x = symbolOf(form.of);
+  switch (form.function) {
+    case FormFunction::Harmonic: {
+      const std::string angle = form.of == FormArgument::T ? "2π·" + numberText(form, 0) + "t"
+                                : form.order == 1          ? x
+                                                           : std::to_string(form.order) + x;
+      return {"cos " + angle, "sin " + angle};
+    }
+    case FormFunction::Bump:
+      return {"exp(−½((" + x + " − " + numberText(form, 0) + ")/" + numberText(form, 1) + ")²)"};
+    case FormFunction::Step:
+      return {"[" + x + " > " + numberText(form, 0) + "]"};
+    case FormFunction::Hinge:
+      return {"max(0, " + x + " − " + numberText(form, 0) + ")" + (form.isOfAngle() ? "/10°" : "")};
+    case FormFunction::Exponential:
+      return {"exp(−" + x + "/" + numberText(form, 0) + ")"};
+    case FormFunction::Power: {
+      const std::string base = form.isOfAngle() ? "(" + x + "/10°)" : x;
+      return {form.order == 1 ? base : base + (form.order == 2 ? "²" : "³")};
+    }
+    case FormFunction::Hysteresis:
+      break;
+  }
+  return {x};
+}
+
+std::string turningText(const Form& form, const std::string& text) {
+  if (form.carrier <= FormCarrier::Across) return Phrase::of("%1, turning with the guideway", text);
+  if (form.turnsWithFace) return Phrase::of("%1, with the other sign in face 2", text);
+  return text;
+}
+
+std::string amplitudeText(double value, double sigma, bool isMillimetres) {
+  const std::string size = displayText(std::abs(value), decimalsFor(sigma, 2)) + (isMillimetres ? " mm" : "″");
+  return (value < 0 ? " − " : " + ") + size + " · ";
+}
+
+/// Of one carrier: its coefficients from `first` on.
+std::string sumText(const FoundForm& found, std::size_t first) {
+  std::string text;
+  for (const std::string& function : functionTexts(found.form)) {
+    const FormNumber& number = found.coefficients[first++];
+    text += amplitudeText(number.value, number.sigma, found.form.isMillimetres()) + function;
+  }
+  return text;
+}
+
+/// Without sizes and places.
+std::string kindText(const FormLookAlike& other) {
+  if (!other.effect.empty()) return other.effect;
+  std::string text = carrierText(other.form) + ", " + functionTexts(other.form).front();
+  return other.form.turnsWithFace && other.form.of != FormArgument::VerticalCircle
+             ? Phrase::of("%1 with the other sign in face 2", text)
+             : text;
+}
+
+std::string percentText(double share) {
+  return displayText(100 * share, 0);
+}
+
+}  // namespace
+
+std::string textOf(const FoundForm& found) {
+  const Form& form = found.form;
+  if (form.carrier != FormCarrier::Orientation) return turningText(form, carrierText(form) + sumText(found, 0));
+  return Phrase::of("horizontal orientation%1, vertical orientation%2", sumText(found, 0),
+                    sumText(found, found.coefficients.size() / 2));
+}
+
+std::string formSentence(const FoundForm& found) {
+  return Phrase::of("The form: %1 (probability %2).", textOf(found), shortProbabilityText(found.probability));
+}
+
+std::string lookAlikesSentence(const FoundForm& found) {
+  constexpr std::size_t most = 6;
+  const std::size_t count = found.indistinguishableFrom.size();
+  if (count == 0) return {};
+  std::vector<std::string> kinds;
+  // Effects of the catalogue first.
+  for (const bool isEffect : {true, false})
+    for (const FormLookAlike& other : found.indistinguishableFrom)
+      if (other.effect.empty() != isEffect && kinds.size() < most) kinds.push_back(kindText(other));
+  if (count <= most) return Phrase::of("These readings cannot tell it from: %1.", listed(kinds));
+  return Phrase::of("These readings cannot tell it from: %1, and %2 more.", listed(kinds), count - most);
+}
+
+std::string shrinkSentence(const FoundForm& found) {
+  const FormShrinkage& shrink = found.shrink;
+  if (std::isnan(shrink.heldOut) || std::isnan(shrink.p)) return {};
+  char p[32];
+  std::snprintf(p, sizeof p, "%.1g", shrink.p);
+  return Phrase::of("On %1 readings that took no part in finding it the gap shrinks by %2 %, in all readings by "
+                    "%3 % (F test: p = %4).",
+                    shrink.heldOutReadings, percentText(shrink.heldOut), percentText(shrink.inSample),
+                    shrink.p < 1e-99 ? "0" : p);
+}
+
+}  // namespace alidade

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <string>
+
+#include "core/diagnosis/result/form.h"
+
+namespace alidade {
+
+/// "radius + 0.19 mm · cos 7s − 0.19 mm · sin 7s, turning with the guideway".
+std::string textOf(const FoundForm& found);
+
+/// "The form: … (probability 97 %)."
+std::string formSentence(const FoundForm& found);
+
+/// "These readings cannot tell it from: …." Empty where they can.
+std::string lookAlikesSentence(const FoundForm& found);
+
+/// "On 68 readings that took no part the gap shrinks by 91 % (in all readings by 93 %; F test: p = 1e-9)." Empty
+/// where too few readings are there.
+std::string shrinkSentence(const FoundForm& found);
+
+}  // namespace alidade
