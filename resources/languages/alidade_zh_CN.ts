@@ -5956,6 +5956,122 @@ Includes every catalogued effect, limited by these readings or by its plausible 
         <source>U of Δd, fit only, is %1 mm at the end of the protocol.</source>
         <translation>测量方案完成时，仅拟合 Δd 的 U 为 %1 mm。</translation>
     </message>
+    <message>
+        <source>The base columns take up all %1 residuals: leave some of the columns out.</source>
+        <translation>base 列已占用全部 %1 个残差：请去掉一些列。</translation>
+    </message>
+    <message>
+        <source>The table has %1 rows of residuals: forms need at least %2.</source>
+        <translation>表中有 %1 行残差：求形式至少需要 %2 行。</translation>
+    </message>
+    <message>
+        <source>Line %1: the column %2 is there twice. Remove one of them.</source>
+        <translation>第 %1 行：列 %2 出现两次。请删除其中一列。</translation>
+    </message>
+    <message>
+        <source>The table has %1 base columns: at most %2 are read.</source>
+        <translation>表中有 %1 个 base 列：最多读取 %2 个。</translation>
+    </message>
+    <message>
+        <source>Line %1: there is no column %2. The first row names the columns: residual_arcsec, sigma_arcsec, circle, azimuth_deg, elevation_deg.</source>
+        <translation>第 %1 行：缺少列 %2。首行给出列名：residual_arcsec、sigma_arcsec、circle、azimuth_deg、elevation_deg。</translation>
+    </message>
+    <message>
+        <source>The table has more than %1 rows: leave some of them out.</source>
+        <translation>表超过 %1 行：请去掉一部分。</translation>
+    </message>
+    <message>
+        <source>Line %1: the circle %2 is unknown. Enter horizontal or vertical.</source>
+        <translation>第 %1 行：度盘 %2 未知。请填写 horizontal 或 vertical。</translation>
+    </message>
+    <message>
+        <source>Line %1: %2 is %3, which is no number. Correct it or leave the row out.</source>
+        <translation>第 %1 行：%2 为 %3，不是数。请更正或去掉该行。</translation>
+    </message>
+    <message>
+        <source>Line %1: %2 is %3, outside %4. Correct it or leave the row out.</source>
+        <translation>第 %1 行：%2 为 %3，超出 %4。请更正或去掉该行。</translation>
+    </message>
+    <message>
+        <source>radius</source>
+        <translation>半径</translation>
+    </message>
+    <message>
+        <source>place along the arc</source>
+        <translation>沿弧位置</translation>
+    </message>
+    <message>
+        <source>guideway across its plane</source>
+        <translation>导轨偏离其平面</translation>
+    </message>
+    <message>
+        <source>target in x</source>
+        <translation>目标 x 方向</translation>
+    </message>
+    <message>
+        <source>target in y</source>
+        <translation>目标 y 方向</translation>
+    </message>
+    <message>
+        <source>target in z</source>
+        <translation>目标 z 方向</translation>
+    </message>
+    <message>
+        <source>horizontal readings</source>
+        <translation>水平读数</translation>
+    </message>
+    <message>
+        <source>vertical readings</source>
+        <translation>竖直读数</translation>
+    </message>
+    <message>
+        <source>orientation</source>
+        <translation>定向</translation>
+    </message>
+    <message>
+        <source>(1 there, −1 back)</source>
+        <translation>（往程 1，返程 −1）</translation>
+    </message>
+    <message>
+        <source>(1 in face 1, −1 in face 2)</source>
+        <translation>（盘左 1，盘右 −1）</translation>
+    </message>
+    <message>
+        <source>(1 at 0°, −1 at 180°)</source>
+        <translation>（0° 位 1，180° 位 −1）</translation>
+    </message>
+    <message>
+        <source>%1, turning with the guideway</source>
+        <translation>%1，随导轨转动</translation>
+    </message>
+    <message>
+        <source>%1, with the other sign in face 2</source>
+        <translation>%1，盘右时反号</translation>
+    </message>
+    <message>
+        <source>%1 with the other sign in face 2</source>
+        <translation>%1（盘右时反号）</translation>
+    </message>
+    <message>
+        <source>horizontal orientation%1, vertical orientation%2</source>
+        <translation>水平定向%1，竖直定向%2</translation>
+    </message>
+    <message>
+        <source>The form: %1 (probability %2).</source>
+        <translation>形式：%1（概率 %2）。</translation>
+    </message>
+    <message>
+        <source>These readings cannot tell it from: %1.</source>
+        <translation>这些读数无法将其与下列区分：%1。</translation>
+    </message>
+    <message>
+        <source>These readings cannot tell it from: %1, and %2 more.</source>
+        <translation>这些读数无法将其与下列区分：%1，以及另外 %2 种。</translation>
+    </message>
+    <message>
+        <source>On %1 readings that took no part in finding it the gap shrinks by %2 %, in all readings by %3 % (F test: p = %4).</source>
+        <translation>在未参与求解的 %1 个读数上，偏差缩小 %2 %，在全部读数上缩小 %3 %（F 检验：p = %4）。</translation>
+    </message>
 </context>
 <context>
     <name>PlaceText</name>
