@@ -12,7 +12,10 @@ namespace alidade {
 using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
 
 FormSystem::FormSystem(Outside outside, MatrixXd basis, VectorXd left, double variance)
-    : m_outside(std::move(outside)), m_basis(std::move(basis)), m_left(std::move(left)), m_variance(variance) {}
+    : m_outside(std::move(outside)),
+      m_basis(std::move(basis)),
+      m_left(std::move(left)),
+      m_variance(variance) {}
 
 MatrixXd FormSystem::visible(const MatrixXd& columns) const {
   MatrixXd result = m_outside(columns);
@@ -109,7 +112,8 @@ class Weighing {
   }
 
   static Eigen::Array2d firstSteps(const FormFamily& family) {
-    const Eigen::Array2d first = shapeCoordinates(family.grid.front()), second = shapeCoordinates(family.grid[1]);
+    const Eigen::Array2d first = shapeCoordinates(family.grid.front()),
+                         second = shapeCoordinates(family.grid[1]);
     constexpr double ofWidths = 0.3;
     return {std::abs(second[0] - first[0]) / 2, ofWidths};
   }
@@ -132,7 +136,8 @@ class Weighing {
       bend.curve(i, i) = (up + down - 2 * here) / (step[i] * step[i]);
     }
     if (count == 2) {
-      const double mixed = (value(1, 1) - value(1, -1) - value(-1, 1) + value(-1, -1)) / (4 * step[0] * step[1]);
+      const double mixed =
+          (value(1, 1) - value(1, -1) - value(-1, 1) + value(-1, -1)) / (4 * step[0] * step[1]);
       bend.curve(0, 1) = bend.curve(1, 0) = mixed;
     }
     return bend;
@@ -160,7 +165,8 @@ class Weighing {
         weighed.width = there.width;
       }
       const bool isThere = factor.info() == Eigen::Success && (move.abs() <= step / 2).all();
-      const Eigen::Vector2d scale = bend.curve.diagonal().cwiseAbs().cwiseMax(1e-12).cwiseSqrt().cwiseInverse();
+      const Eigen::Vector2d scale =
+          bend.curve.diagonal().cwiseAbs().cwiseMax(1e-12).cwiseSqrt().cwiseInverse();
       // As fine as the uncertainty of the numbers, where the evidence is a parabola.
       if (isThere && (scale.head(count).array() > step.head(count) / 2).all()) break;
       step = isThere ? (step / 4).max(step.min(scale.array())) : Eigen::Array2d(step * 0.6);
