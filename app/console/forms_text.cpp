@@ -11,8 +11,10 @@ std::string formsText(const std::vector<FoundForm>& forms) {
   for (const FoundForm& form : forms) {
     text += "\n" + paragraph(formSentence(form));
     for (const FormNumber& number : form.parameters)
-      text += "  " + number.name + " " + fixedText(number.value, 3) + " (u " + fixedText(number.sigma, 3) + ")\n";
-    if (const std::string alike = lookAlikesSentence(form); !alike.empty()) text += paragraph("  " + alike, 2);
+      text +=
+          "  " + number.name + " " + fixedText(number.value, 3) + " (u " + fixedText(number.sigma, 3) + ")\n";
+    if (const std::string alike = lookAlikesSentence(form); !alike.empty())
+      text += paragraph("  " + alike, 2);
   }
   if (forms.empty()) return text;
   const std::string shrink = shrinkSentence(forms.front());

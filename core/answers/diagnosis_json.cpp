@@ -155,7 +155,8 @@ Json diagnosisDocument(const std::string& session, const Diagnosis& diagnosis,
   json["attainable"] = attainableJson(diagnosis.attainable);
   if (diagnosis.shape)
     json["shape"] = {{"follows", diagnosis.shape->follows}, {"share", diagnosis.shape->share}};
-  if (diagnosis.verdict == DiagnosisVerdict::NotInCatalogue) json["forms"] = formsJson(diagnosis.forms);
+  if (diagnosis.verdict == DiagnosisVerdict::NotInCatalogue || !diagnosis.forms.empty())
+    json["forms"] = formsJson(diagnosis.forms);
   json["findings"] = findingsJson(findings);
   return json;
 }

@@ -125,6 +125,23 @@ std::vector<ReadingDeviation> readingsOf(const GapModel& model) {
   return readings;
 }
 
+/// Where the catalogue does not explain the gap, or only by more effects than can be taken apart: then forms
+/// have to beat those at three times their plausible size, and look like none of them.
+std::vector<FoundForm> formsOf(const Inquiry& inquiry, const Answer& answer, const DiagnosisOptions& options,
+                               const std::stop_token& stop) {
+  constexpr EffectScales asPlausible, large{3, 3, 3};
+  if (answer.kind == Answer::Kind::Unknown)
+    return formsBeyond(inquiry, answer.explanation, asPlausible, options, stop);
+  if (answer.kind != Answer::Kind::Several) return {};
+  std::vector<FoundForm> forms = formsBeyond(inquiry, answer.explanation, large, options, stop);
+  const auto isOfCatalogue = [](const FoundForm& found) {
+    return std::ranges::any_of(found.indistinguishableFrom,
+                               [](const FormLookAlike& other) { return !other.effect.empty(); });
+  };
+  if (std::ranges::any_of(forms, isOfCatalogue)) forms.clear();
+  return forms;
+}
+
 }  // namespace
 
 Result<Diagnosis, DiagnosisFault> diagnose(const Measurement& measurement, const DiagnosisOptions& options,
@@ -197,10 +214,8 @@ Result<Diagnosis, DiagnosisFault> diagnose(const Measurement& measurement, const
   for (const Detectability& detectability : undetectable)
     diagnosis.undetectable.push_back(
         {std::string(detectability.effect), detectability.influence, detectability.visible});
-  if (answer.kind == Answer::Kind::Unknown) {
-    diagnosis.shape = shapeOf(inquiry);
-    diagnosis.forms = formsBeyond(inquiry, answer.explanation, options, stop);
-  }
+  if (answer.kind == Answer::Kind::Unknown) diagnosis.shape = shapeOf(inquiry);
+  diagnosis.forms = formsOf(inquiry, answer, options, stop);
   diagnosis.whatItWouldTake = std::move(required);
   diagnosis.leftBefore = inSigma(own);
   diagnosis.leftAfter = inSigma(answer.opened);

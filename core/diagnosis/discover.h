@@ -19,8 +19,8 @@ struct Discovery {
 
 /// Reads a table whose first row names the columns, in any order: `residual_arcsec`, `sigma_arcsec`, `circle`
 /// (horizontal or vertical), `azimuth_deg`, `elevation_deg`, optional `time` (any unit, rising), `leg` (there
-/// or back, 1 or 2) and `face` (1 or 2), and any number of `base:NAME`, arcseconds for a size of 1, which a fit
-/// has taken up. Other columns are ignored. Fails with the line of what cannot be read.
+/// or back, 1 or 2) and `face` (1 or 2), and any number of `base:NAME`, arcseconds for a size of 1, which a
+/// fit has taken up. Other columns are ignored. Fails with the line of what cannot be read.
 Result<Discovery> discover(std::string_view bytes);
 
 }  // namespace alidade

@@ -91,7 +91,8 @@ std::string turningText(const Form& form, const std::string& text) {
 }
 
 std::string amplitudeText(double value, double sigma, bool isMillimetres) {
-  const std::string size = displayText(std::abs(value), decimalsFor(sigma, 2)) + (isMillimetres ? " mm" : "″");
+  const std::string size =
+      displayText(std::abs(value), decimalsFor(sigma, 2)) + (isMillimetres ? " mm" : "″");
   return (value < 0 ? " − " : " + ") + size + " · ";
 }
 
@@ -122,7 +123,8 @@ std::string percentText(double share) {
 
 std::string textOf(const FoundForm& found) {
   const Form& form = found.form;
-  if (form.carrier != FormCarrier::Orientation) return turningText(form, carrierText(form) + sumText(found, 0));
+  if (form.carrier != FormCarrier::Orientation)
+    return turningText(form, carrierText(form) + sumText(found, 0));
   return Phrase::of("horizontal orientation%1, vertical orientation%2", sumText(found, 0),
                     sumText(found, found.coefficients.size() / 2));
 }
@@ -149,10 +151,11 @@ std::string shrinkSentence(const FoundForm& found) {
   if (std::isnan(shrink.heldOut) || std::isnan(shrink.p)) return {};
   char p[32];
   std::snprintf(p, sizeof p, "%.1g", shrink.p);
-  return Phrase::of("On %1 readings that took no part in finding it the gap shrinks by %2 %, in all readings by "
-                    "%3 % (F test: p = %4).",
-                    shrink.heldOutReadings, percentText(shrink.heldOut), percentText(shrink.inSample),
-                    shrink.p < 1e-99 ? "0" : p);
+  return Phrase::of(
+      "On %1 readings that took no part in finding it the gap shrinks by %2 %, in all readings by "
+      "%3 % (F test: p = %4).",
+      shrink.heldOutReadings, percentText(shrink.heldOut), percentText(shrink.inSample),
+      shrink.p < 1e-99 ? "0" : p);
 }
 
 }  // namespace alidade

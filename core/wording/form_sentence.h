@@ -15,8 +15,8 @@ std::string formSentence(const FoundForm& found);
 /// "These readings cannot tell it from: …." Empty where they can.
 std::string lookAlikesSentence(const FoundForm& found);
 
-/// "On 68 readings that took no part the gap shrinks by 91 % (in all readings by 93 %; F test: p = 1e-9)." Empty
-/// where too few readings are there.
+/// "On 68 readings that took no part the gap shrinks by 91 % (in all readings by 93 %; F test: p = 1e-9)."
+/// Empty where too few readings are there.
 std::string shrinkSentence(const FoundForm& found);
 
 }  // namespace alidade

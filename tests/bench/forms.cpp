@@ -1,7 +1,7 @@
-// How well the forms of effects of no catalogue are named: sessions with a known form, by kind: named right, the
-// right one among those it cannot be told from, shape numbers and amplitudes within 3 u, look-alikes, the
-// stated probability, the shrinkage on readings held out, and the time of a diagnosis. Argument: a folder with
-// truth.json and sessions/.
+// How well the forms of effects of no catalogue are named: sessions with a known form, by kind: named right,
+// the right one among those it cannot be told from, shape numbers and amplitudes within 3 u, look-alikes, the
+// stated probability, the shrinkage on readings held out, and the time of a diagnosis. Argument: a folder
+// with truth.json and sessions/.
 
 #include <chrono>
 #include <cmath>
@@ -41,7 +41,8 @@ void addNumbers(const Json& parameters, const Json& truth, Score& score) {
     // A harmonic's amplitude has no sign.
     const double off = std::abs(parameters[name].get<double>()) - std::abs(value.get<double>());
     const bool isWithin = std::abs(off) <= 3 * parameters[sigma].get<double>();
-    const bool isSize = name.find("amplitude") != std::string::npos || name.find("arcsec") != std::string::npos;
+    const bool isSize =
+        name.find("amplitude") != std::string::npos || name.find("arcsec") != std::string::npos;
     ++(isSize ? score.sizes : score.shapes);
     (isSize ? score.sizesWithin : score.shapesWithin) += isWithin ? 1 : 0;
   }
@@ -91,12 +92,13 @@ int main(int argc, char** argv) {
     score.strong += truth.value("beyond_catalogue_sigma", 0.0) >= 10 ? 1 : 0;
     add(diagnosisDocument(name, *diagnosis, {}), truth, score);
   }
-  std::printf("%-28s %5s %5s %5s %5s %5s %7s %7s %6s %6s %6s %6s\n", "kind", "n", ">10s", "named", "right", "class",
-              "shapes", "sizes", "alike", "P", "held", "ms");
+  std::printf("%-28s %5s %5s %5s %5s %5s %7s %7s %6s %6s %6s %6s\n", "kind", "n", ">10s", "named", "right",
+              "class", "shapes", "sizes", "alike", "P", "held", "ms");
   for (const auto& [kind, s] : scores) {
     const double named = std::max(s.named, 1);
-    std::printf("%-28s %5d %5d %5d %5d %5d %3d/%-3d %3d/%-3d %6.1f %6.3f %6.3f %6.1f\n", kind.c_str(), s.sessions,
-                s.strong, s.named, s.right, s.inClass, s.shapesWithin, s.shapes, s.sizesWithin, s.sizes,
-                s.lookAlikes / named, s.probability / named, s.shrinkage / named, s.milliseconds / s.sessions);
+    std::printf("%-28s %5d %5d %5d %5d %5d %3d/%-3d %3d/%-3d %6.1f %6.3f %6.3f %6.1f\n", kind.c_str(),
+                s.sessions, s.strong, s.named, s.right, s.inClass, s.shapesWithin, s.shapes, s.sizesWithin,
+                s.sizes, s.lookAlikes / named, s.probability / named, s.shrinkage / named,
+                s.milliseconds / s.sessions);
   }
 }

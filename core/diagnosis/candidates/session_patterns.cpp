@@ -113,13 +113,14 @@ std::vector<Recipe> makeRecipes() {
   add(PHRASE_LATER("Phrase", "vertical readings with azimuth"), Vertical, Of::Azimuth, Course::Smooth, waves);
   add(PHRASE_LATER("Phrase", "difference of the faces, horizontal"), HorizontalFaces, Of::Elevation,
       Course::Smooth, waves);
-  add(PHRASE_LATER("Phrase", "difference of the faces, vertical"), VerticalFaces, Of::Elevation, Course::Smooth,
-      waves);
+  add(PHRASE_LATER("Phrase", "difference of the faces, vertical"), VerticalFaces, Of::Elevation,
+      Course::Smooth, waves);
   add(PHRASE_LATER("Phrase", "horizontal readings on the way back"), Horizontal, Of::Leg, Course::WayBack);
   add(PHRASE_LATER("Phrase", "vertical readings on the way back"), Vertical, Of::Leg, Course::WayBack);
   source = ErrorSource::Time;
   add(PHRASE_LATER("Phrase", "orientation settling with time"), Both, Of::Time, Course::Settling);
-  add(PHRASE_LATER("Phrase", "horizontal orientation with time"), Horizontal, Of::Time, Course::Smooth, waves);
+  add(PHRASE_LATER("Phrase", "horizontal orientation with time"), Horizontal, Of::Time, Course::Smooth,
+      waves);
   add(PHRASE_LATER("Phrase", "vertical orientation with time"), Vertical, Of::Time, Course::Smooth, waves);
   add(PHRASE_LATER("Phrase", "distance with time"), Distance, Of::Time, Course::Smooth, fewWaves);
   return list;
@@ -231,7 +232,8 @@ class Readings {
     switch (recipe.of) {
       case Of::Guideway:
         return each([&](Index i) {
-          return recipe.form == Course::Harmonic ? sliderCoordinate(i) : sliderCoordinate(i) / std::numbers::pi;
+          return recipe.form == Course::Harmonic ? sliderCoordinate(i)
+                                                 : sliderCoordinate(i) / std::numbers::pi;
         });
       case Of::Time:
         return each([&](Index i) {

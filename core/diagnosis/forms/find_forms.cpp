@@ -29,8 +29,9 @@ bool beatNothing(const std::vector<WeighedForm>& all) {
          logSumOf(all) + std::log(PriorOdds{}.shape) > std::log(least);
 }
 
-FoundForms findForms(FormSystem& system, const FormReadings& readings, const std::vector<FormFamily>& families,
-                     const FormChoice& choice, const std::stop_token& stop) {
+FoundForms findForms(FormSystem& system, const FormReadings& readings,
+                     const std::vector<FormFamily>& families, const FormChoice& choice,
+                     const std::stop_token& stop) {
   constexpr std::size_t most = 3;
   FoundForms found;
   Eigen::Index takenUp = 0;
@@ -39,7 +40,8 @@ FoundForms findForms(FormSystem& system, const FormReadings& readings, const std
     if (all.empty() || !choice.isNamed(all)) break;
     const WeighedForm& first = all.front();
     FoundForm& form = found.forms.emplace_back(foundForm(first, all));
-    for (const Form& other : lookAlikesOfFirst(system, readings, all)) form.indistinguishableFrom.push_back({other});
+    for (const Form& other : lookAlikesOfFirst(system, readings, all))
+      form.indistinguishableFrom.push_back({other});
     choice.note(first, form);
     found.families.push_back(
         *std::ranges::find_if(families, [&](const FormFamily& family) { return isOf(family, first.form); }));

@@ -21,8 +21,9 @@ struct FormChoice {
 };
 
 /// One form after the other, up to three, each beside those before it, which `system` then takes up.
-FoundForms findForms(FormSystem& system, const FormReadings& readings, const std::vector<FormFamily>& families,
-                     const FormChoice& choice, const std::stop_token& stop);
+FoundForms findForms(FormSystem& system, const FormReadings& readings,
+                     const std::vector<FormFamily>& families, const FormChoice& choice,
+                     const std::stop_token& stop);
 
 double logSumOf(const std::vector<WeighedForm>& all);
 /// Together by 20 : 1, at the odds of any pattern, and the first has amplitudes.

@@ -66,9 +66,10 @@ class FamilyMaker {
   void addCircle(FormCarrier carrier) {
     constexpr int sparse = 16, orders = 24, fewOrders = 4;
     const bool isVertical = carrier == Vertical;
-    addHarmonics(
-        {.carrier = carrier, .of = isVertical ? VerticalCircle : HorizontalCircle, .turnsWithFace = isVertical},
-        orders);
+    addHarmonics({.carrier = carrier,
+                  .of = isVertical ? VerticalCircle : HorizontalCircle,
+                  .turnsWithFace = isVertical},
+                 orders);
     for (const FormArgument of : {Azimuth, Elevation})
       for (const bool turns : {false, true}) {
         const Form form{.carrier = carrier, .of = of, .turnsWithFace = turns};
@@ -108,7 +109,8 @@ class FamilyMaker {
     return form.of == S && (form.carrier == X || form.carrier == Y || form.carrier == Z);
   }
 
-  /// Two bits a word: carrier, function, argument, turning over, shape numbers; an order k has a share of 1/k.
+  /// Two bits a word: carrier, function, argument, turning over, shape numbers; an order k has a share of
+  /// 1/k.
   void add(const Form& form, std::vector<Form> grid = {}, double logVolume = 0) {
     if (!m_readings.has(form)) return;
     const bool hasOneFace = m_readings.face.maxCoeff() == m_readings.face.minCoeff();
@@ -157,8 +159,8 @@ class FamilyMaker {
     const Form bump = with(form, Bump);
     std::vector<Form> grid;
     constexpr int dense = 20;
-    const std::vector<double> widths = steps > dense ? std::vector{0.025, 0.045, 0.08, 0.14, 0.25}
-                                                     : std::vector{0.05, 0.1, 0.2};
+    const std::vector<double> widths =
+        steps > dense ? std::vector{0.025, 0.045, 0.08, 0.14, 0.25} : std::vector{0.05, 0.1, 0.2};
     for (const double width : widths)
       for (int i = 0; i <= steps; ++i) {
         grid.push_back(bump);

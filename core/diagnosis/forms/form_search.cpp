@@ -12,7 +12,10 @@ namespace alidade {
 using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
 
 FormSystem::FormSystem(Outside outside, MatrixXd basis, VectorXd left, double variance)
-    : m_outside(std::move(outside)), m_basis(std::move(basis)), m_left(std::move(left)), m_variance(variance) {}
+    : m_outside(std::move(outside)),
+      m_basis(std::move(basis)),
+      m_left(std::move(left)),
+      m_variance(variance) {}
 
 MatrixXd FormSystem::visible(const MatrixXd& columns) const {
   MatrixXd result = m_outside(columns);
@@ -63,17 +66,34 @@ class Weighing {
       columns.middleCols(i * each, each) = scaled(family.grid[static_cast<std::size_t>(i)]);
     const FormSystem::Products products = m_system.productsOf(columns);
     WeighedForm best{.form = family.form, .logPrior = family.logPrior};
+    std::vector<double> logs;
     double sum = impossible;
     for (Index i = 0; i < count; ++i) {
       const Gain gain = gainOfColumns(products, i * each, each);
+      logs.push_back(gain.log);
       sum = logSum(sum, gain.log);
       if (!(gain.log > best.logEvidence)) continue;
       best.form = family.grid[static_cast<std::size_t>(i)];
       best.logEvidence = gain.log;
       best.width = gain.width;
     }
+    best.sigmas = spreadOnGrid(family, logs, best);
     best.logAveraged = sum - std::log(static_cast<double>(count));
     return best;
+  }
+
+  /// About the likeliest shape: where there are several places that explain the readings, they count.
+  static Eigen::Array2d spreadOnGrid(const FormFamily& family, const std::vector<double>& logs,
+                                     const WeighedForm& best) {
+    const Eigen::Array2d middle = shapeCoordinates(best.form);
+    Eigen::Array2d squares = Eigen::Array2d::Zero();
+    double all = 0;
+    for (std::size_t i = 0; i < logs.size(); ++i) {
+      const double share = std::exp(logs[i] - best.logEvidence);
+      squares += share * (shapeCoordinates(family.grid[i]) - middle).square();
+      all += share;
+    }
+    return all > 0 ? Eigen::Array2d((squares / all).sqrt()) : Eigen::Array2d::Zero();
   }
 
   /// Shape numbers to the likeliest, with their uncertainty.
@@ -109,7 +129,8 @@ class Weighing {
   }
 
   static Eigen::Array2d firstSteps(const FormFamily& family) {
-    const Eigen::Array2d first = shapeCoordinates(family.grid.front()), second = shapeCoordinates(family.grid[1]);
+    const Eigen::Array2d first = shapeCoordinates(family.grid.front()),
+                         second = shapeCoordinates(family.grid[1]);
     constexpr double ofWidths = 0.3;
     return {std::abs(second[0] - first[0]) / 2, ofWidths};
   }
@@ -132,7 +153,8 @@ class Weighing {
       bend.curve(i, i) = (up + down - 2 * here) / (step[i] * step[i]);
     }
     if (count == 2) {
-      const double mixed = (value(1, 1) - value(1, -1) - value(-1, 1) + value(-1, -1)) / (4 * step[0] * step[1]);
+      const double mixed =
+          (value(1, 1) - value(1, -1) - value(-1, 1) + value(-1, -1)) / (4 * step[0] * step[1]);
       bend.curve(0, 1) = bend.curve(1, 0) = mixed;
     }
     return bend;
@@ -160,7 +182,8 @@ class Weighing {
         weighed.width = there.width;
       }
       const bool isThere = factor.info() == Eigen::Success && (move.abs() <= step / 2).all();
-      const Eigen::Vector2d scale = bend.curve.diagonal().cwiseAbs().cwiseMax(1e-12).cwiseSqrt().cwiseInverse();
+      const Eigen::Vector2d scale =
+          bend.curve.diagonal().cwiseAbs().cwiseMax(1e-12).cwiseSqrt().cwiseInverse();
       // As fine as the uncertainty of the numbers, where the evidence is a parabola.
       if (isThere && (scale.head(count).array() > step.head(count) / 2).all()) break;
       step = isThere ? (step / 4).max(step.min(scale.array())) : Eigen::Array2d(step * 0.6);
@@ -177,7 +200,7 @@ class Weighing {
       return;
     }
     const MatrixXd covariance = factor.solve(MatrixXd::Identity(count, count));
-    weighed.sigmas.head(count) = covariance.diagonal().array().sqrt();
+    weighed.sigmas.head(count) = weighed.sigmas.head(count).max(covariance.diagonal().array().sqrt());
     const double logPeak = static_cast<double>(count) / 2 * std::log(2 * std::numbers::pi) -
                            factor.matrixLLT().diagonal().array().log().sum();
     weighed.logAveraged = weighed.logEvidence + std::min(logPeak - logVolume, 0.0);
@@ -190,7 +213,7 @@ class Weighing {
       if (family.grid[i].numbers[0] == weighed.form.numbers[0] ||
           family.grid[i - 1].numbers[0] == weighed.form.numbers[0])
         gap = std::max(gap, family.grid[i].numbers[0] - family.grid[i - 1].numbers[0]);
-    weighed.sigmas[0] = gap / std::sqrt(12.0);
+    weighed.sigmas[0] = std::max(weighed.sigmas[0], gap / std::sqrt(12.0));
     setAmplitudes(weighed, 0);
   }
 

@@ -52,12 +52,12 @@ class FormSystem {
 struct WeighedForm {
   Form form;
   double logPrior = 0;
-  double logEvidence = impossible;       ///< at that shape, of its amplitudes
-  double logAveraged = impossible;       ///< over its shape numbers
-  double width = 1;                      ///< of the amplitudes, in units of the carrier
-  Eigen::Array2d sigmas{};               ///< standard uncertainty of `shapeCoordinates`
-  Eigen::VectorXd amplitudes = {};       ///< mm or arcseconds
-  Eigen::MatrixXd covariance = {};       ///< of these, the shape as uncertain as it is
+  double logEvidence = impossible;  ///< at that shape, of its amplitudes
+  double logAveraged = impossible;  ///< over its shape numbers
+  double width = 1;                 ///< of the amplitudes, in units of the carrier
+  Eigen::Array2d sigmas{};          ///< standard uncertainty of `shapeCoordinates`
+  Eigen::VectorXd amplitudes = {};  ///< mm or arcseconds
+  Eigen::MatrixXd covariance = {};  ///< of these, the shape as uncertain as it is
 
   double logPosterior() const { return logPrior + logAveraged; }
 };

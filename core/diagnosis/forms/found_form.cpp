@@ -15,7 +15,8 @@ namespace {
 constexpr double degree = std::numbers::pi / 180;
 
 std::string shapeNumber(const Form& form, std::size_t index) {
-  return form.isOfAngle() ? fixedText(form.numbers[index] / degree, 1) + "°" : fixedText(form.numbers[index], 3);
+  return form.isOfAngle() ? fixedText(form.numbers[index] / degree, 1) + "°"
+                          : fixedText(form.numbers[index], 3);
 }
 
 std::string argumentText(FormArgument of) {
@@ -39,7 +40,8 @@ std::string termsText(const Form& form, char letter) {
     case FormFunction::Step:
       return face + a + "*step(" + x + ", " + shapeNumber(form, 0) + ")";
     case FormFunction::Hinge:
-      return face + a + "*max(0, " + x + " - " + shapeNumber(form, 0) + ")" + (form.isOfAngle() ? "/10°" : "");
+      return face + a + "*max(0, " + x + " - " + shapeNumber(form, 0) + ")" +
+             (form.isOfAngle() ? "/10°" : "");
     case FormFunction::Exponential:
       return face + a + "*exp(-" + x + "/" + shapeNumber(form, 0) + ")";
     case FormFunction::Power:
@@ -113,7 +115,8 @@ FormNumber amplitudeOf(const WeighedForm& weighed, Index first, Index count, con
 }  // namespace
 
 std::string formulaOf(const Form& form) {
-  if (form.carrier != FormCarrier::Orientation) return std::string(nameOf(form.carrier)) + " = " + termsText(form, 'A');
+  if (form.carrier != FormCarrier::Orientation)
+    return std::string(nameOf(form.carrier)) + " = " + termsText(form, 'A');
   return "horizontal = " + termsText(form, 'A') + ", vertical = " + termsText(form, letterAfter(form, 'A'));
 }
 
@@ -122,8 +125,8 @@ FoundForm foundForm(const WeighedForm& weighed, const std::vector<WeighedForm>& 
   FoundForm found{.form = form, .formula = formulaOf(form)};
   const Index count = weighed.amplitudes.size();
   for (Index i = 0; i < count; ++i)
-    found.coefficients.push_back(
-        {std::string(1, static_cast<char>('A' + i)), weighed.amplitudes[i], std::sqrt(weighed.covariance(i, i))});
+    found.coefficients.push_back({std::string(1, static_cast<char>('A' + i)), weighed.amplitudes[i],
+                                  std::sqrt(weighed.covariance(i, i))});
   if (form.order > 0)
     found.parameters.push_back({"order", static_cast<double>(form.order), sigmaOfOrder(form, all)});
   addShape(weighed, found.parameters);
@@ -142,8 +145,8 @@ FoundForm foundForm(const WeighedForm& weighed, const std::vector<WeighedForm>& 
 
 std::vector<Form> lookAlikesOfFirst(const FormSystem& system, const FormReadings& readings,
                                     const std::vector<WeighedForm>& all) {
-  constexpr double alike = 3;                  // σ
-  constexpr double nearly = alike * alike / 2; // natural logarithm
+  constexpr double alike = 3;                   // σ
+  constexpr double nearly = alike * alike / 2;  // natural logarithm
   const WeighedForm& first = all.front();
   const auto trace = [&](const WeighedForm& one) -> VectorXd {
     return system.visible(formColumns(readings, one.form) * one.amplitudes);

@@ -57,8 +57,8 @@ class Fold {
 
   /// What forms found in the other readings do to all readings. Absent where they are not seen there.
   std::optional<std::pair<MatrixXd, VectorXd>> learnt(const DividedModel& full, const FormReadings& readings,
-                                                      const std::vector<FormFamily>& families, double variance,
-                                                      const std::stop_token& stop) const {
+                                                      const std::vector<FormFamily>& families,
+                                                      double variance, const std::stop_token& stop) const {
     const auto outside = [&](const MatrixXd& columns) -> MatrixXd {
       return full.outside(columns)(m_in, Eigen::all);
     };
@@ -132,8 +132,7 @@ std::vector<int> shuffledFolds(std::size_t count, int folds) {
 
 FormShrinkage heldOutForms(const DividedModel& plain, const DividedModel& full, const HeldOutReadings& held,
                            const FormReadings& readings, const std::vector<FormFamily>& families,
-                           double variance, const InSampleShrinkage& inSample,
-                           const std::stop_token& stop) {
+                           double variance, const InSampleShrinkage& inSample, const std::stop_token& stop) {
   constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
   FormShrinkage shrink{.heldOut = unknown, .f = unknown, .p = unknown};
   Squares before, plainAfter, fullAfter;

@@ -39,7 +39,8 @@ class ResidualReader {
     }
     if (m_table.problem()) return Problem{m_table.problem()->text()};
     if (m_rows < fewestRows)
-      return Problem{Phrase::of("The table has %1 rows of residuals: forms need at least %2.", m_rows, fewestRows)};
+      return Problem{
+          Phrase::of("The table has %1 rows of residuals: forms need at least %2.", m_rows, fewestRows)};
     return table();
   }
 
@@ -55,8 +56,8 @@ class ResidualReader {
     for (std::size_t i = 0; i < row.cells.size(); ++i) {
       const std::string name = trimmed(row.cells[i].text), key = lowerCase(name);
       const bool isBase = key.starts_with("base:");
-      if (!isBase && !isOneOf(key, {"residual_arcsec", "sigma_arcsec", "circle", "azimuth_deg", "elevation_deg",
-                                    "time", "leg", "face"}))
+      if (!isBase && !isOneOf(key, {"residual_arcsec", "sigma_arcsec", "circle", "azimuth_deg",
+                                    "elevation_deg", "time", "leg", "face"}))
         continue;
       if (!m_places.emplace(isBase ? name : key, i).second)
         return Problem{Phrase::of("Line %1: the column %2 is there twice. Remove one of them.", row.line,
@@ -64,12 +65,14 @@ class ResidualReader {
       if (isBase) m_bases.push_back(name);
     }
     if (m_bases.size() > mostBases)
-      return Problem{Phrase::of("The table has %1 base columns: at most %2 are read.", m_bases.size(), mostBases)};
+      return Problem{
+          Phrase::of("The table has %1 base columns: at most %2 are read.", m_bases.size(), mostBases)};
     for (const char* needed : {"residual_arcsec", "sigma_arcsec", "circle", "azimuth_deg", "elevation_deg"})
       if (!m_places.contains(needed))
-        return Problem{Phrase::of("Line %1: there is no column %2. The first row names the columns: "
-                                  "residual_arcsec, sigma_arcsec, circle, azimuth_deg, elevation_deg.",
-                                  row.line, needed)};
+        return Problem{
+            Phrase::of("Line %1: there is no column %2. The first row names the columns: "
+                       "residual_arcsec, sigma_arcsec, circle, azimuth_deg, elevation_deg.",
+                       row.line, needed)};
     return std::nullopt;
   }
 
@@ -115,8 +118,8 @@ class ResidualReader {
   static std::optional<Problem> outOfRange(const CsvRow& row, const std::string& name, double value) {
     constexpr double large = 1e9;
     const auto refused = [&](const char* range) {
-      return Problem{Phrase::of("Line %1: %2 is %3, outside %4. Correct it or leave the row out.", row.line, name,
-                                shortestText(value), range)};
+      return Problem{Phrase::of("Line %1: %2 is %3, outside %4. Correct it or leave the row out.", row.line,
+                                name, shortestText(value), range)};
     };
     if (name == "sigma_arcsec" && !(value > 1e-9 && value < large)) return refused("0 … 1e9");
     if (name == "elevation_deg" && std::abs(value) > 90) return refused("−90° … 90°");
@@ -132,7 +135,8 @@ class ResidualReader {
   }
 
   static void set(FormReadings& readings, FormArgument of, VectorXd values) {
-    if (values.maxCoeff() > values.minCoeff()) readings.arguments[static_cast<std::size_t>(of)] = std::move(values);
+    if (values.maxCoeff() > values.minCoeff())
+      readings.arguments[static_cast<std::size_t>(of)] = std::move(values);
   }
 
   ResidualTable table() const {

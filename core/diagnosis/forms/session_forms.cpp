@@ -9,7 +9,6 @@
 #include "core/base/statistics.h"
 #include "core/diagnosis/forms/find_forms.h"
 #include "core/diagnosis/forms/held_out_forms.h"
-#include "core/diagnosis/gap/every_effect.h"
 #include "core/diagnosis/search/explained_model.h"
 
 namespace alidade {
@@ -23,8 +22,8 @@ Leftover leftoverOf(const GapModel& model) {
 }
 
 /// Every effect but those that are not considered.
-GapModel withEffects(const GapModel& plain, const DiagnosisOptions& options) {
-  GapModel full = withEveryEffect(plain);
+GapModel withEffects(const GapModel& plain, const EffectScales& scales, const DiagnosisOptions& options) {
+  GapModel full = withEveryEffect(plain, scales);
   const auto isLeftOut = [&](const EstimatedTerm& term) {
     const Effect* const effect = effectOf(term.term);
     return effect && std::ranges::find(options.without, effect->id) != options.without.end();
@@ -40,12 +39,12 @@ bool isJump(const Component& component) {
 
 class SessionForms {
  public:
-  SessionForms(const Inquiry& inquiry, const Explanation& certain, const DiagnosisOptions& options,
-               const std::stop_token& stop)
+  SessionForms(const Inquiry& inquiry, const Explanation& certain, const EffectScales& scales,
+               const DiagnosisOptions& options, const std::stop_token& stop)
       : m_inquiry(inquiry),
         m_stop(stop),
         m_plainModel(plainModel(inquiry, certain)),
-        m_fullModel(withEffects(m_plainModel, options)),
+        m_fullModel(withEffects(m_plainModel, scales, options)),
         m_plain(leftoverOf(m_plainModel)),
         m_full(leftoverOf(m_fullModel)),
         m_readings(formReadings(m_full, *m_fullModel.measurement, *m_fullModel.fit)),
@@ -72,7 +71,7 @@ class SessionForms {
   Leftover m_plain, m_full;
   FormReadings m_readings;
   FormSystem m_system;
-  MatrixXd m_beside;         ///< over the readings: jumps
+  MatrixXd m_beside;  ///< over the readings: jumps
 
   static GapModel plainModel(const Inquiry& inquiry, Explanation certain) {
     std::erase_if(certain.parts, [&](const Part& part) { return isJump(inquiry.of(part)); });
@@ -112,7 +111,8 @@ class SessionForms {
   bool isAnythingLeft(Index takenUp) const {
     constexpr double usual = 0.2;
     const double freedom = static_cast<double>(m_full.degreesOfFreedom() - takenUp - m_beside.cols());
-    return chiSquareUpperTail(m_system.left().squaredNorm() / m_system.variance(), freedom).value_or(0) < usual;
+    return chiSquareUpperTail(m_system.left().squaredNorm() / m_system.variance(), freedom).value_or(0) <
+           usual;
   }
 
   /// Against nothing and the likeliest patterns.
@@ -127,7 +127,8 @@ class SessionForms {
     constexpr double ofForms = 0.05;
     std::set<std::size_t> seen;
     double count = 0, sum = impossible;
-    for (std::size_t i = 0; i < m_inquiry.candidates.size(); ++i) count += m_inquiry.candidates[i].isShape() ? 1 : 0;
+    for (std::size_t i = 0; i < m_inquiry.candidates.size(); ++i)
+      count += m_inquiry.candidates[i].isShape() ? 1 : 0;
     for (const Explanation& explanation : m_inquiry.explanations) {
       if (!explanation.shaped || seen.size() == most) continue;
       const Component& pattern = m_inquiry.of(explanation.parts.back());
@@ -188,9 +189,10 @@ class SessionForms {
     for (Index i = 0; i < m_readings.count; ++i)
       if (counts(i)) rounds = std::max(rounds, rowOf(i).round);
     const bool byRounds = rounds > 1 && !needsRounds;
-    HeldOutReadings held{.fold = std::vector(static_cast<std::size_t>(m_readings.count), HeldOutReadings::none),
-                         .folds = byRounds ? std::min(rounds, most) : most,
-                         .arcseconds = VectorXd::Zero(m_readings.count)};
+    HeldOutReadings held{
+        .fold = std::vector(static_cast<std::size_t>(m_readings.count), HeldOutReadings::none),
+        .folds = byRounds ? std::min(rounds, most) : most,
+        .arcseconds = VectorXd::Zero(m_readings.count)};
     held.eliminated.assign(static_cast<std::size_t>(held.folds), 0);
     const std::vector<int> shuffled = shuffledFolds(static_cast<std::size_t>(m_full.visits()), held.folds);
     for (Index v = 0; v < m_full.visits(); ++v) {
@@ -234,8 +236,7 @@ class SessionForms {
     InSampleShrinkage inSample;
     if (const double before = rmsOf(plain.left); before > 0)
       inSample = {1 - rmsOf(plainSystem.left()) / before, 1 - rmsOf(m_system.left()) / before};
-    const FormShrinkage shrink =
-        heldOutForms(plain, full, heldOut(found.families), m_readings,
+    const FormShrinkage shrink = heldOutForms(plain, full, heldOut(found.families), m_readings,
                                               found.families, m_system.variance(), inSample, m_stop);
     for (FoundForm& form : found.forms) form.shrink = shrink;
   }
@@ -244,10 +245,11 @@ class SessionForms {
 }  // namespace
 
 std::vector<FoundForm> formsBeyond(const Inquiry& inquiry, const Explanation& certain,
-                                   const DiagnosisOptions& options, const std::stop_token& stop) {
+                                   const EffectScales& scales, const DiagnosisOptions& options,
+                                   const std::stop_token& stop) {
   constexpr Index mostReadings = 4000;  // beyond, the search takes seconds
   if (inquiry.leftover.readings() > mostReadings || stop.stop_requested()) return {};
-  return SessionForms(inquiry, certain, options, stop).find();
+  return SessionForms(inquiry, certain, scales, options, stop).find();
 }
 
 }  // namespace alidade

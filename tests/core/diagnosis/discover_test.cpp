@@ -27,7 +27,8 @@ struct Target {
 /// 100 pointings with 3″ of noise and a model of five terms that a fit took up.
 std::string tableWith(std::uint64_t seed, const std::function<double(const Target&)>& form) {
   RandomSource random(seed);
-  std::string text = "circle,azimuth_deg,elevation_deg,time,residual_arcsec,sigma_arcsec,base:IA,base:IE,base:AN\n";
+  std::string text =
+      "circle,azimuth_deg,elevation_deg,time,residual_arcsec,sigma_arcsec,base:IA,base:IE,base:AN\n";
   constexpr int pointings = 100;
   for (int i = 0; i < pointings; ++i) {
     const double azimuth = random.uniform(0, 360), elevation = random.uniform(15, 85);
@@ -98,7 +99,8 @@ TEST(Discover, SaysWhatIsWrongAndWhere) {
   EXPECT_THAT(problemOf(""), HasSubstr("at least 12"));
   EXPECT_THAT(problemOf("a,b\n1,2\n"), HasSubstr("there is no column residual_arcsec"));
   EXPECT_THAT(problemOf(head + "1,2,horizontal,10,20\n"), HasSubstr("1 rows"));
-  EXPECT_THAT(problemOf(head + "1,2,sideways,10,20\n"), HasSubstr("Line 2: the circle “sideways” is unknown"));
+  EXPECT_THAT(problemOf(head + "1,2,sideways,10,20\n"),
+              HasSubstr("Line 2: the circle “sideways” is unknown"));
   EXPECT_THAT(problemOf(head + "\n1,x,vertical,10,20\n"), HasSubstr("Line 3: sigma_arcsec is “x”"));
   EXPECT_THAT(problemOf(head + "1,0,vertical,10,20\n"), HasSubstr("Line 2: sigma_arcsec is 0"));
   EXPECT_THAT(problemOf(head + "1,2,vertical,10,95\n"), HasSubstr("elevation_deg is 95"));

@@ -42,7 +42,8 @@ struct Unspoilt {
 
 /// The greatest difference between a form's columns and what `disturbed` reads more than `truth`, relative to
 /// the greatest reading. Zeros and excluded readings do not count.
-double greatestError(const Truth& truth, const Truth& disturbed, const Form& form, const VectorXd& amplitudes) {
+double greatestError(const Truth& truth, const Truth& disturbed, const Form& form,
+                     const VectorXd& amplitudes) {
   const Unspoilt before(truth), after(disturbed);
   const VectorXd expected = formColumns(before.readings, form) * amplitudes;
   double most = 0, error = 0;
@@ -68,7 +69,9 @@ TEST(FormColumns, AreWhatTheForwardModelReads) {
   const Truth truth = drawTruth(7);
   Form dent{.carrier = FormCarrier::Radial, .function = FormFunction::Bump, .of = FormArgument::S};
   dent.numbers = {80 * radian, 12 * radian};
-  EXPECT_LT(greatestError(truth, truthWith({Kind::LocalDent, 0.05, 80, 12}), dent, VectorXd::Constant(1, 0.05)), 1e-3);
+  EXPECT_LT(
+      greatestError(truth, truthWith({Kind::LocalDent, 0.05, 80, 12}), dent, VectorXd::Constant(1, 0.05)),
+      1e-3);
 
   Form harmonic{.carrier = FormCarrier::Radial, .of = FormArgument::S, .order = 5};
   Truth wavy = truth;
@@ -76,21 +79,28 @@ TEST(FormColumns, AreWhatTheForwardModelReads) {
   EXPECT_LT(greatestError(truth, wavy, harmonic, Eigen::Vector2d(0.03, -0.04)), 1e-3);
 
   Form warp{.carrier = FormCarrier::Across, .of = FormArgument::S, .order = 4};
-  EXPECT_LT(greatestError(truth, truthWith({Kind::HighWarp, 0.3, 4, 90}), warp, Eigen::Vector2d(0.3, 0)), 1e-3);
+  EXPECT_LT(greatestError(truth, truthWith({Kind::HighWarp, 0.3, 4, 90}), warp, Eigen::Vector2d(0.3, 0)),
+            1e-3);
 
   Form circle{.carrier = FormCarrier::Horizontal, .of = FormArgument::HorizontalCircle, .order = 5};
-  EXPECT_LT(greatestError(truth, truthWith({Kind::CirclePeriods, 20, 5, 0}), circle, Eigen::Vector2d(0, 20)), 1e-3);
+  EXPECT_LT(greatestError(truth, truthWith({Kind::CirclePeriods, 20, 5, 0}), circle, Eigen::Vector2d(0, 20)),
+            1e-3);
 
-  Form settling{.carrier = FormCarrier::Orientation, .function = FormFunction::Exponential, .of = FormArgument::T};
+  Form settling{
+      .carrier = FormCarrier::Orientation, .function = FormFunction::Exponential, .of = FormArgument::T};
   settling.numbers = {0.2, 0};
-  EXPECT_LT(greatestError(truth, truthWith({Kind::Settling, 20, 0.2, 0}), settling, Eigen::Vector2d(20, 20)), 1e-2);
-
-  Form distance{.carrier = FormCarrier::Z, .function = FormFunction::Power, .of = FormArgument::T, .order = 1};
-  EXPECT_LT(greatestError(truth, truthWith({Kind::DistanceRamp, 0.5, 0, 0}), distance, VectorXd::Constant(1, -0.5)),
+  EXPECT_LT(greatestError(truth, truthWith({Kind::Settling, 20, 0.2, 0}), settling, Eigen::Vector2d(20, 20)),
             1e-2);
 
+  Form distance{
+      .carrier = FormCarrier::Z, .function = FormFunction::Power, .of = FormArgument::T, .order = 1};
+  EXPECT_LT(
+      greatestError(truth, truthWith({Kind::DistanceRamp, 0.5, 0, 0}), distance, VectorXd::Constant(1, -0.5)),
+      1e-2);
+
   Form backlash{.carrier = FormCarrier::Horizontal, .function = FormFunction::Step, .of = FormArgument::Leg};
-  EXPECT_LT(greatestError(truth, truthWith({Kind::Backlash, 10, 0, 0}), backlash, VectorXd::Constant(1, -10)), 2)
+  EXPECT_LT(greatestError(truth, truthWith({Kind::Backlash, 10, 0, 0}), backlash, VectorXd::Constant(1, -10)),
+            2)
       << "there, not back: a constant more";
 }
 
@@ -98,9 +108,10 @@ TEST(FormColumns, AreWhatTheForwardModelReads) {
 TEST(FormColumns, AlongTheArcAreThoseOfTheSliderTurnedRound) {
   const Unspoilt session(drawTruth(7));
   const double perArcsecond = 400 * radian / 3600;
-  EXPECT_LT((session.readings.of(FormCarrier::Slider) + perArcsecond * session.readings.of(FormCarrier::Tangential))
-                .norm(),
-            1e-6 * session.readings.of(FormCarrier::Slider).norm());
+  EXPECT_LT(
+      (session.readings.of(FormCarrier::Slider) + perArcsecond * session.readings.of(FormCarrier::Tangential))
+          .norm(),
+      1e-6 * session.readings.of(FormCarrier::Slider).norm());
 }
 
 }  // namespace

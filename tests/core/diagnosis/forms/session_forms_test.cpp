@@ -41,7 +41,8 @@ TEST(SessionForms, FindAHarmonicWithItsOrder) {
     EXPECT_EQ(found.form.carrier, FormCarrier::Radial);
     EXPECT_EQ(found.form.function, FormFunction::Harmonic);
     EXPECT_EQ(found.form.order, order);
-    EXPECT_EQ(found.formula, "radial = A*cos(" + std::to_string(order) + "*s) + B*sin(" + std::to_string(order) + "*s)");
+    EXPECT_EQ(found.formula,
+              "radial = A*cos(" + std::to_string(order) + "*s) + B*sin(" + std::to_string(order) + "*s)");
     EXPECT_GT(found.probability, 0.5);
     expectWithin3u(found, "amplitude_mm", 0.25);
     EXPECT_GT(found.shrink.heldOut, 0.6);
