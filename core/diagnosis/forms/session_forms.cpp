@@ -1,5 +1,6 @@
 #include "core/diagnosis/forms/session_forms.h"
 
+#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <numeric>
