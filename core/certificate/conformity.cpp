@@ -31,7 +31,7 @@ std::optional<double> sizeAsFound(const FitAnswer& answer) {
 std::optional<std::string_view> conditional(const FitAnswer& answer, const AcceptanceDecision& decision) {
   if (decision.obstacle != Obstacle::Uncertainty && decision.obstacle != Obstacle::Contradiction)
     return std::nullopt;
-  if (answer.found() && answer.found()->unexplained.chance > mostUnexplained) return std::nullopt;
+  if (answer.found() && isUnexplained(*answer.found())) return std::nullopt;
   const std::optional<double> found = sizeAsFound(answer);
   if (!found) return std::nullopt;
   const double tolerance = *answer.measurement.tolerance;
@@ -48,14 +48,12 @@ std::string ruleText(const Measurement& measurement) {
   const std::string share = displayShortest(measurement.coverage * 100);
   if (measurement.measurand == Measurand::Distance)
     return Phrase::of(
-        "Distance d of the arc's centre from the axis: pass if d + U ≤ %1 mm, measured, and |Δd| + U ≤ %1 "
-        "mm, "
-        "fit only; fail if d − U > %1 mm. Guard band w = U at a coverage of %2 %.",
+        "Distance d of the arc's centre from the axis: pass if d + U ≤ %1 mm, measured, and |Δd| + U ≤ "
+        "%1 mm, fit only; fail if d − U > %1 mm. Guard band w = U at a coverage of %2 %.",
         limit, share);
   return Phrase::of(
       "Intersection Δd, both measured and fit only: pass if |Δd| + U ≤ %1 mm, fail if |Δd| − U > %1 mm. "
-      "Guard "
-      "band w = U at a coverage of %2 %.",
+      "Guard band w = U at a coverage of %2 %.",
       limit, share);
 }
 

@@ -96,6 +96,10 @@ bool isMoreThanNoise(const Diagnosis& diagnosis) {
   return diagnosis.causes.size() != 1 || diagnosis.causes.front().effect != noiseId;
 }
 
+bool isUnexplained(const Diagnosis& diagnosis) {
+  return diagnosis.unexplained.chance > mostUnexplained;
+}
+
 std::optional<AcceptanceDecision> decideVerdict(const Measurement& measurement, const SessionFit& fit,
                                                 const Diagnosis* diagnosis) {
   if (!fit.verdict) return std::nullopt;
@@ -118,7 +122,7 @@ std::optional<AcceptanceDecision> decideVerdict(const Measurement& measurement, 
     decision.verdict = decision.asFound.value_or(decision.asModelled);
     if (decision.verdict != Verdict::Undecided) decision.obstacle = AcceptanceDecision::Obstacle::None;
   }
-  if (diagnosis && diagnosis->unexplained.chance > mostUnexplained) {
+  if (diagnosis && isUnexplained(*diagnosis)) {
     decision.verdict = Verdict::Undecided;
     if (decision.obstacle != AcceptanceDecision::Obstacle::Contradiction)
       decision.obstacle = AcceptanceDecision::Obstacle::Unexplained;
@@ -131,7 +135,7 @@ std::optional<AcceptanceDecision> decideAcceptance(const Measurement& measuremen
   using enum AcceptanceDecision::Obstacle;
   std::optional<AcceptanceDecision> decision = decideVerdict(measurement, fit, diagnosis);
   if (!decision || decision->obstacle == Lengths || decision->obstacle == Coverage ||
-      (diagnosis && diagnosis->unexplained.chance > mostUnexplained))
+      (diagnosis && isUnexplained(*diagnosis)))
     return decision;
   if (diagnosis) decision->conditions = conditionsOf(measurement, *diagnosis, decision->verdict);
   if (decision->obstacle != AcrossUnknown) decision->conformance = conformanceOf(measurement, fit, diagnosis);

@@ -78,6 +78,9 @@ std::optional<AcceptanceDecision> decideAcceptance(const Measurement& measuremen
 std::optional<AcceptanceDecision> decideVerdict(const Measurement& measurement, const SessionFit& fit,
                                                 const Diagnosis* diagnosis);
 
+/// The gap is real and unexplained beyond `mostUnexplained`: the verdict is open.
+bool isUnexplained(const Diagnosis& diagnosis);
+
 /// Model and readings disagree by more than noise that is larger than stated.
 bool isMoreThanNoise(const Diagnosis& diagnosis);
 

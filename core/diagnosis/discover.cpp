@@ -39,7 +39,7 @@ class TableForms {
 
   Discovery find() const {
     Discovery discovery{.readings = static_cast<int>(m_table.readings.count),
-                        .rms = rmsOf(m_left),
+                        .rms = rmsOf(m_left, m_table.sigma),
                         .reducedChiSquare = m_left.squaredNorm() / m_freedom,
                         .forms = {}};
     // Stated σ are often too small: what is left beside the forms scatters as it does.
@@ -49,7 +49,7 @@ class TableForms {
     for (int round = 0; round < 2; ++round) {
       FormSystem system = systemWith(variance);
       found = search(system, families);
-      variance = std::max(1.0, system.left().squaredNorm() / std::max(1.0, m_freedom - numbersOf(found)));
+      variance = std::max(1.0, system.left().squaredNorm() / std::max(1.0, m_freedom - found.numbers));
     }
     discovery.noise = std::sqrt(variance);
     addShrinkage(found, variance);
@@ -68,36 +68,20 @@ class TableForms {
   FoundForms search(FormSystem& system, const std::vector<FormFamily>& families) const {
     return findForms(system, m_table.readings, families,
                      {.isNamed = beatNothing,
-                      .isAnythingLeft = [](Index) { return true; },
+                      .isAnythingLeft = [](int) { return true; },
                       .note = [](const WeighedForm&, FoundForm&) {}},
                      {});
-  }
-
-  static double numbersOf(const FoundForms& found) {
-    double numbers = 0;
-    for (const FoundForm& form : found.forms)
-      numbers += static_cast<double>(form.coefficients.size()) + form.form.count();
-    return numbers;
-  }
-
-  double rmsOf(const VectorXd& left) const {
-    return std::sqrt(left.cwiseProduct(m_table.sigma).squaredNorm() / static_cast<double>(left.size()));
   }
 
   void addShrinkage(FoundForms& found, double variance) const {
     constexpr int folds = 4;
     if (found.forms.empty()) return;
-    FormSystem system = systemWith(variance);
-    for (const FoundForm& form : found.forms) system.takeUp(formColumns(m_table.readings, form.form));
-    const double inSample = 1 - rmsOf(system.left()) / rmsOf(m_left);
     const DividedModel model{asTheyAre, m_basis, m_left};
     const HeldOutReadings held{.fold = shuffledFolds(static_cast<std::size_t>(m_left.size()), folds),
                                .folds = folds,
                                .arcseconds = m_table.sigma,
                                .eliminated = std::vector<int>(folds, 0)};
-    const FormShrinkage shrink = heldOutForms(model, model, held, m_table.readings, found.families, variance,
-                                              {inSample, inSample}, {});
-    for (FoundForm& form : found.forms) form.shrink = shrink;
+    alidade::addShrinkage(found, model, model, held, m_table.readings, variance, {});
   }
 };
 

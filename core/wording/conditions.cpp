@@ -60,8 +60,8 @@ std::string conditionSentence(const Diagnosis* diagnosis, const AcceptanceDecisi
   }
   return Phrase::of(
       "The verdict holds on the condition that the tripod was not knocked %1. These readings cannot show "
-      "such "
-      "a knock; one of plausible size moves Δd by ± %2 mm. The probability of conformity includes it.",
+      "such a knock; one of plausible size moves Δd by ± %2 mm. The probability of conformity includes "
+      "it.",
       listed(moments, Phrase::of(" or ")), displayText(influence, decimalsFor(influence)));
 }
 

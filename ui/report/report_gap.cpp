@@ -178,8 +178,8 @@ void addUndetectable(ReportSheet& sheet, const Gap& gap) {
   QStringList sentences{
       Report::tr(
           "The following effects are undetectable in these readings. U of Δd, fit only, does not include "
-          "them; U "
-          "of Δd, measured, includes what its budget lists. A plausible size of each would move Δd by: %1.")
+          "them; U of Δd, measured, includes what its budget lists. A plausible size of each would move "
+          "Δd by: %1.")
           .arg(undetectableText(undetectable))};
   if (!measures.isEmpty())
     sentences.append(

@@ -18,8 +18,6 @@ using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
 
 namespace {
 
-constexpr EffectScales noEffect{1e-6, 1e-6, 1e-6};
-
 bool isAmong(const std::vector<EstimatedTerm>& terms, ErrorTerm term) {
   return std::ranges::find(terms, term, &EstimatedTerm::term) != terms.end();
 }

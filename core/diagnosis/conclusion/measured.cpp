@@ -88,7 +88,7 @@ std::optional<FittedAccount> byFit(const GapModel& model, const EffectScales& sc
   return account;
 }
 
-/// By every effect at its plausible size: what is measured of it does not hang on how large others are.
+/// By every effect at its plausible size: its measured part does not depend on the size of the others.
 std::optional<Across> acrossOf(const GapModel& model) {
   if (!intersect(*model.measurement, *model.fit)) return std::nullopt;
   return acrossOf(
@@ -190,8 +190,8 @@ class Measured {
 
   /// From the answer's own fit by what pattern and effects add to it.
   std::optional<FittedAccount> byMoves() {
-    constexpr EffectScales none{1e-6, 1e-6, 1e-6};
-    const auto with = m_accounts.of(m_whole, m_scales), without = m_accounts.of(m_answer.explanation, none);
+    const auto with = m_accounts.of(m_whole, m_scales),
+               without = m_accounts.of(m_answer.explanation, noEffect);
     const std::optional<Intersection> found = intersect(*m_answer.after.measurement, *m_answer.after.fit);
     if (!with || !without || !found) return std::nullopt;
     FittedAccount account{estimateOf(*found), m_scales, {}, found->budget, noiseScale(*m_answer.after.fit)};

@@ -21,10 +21,6 @@ double logBayesFactorOfMore(double chance) {
   return z > 1 ? (z * z - 1) / 2 - std::log(z) : 0;
 }
 
-bool isShaped(const Explanation& explanation) {
-  return explanation.shaped;
-}
-
 /// (m² − s²)₊, mm².
 double excessOf(const Closure& closure) {
   return std::max(square(closure.value) - square(closure.sigma), 0.0);
@@ -83,7 +79,7 @@ double chanceOfMore(double chance) {
 
 Unexplained unexplainedOf(const Inquiry& inquiry, const Answer& answer,
                           const std::optional<Closure>& reference) {
-  const double beyond = inquiry.chanceOf(&isShaped);
+  const double beyond = inquiry.chanceOf(&Explanation::shaped);
   const double every = answer.everyEffect ? beyond * answer.everyEffect->chance : 0, shaped = beyond - every;
   const Unexplained named = beyond < 1 ? leftByNamed(inquiry, answer) : Unexplained{};
   const Unexplained together =

@@ -7,22 +7,6 @@
 
 namespace alidade {
 
-namespace {
-
-bool isOf(const FormFamily& family, const Form& form) {
-  const Form& own = family.form;
-  return own.carrier == form.carrier && own.function == form.function && own.of == form.of &&
-         own.turnsWithFace == form.turnsWithFace && own.order == form.order;
-}
-
-}  // namespace
-
-double logSumOf(const std::vector<WeighedForm>& all) {
-  double sum = impossible;
-  for (const WeighedForm& each : all) sum = logSum(sum, each.logPosterior());
-  return sum;
-}
-
 bool beatNothing(const std::vector<WeighedForm>& all) {
   constexpr double least = 20;
   return !all.empty() && all.front().amplitudes.size() > 0 &&
@@ -34,7 +18,6 @@ FoundForms findForms(FormSystem& system, const FormReadings& readings,
                      const std::stop_token& stop) {
   constexpr std::size_t most = 3;
   FoundForms found;
-  Eigen::Index takenUp = 0;
   while (found.forms.size() < most) {
     const std::vector<WeighedForm> all = weighForms(system, readings, families, stop);
     if (all.empty() || !choice.isNamed(all)) break;
@@ -43,11 +26,12 @@ FoundForms findForms(FormSystem& system, const FormReadings& readings,
     for (const Form& other : lookAlikesOfFirst(system, readings, all))
       form.indistinguishableFrom.push_back({other});
     choice.note(first, form);
-    found.families.push_back(
-        *std::ranges::find_if(families, [&](const FormFamily& family) { return isOf(family, first.form); }));
+    found.families.push_back(*std::ranges::find_if(families, [&](const FormFamily& family) {
+      return family.form.isOfKind(first.form) && family.form.order == first.form.order;
+    }));
     system.takeUp(formColumns(readings, first.form));
-    takenUp += first.amplitudes.size() + first.form.count();
-    if (!choice.isAnythingLeft(takenUp)) break;
+    found.numbers += static_cast<int>(first.amplitudes.size()) + first.form.count();
+    if (!choice.isAnythingLeft(found.numbers)) break;
   }
   return found;
 }

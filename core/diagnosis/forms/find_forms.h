@@ -11,12 +11,13 @@ namespace alidade {
 struct FoundForms {
   std::vector<FoundForm> forms;
   std::vector<FormFamily> families;  ///< of each form
+  int numbers = 0;                   ///< amplitudes and shape numbers of all forms
 };
 
 /// What the readings at hand decide.
 struct FormChoice {
   std::function<bool(const std::vector<WeighedForm>&)> isNamed;  ///< the first of all
-  std::function<bool(Eigen::Index takenUp)> isAnythingLeft;      ///< after forms of so many numbers
+  std::function<bool(int numbers)> isAnythingLeft;               ///< after forms of so many numbers
   std::function<void(const WeighedForm&, FoundForm&)> note;      ///< completes a form that is named
 };
 
@@ -25,7 +26,6 @@ FoundForms findForms(FormSystem& system, const FormReadings& readings,
                      const std::vector<FormFamily>& families, const FormChoice& choice,
                      const std::stop_token& stop);
 
-double logSumOf(const std::vector<WeighedForm>& all);
 /// Together by 20 : 1, at the odds of any pattern, and the first has amplitudes.
 bool beatNothing(const std::vector<WeighedForm>& all);
 

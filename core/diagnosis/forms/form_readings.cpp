@@ -12,7 +12,7 @@ using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
 
 namespace {
 
-constexpr double perArcsecond = std::numbers::pi / 648000;
+constexpr double perArcsecond = Angle::fromArcseconds(1).radians();
 
 /// Of the readings of a session.
 class SessionReadings {

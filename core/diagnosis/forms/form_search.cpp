@@ -246,6 +246,12 @@ class Weighing {
 
 }  // namespace
 
+double logSumOf(const std::vector<WeighedForm>& all) {
+  double sum = impossible;
+  for (const WeighedForm& each : all) sum = logSum(sum, each.logPosterior());
+  return sum;
+}
+
 std::vector<WeighedForm> weighForms(const FormSystem& system, const FormReadings& readings,
                                     const std::vector<FormFamily>& families, const std::stop_token& stop) {
   constexpr std::size_t mostRefined = 16;

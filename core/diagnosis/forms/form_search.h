@@ -26,6 +26,7 @@ class FormSystem {
   /// `outside`: columns over the readings as rows of the system. `basis`: orthonormal, of what is taken up.
   FormSystem(Outside outside, Eigen::MatrixXd basis, Eigen::VectorXd left, double variance);
 
+  const Eigen::MatrixXd& basis() const { return m_basis; }
   const Eigen::VectorXd& left() const { return m_left; }
   double variance() const { return m_variance; }
   Eigen::MatrixXd visible(const Eigen::MatrixXd& columns) const;
@@ -61,6 +62,9 @@ struct WeighedForm {
 
   double logPosterior() const { return logPrior + logAveraged; }
 };
+
+/// ln Σ of the posteriors, against no form.
+double logSumOf(const std::vector<WeighedForm>& all);
 
 /// All families, the likeliest first; the first of them with shape numbers refined and amplitudes.
 std::vector<WeighedForm> weighForms(const FormSystem& system, const FormReadings& readings,

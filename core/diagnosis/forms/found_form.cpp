@@ -84,17 +84,12 @@ void addShape(const WeighedForm& weighed, std::vector<FormNumber>& parameters) {
   }
 }
 
-bool isSameButOrder(const Form& a, const Form& b) {
-  return a.carrier == b.carrier && a.function == b.function && a.of == b.of &&
-         a.turnsWithFace == b.turnsWithFace;
-}
-
 /// Of the orders that are possible beside the likeliest.
 double sigmaOfOrder(const Form& form, const std::vector<WeighedForm>& all) {
   double sum = 0, squares = 0;
   const double best = all.front().logPosterior();
   for (const WeighedForm& other : all) {
-    if (!isSameButOrder(other.form, form)) continue;
+    if (!other.form.isOfKind(form)) continue;
     const double chance = std::exp(other.logPosterior() - best);
     sum += chance;
     squares += chance * std::pow(other.form.order - form.order, 2);
@@ -137,9 +132,7 @@ FoundForm foundForm(const WeighedForm& weighed, const std::vector<WeighedForm>& 
     const std::string name = form.isMillimetres() ? "amplitude_mm" : "amplitude_arcsec";
     found.parameters.push_back(amplitudeOf(weighed, 0, count, name));
   }
-  double sum = impossible;
-  for (const WeighedForm& other : all) sum = logSum(sum, other.logPosterior());
-  found.probability = std::exp(weighed.logPosterior() - sum);
+  found.probability = std::exp(weighed.logPosterior() - logSumOf(all));
   return found;
 }
 

@@ -130,15 +130,34 @@ std::vector<int> shuffledFolds(std::size_t count, int folds) {
   return all;
 }
 
-FormShrinkage heldOutForms(const DividedModel& plain, const DividedModel& full, const HeldOutReadings& held,
-                           const FormReadings& readings, const std::vector<FormFamily>& families,
-                           double variance, const InSampleShrinkage& inSample, const std::stop_token& stop) {
+double rmsOf(const VectorXd& left, const VectorXd& arcseconds) {
+  const auto count = static_cast<double>((arcseconds.array() != 0).count());
+  const double squares = left.head(arcseconds.size()).cwiseProduct(arcseconds).squaredNorm();
+  return count > 0 ? std::sqrt(squares / count) : 0;
+}
+
+namespace {
+
+/// In all readings, by a model with the forms.
+double inSample(const DividedModel& model, double before, const std::vector<FoundForm>& forms,
+                const FormReadings& readings, const VectorXd& arcseconds) {
+  if (!(before > 0)) return 0;
+  FormSystem system(model.outside, model.basis, model.left, 1);
+  for (const FoundForm& form : forms) system.takeUp(formColumns(readings, form.form));
+  return 1 - rmsOf(system.left(), arcseconds) / before;
+}
+
+}  // namespace
+
+void addShrinkage(FoundForms& found, const DividedModel& plain, const DividedModel& full,
+                  const HeldOutReadings& held, const FormReadings& readings, double variance,
+                  const std::stop_token& stop) {
   constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
   FormShrinkage shrink{.heldOut = unknown, .f = unknown, .p = unknown};
   Squares before, plainAfter, fullAfter;
   for (int f = 0; f < held.folds && !stop.stop_requested(); ++f) {
     const Fold plainly(held, f, plain.left.size()), fully(held, f, full.left.size());
-    const auto learnt = fully.learnt(full, readings, families, variance, stop);
+    const auto learnt = fully.learnt(full, readings, found.families, variance, stop);
     if (!learnt) continue;
     before.add(plainly.out(), plainly.errors(plain, MatrixXd(plain.left.size(), 0)), held.arcseconds);
     plainAfter.add(plainly.out(), plainly.errors(plain, plain.outside(learnt->first)), held.arcseconds);
@@ -147,9 +166,10 @@ FormShrinkage heldOutForms(const DividedModel& plain, const DividedModel& full, 
   }
   const Squares& after = plainAfter.sum < fullAfter.sum ? plainAfter : fullAfter;
   shrink.heldOutReadings = after.count;
-  shrink.inSample = &after == &plainAfter ? inSample.plain : inSample.full;
+  shrink.inSample = inSample(&after == &plainAfter ? plain : full, rmsOf(plain.left, held.arcseconds),
+                             found.forms, readings, held.arcseconds);
   if (before.sum > 0 && after.count > 0) shrink.heldOut = 1 - std::sqrt(after.sum / before.sum);
-  return shrink;
+  for (FoundForm& form : found.forms) form.shrink = shrink;
 }
 
 }  // namespace alidade

@@ -3,7 +3,7 @@
 #include <optional>
 #include <vector>
 
-#include "core/diagnosis/forms/form_search.h"
+#include "core/diagnosis/forms/find_forms.h"
 
 namespace alidade {
 
@@ -26,12 +26,12 @@ struct HeldOutReadings {
   std::vector<int> eliminated = {};
 };
 
-/// With the forms in either model.
-struct InSampleShrinkage {
-  double plain = 0, full = 0;
-};
+/// Of what is left of the readings that count, each in its σ; arcseconds. `arcseconds`: σ of each reading, 0
+/// where it does not count.
+double rmsOf(const Eigen::VectorXd& left, const Eigen::VectorXd& arcseconds);
 
-/// The shrinkage of the readings held out, and the exact test that the forms predict nothing there.
+/// The shrinkage by all forms together, the same for each: in all readings, and in those held out, with the
+/// exact test that the forms predict nothing there.
 ///
 /// For each fold shape and amplitudes are found from the other readings. What they predict is one column g on
 /// the readings of the fold, whatever was searched: independent of their noise. With Q what the model takes
@@ -40,8 +40,8 @@ struct InSampleShrinkage {
 ///
 /// `plain`: with what is certain; `full`: with every effect, beside which the forms are found. Before:
 /// `plain` without the forms. After: whichever of the two with the forms predicts better.
-FormShrinkage heldOutForms(const DividedModel& plain, const DividedModel& full, const HeldOutReadings& held,
-                           const FormReadings& readings, const std::vector<FormFamily>& families,
-                           double variance, const InSampleShrinkage& inSample, const std::stop_token& stop);
+void addShrinkage(FoundForms& found, const DividedModel& plain, const DividedModel& full,
+                  const HeldOutReadings& held, const FormReadings& readings, double variance,
+                  const std::stop_token& stop);
 
 }  // namespace alidade

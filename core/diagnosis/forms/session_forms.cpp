@@ -49,6 +49,7 @@ class SessionForms {
         m_plain(leftoverOf(m_plainModel)),
         m_full(leftoverOf(m_fullModel)),
         m_readings(formReadings(m_full, *m_fullModel.measurement, *m_fullModel.fit)),
+        m_families(formFamilies(m_readings)),
         m_system(systemOf(m_full)) {
     for (const Part& part : certain.parts)
       if (isJump(inquiry.of(part))) addJump(part);
@@ -56,12 +57,14 @@ class SessionForms {
 
   std::vector<FoundForm> find() {
     FoundForms result = findForms(
-        m_system, m_readings, formFamilies(m_readings),
+        m_system, m_readings, m_families,
         {.isNamed = [this](const std::vector<WeighedForm>& all) { return isNamed(all); },
-         .isAnythingLeft = [this](Eigen::Index takenUp) { return isAnythingLeft(takenUp); },
+         .isAnythingLeft = [this](int numbers) { return isAnythingLeft(numbers); },
          .note = [this](const WeighedForm& first, FoundForm& found) { addLookAlikes(first, found); }},
         m_stop);
-    if (!result.forms.empty()) addShrinkage(result);
+    if (!result.forms.empty())
+      addShrinkage(result, divided(m_plain), divided(m_full), heldOut(result.families), m_readings,
+                   m_system.variance(), m_stop);
     return std::move(result.forms);
   }
 
@@ -71,6 +74,7 @@ class SessionForms {
   GapModel m_plainModel, m_fullModel;  ///< with what is certain; with every effect, too
   Leftover m_plain, m_full;
   FormReadings m_readings;
+  std::vector<FormFamily> m_families;
   FormSystem m_system;
   MatrixXd m_beside;  ///< over the readings: jumps
 
@@ -98,9 +102,8 @@ class SessionForms {
         m_inquiry.candidates.groupOf(part.component).logPrior;
     FormSystem beside = m_system;
     beside.takeUp(columns);
-    const std::vector<FormFamily> families = formFamilies(m_readings);
-    const double without = logSumOf(weighForms(m_system, m_readings, families, m_stop)),
-                 with = ofJump + logSumOf(weighForms(beside, m_readings, families, m_stop));
+    const double without = logSumOf(weighForms(m_system, m_readings, m_families, m_stop)),
+                 with = ofJump + logSumOf(weighForms(beside, m_readings, m_families, m_stop));
     if (without > with) return;
     m_system = std::move(beside);
     const Index before = m_beside.cols();
@@ -109,9 +112,9 @@ class SessionForms {
   }
 
   /// Beyond what noise alone leaves in one of five sessions.
-  bool isAnythingLeft(Index takenUp) const {
+  bool isAnythingLeft(int numbers) const {
     constexpr double usual = 0.2;
-    const double freedom = static_cast<double>(m_full.degreesOfFreedom() - takenUp - m_beside.cols());
+    const double freedom = static_cast<double>(m_full.degreesOfFreedom() - numbers - m_beside.cols());
     return chiSquareUpperTail(m_system.left().squaredNorm() / m_system.variance(), freedom).value_or(0) <
            usual;
   }
@@ -159,15 +162,9 @@ class SessionForms {
 
   DividedModel divided(const Leftover& leftover) const {
     FormSystem system = systemOf(leftover);
-    MatrixXd basis = leftover.basis();
-    if (m_beside.cols() > 0) {
-      MatrixXd all(basis.rows(), basis.cols() + m_beside.cols());
-      all << basis, leftover.outsideArcAngles(m_beside);
-      basis = all.colPivHouseholderQr().householderQ() * MatrixXd::Identity(all.rows(), all.cols());
-      system.takeUp(m_beside);
-    }
+    system.takeUp(m_beside);
     return {[&leftover](const MatrixXd& columns) { return leftover.outsideArcAngles(columns); },
-            std::move(basis), system.left()};
+            system.basis(), system.left()};
   }
 
   const Sighting& rowOf(Index i) const {
@@ -217,29 +214,6 @@ class SessionForms {
       if (counts(i)) held.arcseconds[i] = Angle::fromRadians(reading.sigma).arcseconds();
     }
     held.eliminated[static_cast<std::size_t>(fold)] += lost + (hasArcAngle ? 1 : 0);
-  }
-
-  double rmsOf(const VectorXd& left) const {
-    double sum = 0, count = 0;
-    for (Index i = 0; i < m_readings.count; ++i) {
-      if (!counts(i)) continue;
-      sum += std::pow(left[i] * Angle::fromRadians(m_full.reading(i).sigma).arcseconds(), 2);
-      ++count;
-    }
-    return count > 0 ? std::sqrt(sum / count) : 0;
-  }
-
-  /// Of all forms together, the same for each.
-  void addShrinkage(FoundForms& found) const {
-    const DividedModel plain = divided(m_plain), full = divided(m_full);
-    FormSystem plainSystem(plain.outside, plain.basis, plain.left, m_system.variance());
-    for (const FoundForm& each : found.forms) plainSystem.takeUp(formColumns(m_readings, each.form));
-    InSampleShrinkage inSample;
-    if (const double before = rmsOf(plain.left); before > 0)
-      inSample = {1 - rmsOf(plainSystem.left()) / before, 1 - rmsOf(m_system.left()) / before};
-    const FormShrinkage shrink = heldOutForms(plain, full, heldOut(found.families), m_readings,
-                                              found.families, m_system.variance(), inSample, m_stop);
-    for (FoundForm& form : found.forms) form.shrink = shrink;
   }
 };
 

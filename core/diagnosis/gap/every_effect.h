@@ -35,6 +35,9 @@ struct EffectScales {
   bool operator==(const EffectScales&) const = default;
 };
 
+/// So narrow that no effect takes part.
+inline constexpr EffectScales noEffect{1e-6, 1e-6, 1e-6};
+
 /// Scales before the readings are seen, with their probabilities, which add up to 1: as plausible, or three
 /// times that, of all effects alike or of each source by itself. Either is as likely as the other. No scale
 /// is below 1: small effects that the readings show say nothing of an effect that they cannot show.

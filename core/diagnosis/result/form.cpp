@@ -25,6 +25,11 @@ std::string_view nameOf(FormArgument argument) {
   return argumentNames[static_cast<std::size_t>(argument)];
 }
 
+bool Form::isOfKind(const Form& other) const {
+  return carrier == other.carrier && function == other.function && of == other.of &&
+         turnsWithFace == other.turnsWithFace;
+}
+
 int Form::count() const {
   switch (function) {
     case FormFunction::Bump:

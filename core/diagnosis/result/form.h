@@ -37,6 +37,8 @@ struct Form {
   /// at and width (rad, or share of the session), tau or cycles (share, per session).
   std::array<double, 2> numbers{};
 
+  /// Carrier, function, argument and turning are the same; order and numbers may differ.
+  bool isOfKind(const Form& other) const;
   /// How many of `numbers` its function has.
   int count() const;
   bool isMillimetres() const { return carrier <= FormCarrier::Z; }

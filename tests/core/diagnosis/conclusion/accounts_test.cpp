@@ -57,12 +57,11 @@ TEST(Accounts, AgreeWithAFitOfEveryEffect) {
 // Without effects besides, an account of known widths has the evidence that the search found: it sums over
 // widths of which the likeliest has at least a quarter, so ln 4 a part.
 TEST(Accounts, HaveTheEvidenceOfTheSearch) {
-  constexpr EffectScales none{1e-6, 1e-6, 1e-6};
   int compared = 0;
   for (const test::Trial& trial : test::trials()) {
     const Inquiry inquiry = inquire(*modelOf(test::withTimes(trial.measurement)), {}, {});
     Accounts accounts(inquiry);
-    const double nothing = accounts.of({}, none)->logOdds;
+    const double nothing = accounts.of({}, noEffect)->logOdds;
     for (const Explanation& explanation : inquiry.explanations) {
       const auto isPlain = [&](const Part& part) {
         const Component& component = inquiry.of(part);
@@ -72,7 +71,7 @@ TEST(Accounts, HaveTheEvidenceOfTheSearch) {
       if (explanation.noisy || explanation.parts.empty() || !std::ranges::all_of(explanation.parts, isPlain))
         continue;
       const double difference =
-          accounts.of(explanation, none)->logOdds - nothing - explanation.logBayesFactor;
+          accounts.of(explanation, noEffect)->logOdds - nothing - explanation.logBayesFactor;
       EXPECT_NEAR(difference, 0, std::log(4.0) * static_cast<double>(explanation.parts.size()) + 0.1)
           << trial.id;
       ++compared;
