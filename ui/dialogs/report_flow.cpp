@@ -155,9 +155,9 @@ bool ReportFlow::exportOf(const SharedGap& gap, const QString& suggestion) {
   const QString title = tr("Export acceptance report");
   const auto choice = ask(*gap, ReportQuestion::Way::Export);
   if (!choice) return false;
-  const SharedGap accessible = inLanguage(choice->language, gap);
-  if (!accessible) return false;
-  auto options = optionsFor(accessible, *choice);
+  const SharedGap translated = inLanguage(choice->language, gap);
+  if (!translated) return false;
+  auto options = optionsFor(translated, *choice);
   if (!options) return false;
   const QString path = m_dialogs.askReportPath(suggestion);
   if (path.isEmpty()) return false;
@@ -171,7 +171,7 @@ bool ReportFlow::exportOf(const SharedGap& gap, const QString& suggestion) {
     isStopped = isStopped || !busy->goesOn(done);
     return !isStopped;
   };
-  const Result<QString> written = writeAcceptanceReport(*accessible->evaluation, source(), path, *options);
+  const Result<QString> written = writeAcceptanceReport(*translated->evaluation, source(), path, *options);
   if (isStopped) {
     emit remark(tr("Stopped: no report was written."));
     return false;
@@ -195,9 +195,9 @@ bool ReportFlow::certificateOf(const SharedGap& gap, const QString& suggestion) 
   }
   const auto choice = ask(*gap, ReportQuestion::Way::Export, lacking->notStated);
   if (!choice) return false;
-  const SharedGap accessible = inLanguage(choice->language, gap);
-  if (!accessible) return false;
-  auto options = optionsFor(accessible, *choice);
+  const SharedGap translated = inLanguage(choice->language, gap);
+  if (!translated) return false;
+  auto options = optionsFor(translated, *choice);
   if (!options) return false;
   const QString path = m_dialogs.askExportPath(title, suggestion, QStringLiteral("xml"));
   if (path.isEmpty()) return false;
@@ -223,13 +223,13 @@ bool ReportFlow::certificateOf(const SharedGap& gap, const QString& suggestion) 
 bool ReportFlow::printOf(const SharedGap& gap) {
   const auto choice = ask(*gap, ReportQuestion::Way::Print);
   if (!choice) return false;
-  const SharedGap accessible = inLanguage(choice->language, gap);
-  if (!accessible) return false;
-  auto options = optionsFor(accessible, *choice);
+  const SharedGap translated = inLanguage(choice->language, gap);
+  if (!translated) return false;
+  auto options = optionsFor(translated, *choice);
   if (!options) return false;
   const ReportSource source = reportSource(m_document);
   QPrinter printer(QPrinter::HighResolution);
-  setPaper(printer, choice->paper, reportTitle(*accessible->evaluation, source));
+  setPaper(printer, choice->paper, reportTitle(*translated->evaluation, source));
   if (!m_dialogs.askPrinter(printer)) return false;
   printer.setFullPage(true);  // for every printer the user may choose
   const auto busy = m_dialogs.busy(tr("Printing the report…"));
@@ -238,7 +238,7 @@ bool ReportFlow::printOf(const SharedGap& gap) {
     isStopped = isStopped || !busy->goesOn(done);
     return !isStopped;
   };
-  const bool isPrinted = paintAcceptanceReport(printer, *accessible->evaluation, source, *options);
+  const bool isPrinted = paintAcceptanceReport(printer, *translated->evaluation, source, *options);
   if (isStopped) {
     printer.abort();
     emit remark(tr("Stopped: the report may be printed in part."));
@@ -256,17 +256,17 @@ bool ReportFlow::previewOf(const SharedGap& gap, const QString& suggestion) {
   ReportChoice choice = rememberedReportChoice();
   const ReportSource source = reportSource(m_document);
   while (true) {
-    const SharedGap accessible = inLanguage(choice.language, gap);
-    if (!accessible) return false;
-    auto options = optionsFor(accessible, choice);
+    const SharedGap translated = inLanguage(choice.language, gap);
+    if (!translated) return false;
+    auto options = optionsFor(translated, choice);
     if (!options) {
       choice.logoPath.clear();
-      options = optionsFor(accessible, choice);
+      options = optionsFor(translated, choice);
     }
     QPrinter printer(QPrinter::HighResolution);
-    setPaper(printer, choice.paper, reportTitle(*accessible->evaluation, source));
+    setPaper(printer, choice.paper, reportTitle(*translated->evaluation, source));
     const PreviewAnswer answer = m_dialogs.showPreview(
-        printer, [&](QPrinter& on) { paintAcceptanceReport(on, *accessible->evaluation, source, *options); });
+        printer, [&](QPrinter& on) { paintAcceptanceReport(on, *translated->evaluation, source, *options); });
     switch (answer) {
       case PreviewAnswer::Close:
         return true;

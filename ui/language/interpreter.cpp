@@ -41,9 +41,9 @@ const Tongue* tongueOf(const QString& id) {
 
 QString Interpreter::translate(const char* context, const char* source, const char* disambiguation,
                                int n) const {
-  const Tongue* accessible = tongue();
-  if (!accessible) return {};
-  for (const auto& texts : accessible->texts)
+  const Tongue* current = tongue();
+  if (!current) return {};
+  for (const auto& texts : current->texts)
     if (const QString text = texts->translate(context, source, disambiguation, n); !text.isEmpty())
       return text;
   return {};
