@@ -41,6 +41,7 @@ std::string gapText(const Diagnosis& diagnosis) {
   for (const GapStep& step : diagnosis.steps)
     rows.push_back(row(step.effect == grossErrorId ? "without the misread values"
                        : step.effect == knownId    ? "with what is known"
+                       : step.effect == formId     ? "with the form"
                                                    : "with " + step.effect,
                        step.size, step.intersection));
   if (const std::string beyond = textOf(beyondTheFit(diagnosis)); !beyond.empty())

@@ -11,6 +11,7 @@
 #include "core/diagnosis/conclusion/measured.h"
 #include "core/diagnosis/conclusion/required.h"
 #include "core/diagnosis/conclusion/unexplained.h"
+#include "core/diagnosis/conclusion/with_forms.h"
 #include "core/diagnosis/forms/session_forms.h"
 #include "core/diagnosis/gap/gap_size.h"
 #include "core/diagnosis/gap/held_out.h"
@@ -127,19 +128,43 @@ std::vector<ReadingDeviation> readingsOf(const GapModel& model) {
 
 /// Where the catalogue does not explain the gap, or only by more effects than can be taken apart: then forms
 /// have to beat those at three times their plausible size, and look like none of them.
-std::vector<FoundForm> formsOf(const Inquiry& inquiry, const Answer& answer, const DiagnosisOptions& options,
-                               const std::stop_token& stop) {
+FoundForms formsOf(const Inquiry& inquiry, const Answer& answer, const DiagnosisOptions& options,
+                   const std::stop_token& stop) {
   constexpr EffectScales asPlausible, large{3, 3, 3};
   if (answer.kind == Answer::Kind::Unknown)
     return formsBeyond(inquiry, answer.explanation, asPlausible, options, stop);
   if (answer.kind != Answer::Kind::Several) return {};
-  std::vector<FoundForm> forms = formsBeyond(inquiry, answer.explanation, large, options, stop);
-  const auto isOfCatalogue = [](const FoundForm& found) {
-    return std::ranges::any_of(found.indistinguishableFrom,
+  FoundForms found = formsBeyond(inquiry, answer.explanation, large, options, stop);
+  const auto isOfCatalogue = [](const FoundForm& form) {
+    return std::ranges::any_of(form.indistinguishableFrom,
                                [](const FormLookAlike& other) { return !other.effect.empty(); });
   };
-  if (std::ranges::any_of(forms, isOfCatalogue)) forms.clear();
-  return forms;
+  if (std::ranges::any_of(found.forms, isOfCatalogue)) return {};
+  return found;
+}
+
+/// What an inquiry comes to.
+struct Conclusion {
+  Inquiry inquiry;
+  Answer answer;
+  std::vector<FoundForm> forms;
+  std::optional<GapShape> shape;  ///< of an unknown
+};
+
+Conclusion concluded(Inquiry inquiry, const DiagnosisOptions& options, const std::stop_token& stop) {
+  Answer answer = conclude(inquiry);
+  std::optional<GapShape> shape;
+  if (answer.kind == Answer::Kind::Unknown) shape = shapeOf(inquiry);
+  FoundForms found;
+  if (!options.forVerdict) found = formsOf(inquiry, answer, options, stop);
+  takeUpForms(inquiry, answer, found);
+  return {std::move(inquiry), std::move(answer), std::move(found.forms), std::move(shape)};
+}
+
+std::optional<IntersectionEstimate> afterwardsOf(const Conclusion& conclusion) {
+  return hasForms(conclusion.inquiry, conclusion.answer)
+             ? intersectionWithForms(conclusion.inquiry, conclusion.answer)
+             : modelAveragedIntersection(conclusion.inquiry, conclusion.answer);
 }
 
 }  // namespace
@@ -165,24 +190,26 @@ Result<Diagnosis, DiagnosisFault> diagnose(const Measurement& measurement, const
   if (heedsReference) {
     DiagnosisOptions withoutReference = options;
     withoutReference.withReference = false;
-    const Inquiry plain = inquire(*model, withoutReference, stop);
+    Inquiry plain = inquire(*model, withoutReference, stop);
     if (stop.stop_requested()) return stopped;
     if (const auto fault = undetermined(plain)) return DiagnosisFault(*fault);
-    const Answer plainly = conclude(plain);
-    found = modelAveragedIntersection(plain, plainly);
-    measured = measuredIntersection(plain, plainly);
-    required = whatItWouldTake(plain);
+    const Conclusion plainly = concluded(std::move(plain), withoutReference, stop);
+    found = afterwardsOf(plainly);
+    measured = measuredIntersection(plainly.inquiry, plainly.answer);
+    required = whatItWouldTake(plainly.inquiry);
   }
-  const Inquiry inquiry = inquire(*std::move(model), options, stop);
+  Inquiry inquired = inquire(*std::move(model), options, stop);
   if (stop.stop_requested()) return stopped;
-  if (const auto fault = undetermined(inquiry)) return DiagnosisFault(*fault);
-  const Answer answer = conclude(inquiry);
+  if (const auto fault = undetermined(inquired)) return DiagnosisFault(*fault);
+  Conclusion conclusion = concluded(std::move(inquired), options, stop);
+  const Inquiry& inquiry = conclusion.inquiry;
+  const Answer& answer = conclusion.answer;
   if (stop.stop_requested()) return stopped;
 
   if (!heedsReference) {
     measured = measuredIntersection(inquiry, answer);
     if (!options.forVerdict) {
-      found = modelAveragedIntersection(inquiry, answer);
+      found = afterwardsOf(conclusion);
       required = whatItWouldTake(inquiry);
     }
   }
@@ -202,6 +229,7 @@ Result<Diagnosis, DiagnosisFault> diagnose(const Measurement& measurement, const
   diagnosis.gap = sizeOf(own);
   diagnosis.after = sizeOf(answer.opened);
   diagnosis.shrink = shrinkageOf(inquiry, answer);
+  if (hasForms(inquiry, answer)) diagnosis.shrink.heldOut = conclusion.forms.front().shrink.heldOut;
   diagnosis.candidates = candidatesOf(inquiry.ofAll());
   diagnosis.known = knownChecks(inquiry, answer);
   diagnosis.where = whereOf(inquiry, answer);
@@ -214,8 +242,8 @@ Result<Diagnosis, DiagnosisFault> diagnose(const Measurement& measurement, const
   for (const Detectability& detectability : undetectable)
     diagnosis.undetectable.push_back(
         {std::string(detectability.effect), detectability.influence, detectability.visible});
-  if (answer.kind == Answer::Kind::Unknown) diagnosis.shape = shapeOf(inquiry);
-  diagnosis.forms = formsOf(inquiry, answer, options, stop);
+  diagnosis.shape = conclusion.shape;
+  diagnosis.forms = std::move(conclusion.forms);
   diagnosis.whatItWouldTake = std::move(required);
   diagnosis.leftBefore = inSigma(own);
   diagnosis.leftAfter = inSigma(answer.opened);

@@ -13,6 +13,9 @@ inline constexpr const char* grossErrorId = "gross_error";
 inline constexpr const char* noiseId = "underestimated_noise";
 inline constexpr const char* relationId = "vertical_angle_relation";  ///< an effect of the catalogue
 
+/// A form of no catalogue: a step by which a gap shrinks, never a cause.
+inline constexpr const char* formId = "form";
+
 /// The session's prior knowledge of effects: the first step by which a gap shrinks, rather than a cause.
 inline constexpr const char* knownId = "known_sizes";
 

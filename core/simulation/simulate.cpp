@@ -242,20 +242,26 @@ SpacePoint<double> PerfectReadings::inRoom(const SpacePoint<double>& target) con
 CircleReadings PerfectReadings::zero(int face, const Moment& moment) const {
   Pointing asDirection = pointing(face, moment);
   asDirection.isSetUpAgain = false;
-  return onCircles(circleDirection(m_errors, inRoom({0, 0, -m_truth.distance}), asDirection), face);
+  Moment thereOnly = moment;  // a zero is approached anew
+  thereOnly.wayBack = false;
+  return disturbed(circleDirection(m_errors, inRoom({0, 0, -m_truth.distance}), asDirection), face,
+                   thereOnly);
 }
 
-CircleReadings PerfectReadings::target(Angle s, int face, const Moment& moment) const {
-  SpacePoint<double> target = targetAt(m_errors, poseAt(s), m_truth.distance, arcAngle(s), m_axisDeg);
-  if (!m_truth.foreign)
-    return onCircles(circleDirection(m_errors, inRoom(target), pointing(face, moment)), face);
+CircleReadings PerfectReadings::disturbed(Direction<double> direction, int face, const Moment& moment) const {
+  if (!m_truth.foreign) return onCircles(direction, face);
   const ForeignEffect& foreign = *m_truth.foreign;
-  target.z += halfTurnSign(m_axisDeg) * offPlaneBy(foreign, s) - distanceBy(foreign, moment.elapsed);
-  Direction<double> direction = circleDirection(m_errors, inRoom(target), pointing(face, moment));
   const Angle circle = onCircles(direction, face).horizontal;
   direction.a += azimuthBy(foreign, circle, moment.elapsed, moment.wayBack).radians();
   direction.e += elevationBy(foreign, Angle::fromRadians(direction.e), moment.elapsed).radians();
   return onCircles(direction, face);
+}
+
+CircleReadings PerfectReadings::target(Angle s, int face, const Moment& moment) const {
+  SpacePoint<double> target = targetAt(m_errors, poseAt(s), m_truth.distance, arcAngle(s), m_axisDeg);
+  if (const auto& foreign = m_truth.foreign)
+    target.z += halfTurnSign(m_axisDeg) * offPlaneBy(*foreign, s) - distanceBy(*foreign, moment.elapsed);
+  return disturbed(circleDirection(m_errors, inRoom(target), pointing(face, moment)), face, moment);
 }
 
 Angle PerfectReadings::slider(Angle s) const {

@@ -46,6 +46,8 @@ class PerfectReadings {
   SpacePoint<double> inRoom(const SpacePoint<double>& target) const;
   double arcAngle(Angle s) const;
   CircleReadings onCircles(const Direction<double>& direction, int face) const;
+  /// With the truth's foreign effect on the circles.
+  CircleReadings disturbed(Direction<double> direction, int face, const Moment& moment) const;
 
   const Truth& m_truth;
   ErrorTerms<double> m_errors;

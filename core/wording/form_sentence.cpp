@@ -78,6 +78,10 @@ std::vector<std::string> functionTexts(const Form& form) {
       const std::string base = form.isOfAngle() ? "(" + x + "/10°)" : x;
       return {form.order == 1 ? base : base + (form.order == 2 ? "²" : "³")};
     }
+    case FormFunction::Walk:
+      return {Phrase::of("a random walk")};
+    case FormFunction::PerPlace:
+      return {Phrase::of("a number for each place")};
     case FormFunction::Hysteresis:
       break;
   }
@@ -96,8 +100,19 @@ std::string amplitudeText(double value, double sigma, bool isMillimetres) {
   return (value < 0 ? " − " : " + ") + size + " · ";
 }
 
+/// "0.12 mm": of coefficients that are as many as the readings have places or parts.
+std::string freeText(const FoundForm& found, const FormNumber& amplitude) {
+  const std::string size = displayText(std::abs(amplitude.value), decimalsFor(amplitude.sigma, 2)) +
+                           (found.form.isMillimetres() ? " mm" : "″");
+  return " + " + Phrase::of("%1 of %2", functionTexts(found.form).front(), size);
+}
+
 /// Of one carrier: its coefficients from `first` on.
 std::string sumText(const FoundForm& found, std::size_t first) {
+  if (found.form.isFree()) {
+    const bool isFirstOfTwo = found.form.carrier == FormCarrier::Orientation && first == 0;
+    return freeText(found, found.parameters[found.parameters.size() - (isFirstOfTwo ? 2 : 1)]);
+  }
   std::string text;
   for (const std::string& function : functionTexts(found.form)) {
     const FormNumber& number = found.coefficients[first++];

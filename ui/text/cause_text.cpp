@@ -29,6 +29,7 @@ QString causeName(const std::string& id) {
   if (id == jumpId) return GapText::tr("a jump of the orientation");
   if (id == grossErrorId) return GapText::tr("misread values");
   if (id == noiseId) return GapText::tr("noise larger than stated");
+  if (id == formId) return GapText::tr("the form");
   if (id == relationId) return GapText::tr("the vertical angle relation");
   return effectName(id);
 }

@@ -142,6 +142,14 @@ IntersectionEstimate averagedOver(const IntersectionEstimate& own, const std::ve
   return {own.value + mean, sigma, expanded, std::move(accounts), own.degreesOfFreedom};
 }
 
+IntersectionEstimate widerBy(IntersectionEstimate own, double variance) {
+  const double sigma = std::sqrt(square(own.sigma) + std::max(variance, 0.0));
+  own.expanded *= sigma / own.sigma;
+  own.sigma = sigma;
+  own.accounts = {{1, own.value, own.sigma}};
+  return own;
+}
+
 std::vector<Explanation> withRivals(const Answer& answer, const Explanation& explanation) {
   std::vector<Explanation> all{explanation};
   for (std::size_t p = 0; p < answer.rivals.size(); ++p) {

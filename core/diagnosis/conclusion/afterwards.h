@@ -24,6 +24,9 @@ struct Possible {
 IntersectionEstimate averagedOver(const IntersectionEstimate& own, const std::vector<Possible>& all,
                                   double coverage);
 
+/// `own` with so much more variance, mm², if that is positive.
+IntersectionEstimate widerBy(IntersectionEstimate own, double variance);
+
 /// An explanation of the inquiry, with whatever looks like a part of the answer in the place of that part:
 /// in place of each, whatever stands in the places of the others. The explanation itself first; each has the
 /// odds of its own.

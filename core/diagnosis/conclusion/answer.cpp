@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/diagnosis/conclusion/accounts.h"
+#include "core/diagnosis/conclusion/with_forms.h"
 #include "core/diagnosis/evidence/gain.h"
 #include "core/diagnosis/gap/every_effect.h"
 #include "core/diagnosis/gap/gap_size.h"
@@ -200,9 +201,10 @@ ExplainedModel explainedModel(const Inquiry& inquiry, Explanation explanation) {
 std::vector<GapStep> stepsOf(const Inquiry& inquiry, const Answer& answer) {
   std::vector<GapStep> steps;
   const Explanation& whole = answer.explanation;
+  const bool formed = hasForms(inquiry, answer);
   Explanation soFar;
   const auto note = [&](std::string_view id) {
-    const bool isLast = soFar.parts.size() == whole.parts.size() && soFar.noisy == whole.noisy;
+    const bool isLast = !formed && soFar.parts.size() == whole.parts.size() && soFar.noisy == whole.noisy;
     const GapModel& model = isLast ? answer.after : modelWith(inquiry, soFar);
     if (!model.fit->isDetermined()) return;
     if (isLast) {
@@ -226,6 +228,7 @@ std::vector<GapStep> stepsOf(const Inquiry& inquiry, const Answer& answer) {
     soFar.noisy = true;
     note(noiseId);
   }
+  if (formed) steps.push_back({formId, sizeOf(answer.opened), estimateOf(answer.measured)});
   return steps;
 }
 

@@ -14,6 +14,7 @@
 #include "core/diagnosis/conclusion/accounts.h"
 #include "core/diagnosis/conclusion/afterwards.h"
 #include "core/diagnosis/conclusion/measured_budget.h"
+#include "core/diagnosis/conclusion/with_forms.h"
 #include "core/diagnosis/evidence/gain.h"
 #include "core/diagnosis/gap/every_effect.h"
 #include "core/diagnosis/gap/gap_size.h"
@@ -95,19 +96,6 @@ std::optional<Across> acrossOf(const GapModel& model) {
       model, intersectionWeights(*model.fit, *arcAt(*model.measurement, 0), *arcAt(*model.measurement, 180)));
 }
 
-/// What the readings are without a pattern, which takes up so many σ of each.
-Measurement without(Measurement measurement, const Inquiry& inquiry, const Eigen::VectorXd& pattern) {
-  for (Eigen::Index i = 0; i < pattern.size(); ++i) {
-    const LinearReading& reading = inquiry.leftover.reading(i);
-    const Angle off = Angle::fromRadians(pattern[i] * reading.sigma);
-    Sighting& sighting = measurement.arcs[reading.arc].sightings[reading.sighting];
-    if (reading.kind == ReadingKind::Horizontal) sighting.a = sighting.a - off;
-    if (reading.kind == ReadingKind::Vertical) sighting.e = sighting.e - off;
-    if (reading.kind == ReadingKind::Slider) sighting.slider = *sighting.slider - off;
-  }
-  return measurement;
-}
-
 /// Where no jump is an answer, a step of the orientation is what the pause adds to a drift (`addPause`).
 std::map<ErrorTerm, TermShare> withPausesInDrifts(std::map<ErrorTerm, TermShare> terms) {
   using enum ErrorTerm;
@@ -128,13 +116,13 @@ class Measured {
       : m_inquiry(inquiry), m_answer(answer), m_accounts(inquiry), m_whole(answer.explanation) {
     if (const Explanation* const found = explanationOf(inquiry, answer)) m_whole = *found;
     m_model = answer.kind == Answer::Kind::Several || m_whole.shaped
-                  ? modelWith(inquiry.base, withoutPattern(), inquiry.candidates, inquiry.leftover)
+                  ? modelWith(inquiry.base, rest(), inquiry.candidates, inquiry.leftover)
                   : answer.after;
     m_scales = averageScales();
     if (isLarge(*inquiry.base.measurement)) return;
     if (m_whole.shaped)
       m_model.measurement = std::make_shared<const Measurement>(
-          without(*m_model.measurement, inquiry, m_accounts.takenByPattern(m_whole, m_scales)));
+          withoutPattern(*m_model.measurement, inquiry, m_accounts.takenByPattern(m_whole, m_scales)));
     m_every = withEveryEffect(m_model);
     m_fit = withEveryEffect(m_model, m_scales);
     m_accounts.alsoAt(m_fit, m_whole, m_scales);
@@ -165,7 +153,8 @@ class Measured {
   EffectScales m_scales;
   GapModel m_model, m_every, m_fit;  ///< without the effects, with them, and as large as they are
 
-  Explanation withoutPattern() const {
+  /// Without its pattern.
+  Explanation rest() const {
     Explanation rest = m_whole;
     if (rest.shaped) rest.parts.pop_back();  // a pattern stands last
     rest.shaped = false;
@@ -217,12 +206,8 @@ class Measured {
     const std::optional<Account> ofWhole = m_accounts.of(m_whole, m_scales);
     if (!ofWhole || !(own.sigma > 0)) return own;
     if (m_whole.shaped && !isLarge(*m_inquiry.base.measurement)) {
-      const std::optional<Account> ofRest = m_accounts.of(withoutPattern(), m_scales);
-      const double more = ofRest ? std::max(ofWhole->ofWeights - ofRest->ofWeights, 0.0) : 0;
-      const double sigma = std::sqrt(square(own.sigma) + more);
-      own.expanded *= sigma / own.sigma;
-      own.sigma = sigma;
-      own.accounts = {{1, own.value, own.sigma}};
+      const std::optional<Account> ofRest = m_accounts.of(rest(), m_scales);
+      own = widerBy(own, ofRest ? ofWhole->ofWeights - ofRest->ofWeights : 0);
     }
     constexpr double least = 1e-4;
     std::vector<Account> all;

@@ -13,6 +13,22 @@ bool beatNothing(const std::vector<WeighedForm>& all) {
          logSumOf(all) + std::log(PriorOdds{}.shape) > std::log(least);
 }
 
+namespace {
+
+/// That may be averaged over: their amplitudes are known.
+std::vector<WeighedForm> likelyOf(const std::vector<WeighedForm>& all) {
+  constexpr double least = -4;  // natural logarithm of the odds
+  constexpr std::size_t most = 6;
+  std::vector<WeighedForm> likely;
+  for (const WeighedForm& each : all)
+    if (likely.size() < most && each.amplitudes.size() > 0 &&
+        each.logPosterior() > all.front().logPosterior() + least)
+      likely.push_back(each);
+  return likely;
+}
+
+}  // namespace
+
 FoundForms findForms(FormSystem& system, const FormReadings& readings,
                      const std::vector<FormFamily>& families, const FormChoice& choice,
                      const std::stop_token& stop) {
@@ -22,13 +38,14 @@ FoundForms findForms(FormSystem& system, const FormReadings& readings,
     const std::vector<WeighedForm> all = weighForms(system, readings, families, stop);
     if (all.empty() || !choice.isNamed(all)) break;
     const WeighedForm& first = all.front();
-    FoundForm& form = found.forms.emplace_back(foundForm(first, all));
+    FoundForm& form = found.forms.emplace_back(foundForm(readings, first, all));
     for (const Form& other : lookAlikesOfFirst(system, readings, all))
       form.indistinguishableFrom.push_back({other});
     choice.note(first, form);
     found.families.push_back(*std::ranges::find_if(families, [&](const FormFamily& family) {
       return family.form.isOfKind(first.form) && family.form.order == first.form.order;
     }));
+    found.likely.push_back(likelyOf(all));
     system.takeUp(formColumns(readings, first.form));
     found.numbers += static_cast<int>(first.amplitudes.size()) + first.form.count();
     if (!choice.isAnythingLeft(found.numbers)) break;

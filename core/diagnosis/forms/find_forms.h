@@ -11,7 +11,9 @@ namespace alidade {
 struct FoundForms {
   std::vector<FoundForm> forms;
   std::vector<FormFamily> families;  ///< of each form
-  int numbers = 0;                   ///< amplitudes and shape numbers of all forms
+  /// Of each form: itself, and those in its place that are nearly as likely, the likeliest first.
+  std::vector<std::vector<WeighedForm>> likely;
+  int numbers = 0;  ///< amplitudes and shape numbers of all forms
 };
 
 /// What the readings at hand decide.

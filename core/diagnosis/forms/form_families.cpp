@@ -52,6 +52,7 @@ class FamilyMaker {
     addHarmonics({.carrier = carrier, .of = S}, 12);
     addPlaces({.carrier = carrier, .of = S}, dense);
     if (carrier == Slider) addPowers({.carrier = carrier, .of = S}, 3);
+    addPerPlace({.carrier = carrier, .function = PerPlace, .of = S});
     add({.carrier = carrier, .function = Hysteresis, .of = Leg});
     add({.carrier = carrier, .function = Hysteresis, .of = Position});
   }
@@ -97,6 +98,27 @@ class FamilyMaker {
     addGrid(with(form, Harmonic), numbers, mostCycles - fewestCycles);
     addEdges(form, moments);
     addPowers(form, 2);
+    add(with(form, Walk));
+    addRounds({.carrier = carrier, .function = Step, .of = Round});
+  }
+
+  /// Between the rounds.
+  void addRounds(const Form& form) {
+    if (!m_readings.has(form)) return;
+    const double last = m_readings.of(Round).maxCoeff();
+    constexpr double most = 6;
+    std::vector<double> between;
+    for (double round = 1; round < std::min(last, most); ++round) between.push_back(round + 0.5);
+    addGrid(form, between, last - 1);
+  }
+
+  /// Where most places are sighted more than once.
+  void addPerPlace(const Form& form) {
+    constexpr std::size_t most = 40;
+    if (!m_readings.has(form)) return;
+    const std::size_t places = placesOf(m_readings, form).size();
+    const auto readings = static_cast<std::size_t>((m_readings.of(form.carrier).array() != 0).count());
+    if (places <= most && readings >= 3 * places) add(form);
   }
 
   static Form with(Form form, FormFunction function) {

@@ -12,6 +12,7 @@ using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
 
 namespace {
 
+constexpr double placeSize = 0.1 * std::numbers::pi / 180;  // rad
 constexpr double perArcsecond = Angle::fromArcseconds(1).radians();
 
 /// Of the readings of a session.
@@ -92,6 +93,7 @@ class SessionReadings {
         }));
     set(VerticalCircle, each([&](Index i) { return verticalCircle(e[i], rowOf(i).face); }));
     set(Leg, each([&](Index i) { return at(i).isZero || rowOf(i).round % 2 == 1 ? 1.0 : -1.0; }));
+    set(Round, each([&](Index i) { return static_cast<double>(rowOf(i).round); }));
     set(Face, m_result.face);
     set(Position, each([&](Index i) { return halfTurnSign(arcOf(i).axisDeg); }));
   }
@@ -144,7 +146,7 @@ FormReadings formReadings(const Leftover& leftover, const Measurement& measureme
 }
 
 double powerUnit(FormArgument of) {
-  return of == FormArgument::T ? 1 : std::numbers::pi / 18;
+  return of == FormArgument::T || of == FormArgument::Round ? 1 : std::numbers::pi / 18;
 }
 
 Eigen::Array2d formFunctions(const Form& form, double x) {
@@ -167,6 +169,8 @@ Eigen::Array2d formFunctions(const Form& form, double x) {
     case FormFunction::Power:
       return {std::pow(x / powerUnit(form.of), form.order), 0};
     case FormFunction::Hysteresis:
+    case FormFunction::Walk:
+    case FormFunction::PerPlace:
       break;
   }
   return {x, 0};
@@ -174,33 +178,73 @@ Eigen::Array2d formFunctions(const Form& form, double x) {
 
 namespace {
 
-Index functionsOf(const Form& form) {
+constexpr Index walkParts = 12;
+
+Index functionsOf(const FormReadings& readings, const Form& form) {
+  if (form.function == FormFunction::PerPlace) return std::ssize(placesOf(readings, form));
+  if (form.function == FormFunction::Walk) return walkParts;
   return form.function == FormFunction::Harmonic ? 2 : 1;
+}
+
+/// Of each argument: 1 in the column of its place, or in those of the parts that have passed. A walk's
+/// amplitudes have the size of what it comes to by the end.
+MatrixXd freeValues(const FormReadings& readings, const Form& form, const VectorXd& x) {
+  MatrixXd values = MatrixXd::Zero(x.size(), functionsOf(readings, form));
+  if (form.function == FormFunction::Walk) {
+    for (Index i = 0; i < x.size(); ++i)
+      for (Index part = 0; part < walkParts; ++part)
+        if (x[i] * static_cast<double>(walkParts) > static_cast<double>(part) + 0.5)
+          values(i, part) = 1 / std::sqrt(static_cast<double>(walkParts));
+    return values;
+  }
+  const std::vector<double> places = placesOf(readings, form);
+  for (Index i = 0; i < x.size(); ++i) {
+    const auto next = std::ranges::lower_bound(places, x[i]);
+    auto nearest = next == places.end() ? next - 1 : next;
+    if (nearest != places.begin() && x[i] - nearest[-1] < std::abs(*nearest - x[i])) --nearest;
+    if (std::abs(*nearest - x[i]) < placeSize) values(i, nearest - places.begin()) = 1;
+  }
+  return values;
+}
+
+MatrixXd plainValues(const FormReadings& readings, const Form& form, const VectorXd& x) {
+  MatrixXd values(x.size(), functionsOf(readings, form));
+  // Neighbours often share a place or a moment.
+  Eigen::Array2d here = Eigen::Array2d::Zero();
+  for (Index i = 0; i < values.rows(); ++i) {
+    if (i == 0 || x[i] != x[i - 1]) here = formFunctions(form, x[i]);
+    values.row(i) = here.head(values.cols()).matrix().transpose();
+  }
+  return values;
 }
 
 }  // namespace
 
-Index columnsOf(const Form& form) {
-  return functionsOf(form) * (form.carrier == FormCarrier::Orientation ? 2 : 1);
+std::vector<double> placesOf(const FormReadings& readings, const Form& form) {
+  const VectorXd &x = readings.of(form.of), &carrier = readings.of(form.carrier);
+  std::vector<double> values, places;
+  for (Index i = 0; i < x.size(); ++i)
+    if (carrier[i] != 0) values.push_back(x[i]);
+  std::ranges::sort(values);
+  for (const double value : values)
+    if (places.empty() || value - places.back() >= placeSize) places.push_back(value);
+  return places;
+}
+
+Index columnsOf(const FormReadings& readings, const Form& form) {
+  return functionsOf(readings, form) * (form.carrier == FormCarrier::Orientation ? 2 : 1);
 }
 
 MatrixXd formColumns(const FormReadings& readings, const Form& form) {
-  const VectorXd& x = readings.of(form.of);
   const VectorXd& zero = readings.zeros[static_cast<std::size_t>(form.of)];
-  const bool fromZero = zero.size() > 0 && isOfInstrument(form.carrier);
-  const Index functions = functionsOf(form);
-  MatrixXd values(readings.count, functions);
-  // Neighbours often share a place or a moment.
-  Eigen::Array2d here = Eigen::Array2d::Zero(), there = here;
-  for (Index i = 0; i < values.rows(); ++i) {
-    if (i == 0 || x[i] != x[i - 1]) here = formFunctions(form, x[i]);
-    Eigen::Array2d own = form.turnsWithFace ? Eigen::Array2d(here * readings.face[i]) : here;
-    if (fromZero && (i == 0 || zero[i] != zero[i - 1])) there = formFunctions(form, zero[i]);
-    if (fromZero) own -= there;
-    values.row(i) = own.head(functions).matrix().transpose();
-  }
+  const auto valuesAt = [&](const VectorXd& x) {
+    return form.isFree() ? freeValues(readings, form, x) : plainValues(readings, form, x);
+  };
+  MatrixXd values = valuesAt(readings.of(form.of));
+  if (form.turnsWithFace) values = readings.face.asDiagonal() * values;
+  if (zero.size() > 0 && isOfInstrument(form.carrier)) values -= valuesAt(zero);
   if (form.carrier != FormCarrier::Orientation) return readings.of(form.carrier).asDiagonal() * values;
-  MatrixXd both(values.rows(), 2 * functions);
+  MatrixXd both(values.rows(), 2 * values.cols());
   both << readings.of(FormCarrier::Horizontal).asDiagonal() * values,
       readings.of(FormCarrier::Vertical).asDiagonal() * values;
   return both;

@@ -10,7 +10,7 @@
 
 namespace alidade {
 
-inline constexpr std::size_t formCarriers = 10, formArguments = 9;
+inline constexpr std::size_t formCarriers = 10, formArguments = 10;
 
 /// The readings that forms are sought in: what one unit of each carrier does to each of them, and what the
 /// functions are of.
@@ -39,8 +39,10 @@ FormReadings formReadings(const Leftover& leftover, const Measurement& measureme
 /// those of the horizontal circle.
 Eigen::MatrixXd formColumns(const FormReadings& readings, const Form& form);
 /// How many columns a form has.
-Eigen::Index columnsOf(const Form& form);
-/// The functions of a form at `x`: one, or cosine and sine.
+Eigen::Index columnsOf(const FormReadings& readings, const Form& form);
+/// The values of the argument of a form with a number for each place: those that agree to 0.1° are one.
+std::vector<double> placesOf(const FormReadings& readings, const Form& form);
+/// The functions of a form that is not free at `x`: one, or cosine and sine.
 Eigen::Array2d formFunctions(const Form& form, double x);
 
 /// 1 in powers: 10° of an angle, the whole session.

@@ -60,7 +60,7 @@ class Weighing {
 
   /// At each shape of the grid, the evidence averaged.
   WeighedForm onGrid(const FormFamily& family) const {
-    const Index each = columnsOf(family.form), count = std::ssize(family.grid);
+    const Index each = columnsOf(m_readings, family.form), count = std::ssize(family.grid);
     MatrixXd columns(m_readings.count, each * count);
     for (Index i = 0; i < count; ++i)
       columns.middleCols(i * each, each) = scaled(family.grid[static_cast<std::size_t>(i)]);

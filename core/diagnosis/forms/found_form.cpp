@@ -47,6 +47,10 @@ std::string termsText(const Form& form, char letter) {
     case FormFunction::Power:
       return face + a + "*" + (form.isOfAngle() ? "(" + x + "/10°)" : x) +
              (form.order > 1 ? "^" + std::to_string(form.order) : "");
+    case FormFunction::Walk:
+      return face + a + "*walk(" + x + ")";
+    case FormFunction::PerPlace:
+      return face + a + "[" + x + "]";
     case FormFunction::Hysteresis:
       break;
   }
@@ -80,6 +84,8 @@ void addShape(const WeighedForm& weighed, std::vector<FormNumber>& parameters) {
       return;
     case FormFunction::Power:
     case FormFunction::Hysteresis:
+    case FormFunction::Walk:
+    case FormFunction::PerPlace:
       return;
   }
 }
@@ -97,10 +103,30 @@ double sigmaOfOrder(const Form& form, const std::vector<WeighedForm>& all) {
   return sum > 0 ? std::sqrt(squares / sum) : 0;
 }
 
-/// Of one circle or length: the size of one or two coefficients.
+/// A, B, … for each function; A[40.0°], … for each place; A[1/12], … for each part of the session.
+std::vector<std::string> coefficientNames(const FormReadings& readings, const Form& form, Index count) {
+  std::vector<std::string> names;
+  const std::vector<double> places =
+      form.function == FormFunction::PerPlace ? placesOf(readings, form) : std::vector<double>{};
+  const Index perLetter = form.carrier == FormCarrier::Orientation ? count / 2 : count;
+  for (Index i = 0; i < count; ++i) {
+    const Index part = i % perLetter;
+    const std::string letter(1, static_cast<char>('A' + (form.isFree() ? i / perLetter : i)));
+    if (form.function == FormFunction::PerPlace)
+      names.push_back(letter + "[" + fixedText(places[static_cast<std::size_t>(part)] / degree, 1) + "°]");
+    else if (form.function == FormFunction::Walk)
+      names.push_back(letter + "[" + std::to_string(part + 1) + "/" + std::to_string(perLetter) + "]");
+    else
+      names.push_back(letter);
+  }
+  return names;
+}
+
+/// Of one circle or length: the size of its coefficients; of a number for each place their rms.
 FormNumber amplitudeOf(const WeighedForm& weighed, Index first, Index count, const std::string& name) {
-  const VectorXd own = weighed.amplitudes.segment(first, count);
-  const auto covariance = weighed.covariance.block(first, first, count, count);
+  const double per = weighed.form.function == FormFunction::PerPlace ? std::sqrt(double(count)) : 1;
+  const VectorXd own = weighed.amplitudes.segment(first, count) / per;
+  const Eigen::MatrixXd covariance = weighed.covariance.block(first, first, count, count) / (per * per);
   if (count == 1) return {name, own[0], std::sqrt(covariance(0, 0))};
   const double size = own.norm();
   const VectorXd along = size > 0 ? VectorXd(own / size) : VectorXd::Unit(count, 0);
@@ -115,13 +141,15 @@ std::string formulaOf(const Form& form) {
   return "horizontal = " + termsText(form, 'A') + ", vertical = " + termsText(form, letterAfter(form, 'A'));
 }
 
-FoundForm foundForm(const WeighedForm& weighed, const std::vector<WeighedForm>& all) {
+FoundForm foundForm(const FormReadings& readings, const WeighedForm& weighed,
+                    const std::vector<WeighedForm>& all) {
   const Form& form = weighed.form;
   FoundForm found{.form = form, .formula = formulaOf(form)};
   const Index count = weighed.amplitudes.size();
+  const std::vector<std::string> names = coefficientNames(readings, form, count);
   for (Index i = 0; i < count; ++i)
-    found.coefficients.push_back({std::string(1, static_cast<char>('A' + i)), weighed.amplitudes[i],
-                                  std::sqrt(weighed.covariance(i, i))});
+    found.coefficients.push_back(
+        {names[static_cast<std::size_t>(i)], weighed.amplitudes[i], std::sqrt(weighed.covariance(i, i))});
   if (form.order > 0)
     found.parameters.push_back({"order", static_cast<double>(form.order), sigmaOfOrder(form, all)});
   addShape(weighed, found.parameters);

@@ -55,17 +55,17 @@ class SessionForms {
       if (isJump(inquiry.of(part))) addJump(part);
   }
 
-  std::vector<FoundForm> find() {
+  FoundForms find() {
     FoundForms result = findForms(
         m_system, m_readings, m_families,
         {.isNamed = [this](const std::vector<WeighedForm>& all) { return isNamed(all); },
-         .isAnythingLeft = [this](int numbers) { return isAnythingLeft(numbers); },
+         .isAnythingLeft = [this](int numbers) { return isAnythingLeft(m_system, numbers); },
          .note = [this](const WeighedForm& first, FoundForm& found) { addLookAlikes(first, found); }},
         m_stop);
     if (!result.forms.empty())
       addShrinkage(result, divided(m_plain), divided(m_full), heldOut(result.families), m_readings,
                    m_system.variance(), m_stop);
-    return std::move(result.forms);
+    return result;
   }
 
  private:
@@ -112,16 +112,23 @@ class SessionForms {
   }
 
   /// Beyond what noise alone leaves in one of five sessions.
-  bool isAnythingLeft(int numbers) const {
+  bool isAnythingLeft(const FormSystem& system, int numbers) const {
     constexpr double usual = 0.2;
     const double freedom = static_cast<double>(m_full.degreesOfFreedom() - numbers - m_beside.cols());
-    return chiSquareUpperTail(m_system.left().squaredNorm() / m_system.variance(), freedom).value_or(0) <
-           usual;
+    return chiSquareUpperTail(system.left().squaredNorm() / system.variance(), freedom).value_or(0) < usual;
   }
 
-  /// Against nothing and the likeliest patterns.
+  /// Against nothing and the likeliest patterns: one that leaves noise alone may be a little less likely than
+  /// these, some of which resemble it.
   bool isNamed(const std::vector<WeighedForm>& all) const {
-    return beatNothing(all) && logSumOf(all) > logPatterns();
+    constexpr double nearly = 20;
+    if (!beatNothing(all)) return false;
+    const double over = logSumOf(all) - logPatterns();
+    if (over > 0 || over < -std::log(nearly)) return over > 0;
+    const WeighedForm& first = all.front();
+    FormSystem with = m_system;
+    with.takeUp(formColumns(m_readings, first.form));
+    return !isAnythingLeft(with, static_cast<int>(first.amplitudes.size()) + first.form.count());
   }
 
   /// A pattern is what remains where no form fits, and so less likely beforehand. One of two columns is a
@@ -219,9 +226,8 @@ class SessionForms {
 
 }  // namespace
 
-std::vector<FoundForm> formsBeyond(const Inquiry& inquiry, const Explanation& certain,
-                                   const EffectScales& scales, const DiagnosisOptions& options,
-                                   const std::stop_token& stop) {
+FoundForms formsBeyond(const Inquiry& inquiry, const Explanation& certain, const EffectScales& scales,
+                       const DiagnosisOptions& options, const std::stop_token& stop) {
   constexpr Index mostReadings = 4000;  // beyond, the search takes seconds
   if (inquiry.leftover.readings() > mostReadings || stop.stop_requested()) return {};
   return SessionForms(inquiry, certain, scales, options, stop).find();

@@ -6,10 +6,10 @@ namespace {
 
 constexpr std::array<std::string_view, 10> carrierNames = {
     "radial", "tangential", "across", "x", "y", "z", "horizontal", "vertical", "orientation", "slider"};
-constexpr std::array<std::string_view, 7> functionNames = {"harmonic",    "bump",  "step",      "hinge",
-                                                           "exponential", "power", "hysteresis"};
-constexpr std::array<std::string_view, 9> argumentNames = {
-    "s", "t", "a", "e", "horizontal circle", "vertical circle", "leg", "face", "position"};
+constexpr std::array<std::string_view, 9> functionNames = {
+    "harmonic", "bump", "step", "hinge", "exponential", "power", "hysteresis", "walk", "per_place"};
+constexpr std::array<std::string_view, 10> argumentNames = {
+    "s", "t", "a", "e", "horizontal circle", "vertical circle", "leg", "face", "position", "round"};
 
 }  // namespace
 
@@ -42,6 +42,8 @@ int Form::count() const {
       return of == FormArgument::T ? 1 : 0;
     case FormFunction::Power:
     case FormFunction::Hysteresis:
+    case FormFunction::Walk:
+    case FormFunction::PerPlace:
       break;
   }
   return 0;

@@ -16,13 +16,25 @@ namespace alidade {
 enum class FormCarrier { Radial, Tangential, Across, X, Y, Z, Horizontal, Vertical, Orientation, Slider };
 
 /// Of the argument x: cos kx and sin kx; exp(−½((x − at)/width)²); 1 beyond `at`; max(0, x − at); exp(−x/τ);
-/// (x/unit)^k; x itself, which is 1 or −1.
-enum class FormFunction { Harmonic, Bump, Step, Hinge, Exponential, Power, Hysteresis };
+/// (x/unit)^k; x itself, which is 1 or −1; a sum of steps, one for each part of the session; a number for
+/// each value of x.
+enum class FormFunction { Harmonic, Bump, Step, Hinge, Exponential, Power, Hysteresis, Walk, PerPlace };
 
 /// `S`: slider coordinate. `T`: elapsed share of the session, 0…1. `Azimuth`, `Elevation`: a and e. The
 /// circles: as read in either face. `Leg`: 1 there and −1 back. `Face`: 1 and −1. `Position`: 1 at 0° and −1
-/// at 180°.
-enum class FormArgument { S, T, Azimuth, Elevation, HorizontalCircle, VerticalCircle, Leg, Face, Position };
+/// at 180°. `Round`: its number.
+enum class FormArgument {
+  S,
+  T,
+  Azimuth,
+  Elevation,
+  HorizontalCircle,
+  VerticalCircle,
+  Leg,
+  Face,
+  Position,
+  Round
+};
 
 std::string_view nameOf(FormCarrier carrier);
 std::string_view nameOf(FormFunction function);
@@ -43,7 +55,11 @@ struct Form {
   int count() const;
   bool isMillimetres() const { return carrier <= FormCarrier::Z; }
   /// Its argument is an angle, told in degrees.
-  bool isOfAngle() const { return of != FormArgument::T && function != FormFunction::Hysteresis; }
+  bool isOfAngle() const {
+    return of != FormArgument::T && of != FormArgument::Round && function != FormFunction::Hysteresis;
+  }
+  /// It has as many amplitudes as the readings have places or parts.
+  bool isFree() const { return function == FormFunction::Walk || function == FormFunction::PerPlace; }
 };
 
 /// One number of a form with its standard uncertainty. `name`: "order", "amplitude_mm", "at_deg", ….
