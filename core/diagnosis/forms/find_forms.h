@@ -12,6 +12,8 @@ struct FoundForms {
   std::vector<FoundForm> forms;
   std::vector<FormFamily> families;  ///< of each form
   int numbers = 0;                   ///< amplitudes and shape numbers of all forms
+  /// Of each reading as `addShrinkage` predicts it from others, in its σ; empty where none is predicted.
+  Eigen::VectorXd heldOutErrors = {};
 };
 
 /// What the readings at hand decide.
