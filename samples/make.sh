@@ -27,6 +27,9 @@ sample two-causes --seed 3 --protocol full --points 9 --rounds 2 --intersection 
 sample unknown-form --seed 4 --protocol paper --points 17 --intersection 0.4 \
   --effect form_harmonic=5,0.3,0.2 --title "A guideway out of shape" \
   --notes "Simulated: the radius changes by 0.36 mm, five times in a full turn. No effect of the catalogue does that."
+sample dented-guideway --seed 9 --protocol full --points 17 --intersection 0.4 \
+  --effect local_dent=-0.3,40,8 --title "A dented guideway" \
+  --notes "Simulated: the guideway is dented by 0.3 mm at 40 degrees, 8 degrees wide. No effect of the catalogue does that."
 sample knocked-tripod --seed 5 --protocol there-and-back --points 9 --intersection 0.4 \
   --effect orientation_jump=0.7,60,-40 --title "A knocked tripod" \
   --notes "Simulated: after seven tenths of the readings somebody hit the tripod; both circles read differently from then on."

@@ -98,7 +98,8 @@ std::string partText(const GapShare& share) {
   return share.of;
 }
 
-/// A line for each division of the readings, with its parts in order; parts below one percent are left out.
+/// A line for each division of the readings into two or more parts, in order; parts below one percent are
+/// left out.
 std::string whereText(const Diagnosis& diagnosis) {
   std::string text = "\nWhere it lies\n";
   for (auto first = diagnosis.where.begin(); first != diagnosis.where.end();) {
@@ -108,7 +109,7 @@ std::string whereText(const Diagnosis& diagnosis) {
     for (auto share = first; share != end; ++share)
       if (share->share >= 0.01)
         parts.push_back(partText(*share) + ": " + fixedText(100 * share->share, 0) + " %");
-    text += paragraph("  by " + first->by + " – " + listed(parts), 4);
+    if (end - first > 1) text += paragraph("  by " + first->by + " – " + listed(parts), 4);
     first = end;
   }
   return text;

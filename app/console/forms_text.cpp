@@ -15,6 +15,8 @@ std::string formsText(const std::vector<FoundForm>& forms) {
           "  " + number.name + " " + fixedText(number.value, 3) + " (u " + fixedText(number.sigma, 3) + ")\n";
     if (const std::string alike = lookAlikesSentence(form); !alike.empty())
       text += paragraph("  " + alike, 2);
+    if (const std::string clean = cleanRangeSentence(form); !clean.empty())
+      text += paragraph("  " + clean, 2);
   }
   if (forms.empty()) return text;
   const std::string shrink = shrinkSentence(forms.front());

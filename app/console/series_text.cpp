@@ -93,7 +93,7 @@ std::string whereText(const SeriesDiagnosis& series) {
     for (auto share = first; share != end; ++share)
       if (share->share >= 0.01 && parts.size() < mostRows)
         parts.push_back(share->of + ": " + fixedText(100 * share->share, 0) + " %");
-    if (!parts.empty()) text += paragraph("  by " + first->by + " – " + listed(parts), 4);
+    if (!parts.empty() && end - first > 1) text += paragraph("  by " + first->by + " – " + listed(parts), 4);
     first = end;
   }
   return text;

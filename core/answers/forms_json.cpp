@@ -45,6 +45,7 @@ FormDocument formDocument(const FoundForm& found) {
   json["indistinguishable_from"] = FormDocument::array();
   for (const FormLookAlike& other : found.indistinguishableFrom)
     json["indistinguishable_from"].push_back(lookAlikeDocument(other));
+  json["clean_range"] = found.cleanRange;
   json["shrink"] = {{"in_sample", found.shrink.inSample},
                     {"held_out", found.shrink.heldOut},
                     {"f", found.shrink.f},

@@ -13,8 +13,6 @@
 
 namespace alidade {
 
-namespace {
-
 std::string carrierText(const Form& form) {
   switch (form.carrier) {
     case FormCarrier::Radial:
@@ -40,6 +38,8 @@ std::string carrierText(const Form& form) {
   }
   return Phrase::of("slider readings");
 }
+
+namespace {
 
 std::string symbolOf(FormArgument of) {
   if (of == FormArgument::HorizontalCircle) return "α";
@@ -122,8 +122,8 @@ std::string sumText(const FoundForm& found, std::size_t first) {
 }
 
 /// Without sizes and places.
-std::string kindText(const FormLookAlike& other) {
-  if (!other.effect.empty()) return other.effect;
+std::string kindText(const FormLookAlike& other, const CauseNamer& name) {
+  if (!other.effect.empty()) return name(other.effect);
   std::string text = carrierText(other.form) + ", " + functionTexts(other.form).front();
   return other.form.turnsWithFace && other.form.of != FormArgument::VerticalCircle
              ? Phrase::of("%1 with the other sign in face 2", text)
@@ -148,7 +148,7 @@ std::string formSentence(const FoundForm& found) {
   return Phrase::of("The form: %1 (probability %2).", textOf(found), shortProbabilityText(found.probability));
 }
 
-std::string lookAlikesSentence(const FoundForm& found) {
+std::string lookAlikesSentence(const FoundForm& found, const CauseNamer& name) {
   constexpr std::size_t most = 6;
   const std::size_t count = found.indistinguishableFrom.size();
   if (count == 0) return {};
@@ -156,9 +156,24 @@ std::string lookAlikesSentence(const FoundForm& found) {
   // Effects of the catalogue first.
   for (const bool isEffect : {true, false})
     for (const FormLookAlike& other : found.indistinguishableFrom)
-      if (other.effect.empty() != isEffect && kinds.size() < most) kinds.push_back(kindText(other));
+      if (other.effect.empty() != isEffect && kinds.size() < most) kinds.push_back(kindText(other, name));
   if (count <= most) return Phrase::of("These readings cannot tell it from: %1.", listed(kinds));
   return Phrase::of("These readings cannot tell it from: %1, and %2 more.", listed(kinds), count - most);
+}
+
+std::string cleanRangeSentence(const FoundForm& found) {
+  const Form& form = found.form;
+  if (form.function == FormFunction::Harmonic || form.function == FormFunction::Hysteresis) return {};
+  const std::string x = symbolOf(form.of);
+  if (found.cleanRange.empty())
+    return Phrase::of("It displaces readings by more than their σ over the whole range of %1.", x);
+  const std::string unit = form.isOfAngle() ? "°" : "";
+  const int decimals = form.isOfAngle() ? 0 : 2;
+  std::vector<std::string> ranges;
+  for (const auto& [from, to] : found.cleanRange)
+    ranges.push_back(displayText(from, decimals) + unit + "…" + displayText(to, decimals) + unit);
+  return Phrase::of("The model holds where %1 is within %2: the form is below the σ of a reading there.", x,
+                    listed(ranges));
 }
 
 std::string shrinkSentence(const FoundForm& found) {

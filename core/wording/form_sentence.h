@@ -3,8 +3,12 @@
 #include <string>
 
 #include "core/diagnosis/result/form.h"
+#include "core/wording/diagnosis_sentence.h"
 
 namespace alidade {
+
+/// "radius", "horizontal readings".
+std::string carrierText(const Form& form);
 
 /// "radius + 0.19 mm · cos 7s − 0.19 mm · sin 7s, turning with the guideway".
 std::string textOf(const FoundForm& found);
@@ -13,7 +17,10 @@ std::string textOf(const FoundForm& found);
 std::string formSentence(const FoundForm& found);
 
 /// "These readings cannot tell it from: …." Empty where they can.
-std::string lookAlikesSentence(const FoundForm& found);
+std::string lookAlikesSentence(const FoundForm& found, const CauseNamer& name = byId);
+
+/// Where the model holds without the form. Empty of a harmonic, which goes on everywhere, and of two levels.
+std::string cleanRangeSentence(const FoundForm& found);
 
 /// "On 68 readings that took no part the gap shrinks by 91 % (in all readings by 93 %; F test: p = 1e-9)."
 /// Empty where too few readings are there.

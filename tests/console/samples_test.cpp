@@ -60,6 +60,8 @@ INSTANTIATE_TEST_SUITE_P(
         Story{"look-alikes", "ambiguous", {}, {"trunnion_tilt", "plane_warp"}},
         Story{"two-causes", "several-causes", {"trunnion_tilt", "vertical_drift"}, {}},
         Story{"unknown-form", "not-in-catalogue", {}, {}},
+        Story{"dented-guideway", "not-in-catalogue", {}, {}},
+        Story{"settling-tripod", "not-in-catalogue", {}, {}},
         Story{"knocked-tripod", "single-cause", {"orientation_jump"}, {}},
         Story{"noisy-readings", "single-cause", {"underestimated_noise"}, {}},
         Story{"known-instrument", "within-noise", {}, {}},
@@ -87,6 +89,33 @@ TEST(Samples, SizesAreThoseOfTheRecipe) {
                 3 * parameters[index]["sigma"].get<double>() + 1e-9);
 }
 
+// The truth is in make.sh, and of the settling tripod in samples/README.md.
+TEST(Samples, FormsAreThoseOfTheTruth) {
+  struct Told {
+    const char *sample, *carrier, *form, *of, *number;
+    double truth;
+  };
+  for (const Told& told : {Told{"unknown-form", "radial", "harmonic", "s", "order", 5},
+                           Told{"dented-guideway", "radial", "bump", "s", "at_deg", 40},
+                           Told{"settling-tripod", "orientation", "exponential", "t", "tau", 0.1762}}) {
+    const Json forms = diagnosisOf(told.sample)["forms"];
+    ASSERT_EQ(forms.size(), 1u) << told.sample;
+    EXPECT_EQ(forms[0]["carrier"], told.carrier);
+    EXPECT_EQ(forms[0]["form"], told.form);
+    EXPECT_EQ(forms[0]["of"], told.of);
+    const Json& numbers = forms[0]["parameters"];
+    EXPECT_NEAR(numbers[told.number].get<double>(), told.truth,
+                3 * numbers[std::string("standard_uncertainty_") + told.number].get<double>() + 1e-9)
+        << told.sample;
+    EXPECT_EQ(forms[0]["clean_range"].empty(), told.form == std::string("harmonic")) << told.sample;
+  }
+  // 8° wide, 0.3 mm deep, σ 0.024 mm: below σ from 2.25 widths on, 22° to 58°.
+  const Json clean = diagnosisOf("dented-guideway")["forms"][0]["clean_range"];
+  ASSERT_EQ(clean.size(), 2u);
+  EXPECT_NEAR(clean[0][1].get<double>(), 22, 3);
+  EXPECT_NEAR(clean[1][0].get<double>(), 58, 3);
+}
+
 TEST(Samples, RecipeMakesThemByteByByte) {
   const TemporaryFolder folder;
   const ProgramRun run = runProgram(
@@ -100,7 +129,7 @@ TEST(Samples, RecipeMakesThemByteByByte) {
         << entry.path();
     ++made;
   }
-  EXPECT_EQ(made, 28u);
+  EXPECT_EQ(made, 29u);
 }
 
 // Effects visible in eight sessions of one theodolite together, and in hardly any of them alone.

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/diagnosis/candidates/candidates.h"
+#include "core/diagnosis/forms/form_trace.h"
 
 namespace alidade {
 
@@ -41,6 +42,7 @@ FoundForms findForms(FormSystem& system, const FormReadings& readings,
     FoundForm& form = found.forms.emplace_back(foundForm(readings, first, all));
     for (const Form& other : lookAlikesOfFirst(system, readings, all))
       form.indistinguishableFrom.push_back({other});
+    addCleanRange(form, readings);
     choice.note(first, form);
     found.families.push_back(*std::ranges::find_if(families, [&](const FormFamily& family) {
       return family.form.isOfKind(first.form) && family.form.order == first.form.order;

@@ -14,6 +14,8 @@ struct FoundForms {
   /// Of each form: itself, and those in its place that are nearly as likely, the likeliest first.
   std::vector<std::vector<WeighedForm>> likely;
   int numbers = 0;  ///< amplitudes and shape numbers of all forms
+  /// Of each reading as `addShrinkage` predicts it from others, in its σ; empty where none is predicted.
+  Eigen::VectorXd heldOutErrors = {};
 };
 
 /// What the readings at hand decide.

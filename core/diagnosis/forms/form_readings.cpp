@@ -178,32 +178,15 @@ Eigen::Array2d formFunctions(const Form& form, double x) {
 
 namespace {
 
-constexpr Index walkParts = 12;
-
 Index functionsOf(const FormReadings& readings, const Form& form) {
-  if (form.function == FormFunction::PerPlace) return std::ssize(placesOf(readings, form));
-  if (form.function == FormFunction::Walk) return walkParts;
+  if (form.isFree()) return std::ssize(placesOf(readings, form));
   return form.function == FormFunction::Harmonic ? 2 : 1;
 }
 
-/// Of each argument: 1 in the column of its place, or in those of the parts that have passed. A walk's
-/// amplitudes have the size of what it comes to by the end.
 MatrixXd freeValues(const FormReadings& readings, const Form& form, const VectorXd& x) {
-  MatrixXd values = MatrixXd::Zero(x.size(), functionsOf(readings, form));
-  if (form.function == FormFunction::Walk) {
-    for (Index i = 0; i < x.size(); ++i)
-      for (Index part = 0; part < walkParts; ++part)
-        if (x[i] * static_cast<double>(walkParts) > static_cast<double>(part) + 0.5)
-          values(i, part) = 1 / std::sqrt(static_cast<double>(walkParts));
-    return values;
-  }
   const std::vector<double> places = placesOf(readings, form);
-  for (Index i = 0; i < x.size(); ++i) {
-    const auto next = std::ranges::lower_bound(places, x[i]);
-    auto nearest = next == places.end() ? next - 1 : next;
-    if (nearest != places.begin() && x[i] - nearest[-1] < std::abs(*nearest - x[i])) --nearest;
-    if (std::abs(*nearest - x[i]) < placeSize) values(i, nearest - places.begin()) = 1;
-  }
+  MatrixXd values(x.size(), std::ssize(places));
+  for (Index i = 0; i < x.size(); ++i) values.row(i) = freeFunctions(form, places, x[i]).transpose();
   return values;
 }
 
@@ -221,14 +204,33 @@ MatrixXd plainValues(const FormReadings& readings, const Form& form, const Vecto
 }  // namespace
 
 std::vector<double> placesOf(const FormReadings& readings, const Form& form) {
-  const VectorXd &x = readings.of(form.of), &carrier = readings.of(form.carrier);
+  constexpr int walkParts = 12;
   std::vector<double> values, places;
+  if (form.function == FormFunction::Walk) {
+    for (int part = 0; part < walkParts; ++part) places.push_back((part + 0.5) / walkParts);
+    return places;
+  }
+  const VectorXd &x = readings.of(form.of), &carrier = readings.of(form.carrier);
   for (Index i = 0; i < x.size(); ++i)
     if (carrier[i] != 0) values.push_back(x[i]);
   std::ranges::sort(values);
   for (const double value : values)
     if (places.empty() || value - places.back() >= placeSize) places.push_back(value);
   return places;
+}
+
+VectorXd freeFunctions(const Form& form, const std::vector<double>& places, double x) {
+  VectorXd functions = VectorXd::Zero(std::ssize(places));
+  if (places.empty()) return functions;
+  const auto next = std::ranges::lower_bound(places, x);
+  if (form.function == FormFunction::Walk) {
+    functions.head(next - places.begin()).setConstant(1 / std::sqrt(static_cast<double>(places.size())));
+    return functions;
+  }
+  auto nearest = next == places.end() ? next - 1 : next;
+  if (nearest != places.begin() && x - nearest[-1] < std::abs(*nearest - x)) --nearest;
+  if (std::abs(*nearest - x) < placeSize) functions[nearest - places.begin()] = 1;
+  return functions;
 }
 
 Index columnsOf(const FormReadings& readings, const Form& form) {

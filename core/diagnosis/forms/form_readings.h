@@ -40,8 +40,12 @@ FormReadings formReadings(const Leftover& leftover, const Measurement& measureme
 Eigen::MatrixXd formColumns(const FormReadings& readings, const Form& form);
 /// How many columns a form has.
 Eigen::Index columnsOf(const FormReadings& readings, const Form& form);
-/// The values of the argument of a form with a number for each place: those that agree to 0.1° are one.
+/// Of a form with a number for each place the places, of which those that agree to 0.1° are one; of a walk
+/// the moments of its steps. In the unit of the argument.
 std::vector<double> placesOf(const FormReadings& readings, const Form& form);
+/// The functions of a form that is free at `x`, one for each of `places`. A walk's amplitudes have the size
+/// of what it comes to by the end.
+Eigen::VectorXd freeFunctions(const Form& form, const std::vector<double>& places, double x);
 /// The functions of a form that is not free at `x`: one, or cosine and sine.
 Eigen::Array2d formFunctions(const Form& form, double x);
 

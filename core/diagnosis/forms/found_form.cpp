@@ -103,19 +103,18 @@ double sigmaOfOrder(const Form& form, const std::vector<WeighedForm>& all) {
   return sum > 0 ? std::sqrt(squares / sum) : 0;
 }
 
-/// A, B, … for each function; A[40.0°], … for each place; A[1/12], … for each part of the session.
-std::vector<std::string> coefficientNames(const FormReadings& readings, const Form& form, Index count) {
+/// A, B, … for each function; A[40.0°], … for each place; A[1/12], … for each step of a walk.
+std::vector<std::string> coefficientNames(const FoundForm& found, Index count) {
+  const Form& form = found.form;
+  const std::size_t places = found.places.size();
   std::vector<std::string> names;
-  const std::vector<double> places =
-      form.function == FormFunction::PerPlace ? placesOf(readings, form) : std::vector<double>{};
-  const Index perLetter = form.carrier == FormCarrier::Orientation ? count / 2 : count;
-  for (Index i = 0; i < count; ++i) {
-    const Index part = i % perLetter;
-    const std::string letter(1, static_cast<char>('A' + (form.isFree() ? i / perLetter : i)));
+  for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i) {
+    const std::size_t place = form.isFree() ? i % places : 0;
+    const std::string letter(1, static_cast<char>('A' + (form.isFree() ? i / places : i)));
     if (form.function == FormFunction::PerPlace)
-      names.push_back(letter + "[" + fixedText(places[static_cast<std::size_t>(part)] / degree, 1) + "°]");
+      names.push_back(letter + "[" + fixedText(found.places[place] / degree, 1) + "°]");
     else if (form.function == FormFunction::Walk)
-      names.push_back(letter + "[" + std::to_string(part + 1) + "/" + std::to_string(perLetter) + "]");
+      names.push_back(letter + "[" + std::to_string(place + 1) + "/" + std::to_string(places) + "]");
     else
       names.push_back(letter);
   }
@@ -146,7 +145,8 @@ FoundForm foundForm(const FormReadings& readings, const WeighedForm& weighed,
   const Form& form = weighed.form;
   FoundForm found{.form = form, .formula = formulaOf(form)};
   const Index count = weighed.amplitudes.size();
-  const std::vector<std::string> names = coefficientNames(readings, form, count);
+  if (form.isFree()) found.places = placesOf(readings, form);
+  const std::vector<std::string> names = coefficientNames(found, count);
   for (Index i = 0; i < count; ++i)
     found.coefficients.push_back(
         {names[static_cast<std::size_t>(i)], weighed.amplitudes[i], std::sqrt(weighed.covariance(i, i))});

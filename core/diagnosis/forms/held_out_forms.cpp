@@ -155,17 +155,21 @@ void addShrinkage(FoundForms& found, const DividedModel& plain, const DividedMod
   constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
   FormShrinkage shrink{.heldOut = unknown, .f = unknown, .p = unknown};
   Squares before, plainAfter, fullAfter;
+  VectorXd plainErrors = VectorXd::Constant(plain.left.size(), unknown), fullErrors = plainErrors;
   for (int f = 0; f < held.folds && !stop.stop_requested(); ++f) {
     const Fold plainly(held, f, plain.left.size()), fully(held, f, full.left.size());
     const auto learnt = fully.learnt(full, readings, found.families, variance, stop);
     if (!learnt) continue;
     before.add(plainly.out(), plainly.errors(plain, MatrixXd(plain.left.size(), 0)), held.arcseconds);
-    plainAfter.add(plainly.out(), plainly.errors(plain, plain.outside(learnt->first)), held.arcseconds);
-    fullAfter.add(fully.out(), fully.errors(full, full.outside(learnt->first)), held.arcseconds);
+    plainErrors(plainly.out()) = plainly.errors(plain, plain.outside(learnt->first));
+    fullErrors(fully.out()) = fully.errors(full, full.outside(learnt->first));
+    plainAfter.add(plainly.out(), plainErrors(plainly.out()), held.arcseconds);
+    fullAfter.add(fully.out(), fullErrors(fully.out()), held.arcseconds);
     plainly.test(plain, learnt->second, held.eliminated[static_cast<std::size_t>(f)], shrink, held.folds);
   }
   const Squares& after = plainAfter.sum < fullAfter.sum ? plainAfter : fullAfter;
   shrink.heldOutReadings = after.count;
+  if (after.count > 0) found.heldOutErrors = &after == &plainAfter ? plainErrors : fullErrors;
   shrink.inSample = inSample(&after == &plainAfter ? plain : full, rmsOf(plain.left, held.arcseconds),
                              found.forms, readings, held.arcseconds);
   if (before.sum > 0 && after.count > 0) shrink.heldOut = 1 - std::sqrt(after.sum / before.sum);

@@ -9,6 +9,7 @@
 
 #include "core/base/statistics.h"
 #include "core/diagnosis/forms/find_forms.h"
+#include "core/diagnosis/forms/form_trace.h"
 #include "core/diagnosis/forms/held_out_forms.h"
 #include "core/diagnosis/search/explained_model.h"
 
@@ -62,9 +63,10 @@ class SessionForms {
          .isAnythingLeft = [this](int numbers) { return isAnythingLeft(m_system, numbers); },
          .note = [this](const WeighedForm& first, FoundForm& found) { addLookAlikes(first, found); }},
         m_stop);
-    if (!result.forms.empty())
-      addShrinkage(result, divided(m_plain), divided(m_full), heldOut(result.families), m_readings,
-                   m_system.variance(), m_stop);
+    if (result.forms.empty()) return {};
+    addShrinkage(result, divided(m_plain), divided(m_full), heldOut(result.families), m_readings,
+                 m_system.variance(), m_stop);
+    addTraces(result, m_system.left(), m_full, *m_fullModel.measurement, m_readings);
     return result;
   }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -85,16 +86,37 @@ struct FormShrinkage {
   int heldOutReadings = 0;
 };
 
+/// What a sighting says of a form, mm or arcseconds; face 1 where it turns over.
+struct FormPoint {
+  std::size_t position = 0, row = 0;  ///< of the session
+  bool isVertical = false;            ///< of an orientation: of the vertical circle
+  double at = 0;                      ///< argument: degrees, share of the session, or ±1
+  double before = 0, after = 0;       ///< with everything but this form in the model, and with it
+  double heldOut = 0;  ///< after, by what is found without this sighting; not a number where it never is
+};
+
+struct FormTrace {
+  std::vector<FormPoint> points = {};  ///< of the sightings that show the form sharply
+  /// Argument and form from the least to the largest argument; of an orientation horizontal, then vertical.
+  std::vector<std::array<double, 3>> curve = {};
+  double sigma = 0;  ///< of the sharpest of these sightings, by the stated noise
+};
+
 struct FoundForm {
   Form form;
   /// "radial = A*cos(7*s) + B*sin(7*s)".
   std::string formula;
   /// Of `formula`: A, B, …, mm or arcseconds.
   std::vector<FormNumber> coefficients = {};
+  std::vector<double> places = {};  ///< of the coefficients of a free form: rad, or share of the session
   std::vector<FormNumber> parameters = {};  ///< shape numbers and amplitudes
   double probability = 0;                   ///< that it is the right one of all forms and patterns, 0…1
   std::vector<FormLookAlike> indistinguishableFrom = {};
   FormShrinkage shrink = {};
+  /// Where the form displaces every reading by less than its σ, from … to: degrees or share of the session.
+  /// Empty of what goes on everywhere, such as a harmonic.
+  std::vector<std::array<double, 2>> cleanRange = {};
+  FormTrace trace = {};  ///< of a session
 };
 
 }  // namespace alidade
