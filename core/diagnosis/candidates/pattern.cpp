@@ -180,8 +180,8 @@ MatrixXd Pattern::piece(Index firstCell, Index length) const {
   return side;
 }
 
-/// Columnsᵀ columns less what lies along the arc angle of each visit and in the span of the unknowns. In
-/// pieces: the functions of every cell would fill the memory.
+/// Returns the Gram matrix without the arc angle of each visit and the span of the unknowns. Works in pieces:
+/// the functions of every cell would fill the memory.
 MatrixXd Pattern::visibleGram(const Leftover& leftover) const {
   constexpr Index pieceLength = 4096;  // cells
   const Index count = columns();
