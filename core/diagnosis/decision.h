@@ -9,26 +9,25 @@
 
 namespace alidade {
 
-// The verdict of an acceptance in the light of the diagnosis, as a function of the evidence that has
-// thresholds and no switches.
+// The verdict of an acceptance, with the diagnosis. It is a function of the evidence with thresholds and
+// without switches.
 //
-// 1. Both accounts have to say the same: Δd ± U of the session's own model, and what is believed of Δd as
-//    measured.
-// 2. Of the latter the guard band holds (`decide`: accept only if |Δd| + U ≤ T, reject only if |Δd| − U > T),
-//    and so does the risk on either side of the tolerance, with c the coverage:
+// 1. Both accounts must agree: Δd ± U of the session's own model, and the measured Δd.
+// 2. The measured Δd must satisfy the guard band (`decide`: accept only if |Δd| + U ≤ T, reject only if |Δd|
+//    − U > T). It must also satisfy the risk on either side of the tolerance, with the coverage c:
 //
 //      accept:  P(Δd > T) ≤ (1 − c)/2 and P(Δd < −T) ≤ (1 − c)/2,
 //      reject:  P(Δd ≤ T) ≤ (1 − c)/2 or P(Δd ≥ −T) ≤ (1 − c)/2.
 //
-//    Of a single account Δd ± kσ with P(t ≤ k) = (1 + c)/2 these are the guard band itself, since P(Δd > T) =
-//    (1 − c)/2 where Δd + kσ = T. Of several accounts, one of which lies far off, they are the stricter.
-// 3. P is of the averaged accounts (`IntersectionEstimate`), each with the further standard uncertainty that
-//    misclosures without an explanation bring (`Unexplained::sigma`). So a closure counts as explained with
-//    the probability with which its cause is there.
-// 4. The verdict is open where the gap is real and unexplained with a probability above `mostUnexplained`.
-// 5. An undetectable effect of the catalogue is in U and in the probability, at its plausible size. A knock
-//    that these readings would not show is a condition of the verdict: stated where the verdict would not
-//    hold had one of plausible size occurred. The probability of conformity includes it, with its prior odds.
+//    For a single account Δd ± kσ with P(t ≤ k) = (1 + c)/2 these equal the guard band, since P(Δd > T) = (1
+//    − c)/2 if Δd + kσ = T. For several distant accounts they are stricter.
+// 3. P is that of the averaged accounts (`IntersectionEstimate`), each with the further standard uncertainty
+//    of unexplained misclosures (`Unexplained::sigma`). So a closure counts as explained with the probability
+//    of its cause.
+// 4. The verdict is open if the gap is real and unexplained with a probability above `mostUnexplained`.
+// 5. An undetectable effect of the catalogue is in U and in the probability, at its plausible size. An
+//    undetectable jump is a condition of the verdict: stated if a jump of plausible size would have changed
+//    the verdict. The probability of conformity includes it, with its prior odds.
 
 /// A guard band of lower coverage gives no protection.
 constexpr double leastCoverageOfVerdict = 0.9;

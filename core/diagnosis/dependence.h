@@ -7,13 +7,14 @@
 
 namespace alidade {
 
-// On which single rows a verdict depends: leaving out one of them makes another verdict of it.
+// The single rows on which a verdict depends: leaving out one of them changes the verdict.
 //
-// Leaving out row i, with residuals v, redundancies r and ∂Δd/∂reading g of its readings, moves Δd to first
-// order by −Σ g v/(1 − h), where 1 − h = Σ r/c is what the other rows check of it: c of its readings are
-// conditions, all but the one that fixes the arc angle of a visit of this row alone. Which explanation the
-// diagnosis prefers is not linear in the readings. So the rows that move Δd most, and those that bring most
-// to χ², Σ (v/σ)²/(1 − h), are left out in earnest: fit, diagnosis and decision anew.
+// Leaving out row i moves Δd to first order by −Σ g v/(1 − h). v are the residuals of its readings, r their
+// redundancies, g = ∂Δd/∂reading. 1 − h = Σ r/c is the share that other rows check. c of its readings are
+// conditions: all, except the one that fixes the arc angle of a visit of this row alone.
+//
+// The diagnosis's choice of an explanation is not linear in the readings. So the rows that move Δd most, and
+// those that contribute most to χ², Σ (v/σ)²/(1 − h), are left out with a new fit, diagnosis and decision.
 
 /// A row whose exclusion changes the verdict.
 struct Dependence {

@@ -56,7 +56,7 @@ std::string numberText(const Form& form, std::size_t index) {
                           : displayText(form.numbers[index], 3);
 }
 
-/// What the amplitudes multiply: one text, or cosine and sine.
+/// The factors of the amplitudes: one text, or cosine and sine.
 std::vector<std::string> functionTexts(const Form& form) {
   const std::string x = symbolOf(form.of);
   switch (form.function) {
@@ -96,7 +96,7 @@ std::string amplitudeText(double value, double sigma, bool isMillimetres) {
   return (value < 0 ? " − " : " + ") + size + " · ";
 }
 
-/// Of one carrier: its coefficients from `first` on.
+/// The sum for one carrier, whose coefficients start at `first`.
 std::string sumText(const FoundForm& found, std::size_t first) {
   std::string text;
   for (const std::string& function : functionTexts(found.form)) {
@@ -106,7 +106,7 @@ std::string sumText(const FoundForm& found, std::size_t first) {
   return text;
 }
 
-/// Without sizes and places.
+/// The kind of a look-alike without its numbers.
 std::string kindText(const FormLookAlike& other) {
   if (!other.effect.empty()) return other.effect;
   std::string text = carrierText(other.form) + ", " + functionTexts(other.form).front();
@@ -138,7 +138,7 @@ std::string lookAlikesSentence(const FoundForm& found) {
   const std::size_t count = found.indistinguishableFrom.size();
   if (count == 0) return {};
   std::vector<std::string> kinds;
-  // Effects of the catalogue first.
+  // Lists effects of the catalogue first.
   for (const bool isEffect : {true, false})
     for (const FormLookAlike& other : found.indistinguishableFrom)
       if (other.effect.empty() != isEffect && kinds.size() < most) kinds.push_back(kindText(other));
