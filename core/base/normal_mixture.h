@@ -20,7 +20,7 @@ struct MeanAndSigma {
   double mean = 0, sigma = 0;
 };
 
-/// For one part or more: the mean variance plus the variance of the means.
+/// Moments of one part or more: the mean variance plus the variance of the means.
 MeanAndSigma momentsOf(const std::vector<NormalPart>& mixture);
 
 /// h such that centre ± h contains `coverage`, in (0, 1), for one part or more; to a relative 1e-6.

@@ -26,7 +26,7 @@ struct ReadingsFile {
   std::optional<TableLayout> table = {};  ///< of a table; absent: as its column names say
 };
 
-/// What holds for all files of an import.
+/// Options for all files of an import.
 struct ImportOptions {
   Session base = blankSession();            ///< the session that receives the readings, after any it has
   AngleUnit unit = AngleUnit::Unstated;     ///< of plain numbers in CSV columns whose heading has none

@@ -33,7 +33,7 @@ constexpr double largestTiltArcsec = 3600;
 // The line of sight passes the vertical axis within some tenths of a millimetre.
 constexpr double largestOffsetMm = 10;
 
-// In any unit of the catalogue; far below, weights lose their digits.
+// Limits in any unit of the catalogue; far below, weights lose their digits.
 constexpr double leastKnownSigma = 1e-6, largestKnown = 1e6;
 
 enum class Bound { Included, Excluded };

@@ -13,7 +13,7 @@
 
 namespace alidade {
 
-/// For "must be a number, not a list".
+/// The name of a type for the sentence "must be a number, not a list".
 std::string jsonTypeName(const nlohmann::ordered_json& value);
 
 /// The format of a file, and the sentences for files of other formats. Phrases are for `Phrase::of`.

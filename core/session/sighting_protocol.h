@@ -32,8 +32,8 @@ struct ProtocolPlace {
 /// One run through all places: a round of the session.
 struct ProtocolRound {
   bool isBack = false;  ///< from the last place to the first
-  /// In the order of pointing, while the slider is at rest: one face, both, or both twice, where every other
-  /// place uses the second pair: 1 2 2 1 saves turning the telescope over.
+  /// The faces in the order of pointing, while the slider is at rest: one face, both, or both twice. In the
+  /// last case every other place uses the second pair: 1 2 2 1 saves turning the telescope over.
   std::vector<int> faces = {1};
   JsonOrigin origin = {};
 

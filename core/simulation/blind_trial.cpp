@@ -177,7 +177,7 @@ class Draw {
     }
   }
 
-  /// In a random direction, sized for the drawn visibility.
+  /// Adds the effect in a random direction, sized for the drawn visibility.
   void putEffect(const Effect& effect) {
     if (effect.response == Response::AllOrNothing) {
       m_truth.effects = {{effect.parameters.front().term, 1}};

@@ -8,7 +8,7 @@
 
 namespace alidade {
 
-/// How the instrument of a simulated session uses its compensator.
+/// The use of the compensator in a simulated session.
 enum class CompensatorUse {
   Off,       ///< the rows state that nothing was corrected
   Measured,  ///< the rows also state the tilts

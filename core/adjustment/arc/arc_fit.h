@@ -48,7 +48,7 @@ struct ArcFit {
 
   bool converged() const { return status == FitStatus::Converged; }
   double reducedChiSquare() const { return degreesOfFreedom > 0 ? chiSquare / degreesOfFreedom : 0; }
-  /// 1σ of the radius, mm; scaled up where the readings scatter more than stated.
+  /// 1σ of the radius, mm; scaled up if the readings scatter more than stated.
   double radiusSigma() const {
     return std::max(1.0, std::sqrt(reducedChiSquare())) * std::sqrt(cofactor[2][2]);
   }

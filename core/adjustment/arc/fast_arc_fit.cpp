@@ -45,7 +45,7 @@ struct Disc {
   T x, y, square;  ///< R²
 };
 
-/// Of the centre, and h.
+/// A step of the centre and of h.
 template <typename T>
 struct Step {
   T x, y, half;
@@ -57,19 +57,19 @@ struct Information {
   T one{}, x{}, y{}, xx{}, xy{}, yy{};
 };
 
-/// And with the misclosure.
+/// The information with the sums of the misclosure.
 template <typename T>
 struct Normals : Information<T> {
   T w{}, xw{}, yw{}, ww{};
 };
 
-/// From the condition linearised at adjusted readings.
+/// The normal equations from the condition linearised at adjusted readings.
 template <typename T>
 struct Sums : Normals<T> {
   T xxw{}, xyw{};
 };
 
-/// From the series about the readings; `third` measures its terms of third order.
+/// The normal equations from the series about the readings; `third` measures its terms of third order.
 template <typename T>
 struct CloseSums : Normals<T> {
   T third{};
@@ -112,7 +112,7 @@ struct Moments {
 
 /// Readings of one arc, four places per vector.
 struct Readings {
-  const double *a, *e, *rows;  ///< rows: null where all visits have one
+  const double *a, *e, *rows;  ///< rows: null if all visits have one
   std::size_t count;
 
   std::size_t blocks() const { return (count + width - 1) / width; }
@@ -274,7 +274,7 @@ void mend(Progress<double>& progress, const CloseSums<double>& all, const CloseS
   for (std::size_t i = 0; i < 3; ++i)
     left[i] = whole[i] - wholeChange[i] + all.one / before.one * (second[i] - first[i] + partChange[i]);
   Step<double> rest = plain::times(progress.inverse, left[0], left[1], left[2]);
-  rest.half += step.x * rest.x + step.y * rest.y;  // from the circle after the step
+  rest.half += step.x * rest.x + step.y * rest.y;  // the remaining residual after the step
   const double perSquare = 1 / progress.disc.square;
   progress.disc = plain::moved(progress.disc, rest);
   progress.inverse = plain::invert(atEnd(all, before, after), progress.disc.square);

@@ -35,8 +35,8 @@ struct FootPoint : Foot<double> {
   double phi = 0;  ///< radians
 };
 
-/// Needs R > 0. Iterates to rounding error from the nearest point in the plane, or from a nearby `start`;
-/// always finite.
+/// Needs R > 0. Iterates to rounding error from the nearest point in the plane, or from a nearby `start`. The
+/// result is always finite.
 FootPoint footPoint(const ArcView& view, const ArcUnknowns& unknowns, const VisitReading& visit);
 FootPoint footPoint(const ArcView& view, const ArcUnknowns& unknowns, const VisitReading& visit,
                     FootPoint start);

@@ -61,7 +61,8 @@ class VisitFeet {
   struct alignas(sizeof(Eight)) Block {
     Foot<Eight> foot;
     Eight tanA, tanE, rows, counts;          ///< counts: rows, 0 for empty lanes
-    Eight slider, sliderRows, sliderCounts;  ///< rows: 1 if it was read; counts likewise
+    Eight slider, sliderRows, sliderCounts;  ///< rows: 1 if the slider was read; counts: the same, 0 for
+                                             ///< empty lanes
   };
 
  private:

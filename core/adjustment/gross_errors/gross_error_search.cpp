@@ -346,7 +346,7 @@ class Search {
            statedSigma(m_measurement, m_shifts[i].cell.kind).radians();
   }
 
-  /// For the shifts, then for the omitted sightings.
+  /// Returns t of entry i: first the shifts, then the omitted sightings.
   double studentised(std::size_t i) const {
     if (i < m_shifts.size()) return m_shifts[i].size / sigmaOfShift(i);
     const LeftOut& out = m_leftOut[i - m_shifts.size()];

@@ -47,7 +47,8 @@ struct Unknown {
   std::size_t arc = 0;                      ///< index into the measurement's arcs; 0 for Distance and Error
   ErrorTerm term = ErrorTerm::Collimation;  ///< of an Error
 
-  /// Does it belong to the guideway at one rotation of the axis, whichever arc is sighted there?
+  /// Does it belong to the guideway at one rotation of the axis, independent of the arc that is sighted
+  /// there?
   bool isOfAxis() const { return kind == Kind::CentreX || kind == Kind::CentreY || kind == Kind::Radius; }
   bool isPointingZero() const { return kind == Kind::HorizontalZero || kind == Kind::VerticalZero; }
   /// Does a reading of arc `index` depend on it? `firsts`: for each arc the one whose centre and radius it
@@ -141,7 +142,7 @@ struct JointFit {
   /// ∂unknown/∂considered, unknowns × considered, row by row.
   std::vector<double> perConsidered;
 
-  /// For each reading of a pointing zero that is an observation: ∂reading/∂unknowns, divided by its σ.
+  /// The row of each reading of a pointing zero that is an observation: ∂reading/∂unknowns, divided by its σ.
   std::vector<std::vector<double>> zeroRows = {};
   /// φ of each sighting of each arc, rad in (−π, π]; unwrapped if the slider is read (`unwrapAlongSlider`).
   std::vector<std::vector<double>> arcAngles;
@@ -160,7 +161,7 @@ struct JointFit {
   bool converged() const { return status == FitStatus::Converged; }
   /// If not, `chiSquare`, `values` and all results derived from them are meaningless.
   bool isDetermined() const { return status != FitStatus::Undetermined; }
-  /// Of an arc of the measurement.
+  /// Returns the circle of an arc of the measurement.
   Circle circleOf(std::size_t arc) const;
 };
 

@@ -360,7 +360,7 @@ struct PerElevation {
   }
 };
 
-/// For a target at `y` and `z` in space.
+/// Returns the displacement of a target at `y` and `z` in space.
 PerElevation perElevation(double y, double z, double distance, double elevation, ArcPlane plane) {
   if (plane == ArcPlane::Square) return {-z, y};
   const double cosine = std::cos(elevation);

@@ -36,7 +36,7 @@ void putInZeros(Measurement& measurement);
 /// The stated σ of a reading of either circle, or of one sighting of a zero. It is never exact; the model has
 /// to explain differences between sightings beyond it.
 Angle sigmaOf(const Measurement& measurement, const Sighting& sighting, bool isVertical);
-/// Also for the slider.
+/// The same for any reading, including the slider's.
 Angle sigmaOf(const Measurement& measurement, const ReadingRef& reading);
 
 }  // namespace alidade

@@ -148,7 +148,7 @@ double valueAt(const std::vector<double>& values, std::size_t rank, const Spread
   return beyond[rank];
 }
 
-/// Of at least two values.
+/// Computes the spread of at least two values.
 Spread spreadOf(const std::vector<double>& values, double coverage) {
   const auto count = static_cast<double>(values.size());
   Spread spread;
@@ -163,7 +163,7 @@ Spread spreadOf(const std::vector<double>& values, double coverage) {
   return spread;
 }
 
-/// Half a unit of the second significant digit of σ.
+/// Returns half a unit of the second significant digit of σ.
 double numericalTolerance(double sigma) {
   return sigma > 0 ? 0.5 * std::pow(10, std::floor(std::log10(sigma)) - 1) : 0;
 }

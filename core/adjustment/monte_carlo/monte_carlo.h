@@ -62,7 +62,7 @@ struct MonteCarlo {
   double coverage = 0.95;             ///< of the intervals
   std::vector<CentreSpread> centres;  ///< one for each axis
 
-  /// Of Δd, with arcs at 0° and at 180°.
+  /// The spread of Δd, with arcs at 0° and at 180°.
   std::optional<Spread> intersection;
   double tolerance = 0;  ///< δ: half a unit of the second significant digit of the budget's σ (7.9.2), mm
   double lowDifference = 0;   ///< |Δd − U − low|, mm

@@ -48,7 +48,7 @@ struct Closure {
   double sigmas() const { return std::abs(value) / sigma; }
 };
 
-/// With its chance from Student's distribution; `degreesOfFreedom` of σ, may be infinite.
+/// Adds the probability from Student's distribution; `degreesOfFreedom` of σ may be infinite.
 Closure closureOf(Closure::Of of, double value, double sigma, double degreesOfFreedom);
 
 /// "radius", "centre", "nominal_radius", "repeat", "reference", "zeros".
@@ -85,7 +85,7 @@ struct Misclosure {
 std::optional<Misclosure> misclosureOf(const JointFit& fit, Unknown::Kind quantity, std::size_t first,
                                        std::size_t other, double scale);
 
-/// At a risk of 0.1 %: is the difference between the positions unexplained?
+/// Is the difference between the positions unexplained at a risk of 0.1 %?
 bool fails(const Closure& closure);
 
 }  // namespace alidade

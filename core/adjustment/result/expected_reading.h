@@ -40,8 +40,9 @@ struct ExpectedReading {
 std::optional<ExpectedReading> expectedReading(const Measurement& measurement, const SessionFit& fit,
                                                const SightingToCome& sighting);
 
-/// For each sighting, with the places of the points computed once. A place in `nominal` has the coordinate of
-/// the slider's earlier visit, else the nominal one corrected for the scale error of the slider so far.
+/// Returns the expected reading of each sighting, with the places of the points computed once. A place in
+/// `nominal` has the coordinate of the slider's earlier visit, otherwise the nominal one corrected for the
+/// scale error of the slider so far.
 std::vector<std::optional<ExpectedReading>> expectedReadings(const Measurement& measurement,
                                                              const SessionFit& fit,
                                                              const std::vector<SightingToCome>& sightings,

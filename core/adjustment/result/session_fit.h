@@ -29,7 +29,7 @@ struct SessionFit {
   NoiseScale noise;                ///< s0, common to all arcs
   std::optional<Intersection> intersection;
   std::vector<EffectEstimate> effects;
-  /// Why the lengths allow no verdict (`doubtfulLengths`); empty if they are not in doubt.
+  /// The reason why the lengths allow no verdict (`doubtfulLengths`); empty if they are not in doubt.
   std::optional<LengthsInDoubt> lengthsInDoubt;
   std::optional<Verdict> verdict;  ///< with an intersection and a tolerance; undecided with lengths in doubt
   std::vector<FitFinding> findings;  ///< of the arcs and of the whole; an Error explains a missing result

@@ -199,7 +199,7 @@ class Evidence {
            logWays(sizes.size());
   }
 
-  /// Log of the number of ways to place so many steps.
+  /// Log of the number of ways to place this many steps.
   double logWays(std::size_t steps) const {
     const double places = static_cast<double>(m_dates.count() - 1), k = static_cast<double>(steps);
     return std::lgamma(places + 1) - std::lgamma(k + 1) - std::lgamma(places - k + 1);
