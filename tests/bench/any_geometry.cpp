@@ -69,7 +69,7 @@ Result<TrialCase> drawnCase(std::uint64_t seed) {
   }
 }
 
-/// For sessions without an effect, with the session's own model.
+/// Uses sessions without an effect, with the session's own model.
 Tally coveredAsModelled(std::size_t count, std::uint64_t seed) {
   Tally covered;
   for (std::size_t i = 0; i < count; ++i) {

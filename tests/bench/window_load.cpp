@@ -117,12 +117,12 @@ class Load {
     });
   }
 
-  /// Until the fit caused by `act` is shown and painted.
+  /// Measures the time until the fit caused by `act` is shown and painted.
   void edit(const char* what, const std::function<void()>& act) {
     m_isShown = false;
     measure(what, act, [this] { return isPainted() && m_window.job().isIdle(); });
   }
-  /// Until only background work is left.
+  /// Measures the time until only background work remains.
   void look(const char* what, const std::function<void()>& act) {
     measure(what, act, [] { return true; });
   }

@@ -67,7 +67,7 @@ TEST(FirstIndex, TellsItOfGroupsInAnyOrder) {
   expectAsInAMap<std::hash<int>>(negative);
 }
 
-// In one group, more keys than the table first holds.
+// One group has more keys than the table first holds.
 TEST(FirstIndex, GrowsWithinAGroup) {
   struct OneGroup {
     int operator()(int /*key*/) const { return 0; }

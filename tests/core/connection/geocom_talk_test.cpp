@@ -312,7 +312,7 @@ TEST(GeoComTalk, TakesTwoFacesWithEveryFault) {
     ASSERT_EQ(bench.readings.size(), i + 1);
     const InstrumentReading& reading = bench.readings.back();
     const SimulatedSighting& sighting = options.sightings[i];
-    // Half of the last place that is written.
+    // The tolerance is half of the last place that is written.
     EXPECT_NEAR(reading.horizontalAngle.arcseconds(), sighting.horizontal.arcseconds(), 5.1e-4) << i;
     EXPECT_NEAR(parseAngle(reading.vertical)->arcseconds(), sighting.zenith.arcseconds(), 5.1e-4) << i;
     EXPECT_EQ(reading.face, i % 2 == 0 ? 1 : 2);

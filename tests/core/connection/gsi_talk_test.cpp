@@ -196,7 +196,7 @@ TEST(GsiTalk, TakesTwoFacesWithEveryFault) {
       }
       ASSERT_EQ(bench.readings.size(), options.sightings.size()) << isWide << unit;
       for (std::size_t i = 0; i < options.sightings.size(); ++i) {
-        // Half of the last place: 0.1″, 10⁻⁵ gon, 10⁻⁵ degrees.
+        // The tolerance is half of the last place: 0.1″, 10⁻⁵ gon, 10⁻⁵ degrees.
         const double half = unit == '4' ? 0.0501 : unit == '2' ? 0.0163 : 0.0181;
         EXPECT_NEAR(parseAngle(bench.readings[i].horizontal)->arcseconds(),
                     options.sightings[i].horizontal.arcseconds(), half);

@@ -214,7 +214,7 @@ struct TruthName {
   double factor = 1;
 };
 
-/// Without the plane's tilt: to first order it has no trace, so its sign is undetectable.
+/// The plane's tilt is missing: to first order it has no trace, so its sign is undetectable.
 const std::map<ErrorTerm, TruthName> truthNames = {
     {Collimation, {"collimation", -1}},  // the ray tracer has the opposite sign
     {TrunnionTilt, {"trunnion"}},

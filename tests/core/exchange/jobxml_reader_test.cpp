@@ -118,7 +118,7 @@ TEST(JobXml, IsReadByTheInstrumentCheck) {
   EXPECT_THAT(readings->stations, Contains("K1"));
   const auto rounds = completeRounds(*readings);
   ASSERT_EQ(rounds.size(), 1u);
-  // Half of 0.001° = 3.6″ less in face 1; half of 0.002° beyond 360° more.
+  // Half of the differences: face 1 reads 0.001° = 3.6″ less; the zeniths close to 0.002° = 7.2″ beyond 360°.
   EXPECT_NEAR(rounds[0].rounds[0].pairs[0].halfDirection.arcseconds(), -1.8, 1e-6);
   EXPECT_NEAR(rounds[0].rounds[0].pairs[0].halfVertical.arcseconds(), 3.6, 1e-6);
 }

@@ -49,7 +49,7 @@ inline Session cut(Session session, std::size_t position, std::size_t rows) {
   return session;
 }
 
-/// Without the rounds after the `rounds`-th.
+/// Returns the session without the rounds after number `rounds`.
 inline Session firstRounds(Session session, int rounds) {
   for (Position& position : session.positions)
     std::erase_if(position.readings,

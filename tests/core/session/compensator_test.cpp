@@ -144,7 +144,8 @@ TEST(Compensator, FreesTheTiltOfItsIndexWithBothFaces) {
   for (const KnownNumber& number : known) EXPECT_NEAR(number.sigma, std::sqrt(1 + 9 + 1. / 12), 0.01);
 }
 
-// Also if a program counts tilts along the line of sight with a sign that does not change in face 2.
+// This also applies if a program counts tilts along the line of sight with a sign that does not change in
+// face 2.
 TEST(Compensator, DoesNotBelieveTiltsThatDoNotTurnOver) {
   const Measurement measurement = measuredWith(bothFaces, {.indexCross = 2, .indexLength = 30});
   EXPECT_THAT(compensatorKnowledge(measurement).known, IsEmpty());

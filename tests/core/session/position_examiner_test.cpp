@@ -61,7 +61,8 @@ std::vector<std::string> pathsOf(const ExaminedPosition& position) {
   return paths;
 }
 
-// For any circle reading, and a zero up to a degree off the horizon. Twelve decimals of a degree leave 1e-12.
+// The readings are any circle reading, and a zero up to a degree off the horizon. Twelve decimals of a degree
+// leave 1e-12.
 TEST(PositionExaminer, ReducesEitherFaceOfEitherCircle) {
   std::mt19937 random(4);
   std::uniform_real_distribution<double> anywhere(0, 360), wide(-79.9, 79.9);

@@ -92,7 +92,7 @@ Json madeAgain(const Reading& reading) {
   return row;
 }
 
-// For any preceding row: null in the file, 1.0, "1" and "" are not kept as texts of a row, 1 is.
+// For any preceding row, null in the file, 1.0, "1" and "" are not kept as texts of a row; 1 is.
 TEST(SessionRows, LoseNothingWhateverTheRowBefore) {
   std::vector<Json> ways;
   for (const char* way :

@@ -23,7 +23,7 @@ Session read(const Json& json) {
   return *readSession(json.dump());
 }
 
-/// As written by another program: keys in a different order, and unknown keys.
+/// A document written by another program: keys in a different order, and unknown keys.
 Json foreignDocument() {
   return Json::parse(R"({
     "positions": [

@@ -22,7 +22,7 @@ using testing::IsEmpty;
 
 const Angle ofCompensator = Angle::fromArcseconds(1);
 
-/// With a vertical axis tilted by 200″ about x and −200″ about z.
+/// A truth with a vertical axis tilted by 200″ about x and −200″ about z.
 Truth tiltedTruth(std::uint64_t seed) {
   Truth truth = drawTruth(seed);
   truth.effects = {{ErrorTerm::VerticalAxisTiltX, 200}, {ErrorTerm::VerticalAxisTiltZ, -200}};

@@ -33,7 +33,7 @@ class Leftover {
     }
   }
 
-  /// In units of the simulated noise.
+  /// χ² in units of the simulated noise.
   double chiSquare() const {
     double sum = 0;
     for (const auto& [key, rows] : m_visits)
@@ -269,7 +269,7 @@ TEST(Simulate, IsReadBackByTheFit) {
   }
 }
 
-// Rounded to 1e-6″, and read in the same places.
+// Readings without noise are rounded to 1e-6″, and taken at the same places as those with noise.
 TEST(Simulate, ReadsWithoutNoiseWhatIsThere) {
   const Truth truth = drawTruth(9);
   const Protocol& protocol = *protocolByName("full");

@@ -22,8 +22,8 @@ struct PaperFigures {
 
 class ArcFitOfTableI : public testing::TestWithParam<PaperFigures> {};
 
-// From tests/reference/high-precision, solved at 60 digits independently of this program. 1e-9 mm is a
-// millionth of the uncertainty and a hundred times the rounding of the readings.
+// The reference is tests/reference/high-precision, solved at 60 digits independently of this program. 1e-9 mm
+// is a millionth of the uncertainty and a hundred times the rounding of the readings.
 TEST_P(ArcFitOfTableI, MeetsTheHighPrecisionSolution) {
   const PaperFigures& expected = GetParam();
   Measurement measurement = test::paperMeasurement();

@@ -41,7 +41,7 @@ std::optional<FastArcFit> fitFast(const Measurement& measurement, const ArcMeasu
   return fit;
 }
 
-/// By Levenberg-Marquardt with the general foot points, from a distant start.
+/// Fits with Levenberg-Marquardt and the general foot points, from a distant start.
 ArcFit fitGenerally(const Measurement& measurement, const ArcMeasurement& arc, const Circle& near) {
   const auto fit = fitArc(measurement, arc, {.start = Circle{near.x + 3, near.y - 2, near.radius * 1.01}});
   if (!fit || !fit->converged()) throw std::runtime_error("the general fit found no minimum");
@@ -149,7 +149,8 @@ TEST(FastArcFit, ManyAtOnceAreTheSingleOnes) {
   }
 }
 
-// Above some ten thousand places they are not stored: the same minimum, and residuals consistent with its χ².
+// Above some ten thousand places the fit does not store them: the minimum is the same, and the residuals are
+// consistent with its χ².
 TEST(FastArcFit, ManyPlacesMeetTheGeneralFit) {
   const Measurement measurement = test::usualMeasurement();
   std::mt19937_64 generator(3);

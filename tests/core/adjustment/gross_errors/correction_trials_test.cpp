@@ -136,9 +136,9 @@ TEST(CorrectionTrials, ScoreBySlipAndBothVisits) {
   EXPECT_GE(inTwo, 3);
 }
 
-// Of two possible texts for a cell, the larger leaves the larger residual: as read, also on a zenith circle,
-// in either face and for the slider, whose reading is the first row's. Sound rows read to 5″ allow many
-// texts.
+// The larger of two possible texts for a cell leaves the larger residual, as read. This also holds on a
+// zenith circle, in either face and for the slider, whose reading is the first row's. Sound rows read to 5″
+// allow many texts.
 TEST(CorrectionTrials, TellResidualsAsRead) {
   for (const char* plan : {"paper", "full"}) {
     Truth truth = drawTruth(4);

@@ -14,7 +14,7 @@ namespace alidade {
 namespace {
 
 constexpr double smallLength = 1e-9;  // mm
-/// For a σ or χ²: the solvers stop within 1e-9 σ of the minimum, where both are smooth.
+/// Relative tolerance of a σ or χ²: the solvers stop within 1e-9 σ of the minimum, where both are smooth.
 constexpr double smallShare = 1e-8;
 
 void expectMeets(const ArcFit& fit, const test::ReferenceArc& reference) {

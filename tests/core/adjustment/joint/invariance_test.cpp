@@ -15,7 +15,7 @@
 namespace alidade {
 namespace {
 
-/// Without anything that depends on the direction of the circle or on time.
+/// Returns a session without anything that depends on the direction of the circle or on time.
 Session sessionOf(const std::string& protocol) {
   Truth truth = drawTruth(21);
   truth.sigmaDistance = 1;
@@ -61,7 +61,7 @@ TEST_P(InvarianceTest, TurningTheHorizontalCircleChangesNothing) {
   const Session session = sessionOf(GetParam());
   const SessionFit before = fitted(session);
   const double zero = parseAngle(session.positions[0].zero.horizontal)->degrees();
-  // To any place, and so that the zero or either end of the arc comes to be at 0/360.
+  // The circle is turned by an arbitrary angle, and so that the zero or either end of the arc is at 0/360.
   for (const double degrees : {123.0, -zero, -zero + 9.4, -zero - 9.4, -zero + 180.0}) {
     Session turned = session;
     turnCircle(turned, degrees);

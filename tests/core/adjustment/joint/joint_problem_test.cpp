@@ -111,8 +111,8 @@ TEST(JointProblem, StartsAtTheCirclesAndTermsGiven) {
   EXPECT_LT((state.unknowns - expected).cwiseAbs().maxCoeff(), 1e-12) << state.unknowns.transpose();
 }
 
-// By differences over 1e-4 mm or rad. They err by 1e-9 of the third derivatives, and by the rounding of the
-// residuals, some 1e-11 σ: 1e-7 in columns of up to 1e5.
+// The reference are differences over 1e-4 mm or rad. They err by 1e-9 of the third derivatives, and by the
+// rounding of the residuals, some 1e-11 σ: 1e-7 in columns of up to 1e5.
 TEST(JointProblem, JacobianIsHowTheResidualsChange) {
   for (const Case& one : cases()) {
     SCOPED_TRACE(one.name);

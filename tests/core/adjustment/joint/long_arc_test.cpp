@@ -38,7 +38,7 @@ TEST_P(LongArc, TellsTheScaleOfTheSlider) {
   EXPECT_NEAR(fit.intersection->value, truth.intersection, 3e-4);
 }
 
-// By the fast adjustment and by the general one; readings of 1e-6″ leave 1e-6 rad.
+// Both the fast adjustment and the general one are tested; readings of 1e-6″ leave 1e-6 rad.
 TEST_P(LongArc, HasItsAnglesWithoutASeam) {
   const Protocol protocol = upTo(GetParam());
   Measurement measurement = *examine(*simulateWithoutNoise(protocol, drawTruth(5), 5)).measurement;

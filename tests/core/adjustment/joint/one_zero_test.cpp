@@ -77,7 +77,7 @@ TEST(OneZero, IsTheSameInTheGeneralFit) {
   EXPECT_NEAR(slow.inPlaneSigma, fit.intersection->inPlaneSigma, 1e-9);
 }
 
-// In both fast refits; 20 000 draws determine σ to 0.5 %, and 60″ change it by some 1 % nonlinearly.
+// Both fast refits are tested; 20 000 draws determine σ to 0.5 %, and 60″ change it by some 1 % nonlinearly.
 TEST(OneZero, IsDrawnOnce) {
   for (const RadiusModel radius : {RadiusModel::Free, RadiusModel::Common}) {
     Measurement measurement = withOneZero();

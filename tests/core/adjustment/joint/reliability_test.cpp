@@ -65,7 +65,7 @@ Measurement oneArc(int places, int faces) {
   return measurement;
 }
 
-/// How often the search for misread readings names an error of the minimal size in reading `cell`.
+/// Returns how often the search for misread readings names an error of the minimal size in reading `cell`.
 double shareFound(const Measurement& perfect, const ReadingRef& cell, int sessions) {
   const Circle start{0, 0, 400};
   const JointFit clean = fitJointly(perfect, {start});

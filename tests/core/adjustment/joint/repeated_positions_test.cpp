@@ -57,7 +57,8 @@ TEST(RepeatedPositions, ShareOneCircle) {
   }
   EXPECT_EQ(fit.arcs[2].time, 2);
   EXPECT_NEAR(fit.intersection->value, 1, 1e-8);
-  // Two circles of each row minus a place for each and two circles; the zeros are observed.
+  // The degrees of freedom are two circles of each row minus one place each and two circles; the zeros are
+  // observed.
   EXPECT_EQ(fit.joint.degreesOfFreedom, 2 * 43 - 43 - 6);
 }
 
@@ -74,7 +75,8 @@ TEST(RepeatedPositions, MeetHalfWay) {
   EXPECT_NEAR(fit.intersection->value - 1, -full / 4, 0.03 * full);
   const double first = valueOf(fit.joint, HorizontalZero, 0), again = valueOf(fit.joint, HorizontalZero, 2);
   EXPECT_NEAR(Angle::fromRadians(first + again).arcseconds(), 0, 1e-3);
-  // Between the zeros, which show no difference, and the arcs alone, by their weights.
+  // The estimated difference is a weighted mean of the zeros, which show no difference, and of the arcs
+  // alone.
   const double told = std::abs(Angle::fromRadians(again - first).arcseconds());
   const double ofZero = measurement.distance * measurement.sigmaZeroHorizontal.radians(),
                ofArc = std::sqrt(fitArc(measurement, measurement.arcs[0])->cofactor[0][0]);
@@ -112,7 +114,7 @@ TEST(RepeatedPositions, AreAsUncertainAsStated) {
   EXPECT_NEAR(sum / sessions, 1, 4 * std::sqrt(2.0 / sessions) + 0.1);  // σ itself is estimated
 }
 
-// With `isApart`, each is fitted as if alone, by the fast adjustment and by the general one.
+// `isApart` fits each position as if alone, with the fast adjustment and the general one.
 TEST(RepeatedPositions, CanBeFittedApart) {
   Measurement measurement = measuredAgain();
   turn(measurement.arcs[2], 10, 5);

@@ -14,7 +14,7 @@
 namespace alidade {
 namespace {
 
-/// Read without noise by the plan of the paper.
+/// Returns a session of the paper's plan without noise.
 Measurement readWith(const std::vector<TrueSize>& effects, bool zerosInFull = false) {
   Truth truth = drawTruth(5);
   truth.effects = effects;
@@ -109,7 +109,8 @@ TEST(SightedZeros, LeaveTheRowsWhereTheyAre) {
     ASSERT_EQ(closed.arcs[arc].sightings.size(), read.arcs[arc].sightings.size() + 4);
     for (std::size_t i = 0; i < read.arcs[arc].sightings.size(); ++i)
       EXPECT_EQ(closed.arcs[arc].sightings[i].row, read.arcs[arc].sightings[i].row);
-    // Two before its rows, two after them, all at different moments from those of another.
+    // Each zero has two sightings before its rows and two after them, all at different moments from those of
+    // another.
     const ArcMeasurement& own = read.arcs[arc];
     EXPECT_LT(own.zeroSightings[1].order, own.sightings.front().order);
     EXPECT_GT(own.zeroSightings[2].order, own.sightings.back().order);

@@ -23,7 +23,7 @@ struct Sighted {
   Measurement measurement() const { return *examine(session).measurement; }
 };
 
-/// Without noise, by a plan in both faces with slider readings.
+/// Returns a session without noise, by a plan in both faces with slider readings.
 Sighted sighted(bool inFull, std::initializer_list<TrueSize> effects = {}) {
   Sighted sighted{drawTruth(11), {}};
   sighted.truth.sightsZerosInFull = inFull;

@@ -73,7 +73,7 @@ TEST(Draw, GivesEveryUncertainNumberAPlaceOfItsOwn) {
   }
 }
 
-// In reverse order, into a draw of a longer plan, or by a new plan.
+// The draws are made in reverse order, into a draw of a longer plan, and by a new plan.
 TEST(Draw, IsTheSameWhoeverAsksForIt) {
   const Measurement measurement = unlikeArcs();
   const NoiseScale noise{1.3, 12};

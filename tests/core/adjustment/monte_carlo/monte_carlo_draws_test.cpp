@@ -6,7 +6,7 @@
 #include "core/adjustment/monte_carlo/monte_carlo.h"
 #include "tests/support/perfect_session.h"
 
-// Is every uncertain quantity drawn, and where do the intervals end?
+// Tests whether every uncertain quantity is drawn, and where the intervals end.
 
 namespace alidade {
 namespace {

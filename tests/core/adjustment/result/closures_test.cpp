@@ -24,7 +24,8 @@ std::vector<Closure> closuresOf(const Measurement& measurement) {
   return alidade::closuresOf(measurement, fitSession(measurement).joint);
 }
 
-// For any order of the positions in the file. With exact zeros and distance the arcs are independent.
+// The result is the same for any order of the positions in the file. With exact zeros and distance the arcs
+// are independent.
 TEST(Closures, AreTheDifferencesOfThePositions) {
   const Measurement measurement = withArcs({0.3, 1, 400.2}, {-0.1, -1, 400.5});
   const SessionFit fit = fitSession(measurement);

@@ -41,7 +41,7 @@ TEST(Intersection, OfTableIMeetsTheIndependentSolution) {
 TEST(Intersection, PlanarRelationGivesItsOwnValue) {
   Measurement measurement = test::paperMeasurement();
   measurement.relation = VerticalAngleRelation::Planar;
-  // From tests/reference/high-precision.
+  // The value is from tests/reference/high-precision.
   EXPECT_NEAR(intersect(measurement, fitted(measurement))->value, 1.2303960656054, 1e-9);
 }
 
@@ -99,8 +99,8 @@ TEST(Intersection, CountsDegreesOfFreedomAfterWelchAndSatterthwaite) {
   EXPECT_NEAR(intersection.coverageFactor, 1.960, 0.006);
 }
 
-// Below its 0.1 % point, χ²(28) = 10.391 in the tables, the scatter of Table I is not trusted; its χ² is 28 ·
-// 6.91² with 2″ and falls with the square of the stated σ.
+// The scatter of Table I is not trusted below its 0.1 % point, χ²(28) = 10.391 in the tables. Its χ² is 28 ·
+// 6.91² with 2″ and decreases with the square of the stated σ.
 TEST(Intersection, BelievesAScatterDownToItsLowestThousandth) {
   Measurement measurement = test::paperMeasurement();
   const auto factorWith = [&](double chiSquare) {

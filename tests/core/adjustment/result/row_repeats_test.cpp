@@ -14,11 +14,11 @@ namespace {
 
 using testing::ElementsAre, testing::IsEmpty, testing::Pair;
 
-/// How an arc is read: the number of places along 160°, the rounds, and the grid in arcseconds.
+/// The reading of an arc: the number of places along 160°, the rounds, and the grid in arcseconds.
 struct Reader {
   int places = 17, rounds = 1;
   double gridArcseconds = 1, noiseArcseconds = 2;
-  bool isNumberedAnew = false;  ///< every row has a number of its own
+  bool isNumberedAnew = false;  ///< every row has a different number
 
   ArcMeasurement read(const Measurement& measurement, RandomSource& random) const {
     const ArcMeasurement places160 =

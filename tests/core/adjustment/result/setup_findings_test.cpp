@@ -32,7 +32,7 @@ std::vector<FitFinding> findingsOf(const Session& session) {
   return findingsOf(test::measurementOf(session));
 }
 
-/// In 0…360°.
+/// Returns the angle in 0…360°.
 Angle positive(Angle angle) {
   return wrapped(angle, Angle::fromDegrees(180));
 }

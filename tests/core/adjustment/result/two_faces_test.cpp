@@ -21,7 +21,8 @@ Angle degrees(double value) {
   return Angle::fromDegrees(value);
 }
 
-/// Both faces at each of these elevations (degrees), by the textbook's formulas, independent of the model.
+/// Returns readings in both faces at each of these elevations (degrees), by the textbook's formulas,
+/// independent of the model.
 Measurement twoFaceReadings(const Errors& errors, const std::vector<double>& elevations,
                             VerticalCircle circle = VerticalCircle::Zenith) {
   Measurement measurement = test::usualMeasurement();
