@@ -62,7 +62,7 @@ std::optional<GapShape> shapeOf(const Inquiry& inquiry) {
   return GapShape{std::string(shape.id()), square > 0 ? square / (square + left) : 0};
 }
 
-/// For the reference, the closure after is the one that the measured Δd leaves.
+/// Returns the closure after the causes against the reference: that of the measured Δd, if there is one.
 std::optional<Closure> againstReference(const Measurement& measurement,
                                         const std::optional<MeasuredIntersection>& measured) {
   if (!measured) return std::nullopt;

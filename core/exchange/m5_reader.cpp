@@ -266,7 +266,7 @@ class M5Reader {
 
   FieldBook m_book;
   bool m_isSetUp = false;                     ///< within a program that sets up the instrument
-  std::size_t m_setUps = 0;                   ///< number of such programs
+  std::size_t m_setUps = 0;                   ///< number of programs so far that set up the instrument
   std::optional<std::size_t> m_placeOfPoint;  ///< position in the text of a point, from 0
 };
 

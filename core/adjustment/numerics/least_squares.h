@@ -10,9 +10,8 @@ namespace alidade {
 
 // Nonlinear least squares: minimise χ² = Σ (v/σ)² over some unknowns, from a start. Gauss-Newton steps with
 // the diagonal of the normal matrix N damped, times 1 + damping, so that units do not matter. A step that
-// does
-// not raise χ² is taken and the next is damped ten times less; otherwise it is repeated, damped ten times
-// more.
+// does not raise χ² is taken and the next is damped ten times less; otherwise it is repeated, damped ten
+// times more.
 //
 // One number measures the distance from the minimum, with g = −½ ∂χ²/∂unknowns the right side of the normal
 // equations:

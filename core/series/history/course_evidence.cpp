@@ -119,7 +119,7 @@ class Evidence {
     return overNoise(m_chiSquare, [](double) { return 0.0; });
   }
 
-  /// Evidence of one change of that size and σ at s = 1, which leaves χ².
+  /// Evidence of one change of this size and σ at s = 1. χ² is what remains with it.
   double ofChange(double chiSquare, double size, double sigma) const {
     const double room = std::log(std::sqrt(2 * std::numbers::pi) * sigma);
     return overNoise(chiSquare, [&](double s) { return room + std::log(s) + logCauchy(size, s); });

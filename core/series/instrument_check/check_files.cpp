@@ -139,7 +139,7 @@ class CheckFiles {
   Problem problemOf(std::vector<LineProblem> problems) const {
     for (LineProblem& problem : problems) {
       problem.file = fileName();
-      if (m_files[m_file].table) problem.column = 0;  // the cells become a line that the user never sees
+      if (m_files[m_file].table) problem.column = 0;  // the user does not see the line made of the cells
     }
     std::ranges::stable_sort(problems, {}, &LineProblem::line);
     return Problem{problems.size() == 1

@@ -98,7 +98,7 @@ TEST_F(AtomicFile, FollowsLinksAndLeavesThem) {
   EXPECT_THAT(writeFile(path("round"), "x", {})->what, HasSubstr("in a circle"));
 }
 
-// Every step that may fail, one after the other, as on a full or failing disk.
+// Each step that may fail is tested in turn, as on a full or failing disk.
 TEST_F(AtomicFile, LeavesTheOldFileWhereAStepFails) {
   FileCalls calls;
   calls.open = failing(EACCES, calls.open);
@@ -228,8 +228,8 @@ TEST_F(AtomicFile, WritesSeveralOnlyWhenAllCanBe) {
   EXPECT_EQ(*readFile(first) + *readFile(path("second")), "ab");
 }
 
-// A device must not be replaced; it would be lost. A report and its signature: never a new one with the old
-// other.
+// A device must not be replaced; it would be lost. A report and its signature are either both new or both
+// old.
 TEST_F(AtomicFile, PutsBackWhatTookItsPlaceBeforeAnotherFailed) {
   for (const bool isOld : {true, false})
     for (const int failingAt : {1, 2, 3}) {

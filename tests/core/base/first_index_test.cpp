@@ -52,7 +52,8 @@ TEST(FirstIndex, TellsItOfManyKeysThatRepeat) {
   }
 }
 
-// Rounds of up to ten places, some read again, some initially longer than the table, one resumed.
+// The keys come in groups of up to ten places. Some groups are read again, some are initially longer than the
+// table, and one is resumed.
 TEST(FirstIndex, TellsItOfGroupsInAnyOrder) {
   RandomSource random(8);
   std::vector<int> keys;

@@ -13,8 +13,7 @@ using testing::HasSubstr;
 
 const std::string angles = "0,4.353982047,1.454868102,2.4e-6,1000,-9.7e-6,4.8e-6,2.4e-6,1000,0";
 
-/// Awake, with a reading requested, which is question 7: after 1 and 2, unanswered questions are not
-/// repeated.
+/// A conversation with the instrument, from waking it to the question for the angles.
 struct GeoComBench {
   GeoComTalk talk;
   TalkBench bench{talk};
@@ -291,7 +290,7 @@ TEST(GeoComTalk, AskedTwiceTakesOnce) {
   EXPECT_EQ(geocom.bench.readings.size(), 1U);
 }
 
-/// Each once and in order, with every fault, at full resolution.
+/// Every reading arrives once and in order, with every fault, at full resolution.
 TEST(GeoComTalk, TakesTwoFacesWithEveryFault) {
   SimulatedOptions options{.sightings = twoFaceSightings(36), .faultEvery = 3};
   options.faults = {InstrumentFault::Garbage, InstrumentFault::Cut,  InstrumentFault::Silent,

@@ -174,7 +174,7 @@ TEST(GsiTalk, NoAnswerAndErrorsAreSentences) {
   EXPECT_TRUE(gsi.bench.readings.empty());
 }
 
-/// Each once and in order, with every fault, in either width and every unit.
+/// Every reading arrives once and in order, with every fault, in either width and every unit.
 TEST(GsiTalk, TakesTwoFacesWithEveryFault) {
   for (const bool isWide : {true, false}) {
     for (const char unit : {'2', '3', '4'}) {

@@ -105,8 +105,7 @@ TEST(JobXml, KeepsSetUpsApart) {
   EXPECT_EQ(recording.sightings[2].station, 1u);
 }
 
-/// Two targets in two rounds: face 2 reads 2″ · 3 = 0.0016667° more and the zeniths close to 4″ beyond a
-/// turn.
+/// Two targets in two rounds: face 2 reads 0.001° more, and the zeniths close to 0.002° beyond a turn.
 TEST(JobXml, IsReadByTheInstrumentCheck) {
   std::string records = "<StationRecord ID=\"a\"><StationName>K1</StationName></StationRecord>\n";
   for (int round = 0; round < 2; ++round)

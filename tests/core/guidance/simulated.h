@@ -20,7 +20,7 @@ inline Protocol plan(int points, double first, double step, int rounds, FacePlan
           .faces = faces};
 }
 
-/// A guideway without effects, set up off the middle, and off by 0.8 mm.
+/// A guideway without effects, set up off the middle, with Δd = 0.8 mm.
 inline Truth truth(VerticalCircle circle = VerticalCircle::Zenith) {
   Truth truth;
   truth.centreX = 1.2;

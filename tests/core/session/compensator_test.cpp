@@ -128,8 +128,8 @@ TEST(Compensator, FindsTheTiltOfTheAxisFromOneFace) {
   // of the weights of ten rows and of σ.
   EXPECT_NEAR(known[0].value, 33, 0.01);
   EXPECT_NEAR(known[1].value, -21, 0.01);
-  // All of σ shared, an index with the same σ, the mean of ten rows; the rotation of 9° hardly determines the
-  // index.
+  // The variance has three parts: the shared σ, an index with the same σ, and the mean of ten rows. The
+  // rotation of 9° hardly determines the index.
   for (const KnownNumber& number : known) EXPECT_NEAR(number.sigma, 0.5 * std::sqrt(2.1), 0.03);
   EXPECT_THAT(findingsOf(measurement), IsEmpty());
 }

@@ -201,7 +201,7 @@ TEST(Simulate, DrawsTheSameNoiseWithAndWithoutSliderReadings) {
 
 TEST(Simulate, RoundsToTheTypingStepAndStaysOnTheCircle) {
   Truth truth = plainTruth();
-  truth.horizontalZero = Angle::fromDegrees(0);  // half of the readings come from beyond 360°
+  truth.horizontalZero = Angle::fromDegrees(0);  // so that half of the readings are reduced by 360°
   truth.typingStep = Angle::fromArcseconds(5);
   const Session session = simulated("two-face", truth);
   for (const Position& position : session.positions)

@@ -60,7 +60,7 @@ TEST(ArcFit, ConvergesFromPoorStarts) {
           const auto fit = fitArc(measurement, arc, {.start = Circle{dx, dy, radius}});
           ASSERT_TRUE(fit) << textOf(fit.problem());
           EXPECT_TRUE(fit->converged());
-          // Both end within 1e-9 of the residual-scaled 0.1 mm of the minimum.
+          // Both fits end within 1e-9 σ of the minimum; σ, scaled by the residuals, is 0.1 mm.
           EXPECT_NEAR(fit->circle.x, reference->circle.x, 1e-9);
           EXPECT_NEAR(fit->circle.y, reference->circle.y, 1e-9);
           EXPECT_NEAR(fit->circle.radius, reference->circle.radius, 1e-9);

@@ -22,7 +22,7 @@ Session sessionOf(const std::string& protocol) {
   return *simulate(*protocolByName(protocol), truth, 21);
 }
 
-/// The readings of the circle at 0.1″, turned, at the same resolution.
+/// Turns the readings of the circle, at the same resolution of 0.1″.
 void turnCircle(Session& session, double degrees) {
   const auto turned = [&](const std::string& text) {
     const Angle angle = wrapped(*parseAngle(text) + Angle::fromDegrees(degrees), Angle::fromDegrees(180));
@@ -66,7 +66,7 @@ TEST_P(InvarianceTest, TurningTheHorizontalCircleChangesNothing) {
     Session turned = session;
     turnCircle(turned, degrees);
     SCOPED_TRACE(degrees);
-    // Typed to 0.1″ again: a rotation in whole 0.1″ is exact.
+    // The readings are written to 0.1″ again; a rotation by a multiple of 0.1″ is exact.
     expectSame(before, fitted(turned));
   }
 }

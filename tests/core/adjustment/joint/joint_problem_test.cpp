@@ -209,8 +209,8 @@ Whole wholeOf(const JointProblem& problem, const JointState& state) {
   return whole;
 }
 
-// N and its right side including the arc angles, eliminated here by Schur's complement. Both sides round at
-// some 1e-16 of the largest products.
+// The reference is N and its right side with the arc angles, which are eliminated here by Schur's complement.
+// Both sides round at some 1e-16 of the largest products.
 TEST(JointProblem, NormalEquationsAreThoseOfAllReadingsAtOnce) {
   for (const Case& one : cases()) {
     SCOPED_TRACE(one.name);
@@ -236,11 +236,11 @@ TEST(JointProblem, NormalEquationsAreThoseOfAllReadingsAtOnce) {
   }
 }
 
-// The step of unknowns and arc angles from solving all equations at once. The worst of the matrices loses
+// The reference solves all equations at once for the step of unknowns and arc angles. The worst matrix loses
 // 1e-7 of it.
 TEST(JointProblem, ArcAnglesFollowTheUnknowns) {
   for (const Case& one : cases()) {
-    if (one.options.terms.size() > 2) continue;  // all of them together are inseparable
+    if (one.options.terms.size() > 2) continue;  // the terms cannot all be separated
     SCOPED_TRACE(one.name);
     const JointProblem problem(one.measurement, one.options);
     std::vector<Circle> starts = arcsAlone(one.measurement);

@@ -98,7 +98,7 @@ TEST(OneZero, CoversSessionsReadFromIt) {
   for (std::uint64_t seed = 1; seed <= sessions; ++seed) {
     const Truth truth = drawTruth(seed);
     Measurement measurement = *examine(*simulate(*protocolByName("paper"), truth, seed)).measurement;
-    // Counted from the true zero, with one common error.
+    // The readings count from the true zero, with one common error.
     const ArcMeasurement first = measurement.arcs[0];
     for (ArcMeasurement& arc : measurement.arcs) {
       const Angle horizontal = arc.zeroHorizontal - first.zeroHorizontal,

@@ -56,7 +56,7 @@ TEST(SightedZeros, AreInDoubtFromThirtySecondsOnUntilItIsStated) {
   EXPECT_FALSE(areZerosInDoubt(measurement));
 }
 
-// Identical to the last digit they may be a single sighting with a common error.
+// Zeros that are identical to the last digit may be a single sighting with a common error.
 TEST(SightedZeros, WrittenAlikeSayNothingOfTheTimeBetween) {
   Measurement measurement = readWith({});
   measurement.arcs[1].zeroHorizontal = measurement.arcs[0].zeroHorizontal;
@@ -81,7 +81,8 @@ TEST(SightedZeros, DifferByWhatADriftTurnsBetweenThem) {
   EXPECT_NEAR(closures[0].sigma / perSecond, 2 * std::sqrt(2), 1e-9);
 }
 
-// As observations they determine the drift, and with it the arcs: readings without noise leave no residuals.
+// As observations the zeros determine the drift, and with it the arcs: readings without noise leave no
+// residuals.
 TEST(SightedZeros, BringADriftBackToTheDigit) {
   for (const bool inFull : {false, true}) {
     const Measurement read =

@@ -78,7 +78,7 @@ TEST(ZeroSightings, BeforeAndAfterTakeADriftOut) {
   for (const bool inFull : {false, true}) EXPECT_LT(movedBy(inFull), 0.03 * 2405 * drift / 4);
 }
 
-// Four sightings, two in each face, without noise: half the uncertainty of a single one.
+// Four sightings without noise, two in each face, have half the uncertainty of a single one.
 TEST(ZeroSightings, BringAsMuchAsTheirMeanIsUncertain) {
   const SessionFit once = fitSession(sighted(false).measurement()),
                    full = fitSession(sighted(true).measurement());
@@ -94,8 +94,9 @@ Measurement scattering(double times, bool areReadings) {
   return measurement;
 }
 
-// The larger of their own scatter and, if they are circle readings, that of the circles, but not both: the
-// readings of a session without noise scatter a tenth of the stated σ, so s0 scales nothing.
+// Zeros scatter by the larger of their own scatter and, if they are circle readings, that of the circles, but
+// not by both. The readings of a session without noise scatter by a tenth of the stated σ, so s0 scales
+// nothing.
 TEST(ZeroSightings, CountAsTheyScatter) {
   const double asStated = shareOfZeros(fitSession(scattering(1, false)));
   EXPECT_NEAR(shareOfZeros(fitSession(scattering(3, false))) / asStated, 3, 1e-9);

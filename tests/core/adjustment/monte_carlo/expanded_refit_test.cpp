@@ -100,7 +100,7 @@ TEST(ExpandedRefit, IsGoodToSecondOrder) {
     const double by = sigmas * task.fit.sigmas[0].y;
     const std::array<Circle, 2> circles{Circle{0.5 + by, 1 + by, 400 - by}, Circle{-by, -1 + by, 400 + by}};
     const Measurement wanted = test::withPerfectArcs(measurement, circles, 9, 90 + sigmas);
-    double linear = 0;  // change of Δd, which does not change
+    double linear = 0;  // change of Δd in the linear budget; the true Δd does not change
     for (const AdjustedReading& reading : task.fit.joint.readings) {
       const Sighting &from = measurement.arcs[reading.arc].sightings[reading.sighting],
                      &to = wanted.arcs[reading.arc].sightings[reading.sighting];

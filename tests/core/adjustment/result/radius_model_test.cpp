@@ -153,7 +153,7 @@ TEST(RadiusModel, CorrelationWithTheCentreIsStated) {
   EXPECT_LT(free.sigmas[0].radiusY, -0.4);
   EXPECT_GT(free.sigmas[1].radiusY, 0.4);
   EXPECT_LT(std::abs(free.sigmas[0].radiusX), 0.1);
-  // Compared with the definition, with readings as the only source.
+  // The reference is the definition, with readings as the only source.
   Measurement exactZeros = measurement;
   exactZeros.sigmaZeroHorizontal = exactZeros.sigmaZeroVertical = Angle();
   const SessionFit fit = fitSession(exactZeros);
