@@ -28,7 +28,7 @@ enum class InstrumentFault {
   OtherFace,      ///< the same target in the other face
   Turned,         ///< the axis was turned too early: the same place in the other position
   Again,          ///< the sighting before the last one is sent again, long after its acknowledgement
-  NotVouchedFor,  ///< GeoCOM: a return code that says so; GSI: keyed in, the compensator off
+  NotVouchedFor,  ///< not guaranteed: with GeoCOM by a return code; with GSI keyed in, the compensator off
   OtherSerial,    ///< another instrument is on the cable
   WrongChecksum,  ///< GeoCOM: of an answer
 };

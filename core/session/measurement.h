@@ -49,10 +49,11 @@ enum class RadiusModel {
   Known,   ///< one for both, with a prior: R0 with its σ
 };
 
-/// The quantity that a tolerance limits: of the distance of the arc's centre from the axis …
+/// The quantity that a tolerance limits: the distance of the arc's centre from the axis, or a component of
+/// it.
 enum class Measurand {
-  Intersection,  ///< … the component in the plane of the arc, Δd
-  Distance,      ///< … the whole distance, including the part across the plane
+  Intersection,  ///< the component in the plane of the arc, Δd
+  Distance,      ///< the whole distance, including the part across the plane
 };
 
 /// The corrections that an instrument applied to its readings.

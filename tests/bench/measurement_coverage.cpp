@@ -46,7 +46,7 @@ void putEffects(Truth& truth, const Row& row, const Protocol& protocol, std::uin
   constexpr std::uint64_t stream = 55;  // separate from those of guideway and noise
   truth.noiseFactor = row.noise;
   truth.sightsZerosInFull = row.zerosInFull;
-  if (row.noise != 1)  // and the zeros, without a stated σ, scatter like the circles
+  if (row.noise != 1)  // the zeros then scatter like the circles, without a stated σ
     truth.sigmaZero = std::min(truth.sigmaHorizontal, truth.sigmaVertical) * row.noise;
   RandomSource random(seed, stream);
   for (const Effect& effect : effectCatalogue()) {

@@ -89,7 +89,7 @@ class PaintCounter : public QObject {
   }
 
   void restart() { m_paints = 0; }
-  /// Painted since then, or not visible.
+  /// True if the widget was painted since `restart`, or is not visible.
   bool isPainted() const { return m_paints > 0 || !m_widget->isVisible(); }
 
  protected:

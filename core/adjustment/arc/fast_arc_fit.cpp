@@ -34,7 +34,7 @@ constexpr std::size_t share = 16;  // blocks of a sweep that are processed toget
 struct alignas(sizeof(Lanes)) PlaceEquation {
   Lanes tanA, tanE, secA;  ///< secA: with the exact relation only
   Lanes y, perRise;        ///< of the plane point, and its derivative with respect to e
-  Lanes weight;            ///< rows of the visit, 0 for unused lanes; if all are of one arc
+  Lanes weight;            ///< rows of the visit, 0 for unused lanes; used if all lanes are of one arc
   Lanes w, perA, perE;     ///< misclosure, and the residuals of a and e per unit of it
   Lanes ux, uy;            ///< from the centre
 };

@@ -27,8 +27,8 @@ struct VisitAgreement {
 /// with 3 degrees of freedom).
 class VisitCheck {
  public:
-  /// Checks visits of arc `arc` against `fit`, from which the sightings `inQuestion` are excluded; so they
-  /// are from the spacing. `options` are those of the fit.
+  /// Checks visits of arc `arc` against `fit`, which has these `options`. Both the fit and the spacing
+  /// exclude the sightings `inQuestion`.
   VisitCheck(const Measurement& measurement, std::size_t arc, const std::vector<ReadingRef>& inQuestion,
              const JointFit& fit, const JointFitOptions& options);
   ~VisitCheck();

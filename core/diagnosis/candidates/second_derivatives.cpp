@@ -12,8 +12,8 @@ namespace {
 
 using Eigen::Index, Eigen::MatrixXd;
 
-/// A pair of sizes, in plausible sizes, with its factors in the differences 11, 12 and 22. To third order
-/// f(x, 0) − f(0, 0) is the first derivative plus half the second.
+/// Two sizes, in plausible sizes, and the factors of their function value in the differences 11, 12 and 22.
+/// To third order f(x, 0) − f(0, 0) is the first derivative plus half the second.
 struct Node {
   double first, second;
   std::array<double, 3> times;

@@ -22,7 +22,7 @@ namespace alidade {
 class Leftover {
  public:
   /// `inModel` are the terms that the fit estimates already. `noise` is the ratio of the actual to the stated
-  /// scatter; prior knowledge has a larger weight by it, in units of the stated σ.
+  /// scatter. In units of the stated σ, it increases the weight of prior knowledge.
   explicit Leftover(Linearised equations, const std::vector<EstimatedTerm>& inModel = {}, double noise = 1);
 
   /// Number of readings plus one entry for each observation of a prior and each condition.

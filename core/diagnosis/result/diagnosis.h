@@ -180,8 +180,8 @@ struct UndetectableJump {
   bool isAfterZero = false;   ///< between the pointing zero and the first sighting; otherwise during the
                               ///< readings
   double influence = 0;       ///< change of Δd by the plausible size, mm, ≥ 0
-  /// Changes of Δd, mm, one part for each possible width of the size. `share` is the fraction of all sessions
-  /// with such a jump, far below 1; σ is that of the change.
+  /// The distribution of the change of Δd, mm: one part for each possible width of the size. `share` is the
+  /// fraction of all sessions with such a jump, far below 1; σ is that of the change.
   std::vector<NormalPart> moves = {};
 };
 
@@ -208,8 +208,8 @@ enum class Measure {
 /// Further readings and what they would separate.
 struct Advice {
   std::vector<Measure> measures = {};       ///< all of them in combination
-  std::vector<std::string> separates = {};  ///< identifiers: every two of them are separated, whichever is
-                                            ///< the cause
+  std::vector<std::string> separates = {};  ///< identifiers; any two of them are separated, whichever of the
+                                            ///< two is the cause
   double bySigma = 0;                       ///< smallest difference of two of them, σ
   /// Probability that the look-alikes of these readings reduce to one answer.
   double oneLeft = 0;

@@ -30,13 +30,13 @@ class Search {
     /// The remaining products with all columns are those of the leftover less P `off`. Empty, like `taken`,
     /// if the set does not grow.
     Eigen::VectorXd off;
-    /// The products of the eliminated directions with all columns are P `taken`; one column for each
+    /// P `taken` are the products of the eliminated directions with all columns: one column for each
     /// direction.
     Eigen::MatrixXd taken;
     int grossErrors = 0;
     std::uint64_t key = 0;  ///< of the set, independent of the order
   };
-  /// Columns relative to a state.
+  /// Products of some columns with what a state leaves and with what it eliminates.
   struct SomeBeside {
     Eigen::Ref<const Eigen::VectorXd> right;   ///< their products with the remaining leftover
     Eigen::Ref<const Eigen::MatrixXd> shared;  ///< with the eliminated directions; shared sharedᵀ is

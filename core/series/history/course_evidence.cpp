@@ -158,7 +158,7 @@ class Evidence {
     return sum.log() - std::log(static_cast<double>(m_values.size()));
   }
 
-  /// χ² with one step at each possible first date after it and the others fixed.
+  /// χ² for each possible first date after this step, with the other steps fixed.
   std::vector<double> movedChiSquares(const Stepping& stepping, std::size_t step) const {
     const std::size_t begin = step == 0 ? 0 : stepping.firsts[step - 1];
     const std::size_t end = step + 1 < stepping.firsts.size() ? stepping.firsts[step + 1] : m_dates.count();

@@ -30,7 +30,7 @@ class AtomicFile : public ::testing::Test {
     std::sort(names.begin(), names.end());
     return names;
   }
-  /// The sentence; the old file must still be complete and alone in its folder.
+  /// Returns the sentence of the refusal. The old file must be complete and alone in its folder.
   std::string refusal(const FileCalls& calls) const {
     const std::string old = folder.file("old", "kept");
     const auto problem = writeFile(old, std::string(100000, 'x'), {}, calls);
@@ -275,7 +275,7 @@ TEST_F(AtomicFile, SaysWhatStandsWhereItCannotBePutBack) {
   EXPECT_THAT(problem->what, HasSubstr(names().front()));
 }
 
-// The new bytes of both are there, though they may not survive a power cut.
+// The new bytes of both files are there, though they may not survive a power cut.
 TEST_F(AtomicFile, LeavesNoneBehindWhereTheFolderCannotBeSynchronised) {
   FileCalls calls;
   calls.sync = [](int file) {

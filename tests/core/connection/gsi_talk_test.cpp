@@ -127,7 +127,7 @@ TEST(GsiTalk, ABlockMayHoldTheSerialNumber) {
   EXPECT_EQ(gsi.bench.readings.at(0).serial, "640054");
 }
 
-// Digits after the GSI ONLINE manual: position 4 the compensator, 5 the input.
+// Digits according to the GSI ONLINE manual: position 4 states the compensator, position 5 the input.
 TEST(GsiTalk, ReadsWhatTheDigitsSayOfCompensatorAndCorrections) {
   struct Case {
     const char *horizontal, *vertical, *corrections;

@@ -46,7 +46,7 @@ TEST_P(EffectTest, IsNothingAtZero) {
   for (const int face : {1, 2}) {
     const Direction<double> none = readAt({}, pointing(face)),
                             zero = readAt(with(GetParam().term, 0), pointing(face));
-    // The long formulas at zero compared with the short ones: a few roundings of an angle.
+    // The long formulas at zero equal the short ones, except for a few roundings of an angle.
     EXPECT_NEAR(zero.a, none.a, 1e-15);
     EXPECT_NEAR(zero.e, none.e, 1e-15);
   }

@@ -37,8 +37,8 @@ Measurement everythingAtOnce(VerticalCircle circle) {
   return measurement;
 }
 
-/// One reading in plain doubles from a fit's values with some of them changed: the model's other
-/// instantiation.
+/// Computes one reading in plain doubles, the model's other instantiation, from a fit's values with some of
+/// them changed.
 class ReadingModel {
  public:
   ReadingModel(const Measurement& measurement, const JointFit& fit)

@@ -156,7 +156,7 @@ TEST(PositionExaminer, RefusesWhatLiesFarFromTheZero) {
       }
 }
 
-// Every entry that can be judged is, independently of the others; if the kind of circle is unknown,
+// Every entry that can be judged is judged, independently of the others. If the kind of circle is unknown,
 // elevations below the horizon pass.
 TEST(PositionExaminer, JudgesRowsThatNothingCanBeReducedFrom) {
   Position position = positionWith({rowAt(1, 1), rowAt(2, 2), {}, rowAt(4, 4), rowAt(170, 0)}, "lost");

@@ -168,7 +168,7 @@ TEST(SessionFromJson, NamesTheFirstThingWrong) {
   }
 }
 
-// A part's values would be in the file twice if the whole kept them too; their keys keep their place.
+// The whole keeps the keys of a part in their place, but not its values: the file would contain them twice.
 TEST(SessionFromJson, PutsEachValueIntoOneOrigin) {
   const Json json = soundDocument();
   SessionRows rows;

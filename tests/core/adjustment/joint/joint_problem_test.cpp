@@ -26,8 +26,8 @@ std::vector<Circle> arcsAlone(const Measurement& measurement) {
   return starts;
 }
 
-/// Each way to set up the equations: perfect, with the guideway's terms or all of them, for sessions with one
-/// face and two, with slider and without.
+/// Each way to set up the equations: for a perfect instrument, with the guideway's terms or with all terms;
+/// for one face and two, with slider and without.
 struct Case {
   std::string name;
   Measurement measurement;
@@ -144,9 +144,9 @@ TEST(JointProblem, JacobianIsHowTheResidualsChange) {
   }
 }
 
-// A drift acts by the time since the zero of the position was sighted, next to its first row. A jump acts
-// from its row on, also on a later zero, whose position is then unchanged; zenith readings increase by
-// either. Both are added to the reading itself, so only rounding remains.
+// A drift acts by the time since the zero of the position was sighted, next to its first row. A jump acts on
+// its row and all later ones. A position whose zero is later is unchanged, because the jump acts on that zero
+// too. Zenith readings increase by either. Both are added to the reading itself, so only rounding remains.
 TEST(JointProblem, DriftsAndJumpsActByTheRowsPlaceInTime) {
   using enum ErrorTerm;
   const Measurement measurement = test::trialMeasurement("full");

@@ -26,7 +26,7 @@ class LongArc : public testing::TestWithParam<double> {};
 
 INSTANTIATE_TEST_SUITE_P(Ends, LongArc, testing::Values(170.0, 200.0, 290.0));
 
-// Without noise the true scale is found, reduced by its prior by (σ/5e-4)² of it.
+// Without noise the fit finds the true scale, which its prior reduces by the share (σ/5e-4)².
 TEST_P(LongArc, TellsTheScaleOfTheSlider) {
   Truth truth = drawTruth(3);
   truth.effects = {{ErrorTerm::SliderScale, 4e-4}};

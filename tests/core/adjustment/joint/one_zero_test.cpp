@@ -44,9 +44,9 @@ Measurement shifted(Measurement measurement, Angle horizontal, Angle vertical) {
   return measurement;
 }
 
-// The change of Δd, after a new fit, for a zero wrong in all arcs by its σ. Its elevation cancels, and so
-// does almost all of its azimuth; residuals of 9″, which the derivative omits, change the rest by a tenth.
-// With two separate zeros the share is L σ/√2, 16 µm.
+// The reference is the change of Δd in a new fit whose zero is wrong in all arcs by its σ. Its elevation
+// cancels, and so does almost all of its azimuth. The derivative omits residuals of 9″, which change the rest
+// by a tenth. With two separate zeros the share is L σ/√2, 16 µm.
 TEST(OneZero, BringsWhatAnErrorOfItMovesTheIntersectionBy) {
   const Measurement measurement = withOneZero();
   const auto movedBy = [&](Angle horizontal, Angle vertical) {

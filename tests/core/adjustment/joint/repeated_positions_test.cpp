@@ -57,8 +57,8 @@ TEST(RepeatedPositions, ShareOneCircle) {
   }
   EXPECT_EQ(fit.arcs[2].time, 2);
   EXPECT_NEAR(fit.intersection->value, 1, 1e-8);
-  // The degrees of freedom are two circles of each row minus one place each and two circles; the zeros are
-  // observed.
+  // Degrees of freedom: two readings of each row, minus one place of each row and three numbers of each of
+  // two circles. The zeros are observed.
   EXPECT_EQ(fit.joint.degreesOfFreedom, 2 * 43 - 43 - 6);
 }
 
@@ -71,7 +71,8 @@ TEST(RepeatedPositions, MeetHalfWay) {
   turn(measurement.arcs[2], moved, -moved);
   const SessionFit fit = fitSession(measurement);
   const double full = measurement.distance * Angle::fromArcseconds(moved).radians();
-  EXPECT_NEAR(fit.arcs[0].circle.x - at0.x, full / 2, 0.03 * full);  // the arc is 400 mm off
+  EXPECT_NEAR(fit.arcs[0].circle.x - at0.x, full / 2, 0.03 * full);  // the points of the arc are 400 mm from
+                                                                     // its centre
   EXPECT_NEAR(fit.intersection->value - 1, -full / 4, 0.03 * full);
   const double first = valueOf(fit.joint, HorizontalZero, 0), again = valueOf(fit.joint, HorizontalZero, 2);
   EXPECT_NEAR(Angle::fromRadians(first + again).arcseconds(), 0, 1e-3);

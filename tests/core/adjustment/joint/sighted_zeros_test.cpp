@@ -68,7 +68,8 @@ TEST(SightedZeros, WrittenAlikeSayNothingOfTheTimeBetween) {
   EXPECT_EQ(commonZeros(measurement), (CommonZeros{true, true}));
 }
 
-// Of 34 rows the zeros are sighted next to the first and the 18th: a drift rotates them by 17/33 of it.
+// The zeros are sighted next to the first and the 18th of 34 rows: between them a drift turns the orientation
+// by 17/33 of its size.
 TEST(SightedZeros, DifferByWhatADriftTurnsBetweenThem) {
   const Measurement measurement =
       readWith({{ErrorTerm::HorizontalDrift, 66}, {ErrorTerm::VerticalDrift, -33}});
@@ -134,7 +135,7 @@ TEST(SightedZeros, HaveTheDerivativesOfTheirMark) {
     const Sighting& zero = closed.arcs[linear.readings[i].arc].sightings[linear.readings[i].sighting];
     const bool isVertical = linear.readings[i].kind == ReadingKind::Vertical;
     const double sigma = linear.readings[i].sigma, side = zero.face == 1 ? 1 : -1;
-    // δα = ±c/cos e at the mark; the drift at its moment; the elevation separately.
+    // δα = ±c/cos e at the mark; a drift acts at the moment of the sighting, separately on the two circles.
     EXPECT_NEAR(linear.ofTerm(i, ErrorTerm::Collimation) * sigma,
                 isVertical ? 0 : side / std::cos(Angle::fromDegrees(1).radians()), 1e-3);
     EXPECT_NEAR(linear.ofTerm(i, ErrorTerm::HorizontalDrift) * sigma, isVertical ? 0 : zero.elapsed, 1e-12);

@@ -66,9 +66,9 @@ TEST(ZeroSightings, AreOfTheOneForwardModel) {
   EXPECT_LT(centresOff(fit, full.truth), 1e-4) << "a zero in face 1 alone would put them off by 0.5 mm";
 }
 
-// The change of Δd due to a drift is zero if the zero of each position is sighted next to its first row,
-// since both positions are then equally delayed, and if it is sighted before and after. One zero for both
-// would leave L D/4.
+// A drift does not change Δd if the zero of each position is sighted next to its first row, since both
+// positions are then equally delayed. It does not either if the zero is sighted before and after the rows.
+// One zero for both would leave L D/4.
 TEST(ZeroSightings, BeforeAndAfterTakeADriftOut) {
   const double drift = Angle::fromArcseconds(30).radians();
   const auto movedBy = [&](bool inFull) {
@@ -127,7 +127,7 @@ TEST(ZeroSightings, ScatterAsTheNoiseIsTakenFor) {
   }
 }
 
-// Draws compared with the budget, if only zeros matter: 10⁵ draws determine σ to 0.3 %.
+// Compares draws with the budget where only zeros matter; 10⁵ draws determine σ to 0.3 %.
 TEST(ZeroSightings, AreDrawnAsTheirMeanIsUncertain) {
   for (const bool hasTerms : {false, true}) {
     Measurement measurement = scattering(2, false);

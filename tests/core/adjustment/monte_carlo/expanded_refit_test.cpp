@@ -56,8 +56,8 @@ TEST(ExpandedRefit, FindsTheCirclesWhoseReadingsWereDrawn) {
     }
 }
 
-// Three arcs, two of them with a common centre, and estimated zeros: the same as by the fits themselves. The
-// drawn zeros and readings move a centre by some σ; a thousandth is of third order.
+// With three arcs, two of them about a common centre, and estimated zeros the result is that of the fits
+// themselves. The drawn zeros and readings move a centre by some σ; a thousandth is of third order.
 TEST(ExpandedRefit, AgreesWithTheGeneralOneOnPositionsMeasuredAgain) {
   for (const bool sliders : {false, true}) {
     Measurement measurement =

@@ -71,7 +71,7 @@ TEST(LeastSquares, FindsTheRootOfACurve) {
   EXPECT_NEAR(found.system.chiSquare, 0, 1e-20);
 }
 
-// From a start at the minimum it ends only after a step there and a second one that confirms it.
+// From a start at the minimum the iteration ends only after one step and a second one that confirms it.
 TEST(LeastSquares, DoesNotTrustASmallStepThatNeedsConfirmation) {
   const OneUnknown problem = line();
   const auto found = minimise(problem, 2.0, {.tolerance = 1e-6, .confirmation = 1e-4});

@@ -90,8 +90,8 @@ TEST(Closures, NeedBothPositionsAndWhatIsFreeInEach) {
   EXPECT_TRUE(closuresOf(measurement).empty());
 }
 
-// The chance of sound sessions is uniform over 0…1, for any number of points: the mean of 400 is 1/2 within
-// four times 0.29/√400, and one in a thousand fails, so hardly more than four.
+// The chance of sound sessions is uniform over 0…1, for any number of points. The mean of 400 is 1/2 within
+// four times 0.29/√400. One in a thousand fails, so more than four of them are very improbable.
 TEST(Closures, FailByChanceAsOftenAsTheySay) {
   std::mt19937_64 generator(20261123);
   double sum = 0;

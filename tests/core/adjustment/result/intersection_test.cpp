@@ -25,7 +25,7 @@ double share(const Intersection& intersection, UncertaintySource source) {
   return 0;
 }
 
-// Figures of independent solvers; half a unit of their last digit.
+// The figures are from independent solvers; the tolerance is half a unit of their last digit.
 TEST(Intersection, OfTableIMeetsTheIndependentSolution) {
   const Measurement measurement = test::paperMeasurement();
   const JointFit fit = fitted(measurement);

@@ -74,8 +74,8 @@ TEST_P(ComponentTest, LeavesItsSignature) {
   });
 }
 
-// Its terms in the model eliminate its trace: the fit with them leaves what is orthogonal to the columns.
-// Tolerances: weights of 300 plausible sizes are practically free; 1 % for the model's nonlinearity.
+// A component's terms in the model eliminate its trace: the fit leaves the part that is orthogonal to the
+// columns. Tolerances: weights of 300 plausible sizes are practically free; 1 % for the model's nonlinearity.
 TEST_P(ComponentTest, TakesInTheModelWhatItsColumnsTake) {
   std::set<std::string_view> done;
   eachComponent([&](const Component& component) {

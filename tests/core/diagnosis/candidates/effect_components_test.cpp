@@ -173,8 +173,9 @@ TEST(EffectComponents, BendWithTheSquareOfTheirWeights) {
 }
 
 // With the effect in the model, its numbers are within 4 σ of the simulated ones (1 in 15000 each), in the
-// unit of the catalogue, from any start. A prior of 1000 plausible sizes has no influence. With a prior of a
-// thousandth the readings have almost none: 2 % of its σ and 4 % of the size.
+// unit of the catalogue, from any start. A prior of 1000 plausible sizes has no influence. A prior of a
+// thousandth of a plausible size decides almost alone: 2 % of its σ and 4 % of the size are from the
+// readings.
 TEST(EffectComponents, TellTheirNumbersInTheUnitOfTheCatalogue) {
   const std::set<std::string> told{"collimation", "trunnion_tilt",  "slider_scale",
                                    "gravity_sag", "vertical_drift", "arc_ellipticity"};

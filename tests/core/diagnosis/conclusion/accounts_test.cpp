@@ -18,8 +18,8 @@ namespace {
 
 constexpr EffectScales asPlausible;
 
-// The reference is a fit of every effect: the parts of the answer have the same widths there. Sessions with a
-// misread value are excluded, because everything scatters by it.
+// The reference is a fit of every effect, in which the parts of the answer have the same widths. Sessions
+// with a misread value are excluded, because everything scatters by it.
 TEST(Accounts, AgreeWithAFitOfEveryEffect) {
   int compared = 0;
   for (const test::Trial& trial : test::trials()) {

@@ -97,8 +97,8 @@ void expectUntouched(const Measurement& measurement, const Misread& blamed) {
   EXPECT_EQ(found[0].size, blamed.arcseconds);
 }
 
-// A slider reading or the other face already identifies the circle, so the blame stays, even a wrong one. An
-// error of the slider is not an error of a circle.
+// A slider reading or the other face already identifies the circle, so the named circle stays, even if it is
+// wrong. An error of the slider is not an error of a circle.
 TEST(GrossErrorCircle, StaysWhereMoreThanOneReadingTellsThePlace) {
   const Misread wronglyBlamed{0, 4, Vertical, 321};
   const Measurement measurement = misreadMeasurement({{0, 4, Horizontal, 900}});
