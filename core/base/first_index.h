@@ -80,7 +80,7 @@ class FirstIndex {
   std::vector<Slot> m_table;
   std::size_t m_first = 0;    ///< the first entry in the table
   std::uint32_t m_scope = 1;  ///< of the occupied slots
-  bool m_isMixed = false;     ///< a group came after a later one
+  bool m_isMixed = false;     ///< a group followed a later one
 };
 
 }  // namespace alidade

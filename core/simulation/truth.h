@@ -68,7 +68,7 @@ struct Truth {
   /// β0 of a perfect instrument at the height of the axis: 90° on a zenith circle and 0° on an elevation
   /// circle.
   Angle verticalZero = Angle::fromDegrees(90);
-  ArcPlane plane = ArcPlane::Vertical;  ///< if the instrument is at another height
+  ArcPlane plane = ArcPlane::Vertical;  ///< matters if the instrument is at another height
   Angle sliderZero;                     ///< slider reading at s = 0
 
   std::vector<TrueSize> effects;  ///< each term at most once

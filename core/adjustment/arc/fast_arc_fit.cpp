@@ -26,7 +26,7 @@ constexpr double straight = 1e-10;         // variance across times along the ch
 constexpr double unlike = 0.01;            // largest difference between a part and all places in their
                                            // remainder
 constexpr int mostIterations = 12;
-constexpr int mostSurveys = 2;  // before residuals are too large for them
+constexpr int mostSurveys = 2;  // if more are needed, residuals are too large for them
 constexpr std::size_t pilotPlaces = 16384;
 constexpr std::size_t share = 16;  // blocks of a sweep that are processed together
 
@@ -238,7 +238,7 @@ struct Part {
   Readings readings() const { return {a.data(), e.data(), rows.data(), pilotPlaces}; }
 };
 
-using Vector = std::array<double, 3>;  // over (x, y, half)
+using Vector = std::array<double, 3>;  // derivatives with respect to x, y and `half`
 
 Vector gradient(const CloseSums<double>& sums) {
   return {sums.xw, sums.yw, sums.w};
@@ -315,7 +315,7 @@ std::optional<FastArcFit> fitStreamed(const ArcSetup& setup, const Readings& rea
   for (Sweep sweep; !isSettled(progress) && outcome.iterations < mostIterations; ++outcome.iterations) {
     kernel().sweep(readings, inner, progress.disc, {}, sweep);
     const double residual = plain::scatter(sweep.sums, 1 / progress.disc.square);
-    progress.lag = 0.5 * residual * residual * residual;  // two steps approached them
+    progress.lag = 0.5 * residual * residual * residual;  // distance of linearisation points after two steps
     plain::advance(progress, sweep.sums);
   }
   const auto fit = fitIn(plain::conclude(outcome, l));

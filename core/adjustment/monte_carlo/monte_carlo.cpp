@@ -221,9 +221,9 @@ bool isAnswered(const MonteCarlo& result) {
   return !result.intersection || result.linear != LinearPropagation::Undecided;
 }
 
-/// The number of draws needed for a decision: chance then fits into the tolerance or, if an end differs by
-/// more, into the gap between the two. At least twice as many as before, as the first attempt may not
-/// suffice.
+/// The number of draws needed for a decision. Chance must then be smaller than the tolerance and, if an end
+/// differs by more than the tolerance, than the excess. At least twice as many as before, as the first
+/// attempt may not suffice.
 std::size_t drawsToTell(const MonteCarlo& result, std::size_t drawn) {
   const double excess = worstOf(result) - result.tolerance;
   const double room = excess > 0 ? std::min(result.tolerance, excess) : result.tolerance;

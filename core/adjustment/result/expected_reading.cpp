@@ -162,7 +162,7 @@ class Expectations {
   const SessionFit& m_fit;
   const NominalPlaces& m_nominal;
   Places m_places;
-  std::map<long long, PlaceOfPoint> m_offsets;  ///< from nominal coordinates, for each
+  std::map<long long, PlaceOfPoint> m_offsets;  ///< offsets from nominal coordinates, for each of these
   PlaceOfPoint m_offset;                        ///< for all
   std::optional<Line> m_line;
 };

@@ -172,7 +172,8 @@ TEST(Diagnosis, FindsTheGapOfThePaper) {
   EXPECT_EQ(planar.causes[0].effect, "vertical_angle_relation");
   EXPECT_EQ(planar.causes[1].effect, "plane_offset");
   EXPECT_EQ(planar.causes[3].effect, "underestimated_noise");
-  // The share is held to 1e-6; an account with a probability of one percent may differ.
+  // The share of the other relation is held to 1e-6. Accounts with a probability of one percent may differ
+  // between the two diagnoses.
   EXPECT_NEAR(planar.afterwards->value, exact.afterwards->value, 0.1 * exact.afterwards->expanded);
 }
 

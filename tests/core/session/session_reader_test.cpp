@@ -124,7 +124,8 @@ TEST(SessionRows, LoseNothingWhateverTheRowBefore) {
   }
 }
 
-// Damaged from its end to its beginning, a document is refused for the latest damage.
+// The document is damaged step by step, from its end to its beginning. Each time the problem is the damage
+// nearest to the beginning.
 TEST(SessionFromJson, NamesTheFirstThingWrong) {
   Json json = soundDocument();
   SessionRows sound, wrong;

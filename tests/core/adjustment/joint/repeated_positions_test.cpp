@@ -84,7 +84,7 @@ TEST(RepeatedPositions, MeetHalfWay) {
   EXPECT_NEAR(told, moved * ofZero * ofZero / (ofZero * ofZero + ofArc * ofArc), 0.03 * moved);
 }
 
-// The second zero halves the variance due to zeros of one of two centres: ½ √(2″²/2 + 2″²) L.
+// The axis with two zeros has half the variance due to a single zero, so σ is ½ √(2″²/2 + 2″²) L.
 TEST(RepeatedPositions, HalveTheVarianceOfTheirZeros) {
   const Measurement measurement = measuredAgain();
   const SessionFit fit = fitSession(measurement);

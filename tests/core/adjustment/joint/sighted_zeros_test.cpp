@@ -120,8 +120,8 @@ TEST(SightedZeros, LeaveTheRowsWhereTheyAre) {
   }
 }
 
-/// Numeric derivatives of the zeros' readings with respect to every term of the instrument and both zeros:
-/// the residuals of a nonlinear problem.
+/// The linearised residuals of the zeros must have the derivatives known in closed form, with respect to
+/// terms of the instrument and both zeros.
 TEST(SightedZeros, HaveTheDerivativesOfTheirMark) {
   Measurement read = readWith({{ErrorTerm::Collimation, 40}, {ErrorTerm::HorizontalDrift, 30}}, true);
   read.arcs[0].zeroElevation = read.arcs[1].zeroElevation = Angle::fromDegrees(1);

@@ -98,7 +98,7 @@ TEST(LeastSquares, SaysThatNoStepLowersChiSquare) {
   const auto found = minimise(problem, 12.0, {.firstDamping = 1e-3, .largestDamping = 1e3});
   EXPECT_EQ(found.status, FitStatus::NoDescent);
   EXPECT_EQ(found.state, 12);
-  EXPECT_EQ(found.iterations, 6);  // from 1e-3 up to before 1e3
+  EXPECT_EQ(found.iterations, 6);  // one for each damping from 1e-3 to 1e2
 }
 
 // The parabola's other root is beyond the wall, and so is the undamped step.

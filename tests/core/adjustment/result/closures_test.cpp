@@ -49,7 +49,8 @@ TEST(Closures, CarryTheZerosAndNotTheDistance) {
   const std::vector<Closure> closures = closuresOf(measurement);
   EXPECT_NEAR(closures[0].sigma, of, 0.02 * of);
   const double ofZeros = std::sqrt(2) * 2405 * Angle::fromArcseconds(10).radians();
-  EXPECT_NEAR(closures[1].sigma, std::hypot(ofCentre, ofZeros), 0.03 * ofZeros);  // the arc is 400 mm off
+  EXPECT_NEAR(closures[1].sigma, std::hypot(ofCentre, ofZeros), 0.03 * ofZeros);  // the points of the arc are
+                                                                                  // 400 mm from its centre
 }
 
 // A repeated position with a zero off by (h, v) is L h to the side and L v higher, with the same radius.

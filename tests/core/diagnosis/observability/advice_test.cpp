@@ -161,7 +161,7 @@ TEST(Advice, SightsTheZerosAgainToTellASlipFromADriftAndAShift) {
   EXPECT_THAT(zero->separates, testing::IsSupersetOf({"axial_shift"}));
   const double sigma = 2 * std::numbers::sqrt2;
   EXPECT_NEAR(zero->bySigma, 30 / sigma,
-              0.05 * 30 / sigma);  // axial shift and each of the others; less for drift and slip
+              0.05 * 30 / sigma);  // the axial shift from each of the others; drift and slip are nearer
 }
 
 /// A jump between the zero and the first visit of a position of the paper's plan.
