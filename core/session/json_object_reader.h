@@ -21,7 +21,7 @@ struct JsonFormat {
   const char* id;         ///< "alidade-session"
   const char* isNone;     ///< for a file without a format
   const char* choose;     ///< what to do instead: "choose a session file"
-  const char* noVersion;  ///< for an invalid version, with it and the newest one
+  const char* noVersion;  ///< for an invalid version; contains it and the newest version
 };
 
 /// Takes values out of one object of a file. The first problem is kept; later ones are ignored.

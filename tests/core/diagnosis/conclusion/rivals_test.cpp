@@ -69,8 +69,8 @@ TEST(Rivals, JumpStandsAgainstAGrossErrorOfEitherCircle) {
   }
   const PriorOdds odds;
   const double rows = 34, readings = 2 * rows;
-  // Before each row except the first of a position, to the end of that position: the zeros may sight
-  // different marks.
+  // Jumps may occur before each row except the first of a position, and last to the end of that position. The
+  // zeros may sight different marks.
   const double moments = 16 + 16;
   const double expected = odds.jump / moments * evidence(usualAndFarWiderJumpWidths(), shown, gain) /
                           (odds.grossError / readings * ofGrossErrors);
