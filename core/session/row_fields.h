@@ -15,8 +15,8 @@
 
 namespace alidade {
 
-// The fields of a row, defined once for the session file, the checks of entries, the import of tables, the
-// table in the window and the one in the report.
+// The fields of a row, defined once for all uses: the session file, the checks of entries, the import of
+// tables, and the tables of window and report.
 
 inline constexpr WholeRule pointRule{
     0, std::numeric_limits<int>::max(), {}, PHRASE_LATER("Phrase", "%1 is no point: points count from 0")};

@@ -15,7 +15,7 @@ namespace alidade {
 
 // A measurement protocol: the sightings of a session, their number and order. A separate file,
 // `*.alidade-protocol`, or the `protocol` of a session that follows it. A session has one orientation of the
-// horizontal circle per position, so turning the circle between two rounds begins a repeat of the position,
+// horizontal circle per position. So turning the circle between two rounds begins a repeat of the position,
 // with its own pointing zero.
 
 /// A place of the slider. The arc angle refers to axis position 0°, counter-clockwise from the right as the

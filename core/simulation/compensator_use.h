@@ -20,8 +20,8 @@ enum class CompensatorUse {
 Truth leftByCompensator(Truth truth, Angle sigma, std::uint64_t seed);
 
 /// Enters the instrument's statements in each row. Tilts are those of `truth` plus an index of the
-/// compensator for cross and length each and an error of each reading, both drawn with this σ; written to
-/// 0.1″.
+/// compensator, for cross and length each, and an error of each reading. Index and error are drawn with this
+/// σ; the tilts are written to 0.1″.
 void stateCompensator(Session& session, const Truth& truth, CompensatorUse use, Angle sigma,
                       std::uint64_t seed);
 

@@ -24,8 +24,8 @@ CommonZeros commonZeros(const Measurement& measurement);
 /// marks.
 bool areZerosInDoubt(const Measurement& measurement);
 
-/// The measurement with every sighting of a zero after the rows of its arc (`Sighting::isZero`), and with the
-/// readings counted from one zero if the zeros are common. The rows keep their places.
+/// The measurement with every sighting of a zero after the rows of its arc (`Sighting::isZero`). If the zeros
+/// are common, all readings count from one zero. The rows keep their places.
 Measurement withZerosSighted(Measurement measurement);
 
 /// Removes these sightings, or inserts them again at the moments that `setMoments` gave the zeros.

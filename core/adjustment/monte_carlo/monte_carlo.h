@@ -12,11 +12,12 @@
 
 namespace alidade {
 
-// Checks the linear budget by propagating distributions (JCGM 101:2008). Each draw takes every reading, both
-// pointing zeros of each position, the distance and, if known, the radius from its distribution about the
-// value read, and fits again. It uses the fast fit of arcs if these are independent; else the forward model
-// to second order about the fit, if that agrees with general fits to a thousandth of σ; else the general
-// fits. The fast refits therefore agree with the general ones to that accuracy.
+// Checks the linear budget by propagating distributions (JCGM 101:2008). Each draw takes every input from its
+// distribution about the value read, and fits again. The inputs are readings, both pointing zeros of each
+// position, the distance and, if known, the radius. The draws use the fast fit of arcs if these are
+// independent; else the forward model to second order about the fit, if that agrees with general fits to a
+// thousandth of σ; else the general fits. The fast refits therefore agree with the general ones to that
+// accuracy.
 //
 // Zeros, distance and radius are normal with their stated σ. Readings, and the priors of estimated effects,
 // are normal with σ scaled by s0 as in the budget; if s0 has f degrees of freedom the whole draw is divided

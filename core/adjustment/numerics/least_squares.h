@@ -18,8 +18,8 @@ namespace alidade {
 //
 //   λ = √(gᵀ N⁻¹ g)
 //
-// is the length of the undamped step in standard deviations of the result and the length of the gradient in
-// the same measure; λ² is the possible decrease of χ². Solvers that ignore the σ of their readings need three
+// is the length of the undamped step in standard deviations of the result, and that of the gradient in the
+// same measure. λ² is the possible decrease of χ². Solvers that ignore the σ of their readings need three
 // tolerances instead, for step, gradient and cost.
 //
 // Source: D. W. Marquardt, "An algorithm for least-squares estimation of nonlinear parameters", J. SIAM 11

@@ -54,9 +54,9 @@ Closure closureOf(Closure::Of of, double value, double sigma, double degreesOfFr
 /// "radius", "centre", "nominal_radius", "repeat", "reference", "zeros".
 std::string_view nameOf(Closure::Of of);
 
-/// `fit` is of `measurement`. The radius is omitted if the model shares it between both arcs, and R0 if it is
-/// an observation of the model or has no stated σ. Without arcs at 0° and at 180° only R0 remains; the list
-/// is empty if the fit is undetermined.
+/// `fit` is of `measurement`. The radius is omitted if the model shares it between both arcs. R0 is omitted
+/// if it is an observation of the model or has no stated σ. Without arcs at 0° and at 180° only R0 remains;
+/// the list is empty if the fit is undetermined.
 std::vector<Closure> closuresOf(const Measurement& measurement, const JointFit& fit);
 
 /// Fits every arc with its own centre and radius (`JointFitOptions::isApart`), if an axis is measured again

@@ -41,8 +41,8 @@ std::optional<ExpectedReading> expectedReading(const Measurement& measurement, c
                                                const SightingToCome& sighting);
 
 /// Returns the expected reading of each sighting, with the places of the points computed once. A place in
-/// `nominal` has the coordinate of the slider's earlier visit, otherwise the nominal one corrected for the
-/// scale error of the slider so far.
+/// `nominal` has the coordinate of the slider's earlier visit. Without one it has the nominal coordinate,
+/// corrected for the scale error of the slider so far.
 std::vector<std::optional<ExpectedReading>> expectedReadings(const Measurement& measurement,
                                                              const SessionFit& fit,
                                                              const std::vector<SightingToCome>& sightings,

@@ -38,8 +38,9 @@ struct SessionFit {
   const ArcFit* arcOfPosition(std::size_t position) const;  ///< null if there is none
 };
 
-/// Fits every arc that its readings determine by `fitArc`, then all of them together by `fitJointly`, with
-/// the slider readings and the effects that the session's model names. Called as in samples/programs/fit.cpp.
+/// Fits every arc that its readings determine by `fitArc`, then all of them together by `fitJointly`. The
+/// latter includes the slider readings and the effects that the session's model names. Called as in
+/// samples/programs/fit.cpp.
 SessionFit fitSession(const Measurement& measurement);
 
 /// The measurement with only the fitted arcs, whose indices `SessionFit::joint` uses.

@@ -57,9 +57,9 @@ struct SearchOptions {
 std::vector<Explanation> explain(const Leftover& leftover, const Candidates& candidates,
                                  const SearchOptions& options = {});
 
-/// Returns the natural logarithm of the evidence integrated over the noise, relative to the most likely noise
-/// of the explanation, or to the stated noise if it is not noisy. `chiSquare` (stated σ) is its remaining χ²,
-/// with the given degrees of freedom.
+/// Returns the natural logarithm of the evidence integrated over the noise. It is relative to the most likely
+/// noise of the explanation, or to the stated noise if it is not noisy. `chiSquare` (stated σ) is its
+/// remaining χ², with the given degrees of freedom.
 double logEvidenceOfNoise(const Explanation& explanation, double chiSquare, double degreesOfFreedom);
 
 /// Fits one component alone with the stated noise: its evidence without prior, and its weights. `residual` is

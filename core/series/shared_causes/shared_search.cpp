@@ -275,8 +275,8 @@ bool SharedSearch::mayTake(const SharedSet& set, const EffectBlock& block) const
 }
 
 /// Returns the blocks with the largest gain in addition to the set. They are sought with the sessions' own
-/// causes, and with misread values and noise only, since an effect visible in each session is also an account
-/// of each. Patterns do not displace effects.
+/// causes, and with misread values and noise only. The reason is that an effect visible in each session is
+/// also an account of each. Patterns do not displace effects.
 std::vector<SharedSearch::Growth> SharedSearch::promising(const SharedSet& set) const {
   constexpr std::size_t most = 6, mostPatterns = 3;
   std::vector<Growth> all;

@@ -234,8 +234,8 @@ const std::map<ErrorTerm, TruthName> truthNames = {
 };
 
 // Sessions of an independent ray tracer, each with one effect of known size. With that effect in the model
-// only noise is left (χ² within its 0.01 % points), Δd covers the truth (k = 4 instead of 2 for this many
-// checks), and the size is found within 4 σ if the readings determine it.
+// only noise is left (χ² within its 0.01 % points). Δd covers the truth (k = 4 instead of 2 for this many
+// checks). The size is found within 4 σ if the readings determine it.
 TEST(Effects, ExplainTheRayTracersSessions) {
   int checked = 0;
   for (const test::Trial& trial : test::trials()) {

@@ -179,8 +179,9 @@ TEST(CorrectionTrials, LetSoundVisitsStandAsTyped) {
   }
 }
 
-// The check excludes the readings of the visit itself, whatever their error, and of a second named visit,
-// even if 3 σ are too little for a misreading. Two fits from different starts differ by a millionth.
+// The check excludes the readings of the visit itself, whatever their error. It also excludes those of a
+// second named visit, even if 3 σ are too little for a misreading. Two fits from different starts differ by a
+// millionth.
 TEST(CorrectionTrials, CheckByOtherVisitsAlone) {
   const Session session = sound("paper");
   Session changed = session;

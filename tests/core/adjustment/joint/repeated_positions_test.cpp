@@ -63,8 +63,8 @@ TEST(RepeatedPositions, ShareOneCircle) {
 }
 
 // Two zeros at one axis that differ by δ: whichever is right, the centre is half way. Each zero takes half of
-// δ, apart from the part left to the noise of the readings, and Δd changes by half of the effect of one zero.
-// In closed form for zeros alone: a rotation by δ moves a far centre by L δ.
+// δ, apart from the part left to the noise of the readings. Δd changes by half of the effect of one zero. In
+// closed form for zeros alone: a rotation by δ moves a far centre by L δ.
 TEST(RepeatedPositions, MeetHalfWay) {
   constexpr double moved = 20;
   Measurement measurement = measuredAgain();

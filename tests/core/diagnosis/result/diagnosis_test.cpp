@@ -91,9 +91,9 @@ double shareOfZeros(const Intersection& intersection) {
 }
 
 // Sessions of an independent ray tracer without anything beyond the fit. A fit with the cause in the model
-// gives the same result. It has a prior of one plausible size instead of three, and no closures, which
-// changes Δd by less than a twentieth of U, and U by 5 %. Zeros of one mark cancel in Δd, while the fit
-// refers each position to its own zero. With a pattern or other causes U exceeds that of any fit.
+// gives the same result. It has a prior of one plausible size instead of three, and no closures. This changes
+// Δd by less than a twentieth of U, and U by 5 %. Zeros of one mark cancel in Δd, while the fit refers each
+// position to its own zero. With a pattern or other causes U exceeds that of any fit.
 TEST(DiagnosisResult, HoldsNothingBeyondWhereAFitSaysTheSame) {
   std::array<int, 4> times{};
   for (const test::Trial& trial : test::trials()) {
