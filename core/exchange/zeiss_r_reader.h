@@ -18,7 +18,7 @@ bool looksLikeZeissR(std::string_view line);
 ///
 /// The first block has a kind of two characters, a blank, a code of three characters and a point number of
 /// four; then follow up to three values, each with its type and unit. R4 has no address. A line with Hz and
-/// V1 (zenith angle) or V3 (height angle) is one sighting, with the code as its note; the units are gon, grd,
+/// V1 (zenith angle) or V3 (height angle) is one sighting, with the code as its note. The units are gon, grd,
 /// DEG, DMS and mil. Texts (TR) have the meaning of code blocks in GSI (gsi_reader.h); other lines of text,
 /// coordinates (KR) and lengths are listed in `unused`. The file does not state the face.
 Recording readZeissR(std::string_view text, const std::string& zeroPoint = {});

@@ -55,7 +55,7 @@ struct NumberedPosition {
 
 /// All properties of a simulated session that its fit does not know. Lengths in mm, o0.
 ///
-/// The guideway turns about an axis at (y = axisHeight); its centre is off that axis by the intersection, so
+/// The guideway turns about an axis at (y = axisHeight). Its centre is off that axis by the intersection, so
 /// y(0°) = axisHeight + Δd and y(180°) = axisHeight − Δd.
 struct Truth {
   std::uint64_t seed = 0;

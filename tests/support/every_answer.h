@@ -32,7 +32,7 @@
 
 namespace alidade::test {
 
-// The conditions on every answer to any input: it exists or a sentence says why not, every number shown is
+// The conditions on every answer to any input. It exists or a sentence says why not. Every number shown is
 // finite and in its range, and sentences contain no “nan” or “inf”.
 
 inline void expectSentence(const std::string& text) {

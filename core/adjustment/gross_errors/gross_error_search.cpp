@@ -130,7 +130,7 @@ class Search {
   };
 
   /// A sighting that is the only one of its visit. Its two circles give a single condition, its distance from
-  /// the arc, so it is left out as a whole; the circle with the smaller error is named.
+  /// the arc, so it is left out as a whole. The circle with the smaller error is named.
   struct LeftOut {
     ReadingRef cell, other;
     double size = 0, sigma = 0;  ///< rad; σ scaled by the scatter of the other readings

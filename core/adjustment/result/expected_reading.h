@@ -34,9 +34,9 @@ struct ExpectedReading {
   Angle tolerance;             ///< a larger deviation is significant
 };
 
-/// Absent if the place cannot be predicted: the point has no reading anywhere, and there are fewer than three
-/// points or coordinates not evenly spaced by number; or the position has no pointing zero. Points beyond the
-/// known ones by more than half their length are not extrapolated.
+/// Absent if the place cannot be predicted or the position has no pointing zero. A place cannot be predicted
+/// if the point has no reading anywhere, and there are fewer than three points or coordinates not evenly
+/// spaced by number. Points beyond the known ones by more than half their length are not extrapolated.
 std::optional<ExpectedReading> expectedReading(const Measurement& measurement, const SessionFit& fit,
                                                const SightingToCome& sighting);
 

@@ -11,7 +11,7 @@ namespace alidade {
 
 // Rows that hold the same pair of readings in the same face: copied, or equal by chance. Readings are on a
 // grid of whole seconds, or tenths, or the instrument's display step. A place that is read again some rounds
-// later may repeat to the last digit; this is more frequent on a grid that is coarse relative to the scatter.
+// later may repeat to the last digit. This is more frequent on a grid that is coarse relative to the scatter.
 // So may places closer than the scatter. Both are counted and compared with the expected number, and reported
 // if fewer than one of a hundred arcs has as many.
 

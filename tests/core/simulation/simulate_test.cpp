@@ -159,8 +159,8 @@ Session simulated(const std::string& protocol, const Truth& truth, std::uint64_t
   return simulate(*protocolByName(protocol), truth, seed).operator*();
 }
 
-// Without effects the readings contain only noise: summed over 40 sessions, χ² is within its 0.01 % points
-// and Δd scatters as the fit says, its mean square within the 0.01 % points of 40 squared normal numbers.
+// Without effects the readings contain only noise. Summed over 40 sessions, χ² is within its 0.01 % points.
+// Δd scatters as the fit says, its mean square within the 0.01 % points of 40 squared normal numbers.
 TEST(Simulate, AddsTheStatedNoiseAndNoMore) {
   const Truth truth = plainTruth();
   for (const char* protocol : {"paper", "full"}) {

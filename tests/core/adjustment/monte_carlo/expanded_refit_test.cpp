@@ -87,7 +87,7 @@ TEST(ExpandedRefit, AgreesWithTheGeneralOneOnPositionsMeasuredAgain) {
   }
 }
 
-// Targets that move along the arc, by 3.5 mm at its ends, depart from its tangents by up to 0.015 mm: with
+// Targets that move along the arc, by 3.5 mm at its ends, depart from its tangents by up to 0.015 mm. With
 // readings of 1′ the linear budget's Δd is off by a thirtieth of σ. The remainder is of third order, below
 // the thousandth of σ that `propagateDistributions` requires.
 TEST(ExpandedRefit, IsGoodToSecondOrder) {

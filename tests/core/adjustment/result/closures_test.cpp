@@ -39,7 +39,7 @@ TEST(Closures, AreTheDifferencesOfThePositions) {
   EXPECT_NEAR(closures[1].sigma, std::hypot(fit.sigmas[0].x, fit.sigmas[1].x), 1e-10);
 }
 
-// A zero error of its σ moves its centre by L times that; an error of L is common to both radii, and would be
+// A zero error of its σ moves its centre by L times that. An error of L is common to both radii, and would be
 // 0.166 mm in each for 1 mm of L.
 TEST(Closures, CarryTheZerosAndNotTheDistance) {
   Measurement measurement = withArcs({0, 1, 400}, {0, -1, 400});

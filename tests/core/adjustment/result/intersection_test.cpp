@@ -112,7 +112,7 @@ TEST(Intersection, BelievesAScatterDownToItsLowestThousandth) {
   EXPECT_EQ(factorWith(10.2), 1);
 }
 
-// "readings" is their contribution if the effect were known, that is without it in the model; the additional
+// "readings" is their contribution if the effect were known, that is without it in the model. The additional
 // cost of determining its size is the effect's share. A drift, correlated with the height of an arc that
 // takes as long, costs about as much again.
 TEST(Intersection, PaysForAnEffectThatIsEstimatedAlong) {
@@ -152,8 +152,8 @@ TEST(Intersection, TakesPlausibleSizesAsTheyAre) {
   EXPECT_NEAR(fit.effects.at(0).sigma, 1, 0.01);
 }
 
-// The zeros of Table I scatter like its readings, 6.91 times the 2″ of the circles, if they have no stated σ;
-// and at least as stated if the readings scatter less.
+// The zeros of Table I scatter like its readings, 6.91 times the 2″ of the circles, if they have no stated σ.
+// They scatter at least as stated if the readings scatter less.
 TEST(Intersection, HasZerosScatterAsTheReadingsWhereNothingIsStatedOfThem) {
   Measurement measurement = test::paperMeasurement();
   measurement.sigmaZeroHorizontal = measurement.sigmaZeroVertical = Angle::fromArcseconds(2);

@@ -50,7 +50,7 @@ TEST(History, HasTheMeanAndMisfitOfTheClosedForms) {
 
 // The sixteen determinations of G used in CODATA's adjustment of 2018 (Tiesinga and others, Rev. Mod. Phys.
 // 93, 025010, table XXIX): weighted mean 6.674 30e-11, Birge ratio 3.6. Three small correlations are ignored
-// here; they and the rounding of the printed values change the mean by one and a half of its last digit.
+// here. They and the rounding of the printed values change the mean by one and a half of its last digit.
 TEST(History, OfNewtonsConstantIsAsPublished) {
   const std::vector<std::array<double, 3>> published = {
       {1982, 6.67248, 0.00043},   {1996, 6.6729, 0.0005},   {1997, 6.67398, 0.00070},
