@@ -24,9 +24,7 @@ Detectability detectabilityOf(const Component& component, const SharedProducts& 
                               0};
   if (detectability.influence == 0) return detectability;
   detectability.visible = component.signatureLength(detectability.weights);
-  if (component.response() != Response::Bent)
-    return detectability;  // the opposite sign leaves an equal
-                           // trace
+  if (component.response() != Response::Bent) return detectability;  // either sign leaves the same trace
   const double opposite = component.signatureLength(-detectability.weights);
   if (opposite < detectability.visible) {
     detectability.weights = -detectability.weights;
