@@ -602,7 +602,7 @@ void MainWindow::showGap(const SharedGap& gap) {
   m_isGapOld = false;
 }
 
-/// Until the diagnosis of the current session is done.
+/// Marks the gap as old until the diagnosis of the current session is done.
 void MainWindow::showGapAsOld() {
   if (std::exchange(m_isGapOld, true)) return;
   m_gap->setStale();

@@ -238,7 +238,7 @@ void WindowActions::addEntryActions(QMenu& menu) {
           [this, axis = axisDeg] { m_window.entry().goToAxis(axis); });
 }
 
-/// For a missing position; for a repeat if both exist.
+/// Adds actions for a missing position, or for a repeat if both exist.
 void WindowActions::addPositionActions(QMenu& menu) {
   menu.addSeparator();
   const SessionDocument& document = m_window.document();
@@ -300,7 +300,7 @@ void WindowActions::useClipboard(Clipboard way) {
   }
 }
 
-/// In the focused text or table, otherwise in the readings.
+/// Selects everything in the focused text or table, otherwise in the readings.
 void WindowActions::selectAll() {
   QWidget* focus = QApplication::focusWidget();
   if (auto* line = qobject_cast<QLineEdit*>(focus)) return line->selectAll();
@@ -427,7 +427,7 @@ void WindowActions::addPageActions(QMenu& menu) {
   }
 }
 
-/// Also a button at the end of the tabs.
+/// Adds the action to the menu, and as a button at the end of the tabs.
 void WindowActions::addEnlargeAction(QMenu& menu) {
   m_enlarge = addTo(menu, nullptr, tr("&Enlarge Lower Pages"), QKeySequence(tr("Ctrl+0")), this, [] {});
   m_enlarge->setCheckable(true);

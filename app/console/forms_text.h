@@ -7,7 +7,7 @@
 
 namespace alidade::console {
 
-/// The forms with their look-alikes and how far the gap shrinks; empty where there is none.
+/// Returns the forms with their look-alikes and the shrinkage of the gap; empty without forms.
 std::string formsText(const std::vector<FoundForm>& forms);
 /// The result of `discover`; `table` names it.
 std::string discoveryText(const std::string& table, const Discovery& discovery);

@@ -11,8 +11,8 @@ namespace alidade::console {
 /// `alidade-cli history` as text: the values with their control limits, and the conclusions.
 std::string historyText(const std::string& name, const ValueTable& table, const History& history);
 
-/// For each device: Δd with its table, every other quantity in a line, and each session compared with the
-/// next.
+/// Returns the history of each device: Δd with its table, every other quantity in a line, and each session
+/// compared with the next.
 std::string historyText(const std::string& name, const DeviceHistories& histories);
 
 }  // namespace alidade::console

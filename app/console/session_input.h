@@ -19,7 +19,7 @@ struct SessionInput {
 /// `file` is a path, or - for standard input.
 Result<Session> readSessionOf(const std::string& file);
 
-/// Its title, or its file's name.
+/// Returns the session's title, or its file's name.
 std::string nameOf(const Session& session, const std::string& file);
 
 /// The measurement of a session; fails with its first problem.

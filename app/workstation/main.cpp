@@ -50,7 +50,7 @@ class OptionsOfFiles {
       parser.addOption(*option);
   }
 
-  /// Why they contradict the requested output; empty if they fit.
+  /// Returns the reason why they contradict the requested output; empty if they do not.
   QString whyNot(const QCommandLineParser& parser, bool writes, bool isCertificate) const {
     const auto isSet = [&](const QCommandLineOption& option) { return parser.isSet(option); };
     if (isSet(m_key) != isSet(m_certificate))

@@ -8,16 +8,16 @@
 
 namespace alidade {
 
-/// What came from the instrument with one row of a session.
+/// The data that an instrument sent with one row of a session.
 struct Arrival {
   std::size_t position = 0, row = 0;
   std::string takenAt = {}, returnCode = {}, instrumentSerial = {};
 };
 
-/// Of the rows that anything came with, in the order of the file.
+/// Returns the arrivals of all rows with such data, in the order of the file.
 std::vector<Arrival> arrivalsOf(const Session& session);
 
-/// Null where nothing came with the row.
+/// Null if the instrument sent nothing with the row.
 const Arrival* arrivalAt(const std::vector<Arrival>& arrivals, std::size_t position, std::size_t row);
 
 }  // namespace alidade

@@ -12,13 +12,13 @@
 
 namespace alidade {
 
-/// Why not every arc of the measurement was fitted, `fitted` of them were: the first error found. Empty where
-/// every one was.
+/// Returns the first error that prevented the fit of an arc. `fitted` is the number of fitted arcs of the
+/// measurement. Empty if every arc was fitted.
 std::optional<Problem> absence(const Measurement& measurement, std::size_t fitted,
                                const std::vector<FitFinding>& findings);
 
-/// For what rests on all positions of a session: fails where one of them could not be fitted, with the
-/// reason; else what has to be known about positions, set-up and model. `fit` is that of the measurement.
+/// Returns the findings on positions, set-up and model that a result of all positions requires. Fails with
+/// the reason if a position could not be fitted. `fit` is that of the measurement.
 Result<std::vector<Finding>> findingsBeforehand(const Measurement& measurement, const SessionFit& fit);
 
 }  // namespace alidade

@@ -26,7 +26,7 @@ class BudgetTable {
     }
   }
 
-  /// `arc`: null of what is of all.
+  /// `arc` is null for a quantity of the whole session.
   void add(std::string_view quantity, const ArcFit* arc, const std::vector<BudgetEntry>& entries) {
     double variance = 0;
     for (const BudgetEntry& entry : entries) variance += entry.sigma * entry.sigma;

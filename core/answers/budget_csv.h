@@ -7,10 +7,10 @@
 
 namespace alidade {
 
-/// A table of where every uncertainty comes from. `quantity` tells of what: `intersection_as_measured` with
-/// everything plausible, `intersection_of_fit` of the readings, zeros and distance alone, and `x`, `y` and
-/// `radius` of each arc. `share`: of the variance of that quantity. `found`: null without a diagnosis; the
-/// first quantity is not in the table then, the second not without an intersection.
+/// Returns a table of the contributions to every uncertainty. `quantity` is `intersection_as_measured` (with
+/// every plausible effect), `intersection_of_fit` (readings, zeros and distance only), or `x`, `y` and
+/// `radius` of each arc. `share` is the share of the variance of that quantity. `found` is null without a
+/// diagnosis. The first quantity is then absent; the second is absent without an intersection.
 std::string budgetCsv(const SessionFit& fit, const Diagnosis* found);
 
 }  // namespace alidade

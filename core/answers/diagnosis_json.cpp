@@ -27,7 +27,7 @@ Json readingJson(const ReadingDeviation& reading) {
   return json;
 }
 
-/// Of a centre or radius.
+/// Name of a centre coordinate or radius.
 std::string_view nameOf(Unknown::Kind quantity) {
   if (quantity == Unknown::Kind::Radius) return "radius";
   return quantity == Unknown::Kind::CentreX ? "x" : "y";

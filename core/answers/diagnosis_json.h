@@ -9,11 +9,12 @@
 
 namespace alidade {
 
-/// One JSON document: lengths in mm, angles in arcseconds, parameters in the units of the catalogue, null for
-/// what is no number. `session` names it, `findings` were made beforehand.
+/// Returns one JSON document. Lengths are in mm, angles in arcseconds, parameters in the units of the
+/// catalogue; numbers that are not finite are null. `session` is the session's name; `findings` come from
+/// `findingsBeforehand`.
 std::string diagnosisJson(const std::string& session, const Diagnosis& diagnosis,
                           const std::vector<Finding>& findings);
-/// The document itself, and that of a cause.
+/// Returns the document as an object, and the object of a cause.
 nlohmann::ordered_json diagnosisDocument(const std::string& session, const Diagnosis& diagnosis,
                                          const std::vector<Finding>& findings);
 nlohmann::ordered_json causeDocument(const Cause& cause);

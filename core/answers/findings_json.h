@@ -7,7 +7,7 @@
 
 namespace alidade {
 
-/// Severity, text, remedy and place of each.
+/// Returns severity, text, remedy and place of each finding.
 nlohmann::ordered_json findingsJson(const std::vector<Finding>& findings);
 
 }  // namespace alidade

@@ -14,20 +14,20 @@
 
 namespace alidade {
 
-/// What the rigorous fit of a session is answered with. Must not outlive what it refers to.
+/// The content of the result of a rigorous fit. Must not outlive the objects it refers to.
 struct FitAnswer {
   const std::string& session;
   const Measurement& measurement;
   const SessionFit& fit;
   std::vector<Suspect> suspects = {};
-  std::optional<MonteCarlo> check = {};     ///< where asked for
-  std::optional<Diagnosis> diagnosis = {};  ///< unless left out
-  /// On which single rows the verdict depends.
+  std::optional<MonteCarlo> check = {};     ///< on request
+  std::optional<Diagnosis> diagnosis = {};  ///< unless excluded
+  /// The single rows on which the verdict depends.
   std::vector<Dependence> dependences = {};
-  std::vector<Arrival> arrivals = {};  ///< of the session
+  std::vector<Arrival> arrivals = {};  ///< of the rows of the session
 
   const Diagnosis* found() const { return diagnosis ? &*diagnosis : nullptr; }
-  /// Fills `dependences`; the last, since it takes some diagnoses more.
+  /// Fills `dependences`. Call it last, because it takes several diagnoses.
   void findDependences() {
     if (const auto decision = decideAcceptance(measurement, fit, found()))
       dependences = dependencesOf(measurement, fit, found(), *decision);

@@ -25,7 +25,7 @@ using Json = nlohmann::ordered_json;
 
 constexpr double undefined = std::numeric_limits<double>::quiet_NaN();  // written as null
 
-/// Of the pointing zero, as the mean of its sightings.
+/// The pointing zero, as the mean of its sightings.
 Json zeroJson(const Measurement& measurement, const ArcMeasurement& arc) {
   const ZeroSightings& zero = arc.zero;
   Json moved = nullptr;
@@ -82,7 +82,8 @@ Json lengthJson(const std::optional<MeasuredLength>& length) {
   return {{"value_mm", length->value}, {"sigma_mm", length->sigma}, {"expanded_mm", length->expanded}};
 }
 
-/// The keys of `intersectionJson`; an average over accounts has no degrees of freedom, and no part along x.
+/// The same keys as `intersectionJson`. An average over accounts has no degrees of freedom and no part along
+/// x.
 Json asFoundJson(const IntersectionEstimate& found, double coverage) {
   return {{"value_mm", found.value},
           {"sigma_mm", found.sigma},
@@ -225,7 +226,7 @@ Json inputsJson(const Measurement& measurement, const SessionFit& fit) {
   return json;
 }
 
-/// As a session file has it.
+/// Adds the arrival in the notation of a session file.
 void takeArrival(const Arrival* arrival, const TakeMember& take) {
   if (!arrival) return;
   if (!arrival->takenAt.empty()) take("taken_at", arrival->takenAt);

@@ -8,10 +8,10 @@
 
 namespace alidade {
 
-// The JSON document of `alidade-cli fit --json`, ending in a newline. Lengths in mm, y up, residuals in
-// arcseconds. `intersection` is absent without arcs at 0° and 180°, `decision` without a tolerance or an
-// intersection, `intersection_as_found` without a diagnosis. What has no finite value is null: reduced χ²
-// without redundancy, and every uncertainty of the published method, which states none.
+// Returns the JSON document of `alidade-cli fit --json`, ending in a newline. Lengths are in mm, y up,
+// residuals in arcseconds. `intersection` is absent without arcs at 0° and 180°, `decision` without a
+// tolerance or an intersection, `intersection_measured` without a diagnosis. Values that are not finite are
+// null: reduced χ² without redundancy, and every uncertainty of the published method.
 
 std::string fitJson(const FitAnswer& answer);
 std::string fitJson(const std::string& name, const Measurement& measurement, const PublishedSessionFit& fit);

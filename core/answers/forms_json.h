@@ -7,7 +7,7 @@
 
 namespace alidade {
 
-/// The array `forms` of a result.
+/// Returns the array `forms` of a result.
 nlohmann::ordered_json formsJson(const std::vector<FoundForm>& forms);
 
 }  // namespace alidade

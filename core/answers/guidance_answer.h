@@ -11,16 +11,17 @@
 
 namespace alidade {
 
-/// How far a session is in its protocol, and all that is said of it.
+/// The progress of a session in its protocol, with the findings on it.
 struct Guidance {
   SightingProtocol protocol;
   ProtocolProgress progress;
-  std::vector<std::optional<ExpectedReading>> expected;  ///< of each sighting
+  std::vector<std::optional<ExpectedReading>> expected;  ///< for each sighting
   std::vector<Repeat> repeats;
   Outlook outlook;
 };
 
-/// Fits and diagnoses the session. Where it holds nothing that can be fitted, progress alone is told.
+/// Fits and diagnoses the session. Returns the progress alone if the session contains nothing that can be
+/// fitted.
 Guidance guidanceOf(const Session& session, SightingProtocol protocol);
 
 }  // namespace alidade

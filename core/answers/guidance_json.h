@@ -6,7 +6,7 @@
 
 namespace alidade {
 
-/// One JSON document.
+/// Returns one JSON document.
 std::string guidanceJson(const std::string& session, const Guidance& guidance);
 
 }  // namespace alidade

@@ -26,7 +26,7 @@ class JsonText {
   const std::vector<LongList>& m_lists;
   std::string m_text;
 
-  /// `newline`: and the blanks behind it, before what ends `json`.
+  /// `newline` is a line end with the indentation of the end of `json`.
   void write(const Json& json, const std::string& path, const std::string& newline) {
     const auto list = std::ranges::find(m_lists, path, &LongList::path);
     const auto holdsList = [&](const LongList& other) { return other.path.starts_with(path + "/"); };
@@ -79,7 +79,8 @@ class JsonText {
     m_text += list.count == 0 ? "]" : newline + ']';
   }
 
-  /// For a list whose first element has been written: a text that grew to its length would be held twice.
+  /// Reserves memory for a list whose first element is written. Growing the text step by step would need
+  /// twice the memory.
   void makeRoom(std::size_t count) {
     m_text.reserve(m_text.size() + (count - 1) * (m_text.size() - m_text.rfind('[')));
   }

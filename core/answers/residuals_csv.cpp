@@ -14,14 +14,14 @@ namespace alidade {
 
 namespace {
 
-/// A reading of the fit with the row it stands in.
+/// A reading of the fit with its row.
 struct ReadIn {
   const AdjustedReading* reading;
   const Sighting* sighting;
 };
 
 std::vector<ReadIn> inTheOrderTaken(const Measurement& measurement, const SessionFit& fit) {
-  std::vector<const std::vector<Sighting>*> sightings;  // of each fitted arc
+  std::vector<const std::vector<Sighting>*> sightings;  // for each fitted arc
   for (const ArcFit& arc : fit.arcs)
     sightings.push_back(
         &std::ranges::find(measurement.arcs, arc.position, &ArcMeasurement::position)->sightings);

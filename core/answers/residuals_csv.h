@@ -7,10 +7,10 @@
 
 namespace alidade {
 
-/// A table with a row for each reading that took part in the fit, in the order taken, slider readings
-/// included: where it was read, its residual (observed minus adjusted, right and up positive), its stated σ
-/// and how well the others check it. Units are in the names of the columns; a cell is empty where there is no
-/// finite number. `fit` is that of the measurement.
+/// Returns a table with a row for each reading of the fit, in the order taken, slider readings included. It
+/// states where the reading was taken and its residual (observed minus adjusted, right and up positive). It
+/// also states σ and how well other readings check it. Column names contain the units; a cell is empty if its
+/// number is not finite. `fit` is that of the measurement.
 std::string residualsCsv(const Measurement& measurement, const SessionFit& fit);
 
 }  // namespace alidade

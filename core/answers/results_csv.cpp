@@ -17,7 +17,7 @@ class ResultsTable {
  public:
   explicit ResultsTable(double coverage) : m_coverage(coverage) {}
 
-  /// `arc`: null of what is of all.
+  /// `arc` is null for a quantity of the whole session.
   void add(std::string_view quantity, const ArcFit* arc, std::string_view unit, double value, double sigma,
            double expanded = unknownNumber) {
     m_csv.word(quantity);

@@ -6,9 +6,9 @@
 
 namespace alidade {
 
-/// A table of the results, a quantity to a row: Δd as measured and of the fit alone, Δz and the distance from
-/// the axis where they were measured, |O1 − O2|/2, and centre, radius and rms of each arc. Lengths in mm, y
-/// up, angles in arcseconds: the unit stands in the row. A cell is empty where there is no finite number.
+/// Returns a table of the results, one quantity in each row: Δd, measured and fit only; Δz and the distance
+/// from the axis, if measured; |O1 − O2|/2; centre, radius and rms of each arc. Lengths are in mm, y up,
+/// angles in arcseconds, as the unit of the row states. A cell is empty if its number is not finite.
 std::string resultsCsv(const FitAnswer& answer);
 
 }  // namespace alidade

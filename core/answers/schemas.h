@@ -5,8 +5,8 @@
 
 namespace alidade {
 
-/// What other programs may rely on in a document of ours, as JSON Schema (draft 2020-12). The texts are the
-/// files of `schemas/`, compiled in.
+/// The structure of a document that other programs may rely on, as JSON Schema (draft 2020-12). The texts are
+/// the files of `schemas/`, compiled in.
 struct AnswerSchema {
   std::string_view name;  ///< "fit": of `alidade-cli fit --json`; "session": of the session file
   std::string_view text;

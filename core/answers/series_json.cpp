@@ -57,7 +57,7 @@ Json adviceJson(const SeriesAdvice& advice) {
           {"instrument", advice.instrument}, {"guideway", advice.guideway},   {"sessions", advice.sessions}};
 }
 
-/// What a session's `shape` tells, and whose it is.
+/// The `shape` of the shared pattern, and its owner.
 Json shapeJson(const SeriesDiagnosis& series) {
   const SharedPattern& pattern = *series.pattern;
   return {
@@ -73,7 +73,7 @@ Json shapeJson(const SeriesDiagnosis& series) {
       {"visible_sigma_together", pattern.visibleTogether}};
 }
 
-/// The keys that a session's diagnosis has, filled with what the series says.
+/// Fills the keys of a session's diagnosis with the results of the series.
 Json together(const std::string& name, const SeriesDiagnosis& series) {
   Diagnosis all;
   all.verdict = DiagnosisVerdict::WithinNoise;
@@ -93,7 +93,7 @@ Json together(const std::string& name, const SeriesDiagnosis& series) {
   return json;
 }
 
-/// A session's own document, with where it stands in the series.
+/// The session's own document, with its place in the series.
 Json sessionJson(const SeriesMember& member) {
   Json json = diagnosisDocument(member.name, member.diagnosis, {});
   json["measured_on"] = member.measuredOn;

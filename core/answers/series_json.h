@@ -6,8 +6,8 @@
 
 namespace alidade {
 
-/// One JSON document: `series` with the keys of a session's diagnosis, each cause with its owner and
-/// sessions, and `sessions`, each in the light of the series. `name` is what the series is called.
+/// Returns one JSON document. `series` has the keys of a session's diagnosis, and owner and sessions for each
+/// cause. `sessions` are the diagnoses that use the series. `name` is the name of the series.
 std::string seriesJson(const std::string& name, const SeriesDiagnosis& series);
 
 }  // namespace alidade

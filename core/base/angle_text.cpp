@@ -29,7 +29,7 @@ bool isWhole(std::string_view text) {
   return !text.empty() && std::all_of(text.begin(), text.end(), isDigit);
 }
 
-/// Digits with at most one decimal sign, which stands between digits.
+/// Digits with at most one decimal sign between them.
 bool isDecimal(std::string_view text) {
   const auto sign = text.find_first_of(".,");
   if (sign == std::string_view::npos) return isWhole(text);

@@ -9,8 +9,7 @@
 namespace alidade {
 
 /// Reads an angle as people write and type it. Accepted, with an optional leading sign (+, - or −), a point
-/// or
-/// comma as decimal sign, and blanks anywhere between the parts:
+/// or comma as decimal sign, and blanks anywhere between the parts:
 ///
 ///   341°52'24" 341°52′24.5″ 341°52' 341° with signs: ° or º ˚ ◦ ∘ ⁰; ' ′ ’ ´ ` ʹ; " ″ ” “ ʺ or
 ///                                                     two primes; also 341度52分24秒
@@ -22,11 +21,9 @@ namespace alidade {
 ///   379.859gon 379.859g gon
 ///
 /// Minutes and seconds are in [0, 60); only the last part may have decimals. A bare decimal such as
-/// `341.5224`
-/// is refused: it may mean degrees or degrees.minutes-seconds. Fullwidth digits and signs of input methods
-/// are
-/// read as their ASCII forms; digits of other scripts are refused. The value is not wrapped and its range is
-/// not checked.
+/// `341.5224` is refused: it may mean degrees or degrees.minutes-seconds. Fullwidth digits and signs of input
+/// methods are read as their ASCII forms; digits of other scripts are refused. The value is not wrapped and
+/// its range is not checked.
 Result<Angle> parseAngle(std::string_view text);
 
 enum class AngleSigns {

@@ -78,7 +78,7 @@ int Passage::writeTemporary() {
   return close(file, error == 0 ? sync(file) : error);
 }
 
-/// In the target's folder, so that renaming stays on one disk.
+/// Returns a name in the target's folder, so that renaming stays on one disk.
 std::string Passage::freshName(const char* suffix) const {
   static std::atomic<unsigned> count = 0;
   return m_target.folder() + "/.alidade-" + std::to_string(getpid()) + "-" + std::to_string(++count) + suffix;
@@ -156,7 +156,7 @@ std::string Passage::putBack() {
                     kept);
 }
 
-/// If synchronising is unsupported, as for folders on some disks, that is not an error.
+/// An unsupported synchronisation, as for folders on some disks, is not an error.
 int Passage::sync(int file) const {
   return m_calls.sync(file) == 0 || errno == EINVAL || errno == ENOTSUP ? 0 : errno;
 }

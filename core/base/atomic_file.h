@@ -18,17 +18,15 @@ struct FileContent {
 };
 
 /// Writes the file completely or not at all: into a temporary file in the same folder, which replaces the
-/// file
-/// once every byte is on the disk. Until then, and if a step fails, the old file stays. A replaced file's
-/// permissions are kept, and its group if the system allows it; its other hard links keep the old bytes. A
-/// link stays, and its target is replaced. Terminals, pipes and devices are written to directly. All our
-/// programs write files this way.
+/// file once every byte is on the disk. Until then, and if a step fails, the old file stays. A replaced
+/// file's permissions are kept, and its group if the system allows it; its other hard links keep the old
+/// bytes. A link stays, and its target is replaced. Terminals, pipes and devices are written to directly. All
+/// our programs write files this way.
 ///
 /// Absent: written. Otherwise one sentence with the path, the reason and what to do. Refuses to replace any
-/// of
-/// `inputs`, the files that were read for the output, under any name; `-` among them is standard input. Leave
-/// it empty only if nothing was read. If the folder cannot be synchronised, the new bytes are there but may
-/// not survive a power cut.
+/// of `inputs`, the files that were read for the output, under any name; `-` among them is standard input.
+/// Leave it empty only if nothing was read. If the folder cannot be synchronised, the new bytes are there but
+/// may not survive a power cut.
 [[nodiscard]] std::optional<Problem> writeFile(const std::string& path, std::string_view bytes,
                                                const std::vector<std::string>& inputs,
                                                const FileCalls& calls = {});

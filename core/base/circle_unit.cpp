@@ -30,7 +30,7 @@ BareNumber bareNumber(const std::string& typed) {
   return {hasDecimals ? sign : body.size(), hasDecimals};
 }
 
-/// In degrees or gon.
+/// Returns the angle in degrees or gon.
 double valueIn(CircleUnit unit, Angle angle) {
   return unit == CircleUnit::Gon ? angle.degrees() / 0.9 : angle.degrees();
 }

@@ -19,7 +19,7 @@ std::string completedAngle(const std::string& typed, CircleUnit unit);
 /// decimals is exact.
 int decimalsOf(Angle angle, CircleUnit unit);
 
-/// For display, to `decimals` (0…9) of seconds: 341°52′24.5″, 341.87347°, 379.85941 gon.
+/// Formats an angle for display, to `decimals` (0…9) of seconds: 341°52′24.5″, 341.87347°, 379.85941 gon.
 std::string formatAngle(Angle angle, CircleUnit unit, int decimals);
 
 }  // namespace alidade

@@ -31,8 +31,8 @@ struct FileTarget {
 /// read-only, its folder is missing, and so on.
 Result<FileTarget> fileTarget(const std::string& path);
 
-/// Why a file cannot be written, and what to do, from the system's error number: "the disk is full: make room
-/// there or choose another folder".
+/// Returns the reason why a file cannot be written, and the remedy, from the system's error number. Example:
+/// "the disk is full: make room there or choose another folder".
 std::string whyUnwritable(int error);
 
 /// Do these two names denote one regular file, existing or new? Links, hard ones too, and indirect paths are

@@ -57,7 +57,7 @@ class FirstIndex {
 
   bool isTaken(const Slot& slot) const { return slot.scope == m_scope; }
 
-  /// For a further entry: the table stays at most half full, so that a free slot is near.
+  /// Is there room for a further entry? The table stays at most half full, so that a free slot is near.
   bool hasRoom() const { return 2 * (m_entries.size() + 1 - m_first) <= m_table.size(); }
 
   /// Fills the table with the entries from `first` on, and leaves room for another.
@@ -80,7 +80,7 @@ class FirstIndex {
   std::vector<Slot> m_table;
   std::size_t m_first = 0;    ///< the first entry in the table
   std::uint32_t m_scope = 1;  ///< of the occupied slots
-  bool m_isMixed = false;     ///< a group came after a later one
+  bool m_isMixed = false;     ///< a group followed a later one
 };
 
 }  // namespace alidade

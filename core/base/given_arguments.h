@@ -5,8 +5,8 @@
 
 namespace alidade {
 
-/// Why the arguments of a program are invalid: one is empty, or an option is given as `--option=`, for
-/// example from an unset variable of a script. Absent if all have a value.
+/// Returns the reason if the arguments of a program are invalid: one is empty, or an option is given as
+/// `--option=`, for example from an unset variable of a script. Absent if all have a value.
 std::optional<std::string> emptyArgument(int count, const char* const* arguments);
 
 }  // namespace alidade

@@ -11,17 +11,17 @@ namespace alidade::limits {
 // sentence before it exhausts the memory. Reading takes less than 2 GB; a million rows are fitted and
 // diagnosed within 2 GB.
 
-/// Of a file or of standard input: room for the most rows at 256 bytes each, several times the usual length.
+/// Largest file or standard input: room for the most rows at 256 bytes each, several times the usual length.
 inline constexpr std::size_t mostBytes = std::size_t{512} << 20;
 
-/// Of a session or a file of readings, in all positions: a reading every second for three weeks.
+/// Most rows of a session or a file of readings, in all positions: a reading every second for three weeks.
 inline constexpr std::size_t mostRows = 2'000'000;
 
-/// Of a table: some ten are used, and a line with a million cells cannot belong to a table.
+/// Most columns of a table: some ten are used, and a line with a million cells cannot belong to a table.
 inline constexpr std::size_t mostColumns = 1000;
 
-/// Of a file of readings, each with its line and sentence: more cannot be corrected by hand, and a file with
-/// any problem is not imported.
+/// Most problems of a file of readings, each with its line and sentence: more cannot be corrected by hand,
+/// and a file with any problem is not imported.
 inline constexpr std::size_t mostProblems = 100'000;
 
 /// Kinds of unused data in a GSI file, each with its sentence.
@@ -30,13 +30,14 @@ inline constexpr std::size_t mostKinds = 1000;
 /// Levels of lists and objects in a session file, which itself has 6: reading must not exhaust the stack.
 inline constexpr std::size_t deepestNesting = 100;
 
-/// Of a session file without its rows: each takes some hundred bytes of memory, many times its text.
+/// Most values of a session file without its rows: each takes some hundred bytes of memory, many times its
+/// text.
 inline constexpr std::size_t mostValues = 1'000'000;
 
 /// Keys, values and brackets of a truth file: some twenty for each of ten thousand trials, with a margin.
 inline constexpr std::size_t mostTruthEvents = 2'000'000;
 
-/// Of one text in bytes: notes of many hundred pages. Several copies of each text are in memory.
+/// Longest single text in bytes: notes of many hundred pages. Several copies of each text are in memory.
 inline constexpr std::size_t longestText = std::size_t{1} << 20;
 
 std::string asMebibytes(std::size_t bytes);  ///< `512 MiB`

@@ -20,14 +20,14 @@ struct MeanAndSigma {
   double mean = 0, sigma = 0;
 };
 
-/// For one part or more: the mean variance plus the variance of the means.
+/// Moments of one part or more: the mean variance plus the variance of the means.
 MeanAndSigma momentsOf(const std::vector<NormalPart>& mixture);
 
 /// h such that centre ± h contains `coverage`, in (0, 1), for one part or more; to a relative 1e-6.
 double halfWidth(const std::vector<NormalPart>& mixture, double centre, double coverage);
 
-/// Parts whose means are less than `grain` apart, and whose variances are as alike, joined in one with their
-/// moments: what is believed hardly changes, what it costs to ask does. `grain` > 0, in the means' unit.
+/// Joins parts whose means differ by less than `grain`, with similar variances, into one part with their
+/// moments. The distribution hardly changes, but evaluates faster. `grain` > 0, in the means' unit.
 std::vector<NormalPart> joined(const std::vector<NormalPart>& mixture, double grain);
 
 }  // namespace alidade

@@ -41,7 +41,7 @@ struct Phrase {
 
   /// Translates from English, UTF-8, to the language of the calling thread.
   using Interpreter = std::string (*)(const char* english);
-  /// For the whole program, before its first phrase in another language; null: English.
+  /// Applies to the whole program; call it before the first phrase in another language. Null: English.
   static void setInterpreter(Interpreter interpreter);
 
  private:

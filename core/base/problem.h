@@ -6,7 +6,7 @@
 
 namespace alidade {
 
-/// Why an input cannot be used: one sentence saying what is wrong and what to do, and the place in the
+/// The reason why an input cannot be used: one sentence with the error and the remedy, and the place in the
 /// session.
 struct Problem {
   std::string what;  ///< e.g. `“88°71'49"” has 71 minutes; minutes go from 0 to 59`

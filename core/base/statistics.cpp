@@ -19,7 +19,7 @@ using Quiet = policies::policy<
     policies::overflow_error<policies::ignore_error>, policies::underflow_error<policies::ignore_error>,
     policies::evaluation_error<policies::ignore_error>>;
 
-/// In double throughout: long double takes several times as long for digits that are not used.
+/// Computes in double: long double takes several times as long for digits that are not used.
 using QuietAndQuick = policies::normalise<Quiet, policies::promote_double<false>>::type;
 
 std::optional<double> known(double probability) {

@@ -6,7 +6,7 @@
 
 namespace alidade {
 
-/// User text in a form that is safe to show: characters that would control a terminal, reverse the order of
+/// User text in a form that is safe to show. Characters that would control a terminal, reverse the order of
 /// the line or be invisible appear as their JSON escape, \u001b or \u202e. These are the control characters
 /// (C0, DEL, C1), the line and paragraph separators and all that Unicode draws as nothing; joiners and
 /// variation selectors stay in place after a character of a script or a picture that they shape. A byte that

@@ -39,8 +39,7 @@ struct CalibrationCertificate {
 
 /// The digital calibration certificate of a session (PTB, DCC 3.2.0, values by D-SI 2.1.0), UTF-8. It states
 /// the parties and the device; Δd, measured and fit only, with U, k and coverage; Δz, O1, O2 and the radii;
-/// the
-/// conditions, the instrument and the decision rule with the statement of conformity (`conformityOf`). It
+/// the conditions, the instrument and the decision rule with the statement of conformity (`conformityOf`). It
 /// embeds the session's file, the results of `alidade-cli fit --json` and the report. The same source and
 /// options give the same bytes: the clock is not used, and without a report number the identifier is derived
 /// from the session's SHA-256.

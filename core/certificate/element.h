@@ -18,7 +18,8 @@ using Say = std::function<std::string()>;
 /// A language of a certificate.
 struct CertificateLanguage {
   std::string code;                                        ///< ISO 639-1: "en"
-  std::function<std::string(const Say&)> speak = nullptr;  ///< calls it in that language; empty: English
+  std::function<std::string(const Say&)> speak = nullptr;  ///< calls its argument in that language; empty:
+                                                           ///< English
 };
 
 /// User text for a certificate, without blanks at its ends. Characters that XML cannot hold, control a

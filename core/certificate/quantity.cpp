@@ -10,14 +10,14 @@ namespace alidade {
 
 namespace {
 
-/// Without an exponent, which the schema excludes for coverage factors and probabilities.
+/// Formats without an exponent, which the schema excludes for coverage factors and probabilities.
 std::string plainText(double value) {
   char text[400];
   const auto written = std::to_chars(text, text + sizeof text, value, std::chars_format::fixed);
   return {text, written.ptr};
 }
 
-/// For a coverage factor below 1, which the schema excludes, writes an equivalent interval.
+/// Writes an equivalent interval for a coverage factor below 1, which the schema excludes.
 void addUncertainty(const Element& real, double value, const StatedUncertainty& stated) {
   if (!(stated.sigma > 0) || !std::isfinite(stated.expanded)) return;
   const double factor = stated.expanded / stated.sigma;

@@ -14,9 +14,9 @@ namespace alidade {
 //
 // Parameters are separated by commas; texts are in double quotes; angles are radians. An answer repeats the
 // transaction number of its question, 0 to 7. A check sum is CRC-16/ARC of the line without it and the comma
-// before it, as a decimal number; an instrument sends one if it is set to. Sources: GeoCOM Reference Manual,
+// before it, as a decimal number. An instrument sends one if it is set to. Sources: GeoCOM Reference Manual,
 // TPS1200 (Leica Geosystems), and the MIT-licensed GeoComPy (geo/__init__.py, geo/tmc.py, geo/com.py,
-// geo/csv.py); the check sum is from GeoComPy, which determined it by experiment.
+// geo/csv.py). The check sum is from GeoComPy, which determined it by experiment.
 
 namespace geocom {
 inline constexpr int null = 0, doublePrecision = 108, softwareVersion = 110, switchOn = 111, angles = 2003,

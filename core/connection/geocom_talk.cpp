@@ -25,7 +25,7 @@ std::optional<Angle> radiansOf(const std::string& text) {
   return Angle::fromRadians(*number);
 }
 
-/// Rounded to the last place written: 359°59'59.9999" becomes 0.
+/// Rounds to the last place written: 359°59'59.9999" becomes 0.
 Angle asWritten(Angle angle) {
   const Angle half = Angle::fromDegrees(180);
   return wrapped(Angle::fromArcseconds(std::round(angle.arcseconds() * 1000) / 1000), half);

@@ -10,8 +10,8 @@
 namespace alidade {
 
 // The program's side of the connection. It first asks two empty questions, since the first may be lost while
-// the instrument wakes, then for the resolution of its numbers and its identity. For a reading it asks for
-// both circles with the tilts of the compensator (RPC 2003). Before that it asks for the serial, the
+// the instrument wakes. Then it asks for the resolution of its numbers and its identity. For a reading it
+// asks for both circles with the tilts of the compensator (RPC 2003). Before that it asks for the serial, the
 // corrections and the compensator's state (5003, 2014, 2007), as all may have changed since the last reading.
 // One question is pending at a time. After a busy answer it is repeated a little later, without an answer it
 // is repeated with another number; late or duplicate answers have an outdated number.

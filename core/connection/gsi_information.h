@@ -29,7 +29,7 @@ GsiInformation gsiInformation(const GsiWord& word);
 /// The corrections according to both circles, as in a row; empty if the information is incomplete.
 std::string gsiCorrections(const GsiInformation& horizontal, const GsiInformation& vertical);
 
-/// Why the instrument does not guarantee one of these angles; empty if it does.
+/// The reason why the instrument does not guarantee one of these angles; empty if it does.
 std::string gsiReservation(const GsiInformation& horizontal, const GsiInformation& vertical);
 
 }  // namespace alidade

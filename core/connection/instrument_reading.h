@@ -21,7 +21,7 @@ struct InstrumentReading {
   std::string corrections;
   std::string accuracyArcsec;  ///< of the angles, as the instrument states it
   std::string returnCode;      ///< GeoCOM return code received with the angles; empty: another protocol
-  /// Why the instrument does not guarantee these angles, as a sentence; empty if it does.
+  /// The reason why the instrument does not guarantee these angles, as a sentence; empty if it does.
   std::string reservation;
   std::optional<bool> isCompensated = {};  ///< the compensator was on; absent: unknown
   std::string serial;                      ///< of the instrument; empty: unknown

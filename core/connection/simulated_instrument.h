@@ -27,8 +27,8 @@ enum class InstrumentFault {
   Wrong,          ///< the telescope points elsewhere
   OtherFace,      ///< the same target in the other face
   Turned,         ///< the axis was turned too early: the same place in the other position
-  Again,          ///< the sighting before the last one again, long after it was acknowledged
-  NotVouchedFor,  ///< GeoCOM: a return code that says so; GSI: keyed in, the compensator off
+  Again,          ///< the sighting before the last one is sent again, long after its acknowledgement
+  NotVouchedFor,  ///< not guaranteed: with GeoCOM by a return code; with GSI keyed in, the compensator off
   OtherSerial,    ///< another instrument is on the cable
   WrongChecksum,  ///< GeoCOM: of an answer
 };

@@ -17,7 +17,7 @@ namespace alidade {
 // bytes arrive and `tick` at `wakeAt`. For any sequence of bytes, readings are taken only once, and dropped
 // data are reported.
 
-/// How the session's circles read.
+/// The circles of the session: kind of vertical circle, and unit.
 struct TalkCircles {
   VerticalCircle vertical = VerticalCircle::Zenith;
   CircleUnit unit = CircleUnit::Dms;  ///< for writing angles that the instrument sends in radians

@@ -20,7 +20,7 @@ std::optional<double> conformanceOf(const IntersectionEstimate& estimate, double
     all += account.share;
   }
   if (!(all > 0)) return std::nullopt;
-  return std::clamp(within / all, 0.0, 1.0);  // of rounding
+  return std::clamp(within / all, 0.0, 1.0);  // removes rounding errors
 }
 
 std::optional<TailRisk> tailRiskOf(const IntersectionEstimate& estimate, double tolerance) {
@@ -53,7 +53,7 @@ IntersectionEstimate widened(IntersectionEstimate estimate, double sigma) {
 
 std::optional<double> conformanceOf(const IntersectionEstimate& inPlane, const MeasuredLength& across,
                                     double tolerance) {
-  constexpr int steps = 1000;  // equally probable ones of Δz: the sum is right to 0.1 %
+  constexpr int steps = 1000;  // equally probable values of Δz; the sum is accurate to 0.1 %
   double sum = 0;
   for (int i = 0; i < steps; ++i) {
     const double rank = (2.0 * i + 1) / steps - 1;  // −1…1

@@ -6,13 +6,13 @@
 
 namespace alidade {
 
-// How probably a measurand lies within its tolerance, 0…1, by what is believed of it (JCGM 106:2012, 7.4).
-// Absent without degrees of freedom or an uncertainty.
+// Probability, 0…1, that a measurand lies within its tolerance, from the distribution of its estimate (JCGM
+// 106:2012, 7.4). Absent without degrees of freedom or an uncertainty.
 
-/// |Δd + shift| ≤ `tolerance`, mm.
+/// The measurand is |Δd + shift|, `tolerance` in mm.
 std::optional<double> conformanceOf(const IntersectionEstimate& estimate, double tolerance, double shift = 0);
 
-/// How probably Δd lies beyond a tolerance on either side, 0…1.
+/// Probability, 0…1, that Δd lies beyond the tolerance, for each side.
 struct TailRisk {
   double below = 0;  ///< P(Δd < −tolerance)
   double above = 0;  ///< P(Δd > tolerance)
@@ -20,21 +20,21 @@ struct TailRisk {
   bool areAtMost(double risk) const { return below <= risk && above <= risk; }
 };
 
-/// Of |Δd| against `tolerance`, mm. Absent as above.
+/// The measurand is |Δd|, `tolerance` in mm. Absent as above.
 std::optional<TailRisk> tailRiskOf(const IntersectionEstimate& estimate, double tolerance);
 
-/// What is believed of Δd where something else adds `sigma` (≥ 0, mm) to its standard uncertainty, whichever
-/// account is right.
+/// Adds a further standard uncertainty `sigma` (≥ 0, mm) to every account of Δd.
 IntersectionEstimate widened(IntersectionEstimate estimate, double sigma);
 
-/// √(Δd² + Δz²) ≤ `tolerance`, mm, Δz as uncertain as Student's variable and independent of Δd.
+/// The measurand is √(Δd² + Δz²), mm. Δz follows Student's distribution, independent of Δd.
 std::optional<double> conformanceOf(const IntersectionEstimate& inPlane, const MeasuredLength& across,
                                     double tolerance);
 
-/// The greatest probability, 0…1, that a guarded verdict (`decide`) at this tolerance (mm, > 0) is wrong:
-/// that |Δd| is beyond it though accepted at its very edge, |Δd| + U = tolerance, or within it though
-/// rejected at |Δd| − U = tolerance. What is believed of Δd is as wide and as skew there as in `estimate`; (1
-/// − coverage)/2 where it is symmetric and U far below the tolerance. Absent where U has no end.
+/// Returns the largest probability, 0…1, that a guarded verdict (`decide`) at this tolerance (mm, > 0) is
+/// wrong. Either |Δd| exceeds the tolerance though accepted at the limit |Δd| + U = tolerance. Or it conforms
+/// though rejected at the limit |Δd| − U = tolerance. The distribution of Δd has the width and skewness of
+/// `estimate`. The result is (1 − coverage)/2 if it is symmetric and U far below the tolerance. Absent if U
+/// is infinite.
 ///
 /// Source: JCGM 106:2012, 8.3, decision rules based on guard bands; ILAC-G8:09/2019, 4.2, w = U.
 std::optional<double> greatestRisk(const IntersectionEstimate& estimate, double tolerance);

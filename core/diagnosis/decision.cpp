@@ -10,7 +10,7 @@ namespace alidade {
 
 namespace {
 
-/// `more`: further standard uncertainty, mm.
+/// `more` is a further standard uncertainty, mm.
 Verdict verdictOf(const IntersectionEstimate& estimate, double more, const Measurement& measurement) {
   const double tolerance = *measurement.tolerance, risk = (1 - measurement.coverage) / 2;
   const Verdict guarded = decide(estimate.value, estimate.expanded, tolerance);
@@ -22,8 +22,8 @@ Verdict verdictOf(const IntersectionEstimate& estimate, double more, const Measu
   return holds ? guarded : Verdict::Undecided;
 }
 
-/// Undecided where the causes leave the measurand undetermined. Of a part alone no more can be said than that
-/// it is too long.
+/// Undecided if the causes leave the measurand undetermined. A part of the distance alone can only be too
+/// long.
 Verdict verdictOf(const std::optional<MeasuredIntersection>& measured, double more,
                   const Measurement& measurement) {
   if (!measured) return Verdict::Undecided;
@@ -37,21 +37,22 @@ Verdict verdictOf(const std::optional<MeasuredIntersection>& measured, double mo
   return inPlane == Verdict::Reject ? inPlane : Verdict::Undecided;
 }
 
-/// Of a distance the fit knows a part, which may be short enough where the whole is not.
+/// With the distance as measurand, the fit knows a part only. That part may be short enough although the
+/// whole is not.
 bool contradict(const AcceptanceDecision& decision, Measurand measurand) {
   if (measurand == Measurand::Distance)
     return decision.asFound == Verdict::Accept && decision.asModelled != Verdict::Accept;
   return decision.asFound.value_or(decision.asModelled) != decision.asModelled;
 }
 
-/// A part of the distance is neither measured nor too long by itself.
+/// Whether a part of the distance is not measured and the rest is not too long by itself.
 bool isAcrossMissing(const AcceptanceDecision& decision, Measurand measurand, const Diagnosis* diagnosis) {
   const bool isMeasured = diagnosis && diagnosis->measured && diagnosis->measured->across;
   return measurand == Measurand::Distance && !isMeasured &&
          decision.asFound.value_or(decision.asModelled) != Verdict::Reject;
 }
 
-/// `more`: further standard uncertainty, mm.
+/// `more` is a further standard uncertainty, mm.
 std::optional<double> conformanceWith(double more, const MeasuredIntersection& measured,
                                       const Measurement& measurement) {
   const IntersectionEstimate estimate = widened(measured.estimate, more);
@@ -67,7 +68,7 @@ std::optional<double> conformanceOf(const Measurement& measurement, const Sessio
   const double more = diagnosis->unexplained.sigma;
   auto conformance = conformanceWith(more, *diagnosis->measured, measurement);
   if (!conformance) return conformance;
-  double odds = 1;  // against no undetectable knock
+  double odds = 1;  // 1: relative to no undetectable jump
   for (const UndetectableJump& jump : diagnosis->undetectableJumps)
     for (const NormalPart& move : jump.moves) {
       const auto with = conformanceWith(std::hypot(more, move.sigma), *diagnosis->measured, measurement);
@@ -77,7 +78,7 @@ std::optional<double> conformanceOf(const Measurement& measurement, const Sessio
   return *conformance / odds;
 }
 
-/// The knocks that would make another verdict of it, had one occurred and the readings were what they are.
+/// Returns the jumps that would have changed the verdict, had they occurred with the same readings.
 std::vector<std::size_t> conditionsOf(const Measurement& measurement, const Diagnosis& diagnosis,
                                       Verdict verdict) {
   std::vector<std::size_t> conditions;

@@ -9,79 +9,78 @@
 
 namespace alidade {
 
-// The verdict of an acceptance in the light of the diagnosis, as a function of the evidence that has
-// thresholds and no switches.
+// The verdict of an acceptance, with the diagnosis. It is a function of the evidence with thresholds and
+// without switches.
 //
-// 1. Both accounts have to say the same: Δd ± U of the session's own model, and what is believed of Δd as
-//    measured.
-// 2. Of the latter the guard band holds (`decide`: accept only if |Δd| + U ≤ T, reject only if |Δd| − U > T),
-//    and so does the risk on either side of the tolerance, with c the coverage:
+// 1. Both accounts must agree: Δd ± U of the session's own model, and the measured Δd.
+// 2. The measured Δd must satisfy the guard band (`decide`: accept only if |Δd| + U ≤ T, reject only if |Δd|
+//    − U > T). It must also satisfy the risk on either side of the tolerance, with the coverage c:
 //
 //      accept:  P(Δd > T) ≤ (1 − c)/2 and P(Δd < −T) ≤ (1 − c)/2,
 //      reject:  P(Δd ≤ T) ≤ (1 − c)/2 or P(Δd ≥ −T) ≤ (1 − c)/2.
 //
-//    Of a single account Δd ± kσ with P(t ≤ k) = (1 + c)/2 these are the guard band itself, since P(Δd > T) =
-//    (1 − c)/2 where Δd + kσ = T. Of several accounts, one of which lies far off, they are the stricter.
-// 3. P is of the averaged accounts (`IntersectionEstimate`), each with the further standard uncertainty that
-//    misclosures without an explanation bring (`Unexplained::sigma`). So a closure counts as explained with
-//    the probability with which its cause is there.
-// 4. The verdict is open where the gap is real and unexplained with a probability above `mostUnexplained`.
-// 5. An undetectable effect of the catalogue is in U and in the probability, at its plausible size. A knock
-//    that these readings would not show is a condition of the verdict: stated where the verdict would not
-//    hold had one of plausible size occurred. The probability of conformity includes it, with its prior odds.
+//    For a single account Δd ± kσ with P(t ≤ k) = (1 + c)/2 these equal the guard band, since P(Δd > T) = (1
+//    − c)/2 if Δd + kσ = T. For several distant accounts they are stricter.
+// 3. P is that of the averaged accounts (`IntersectionEstimate`), each with the further standard uncertainty
+//    of unexplained misclosures (`Unexplained::sigma`). So a closure counts as explained with the probability
+//    of its cause.
+// 4. The verdict is open if the gap is real and unexplained with a probability above `mostUnexplained`.
+// 5. An undetectable effect of the catalogue is in U and in the probability, at its plausible size. An
+//    undetectable jump is a condition of the verdict: stated if a jump of plausible size would have changed
+//    the verdict. The probability of conformity includes it, with its prior odds.
 
-/// A guard band of a lower coverage guards against nothing.
+/// A guard band of lower coverage gives no protection.
 constexpr double leastCoverageOfVerdict = 0.9;
 
-/// An unexplained gap that is likelier, as good as certain, leaves the verdict open. Of 1000 simulated
-/// sessions, half of them of no catalogue, 492 of the 508 `NotInCatalogue` are beyond; below lie what is
-/// unclear and what one reading turns over, where U has room for either.
+/// A larger probability of an unexplained gap leaves the verdict open. In 1000 simulated sessions, half of
+/// them with an uncatalogued effect, 492 of the 508 `NotInCatalogue` exceed it. Sessions below it are unclear
+/// or depend on one reading; their U covers both cases.
 constexpr double mostUnexplained = 0.95;
 
 struct AcceptanceDecision {
-  /// What stands in the way of accept or reject.
+  /// The reason why the verdict is neither accept nor reject.
   enum class Obstacle {
     None,
-    Uncertainty,    ///< U, on both accounts
-    Lengths,        ///< in doubt, so the verdict is withheld
-    Coverage,       ///< U is stated at a coverage too low for a verdict
-    Contradiction,  ///< the two accounts do not say the same
-    AcrossUnknown,  ///< the tolerance is of the distance from the axis, of which a part was not measured
-    Unexplained,    ///< the gap is real, and as good as certainly nothing of the catalogue explains it
+    Uncertainty,    ///< U is too large, in both accounts
+    Lengths,        ///< a length is in doubt, so the verdict is withheld
+    Coverage,       ///< the coverage of U is too low for a verdict
+    Contradiction,  ///< the two accounts differ
+    AcrossUnknown,  ///< the tolerance applies to the distance from the axis, and a part of it was not
+                    ///< measured
+    Unexplained,    ///< the gap is real, and almost certainly no effect of the catalogue explains it
   };
 
   Verdict verdict = Verdict::Undecided;
-  /// By Δd ± U of the session's own model, which knows no more of a distance from the axis.
+  /// From Δd ± U of the session's own model, which knows only this part of the distance from the axis.
   Verdict asModelled = Verdict::Undecided;
-  /// By what is believed of it as measured (2 and 3 above); absent without a diagnosis.
+  /// From the measured Δd (2 and 3 above); absent without a diagnosis.
   std::optional<Verdict> asFound = {};
   Obstacle obstacle = Obstacle::Uncertainty;
-  /// There are two accounts, that of the fit alone and that of the measurement: both belong beside the
-  /// verdict.
+  /// Whether both accounts, fit only and measured, must be shown with the verdict.
   bool showsBoth = false;
-  /// Probability that the measurand is within the tolerance, 0…1, by what is believed of it as measured, or
-  /// of Δd without a diagnosis by the fit (`conformanceOf`); undetectable knocks included. Absent where the
-  /// verdict is withheld, the gap is unexplained, U has no end, or a part was not measured.
+  /// Probability, 0…1, that the measurand is within the tolerance: from the measured Δd, or without a
+  /// diagnosis from the fit only (`conformanceOf`). Undetectable jumps are included. Absent if the verdict is
+  /// withheld, the gap unexplained, U infinite, or a part not measured.
   std::optional<double> conformance = {};
-  /// Indices into `Diagnosis::undetectableJumps`: the verdict, accept or reject, would not stand had one of
-  /// these knocks occurred in its plausible size.
+  /// Indices into `Diagnosis::undetectableJumps`. The verdict, accept or reject, would change if one of these
+  /// jumps of plausible size had occurred.
   std::vector<std::size_t> conditions = {};
 
   bool operator==(const AcceptanceDecision&) const = default;
 };
 
-/// `fit` and `diagnosis` are of `measurement`; null: there was no diagnosis. Absent where the fit has no
-/// verdict: without a tolerance or an intersection.
+/// `fit` and `diagnosis` belong to `measurement`; a null `diagnosis` means that none was made. Absent if the
+/// fit has no verdict: without a tolerance or an intersection.
 std::optional<AcceptanceDecision> decideAcceptance(const Measurement& measurement, const SessionFit& fit,
                                                    const Diagnosis* diagnosis);
-/// The same without conditions and probability of conformity.
+/// The same without `conditions` and `conformance`.
 std::optional<AcceptanceDecision> decideVerdict(const Measurement& measurement, const SessionFit& fit,
                                                 const Diagnosis* diagnosis);
 
-/// The gap is real and unexplained beyond `mostUnexplained`: the verdict is open.
+/// Whether the probability of an unexplained gap exceeds `mostUnexplained`, so that the verdict is open.
 bool isUnexplained(const Diagnosis& diagnosis);
 
-/// Model and readings disagree by more than noise that is larger than stated.
+/// Whether the gap exceeds what larger noise alone explains.
 bool isMoreThanNoise(const Diagnosis& diagnosis);
 
 }  // namespace alidade

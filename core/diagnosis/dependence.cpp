@@ -13,14 +13,14 @@ namespace alidade {
 
 namespace {
 
-/// A row, by its position in the session and its index there, and what leaving it out does to first order.
+/// A row, and the first-order effect of its exclusion. The row is given by its arc and its index in it.
 struct Influence {
-  std::size_t arc = 0, sighting = 0;  ///< of the measurement
-  double shift = 0;                   ///< of Δd, mm
-  double misfit = 0;                  ///< of χ²
+  std::size_t arc = 0, sighting = 0;  ///< indices in the measurement
+  double shift = 0;                   ///< change of Δd, mm
+  double misfit = 0;                  ///< change of χ²
 };
 
-/// How many rows share each visit of an arc.
+/// Number of rows in each visit of an arc.
 using RowsOfVisits = std::map<std::pair<std::size_t, std::uint32_t>, int>;
 
 std::vector<Influence> influencesOf(const Measurement& measurement, const SessionFit& fit) {
@@ -60,7 +60,7 @@ Dependence dependenceOn(const Measurement& measurement, const Influence& row, Ve
           sighting.point, sighting.face, without,     isExact};
 }
 
-/// The verdict with Δd moved and all else as it is.
+/// Returns the verdict for a shifted Δd with everything else unchanged.
 Verdict shifted(const Measurement& measurement, const SessionFit& fit, const Diagnosis* diagnosis,
                 double shift) {
   const auto decided = [&](const auto& length) {
@@ -72,7 +72,7 @@ Verdict shifted(const Measurement& measurement, const SessionFit& fit, const Dia
   return decided(diagnosis->measured->estimate) == modelled ? modelled : Verdict::Undecided;
 }
 
-/// Undecided where nothing is left to decide on.
+/// Undecided if the remaining rows allow no decision.
 Verdict verdictWithout(Measurement measurement, const Influence& row, bool withDiagnosis) {
   std::vector<Sighting>& sightings = measurement.arcs[row.arc].sightings;
   sightings.erase(sightings.begin() + static_cast<std::ptrdiff_t>(row.sighting));
@@ -84,7 +84,7 @@ Verdict verdictWithout(Measurement measurement, const Influence& row, bool withD
   return decision && diagnosis.has_value() == withDiagnosis ? decision->verdict : Verdict::Undecided;
 }
 
-/// Half of them move Δd most, the others bring most to χ².
+/// Returns the rows to exclude: half of them change Δd most, the others contribute most to χ².
 std::vector<Influence> telling(std::vector<Influence> rows) {
   const auto take = [&](std::size_t first, auto size) {
     const auto from = rows.begin() + static_cast<std::ptrdiff_t>(std::min(first, rows.size()));

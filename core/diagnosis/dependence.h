@@ -7,29 +7,30 @@
 
 namespace alidade {
 
-// On which single rows a verdict depends: leaving out one of them makes another verdict of it.
+// The single rows on which a verdict depends: leaving out one of them changes the verdict.
 //
-// Leaving out row i, with residuals v, redundancies r and ∂Δd/∂reading g of its readings, moves Δd to first
-// order by −Σ g v/(1 − h), where 1 − h = Σ r/c is what the other rows check of it: c of its readings are
-// conditions, all but the one that fixes the arc angle of a visit of this row alone. Which explanation the
-// diagnosis prefers is not linear in the readings. So the rows that move Δd most, and those that bring most
-// to χ², Σ (v/σ)²/(1 − h), are left out in earnest: fit, diagnosis and decision anew.
+// Leaving out row i moves Δd to first order by −Σ g v/(1 − h). v are the residuals of its readings, r their
+// redundancies, g = ∂Δd/∂reading. 1 − h = Σ r/c is the share that other rows check. c of its readings are
+// conditions: all, except the one that fixes the arc angle of a visit of this row alone.
+//
+// The diagnosis's choice of an explanation is not linear in the readings. So the rows that move Δd most, and
+// those that contribute most to χ², Σ (v/σ)²/(1 − h), are left out with a new fit, diagnosis and decision.
 
-/// A row without which the verdict would be another one.
+/// A row whose exclusion changes the verdict.
 struct Dependence {
-  std::size_t position = 0, row = 0;  ///< of the session
+  std::size_t position = 0, row = 0;  ///< indices in the session
   int axisDeg = 0, time = 1, round = 1, point = 0, face = 1;
-  Verdict without = Verdict::Undecided;  ///< the verdict then
-  bool isExact = true;                   ///< else to first order
+  Verdict without = Verdict::Undecided;  ///< the verdict without the row
+  bool isExact = true;                   ///< false: to first order only
 };
 
-/// At most so many rows are left out in earnest: each costs a fit and a diagnosis.
+/// The largest number of rows that are excluded with a new fit and diagnosis each.
 constexpr std::size_t mostLeftOut = 8;
-/// In longer sessions none is: what moves Δd across a limit to first order is told.
+/// Longer sessions are examined to first order only.
 constexpr std::size_t mostRowsForLeavingOut = 500;
 
-/// In the order of the session. Arguments as in `decideAcceptance`, which made `decision` of them. None where
-/// the verdict is withheld for the lengths or the coverage.
+/// Returns the rows in the order of the session. The arguments are those of `decideAcceptance`, which made
+/// `decision` from them. Empty if the verdict is withheld because of lengths or coverage.
 std::vector<Dependence> dependencesOf(const Measurement& measurement, const SessionFit& fit,
                                       const Diagnosis* diagnosis, const AcceptanceDecision& decision);
 

@@ -25,7 +25,7 @@ namespace alidade {
 
 namespace {
 
-/// The model that the search started from, but for what is known beforehand.
+/// Returns the start model of the search without known sizes.
 GapModel withoutKnown(const Inquiry& inquiry) {
   if (!isAnythingKnown(*inquiry.base.measurement)) return inquiry.base;
   return closedModelOf(inquiry.own).value_or(inquiry.own);
@@ -51,8 +51,8 @@ std::vector<GapShare> whereOf(const Inquiry& inquiry, const Answer& answer) {
   return shares;
 }
 
-/// The likeliest pattern. What it takes up is told beside what it leaves, so that a pattern which was found
-/// at another noise, and goes beyond the gap, takes up no more than all of it.
+/// Returns the most likely pattern. A pattern found at another noise may explain more than the gap; its share
+/// is at most all of it.
 std::optional<GapShape> shapeOf(const Inquiry& inquiry) {
   const auto shaped = std::ranges::find_if(inquiry.explanations, &Explanation::shaped);
   if (shaped == inquiry.explanations.end()) return std::nullopt;
@@ -63,7 +63,7 @@ std::optional<GapShape> shapeOf(const Inquiry& inquiry) {
   return GapShape{std::string(shape.id()), square > 0 ? square / (square + left) : 0};
 }
 
-/// Of the reference what is left of it is what Δd as measured leaves.
+/// Returns the closure after the causes against the reference: that of the measured Δd, if there is one.
 std::optional<Closure> againstReference(const Measurement& measurement,
                                         const std::optional<MeasuredIntersection>& measured) {
   if (!measured) return std::nullopt;
@@ -96,7 +96,7 @@ std::optional<Closure> referenceIn(const std::vector<ClosureStep>& closures) {
   return std::nullopt;
 }
 
-/// The first part that looks like others, with those; none of gross errors.
+/// Returns the first cause that has look-alikes, with those. Gross errors have none.
 std::vector<PossibleCause> possibleCausesOf(const Inquiry& inquiry, const Answer& answer) {
   const auto possible = [&](const Part& part, double odds) {
     const Component& component = inquiry.of(part);
@@ -126,8 +126,8 @@ std::vector<ReadingDeviation> readingsOf(const GapModel& model) {
   return readings;
 }
 
-/// Where the catalogue does not explain the gap, or only by more effects than can be taken apart: then forms
-/// have to beat those at three times their plausible size, and look like none of them.
+/// Returns forms if the catalogue does not explain the gap, or only by inseparable effects. In the second
+/// case forms must beat those effects at three times their plausible size, and resemble none of them.
 FoundForms formsOf(const Inquiry& inquiry, const Answer& answer, const DiagnosisOptions& options,
                    const std::stop_token& stop) {
   constexpr EffectScales asPlausible, large{3, 3, 3};

@@ -10,18 +10,17 @@
 
 namespace alidade {
 
-// Sim is what the model says an instrument would read, real is what was read; the gap is what the fitted
-// model leaves over beyond the stated noise. The diagnosis says where it lies, which effect of the catalogue
-// causes it, how far it shrinks once the effect is added to the model, what these readings could not show,
-// and which further readings would tell apart what they cannot.
+// Diagnoses the gap: what the fitted model leaves of the readings beyond the stated noise. The result states
+// where the gap lies and which effect of the catalogue causes it. It also states how far the gap shrinks with
+// that effect, what is undetectable, and which further readings would separate look-alikes.
 
-/// Fails where no arc could be fitted, an id is unknown, or it was asked to stop. Effects of the
-/// measurement's own model are part of the model, not of the gap. `fit` is that of the measurement. Called as
-/// in samples/programs/diagnose.cpp.
+/// Fails if no arc can be fitted, an identifier is unknown, or a stop was requested. Effects of the
+/// measurement's own model belong to the model, not to the gap. `fit` is the fit of the measurement. See
+/// samples/programs/diagnose.cpp for a call.
 Result<Diagnosis, DiagnosisFault> diagnose(const Measurement& measurement, const SessionFit& fit,
                                            const DiagnosisOptions& options = {},
                                            const std::stop_token& stop = {});
-/// The same where the measurement is not fitted yet.
+/// Fits the measurement first.
 Result<Diagnosis, DiagnosisFault> diagnose(const Measurement& measurement,
                                            const DiagnosisOptions& options = {},
                                            const std::stop_token& stop = {});

@@ -15,7 +15,7 @@ using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
 
 namespace {
 
-/// Of the base columns; a column of zeros where there are none.
+/// Returns an orthonormal basis of the base columns; a column of zeros without base columns.
 MatrixXd basisOf(const MatrixXd& base) {
   if (base.cols() == 0 || base.isZero()) return MatrixXd::Zero(base.rows(), 1);
   const VectorXd scale = base.colwise().norm().cwiseMax(1e-300).cwiseInverse();
@@ -42,7 +42,7 @@ class TableForms {
                         .rms = rmsOf(m_left, m_table.sigma),
                         .reducedChiSquare = m_left.squaredNorm() / m_freedom,
                         .forms = {}};
-    // Stated σ are often too small: what is left beside the forms scatters as it does.
+    // Stated σ are often too small: the residuals after the forms give the scatter.
     const std::vector<FormFamily> families = formFamilies(m_table.readings);
     double variance = std::max(1.0, discovery.reducedChiSquare);
     FoundForms found;

@@ -22,15 +22,15 @@ namespace {
 
 using Eigen::MatrixXd, Eigen::VectorXd;
 
-/// An effect with the directions of its numbers that matter, each of plausible size.
+/// An effect with the directions of its numbers to examine, each of plausible size.
 struct Planned {
   const Effect* effect = nullptr;
   PlannedEffect summary;
   VectorXd plainest, mostDangerous;
 };
 
-/// Directions of plausible size, a full turn of them where there are two numbers: a bending effect is not the
-/// same on both sides.
+/// Returns directions of plausible size; for two numbers a full turn, because a bent effect differs between
+/// opposite signs.
 std::vector<VectorXd> directionsOf(const Component& component) {
   constexpr int steps = 48;
   const VectorXd sizes = component.usualSizes();
@@ -75,7 +75,7 @@ void seeInfluence(Planned& planned, const Component& component, const SharedProd
   summary.undetectable = detectability.isUndetectable();
 }
 
-/// Effects in the session's own model of which nothing is known.
+/// Returns the effects of the session's own model that have no known size.
 std::vector<std::string> estimatedAlong(const Measurement& measurement) {
   std::vector<std::string> ids = measurement.effects;
   std::erase_if(ids, [&](const std::string& id) {
@@ -102,7 +102,7 @@ std::vector<Planned> plannedEffects(const GapModel& model, const Leftover& lefto
   return effects;
 }
 
-/// The effects that further readings could say something of: the undetectable, and those alike.
+/// Returns the effects that further readings could clarify: undetectable ones and look-alikes.
 std::vector<Planned> effectsInQuestion(const std::vector<Planned>& effects) {
   const auto isAlikeTo = [](const Planned& planned, const std::string& id) {
     return std::ranges::find(planned.summary.lookAlikes, id, &LookAlike::effect) !=
@@ -117,7 +117,7 @@ std::vector<Planned> effectsInQuestion(const std::vector<Planned>& effects) {
   return chosen;
 }
 
-/// `inQuestion`: those of the effects that there is something to be said of, and what is `shown` of them.
+/// `inQuestion` are the effects to clarify, `shown` what the measures show of them.
 PlanAdvice adviceOf(const std::vector<Measure>& measures, const VisibleTerms& shown,
                     const std::vector<Planned>& inQuestion) {
   PlanAdvice advice{measures, {}, {}};
@@ -147,8 +147,8 @@ PlanAdvice adviceOf(const std::vector<Measure>& measures, const VisibleTerms& sh
   return advice;
 }
 
-/// What tells most comes first, of as much the fewest measures. Several together only where no single one
-/// tells as much, and of those the first.
+/// Sorts by the number of effects clarified, then by the number of measures. Combinations remain only if no
+/// single measure clarifies as many; of those only the first.
 void rank(std::vector<PlanAdvice>& list) {
   const auto told = [](const PlanAdvice& advice) {
     return std::pair(advice.reveals.size(), advice.separates.size());
@@ -163,7 +163,7 @@ void rank(std::vector<PlanAdvice>& list) {
   });
 }
 
-/// Of the same readings taken without any error.
+/// Returns the model of the same readings without error.
 Result<GapModel, NoModel> plannedModel(const Measurement& measurement, const SessionFit& fit) {
   const auto read = modelOf(measurement, fit);
   if (!read) return read.problem();
@@ -182,7 +182,7 @@ Result<PlanReview, NoModel> reviewPlan(const Measurement& measurement, const Ses
   PlanReview review{.effects = {}, .advice = {}, .intersection = estimateOf(*own)};
   const GapModel expected = withKnownSizes(*own);
   const GapModel model = closedModelOf(expected).value_or(expected);
-  own = NoModel{};  // of no more use, and as long as its readings
+  own = NoModel{};  // no longer needed, and as long as its readings
   const Leftover leftover(linearise(*model.measurement, *model.fit, model.options), model.options.terms);
   const std::vector<Planned> effects = plannedEffects(model, leftover);
   review.readings = static_cast<std::size_t>(

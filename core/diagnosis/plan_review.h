@@ -13,41 +13,41 @@
 
 namespace alidade {
 
-// What a plan of readings can and cannot see, before anything is read: the places, faces, rounds and slider
-// readings of a session count, not what was read there.
+// Reviews what a plan of readings shows, before anything is read. Only the visits, faces, rounds and slider
+// readings of the session count, not their values.
 
-/// How an effect of its plausible size would show; of one that is known, as large as what is known leaves
-/// open.
+/// The visibility of an effect of plausible size, or of the uncertainty of its known size.
 struct PlannedEffect {
   std::string effect;
-  /// Length of its trace, σ of the readings, in the direction of its numbers that shows least and most; the
-  /// same where it has one number.
+  /// Length of its trace, σ of the readings, in the least and the most visible direction of its numbers. Both
+  /// are equal for a single number.
   double leastVisible = 0, mostVisible = 0;
-  /// What could not be told from it where it shows most.
+  /// Its look-alikes in the most visible direction.
   std::vector<LookAlike> lookAlikes;
-  /// On Δd, mm, ≥ 0, in the direction that moves it most, and what it leaves there, σ: as a diagnosis has it.
+  /// Influence on Δd, mm, ≥ 0, in the direction that changes it most, and the trace there, σ; as in a
+  /// diagnosis.
   double influence = 0, visibleThere = 0;
   bool undetectable = false;
 };
 
-/// Readings to add, and what they would be good for.
+/// Readings to add, and their benefit.
 struct PlanAdvice {
   std::vector<Measure> measures;
-  std::vector<std::string> reveals;  ///< undetectable so far, the most dangerous first
+  std::vector<std::string> reveals;  ///< formerly undetectable effects, the largest influence first
   std::vector<std::pair<std::string, std::string>>
-      separates;  ///< look-alikes so far, told apart whichever it is
+      separates;  ///< former look-alikes, separated whichever is the cause
 };
 
 struct PlanReview {
   std::vector<PlannedEffect> effects;                ///< in the order of the catalogue
-  std::vector<PlanAdvice> advice;                    ///< the most useful first
-  std::optional<IntersectionEstimate> intersection;  ///< Δd of the plan with the noise as stated
+  std::vector<PlanAdvice> advice;                    ///< the largest benefit first
+  std::optional<IntersectionEstimate> intersection;  ///< Δd of the plan with the stated noise
   std::size_t readings = 0;                          ///< circle and slider readings
-  /// U of the measurement as planned, then with what would bring it down the most; empty without Δd.
+  /// U of the planned measurement, then with the measures that reduce it most; empty without Δd.
   std::vector<AttainableUncertainty> attainable = {};
 };
 
-/// Fails where no arc can be fitted to places like these. `fit` is that of the measurement.
+/// Fails if no arc can be fitted to the planned visits. `fit` is the fit of the measurement.
 Result<PlanReview, NoModel> reviewPlan(const Measurement& measurement, const SessionFit& fit);
 Result<PlanReview, NoModel> reviewPlan(const Measurement& measurement);
 

@@ -12,7 +12,7 @@ namespace alidade {
 
 namespace {
 
-/// Calls `use` with the model that a diagnosis of readings without error would end with.
+/// Calls `use` with the final model of a diagnosis of error-free readings.
 template <typename Use>
 void withPlannedModel(const Measurement& plan, const Use& use) {
   const SessionFit fit = fitSession(plan);

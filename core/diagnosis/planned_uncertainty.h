@@ -9,17 +9,17 @@
 
 namespace alidade {
 
-// U of Δd, mm, that a measurement will have which is only planned: its readings without error, at the places
-// where they will be taken. `noise`: what they are expected to scatter by over what is stated. All absent or
-// empty without both positions, or where the plan does not determine Δd.
+// U of Δd, mm, for a planned measurement: error-free readings of the planned visits. `noise` is the ratio of
+// expected to stated scatter. Results are absent or empty without both positions, or if the plan does not
+// determine Δd.
 
-/// Of the fit alone. Where the scatter was estimated, so it will be, with the degrees of freedom of the plan.
+/// U from the fit only. An estimated scatter counts as estimated, with the degrees of freedom of the plan.
 std::optional<double> plannedUncertaintyOfFit(const Measurement& plan, const NoiseScale& noise);
 
-/// As measured: the first of `plannedUncertainties` alone, in a fraction of the time.
+/// U of the measured Δd: the first of `plannedUncertainties` alone, which is much faster.
 std::optional<double> plannedUncertainty(const Measurement& plan, double noise);
 
-/// As measured, and with more read or known: `attainableUncertainties`.
+/// U of the measured Δd, also with more readings or known effects: `attainableUncertainties`.
 std::vector<AttainableUncertainty> plannedUncertainties(const Measurement& plan, double noise);
 
 }  // namespace alidade

@@ -25,12 +25,12 @@ std::vector<double> listed(const VectorXd& vector) {
   return {vector.begin(), vector.end()};
 }
 
-/// Of the catalogue.
+/// Number of columns of the catalogue.
 std::size_t effectColumnCount() {
   return effectColumns().back().first + effectColumns().back().count;
 }
 
-/// The inner products that are kept of columns, by `productAt`.
+/// Returns the stored inner products of the columns, indexed by `productAt`.
 std::vector<double> productsOf(const MatrixXd& columns) {
   const auto ofEffects = static_cast<Index>(effectColumnCount());
   const MatrixXd withEffects = columns.transpose() * columns.leftCols(ofEffects);
@@ -50,7 +50,7 @@ std::vector<double> productsOf(const MatrixXd& columns) {
   return list;
 }
 
-/// The visible columns of all effects and patterns.
+/// Returns the visible columns of all effects and patterns.
 MatrixXd columnsOf(const Inquiry& inquiry) {
   MatrixXd all = MatrixXd::Zero(inquiry.leftover.rows(), static_cast<Index>(columnCount()));
   for (std::size_t i = 0; i < inquiry.candidates.size(); ++i) {
@@ -69,13 +69,14 @@ MatrixXd columnsOf(const Inquiry& inquiry) {
   return all;
 }
 
-/// Works out what accounts of a session come to beside the columns of all effects.
+/// Computes the accounts of a session relative to the columns of all effects.
 class Accounts {
  public:
   Accounts(const Inquiry& inquiry, const MatrixXd& columns)
       : m_inquiry(inquiry), m_columns(columns), m_right(columns.transpose() * inquiry.leftover.residual()) {}
 
-  /// Nothing, and what the likeliest explanations hold, each also without what touches many readings.
+  /// Returns the empty account and those of the likeliest explanations, each also without its parts that
+  /// affect many readings.
   std::vector<OwnAccount> likeliest() {
     constexpr std::size_t mostExplanations = 12, mostAccounts = 10;
     constexpr double outOfQuestion = 1e-7;
@@ -101,13 +102,13 @@ class Accounts {
   std::vector<OwnAccount> m_accounts;
   std::vector<std::vector<std::size_t>> m_keys;
 
-  /// It touches many readings, so that what all sessions share may look like it.
+  /// Whether the part affects many readings, so that it may resemble a shared effect.
   bool isOfMany(const Part& part) const {
     const Component& component = m_inquiry.of(part);
     return component.isEffect() || component.isJump() || component.isShape();
   }
 
-  /// Unless it is there already.
+  /// Adds an account, unless it exists.
   void add(const std::vector<Part>& parts, double noise) {
     std::vector<std::size_t> key{noise > 1 ? std::size_t{1} : 0};
     for (const Part& part : parts) key.push_back(part.component + 2);
@@ -134,7 +135,7 @@ class Accounts {
         continue;
       }
       MatrixXd scaled = visible * part.width;
-      if (component.response() == Response::Bent) {  // about the weights it has
+      if (component.response() == Response::Bent) {  // linearised at its weights
         const VectorXd at = bentWeights(part.weights);
         const auto slope = bentDerivatives(part.weights);
         residual -= visible * (at - slope * part.weights);
@@ -160,15 +161,15 @@ class Accounts {
     return account;
   }
 
-  /// Of larger noise: its prior, how narrow it is found, and what all readings weigh less.
+  /// Odds of larger noise: its prior, the width of its posterior, and the smaller weight of all readings.
   static double noiseOdds(double noise, double f) {
-    constexpr double range = 2.8;  // ln of the noise that is looked for
+    constexpr double range = 2.8;  // width of the searched range of ln noise
     const double known = std::sqrt(M_PI / std::max(f, 1.0));
     return std::log(PriorOdds().noise) + std::log(std::min(known / range, 1.0)) - f * std::log(noise);
   }
 };
 
-/// What circle readings have over, in arcseconds.
+/// Adds the sums over the circle readings' leftover, in arcseconds.
 void addCircleSums(const Inquiry& inquiry, const MatrixXd& columns, SessionEvidence& evidence) {
   const Leftover& leftover = inquiry.leftover;
   VectorXd scales = VectorXd::Zero(leftover.rows());
@@ -249,7 +250,7 @@ std::size_t columnCount() {
 std::size_t productAt(std::size_t a, std::size_t b) {
   static const std::size_t ofEffects = effectColumnCount();
   struct Row {
-    std::size_t start, first;  ///< of what is kept; the first column of the pattern
+    std::size_t start, first;  ///< of the stored products; first column of the pattern
   };
   static const std::vector<Row> rows = [] {
     std::vector<Row> all;

@@ -10,22 +10,21 @@
 
 namespace alidade {
 
-// What an effect leaves in readings that are free of noise: how far it shows, and what it looks like. Nothing
-// about the size or the sign of the effect is taken from a linear model, since the readings themselves hold
-// the effect.
+// The visibility of an effect in noise-free readings that contain it, and its look-alikes. Size and sign of
+// the effect are exact, not taken from a linear model.
 
 struct Visibility {
-  double sigma = 0;  ///< length of the trace: √χ² of what is left over, stated σ
-  /// Effects that these readings do not tell apart from the one they hold: closer than `clearlyDifferent` σ.
+  double sigma = 0;  ///< length of the trace: √χ² of the leftover, stated σ
+  /// Look-alikes of the effect in these readings: closer than `clearlyDifferent` σ.
   std::vector<LookAlike> lookAlikes;
-  double nearest = 0;  ///< the least distance to what any other effect leaves, look-alike or not, σ
+  double nearest = 0;  ///< smallest distance to the trace of any other effect, look-alike or not, σ
 };
 
-/// With what the two positions must agree on, where both are there. `noiseless` holds the effect `held` and
-/// nothing else; look-alikes are the other effects of the catalogue, and a jump between a zero and the first
-/// place. Fails where no arc can be fitted.
+/// Includes the closures between both positions, if present. `noiseless` contains the effect `held` only.
+/// Look-alikes are other catalogue effects, and a jump between a zero and the first visit. Fails if no arc
+/// can be fitted.
 Result<Visibility, NoModel> visibilityOf(const Measurement& noiseless, const std::string& held);
-/// In the residuals of the session's own model alone.
+/// Uses the residuals of the session's own model only.
 Result<Visibility, NoModel> visibilityInResiduals(const Measurement& noiseless, const std::string& held);
 
 }  // namespace alidade

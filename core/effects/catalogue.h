@@ -36,7 +36,7 @@ enum class Response {
 /// A physical effect of the catalogue: related error terms of the forward model.
 struct Effect {
   std::string_view id;  ///< part of the file format
-  // For `Phrase::of`.
+  // Texts for `Phrase::of`.
   const char* name;         ///< "plane tilt"
   const char* description;  ///< description, as a phrase
   const char* remedy;       ///< remedy at the machine, as a phrase

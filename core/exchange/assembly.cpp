@@ -164,7 +164,7 @@ class Assembly {
       remark(ofFile(file) + Phrase::of("the file itself says how the axis stood: that is what counts"));
   }
 
-  /// Where the file states no face, the vertical circle decides between face 1 and face 2.
+  /// The vertical circle decides between face 1 and face 2 if the file states no face.
   void takeFaces() {
     bool second = false;
     for (RecordedSighting& sighting : m_sightings) {

@@ -25,8 +25,8 @@ double spreadAround(const std::vector<double>& vertical, double horizon);
 /// holds the readings of both circles. Unstated if the readings leave both units possible.
 AngleUnit unitByNumbers(const std::vector<double>& all, const std::vector<double>& vertical);
 
-/// How many adjacent columns from `column` on hold degrees, minutes and perhaps seconds: 2 or 3, or 0 for
-/// none.
+/// Returns the number of adjacent columns from `column` on that hold degrees, minutes and perhaps seconds: 2
+/// or 3, or 0 for none.
 std::size_t joinableAt(const std::vector<TableCells>& rows, std::size_t column);
 
 }  // namespace alidade

@@ -167,7 +167,7 @@ class NameReader {
 
   bool isOfOther(const std::optional<TableColumn>& column) const { return column && column != m_name.column; }
 
-  /// What the word says beyond naming a circle.
+  /// Takes the further meaning of a word that may name a circle.
   void takeWord(const std::string& word) {
     if (isCircleWord(word)) return;
     if (m_isZenith && means(Role::Distance, word)) return;

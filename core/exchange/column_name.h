@@ -9,7 +9,7 @@
 
 namespace alidade {
 
-/// What the heading of a column says.
+/// The meaning of a column's heading.
 struct ColumnName {
   std::optional<TableColumn> column = {};
   AngleUnit unit = AngleUnit::Unstated;
@@ -26,9 +26,9 @@ struct ColumnName {
   bool isUnderstood = false;  ///< there is at least one word, and all are known
 };
 
-/// What a heading names. Case, accents, blanks, _ and words such as “angle”, “circle” and “reading” do not
-/// matter: `Hz [gon]`, `v_deg`, `Horizontalwinkel`, `水平盘读数`. The words are those of `headingWords`. A
-/// heading with an unknown word names nothing.
+/// Returns the meaning of a heading. Case, accents, blanks, _ and words such as “angle”, “circle” and
+/// “reading” do not matter: `Hz [gon]`, `v_deg`, `Horizontalwinkel`, `水平盘读数`. The words are those of
+/// `headingWords`. A heading with an unknown word names nothing.
 ColumnName columnName(const std::string& text);
 
 /// Do these cells name columns? At least one name is known, and none holds a number.

@@ -51,7 +51,7 @@ bool mayBeReading(const std::string& cell) {
   return !isWord && hasAnyDigit(cell);
 }
 
-/// What the vertical readings show about their circle if no heading states it.
+/// Determines the kind of circle from the vertical readings if no heading states it.
 class CircleKind {
  public:
   void take(const std::string& text) {
@@ -187,7 +187,7 @@ class CsvReader {
     addSightings(row, sighting);
   }
 
-  /// Why a row without readings is skipped; absent if it has a reading.
+  /// Returns the reason why a row without readings is skipped; absent if it has a reading.
   std::optional<UnreadRows::Kind> unreadKind(const CsvRow& row) const {
     using Kind = UnreadRows::Kind;
     if (isOfMean(row)) return Kind::Mean;
@@ -312,7 +312,7 @@ class CsvReader {
     return circles > 0 && read == circles;
   }
 
-  /// Why the cell cannot be used; absent if it can.
+  /// Returns the reason why the cell cannot be used; absent if it can.
   std::optional<std::string> readCell(const ColumnName& column, const CsvCell& cell,
                                       RecordedSighting& sighting) {
     const RowField* field = column.column->field;

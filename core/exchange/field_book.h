@@ -23,7 +23,7 @@ class FieldBook {
   /// Adds a sighting with the axis, round and zero of the preceding marks. True if it is of the pointing
   /// zero.
   bool add(RecordedSighting sighting);
-  /// Enters the reading of a circle and remarks where it was carried.
+  /// Enters the reading of a circle, and remarks on a carry.
   void enter(RecordedSighting& sighting, const RowField& circle, ExactAngle angle, std::size_t column);
   /// Remarks once on a value that was interpreted: %1 in `sentence` is how often, %2 the first line.
   void note(const char* sentence, std::size_t line);

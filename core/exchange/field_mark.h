@@ -6,7 +6,7 @@
 
 namespace alidade {
 
-/// What an observer keys in between sightings, as a code block, a text line or a note.
+/// A mark that an observer keys in between sightings, as a code block, a text line or a note.
 struct FieldMark {
   enum class Kind {
     Axis,   ///< `number` is 0 or 180: the axis angle of the sightings that follow

@@ -36,7 +36,7 @@ std::span<const FileFormat> fileFormats();
 /// The format whose beginning matches the UTF-8 text; null if none does and it may be a table.
 const FileFormat* formatOfText(std::string_view beginning);
 
-/// Why a file of a format without a reader cannot be imported.
+/// The problem of a file whose format has no reader.
 Problem notRead(const FileFormat& format);
 
 /// The text of a file of readings, as `utf8Text`. Files of binary formats fail with the name of their format;

@@ -82,7 +82,7 @@ class GsiReader {
       m_book.setAsidePart(word.data, line.number);
   }
 
-  /// Why a block with a torn word cannot be used; absent if the word does not matter.
+  /// Returns the reason why a block with a torn word cannot be used; absent if the word does not matter.
   static std::optional<LineProblem> tornProblem(const GsiBlock& block, std::size_t line) {
     const bool isSighting = wordOf(block.words, horizontalIndex) || wordOf(block.words, verticalIndex);
     for (const GsiWord& word : block.torn) {

@@ -24,7 +24,7 @@ namespace alidade {
 /// station by its point; word 16 names it alone. A session does not use stations and distances (31, 32).
 ///
 /// POS and POSITION mean AXIS too, in any case. A code in the block of a sighting holds for it and for the
-/// following ones. `unused` lists torn or unknown words that do not matter, and lines without words; a line
+/// following ones. `unused` lists torn or unknown words that do not matter, and lines without words. A line
 /// is refused if a circle, the point or a mark is torn. Remarks count the angles that were keyed in (position
 /// 5 of their word) or had 60 seconds.
 Recording readGsi(std::string_view text, const std::string& zeroPoint = {});

@@ -100,7 +100,7 @@ bool mayEndWord(std::string_view text, std::size_t at) {
   return isFull && (beginsWord(rest) || isSeparator(rest) || isCheckSum(rest));
 }
 
-/// Where the data of a word ends, in bytes.
+/// The end of a word's data, in bytes.
 struct DataEnd {
   std::size_t at = 0;
   bool isWhole = false;

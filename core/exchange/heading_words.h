@@ -6,7 +6,7 @@
 
 namespace alidade {
 
-/// What a word in the heading of a column can mean. One word may have several meanings: `m` is metres or
+/// The possible meanings of a word in the heading of a column. One word may have several: `m` is metres or
 /// minutes.
 enum class HeadingRole {
   Axis,

@@ -26,7 +26,7 @@ struct ReadingsFile {
   std::optional<TableLayout> table = {};  ///< of a table; absent: as its column names say
 };
 
-/// What holds for all files of an import.
+/// Options for all files of an import.
 struct ImportOptions {
   Session base = blankSession();            ///< the session that receives the readings, after any it has
   AngleUnit unit = AngleUnit::Unstated;     ///< of plain numbers in CSV columns whose heading has none
@@ -61,7 +61,7 @@ inline constexpr const char* putAtZero =
 
 /// Imports theodolite readings from the bytes of instrument files (file_format.h) and tables (csv_reader.h);
 /// the content decides the format. Sightings of the pointing zero become the zero of their position, several
-/// of them as the mean of their face 1 equivalents; a zero that `base` already has stays. A face that the
+/// of them as the mean of their face 1 equivalents. A zero that `base` already has stays. A face that the
 /// file does not state follows from the vertical circle. A missing round follows from earlier sightings of
 /// the same point and face in the position, skipping stated rounds. A missing axis follows from
 /// `turnedAtLine`, else it is 0°. Positions are in the order 0°, 180°; if `base` has readings, its positions

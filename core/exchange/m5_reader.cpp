@@ -141,8 +141,8 @@ class M5Reader {
     m_book.setAsideLine(line.text, line.number);
   }
 
-  /// A text that is not a mark heads what follows, as a program of the instrument does: the angles of an
-  /// adjustment are not sightings.
+  /// A text that is not a mark is the heading of what follows, such as the name of a program of the
+  /// instrument: the angles of an adjustment are not sightings.
   void readText(const Block& block, const std::vector<Value>& values, std::size_t line) {
     const std::string text = trimmed(block.text.substr(std::min<std::size_t>(block.text.size(), 3)));
     Recording& recording = m_book.recording();
@@ -266,7 +266,7 @@ class M5Reader {
 
   FieldBook m_book;
   bool m_isSetUp = false;                     ///< within a program that sets up the instrument
-  std::size_t m_setUps = 0;                   ///< number of such programs
+  std::size_t m_setUps = 0;                   ///< number of programs so far that set up the instrument
   std::optional<std::size_t> m_placeOfPoint;  ///< position in the text of a point, from 0
 };
 

@@ -10,7 +10,7 @@
 
 namespace alidade {
 
-/// Why a line of a file of readings cannot be used, and what to do.
+/// The reason why a line of a file of readings cannot be used, and the remedy.
 struct LineProblem {
   std::size_t line = 0;    ///< from 1
   std::size_t column = 0;  ///< character in the line, from 1; 0: the whole line

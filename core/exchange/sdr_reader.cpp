@@ -52,7 +52,7 @@ bool areAllDigits(std::string_view text) {
   return text.find_first_not_of("0123456789") == std::string_view::npos;
 }
 
-/// How programs count the columns of characters beyond ASCII.
+/// The ways in which programs count the columns of characters beyond ASCII.
 enum class Counted { Characters, WideAsTwo, Bytes };
 
 std::size_t columnsBeyondOne(const Utf8Character& character, Counted counted) {

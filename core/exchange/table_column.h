@@ -17,7 +17,7 @@ enum class AnglePart {
   Seconds,
 };
 
-/// What a column of a table holds: a field of a row, or data about it.
+/// The content of a table's column: a field of a row, or data about it.
 struct TableColumn {
   enum class Beside {
     Axis,      ///< the axis angle

@@ -133,7 +133,7 @@ bool TableHeadings::mayInherit(std::size_t column, std::size_t from) const {
   return partAlone(below) || (name.isUnderstood && (!name.column || name.column->isCircle()));
 }
 
-/// The text of the cell, else one above the same run of parts, else the next to the left.
+/// The text of the cell; if it is empty, a text above the same run of parts, else the next text to the left.
 std::string TableHeadings::spanned(std::size_t level, std::size_t column) const {
   std::string own = cell(level, column);
   if (!own.empty() || level + 1 == m_levels.size() || !mayInherit(column, level + 1)) return own;

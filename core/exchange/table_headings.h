@@ -19,7 +19,7 @@ class TableHeadings {
   const std::vector<TableCells>& rows() const { return m_levels; }
   /// The name of the column in the file, for sentences.
   std::string told(std::size_t column) const;
-  /// What the heading says, with all rows combined.
+  /// The meaning of the heading, with all rows combined.
   ColumnName nameOf(std::size_t column) const;
   std::size_t width() const { return m_width; }
   /// Are all heading rows empty in this column?

@@ -15,13 +15,13 @@ enum class DecimalSign { Either, Point, Comma };
 /// Separator of columns by two or more blanks, or by a tab: single blanks belong to cells, as in `107 12 23`.
 inline constexpr char wideBlanks = '\v';
 
-/// How to read a table of readings. Default: one row of names, and everything else as the file has it.
+/// The layout of a table of readings. Default: one row of names, and everything else as the file has it.
 struct TableLayout {
   char separator =
       '\0';  ///< tab, ; , |, a blank for any number of them, `wideBlanks`; 0: determined from the first row
   std::size_t headRows = 1;  ///< rows before the first reading; the last of them names the columns
-  /// What each column holds: the key of a row's field, "axis", "turn", "station", "distance", or empty for
-  /// nothing of use. An angle in several columns has "horizontal", "horizontal_minutes" and
+  /// The content of each column: the key of a row's field, "axis", "turn", "station", "distance", or empty
+  /// for an unused one. An angle in several columns has "horizontal", "horizontal_minutes" and
   /// "horizontal_seconds"; the second face in the same row "horizontal_2" … (table_column.h). Empty list: as
   /// the names say.
   std::vector<std::string> columns = {};

@@ -39,7 +39,7 @@ struct TablePlan {
   bool hasBothFaces = false;   ///< in one row
   int face = 0;                ///< of all sightings, if the headings state it; else 0
   std::string verticalCircle;  ///< "zenith", "elevation", or empty
-  /// Why the table cannot be read; the column counts from 0.
+  /// The reason why the table cannot be read; the column counts from 0.
   std::optional<std::string> problem;
   std::size_t problemColumn = 0;
 

@@ -36,10 +36,10 @@ class TextLines {
 std::size_t characterCount(std::string_view text);
 
 /// The text of a file as UTF-8, without a byte order mark. Bytes that are neither UTF-8 nor UTF-16 are read
-/// as GB 18030 or Windows-1251 if they look so (text_encoding.h), else as Windows-1252, in which spreadsheets
-/// write ° and primes. Control characters at the beginning of a line are removed, others become blanks:
-/// instruments send STX, ETX and BEL, and pad lines with NUL. ^Z ends the text; it is kept only if content
-/// worth reporting follows. Fails on bytes that are not text, and on texts above the size limit.
+/// as GB 18030 or Windows-1251 if they look so (text_encoding.h). Others are read as Windows-1252, in which
+/// spreadsheets write ° and primes. Control characters at the beginning of a line are removed, others become
+/// blanks: instruments send STX, ETX and BEL, and pad lines with NUL. ^Z ends the text. It is kept only if
+/// content worth reporting follows. Fails on bytes that are not text, and on texts above the size limit.
 Result<std::string> utf8Text(std::string_view bytes);
 
 }  // namespace alidade

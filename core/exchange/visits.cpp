@@ -30,7 +30,7 @@ std::string axisOf(const Position& position) {
   return axis ? std::to_string(*axis) : position.axisDeg;
 }
 
-/// What has been sighted at an axis so far.
+/// The sightings at an axis so far.
 struct AtAxis {
   int time = 0;               ///< repeat of the current position; 0: there is none yet
   std::set<Visited> sighted;  ///< in that position

@@ -21,13 +21,13 @@ namespace alidade {
 /// are available.
 class XmlFile {
  public:
-  /// UTF-8, whatever its declaration says; owned by the caller.
+  /// `text` is UTF-8, whatever its declaration states; owned by the caller.
   explicit XmlFile(std::string_view text);
   ~XmlFile();
   XmlFile(const XmlFile&) = delete;
   XmlFile& operator=(const XmlFile&) = delete;
 
-  pugi::xml_node root() const;  ///< the outermost element; null where there is none
+  pugi::xml_node root() const;                              ///< the outermost element; null if there is none
   std::size_t lineOf(const pugi::xml_node& element) const;  ///< from 1
   const std::optional<LineProblem>& problem() const { return m_problem; }
 

@@ -14,8 +14,9 @@ namespace alidade {
 // about the middle of the field. The orientation is that of the position's pointing zero, else of the first
 // known zero, turned as the protocol turns the circle.
 
-/// For each sighting of `progress`, as by `expectedReadings`. Absent without information: for the first zero,
-/// for places before any zero is known, and for places that neither the protocol nor the readings locate.
+/// Returns the expected reading of each sighting of `progress`, as `expectedReadings` does. Absent without
+/// information: for the first zero, for places before any zero is known, and for places that neither the
+/// protocol nor the readings locate.
 std::vector<std::optional<ExpectedReading>> forecast(const Measurement& measurement, const SessionFit& fit,
                                                      const SightingProtocol& protocol,
                                                      const ProtocolProgress& progress);

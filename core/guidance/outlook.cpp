@@ -106,8 +106,8 @@ class Expectation {
   explicit Expectation(const SessionFit& fit)
       : m_noise(fit.arcs.empty() ? NoiseScale{1, DegreesOfFreedom::infinite().count()} : fit.noise) {}
 
-  /// Existing readings have the stated U; further ones change it in proportion, and additional findings stay
-  /// constant.
+  /// U of the existing readings becomes the stated one, and U of further readings changes in proportion. If
+  /// the stated U, measured, is larger than the planned one, the difference of the squares stays constant.
   void startFrom(ExpandedPair planned, const ExpandedPair& stated) {
     if (planned.ofFit > 0) m_ofFit = stated.ofFit / planned.ofFit;
     if (!planned.asMeasured || !stated.asMeasured) return;

@@ -22,7 +22,7 @@ struct ExpandedPair {
   std::optional<double> asMeasured = {};  ///< with every effect of the catalogue; absent with very many rows
 };
 
-/// After this number of rounds in every position, beyond those of the protocol.
+/// The expected U after a number of rounds in every position, beyond those of the protocol.
 struct RoundsAhead {
   int rounds = 0;
   ExpandedPair expanded;
@@ -35,8 +35,8 @@ struct Outlook {
   std::vector<RoundsAhead> ahead = {};
   std::optional<ExpandedPair> limit = {};  ///< for infinitely many rounds: the part that more rounds cannot
                                            ///< reduce
-  /// With a tolerance of Δd, and Δd: the U that a verdict needs, fit only and measured, ||Δd| − tolerance|,
-  /// mm; and the resulting verdict: within the tolerance or beyond it.
+  /// The U that a verdict needs, ||Δd| − tolerance|, mm, fit only and measured, and the resulting verdict:
+  /// within the tolerance or beyond it. Absent without Δd or a tolerance of Δd.
   std::optional<ExpandedPair> needed = {};
   bool isWithin = true;
   bool isTorn = false;  ///< Δd, fit only, and Δd, measured, are on different sides of the tolerance

@@ -51,7 +51,7 @@ enum class ErrorTerm : std::size_t {
 
 inline constexpr std::size_t errorTermCount = static_cast<std::size_t>(ErrorTerm::Count);
 
-/// From this term on they belong to the guideway.
+/// The first term of the guideway; all later ones belong to it too.
 inline constexpr auto firstGuidewayTerm = static_cast<std::size_t>(ErrorTerm::PlaneTiltX);
 
 /// Does the term belong to the guideway? Otherwise it belongs to the instrument.

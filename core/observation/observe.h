@@ -95,7 +95,7 @@ Direction<T> circleDirection(const ErrorTerms<T>& errors, SpacePoint<T> target, 
     target.y += errors[SetupShiftY];
   }
 
-  // Into the tilted instrument: rotated back about z, then about x.
+  // Converts to the tilted instrument: rotates back about z, then about x.
   const T ct = cos(errors[VerticalAxisTiltZ]), st = sin(errors[VerticalAxisTiltZ]);
   const T right = target.x * ct + target.y * st, up0 = target.y * ct - target.x * st;
   const T cx = cos(errors[VerticalAxisTiltX]), sx = sin(errors[VerticalAxisTiltX]);

@@ -7,8 +7,7 @@
 namespace alidade {
 
 // The situation: a theodolite without errors at the origin of o0 (x right, y up, z towards the observer)
-// sights
-// a target in the arc plane z = −L. Relative to the direction perpendicular to the plane, it reads
+// sights a target in the arc plane z = −L. Relative to the direction perpendicular to the plane, it reads
 //
 //   a = atan2(x, L) right positive
 //   e = atan2(y, √(x² + L²)) up positive

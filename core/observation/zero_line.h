@@ -23,7 +23,7 @@ struct SpacePoint {
   T x, y, z;
 };
 
-/// In space, x right, y plumb; `distance` L, `elevation` e0 in radians.
+/// Converts to space, x right, y plumb; `distance` L, `elevation` e0 in radians.
 template <typename T>
 SpacePoint<T> roomFromZeroLine(const SpacePoint<T>& point, const T& distance, double elevation,
                                ArcPlane plane) {
@@ -32,7 +32,7 @@ SpacePoint<T> roomFromZeroLine(const SpacePoint<T>& point, const T& distance, do
   return {point.x, point.y * cosine - point.z * sine, point.y * sine + point.z * cosine};
 }
 
-/// For one position: converts between reduced readings and places in the arc plane, relative to its pointing
+/// Converts between reduced readings and places in the arc plane of one position, relative to its pointing
 /// zero.
 class ZeroLine {
  public:
@@ -67,7 +67,8 @@ class ZeroLine {
   ArcPlane m_plane;
   VerticalAngleRelation m_relation;
 
-  /// For a reading from the horizon, with forward component 1 along the azimuth of the zero.
+  /// Returns the line of sight of a reading from the horizon, with forward component 1 along the azimuth of
+  /// the zero.
   SpacePoint<double> lineOfSight(const Direction<double>& fromHorizon) const;
 };
 

@@ -11,10 +11,11 @@
 namespace alidade {
 
 // Does this installation, on this machine, give the right results? Every number is compared with one
-// calculated without this program: fits at 60 digits, distributions and angles at 50, random numbers and a
-// simulated session from an implementation in another language, the figures printed in the paper and in JCGM
-// 100, sessions of a known truth. For a quality manual each line has the expected and the found value, their
-// difference, its limit and reason, with the machine and the libraries.
+// calculated without this program. Fits are calculated at 60 digits, distributions and angles at 50. Random
+// numbers and a simulated session are from an implementation in another language. Other references are the
+// figures printed in the paper and in JCGM 100, and sessions of a known truth. For a quality manual each line
+// has the expected and the found value, their difference, its limit and reason, with the machine and the
+// libraries.
 
 /// Name and value of everything that may affect a result: program, compiler, libraries, processor, system.
 using EnvironmentFacts = std::vector<std::pair<std::string, std::string>>;

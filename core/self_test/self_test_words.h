@@ -27,7 +27,7 @@ struct CheckSection {
   std::vector<std::string> reasons = {};  ///< in words
 };
 
-/// In the order of the groups; the lines stay those of `test`.
+/// Returns the sections in the order of the groups; the lines stay those of `test`.
 std::vector<CheckSection> sectionsOf(const SelfTest& test);
 
 /// A relative deviation or tolerance with two digits: "1.3e-12"; 0 as "0", absent as an empty text.

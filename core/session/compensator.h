@@ -13,7 +13,7 @@ namespace alidade {
 //
 // The vertical axis is tilted towards the observer by tx and to the left by tz, as in the forward model
 // (`VerticalAxisTiltX`, `VerticalAxisTiltZ`), small angles. The compensator is in the alidade, at the azimuth
-// a from the perpendicular of the arc plane, right positive, rotated by half a turn in face 2. It reads
+// a from the perpendicular of the arc plane, right positive. In face 2 it is rotated by half a turn. It reads
 //
 //   length = ±(−tx cos a − tz sin a) along the line of sight: the axis leans towards the target
 //   cross = ±(tx sin a − tz cos a) across it: the axis leans to the right

@@ -24,8 +24,8 @@ constexpr double longestMm = 1e6;
 // The lower limit is finer than any circle; far below it, evidence and weights lose their digits.
 constexpr double leastSigmaArcsec = 0.001, largestSigmaArcsec = 3600;
 
-// Within 0.5″ to 1.5″, the assumed range of setting accuracies of compensators; a choice, not from a data
-// sheet. State that of the instrument.
+// A choice within 0.5″ to 1.5″, the assumed range of setting accuracies of compensators; not from a data
+// sheet. A session should state that of its instrument.
 constexpr double usualSigmaCompensator = 1;
 // Compensators work within some 4′; a tilt beyond this was typed in another unit.
 constexpr double largestTiltArcsec = 3600;
@@ -33,7 +33,7 @@ constexpr double largestTiltArcsec = 3600;
 // The line of sight passes the vertical axis within some tenths of a millimetre.
 constexpr double largestOffsetMm = 10;
 
-// In any unit of the catalogue; far below, weights lose their digits.
+// Limits in any unit of the catalogue; far below, weights lose their digits.
 constexpr double leastKnownSigma = 1e-6, largestKnown = 1e6;
 
 enum class Bound { Included, Excluded };

@@ -19,7 +19,7 @@ Result<std::optional<double>> numberEntry(std::string_view field, const std::str
 
 /// The known value of a parameter of an effect, in any unit; empty: 0.
 Result<double> knownValueEntry(const std::string& text);
-/// Its standard uncertainty, > 0.
+/// The standard uncertainty of a known size, > 0.
 Result<double> knownSigmaEntry(const std::string& text);
 
 /// A whole number from `low` to `high`.
@@ -31,7 +31,7 @@ struct WholeRule {
 
 /// An angle in the range of a circle, in degrees; `low` is included.
 struct AngleRule {
-  double low, lowOfElevation;  ///< the second where the vertical circle reads elevations
+  double low, lowOfElevation;  ///< the second if the vertical circle reads elevations
   double high;
   bool isHighIncluded = false;
   bool mayBeEmpty = false;
@@ -78,7 +78,7 @@ Result<ZeroIs> zeroIsEntry(const std::string& text);
 Result<VerticalAngleRelation> verticalAngleEntry(const std::string& text);
 Result<RadiusModel> radiusModelEntry(const std::string& text);
 
-/// Why `text` is not a date; an empty text is allowed.
+/// Returns the reason why `text` is not a date; an empty text is allowed.
 std::optional<Problem> dateProblem(const std::string& text);
 
 }  // namespace alidade

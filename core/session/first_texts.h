@@ -48,7 +48,7 @@ class FirstTexts {
   bool operator==(const FirstTexts& other) const { return all() == other.all(); }
 
  private:
-  /// For modification: makes a copy if the texts are shared.
+  /// Returns the texts for modification: makes a copy if they are shared.
   Texts& own() {
     if (!m_texts)
       m_texts = std::make_shared<Texts>();

@@ -33,14 +33,14 @@ struct JournalField {
   std::string JournalEntry::*text;
 };
 
-/// In the order of the struct, the hash last.
+/// The fields in the order of the struct, the hash last.
 inline constexpr JournalField journalFields[] = {
     {"at", &JournalEntry::at},         {"by", &JournalEntry::by},       {"place", &JournalEntry::place},
     {"axis_deg", &JournalEntry::axis}, {"point", &JournalEntry::point}, {"round", &JournalEntry::round},
     {"face", &JournalEntry::face},     {"from", &JournalEntry::from},   {"to", &JournalEntry::to},
     {"why", &JournalEntry::why},       {"hash", &JournalEntry::hash}};
 
-/// Why an entry was changed.
+/// The reasons for a change of an entry.
 namespace journal_reasons {
 inline constexpr const char* retyped = "retyped";
 inline constexpr const char* suggestion = "suggestion";  ///< accepted proposal of the search for misread

@@ -12,11 +12,11 @@ namespace alidade {
 struct Reading;
 
 // Does a session agree with its journal? Each entry holds the old and the new value, so the journal can be
-// reverted entry by entry: a place that differs from an entry's new value was changed outside this program.
+// reverted entry by entry. A place that differs from an entry's new value was changed outside this program.
 // The content at a seal must be the sealed one. A seal keeps a copy of it, if that fits into a text of a
-// file, so that even an unrecorded change is located; older seals keep only the digest. Reverted exactly:
+// file, so that even an unrecorded change is located. Older seals keep only the digest. Reverted exactly:
 // texts of fields and rows, and rows that were added, deleted or moved. An import, an edit of more than a
-// thousand cells and a deleted position have one entry each, which cannot be reverted: anything before such
+// thousand cells and a deleted position have one entry each, which cannot be reverted. Anything before such
 // an entry is checked only at a seal with a copy.
 
 /// A place that contradicts the journal.

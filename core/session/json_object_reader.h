@@ -13,7 +13,7 @@
 
 namespace alidade {
 
-/// For "must be a number, not a list".
+/// The name of a type for the sentence "must be a number, not a list".
 std::string jsonTypeName(const nlohmann::ordered_json& value);
 
 /// The format of a file, and the sentences for files of other formats. Phrases are for `Phrase::of`.
@@ -21,7 +21,7 @@ struct JsonFormat {
   const char* id;         ///< "alidade-session"
   const char* isNone;     ///< for a file without a format
   const char* choose;     ///< what to do instead: "choose a session file"
-  const char* noVersion;  ///< for an invalid version, with it and the newest one
+  const char* noVersion;  ///< for an invalid version; contains it and the newest version
 };
 
 /// Takes values out of one object of a file. The first problem is kept; later ones are ignored.

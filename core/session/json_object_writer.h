@@ -13,7 +13,7 @@ namespace alidade {
 
 enum class Presence {
   Optional,  ///< omitted if empty
-  Required,  ///< written even where empty
+  Required,  ///< written even if empty
 };
 
 /// Updates the object from which a part was read, and keeps everything unchanged that did not change.

@@ -15,7 +15,7 @@ using TakeRow = std::function<void(const Place& where, const nlohmann::ordered_j
 /// Parses JSON text (UTF-8, with or without a byte order mark) into `json`, keeping the order of the keys.
 /// Refuses, with line and column or the place: invalid UTF-8 or JSON, a duplicate key in an object (one of
 /// its values would be lost), and content beyond the limits (core/base/limits.h). With `takeRow`, the rows of
-/// readings are passed to it in order and their lists in `json` stay empty: all rows at once would take many
+/// readings are passed to it in order and their lists in `json` stay empty. All rows at once would take many
 /// times the memory of their text.
 std::optional<Problem> parseJson(std::string_view text, nlohmann::ordered_json& json,
                                  const TakeRow& takeRow = {});

@@ -98,7 +98,7 @@ class Examiner : private ProblemReporter {
     if (const auto problem = dateProblem(text)) report(*problem, {.field = field});
   }
 
-  /// A number without which there is no measurement.
+  /// A number that every measurement needs.
   double vitalNumber(const std::string& field, const std::string& text) {
     const auto value = number(field, text);
     if (!value) m_usable = false;
@@ -150,7 +150,7 @@ class Examiner : private ProblemReporter {
       m_usable = false;
   }
 
-  /// From 20 °C, for which the lengths are stated, to the temperature of the session.
+  /// Converts the lengths from 20 °C, for which they are stated, to the temperature of the session.
   void expand(const std::optional<double>& temperature, double sigmaTemperature) {
     const Geometry& geometry = m_session.geometry;
     const auto toTemperature = [&](const char* field, const std::string& text, double& length,
@@ -208,8 +208,8 @@ class Examiner : private ProblemReporter {
     }
   }
 
-  /// At the distance of the slider, e/D is part of the collimation. The distance is known well enough: an
-  /// error of 1 % changes e/D by a hundredth.
+  /// Adds e/D at the distance of the slider to the collimation. The distance is known well enough: an error
+  /// of 1 % changes e/D by a hundredth.
   void takeLineOfSight() {
     const LineOfSight& entered = m_session.instrument.lineOfSight;
     const auto offset = number("instrument.line_of_sight_mm", entered.offsetMm);

@@ -26,7 +26,7 @@ enum class ArcPlane {
   Square,    ///< perpendicular to the pointing zero
 };
 
-/// What the pointing zeros of the positions sight.
+/// The target of the pointing zeros.
 enum class ZeroIs {
   Unstated,  ///< a mark if they agree
   Mark,      ///< one fixed direction
@@ -36,23 +36,24 @@ enum class ZeroIs {
 
 enum class VerticalCircle { Zenith, Elevation };
 
-/// How a vertical circle reading follows from the target (x, y, −L).
+/// The relation between a vertical circle reading and the target (x, y, −L).
 enum class VerticalAngleRelation {
   Exact,   ///< tan e = y/√(x² + L²): what a theodolite reads
   Planar,  ///< tan e = y/L: the published relation
 };
 
-/// How the fit treats the radius.
+/// The treatment of the radius in the fit.
 enum class RadiusModel {
   Free,    ///< each position has its own
   Common,  ///< one for both positions, as of one rigid guideway
   Known,   ///< one for both, with a prior: R0 with its σ
 };
 
-/// The quantity that a tolerance limits: of the distance of the arc's centre from the axis …
+/// The quantity that a tolerance limits: the distance of the arc's centre from the axis, or a component of
+/// it.
 enum class Measurand {
-  Intersection,  ///< … the component in the plane of the arc, Δd
-  Distance,      ///< … the whole distance, including the part across the plane
+  Intersection,  ///< the component in the plane of the arc, Δd
+  Distance,      ///< the whole distance, including the part across the plane
 };
 
 /// The corrections that an instrument applied to its readings.
@@ -200,8 +201,8 @@ bool hasTimes(const Measurement& measurement);
 /// row of its position, or just after the last; a common zero before all rows.
 void setMoments(Measurement& measurement);
 
-/// For each arc the first one at its axis, which is itself unless its position is a repeat: the arcs of one
-/// axis share centre and radius.
+/// Returns the first arc at the axis of each arc, which is itself unless its position is a repeat. The arcs
+/// of one axis share centre and radius.
 std::vector<std::size_t> firstAtTheirAxes(const Measurement& measurement);
 
 /// Is any axis measured more than once?
@@ -226,10 +227,11 @@ struct Examined {
 /// out. If the coverage is unusable there is no tolerance either: a verdict needs a chosen level.
 Examined examine(const Session& session);
 
-/// Why `text` is unusable as the value of the field at `where`; absent if it is usable. For marking entries
-/// in place: the rules of `examine`, without checks that need other entries. `field` is a name of the session
-/// file without indices: `geometry.distance_mm`, `pointing_zero.vertical`, `readings.horizontal`,
-/// `readings.face`, `acceptance.coverage`, `axis_deg`, `measured_on`, `device.known.sigma`, …
+/// Returns the reason why `text` is unusable as the value of the field at `where`; absent if it is usable. It
+/// marks entries in place: by the rules of `examine`, without checks that need other entries. `field` is a
+/// name of the session file without indices: `geometry.distance_mm`, `pointing_zero.vertical`,
+/// `readings.horizontal`, `readings.face`, `acceptance.coverage`, `axis_deg`, `measured_on`,
+/// `device.known.sigma`, …
 std::optional<std::string> entryProblem(const Session& session, const std::string& field,
                                         const std::string& text);
 

@@ -94,7 +94,7 @@ class PositionExaminer : private ProblemReporter {
     return valueOf(tiltEntry(text), place, field).value_or(std::nullopt);
   }
 
-  /// The row reduced by the zero; empty if it cannot be used or there is no zero.
+  /// Returns the row reduced by the zero; empty if the row cannot be used, or without a zero.
   std::optional<Sighting> examineRow(const Reading& row, const Place& place) {
     if (isBlank(row)) {
       report({Phrase::of("is empty, as is the whole row: type its readings or delete the row")},
@@ -159,7 +159,7 @@ class PositionExaminer : private ProblemReporter {
            at(place, field));
   }
 
-  /// If the zero is inclined, e = 0 is not the horizon.
+  /// Checks the elevation from the horizon, which differs from e if the zero is inclined.
   void checkSteepness(const ZeroDirection& zero, Angle e, const std::string& text, const Place& place) {
     const Angle zeroUp = *m_circle == VerticalCircle::Zenith ? wrapped(Angle::fromDegrees(90) - zero.vertical)
                                                              : wrapped(zero.vertical);

@@ -15,8 +15,8 @@
 
 namespace alidade {
 
-// The fields of a row, defined once for the session file, the checks of entries, the import of tables, the
-// table in the window and the one in the report.
+// The fields of a row, defined once for all uses: the session file, the checks of entries, the import of
+// tables, and the tables of window and report.
 
 inline constexpr WholeRule pointRule{
     0, std::numeric_limits<int>::max(), {}, PHRASE_LATER("Phrase", "%1 is no point: points count from 0")};
@@ -52,7 +52,7 @@ struct RowField {
                                   ///< optional
 };
 
-/// In the order of the session file.
+/// All fields in the order of the session file.
 inline constexpr std::array rowFields{
     RowField{.key = "point", .text = &Reading::point, .rule = pointRule},
     RowField{.key = "round", .text = &Reading::round, .rule = roundRule},
@@ -97,7 +97,7 @@ constexpr bool isFreeText(const RowField& field) {
          (std::holds_alternative<FreeText>(field.rule) || std::holds_alternative<NumberText>(field.rule));
 }
 
-/// How the field's text is written in JSON.
+/// The JSON notation of the field's text.
 constexpr ValueKind kindOf(const RowField& field) {
   if (isAngle(field)) return ValueKind::Angle;
   const bool isNumber = std::holds_alternative<WholeRule>(field.rule) ||
@@ -109,7 +109,7 @@ constexpr ValueKind kindOf(const RowField& field) {
 /// The meaning of an empty text of the field, as it would be typed: "1" for a round. Empty: none.
 std::string usualText(const RowField& field);
 
-/// Why `text` is invalid in the field of a row with this kind of vertical circle.
+/// Returns the reason why `text` is invalid in the field of a row with this kind of vertical circle.
 std::optional<Problem> entryProblem(const RowField& field, const std::string& text, VerticalCircle circle);
 
 /// The texts of a row on the compensator and the corrections that were on.

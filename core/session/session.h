@@ -114,7 +114,7 @@ struct NamedRecord {
 };
 
 /// The line of sight passes the vertical axis at a distance e. For e > 0 face 1 reads e/(D cos(elevation))
-/// too much on the horizontal circle and face 2 as much too little, D along the line of sight: at one
+/// too much on the horizontal circle and face 2 as much too little, D along the line of sight. At one
 /// distance this is a collimation of e/D, added to the known collimation.
 struct LineOfSight {
   std::string offsetMm = {};     ///< e; empty: unknown

@@ -9,8 +9,8 @@
 namespace alidade {
 
 /// Reads the text of a `*.alidade` file (JSON, UTF-8, format version 1). Fails, with the place, on text that
-/// is not JSON (line and column), another format, a newer version, a missing required key or a value of the
-/// wrong JSON type. Invalid numbers and angles are kept as texts, for `examine` to report.
+/// is not JSON (line and column), another format or a newer version. Also fails on a missing required key or
+/// a value of the wrong JSON type. Invalid numbers and angles are kept as texts, for `examine` to report.
 Result<Session> readSession(std::string_view text);
 
 /// The session as the text of a file, ending in a newline: indented by two blanks, one line per reading.

@@ -16,7 +16,7 @@ namespace alidade {
 /// direction of the last two points (point 1 of an empty position).
 Reading followingReading(const Session& session, std::size_t position);
 
-/// How rows are prepared before they are read.
+/// The ways to prepare further rows before they are read.
 enum class FurtherRows {
   WayBack,       ///< the places of the last stretch in reverse order, as the next round
   WayBackInTwo,  ///< the same in the other face

@@ -246,7 +246,7 @@ std::size_t sightingCount(const SightingProtocol& protocol) {
   std::size_t count = 0;
   for (const ProtocolPosition& position : protocol.positions) {
     count += position.zeros.before.size() + position.zeros.after.size();
-    // Of four faces, each place has two: 1 and 2, then 2 and 1.
+    // With four faces, places alternate between 1 2 and 2 1, so each place has two.
     for (const ProtocolRound& round : position.rounds)
       count += protocol.placesOf(position).size() * std::min<std::size_t>(2, round.faces.size());
   }

@@ -15,7 +15,7 @@ namespace alidade {
 
 // A measurement protocol: the sightings of a session, their number and order. A separate file,
 // `*.alidade-protocol`, or the `protocol` of a session that follows it. A session has one orientation of the
-// horizontal circle per position, so turning the circle between two rounds begins a repeat of the position,
+// horizontal circle per position. So turning the circle between two rounds begins a repeat of the position,
 // with its own pointing zero.
 
 /// A place of the slider. The arc angle refers to axis position 0°, counter-clockwise from the right as the
@@ -32,8 +32,8 @@ struct ProtocolPlace {
 /// One run through all places: a round of the session.
 struct ProtocolRound {
   bool isBack = false;  ///< from the last place to the first
-  /// In the order of pointing, while the slider is at rest: one face, both, or both twice, where every other
-  /// place uses the second pair: 1 2 2 1 saves turning the telescope over.
+  /// The faces in the order of pointing, while the slider is at rest: one face, both, or both twice. In the
+  /// last case every other place uses the second pair: 1 2 2 1 saves turning the telescope over.
   std::vector<int> faces = {1};
   JsonOrigin origin = {};
 

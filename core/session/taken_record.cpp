@@ -37,7 +37,7 @@ KnownSize withoutCitation(KnownSize size, const NamedRecord& record) {
   return size;
 }
 
-/// Takes the offset with its collimation: without a stated offset, a record's collimation includes e/D; so
+/// Takes the offset with its collimation. Without a stated offset, a record's collimation includes e/D. So
 /// does one taken earlier from a record with an offset, if this record has none.
 void takeLineOfSight(Instrument& own, const InstrumentRecord& record) {
   const bool hasCollimation =

@@ -7,7 +7,7 @@
 
 namespace alidade {
 
-/// How a value of the session file is kept as text and converted back to JSON.
+/// The kinds of values of the session file that are kept as text and converted back to JSON.
 enum class ValueKind {
   Text,    ///< a JSON string
   Number,  ///< a JSON number; a string if the typed text is not a number

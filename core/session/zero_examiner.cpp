@@ -158,8 +158,8 @@ std::vector<SightedZero> apartFrom(const std::vector<FromFirst>& sightings, Angl
   return apart;
 }
 
-/// The mean of the faces that count, each the mean of its sightings. `up`: 1 if the vertical circle increases
-/// upwards, else −1.
+/// Returns the mean of the faces that count, each the mean of its sightings. `up`: 1 if the vertical circle
+/// increases upwards, otherwise −1.
 ZeroDirection directionOf(const PositionZero& zero, bool withFaceTwo, double up) {
   std::vector<FromFirst> counting = zero.sightings;
   std::erase_if(counting, [&](const FromFirst& one) { return one.face == 2 && !withFaceTwo; });

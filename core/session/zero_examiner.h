@@ -31,11 +31,11 @@ struct ExaminedZeros {
 };
 
 /// Examines the zeros of every position. An unusable sighting is left out and reported; without the first, in
-/// face 1 before the readings, a position has no zero. Only faces in which all zeros were sighted count,
-/// since the effect of collimation and index in face 1 is constant over an arc: zeros in different faces
-/// would not cancel it. If all positions have one zero (`PointingZeros::One`), each sighting may be entered
-/// in any of them. `circle` absent: its kind is unknown, and there are no directions. σ: of single sightings,
-/// ≥ 0.
+/// face 1 before the readings, a position has no zero. Only faces in which all zeros were sighted count. The
+/// reason is that the effect of collimation and index in face 1 is constant over an arc; zeros in different
+/// faces would not cancel it. If all positions have one zero (`PointingZeros::One`), each sighting may be
+/// entered in any of them. `circle` absent: its kind is unknown, and there are no directions. σ: of single
+/// sightings, ≥ 0.
 ExaminedZeros examineZeros(const Session& session, const std::optional<VerticalCircle>& circle,
                            PointingZeros kind, Angle sigmaHorizontal, Angle sigmaVertical);
 

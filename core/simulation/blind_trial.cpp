@@ -74,8 +74,8 @@ class Draw {
     return {*own, static_cast<int>(std::count(axes.begin(), own + 1, *own))};
   }
 
-  /// One or two readings, off by a detectable slip of the tens or the minutes: one along the arc may be
-  /// undetectable.
+  /// Misreads one or two readings by a detectable slip of the tens or the minutes; a slip along the arc may
+  /// be undetectable.
   void putGrossErrors() {
     constexpr int tries = 200;
     const std::vector<PlannedRow> rows = plannedRows(m_protocol);
@@ -130,8 +130,8 @@ class Draw {
     if (m_random.uniform() < share) m_truth.sigmaReference = sigma;
   }
 
-  /// An uncatalogued disturbance, well separated from every catalogued effect: a radius harmonic as often as
-  /// any other kind.
+  /// Adds an uncatalogued disturbance, well separated from every catalogued effect. A radius harmonic is as
+  /// frequent as any other kind.
   void putUnknown() {
     constexpr int tries = 30;
     constexpr double mostSize = 300;  // mm or arcsec: larger than any detectable disturbance needs
@@ -177,7 +177,7 @@ class Draw {
     }
   }
 
-  /// In a random direction, sized for the drawn visibility.
+  /// Adds the effect in a random direction, sized for the drawn visibility.
   void putEffect(const Effect& effect) {
     if (effect.response == Response::AllOrNothing) {
       m_truth.effects = {{effect.parameters.front().term, 1}};

@@ -15,8 +15,8 @@ namespace alidade {
 // A blind trial: a simulated session with a drawn and sealed truth, to be diagnosed, and scored when the seal
 // is opened. The kind is drawn first: none, one catalogued effect, misread values, a knocked tripod, the
 // other vertical angle relation, more noise than stated, two effects at once, an uncatalogued disturbance.
-// The size of an effect gives a visible length that is uniform in a range of σ, but is at most a few of its
-// plausible sizes.
+// The size of an effect gives a visible length that is uniform in a range of σ. The size itself is at most a
+// few plausible sizes.
 
 struct BlindTrialOptions {
   std::string protocol;      ///< by name; empty: drawn from the named ones

@@ -8,7 +8,7 @@
 
 namespace alidade {
 
-/// How the instrument of a simulated session uses its compensator.
+/// The use of the compensator in a simulated session.
 enum class CompensatorUse {
   Off,       ///< the rows state that nothing was corrected
   Measured,  ///< the rows also state the tilts
@@ -20,8 +20,8 @@ enum class CompensatorUse {
 Truth leftByCompensator(Truth truth, Angle sigma, std::uint64_t seed);
 
 /// Enters the instrument's statements in each row. Tilts are those of `truth` plus an index of the
-/// compensator for cross and length each and an error of each reading, both drawn with this σ; written to
-/// 0.1″.
+/// compensator, for cross and length each, and an error of each reading. Index and error are drawn with this
+/// σ; the tilts are written to 0.1″.
 void stateCompensator(Session& session, const Truth& truth, CompensatorUse use, Angle sigma,
                       std::uint64_t seed);
 

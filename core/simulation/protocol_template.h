@@ -12,7 +12,7 @@ namespace alidade {
 /// zeros are sighted in face 1, and also in face 2 if both faces are read.
 SightingProtocol templateOf(const Protocol& protocol);
 
-/// By its name in `simulate --protocol`; absent if the name is unknown.
+/// Finds a template by its name in `simulate --protocol`; absent if the name is unknown.
 std::optional<SightingProtocol> templateNamed(std::string_view name);
 
 }  // namespace alidade

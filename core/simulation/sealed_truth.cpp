@@ -95,7 +95,7 @@ std::string kindCalled(const std::string& kind) {
   return kind == "rounding" ? noiseId : kind;
 }
 
-/// Why the truth cannot be scored, beginning with the key at fault.
+/// Returns the reason why the truth cannot be scored, beginning with the key at fault.
 std::optional<std::string> whyUnscorable(const SealedTruth& truth) {
   for (const std::string& cause : truth.causes)
     if (!isCause(cause) && cause != truth.kind)

@@ -48,9 +48,9 @@ SealedTruth sealed(const std::string& id, const Truth& truth, const std::optiona
 /// visible_sigma, look_alikes: [[id, cosine, σ], …]}, …}. Kind and intersection_mm are required, other keys
 /// are ignored, `plan` is a synonym of protocol, and the keys of `there` in `all` are the causes. A kind that
 /// the diagnosis cannot name is uncatalogued. Truths of series are skipped. The result is in the order of the
-/// ids. Fails, with the id and the key, on truths that cannot be scored: a value of the wrong type, a kind
-/// within two letters of an effect, a cause that cannot be diagnosed, a gross_error without blunders,
-/// two_causes without causes; and if there is no truth.
+/// ids. Fails if there is no truth, and, with the id and the key, on truths that cannot be scored. Such are a
+/// value of the wrong type, a kind within two letters of an effect, and a cause that cannot be diagnosed.
+/// Others are a gross_error without blunders, and two_causes without causes.
 Result<std::vector<SealedTruth>> readSealedTruths(const std::string& text);
 
 }  // namespace alidade

@@ -124,8 +124,8 @@ class SeriesDraw {
     m_seal.serial = ofInstrument ? "T-1" : "G-1";
   }
 
-  /// In all sessions of its owner, sized for the drawn visibility; false if that needs far more than the
-  /// plausible size.
+  /// Adds the effect to all sessions of its owner, sized for the drawn visibility. Returns false if that
+  /// needs far more than the plausible size.
   bool put(const Effect& effect) {
     constexpr double least = 6, most = 10, mostPlausible = 6;
     const double angle = m_random.uniform(0, 2 * std::numbers::pi), target = m_random.uniform(least, most);

@@ -33,10 +33,10 @@ struct SeriesTrial {
 };
 
 /// 8 to 12 sessions with no shared effect, or one effect of an instrument or a guideway, visible by 6 to 10 σ
-/// in all of them together; a quarter of the series have an uncatalogued one, visible by 8 to 16 σ and by at
+/// in all of them together. A quarter of the series have an uncatalogued one, visible by 8 to 16 σ and by at
 /// least 6 σ beyond any catalogued effect. Either each session has another guideway (or instrument), or two
-/// instruments and three guideways are crossed. In a third of the series one session is spoiled: by a misread
-/// value, by a knocked tripod, or by another effect; in half of these the knock is a hard one, or the whole
+/// instruments and three guideways are crossed. In a third of the series one session is spoiled, by a misread
+/// value, by a knocked tripod, or by another effect. In half of these the knock is a hard one, or the whole
 /// session scatters more. The same seed gives the same trial.
 Result<SeriesTrial> drawSeriesTrial(std::uint64_t seed);
 

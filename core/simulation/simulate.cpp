@@ -132,7 +132,7 @@ class Simulator {
       position.readings.push_back(reading(perfect, axisDeg, m_plan[i]));
     }
     if (!inFull) return position;
-    --m_taken;  // with the last row
+    --m_taken;  // the zeros are sighted at the moment of the last row
     position.zero.after = zero(perfect.zero(1, moment(m_plan.back())));
     position.zero.afterInTwo = zero(perfect.zero(2, moment(m_plan.back())));
     ++m_taken;

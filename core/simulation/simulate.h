@@ -36,7 +36,7 @@ class PerfectReadings {
 
   /// Readings of the pointing zero.
   CircleReadings zero(int face = 1, const Moment& moment = {}) const;
-  /// With the slider at coordinate `s` (equal to φ at 0°, to −φ at 180°).
+  /// Readings of the target with the slider at coordinate `s` (equal to φ at 0°, to −φ at 180°).
   CircleReadings target(Angle s, int face, const Moment& moment) const;
   Angle slider(Angle s) const;
 

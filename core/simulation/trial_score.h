@@ -38,11 +38,11 @@ struct TrialScore {
       {};                 ///< the only cause, "several-causes" if more are named, or the verdict without one
   bool detected = false;  ///< a gap was found at all
   bool named = false;     ///< the truth, alone or in a group, is the first cause
-  /// With a cause named: is the true Δd within Δd ± U afterwards? Absent without cause or without Δd.
+  /// Is the true Δd within Δd ± U afterwards, if a cause is named? Absent without cause or without Δd.
   std::optional<bool> covered = {};
-  /// For any answer: is it within Δd ± U with the causes found, and measured? Absent without Δd.
+  /// Is it within Δd ± U with the causes found, and measured, for any answer? Absent without Δd.
   std::optional<bool> coveredAfter = {}, coveredMeasured = {};
-  /// With a cause named: is reduced χ² afterwards at noise level (above its 0.1 % point)?
+  /// Is reduced χ² afterwards at noise level (above its 0.1 % point), if a cause is named?
   std::optional<bool> backToNoise = {};
 };
 

@@ -55,7 +55,7 @@ struct NumberedPosition {
 
 /// All properties of a simulated session that its fit does not know. Lengths in mm, o0.
 ///
-/// The guideway turns about an axis at (y = axisHeight); its centre is off that axis by the intersection, so
+/// The guideway turns about an axis at (y = axisHeight). Its centre is off that axis by the intersection, so
 /// y(0°) = axisHeight + Δd and y(180°) = axisHeight − Δd.
 struct Truth {
   std::uint64_t seed = 0;
@@ -68,7 +68,7 @@ struct Truth {
   /// β0 of a perfect instrument at the height of the axis: 90° on a zenith circle and 0° on an elevation
   /// circle.
   Angle verticalZero = Angle::fromDegrees(90);
-  ArcPlane plane = ArcPlane::Vertical;  ///< if the instrument is at another height
+  ArcPlane plane = ArcPlane::Vertical;  ///< matters if the instrument is at another height
   Angle sliderZero;                     ///< slider reading at s = 0
 
   std::vector<TrueSize> effects;  ///< each term at most once

@@ -6,11 +6,11 @@
 
 namespace alidade {
 
-/// Across the plane of the arc the centre lies off the axis by more than U.
+/// Whether the centre's offset Δz across the plane of the arc exceeds its U.
 bool liesOff(const MeasuredIntersection& measured);
 
-/// "Across the plane of the arc its centre lies Δz = 3.01 mm ± 0.42 mm off the axis.", or that it was not
-/// measured.
+/// Returns "Across the plane of the arc its centre lies Δz = 3.01 mm ± 0.42 mm off the axis.", or that Δz was
+/// not measured.
 std::string acrossSentence(const MeasuredIntersection& measured);
 
 }  // namespace alidade

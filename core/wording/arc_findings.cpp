@@ -13,7 +13,7 @@ using namespace arc_finding;
 
 namespace {
 
-/// χ² as evidence.
+/// The scatter as a sentence with χ² as evidence.
 std::string scatterText(double reducedChiSquare, int degreesOfFreedom) {
   return Phrase::of("(reduced χ² %1 with %2 degrees of freedom)", displayText(reducedChiSquare, 2),
                     degreesOfFreedom);

@@ -17,7 +17,7 @@ bool isEasier(const AttainableUncertainty& one, const AttainableUncertainty& oth
   return std::pair(one.measures.size(), one.expanded) < std::pair(other.measures.size(), other.expanded);
 }
 
-/// The two easiest, then the one that brings the most.
+/// Returns the two easiest entries and the one that reduces U most.
 std::vector<AttainableUncertainty> fewOf(std::vector<AttainableUncertainty> list) {
   if (list.empty()) return list;
   const auto best = *std::ranges::min_element(list, {}, &AttainableUncertainty::expanded);

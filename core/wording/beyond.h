@@ -6,7 +6,7 @@
 
 namespace alidade {
 
-/// "averaged over what looks alike", …; empty for nothing.
+/// Returns "averaged over what looks alike", …; empty for `Nothing`.
 std::string textOf(Beyond beyond);
 
 }  // namespace alidade

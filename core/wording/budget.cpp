@@ -15,7 +15,7 @@ namespace {
 double roundedTo(double value, int digits) {
   if (!(value > 0) || !std::isfinite(value)) return value;
   const double step = std::pow(10, std::floor(std::log10(value)) + 1 - digits);
-  // Divided by a whole number where that is one, so that no digits of a power of ten show.
+  // Divides by a whole number if possible, so that no digits from a power of ten appear.
   return step < 1 ? std::round(value / step) / std::round(1 / step) : std::round(value / step) * step;
 }
 

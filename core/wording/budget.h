@@ -10,13 +10,13 @@ namespace alidade {
 /// "readings", "model effects", "known radius", "pointing zeros", "distance".
 std::string textOf(UncertaintySource source);
 
-/// Its source: "readings", "plane_warp", "what else may explain the readings".
+/// The origin: "readings", "plane_warp", "what else may explain the readings".
 std::string textOf(const UncertaintyShare& share);
-/// Where its size comes from: "scatter", "stated", "default" of the catalogue, "known", "diagnosis".
+/// The source of its size: "scatter", "stated", "default" of the catalogue, "known", "diagnosis".
 std::string textOf(UncertaintyShare::From from);
 /// "A" or "B".
 std::string textOf(UncertaintyShare::Type type);
-/// 1σ of an effect's numbers, one where they are alike: "30", "10, 12"; empty of another source.
+/// 1σ of an effect's numbers, only once if all are equal: "30", "10, 12"; empty for other origins.
 std::string numbersText(const UncertaintyShare& share);
 /// The same with their unit: "30 arcsec", "10, 12 arcsec".
 std::string sizesText(const UncertaintyShare& share);

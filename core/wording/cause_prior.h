@@ -4,8 +4,8 @@
 
 namespace alidade {
 
-/// 1σ of what is plausible of an effect of the catalogue before anything is read: "30 arcsec", "0.05 mm"; the
-/// unit of a pure number is left out. Empty for what is none: a jump, misread values, larger noise.
+/// Returns the plausible size (1σ) of a catalogue effect: "30 arcsec", "0.05 mm"; pure numbers have no unit.
+/// Empty for a jump, misread values and larger noise, which have no plausible size.
 std::string plausibleSizeText(const std::string& id);
 
 }  // namespace alidade

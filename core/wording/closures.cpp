@@ -19,7 +19,7 @@ std::string nameInWords(const Closure::Repeated& repeated) {
          positionName(repeated.axisDeg) + ")";
 }
 
-/// The misclosure is told at the distance of the arc.
+/// The misclosure of zeros is a length at the distance of the arc.
 std::string nameOfZeros(const Closure& closure) {
   const Closure::Repeated later = closure.repeated.value_or(Closure::Repeated{180, 1, {}});
   const std::string position = positionName(later.axisDeg, later.time);

@@ -12,7 +12,7 @@ std::string nameInWords(const Closure& closure);
 /// "R(180°) − R(0°) = 1.96 mm (u 0.28), 7.0 σ".
 std::string textOf(const Closure& closure);
 
-/// Which closures fail although the causes are in the model, and what that means; empty where none does.
+/// Names the closures that fail even with the causes in the model, and the consequence; empty if none fails.
 std::string misclosureSentence(const Diagnosis& diagnosis);
 
 }  // namespace alidade

@@ -29,7 +29,7 @@ std::string verdictText(Verdict verdict) {
   return Phrase::of("undecided");
 }
 
-/// Of those without which the verdict is this one.
+/// The rows whose exclusion gives this verdict.
 std::string rowsText(const std::vector<Dependence>& dependences, Verdict without) {
   constexpr std::size_t mostNamed = 4;
   std::vector<std::string> rows;

@@ -8,7 +8,7 @@
 
 namespace alidade {
 
-// What a verdict depends on, the same words in window, report, certificate, console and JSON.
+// The conditions of a verdict, in the same words in window, report, certificate, console and JSON.
 
 /// "between the pointing zero and the first sighting at 180°".
 std::string momentText(const UndetectableJump& jump);

@@ -9,7 +9,7 @@ namespace alidade {
 
 namespace {
 
-/// Of two files that are to be told apart.
+/// Returns a name for `file` that differs from that of `other`.
 std::string toldApart(const std::string& file, const std::string& other) {
   const std::filesystem::path name = std::filesystem::path(file).filename();
   return wellFormed(name == std::filesystem::path(other).filename() ? file : name.string());

@@ -4,10 +4,10 @@
 
 namespace alidade {
 
-// What is said of a file that holds what another one holds. Both are paths; the names of the files tell them
-// apart, or else all of the paths.
+// Sentences on a file with the same readings as another one. Both are paths; the sentences use the file
+// names, or the whole paths if the names are equal.
 
-/// "holds the same readings as a.alidade: counted once", of `copy`.
+/// "holds the same readings as a.alidade: counted once"; the subject is `copy`.
 std::string copyReason(const std::string& copy, const std::string& first);
 /// "b.alidade holds the same readings as a.alidade: counted once."
 std::string copySentence(const std::string& copy, const std::string& first);

@@ -5,7 +5,7 @@
 
 namespace alidade {
 
-/// Why there is no answer, in a sentence, with its place in the session.
+/// Returns the reason for a missing diagnosis as a sentence, with its place in the session.
 Problem problemOf(const NoModel& fault);
 Problem problemOf(const DiagnosisFault& fault);
 

@@ -13,12 +13,12 @@ namespace alidade {
 
 namespace {
 
-/// Larger noise explains residuals, it does not shrink them.
+/// Larger noise explains the residuals but does not reduce them.
 bool shrinks(const Diagnosis& diagnosis) {
   return diagnosis.causes.front().effect != noiseId;
 }
 
-/// Where the circles' σ differ much, χ² may fall while the residuals, in arcseconds, do not.
+/// If the σ of the circles differ much, χ² may decrease while the residuals in arcseconds do not.
 std::string change(const GapSize& before, const GapSize& after) {
   const auto differ = [&](int decimals) {
     return displayText(before.rms, decimals) != displayText(after.rms, decimals);
@@ -40,7 +40,7 @@ std::string change(const GapSize& before, const GapSize& after) {
                           more, same);
 }
 
-/// What the positions must agree on, and did not, they agree on with the causes.
+/// Whether closures that failed are satisfied with the causes.
 bool closes(const Diagnosis& diagnosis) {
   const auto failed = [](const ClosureStep& step) { return fails(step.before); };
   return std::ranges::any_of(diagnosis.closures, failed) && !isMisclosed(diagnosis);
@@ -105,7 +105,7 @@ std::string byId(const std::string& id) {
 
 namespace {
 
-/// The gap is what is known beforehand: the residuals shrink noticeably with it, and the rest is noise.
+/// Whether the known sizes explain the gap: they reduce the residuals noticeably, and the rest is noise.
 bool isAsKnown(const Diagnosis& diagnosis) {
   constexpr double noticeably = 0.9;
   return !diagnosis.known.empty() && diagnosis.after.rms < noticeably * diagnosis.gap.rms;

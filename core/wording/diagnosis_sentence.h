@@ -7,16 +7,16 @@
 
 namespace alidade {
 
-/// What a cause is called, by its id.
+/// Returns the name of a cause from its identifier.
 using CauseNamer = std::function<std::string(const std::string& id)>;
 
-/// What a gap without a cause follows: "vertical readings with azimuth".
+/// The argument of the pattern in a gap without a cause: "vertical readings with azimuth".
 std::string patternName(const GapShape& shape);
 
-/// A cause by its id, as files and the console have it.
+/// Names a cause by its identifier, as in files and on the console.
 std::string byId(const std::string& id);
 
-/// The verdict in whole sentences; causes are called as `name` has it, as within a sentence.
+/// The verdict in whole sentences; `name` gives the causes' names within a sentence.
 std::string sentenceOf(const Diagnosis& diagnosis, const CauseNamer& name = byId);
 
 }  // namespace alidade

@@ -9,17 +9,17 @@
 
 namespace alidade {
 
-/// What a fit has found, in sentences.
+/// Converts the findings of a fit to sentences.
 Finding inWords(const FitFinding& finding);
 std::vector<Finding> inWords(const std::vector<FitFinding>& findings);
 
-/// The same after the one that names the suspects, where there are any.
+/// The same, after a finding on the suspects, if any.
 std::vector<Finding> inWords(const std::vector<FitFinding>& findings, const std::vector<Suspect>& suspects);
 
-/// One sentence after the other; the second may be empty.
+/// Joins two sentences; the second may be empty.
 std::string inTurn(const std::string& first, const std::string& second);
 
-/// What was found, and what to do about it.
+/// The finding, and what to do about it.
 inline std::string sentencesOf(const Finding& finding) {
   return inTurn(finding.text, finding.remedy);
 }

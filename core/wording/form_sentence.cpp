@@ -56,7 +56,7 @@ std::string numberText(const Form& form, std::size_t index) {
                           : displayText(form.numbers[index], 3);
 }
 
-/// What the amplitudes multiply: one text, or cosine and sine.
+/// The factors of the amplitudes: one text, or cosine and sine.
 std::vector<std::string> functionTexts(const Form& form) {
   const std::string x = symbolOf(form.of);
   switch (form.function) {
@@ -100,14 +100,14 @@ std::string amplitudeText(double value, double sigma, bool isMillimetres) {
   return (value < 0 ? " − " : " + ") + size + " · ";
 }
 
-/// "0.12 mm": of coefficients that are as many as the readings have places or parts.
+/// The term of a free form: its kind and the size of its coefficients.
 std::string freeText(const FoundForm& found, const FormNumber& amplitude) {
   const std::string size = displayText(std::abs(amplitude.value), decimalsFor(amplitude.sigma, 2)) +
                            (found.form.isMillimetres() ? " mm" : "″");
   return " + " + Phrase::of("%1 of %2", functionTexts(found.form).front(), size);
 }
 
-/// Of one carrier: its coefficients from `first` on.
+/// The sum for one carrier, whose coefficients start at `first`.
 std::string sumText(const FoundForm& found, std::size_t first) {
   if (found.form.isFree()) {
     const bool isFirstOfTwo = found.form.carrier == FormCarrier::Orientation && first == 0;
@@ -121,7 +121,7 @@ std::string sumText(const FoundForm& found, std::size_t first) {
   return text;
 }
 
-/// Without sizes and places.
+/// The kind of a look-alike without its numbers.
 std::string kindText(const FormLookAlike& other, const CauseNamer& name) {
   if (!other.effect.empty()) return name(other.effect);
   std::string text = carrierText(other.form) + ", " + functionTexts(other.form).front();
@@ -153,7 +153,7 @@ std::string lookAlikesSentence(const FoundForm& found, const CauseNamer& name) {
   const std::size_t count = found.indistinguishableFrom.size();
   if (count == 0) return {};
   std::vector<std::string> kinds;
-  // Effects of the catalogue first.
+  // Lists effects of the catalogue first.
   for (const bool isEffect : {true, false})
     for (const FormLookAlike& other : found.indistinguishableFrom)
       if (other.effect.empty() != isEffect && kinds.size() < most) kinds.push_back(kindText(other, name));

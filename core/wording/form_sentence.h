@@ -16,14 +16,14 @@ std::string textOf(const FoundForm& found);
 /// "The form: … (probability 97 %)."
 std::string formSentence(const FoundForm& found);
 
-/// "These readings cannot tell it from: …." Empty where they can.
+/// "These readings cannot tell it from: …."; empty without look-alikes.
 std::string lookAlikesSentence(const FoundForm& found, const CauseNamer& name = byId);
 
 /// Where the model holds without the form. Empty of a harmonic, which goes on everywhere, and of two levels.
 std::string cleanRangeSentence(const FoundForm& found);
 
-/// "On 68 readings that took no part the gap shrinks by 91 % (in all readings by 93 %; F test: p = 1e-9)."
-/// Empty where too few readings are there.
+/// "On 68 readings that took no part the gap shrinks by 91 % (in all readings by 93 %; F test: p = 1e-9).";
+/// empty if too few readings were held out.
 std::string shrinkSentence(const FoundForm& found);
 
 }  // namespace alidade

@@ -37,7 +37,7 @@ std::string circleName(const Repeat& repeat) {
   return inWords(repeat.kind.value_or(ReadingKind::Horizontal));
 }
 
-/// U of one of the two accounts, and what the verdict needs of it.
+/// U of one account, and the U that the verdict needs.
 struct Account {
   bool isMeasured = false;
 
@@ -46,7 +46,7 @@ struct Account {
   }
 };
 
-/// As measured, unless only the fit's U stands in the way.
+/// Returns the measured account, unless only the U from the fit prevents a verdict.
 Account rulingAccount(const Outlook& outlook) {
   const ExpandedPair* any = outlook.now             ? &*outlook.now
                             : outlook.ahead.empty() ? nullptr
@@ -54,7 +54,7 @@ Account rulingAccount(const Outlook& outlook) {
   return {any && any->asMeasured.has_value()};
 }
 
-/// Lengths of one sentence, with the same decimals.
+/// Formats the lengths of one sentence with the same number of decimals.
 class Lengths {
  public:
   explicit Lengths(const Outlook& outlook, Account account) {
@@ -77,7 +77,7 @@ std::string moreRounds(int rounds) {
   return Phrase::of("%1 more rounds", rounds);
 }
 
-/// What the protocol's rest and more rounds bring where no verdict asks for a U.
+/// The effect of the remaining protocol and of more rounds, if no verdict requires a certain U.
 std::string withoutNeed(const Outlook& outlook, const ProtocolProgress& progress, Account account,
                         const Lengths& text) {
   std::vector<std::string> sentences;
@@ -100,7 +100,7 @@ std::string limitSentence(const Outlook& outlook, Account account, const Lengths
                     text(account.of(*outlook.limit)));
 }
 
-/// Where no number of rounds that was tried is enough.
+/// The sentence if none of the numbers of rounds suffices.
 std::string notEnough(const Outlook& outlook, Account account, const Lengths& text, const CauseNamer& name) {
   const RoundsAhead& most = outlook.ahead.back();
   const std::string needed = text(account.of(*outlook.needed));

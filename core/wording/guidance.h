@@ -10,7 +10,7 @@
 
 namespace alidade {
 
-// What a session that follows a protocol is told.
+// Sentences for a session that follows a protocol.
 
 /// "pointing zero, face 2", "point 5, round 2, face 2".
 std::string sightingName(const PlannedSighting& planned);
@@ -20,17 +20,17 @@ std::string sightingNameInSession(const PlannedSighting& planned);
 /// "to come", "next", "passed over", "taken", "excluded".
 std::string stateName(SightingState state);
 
-/// "23 of 72 sightings are there." and what is out of the order.
+/// "23 of 72 sightings are there.", and sightings out of order.
 std::string progressSentences(const ProtocolProgress& progress);
 
-/// What to take again, and why.
+/// Which sightings to repeat, and why.
 std::string repeatSentence(const Repeat& repeat, const ProtocolProgress& progress);
 
-/// That U is smaller once they are taken again, where anything of it looks misread; empty where nothing does.
+/// States that misread sightings increase U until they are repeated; empty if none looks misread.
 std::string repeatsFirst(const std::vector<Repeat>& repeats);
 
-/// "Two more rounds bring U from 0.06 to 0.04 mm; the verdict needs 0.05 mm." or what there is to be said
-/// instead. Effects are called as `name` has it.
+/// "Two more rounds bring U from 0.06 to 0.04 mm; the verdict needs 0.05 mm.", or what applies instead.
+/// `name` names the effects.
 std::string outlookSentences(const Outlook& outlook, const ProtocolProgress& progress,
                              const CauseNamer& name = byId);
 

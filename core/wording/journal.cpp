@@ -31,7 +31,7 @@ std::string sealName(const Seal& seal) {
              : Phrase::of("Revision %1 sealed %2 UTC by %3", seal.revision, timeText(seal.at), seal.by);
 }
 
-/// `since`: entries of the journal after it.
+/// `since` is the number of journal entries after the seal.
 std::string sealSentence(const CheckedSeal& checked, std::size_t since) {
   using State = CheckedSeal::State;
   const std::string text = sealName(checked.seal);
@@ -51,7 +51,7 @@ std::string sealSentence(const CheckedSeal& checked, std::size_t since) {
   return Phrase::of("%1; %2 changes since: a revision that nobody has sealed.", text, since);
 }
 
-/// Earlier seals where they do not hold, and the last one.
+/// The last seal, and earlier ones that are broken.
 std::vector<std::string> sealSentences(const std::vector<CheckedSeal>& seals, std::size_t entries) {
   std::vector<std::string> sentences;
   for (std::size_t i = 0; i < seals.size(); ++i)

@@ -7,18 +7,18 @@
 
 namespace alidade {
 
-/// "2026-03-14 15:09", in UTC; as written where it is no time.
+/// "2026-03-14 15:09", in UTC; unchanged if the text is not a time.
 std::string timeText(const std::string& at);
 
-/// "suggestion accepted"; as written where it is no reason that this program knows.
+/// "suggestion accepted"; unchanged if the reason is unknown to this program.
 std::string reasonText(const JournalEntry& entry);
 
-/// What the journal or a seal says of a place and what the file holds, as a sentence.
+/// The contradiction between the journal or a seal and the file, as a sentence.
 std::string contradictionText(const JournalContradiction& one);
 
-/// How many cells of readings are not as they were first entered, whether the journal holds and what speaks
-/// against it, and how the session was sealed. Empty where there is nothing to say. Texts of the session are
-/// not made visible.
+/// States the number of changed reading cells, whether the journal is complete, contradictions, and how the
+/// session was sealed. Empty if there is nothing to report. Texts of the session are returned without
+/// escaping invisible characters.
 std::string journalSummary(const Session& session);
 std::string journalSummary(const Session& session, const JournalCheck& check);
 

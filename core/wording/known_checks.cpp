@@ -44,8 +44,8 @@ std::string staleText(const KnownCheck& check, const std::string& probability, c
       sizeText(check.value, check.sigma, check.unit), probability);
 }
 
-/// Does the tilt that the readings show have the other sign of what is known of it? Each number by itself, as
-/// the compensator has two axes.
+/// Whether the tilt from the readings has the opposite sign of the known one. Each number is tested
+/// separately, because the compensator has two axes.
 bool isOtherWayRound(const Diagnosis& diagnosis, const std::string& effect) {
   constexpr double apart = 4, alike = 2;  // σ
   return effect == "vertical_axis_tilt" && std::ranges::any_of(diagnosis.known, [&](const KnownCheck& check) {
@@ -60,7 +60,7 @@ bool isKnown(const Diagnosis& diagnosis, const std::string& effect) {
   return std::ranges::find(diagnosis.known, effect, &KnownCheck::effect) != diagnosis.known.end();
 }
 
-/// Of several numbers of an effect that which departs farthest.
+/// Returns the number of an effect that deviates most from its known value.
 const KnownCheck* farthest(const Diagnosis& diagnosis, const std::string& effect) {
   const auto sigmas = [](const KnownCheck& check) {
     return std::abs(check.value - check.known) / std::hypot(check.sigma, check.sigmaKnown);

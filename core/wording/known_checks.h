@@ -7,14 +7,14 @@
 
 namespace alidade {
 
-// What was known beforehand, held against the readings, in words. Effects are called as `name` has it.
+// The comparison of known sizes with the readings, in words. `name` names the effects.
 
 /// "collimation: known as 3.2 ± 0.5″; these readings say 3.0 ± 0.4″": 1σ each, without a full
 /// stop.
 std::string textOf(const KnownCheck& check, const CauseNamer& name = byId);
 
-/// Of every effect of which what was known holds no longer, and of every cause that but for what is known
-/// could be another, one sentence after the other; empty where there is none.
+/// One sentence for each effect whose known size is out of date, and for each cause that only known sizes
+/// distinguish from another. Empty without either.
 std::string staleSentence(const Diagnosis& diagnosis, const CauseNamer& name = byId);
 
 }  // namespace alidade

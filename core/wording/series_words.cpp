@@ -29,7 +29,7 @@ std::vector<std::string> named(const std::vector<std::string>& ids, const CauseN
   return names;
 }
 
-/// Of one session alone.
+/// Whether the cause belongs to one session only.
 bool isOfOne(const SharedCause& cause) {
   return cause.owner == CauseOwner::Time && cause.sizes.empty();
 }

@@ -9,15 +9,15 @@
 
 namespace alidade {
 
-// What is said of a series of sessions.
+// Sentences on a series of sessions.
 
 /// "instrument T-1", "guideway G-1", "the session by itself".
 std::string ownerText(const SharedCause& cause);
-/// What the sessions come to together.
+/// The result of the sessions together.
 std::string sentenceOf(const SeriesDiagnosis& series, const CauseNamer& name = byId);
 /// "Measure guideway G-1 with instrument T-2: tells A and B apart by 4.3 σ (sessions needed: 2)."
 std::string sentenceOf(const SeriesAdvice& advice, const CauseNamer& name = byId);
-/// Sessions whose owners are not known, and sessions that do not share what others do.
+/// Sessions without known owners, and sessions that do not share a cause of the others.
 std::vector<Finding> findingsOf(const SeriesDiagnosis& series, const CauseNamer& name = byId);
 
 }  // namespace alidade

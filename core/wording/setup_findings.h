@@ -17,7 +17,7 @@ Words wordsOf(const setup_finding::ReadingsRounded& finding);
 Words wordsOf(const setup_finding::ZeroMoved& finding);
 Words wordsOf(const setup_finding::ZeroFaceLeftOut& finding);
 
-/// The two lengths as typed, mm, and where they stand: after "check".
+/// The two lengths as typed, mm, with the places of their entry; follows "check".
 std::string lengthsToCheck(double distance, double nominalRadius);
 
 }  // namespace alidade

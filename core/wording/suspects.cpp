@@ -16,14 +16,14 @@ namespace {
 
 constexpr std::size_t longestTyped = 40;
 
-/// In arcseconds up to two minutes, then in degrees, minutes and seconds; with its sign.
+/// With its sign: in arcseconds up to two minutes, otherwise in degrees, minutes and seconds.
 std::string signedSize(Angle size) {
   const double seconds = size.arcseconds();
   const std::string sign = seconds < 0 ? "" : "+";
   return sign + (std::abs(seconds) < 120 ? displayText(seconds, 1) + "″" : formatDms(size));
 }
 
-/// "vertical" for people.
+/// The field's name for people: "vertical".
 std::string fieldName(const std::string& field) {
   if (field == "horizontal") return Phrase::of("horizontal");
   if (field == "vertical") return Phrase::of("vertical");
@@ -36,7 +36,7 @@ std::string capitalised(std::string text) {
   return text;
 }
 
-/// "0°, point 5, vertical"; round and face where they are not 1.
+/// "0°, point 5, vertical"; with round and face unless they are 1.
 std::string nameOf(const Suspect& suspect) {
   std::vector<std::string> parts{positionName(suspect.axisDeg, suspect.time),
                                  Phrase::of("point %1", suspect.point)};

@@ -9,7 +9,7 @@
 
 namespace alidade {
 
-// What is said of readings that look misread.
+// Sentences on suspects: readings that look misread.
 
 /// "two digits swapped", "one degree off", …
 std::string slipName(EntrySlip slip);
@@ -17,10 +17,10 @@ std::string slipName(EntrySlip slip);
 /// Horizontal 341°52'24" → 341°25'24": two digits swapped; residual then +1.2″.
 std::string sentenceOf(const Proposal& proposal);
 
-/// Which reading, by how much, and what was probably meant.
+/// Names the reading, its deviation, and the probable intention.
 std::string sentenceOf(const Suspect& suspect);
 
-/// One warning that names them; absent where there are none.
+/// One warning that names all suspects; absent without suspects.
 std::optional<Finding> suspectsFinding(const std::vector<Suspect>& suspects);
 
 }  // namespace alidade

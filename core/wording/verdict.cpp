@@ -18,7 +18,7 @@ namespace alidade {
 
 namespace {
 
-/// Why there is no verdict, and what to check.
+/// The reason why the verdict is withheld, and what to check.
 std::string withheldBy(const LengthsInDoubt& doubt) {
   const std::string lengths = lengthsToCheck(doubt.distance, doubt.nominalRadius);
   if (!doubt.radius)
@@ -45,7 +45,7 @@ std::string withCoverage(const std::string& length, double coverage) {
   return Phrase::of("%1 (%2 % coverage)", length, displayShortest(coverage * 100));
 }
 
-/// Of one account: where it lies.
+/// The position of one account relative to the limit.
 std::string standing(Verdict verdict, const std::string& limit) {
   switch (verdict) {
     case Verdict::Accept:
@@ -69,7 +69,7 @@ std::string agreement(const std::string& first, const std::string& second, Verdi
                     second, standing(verdict, limit));
 }
 
-/// What brings the most to U, and what to do about it.
+/// The largest contribution to U, and what to do about it.
 std::string wayOut(const Diagnosis& diagnosis, const CauseNamer& name) {
   const UncertaintyShare& most = diagnosis.measured->budget.front();
   if (most.effect.empty() || most.from == UncertaintyShare::From::Diagnosis)
@@ -103,7 +103,7 @@ std::string bothAccounts(const Measurement& measurement, const Intersection& mod
                     standing(decision.asModelled, Phrase::of("it")), wayOut(diagnosis, name));
 }
 
-/// Of the distance from the axis as a whole, whose parts are known.
+/// The distance from the axis as a whole, if both its parts are known.
 std::string distanceText(const Measurement& measurement, const MeasuredIntersection& measured,
                          const AcceptanceDecision& decision) {
   const double tolerance = *measurement.tolerance;
@@ -115,7 +115,7 @@ std::string distanceText(const Measurement& measurement, const MeasuredIntersect
       part(*measured.across), standing(decision.asFound.value_or(Verdict::Undecided), limitText(tolerance)));
 }
 
-/// What a tolerance of Δd does not judge.
+/// States what a tolerance of Δd does not cover.
 std::string acrossText(const Measurement& measurement, const Diagnosis* diagnosis) {
   if (measurement.measurand != Measurand::Intersection || !diagnosis || !diagnosis->measured ||
       !liesOff(*diagnosis->measured))
@@ -126,7 +126,7 @@ std::string acrossText(const Measurement& measurement, const Diagnosis* diagnosi
       lengthWithUncertainty(std::abs(across.value), across.expanded, decimalsFor(across.expanded)));
 }
 
-/// What the verdict rests on.
+/// The accounts that the verdict is based on.
 std::string accountsText(const Measurement& measurement, const SessionFit& fit, const Diagnosis* diagnosis,
                          const AcceptanceDecision& decision, const CauseNamer& name) {
   if (measurement.measurand == Measurand::Distance && diagnosis && diagnosis->measured &&
@@ -142,11 +142,11 @@ std::string unexplainedText(const Diagnosis& diagnosis) {
                     probabilityText(diagnosis.unexplained.chance));
 }
 
-/// How probably the gap is unexplained, and what misclosures without an explanation add, where that is worth
-/// a word.
+/// The probability of an unexplained gap, and the contribution of unexplained misclosures, if they are large
+/// enough to mention.
 std::string doubtText(const Diagnosis* diagnosis) {
   constexpr double probable = 0.5;
-  constexpr double noticeable = 0.2;  // of the standard uncertainty: 2 % more of it
+  constexpr double noticeable = 0.2;  // of the standard uncertainty, which it increases by 2 %
   if (!diagnosis || !diagnosis->measured) return "";
   const auto& [chance, sigma] = diagnosis->unexplained;
   const std::string doubt = chance < probable ? "" : unexplainedText(*diagnosis);
@@ -157,7 +157,7 @@ std::string doubtText(const Diagnosis* diagnosis) {
   return inTurn(doubt, spread);
 }
 
-/// Nothing is certain.
+/// No probability is shown as 0 or 1.
 std::string boundedText(double probability, const std::string& more, const std::string& less, int decimals) {
   constexpr double nearlyCertain = 0.9995;
   if (probability >= nearlyCertain) return more;
@@ -169,7 +169,8 @@ std::string boundedText(double probability, const std::string& more, const std::
 
 int decimalsToDecide(double value, double expanded, double tolerance) {
   constexpr int most = 9;
-  // In units of the last digit, where what is rounded is whole: 1.308 + 0.211 is no more than 1.519.
+  // Compares in units of the last digit, where rounded numbers are whole: 1.308 + 0.211 does not exceed
+  // 1.519.
   const auto decideRounded = [&](int decimals) {
     constexpr double fine = 1e6;
     const double one = std::pow(10, decimals);

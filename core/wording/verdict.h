@@ -9,27 +9,26 @@ namespace alidade {
 
 // The verdict of an acceptance, for a customer. Lengths in mm.
 
-/// What the verdict rests on, or why it is withheld, and how probably |Δd| is within the tolerance; with both
-/// accounts of Δd where they belong beside it. `fit`, `diagnosis` (null: none was made) and `decision` are of
-/// `measurement`; effects are called as `name` has it.
+/// States the basis of the verdict, or why it is withheld, and the probability that |Δd| is within the
+/// tolerance. It gives both accounts of Δd if necessary. `fit`, `diagnosis` (may be null) and `decision`
+/// belong to `measurement`; `name` names the effects.
 std::string verdictSentence(const Measurement& measurement, const SessionFit& fit, const Diagnosis* diagnosis,
                             const AcceptanceDecision& decision, const CauseNamer& name = byId);
 
-/// Does that sentence tell what lies across the plane of the arc? Not where the verdict is withheld, nor
-/// where it is no more than its uncertainty.
+/// Whether that sentence mentions the offset across the plane of the arc. It does not if the verdict is
+/// withheld or the offset is below its uncertainty.
 bool tellsAcross(const Diagnosis* diagnosis, const AcceptanceDecision& decision);
 
-/// "97.3 %", "more than 99.9 %": of 0…1, within a sentence.
+/// "97.3 %", "more than 99.9 %" for a number in 0…1, within a sentence.
 std::string probabilityText(double probability);
-/// "97 %", "99.3 %", "> 99.9 %": in a table or a list.
+/// "97 %", "99.3 %", "> 99.9 %" for a table or a list.
 std::string shortProbabilityText(double probability);
 
-/// The decimals of value and U, mm, that show two digits of U, and so many more that the rounded numbers
-/// decide against `tolerance` as the numbers themselves do (`decide`).
+/// Returns the decimals for value and U, mm. They show two digits of U, and more if needed so that the
+/// rounded numbers give the same decision against `tolerance` (`decide`).
 int decimalsToDecide(double value, double expanded, double tolerance);
 
-/// What `decide` decides, with the numbers it rests on. `expanded` ≥ 0, `tolerance` > 0, `coverage` in (0,
-/// 1).
+/// The verdict of `decide` with its numbers. `expanded` ≥ 0, `tolerance` > 0, `coverage` in (0, 1).
 std::string verdictSentence(double value, double expanded, double tolerance, double coverage);
 
 }  // namespace alidade

@@ -4,7 +4,7 @@
 
 namespace alidade {
 
-/// What a finding says, and what to do about it; whole sentences.
+/// A finding, and what to do about it; whole sentences.
 struct Words {
   std::string text;
   std::string remedy = {};  ///< may be empty

@@ -15,10 +15,8 @@
 // Results in plans outside the named tests: 3 to 500 places over 20° to 350° of arc, one to three rounds, one
 // face, both or in turn, with or without slider, L from 0.5 to 50 m, R from 50 mm to 5 m, σ from 0.1″ to 60″.
 // Half of the sessions have no effect, half one catalogued effect of one to four plausible sizes. Counts
-// false
-// alarms, right answers, and how often Δd ± U (stated 95 %) covers the truth, fit only if nothing is wrong
-// and
-// with the causes if some are named.
+// false alarms, right answers, and how often Δd ± U (stated 95 %) covers the truth. If nothing is wrong, Δd
+// is that of the fit; if causes are named, Δd includes them.
 //
 //   alidade_any_geometry [SESSIONS [SEED [THREADS]]]
 
@@ -69,7 +67,7 @@ Result<TrialCase> drawnCase(std::uint64_t seed) {
   }
 }
 
-/// For sessions without an effect, with the session's own model.
+/// Uses sessions without an effect, with the session's own model.
 Tally coveredAsModelled(std::size_t count, std::uint64_t seed) {
   Tally covered;
   for (std::size_t i = 0; i < count; ++i) {

@@ -1,7 +1,7 @@
 // Measures the time from a committed cell edit to the repainted charts: undo step, fit in the background, new
 // figures, paint. Prints minimum, median and maximum of 200 edits that correct a last digit, of 200 that err
-// by degrees and of the 200 that correct these one by one, and the processor time of the window's own thread,
-// which other programs affect less. Offscreen unless QT_QPA_PLATFORM says otherwise.
+// by degrees and of the 200 that correct these one by one. Also prints the processor time of the window's own
+// thread, which other programs affect less. Offscreen unless QT_QPA_PLATFORM says otherwise.
 
 #include <QApplication>
 #include <QElapsedTimer>

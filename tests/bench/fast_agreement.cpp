@@ -12,8 +12,7 @@
 #include "core/observation/perfect_theodolite.h"
 
 // The distance of the fast fit of an arc from the minimum, over random arcs: spans of 30° to 350°, radii of
-// 100
-// to 500 mm, distances of 0.6 to 24 m, noise of 0.1″ to 30″, both vertical angle relations. The reference
+// 100 to 500 mm, distances of 0.6 to 24 m, noise of 0.1″ to 30″, both vertical angle relations. The reference
 // minimum uses 64-bit mantissas and Gauss-Newton with an arc angle for each place. The limit is 1e-9 mm.
 //
 //   alidade_fast_agreement [ARCS [SEED]]

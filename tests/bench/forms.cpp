@@ -1,7 +1,7 @@
-// How well the forms of effects of no catalogue are named: sessions with a known form, by kind: named right,
-// the right one among those it cannot be told from, shape numbers and amplitudes within 3 u, look-alikes, the
-// stated probability, the shrinkage on readings held out, and the time of a diagnosis. Argument: a folder
-// with truth.json and sessions/.
+// Measures how well the forms of uncatalogued effects are named, in sessions with a known form. By kind it
+// counts forms named right, and right ones among the look-alikes. It also reports shape numbers and
+// amplitudes within 3 u, look-alikes, the stated probability, the shrinkage on held-out readings, and the
+// time of a diagnosis. Argument: a folder with truth.json and sessions/.
 
 #include <chrono>
 #include <cmath>

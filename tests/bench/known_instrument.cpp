@@ -18,11 +18,9 @@
 // The benefit of an instrument record. First, for every named plan: which effects a session could not
 // distinguish without knowledge of the instrument, and with its constants (collimation, trunnion tilt, index,
 // both circles' eccentricities) known to 1″. Then, by plan and constant: sessions in which the constant
-// agrees
-// with the record (its error drawn from u), and sessions in which it has changed by 30″ since. Counts how
-// often
-// the known value is called stale, how often another cause is named, and how often Δd ± U (95 %), measured,
-// covers the true Δd, with and without the record.
+// agrees with the record (its error drawn from u), and sessions in which it has changed by 30″ since. Counts
+// how often the known value is called stale and how often another cause is named. Also counts how often Δd ±
+// U (95 %), measured, covers the true Δd, with and without the record.
 //
 //   alidade_known_instrument [SESSIONS [SEED [PLAN]]]
 

@@ -15,12 +15,10 @@
 #include "tests/support/drawn_plan.h"
 
 // How often Δd ± U covers the true Δd, fit only and measured. The sessions have every effect of the
-// catalogue,
-// drawn about zero with the plausible width, half and twice that, none at all, and one at a time; or noise of
-// three times the stated one and zeros without a stated σ; the last two also with zeros sighted in both
-// faces,
-// before and after. For every named plan, and for plans and set-ups drawn for each session. Stated coverage
-// 95 %.
+// catalogue, drawn about zero with the plausible width, half and twice that, none at all, and one at a time;
+// or noise of three times the stated one and zeros without a stated σ; the last two also with zeros sighted
+// in both faces, before and after. For every named plan, and for plans and set-ups drawn for each session.
+// Stated coverage 95 %.
 //
 //   alidade_measurement_coverage [SESSIONS [SEED [ROWS]]]     only rows with ROWS in their names
 
@@ -48,7 +46,7 @@ void putEffects(Truth& truth, const Row& row, const Protocol& protocol, std::uin
   constexpr std::uint64_t stream = 55;  // separate from those of guideway and noise
   truth.noiseFactor = row.noise;
   truth.sightsZerosInFull = row.zerosInFull;
-  if (row.noise != 1)  // and the zeros, without a stated σ, scatter like the circles
+  if (row.noise != 1)  // the zeros then scatter like the circles, without a stated σ
     truth.sigmaZero = std::min(truth.sigmaHorizontal, truth.sigmaVertical) * row.noise;
   RandomSource random(seed, stream);
   for (const Effect& effect : effectCatalogue()) {

@@ -1,6 +1,6 @@
-// How often typing slips are found and corrected: simulated sessions with one slip, visible by more than ten
-// sigma, by kind and plan, and how often a sound session names a suspect. Arguments: sessions for each plan
-// (2000), step in arcseconds to which readings are typed (0.1).
+// Measures how often typing slips are found and corrected: simulated sessions with one slip, visible by more
+// than ten sigma, by kind and plan. It also measures how often a sound session names a suspect. Arguments:
+// sessions for each plan (2000), step in arcseconds to which readings are typed (0.1).
 
 #include "tests/support/typed_slips.h"
 

@@ -1,7 +1,7 @@
 // Measures the window with many rows: for each number of rows given (34, 10 000 and 100 000) it is opened,
 // typed in, pasted into, undone, scrolled and paged through. For each step it prints the time until the fit
-// is shown and painted, the time this thread has worked on it, and the longest time without handling input,
-// with its cause. Work is processor time, which other programs affect less.
+// is shown and painted, and the time this thread has worked on it. It also prints the longest time without
+// handling input, with its cause. Work is processor time, which other programs affect less.
 
 #include <malloc.h>
 
@@ -89,7 +89,7 @@ class PaintCounter : public QObject {
   }
 
   void restart() { m_paints = 0; }
-  /// Painted since then, or not visible.
+  /// True if the widget was painted since `restart`, or is not visible.
   bool isPainted() const { return m_paints > 0 || !m_widget->isVisible(); }
 
  protected:
@@ -117,12 +117,12 @@ class Load {
     });
   }
 
-  /// Until the fit caused by `act` is shown and painted.
+  /// Measures the time until the fit caused by `act` is shown and painted.
   void edit(const char* what, const std::function<void()>& act) {
     m_isShown = false;
     measure(what, act, [this] { return isPainted() && m_window.job().isIdle(); });
   }
-  /// Until only background work is left.
+  /// Measures the time until only background work remains.
   void look(const char* what, const std::function<void()>& act) {
     measure(what, act, [] { return true; });
   }

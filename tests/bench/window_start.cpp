@@ -1,8 +1,8 @@
-// Measures the time from the start of the program until the window is first painted, until it responds to the
-// keyboard, and, with a session file, until its result is shown. Opened as by `app/workstation/main.cpp`,
-// with separate settings. One line per start: call it several times, as the first one reads the disk. Times
-// count from the creation of the process, to a hundredth of a second; processor time, in brackets, is
-// affected less by other programs. Offscreen unless QT_QPA_PLATFORM says otherwise.
+// Measures the time from the start of the program until the window is first painted, and until it responds to
+// the keyboard. With a session file it also measures the time until its result is shown. Opened as by
+// `app/workstation/main.cpp`, with separate settings. One line per start: call it several times, as the first
+// one reads the disk. Times count from the creation of the process, to a hundredth of a second; processor
+// time, in brackets, is affected less by other programs. Offscreen unless QT_QPA_PLATFORM says otherwise.
 
 #include <unistd.h>
 #include <QEvent>

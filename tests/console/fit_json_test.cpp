@@ -368,8 +368,8 @@ TEST(FitJson, ListsWhatWasEnteredOnceAndNothingChecks) {
   EXPECT_EQ(inputs[4]["unit"], "mm");
 }
 
-// Their error is equal in both positions and cancels: less than a tenth of the change of Δd by either of two
-// zeros.
+// The error of a common zero is equal in both positions and cancels: it changes Δd by less than a tenth of
+// what either of two separate zeros changes.
 TEST(FitJson, ListsZerosThatAreOneOnce) {
   const TemporaryFolder folder;
   const std::string file = folder.file("one.alidade", changedPaperSession([](auto& session) {

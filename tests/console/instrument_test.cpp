@@ -31,8 +31,8 @@ TEST(InstrumentCommand, FindsWhatTheSampleWasMadeOf) {
   const Json& pooled = json["pooled"];
   EXPECT_EQ(pooled["dof_direction"], 24);
   EXPECT_EQ(pooled["dof_zenith"], 30);
-  // 1.1″ of a reading is 0.78″ of a mean of two; s with 24 degrees of freedom scatters by 14 %; three times
-  // that.
+  // 1.1″ of a reading is 0.78″ of a mean of two. With 24 degrees of freedom s scatters by 14 %; the tolerance
+  // is three times that.
   EXPECT_NEAR(pooled["s_direction_arcsec"], 0.78, 0.34);
   EXPECT_NEAR(pooled["s_zenith_arcsec"], 0.78, 0.30);
   const double index = pooled["index_arcsec"], u = pooled["u_index_arcsec"];

@@ -64,7 +64,7 @@ TEST_F(LineOfSightTest, AccountsForTheGapAtTheDistanceOfTheSession) {
   EXPECT_THAT(answer.at("sentence").get<std::string>(), HasSubstr("What is known beforehand (collimation"));
   const Json& known = answer.at("known").at(0);
   EXPECT_EQ(known.at("effect"), "collimation");
-  // u of c + e/D with their correlation: 0.17″; three times that.
+  // u of c + e/D, with their correlation, is 0.17″; the tolerance is three times that.
   EXPECT_NEAR(known.at("known").at("value"), 17.9, 0.5);
   EXPECT_LT(known.at("known").at("sigma"), 0.2);
 }

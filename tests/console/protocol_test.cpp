@@ -41,7 +41,8 @@ TEST(ProtocolCommand, SaysWhatIsNextAndWhatIsLeft) {
   EXPECT_TRUE(guidance.at("repeat").is_array());
 }
 
-/// Twice the readings: 1/√2 of U of Δd, fit only, except for zeros and distance, which are small here.
+/// With twice the readings U of Δd, fit only, decreases to 1/√2 of it, except for zeros and distance, which
+/// are small here.
 TEST(ProtocolCommand, SaysWhatTheRestBrings) {
   const Json outlook = guidanceOf(paperSession, "there-and-back").at("outlook");
   const double now = outlook.at("now").at("of_fit_mm"),

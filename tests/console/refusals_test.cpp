@@ -101,7 +101,7 @@ TEST(Refusal, OfACallNamesWhatIsWrong) {
   EXPECT_THAT(refusal({"fit", paperSession, "--risk", "2"}), HasSubstr("from 1e-09 to 0.5"));
 }
 
-// For example from an unset variable of a script: the option must not be ignored silently.
+// An empty value may come from an unset variable of a script: the option must not be ignored silently.
 TEST(Refusal, OfAnEmptyValueAtAnyOption) {
   const TemporaryFolder folder;
   const std::string out = (folder.path() / "out").string();

@@ -37,7 +37,7 @@ TEST_P(SampleTest, IsDiagnosedAsItsLineSays) {
   std::set<std::string> named;
   for (const Json& cause : diagnosis["causes"]) named.insert(cause["effect"]);
   if (!story.lookAlikes.empty()) {
-    // Their order is random.
+    // The order of the causes is random.
     for (const Json& cause : diagnosis["causes"])
       named.insert(cause["indistinguishable_from"].begin(), cause["indistinguishable_from"].end());
     EXPECT_THAT(named, IsSupersetOf(story.lookAlikes));

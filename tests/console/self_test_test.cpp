@@ -61,7 +61,7 @@ TEST(SelfTestCommand, RefusesReferencesThatCannotBeRead) {
   expectRefusal(alidadeCli({"self-test", "--frobnicate"}));
 }
 
-// For an installed program: a changed sample fails, and nothing else.
+// An installed program with a changed sample fails, and nothing else fails.
 TEST(SelfTestCommand, LooksAtWhatIsInstalledBesideIt) {
   namespace fs = std::filesystem;
   const TemporaryFolder folder;

@@ -136,7 +136,7 @@ TEST_F(SignatureTest, ReplacesNothingThatItIsSignedBy) {
   }
 }
 
-// Like ssh: refuses a key that others can read.
+// The program refuses a key that others can read, as ssh does.
 TEST_F(SignatureTest, RefusesAKeyOfOursThatIsOpenToOthers) {
   make("lab", "ec");
   for (const int mode : {0666, 0640, 0604, 0620}) {

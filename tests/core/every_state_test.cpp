@@ -1,4 +1,4 @@
-// A session has a result or a sentence in every state while it is typed, and in every geometry: the plans of
+// A session has a result or a sentence in every state while it is typed, and in every geometry. The plans of
 // 9 or 17 points in other tests prove nothing about 24.
 
 #include <gtest/gtest.h>

@@ -41,7 +41,7 @@ void checkAngle(std::string_view text) {
   for (const AngleSigns signs : {AngleSigns::Typewriter, AngleSigns::Primes}) {
     const Result<Angle> again = parseAngle(formatDms(*angle, decimals, signs));
     require(static_cast<bool>(again), "an angle that was written cannot be read");
-    // Half of the last decimal, plus the rounding of a double of that many arcseconds.
+    // The tolerance is half of the last decimal, plus the rounding of a double of that many arcseconds.
     const double most = 0.5e-9 + 1e-15 * std::abs(angle->arcseconds());
     require(std::abs(again->arcseconds() - angle->arcseconds()) <= 2 * most,
             "an angle that changes when written");

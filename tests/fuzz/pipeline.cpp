@@ -71,7 +71,7 @@ void review(const Session& session) {
   requireJson(console::planJson(name, *review, *findings));
 }
 
-/// By the protocol that the session names, else by its own rows.
+/// Follows the protocol that the session names, otherwise its own rows.
 void lead(const Session& session) {
   const auto own = protocolOf(session);
   if (!own) return require(!own.problem().what.empty(), "a protocol refused without words");

@@ -27,7 +27,7 @@ class Steering {
     return list[below(std::size(list))];
   }
 
-  /// From `low` to `high` in 255 steps.
+  /// Returns a number from `low` to `high` in 255 steps.
   double between(double low, double high) {
     return low + (high - low) * static_cast<double>(below(256)) / 255;
   }

@@ -32,7 +32,7 @@
 
 namespace alidade::test {
 
-// The conditions on every answer to any input: it exists or a sentence says why not, every number shown is
+// The conditions on every answer to any input. It exists or a sentence says why not. Every number shown is
 // finite and in its range, and sentences contain no “nan” or “inf”.
 
 inline void expectSentence(const std::string& text) {
@@ -40,7 +40,7 @@ inline void expectSentence(const std::string& text) {
   for (const char* word : {"nan", "inf "}) EXPECT_EQ(text.find(word), std::string::npos) << text;
 }
 
-/// Only "fin", "inf": ids and units are not sentences.
+/// Requires a finite number.
 inline void expectNumber(double value, const char* what) {
   EXPECT_TRUE(std::isfinite(value)) << what << " is " << value;
 }
@@ -206,14 +206,14 @@ inline void expectGuidance(const Guidance& guidance) {
     expectSentence(sentences);
 }
 
-/// By its own rows, so that it is complete, and by a named plan.
+/// Follows a protocol of the session's own rows, which is complete, and a named plan.
 inline void expectGuidances(const Session& session) {
   std::vector<SightingProtocol> protocols{protocolFromRows(session), templateOf(namedProtocols().front())};
   for (SightingProtocol& protocol : protocols)
     if (!protocol.positions.empty()) expectGuidance(guidanceOf(session, std::move(protocol)));
 }
 
-/// If there is anything to certify.
+/// Checks the certificate, if there is anything to certify.
 inline void expectCertificate(const Session& session, const FitAnswer& answer) {
   if (absence(answer.measurement, answer.fit.arcs.size(), answer.fit.findings)) return;
   const std::string bytes = writeSession(session);

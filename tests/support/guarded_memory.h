@@ -12,7 +12,7 @@
 
 namespace alidade::test {
 
-/// How many of `wanted` cases to run: under a sanitizer each takes ten times as long.
+/// Returns how many of `wanted` cases to run: under a sanitizer each takes ten times as long.
 constexpr int inTheTime(int wanted) {
 #ifdef ALIDADE_MEMORY_IS_GUARDED
   return (wanted + 9) / 10;

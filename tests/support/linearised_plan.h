@@ -4,7 +4,7 @@
 
 namespace alidade::test {
 
-/// For a set small enough for one piece.
+/// Linearises a set that is small enough for one piece.
 inline Linearised linearisedPlan(const GapModel& model, const Measurement& set,
                                  const std::vector<ErrorTerm>& terms = everyTerm()) {
   Linearised whole;

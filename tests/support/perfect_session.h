@@ -30,8 +30,8 @@ inline Measurement usualMeasurement() {
   return measurement;
 }
 
-/// The readings of targets on `circle` in closed form, independent of the program's model: the direction to
-/// the target from tan a = x/L and sin e = y/|P| (exact) or tan e = y/L (planar).
+/// The readings of targets on `circle` in closed form, independent of the program's model. The direction to
+/// the target is from tan a = x/L and sin e = y/|P| (exact) or tan e = y/L (planar).
 inline ArcMeasurement perfectArc(const Measurement& measurement, const Circle& circle,
                                  const std::vector<double>& angles, int axisDeg = 0) {
   ArcMeasurement arc;

@@ -65,7 +65,7 @@ struct Changes {
   int unsupported = 0;     ///< … although all readings gave less than `support` for conformity
 };
 
-/// At a coverage of 95 %: 1 − 2 (1 − c), twice the risk on both sides that accept allows.
+/// The support at a coverage of 95 %: 1 − 2 (1 − c), twice the risk on both sides that accept allows.
 inline constexpr double support = 0.9;
 
 inline Changes changesOf(const JudgedSession& session, int count, std::uint64_t seed) {

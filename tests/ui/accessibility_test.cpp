@@ -12,7 +12,7 @@
 #include "ui/main_window.h"
 #include "ui/panels/window/page_tabs.h"
 
-// What a screen reader says: every control that Tab reaches has a name and a role.
+// Tests what a screen reader says: every control that Tab reaches has a name and a role.
 
 namespace alidade::ui {
 namespace {

@@ -442,7 +442,8 @@ TEST(Workstation, WritesAReportWithoutADisplay) {
   EXPECT_EQ(program.readAllStandardError().count('\n'), 1);
   EXPECT_EQ(run({QStringLiteral("--report"), out}), 2);
   EXPECT_EQ(program.readAllStandardError().count('\n'), 1);
-  // Never overwrites the session, under any of its names; writes to standard output on request.
+  // The command never overwrites the session, under any of its names; it writes to standard output on
+  // request.
   const QString session = folder.filePath(QStringLiteral("s.alidade")),
                 link = folder.filePath(QStringLiteral("link.pdf"));
   ASSERT_TRUE(QFile::copy(samplePath(paper), session) && QFile::link(session, link));

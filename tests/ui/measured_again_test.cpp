@@ -108,7 +108,7 @@ TEST(MeasuredAgain, IsTypedFittedSavedAndOpened) {
   }
 }
 
-// After every cell the window is consistent, and shows the result of two positions until the third has an
+// The window is consistent after every cell, and shows the result of two positions until the third has an
 // arc.
 TEST(MeasuredAgain, IsNoTroubleHalfTyped) {
   const Session whole = sessionTakenAt({0, 180, 0});

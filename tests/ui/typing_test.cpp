@@ -89,7 +89,7 @@ TEST_F(Typing, AWholeTableArrivesAsTypedWhileFitsDo) {
   }
 }
 
-/// In new rows and over old texts, in sessions with slower and slower evaluation.
+/// The test types into new rows and over old texts, in sessions with slower and slower evaluation.
 TEST_F(Typing, NewsBetweenAnyTwoKeysTakesNoneAway) {
   for (const std::size_t size : {34u, 1000u, 20000u}) {
     start(test::largeSession(size));
@@ -162,7 +162,7 @@ TEST_F(Typing, FormsKeepWhatIsHalfTyped) {
   EXPECT_EQ(notes->toPlainText(), QStringLiteral("windy, twice"));
 }
 
-/// It does not commit an unfinished angle or move the focus.
+/// The reading does not commit an unfinished angle or move the focus.
 TEST_F(Typing, AReadingOfTheInstrumentWaitsForTheOpenEntry) {
   Session session = paperSession();
   session.positions[0].readings.resize(5);

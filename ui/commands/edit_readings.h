@@ -22,8 +22,8 @@ class ReadingsEditor {
   ReadingsEditor(SessionDocument& document, std::size_t position)
       : m_document(document), m_position(position) {}
 
-  /// In the row after the last, appends a reading unless `typed` is empty. A bare number in a column of
-  /// angles gets the session's unit (`completedAngle`), also when pasted.
+  /// Sets the text of a cell. In the row after the last, appends a reading unless `typed` is empty. A bare
+  /// number in a column of angles gets the session's unit (`completedAngle`), also when pasted.
   void setCell(const ReadingCell& cell, const std::string& typed);
   void insertBlank(std::size_t row);
   void remove(const std::vector<std::size_t>& rows);

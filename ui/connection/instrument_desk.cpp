@@ -47,7 +47,7 @@ InstrumentDesk::InstrumentDesk(SessionDocument& document, Dialogs& dialogs, cons
   connect(&m_link, &InstrumentLink::identified, this, &InstrumentDesk::noteIdentity);
   connect(&m_link, &InstrumentLink::stateChanged, this, &InstrumentDesk::showState);
   connect(&document, &SessionDocument::changed, this, [this] { m_link.setCircles(circles()); });
-  // Queued, after all views have the evaluation; later changes are evaluated again.
+  // The connection is queued, so that all views have the evaluation first; later changes are evaluated again.
   connect(
       &job, &FitJob::evaluated, this,
       [this, &job](const SharedEvaluation& evaluation) {

@@ -9,7 +9,7 @@ namespace alidade::ui {
 
 namespace {
 
-/// To the second, with the time zone of this computer: "2026-03-14T15:09:26+01:00".
+/// Returns the time to the second, with the time zone of this computer: "2026-03-14T15:09:26+01:00".
 std::string timeOfNow() {
   const QDateTime now = QDateTime::currentDateTime();
   return now.toOffsetFromUtc(now.offsetFromUtc()).toString(Qt::ISODate).toStdString();

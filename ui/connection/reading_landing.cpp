@@ -25,7 +25,7 @@ struct ReadingLanding {
   Q_DECLARE_TR_FUNCTIONS(ReadingLanding)
 };
 
-/// Sightings of one pointing zero differ by less, whatever the errors of the instrument.
+/// Sightings of one pointing zero differ by less than this, whatever the errors of the instrument.
 constexpr Angle zeroWithin = Angle::fromDegrees(0.5);
 
 int faceOf(const Reading& row) {

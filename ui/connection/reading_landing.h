@@ -32,7 +32,7 @@ struct Landing {
 std::optional<Landing> nextLanding(const Evaluation& evaluation, std::size_t here,
                                    const InstrumentReading& reading);
 
-/// Into that row, or after the last one.
+/// Lands the reading in that row, or after the last one.
 Landing landingInRow(const Session& session, std::size_t position, std::size_t row);
 
 /// Stores the reading with its additional data, as one undo step.
@@ -41,7 +41,7 @@ void land(SessionDocument& document, const Landing& landing, const InstrumentRea
 /// The sighting in a pointing zero: "pointing_zero", "pointing_zero.face_2", …
 ZeroSighting zeroAt(const Session& session, std::size_t position, const std::string& zero);
 
-/// Both circles as face 1 reads them, in the session's kind of vertical circle.
+/// Converts both circles to face 1, in the session's kind of vertical circle.
 FaceOneReading inFaceOne(const InstrumentReading& reading, const Session& session);
 
 /// True if either circle differs from the expected one by more than `tolerance`.

@@ -47,7 +47,7 @@ class FileFlow : public QObject {
   bool printReport();
   bool previewReport();
   void setUpPage() { m_reports.setUpPage(); }
-  /// After another program changed the session's file: shows the differences and does what the user chooses.
+  /// Shows the differences after another program changed the session's file, and does what the user chooses.
   void settleChange();
   /// The folder in which windows register their open files for each other.
   void setLockFolder(const QString& folder);

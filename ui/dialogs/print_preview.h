@@ -10,7 +10,7 @@ class QToolBar;
 
 namespace alidade::ui {
 
-/// What the user wants after the preview.
+/// The choice of the user after the preview.
 enum class PreviewAnswer { Close, Print, Export, Contents, Page };
 
 /// The pages of a report as they are printed.

@@ -29,7 +29,7 @@ Result<std::string> bytesOf(const QString& path) {
   return readFile(encodedPath(path));
 }
 
-/// What a record is compared with: its file, or a new session if it has none.
+/// The session that a record is compared with: its file, or a new session if it has none.
 struct Beside {
   Session session = blankSession();
   QString told;  ///< state of the file

@@ -29,7 +29,7 @@ class Safekeeping : public QObject {
   /// Asks about all unsaved changes of other windows; returns their number. Records equal to their file are
   /// deleted without asking; postponed ones stay.
   int offer();
-  /// Before the process ends: keeps everything unsaved or unfinished before it returns.
+  /// Keeps everything unsaved or unfinished before it returns, as the process is about to end.
   void keepNow();
   /// The window closes normally.
   void finish() { m_keeper.finish(); }

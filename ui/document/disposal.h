@@ -23,8 +23,8 @@ std::shared_ptr<const Value> sharedAside(Value value) {
 /// sixth. Call once at program start.
 void keepFreedMemory();
 
-/// The value itself if nobody else owns it; else absent, and the owners keep it. Only for values of
-/// `sharedAside`, which are not const.
+/// Returns the value itself if nobody else owns it; otherwise absent, and the owners keep it. Only for values
+/// of `sharedAside`, which are not const.
 template <typename Value>
 std::unique_ptr<Value> takenBack(std::shared_ptr<const Value> shared) {
   if (!isSoleHolder(shared)) return nullptr;

@@ -33,7 +33,7 @@ class HalfTyped : public QObject {
   /// `entry` was committed, cancelled or destroyed.
   void clear(const QObject* entry);
 
-  /// Those that differ from the session.
+  /// The texts that differ from the session.
   std::vector<HalfTypedText> texts() const;
   bool isEmpty() const { return texts().empty(); }
   /// True if an entry of a position is open, changed or not.

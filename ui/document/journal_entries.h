@@ -25,7 +25,7 @@ using Stands = std::function<bool(std::size_t row, ReadingColumn column)>;
 std::vector<JournalEntry> entriesOf(const Session& session, std::size_t position, const ReadingsPatch& patch,
                                     const char* why, const Stands& stands);
 
-/// Likewise for the text of a field, or of anything else named in the session file.
+/// Returns the entry for the text of a field, or of anything else named in the session file.
 JournalEntry entryOf(const Session& session, const Place& field, std::string from, std::string to);
 
 /// The reverse changes, the last first.

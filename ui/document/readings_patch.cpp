@@ -132,7 +132,7 @@ void ReadingsPatch::eraseGone(std::vector<Reading>& rows) const {
   rows.resize(to);
 }
 
-/// From the end backwards, so that each row moves once.
+/// Inserts from the end backwards, so that each row moves once.
 void ReadingsPatch::bringBackGone(std::vector<Reading>& rows) const {
   std::size_t from = rows.size();
   rows.resize(rows.size() + m_gone.size());

@@ -52,7 +52,7 @@ class ReadingsPatch {
                 std::vector<Reading> appended = {});
   /// Clears these cells. Ignores empty cells and those elsewhere.
   static ReadingsPatch clearing(const std::vector<Reading>& rows, const std::vector<ReadingCell>& cells);
-  /// From `first` on, `inserted` replaces `removed` rows.
+  /// Returns a patch in which `inserted` replaces `removed` rows from `first` on.
   static ReadingsPatch replacing(const std::vector<Reading>& rows, std::size_t first, std::size_t removed,
                                  const std::vector<Reading>& inserted);
   /// Removes these rows. Ignores missing rows.
@@ -70,8 +70,8 @@ class ReadingsPatch {
   /// The only changed or added row; absent if there are several, or if a row is removed.
   std::optional<std::size_t> onlyRow() const;
 
-  /// At the first change of a recorded cell, its text becomes the row's first text of the cell; restoring
-  /// that text removes it again. Call before `apply`, with the same rows.
+  /// Keeps the text of a recorded cell as the row's first text at its first change; restoring that text
+  /// removes it again. Call before `apply`, with the same rows.
   void keepFirstTexts(const std::vector<Reading>& rows,
                       const std::function<bool(std::size_t row, ReadingColumn column)>& stands);
 

@@ -22,7 +22,7 @@ struct SessionChange {
   Place place = {};
   std::size_t removed = 0;
   std::size_t inserted = 0;
-  /// For rows: the patch that was applied, or, if `isReverted`, undone.
+  /// The patch of the rows that was applied, or, if `isReverted`, undone.
   std::shared_ptr<const ReadingsPatch> patch = nullptr;
   bool isReverted = false;
   std::size_t journalKept = 0;  ///< number of unchanged journal entries; all later ones are new

@@ -102,7 +102,7 @@ void EntryGuide::goToMissingOf(std::size_t position, const std::string& zero) {
       return emit revealWanted(place);
 }
 
-/// When a position has everything the protocol requires, moves the focus onward. Never moves it from readings
+/// Moves the focus onward when a position has everything the protocol requires. Never moves it from readings
 /// back to a missing zero before them.
 void EntryGuide::goOn() {
   const Session& session = m_document.session();
@@ -120,7 +120,7 @@ void EntryGuide::goOn() {
     if (const auto entry = entryToCome(session, here, &progress)) goTo(*entry);
 }
 
-/// Its pointing zero, if missing.
+/// Moves to the pointing zero of the position first, if that is missing.
 void EntryGuide::goToNextEntryOf(std::size_t position) {
   m_positions.showPosition(position);
   for (const char* field : {"pointing_zero.horizontal", "pointing_zero.vertical"})

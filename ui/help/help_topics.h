@@ -14,7 +14,7 @@ struct HelpPage {
   const char* title;  ///< in the context `HelpPage`
 };
 
-/// In the order of the contents.
+/// All pages in the order of the contents.
 const std::vector<HelpPage>& allHelpPages();
 
 /// The address of a topic: "gap", or an anchor in a page, "words#s0".

@@ -66,7 +66,7 @@ void put(TableLayout& layout, const std::string& key, const Columns& columns) {
     layout.columns.at(columns[part]) = partKey(key, part);
 }
 
-/// As wide as available, since three share a row.
+/// Makes the box as wide as available, since three share a row.
 void narrow(QComboBox& box) {
   box.setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
   box.setMinimumContentsLength(7);
@@ -227,7 +227,7 @@ void ImportLayout::take() {
   for (const Role& role : m_roles) {
     const Columns chosen = columnsOf(role.column->currentData().toString());
     if (heldBy(layout, role.key) == chosen) continue;
-    for (std::size_t part = 0; part < chosen.size(); ++part)  // another role took part of it
+    for (std::size_t part = 0; part < chosen.size(); ++part)  // clears the parts that another role took over
       if (layout.columns[chosen[part]] == partKey(role.key, part)) layout.columns[chosen[part]].clear();
     role.column->setCurrentIndex(0);
   }

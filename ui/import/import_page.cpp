@@ -295,7 +295,7 @@ void ImportPage::tellTroubles() {
   m_problems->setFixedHeight(lines * m_problems->fontMetrics().lineSpacing() + 14);
 }
 
-/// How each file is read; positions still to be chosen are reported elsewhere.
+/// The remarks state how each file is read; positions still to be chosen are reported elsewhere.
 QStringList ImportPage::remarks() const {
   QStringList remarks;
   for (const ImportSource& source : m_request.sources)

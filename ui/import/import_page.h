@@ -51,7 +51,7 @@ class ImportPage : public QDialog {
   std::optional<ImportDecision> ask();
   /// True if the page shows the result of the current choices.
   bool isSettled() const { return m_isCurrent && !m_reading->isAtWork(); }
-  /// Why these choices cannot be imported; empty if they can.
+  /// Returns the reason why these choices cannot be imported; empty if they can.
   QString obstacle() const;
   /// The result of the current choices.
   ImportDecision decision() const;

@@ -27,7 +27,7 @@ class ImportZeros : public QWidget {
   void show(const Import* import);
   /// Writes the typed zeros into positions without one; bare numbers get the session's unit.
   void enterInto(Session& session) const;
-  /// Why a typed zero is invalid; empty if all are valid.
+  /// Returns the reason why a typed zero is invalid; empty if all are valid.
   QString problem() const { return m_problem; }
 
  signals:

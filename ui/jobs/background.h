@@ -39,9 +39,9 @@ class Background {
     m_threads.waitForDone();
   }
 
-  /// Only while nothing is running. `work` makes a `Value` from a `std::stop_token`. On delivery no reference
-  /// to the value or the work is kept here. If `work` throws, `instead` makes the value in the owner's thread
-  /// from the reason (`thrownReason`).
+  /// Starts the work; only while nothing is running. `work` makes a `Value` from a `std::stop_token`. On
+  /// delivery this object keeps no reference to the value or the work. If `work` throws, `instead` makes the
+  /// value in the owner's thread from the reason (`thrownReason`).
   template <typename Work, typename Instead>
   void start(Work work, Instead instead) {
     Q_ASSERT(!m_isAtWork);

@@ -33,7 +33,7 @@ struct Evaluation {
   std::string searchFailure = {};    ///< why the search for suspects failed: sentences
   std::vector<std::optional<NextReading>> next = {};  ///< for each position
   std::shared_ptr<const Guide> guide = {};            ///< null if the session has no protocol
-  /// What the charts show, computed on the fit's thread; null in an evaluation put together by hand.
+  /// The contents of the charts, computed on the fit's thread; null in an evaluation made by hand.
   std::shared_ptr<const ArcPicture> arcs = {};
   std::shared_ptr<const ResidualPicture> residuals = {};
 };
@@ -52,7 +52,7 @@ std::optional<Evaluation> copyWithSuspects(const Evaluation& fitted, const std::
 Evaluation failedEvaluation(Session session, const std::string& failure);
 /// The fit without suspects, after their search failed.
 Evaluation withoutSuspects(Evaluation evaluation, const std::string& failure);
-/// Both stages together.
+/// Runs both stages.
 Evaluation evaluate(Session session);
 
 }  // namespace alidade::ui

@@ -32,7 +32,8 @@ class FitJob : public QObject {
   bool isIdle() const { return !m_fit.isAtWork() && !m_fitted; }  ///< nothing remains to be delivered
 
  signals:
-  /// If it is not searched yet, `searched` follows unless another request comes first.
+  /// Emitted with the fit; if suspects are not searched yet, `searched` follows unless another request comes
+  /// first.
   void evaluated(const alidade::ui::SharedEvaluation& evaluation);
   /// The evaluation delivered last, now with its suspects.
   void searched(const alidade::ui::SharedEvaluation& evaluation);

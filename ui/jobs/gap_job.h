@@ -26,7 +26,7 @@ class GapJob : public QObject {
   /// Drops the request, since the session has changed.
   void cancel();
   void setWatched(bool watched);
-  /// Whether later requests weigh the causes with the reference. Off at first.
+  /// Sets whether later requests include the reference as evidence for the causes. Off at first.
   void setWithReference(bool withReference);
   bool isIdle() const { return !m_wanted; }  ///< nothing remains to be delivered
   bool isAtWork() const { return m_work.isAtWork(); }

@@ -26,7 +26,8 @@ class Interpreter : public QTranslator {
   QString translate(const char* context, const char* source, const char* disambiguation,
                     int n) const override;
 
-  /// For the program; for this thread, null if it has none of its own.
+  /// `setTongue` sets the language of the program. `ownTongue` is that of this thread, null without one;
+  /// `tongue` is the one in use.
   static void setTongue(const Tongue* tongue);
   static const Tongue*& ownTongue();
   static const Tongue* tongue();

@@ -25,7 +25,7 @@ class ReadingsModel : public QAbstractTableModel {
     ProblemRole = Qt::UserRole + 1,  ///< QString: why the entry is unusable
     SuspectRole,                     ///< QString: why the reading looks misread or is unexpected
     IncompleteRole,                  ///< bool: an entry still to be made
-    ExcludedRole,                    ///< bool: the row is kept out of the fit
+    ExcludedRole,                    ///< bool: the row is excluded from the fit
     ChangedRole,                     ///< bool: it differs from its first entry
     PendingRowRole,                  ///< bool: the empty row at the end
   };

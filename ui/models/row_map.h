@@ -17,7 +17,7 @@ class RowMap {
 
   /// Makes the present state the earlier one.
   void reset();
-  /// From `first` on, `inserted` rows replaced `removed` rows. Equal numbers: the same rows, edited.
+  /// `inserted` rows replaced `removed` rows from `first` on. Equal numbers: the same rows, edited.
   void replace(std::size_t first, std::size_t removed, std::size_t inserted);
   /// Absent for a new row.
   std::optional<Origin> origin(std::size_t row) const;

@@ -21,14 +21,14 @@ class RowNotes {
   /// The changes relevant to a view.
   enum class News { None, Residuals, Everything };
   News setEvaluation(SharedEvaluation evaluation);
-  /// From `first` on, `inserted` rows replaced `removed` rows.
+  /// `inserted` rows replaced `removed` rows from `first` on.
   void replaceRows(std::size_t first, std::size_t removed, std::size_t inserted);
 
   /// Null if the row was not in the fit.
   const SightingResidual* residual(std::size_t row) const;
-  /// Why the entry is unusable; empty without a known problem.
+  /// The reason why the entry is unusable; empty without a known problem.
   QString problem(std::size_t row, ReadingColumn column) const;
-  /// Why the reading looks misread.
+  /// The reason why the reading looks misread.
   QString suspicion(std::size_t row, ReadingColumn column) const;
 
  private:

@@ -13,7 +13,7 @@ namespace {
 
 constexpr int terminations[] = {SIGTERM, SIGINT, SIGHUP};
 
-/// From the signal handler to the event loop; −1: closed.
+/// Connects the signal handler with the event loop; −1: closed.
 int terminationPipe[2] = {-1, -1};
 
 void passOn(int signal) {

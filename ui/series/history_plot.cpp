@@ -14,7 +14,7 @@ namespace alidade::ui {
 
 namespace {
 
-// In painting order.
+// The lines in painting order.
 enum Line { StatedLimit, SeenLimit, EwmaLimit, Ewma, Level, StepDate, Bar, LineCount };
 enum Kind { Usual, Outside };
 

@@ -2,8 +2,8 @@
 
 namespace alidade::ui {
 
-/// From here on, log output of Qt and this program, including file names, goes to stderr with invisible
-/// characters escaped.
+/// Makes log output of Qt and this program, including file names, go to stderr with invisible characters
+/// escaped.
 void keepLogVisible();
 
 }  // namespace alidade::ui

@@ -15,7 +15,7 @@ struct Sample {
   const char* shows;  ///< one line, likewise
 };
 
-/// In the recommended order.
+/// All samples in the recommended order.
 const std::vector<Sample>& allSamples();
 
 Result<Session> readSample(const QString& name);

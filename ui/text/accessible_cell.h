@@ -4,7 +4,7 @@
 
 namespace alidade::ui {
 
-/// What a screen reader says in a cell: its text, or that the column named `title` is empty there.
+/// Returns the text of a cell for a screen reader: its text, or that the column named `title` is empty there.
 QString accessibleCell(const QString& shown, const QString& title);
 
 }  // namespace alidade::ui

@@ -19,7 +19,7 @@ QString causeNames(const std::vector<std::string>& ids, const QString& last);
 /// "sag −0.298 mm (u 0.009)"; just the number if its name only repeats the effect's.
 QString parameterText(const Cause& cause, const CauseParameter& parameter);
 
-/// "0°, point 11, horizontal, off by 29.0″", with round and face where they are not 1.
+/// "0°, point 11, horizontal, off by 29.0″", with round and face unless they are 1.
 QString deviationText(const ReadingDeviation& reading);
 Place placeOf(const ReadingDeviation& reading);
 

@@ -11,7 +11,7 @@ struct Headline {
   QString name;                ///< "Δd, measured", or "Δd, fit only" while provisional
   QString figure;              ///< "1.30 ± 0.74 mm", or briefly why there is none
   QString tip;                 ///< the figure to six decimals and what it includes; may be empty
-  QString tolerance;           ///< "Tolerance ± 2.5 mm"; empty where none is stated
+  QString tolerance;           ///< "Tolerance ± 2.5 mm"; empty if none is stated
   VerdictText verdict;         ///< its word is the fourth part of the large type
   QString fitOnly;             ///< "Δd, fit only: 1.31 ± 0.21 mm", in small type; empty without Δd
   QString fitOnlyDetails;      ///< its coverage, k and u
@@ -25,9 +25,9 @@ struct Headline {
   QString toleranceAndVerdict() const;
 };
 
-/// While the diagnosis of the evaluation is running.
+/// The headline while the diagnosis of the evaluation is running.
 Headline headlineOf(const Evaluation& evaluation);
-/// Once the diagnosis has ended, with a result or without one.
+/// The headline once the diagnosis has ended, with a result or without one.
 Headline headlineOf(const Gap& gap);
 
 }  // namespace alidade::ui

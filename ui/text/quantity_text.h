@@ -20,7 +20,7 @@ QString orNotStated(const QString& text);
 /// Fixed decimals (0…9): "−0.835", never "−0.000".
 QString numberText(double value, int decimals);
 
-/// As `numberText`, with an explicit plus sign: "+1.3", "−1.3", "0.0".
+/// Like `numberText`, with an explicit plus sign: "+1.3", "−1.3", "0.0".
 QString signedNumberText(double value, int decimals);
 
 /// The shortest text with the same number to ten digits: "2405", "0.95", and 5 for 4.999 999 999 99.

@@ -33,8 +33,9 @@ struct FitRequest {
 /// [--json]`, which fills in `request`.
 void addFitCommand(CLI::App& app, FitRequest& request);
 
-/// The fit of one file as text or JSON. Fails if the session cannot be read, if any entry is unusable (the
-/// first is named, the others counted), or if an arc cannot be fitted. A missing position is only a finding.
+/// The fit of one file as text or JSON. Fails if the session cannot be read or an arc cannot be fitted. Also
+/// fails if any entry is unusable; the first is named, the others are counted. A missing position is only a
+/// finding.
 Result<std::string> runFit(const FitRequest& request, const std::string& file);
 
 }  // namespace alidade::console

@@ -19,7 +19,7 @@ OptionCheck wholeFrom(std::uint64_t least, std::uint64_t most);
 /// Text valid in a session file: UTF-8.
 OptionCheck textCheck();
 
-/// Any whole number valid as a seed.
+/// Accepts any whole number that is valid as a seed.
 inline OptionCheck seedCheck() {
   return wholeFrom(0, std::numeric_limits<std::uint64_t>::max());
 }

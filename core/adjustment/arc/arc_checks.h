@@ -9,7 +9,7 @@
 
 namespace alidade {
 
-// Whether an arc's readings can carry a circle.
+// Checks whether an arc's readings determine a circle.
 
 /// Counts places that differ by more than the stated noise, up to the three that determine a circle.
 class DifferentPlaces {
@@ -27,13 +27,14 @@ class DifferentPlaces {
   boost::container::static_vector<PlanePoint<double>, needed> m_places;
 };
 
-/// Why the places sighted cannot determine a circle: fewer than three of them differ by more than the stated
-/// noise. Tested before any fit.
+/// Returns the reason if the sighted places cannot determine a circle: fewer than three of them differ by
+/// more than the stated noise. Tested before any fit.
 std::optional<ArcFault> tooFewPlaces(const Measurement& measurement,
                                      const std::vector<PlanePoint<double>>& places);
 
-/// Why the fitted circle is not determined: the stated noise alone makes its radius uncertain by more than a
-/// third of itself (1σ). The noise then hides the sagitta, and the linear theory behind every σ is invalid.
+/// Returns the reason if the fitted circle is not determined: the stated noise alone makes its radius
+/// uncertain by more than a third of itself (1σ). The noise then hides the sagitta, and the linear theory
+/// behind every σ is invalid.
 std::optional<ArcFault> radiusUndetermined(const ArcFit& fit);
 
 /// The angle the sighted places span, seen from the fitted centre, in (0, 2π].

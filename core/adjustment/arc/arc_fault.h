@@ -7,7 +7,7 @@
 
 namespace alidade {
 
-/// Why the readings of an arc give no circle; `core/wording/arc_fault.h` has the sentences.
+/// Reasons why the readings of an arc give no circle; `core/wording/arc_fault.h` has the sentences.
 namespace arc_fault {
 
 /// A circle needs three places.
@@ -26,7 +26,7 @@ struct ArcTooShort {
 /// The noise hides the radius although the arc is not short.
 struct NothingTold {};
 
-/// Of the published method, which needs five places.
+/// The published method needs five places.
 struct TooFewForPublished {
   int places = 0;  ///< 0…4
 };

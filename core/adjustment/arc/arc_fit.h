@@ -48,7 +48,7 @@ struct ArcFit {
 
   bool converged() const { return status == FitStatus::Converged; }
   double reducedChiSquare() const { return degreesOfFreedom > 0 ? chiSquare / degreesOfFreedom : 0; }
-  /// 1σ of the radius, mm; scaled up where the readings scatter more than stated.
+  /// 1σ of the radius, mm; scaled up if the readings scatter more than stated.
   double radiusSigma() const {
     return std::max(1.0, std::sqrt(reducedChiSquare())) * std::sqrt(cofactor[2][2]);
   }
@@ -70,8 +70,8 @@ struct ArcFitOptions {
 /// eliminated visit by visit; derivatives by automatic differentiation. Errors in both circles are allowed
 /// for: the residuals are those of readings, not of plane coordinates.
 ///
-/// Fails where the readings fix no circle: fewer than three different places, places on a straight line, or
-/// an arc so short that its sagitta drowns in the stated noise.
+/// Fails if the readings determine no circle. Such are fewer than three different places, places on a
+/// straight line, or an arc whose sagitta is hidden by the stated noise.
 Result<ArcFit, ArcFault> fitArc(const Measurement& measurement, const ArcMeasurement& arc,
                                 const ArcFitOptions& options = {});
 

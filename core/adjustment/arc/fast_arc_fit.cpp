@@ -26,7 +26,7 @@ constexpr double straight = 1e-10;         // variance across times along the ch
 constexpr double unlike = 0.01;            // largest difference between a part and all places in their
                                            // remainder
 constexpr int mostIterations = 12;
-constexpr int mostSurveys = 2;  // before residuals are too large for them
+constexpr int mostSurveys = 2;  // if more are needed, residuals are too large for them
 constexpr std::size_t pilotPlaces = 16384;
 constexpr std::size_t share = 16;  // blocks of a sweep that are processed together
 
@@ -34,7 +34,7 @@ constexpr std::size_t share = 16;  // blocks of a sweep that are processed toget
 struct alignas(sizeof(Lanes)) PlaceEquation {
   Lanes tanA, tanE, secA;  ///< secA: with the exact relation only
   Lanes y, perRise;        ///< of the plane point, and its derivative with respect to e
-  Lanes weight;            ///< rows of the visit, 0 for unused lanes; if all are of one arc
+  Lanes weight;            ///< rows of the visit, 0 for unused lanes; used if all lanes are of one arc
   Lanes w, perA, perE;     ///< misclosure, and the residuals of a and e per unit of it
   Lanes ux, uy;            ///< from the centre
 };
@@ -45,7 +45,7 @@ struct Disc {
   T x, y, square;  ///< R²
 };
 
-/// Of the centre, and h.
+/// A step of the centre and of h.
 template <typename T>
 struct Step {
   T x, y, half;
@@ -57,19 +57,19 @@ struct Information {
   T one{}, x{}, y{}, xx{}, xy{}, yy{};
 };
 
-/// And with the misclosure.
+/// The information with the sums of the misclosure.
 template <typename T>
 struct Normals : Information<T> {
   T w{}, xw{}, yw{}, ww{};
 };
 
-/// From the condition linearised at adjusted readings.
+/// The normal equations from the condition linearised at adjusted readings.
 template <typename T>
 struct Sums : Normals<T> {
   T xxw{}, xyw{};
 };
 
-/// From the series about the readings; `third` measures its terms of third order.
+/// The normal equations from the series about the readings; `third` measures its terms of third order.
 template <typename T>
 struct CloseSums : Normals<T> {
   T third{};
@@ -112,7 +112,7 @@ struct Moments {
 
 /// Readings of one arc, four places per vector.
 struct Readings {
-  const double *a, *e, *rows;  ///< rows: null where all visits have one
+  const double *a, *e, *rows;  ///< rows: null if all visits have one
   std::size_t count;
 
   std::size_t blocks() const { return (count + width - 1) / width; }
@@ -238,7 +238,7 @@ struct Part {
   Readings readings() const { return {a.data(), e.data(), rows.data(), pilotPlaces}; }
 };
 
-using Vector = std::array<double, 3>;  // over (x, y, half)
+using Vector = std::array<double, 3>;  // derivatives with respect to x, y and `half`
 
 Vector gradient(const CloseSums<double>& sums) {
   return {sums.xw, sums.yw, sums.w};
@@ -274,7 +274,7 @@ void mend(Progress<double>& progress, const CloseSums<double>& all, const CloseS
   for (std::size_t i = 0; i < 3; ++i)
     left[i] = whole[i] - wholeChange[i] + all.one / before.one * (second[i] - first[i] + partChange[i]);
   Step<double> rest = plain::times(progress.inverse, left[0], left[1], left[2]);
-  rest.half += step.x * rest.x + step.y * rest.y;  // from the circle after the step
+  rest.half += step.x * rest.x + step.y * rest.y;  // the remaining residual after the step
   const double perSquare = 1 / progress.disc.square;
   progress.disc = plain::moved(progress.disc, rest);
   progress.inverse = plain::invert(atEnd(all, before, after), progress.disc.square);
@@ -315,7 +315,7 @@ std::optional<FastArcFit> fitStreamed(const ArcSetup& setup, const Readings& rea
   for (Sweep sweep; !isSettled(progress) && outcome.iterations < mostIterations; ++outcome.iterations) {
     kernel().sweep(readings, inner, progress.disc, {}, sweep);
     const double residual = plain::scatter(sweep.sums, 1 / progress.disc.square);
-    progress.lag = 0.5 * residual * residual * residual;  // two steps approached them
+    progress.lag = 0.5 * residual * residual * residual;  // distance of linearisation points after two steps
     plain::advance(progress, sweep.sums);
   }
   const auto fit = fitIn(plain::conclude(outcome, l));

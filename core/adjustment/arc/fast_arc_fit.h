@@ -28,8 +28,8 @@ namespace alidade {
 // linearised repeatedly at the adjusted readings of the iteration before (errors in both circles, Pope 1972,
 // "Some pitfalls to be avoided in the iterative adjustment of nonlinear problems").
 //
-// Refused, and left to the general fit: |a| or |e| above 45°, a residual above 0.002 rad (5 mm at 2.4 m),
-// places that hardly determine a circle, no convergence in a few iterations.
+// Refused, and left to the general fit, are |a| or |e| above 45° and a residual above 0.002 rad (5 mm at 2.4
+// m). So are places that hardly determine a circle, and no convergence in a few iterations.
 //
 // Of many places a part is fitted like this; then one such step from its circle uses all of them. It
 // overshoots by the square of its length; the part, which takes the same step, shows by how much.
@@ -40,7 +40,7 @@ namespace alidade {
 /// Bound on the remaining way to the minimum, in units of R.
 inline constexpr double usualTolerance = 1.5e-12;
 
-/// What all readings share.
+/// The common input of all readings.
 struct ArcSetup {
   double distance = 0;                            ///< L > 0, mm
   double sigmaHorizontal = 0, sigmaVertical = 0;  ///< of a reading, rad, > 0

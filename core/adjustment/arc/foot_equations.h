@@ -16,7 +16,7 @@ struct Whitening {
   double horizontal = 0, vertical = 0, slider = 0;
 };
 
-/// What all visits of an arc share.
+/// The common quantities of all visits of an arc.
 struct ArcView {
   double distance = 0;  ///< L > 0, mm
   VerticalAngleRelation relation = VerticalAngleRelation::Exact;
@@ -160,7 +160,7 @@ template <typename T>
   return ((size < near) & (size * size < smallest * before)) | (size < smallest);
 }
 
-/// After the last step, whose square is negligible, keeps the derivatives and updates the residuals.
+/// Updates the residuals after the last step, whose square is negligible, and keeps the derivatives.
 template <typename T>
 [[gnu::always_inline]] inline void followLastStep(Foot<T>& foot, const ArcView& view,
                                                   const Direction<T>& along, const T& step) {

@@ -14,8 +14,7 @@ namespace alidade {
 //   minimise |r(φ)|², r = ((a − a(P(φ)))/σ_h, (e − e(P(φ)))/σ_v, and (s − s0 ∓ φ)/σ_s with a slider reading)
 //
 // Closed form: a residual follows from the tangents of reading and model, and sine and cosine of φ are
-// rotated
-// with each step. The only functions of an angle are thus the tangents, once for each visit.
+// rotated with each step. The only functions of an angle are thus the tangents, once for each visit.
 
 /// The readings of one visit.
 struct VisitReading {
@@ -35,8 +34,8 @@ struct FootPoint : Foot<double> {
   double phi = 0;  ///< radians
 };
 
-/// Needs R > 0. Iterates to rounding error from the nearest point in the plane, or from a nearby `start`;
-/// always finite.
+/// Needs R > 0. Iterates to rounding error from the nearest point in the plane, or from a nearby `start`. The
+/// result is always finite.
 FootPoint footPoint(const ArcView& view, const ArcUnknowns& unknowns, const VisitReading& visit);
 FootPoint footPoint(const ArcView& view, const ArcUnknowns& unknowns, const VisitReading& visit,
                     FootPoint start);

@@ -23,7 +23,7 @@ struct PublishedFit {
 ///                       [ΔR, Δx, Δy, Δθx, Δθy]ᵀ
 ///
 /// is solved by least squares and R0 ← R0 + ΔR, exactly two times; converged if the last ΔR is below 0.0001
-/// mm. (The paper prints +2y_i in rows 2..n: a misprint.) For comparison only: it assumes that the vertical
+/// mm. (The paper prints +2y_i in rows 2..n: a misprint.) For comparison only. It assumes that the vertical
 /// circle reads y/L, which no theodolite does, and is wrong by millimetres on this arc. Source: equations
 /// (2)-(9) of Cui, Ren, Yuan, Liu, "Intersection Measurement for Rotatable Arc Guideway System". The method
 /// states no covariance; it stays zero. Needs five different places.

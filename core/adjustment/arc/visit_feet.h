@@ -19,7 +19,7 @@ namespace alidade {
 struct ArcEquations {
   static constexpr std::size_t estimated = 4, considered = 3, columns = estimated + considered;
 
-  std::array<std::array<double, columns>, estimated> normal{};  ///< JᵀWJ, estimated by all
+  std::array<std::array<double, columns>, estimated> normal{};  ///< JᵀWJ, a row for each estimated quantity
   std::array<double, estimated> rightSide{};                    ///< −½ ∂χ²/∂estimated
   double chiSquare = 0;                                         ///< of the means of the visits
 };
@@ -61,7 +61,8 @@ class VisitFeet {
   struct alignas(sizeof(Eight)) Block {
     Foot<Eight> foot;
     Eight tanA, tanE, rows, counts;          ///< counts: rows, 0 for empty lanes
-    Eight slider, sliderRows, sliderCounts;  ///< rows: 1 if it was read; counts likewise
+    Eight slider, sliderRows, sliderCounts;  ///< rows: 1 if the slider was read; counts: the same, 0 for
+                                             ///< empty lanes
   };
 
  private:

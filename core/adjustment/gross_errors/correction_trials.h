@@ -35,7 +35,8 @@ struct AgreeingCorrection {
   double offSpacing = 0;  ///< as `VisitAgreement::offSpacing`
 };
 
-/// Which kind of reading a cell holds; a changed face turns both circles and counts as the horizontal one.
+/// Returns the kind of reading that a cell holds. A changed face turns both circles and counts as the
+/// horizontal one.
 ReadingKind kindOf(const std::string& field);
 
 /// Misread readings of a session, and corrections of the typed text that would explain them: each is tested

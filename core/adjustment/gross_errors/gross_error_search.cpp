@@ -130,7 +130,7 @@ class Search {
   };
 
   /// A sighting that is the only one of its visit. Its two circles give a single condition, its distance from
-  /// the arc, so it is left out as a whole; the circle with the smaller error is named.
+  /// the arc, so it is left out as a whole. The circle with the smaller error is named.
   struct LeftOut {
     ReadingRef cell, other;
     double size = 0, sigma = 0;  ///< rad; σ scaled by the scatter of the other readings
@@ -346,7 +346,7 @@ class Search {
            statedSigma(m_measurement, m_shifts[i].cell.kind).radians();
   }
 
-  /// For the shifts, then for the omitted sightings.
+  /// Returns t of entry i: first the shifts, then the omitted sightings.
   double studentised(std::size_t i) const {
     if (i < m_shifts.size()) return m_shifts[i].size / sigmaOfShift(i);
     const LeftOut& out = m_leftOut[i - m_shifts.size()];

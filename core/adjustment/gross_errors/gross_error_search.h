@@ -12,11 +12,10 @@
 namespace alidade {
 
 // The situation: a few readings were misread or mistyped, by anything from some noise to many degrees, and
-// any
-// reading may be affected. Each is modelled as shifted by an unknown amount, and the shift is tested. From a
-// start determined by a majority of rows (robust_start.h), readings are added to those named as misread and
-// removed again until every named one is significant and the others are not. The fit is repeated with the
-// shifts subtracted, so that linear theory holds for shifts of any size.
+// any reading may be affected. Each is modelled as shifted by an unknown amount, and the shift is tested. A
+// majority of rows determines the start (robust_start.h). From there, readings are added to those named as
+// misread and removed again, until every named one is significant and the others are not. The fit is repeated
+// with the shifts subtracted, so that linear theory holds for shifts of any size.
 //
 // The scale of the noise is estimated from the readings neither named nor tested, so the test value is
 // Student's t (`ReadingTest`). Source of the test: W. Baarda, "A testing procedure for use in geodetic

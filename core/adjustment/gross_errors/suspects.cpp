@@ -210,8 +210,8 @@ class SuspectSearch {
         m_suspects, [&](const Suspect& other) { return &other != &suspect && !areOneSlip(suspect, other); });
   }
 
-  /// With other misread readings present, keeps a correction only if it is almost certain, it leaves nothing
-  /// in its visit unexplained, and all readings agree once every suspect is corrected.
+  /// With other misread readings present, keeps a correction only if it is almost certain and leaves nothing
+  /// in its visit unexplained. All readings must also agree once every suspect is corrected.
   void keepWhatHoldsTogether() {
     std::vector<bool> isDoubtful;
     for (const Suspect& suspect : m_suspects) {

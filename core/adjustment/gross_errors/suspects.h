@@ -28,8 +28,8 @@ struct Suspect {
   int axisDeg = 0, point = 0, round = 1, face = 1;
   int time = 1;  ///< as `ArcMeasurement::time`
   ReadingKind kind = ReadingKind::Horizontal;
-  /// As typed minus the value predicted by the other readings, as read on the circle; half a turn for a wrong
-  /// face, NaN if the typed text is not an angle.
+  /// The typed value minus the one predicted by the other readings, as read on the circle. Half a turn for a
+  /// wrong face; NaN if the typed text is not an angle.
   Angle size;
   double studentised = 0;           ///< t of the misfit; 0 if the row could not be used in the fit
   std::vector<Place> rivals;        ///< cells that could be at fault instead

@@ -46,7 +46,7 @@ struct Spacing {
   }
 };
 
-/// By medians, so that a few places may deviate.
+/// Uses medians, so that a few places may deviate.
 Spacing spacingOf(std::vector<PointPlace> places) {
   constexpr std::size_t fewest = 6, most = 60;
   std::ranges::sort(places, {}, &PointPlace::point);

@@ -9,7 +9,7 @@
 
 namespace alidade {
 
-/// How well the rows of one visit agree with each other and with all other readings.
+/// The agreement of the rows of one visit with each other and with all other readings.
 struct VisitAgreement {
   int tests = 0;  ///< number of conditions on the visit: readings − 1
   /// Probability that sound readings misfit as much or more; 0 if the fit predicts too poorly to decide.
@@ -21,14 +21,14 @@ struct VisitAgreement {
 };
 
 /// The situation: rows of one visit are in question. Every other reading is fitted, and possible intended
-/// rows are compared with that fit. The target may be anywhere on the arc; but if the other places are evenly
+/// rows are compared with that fit. The target may be anywhere on the arc. But if the other places are evenly
 /// spaced by their point numbers, a place that keeps the spacing is more probable. The scatter about even
-/// spacing says by how much; a single place off the spacing is never ruled out (Student's distribution with 3
-/// degrees of freedom).
+/// spacing determines how much more. A single place off the spacing is never excluded (Student's distribution
+/// with 3 degrees of freedom).
 class VisitCheck {
  public:
-  /// Checks visits of arc `arc` against `fit`, from which the sightings `inQuestion` are excluded; so they
-  /// are from the spacing. `options` are those of the fit.
+  /// Checks visits of arc `arc` against `fit`, which has these `options`. Both the fit and the spacing
+  /// exclude the sightings `inQuestion`.
   VisitCheck(const Measurement& measurement, std::size_t arc, const std::vector<ReadingRef>& inQuestion,
              const JointFit& fit, const JointFitOptions& options);
   ~VisitCheck();

@@ -18,7 +18,7 @@ constexpr int evenSize(int slots) {
   return slots + slots % 2;
 }
 
-/// Which error terms take part.
+/// The error terms that have derivatives.
 enum class ArcTerms { None, OfGuideway, All };
 
 template <ArcTerms which>

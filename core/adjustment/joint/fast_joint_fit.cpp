@@ -50,11 +50,11 @@ class ArcApart {
     m_unknowns.circle.y += m_line.height();
   }
 
-  /// False if refused. Call it once, before all else.
+  /// Returns false if the fit is refused. Must be called once, before all other methods.
   bool settle(const JointFitOptions& options) {
     readVisits();
     constexpr int mostIterations = 10;
-    constexpr double longest = 0.1;  // of R, for a first step
+    constexpr double longest = 0.1;  // of R; limit of a first step
     constexpr double rounding = 1e-9;
     for (double before = std::numeric_limits<double>::infinity();; before = m_chiSquare) {
       evaluate();

@@ -17,10 +17,9 @@
 
 namespace alidade {
 
-// The situation: arcs at one or two rotations of the axis, some of them measured again, were sighted from one
-// stand, in any mixture of rounds, faces, slider readings and missing points. Both circles and the slider of
-// each row are observations of the one forward model (observe.h), and one least squares adjustment of all of
-// them,
+// The situation: arcs at one or two rotations of the axis were sighted from one stand, some of them again.
+// Rounds, faces, slider readings and missing points are mixed in any way. Both circles and the slider of each
+// row are observations of the one forward model (observe.h), and one least squares adjustment of all of them,
 //
 //   minimise Σ (reading − model(unknowns))²/σ²,
 //
@@ -47,7 +46,8 @@ struct Unknown {
   std::size_t arc = 0;                      ///< index into the measurement's arcs; 0 for Distance and Error
   ErrorTerm term = ErrorTerm::Collimation;  ///< of an Error
 
-  /// Does it belong to the guideway at one rotation of the axis, whichever arc is sighted there?
+  /// Does it belong to the guideway at one rotation of the axis, independent of the arc that is sighted
+  /// there?
   bool isOfAxis() const { return kind == Kind::CentreX || kind == Kind::CentreY || kind == Kind::Radius; }
   bool isPointingZero() const { return kind == Kind::HorizontalZero || kind == Kind::VerticalZero; }
   /// Does a reading of arc `index` depend on it? `firsts`: for each arc the one whose centre and radius it
@@ -105,8 +105,8 @@ struct JointFitOptions {
   /// The first row on which they no longer act, since its zero was sighted after the jump; absent: on all.
   std::optional<std::size_t> jumpEnd = {};
   /// The model of one rigid guideway turned about an axis along x, in place of the measurement's own radius
-  /// model. Both positions share one radius and one x, and the pointing zeros are estimated with their stated
-  /// σ as priors, since a wrong one then leaves residuals.
+  /// model. Both positions share one radius and one x. The pointing zeros are estimated with their stated σ
+  /// as priors, since a wrong one then leaves residuals.
   bool isClosed = false;
   /// Each arc, even of the same axis, has its own centre and radius and keeps the zero read, to show how they
   /// disagree. Not for a closed model.
@@ -141,7 +141,7 @@ struct JointFit {
   /// ∂unknown/∂considered, unknowns × considered, row by row.
   std::vector<double> perConsidered;
 
-  /// For each reading of a pointing zero that is an observation: ∂reading/∂unknowns, divided by its σ.
+  /// The row of each reading of a pointing zero that is an observation: ∂reading/∂unknowns, divided by its σ.
   std::vector<std::vector<double>> zeroRows = {};
   /// φ of each sighting of each arc, rad in (−π, π]; unwrapped if the slider is read (`unwrapAlongSlider`).
   std::vector<std::vector<double>> arcAngles;
@@ -150,7 +150,7 @@ struct JointFit {
   double chiSquare = 0;                   ///< of circles, slider and priors
   int degreesOfFreedom = 0;
   int iterations = 0;
-  /// `Undetermined` if a number of the fit is not finite or a variance is negative, and if it did not settle
+  /// `Undetermined` if a number of the fit is not finite or a variance is negative. Also if it did not settle
   /// and a circle is less certain than its size.
   FitStatus status = FitStatus::Undetermined;
 
@@ -160,7 +160,7 @@ struct JointFit {
   bool converged() const { return status == FitStatus::Converged; }
   /// If not, `chiSquare`, `values` and all results derived from them are meaningless.
   bool isDetermined() const { return status != FitStatus::Undetermined; }
-  /// Of an arc of the measurement.
+  /// Returns the circle of an arc of the measurement.
   Circle circleOf(std::size_t arc) const;
 };
 

@@ -272,7 +272,7 @@ Pointing JointProblem::zeroPointing(const ArcMeasurement& arc) const {
   pointing.circle = m_measurement.verticalCircle;
   pointing.relation = m_measurement.relation;
   pointing.elapsed = arc.zero.elapsed;
-  // A jump before everything means one after the zeros, which `linearise` requests.
+  // `linearise` requests a jump before everything, which means a jump just after the zeros.
   if (!arc.zeroSightings.empty() && m_jumpBefore.value_or(0) > 0)
     pointing.jumpShare =
         static_cast<double>(std::ranges::count_if(
@@ -360,7 +360,7 @@ struct PerElevation {
   }
 };
 
-/// For a target at `y` and `z` in space.
+/// Returns the displacement of a target at `y` and `z` in space.
 PerElevation perElevation(double y, double z, double distance, double elevation, ArcPlane plane) {
   if (plane == ArcPlane::Square) return {-z, y};
   const double cosine = std::cos(elevation);

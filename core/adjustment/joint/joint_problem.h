@@ -19,7 +19,7 @@ namespace alidade {
 inline constexpr int distanceSlot = 6, phiSlot = 7, firstTermSlot = 8;
 inline constexpr int mostSlots = firstTermSlot + static_cast<int>(errorTermCount);
 
-/// As many as the fit has terms, without heap allocation.
+/// A vector with one entry for each slot of the fit, without heap allocation.
 using Slots = Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, mostSlots, 1>;
 
 /// A matrix over the slots of one arc.
@@ -30,7 +30,7 @@ using SlotMatrix =
 /// slider reading if there is one.
 struct VisitEquations {
   static constexpr int mostRows = 5;  // two circles in two faces, and the slider
-  /// On the heap: fixed room for every slot would fill memory that few terms use.
+  /// Allocated on the heap: fixed memory for every slot would be mostly unused.
   using Jacobian = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
   Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, mostRows, 1> residual;
   Jacobian jacobian;
@@ -65,8 +65,8 @@ class JointProblem {
   const std::vector<Unknown>& estimated() const { return m_estimated; }
   const std::vector<Unknown>& considered() const { return m_considered; }
   double consideredSigma(std::size_t i) const { return m_consideredSigmas[i]; }
-  /// Of an estimated unknown. The state counts from the prior value, so that even a radius known to a
-  /// nanometre survives rounding.
+  /// The prior of an estimated unknown. The state counts from the prior value, so that even a radius known to
+  /// a nanometre survives rounding.
   const Prior& prior(std::size_t i) const { return m_priors[i]; }
   const std::vector<VisitOfArc>& visits() const { return m_visits; }
   /// For each arc the one whose centre and radius it shares.
@@ -78,7 +78,7 @@ class JointProblem {
   /// The reading of a row of a visit's equations.
   ReadingRef cellOf(std::size_t visit, Eigen::Index row) const;
   VisitEquations equationsOf(const JointState& state, std::size_t visit) const;
-  /// Of every visit.
+  /// Returns the equations of every visit.
   std::vector<VisitEquations> equationsOf(const JointState& state) const;
   /// Visits the equations one after the other, in memory for one.
   void eachVisit(const JointState& state,

@@ -14,7 +14,7 @@ namespace {
 
 using Eigen::Index;
 
-/// In any unit: a σ this small is exact, as its squared weight would not be finite.
+/// A σ below this counts as exact in any unit, as its squared weight would not be finite.
 constexpr double asGoodAsZero = 1e-100;
 
 /// Options with the terms of the fit at its solution, the others at zero.
@@ -74,7 +74,7 @@ Linearised withoutReadings(const JointProblem& problem, const JointState& state)
   return result;
 }
 
-/// In pieces of this many visits.
+/// Delivers the equations in pieces of `pieceLength` visits.
 void linearise(const Measurement& measurement, const JointProblem& problem, const JointState& state,
                const std::vector<EstimatedTerm>& terms, std::size_t pieceLength,
                const std::function<void(Linearised)>& take) {

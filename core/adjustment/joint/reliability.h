@@ -17,12 +17,12 @@ struct Detection {
   double shift = std::numeric_limits<double>::infinity();
 };
 
-/// As in the search for misread readings: n different tests, f − 1 degrees of freedom. `scale`: s0 of the fit
-/// (`noiseScale`).
+/// Returns the test of the search for misread readings: n different tests, f − 1 degrees of freedom. `scale`:
+/// s0 of the fit (`noiseScale`).
 Detection detectionIn(const JointFit& fit, double scale, double power = 0.80);
 
-/// How well the other readings check one reading, after Baarda, "A testing procedure for use in geodetic
-/// networks" (1968), for the test in use.
+/// The reliability of one reading: how well the others check it, after Baarda, "A testing procedure for use
+/// in geodetic networks" (1968), for the test in use.
 struct Reliability {
   /// The smallest error of the reading that the test finds at the requested power: δ s0 σ/√r, with δ the
   /// detectable shift, σ stated and r the redundancy. Example, first reading of Table I: 34 places make as
@@ -31,8 +31,8 @@ struct Reliability {
   /// find 10.6″.) A gross error included in s0 makes it larger. Infinite if no other reading checks it, or if
   /// the fit has fewer than two degrees of freedom.
   Angle minimalDetectableBias;
-  double influence = 0;  ///< effect of such an undetected error on Δd, mm, signed as the error; infinite if
-                         ///< the bias is, unless there is none
+  double influence = 0;  ///< effect of such an undetected error on Δd, mm, signed as the error; with an
+                         ///< infinite bias infinite, or 0 if no error of the reading affects Δd
 };
 
 Reliability reliabilityOf(const AdjustedReading& reading, const Detection& detection);

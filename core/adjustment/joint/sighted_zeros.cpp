@@ -94,7 +94,7 @@ void leaveOutZeros(Measurement& measurement) {
 }
 
 void putInZeros(Measurement& measurement) {
-  constexpr int roundOfZeros = std::numeric_limits<int>::max();  // behind those of the rows
+  constexpr int roundOfZeros = std::numeric_limits<int>::max();  // after all rounds of rows
   leaveOutZeros(measurement);
   for (ArcMeasurement& arc : measurement.arcs) {
     int point = 0;

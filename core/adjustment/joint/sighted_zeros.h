@@ -7,10 +7,9 @@ namespace alidade {
 
 // The situation: the pointing zero of each position was sighted when the position began, and perhaps again
 // after it. If the zeros are one mark and the circle was not reset, all these sightings observe one
-// direction,
-// each at its own moment. Their differences show the change of the orientation between them (a drift, a
-// knock), to √2 σ of a zero. As observations of the adjustment they contribute this information; subtracted
-// from the readings beforehand they do not.
+// direction, each at its own moment. Their differences show the change of the orientation between them (a
+// drift, a knock), to √2 σ of a zero. As observations of the adjustment they contribute this information;
+// subtracted from the readings beforehand they do not.
 //
 //   α_zero,i = M + (orientation at its moment) + ε_i, e_zero,i = e0 + … + ε_i
 //
@@ -25,8 +24,8 @@ CommonZeros commonZeros(const Measurement& measurement);
 /// marks.
 bool areZerosInDoubt(const Measurement& measurement);
 
-/// The measurement with every sighting of a zero after the rows of its arc (`Sighting::isZero`), and with the
-/// readings counted from one zero if the zeros are common. The rows keep their places.
+/// The measurement with every sighting of a zero after the rows of its arc (`Sighting::isZero`). If the zeros
+/// are common, all readings count from one zero. The rows keep their places.
 Measurement withZerosSighted(Measurement measurement);
 
 /// Removes these sightings, or inserts them again at the moments that `setMoments` gave the zeros.
@@ -36,7 +35,7 @@ void putInZeros(Measurement& measurement);
 /// The stated σ of a reading of either circle, or of one sighting of a zero. It is never exact; the model has
 /// to explain differences between sightings beyond it.
 Angle sigmaOf(const Measurement& measurement, const Sighting& sighting, bool isVertical);
-/// Also for the slider.
+/// The same for any reading, including the slider's.
 Angle sigmaOf(const Measurement& measurement, const ReadingRef& reading);
 
 }  // namespace alidade

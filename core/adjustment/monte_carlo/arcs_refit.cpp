@@ -22,7 +22,7 @@ namespace {
 struct VisitColumns {
   std::vector<double> a, e;        ///< rad
   std::vector<std::size_t> noise;  ///< index of each row's noise in a draw
-  int rows = 0;                    ///< of a visit
+  int rows = 0;                    ///< in each visit
 
   VisitColumns(const RefitTask& task, std::size_t arc) {
     const ZeroLine line(task.fitted, task.fitted.arcs[arc]);

@@ -9,7 +9,7 @@ namespace alidade {
 namespace {
 
 /// χ² with `freedom` ≥ 1 degrees of freedom: twice a Gamma variable (Marsaglia and Tsang, "A simple method
-/// for generating gamma variables", 2000); a shape below 1 is raised above it.
+/// for generating gamma variables", 2000). A shape below 1 is raised above it.
 double drawChiSquare(RandomSource& random, double freedom) {
   const bool raised = freedom < 2;
   const double d = freedom / 2 + (raised ? 1 : 0) - 1.0 / 3, c = 1 / std::sqrt(9 * d);

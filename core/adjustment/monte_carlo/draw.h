@@ -39,7 +39,7 @@ class DrawPlan {
   double drawScale(RandomSource& random) const;
 
   NoiseScale m_noise;
-  double m_zeroScatter = 0;  ///< in the σ of zeros that scatter like the readings; 0: they do not
+  double m_zeroScatter = 0;  ///< factor in the σ of zeros that scatter like the readings; 0 if they do not
   std::size_t m_terms = 0, m_count = 0;
   std::vector<std::size_t> m_zeros;
   std::vector<std::vector<std::size_t>> m_readings;

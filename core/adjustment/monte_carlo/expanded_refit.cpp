@@ -18,8 +18,7 @@
 //   δ ← δ + N⁻¹ [(J + H δ)ᵀ (r + w − J δ − ½ δᵀ H δ) − prior terms],
 //
 // with arc angles eliminated visit by visit. The first step is the linear propagation, the second includes
-// all
-// of second order; further ones follow until nothing changes. Draws are processed together.
+// all of second order; further ones follow until nothing changes. Draws are processed together.
 
 namespace alidade {
 

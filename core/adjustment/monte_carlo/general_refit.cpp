@@ -7,7 +7,7 @@ namespace alidade {
 
 namespace {
 
-constexpr double farBelowScatter = 1e-6;  // of the draws, whose spread is some 1 σ
+constexpr double farBelowScatter = 1e-6;  // relative to the spread of the draws, some 1 σ
 
 class GeneralRefit : public Refit {
  public:

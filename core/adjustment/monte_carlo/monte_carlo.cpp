@@ -148,7 +148,7 @@ double valueAt(const std::vector<double>& values, std::size_t rank, const Spread
   return beyond[rank];
 }
 
-/// Of at least two values.
+/// Computes the spread of at least two values.
 Spread spreadOf(const std::vector<double>& values, double coverage) {
   const auto count = static_cast<double>(values.size());
   Spread spread;
@@ -163,7 +163,7 @@ Spread spreadOf(const std::vector<double>& values, double coverage) {
   return spread;
 }
 
-/// Half a unit of the second significant digit of σ.
+/// Returns half a unit of the second significant digit of σ.
 double numericalTolerance(double sigma) {
   return sigma > 0 ? 0.5 * std::pow(10, std::floor(std::log10(sigma)) - 1) : 0;
 }
@@ -221,9 +221,9 @@ bool isAnswered(const MonteCarlo& result) {
   return !result.intersection || result.linear != LinearPropagation::Undecided;
 }
 
-/// The number of draws needed for a decision: chance then fits into the tolerance or, if an end differs by
-/// more, into the gap between the two. At least twice as many as before, as the first attempt may not
-/// suffice.
+/// The number of draws needed for a decision. Chance must then be smaller than the tolerance and, if an end
+/// differs by more than the tolerance, than the excess. At least twice as many as before, as the first
+/// attempt may not suffice.
 std::size_t drawsToTell(const MonteCarlo& result, std::size_t drawn) {
   const double excess = worstOf(result) - result.tolerance;
   const double room = excess > 0 ? std::min(result.tolerance, excess) : result.tolerance;

@@ -12,17 +12,17 @@
 
 namespace alidade {
 
-// Checks the linear budget by propagating distributions (JCGM 101:2008). Each draw takes every reading, both
-// pointing zeros of each position, the distance and, if known, the radius from its distribution about the
-// value read, and fits again. It uses the fast fit of arcs if these are independent; else the forward model
-// to
-// second order about the fit, if that agrees with general fits to a thousandth of σ; else the general fits.
-// The fast refits therefore agree with the general ones to that accuracy.
+// Checks the linear budget by propagating distributions (JCGM 101:2008). Each draw takes every input from its
+// distribution about the value read, and fits again. The inputs are readings, both pointing zeros of each
+// position, the distance and, if known, the radius. The draws use the fast fit of arcs if these are
+// independent; else the forward model to second order about the fit, if that agrees with general fits to a
+// thousandth of σ; else the general fits. The fast refits therefore agree with the general ones to that
+// accuracy.
 //
 // Zeros, distance and radius are normal with their stated σ. Readings, and the priors of estimated effects,
 // are normal with σ scaled by s0 as in the budget; if s0 has f degrees of freedom the whole draw is divided
-// by √(χ²_f/f), which makes them Student with f (JCGM 101, 6.4.9). So σ exceeds the budget's by up to
-// √(f/(f − 2)), for which k compensates there.
+// by √(χ²_f/f), which makes them Student with f (JCGM 101, 6.4.9). So σ exceeds the budget's by up to √(f/(f
+// − 2)), for which k compensates there.
 
 /// Maximum if the number is unspecified: some 200 MB.
 inline constexpr std::size_t mostDrawsLeftOpen = 5'000'000;
@@ -62,7 +62,7 @@ struct MonteCarlo {
   double coverage = 0.95;             ///< of the intervals
   std::vector<CentreSpread> centres;  ///< one for each axis
 
-  /// Of Δd, with arcs at 0° and at 180°.
+  /// The spread of Δd, with arcs at 0° and at 180°.
   std::optional<Spread> intersection;
   double tolerance = 0;  ///< δ: half a unit of the second significant digit of the budget's σ (7.9.2), mm
   double lowDifference = 0;   ///< |Δd − U − low|, mm

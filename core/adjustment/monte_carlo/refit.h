@@ -26,7 +26,7 @@ struct RefitTask {
 /// Value of a centre whose fit did not settle or is undetermined.
 inline constexpr double missingCentre = std::numeric_limits<double>::quiet_NaN();
 
-/// For one thread: owns its working memory.
+/// A refit for one thread: it owns its working memory.
 class Refit {
  public:
   virtual ~Refit() = default;

@@ -16,8 +16,8 @@ namespace alidade {
 //
 // For any Eigen matrices, preferably row-major; templates, so that no linear algebra is included here.
 
-/// For the equations of one visit, a row for each reading. `along`: u. `share`: working memory, as many
-/// numbers as there are columns.
+/// Eliminates the arc angle from the equations of one visit, a row for each reading. `along` is u. `share` is
+/// working memory for one number per column.
 template <typename Rows, typename Along, typename Share>
 void eliminateArcAngle(Rows&& rows, const Along& along, Share& share) {
   share.setZero(rows.cols());
@@ -25,8 +25,8 @@ void eliminateArcAngle(Rows&& rows, const Along& along, Share& share) {
   for (std::ptrdiff_t i = 0; i < rows.rows(); ++i) rows.row(i) -= along[i] * share.transpose();
 }
 
-/// For one column over the readings of many visits in sequence: visit v ends before reading `endOfVisit[v]`.
-/// Both spans hold all readings, `along` the u of each visit.
+/// Eliminates the arc angles from one column over the readings of many visits in sequence: visit v ends
+/// before reading `endOfVisit[v]`. Both spans hold all readings, `along` the u of each visit.
 inline void eliminateArcAngles(std::span<double> column, std::span<const double> along,
                                std::span<const std::ptrdiff_t> endOfVisit) {
   const double* u = along.data();

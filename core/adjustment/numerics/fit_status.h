@@ -4,7 +4,7 @@
 
 namespace alidade {
 
-/// Why a fit ended. Outcomes, not errors.
+/// The outcome of a fit. Outcomes are not errors.
 enum class FitStatus : std::uint8_t {
   Converged,          ///< the minimum is nearer than the tolerance
   TooManyIterations,  ///< the iterations were used up before the minimum

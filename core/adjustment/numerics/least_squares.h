@@ -10,17 +10,16 @@ namespace alidade {
 
 // Nonlinear least squares: minimise χ² = Σ (v/σ)² over some unknowns, from a start. Gauss-Newton steps with
 // the diagonal of the normal matrix N damped, times 1 + damping, so that units do not matter. A step that
-// does
-// not raise χ² is taken and the next is damped ten times less; otherwise it is repeated, damped ten times
-// more.
+// does not raise χ² is taken and the next is damped ten times less; otherwise it is repeated, damped ten
+// times more.
 //
 // One number measures the distance from the minimum, with g = −½ ∂χ²/∂unknowns the right side of the normal
 // equations:
 //
 //   λ = √(gᵀ N⁻¹ g)
 //
-// is the length of the undamped step in standard deviations of the result and the length of the gradient in
-// the same measure; λ² is the possible decrease of χ². Solvers that ignore the σ of their readings need three
+// is the length of the undamped step in standard deviations of the result, and that of the gradient in the
+// same measure. λ² is the possible decrease of χ². Solvers that ignore the σ of their readings need three
 // tolerances instead, for step, gradient and cost.
 //
 // Source: D. W. Marquardt, "An algorithm for least-squares estimation of nonlinear parameters", J. SIAM 11

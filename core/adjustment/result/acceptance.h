@@ -14,7 +14,7 @@ Verdict decide(double value, double expanded, double tolerance);
 /// "accept", "reject", "undecided".
 std::string verdictName(Verdict verdict);
 
-/// Why the lengths allow no verdict; `core/wording/verdict.h` has the sentences.
+/// The reason why the lengths allow no verdict; `core/wording/verdict.h` has the sentences.
 struct LengthsInDoubt {
   struct Radius {
     int axisDeg = 0;

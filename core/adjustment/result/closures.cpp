@@ -21,7 +21,7 @@ Misclosure combinationOf(const JointFit& fit, const std::vector<double>& weights
   return {value, combined(budget), scaledPart(budget)};
 }
 
-/// Of all arcs.
+/// Returns the mean radius of all arcs.
 Misclosure meanRadius(const JointFit& fit, double scale) {
   const auto isRadius = [](const Unknown& unknown) { return unknown.kind == Unknown::Kind::Radius; };
   const auto count = static_cast<double>(std::ranges::count_if(fit.unknowns, isRadius));

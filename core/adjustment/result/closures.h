@@ -48,15 +48,15 @@ struct Closure {
   double sigmas() const { return std::abs(value) / sigma; }
 };
 
-/// With its chance from Student's distribution; `degreesOfFreedom` of σ, may be infinite.
+/// Adds the probability from Student's distribution; `degreesOfFreedom` of σ may be infinite.
 Closure closureOf(Closure::Of of, double value, double sigma, double degreesOfFreedom);
 
 /// "radius", "centre", "nominal_radius", "repeat", "reference", "zeros".
 std::string_view nameOf(Closure::Of of);
 
-/// `fit` is of `measurement`. The radius is omitted if the model shares it between both arcs, and R0 if it is
-/// an observation of the model or has no stated σ. Without arcs at 0° and at 180° only R0 remains; the list
-/// is empty if the fit is undetermined.
+/// `fit` is of `measurement`. The radius is omitted if the model shares it between both arcs. R0 is omitted
+/// if it is an observation of the model or has no stated σ. Without arcs at 0° and at 180° only R0 remains;
+/// the list is empty if the fit is undetermined.
 std::vector<Closure> closuresOf(const Measurement& measurement, const JointFit& fit);
 
 /// Fits every arc with its own centre and radius (`JointFitOptions::isApart`), if an axis is measured again
@@ -85,7 +85,7 @@ struct Misclosure {
 std::optional<Misclosure> misclosureOf(const JointFit& fit, Unknown::Kind quantity, std::size_t first,
                                        std::size_t other, double scale);
 
-/// At a risk of 0.1 %: is the difference between the positions unexplained?
+/// Is the difference between the positions unexplained at a risk of 0.1 %?
 bool fails(const Closure& closure);
 
 }  // namespace alidade

@@ -146,7 +146,7 @@ class Expectations {
     const Direction<double> direction = ZeroLine(m_measurement, arc).observe(target);
     const bool isZenith = m_measurement.verticalCircle == VerticalCircle::Zenith;
     const Angle e = Angle::fromRadians(direction.e);
-    const FaceOneReading circles =  // converting to face 2 is the inverse, up to whole turns
+    const FaceOneReading circles =  // the conversion to face 1 is its own inverse, up to whole turns
         inFaceOne(arc.zeroHorizontal + Angle::fromRadians(direction.a),
                   isZenith ? arc.zeroVertical - e : arc.zeroVertical + e, sighting.face,
                   m_measurement.verticalCircle);
@@ -162,7 +162,7 @@ class Expectations {
   const SessionFit& m_fit;
   const NominalPlaces& m_nominal;
   Places m_places;
-  std::map<long long, PlaceOfPoint> m_offsets;  ///< from nominal coordinates, for each
+  std::map<long long, PlaceOfPoint> m_offsets;  ///< offsets from nominal coordinates, for each of these
   PlaceOfPoint m_offset;                        ///< for all
   std::optional<Line> m_line;
 };

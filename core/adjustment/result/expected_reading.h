@@ -34,14 +34,15 @@ struct ExpectedReading {
   Angle tolerance;             ///< a larger deviation is significant
 };
 
-/// Absent if the place cannot be predicted: the point has no reading anywhere, and there are fewer than three
-/// points or coordinates not evenly spaced by number; or the position has no pointing zero. Points beyond the
-/// known ones by more than half their length are not extrapolated.
+/// Absent if the place cannot be predicted or the position has no pointing zero. A place cannot be predicted
+/// if the point has no reading anywhere, and there are fewer than three points or coordinates not evenly
+/// spaced by number. Points beyond the known ones by more than half their length are not extrapolated.
 std::optional<ExpectedReading> expectedReading(const Measurement& measurement, const SessionFit& fit,
                                                const SightingToCome& sighting);
 
-/// For each sighting, with the places of the points computed once. A place in `nominal` has the coordinate of
-/// the slider's earlier visit, else the nominal one corrected for the scale error of the slider so far.
+/// Returns the expected reading of each sighting, with the places of the points computed once. A place in
+/// `nominal` has the coordinate of the slider's earlier visit. Without one it has the nominal coordinate,
+/// corrected for the scale error of the slider so far.
 std::vector<std::optional<ExpectedReading>> expectedReadings(const Measurement& measurement,
                                                              const SessionFit& fit,
                                                              const std::vector<SightingToCome>& sightings,

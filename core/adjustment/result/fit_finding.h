@@ -16,13 +16,13 @@ namespace alidade {
 // Findings of a fit on its data, as numbers; `core/wording/findings.h` makes a sentence of each. Lengths in
 // mm, rows as indices into the readings of their position.
 
-/// Of one arc that was fitted.
+/// Findings on one fitted arc.
 namespace arc_finding {
 
 struct NotSettled {
   int iterations = 0;
 };
-/// There are no degrees of freedom.
+/// The fit has no redundancy.
 struct NothingChecks {};
 struct ScattersMore {
   double reducedChiSquare = 1;
@@ -49,7 +49,7 @@ using What = std::variant<NotSettled, NothingChecks, ScattersMore, ScattersLess,
 
 }  // namespace arc_finding
 
-/// On the typed set-up data. `time` is always the repeat at the position's axis.
+/// Findings on the typed set-up data. `time` is always the repeat at the position's axis.
 namespace setup_finding {
 
 /// No theodolite focuses so near.
@@ -103,7 +103,7 @@ struct ZeroFaceLeftOut {
 
 }  // namespace setup_finding
 
-/// Of the session as a whole.
+/// Findings on the session as a whole.
 namespace session_finding {
 
 /// The arc has no circle.
@@ -122,7 +122,7 @@ struct PositionMissing {
 struct RadiiDiffer {
   double difference = 0, bound = 0;  ///< both ≥ 0
 };
-/// Along the axis.
+/// The centres differ along the axis.
 struct CentresDiffer {
   double difference = 0, bound = 0;  ///< both ≥ 0
 };

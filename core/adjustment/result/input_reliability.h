@@ -6,7 +6,7 @@
 
 namespace alidade {
 
-/// How well a number is checked that was entered once and affects all readings of its position or of the
+/// The reliability of a number that was entered once and affects all readings of its position or of the
 /// session: a pointing zero, the distance, a known radius. The test of misread readings does not cover these,
 /// so it never names them, however large their error.
 struct InputReliability {

@@ -28,7 +28,7 @@ struct Weight {
 /// A linear combination of the unknowns, without the zero weights: most are zero.
 using Weights = boost::container::small_vector<Weight, 8>;
 
-/// At most one entry for each source.
+/// A budget with at most one entry for each source.
 using Budget = boost::container::static_vector<BudgetEntry, 6>;
 
 Weights partsOf(const std::vector<double>& weights) {
@@ -194,7 +194,7 @@ double combined(const Budget& budget) {
   return combined(std::span(budget.data(), budget.size()));
 }
 
-/// By polarisation: (var(a + b) − var(a − b))/4.
+/// Computes a covariance by polarisation: (var(a + b) − var(a − b))/4.
 double covarianceOf(const JointFit& fit, const Weights& one, const Weights& other, double scale) {
   double covariance = 0;
   for (const double sign : {1.0, -1.0}) {

@@ -74,7 +74,7 @@ struct ArcBudget {
   std::vector<BudgetEntry> x, y, radius;
 };
 
-/// Of arc `arc` of the fitted measurement.
+/// Returns the budget of arc `arc` of the fitted measurement.
 ArcBudget arcBudget(const JointFit& fit, std::size_t arc, double scale);
 ArcSigma arcSigma(const JointFit& fit, std::size_t arc, double scale);
 /// `budget`: that of `arcBudget`.

@@ -110,7 +110,7 @@ bool adjust(SessionFit& fit, const Measurement& fitted) {
   return true;
 }
 
-/// Of each arc, in their order.
+/// Adds the findings of each arc in order.
 void addArcFindings(SessionFit& fit, const Measurement& fitted) {
   std::vector<std::vector<FitFinding>> findings(fit.arcs.size());
   doEach(threadsFor(fitted.rows), findings.size(),

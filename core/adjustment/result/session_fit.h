@@ -29,7 +29,7 @@ struct SessionFit {
   NoiseScale noise;                ///< s0, common to all arcs
   std::optional<Intersection> intersection;
   std::vector<EffectEstimate> effects;
-  /// Why the lengths allow no verdict (`doubtfulLengths`); empty if they are not in doubt.
+  /// The reason why the lengths allow no verdict (`doubtfulLengths`); empty if they are not in doubt.
   std::optional<LengthsInDoubt> lengthsInDoubt;
   std::optional<Verdict> verdict;  ///< with an intersection and a tolerance; undecided with lengths in doubt
   std::vector<FitFinding> findings;  ///< of the arcs and of the whole; an Error explains a missing result
@@ -38,8 +38,9 @@ struct SessionFit {
   const ArcFit* arcOfPosition(std::size_t position) const;  ///< null if there is none
 };
 
-/// Fits every arc that its readings determine by `fitArc`, then all of them together by `fitJointly`, with
-/// the slider readings and the effects that the session's model names. Called as in samples/programs/fit.cpp.
+/// Fits every arc that its readings determine by `fitArc`, then all of them together by `fitJointly`. The
+/// latter includes the slider readings and the effects that the session's model names. Called as in
+/// samples/programs/fit.cpp.
 SessionFit fitSession(const Measurement& measurement);
 
 /// The measurement with only the fitted arcs, whose indices `SessionFit::joint` uses.

@@ -19,10 +19,10 @@ namespace alidade {
 std::optional<LengthsInDoubt> doubtfulLengths(const Measurement& measurement,
                                               const std::vector<ArcFit>& arcs);
 
-/// Findings on the set-up after a fit, with `measurement` the fitted part: too short a distance, places on
-/// the wrong side of their centre (0° has them above, 180° below), a pointing zero that fits the other kind
-/// of vertical circle, one that moved while the position was read or whose face 2 is ignored, different
-/// slider values in one visit.
+/// Findings on the set-up after a fit, with `measurement` the fitted part. They concern too short a distance,
+/// and places on the wrong side of their centre (0° has them above, 180° below). They concern a pointing zero
+/// that fits the other kind of vertical circle, that moved while the position was read, or whose face 2 is
+/// ignored. They concern different slider values in one visit.
 std::vector<FitFinding> setupFindings(const Measurement& measurement, const SessionFit& fit);
 
 }  // namespace alidade

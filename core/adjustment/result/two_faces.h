@@ -13,14 +13,15 @@ namespace alidade {
 // The situation: the theodolite sighted the slider at rest in both faces. The difference between the two
 // readings is due to the instrument:
 //
-//   2c(e) = α1 − (α2 ± 180°) = 2c/cos e + 2i·tan e j = (β1 + β2 − 360°)/2, elevation circle (… − 180°)/2
+//   2c(e) = α1 − (α2 ± 180°) = 2c/cos e + 2i·tan e
+//   j = (β1 + β2 − 360°)/2, elevation circle (… − 180°)/2
 //
 // with the collimation c and the trunnion axis tilt i of face 1 (δα = +c/cos e + i·tan e, in face 2 the
-// reverse) and the index error j, by which the vertical circle reads too much in both faces. So
-// 2c·cos e/2 = c + i·sin e is a straight line in sin e, fitted by least squares with the weights of the
-// horizontal circle; the index is a mean. Zeros, drift and a tilted vertical axis are equal in both faces and
-// cancel; terms that c and i omit are of third order, below 1e-4″ up to 500″. Source: any textbook of
-// surveying on the errors of the theodolite.
+// opposite) and the index error j. The vertical circle reads j too much in both faces. So 2c·cos e/2 = c +
+// i·sin e is a straight line in sin e, fitted by least squares with the weights of the horizontal circle. The
+// index is a mean. Zeros, drift and a tilted vertical axis are equal in both faces and cancel. Terms that c
+// and i omit are of third order, below 1e-4″ up to 500″. Source: any textbook of surveying on the errors of
+// the theodolite.
 
 /// A visit read in both faces.
 struct FaceDifference {

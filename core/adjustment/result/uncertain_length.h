@@ -12,8 +12,8 @@ struct UncertainLength {
   double value = 0, sigma = 0;  ///< mm, ≥ 0
 };
 
-/// To second order (JCGM 100:2008, 5.1.2, note), since the transverse uncertainty of a short vector matters:
-/// u² = u∥² + u⊥⁴/2|v|², if that is less than u∥² + u⊥².
+/// Computes the length to second order (JCGM 100:2008, 5.1.2, note), since the transverse uncertainty of a
+/// short vector matters. So u² = u∥² + u⊥⁴/2|v|², if that is less than u∥² + u⊥².
 UncertainLength lengthOf(const UncertainVector& vector);
 
 }  // namespace alidade

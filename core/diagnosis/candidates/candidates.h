@@ -10,36 +10,36 @@
 
 namespace alidade {
 
-/// What is believed before the readings are seen, in odds against "no gap at all". Broad on purpose: a factor
-/// of two in any of them moves no clear answer.
+/// Prior odds of each kind of component against "no gap at all". They are broad: a factor of two in any of
+/// them changes no clear answer.
 struct PriorOdds {
-  double effect = 0.04;      ///< each
-  double jump = 0.04;        ///< shared by all moments
-  double zeroSlip = 0.04;    ///< a jump between a zero and the first place; shared by the positions
-  double grossError = 0.08;  ///< shared by all readings
-  double noise = 0.04;       ///< larger than stated
-  double shape = 0.04;       ///< shared by all shapes
+  double effect = 0.04;      ///< for each effect
+  double jump = 0.04;        ///< for all moments together
+  double zeroSlip = 0.04;    ///< for a jump between a zero and the first visit, all positions together
+  double grossError = 0.08;  ///< for all readings together
+  double noise = 0.04;       ///< for noise larger than stated
+  double shape = 0.04;       ///< for all patterns together
 };
 
-/// How components of one kind are offered to a set that takes one more.
+/// States how many components of one kind the search may add to a set.
 struct Offer {
-  std::size_t offered = 0;  ///< only so many of them, the best; 0: each
-  bool oneAtMost = false;   ///< in a set, of all kinds that say so
+  std::size_t offered = 0;  ///< the number of best components offered; 0: all
+  bool oneAtMost = false;   ///< a set holds at most one component of the kinds with this flag
 };
 
-/// The components that an explanation may be made of, numbered through.
+/// All components that an explanation may contain, numbered consecutively.
 class Candidates {
  public:
-  /// Those of one kind, one after the other.
+  /// Consecutive components of one kind.
   struct Group : Offer {
     std::size_t first = 0, count = 0;
-    double logPrior = 0;  ///< of each: natural, odds against nothing at all
+    double logPrior = 0;  ///< natural logarithm of the prior odds of one component against no gap
 
     bool has(std::size_t component) const { return component >= first && component - first < count; }
   };
 
-  /// `odds`: of each. `Kind`: a final class. Only those of one column each, or of two, can be offered in
-  /// part.
+  /// `odds` are the prior odds of one component; `Kind` is a final class. `Offer::offered` works only for
+  /// components of one or two columns.
   template <typename Kind>
   void add(std::vector<Kind> components, double odds, Offer offer = {}) {
     if (components.empty()) return;
@@ -54,17 +54,17 @@ class Candidates {
   }
   std::span<const Group> groups() const { return m_groups; }
   const Group& groupOf(std::size_t component) const { return m_groups[groupIndex(component)]; }
-  /// Readings may be off.
+  /// Returns whether gross errors are among the candidates.
   bool haveGrossErrors() const;
-  /// The inner products of the visible columns of all, in their order, with a vector that is visible.
+  /// Fills `all` with the inner products of all visible columns, in order, with a visible vector.
   void fillProducts(const SharedProducts& with, Eigen::Ref<Eigen::VectorXd> all) const;
 
  private:
-  /// Components by value, so that what is there for every reading costs a few bytes and no call each.
+  /// Stores components by value: the many small ones need few bytes and no virtual call each.
   struct Block {
     virtual ~Block() = default;
     virtual const Component& operator[](std::size_t i) const = 0;
-    /// Returns how many columns it has.
+    /// Returns the number of columns.
     virtual Eigen::Index fillProducts(const SharedProducts& with, Eigen::Ref<Eigen::VectorXd> rest) const = 0;
   };
   template <typename Kind>

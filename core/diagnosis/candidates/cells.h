@@ -7,15 +7,16 @@
 
 namespace alidade {
 
-// Readings that have something in common.
+// Groups of consecutive readings with a common property.
 
-/// Neighbours that are the same in some respect are a cell, numbered from 0 in the order of the readings.
+/// A cell is a run of consecutive readings with the same property. Cells are numbered from 0 in the order of
+/// the readings.
 struct Cells {
-  // There are no more rows than `limits::mostRows`.
+  // 32 bits suffice: `limits::mostRows` bounds the number of rows.
   std::vector<std::uint32_t> ofReadings;  ///< the cell of each reading
   std::vector<std::uint32_t> readings;    ///< the first reading of each cell
 
-  /// `same(i, i + 1)`: whether the two readings share a cell.
+  /// `same(i, i + 1)` returns whether the two readings share a cell.
   template <typename Same>
   Cells(Eigen::Index count, const Same& same) {
     ofReadings.reserve(static_cast<std::size_t>(count));
@@ -27,7 +28,7 @@ struct Cells {
 
   Eigen::Index count() const { return static_cast<Eigen::Index>(readings.size()); }
   Eigen::Index readingOf(Eigen::Index cell) const { return readings[static_cast<std::size_t>(cell)]; }
-  /// What `valueOf` says of the first reading of each.
+  /// Returns the value of `valueOf` for the first reading of each cell.
   template <typename Value>
   Eigen::VectorXd values(const Value& valueOf) const {
     return Eigen::VectorXd::NullaryExpr(count(), [&](Eigen::Index cell) { return valueOf(readingOf(cell)); });

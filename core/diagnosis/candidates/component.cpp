@@ -41,7 +41,8 @@ double Component::signatureLength(const VectorXd& weights) const {
 
 double Component::signatureSquare(const VectorXd& weights) const {
   const VectorXd taken = response() == Response::Bent ? VectorXd(bentWeights(weights)) : weights;
-  return std::max(taken.dot(gram().lazyProduct(taken)), 0.0);  // small: no room on the heap
+  return std::max(taken.dot(gram().lazyProduct(taken)), 0.0);  // lazyProduct avoids a heap allocation for
+                                                               // these small matrices
 }
 
 namespace {

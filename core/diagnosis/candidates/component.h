@@ -14,87 +14,87 @@
 
 namespace alidade {
 
-/// How a component takes part in the linear model: its columns with the weights `fixed` + `slope` times what
-/// is estimated.
+/// The weights of a component in the linear model: `fixed` + `slope` × the estimated parameters.
 struct LinearPart {
-  bool isPlain = true;  ///< 0 + 1 times
+  bool isPlain = true;  ///< `fixed` = 0, `slope` = 1
   Eigen::VectorXd fixed = {};
   Eigen::MatrixXd slope = {};
 };
 
-/// What a gap can be made of: a few columns over the readings, scaled so that a weight of 1 is the plausible
-/// size (1σ) of the cause; its weights are normal around zero with a width that is itself uncertain. The
-/// columns are not kept: they are made anew of the leftover where their inner products do not serve.
+/// A possible part of the gap: a few columns over the readings. A weight of 1 is the plausible size (1σ) of
+/// the cause. The prior of the weights is normal with mean 0 and an uncertain width. The columns are not
+/// stored: they are computed from the leftover where the inner products do not suffice.
 ///
-/// `leftover` is everywhere the one that the component was made of.
+/// Every parameter `leftover` is the one that the component was made from.
 class Component {
  public:
   virtual ~Component() = default;
 
-  /// Of the cause, or what a shape follows; static text.
+  /// Identifier of the cause, or what a pattern follows; static text.
   virtual std::string_view id() const = 0;
   virtual ErrorSource source() const = 0;
   virtual Response response() const { return Response::Linear; }
-  /// That its weights may have, the narrowest first.
+  /// Possible prior widths of the weights, the narrowest first.
   virtual const std::vector<Width>& widths() const = 0;
 
-  /// One of several named causes, each there or not: told by how well it explains the gap alone, and compared
-  /// with those that leave nearly the same.
+  /// Whether this is one of several named causes. Each is ranked by how well it alone explains the gap, and
+  /// compared with its look-alikes.
   virtual bool isEffect() const { return false; }
-  /// Its size is known beforehand and in the model: what is left for it to explain is that what is known
-  /// holds no longer.
+  /// Whether the size is known and in the model. The component then means that the known value is out of
+  /// date.
   virtual bool isKnown() const { return false; }
-  /// 1σ of each weight, in plausible sizes, as far as is known beforehand.
+  /// 1σ of each weight, in plausible sizes, from prior knowledge.
   virtual Eigen::VectorXd usualSizes() const { return Eigen::VectorXd::Ones(weights()); }
-  /// A step of the orientation, of which a session has one at most.
+  /// Whether this is a jump of the orientation. A session contains at most one.
   virtual bool isJump() const { return false; }
-  /// The arc that a jump between its zero and its first place moves as a whole.
+  /// The arc that a jump between its zero and its first visit moves as a whole.
   virtual std::optional<std::size_t> slippedArc() const { return std::nullopt; }
-  /// Of a jump: on which rows it acts.
+  /// The rows on which a jump acts.
   virtual std::optional<JumpMoment> jumpMoment() const { return std::nullopt; }
-  /// Of no named cause.
+  /// Whether this is a pattern without a named cause.
   virtual bool isShape() const { return false; }
-  /// The one that is off, an index into the leftover's readings; absent where the model is.
+  /// Index of the reading with a gross error among the leftover's readings. Absent for other components.
   virtual std::optional<Eigen::Index> grossErrorAt() const { return std::nullopt; }
-  /// Sequence of the only row that would show it: a gross error there leaves the same, and is the commoner.
+  /// Sequence number of the only row that would show the jump. A gross error of that row leaves the same
+  /// trace and is more frequent.
   virtual std::optional<std::size_t> onlyRow() const { return std::nullopt; }
 
-  /// Inner products of the visible columns with one another, of what bends with the second derivatives
-  /// behind.
+  /// Gram matrix of the visible columns. For a bent component the visible second derivatives follow the
+  /// columns.
   virtual Eigen::Map<const Eigen::MatrixXd> gram() const = 0;
-  /// How many there are, with the second derivatives.
+  /// Number of columns, second derivatives included.
   Eigen::Index columns() const { return gram().cols(); }
   virtual Eigen::Index weights() const { return columns(); }
-  /// Over the readings, visible or not, without the second derivatives.
+  /// Columns over all readings, before projection, without the second derivatives.
   virtual Eigen::MatrixXd wholeColumns(const Leftover& leftover) const = 0;
-  /// The visible parts, the second derivatives behind them.
+  /// Visible parts of the columns; those of the second derivatives follow.
   virtual Eigen::MatrixXd visibleColumns(const Leftover& leftover) const;
-  /// Inner products of the visible columns with a vector that is visible. `own`: columns() long.
+  /// Fills `own` (`columns()` long) with the inner products of the visible columns with a visible vector.
   virtual void fillProducts(const SharedProducts& with, Eigen::Ref<Eigen::VectorXd> own) const;
   Eigen::VectorXd products(const SharedProducts& with) const;
   /// Inner products of the whole columns with any vector.
   virtual Eigen::VectorXd wholeProducts(const SharedProducts& with) const;
-  /// The whole columns times weights, over the readings.
+  /// Product of the whole columns and the weights, over the readings.
   virtual Eigen::VectorXd times(const Leftover& leftover, const Eigen::VectorXd& weights) const;
-  /// What the weights leave in the readings, visible part: linear, and bent where it bends.
+  /// Visible trace of the weights in the readings: linear, with the second-order terms for a bent component.
   virtual Eigen::VectorXd signature(const Leftover& leftover, const Eigen::VectorXd& weights) const;
-  /// Its length and the square of it, from the inner products of the columns.
+  /// Length of the trace and its square, from the Gram matrix.
   virtual double signatureLength(const Eigen::VectorXd& weights) const;
   double signatureSquare(const Eigen::VectorXd& weights) const;
 
-  /// What it adds to the evidence. `columns`: its own, turned unless it bends.
+  /// Gain in evidence from the component. `columns` are its own columns, turned unless it is bent.
   virtual Gain gain(const TurnedColumns& columns, double variance) const;
   LinearPart linearPart(const TurnedColumns& columns, double variance) const;
 
-  /// To estimate weights with that were found so, where `width` is the likeliest, in plausible sizes: that
-  /// they are larger than plausible is no misfit of the readings.
+  /// Prior width, in plausible sizes, for the fit of weights found with the most likely `width`. Weights
+  /// beyond the plausible size must not count as a misfit of the readings.
   virtual double widthOfFit(double width, const Eigen::VectorXd& weights) const;
 
-  /// Adds to a model what stands for it there. `weights`: to start from; `width`: to estimate it with; both
-  /// in plausible sizes.
+  /// Adds the terms of the component to a model. `weights` are the start values; `width` is the prior width;
+  /// both in plausible sizes.
   virtual void addTo(JointFitOptions& model, const Leftover& leftover, const Eigen::VectorXd& weights,
                      double width) const = 0;
-  /// Its numbers as the answer tells them. `after`: a fit with it in the model.
+  /// Parameters of the cause for the result. `after` is a fit that contains the component.
   virtual std::vector<CauseParameter> parameters(const GapModel& after) const;
 
  protected:
@@ -105,7 +105,8 @@ class Component {
   Component& operator=(Component&&) = default;
 };
 
-/// A number of a cause as the model with it has it. `unit`: one of the catalogue's.
+/// Returns a parameter of a cause as estimated by the model that contains it. `unit` is a unit of the
+/// catalogue.
 CauseParameter estimatedParameter(const GapModel& after, std::string_view name, ErrorTerm term,
                                   std::string_view unit);
 

@@ -95,7 +95,7 @@ std::vector<CauseParameter> EffectComponent::parameters(const GapModel& after) c
 
 namespace {
 
-/// Of some effects, whose columns are made visible in one go: `count` of them.
+/// Adds the components of `count` effects, whose columns are projected together.
 void addComponents(const Leftover& leftover, std::span<const Effect* const> effects, Index count,
                    std::vector<EffectComponent>& components) {
   MatrixXd columns(leftover.readings(), count);
@@ -120,7 +120,8 @@ std::vector<EffectComponent> effectComponents(const Leftover& leftover,
   for (const Effect& effect : effectCatalogue())
     if (effect.isSought && std::ranges::find(leftOut, effect.id) == leftOut.end()) effects.push_back(&effect);
   std::vector<EffectComponent> components;
-  constexpr Index mostNumbers = 4'000'000;  // at once: all columns of a large session would fill the memory
+  constexpr Index mostNumbers = 4'000'000;  // numbers at a time: all columns of a large session would fill
+                                            // the memory
   const Index most = mostNumbers / std::max(leftover.readings(), Index{1});
   for (auto next = effects.begin(); next != effects.end();) {
     const auto first = next;

@@ -11,19 +11,19 @@ namespace alidade {
 /// An effect of the catalogue.
 class EffectComponent final : public Component {
  public:
-  /// `gram`: of the visible columns.
+  /// `gram` is the Gram matrix of the visible columns.
   EffectComponent(const Effect& effect, Eigen::MatrixXd gram);
-  /// With its visible second derivatives, columns 11, 12, 22.
+  /// Adds the visible second derivatives, columns 11, 12, 22.
   void bend(const Leftover& leftover, Eigen::MatrixXd secondDerivatives);
 
-  /// `sigmas`: as known as each number is, in plausible sizes.
+  /// `sigmas` are the known standard uncertainties of the numbers, in plausible sizes.
   void setKnown(Eigen::VectorXd sigmas) { m_known = std::move(sigmas); }
 
   const Effect& effect() const { return *m_effect; }
 
   std::string_view id() const override { return m_effect->id; }
   ErrorSource source() const override { return m_effect->source; }
-  /// What bends is linear until its second derivatives are known.
+  /// A bent effect counts as linear until its second derivatives are set.
   Response response() const override { return m_response; }
   const std::vector<Width>& widths() const override;
   bool isEffect() const override { return true; }
@@ -45,18 +45,18 @@ class EffectComponent final : public Component {
   const Effect* m_effect;
   Response m_response;
   Eigen::MatrixXd m_gram;
-  Eigen::MatrixXd m_secondDerivatives;  ///< visible; empty unless it bends
-  Eigen::VectorXd m_known;              ///< empty unless it is known
+  Eigen::MatrixXd m_secondDerivatives;  ///< visible; empty unless the effect is bent
+  Eigen::VectorXd m_known;              ///< empty unless the size is known
 };
 
-/// Effects small and large beside their plausible size.
+/// Prior widths for effects from much smaller to much larger than their plausible size.
 const std::vector<Width>& effectWidths();
 
-/// The effects of the catalogue but those in `leftOut`, none of them bent.
+/// Returns the effects of the catalogue except those in `leftOut`, all linear.
 std::vector<EffectComponent> effectComponents(const Leftover& leftover,
                                               const std::vector<std::string>& leftOut);
-/// The effects of the catalogue but those in `leftOut`, what bends with its second derivatives, what is known
-/// marked so where it is in the model. `leftover` is that of the model.
+/// Returns the effects of the catalogue except those in `leftOut`, with the second derivatives of bent ones.
+/// Effects whose size is known and in the model are marked as known. `leftover` is that of the model.
 std::vector<EffectComponent> effectsBeyond(const GapModel& model, const Leftover& leftover,
                                            const std::vector<std::string>& leftOut);
 

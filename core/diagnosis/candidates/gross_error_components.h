@@ -6,10 +6,11 @@
 
 namespace alidade {
 
-/// One reading is off; a weight is in its σ. Small, since there is one for every reading.
+/// A gross error of one reading; the weight is in σ of the reading. The class is small because every reading
+/// has one.
 class GrossErrorComponent final : public Component {
  public:
-  /// `reading`: index into the leftover's readings.
+  /// `reading` is an index into the leftover's readings.
   GrossErrorComponent(Eigen::Index reading, double redundancy)
       : m_reading(reading), m_redundancy(redundancy) {}
 
@@ -25,7 +26,7 @@ class GrossErrorComponent final : public Component {
     own[0] = with.vector()[m_reading];
   }
   double signatureLength(const Eigen::VectorXd& weights) const override;
-  /// The model does without the reading.
+  /// Excludes the reading from the model.
   void addTo(JointFitOptions& model, const Leftover& leftover, const Eigen::VectorXd& weights,
              double width) const override;
 
@@ -36,7 +37,8 @@ class GrossErrorComponent final : public Component {
 
 const std::vector<Width>& grossErrorWidths();
 
-/// Of every reading, in their order. A misread zero is a jump of its position: those of zeros show nothing.
+/// Returns one component for every reading, in order. Readings of zeros have none: a misread zero is a jump
+/// of its position.
 std::vector<GrossErrorComponent> grossErrorComponents(const Leftover& leftover);
 
 }  // namespace alidade

@@ -50,15 +50,15 @@ void JumpComponent::fillProducts(const SharedProducts& with, Eigen::Ref<VectorXd
   own = ofAll.segment<2>(2 * static_cast<Index>(m_index));
 }
 
-/// Jumps of any size show at the usual widths, too, and most moments show none.
+/// The usual widths suffice to detect a jump of any size, and most moments show none.
 Gain JumpComponent::gain(const TurnedColumns& columns, double variance) const {
   constexpr double shows = 10;  // natural logarithm
   const Gain usual = Component::gain(columns, variance);
   return usual.log > shows ? gainOf(usualAndFarWiderJumpWidths(), columns, variance) : usual;
 }
 
-/// What shows of a knock tells how hard it was, and so how far the part may go that does not show: the root
-/// of the mean square of the widths, each as likely as it makes the larger of the two steps.
+/// The visible part of a jump indicates its size, and thereby the prior width of its invisible part. The
+/// result is the root mean square of the widths, each weighted by the likelihood of the larger step.
 double JumpComponent::widthOfFit(double, const VectorXd& weights) const {
   const double seen = weights.cwiseAbs().maxCoeff();
   double square = 0, all = 0;
@@ -80,7 +80,7 @@ void JumpComponent::addTo(JointFitOptions& model, const Leftover&, const VectorX
 
 namespace {
 
-/// `Sighting::sequence` of the first row in `order` or behind it.
+/// Returns `Sighting::sequence` of the first row at or after `order`.
 std::size_t firstRowFrom(std::size_t order, const Measurement& measurement) {
   std::size_t first = measurement.rows;
   for (const ArcMeasurement& arc : measurement.arcs)
@@ -101,10 +101,10 @@ std::vector<CauseParameter> JumpComponent::parameters(const GapModel& after) con
 
 namespace {
 
-/// Orders of the rows of each arc, ascending, and those of its zero before them.
+/// Orders of the rows of each arc, ascending, and of the sightings of its zero before them.
 struct ArcInOrder {
   std::vector<std::size_t> rows, zeros;
-  std::size_t last = 0;  ///< of rows and zeros
+  std::size_t last = 0;  ///< largest order of rows and zeros
 
   std::size_t begin() const { return zeros.empty() ? rows.front() : std::min(zeros.front(), rows.front()); }
 };
@@ -132,14 +132,14 @@ ArcsInOrder arcsInOrder(const Leftover& leftover) {
   return arcs;
 }
 
-/// The zeros of all positions sight one mark, in either circle: what they differ by tells of jumps.
+/// Whether the zeros of all positions sight one mark in either circle. Their differences then show jumps.
 bool haveCommonZeros(const Leftover& leftover) {
   return std::ranges::any_of(leftover.equations().unknowns, [](const Unknown& unknown) {
     return unknown.isPointingZero() && unknown.arc == Unknown::everyArc;
   });
 }
 
-/// Before the next position is begun.
+/// End of a jump that lasts until the next position begins.
 std::size_t endOf(const ArcsInOrder& arcs, ArcsInOrder::const_iterator arc) {
   const auto next = std::next(arc);
   return next == arcs.end() ? JumpMoment::never : next->second.begin();
@@ -154,11 +154,11 @@ std::set<std::size_t> rowsAloneInTheirVisit(const Leftover& leftover) {
   return rows;
 }
 
-/// Finds the row, alone in its visit, that a jump parts from all that could show the rest of it: what could
-/// be seen of the jump is the one condition between the two circles of that row.
+/// Finds the row, alone in its visit, that a jump separates from all rows that could confirm it. Only one
+/// condition, between the two circles of that row, shows such a jump.
 class ShownByOneRow {
  public:
-  /// `arcs` have to live as long.
+  /// `arcs` must outlive this object.
   ShownByOneRow(const Leftover& leftover, const ArcsInOrder& arcs)
       : m_alone(rowsAloneInTheirVisit(leftover)), m_arcs(arcs), m_isClosed(leftover.equations().isClosed()) {}
 
@@ -166,7 +166,7 @@ class ShownByOneRow {
     for (auto arc = m_arcs.begin(); arc != m_arcs.end(); ++arc) {
       const std::vector<std::size_t>& rows = arc->second.rows;
       if (rows.size() < 2) continue;
-      // Where the positions are held against each other they show what moves a position as a whole.
+      // Closures between the positions show a jump that moves a position as a whole.
       const bool endsHere = moment.end == endOf(m_arcs, arc);
       if (moment.first == rows.back() && (endsHere || !m_isClosed) && m_alone.contains(rows.back()))
         return rows.back();
@@ -191,7 +191,7 @@ std::vector<JumpComponent> componentsOf(const Leftover& leftover, std::vector<Ju
   return components;
 }
 
-/// As many as are looked at.
+/// Returns a selection of moments, evenly spaced, for long sessions.
 std::vector<JumpMoment> someOf(const std::vector<JumpMoment>& moments) {
   constexpr std::size_t most = 400;
   const std::size_t stride = moments.size() / most + 1;
@@ -215,7 +215,7 @@ std::vector<JumpComponent> jumpComponents(const Leftover& leftover) {
       const std::size_t end = endOf(arcs, arc);
       const bool mayEnd = isClosed && end != JumpMoment::never;
       if (mayEnd) ofOnePosition.push_back({row, end});
-      // Beyond a zero of its own nothing shows it.
+      // A jump that ends at the next zero is not visible after it.
       if (!mayEnd || areCommon || zeros.empty()) lasting.push_back({row});
     }
   }

@@ -13,14 +13,14 @@ namespace alidade {
 /// Plausible size (1σ) of a jump of the orientation, rad: 60″.
 inline constexpr double plausibleJump = 60.0 / 3600 * std::numbers::pi / 180;
 
-/// The orientation jumps before a row.
+/// A jump of both circles' orientation before a row.
 class JumpComponent final : public Component {
  public:
-  /// `columns`: of many moments, of which this is the `index`-th. `gram`: of its visible columns.
+  /// `columns` hold many moments; this is number `index`. `gram` is the Gram matrix of its visible columns.
   JumpComponent(std::shared_ptr<const JumpColumns> columns, std::size_t index, Eigen::Matrix2d gram,
                 std::optional<std::size_t> onlyRow);
 
-  /// Sequences of the first row after it, and of the first on which it acts no longer.
+  /// Sequence numbers of the first row after the jump and of the first row on which it no longer acts.
   JumpMoment moment() const { return m_columns->moments()[m_index]; }
 
   std::string_view id() const override;
@@ -50,19 +50,23 @@ class JumpComponent final : public Component {
 };
 
 const std::vector<Width>& jumpWidths();
-/// Of a jump that shows: as of any, and now and then 30 times its plausible size.
+/// Prior widths of a visible jump: the usual ones, and rarely 30 times the plausible size.
 const std::vector<Width>& usualAndFarWiderJumpWidths();
 
-/// A jump before any row, or before the zero of a position after the first; of long sessions before every
-/// n-th. Where the positions are held against each other (`Linearised::isClosed`), one that lasts and, before
-/// the last position, one that lasts to the end of its own, the circle having been set anew on the mark;
-/// those before the first row of a position are `zeroSlips`. One that a single row alone in its visit would
-/// show leaves what a gross error of that row leaves, which is the commoner: it is for comparison only.
+/// Returns the jumps before any row, or before the zero of a position after the first. In long sessions only
+/// every n-th row counts.
+///
+/// If the positions are compared (`Linearised::isClosed`), a jump may last. Before the last position it may
+/// also end with its own position, when the circle is set again on the mark. Jumps before the first row of a
+/// position belong to `zeroSlips`.
+///
+/// A jump that only a single row, alone in its visit, would show leaves the trace of a gross error of that
+/// row. The gross error is more frequent, so the jump serves for comparison only.
 std::vector<JumpComponent> jumpComponents(const Leftover& leftover);
 
-/// A jump between the pointing zero of a position and its first place, that lasts or ends with the position,
-/// and that zero misread or its mark moved, where the positions are held against each other; else nothing
-/// would show it.
+/// Returns the jumps between the pointing zero of a position and its first visit, lasting or ending with the
+/// position. They also stand for a misread zero or a moved mark. They exist only where the positions are
+/// compared: otherwise nothing would show them.
 std::vector<JumpComponent> zeroSlips(const Leftover& leftover);
 
 }  // namespace alidade

@@ -4,12 +4,12 @@
 
 namespace alidade {
 
-/// On which sightings a jump of the orientation acts, by their order in the session (`Sighting::order`).
+/// The sightings on which a jump of the orientation acts, by their order in the session (`Sighting::order`).
 struct JumpMoment {
   static constexpr std::size_t never = static_cast<std::size_t>(-1);
 
   std::size_t first = 0;    ///< the first row after the jump
-  std::size_t end = never;  ///< the first on which it acts no longer, its zero being sighted anew
+  std::size_t end = never;  ///< the first row on which it no longer acts, after a new sighting of its zero
 
   bool operator==(const JumpMoment&) const = default;
   bool actsOn(std::size_t row) const { return row >= first && row < end; }

@@ -11,16 +11,16 @@ using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
 
 namespace {
 
-constexpr Index few = 4;  // blocking a product with fewer columns costs more than multiplying
+constexpr Index few = 4;  // with fewer columns, a blocked product costs more than a plain one
 
-/// oneᵀ other.
+/// Returns oneᵀ other.
 MatrixXd innerProducts(const MatrixXd& one, const MatrixXd& other) {
   if (std::min(one.cols(), other.cols()) <= few) return one.transpose().lazyProduct(other);
   return one.transpose() * other;
 }
 
-/// Adds factor columnsᵀ columns to the upper half of a matrix. Without rows that is nothing, which Eigen 3.4
-/// must not be asked: its blocking of a rank update with 48 columns and more divides by the number of rows.
+/// Adds factor × columnsᵀ columns to the upper half of a matrix. Does nothing without rows: Eigen 3.4 divides
+/// by the number of rows when it blocks a rank update with 48 or more columns.
 template <typename Matrix>
 void addSquare(Matrix&& sum, const MatrixXd& columns, double factor) {
   if (columns.rows() == 0) return;
@@ -30,7 +30,7 @@ void addSquare(Matrix&& sum, const MatrixXd& columns, double factor) {
     sum.template selfadjointView<Eigen::Upper>().rankUpdate(columns.transpose(), factor);
 }
 
-/// The Gram matrix, of which the upper half is given, less what lies in the span of the unknowns.
+/// Returns the Gram matrix without the span of the unknowns. Only the upper half of `gram` needs to be set.
 MatrixXd visiblePart(MatrixXd gram, const MatrixXd& taken) {
   addSquare(gram, taken, -1);
   gram.triangularView<Eigen::StrictlyLower>() = gram.transpose();
@@ -82,7 +82,7 @@ MatrixXd Carrier::alongVisits(const Leftover& leftover, Index first, const Matri
 }
 
 MatrixXd Carrier::taken(const Leftover& leftover, Index first, const MatrixXd& functions) const {
-  constexpr Index pieceLength = 512;  // readings: what they spread to stays in the cache
+  constexpr Index pieceLength = 512;  // readings whose spread values fit into the cache
   MatrixXd sums = MatrixXd::Zero(leftover.basis().cols(), functions.cols());
   if (functions.rows() == 0) return sums;
   const Index last = first + functions.rows(), end = last < cells() ? m_cells->readingOf(last) : readings();
@@ -121,7 +121,7 @@ MatrixXd Carrier::visibleGramOfGroups(const Leftover& leftover, const std::vecto
   return visiblePart(std::move(gram), taken);
 }
 
-/// In pieces: a group for every visit would fill the memory.
+/// Works in pieces: one group for every visit would fill the memory.
 void Carrier::takeOffAlongVisits(const Leftover& leftover, MatrixXd& gram,
                                  const std::vector<Index>& groups) const {
   constexpr Index pieceLength = 4096;  // visits
@@ -180,8 +180,8 @@ MatrixXd Pattern::piece(Index firstCell, Index length) const {
   return side;
 }
 
-/// Columnsᵀ columns less what lies along the arc angle of each visit and in the span of the unknowns. In
-/// pieces: the functions of every cell would fill the memory.
+/// Returns the Gram matrix without the arc angle of each visit and the span of the unknowns. Works in pieces:
+/// the functions of every cell would fill the memory.
 MatrixXd Pattern::visibleGram(const Leftover& leftover) const {
   constexpr Index pieceLength = 4096;  // cells
   const Index count = columns();
@@ -189,7 +189,7 @@ MatrixXd Pattern::visibleGram(const Leftover& leftover) const {
       parts.size() == 1 ? parts.front().carrier->squaresOutsideArcAngles(leftover) : VectorXd();
   const bool isOfVisits = outside.size() > 0;
   struct Product {
-    Index columns;  // of the former of two parts
+    Index columns;  // columns of the first of two parts
     VectorXd sums;
   };
   std::vector<Product> products;

@@ -11,42 +11,42 @@
 
 namespace alidade {
 
-// Patterns that readings may follow: functions of something that several readings have in common, the place
-// of the slider or the moment, times what one unit does to each reading. Readings with the same value of
-// the functions are a cell; all sums are taken cell by cell.
+// Patterns that readings may follow. A pattern is a function of a common property, such as the visit or the
+// moment, times the effect of one unit on each reading. Readings with the same function values form a cell;
+// all sums run over cells.
 
-/// What one unit does to each reading, and which readings share a cell.
+/// The effect of one unit on each reading, and the cells of the readings.
 class Carrier {
  public:
-  /// `values`: kept in single precision, as no pattern is known better. A cell lies within a visit. What asks
-  /// for a leftover again wants the same one.
+  /// `values` are stored in single precision: no pattern is known more precisely. Each cell lies within one
+  /// visit. Methods with a `leftover` need the one given here.
   Carrier(const Leftover& leftover, const Eigen::VectorXd& values, std::shared_ptr<const Cells> cells);
 
   Eigen::Index cells() const { return m_cells->count(); }
-  /// How many readings it moves.
+  /// Number of readings that one unit changes.
   Eigen::Index moved() const { return static_cast<Eigen::Index>(m_moved.size()); }
-  /// Of each cell: the sum of its squared values.
+  /// Sum of the squared values of each cell.
   const Eigen::VectorXd& squares() const { return m_squares; }
-  /// The same less what lies along the arc angles, where every visit has one cell only; else empty.
+  /// The same sums without the part along the arc angles, if every visit has one cell only; otherwise empty.
   Eigen::VectorXd squaresOutsideArcAngles(const Leftover& leftover) const;
-  /// Of each cell: the sum of values times a vector over the readings.
+  /// Sum over each cell of the values times a vector over the readings.
   Eigen::VectorXd gathered(const Eigen::VectorXd& overReadings) const;
-  /// Values times what is given for each cell, over the readings.
+  /// Values times a number for each cell, over the readings.
   Eigen::VectorXd spread(const Eigen::VectorXd& overCells) const;
-  /// Functions of the cells from `first` on (cells × functions) summed over each visit, as far as they lie
-  /// along its arc angle. The cells begin and end with a visit.
+  /// Sums of functions over each visit, projected on its arc angle. `functions` (cells × functions) belong to
+  /// the cells from `first` on, which begin and end with a visit.
   Eigen::MatrixXd alongVisits(const Leftover& leftover, Eigen::Index first,
                               const Eigen::MatrixXd& functions) const;
-  /// Inner products of functions of the cells from `first` on with what the fit takes up: unknowns ×
+  /// Inner products of functions of the cells from `first` on with the basis of the unknowns: unknowns ×
   /// functions.
   Eigen::MatrixXd taken(const Leftover& leftover, Eigen::Index first, const Eigen::MatrixXd& functions) const;
-  /// The last cell of the visit that a cell belongs to.
+  /// The last cell of the visit that contains a cell.
   Eigen::Index lastOfVisit(const Leftover& leftover, Eigen::Index cell) const;
-  /// Inner products of the visible parts of one function for each group of cells: 1 in the group, 0
-  /// elsewhere. `groups`: of each cell, numbered from 0 to `count`; −1 for none.
+  /// Gram matrix of the visible parts of one function per group: 1 in the cells of the group, 0 elsewhere.
+  /// `groups` gives the group of each cell, from 0 to `count` − 1; −1 means none.
   Eigen::MatrixXd visibleGramOfGroups(const Leftover& leftover, const std::vector<Eigen::Index>& groups,
                                       Eigen::Index count) const;
-  /// Of each cell: the sum of the values of both. They have the same cells.
+  /// Sum over each cell of the products of both carriers' values. Both have the same cells.
   Eigen::VectorXd productsWith(const Carrier& other) const;
 
  private:
@@ -55,7 +55,7 @@ class Carrier {
     float value;
   };
   std::shared_ptr<const Cells> m_cells;
-  std::vector<Moved> m_moved;  ///< in the order of the readings, so of the cells
+  std::vector<Moved> m_moved;  ///< in the order of the readings, and so of the cells
   Eigen::VectorXd m_squares, m_along;
 
   Eigen::Index readings() const { return static_cast<Eigen::Index>(m_cells->ofReadings.size()); }
@@ -76,16 +76,16 @@ struct Pattern {
   std::vector<Part> parts;
 
   Eigen::Index columns() const;
-  /// Columns times weights, over the readings.
+  /// Product of the columns and the weights, over the readings.
   Eigen::VectorXd times(const Eigen::VectorXd& weights) const;
-  /// Scales the columns so that a weight of 1 moves the readings it moves by 1σ in the mean; by how much. 0
-  /// where it moves none.
+  /// Scales the columns so that a weight of 1 changes the affected readings by 1σ on average. Returns the
+  /// factor; 0 if no reading is affected.
   double normalise();
-  /// The inner products of the visible parts of the columns with one another.
+  /// Gram matrix of the visible parts of the columns.
   Eigen::MatrixXd visibleGram(const Leftover& leftover) const;
 
  private:
-  /// The functions of some cells, side by side.
+  /// Functions of some cells, side by side.
   Eigen::MatrixXd piece(Eigen::Index firstCell, Eigen::Index length) const;
 };
 

@@ -12,8 +12,8 @@ namespace {
 
 using Eigen::Index, Eigen::MatrixXd;
 
-/// Sizes of the two numbers, in plausible ones, and how often the differences 11, 12 and 22 take the
-/// directions there: f(x, 0) − f(0, 0) is the first derivative and half the second, to third order.
+/// Two sizes, in plausible sizes, and the factors of their function value in the differences 11, 12 and 22.
+/// To third order f(x, 0) − f(0, 0) is the first derivative plus half the second.
 struct Node {
   double first, second;
   std::array<double, 3> times;
@@ -25,7 +25,7 @@ constexpr std::array<Node, 4> nodes{
 using Targets = std::array<SpacePoint<double>, nodes.size()>;
 using Differences = std::array<Direction<double>, 3>;
 
-/// The forward model of one session with a guideway of the effect's sizes at each node.
+/// The forward model of one session, with a guideway of the effect's sizes at each node.
 class BentGuideway {
  public:
   BentGuideway(const GapModel& model, const Effect& effect) : m_model(model) {
@@ -102,9 +102,9 @@ MatrixXd secondDerivatives(const GapModel& model, const Leftover& leftover, cons
     std::optional<std::size_t> sighting;
     for (Index i = visit.first; i < visit.end; ++i) {
       const LinearReading& reading = leftover.reading(i);
-      // The slider is read along its scale, wherever the target stands, and the mark of a zero stands still.
+      // The slider is read along its scale, independent of the target. The mark of a zero does not move.
       if (reading.kind == ReadingKind::Slider || reading.isZero || !reading.takesPart) continue;
-      // A perfect instrument reads alike in both faces.
+      // A perfect instrument gives equal readings in both faces.
       if (!sighting || (*sighting != reading.sighting && !guideway.isOfPerfectInstrument()))
         differences = guideway.of(targets, reading);
       sighting = reading.sighting;

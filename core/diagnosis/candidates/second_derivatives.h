@@ -7,9 +7,9 @@
 
 namespace alidade {
 
-/// Second derivatives of the readings by the two numbers of an effect that bends at the model's fit, the arc
-/// angles held: columns 11, 12, 22, readings in the order of `leftover`, in σ per plausible size squared.
-/// Differences of the forward model itself, over one plausible size.
+/// Returns the second derivatives of the readings by the two numbers of a bent effect at the model's fit,
+/// with constant arc angles. Columns 11, 12, 22; readings in the order of `leftover`; σ per plausible size
+/// squared. They are finite differences of the forward model over one plausible size.
 Eigen::MatrixXd secondDerivatives(const GapModel& model, const Leftover& leftover, const Effect& effect);
 
 }  // namespace alidade

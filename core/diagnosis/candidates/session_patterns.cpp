@@ -14,26 +14,26 @@ using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
 
 namespace {
 
-/// What one unit does to each reading.
+/// The effect of one unit on each reading.
 enum class Along {
   Radius,    ///< 0.05 mm
-  Across,    ///< 0.2 mm off the plane, turning with the guideway
+  Across,    ///< 0.2 mm across the plane, turning with the guideway
   Slider,    ///< 60″ of the slider readings
-  Distance,  ///< 1 mm, whichever way the guideway is turned
+  Distance,  ///< 1 mm, independent of the axis angle
   Horizontal,
   Vertical,         ///< 5″ of the face-1 equivalents
-  Both,             ///< of both circles, with weights of their own
-  HorizontalFaces,  ///< with the other sign in face 2
+  Both,             ///< both circles, with separate weights
+  HorizontalFaces,  ///< with the opposite sign in face 2
   VerticalFaces,
   HorizontalCircle,  ///< 5″ of the readings of either face
   VerticalCircle,
 };
 enum class Of { Guideway, Time, Azimuth, Elevation, Circle, Leg };
 enum class Course {
-  Harmonic,  ///< cosine and sine of so many periods in a turn
-  Smooth,    ///< so many half waves, the shorter the weaker
-  Settling,  ///< what dies away quickly, in between and slowly
-  WayBack,   ///< 1 in even rounds
+  Harmonic,  ///< cosine and sine of this many periods in a turn
+  Smooth,    ///< this many half waves; shorter ones have smaller amplitudes
+  Settling,  ///< fast, medium and slow decay
+  WayBack,   ///< 1 in even rounds, 0 in odd ones
 };
 
 struct Recipe {
@@ -42,7 +42,7 @@ struct Recipe {
   Along along;
   Of of;
   Course form;
-  int number = 0;  ///< of the harmonic, or of the half waves
+  int number = 0;  ///< number of the harmonic, or of half waves
 
   Index functions() const {
     switch (form) {
@@ -131,7 +131,7 @@ const std::vector<Recipe>& recipes() {
   return all;
 }
 
-/// The readings of one session and what patterns are functions of.
+/// The readings of one session, and the arguments of the patterns.
 class Readings {
  public:
   Readings(const Leftover& leftover, const Measurement& measurement, const JointFit& fit)
@@ -195,8 +195,8 @@ class Readings {
     return seconds * m_vertical.cwiseProduct(face);
   }
 
-  /// Cosine and sine of so many periods of the circle as it stood, less those of the pointing zero, which was
-  /// read on it in face 1. Of the vertical circle what face 2 reads counts the other way round.
+  /// Returns cosine and sine of `number` periods of the circle reading, less those of the pointing zero read
+  /// in face 1. In face 2 the vertical circle counts in the opposite direction.
   MatrixXd circleFunctions(const Recipe& recipe) const {
     const bool isHorizontal = recipe.along == Along::HorizontalCircle,
                isZenith = m_measurement.verticalCircle == VerticalCircle::Zenith;
@@ -225,7 +225,7 @@ class Readings {
     return sliderCoordinateOf(m_fit.arcAngles[reading.arc][reading.sighting], arcOf(i).axisDeg);
   }
 
-  /// What the functions are of: an angle for harmonics, else 0…1.
+  /// Returns the argument of the functions: an angle for harmonics, otherwise 0…1.
   VectorXd argument(const Recipe& recipe) const {
     const double widest = std::atan2(m_measurement.nominalRadius, m_measurement.distance);
     const auto share = [&](double angle) { return (angle / widest + 1) / 2; };

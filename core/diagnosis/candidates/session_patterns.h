@@ -8,21 +8,20 @@
 
 namespace alidade {
 
-// Patterns of no catalogued cause as several sessions may share them: functions of what means the same in
-// each, the guideway's coordinate, the circles as they are read, azimuth and elevation, the share of the
-// session gone by. Those of a session's own search (`shape_components.h`) follow what one session has in
-// common instead.
+// Patterns without a catalogued cause that several sessions may share. Their arguments mean the same in each
+// session: guideway coordinate, circle readings, azimuth, elevation, fraction of the session's duration. The
+// patterns of a session's own search (`shape_components.h`) may use any property of that session.
 
-/// A pattern, as an effect whose id is what it follows. It has no numbers that people would know.
+/// A pattern as an effect whose identifier names its argument. Its parameters have no names.
 struct SessionPattern {
   Effect effect;
-  int order = 0;             ///< periods in a turn; 0: it is no harmonic
+  int order = 0;             ///< periods in a turn; 0 if the pattern is not harmonic
   Eigen::Index columns = 1;  ///< a weight of 1 is 0.05 mm along the radius, 5″ of a circle, …
 };
 const std::vector<SessionPattern>& sessionPatterns();
 
-/// Their visible columns side by side, `leftover.rows()` long; zeros of sessions with more than 20 000
-/// readings, which say enough by themselves.
+/// Returns the visible columns of the patterns side by side, `leftover.rows()` long. They are zero for
+/// sessions with more than 20 000 readings, which suffice by themselves.
 Eigen::MatrixXd patternColumns(const Leftover& leftover, const Measurement& measurement, const JointFit& fit);
 
 }  // namespace alidade

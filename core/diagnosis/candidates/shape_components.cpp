@@ -19,13 +19,14 @@ using Eigen::Index, Eigen::MatrixXd, Eigen::MatrixXf, Eigen::VectorXd;
 
 namespace {
 
-constexpr double invisible = 1e-5;  // σ over all readings: rounding
+constexpr double invisible = 1e-5;  // σ over all readings; shorter columns are rounding errors
 
 using SharedCarrier = std::shared_ptr<const Carrier>;
 using SharedCells = std::shared_ptr<const Cells>;
 
-/// Directions of each sighting of each arc as the fit has them, rad. As read they would not do: a function of
-/// a noisy direction follows the noise, and where that is large beside the span of the arc it explains it.
+/// Returns the adjusted directions of the sightings of each arc, rad. Observed directions are unsuitable: a
+/// function of a noisy direction follows the noise, and explains it if the noise is large compared with the
+/// span.
 std::vector<std::vector<Direction<double>>> adjustedDirections(const Measurement& measurement,
                                                                const JointFit& fit) {
   std::vector<std::vector<Direction<double>>> directions;
@@ -43,7 +44,7 @@ std::vector<std::vector<Direction<double>>> adjustedDirections(const Measurement
   return directions;
 }
 
-/// What a pattern may follow: the guideway visit by visit, the instrument row by row.
+/// The arguments of patterns: one value per visit for the guideway, one per row for the instrument.
 class Surroundings {
  public:
   Surroundings(const Leftover& leftover, const Measurement& measurement, const JointFit& fit)
@@ -51,7 +52,7 @@ class Surroundings {
         m_measurement(measurement),
         visits(cellsOf([&](Index i, Index j) { return at(i).visit == at(j).visit; })),
         rows(cellsOf([&](Index i, Index j) {
-          // The instrument does not move slider readings, so they take no cell of their own.
+          // Slider readings are independent of the instrument, so they form no cell of their own.
           return at(i).visit == at(j).visit &&
                  (at(i).sighting == at(j).sighting || at(j).kind == ReadingKind::Slider);
         })) {
@@ -79,10 +80,10 @@ class Surroundings {
   const Sighting& rowOf(Index reading) const { return arcOf(reading).sightings[at(reading).sighting]; }
   const LinearReading& at(Index reading) const { return m_leftover.reading(reading); }
 
-  /// The effect of 1 unit on each reading.
+  /// Returns the effect of 1 unit on each reading.
   SharedCarrier alongGuideway(const VectorXd& values) { return carrierOf(values, visits); }
   SharedCarrier ofInstrument(const VectorXd& values) { return carrierOf(values, rows); }
-  /// The same with its sign turned where `turned` says so.
+  /// The same, with the opposite sign where `turned` returns true.
   template <typename Turned>
   SharedCarrier ofInstrument(VectorXd values, const Turned& turned) {
     for (Index i = 0; i < values.size(); ++i)
@@ -100,7 +101,7 @@ class Surroundings {
   }
 };
 
-/// Cosine and sine of 0 to `count` times each angle, in turn: angles × 2 (count + 1).
+/// Returns cosine and sine of 0 to `count` times each angle, alternating: angles × 2 (count + 1).
 MatrixXf harmonicsOf(const VectorXd& angles, int count) {
   MatrixXf harmonics(angles.size(), 2 * (count + 1));
   for (Index i = 0; i < angles.size(); ++i) {
@@ -114,7 +115,7 @@ MatrixXf harmonicsOf(const VectorXd& angles, int count) {
   return harmonics;
 }
 
-/// Cosines of 1 to `count` half waves over 0…1, the shorter the weaker.
+/// Returns the cosines of 1 to `count` half waves over 0…1; shorter waves have smaller amplitudes.
 MatrixXf smooth(const VectorXd& where, int count) {
   MatrixXf values(where.size(), count);
   for (Index i = 0; i < where.size(); ++i) {
@@ -125,15 +126,16 @@ MatrixXf smooth(const VectorXd& where, int count) {
   return values;
 }
 
-/// How quickly the orientation may wander. The slower waves are all but taken up by the unknowns of few rows,
-/// and many rows tell a wander from noise by the slower waves alone; so the sums stay as long.
+/// Returns the number of waves of a wandering orientation. With few rows the unknowns absorb the slow waves
+/// almost completely. With many rows the slow waves alone distinguish a wander from noise, so fewer suffice
+/// and the computing time stays the same.
 int wavesOf(Index rows) {
   constexpr Index fewest = 10, forRows = 136;
   if (rows < 2) return 0;
   return static_cast<int>(std::min(rows - 1, std::max(fewest, fewest * forRows / rows)));
 }
 
-/// What dies away after the start of the session, quickly, in between and slowly.
+/// Returns fast, medium and slow decay after the start of the session.
 MatrixXf settling(const VectorXd& elapsed) {
   MatrixXd values(elapsed.size(), 3);
   values << (-elapsed / 0.05).array().exp(), (-elapsed / 0.15).array().exp(), (-elapsed / 0.4).array().exp();
@@ -144,15 +146,15 @@ class ShapeMaker {
  public:
   explicit ShapeMaker(const Leftover& leftover) : m_leftover(leftover) {}
 
-  /// What the patterns made from here on belong to.
+  /// Sets the source of the patterns added from here on.
   void startSource(ErrorSource source) { m_source = source; }
 
-  /// Functions of what the carrier's cells have in common.
+  /// Adds functions of the common property of the carrier's cells.
   void add(std::string_view id, const SharedCarrier& carrier, const CellFunctions& functions) {
     add(id, Pattern{{{carrier, functions}}});
   }
 
-  /// A function that differs from group to group.
+  /// Adds a function with a separate value for each group.
   template <typename Group>
   void addGroups(std::string_view id, const SharedCarrier& carrier, const SharedCells& cells,
                  const Group& groupOf) {
@@ -170,7 +172,7 @@ class ShapeMaker {
     add(id, Pattern{{{carrier, CellFunctions(std::move(ofCells), count)}}}, std::move(gram));
   }
 
-  /// A pattern for each of the orders; their inner products are worked out together.
+  /// Adds a pattern for each order. Their inner products are computed together.
   void addHarmonics(std::string_view id, const SharedCarrier& carrier, const CellFunctions& harmonics,
                     const std::vector<int>& orders) {
     std::vector<Index> all;
@@ -184,13 +186,13 @@ class ShapeMaker {
     }
   }
 
-  /// Functions with weights of their own for the two circles.
+  /// Adds functions with separate weights for the two circles.
   void addOrientation(std::string_view id, const SharedCarrier& horizontal, const SharedCarrier& vertical,
                       const CellFunctions& functions) {
     add(id, Pattern{{{horizontal, functions}, {vertical, functions}}});
   }
 
-  /// Functions for either circle alone, and for both; an id for each.
+  /// Adds functions for each circle alone, and for both; each with its own identifier.
   void addOrientations(const std::array<std::string_view, 3>& ids, const SharedCarrier& horizontal,
                        const SharedCarrier& vertical, const CellFunctions& functions) {
     Pattern both{{{horizontal, functions}, {vertical, functions}}};
@@ -214,7 +216,7 @@ class ShapeMaker {
     add(id, std::move(pattern), std::move(gram));
   }
 
-  /// `gram`: of the pattern as it is given.
+  /// `gram` belongs to the pattern before scaling.
   void add(std::string_view id, Pattern pattern, MatrixXd gram) {
     const double factor = pattern.normalise();
     gram *= factor * factor;
@@ -305,7 +307,7 @@ std::vector<ShapeComponent> shapeComponents(const Leftover& leftover, const Meas
                        settling(all.elapsed));
   std::vector<Index> slowest;
   for (Index wave = 0; wave < std::min<Index>(4, waves.count()); ++wave) slowest.push_back(wave);
-  // The target nearer, whichever way the guideway is turned.
+  // The target is nearer, independent of the axis angle.
   const auto isTurned = [&](Index i) { return all.arcOf(i).axisDeg != 0; };
   maker.add(PHRASE_LATER("Phrase", "distance with time"),
             all.ofInstrument(leftover.column(ErrorTerm::PlaneOffset), isTurned), waves.chosen(slowest));

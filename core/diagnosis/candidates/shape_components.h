@@ -8,10 +8,10 @@
 
 namespace alidade {
 
-/// A pattern of no named cause.
+/// A pattern without a named cause.
 class ShapeComponent final : public Component {
  public:
-  /// `follows`: static text. `gram`: of the pattern's visible columns.
+  /// `follows` is static text. `gram` is the Gram matrix of the visible columns.
   ShapeComponent(std::string_view follows, ErrorSource source, Pattern pattern, Eigen::MatrixXd gram);
 
   std::string_view id() const override { return m_follows; }
@@ -24,7 +24,7 @@ class ShapeComponent final : public Component {
   Eigen::MatrixXd wholeColumns(const Leftover& leftover) const override;
   void fillProducts(const SharedProducts& with, Eigen::Ref<Eigen::VectorXd> own) const override;
   Eigen::VectorXd times(const Leftover& leftover, const Eigen::VectorXd& weights) const override;
-  /// Nothing: no term of the model is a pattern.
+  /// Does nothing: a pattern is not a term of the model.
   void addTo(JointFitOptions& model, const Leftover& leftover, const Eigen::VectorXd& weights,
              double width) const override;
 
@@ -35,8 +35,8 @@ class ShapeComponent final : public Component {
   Eigen::MatrixXd m_gram;
 };
 
-/// Smooth and periodic patterns along the guideway, with the instrument's circles, with time, and between
-/// the positions, that no effect of the catalogue makes, or only one that is left out.
+/// Returns smooth and periodic patterns along the guideway, with the circles, with time and between the
+/// positions. Patterns that a catalogue effect produces are excluded, unless that effect is left out.
 std::vector<ShapeComponent> shapeComponents(const Leftover& leftover, const Measurement& measurement,
                                             const JointFit& fit, const std::vector<std::string>& leftOut);
 

@@ -8,11 +8,11 @@
 
 namespace alidade {
 
-/// A vector over the readings, of which many components want the inner products with their columns: what
-/// they have in common is worked out once. Not for several threads.
+/// A vector over the readings with cached intermediate sums, for the inner products with the columns of many
+/// components. Not thread-safe.
 class SharedProducts {
  public:
-  /// `vector`: `rows()` or `readings()` of the leftover long. Both have to live as long.
+  /// `vector` has `rows()` or `readings()` of the leftover. Both must outlive this object.
   SharedProducts(const Leftover& leftover, const Eigen::VectorXd& vector)
       : m_leftover(leftover), m_vector(vector) {}
   SharedProducts(const SharedProducts&) = delete;
@@ -21,12 +21,12 @@ class SharedProducts {
   const Leftover& leftover() const { return m_leftover; }
   const Eigen::VectorXd& vector() const { return m_vector; }
   auto ofReadings() const { return m_vector.head(m_leftover.readings()); }
-  /// With ∂reading/∂term of every term, as `Leftover::productsOfTerms` has them.
+  /// Inner products with ∂reading/∂term of every term, as `Leftover::productsOfTerms` returns them.
   const Eigen::VectorXd& ofTerms() const {
     if (!m_ofTerms) m_ofTerms = m_leftover.productsOfTerms(m_vector);
     return *m_ofTerms;
   }
-  /// What `make` returns when it is first asked for. `owner`: whose it is.
+  /// Returns the result of `make`, which is called once for each `owner`.
   template <typename Make>
   const Eigen::VectorXd& once(const void* owner, const Make& make) const {
     const auto found = m_made.find(owner);

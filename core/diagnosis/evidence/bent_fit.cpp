@@ -22,7 +22,7 @@ Eigen::Matrix<double, 5, 2> bentDerivatives(const Vector2d& weights) {
 
 namespace {
 
-/// The weights of a bending component on a grid, with the logarithm of the evidence there.
+/// A grid over the weights of a bent component, with the logarithm of the evidence.
 class BentGrid {
  public:
   BentGrid(const Eigen::Matrix<double, 5, 5>& gram, const Eigen::Vector<double, 5>& right, double variance)
@@ -41,8 +41,8 @@ class BentGrid {
     }
   }
 
-  /// ln of the integral with weights normal of this width; `highest` and `at`: of the integrand. A peak too
-  /// narrow for the grid is taken as normal (Laplace).
+  /// Returns ln of the integral for a normal prior of this width. `highest` and `at` are the maximum of the
+  /// integrand and its place. A peak too narrow for the grid counts as normal (Laplace).
   Gain integral(double width, double& highest, Vector2d& at) const {
     const double norm = -std::log(2 * M_PI * width * width);
     const Places& all = allPlaces();
@@ -67,7 +67,7 @@ class BentGrid {
     return {norm + m_highest + std::log(sum) + 2 * std::log(step), width};
   }
 
-  /// The highest place for weights of this width, from a place of the grid on.
+  /// Returns the maximum for weights of this width, starting from a grid point.
   Vector2d closeIn(Vector2d at, double width) const {
     if (climb(at, width)) return at;
     for (double size = step / 2; size > 1e-4; size /= 2) {
@@ -90,14 +90,14 @@ class BentGrid {
 
  private:
   static constexpr double reach = 9, step = 0.4;
-  static constexpr double lost = 121;  // e⁻⁴⁰ of the highest, however much of that the narrowest prior takes
+  static constexpr double lost = 121;  // e⁻⁴⁰ of the maximum, even after the reduction by the narrowest prior
   static constexpr int places = static_cast<int>(2 * reach / step) + 1;
   using Places = Eigen::Array<double, places, 1>;
   using Grid = Eigen::Array<double, places, places>;
   Eigen::Matrix<double, 5, 5> m_gram;
   Eigen::Vector<double, 5> m_right;
-  Grid m_values;    ///< of the logarithm, a column for each first weight
-  Grid m_evidence;  ///< counted from the highest
+  Grid m_values;    ///< of the logarithm, one column for each first weight
+  Grid m_evidence;  ///< relative to the maximum
   double m_highest;
 
   static const Places& allPlaces() {
@@ -105,10 +105,10 @@ class BentGrid {
     return all;
   }
 
-  /// By Newton's steps, as long as they lead up; whether to a place where the slope is none.
+  /// Newton iteration as long as the value increases. Returns whether it converged.
   bool climb(Vector2d& at, double width) const {
     constexpr int mostSteps = 8;
-    constexpr double level = 1e-9;  // of the logarithm that is still to gain
+    constexpr double level = 1e-9;  // expected increase of the logarithm at convergence
     double height = valueAt(at, width);
     for (int i = 0; i < mostSteps; ++i) {
       const Eigen::Matrix2d curvature = curvatureAt(at, width);
@@ -117,14 +117,14 @@ class BentGrid {
       if (slope.dot(move) < level) return true;
       const Vector2d next = at + move;
       const double reached = valueAt(next, width);
-      if (!(reached > height)) return false;  // nor to where it is no number
+      if (!(reached > height)) return false;  // also rejects NaN
       height = reached;
       at = next;
     }
     return false;
   }
 
-  /// ln of the integrand, its slope and its second derivatives with their sign turned.
+  /// Returns ln of the integrand, its gradient and its negative second derivatives.
   double valueAt(const Vector2d& at, double width) const {
     return quarticAt(at[0])(at[1]) - at.squaredNorm() / (2 * width * width);
   }

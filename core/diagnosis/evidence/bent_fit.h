@@ -7,16 +7,16 @@
 
 namespace alidade {
 
-// The evidence of a component of two weights that bends: its second derivatives go along.
+// The evidence of a bent component of two weights, second derivatives included.
 
 /// The five weights (x, y, ½x², xy, ½y²) that columns and second derivatives take, and their derivatives by x
 /// and y.
 Eigen::Vector<double, 5> bentWeights(const Eigen::Vector2d& weights);
 Eigen::Matrix<double, 5, 2> bentDerivatives(const Eigen::Vector2d& weights);
 
-/// Of a bending component with its most likely weights: on a grid over what is plausible, then closing in on
-/// the best. `gram` and `right` are of its two columns and three second derivatives. Widths too narrow for
-/// the grid are taken as if it did not bend.
+/// The fit of a bent component: its most likely weights, found on a grid and refined by iteration. `gram` and
+/// `right` belong to its two columns and three second derivatives. Widths too narrow for the grid count as
+/// linear.
 struct BentFit {
   Gain gain;
   Eigen::Vector2d weights;

@@ -24,13 +24,13 @@ double oddsOf(double difference) {
 
 namespace {
 
-/// One number for each of the widths, which the compiler works on side by side.
+/// One number for each width, in a form that the compiler vectorises.
 template <int Widths>
 using Lane = Eigen::Array<double, Widths, 1>;
 
-/// What was taken off before is a few columns: sums over what a component shares with them, row by row of a
-/// symmetric matrix, and its Cholesky factor. `Taken`: how many where it is known beforehand, which the
-/// compiler unrolls; a pattern alone may be some eighty.
+/// The columns eliminated before are few. This class sums their inner products with the component, row by row
+/// of a symmetric matrix, with its Cholesky factor. `Taken` is their number if it is known at compile time,
+/// so that loops are unrolled; a pattern may have some eighty.
 template <int Taken, int Widths>
 class SharedPart {
  public:
@@ -47,7 +47,7 @@ class SharedPart {
     }
   }
 
-  /// The next column, a row of `shared`, less `step` times the one before.
+  /// Adds the next column, a row of `shared`, less `step` times the previous one.
   void add(const Eigen::Ref<const MatrixXd>& shared, Index row, const Lane<Widths>& step,
            const Lane<Widths>& inverse, const Lane<Widths>& scaled) {
     for (std::size_t a = 0; a < count(); ++a) {
@@ -57,7 +57,7 @@ class SharedPart {
     }
   }
 
-  /// Determinant of the matrix, and the sums' quadratic form with its inverse.
+  /// Returns the determinant of the matrix and the quadratic form of the sums with its inverse.
   std::pair<Lane<Widths>, Lane<Widths>> solve() {
     Lane<Widths> determinant = Lane<Widths>::Ones(), quadratic = Lane<Widths>::Zero();
     for (std::size_t a = 0; a < count(); ++a) {
@@ -87,7 +87,7 @@ class SharedPart {
   Lane<Widths>& at(std::size_t a, std::size_t b) { return m_matrix[a * (a + 1) / 2 + b]; }
 };
 
-/// Nothing was taken off.
+/// No column was eliminated before.
 template <int Widths>
 class SharedPart<0, Widths> {
  public:
@@ -97,8 +97,8 @@ class SharedPart<0, Widths> {
   std::pair<Lane<Widths>, Lane<Widths>> solve() { return {Lane<Widths>::Ones(), Lane<Widths>::Zero()}; }
 };
 
-/// The sum over the widths of e^exponent/√determinant, counted from the largest exponent, with
-/// |1 + w² G/v| and cᵀ (v/w² + G)⁻¹ c by elimination from the first column to the last.
+/// Returns the sum over the widths of e^exponent/√determinant, relative to the largest exponent. |1 + w² G/v|
+/// and cᵀ (v/w² + G)⁻¹ c follow by elimination from the first column to the last.
 template <int Taken, int Widths>
 Gain gainWith(const std::vector<Width>& widths, const TurnedColumns& columns, double variance) {
   using Lane = Lane<Widths>;
@@ -110,7 +110,7 @@ Gain gainWith(const std::vector<Width>& widths, const TurnedColumns& columns, do
   const Lane w2 = sigmas.square() / variance, narrow = w2.inverse();
   const Index count = columns.diagonal.size();
   Lane determinant = Lane::Ones(), quadratic = Lane::Zero(), step = Lane::Zero(), right = Lane::Zero();
-  double beside = 0;  // of the column before
+  double beside = 0;  // coupling with the previous column
   SharedPart<Taken, Widths> part(columns.shared.cols());
   for (Index i = 0; i < count; ++i) {
     const Lane pivot = narrow + columns.diagonal[i] - beside * step;

@@ -9,9 +9,9 @@
 
 namespace alidade {
 
-// What one more component adds to the evidence. A component of the linear model whose visible columns have
-// the Gram matrix G and the inner products c with what is left, at weights normal around zero with width w
-// and readings of variance v, multiplies the evidence by
+// The gain in evidence from one more component of the linear model. G is the Gram matrix of its visible
+// columns, c their inner products with the remaining leftover. Its weights are normal with mean 0 and width
+// w; the readings have the variance v. It multiplies the evidence by
 //
 //   |1 + w² G/v|^(−1/2) exp(½ cᵀ (v/w² + G)⁻¹ c/v),        averaged over the widths.
 
@@ -20,12 +20,11 @@ inline constexpr double impossible = -std::numeric_limits<double>::infinity();
 /// ln(exp a + exp b).
 double logSum(double a, double b);
 
-/// Odds for a difference of two log odds, each of which may be impossible; 10⁶ at most, where what they are
-/// counted against weighs nothing any more.
+/// Returns the odds for a difference of two log odds, at most 10⁶; 0 if both are `impossible`.
 double oddsOf(double difference);
 
-/// `width`: the most likely one, in plausible sizes. What is no finite number, as of columns that rounding
-/// has left nothing of, is impossible.
+/// `width` is the most likely width, in plausible sizes. A gain that is not finite, as from columns that are
+/// rounding errors, counts as impossible.
 struct Gain {
   Gain() = default;
   Gain(double logGain, double ofWidth) : log(std::isfinite(logGain) ? logGain : impossible), width(ofWidth) {}
@@ -34,25 +33,25 @@ struct Gain {
   double width = 1;
 };
 
-/// `gram` G and `right` c of a component after nothing else.
+/// Returns the gain of a component added first. `gram` is G, `right` is c.
 Gain gainOf(const std::vector<Width>& widths, const Eigen::MatrixXd& gram, const Eigen::VectorXd& right,
             double variance);
 
-/// How to turn the columns of a component so that each has inner products with its neighbours only: its Gram
-/// matrix is tridiagonal then. Weights normal around zero look the same in any direction.
+/// A rotation of the columns of a component that makes its Gram matrix tridiagonal. Isotropic normal weights
+/// are invariant under rotations.
 struct Tridiagonal {
-  Eigen::MatrixXd matrix;       ///< columns × matrix are the turned ones; empty: they stay as they are
-  Eigen::VectorXd diagonal;     ///< their squared lengths
-  Eigen::VectorXd subdiagonal;  ///< inner products with the next one, one fewer
+  Eigen::MatrixXd matrix;       ///< columns × matrix are the turned columns; empty: no rotation
+  Eigen::VectorXd diagonal;     ///< squared lengths of the turned columns
+  Eigen::VectorXd subdiagonal;  ///< inner products of neighbouring columns, one fewer
 };
 Tridiagonal tridiagonalOf(const Eigen::MatrixXd& gram);
 
-/// The columns of a component, so turned.
+/// The turned columns of a component.
 struct TurnedColumns {
   Eigen::Ref<const Eigen::VectorXd> diagonal, subdiagonal;  ///< as in `Tridiagonal`
-  Eigen::Ref<const Eigen::VectorXd> right;                  ///< inner products with what is left
-  /// Their inner products with what was taken off before, columns × taken: G less shared sharedᵀ, so that
-  /// determinant and inverse of v/w² + G follow from a matrix as small as what was taken (Woodbury).
+  Eigen::Ref<const Eigen::VectorXd> right;                  ///< inner products with the remaining leftover
+  /// Their inner products with the eliminated columns, columns × eliminated. The remaining Gram matrix is G −
+  /// shared sharedᵀ. Determinant and inverse of v/w² + G then follow from a small matrix (Woodbury).
   Eigen::Ref<const Eigen::MatrixXd> shared;
 };
 Gain gainOf(const std::vector<Width>& widths, const TurnedColumns& columns, double variance);

@@ -5,15 +5,15 @@
 
 namespace alidade {
 
-/// How wide the weights of a component may be, and how likely.
+/// A possible prior width of the weights of a component, with its probability.
 struct Width {
   double sigma;      ///< in plausible sizes
-  double logChance;  ///< natural
+  double logChance;  ///< natural logarithm of the probability
 };
 
-/// Each as likely as the others.
+/// Returns equally probable widths.
 std::vector<Width> evenly(std::initializer_list<double> sigmas);
-/// The same, and with a chance of 1 % a far greater one.
+/// Adds a far larger width with a probability of 1 %.
 std::vector<Width> andFarWider(std::vector<Width> widths, double sigma);
 
 }  // namespace alidade

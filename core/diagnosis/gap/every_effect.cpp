@@ -18,10 +18,11 @@ bool isOfSlider(ErrorTerm term) {
   return term == ErrorTerm::SliderScale || term == ErrorTerm::SliderSine;
 }
 
-/// Of the tilt about x, where it is not stated whether the plane is vertical or square to an inclined zero:
-/// as likely the one as the other.
+/// Returns the prior of the tilt about x if the session does not state whether the plane is vertical or
+/// square to an inclined zero. Both are equally probable.
 std::optional<Prior> tiltInDoubt(const Measurement& measurement) {
-  constexpr double level = 0.1 * std::numbers::pi / 180;  // below it neither the readings nor Δd tell
+  constexpr double level = 0.1 * std::numbers::pi / 180;  // rad; a smaller tilt affects neither the readings
+                                                          // nor Δd
   if (measurement.isPlaneStated || measurement.arcs.empty()) return std::nullopt;
   const double elevation = measurement.arcs.front().zeroElevation.radians();
   if (std::abs(elevation) < level) return std::nullopt;

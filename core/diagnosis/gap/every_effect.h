@@ -8,26 +8,26 @@
 
 namespace alidade {
 
-// Whether an effect is there is one question; how large it may be, whether or not the readings show it, is
-// another, and the one that an uncertainty answers.
+// The diagnosis asks whether an effect exists. An uncertainty asks how large it may be, whether or not the
+// readings show it. These functions serve the uncertainty.
 
-/// The error terms of every effect of the catalogue that a session's readings may hold, each
-/// as is known of it (`knownOf`), or at 1σ of its plausible size about zero. The other relation of the
-/// vertical circle is a matter of the model, and the slider's effects are there only where it is read.
+/// Returns the error terms of every catalogue effect that the readings may contain. Each has its known size
+/// (`knownOf`) or a mean of 0 with its plausible size (1σ). The other relation of the vertical circle is
+/// excluded; slider effects need slider readings.
 std::vector<EstimatedTerm> everyEffect(const Measurement& measurement);
 
-/// Those of them that something is known of beforehand: a tilt of the plane, too, that may be square to an
-/// inclined zero (`Measurement::isPlaneStated`).
+/// Returns the terms of `everyEffect` with known sizes. They include a tilt of the plane that may be square
+/// to an inclined zero (`Measurement::isPlaneStated`).
 std::vector<EstimatedTerm> knownTerms(const Measurement& measurement);
 
-/// A model with what is known beforehand in it: each known number estimated along, as known as it is. What
-/// the readings are expected to hold is no gap.
+/// Returns the model with every known number as an unknown with its known uncertainty. Expected effects are
+/// then not part of the gap.
 GapModel withKnownSizes(GapModel model);
 
-/// So many rows that a fit of every effect along would take longer than anybody waits.
+/// Whether the session has too many rows for a fit of every effect in a reasonable time.
 bool isLarge(const Measurement& measurement);
 
-/// 1σ of the effects of each source in plausible sizes: how large they are altogether in this session.
+/// Scales of the plausible sizes (1σ) in this session, by source of the effects.
 struct EffectScales {
   double guideway = 1, instrument = 1, time = 1;
 
@@ -35,20 +35,20 @@ struct EffectScales {
   bool operator==(const EffectScales&) const = default;
 };
 
-/// So narrow that no effect takes part.
+/// Scales so small that every effect is negligible.
 inline constexpr EffectScales noEffect{1e-6, 1e-6, 1e-6};
 
-/// Scales before the readings are seen, with their probabilities, which add up to 1: as plausible, or three
-/// times that, of all effects alike or of each source by itself. Either is as likely as the other. No scale
-/// is below 1: small effects that the readings show say nothing of an effect that they cannot show.
+/// Prior scales with their probabilities, which sum to 1. They are 1 or 3, for all effects together or for
+/// each source separately; both alternatives are equally probable. No scale is below 1: visible small effects
+/// give no information about undetectable ones.
 struct PossibleScales {
   EffectScales scales;
   double probability = 0;
 };
 const std::vector<PossibleScales>& possibleScales();
 
-/// A model with every effect estimated along, so many plausible sizes wide; what is estimated already, no
-/// narrower than it is. A known size is as well known as stated.
+/// Returns the model with every effect as an unknown with `scales` times its plausible size. Terms that are
+/// already estimated keep at least their prior width; known sizes keep their stated uncertainty.
 GapModel withEveryEffect(GapModel model, const EffectScales& scales = {});
 
 }  // namespace alidade

@@ -12,40 +12,41 @@
 
 namespace alidade {
 
-// A model of the session and its fit: as the session has it, or with causes added.
+// A model of the session with its fit: the session's own model, or one with added causes.
 
 struct GapModel {
   std::shared_ptr<const Measurement> measurement;  ///< the arcs that can be fitted
   std::vector<Circle> starts;
   JointFitOptions options;
-  std::shared_ptr<const JointFit> fit;  ///< of these; of a million rows too large for a copy in every answer
-  double noise = 1;  ///< of the stated one that was found; the σ of `measurement` and `fit` are larger by it
+  std::shared_ptr<const JointFit> fit;  ///< fit of `measurement`; shared because a million rows are too large
+                                        ///< to copy
+  double noise = 1;  ///< ratio of estimated to stated noise; the σ of `measurement` and `fit` include it
 
-  /// Fits anew what was changed.
+  /// Repeats the fit after a change.
   void refit();
 };
 
-/// `measurement` with its readings scattering more than stated, by a factor; its zeros, too, where they are
+/// Returns `measurement` with the σ of all readings multiplied by `factor`, including zeros that are
 /// readings.
 Measurement withNoise(Measurement measurement, double factor);
 
-/// The session's own model, by its fit; both have to live as long as the model. Fails where no arc could be
-/// fitted.
+/// Returns the session's own model with its fit. Both arguments must outlive the model. Fails if no arc can
+/// be fitted.
 Result<GapModel, NoModel> modelOf(const Measurement& measurement, const SessionFit& fit);
 Result<GapModel, NoModel> modelOf(const Measurement&& measurement, const SessionFit& fit) = delete;
 Result<GapModel, NoModel> modelOf(const Measurement& measurement, const SessionFit&& fit) = delete;
-/// Fitted here, and kept with the model.
+/// Fits the measurement and stores the fit in the model.
 Result<GapModel, NoModel> modelOf(const Measurement& measurement);
 
-/// The same as a rigid guideway turned about the axis has it (`JointFitOptions::isClosed`), so that what the
-/// positions must agree on is observed, too. Absent without both positions, or where it cannot be fitted.
+/// Returns the same model with a rigid guideway that turns about the axis (`JointFitOptions::isClosed`). What
+/// the positions have in common is then observed too. Absent without both positions, or if the fit fails.
 std::optional<GapModel> closedModelOf(const GapModel& own);
 
-/// The session's own model with the causes that `closed` has beyond it, held at their sizes there: what they
-/// leave in residuals and closures. `closed` itself where it is not closed.
+/// Returns the session's own model with the causes that `closed` adds, held at their sizes there. It yields
+/// the residuals and closures after these causes. Returns `closed` itself if that is not closed.
 GapModel openedModelOf(const GapModel& closed, const GapModel& own);
 
-/// ∂Δd/∂reading of the model's fit, mm per σ of the reading, in the order of `JointFit::readings`.
+/// Returns ∂Δd/∂reading of the model's fit, mm per σ of the reading, in the order of `JointFit::readings`.
 Eigen::VectorXd influencePerSigma(const GapModel& model);
 
 ReadingRef readingRef(const Leftover& leftover, Eigen::Index reading);

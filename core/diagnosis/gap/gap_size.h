@@ -8,20 +8,20 @@
 
 namespace alidade {
 
-// What a model leaves over, in numbers.
+// Measures of the gap of a model.
 
-/// Of the circle readings' residuals, arcseconds.
+/// Rms residual of the circle readings, arcseconds.
 double rmsOf(const GapModel& model);
 
 GapSize sizeOf(const GapModel& model);
 
-/// χ² beyond the degrees of freedom, with the model's noise, ≥ 0.
+/// Excess of χ² over the degrees of freedom at the model's noise, ≥ 0.
 double excessOf(const GapModel& model);
 
-/// Residuals in their stated σ, in the order of `JointFit::readings`.
+/// Residuals divided by their stated σ, in the order of `JointFit::readings`.
 std::vector<double> inSigma(const GapModel& model);
 
-/// Δd, where both positions are there.
+/// Δd, if both positions are present.
 std::optional<IntersectionEstimate> estimateOf(const GapModel& model);
 
 }  // namespace alidade

@@ -18,19 +18,19 @@ using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
 constexpr std::size_t folds = 5;
 
 struct Row {
-  std::size_t fold = folds;  ///< none: known beforehand, or of no use
+  std::size_t fold = folds;  ///< `folds`: in no fold (prior knowledge or unusable)
   double arcseconds = 0;     ///< σ; 0 for a row that does not count
 };
 
-/// Of a fit at its solution, whitened, the arc angles eliminated: rows for the readings, then for what is
-/// known beforehand. A reading alone in its visit says nothing and has no row.
+/// The whitened equations at the solution of a fit, arc angles eliminated: rows of readings, then of prior
+/// knowledge. A reading alone in its visit carries no information and has no row.
 struct Equations {
   MatrixXd columns;
   VectorXd observed;
   std::vector<Row> rows;
 };
 
-/// The rows of readings [first, end), one visit, outside their arc angle.
+/// Adds the rows of one visit, readings [first, end), with its arc angle eliminated.
 void addVisit(Equations& equations, const Linearised& set, const MatrixXd& columns, std::size_t first,
               std::size_t end) {
   std::vector<std::size_t> taking;
@@ -102,7 +102,7 @@ struct Squares {
   }
 };
 
-/// The normal equations of each fold, and behind them of what is known beforehand.
+/// The normal equations of each fold, followed by those of the prior knowledge.
 class Folds {
  public:
   explicit Folds(Equations equations) : m_equations(std::move(equations)) {
@@ -116,9 +116,10 @@ class Folds {
     }
   }
 
-  /// Of the errors with which a fold is predicted by the others; absent where they do not fix the unknowns.
+  /// Returns the squared errors of the prediction of a fold from the others. Absent if those do not determine
+  /// the unknowns.
   std::optional<Squares> predicted(std::size_t fold) const {
-    constexpr double determined = 1e-13;  // square of what of a column is at right angles to the others
+    constexpr double determined = 1e-13;  // square of the part of a column that is orthogonal to the others
     Normal others = m_sums[folds];
     for (std::size_t f = 0; f < folds; ++f)
       if (f != fold) {

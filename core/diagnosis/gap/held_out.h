@@ -4,14 +4,14 @@
 
 namespace alidade {
 
-/// 1 − rms after/rms before of the circle readings, arcseconds, on readings that took no part in the fit:
-/// every fifth visit in turn is kept out, circles, slider zeros and all numbers of the causes are estimated
-/// from the other visits, and what is kept out is predicted but for its arc angle.
+/// Returns 1 − rms after/rms before of the circle readings on held-out readings. Every fifth visit in turn is
+/// held out. Circles, slider zeros and the parameters of the causes are estimated from the other visits.
+/// These predict the held-out readings except for the arc angle.
 ///
-/// What stays as all readings have it: which causes there are, the moment of a jump, which readings are
-/// blamed, the widths of the priors, and the place about which the equations are linear. Readings blamed are
-/// out of both fit and rms after, those alone in their visit with nothing left to check them too. Where the
-/// others fix no circle nothing is predicted; not a number where nothing is at all.
+/// Some choices come from all readings: the causes, the moment of a jump, the readings with gross errors, the
+/// prior widths and the point of linearisation. Readings with gross errors are excluded from the fit and from
+/// rms after, and so are readings that they leave alone in a visit. Folds whose complement determines no
+/// circle are skipped. Not a number if none remains.
 double heldOutShrinkage(const GapModel& before, const GapModel& after);
 
 }  // namespace alidade

@@ -21,7 +21,7 @@ Leftover::Leftover(Linearised equations, const std::vector<EstimatedTerm>& inMod
   eliminateArcAngles(base);
   const VectorXd scale = base.colwise().norm().cwiseMax(1e-300).cwiseInverse();
   base *= scale.asDiagonal();
-  const Eigen::ColPivHouseholderQR<Eigen::Ref<MatrixXd>> qr(base);  // in its place
+  const Eigen::ColPivHouseholderQR<Eigen::Ref<MatrixXd>> qr(base);  // computed in place
   const Index rank = qr.rank();
   m_basis.setZero(base.rows(), std::max<Index>(rank, 1));
   if (rank > 0) m_basis = qr.householderQ() * MatrixXd::Identity(base.rows(), rank);

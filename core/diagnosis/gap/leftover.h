@@ -8,11 +8,12 @@
 
 namespace alidade {
 
-// What a fit leaves over, and what any further effect would leave over.
+// The leftover of a fit, and the trace of any further effect in it.
 //
-// Readings are whitened by their stated σ. Of every vector over the readings only the part counts that the
-// fit cannot take up: outside the arc angle of each visit and the span of the circles, slider zeros, pointing
-// zeros and distance (the last two at their stated σ, as observations of zero). With P the projector on it,
+// Readings are whitened by their stated σ. Only the part of a vector that the fit cannot absorb counts. The
+// fit absorbs the arc angle of each visit and the span of circles, slider zeros, pointing zeros and distance.
+// The last two also count as observations of zero with their stated σ. With the projector P on the
+// complement,
 //
 //   leftover  r = P (observed − model),        visible part of an effect with column c: P c.
 //
@@ -20,34 +21,34 @@ namespace alidade {
 // hypothesis testing in linear models" (1999).
 class Leftover {
  public:
-  /// `inModel` are terms the fit estimates already. `noise`: how much more than stated the readings are known
-  /// to scatter; what is known beforehand weighs more by it, in the readings' stated σ.
+  /// `inModel` are the terms that the fit estimates already. `noise` is the ratio of the actual to the stated
+  /// scatter. In units of the stated σ, it increases the weight of prior knowledge.
   explicit Leftover(Linearised equations, const std::vector<EstimatedTerm>& inModel = {}, double noise = 1);
 
-  /// Readings, then an entry for each observation of a prior and each condition.
+  /// Number of readings plus one entry for each observation of a prior and each condition.
   Eigen::Index rows() const { return m_residual.size(); }
   Eigen::Index readings() const { return m_along.size(); }
   const LinearReading& reading(Eigen::Index i) const {
     return m_equations.readings[static_cast<std::size_t>(i)];
   }
   const Eigen::VectorXd& residual() const { return m_residual; }
-  /// Its products with the terms, as `productsOfTerms` has them.
+  /// Inner products with the terms, as `productsOfTerms` returns them.
   const Eigen::VectorXd& residualByTerms() const { return m_residualByTerms; }
   double chiSquare() const { return m_residual.squaredNorm(); }
-  /// The equations it was made of.
+  /// The equations that the leftover was computed from.
   const Linearised& equations() const { return m_equations; }
   int degreesOfFreedom() const { return m_degreesOfFreedom; }
 
-  /// The part of `columns` (rows() or readings() long) that the fit cannot take up.
+  /// Returns the part of `columns` (`rows()` or `readings()` long) that the fit cannot absorb.
   Eigen::MatrixXd visible(const Eigen::MatrixXd& columns) const;
-  /// What was observed, and `columns`: rows() long, outside the arc angles only.
+  /// The observations, and `columns` (`rows()` long) with the arc angles eliminated only.
   const Eigen::VectorXd& observed() const { return m_observed; }
   Eigen::MatrixXd outsideArcAngles(const Eigen::MatrixXd& columns) const;
-  /// Orthonormal, of what the fit takes up, at right angles to the arc angles. A column of zeros where that
-  /// is nothing: Eigen divides by, or points into, what has no columns.
+  /// Orthonormal basis of what the fit absorbs, orthogonal to the arc angles. It has at least one column, of
+  /// zeros if necessary: Eigen fails on matrices without columns.
   const Eigen::MatrixXd& basis() const { return m_basis; }
   Eigen::Index visits() const { return static_cast<Eigen::Index>(m_endOfVisit.size()); }
-  /// One after the other, from `first` to before `end`.
+  /// A run of readings from `first` to before `end`.
   struct Run {
     Eigen::Index first, end;
     Eigen::Index length() const { return end - first; }
@@ -56,34 +57,35 @@ class Leftover {
     const auto v = static_cast<std::size_t>(visit);
     return {v == 0 ? 0 : m_endOfVisit[v - 1], m_endOfVisit[v]};
   }
-  /// The basis' entries for one reading.
+  /// Entries of the basis for one reading.
   auto basisOfRow(Eigen::Index row) const { return m_basis.row(row).transpose(); }
-  /// |P e|² for an error e of one reading, 1σ: its redundancy.
+  /// Redundancy of a reading: |P e|² for an error e of 1σ of this reading alone.
   double redundancy(Eigen::Index reading) const { return m_redundancy[reading]; }
-  /// ∂reading/∂term, whitened, not projected, readings() long.
+  /// ∂reading/∂term, whitened, before projection, `readings()` long.
   Eigen::VectorXd column(ErrorTerm term) const;
-  /// Inner products of ∂reading/∂term of every term with a visible vector, rows() or readings() long; 0 for
-  /// terms the equations were not differentiated by.
+  /// Inner products of ∂reading/∂term of every term with a visible vector, `rows()` or `readings()` long.
+  /// They are 0 for terms without derivatives in the equations.
   Eigen::VectorXd productsOfTerms(const Eigen::VectorXd& visible) const;
   /// ∂reading/∂unknown of the readings' own arc; 0 where the arc has no such unknown.
   Eigen::VectorXd column(Unknown::Kind kind) const;
 
  private:
   Linearised m_equations;
-  Eigen::VectorXd m_along;                 ///< of each reading
-  std::vector<Eigen::Index> m_endOfVisit;  ///< behind the last reading of each visit
+  Eigen::VectorXd m_along;                 ///< derivative of each reading by its arc angle, normalised
+  std::vector<Eigen::Index> m_endOfVisit;  ///< index after the last reading of each visit
   Eigen::VectorXd m_observed, m_residual, m_residualByTerms, m_redundancy;
   Eigen::MatrixXd m_basis;
   int m_degreesOfFreedom = 0;
 
   void eliminateArcAngles(Eigen::MatrixXd& columns) const;
   void markVisits();
-  /// What the fit takes up; fills m_observed with what was observed.
+  /// Returns the columns that the fit absorbs; fills `m_observed` with the observations.
   Eigen::MatrixXd layOutUnknowns(const std::vector<EstimatedTerm>& inModel, double noise);
 };
 
-/// What scatters as the readings do brings to a number that moves by so much for each σ of a reading: zeros
-/// do not scatter so. In the number's unit squared.
+/// Returns the variance of a number due to the scatter of the readings, in the number's unit squared.
+/// `perReading` is its change per σ of each reading. Zeros are excluded, because they do not scatter like
+/// readings.
 double varianceOfReadings(const Leftover& leftover, const Eigen::VectorXd& perReading);
 
 }  // namespace alidade

@@ -21,7 +21,7 @@ namespace {
 
 using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
 
-/// How far suspects would be apart: of each id the nearest of those that go by it.
+/// Distances between suspects; for each identifier the smallest over the suspects that bear it.
 class Distances {
  public:
   template <typename Apart>
@@ -43,7 +43,7 @@ class Distances {
       }
   }
 
-  /// Those of whom every two are apart, as many as there are, and of as many the likeliest.
+  /// Returns the largest set of suspects in which every two are apart; among equal ones the most likely.
   Advice largestApart(std::vector<Measure> measures) const {
     Advice advice{.measures = std::move(measures)};
     double most = 0;
@@ -77,8 +77,8 @@ class Distances {
     return static_cast<std::size_t>(std::ranges::find(m_ids, id) - m_ids.begin());
   }
 
-  /// Each suspect, as often as it is likely, is taken for none of the others: clearly, one d σ away is in 2
-  /// Φ(d/2) − 1 of the cases.
+  /// Probability that each suspect is distinguished from all others, averaged with the odds. A suspect at a
+  /// distance of d σ is clearly distinguished with the probability 2 Φ(d/2) − 1.
   double oneLeft() const {
     double sum = 0, all = 0;
     for (std::size_t i = 0; i < m_ids.size(); ++i) {
@@ -93,8 +93,8 @@ class Distances {
   }
 };
 
-/// The columns of a suspect among terms that were shown, scaled to plausible sizes; `moments`: of the jumps
-/// behind the terms. Absent where it is not among them.
+/// Returns the columns of a suspect within `terms`, scaled to plausible sizes. `moments` are those of the
+/// jumps that follow the terms. Absent if the suspect is not among them.
 std::optional<MatrixXd> columnsOf(const PossibleCause& suspect, const VisibleTerms& terms,
                                   const std::vector<JumpMoment>& moments) {
   const Index size = terms.gram.rows();
@@ -112,7 +112,7 @@ std::optional<MatrixXd> columnsOf(const PossibleCause& suspect, const VisibleTer
   return columns;
 }
 
-/// By the terms, and the jumps, that further readings show.
+/// Returns the distance of two suspects in further readings, from the visible terms and jumps.
 double apartBy(const VisibleTerms& terms, const std::vector<JumpMoment>& moments, const PossibleCause& one,
                const PossibleCause& other) {
   const auto first = columnsOf(one, terms, moments), second = columnsOf(other, terms, moments);
@@ -128,9 +128,9 @@ Eigen::Vector2d sigmasOfTwoSightings(const Measurement& measurement) {
                                                statedSigma(measurement, ReadingKind::Vertical).radians());
 }
 
-/// What a suspect would leave in sightings of the zero after the last place of each position, both circles of
-/// each, in σ of the difference of two sightings: a drift the way since the zero was sighted, a jump what
-/// it moved, what belongs to the guideway nothing.
+/// Returns the effect of a suspect on a new sighting of the zero after the last visit of each position. It
+/// holds both circles, in σ of the difference of two sightings. A drift has its rate times the time since the
+/// first sighting, a jump its size, a guideway effect 0.
 VectorXd atTheZeros(const Measurement& measurement, const PossibleCause& suspect) {
   VectorXd left = VectorXd::Zero(2 * std::ssize(measurement.arcs));
   const Eigen::Vector2d sigmas = sigmasOfTwoSightings(measurement);
@@ -154,7 +154,7 @@ VectorXd atTheZeros(const Measurement& measurement, const PossibleCause& suspect
   return left;
 }
 
-/// Errors of the instrument's axes and circles do at the zero what they did when it was first sighted.
+/// Errors of the instrument's axes and circles are equal in both sightings of a zero, so they cancel.
 Advice bySightingZeros(const Measurement& measurement, const std::vector<PossibleCause>& suspects) {
   return Distances(suspects,
                    [&](const PossibleCause& one, const PossibleCause& other) {
@@ -163,7 +163,8 @@ Advice bySightingZeros(const Measurement& measurement, const std::vector<Possibl
       .largestApart({Measure::ZeroSightedAgain});
 }
 
-/// The difference of two measured distances, in its σ: that of one as stated, or a millimetre.
+/// Returns the effect of a suspect on the difference of two measured distances, in its σ. The σ of one
+/// distance is the stated one, or 1 mm.
 double atTheDistances(const Measurement& measurement, const PossibleCause& suspect) {
   constexpr double usualSigma = 1;  // mm
   const double sigma = measurement.sigmaDistance > 0 ? measurement.sigmaDistance : usualSigma;
@@ -180,7 +181,7 @@ Advice byMeasuringDistances(const Measurement& measurement, const std::vector<Po
       .largestApart({Measure::DistanceInBoth});
 }
 
-/// What it costs to read so, in sessions.
+/// Returns the effort of the measures, in sessions.
 double effortOf(const std::vector<Measure>& measures) {
   double sessions = 0, times = 1;
   for (const Measure measure : measures) switch (measure) {
@@ -212,7 +213,7 @@ double effortOf(const std::vector<Measure>& measures) {
   return times > 1 ? sessions + times : sessions;
 }
 
-/// The most probable to leave one answer first, to a twentieth, then the cheapest.
+/// Sorts by the probability that one answer remains, rounded to a twentieth; then by effort.
 void rank(std::vector<Advice>& list) {
   const auto twentieths = [](const Advice& advice) { return std::lround(20 * advice.oneLeft); };
   std::ranges::stable_sort(list, [&](const Advice& a, const Advice& b) {
@@ -221,8 +222,8 @@ void rank(std::vector<Advice>& list) {
   });
 }
 
-/// Several measures together only where they leave one answer more often than each by itself, and of those
-/// the cheapest of the best.
+/// Keeps a combination only if it leaves one answer more often than each of its measures alone. Among equally
+/// good combinations the cheapest remains.
 void keepUsefulCombinations(std::vector<Advice>& list) {
   constexpr double notable = 0.05;
   double single = 0;
@@ -253,8 +254,8 @@ std::optional<Advice> revealing(const std::vector<Detectability>& undetectable, 
   return advice;
 }
 
-/// What tells a misread value from a jump that it looks like: the zero, which only a jump moves. Both
-/// sightings have their noise.
+/// Distinguishes a misread value from a look-alike jump by a new sighting of the zero, which only a jump
+/// moves. Both sightings have noise.
 std::optional<Advice> tellingFromJump(const Inquiry& inquiry, const std::vector<Cause>& causes) {
   for (const Cause& cause : causes) {
     if (cause.readings.size() != 1 || cause.indistinguishableFrom.empty()) continue;
@@ -267,7 +268,7 @@ std::optional<Advice> tellingFromJump(const Inquiry& inquiry, const std::vector<
   return std::nullopt;
 }
 
-/// What shows a jump that no reading shows, such as one between the zero and the first place.
+/// Returns what reveals an undetectable jump, such as one between the zero and the first visit.
 std::optional<Advice> revealingJump(const Inquiry& inquiry, const std::vector<Detectability>& undetectable) {
   const auto jump = std::ranges::find(undetectable, jumpId, &Detectability::effect);
   if (jump == undetectable.end()) return std::nullopt;
@@ -278,7 +279,7 @@ std::optional<Advice> revealingJump(const Inquiry& inquiry, const std::vector<De
                 .ofUndetectable = true};
 }
 
-/// Those of the catalogue, by their id in the list.
+/// Returns the effects of the catalogue whose identifiers are in the list.
 template <typename List, typename Id>
 std::vector<const Effect*> effectsIn(const List& list, const Id& id) {
   std::vector<const Effect*> effects;
@@ -287,7 +288,7 @@ std::vector<const Effect*> effectsIn(const List& list, const Id& id) {
   return effects;
 }
 
-/// Of readings that tell suspects apart.
+/// Returns advice on readings that separate suspects.
 std::vector<Advice> separating(const Inquiry& inquiry, const std::vector<PossibleCause>& suspects) {
   std::vector<Advice> list;
   const auto offer = [&](Advice advice) {
@@ -315,7 +316,7 @@ std::vector<Advice> separating(const Inquiry& inquiry, const std::vector<Possibl
   return list;
 }
 
-/// Of readings that show the undetectable: the most telling first.
+/// Returns advice on readings that reveal undetectable effects, the most effective first.
 std::vector<Advice> revealing(const Inquiry& inquiry, const std::vector<Detectability>& undetectable) {
   const std::vector<const Effect*> effects = effectsIn(undetectable, &Detectability::effect);
   std::vector<Advice> list;
@@ -336,7 +337,7 @@ std::vector<Advice> revealing(const Inquiry& inquiry, const std::vector<Detectab
 std::vector<Advice> adviceFor(const Inquiry& inquiry, const std::vector<PossibleCause>& suspects,
                               const std::vector<Cause>& causes,
                               const std::vector<Detectability>& undetectable) {
-  constexpr std::size_t most = 16;  // every set of them is looked at
+  constexpr std::size_t most = 16;  // suspects; every subset of them is examined
   const bool isUnclear = suspects.size() > 1 && suspects.size() <= most;
   std::vector<Advice> list = isUnclear ? separating(inquiry, suspects) : revealing(inquiry, undetectable);
   const auto isZero = [](const Advice& advice) {

@@ -12,21 +12,23 @@
 
 namespace alidade {
 
-/// One of those that these readings cannot tell apart.
+/// A suspect: one of several causes that these readings cannot separate.
 struct PossibleCause {
-  std::string id;           ///< of the catalogue; a jump may stand there for each position
-  Eigen::VectorXd weights;  ///< found, in plausible sizes
-  double odds = 1;          ///< against the first one
+  std::string id;           ///< of the catalogue; one jump for each position may be listed
+  Eigen::VectorXd weights;  ///< estimated, in plausible sizes
+  double odds = 1;          ///< relative to the first suspect
   std::optional<std::size_t> arc =
-      {};  ///< of a jump between a zero and the first place: the measurement's arc
-  std::optional<JumpMoment> moment = {};  ///< of a jump
+      {};  ///< for a jump between a zero and the first visit: the measurement's arc
+  std::optional<JumpMoment> moment = {};  ///< for a jump
 };
 
-/// What further readings would tell apart, or where there are no two suspects, what would show of the effects
-/// that do not show yet. A suspect is told from another where, whichever of the two it is, at the size that
-/// was found, the other can leave nothing nearer than `clearlyDifferent` σ once the measure is taken. The
-/// measure that most probably leaves one answer comes first, of those alike the one that costs the least;
-/// several together are offered where no single one leaves one answer.
+/// Returns the readings that would separate the suspects. With fewer than two suspects it returns those that
+/// would reveal undetectable effects.
+///
+/// Two suspects are separated if, whichever is the cause, the trace of the other stays at least
+/// `clearlyDifferent` σ away. Each has the estimated size. The measure that most probably leaves one answer
+/// comes first; among equal ones the cheapest. Combinations are offered only if no single measure leaves one
+/// answer.
 std::vector<Advice> adviceFor(const Inquiry& inquiry, const std::vector<PossibleCause>& suspects,
                               const std::vector<Cause>& causes,
                               const std::vector<Detectability>& undetectable);

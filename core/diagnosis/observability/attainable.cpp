@@ -17,10 +17,11 @@ namespace alidade {
 
 namespace {
 
-/// Of what it was: less is not worth the trouble.
+/// Factor of U: a smaller reduction is not worth the effort.
 constexpr double worthIt = 0.9;
 
-/// The model of a set that was read without error, with every effect; what jumped did so once.
+/// Returns the model of an error-free set of readings with every effect as an unknown. It excludes past
+/// jumps.
 GapModel plannedModel(const GapModel& model, const Measurement& set, double noise,
                       const EffectScales& scales) {
   GapModel planned;
@@ -40,8 +41,8 @@ std::optional<Intersection> intersectionOf(const GapModel& planned) {
   return planned.fit->converged() ? intersect(*planned.measurement, *planned.fit) : std::nullopt;
 }
 
-/// What knowing the numbers of an effect takes off the variance of Δd, mm²: cᵀ S⁻¹ c by their covariances c
-/// with Δd and S with each other.
+/// Returns the reduction of the variance of Δd by exact knowledge of an effect's numbers, mm²: cᵀ S⁻¹ c. c
+/// are their covariances with Δd, S is their covariance matrix.
 double varianceUpTo(const GapModel& planned, const Effect& effect) {
   const JointFit& fit = *planned.fit;
   const std::vector<double> weights =
@@ -63,7 +64,7 @@ double varianceUpTo(const GapModel& planned, const Effect& effect) {
   return std::max(withIntersection.dot(among.ldlt().solve(withIntersection)), 0.0);
 }
 
-/// Of each effect that is worth a certificate.
+/// Returns the attainable U for each effect whose certificate would be worth the effort.
 std::vector<AttainableUncertainty> withKnownEffects(const GapModel& planned, const Intersection& found) {
   std::vector<AttainableUncertainty> list;
   for (const Effect& effect : effectCatalogue()) {
@@ -81,7 +82,7 @@ bool isOneMoreOf(const std::vector<Measure>& some, const std::vector<Measure>& m
          });
 }
 
-/// Whether it brings enough, and more than any part of it alone.
+/// Whether the reduction suffices and exceeds that of every part of the combination.
 bool isWorthIt(const AttainableUncertainty& attainable, const std::vector<AttainableUncertainty>& all) {
   return std::ranges::all_of(all, [&](const AttainableUncertainty& other) {
     return !isOneMoreOf(other.measures, attainable.measures) ||

@@ -8,16 +8,17 @@
 
 namespace alidade {
 
-/// U that sessions like the one of `model` have: its places read with noise so many times as large as the
-/// model has it, every effect of the catalogue as known, or `scales` of its plausible size, what the model
-/// has found as uncertain as it was before. The first is that of the readings as they are; then, the least
-/// first, with more read or an effect known, what brings it down to nine tenths or less; of measures taken
-/// together each has to bring as much. Empty without both positions, or where there are so many rows
-/// (`isLarge`) that nobody would wait for it.
+/// Returns the U that sessions like that of `model` attain. The noise is `noise` times that of the model.
+/// Every catalogue effect has its known size or `scales` times its plausible size; estimated effects have
+/// their prior uncertainty.
+///
+/// The first entry is for the readings as they are. The others, in ascending order, are for more readings or
+/// a known effect that reduce U to nine tenths or less. Each measure of a combination must achieve as much.
+/// Empty without both positions, or for too many rows (`isLarge`).
 std::vector<AttainableUncertainty> attainableUncertainties(const GapModel& model, double noise,
                                                            const EffectScales& scales = {});
 
-/// The first of them alone, and in a fraction of the time.
+/// Returns the first entry alone, which is much faster.
 std::optional<double> attainableAsItIs(const GapModel& model, double noise);
 
 }  // namespace alidade

@@ -25,7 +25,7 @@ void sightPerfectly(Sighting& sighting, const ZeroLine& line, const Circle& circ
   sighting.e = Angle::fromRadians(seen.e);
 }
 
-/// Rows numbered anew in the order they stand in.
+/// Numbers the rows consecutively in their current order.
 void renumber(Measurement& plan) {
   plan.rows = 0;
   for (ArcMeasurement& arc : plan.arcs)
@@ -43,7 +43,7 @@ FurtherReadings further(Measure measure, Measurement more) {
   return readings;
 }
 
-/// The session, and a set-up of its own.
+/// Returns the session together with a further set-up.
 FurtherReadings besides(const Measurement& session, Measure measure, Measurement more) {
   FurtherReadings readings = further(measure, session);
   if (more.sightedZeros) putInZeros(more);
@@ -52,7 +52,7 @@ FurtherReadings besides(const Measurement& session, Measure measure, Measurement
   return readings;
 }
 
-/// The rows of visits that were sighted in both faces.
+/// Marks the rows of visits with sightings in both faces.
 std::vector<bool> rowsWithTwin(const ArcMeasurement& arc) {
   std::vector<bool> rows(arc.sightings.size());
   for (const Visit& visit : visitsOf(arc))
@@ -151,8 +151,7 @@ std::optional<FurtherReadings> withMoreArc(const GapModel& model, Measurement mo
   return further(Measure::MoreOfTheArc, std::move(more));
 }
 
-/// With the position at an axis measured once more behind all others, to the same places. What drifts goes on
-/// drifting as it did.
+/// Returns the plan with the position at an axis repeated at its end, with the same visits. Drifts continue.
 std::optional<FurtherReadings> withPositionAgain(const Measurement& plan, int axisDeg) {
   const auto first = arcAt(plan, axisDeg);
   if (!first || std::ranges::count(plan.arcs, axisDeg, &ArcMeasurement::axisDeg) > 1) return std::nullopt;
@@ -173,7 +172,7 @@ std::optional<FurtherReadings> withPositionAgain(const Measurement& plan, int ax
   return readings;
 }
 
-/// One measure on top of others; absent where either is.
+/// Applies a further measure to a plan; absent if either is absent.
 template <typename Add>
 std::optional<FurtherReadings> together(std::optional<FurtherReadings> first, const Add& add) {
   if (!first) return std::nullopt;
@@ -189,7 +188,7 @@ auto offering(const std::function<void(const FurtherReadings&)>& take) {
   };
 }
 
-/// Without the sightings of the zeros, whose places follow when the rows are complete.
+/// Returns the rows without error and without sightings of zeros. The zeros follow when all rows are known.
 Measurement rowsWithoutError(const GapModel& model) {
   Measurement plan = *model.measurement;
   leaveOutZeros(plan);
@@ -225,7 +224,7 @@ void eachFurtherReadings(const GapModel& model, const std::function<void(const F
     for (const int axisDeg : {0, 180}) offer(withPositionAgain(plan, axisDeg));
 }
 
-/// Of a million rows each plan fills hundreds of megabytes: none is kept for longer than it serves.
+/// Plans of a million rows fill hundreds of megabytes, so each is released after its use.
 void eachCombination(const GapModel& model, const std::function<void(const FurtherReadings&)>& take) {
   const auto offer = offering(take);
   offer(together(withBothFaces(rowsWithoutError(model)), withWayBack));
@@ -234,7 +233,8 @@ void eachCombination(const GapModel& model, const std::function<void(const Furth
   offer(together(slider, withWayBack));
   auto both = together(std::move(slider), withBothFaces);
   offer(together(std::move(both), withWayBack));
-  constexpr std::size_t manyRows = 100'000;  // twice as many fill the memory, and tell nothing new of a zero
+  constexpr std::size_t manyRows = 100'000;  // twice as many fill the memory and add no information about a
+                                             // zero
   if (hasBothAxes(*model.measurement) && model.measurement->rows < manyRows)
     offer(together(withPositionAgain(rowsWithoutError(model), 0),
                    [](const Measurement& more) { return withPositionAgain(more, 180); }));

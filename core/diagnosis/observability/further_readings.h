@@ -8,30 +8,30 @@
 
 namespace alidade {
 
-// Readings that could be taken besides those of a session.
+// Readings that could be taken in addition to those of a session.
 
-/// A way to read more, and what would then have been read: one set-up or several.
+/// Measures for more readings, with the resulting readings of one or several set-ups.
 struct FurtherReadings {
   std::vector<Measure> measures;
   std::vector<Measurement> sets;
-  bool besideSession = false;  ///< the first set is the session itself, read without error
-  bool goesOn = false;  ///< the only set is the session with more behind it, its rows as numbered there
+  bool besideSession = false;  ///< the first set is the session itself, with error-free readings
+  bool goesOn = false;  ///< the only set is the session with more readings at its end; its row numbers are
+                        ///< kept
 };
 
-/// The session as it was planned: every reading without error.
+/// Returns the session as planned, with error-free readings.
 Measurement readWithoutError(const GapModel& model);
 
-/// The same session with the other face, the way back, the slider, a shifted circle, a second stand-off, more
-/// of the arc or one of its positions once more read along, one after the other; what it has already is not
-/// offered.
+/// Calls a function for the session with each single measure: other face, way back, slider, shifted circle,
+/// second stand-off, more of the arc, a repeated position. Measures that the session has already are skipped.
 void eachFurtherReadings(const GapModel& model, const std::function<void(const FurtherReadings&)>& take);
 
-/// With any two of the other face, the way back and the slider, with all three, and with both positions once
-/// more.
+/// Calls a function for every two of other face, way back and slider, for all three, and for both positions
+/// repeated.
 void eachCombination(const GapModel& model, const std::function<void(const FurtherReadings&)>& take);
 
-/// The equations of a set as planned; effects of the model are not there, but estimated along. With
-/// derivatives by them and by `terms`. In pieces, as `linearise` hands them on.
+/// Linearises a planned set. Effects of the model are not in the readings but estimated, with derivatives by
+/// them and by `terms`. Delivers pieces like `linearise`.
 void linearisePlan(const GapModel& model, const Measurement& set, const std::vector<ErrorTerm>& terms,
                    const std::function<void(const Linearised& piece)>& take);
 

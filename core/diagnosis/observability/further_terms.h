@@ -8,15 +8,15 @@
 
 namespace alidade {
 
-/// What further readings would show of the terms of some effects and of those of the model, and of jumps.
+/// Computes what further readings show of the terms of some effects, of the model's terms, and of jumps.
 class FurtherTerms {
  public:
-  /// `ofSession`: the equations at the fit of `model`. Both have to live as long. `moments`: of jumps, which
-  /// only readings behind those of the session tell of (`FurtherReadings::goesOn`).
+  /// `ofSession` are the equations at the fit of `model`; both must outlive this object. `moments` belong to
+  /// jumps, which only readings after those of the session show (`FurtherReadings::goesOn`).
   FurtherTerms(const GapModel& model, const Linearised& ofSession, const std::vector<const Effect*>& effects,
                std::vector<JumpMoment> moments = {});
 
-  /// The terms of the model estimated along.
+  /// The terms of the model count as unknowns.
   VisibleTerms shownBy(const FurtherReadings& plan);
 
  private:

@@ -11,8 +11,8 @@ namespace alidade {
 
 using Eigen::MatrixXd, Eigen::VectorXd;
 
-/// A bending effect leaves its second derivatives only together; the nearest is sought by Gauss-Newton from
-/// several sides.
+/// A bent effect has its second-order terms only together. Gauss-Newton searches the nearest trace from
+/// several start points.
 double differenceFromBent(const MatrixXd& gram, const VectorXd& right, double square) {
   constexpr double sides[][2] = {{3, 0}, {0, 3}, {2, 2}, {2, -2}, {0.1, 0.1}};
   double least = square;
@@ -34,10 +34,10 @@ double differenceFromBent(const MatrixXd& gram, const VectorXd& right, double sq
 Trace::Trace(const Leftover& leftover, VectorXd visible)
     : m_visible(std::move(visible)), m_products(leftover, m_visible) {}
 
-/// By normal equations. They have half the digits: what is much nearer than the trace is long, is measured.
+/// Normal equations have half the digits, so a distance much shorter than the trace is computed directly.
 double Trace::differenceFrom(const Component& effect) const {
   constexpr double invisible = 1e-9, rounding = 1e-11,
-                   near = 1e-3;  // σ; of the greatest pivot; of the length
+                   near = 1e-3;  // σ; relative to the largest pivot; relative to the length
   const VectorXd right = effect.products(m_products);
   if (effect.response() == Response::Bent)
     return differenceFromBent(effect.gram(), right, m_visible.squaredNorm());

@@ -7,18 +7,18 @@
 
 namespace alidade {
 
-// Which effects leave the same trace in these very readings.
+// Effects with the same trace in these readings.
 
-/// What something leaves in the readings, a visible part. The leftover has to live as long.
+/// The trace of an effect in the readings: a visible vector. The leftover must outlive it.
 class Trace {
  public:
   Trace(const Leftover& leftover, Eigen::VectorXd visible);
 
   double length() const { return m_visible.norm(); }
-  /// How far the nearest trace that an effect can leave is, in σ of the readings: two effects this far apart
-  /// are taken for one another in Φ(−d/2) of the cases.
+  /// Returns the distance to the nearest trace of an effect, σ of the readings. Two effects at a distance of
+  /// d are confused with probability Φ(−d/2).
   double differenceFrom(const Component& effect) const;
-  /// How like the effect's nearest trace is.
+  /// Compares the trace with the nearest one of an effect.
   LookAlike compared(const Component& effect) const;
 
  private:
@@ -26,13 +26,13 @@ class Trace {
   SharedProducts m_products;
 };
 
-/// How far the nearest trace of an effect that bends is from one of the squared length `square`: `gram` of
-/// its columns and second derivatives, `right` their products with the trace.
+/// Returns the distance from a trace of squared length `square` to the nearest one of a bent effect. `gram`
+/// belongs to its columns and second derivatives, `right` are their products with the trace.
 double differenceFromBent(const Eigen::MatrixXd& gram, const Eigen::VectorXd& right, double square);
 
-/// Mistaken for one another in 7 % of the cases: no answer to rely on.
+/// Confused in 7 % of the cases: not reliable.
 inline constexpr double hardlyDifferent = 3.0;
-/// Mistaken in 2 %: told apart, where the readings agree.
+/// Confused in 2 % of the cases: separated, if the readings agree.
 inline constexpr double clearlyDifferent = 4.2;
 
 }  // namespace alidade

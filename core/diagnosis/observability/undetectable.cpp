@@ -24,7 +24,7 @@ Detectability detectabilityOf(const Component& component, const SharedProducts& 
                               0};
   if (detectability.influence == 0) return detectability;
   detectability.visible = component.signatureLength(detectability.weights);
-  if (component.response() != Response::Bent) return detectability;  // the opposite leaves as much
+  if (component.response() != Response::Bent) return detectability;  // either sign leaves the same trace
   const double opposite = component.signatureLength(-detectability.weights);
   if (opposite < detectability.visible) {
     detectability.weights = -detectability.weights;
@@ -55,7 +55,7 @@ std::vector<Detectability> undetectableEffects(const Leftover& leftover, const C
 
 namespace {
 
-/// Where the moment of a jump lies: in which arc, and whether before its first sighting.
+/// Returns the arc of a jump, and whether it occurs before the first sighting there.
 std::pair<std::size_t, bool> placeOf(const Component& jump, const Measurement& measurement) {
   if (const auto arc = jump.slippedArc()) return {*arc, true};
   const std::size_t first = jump.jumpMoment()->first;
@@ -67,7 +67,8 @@ std::pair<std::size_t, bool> placeOf(const Component& jump, const Measurement& m
   return {arc, false};
 }
 
-/// A jump at one more moment: the chances add up, and each width moves Δd by the root of the mean square.
+/// Adds a jump at another moment: probabilities add up, and each width gets the root mean square of the
+/// influences.
 void addMoment(UndetectableJump& jumps, double odds, double influence) {
   const std::vector<Width>& widths = jumpWidths();
   jumps.moves.resize(widths.size());

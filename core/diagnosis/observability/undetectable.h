@@ -7,33 +7,32 @@
 
 namespace alidade {
 
-// Effects that would move Δd and leave no trace in these readings.
+// Effects that change Δd without a visible trace in these readings.
 
-/// What moves Δd by less is not worth a word, mm.
+/// Influences on Δd below this limit are not reported, mm.
 inline constexpr double negligibleInfluence = 1e-3;
 
-/// An effect of its plausible size, of a known one as large as what is known leaves open, in the direction of
-/// its numbers that moves Δd most; of the two signs the one that shows less.
+/// The detectability of an effect of plausible size, or of its known uncertainty. Its numbers have the
+/// direction that changes Δd most, and of both signs the less visible one.
 struct Detectability {
-  std::string_view effect;  ///< its id; static text
-  Eigen::VectorXd weights;  ///< in plausible sizes; zero where it does not move Δd
-  double influence = 0;     ///< on Δd to first order, mm, ≥ 0
-  double visible = 0;       ///< what it leaves in the readings, bent where it bends, σ
+  std::string_view effect;  ///< identifier; static text
+  Eigen::VectorXd weights;  ///< in plausible sizes; zero if the effect does not change Δd
+  double influence = 0;     ///< change of Δd to first order, mm, ≥ 0
+  double visible = 0;       ///< length of its trace in the readings, second order included if bent, σ
 
-  /// More than `negligibleInfluence`, and less than `clearlyDifferent` σ.
+  /// The influence exceeds `negligibleInfluence`, and the trace is below `clearlyDifferent` σ.
   bool isUndetectable() const;
 };
 
-/// `perReading`: ∂Δd/∂reading, mm per σ of the reading.
+/// `perReading` is ∂Δd/∂reading, mm per σ of the reading.
 Detectability detectabilityOf(const Component& component, const SharedProducts& perReading);
 
-/// Those that are undetectable, the most dangerous first; of a jump the worst moment.
+/// Returns the undetectable effects, the largest influence first; of a jump the worst moment.
 std::vector<Detectability> undetectableEffects(const Leftover& leftover, const Candidates& candidates,
                                                const Eigen::VectorXd& perReading);
 
-/// Of each position the jumps that are undetectable, together: those between its zero and its first sighting,
-/// and those during its readings. Each is there with the prior odds of its moment (`PriorOdds`), and its size
-/// has each of the plausible widths.
+/// Returns the undetectable jumps, for each position those between zero and first sighting and those during
+/// its readings. Each has the prior odds of its moment (`PriorOdds`) and all plausible widths of its size.
 std::vector<UndetectableJump> undetectableJumps(const Leftover& leftover, const Candidates& candidates,
                                                 const Eigen::VectorXd& perReading,
                                                 const Measurement& measurement);

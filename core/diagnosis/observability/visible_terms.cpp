@@ -11,10 +11,12 @@ namespace {
 
 using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
 
-constexpr double rounding = 1e-11;  // of a squared length, left of a column that is a combination of others
+constexpr double rounding = 1e-11;  // of a squared length; a remainder below it means a linearly dependent
+                                    // column
 
-/// Takes the span of the first `count` columns off a Gram matrix, the plainest first; what rounding leaves of
-/// a column that depends on others says nothing. `whole`: the squared lengths it counts against.
+/// Eliminates the span of the first `count` columns from a Gram matrix, the best determined first. The
+/// rounding errors of linearly dependent columns are ignored; `whole` are the squared lengths for that
+/// decision.
 void eliminateFirst(MatrixXd& gram, Index count, const VectorXd& whole) {
   std::vector<Index> remaining;
   for (Index i = 0; i < count; ++i) remaining.push_back(i);
@@ -31,7 +33,7 @@ void eliminateFirst(MatrixXd& gram, Index count, const VectorXd& whole) {
 
 using RowMajorMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
-/// The columns of a set, those unknowns that are not fixed, the terms, then the jumps.
+/// The columns of a set: unknowns that are not fixed, terms, then jumps.
 struct Columns {
   const Linearised& set;
   const std::vector<std::size_t>& unknowns;
@@ -44,7 +46,8 @@ struct Columns {
   bool areOfOneVisit(Index i, Index j) const { return reading(i).visit == reading(j).visit; }
 };
 
-/// The equations of whole visits, the readings from `begin` to before `end`, with the arc angles eliminated.
+/// Returns the equations of whole visits with the arc angles eliminated, for the readings from `begin` to
+/// before `end`.
 void reduce(const Columns& columns, Index begin, Index end, RowMajorMatrix& rows) {
   rows.resize(end - begin, columns.count());
   for (Index i = begin; i < end; ++i) {
@@ -66,7 +69,7 @@ void reduce(const Columns& columns, Index begin, Index end, RowMajorMatrix& rows
   }
 }
 
-/// The inner products of the columns outside the arc angles, piece by piece.
+/// Returns the inner products of the columns with the arc angles eliminated, piece by piece.
 MatrixXd reducedGram(const Columns& columns) {
   constexpr Index pieceLength = 4096;
   MatrixXd gram = MatrixXd::Zero(columns.count(), columns.count());
@@ -102,7 +105,7 @@ VisibleTerms VisibleTermsOfSet::sum() const {
   for (Index u = 0; u < count; ++u) gram(u, u) += m_priors[static_cast<std::size_t>(u)].weight();
   const VectorXd whole = gram.diagonal();
   eliminateFirst(gram, count, whole);
-  std::vector<Index> places;  // of each column among the terms
+  std::vector<Index> places;  // index of each column among the terms
   for (const ErrorTerm term : m_terms) places.push_back(static_cast<Index>(term));
   for (auto step = static_cast<Index>(errorTermCount); step < size; ++step) places.push_back(step);
   for (std::size_t i = 0; i < places.size(); ++i) {
@@ -128,8 +131,7 @@ VisibleTerms operator+(const VisibleTerms& one, const VisibleTerms& other) {
 VisibleTerms withEstimated(VisibleTerms terms, const std::vector<EstimatedTerm>& estimated) {
   const auto count = static_cast<Index>(estimated.size()), size = terms.gram.rows();
   if (count == 0) return terms;
-  // Each estimated term once more in front, where its prior counts, and what it takes up is taken off the
-  // rest.
+  // Puts a copy of each estimated term in front, with its prior; its span is then eliminated.
   MatrixXd chosen = MatrixXd::Zero(size, count + size);
   chosen.rightCols(size).setIdentity();
   for (Index i = 0; i < count; ++i)

@@ -8,14 +8,14 @@
 
 namespace alidade {
 
-// Why there is no answer; `core/wording/diagnosis_fault.h` says it.
+// The reason why a diagnosis failed; `core/wording/diagnosis_fault.h` formulates it.
 
 /// No arc could be fitted.
 struct NoModel {
-  std::optional<FitFinding> why = {};  ///< an Error; absent where there are no readings
+  std::optional<FitFinding> why = {};  ///< an Error; absent without readings
 };
 
-/// It was asked to leave out what cannot be diagnosed.
+/// An unknown identifier was to be excluded.
 struct UnknownCause {
   std::string id;
 };

@@ -8,20 +8,20 @@
 
 namespace alidade {
 
-// A form: an effect of no catalogue, described as carrier × function of an argument. A form says what the
-// readings do, never why.
+// A form describes an uncatalogued effect as carrier × function of an argument. It describes the readings
+// without naming a cause.
 
-/// What is displaced. `Radial`, `Tangential`, `Across`: the target, mm, turning with the guideway. `X`, `Y`,
-/// `Z`: the target, mm in o0. `Horizontal`, `Vertical`: one circle, arcseconds. `Orientation`: both circles,
-/// each with its own amplitudes, arcseconds. `Slider`: its reading, arcseconds.
+/// The displaced quantity. `Radial`, `Tangential`, `Across`: the target, mm, turning with the guideway. `X`,
+/// `Y`, `Z`: the target, mm in o0. `Horizontal`, `Vertical`: one circle, arcseconds. `Orientation`: both
+/// circles, each with its own amplitudes, arcseconds. `Slider`: the slider reading, arcseconds.
 enum class FormCarrier { Radial, Tangential, Across, X, Y, Z, Horizontal, Vertical, Orientation, Slider };
 
-/// Of the argument x: cos kx and sin kx; exp(−½((x − at)/width)²); 1 beyond `at`; max(0, x − at); exp(−x/τ);
-/// (x/unit)^k; x itself, which is 1 or −1; a sum of steps, one for each part of the session; a number for
-/// each value of x.
+/// Function of the argument x, in this order: cos kx and sin kx; exp(−½((x − at)/width)²); 1 beyond `at`;
+/// max(0, x − at); exp(−x/τ); (x/unit)^k; x itself, which is 1 or −1; a random walk in steps of equal length;
+/// one number for each value of x.
 enum class FormFunction { Harmonic, Bump, Step, Hinge, Exponential, Power, Hysteresis, Walk, PerPlace };
 
-/// `S`: slider coordinate. `T`: elapsed share of the session, 0…1. `Azimuth`, `Elevation`: a and e. The
+/// `S`: slider coordinate. `T`: elapsed fraction of the session, 0…1. `Azimuth`, `Elevation`: a and e. The
 /// circles: as read in either face. `Leg`: 1 there and −1 back. `Face`: 1 and −1. `Position`: 1 at 0° and −1
 /// at 180°. `Round`: its number.
 enum class FormArgument {
@@ -45,43 +45,44 @@ struct Form {
   FormCarrier carrier = FormCarrier::Radial;
   FormFunction function = FormFunction::Harmonic;
   FormArgument of = FormArgument::S;
-  bool turnsWithFace = false;  ///< the other sign in face 2, as an error of a circle or the line of sight has
-  int order = 0;               ///< of a harmonic of an angle, or of a power; else 0
-  /// at and width (rad, or share of the session), tau or cycles (share, per session).
+  bool turnsWithFace = false;  ///< opposite sign in face 2, like an error of a circle or the line of sight
+  int order = 0;               ///< of a harmonic of an angle, or of a power; otherwise 0
+  /// `at` and `width` (rad, or fraction of the session), `tau` (fraction) or `cycles` (per session).
   std::array<double, 2> numbers{};
 
-  /// Carrier, function, argument and turning are the same; order and numbers may differ.
+  /// Whether carrier, function, argument and sign in face 2 are equal; order and numbers may differ.
   bool isOfKind(const Form& other) const;
-  /// How many of `numbers` its function has.
+  /// Number of entries of `numbers` that the function uses.
   int count() const;
   bool isMillimetres() const { return carrier <= FormCarrier::Z; }
-  /// Its argument is an angle, told in degrees.
+  /// Whether the argument is an angle, shown in degrees.
   bool isOfAngle() const {
     return of != FormArgument::T && of != FormArgument::Round && function != FormFunction::Hysteresis;
   }
-  /// It has as many amplitudes as the readings have places or parts.
+  /// Whether it has an amplitude for each place or step.
   bool isFree() const { return function == FormFunction::Walk || function == FormFunction::PerPlace; }
 };
 
-/// One number of a form with its standard uncertainty. `name`: "order", "amplitude_mm", "at_deg", ….
+/// One number of a form with its standard uncertainty. `name` is "order", "amplitude_mm", "at_deg", ….
 struct FormNumber {
   std::string name;
   double value = 0, sigma = 0;
 };
 
-/// What these readings cannot tell from a form: another form, or an effect of the catalogue.
+/// A look-alike of a form in these readings: another form, or an effect of the catalogue.
 struct FormLookAlike {
   Form form = {};
-  std::string effect = {};  ///< id; empty: `form`
+  std::string effect = {};  ///< identifier; empty: `form`
 };
 
-/// How far the gap shrinks with the forms in the model, 1 − rms after/rms before.
+/// Reduction of the gap by the forms, 1 − rms after/rms before.
 struct FormShrinkage {
   double inSample = 0;
-  /// On readings that took no part in estimating circles, shape and amplitudes. Not a number where too few
-  /// are there, like `f` and `p`.
+  /// On readings that were held out of the fit of circles, shape and amplitudes. Not a number if too few
+  /// exist; the same holds for `f` and `p`.
   double heldOut = 0;
-  /// Exact test on those readings that the form predicts nothing: F with its probability under noise alone.
+  /// Exact test on the held-out readings that the form predicts nothing: F and its probability under noise
+  /// alone.
   double f = 0, p = 1;
   int heldOutReadings = 0;
 };
@@ -106,11 +107,11 @@ struct FoundForm {
   Form form;
   /// "radial = A*cos(7*s) + B*sin(7*s)".
   std::string formula;
-  /// Of `formula`: A, B, …, mm or arcseconds.
+  /// Coefficients of `formula`: A, B, …, mm or arcseconds.
   std::vector<FormNumber> coefficients = {};
   std::vector<double> places = {};  ///< of the coefficients of a free form: rad, or share of the session
   std::vector<FormNumber> parameters = {};  ///< shape numbers and amplitudes
-  double probability = 0;                   ///< that it is the right one of all forms and patterns, 0…1
+  double probability = 0;                   ///< probability among all forms and patterns, 0…1
   std::vector<FormLookAlike> indistinguishableFrom = {};
   FormShrinkage shrink = {};
   /// Where the form displaces every reading by less than its σ, from … to: degrees or share of the session.

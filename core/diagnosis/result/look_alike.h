@@ -4,9 +4,9 @@
 
 namespace alidade {
 
-/// An effect that would leave nearly the same.
+/// An effect with nearly the same trace.
 struct LookAlike {
-  std::string effect;     ///< id
+  std::string effect;     ///< identifier
   double cosine = 0;      ///< of the angle between the traces, 0…1
   double difference = 0;  ///< distance of the traces, σ of the readings
 };

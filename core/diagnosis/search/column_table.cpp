@@ -21,7 +21,7 @@ void ColumnTable::turn(std::size_t component) {
   const auto gram = m_candidates[component].gram();
   auto squares = m_squares.segment(first(component), count(component));
   const bool bends = m_candidates[component].response() == Response::Bent;
-  if (bends || gram.cols() <= 2) {  // tridiagonal as it is
+  if (bends || gram.cols() <= 2) {  // already tridiagonal, or not to be turned
     squares = gram.diagonal();
     if (gram.cols() == 2) m_beside[first(component)] = gram(0, 1);
     return;

@@ -8,7 +8,8 @@ namespace alidade {
 
 namespace {
 
-/// The larger the noise, the more weighs what is known beforehand: until χ² is what that noise gives.
+/// Iterates the noise until χ² agrees with it. Larger noise gives more weight to prior knowledge, which
+/// changes χ².
 void findNoise(GapModel& model, const GapModel& base) {
   constexpr int mostRounds = 20;
   constexpr double settled = 1e-9;

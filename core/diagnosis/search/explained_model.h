@@ -7,7 +7,7 @@
 
 namespace alidade {
 
-/// `base` with the parts of an explanation added, fitted anew.
+/// Returns `base` with the parts of an explanation added, fitted again.
 GapModel modelWith(const GapModel& base, const Explanation& explanation, const Candidates& candidates,
                    const Leftover& leftover);
 

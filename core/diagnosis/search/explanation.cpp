@@ -14,11 +14,11 @@ using Eigen::MatrixXd, Eigen::VectorXd;
 
 namespace {
 
-constexpr double knownTo = 0.1;  // the stated σ holds to a tenth
+constexpr double knownTo = 0.1;  // relative uncertainty of the stated σ
 constexpr double leastNoise = 1.25, mostNoise = 20;
-constexpr double outOfQuestion = 1e-4;  // odds below which larger noise is not searched further
+constexpr double outOfQuestion = 1e-4;  // odds below which the search ignores larger noise
 
-/// What is believed of the scale of the noise: its logarithm at even steps, with the density there.
+/// Prior of the noise scale: density at equal steps of its logarithm.
 class NoiseScales {
  public:
   template <typename Density>
@@ -28,8 +28,8 @@ class NoiseScales {
     m_inverseSquares = (-2 * m_logs).exp();
   }
 
-  /// ln ∫ p(scale) (evidence at the scale/evidence at `reference`), with ln evidence = −f ln scale − ½
-  /// χ²/scale².
+  /// Returns ln ∫ p(scale) (evidence at the scale/evidence at `reference`), with ln evidence = −f ln scale −
+  /// ½ χ²/scale².
   double logIntegral(double chiSquare, double f, double reference, double& likeliest) const {
     const Logs values = m_densities - f * (m_logs - std::log(reference)) -
                         0.5 * chiSquare * (m_inverseSquares - 1 / (reference * reference));
@@ -74,7 +74,7 @@ void weighNoisy(Explanation& found, double f, double reference, double leftover)
   add(found, -f * std::log(reference) - 0.5 * leftover * (1 / (reference * reference) - 1));
 }
 
-/// The likeliest set without a pattern.
+/// Returns the most likely set without a pattern.
 const Explanation& bestNamed(const std::vector<Explanation>& sets) {
   const Explanation* best = &sets.front();
   for (const Explanation& set : sets)
@@ -83,21 +83,21 @@ const Explanation& bestNamed(const std::vector<Explanation>& sets) {
 }
 
 void normalise(std::vector<Explanation>& sets) {
-  const double base = sets.front().logBayesFactor;  // nothing at all, noise as stated
+  const double base = sets.front().logBayesFactor;  // the empty set with the stated noise
   double most = impossible, sum = 0;
   for (Explanation& set : sets) {
     set.logPosteriorOdds -= base;
     set.logBayesFactor -= base;
     most = std::max(most, set.logPosteriorOdds);
   }
-  // Against the likeliest: a logarithm of the sum, which may be millions, would round away what they add up
-  // to.
+  // Relative to the most likely set: the logarithm of the sum may be millions, and its rounding would spoil
+  // the probabilities.
   for (Explanation& set : sets) sum += set.chance = std::exp(set.logPosteriorOdds - most);
   for (Explanation& set : sets) set.chance /= sum;
   std::ranges::sort(sets, std::greater{}, &Explanation::logPosteriorOdds);
 }
 
-/// Adds sets with larger noise to those with the noise as stated, of which the first is nothing at all.
+/// Adds sets with larger noise to those with the stated noise, of which the first is empty.
 void addNoisy(std::vector<Explanation>& all, Search& search, const Leftover& leftover,
               const PriorOdds& odds) {
   const double f = leftover.degreesOfFreedom(), chiSquare = leftover.chiSquare();
@@ -111,8 +111,8 @@ void addNoisy(std::vector<Explanation>& all, Search& search, const Leftover& lef
   Explanation noiseAlone;
   noiseAlone.chiSquare = chiSquare;
   weigh(noiseAlone, scaleOf(chiSquare));
-  // What explains a part of the gap leaves less for larger noise: no set needs it more than nothing does, but
-  // for a factor of the scale to each of its few weights.
+  // An explanation of the gap leaves less for larger noise. So no set gains more from it than the empty set,
+  // except for a factor of the scale for each of its few weights.
   if (noiseAlone.logPosteriorOdds < all.front().logPosteriorOdds + std::log(outOfQuestion)) {
     all.push_back(std::move(noiseAlone));
     return;

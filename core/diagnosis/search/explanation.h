@@ -8,21 +8,21 @@
 
 namespace alidade {
 
-// Which components explain a leftover. In the linear model with normal weights the evidence of a set of
-// components has a closed form; sets are grown one component at a time, the best few are kept, and each is
-// weighed with the noise as stated (give or take a tenth) and with noise larger than stated.
+// The search for the components that explain a leftover. In the linear model with normal weights the evidence
+// of a set has a closed form. Sets grow by one component at a time, and the best few are kept. Each is
+// evaluated with the stated noise (± 10 %) and with larger noise.
 //
 // Source: MacKay, "Bayesian interpolation", Neural Computation 4 (1992); the marginal likelihood of the
 // Bayesian linear model.
 
-/// One component of an explanation with the weights it takes.
+/// One component of an explanation with its weights.
 struct Part {
   std::size_t component = 0;  ///< index into the candidates
   double width = 1;           ///< most likely, in plausible sizes
   Eigen::VectorXd weights;    ///< in plausible sizes
-  double logGain = 0;         ///< evidence it adds to the parts before it, natural
+  double logGain = 0;         ///< natural logarithm of the evidence it adds to the previous parts
 
-  /// The readings speak for it, by more than rounding.
+  /// Whether the evidence for the part exceeds rounding errors.
   bool isSupported() const;
 };
 
@@ -30,40 +30,40 @@ struct Explanation {
   std::vector<Part> parts;
   bool noisy = false;           ///< with noise larger than stated
   double noise = 1;             ///< most likely scale of the noise
-  double logPosteriorOdds = 0;  ///< prior and evidence, against nothing at all, natural
+  double logPosteriorOdds = 0;  ///< prior and evidence against the empty set, natural logarithm
   double logBayesFactor = 0;    ///< without the prior
-  double chiSquare = 0;         ///< of what is left, stated σ
-  double chance = 0;            ///< 0…1, that it is the right one of those found
-  bool shaped = false;          ///< holds a pattern of no named cause
+  double chiSquare = 0;         ///< after the explanation, with the stated σ
+  double chance = 0;            ///< probability among the explanations found, 0…1
+  bool shaped = false;          ///< contains a pattern without a named cause
 
   bool has(std::size_t component) const;
 };
 
-/// The larger one has all components of the smaller, and larger noise where that has.
+/// Whether `larger` contains all components of `smaller`, and larger noise if `smaller` has it.
 bool isPartOf(const Explanation& smaller, const Explanation& larger);
-/// The same components, in whatever order, under noise of the same kind.
+/// Whether both have the same components in any order and the same kind of noise.
 bool areAlike(const Explanation& a, const Explanation& b);
 
 struct SearchOptions {
   PriorOdds odds = {};
   bool noise = true;  ///< noise may be larger than stated
   std::size_t beam = 6;
-  std::size_t mostParts = 3;  ///< but more where they are gross errors
+  std::size_t mostParts = 3;  ///< at most, gross errors not counted
   std::size_t mostGrossErrors = 6;
-  std::stop_token stop = {};  ///< asked to stop, the search ends with what it has found
+  std::stop_token stop = {};  ///< on a stop request the search ends with its results so far
 };
 
-/// The best first. Always holds the explanation of no part without and with larger noise.
+/// Returns the explanations, the best first. The empty set with and without larger noise is always included.
 std::vector<Explanation> explain(const Leftover& leftover, const Candidates& candidates,
                                  const SearchOptions& options = {});
 
-/// What is believed of the noise of an explanation, summed up where χ² (stated σ) is left of its readings
-/// with so many degrees of freedom: the natural logarithm of the evidence against that of its likeliest
-/// noise, or the stated one where it is not noisy.
+/// Returns the natural logarithm of the evidence integrated over the noise. It is relative to the most likely
+/// noise of the explanation, or to the stated noise if it is not noisy. `chiSquare` (stated σ) is its
+/// remaining χ², with the given degrees of freedom.
 double logEvidenceOfNoise(const Explanation& explanation, double chiSquare, double degreesOfFreedom);
 
-/// One component alone, noise as stated: its evidence, without its prior, and the weights it then has.
-/// `residual`: what is left over. `index` is that of the component.
+/// Fits one component alone with the stated noise: its evidence without prior, and its weights. `residual` is
+/// the leftover; `index` is the index of the component.
 Part fitAlone(const SharedProducts& residual, const Component& component, std::size_t index);
 
 }  // namespace alidade

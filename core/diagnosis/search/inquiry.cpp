@@ -25,14 +25,16 @@ bool considered(const DiagnosisOptions& options, std::string_view id) {
   return std::ranges::find(options.without, id) == options.without.end();
 }
 
-/// Odds that zeros which differ too much for one mark, and are not stated to be one, are none.
+/// Prior odds that zeros sight different marks, if they differ too much for one mark and are not stated to be
+/// one.
 constexpr double doubtfulZeros = 1;
 
-/// Odds of an effect that is met more seldom, over those of others.
+/// Prior odds of a rare effect relative to those of other effects.
 constexpr double seldom = 0.4;
 
-/// A bearing has axial play more often than a machined guideway is askew to it, an axis is out of plumb more
-/// often than an arm bends or air layers, and a circle is off its centre more often than it is badly divided.
+/// Practice suggests these rare effects. Axial play of a bearing is more frequent than a skew guideway. An
+/// axis out of plumb is more frequent than a bending arm or air layers. An eccentric circle is more frequent
+/// than graduation errors.
 bool isMetSeldom(const Effect& effect) {
   using enum ErrorTerm;
   constexpr ErrorTerm seldomMet[] = {PlaneSkew, ArmSag, VerticalGraduationSine, VerticalRefraction};
@@ -89,7 +91,7 @@ Inquiry searched(GapModel own, GapModel expected, GapModel base, Leftover leftov
           {}};
 }
 
-/// With the reference as an observation of Δd, where it is asked for and known.
+/// Adds the reference as an observation of Δd, if it is known and requested.
 Linearised withReference(Linearised equations, const GapModel& base, const DiagnosisOptions& options) {
   const Measurement& measurement = *base.measurement;
   const auto upper = arcAt(measurement, 0), lower = arcAt(measurement, 180);
@@ -107,8 +109,8 @@ Linearised withReference(Linearised equations, const GapModel& base, const Diagn
   return equations;
 }
 
-/// The likeliest causes but patterns, where one of them is so large that the fit without it, at which the
-/// equations were taken, is far from where the readings would have it.
+/// Returns the most likely causes without patterns, if one is very large. The fit without it, at which the
+/// equations were linearised, is then far from the solution.
 std::optional<Explanation> largeCauses(const Inquiry& inquiry) {
   constexpr double large = 100;  // σ over all readings
   Explanation causes = inquiry.explanations.front();
@@ -122,9 +124,10 @@ std::optional<Explanation> largeCauses(const Inquiry& inquiry) {
   return causes;
 }
 
-/// The equations at a fit with causes added, their own share put back into the residuals.
+/// Returns the equations linearised at a fit with added causes, and adds the contribution of these causes to
+/// the residuals.
 Linearised around(const GapModel& base, const GapModel& withCauses) {
-  // A jump does the same wherever it is taken, and what bends is known with its bend.
+  // A jump is independent of the point of linearisation, and a bent effect has its second derivatives.
   const auto staysOut = [](ErrorTerm term) {
     const Effect* effect = effectOf(term);
     return isOfJump(term) || (effect && effect->response == Response::Bent);
@@ -156,8 +159,8 @@ Linearised around(const GapModel& base, const GapModel& withCauses) {
 
 constexpr double knownNoiseTo = 0.2;  // natural logarithm
 
-/// The scale of the noise where that is as good as certain to be larger than stated, and pointing zeros known
-/// as stated weigh the more; else 1.
+/// Returns the scale of the noise if it is almost certainly larger than stated; otherwise 1. Pointing zeros
+/// with stated σ then get a larger weight.
 double knownNoise(const Inquiry& inquiry) {
   constexpr double certain = 0.95;
   const bool isLarger = inquiry.base.options.isClosed && inquiry.explanations.front().noisy &&
@@ -206,7 +209,7 @@ Inquiry inquireOnce(GapModel own, const DiagnosisOptions& options, const std::st
   return inquireOnce(std::move(withPause), options, stop);
 }
 
-/// Readings so far off that the equations at the fit they have spoiled say little.
+/// Returns gross errors so large that they spoil the fit at which the equations were linearised.
 std::vector<LargeGrossError> largeGrossErrorsOf(const Inquiry& inquiry) {
   constexpr double largeSigma = 300;
   std::vector<LargeGrossError> found;
@@ -223,7 +226,7 @@ double Inquiry::chanceOf(const std::function<bool(const Explanation&)>& isMeant)
   double sum = 0;
   for (const Explanation& explanation : explanations)
     if (isMeant(explanation)) sum += explanation.chance;
-  return std::min(sum, 1.0);  // of rounding
+  return std::min(sum, 1.0);  // removes rounding errors
 }
 
 double Inquiry::probabilityOf(std::string_view id) const {

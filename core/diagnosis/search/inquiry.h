@@ -13,45 +13,45 @@
 
 namespace alidade {
 
-// The search for what explains a gap.
+// The search for an explanation of a gap.
 
-/// A reading that was left out before the search, since it is off by far more than the equations bear.
+/// A reading excluded before the search, because its error is too large for linear equations.
 struct LargeGrossError {
   ReadingRef reading;
-  double sigmas = 0;  ///< how far it is off, in its σ
+  double sigmas = 0;  ///< its error, in its σ
 };
 
-/// The model it starts from, what it leaves over, and what explains that.
+/// The start model, its leftover, and the explanations found.
 struct Inquiry {
-  GapModel own;       ///< the session's, whose result is measured
-  GapModel expected;  ///< the same with what is known beforehand; `own` where nothing is
-  GapModel base;      ///< that closed, where it can be
+  GapModel own;       ///< of the session; its result is measured
+  GapModel expected;  ///< the same with known sizes; `own` if there are none
+  GapModel base;      ///< `expected` with closures, if possible
   Leftover leftover;
   Candidates candidates;
-  std::vector<Explanation> explanations;          ///< the likeliest first
-  std::vector<LargeGrossError> largeGrossErrors;  ///< `base` does without them
-  std::shared_ptr<const Inquiry> before;  ///< what was found with all readings; null where none is far off
+  std::vector<Explanation> explanations;          ///< the most likely first
+  std::vector<LargeGrossError> largeGrossErrors;  ///< excluded from `base`
+  std::shared_ptr<const Inquiry> before;  ///< the inquiry with all readings; null without large gross errors
 
-  /// The inquiry into the gap as it is, of all readings.
+  /// The inquiry of all readings.
   const Inquiry& ofAll() const { return before ? *before : *this; }
 
   const Component& of(const Part& part) const { return candidates[part.component]; }
-  /// Probability that one of these explanations is the right one.
+  /// Probability of the explanations for which `isMeant` returns true.
   double chanceOf(const std::function<bool(const Explanation&)>& isMeant) const;
-  /// Probability that the id is among the causes.
+  /// Probability that this identifier is among the causes.
   double probabilityOf(std::string_view id) const;
 };
 
-/// Asked to stop, it returns early with what it has found.
+/// On a stop request it returns early with the results so far.
 Inquiry inquire(GapModel model, const DiagnosisOptions& options, const std::stop_token& stop);
 
-/// Why nothing can be said where the model with what is known beforehand, a size far off say, is not
-/// determined by the readings; absent where it is.
+/// Returns the reason if the readings do not determine the model with known sizes, for example because a size
+/// is far off. Absent otherwise.
 std::optional<NoModel> undetermined(const Inquiry& inquiry);
 
-/// A reading of the model, `size` in arcseconds.
+/// Returns a reading of the model as a deviation; `size` in arcseconds.
 ReadingDeviation deviationAt(const Measurement& measurement, const ReadingRef& ref, double size);
-/// An index into the leftover's readings, off by so many of its σ.
+/// `reading` is an index into the leftover's readings, `sigmas` its error in its σ.
 ReadingDeviation deviationAt(const Inquiry& inquiry, Eigen::Index reading, double sigmas);
 
 }  // namespace alidade

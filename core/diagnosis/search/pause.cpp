@@ -15,7 +15,7 @@ namespace {
 constexpr double usualPause = 4, pauseKnownTo = 4;  // rows
 
 struct Drift {
-  ErrorTerm step;   ///< of the same circle
+  ErrorTerm step;   ///< of the same circle as the drift
   double size = 0;  ///< over the session, rad
 };
 
@@ -32,7 +32,7 @@ std::vector<Drift> driftsOf(const Explanation& explanation, const Candidates& ca
   return drifts;
 }
 
-/// What a pause leaves, −2 log likelihood; infinite where nothing can be fitted.
+/// Returns −2 log likelihood with a given pause; infinite if the fit fails.
 double leftWith(const Inquiry& inquiry, const Explanation& explanation, double pause) {
   GapModel own = inquiry.own;
   Measurement paused = *own.measurement;
@@ -57,7 +57,7 @@ double leftWith(const Inquiry& inquiry, const Explanation& explanation, double p
 
 std::optional<double> likeliestPause(const Inquiry& inquiry) {
   constexpr double pauses[] = {0, 2, 4, 6, 9, 13, 20};
-  constexpr std::size_t mostRows = 20'000;  // of longer sessions a pause is no part
+  constexpr std::size_t mostRows = 20'000;  // the pause is negligible in longer sessions
   const Measurement& measurement = *inquiry.base.measurement;
   if (!measurement.sightedZeros || measurement.arcs.size() < 2 || measurement.rows > mostRows ||
       hasTimes(measurement))

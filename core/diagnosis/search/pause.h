@@ -4,18 +4,19 @@
 
 namespace alidade {
 
-// Between two positions the guideway is turned and the zero sighted, which takes as long as some rows; where
-// rows have no times nobody knows how many. A drift goes on meanwhile, so that the later position stands
-// turned as a whole by its rate times the pause, and so do its zeros: taken for no pause, a large drift needs
-// a knock beside it. So the pause is found along with a drift: the one that leaves least, expected to be of
-// some rows. In the model that estimates the drift it is as uncertain as it is beforehand: a step of the
-// orientation before the next zero (`addPause`).
+// The pause between two positions, in which the guideway is turned and the zero sighted. It lasts as long as
+// some rows; without times its length is unknown. A drift continues meanwhile, so the later position and its
+// zeros are turned by its rate times the pause. Without a pause, a large drift would need an additional jump.
+//
+// The pause is therefore estimated with a drift: the value with the smallest misfit, with a prior of some
+// rows. In the model with the drift it keeps its prior uncertainty, as a jump of the orientation before the
+// next zero (`addPause`).
 
-/// In rows: of these, with the likeliest explanation in the model, the one that leaves least. Absent where no
-/// drift is among its parts, or rows have times.
+/// Returns the pause in rows that fits best with the most likely explanation. Absent if that has no drift, or
+/// rows have times.
 std::optional<double> likeliestPause(const Inquiry& inquiry);
 
-/// What is known beforehand of the pause behind the first position, for each drift that the explanation has.
+/// Adds the prior of the pause after the first position for each drift of the explanation.
 void addPause(JointFitOptions& model, const Measurement& measurement, const Explanation& explanation,
               const Candidates& candidates);
 

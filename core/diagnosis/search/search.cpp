@@ -15,7 +15,7 @@ namespace {
 
 constexpr double rounding = 1e-12;  // of squared lengths, in variances of a reading
 
-/// A number that tells sets apart when added up (splitmix64).
+/// Returns a hash whose sum identifies a set (splitmix64).
 std::uint64_t keyOf(std::size_t component) {
   std::uint64_t key = (component + 1) * 0x9e3779b97f4a7c15U;
   key = (key ^ (key >> 30)) * 0xbf58476d1ce4e5b9U;
@@ -23,7 +23,7 @@ std::uint64_t keyOf(std::size_t component) {
   return key ^ (key >> 31);
 }
 
-/// The `count` with the greatest gain.
+/// Keeps the `count` growths with the largest gain.
 template <typename Growths>
 void keepBest(Growths& growths, std::size_t count) {
   count = std::min(count, growths.size());
@@ -32,9 +32,9 @@ void keepBest(Growths& growths, std::size_t count) {
   growths.resize(count);
 }
 
-/// What a direction gains at most, whatever its width: of columns with the squared lengths `squares`, and
-/// their products with what is left, squared. x = w² square/v gains −½ ln(1 + x) + ½ score x/(1 + x), most at
-/// x = score − 1.
+/// Returns an upper bound of the gain from each direction, for any width. `squares` are squared lengths,
+/// `products` squared products with the remaining leftover. x = w² square/v gains −½ ln(1 + x) + ½ score x/(1
+/// + x), with the maximum at x = score − 1.
 ArrayXd mostGain(const ArrayXd& squares, const ArrayXd& products, double narrowest, double variance) {
   const ArrayXd left = squares.max(rounding), scores = products / (left * variance),
                 x = (scores - 1).max(narrowest * narrowest / variance * left);
@@ -103,11 +103,11 @@ Search::Beside Search::beside(const State& state, Index first, Index count) cons
 std::vector<Search::State> Search::next(const std::vector<State>& level) {
   std::vector<Growth> growths;
   for (std::size_t i = 0; i < level.size() && !isStopped(); ++i) offer(level[i], i, growths);
-  // The same set may grow in several ways; the one from the best state counts.
+  // A set may result from several growths; the one from the best state counts.
   std::vector<std::size_t> order(growths.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::ranges::sort(order, std::greater{}, [&](std::size_t i) { return growths[i].logPosteriorOdds; });
-  // Patterns never grow, so they take no place from what may.
+  // Sets with a pattern never grow, so they do not count against the limit.
   std::vector<State> states;
   std::size_t shaped = 0;
   for (const std::size_t i : order) {
@@ -124,7 +124,7 @@ std::vector<Search::State> Search::next(const std::vector<State>& level) {
   return states;
 }
 
-/// A step that costs more than it gains is kept once, never grown further.
+/// A step with more cost than gain is kept, but never grown further.
 bool Search::mayGrow(const State& state) const {
   const auto parts = state.found.parts.size();
   if (state.found.shaped || state.found.parts.back().logGain < 0) return false;
@@ -140,7 +140,7 @@ Search::State Search::makeImpossible(State state) const {
   return state;
 }
 
-/// The most promising components to add.
+/// Adds the most promising components to `growths`.
 void Search::offer(const State& state, std::size_t index, std::vector<Growth>& growths) const {
   const auto add = [&](const Candidates::Group& group, Growth growth) {
     if (growth.gain.log == impossible || state.found.has(growth.component)) return;
@@ -185,7 +185,7 @@ std::vector<Search::Growth> Search::bestOf(const Candidates::Group& group, const
 }
 
 ArrayXd Search::mostOfSingles(const Candidates::Group& group, const Beside& all) const {
-  constexpr double determined = 1e-6;  // squared length below which a column can be anything
+  constexpr double determined = 1e-6;  // squared length below which a column is numerically zero
   const Index first = m_table.first(group.first), count = static_cast<Index>(group.count);
   ArrayXd left = m_table.squares().segment(first, count);
   for (Index taken = 0; taken < all.shared.cols(); ++taken)
@@ -195,14 +195,14 @@ ArrayXd Search::mostOfSingles(const Candidates::Group& group, const Beside& all)
   return (left < determined).select(impossible, most);
 }
 
-/// As if the two directions in which a pair of columns shows had each the width that suits it.
+/// Upper bound: each of the two directions of a pair of columns has its optimal width.
 ArrayXd Search::mostOfPairs(const Candidates::Group& group, const Beside& all) const {
   assert(m_table.count(group.first) == 2);
   const Index first = m_table.first(group.first), count = static_cast<Index>(group.count);
   const auto ofPairs = [&](const auto& vector, Index number) {
     return Eigen::Map<const ArrayXd, 0, Eigen::InnerStride<2>>(vector.data() + first + number, count);
   };
-  // The Gram matrix of the first and the second column, and their products with what is left.
+  // The Gram matrix of both columns, and their products with the remaining leftover.
   ArrayXd one = ofPairs(m_table.squares(), 0), other = ofPairs(m_table.squares(), 1),
           both = ofPairs(m_table.beside(), 0);
   for (Index taken = 0; taken < all.shared.cols(); ++taken) {
@@ -260,12 +260,12 @@ Search::State Search::with(const State& state, const Growth& growth, bool inAnyC
   if (along.size() > 0)
     next.found.parts.back().weights = m_table.weights(component, factor.matrixU().solve(along));
   if (!std::isfinite(next.found.chiSquare) || !next.found.parts.back().weights.allFinite())
-    return makeImpossible(std::move(next));  // rounding has left nothing of the columns
+    return makeImpossible(std::move(next));  // only rounding errors remain of the columns
   next.found.chiSquare = std::max(next.found.chiSquare, 0.0);
   if (!inAnyCase && !mayGrow(next)) return next;
 
   if (!m_products.contains(component)) m_products[component] = m_table.productsOf(component);
-  // In terms of P: the component's columns beside what was taken before, and their directions.
+  // In terms of P: the component's columns after elimination of the taken ones, and their directions.
   const Index parts = state.taken.rows(), directions = state.taken.cols();
   MatrixXd own(parts + count, count);
   own << -state.taken * before.transpose(), MatrixXd::Identity(count, count);

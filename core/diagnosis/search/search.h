@@ -9,48 +9,50 @@
 
 namespace alidade {
 
-/// Sets of components, grown one component at a time with the noise held at some variance; the best few of
-/// each size are kept. Works on the inner products of the columns alone: what is taken off is noted by its
-/// products with every column.
+/// Grows sets of components by one component at a time with constant noise variance, and keeps the best few
+/// of each size. It uses inner products of columns only: an eliminated column is represented by its products
+/// with every column.
 class Search {
  public:
   Search(const Leftover& leftover, const Candidates& candidates, const SearchOptions& options);
 
-  /// `variance`: of the readings, in units of the stated one. `logPosteriorOdds` and `logBayesFactor` are
-  /// against nothing with the same noise. The first is the empty set.
+  /// `variance` is that of the readings in units of the stated one. `logPosteriorOdds` and `logBayesFactor`
+  /// are relative to the empty set with the same noise. The first result is the empty set.
   std::vector<Explanation> grown(double variance);
-  /// Exactly these components, each as it is beside those before it.
+  /// Returns the set of exactly these components, each added after the previous ones.
   Explanation madeOf(const std::vector<std::size_t>& components, double variance);
 
  private:
-  /// A set of components, taken off the leftover. Of every column it tells by its products with the columns
-  /// of those components, P, which sets have in common.
+  /// A set of components, eliminated from the leftover. P are the products of all columns with the columns of
+  /// those components; sets share them.
   struct State {
     Explanation found;
-    /// What is left: of its products with all columns, those of the leftover less P `off`. Empty, like
-    /// `taken`, where the set does not grow.
+    /// The remaining products with all columns are those of the leftover less P `off`. Empty, like `taken`,
+    /// if the set does not grow.
     Eigen::VectorXd off;
-    /// What was taken: its products with all columns are P `taken`. A column for each direction.
+    /// P `taken` are the products of the eliminated directions with all columns: one column for each
+    /// direction.
     Eigen::MatrixXd taken;
     int grossErrors = 0;
-    std::uint64_t key = 0;  ///< of the set, whatever the order
+    std::uint64_t key = 0;  ///< of the set, independent of the order
   };
-  /// Columns beside a state.
+  /// Products of some columns with what a state leaves and with what it eliminates.
   struct SomeBeside {
-    Eigen::Ref<const Eigen::VectorXd> right;   ///< their products with what is left
-    Eigen::Ref<const Eigen::MatrixXd> shared;  ///< with what was taken; their Gram matrix is less its square
+    Eigen::Ref<const Eigen::VectorXd> right;   ///< their products with the remaining leftover
+    Eigen::Ref<const Eigen::MatrixXd> shared;  ///< with the eliminated directions; shared sharedᵀ is
+                                               ///< subtracted from their Gram matrix
   };
   struct Beside {
     Eigen::VectorXd right;
     Eigen::MatrixXd shared;
     SomeBeside some(Eigen::Index first, Eigen::Index count) const {
-      // A matrix without columns has no address to count rows from.
+      // A matrix without columns has no valid data pointer.
       if (shared.cols() == 0)
         return {right.segment(first, count), Eigen::Map<const Eigen::MatrixXd>(nullptr, count, 0)};
       return {right.segment(first, count), shared.middleRows(first, count)};
     }
   };
-  /// A component that a state may take next.
+  /// A possible growth of a state by one component.
   struct Growth {
     std::size_t state = 0, component = 0;
     Gain gain;
@@ -62,26 +64,26 @@ class Search {
   const Candidates& m_candidates;
   const SearchOptions& m_options;
   ColumnTable m_table;
-  std::vector<std::size_t> m_notSought;               ///< since gross errors that leave the same are
+  std::vector<std::size_t> m_notSought;               ///< gross errors with the same trace are sought instead
   Eigen::VectorXd m_right;                            ///< products of all columns with the leftover
-  std::map<std::size_t, Eigen::MatrixXd> m_products;  ///< of all columns with components that were taken
+  std::map<std::size_t, Eigen::MatrixXd> m_products;  ///< products of all columns with the components of sets
   double m_variance = 1;
 
   std::vector<State> next(const std::vector<State>& level);
   void offer(const State& state, std::size_t index, std::vector<Growth>& growths) const;
   Beside beside(const State& state, Eigen::Index first, Eigen::Index count) const;
-  /// Those of a group that gain most.
+  /// Returns the growths of a group with the largest gain.
   std::vector<Growth> bestOf(const Candidates::Group& group, const Beside& all) const;
-  /// What each of a group gains at most, of one column each or of two.
+  /// Upper bounds of the gain for each component of a group, with one column each or two.
   Eigen::ArrayXd mostOfSingles(const Candidates::Group& group, const Beside& all) const;
   Eigen::ArrayXd mostOfPairs(const Candidates::Group& group, const Beside& all) const;
   TurnedColumns turnedColumns(std::size_t component, const SomeBeside& own) const;
-  /// Of a component with its columns.
+  /// Gain of a component from its columns.
   Gain gainFor(std::size_t component, const SomeBeside& own) const;
   State nothing() const;
-  /// `inAnyCase`: ready for more even where the search would add none.
+  /// With `inAnyCase` the state is prepared for growth even if the search would add nothing.
   State with(const State& state, const Growth& growth, bool inAnyCase = false);
-  /// Its last component can be neither weighed nor taken off.
+  /// Marks a state whose last component can be neither evaluated nor eliminated.
   State makeImpossible(State state) const;
   bool isStopped() const { return m_options.stop.stop_requested(); }
   bool mayGrow(const State& state) const;

@@ -32,7 +32,7 @@ Vector lengthsOf(const Epoch& epoch) {
   return vector;
 }
 
-/// The numbers that do not depend on where the theodolite was set up.
+/// Returns the numbers that do not depend on the set-up of the theodolite.
 Vector deviceOf(const Vector& all) {
   const auto indexOf = [&](const char* id) -> Eigen::Index {
     return std::ranges::find(all.ids, id) - all.ids.begin();
@@ -75,7 +75,7 @@ std::optional<CongruenceTest> test(const Vector& one, double oneFreedom, const V
   const Eigen::MatrixXd covariance = one.covariance + other.covariance;
   const Eigen::VectorXd us = covariance.diagonal().cwiseSqrt();
   if (!us.allFinite() || !(us.minCoeff() > 0)) return std::nullopt;
-  // In units of σ: the centres and radii of a short arc are highly correlated.
+  // Computes in units of σ: the centres and radii of a short arc are highly correlated.
   const Eigen::MatrixXd correlation =
       us.cwiseInverse().asDiagonal() * covariance * us.cwiseInverse().asDiagonal();
   const Eigen::LLT<Eigen::MatrixXd> factor(correlation);

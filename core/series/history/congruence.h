@@ -30,7 +30,8 @@ struct CongruenceTest {
 
 struct Congruence {
   std::size_t first = 0, second = 0;  ///< indices of the epochs as given
-  /// Of Δd, measured: later minus earlier, mm. Effects shared by both cancel (`sharedVariance`).
+  /// The difference of Δd, measured: later minus earlier, mm. Effects shared by both cancel
+  /// (`sharedVariance`).
   double difference = 0, u = 0, expanded = 0;
   double chance = 1;                          ///< probability of such a difference or a larger one if Δd has
                                               ///< not changed

@@ -119,7 +119,7 @@ class Evidence {
     return overNoise(m_chiSquare, [](double) { return 0.0; });
   }
 
-  /// Evidence of one change of that size and σ at s = 1, which leaves χ².
+  /// Evidence of one change of this size and σ at s = 1. χ² is what remains with it.
   double ofChange(double chiSquare, double size, double sigma) const {
     const double room = std::log(std::sqrt(2 * std::numbers::pi) * sigma);
     return overNoise(chiSquare, [&](double s) { return room + std::log(s) + logCauchy(size, s); });
@@ -158,7 +158,7 @@ class Evidence {
     return sum.log() - std::log(static_cast<double>(m_values.size()));
   }
 
-  /// χ² with one step at each possible first date after it and the others fixed.
+  /// χ² for each possible first date after this step, with the other steps fixed.
   std::vector<double> movedChiSquares(const Stepping& stepping, std::size_t step) const {
     const std::size_t begin = step == 0 ? 0 : stepping.firsts[step - 1];
     const std::size_t end = step + 1 < stepping.firsts.size() ? stepping.firsts[step + 1] : m_dates.count();
@@ -199,7 +199,7 @@ class Evidence {
            logWays(sizes.size());
   }
 
-  /// Log of the number of ways to place so many steps.
+  /// Log of the number of ways to place this many steps.
   double logWays(std::size_t steps) const {
     const double places = static_cast<double>(m_dates.count() - 1), k = static_cast<double>(steps);
     return std::lgamma(places + 1) - std::lgamma(k + 1) - std::lgamma(places - k + 1);

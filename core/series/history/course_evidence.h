@@ -26,8 +26,7 @@ namespace alidade {
 /// The most probable dates of a given number of steps.
 struct SteppingEvidence {
   Stepping stepping;
-  /// For each step the probability of each first date after it, from 1 to the last, with the other steps
-  /// fixed.
+  /// The probability of each first date after each step, from 1 to the last, with the other steps fixed.
   std::vector<std::vector<double>> places;
 };
 

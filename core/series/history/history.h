@@ -30,7 +30,7 @@ struct DatedValue {
   double least = 0;
 };
 
-/// What happened to the quantity.
+/// The course of the quantity.
 enum class Course { Constant, Steps, Trend, OddValue, Wander };
 
 /// "constant", "steps", "trend", "odd_value", "wander".

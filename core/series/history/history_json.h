@@ -12,8 +12,8 @@ namespace alidade {
 /// says what it describes.
 std::string historyJson(const std::string& name, const ValueTable& table, const History& history);
 
-/// For one device its intersection with all its quantities and congruences; for several a list of these under
-/// `devices`. `remarks`: sentences about sessions that are left out.
+/// For one device the document has its intersection with all its quantities and congruences; for several a
+/// list of these under `devices`. `remarks`: sentences about excluded sessions.
 std::string historyJson(const std::string& name, const DeviceHistories& histories,
                         const std::vector<std::string>& remarks);
 

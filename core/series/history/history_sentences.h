@@ -30,8 +30,8 @@ class HistoryNumbers {
   std::string withUnit(double value, int decimals, const std::string& suffix) const;
 };
 
-/// The history in sentences: mean, χ², what happened to the quantity, and what else is possible.
-/// Uncertainties are standard.
+/// The history in sentences: mean, χ², the course of the quantity, and other possible courses. Uncertainties
+/// are standard.
 std::vector<std::string> historySentences(const History& history, const std::string& unit);
 
 /// The uncertainty shared by all sessions of a device, which comparisons leave out.
@@ -46,7 +46,7 @@ std::string quantityName(const std::string& id);
 /// The name of a course for people: "constant", "in steps".
 std::string courseName(Course course);
 
-/// Why a session is left out: `title` has no date.
+/// The reason why a session is excluded: `title` has no date.
 std::string undatedSentence(const std::string& title);
 
 }  // namespace alidade

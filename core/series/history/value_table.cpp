@@ -66,7 +66,7 @@ bool isBlank(std::string_view text) {
   return isOneOf(lowerCase(trimmed(text)), {"", "-", "–", "—", "n/a", "na", "nan", "none", "null"});
 }
 
-/// What each column holds.
+/// The content of each column.
 struct Columns {
   std::optional<std::size_t> date, value, u;
   double factor = 1;  ///< from the column's numbers to the standard uncertainty

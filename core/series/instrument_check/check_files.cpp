@@ -46,8 +46,8 @@ TableLayout layoutOf(const Recognised& recognised, AngleUnit unit) {
   return layout;
 }
 
-/// By how much the two faces of a target fail to close, degrees: the vertical readings on a full turn or,
-/// without these, the horizontal ones on half a turn. Infinite if they cannot be read in this unit.
+/// Returns the misclosure of the two faces of a target, degrees: of the vertical readings on a full turn or,
+/// without these, of the horizontal ones on half a turn. Infinite if they cannot be read in this unit.
 double openingOf(double before, double after, bool isVertical) {
   const Angle sum = Angle::fromDegrees(isVertical ? after + before : after - before - 180);
   return std::abs(wrapped(sum).degrees());
@@ -139,7 +139,7 @@ class CheckFiles {
   Problem problemOf(std::vector<LineProblem> problems) const {
     for (LineProblem& problem : problems) {
       problem.file = fileName();
-      if (m_files[m_file].table) problem.column = 0;  // the cells become a line that the user never sees
+      if (m_files[m_file].table) problem.column = 0;  // the user does not see the line made of the cells
     }
     std::ranges::stable_sort(problems, {}, &LineProblem::line);
     return Problem{problems.size() == 1

@@ -14,7 +14,7 @@ namespace alidade {
 
 namespace {
 
-constexpr double halfMillimetre = plausibleOffset;  // its name in the sentences
+constexpr double halfMillimetre = plausibleOffset;  // the sentences say “half a millimetre”
 
 std::string arcsec(double value) {
   return displayText(value, std::abs(value) < 100 ? 1 : 0) + "″";

@@ -8,9 +8,9 @@
 namespace alidade {
 
 /// An instrument record from the check, for later sessions: σ of a reading in one face, √2 times the pooled
-/// s; collimation, index and, where stated, trunnion tilt of all stations with u, in arcseconds; the offset
-/// of the line of sight with its u, in mm, and its correlation with the collimation. `date`: year-month-day,
-/// of the check.
+/// s. It holds collimation, index and, if stated, trunnion tilt of all stations with u, in arcseconds. It
+/// also holds the offset of the line of sight with its u, in mm, and its correlation with the collimation.
+/// `date`: year-month-day, of the check.
 InstrumentRecord checkedRecord(const InstrumentCheck& check, const std::string& name,
                                const std::string& serial, const std::string& date);
 

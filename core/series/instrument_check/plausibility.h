@@ -9,7 +9,7 @@
 namespace alidade {
 
 /// Bounds that no theodolite exceeds. The coarsest in use, a builder's with a vernier of 1′, reads with a
-/// standard deviation of 17″ (1′/√12), so a mean of both faces and half their difference have 12″.
+/// standard deviation of 17″ (1′/√12). So a mean of both faces and half their difference have 12″.
 struct CheckBounds {
   /// s of a direction and of a zenith angle, arcsec: five times that of the coarsest instrument.
   double scatter = 60;
@@ -26,9 +26,10 @@ struct CheckBounds {
   double farApart = 0.25;
 };
 
-/// Why the figures of the check are implausible, with the lines of the file: targets at different places from
-/// round to round, a horizontal circle that counts in the opposite direction, a jump of the orientation or
-/// the index, figures beyond `bounds`. Absent if all figures are plausible. `stations` are the checked ones.
+/// Returns the reason if the figures of the check are implausible, with the lines of the file. Reasons are
+/// targets at different places from round to round, and a horizontal circle that counts in the opposite
+/// direction. Others are a jump of the orientation or the index, and figures beyond `bounds`. Absent if all
+/// figures are plausible. `stations` are the checked ones.
 std::optional<Problem> implausibility(const std::vector<StationRounds>& stations,
                                       const InstrumentCheck& check, const CheckBounds& bounds = {});
 

@@ -31,7 +31,7 @@ struct ObservedRound {
   std::vector<FacePair> pairs;  ///< in the order of the targets; a complete round has one for each
 };
 
-/// Why readings are left out.
+/// Reasons why readings are excluded.
 enum class LeftOut {
   IncompleteRound,  ///< the round lacks a target of the others, or one of its faces
   RareTarget,       ///< the target is missing in too many rounds

@@ -19,10 +19,10 @@ namespace alidade {
 //   s = √(Σ r²/ν), of a direction or zenith angle observed once in both faces
 //
 // Half the difference of the faces is h = c/cos e + i tan e on the horizontal circle and j on the vertical
-// one, signs as in face 1 (core/effects). Every pair gives a collimation c = h cos e and an index j; their
-// means are stated, with u = s/√N and N − 1 degrees of freedom, where s is their scatter. If a trunnion tilt
-// or an offset of the line of sight is stated, the collimation is from the same fit (face_causes.h). Lengths
-// in mm, angles in arcseconds.
+// one. The signs are those of face 1 (core/effects). Every pair gives a collimation c = h cos e and an index
+// j; their means are stated, with u = s/√N and N − 1 degrees of freedom, where s is their scatter. If a
+// trunnion tilt or an offset of the line of sight is stated, the collimation is from the same fit
+// (face_causes.h). Lengths in mm, angles in arcseconds.
 
 /// A standard deviation from its sum of squares; `s` is NaN without degrees of freedom.
 struct CheckScatter {

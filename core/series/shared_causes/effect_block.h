@@ -16,8 +16,8 @@ struct SessionOwners {
   double time = 0;                   ///< 0…1 from the first session to the last
 };
 
-/// How the sizes of an effect in several sessions are related: in session s the size is Σⱼ Fₛⱼ zⱼ, where z is
-/// normal around zero with one width for all.
+/// The relation between the sizes of an effect in several sessions: in session s the size is Σⱼ Fₛⱼ zⱼ, where
+/// z is normal around zero with one width for all.
 enum class SizesKind {
   One,         ///< F = 1
   PerOwner,    ///< each instrument, or each guideway, has its own

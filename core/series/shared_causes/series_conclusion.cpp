@@ -355,7 +355,7 @@ class Conclusion {
     return pattern;
   }
 
-  /// What the pattern among an account's causes follows; empty if there is none.
+  /// Returns the argument of the pattern among an account's causes; empty without a pattern.
   static std::string shapeIn(const OwnAccount& account) {
     for (const std::string& id : account.causes)
       if (std::ranges::find(diagnosableEffects(), id) == diagnosableEffects().end()) return id;
@@ -566,7 +566,7 @@ class Conclusion {
                                                                : 1 - std::sqrt(heldOut / before);
   }
 
-  /// What sessions of other folds say about each session's shared effects.
+  /// Returns the results of the sessions of other folds on each session's shared effects.
   std::vector<std::vector<KnownNumber>> known() const {
     std::vector<std::vector<KnownNumber>> known(sessions());
     const std::vector<SharedSet> folds = foldsOf();

@@ -13,7 +13,7 @@ namespace alidade {
 /// The combined result of a series, before each session is diagnosed again.
 struct SeriesConclusion {
   SeriesDiagnosis diagnosis;  ///< `sessions` holds only their order
-  /// What the other sessions say about the effects that a session shares.
+  /// The results of the other sessions on the effects that a session shares.
   std::vector<std::vector<KnownNumber>> known;
   std::vector<std::vector<std::string>> own;  ///< ids of the causes of each session alone
   std::vector<double> ownChance;

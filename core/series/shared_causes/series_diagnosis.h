@@ -48,7 +48,7 @@ struct SharedCause {
   double visibleTogether = 0;              ///< its trace in all of them, σ
 };
 
-/// Which session to measure next.
+/// Advice on the next session to measure.
 struct SeriesAdvice {
   enum class What {
     OtherInstrument,  ///< the same guideway with another instrument
@@ -81,7 +81,7 @@ struct SeriesCopy {
   std::string file, first;
 };
 
-/// What sessions share, if no catalogued effect explains it.
+/// The pattern that the sessions share, if no catalogued effect explains it.
 struct SharedPattern {
   std::string follows;  ///< "radius along the guideway", …
   int order = 0;        ///< periods per turn; 0: not a harmonic

@@ -40,7 +40,7 @@ EffectVector SessionSums::right(std::size_t account, const EffectColumns& effect
 double SessionSums::logOdds(std::size_t account) const {
   const OwnAccount& own = m_evidence->accounts[account];
   if (m_noise == 1) return own.logOdds;
-  if (own.noisy && own.noise <= m_noise) return own.logOdds - 1e3;  // the noise is already as large
+  if (own.noisy && own.noise <= m_noise) return own.logOdds - 1e3;  // `m_noise` includes its larger noise
   // The account's reduction of χ² counts at this noise; larger noise already includes part of the gain.
   const double gained = (m_evidence->chiSquare - own.chiSquare) / 2;
   if (!own.noisy) return own.logOdds - gained + gained / variance(account);

@@ -8,7 +8,7 @@
 
 namespace alidade {
 
-/// For one effect or two: the matrices are numerous, so a fixed size avoids the heap.
+/// Sizes for one effect or two: the matrices are numerous, so a fixed size avoids the heap.
 inline constexpr int mostColumns = 12;
 using EffectMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, mostColumns, mostColumns>;
 using EffectVector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, mostColumns, 1>;

@@ -26,7 +26,7 @@ struct SettledSeries {
   std::size_t sessions() const { return evidence.size(); }
 };
 
-/// How well each effect alone explains the sessions.
+/// Adds how well each effect alone explains the sessions.
 void addCandidates(SeriesDiagnosis& diagnosis, const SettledSeries& series);
 
 /// Shares of the gap: by owner of the causes, by session, instrument and guideway.
@@ -36,7 +36,7 @@ void addWhere(SeriesDiagnosis& diagnosis, const SettledSeries& series);
 /// together.
 void addUndetectable(SeriesDiagnosis& diagnosis, const SettledSeries& series);
 
-/// Which session to measure next: one that separates look-alikes of different owners, or clarifies a faint
+/// Adds advice on the next session: one that separates look-alikes of different owners, or clarifies a faint
 /// cause.
 void addAdvice(SeriesDiagnosis& diagnosis, const SettledSeries& series);
 

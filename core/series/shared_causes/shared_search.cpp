@@ -274,9 +274,9 @@ bool SharedSearch::mayTake(const SharedSet& set, const EffectBlock& block) const
   });
 }
 
-/// The blocks that gain most in addition to the set, both with the sessions' own causes and with misread
-/// values and noise only: an effect visible in each session is an account of each. Patterns do not displace
-/// effects.
+/// Returns the blocks with the largest gain in addition to the set. They are sought with the sessions' own
+/// causes, and with misread values and noise only. The reason is that an effect visible in each session is
+/// also an account of each. Patterns do not displace effects.
 std::vector<SharedSearch::Growth> SharedSearch::promising(const SharedSet& set) const {
   constexpr std::size_t most = 6, mostPatterns = 3;
   std::vector<Growth> all;

@@ -12,10 +12,10 @@
 
 namespace alidade {
 
-// Which shared effects explain the leftovers of a series' sessions. In the linear model with normal weights
-// the evidence of a set of effects has a closed form in sums over the sessions. What each session has of its
-// own (`OwnAccount`) is chosen again with every set, so that one session's cause does not pass for a shared
-// one.
+// Searches the shared effects that explain the leftovers of a series' sessions. In the linear model with
+// normal weights the evidence of a set of effects has a closed form in sums over the sessions. The own causes
+// of each session (`OwnAccount`) are chosen again for every set, so that one session's cause is not mistaken
+// for a shared one.
 //
 // Source: as `explanation.h`; the sums are those of normal equations of independent observations.
 

@@ -9,7 +9,7 @@
 #include "tests/bench/speed/measurements.h"
 
 // W5: every effect of the catalogue (17, with 29 parameters) on 34 points: from the finished fit to the
-// evidence of each. A candidate is one or two columns projected off the base fit, without a fit of its own.
+// evidence of each. A candidate is one or two columns projected off the base fit, without a separate fit.
 
 namespace alidade::bench {
 namespace {

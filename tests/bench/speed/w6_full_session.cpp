@@ -29,7 +29,7 @@ void jointFit(benchmark::State& state) {
 }
 BENCHMARK(jointFit)->Name("W6/alidade")->Unit(benchmark::kMicrosecond);
 
-/// From the readings to the findings, including the fits of the single arcs.
+/// Covers everything from the readings to the findings, including the fits of the single arcs.
 void wholeFit(benchmark::State& state) {
   const Measurement measurement = fullMeasurement();
   for (auto _ : state) {

@@ -4,8 +4,8 @@
 #include "core/simulation/simulate.h"
 #include "tests/bench/speed/measurements.h"
 
-// W7: a whole diagnosis of the protocol `full`: 136 rows, 340 readings. Catalogue, jumps, misreadings,
-// patterns, where, look-alikes, held-out, advice.
+// W7: a whole diagnosis of the protocol `full`: 136 rows, 340 readings. It includes catalogue, jumps,
+// misreadings, patterns, location, look-alikes, held-out readings and advice.
 
 namespace alidade::bench {
 namespace {

@@ -38,7 +38,7 @@ TEST(Angle, WrappingIncludesTheLowerEndAndExcludesTheUpper) {
   EXPECT_NEAR(wrapped(Angle::fromDegrees(360), Angle::fromDegrees(180)).degrees(), 0, 1e-13);
 }
 
-// For any centre, whatever its own rounding.
+// This holds for any centre, whatever its own rounding.
 TEST(Angle, WrappingLeavesTheLowerEndUntouched) {
   for (int i = -1000; i <= 1000; ++i) {
     const Angle centre = Angle::fromRadians(0.01 * i);

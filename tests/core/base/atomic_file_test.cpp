@@ -30,7 +30,7 @@ class AtomicFile : public ::testing::Test {
     std::sort(names.begin(), names.end());
     return names;
   }
-  /// The sentence; the old file must still be complete and alone in its folder.
+  /// Returns the sentence of the refusal. The old file must be complete and alone in its folder.
   std::string refusal(const FileCalls& calls) const {
     const std::string old = folder.file("old", "kept");
     const auto problem = writeFile(old, std::string(100000, 'x'), {}, calls);
@@ -98,7 +98,7 @@ TEST_F(AtomicFile, FollowsLinksAndLeavesThem) {
   EXPECT_THAT(writeFile(path("round"), "x", {})->what, HasSubstr("in a circle"));
 }
 
-// Every step that may fail, one after the other, as on a full or failing disk.
+// Each step that may fail is tested in turn, as on a full or failing disk.
 TEST_F(AtomicFile, LeavesTheOldFileWhereAStepFails) {
   FileCalls calls;
   calls.open = failing(EACCES, calls.open);
@@ -228,8 +228,8 @@ TEST_F(AtomicFile, WritesSeveralOnlyWhenAllCanBe) {
   EXPECT_EQ(*readFile(first) + *readFile(path("second")), "ab");
 }
 
-// A device must not be replaced; it would be lost. A report and its signature: never a new one with the old
-// other.
+// A device must not be replaced; it would be lost. A report and its signature are either both new or both
+// old.
 TEST_F(AtomicFile, PutsBackWhatTookItsPlaceBeforeAnotherFailed) {
   for (const bool isOld : {true, false})
     for (const int failingAt : {1, 2, 3}) {
@@ -275,7 +275,7 @@ TEST_F(AtomicFile, SaysWhatStandsWhereItCannotBePutBack) {
   EXPECT_THAT(problem->what, HasSubstr(names().front()));
 }
 
-// The new bytes of both are there, though they may not survive a power cut.
+// The new bytes of both files are there, though they may not survive a power cut.
 TEST_F(AtomicFile, LeavesNoneBehindWhereTheFolderCannotBeSynchronised) {
   FileCalls calls;
   calls.sync = [](int file) {

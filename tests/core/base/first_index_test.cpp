@@ -52,7 +52,8 @@ TEST(FirstIndex, TellsItOfManyKeysThatRepeat) {
   }
 }
 
-// Rounds of up to ten places, some read again, some initially longer than the table, one resumed.
+// The keys come in groups of up to ten places. Some groups are read again, some are initially longer than the
+// table, and one is resumed.
 TEST(FirstIndex, TellsItOfGroupsInAnyOrder) {
   RandomSource random(8);
   std::vector<int> keys;
@@ -67,7 +68,7 @@ TEST(FirstIndex, TellsItOfGroupsInAnyOrder) {
   expectAsInAMap<std::hash<int>>(negative);
 }
 
-// In one group, more keys than the table first holds.
+// One group has more keys than the table first holds.
 TEST(FirstIndex, GrowsWithinAGroup) {
   struct OneGroup {
     int operator()(int /*key*/) const { return 0; }

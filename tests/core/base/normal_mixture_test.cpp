@@ -40,7 +40,7 @@ TEST(NormalMixture, HoldsTheCoverageOfItsDensity) {
   }
 }
 
-// Moments stay but for rounding, and the interval to the grain.
+// Joining keeps the moments except for rounding, and changes the interval by at most the grain.
 TEST(NormalMixture, IsHardlyAnotherWithWhatIsAlikeJoined) {
   constexpr double grain = 0.02;
   std::vector<NormalPart> fine;
@@ -58,7 +58,7 @@ TEST(NormalMixture, OfOnePartIsThatOfTheNormalDistribution) {
   EXPECT_NEAR(halfWidth({{0.3, 5, 2}}, 5, 0.95), 2 * coverageFactor(0.95, INFINITY), 1e-5);
 }
 
-// Of two distant peaks the smaller, with a tenth, must be inside except for its half that makes up 5 %; twice
+// The smaller of two distant peaks, with a tenth, must be inside except for its half that makes up 5 %. Twice
 // the standard deviation, 0.6 of their distance, does not reach it.
 TEST(NormalMixture, ReachesToALesserPeakThatTheCoverageNeeds) {
   const std::vector<NormalPart> two{{0.9, 0, 0.01}, {0.1, 1, 0.01}};

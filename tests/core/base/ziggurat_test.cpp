@@ -17,8 +17,8 @@ double shareBeyond(double z) {
   return std::erfc(z / std::numbers::sqrt2);
 }
 
-// Of n numbers a share p is beyond, ± √(np(1 − p)); five times that once in two million. 3.6542 is the start
-// of the tail, which is drawn by another method.
+// A share p of n numbers is beyond each bound, ± √(np(1 − p)); five times that occurs once in two million.
+// 3.6542 is the start of the tail, which is drawn by another method.
 TEST(Ziggurat, HasTheTailsOfTheNormalDistribution) {
   constexpr std::array bounds{0.1, 0.5, 1.0, 2.0, 3.0, 3.5, 3.6541, 3.6543, 4.0, 4.5};
   std::array<int, bounds.size()> above{}, below{};

@@ -13,8 +13,7 @@ using testing::HasSubstr;
 
 const std::string angles = "0,4.353982047,1.454868102,2.4e-6,1000,-9.7e-6,4.8e-6,2.4e-6,1000,0";
 
-/// Awake, with a reading requested, which is question 7: after 1 and 2, unanswered questions are not
-/// repeated.
+/// A conversation with the instrument, from waking it to the question for the angles.
 struct GeoComBench {
   GeoComTalk talk;
   TalkBench bench{talk};
@@ -291,7 +290,7 @@ TEST(GeoComTalk, AskedTwiceTakesOnce) {
   EXPECT_EQ(geocom.bench.readings.size(), 1U);
 }
 
-/// Each once and in order, with every fault, at full resolution.
+/// Every reading arrives once and in order, with every fault, at full resolution.
 TEST(GeoComTalk, TakesTwoFacesWithEveryFault) {
   SimulatedOptions options{.sightings = twoFaceSightings(36), .faultEvery = 3};
   options.faults = {InstrumentFault::Garbage, InstrumentFault::Cut,  InstrumentFault::Silent,
@@ -312,7 +311,7 @@ TEST(GeoComTalk, TakesTwoFacesWithEveryFault) {
     ASSERT_EQ(bench.readings.size(), i + 1);
     const InstrumentReading& reading = bench.readings.back();
     const SimulatedSighting& sighting = options.sightings[i];
-    // Half of the last place that is written.
+    // The tolerance is half of the last place that is written.
     EXPECT_NEAR(reading.horizontalAngle.arcseconds(), sighting.horizontal.arcseconds(), 5.1e-4) << i;
     EXPECT_NEAR(parseAngle(reading.vertical)->arcseconds(), sighting.zenith.arcseconds(), 5.1e-4) << i;
     EXPECT_EQ(reading.face, i % 2 == 0 ? 1 : 2);

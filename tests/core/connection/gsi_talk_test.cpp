@@ -127,7 +127,7 @@ TEST(GsiTalk, ABlockMayHoldTheSerialNumber) {
   EXPECT_EQ(gsi.bench.readings.at(0).serial, "640054");
 }
 
-// Digits after the GSI ONLINE manual: position 4 the compensator, 5 the input.
+// Digits according to the GSI ONLINE manual: position 4 states the compensator, position 5 the input.
 TEST(GsiTalk, ReadsWhatTheDigitsSayOfCompensatorAndCorrections) {
   struct Case {
     const char *horizontal, *vertical, *corrections;
@@ -174,7 +174,7 @@ TEST(GsiTalk, NoAnswerAndErrorsAreSentences) {
   EXPECT_TRUE(gsi.bench.readings.empty());
 }
 
-/// Each once and in order, with every fault, in either width and every unit.
+/// Every reading arrives once and in order, with every fault, in either width and every unit.
 TEST(GsiTalk, TakesTwoFacesWithEveryFault) {
   for (const bool isWide : {true, false}) {
     for (const char unit : {'2', '3', '4'}) {
@@ -196,7 +196,7 @@ TEST(GsiTalk, TakesTwoFacesWithEveryFault) {
       }
       ASSERT_EQ(bench.readings.size(), options.sightings.size()) << isWide << unit;
       for (std::size_t i = 0; i < options.sightings.size(); ++i) {
-        // Half of the last place: 0.1″, 10⁻⁵ gon, 10⁻⁵ degrees.
+        // The tolerance is half of the last place: 0.1″, 10⁻⁵ gon, 10⁻⁵ degrees.
         const double half = unit == '4' ? 0.0501 : unit == '2' ? 0.0163 : 0.0181;
         EXPECT_NEAR(parseAngle(bench.readings[i].horizontal)->arcseconds(),
                     options.sightings[i].horizontal.arcseconds(), half);

@@ -24,8 +24,8 @@ bool names(const Diagnosis& diagnosis, const std::string& id) {
   return first.effect == id || std::ranges::find(alike, id) != alike.end();
 }
 
-// Sessions of an independent ray tracer whose effects show in the closures: residuals alone call two thirds
-// of them noise. Of 64, at 97 % two may be missed.
+// Sessions of an independent ray tracer whose effects appear in the closures. From residuals alone two thirds
+// of them would count as noise. At 97 % two of 64 may be missed.
 TEST(ClosureTrials, NameTheCause) {
   int missed = 0, shown = 0, quiet = 0;
   for (const test::Trial& trial : test::closureTrials()) {
@@ -44,8 +44,8 @@ TEST(ClosureTrials, NameTheCause) {
   EXPECT_LE(missed, 1);
 }
 
-// 95 % of 64 is 61 ± 2: fewer than 56 would be a chance of one in a hundred, more than 62 of one in seven. Of
-// eight of a kind at 88 % six is the least to expect.
+// 95 % of 64 is 61 ± 2. Fewer than 56 have a probability of one in a hundred, more than 62 of one in seven.
+// Of eight of a kind at 88 % at least six are expected.
 TEST(ClosureTrials, AreCoveredByWhatMayHaveCausedThem) {
   std::map<std::string, int> covered;
   int all = 0, asModelled = 0;
@@ -78,7 +78,7 @@ TEST(ClosureTrials, HaveNoWrongVerdict) {
   EXPECT_GE(given, 40);
 }
 
-/// A drift that goes on as it did while more positions are measured, and a jump where it was.
+/// The drift continues at its rate while more positions are measured, and a jump keeps its moment.
 Truth goingOn(Truth truth, const Protocol& before, const Protocol& after) {
   const double last = static_cast<double>(plannedRows(before).size() * before.axes.size()) - 1,
                further = static_cast<double>(plannedRows(after).size() * after.axes.size()) - 1;
@@ -90,7 +90,7 @@ Truth goingOn(Truth truth, const Protocol& before, const Protocol& after) {
   return truth;
 }
 
-/// The protocol with the measures taken, where they are of a kind that is read anew or at the end.
+/// The protocol with the measures carried out, if they need a new session or readings at the end.
 std::optional<Protocol> followed(Protocol protocol, const std::vector<Measure>& measures) {
   for (const Measure measure : measures) {
     if (measure == Measure::BothFaces)
@@ -109,8 +109,8 @@ std::optional<Protocol> followed(Protocol protocol, const std::vector<Measure>& 
   return protocol;
 }
 
-// Advice is followed: the session is observed anew as advised, with the same true effect. Of what was
-// promised to be told from the truth by 6 σ and more nothing is left beside it, in 95 % of the promises.
+// The session is simulated again as advised, with the same true effect. Effects promised to be separated from
+// the truth by 6 σ or more must not remain as look-alikes, in 95 % of the promises.
 class Promises {
  public:
   void follow(const std::string& id, std::uint64_t seed) {
@@ -150,8 +150,8 @@ TEST(Advice, KeepsItsPromisesWhereItIsFollowed) {
   EXPECT_GE(promises.ofOthers.kept, 0.95 * promises.ofOthers.given) << "of " << promises.ofOthers.given;
 }
 
-// A position measured again tells a drift and a knock from an axial shift: the first two leave a
-// misclosure of the repeat, the last does not.
+// A repeated position separates a drift and a jump from an axial shift: the first two leave a misclosure of
+// the repeat, the last does not.
 TEST(Advice, KeepsWhatItPromisesOfPositionsMeasuredAgain) {
   Promises promises;
   for (const char* id : {"horizontal_drift", "axial_shift", "orientation_jump", "vertical_drift"})

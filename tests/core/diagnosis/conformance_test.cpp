@@ -13,13 +13,13 @@ IntersectionEstimate normal(double value, double sigma) {
       value, sigma, 1.959963984540054 * sigma, {{1, value, sigma}}, std::numeric_limits<double>::infinity()};
 }
 
-// By the normal distribution: Φ(2) − Φ(−6) of 1 ± 0.5 (1σ) within ± 2.
+// From the normal distribution: Φ(2) − Φ(−6) for 1 ± 0.5 (1σ) within ± 2.
 TEST(Conformance, OfTheIntersectionIsTheShareWithinTheTolerance) {
   EXPECT_NEAR(*conformanceOf(normal(1, 0.5), 2), 0.9772498671, 1e-9);
   EXPECT_NEAR(*conformanceOf(normal(-1, 0.5), 2), 0.9772498671, 1e-9);
 }
 
-// Shares of accounts that add up to no round number.
+// The shares of the accounts have an arbitrary sum; the quotient must not exceed 1 by rounding.
 TEST(Conformance, IsAtMostCertain) {
   IntersectionEstimate estimate = normal(0, 1e-6);
   estimate.accounts.clear();
@@ -34,22 +34,22 @@ TEST(Conformance, IsAbsentWithoutAnUncertainty) {
   EXPECT_EQ(conformanceOf(IntersectionEstimate{1, 0.1, 0.2}, 2), std::nullopt);
 }
 
-// Both parts zero and alike: Rayleigh's distribution, 1 − exp(−T²/2σ²).
+// Both components are zero with equal σ: Rayleigh's distribution, 1 − exp(−T²/2σ²).
 TEST(Conformance, OfTheDistanceIsRayleighs) {
   for (const double tolerance : {0.2, 0.5, 1.0})
     EXPECT_NEAR(*conformanceOf(normal(0, 0.4), {0, 0.4, 0.8}, tolerance),
                 1 - std::exp(-tolerance * tolerance / (2 * 0.16)), 1e-3);
 }
 
-// A part across that is sure leaves √(T² − z²) for the one in the plane.
+// An exactly known offset z across the plane leaves √(T² − z²) for the component in the plane.
 TEST(Conformance, OfTheDistanceKnowsASurePart) {
   EXPECT_NEAR(*conformanceOf(normal(0.5, 0.3), {3, 1e-9, 2e-9}, 5), *conformanceOf(normal(0.5, 0.3), 4),
               1e-6);
   EXPECT_EQ(*conformanceOf(normal(0.5, 0.3), {6, 1e-9, 2e-9}, 5), 0);
 }
 
-// Of a normal distribution 2.5 % lie beyond either end of U at 95 %, and 5 % beyond both where these are the
-// limits of the tolerance. Student's has half of it beyond ±1 with one degree of freedom.
+// For a normal distribution 2.5 % are beyond each end of U at 95 %, and 5 % beyond both if these are the
+// tolerance limits. Student's distribution with one degree of freedom has half of its probability beyond ±1.
 TEST(GreatestRisk, IsThatAtTheEdgesOfTheGuardBand) {
   constexpr double rounding = 1e-5;
   IntersectionEstimate estimate = normal(1.7, 0.3 / 1.959963984540054);
@@ -64,8 +64,8 @@ TEST(GreatestRisk, IsThatAtTheEdgesOfTheGuardBand) {
   EXPECT_FALSE(greatestRisk(estimate, 2.5));
 }
 
-// One account in twenty lies above by more than U, none below: accepted at the upper edge, all of it is
-// beyond.
+// One account in twenty exceeds the others by more than U, none is below. For acceptance at the upper limit
+// all of it is beyond the tolerance.
 TEST(GreatestRisk, IsThatOfTheHeavierSide) {
   const IntersectionEstimate estimate{.value = 0,
                                       .sigma = 0.5,

@@ -19,7 +19,7 @@ namespace {
 
 using Obstacle = AcceptanceDecision::Obstacle;
 
-/// What is believed once a cause was found: normal, U at 95 % of `value`.
+/// The diagnosis with one cause found. Δd is `value` mm, normal, with U = `expanded` at 95 %.
 Diagnosis found(const std::string& cause, double value, double expanded) {
   constexpr double factor = 1.959963984540054;  // of the normal distribution at 95 %
   Diagnosis diagnosis;
@@ -34,7 +34,7 @@ Diagnosis found(const std::string& cause, double value, double expanded) {
   return diagnosis;
 }
 
-/// Of Table I: Δd 1.308 ± 0.211 mm.
+/// The session of Table I: Δd 1.308 ± 0.211 mm.
 class Decision : public ::testing::Test {
  protected:
   Measurement measurement = test::paperMeasurement();
@@ -59,7 +59,7 @@ TEST_F(Decision, IsThatOfTheModelWithoutADiagnosis) {
   }
 }
 
-// All nine pairs of what the model and what the diagnosis say: accept or reject only where both do.
+// All nine pairs of verdicts of the model and of the diagnosis: accept or reject only if both agree.
 TEST_F(Decision, NeedsBothAccounts) {
   const auto valueFor = [](Verdict verdict) {
     return verdict == Verdict::Accept ? 0.0 : verdict == Verdict::Reject ? 9.0 : -1.3;
@@ -104,7 +104,7 @@ TEST_F(Decision, TellsNoiseFromWhatIsMore) {
   EXPECT_TRUE(isMoreThanNoise(diagnosis));
 }
 
-// U at a coverage of 1 % is next to nothing, and would accept whatever lies below the limit.
+// U at a coverage of 1 % is almost zero, and would accept everything below the limit.
 TEST_F(Decision, NeedsACoverage) {
   for (const auto& [coverage, obstacle] :
        {std::pair(0.01, Obstacle::Coverage), std::pair(0.89, Obstacle::Coverage),
@@ -118,8 +118,8 @@ TEST_F(Decision, NeedsACoverage) {
   }
 }
 
-// At the limit ± U of a normal distribution lie 2.5 % and 97.5 %, at the limit half of it; two accounts by
-// their shares.
+// At the limit ± U the probabilities of a normal distribution are 2.5 % and 97.5 %, at the limit 50 %. Two
+// accounts count with their shares.
 TEST_F(Decision, StatesTheProbabilityOfConformance) {
   constexpr double rounding = 1e-6;
   Diagnosis diagnosis = found("collimation", 1.7, 0.3);
@@ -128,7 +128,8 @@ TEST_F(Decision, StatesTheProbabilityOfConformance) {
   EXPECT_NEAR(*at(1.4, &diagnosis).conformance, 0.025, rounding);
   diagnosis.measured->estimate.accounts = {{3, 0, 0.01}, {1, 5, 0.01}};
   EXPECT_NEAR(*at(1, &diagnosis).conformance, 0.75, rounding);
-  diagnosis.measured->estimate.degreesOfFreedom = 1;  // Cauchy's distribution: half of it within ± 1
+  diagnosis.measured->estimate.degreesOfFreedom = 1;  // Cauchy's distribution: half of the probability within
+                                                      // ± 1
   diagnosis.measured->estimate.accounts = {{1, 2, 0.5}};
   EXPECT_NEAR(*at(2.5, &diagnosis).conformance, 0.75 - std::atan(0.5 / 4.5) / std::numbers::pi, rounding);
   const Intersection modelled = *fitSession(measurement).intersection;
@@ -148,7 +149,7 @@ TEST_F(Decision, IsOpenWhereTheGapIsUnexplained) {
   EXPECT_EQ(at(0.5, &diagnosis).verdict, Verdict::Undecided);
 }
 
-// A failing closure alone decides nothing: what counts is the probability that nothing explains it.
+// A failing closure alone decides nothing; the probability of an unexplained gap does.
 TEST_F(Decision, DoesNotDependOnWhichCausesAreListed) {
   const Closure failing{Closure::Of::Centre, 0.65, 0.09, 1e-9};
   Diagnosis diagnosis = found("collimation", 1.3, 0.2);
@@ -156,8 +157,8 @@ TEST_F(Decision, DoesNotDependOnWhichCausesAreListed) {
   EXPECT_EQ(at(2.5, &diagnosis).verdict, Verdict::Accept);
 }
 
-// Of a single account: 1.3 mm with U = 0.2 mm, σ = 0.102 mm. Beside σ' of what is unexplained the guard band
-// is k √(σ² + σ'²), here of 0.5 mm.
+// For a single account: 1.3 mm with U = 0.2 mm, σ = 0.102 mm. With an unexplained σ' the guard band is k √(σ²
+// + σ'²), here 0.5 mm.
 TEST_F(Decision, WidensTheGuardBandByWhatIsUnexplained) {
   constexpr double factor = 1.959963984540054;
   Diagnosis diagnosis = found("collimation", 1.3, 0.2);
@@ -170,8 +171,8 @@ TEST_F(Decision, WidensTheGuardBandByWhatIsUnexplained) {
   EXPECT_NEAR(*at(1.3 + 0.5, &diagnosis).conformance, 0.975, 1e-6);
 }
 
-// Whatever value, U, degrees of freedom and tolerance: one account decides as the guard band does, also where
-// it is split into two equal ones, which goes by the risks.
+// For any value, U, degrees of freedom and tolerance, one account decides like the guard band. So does an
+// account that is split into two equal ones, which is decided by the risks.
 TEST_F(Decision, IsTheGuardBandOfASingleAccount) {
   std::mt19937_64 random(5);
   std::uniform_real_distribution<double> share(0, 1);
@@ -190,7 +191,7 @@ TEST_F(Decision, IsTheGuardBandOfASingleAccount) {
   }
 }
 
-// 4 % of what is believed lie far beyond the tolerance on one side, so that ± U of 95 % stays within it.
+// 4 % of the probability are far beyond the tolerance on one side, while ± U at 95 % stays within it.
 TEST_F(Decision, HeedsTheRiskOnEitherSide) {
   Diagnosis diagnosis = found("collimation", 0.9, 0.3);
   diagnosis.measured->estimate.accounts = {{96, 0.9, 0.1}, {4, 9, 0.1}};
@@ -199,8 +200,8 @@ TEST_F(Decision, HeedsTheRiskOnEitherSide) {
   EXPECT_EQ(at(1.6, &diagnosis).asFound, Verdict::Accept);
 }
 
-// An undetectable knock of 0.4 mm (1σ), which a tolerance of 2.5 mm bears at Δd = 1.3 mm and one of 1.6 mm
-// does not. With it Δd is normal with √(0.102² + 0.4²), and 4 of 104 sessions have it.
+// An undetectable jump of 0.4 mm (1σ). At Δd = 1.3 mm a tolerance of 2.5 mm permits it, one of 1.6 mm does
+// not. With it Δd is normal with √(0.102² + 0.4²); 4 of 104 sessions have it.
 TEST_F(Decision, StatesTheKnockThatItRestsOn) {
   Diagnosis diagnosis = found("collimation", 1.3, 0.2);
   diagnosis.undetectableJumps = {
@@ -225,8 +226,8 @@ TEST_F(Decision, IsWithheldWithLengthsInDoubt) {
   EXPECT_EQ(decision.conformance, std::nullopt);
 }
 
-// Of a distance from the axis the fit knows the part in the plane, 1.308 ± 0.211 mm, and the rest comes
-// across it: √(1.3² + 2²) = 2.385 mm.
+// The fit knows the component of the distance in the plane, 1.308 ± 0.211 mm; the other one is across it:
+// √(1.3² + 2²) = 2.385 mm.
 TEST_F(Decision, OfTheDistanceFromTheAxisNeedsWhatLiesAcross) {
   measurement.measurand = Measurand::Distance;
   Diagnosis diagnosis = found("collimation", 1.3, 0.2);

@@ -49,7 +49,7 @@ TEST(Diagnosis, FindsNothingWhereThereIsNothing) {
   }
 }
 
-// An arc from 20° to 200° reads on beyond half a turn, and so does its scale.
+// An arc from 20° to 200° continues beyond half a turn, and so do its slider readings.
 TEST(Diagnosis, NamesTheScaleOfASliderBeyondHalfATurn) {
   Protocol protocol = *protocolByName("full");
   protocol.first = Angle::fromDegrees(20);
@@ -65,9 +65,9 @@ TEST(Diagnosis, NamesTheScaleOfASliderBeyondHalfATurn) {
 
 class WithheldEffect : public testing::TestWithParam<const char*> {};
 
-// The truth is the first cause, or the first cause says that it cannot be told from the truth; with the cause
-// in the model noise is left over (0.1 % point), and Δd is right to three expanded uncertainties of 95 % (of
-// some thirty sessions one may well lie outside one).
+// The truth is the first cause or one of its look-alikes. With the cause in the model only noise remains (0.1
+// % point). Δd is right within three expanded uncertainties at 95 %, because one of some thirty sessions may
+// exceed one.
 TEST_P(WithheldEffect, IsNamedAndRemoved) {
   constexpr double enough = 6;  // σ in the readings: less may be missed
   for (const test::Trial& trial : trialsOf(GetParam())) {
@@ -119,8 +119,8 @@ TEST(Diagnosis, PinsNoUnknownPatternOnTheCatalogue) {
   }
 }
 
-// Teeth of 20″ with five to eight rows each, in the horizontal circle alone: to the slow waves of a wander
-// they look like noise.
+// A sawtooth error of 20″ in the horizontal circle only, five to eight rows per tooth. The slow waves of a
+// wandering orientation cannot distinguish it from noise.
 TEST(Diagnosis, TellsAQuickWanderOfAFewRowsFromNoise) {
   for (const double teeth : {4.3, 5.3, 6.3}) {
     SCOPED_TRACE(teeth);
@@ -145,11 +145,11 @@ TEST(Diagnosis, SeesNoiseThatIsLargerThanStated) {
   }
 }
 
-// The paper's own gap: the published relation read as if it were what a theodolite reads. It has to come
-// back, and beside it what the exact fit of the table leaves, a residual rms of 8.87″: scatter seven times as
-// large as stated, and two positions that do not close: R by 1.96 mm, which a plane off by −5.9 mm or a
-// radius that differs would close, and Δx by −0.65 mm. What closes Δx is anybody's guess, and Δd hangs on it:
-// U is four times that of the fit.
+// The paper's own gap: its readings follow the exact relation, but are evaluated with the published one. The
+// diagnosis must find that relation. It must also find the gap of the exact fit of the table: a residual rms
+// of 8.87″, seven times the stated scatter. The positions do not close. R differs by 1.96 mm, which a plane
+// offset of −5.9 mm or a change of radius would explain; Δx differs by −0.65 mm. The cause of the latter is
+// unknown, and Δd depends on it: U is four times that of the fit.
 TEST(Diagnosis, FindsTheGapOfThePaper) {
   Measurement measurement = test::paperMeasurement();
   const Diagnosis exact = diagnosed(measurement);
@@ -161,7 +161,7 @@ TEST(Diagnosis, FindsTheGapOfThePaper) {
   std::vector<std::string> closing = exact.causes[1].indistinguishableFrom;
   closing.push_back(exact.causes[1].effect);
   for (const char* id : {"axial_shift", "orientation_jump"}) EXPECT_THAT(closing, testing::Contains(id));
-  // The two zeros lie 4″ and 1″ apart: nothing drifted by the −111″ that would close Δx.
+  // The two zeros differ by 4″ and 1″, so there was no drift of −111″ that would close Δx.
   EXPECT_THAT(closing, testing::Not(testing::Contains("horizontal_drift")));
   EXPECT_EQ(exact.causes[2].effect, "underestimated_noise");
   EXPECT_GT(exact.afterwards->expanded, 3 * exact.before->expanded);
@@ -172,11 +172,12 @@ TEST(Diagnosis, FindsTheGapOfThePaper) {
   EXPECT_EQ(planar.causes[0].effect, "vertical_angle_relation");
   EXPECT_EQ(planar.causes[1].effect, "plane_offset");
   EXPECT_EQ(planar.causes[3].effect, "underestimated_noise");
-  // The share is held to 1e-6; what has a chance of a percent is another.
+  // The share of the other relation is held to 1e-6. Accounts with a probability of one percent may differ
+  // between the two diagnoses.
   EXPECT_NEAR(planar.afterwards->value, exact.afterwards->value, 0.1 * exact.afterwards->expanded);
 }
 
-// With the right answer taken away the verdict must not turn to a wrong single cause.
+// Without the right answer the verdict must not name a single wrong cause.
 TEST(Diagnosis, NamesNoWrongCauseWithoutTheRightOne) {
   int wrong = 0, count = 0;
   for (const test::Trial& trial : test::trials()) {
@@ -191,7 +192,7 @@ TEST(Diagnosis, NamesNoWrongCauseWithoutTheRightOne) {
   EXPECT_LE(wrong, 2);  // 3 % of some twenty sessions, and one more
 }
 
-// What raises the evidence takes something up, whether or not the search kept it as an explanation.
+// A candidate with evidence must explain a part of the gap, whether or not the search kept it.
 TEST(Diagnosis, SaysOfEveryCandidateHowMuchOfItShows) {
   int strong = 0;
   for (const test::Trial& trial : trialsOf("two_causes"))
@@ -221,13 +222,13 @@ TEST(Diagnosis, TellsWhatWouldSeparateLookAlikes) {
     for (const Advice& advice : diagnosis.advice) {
       if (advice.ofUndetectable) continue;
       EXPECT_GE(advice.separates.size(), 2u);
-      EXPECT_GT(advice.bySigma, 4);  // what counts as told apart
+      EXPECT_GT(advice.bySigma, 4);  // limit of separation
     }
   }
 }
 
-// A knock between the pointing zero and the first place moves an arc and leaves nothing in the readings. A
-// plausible one, 60″ in whatever direction, is seen in two sightings of the zero, 2″ each.
+// A jump between the pointing zero and the first visit moves an arc and leaves no trace in the readings. A
+// plausible one, 60″ in any direction, is visible in two sightings of the zero, 2″ each.
 TEST(Diagnosis, AdvisesToSightTheZeroAgainWhereAKnockGoesUnseen) {
   const Diagnosis diagnosis = diagnosed(test::trialMeasurement("full"));
   ASSERT_THAT(diagnosis.undetectable,
@@ -240,7 +241,7 @@ TEST(Diagnosis, AdvisesToSightTheZeroAgainWhereAKnockGoesUnseen) {
   EXPECT_NEAR(first.bySigma, 60 / (2 * std::numbers::sqrt2), 1e-9);
 }
 
-// Without a cause nothing is to be told apart: whatever is advised is about what one face hides.
+// Without a cause there are no suspects to separate: advice concerns effects undetectable in one face.
 TEST(Diagnosis, AdvisesOfWhatIsUnseenWhereNothingIsFound) {
   const Diagnosis diagnosis = diagnosed(test::trialMeasurement("paper"));
   ASSERT_EQ(diagnosis.verdict, DiagnosisVerdict::WithinNoise);
@@ -254,7 +255,7 @@ TEST(Diagnosis, AdvisesOfWhatIsUnseenWhereNothingIsFound) {
   }
 }
 
-double memory() {  // most that was ever held, MB
+double memory() {  // peak memory, MB
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);
   return static_cast<double>(usage.ru_maxrss) / 1024;
@@ -295,7 +296,7 @@ TEST(Diagnosis, FailsWithTheReason) {
   EXPECT_TRUE(std::holds_alternative<session_finding::ArcMissing>(why->what));
 }
 
-// The fit that there is already serves as well as one of its own.
+// The existing fit gives the same result as a new one.
 TEST(Diagnosis, TakesTheFitThatThereIs) {
   const Measurement measurement = test::trialMeasurement("full");
   const auto own = diagnose(measurement), given = diagnose(measurement, fitSession(measurement));
@@ -305,8 +306,8 @@ TEST(Diagnosis, TakesTheFitThatThereIs) {
   EXPECT_EQ(own->leftAfter, given->leftAfter);
 }
 
-// How many σ of an effect a fit leaves in the readings, worked out by the ray tracer's own tools. Of effects
-// that our fit takes up less of, since it holds the distance fixed in both positions, no comparison is made.
+// The ray tracer's own tools computed the trace of an effect in the readings, σ. Effects that our fit absorbs
+// less are excluded, because it holds the distance in both positions.
 TEST(Leftover, SeesAsMuchOfAnEffectAsTheRayTracer) {
   const std::map<std::string, std::pair<const char*, ErrorTerm>> terms{
       {"collimation", {"collimation", ErrorTerm::Collimation}},
@@ -327,7 +328,7 @@ TEST(Leftover, SeesAsMuchOfAnEffectAsTheRayTracer) {
   EXPECT_GE(count, 4);
 }
 
-// A σ whose square, or that of its inverse, is no number any more is as good as none.
+// A σ whose square or inverse square is not finite counts as zero.
 TEST(Diagnosis, DoesNotHangOnHowNearToNothingASigmaIs) {
   const Session session = *loadSession(ALIDADE_SAMPLES_DIR "/paper-table-1.alidade");
   Measurement measurement = *examine(session).measurement;
@@ -351,7 +352,8 @@ TEST(Diagnosis, EndsWhereItIsStopped) {
   EXPECT_TRUE(std::holds_alternative<Stopped>(diagnosis.problem()));
 }
 
-/// Both faces, there and back; the instrument has these errors, in arcseconds, and the record these, ± 1″.
+/// Both faces, there and back. `held` are the instrument's errors; the record states `recorded` ± 1″. Both in
+/// arcseconds.
 Measurement withRecord(const std::map<ErrorTerm, double>& held, const std::map<std::string, double>& recorded,
                        const char* protocol = "two-face", std::uint64_t seed = 17) {
   Truth truth = drawTruth(seed);
@@ -409,12 +411,12 @@ TEST(KnownInstrument, IsFoundOutWhereItHasChangedSince) {
   }
 }
 
-// One face: collimation, eccentricity, drift and form leave the same. What is known of some of them leaves
-// the others.
+// With one face collimation, eccentricity, drift and form have the same trace. Known sizes of some leave the
+// others.
 TEST(KnownInstrument, IsTakenOutOfTheLookAlikes) {
   const std::map<ErrorTerm, double> drift{{ErrorTerm::VerticalDrift, 60}};
   const auto fromNoMark = [](Measurement measurement) {
-    measurement.zeroIs = ZeroIs::Unknown;  // else the zeros tell the drift from all else
+    measurement.zeroIs = ZeroIs::Unknown;  // otherwise the zeros separate the drift from the others
     return measurement;
   };
   const Diagnosis unknowing = diagnosed(fromNoMark(withRecord(drift, {}, "paper")));
@@ -431,7 +433,7 @@ TEST(KnownInstrument, IsTakenOutOfTheLookAlikes) {
   EXPECT_THAT(knowing.causes[0].unlessStale, Contains("trunnion_tilt"));
 }
 
-// A certificate that surely holds makes U small; the likelier it is to hold no longer, the less so.
+// A certificate that is certainly valid reduces U; the probability that it is out of date weakens this.
 TEST(KnownInstrument, IsNoSurerThanTheRecord) {
   Measurement measurement = withRecord({}, {{"arc_ellipticity", 0}, {"arc_lobing", 0}}, "paper");
   const auto expandedWith = [&](double chance) {

@@ -24,7 +24,7 @@ struct Target {
   double azimuth, elevation, time;
 };
 
-/// 100 pointings with 3″ of noise and a model of five terms that a fit took up.
+/// 100 pointings with 3″ of noise, and a model of five terms that a fit has absorbed.
 std::string tableWith(std::uint64_t seed, const std::function<double(const Target&)>& form) {
   RandomSource random(seed);
   std::string text =

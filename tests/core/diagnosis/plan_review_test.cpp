@@ -40,14 +40,14 @@ Truth withPlausible(const std::string& id) {
   return truth;
 }
 
-/// As one rigid guideway has it, whose zeros sight one mark.
+/// Δd of one rigid guideway whose zeros sight one mark.
 double closedIntersection(const Measurement& measurement) {
   const GapModel closed = *closedModelOf(*modelOf(measurement));
   return intersect(*closed.measurement, *closed.fit)->value;
 }
 
-// Against sessions that hold the effect at its plausible size: how far it shows, and where Δd goes. The
-// review is linear in the effect, so 2 %; and 0.01 σ and 0.3 µm, where there is next to nothing.
+// The reference for visibility and change of Δd are sessions with the effect at its plausible size. The
+// review is linear in the effect: 2 %, and 0.01 σ and 0.3 µm for values near zero.
 TEST(PlanReview, SeesWhatAnEffectDoes) {
   for (const char* protocol : {"paper", "full"}) {
     const PlanReview review = reviewOf(protocol);
@@ -76,8 +76,8 @@ TEST(PlanReview, FindsWhatMovesTheIntersectionUnseen) {
   EXPECT_GT(full.readings, paper.readings);
 }
 
-// The same plan and the same rule: what stands under "unseen" in one stands there in the other. The readings
-// of the session are off by noise, which moves the places of the arc by 1e-5 of the radius.
+// The same plan and the same rule: both list the same undetectable effects. The noise of the readings moves
+// the places on the arc by 1e-5 of the radius.
 TEST(PlanReview, AgreesWithTheDiagnosisOnWhatIsUnseen) {
   for (const char* protocol : {"paper", "two-face"}) {
     const Measurement measurement =
@@ -88,7 +88,7 @@ TEST(PlanReview, AgreesWithTheDiagnosisOnWhatIsUnseen) {
     for (const PlannedEffect& effect : review.effects)
       if (effect.undetectable) planned.push_back(effect.effect);
     for (const UndetectableEffect& undetectable : diagnosis.undetectable) {
-      if (undetectable.effect == "orientation_jump") continue;  // not of the catalogue
+      if (undetectable.effect == "orientation_jump") continue;  // not in the catalogue
       diagnosed.push_back(undetectable.effect);
       const PlannedEffect& effect = of(review, undetectable.effect);
       EXPECT_NEAR(undetectable.visibleSigma, effect.visibleThere, 0.01 * effect.visibleThere + 1e-3);
@@ -99,8 +99,8 @@ TEST(PlanReview, AgreesWithTheDiagnosisOnWhatIsUnseen) {
   }
 }
 
-// Physics of the set-up: a way back shows the drifts, both faces and the slider what one face alone cannot
-// tell apart.
+// Physics of the set-up: a way back reveals the drifts; both faces and the slider separate the look-alikes of
+// one face.
 TEST(PlanReview, SaysWhatToAdd) {
   const PlanReview paper = reviewOf("paper");
   const auto advice = [&](Measure measure) -> const PlanAdvice& {
@@ -112,7 +112,7 @@ TEST(PlanReview, SaysWhatToAdd) {
               Contains(testing::Pair("plane_offset", "plane_warp")));
   for (const Measure measure : {Measure::At0Again, Measure::WayBack})
     EXPECT_THAT(advice(measure).separates, Contains(testing::Pair("horizontal_drift", "axial_shift")));
-  // No single one tells as much as all together.
+  // No single measure clarifies as much as all together.
   EXPECT_THAT(paper.advice.front().measures,
               testing::UnorderedElementsAre(Measure::BothFaces, Measure::WayBack, Measure::SliderReadings));
   const PlanReview full = reviewOf("full");
@@ -121,7 +121,7 @@ TEST(PlanReview, SaysWhatToAdd) {
                                                    Not(Measure::SliderReadings))));
 }
 
-// The readings of the paper are off by what no effect explains; the plan is the same with any readings.
+// The paper's readings contain an unexplained gap; the plan is independent of the readings.
 TEST(PlanReview, HangsOnThePlanAndNotOnTheReadings) {
   Measurement spoiled = test::paperMeasurement();
   const PlanReview clean = *reviewPlan(spoiled);

@@ -20,11 +20,11 @@ TEST(Unexplained, WeighsAMisclosureByItsChance) {
   EXPECT_NEAR(chanceOfMore(1), 1 / (1 + 41.36), 1e-4);
   EXPECT_NEAR(chanceOfMore(0.5), 1 / (1 + 41.36), 1e-4) << "less than 1σ";
   EXPECT_EQ(chanceOfMore(0), 1);
-  const double z = 4, chance = 6.334e-5;  // of a normal variable
+  const double z = 4, chance = 6.334e-5;  // two-sided probability of a normal variable beyond z
   EXPECT_NEAR(chanceOfMore(chance), 1 / (1 + 41.36 / (std::exp((z * z - 1) / 2) / z)), 1e-3);
 }
 
-// From a risk of 100 % to one of 1e-12 in steps of 2 %: nowhere by more than what a step is in z.
+// From a risk of 100 % to 1e-12 in steps of 2 %: the result never changes by more than a step changes z.
 TEST(Unexplained, NeverJumps) {
   double before = chanceOfMore(1);
   for (double chance = 1; chance > 1e-12; chance *= 0.98) {
@@ -45,15 +45,15 @@ TEST(Unexplained, IsLittleWhereNothingIsWrongAndAllWhereNothingFits) {
     const Diagnosis sound = diagnosisOf(truth, seed);
     EXPECT_LT(sound.unexplained.chance, 0.3) << seed;
     EXPECT_LT(sound.unexplained.sigma, 0.2 * sound.measured->estimate.sigma) << seed;
-    truth.harmonic = FormHarmonic{.order = 7, .cosine = 0.2, .sine = 0.1};  // of no effect of the catalogue
+    truth.harmonic = FormHarmonic{.order = 7, .cosine = 0.2, .sine = 0.1};  // not an effect of the catalogue
     const Diagnosis strange = diagnosisOf(truth, seed);
     EXPECT_EQ(strange.verdict, DiagnosisVerdict::NotInCatalogue) << seed;
     EXPECT_GT(strange.unexplained.chance, 0.9) << seed;
   }
 }
 
-// 3 mm of axial shift is fifteen plausible sizes; with every effect that moves x taken away, Δx stays open,
-// and half of what it is off by is in Δd.
+// 3 mm of axial shift is fifteen plausible sizes. With every effect that changes x excluded, Δx stays open,
+// and half of its misclosure enters Δd.
 TEST(Unexplained, PutsAnOpenClosureIntoTheUncertainty) {
   Truth truth = drawTruth(3);
   truth.effects = {{ErrorTerm::AxialShift, 3}};
@@ -66,8 +66,8 @@ TEST(Unexplained, PutsAnOpenClosureIntoTheUncertainty) {
   EXPECT_GT(open.unexplained.chance, 0.5);
 }
 
-// In one face a zero and all that follows may be turned vertically, at either position, and nothing shows it:
-// 60″ over 2405 mm are 0.70 mm at one position, 0.35 mm of Δd, and as much in the other component.
+// In one face a zero and all readings after it may be turned vertically, in either position, without a trace.
+// 60″ over 2405 mm are 0.70 mm in one position and 0.35 mm in Δd; the other component is equal.
 TEST(UndetectableJumps, AreThoseBetweenZeroAndFirstSighting) {
   const Diagnosis diagnosis = *diagnose(test::paperMeasurement());
   ASSERT_EQ(diagnosis.undetectableJumps.size(), 2U);

@@ -10,9 +10,9 @@
 namespace alidade {
 namespace {
 
-// A row less, or one misread by 60″, turns undecided into accept only where all readings had it conform with
-// 90 % and more: so close to the bound another accept is a matter of the readings' noise. The bench
-// `alidade_verdict_stability` does it thousands of times.
+// Without one row, or with one misread by 60″, undecided becomes accept only if all readings give a
+// probability of conformity above 90 %. So near the limit the verdict depends on the noise. The bench
+// `alidade_verdict_stability` repeats this thousands of times.
 TEST(VerdictStability, WorseReadingsDoNotMakeABetterVerdict) {
   int all = 0;
   for (std::uint64_t seed = 1; seed <= 40; ++seed) {
@@ -26,7 +26,7 @@ TEST(VerdictStability, WorseReadingsDoNotMakeABetterVerdict) {
   EXPECT_GT(all, 120);
 }
 
-/// Every row left out in earnest.
+/// Leaves out every row with a new fit and diagnosis each.
 std::set<std::pair<std::size_t, std::size_t>> allDependences(const test::JudgedSession& session) {
   std::set<std::pair<std::size_t, std::size_t>> rows;
   for (std::size_t arc = 0; arc < session.measurement.arcs.size(); ++arc)
@@ -39,8 +39,8 @@ std::set<std::pair<std::size_t, std::size_t>> allDependences(const test::JudgedS
   return rows;
 }
 
-// What is named is right, and where a verdict depends on a row, one such row is named in most sessions: of
-// these 30 all but two (the 8 rows that are left out are not all).
+// Every named row is right. If a verdict depends on a row, one such row is named in most sessions: here in
+// all but two of 30, because only 8 rows are left out.
 TEST(VerdictStability, NamesRowsOnWhichAVerdictDepends) {
   int dependent = 0, named = 0;
   for (std::uint64_t seed = 1; seed <= 30; ++seed) {
@@ -62,8 +62,8 @@ TEST(VerdictStability, NamesRowsOnWhichAVerdictDepends) {
   EXPECT_GE(dependent, 1);
 }
 
-// Of the fit alone, whose Δd is nearly linear in the readings, the linear estimate of a long session is held
-// against leaving out: within 20 % of the shift it names the same rows.
+// The fit only: Δd is almost linear in the readings. The linear estimate for a long session names the same
+// rows as new fits, within 20 % of the shift.
 TEST(VerdictStability, TellsOfALongSessionToFirstOrder) {
   Measurement measurement = test::paperMeasurement();
   for (ArcMeasurement& arc : measurement.arcs) {
@@ -75,7 +75,7 @@ TEST(VerdictStability, TellsOfALongSessionToFirstOrder) {
         arc.sightings.push_back(sighting);
       }
   }
-  // One elevation that is 0.3° off moves Δd across the edge of what is accepted.
+  // One elevation with an error of 0.3° moves Δd across the limit of acceptance.
   Angle& elevation = measurement.arcs[0].sightings[3].e;
   elevation = elevation - Angle::fromDegrees(0.3);
   SessionFit fit = fitSession(measurement);

@@ -11,7 +11,7 @@
 namespace alidade {
 namespace {
 
-/// Its tools compared with the effects that there were then.
+/// The tools of the ray tracer know the effects of their time only.
 bool isKnownToTheRayTracer(const std::string& effect) {
   return effect != "plane_skew" && effect != "arm_sag" && effect != "vertical_graduation" &&
          effect != "vertical_refraction";
@@ -24,12 +24,11 @@ Visibility visibilityOfTrial(const test::Trial& trial) {
   return *visibilityInResiduals(*examine(*perfect).measurement, trial.kind);
 }
 
-// How far each effect shows, and what looks like it, was worked out by the ray tracer's own tools. Its places
-// differ from ours by some 60″, its figures are rounded, and it does not bend a plane tilt: 3 %. Its fit
-// leaves the distance free, which takes up part of what ours, with the distance as stated, sees of the form
-// of the guideway and of slow changes; so it sees no more than ours, and the figures are compared of those
-// effects only that a distance does not take up. What differs by nearly the limit may fall on either side, so
-// of the look-alikes those are compared that lie clear of it.
+// The ray tracer's own tools computed the visibility of each effect and its look-alikes. Its places differ
+// from ours by some 60″, its figures are rounded, and it treats a plane tilt as linear: 3 %. Its fit leaves
+// the distance free, which absorbs parts of the guideway's form and of slow changes; our fit uses the stated
+// distance. So its visibilities do not exceed ours, and only effects that a distance does not absorb are
+// compared. Look-alikes near the limit are not compared.
 TEST(Visibility, AgreesWithTheRayTracer) {
   constexpr double clearlyInside = 3.5;
   const std::set<std::string> apartFromDistance{"collimation", "trunnion_tilt", "vertical_index",
@@ -56,8 +55,8 @@ TEST(Visibility, AgreesWithTheRayTracer) {
   EXPECT_GE(alike, 5);
 }
 
-// With closures the ray tracer's own tools say how far each effect shows, at places that differ from ours by
-// some 60″, and with the distance free, which takes up part of a tilt and a warp: those show here by no less.
+// The ray tracer's own tools computed the visibility with closures. Its places differ from ours by some 60″.
+// Its free distance absorbs parts of a tilt and a warp, which are therefore at least as visible here.
 TEST(Visibility, CountsWhatThePositionsMustAgreeOn) {
   const std::set<std::string> apartFromDistance{"plane_offset", "radius_change", "axial_shift",
                                                 "orientation_jump"};

@@ -46,7 +46,7 @@ TEST_P(EffectTest, IsNothingAtZero) {
   for (const int face : {1, 2}) {
     const Direction<double> none = readAt({}, pointing(face)),
                             zero = readAt(with(GetParam().term, 0), pointing(face));
-    // The long formulas at zero compared with the short ones: a few roundings of an angle.
+    // The long formulas at zero equal the short ones, except for a few roundings of an angle.
     EXPECT_NEAR(zero.a, none.a, 1e-15);
     EXPECT_NEAR(zero.e, none.e, 1e-15);
   }
@@ -214,7 +214,7 @@ struct TruthName {
   double factor = 1;
 };
 
-/// Without the plane's tilt: to first order it has no trace, so its sign is undetectable.
+/// The plane's tilt is missing: to first order it has no trace, so its sign is undetectable.
 const std::map<ErrorTerm, TruthName> truthNames = {
     {Collimation, {"collimation", -1}},  // the ray tracer has the opposite sign
     {TrunnionTilt, {"trunnion"}},
@@ -234,8 +234,8 @@ const std::map<ErrorTerm, TruthName> truthNames = {
 };
 
 // Sessions of an independent ray tracer, each with one effect of known size. With that effect in the model
-// only noise is left (χ² within its 0.01 % points), Δd covers the truth (k = 4 instead of 2 for this many
-// checks), and the size is found within 4 σ if the readings determine it.
+// only noise is left (χ² within its 0.01 % points). Δd covers the truth (k = 4 instead of 2 for this many
+// checks). The size is found within 4 σ if the readings determine it.
 TEST(Effects, ExplainTheRayTracersSessions) {
   int checked = 0;
   for (const test::Trial& trial : test::trials()) {

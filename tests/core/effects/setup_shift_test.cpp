@@ -47,7 +47,7 @@ TEST(SetupShift, LastsThroughThePositionsAfterTheFirst) {
   EXPECT_NEAR(repeats.front(), 0.2, 1e-5);
 }
 
-// A quarter of the plausible 0.05 mm squared: the only trace is U.
+// The variance of Δd grows by a quarter of the square of the plausible 0.05 mm; U is the only trace.
 TEST(SetupShift, TakesPartInTheUncertaintyAndIsNoCause) {
   Measurement measurement = displaced("full", 0, 0.2);
   const SessionFit fit = fitSession(measurement);

@@ -118,7 +118,7 @@ TEST(Import, RefusesALineBehindTheLastReading) {
   EXPECT_THAT(import.problem().what, HasSubstr("its last reading in line 2"));
 }
 
-// Readings of one point, face and round are one visit: two of them must not become the same.
+// Readings of one point, face and round are one visit: two different visits must not become one.
 TEST(Import, PassesOverRoundsThatTheFileStates) {
   const auto roundsOf = [](const std::string& rows) {
     std::string rounds;

@@ -105,8 +105,7 @@ TEST(JobXml, KeepsSetUpsApart) {
   EXPECT_EQ(recording.sightings[2].station, 1u);
 }
 
-/// Two targets in two rounds: face 2 reads 2″ · 3 = 0.0016667° more and the zeniths close to 4″ beyond a
-/// turn.
+/// Two targets in two rounds: face 2 reads 0.001° more, and the zeniths close to 0.002° beyond a turn.
 TEST(JobXml, IsReadByTheInstrumentCheck) {
   std::string records = "<StationRecord ID=\"a\"><StationName>K1</StationName></StationRecord>\n";
   for (int round = 0; round < 2; ++round)
@@ -118,7 +117,7 @@ TEST(JobXml, IsReadByTheInstrumentCheck) {
   EXPECT_THAT(readings->stations, Contains("K1"));
   const auto rounds = completeRounds(*readings);
   ASSERT_EQ(rounds.size(), 1u);
-  // Half of 0.001° = 3.6″ less in face 1; half of 0.002° beyond 360° more.
+  // Half of the differences: face 1 reads 0.001° = 3.6″ less; the zeniths close to 0.002° = 7.2″ beyond 360°.
   EXPECT_NEAR(rounds[0].rounds[0].pairs[0].halfDirection.arcseconds(), -1.8, 1e-6);
   EXPECT_NEAR(rounds[0].rounds[0].pairs[0].halfVertical.arcseconds(), 3.6, 1e-6);
 }

@@ -89,7 +89,7 @@ TEST(ReadingsCsv, EverySampleReadsBack) {
   EXPECT_GE(count, 10);
 }
 
-// In any order of turns, with rounds, faces, slider readings and elevation circles.
+// The sessions have any order of turns, with rounds, faces, slider readings and elevation circles.
 TEST(ReadingsCsv, SimulatedSessionsReadBack) {
   const std::vector<std::vector<int>> orders{{0}, {180}, {0, 180}, {0, 180, 180}, {0, 180, 0, 180, 180}};
   for (const auto& axes : orders)

@@ -42,8 +42,8 @@ Foreseen foresee(const Session& whole, const SightingProtocol& protocol) {
   return seen;
 }
 
-// The slider is within 60″ (1σ) of its mark at each visit: 10″ at the theodolite, both now and earlier; 4.5 σ
-// of the difference in 500 rows. For a new place its coordinate is as accurate.
+// The slider is within 60″ (1σ) of its mark at each visit, which is 10″ at the theodolite. In 500 rows the
+// difference of two visits stays below 4.5 σ. The coordinate of a new place is as accurate.
 const double asTheSliderComes = 60 * 400.0 / 2400 * std::sqrt(2) * 4.5;
 
 TEST(Forecast, IsNearEveryReadingOfEveryNamedProtocol) {

@@ -37,7 +37,7 @@ TEST(Outlook, OfWhatIsThereIsUOfTheFit) {
     const Known known(*simulate(*protocolByName(name), test::truth(), 11));
     const Outlook outlook = known.outlook(test::asSimulated(*protocolByName(name)));
     ASSERT_TRUE(outlook.now && known.fit.intersection) << name;
-    // Linearised at readings on the arcs, without residuals, which would change the weights.
+    // The outlook is linearised at readings on the arcs; residuals would change the weights.
     EXPECT_NEAR(outlook.now->ofFit, known.fit.intersection->expanded, 1e-3 * known.fit.intersection->expanded)
         << name;
     ASSERT_FALSE(outlook.ahead.empty());
@@ -61,7 +61,7 @@ TEST(Outlook, OfMoreRoundsGoesDownAsTheRootOfTheirNumber) {
       << "nothing but noise: what 2e-4 of U leave of a difference of squares";
 }
 
-/// Compared with sessions in which the further rounds are read, with noise: with the average of their own U.
+/// The comparison is the mean U of sessions in which the further rounds are read, with noise.
 TEST(Outlook, IsWhatFurtherRoundsComeTo) {
   Protocol plan = test::plan(9, 10, 20, 3);
   Protocol planned = plan;
@@ -75,8 +75,8 @@ TEST(Outlook, IsWhatFurtherRoundsComeTo) {
     foreseen += outlook.ahead.at(2).expanded.ofFit / sessions;
     come += all.fit.intersection->expanded / sessions;
   }
-  // s0 of 12 degrees of freedom scatters by 20 %, the mean of 40 by 3.2 %, that of 48 by 1.6 %: three times
-  // both.
+  // s0 of 12 degrees of freedom scatters by 20 %; its mean over 40 sessions scatters by 3.2 %. With 48
+  // degrees of freedom this is 1.6 %. The tolerance is three times both together.
   EXPECT_NEAR(foreseen, come, 0.11 * come);
 }
 
@@ -163,7 +163,8 @@ TEST(Outlook, IsThereAsSoonAsAZeroIs) {
   const Outlook outlook = known.outlook(templateOf(plan), {.withInstead = false});
   EXPECT_FALSE(outlook.now);
   ASSERT_FALSE(outlook.ahead.empty());
-  // The noise is that stated, while later 92 degrees of freedom estimate it: to 7.4 % (1σ), three times that.
+  // The outlook uses the stated noise, while the complete session estimates it with 92 degrees of freedom, to
+  // 7.4 % (1σ). The tolerance is three times that.
   EXPECT_NEAR(outlook.ahead.front().expanded.ofFit, all.fit.intersection->expanded,
               0.22 * all.fit.intersection->expanded);
 }

@@ -66,7 +66,7 @@ TEST(Repeats, NameAMisreadReadingAndNothingElseForIt) {
   EXPECT_EQ(planned.face, 2);
 }
 
-/// Collimation and index are the same everywhere and no reason; one pair that differs is.
+/// Constant collimation and index are not a reason for a repeat; a single deviating pair is.
 TEST(Repeats, NameFacesThatDifferOtherwiseThanElsewhere) {
   const Protocol& named = *protocolByName("two-face");
   Truth truth = test::truth();

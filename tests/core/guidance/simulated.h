@@ -20,7 +20,7 @@ inline Protocol plan(int points, double first, double step, int rounds, FacePlan
           .faces = faces};
 }
 
-/// A guideway without effects, set up off the middle, and off by 0.8 mm.
+/// A guideway without effects, set up off the middle, with Δd = 0.8 mm.
 inline Truth truth(VerticalCircle circle = VerticalCircle::Zenith) {
   Truth truth;
   truth.centreX = 1.2;
@@ -49,7 +49,7 @@ inline Session cut(Session session, std::size_t position, std::size_t rows) {
   return session;
 }
 
-/// Without the rounds after the `rounds`-th.
+/// Returns the session without the rounds after number `rounds`.
 inline Session firstRounds(Session session, int rounds) {
   for (Position& position : session.positions)
     std::erase_if(position.readings,

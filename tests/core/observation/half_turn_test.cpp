@@ -8,7 +8,7 @@
 namespace alidade {
 namespace {
 
-// Compared with the rotation itself: by `axisDeg` about x.
+// The reference is the rotation itself, by `axisDeg` about x.
 TEST(HalfTurn, SignIsThatOfARotationAboutX) {
   for (const int axisDeg : {0, 180}) {
     const double angle = axisDeg * std::numbers::pi / 180;

@@ -17,10 +17,10 @@ namespace {
 
 using enum ErrorTerm;
 
-// The situation of the derivatives: 17 places there and back, both faces, slider readings, an elevation
-// circle in one case and a zenith circle in the other, the instrument 30 mm off the height of the axis, a
-// plane square to the zero and a vertical one, the horizontal circle shifted between the positions, and every
-// error term of the model well away from zero.
+// The situation of the derivatives: 17 places there and back, in both faces, with slider readings. One case
+// has an elevation circle, the other a zenith circle. The instrument is 30 mm off the height of the axis. One
+// plane is square to the zero, one is vertical. The horizontal circle is shifted between the positions, and
+// every error term of the model is well away from zero.
 Measurement everythingAtOnce(VerticalCircle circle) {
   Truth truth = drawTruth(11);
   truth.verticalCircle = circle;
@@ -37,8 +37,8 @@ Measurement everythingAtOnce(VerticalCircle circle) {
   return measurement;
 }
 
-/// One reading in plain doubles from a fit's values with some of them changed: the model's other
-/// instantiation.
+/// Computes one reading in plain doubles, the model's other instantiation, from a fit's values with some of
+/// them changed.
 class ReadingModel {
  public:
   ReadingModel(const Measurement& measurement, const JointFit& fit)

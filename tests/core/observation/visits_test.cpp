@@ -41,8 +41,8 @@ TEST(Visits, AreInTheOrderOfTheirFirstRows) {
   EXPECT_EQ(order, (std::vector<std::pair<int, int>>{{1, 3}, {1, 1}, {2, 2}, {1, 2}}));
 }
 
-// Rounds up and down, ways there, back and crosswise, faces together or apart: compared with a search row by
-// row.
+// The reference is a search row by row: for rounds up and down, ways there, back and crosswise, faces
+// together or apart.
 TEST(Visits, AreFoundInWhateverOrderTheRowsWereTaken) {
   std::mt19937 random(13);
   const auto below = [&](int end) { return std::uniform_int_distribution<>(0, end - 1)(random); };

@@ -29,7 +29,7 @@ TEST(ZeroLine, IsThePlainRelationAtALevelZero) {
   EXPECT_DOUBLE_EQ(seen.e, std::atan2(200, std::hypot(300, 2405)));
 }
 
-// With the plane vertical, a point at the height of the zero line's foot is y + L tan e0 above the horizon.
+// If the plane is vertical, a point at the height of the zero line's foot is y + L tan e0 above the horizon.
 TEST(ZeroLine, CountsElevationsFromThePlumbLine) {
   const Station below = stationBelow(50, ArcPlane::Vertical, alidade::VerticalAngleRelation::Exact);
   const ZeroLine line(below.measurement, below.arc);

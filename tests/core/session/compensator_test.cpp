@@ -128,8 +128,8 @@ TEST(Compensator, FindsTheTiltOfTheAxisFromOneFace) {
   // of the weights of ten rows and of σ.
   EXPECT_NEAR(known[0].value, 33, 0.01);
   EXPECT_NEAR(known[1].value, -21, 0.01);
-  // All of σ shared, an index with the same σ, the mean of ten rows; the rotation of 9° hardly determines the
-  // index.
+  // The variance has three parts: the shared σ, an index with the same σ, and the mean of ten rows. The
+  // rotation of 9° hardly determines the index.
   for (const KnownNumber& number : known) EXPECT_NEAR(number.sigma, 0.5 * std::sqrt(2.1), 0.03);
   EXPECT_THAT(findingsOf(measurement), IsEmpty());
 }
@@ -144,7 +144,8 @@ TEST(Compensator, FreesTheTiltOfItsIndexWithBothFaces) {
   for (const KnownNumber& number : known) EXPECT_NEAR(number.sigma, std::sqrt(1 + 9 + 1. / 12), 0.01);
 }
 
-// Also if a program counts tilts along the line of sight with a sign that does not change in face 2.
+// This also applies if a program counts tilts along the line of sight with a sign that does not change in
+// face 2.
 TEST(Compensator, DoesNotBelieveTiltsThatDoNotTurnOver) {
   const Measurement measurement = measuredWith(bothFaces, {.indexCross = 2, .indexLength = 30});
   EXPECT_THAT(compensatorKnowledge(measurement).known, IsEmpty());

@@ -71,7 +71,7 @@ TEST(JsonText, RefusesNestingThatWouldExhaustTheStack) {
 TEST(JsonText, RefusesMoreValuesThanAnySessionHasBesidesItsRows) {
   const auto listOf = [](std::size_t count) {
     std::string text = "[";
-    for (std::size_t i = 1; i < count; ++i) text += i == 1 ? "1" : ",1";  // the list itself is one
+    for (std::size_t i = 1; i < count; ++i) text += i == 1 ? "1" : ",1";  // the list itself counts as one
     return text + "]";
   };
   EXPECT_EQ(sentenceOn(listOf(limits::mostValues)), "accepted");

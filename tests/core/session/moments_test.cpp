@@ -4,7 +4,7 @@
 #include "core/session/session.h"
 #include "tests/support/paper_table.h"
 
-// When rows and zeros were sighted (`setMoments`).
+// The moments of rows and zeros (`setMoments`).
 
 namespace alidade {
 namespace {

@@ -61,7 +61,8 @@ std::vector<std::string> pathsOf(const ExaminedPosition& position) {
   return paths;
 }
 
-// For any circle reading, and a zero up to a degree off the horizon. Twelve decimals of a degree leave 1e-12.
+// The readings are any circle reading, and a zero up to a degree off the horizon. Twelve decimals of a degree
+// leave 1e-12.
 TEST(PositionExaminer, ReducesEitherFaceOfEitherCircle) {
   std::mt19937 random(4);
   std::uniform_real_distribution<double> anywhere(0, 360), wide(-79.9, 79.9);
@@ -155,7 +156,7 @@ TEST(PositionExaminer, RefusesWhatLiesFarFromTheZero) {
       }
 }
 
-// Every entry that can be judged is, independently of the others; if the kind of circle is unknown,
+// Every entry that can be judged is judged, independently of the others. If the kind of circle is unknown,
 // elevations below the horizon pass.
 TEST(PositionExaminer, JudgesRowsThatNothingCanBeReducedFrom) {
   Position position = positionWith({rowAt(1, 1), rowAt(2, 2), {}, rowAt(4, 4), rowAt(170, 0)}, "lost");

@@ -92,7 +92,7 @@ Json madeAgain(const Reading& reading) {
   return row;
 }
 
-// For any preceding row: null in the file, 1.0, "1" and "" are not kept as texts of a row, 1 is.
+// For any preceding row, null in the file, 1.0, "1" and "" are not kept as texts of a row; 1 is.
 TEST(SessionRows, LoseNothingWhateverTheRowBefore) {
   std::vector<Json> ways;
   for (const char* way :
@@ -124,7 +124,8 @@ TEST(SessionRows, LoseNothingWhateverTheRowBefore) {
   }
 }
 
-// Damaged from its end to its beginning, a document is refused for the latest damage.
+// The document is damaged step by step, from its end to its beginning. Each time the problem is the damage
+// nearest to the beginning.
 TEST(SessionFromJson, NamesTheFirstThingWrong) {
   Json json = soundDocument();
   SessionRows sound, wrong;
@@ -168,7 +169,7 @@ TEST(SessionFromJson, NamesTheFirstThingWrong) {
   }
 }
 
-// A part's values would be in the file twice if the whole kept them too; their keys keep their place.
+// The whole keeps the keys of a part in their place, but not its values: the file would contain them twice.
 TEST(SessionFromJson, PutsEachValueIntoOneOrigin) {
   const Json json = soundDocument();
   SessionRows rows;

@@ -23,7 +23,7 @@ Session read(const Json& json) {
   return *readSession(json.dump());
 }
 
-/// As written by another program: keys in a different order, and unknown keys.
+/// A document written by another program: keys in a different order, and unknown keys.
 Json foreignDocument() {
   return Json::parse(R"({
     "positions": [
@@ -146,7 +146,7 @@ TEST(SessionWriter, WritesWhatWasTakenBackAsItWasRead) {
   EXPECT_EQ(written(session), foreignDocument().dump());
 }
 
-/// The remainder of a part after its table was emptied: its origin.
+/// Returns the part as it is after its table was emptied: with its origin only.
 template <typename Part>
 Part emptied(const Part& part) {
   Part empty;
@@ -186,7 +186,7 @@ TEST(SessionWriter, MovesWhatIsUnknownAlongWithItsPart) {
   std::swap(expected["positions"][0], expected["positions"][1]);
   EXPECT_EQ(written(session), expected.dump());
 
-  // Moved between positions, one of which had no list of rows and receives one.
+  // The reading is moved between positions, one of which had no list of rows and receives one.
   session.positions[0].readings.push_back(session.positions[1].readings[0]);
   session.positions[1].readings.erase(session.positions[1].readings.begin());
   expected["positions"][0]["readings"] = Json::array({expected["positions"][1]["readings"][0]});

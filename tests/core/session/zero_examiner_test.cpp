@@ -79,7 +79,8 @@ TEST(ZeroExaminer, TakesTheMeanOfBothFacesBeforeAndAfter) {
   EXPECT_NEAR(zero.sightings.moved->horizontal.arcseconds(), 4, 1e-9);
   EXPECT_NEAR(zero.sightings.moved->vertical.arcseconds(), 2, 1e-9);
   EXPECT_DOUBLE_EQ(zero.sightings.moved->factor, 1) << "the mean of two differences of two";
-  // Twice, in either face (2² + 2²) horizontally and (1² + 1²) vertically, over 4 and 8 degrees of freedom.
+  // The zero is sighted twice in either face: (2² + 2²) horizontally and (1² + 1²) vertically, over 4 and 8
+  // degrees of freedom.
   EXPECT_NEAR(zeros.scatter, std::sqrt((4 * 8 + 4 * 2) / 4.0 / 8), 1e-9);
 }
 

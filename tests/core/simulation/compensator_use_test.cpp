@@ -22,7 +22,7 @@ using testing::IsEmpty;
 
 const Angle ofCompensator = Angle::fromArcseconds(1);
 
-/// With a vertical axis tilted by 200″ about x and −200″ about z.
+/// A truth with a vertical axis tilted by 200″ about x and −200″ about z.
 Truth tiltedTruth(std::uint64_t seed) {
   Truth truth = drawTruth(seed);
   truth.effects = {{ErrorTerm::VerticalAxisTiltX, 200}, {ErrorTerm::VerticalAxisTiltZ, -200}};
@@ -106,8 +106,8 @@ TEST(CompensatorUse, TiltsThatAreKnownAreNoCause) {
   EXPECT_LT(known.after.rms, 0.97 * alone.gap.rms) << "2.0″ to 1.9″, as with the tilt found";
 }
 
-// Tilts with the opposite sign are rejected if the readings show them, and the reason is stated: if an arm
-// may also sag, that it is one of the two, and if it cannot, which.
+// Tilts with the opposite sign are rejected if the readings show them, and the reason is stated. If an arm
+// may also sag, the reason is one of the two; if it cannot, the sign is named.
 TEST(CompensatorUse, TheOtherSignIsFoundOut) {
   const Truth truth = tiltedTruth(3);
   Session session = sessionOf(truth, 3, "full");

@@ -41,7 +41,7 @@ TEST(SeriesTrial, DoesNotDependOnTheNumberOfThreads) {
   EXPECT_EQ(fingerprint(*one), fingerprint(*three));
 }
 
-// Of 16 drawn series one may be missed: their effects are visible by 6 to 10 σ, uncatalogued ones by 8 and
+// One of 16 drawn series may be missed: their effects are visible by 6 to 10 σ, uncatalogued ones by 8 and
 // more.
 TEST(SeriesTrial, OfDrawnSeriesNearlyAllAreAnsweredRightly) {
   const auto all = scoreDrawnSeries(16, 400, 0);

@@ -33,7 +33,7 @@ class Leftover {
     }
   }
 
-  /// In units of the simulated noise.
+  /// χ² in units of the simulated noise.
   double chiSquare() const {
     double sum = 0;
     for (const auto& [key, rows] : m_visits)
@@ -159,8 +159,8 @@ Session simulated(const std::string& protocol, const Truth& truth, std::uint64_t
   return simulate(*protocolByName(protocol), truth, seed).operator*();
 }
 
-// Without effects the readings contain only noise: summed over 40 sessions, χ² is within its 0.01 % points
-// and Δd scatters as the fit says, its mean square within the 0.01 % points of 40 squared normal numbers.
+// Without effects the readings contain only noise. Summed over 40 sessions, χ² is within its 0.01 % points.
+// Δd scatters as the fit says, its mean square within the 0.01 % points of 40 squared normal numbers.
 TEST(Simulate, AddsTheStatedNoiseAndNoMore) {
   const Truth truth = plainTruth();
   for (const char* protocol : {"paper", "full"}) {
@@ -201,7 +201,7 @@ TEST(Simulate, DrawsTheSameNoiseWithAndWithoutSliderReadings) {
 
 TEST(Simulate, RoundsToTheTypingStepAndStaysOnTheCircle) {
   Truth truth = plainTruth();
-  truth.horizontalZero = Angle::fromDegrees(0);  // half of the readings come from beyond 360°
+  truth.horizontalZero = Angle::fromDegrees(0);  // so that half of the readings are reduced by 360°
   truth.typingStep = Angle::fromArcseconds(5);
   const Session session = simulated("two-face", truth);
   for (const Position& position : session.positions)
@@ -269,7 +269,7 @@ TEST(Simulate, IsReadBackByTheFit) {
   }
 }
 
-// Rounded to 1e-6″, and read in the same places.
+// Readings without noise are rounded to 1e-6″, and taken at the same places as those with noise.
 TEST(Simulate, ReadsWithoutNoiseWhatIsThere) {
   const Truth truth = drawTruth(9);
   const Protocol& protocol = *protocolByName("full");

@@ -60,9 +60,9 @@ TEST(TrialSeries, ScoresTrialsMadeElsewhere) {
   EXPECT_EQ(summary.backToNoise.hits, summary.backToNoise.count);
 }
 
-// In one face and without slider only evenly spaced places show which circle was misread: 84 of 100 drawn
-// sessions, else it is a coin toss. Uncatalogued disturbances stay unexplained if no effect resembles them:
-// with one face and one sweep, in 6 of the 10 drawn here.
+// With one face and without slider only evenly spaced places show which circle was misread: in 84 of 100
+// drawn sessions; otherwise the choice is random. Uncatalogued disturbances stay unexplained if no effect
+// resembles them: with one face and one sweep, in 6 of the 10 drawn here.
 TEST(TrialSeries, IsRightWhereOnlyTheSurroundingsTell) {
   const auto rightOf = [](const char* protocol, const char* kind) {
     const auto trials = scoreDrawnTrials({.count = 10}, {.protocol = protocol, .kinds = {kind}}, 20);

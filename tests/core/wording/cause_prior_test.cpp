@@ -7,7 +7,7 @@
 namespace alidade {
 namespace {
 
-// As in the catalogue of effects.
+// The sizes are those of the catalogue.
 TEST(PlausibleSize, IsThatOfTheCatalogue) {
   EXPECT_EQ(plausibleSizeText("trunnion_tilt"), "30 arcsec");
   EXPECT_EQ(plausibleSizeText("arc_lobing"), "0.05 mm");

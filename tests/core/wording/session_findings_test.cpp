@@ -40,7 +40,7 @@ TEST(SessionFindingsInWords, BlameEffectsOnlyWhereThereAreAny) {
   EXPECT_THAT(wordsOf(Undetermined{false}).remedy, Not(HasSubstr("model")));
 }
 
-// For any typed text.
+// The text may be anything that was typed.
 TEST(SessionFindingsInWords, QuoteWhatIsNoEffect) {
   EXPECT_THAT(wordsOf(UnknownEffect{"moon\x1blight"}).text, HasSubstr("“moon\\u001blight”, which is no"));
   EXPECT_EQ(wordsOf(KnownOfNothing{"plane_tilt", "x", "mm"}).text,

@@ -34,12 +34,12 @@ TEST(VerdictSentence, RoundsSoThatItDoesNotContradictItself) {
   std::uniform_real_distribution<double> share(0, 1);
   for (int i = 0; i < 10'000; ++i) {
     const double expanded = std::pow(10, -4 * share(generator)), value = 4 * share(generator) - 2;
-    // As somebody would type it.
+    // The tolerance has as many digits as a person would type.
     const double sum = std::abs(value) + expanded * (1 + 1e-2 * (share(generator) - 0.5));
     const double tolerance = std::round(sum * 1e5) / 1e5;
     const int decimals = decimalsToDecide(value, expanded, tolerance);
     EXPECT_GE(decimals, decimalsFor(expanded));
-    // With the printed numbers, which a double represents to far less than a nanometre.
+    // The check uses the printed numbers, which a double represents to far less than a nanometre.
     const double printed =
         std::abs(std::stod(fixedText(value, decimals))) + std::stod(fixedText(expanded, decimals));
     EXPECT_EQ(printed <= tolerance + 1e-12, decide(value, expanded, tolerance) == Verdict::Accept)

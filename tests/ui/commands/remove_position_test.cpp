@@ -8,7 +8,7 @@
 namespace alidade::ui {
 namespace {
 
-/// Before any reading, after a single row, and complete.
+/// The position is removed before any reading, after a single row, and when complete.
 TEST(RemovePosition, TakesAsManyRowsAsThereAreAndBringsThemBack) {
   for (const std::size_t rows : {0u, 1u, 2u, 17u}) {
     Session session = paperSession();

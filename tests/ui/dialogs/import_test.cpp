@@ -43,7 +43,8 @@ class ImportFlow : public ::testing::Test {
   }
   std::string notes() const { return open.dialogs->problems.join(QLatin1Char('\n')).toStdString(); }
 
-  /// The session before the import then equals its file, but has not been left.
+  /// Undoes the typed text and the import. The session then equals its file, but a redo would restore the
+  /// import.
   void undoWhatWasTypedAndTheImport() {
     typeInto(*open->findChild<QLineEdit*>(QStringLiteral("geometry.distance_mm")), QStringLiteral("2411"));
     open->undo();

@@ -19,7 +19,7 @@ namespace {
 class WatchedDialogs : public ScriptedDialogs {
  public:
   std::unique_ptr<Busy> busy(const QString& doing, Busy::Way way) override {
-    // In the current language of the window.
+    // The sentence is in the current language of the window.
     if (doing == ReportFlow::tr("Fitting and diagnosing for the report…")) ++diagnoses;
     return ScriptedDialogs::busy(doing, way);
   }

@@ -187,7 +187,7 @@ TEST_F(SafekeepingTest, TellsWhatBecameOfTheFileMeanwhile) {
   EXPECT_EQ(told().difference.count, 2u) << "title and notes";
 }
 
-// Regardless of their ages: there is nothing to choose from.
+// The records are cleared regardless of their ages: there is nothing to choose from.
 TEST_F(SafekeepingTest, ClearsAwayWhatIsInTheFileAlready) {
   crash(file, "unsaved");
   Session saved = sessionIn(file);
@@ -329,7 +329,7 @@ INSTANTIATE_TEST_SUITE_P(
                       [](const Session& session) { return session.positions[0].readings[2].note; }}),
     [](const auto& entry) { return std::string(entry.param.name); });
 
-/// Committed, it is part of the record itself; cancelled, of none.
+/// A committed entry is part of the record itself; a cancelled one is in no record.
 TEST_F(SafekeepingTest, HalfTypedIsKeptOnlyAsLongAsItIs) {
   const auto open = openWindow(file);
   QApplication::setActiveWindow(open->window.get());

@@ -51,7 +51,7 @@ class MonkeyDialogs : public ScriptedDialogs {
   }
   void showProblem(const QString&, const QString&) override {}
 
-  /// Any file of the folder, sometimes a missing one.
+  /// Returns any file of the folder, sometimes a missing one.
   QString present(const QString& pattern) {
     QStringList names = m_folder.entryList({pattern}, QDir::Files, QDir::Name);
     names.append(QStringLiteral("absent"));

@@ -43,7 +43,7 @@ TEST(AcceptanceReport, PrintsTheResultWithItsUncertaintyAndVerdict) {
   }
 }
 
-// Stated once: in the verdict if it includes it, else with the centres.
+// Δz is stated once: in the verdict if that includes it, otherwise with the centres.
 TEST(AcceptanceReport, TellsWhatLiesAcrossThePlane) {
   const auto front = [](const char* coverage) {
     Session session = paperSession();
@@ -154,7 +154,7 @@ TEST(AcceptanceReport, TellsWhatTheReadingsWouldNotShow) {
   EXPECT_FALSE(full.contains(QStringLiteral("arc ellipticity ±")));
 }
 
-// On the first page, next to the verdict.
+// They are on the first page, next to the verdict.
 TEST(AcceptanceReport, PutsBothAccountsAndWhatIsUnseenBesideTheVerdict) {
   Session session = *loadSession(samplePath(QStringLiteral("two-causes.alidade")).toStdString());
   session.acceptance.toleranceMm = "0.43";

@@ -37,7 +37,7 @@ class WrittenCertificateTest : public testing::Test {
     return file.readAll();
   }
 
-  /// The exit code; stderr goes to `told`.
+  /// Returns the exit code; stderr goes to `told`.
   int run(const QString& name, const QStringList& arguments) {
     QProcess program;
     QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();

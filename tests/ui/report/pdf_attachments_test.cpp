@@ -45,7 +45,7 @@ class HandWritten {
     add("<< " + entries + " /Length " + std::to_string(content.size()) + " >>\nstream\n" + content +
         "\nendstream");
   }
-  /// With a cross-reference table as in PDF 1.4.
+  /// Returns the PDF with a cross-reference table as in PDF 1.4.
   std::string withTable() const {
     std::string table = "xref\n0 " + std::to_string(m_begins.size() + 1) + "\n0000000000 65535 f \n";
     for (const std::size_t begin : m_begins) {
@@ -55,8 +55,8 @@ class HandWritten {
     return m_bytes + table + "trailer << /Size " + std::to_string(m_begins.size() + 1) +
            " /Root 1 0 R >>\nstartxref\n" + std::to_string(m_bytes.size()) + "\n%%EOF\n";
   }
-  /// With a cross-reference stream; object 1 is the first of object stream 2, in a PDF whose first added
-  /// object was a placeholder.
+  /// Returns the PDF with a cross-reference stream; object 1 is the first of object stream 2, in a PDF whose
+  /// first added object was a placeholder.
   std::string withStreamOfTable() {
     const std::size_t at = m_bytes.size();
     std::string table;

@@ -23,7 +23,7 @@ class ReportSheetTest : public testing::Test {
 
   ReportSheet sheet() { return ReportSheet(m_writer, {}, ReportPaper().margins); }
 
-  /// As Qt breaks the whole text at once.
+  /// Returns the lines into which Qt breaks the whole text at once.
   QStringList atOnce(const QString& text) {
     const double unit = m_writer.logicalDpiX() / 25.4;
     QStringList lines;

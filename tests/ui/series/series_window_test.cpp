@@ -195,7 +195,7 @@ TEST(SeriesWindow, WritesJsonCsvAndPdf) {
   bench.dialogs.exportPath = folder.filePath(QStringLiteral("h.pdf"));
   ASSERT_TRUE(bench.window.exportPdf());
   EXPECT_TRUE(contentOf(bench.dialogs.exportPath).startsWith("%PDF-"));
-  // Never overwrites a session of the series.
+  // The export never overwrites a session of the series.
   bench.dialogs.exportPath = samplePath(QStringLiteral("history/2025-01-04.alidade"));
   EXPECT_FALSE(bench.window.exportJson());
 }

@@ -50,7 +50,7 @@ ArcPlot::ArcPlot(QObject* parent) : Plot(parent), m_inset(new CentresInset(chart
   m_inset->setZValue(90);
 }
 
-/// With little room, one title serves for both.
+/// One title serves for both if there is little room.
 void ArcPlot::adaptTo(const QSizeF& size) {
   const bool isNarrow = size.width() < 300 * style().unit();
   setTitles(isNarrow ? QStringLiteral("x, y (mm)") : QStringLiteral("x (mm)"),

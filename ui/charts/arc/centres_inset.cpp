@@ -24,7 +24,8 @@ PlanePoint<double> middle(const DrawnIntersection& i) {
 
 const QString upperName = QStringLiteral("O1"), lowerName = QStringLiteral("O2");
 
-/// In units of half the distance of the centres: the largest extension of the picture for their ellipses.
+/// The largest extension of the picture for the ellipses of the centres, in units of half the distance of the
+/// centres.
 constexpr double largestShare = 4;
 
 /// Draws the part of a line inside the frame.
@@ -152,7 +153,7 @@ void CentresInset::paintTolerance(QPainter* painter) const {
   const QString name = InsetText::tr("tolerance");
   if (tolerance < 2.2 * metrics.height() || m_square.width() < 2.5 * metrics.horizontalAdvance(name)) return;
   painter->setPen(m_style.mutedText);
-  // On the side opposite to the name of O2.
+  // The name is on the side opposite to the name of O2.
   const bool leftSide = place(m_intersection->lowerCentre).x() >= m_picture.center().x();
   const double margin = 0.4 * metrics.height();
   const double left =
@@ -170,7 +171,7 @@ void CentresInset::paintAxis(QPainter* painter) const {
   painter->drawText(name.topLeft() + QPointF(0, QFontMetricsF(m_style.font).ascent()), InsetText::tr("axis"));
 }
 
-/// Placed where the names of the centres leave room.
+/// The name is placed where the names of the centres leave room.
 QRectF CentresInset::axisNameRect() const {
   if (m_isCompact || m_scale <= 0) return {};
   const QFontMetricsF metrics(m_style.font);
@@ -212,7 +213,7 @@ void CentresInset::paintEllipses(QPainter* painter) const {
   draw(m_intersection->lowerCentre, m_intersection->lowerEllipse, QPen(m_style.lower, width, Qt::DashLine));
 }
 
-/// Hidden where O2's own marker would cover it.
+/// The closure is hidden if O2's own marker would cover it.
 void CentresInset::paintClosure(QPainter* painter) const {
   const QPointF wanted = place(m_intersection->closedCentre()), is = place(m_intersection->lowerCentre);
   const double unit = m_style.unit(), away = is.x() - wanted.x();
@@ -290,7 +291,7 @@ void CentresInset::paintScaleBar(QPainter* painter) const {
     return millimetres * m_scale + beside <= m_square.width();
   };
   double length = roundDown125(m_square.width() * 0.4 / m_scale);
-  // Shorter if its figure, above a compact bar, has no room next to it.
+  // The bar is shorter if its figure, above a compact bar, has no room next to it.
   if (const double half = roundDown125(0.9 * length); !m_isCompact && !fits(length) && fits(half))
     length = half;
   const QString text = textOf(length);
@@ -315,7 +316,7 @@ double CentresInset::titleRoom() const {
   return m_square.width() - 0.8 * QFontMetricsF(m_style.font).height();
 }
 
-/// As large as it fits, shortened otherwise; all lines have the same height.
+/// The line is as large as fits, shortened otherwise; all lines have the same height.
 CentresInset::TitleLine CentresInset::largeLine(const QString& text) const {
   QFont font = m_style.font;
   font.setBold(true);
@@ -329,7 +330,8 @@ CentresInset::TitleLine CentresInset::largeLine(const QString& text) const {
           m_headline.isProvisional ? m_style.mutedText : m_style.text, height};
 }
 
-/// Two lines if these fit in large type, else each part on its own line; none if a figure does not fit.
+/// The headline has two lines if these fit in large type, otherwise each part on its own line. It has none if
+/// a figure does not fit.
 QList<CentresInset::TitleLine> CentresInset::headlineLines() const {
   if (m_headline.name.isEmpty()) return {};
   const auto isLarge = [&](const TitleLine& line) {

@@ -26,10 +26,10 @@ class CentresInset : public QGraphicsItem {
 
   /// Scene units per millimetre; 0 if nothing is drawn.
   double scale() const { return m_scale; }
-  /// From mm in o0 to the parent's units.
+  /// Converts from mm in o0 to the parent's units.
   QPointF place(const PlanePoint<double>& point) const;
 
-  /// The places of the centres' names while drawn, and of the axis name; empty if these leave it no room.
+  /// The places of the centres' names while drawn, and of the axis name; empty if they have no room.
   QRectF upperNameRect() const;
   QRectF lowerNameRect() const;
   QRectF axisNameRect() const;

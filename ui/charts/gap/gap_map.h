@@ -7,8 +7,8 @@
 
 namespace alidade::ui {
 
-/// Where a gap lies: one bar for every division of the readings, filled by parts as long as their shares.
-/// Larger shares have stronger colours. Divisions with one part are left out.
+/// The location of a gap: one bar for every division of the readings, filled by parts as long as their
+/// shares. Larger shares have stronger colours. Divisions with one part are omitted.
 class GapMap : public BarRows {
   Q_OBJECT
 

@@ -7,8 +7,9 @@
 
 namespace alidade::ui {
 
-/// How the gap shrinks, cause by cause: a bar for the residual rms of each stage (circle readings, scale in
-/// arcseconds). The part the stage removed is faint behind it; a line shows the rms of the stated noise.
+/// The shrinkage of the gap, cause by cause: a bar for the residual rms of each stage (circle readings, scale
+/// in arcseconds). The part that the stage removed is faint behind it; a line shows the rms of the stated
+/// noise.
 class GapWaterfall : public BarRows {
   Q_OBJECT
 

@@ -17,7 +17,7 @@ struct PaintedPicture {
   std::function<void(QPainter*)> paint;
 };
 
-/// With `scale` pixels per unit.
+/// Returns the image with `scale` pixels per unit.
 QImage imageOf(const PaintedPicture& picture, int scale);
 /// The image as PNG with title and description. Empty if it cannot be made.
 QByteArray pngOf(const PaintedPicture& picture, int scale);

@@ -34,7 +34,7 @@ class Plot : public QObject {
   QGraphicsScene* scene() { return &m_scene; }
   const PlotStyle& style() const { return m_style; }
   QRectF plotArea() const { return m_plotArea; }
-  /// From axis units, y up, to the scene, y down.
+  /// Converts from axis units, y up, to the scene, y down.
   QTransform sceneFromAxes() const { return m_sceneFromAxes; }
   const MarkerLayer& markers() const { return *m_markers; }
   const Legend& legend() const { return *m_legend; }
@@ -42,7 +42,8 @@ class Plot : public QObject {
   QString message() const { return m_message; }
 
   bool isZoomed() const { return !m_view.isWhole(); }
-  /// Enlarges if `factor` > 1, about a place in the scene; beside the plot area only along that axis.
+  /// Enlarges if `factor` > 1, about a place in the scene. A place next to an axis, outside the plot area,
+  /// enlarges along that axis only.
   void zoom(double factor, const QPointF& about);
   /// Enlarges a part of the visible area, in scene units.
   void zoomTo(const QRectF& part);

@@ -15,7 +15,7 @@ class PlotAccessible : public QAccessibleWidget {
   explicit PlotAccessible(PlotWidget& plot);
   ~PlotAccessible() override;
 
-  /// For all plots created from now on.
+  /// Installs the interface for all plots created from now on.
   static void install();
 
   QString text(QAccessible::Text which) const override;

@@ -10,7 +10,7 @@ enum class CircleRead { Horizontal, Vertical, Slider };
 QString circleName(CircleRead circle);
 const char* nameOf(CircleRead circle);
 
-/// What the residual chart draws, and its abscissa.
+/// The contents of the residual chart, and its abscissa.
 struct ResidualChoice {
   enum class Over {
     Slider,     ///< the slider coordinate s

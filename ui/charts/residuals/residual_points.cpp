@@ -54,7 +54,7 @@ std::vector<ResidualPoint> residualPoints(const ResidualPicture& picture, const 
 NormalEnvelope normalEnvelope(std::size_t count) {
   NormalEnvelope envelope;
   if (count < 2) return envelope;
-  // Closely spaced at the ends, where the envelope bends.
+  // The ranks are closely spaced at the ends, where the envelope bends.
   std::vector<double> ranks;
   const double middle = (static_cast<double>(count) + 1) / 2;
   for (double rank = 1; rank < middle; rank += std::max(0.25, 0.2 * rank)) ranks.push_back(rank);

@@ -23,7 +23,7 @@ class FigureGrid : public QWidget {
 
   enum class Captions {
     OnOneLine,
-    Wrapped,  ///< captions in two lines, if there is too little room beside the figures
+    Wrapped,  ///< captions in two lines, if there is too little room next to the figures
   };
 
   explicit FigureGrid(QWidget* parent = nullptr, Captions captions = Captions::OnOneLine);

@@ -13,7 +13,7 @@ class FindingsPanel : public QListWidget {
   Q_OBJECT
 
  public:
-  /// So many problems of a kind have a line each; one more line counts the rest.
+  /// The number of problems of a kind with a line each; one more line counts the rest.
   static constexpr std::size_t mostListed = 200;
 
   explicit FindingsPanel(QWidget* parent = nullptr);

@@ -15,9 +15,9 @@ namespace alidade::ui {
 
 class DataTable;
 
-/// How well the other readings check each one: redundancy, standardised residual, smallest detectable error,
-/// and the change of Δd by such an undetected error. Values entered once follow the readings. The selection
-/// is synchronised with the readings table.
+/// The reliability of each reading, as checked by the others: redundancy, standardised residual, smallest
+/// detectable error, and the change of Δd by such an undetected error. Values entered once follow the
+/// readings. The selection is synchronised with the readings table.
 class ReliabilityPanel : public QWidget {
   Q_OBJECT
 

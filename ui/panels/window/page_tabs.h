@@ -19,7 +19,7 @@ class PageTabs : public QTabWidget {
 
   using QTabWidget::QTabWidget;
 
-  /// Without `wanted` the page is always shown; otherwise only if `wanted` returns true.
+  /// Adds a page. It is always shown without `wanted`, otherwise only if `wanted` returns true.
   void addPage(QWidget* page, const QString& title, Show show, Wanted wanted = {});
 
   template <typename Page>

@@ -22,8 +22,8 @@ struct PaperFigures {
 
 class ArcFitOfTableI : public testing::TestWithParam<PaperFigures> {};
 
-// From tests/reference/high-precision, solved at 60 digits independently of this program. 1e-9 mm is a
-// millionth of the uncertainty and a hundred times the rounding of the readings.
+// The reference is tests/reference/high-precision, solved at 60 digits independently of this program. 1e-9 mm
+// is a millionth of the uncertainty and a hundred times the rounding of the readings.
 TEST_P(ArcFitOfTableI, MeetsTheHighPrecisionSolution) {
   const PaperFigures& expected = GetParam();
   Measurement measurement = test::paperMeasurement();
@@ -60,7 +60,7 @@ TEST(ArcFit, ConvergesFromPoorStarts) {
           const auto fit = fitArc(measurement, arc, {.start = Circle{dx, dy, radius}});
           ASSERT_TRUE(fit) << textOf(fit.problem());
           EXPECT_TRUE(fit->converged());
-          // Both end within 1e-9 of the residual-scaled 0.1 mm of the minimum.
+          // Both fits end within 1e-9 σ of the minimum; σ, scaled by the residuals, is 0.1 mm.
           EXPECT_NEAR(fit->circle.x, reference->circle.x, 1e-9);
           EXPECT_NEAR(fit->circle.y, reference->circle.y, 1e-9);
           EXPECT_NEAR(fit->circle.radius, reference->circle.radius, 1e-9);

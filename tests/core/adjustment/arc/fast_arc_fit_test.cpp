@@ -24,7 +24,7 @@ struct Columns {
   std::vector<double> a, e;
 };
 
-/// Counted from the horizon.
+/// Returns the readings, counted from the horizon.
 Columns columnsOf(const ArcMeasurement& arc) {
   Columns columns;
   for (const Sighting& sighting : arc.sightings) {
@@ -41,7 +41,7 @@ std::optional<FastArcFit> fitFast(const Measurement& measurement, const ArcMeasu
   return fit;
 }
 
-/// By Levenberg-Marquardt with the general foot points, from a distant start.
+/// Fits with Levenberg-Marquardt and the general foot points, from a distant start.
 ArcFit fitGenerally(const Measurement& measurement, const ArcMeasurement& arc, const Circle& near) {
   const auto fit = fitArc(measurement, arc, {.start = Circle{near.x + 3, near.y - 2, near.radius * 1.01}});
   if (!fit || !fit->converged()) throw std::runtime_error("the general fit found no minimum");
@@ -73,7 +73,7 @@ TEST(FastArcFit, MeetsTheHighPrecisionSolutions) {
       EXPECT_NEAR(fit->circle.x, reference.arcs[i].x, smallLength);
       EXPECT_NEAR(fit->circle.y, reference.arcs[i].y, smallLength);
       EXPECT_NEAR(fit->circle.radius, reference.arcs[i].radius, smallLength);
-      // Computed at the circle before the last step, some micrometres away.
+      // The cofactor belongs to the circle before the last step, some micrometres away.
       EXPECT_NEAR(std::sqrt(fit->cofactor[1][1]), reference.arcs[i].sigmaY, 2e-6 * reference.arcs[i].sigmaY);
       EXPECT_NEAR(fit->chiSquare, reference.arcs[i].chiSquare, 1e-8 * (1 + reference.arcs[i].chiSquare));
       ++met;
@@ -149,7 +149,8 @@ TEST(FastArcFit, ManyAtOnceAreTheSingleOnes) {
   }
 }
 
-// Above some ten thousand places they are not stored: the same minimum, and residuals consistent with its χ².
+// Above some ten thousand places the fit does not store them: the minimum is the same, and the residuals are
+// consistent with its χ².
 TEST(FastArcFit, ManyPlacesMeetTheGeneralFit) {
   const Measurement measurement = test::usualMeasurement();
   std::mt19937_64 generator(3);
@@ -198,8 +199,8 @@ TEST(FastArcFit, ManyPlacesWithSystematicErrorsMeetTheGeneralFit) {
   }
   const auto fast = fitFast(measurement, arc);
   ASSERT_TRUE(fast);
-  // Second derivatives contain the residuals times the curvature of the arc, which do not average out: 6″ at
-  // L to R.
+  // Second derivatives contain the residuals times the curvature of the arc, which do not average out. Their
+  // share is 6″ · L/R.
   expectSame(*fast, fitGenerally(measurement, arc, fast->circle), 1e-4);
 }
 

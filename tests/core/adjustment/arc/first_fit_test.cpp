@@ -103,7 +103,7 @@ TEST(FirstFit, IsTheFitOfTheArc) {
     }
 }
 
-// Beyond 45° from the line of sight the fast fit refuses.
+// The fast fit refuses readings beyond 45° from the line of sight.
 TEST(FirstFit, TakesTheGeneralFitWhereTheFastOneIsRefused) {
   Measurement measurement = test::usualMeasurement();
   measurement.distance = 300;

@@ -51,7 +51,7 @@ TEST_P(FootPointTest, IsTheNearestPointInUnitsOfSigma) {
     EXPECT_GT(costAt(foot.phi + away, GetParam()), nearest) << away;
 }
 
-// From another start on the arc it ends at the same point, to rounding of its angle.
+// The iteration from another start on the arc ends at the same point, to rounding of its angle.
 TEST_P(FootPointTest, IsFoundFromAFar) {
   const FootPoint foot = footOn(circle, GetParam());
   for (const double away : {-0.5, -1e-3, 0.2}) {
@@ -83,8 +83,8 @@ TEST_P(FootPointTest, IsFoundToRoundingFarFromTheArcToo) {
   }
 }
 
-// With a slider reading 30″ off, in either sense, and two rows: no neighbouring place is better than the
-// foot.
+// The slider reading is 30″ off, in either sense, and there are two rows: no neighbouring place is better
+// than the foot.
 TEST_P(FootPointTest, WeighsTheSliderAlong) {
   for (const int axisDeg : {0, 180}) {
     const ArcView view = viewOf(GetParam(), axisDeg);

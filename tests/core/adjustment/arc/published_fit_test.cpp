@@ -11,7 +11,7 @@
 namespace alidade {
 namespace {
 
-/// Half a unit of the last printed digit.
+/// The tolerances are half a unit of the last printed digit.
 constexpr double fourDigits = 0.5e-4, threeDigits = 0.5e-3;
 
 class PublishedFitOfTableI : public testing::Test {

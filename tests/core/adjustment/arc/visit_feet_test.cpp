@@ -31,8 +31,8 @@ ArcView viewIn(const Situation& situation) {
   return ArcView(measurement, situation.axisDeg);
 }
 
-/// Visits along 5 rad of the arc, of one row or two, every third without a slider reading, each circle off by
-/// up to `off`, and the slider too.
+/// Visits of one row or two along 5 rad of the arc, every third without a slider reading. Each circle, and
+/// the slider, is off by up to `off`.
 std::vector<VisitReading> visitsAlong(const Situation& situation, std::size_t count, Angle off) {
   std::mt19937 random(static_cast<unsigned>(count));
   std::uniform_real_distribution<double> within(-off.radians(), off.radians());
@@ -112,7 +112,7 @@ TEST_P(VisitFeetTest, AreTheFootPointsOfEachVisit) {
     }
 }
 
-// With circle readings alone a visit leaves one condition, its distance d from the arc in σ: χ² = d², and
+// With circle readings alone a visit leaves one condition, its distance d from the arc in σ. So χ² = d², and
 // with g = −∂d/∂(x, y, R) the equations are g gᵀ and g d. The gradient is some 40 σ/mm; central differences
 // over 1 µm err by 1e-8 σ/mm from rounding (1e-16 rad compared with 2″) and less from curvature.
 TEST_P(VisitFeetTest, GradientMeetsTheChangeOfTheDistance) {

@@ -136,9 +136,9 @@ TEST(CorrectionTrials, ScoreBySlipAndBothVisits) {
   EXPECT_GE(inTwo, 3);
 }
 
-// Of two possible texts for a cell, the larger leaves the larger residual: as read, also on a zenith circle,
-// in either face and for the slider, whose reading is the first row's. Sound rows read to 5″ allow many
-// texts.
+// The larger of two possible texts for a cell leaves the larger residual, as read. This also holds on a
+// zenith circle, in either face and for the slider, whose reading is the first row's. Sound rows read to 5″
+// allow many texts.
 TEST(CorrectionTrials, TellResidualsAsRead) {
   for (const char* plan : {"paper", "full"}) {
     Truth truth = drawTruth(4);
@@ -179,8 +179,9 @@ TEST(CorrectionTrials, LetSoundVisitsStandAsTyped) {
   }
 }
 
-// The check excludes the readings of the visit itself, whatever their error, and of a second named visit,
-// even if 3 σ are too little for a misreading. Two fits from different starts differ by a millionth.
+// The check excludes the readings of the visit itself, whatever their error. It also excludes those of a
+// second named visit, even if 3 σ are too little for a misreading. Two fits from different starts differ by a
+// millionth.
 TEST(CorrectionTrials, CheckByOtherVisitsAlone) {
   const Session session = sound("paper");
   Session changed = session;

@@ -130,7 +130,7 @@ TEST(Suspects, AreLeftAloneOnceAskedToStop) {
   EXPECT_THAT(findSuspects(session, measurement, fit, {}, stop.get_token()), IsEmpty());
 }
 
-// From its start to slightly after its end, in sixty steps.
+// The stop request comes at sixty moments, from the start of the search to slightly after its end.
 TEST(Suspects, AreSomeOfAllOnceAskedToStopMeanwhile) {
   Session session = slippedSession(*protocolByName("paper"), Slip::DigitWrong, 5001).session;
   session.positions[0].readings[4].vertical = session.positions[0].readings[11].vertical;

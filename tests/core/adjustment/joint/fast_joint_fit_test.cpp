@@ -8,7 +8,7 @@
 #include "core/base/random_source.h"
 #include "tests/support/perfect_session.h"
 
-// The fast adjustment compared with the general one, wherever it accepts.
+// Compares the fast adjustment with the general one, wherever it accepts.
 
 namespace alidade {
 namespace {
@@ -62,7 +62,7 @@ Measurement drawMeasurement(RandomSource& random) {
   return measurement;
 }
 
-/// Numbers of both fits differ only by rounding: `share` of the largest of their kind.
+/// Requires that numbers of both fits differ only by rounding: by `share` of the largest of their kind.
 void expectAlike(const std::vector<double>& one, const std::vector<double>& other, double share,
                  const char* what) {
   ASSERT_EQ(one.size(), other.size()) << what;

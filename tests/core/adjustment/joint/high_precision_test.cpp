@@ -1,5 +1,5 @@
 // Every fit of the program compared with solutions at 60 digits (tests/reference/high-precision). 1e-9 mm is
-// a millionth of the uncertainty; a reading is rounded to 4e-16 rad, 1e-12 mm at the target, which the
+// a millionth of the uncertainty. A reading is rounded to 4e-16 rad, 1e-12 mm at the target, which the
 // poorest geometry (20° of arc) magnifies some hundred times.
 
 #include <gtest/gtest.h>
@@ -14,7 +14,7 @@ namespace alidade {
 namespace {
 
 constexpr double smallLength = 1e-9;  // mm
-/// For a σ or χ²: the solvers stop within 1e-9 σ of the minimum, where both are smooth.
+/// Relative tolerance of a σ or χ²: the solvers stop within 1e-9 σ of the minimum, where both are smooth.
 constexpr double smallShare = 1e-8;
 
 void expectMeets(const ArcFit& fit, const test::ReferenceArc& reference) {

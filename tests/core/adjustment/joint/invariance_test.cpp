@@ -15,14 +15,14 @@
 namespace alidade {
 namespace {
 
-/// Without anything that depends on the direction of the circle or on time.
+/// Returns a session without anything that depends on the direction of the circle or on time.
 Session sessionOf(const std::string& protocol) {
   Truth truth = drawTruth(21);
   truth.sigmaDistance = 1;
   return *simulate(*protocolByName(protocol), truth, 21);
 }
 
-/// The readings of the circle at 0.1″, turned, at the same resolution.
+/// Turns the readings of the circle, at the same resolution of 0.1″.
 void turnCircle(Session& session, double degrees) {
   const auto turned = [&](const std::string& text) {
     const Angle angle = wrapped(*parseAngle(text) + Angle::fromDegrees(degrees), Angle::fromDegrees(180));
@@ -61,12 +61,12 @@ TEST_P(InvarianceTest, TurningTheHorizontalCircleChangesNothing) {
   const Session session = sessionOf(GetParam());
   const SessionFit before = fitted(session);
   const double zero = parseAngle(session.positions[0].zero.horizontal)->degrees();
-  // To any place, and so that the zero or either end of the arc comes to be at 0/360.
+  // The circle is turned by an arbitrary angle, and so that the zero or either end of the arc is at 0/360.
   for (const double degrees : {123.0, -zero, -zero + 9.4, -zero - 9.4, -zero + 180.0}) {
     Session turned = session;
     turnCircle(turned, degrees);
     SCOPED_TRACE(degrees);
-    // Typed to 0.1″ again: a rotation in whole 0.1″ is exact.
+    // The readings are written to 0.1″ again; a rotation by a multiple of 0.1″ is exact.
     expectSame(before, fitted(turned));
   }
 }

@@ -83,8 +83,8 @@ TEST(JointFit, SaysWhereItsEquationsHaveLostTheirRank) {
   EXPECT_EQ(fitJointly(measurement, {{0, 0, 400}}).status, FitStatus::Undetermined);
 }
 
-// Without a step the values are those of the start: for a term the given start, whatever its prior; for a
-// shared radius the mean of the circles', even if another value is known.
+// Without a step the fit returns its start. A term has the given start, whatever its prior; a shared radius
+// has the mean of the circles', even if another value is known.
 TEST(JointFit, StartsWhereItIsTold) {
   Measurement measurement = test::paperMeasurement();
   const std::vector<Circle> starts{{-1, 2, 401}, {3, -4, 405}};

@@ -26,8 +26,8 @@ std::vector<Circle> arcsAlone(const Measurement& measurement) {
   return starts;
 }
 
-/// Each way to set up the equations: perfect, with the guideway's terms or all of them, for sessions with one
-/// face and two, with slider and without.
+/// Each way to set up the equations: for a perfect instrument, with the guideway's terms or with all terms;
+/// for one face and two, with slider and without.
 struct Case {
   std::string name;
   Measurement measurement;
@@ -111,8 +111,8 @@ TEST(JointProblem, StartsAtTheCirclesAndTermsGiven) {
   EXPECT_LT((state.unknowns - expected).cwiseAbs().maxCoeff(), 1e-12) << state.unknowns.transpose();
 }
 
-// By differences over 1e-4 mm or rad. They err by 1e-9 of the third derivatives, and by the rounding of the
-// residuals, some 1e-11 σ: 1e-7 in columns of up to 1e5.
+// The reference are differences over 1e-4 mm or rad. They err by 1e-9 of the third derivatives, and by the
+// rounding of the residuals, some 1e-11 σ: 1e-7 in columns of up to 1e5.
 TEST(JointProblem, JacobianIsHowTheResidualsChange) {
   for (const Case& one : cases()) {
     SCOPED_TRACE(one.name);
@@ -144,9 +144,9 @@ TEST(JointProblem, JacobianIsHowTheResidualsChange) {
   }
 }
 
-// A drift acts by the time since the zero of the position was sighted, next to its first row. A jump acts
-// from its row on, also on a later zero, whose position is then unchanged; zenith readings increase by
-// either. Both are added to the reading itself, so only rounding remains.
+// A drift acts by the time since the zero of the position was sighted, next to its first row. A jump acts on
+// its row and all later ones. A position whose zero is later is unchanged, because the jump acts on that zero
+// too. Zenith readings increase by either. Both are added to the reading itself, so only rounding remains.
 TEST(JointProblem, DriftsAndJumpsActByTheRowsPlaceInTime) {
   using enum ErrorTerm;
   const Measurement measurement = test::trialMeasurement("full");
@@ -209,8 +209,8 @@ Whole wholeOf(const JointProblem& problem, const JointState& state) {
   return whole;
 }
 
-// N and its right side including the arc angles, eliminated here by Schur's complement. Both sides round at
-// some 1e-16 of the largest products.
+// The reference is N and its right side with the arc angles, which are eliminated here by Schur's complement.
+// Both sides round at some 1e-16 of the largest products.
 TEST(JointProblem, NormalEquationsAreThoseOfAllReadingsAtOnce) {
   for (const Case& one : cases()) {
     SCOPED_TRACE(one.name);
@@ -236,11 +236,11 @@ TEST(JointProblem, NormalEquationsAreThoseOfAllReadingsAtOnce) {
   }
 }
 
-// The step of unknowns and arc angles from solving all equations at once. The worst of the matrices loses
+// The reference solves all equations at once for the step of unknowns and arc angles. The worst matrix loses
 // 1e-7 of it.
 TEST(JointProblem, ArcAnglesFollowTheUnknowns) {
   for (const Case& one : cases()) {
-    if (one.options.terms.size() > 2) continue;  // all of them together are inseparable
+    if (one.options.terms.size() > 2) continue;  // the terms cannot all be separated
     SCOPED_TRACE(one.name);
     const JointProblem problem(one.measurement, one.options);
     std::vector<Circle> starts = arcsAlone(one.measurement);

@@ -52,8 +52,8 @@ TEST(Linearised, ColumnsOfTermsAreWhatTheTermsDo) {
   }
 }
 
-// A radius known to 0.5 mm and a term with the plausible size 1e-4, at the fit: their distance from the prior
-// in σ.
+// The fit has a radius known to 0.5 mm and a term with the plausible size 1e-4. The residuals are their
+// distances from the prior in σ.
 TEST(Linearised, WhatIsKnownBeforehandIsOneRowEach) {
   Measurement measurement = test::trialMeasurement("two-face");
   measurement.radiusModel = RadiusModel::Known;

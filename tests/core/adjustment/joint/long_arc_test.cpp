@@ -26,7 +26,7 @@ class LongArc : public testing::TestWithParam<double> {};
 
 INSTANTIATE_TEST_SUITE_P(Ends, LongArc, testing::Values(170.0, 200.0, 290.0));
 
-// Without noise the true scale is found, reduced by its prior by (σ/5e-4)² of it.
+// Without noise the fit finds the true scale, which its prior reduces by the share (σ/5e-4)².
 TEST_P(LongArc, TellsTheScaleOfTheSlider) {
   Truth truth = drawTruth(3);
   truth.effects = {{ErrorTerm::SliderScale, 4e-4}};
@@ -38,7 +38,7 @@ TEST_P(LongArc, TellsTheScaleOfTheSlider) {
   EXPECT_NEAR(fit.intersection->value, truth.intersection, 3e-4);
 }
 
-// By the fast adjustment and by the general one; readings of 1e-6″ leave 1e-6 rad.
+// Both the fast adjustment and the general one are tested; readings of 1e-6″ leave 1e-6 rad.
 TEST_P(LongArc, HasItsAnglesWithoutASeam) {
   const Protocol protocol = upTo(GetParam());
   Measurement measurement = *examine(*simulateWithoutNoise(protocol, drawTruth(5), 5)).measurement;

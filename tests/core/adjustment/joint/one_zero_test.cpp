@@ -44,9 +44,9 @@ Measurement shifted(Measurement measurement, Angle horizontal, Angle vertical) {
   return measurement;
 }
 
-// The change of Δd, after a new fit, for a zero wrong in all arcs by its σ. Its elevation cancels, and so
-// does almost all of its azimuth; residuals of 9″, which the derivative omits, change the rest by a tenth.
-// With two separate zeros the share is L σ/√2, 16 µm.
+// The reference is the change of Δd in a new fit whose zero is wrong in all arcs by its σ. Its elevation
+// cancels, and so does almost all of its azimuth. The derivative omits residuals of 9″, which change the rest
+// by a tenth. With two separate zeros the share is L σ/√2, 16 µm.
 TEST(OneZero, BringsWhatAnErrorOfItMovesTheIntersectionBy) {
   const Measurement measurement = withOneZero();
   const auto movedBy = [&](Angle horizontal, Angle vertical) {
@@ -77,7 +77,7 @@ TEST(OneZero, IsTheSameInTheGeneralFit) {
   EXPECT_NEAR(slow.inPlaneSigma, fit.intersection->inPlaneSigma, 1e-9);
 }
 
-// In both fast refits; 20 000 draws determine σ to 0.5 %, and 60″ change it by some 1 % nonlinearly.
+// Both fast refits are tested; 20 000 draws determine σ to 0.5 %, and 60″ change it by some 1 % nonlinearly.
 TEST(OneZero, IsDrawnOnce) {
   for (const RadiusModel radius : {RadiusModel::Free, RadiusModel::Common}) {
     Measurement measurement = withOneZero();
@@ -98,7 +98,7 @@ TEST(OneZero, CoversSessionsReadFromIt) {
   for (std::uint64_t seed = 1; seed <= sessions; ++seed) {
     const Truth truth = drawTruth(seed);
     Measurement measurement = *examine(*simulate(*protocolByName("paper"), truth, seed)).measurement;
-    // Counted from the true zero, with one common error.
+    // The readings count from the true zero, with one common error.
     const ArcMeasurement first = measurement.arcs[0];
     for (ArcMeasurement& arc : measurement.arcs) {
       const Angle horizontal = arc.zeroHorizontal - first.zeroHorizontal,

@@ -25,7 +25,7 @@ TEST(ReadingTest, SharesTheRiskOutOverAllTests) {
 }
 
 // The noncentrality at which t exceeds the critical value in 80 % of cases, the distribution integrated
-// numerically with 20 digits; the approximation errs by the amounts in its header.
+// numerically with 20 digits. The approximation errs by the amounts in its header.
 TEST(ReadingTest, DetectsTheShiftOfANoncentralT) {
   struct Exact {
     int tests, freedom;

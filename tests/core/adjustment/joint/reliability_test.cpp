@@ -65,7 +65,7 @@ Measurement oneArc(int places, int faces) {
   return measurement;
 }
 
-/// How often the search for misread readings names an error of the minimal size in reading `cell`.
+/// Returns how often the search for misread readings names an error of the minimal size in reading `cell`.
 double shareFound(const Measurement& perfect, const ReadingRef& cell, int sessions) {
   const Circle start{0, 0, 400};
   const JointFit clean = fitJointly(perfect, {start});
@@ -87,8 +87,8 @@ double shareFound(const Measurement& perfect, const ReadingRef& cell, int sessio
   return static_cast<double>(found) / sessions;
 }
 
-// The search itself, on simulated sessions with one error of the minimal size: found in 80 %. For 1500
-// sessions the share scatters by 1 %; three times that is allowed.
+// The search itself finds the error in 80 % of simulated sessions with one error of the minimal size. For
+// 1500 sessions the share scatters by 1 %; three times that is allowed.
 TEST(Reliability, FindsWhatItPromises) {
   EXPECT_NEAR(shareFound(oneArc(17, 1), {0, 2, Horizontal}, 1500), 0.80, 0.03);
   EXPECT_NEAR(shareFound(oneArc(9, 2), {0, 3, Vertical}, 1500), 0.80, 0.03);
@@ -99,8 +99,8 @@ TEST(Reliability, FindsMoreThanItPromisesWhereFewReadingsAreThere) {
   EXPECT_NEAR(shareFound(oneArc(6, 1), {0, 1, Horizontal}, 1500), 0.814, 0.03);
 }
 
-// Another method: the search fits the reading's shift and divides by the scatter of all others. In linear
-// theory its t is w √((f − 1)/(f − w²)) of the fit of all readings (A. J. Pope, 1976).
+// Compares another method: the search fits the reading's shift and divides by the scatter of all others. In
+// linear theory its t is w √((f − 1)/(f − w²)) of the fit of all readings (A. J. Pope, 1976).
 TEST(Reliability, StandardisedResidualIsTheSearchsTest) {
   Measurement measurement = oneArc(17, 2);
   std::mt19937_64 generator(8);

@@ -57,31 +57,34 @@ TEST(RepeatedPositions, ShareOneCircle) {
   }
   EXPECT_EQ(fit.arcs[2].time, 2);
   EXPECT_NEAR(fit.intersection->value, 1, 1e-8);
-  // Two circles of each row minus a place for each and two circles; the zeros are observed.
+  // Degrees of freedom: two readings of each row, minus one place of each row and three numbers of each of
+  // two circles. The zeros are observed.
   EXPECT_EQ(fit.joint.degreesOfFreedom, 2 * 43 - 43 - 6);
 }
 
 // Two zeros at one axis that differ by δ: whichever is right, the centre is half way. Each zero takes half of
-// δ, apart from the part left to the noise of the readings, and Δd changes by half of the effect of one zero.
-// In closed form for zeros alone: a rotation by δ moves a far centre by L δ.
+// δ, apart from the part left to the noise of the readings. Δd changes by half of the effect of one zero. In
+// closed form for zeros alone: a rotation by δ moves a far centre by L δ.
 TEST(RepeatedPositions, MeetHalfWay) {
   constexpr double moved = 20;
   Measurement measurement = measuredAgain();
   turn(measurement.arcs[2], moved, -moved);
   const SessionFit fit = fitSession(measurement);
   const double full = measurement.distance * Angle::fromArcseconds(moved).radians();
-  EXPECT_NEAR(fit.arcs[0].circle.x - at0.x, full / 2, 0.03 * full);  // the arc is 400 mm off
+  EXPECT_NEAR(fit.arcs[0].circle.x - at0.x, full / 2, 0.03 * full);  // the points of the arc are 400 mm from
+                                                                     // its centre
   EXPECT_NEAR(fit.intersection->value - 1, -full / 4, 0.03 * full);
   const double first = valueOf(fit.joint, HorizontalZero, 0), again = valueOf(fit.joint, HorizontalZero, 2);
   EXPECT_NEAR(Angle::fromRadians(first + again).arcseconds(), 0, 1e-3);
-  // Between the zeros, which show no difference, and the arcs alone, by their weights.
+  // The estimated difference is a weighted mean of the zeros, which show no difference, and of the arcs
+  // alone.
   const double told = std::abs(Angle::fromRadians(again - first).arcseconds());
   const double ofZero = measurement.distance * measurement.sigmaZeroHorizontal.radians(),
                ofArc = std::sqrt(fitArc(measurement, measurement.arcs[0])->cofactor[0][0]);
   EXPECT_NEAR(told, moved * ofZero * ofZero / (ofZero * ofZero + ofArc * ofArc), 0.03 * moved);
 }
 
-// The second zero halves the variance due to zeros of one of two centres: ½ √(2″²/2 + 2″²) L.
+// The axis with two zeros has half the variance due to a single zero, so σ is ½ √(2″²/2 + 2″²) L.
 TEST(RepeatedPositions, HalveTheVarianceOfTheirZeros) {
   const Measurement measurement = measuredAgain();
   const SessionFit fit = fitSession(measurement);
@@ -112,7 +115,7 @@ TEST(RepeatedPositions, AreAsUncertainAsStated) {
   EXPECT_NEAR(sum / sessions, 1, 4 * std::sqrt(2.0 / sessions) + 0.1);  // σ itself is estimated
 }
 
-// With `isApart`, each is fitted as if alone, by the fast adjustment and by the general one.
+// `isApart` fits each position as if alone, with the fast adjustment and the general one.
 TEST(RepeatedPositions, CanBeFittedApart) {
   Measurement measurement = measuredAgain();
   turn(measurement.arcs[2], 10, 5);

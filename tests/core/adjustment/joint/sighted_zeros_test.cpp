@@ -14,7 +14,7 @@
 namespace alidade {
 namespace {
 
-/// Read without noise by the plan of the paper.
+/// Returns a session of the paper's plan without noise.
 Measurement readWith(const std::vector<TrueSize>& effects, bool zerosInFull = false) {
   Truth truth = drawTruth(5);
   truth.effects = effects;
@@ -56,7 +56,7 @@ TEST(SightedZeros, AreInDoubtFromThirtySecondsOnUntilItIsStated) {
   EXPECT_FALSE(areZerosInDoubt(measurement));
 }
 
-// Identical to the last digit they may be a single sighting with a common error.
+// Zeros that are identical to the last digit may be a single sighting with a common error.
 TEST(SightedZeros, WrittenAlikeSayNothingOfTheTimeBetween) {
   Measurement measurement = readWith({});
   measurement.arcs[1].zeroHorizontal = measurement.arcs[0].zeroHorizontal;
@@ -68,7 +68,8 @@ TEST(SightedZeros, WrittenAlikeSayNothingOfTheTimeBetween) {
   EXPECT_EQ(commonZeros(measurement), (CommonZeros{true, true}));
 }
 
-// Of 34 rows the zeros are sighted next to the first and the 18th: a drift rotates them by 17/33 of it.
+// The zeros are sighted next to the first and the 18th of 34 rows: between them a drift turns the orientation
+// by 17/33 of its size.
 TEST(SightedZeros, DifferByWhatADriftTurnsBetweenThem) {
   const Measurement measurement =
       readWith({{ErrorTerm::HorizontalDrift, 66}, {ErrorTerm::VerticalDrift, -33}});
@@ -81,7 +82,8 @@ TEST(SightedZeros, DifferByWhatADriftTurnsBetweenThem) {
   EXPECT_NEAR(closures[0].sigma / perSecond, 2 * std::sqrt(2), 1e-9);
 }
 
-// As observations they determine the drift, and with it the arcs: readings without noise leave no residuals.
+// As observations the zeros determine the drift, and with it the arcs: readings without noise leave no
+// residuals.
 TEST(SightedZeros, BringADriftBackToTheDigit) {
   for (const bool inFull : {false, true}) {
     const Measurement read =
@@ -109,7 +111,8 @@ TEST(SightedZeros, LeaveTheRowsWhereTheyAre) {
     ASSERT_EQ(closed.arcs[arc].sightings.size(), read.arcs[arc].sightings.size() + 4);
     for (std::size_t i = 0; i < read.arcs[arc].sightings.size(); ++i)
       EXPECT_EQ(closed.arcs[arc].sightings[i].row, read.arcs[arc].sightings[i].row);
-    // Two before its rows, two after them, all at different moments from those of another.
+    // Each zero has two sightings before its rows and two after them, all at different moments from those of
+    // another.
     const ArcMeasurement& own = read.arcs[arc];
     EXPECT_LT(own.zeroSightings[1].order, own.sightings.front().order);
     EXPECT_GT(own.zeroSightings[2].order, own.sightings.back().order);
@@ -117,8 +120,8 @@ TEST(SightedZeros, LeaveTheRowsWhereTheyAre) {
   }
 }
 
-/// Numeric derivatives of the zeros' readings with respect to every term of the instrument and both zeros:
-/// the residuals of a nonlinear problem.
+/// The linearised residuals of the zeros must have the derivatives known in closed form, with respect to
+/// terms of the instrument and both zeros.
 TEST(SightedZeros, HaveTheDerivativesOfTheirMark) {
   Measurement read = readWith({{ErrorTerm::Collimation, 40}, {ErrorTerm::HorizontalDrift, 30}}, true);
   read.arcs[0].zeroElevation = read.arcs[1].zeroElevation = Angle::fromDegrees(1);
@@ -132,7 +135,7 @@ TEST(SightedZeros, HaveTheDerivativesOfTheirMark) {
     const Sighting& zero = closed.arcs[linear.readings[i].arc].sightings[linear.readings[i].sighting];
     const bool isVertical = linear.readings[i].kind == ReadingKind::Vertical;
     const double sigma = linear.readings[i].sigma, side = zero.face == 1 ? 1 : -1;
-    // δα = ±c/cos e at the mark; the drift at its moment; the elevation separately.
+    // δα = ±c/cos e at the mark; a drift acts at the moment of the sighting, separately on the two circles.
     EXPECT_NEAR(linear.ofTerm(i, ErrorTerm::Collimation) * sigma,
                 isVertical ? 0 : side / std::cos(Angle::fromDegrees(1).radians()), 1e-3);
     EXPECT_NEAR(linear.ofTerm(i, ErrorTerm::HorizontalDrift) * sigma, isVertical ? 0 : zero.elapsed, 1e-12);

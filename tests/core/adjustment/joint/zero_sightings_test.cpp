@@ -23,7 +23,7 @@ struct Sighted {
   Measurement measurement() const { return *examine(session).measurement; }
 };
 
-/// Without noise, by a plan in both faces with slider readings.
+/// Returns a session without noise, by a plan in both faces with slider readings.
 Sighted sighted(bool inFull, std::initializer_list<TrueSize> effects = {}) {
   Sighted sighted{drawTruth(11), {}};
   sighted.truth.sightsZerosInFull = inFull;
@@ -66,9 +66,9 @@ TEST(ZeroSightings, AreOfTheOneForwardModel) {
   EXPECT_LT(centresOff(fit, full.truth), 1e-4) << "a zero in face 1 alone would put them off by 0.5 mm";
 }
 
-// The change of Δd due to a drift is zero if the zero of each position is sighted next to its first row,
-// since both positions are then equally delayed, and if it is sighted before and after. One zero for both
-// would leave L D/4.
+// A drift does not change Δd if the zero of each position is sighted next to its first row, since both
+// positions are then equally delayed. It does not either if the zero is sighted before and after the rows.
+// One zero for both would leave L D/4.
 TEST(ZeroSightings, BeforeAndAfterTakeADriftOut) {
   const double drift = Angle::fromArcseconds(30).radians();
   const auto movedBy = [&](bool inFull) {
@@ -78,7 +78,7 @@ TEST(ZeroSightings, BeforeAndAfterTakeADriftOut) {
   for (const bool inFull : {false, true}) EXPECT_LT(movedBy(inFull), 0.03 * 2405 * drift / 4);
 }
 
-// Four sightings, two in each face, without noise: half the uncertainty of a single one.
+// Four sightings without noise, two in each face, have half the uncertainty of a single one.
 TEST(ZeroSightings, BringAsMuchAsTheirMeanIsUncertain) {
   const SessionFit once = fitSession(sighted(false).measurement()),
                    full = fitSession(sighted(true).measurement());
@@ -94,8 +94,9 @@ Measurement scattering(double times, bool areReadings) {
   return measurement;
 }
 
-// The larger of their own scatter and, if they are circle readings, that of the circles, but not both: the
-// readings of a session without noise scatter a tenth of the stated σ, so s0 scales nothing.
+// Zeros scatter by the larger of their own scatter and, if they are circle readings, that of the circles, but
+// not by both. The readings of a session without noise scatter by a tenth of the stated σ, so s0 scales
+// nothing.
 TEST(ZeroSightings, CountAsTheyScatter) {
   const double asStated = shareOfZeros(fitSession(scattering(1, false)));
   EXPECT_NEAR(shareOfZeros(fitSession(scattering(3, false))) / asStated, 3, 1e-9);
@@ -126,7 +127,7 @@ TEST(ZeroSightings, ScatterAsTheNoiseIsTakenFor) {
   }
 }
 
-// Draws compared with the budget, if only zeros matter: 10⁵ draws determine σ to 0.3 %.
+// Compares draws with the budget where only zeros matter; 10⁵ draws determine σ to 0.3 %.
 TEST(ZeroSightings, AreDrawnAsTheirMeanIsUncertain) {
   for (const bool hasTerms : {false, true}) {
     Measurement measurement = scattering(2, false);

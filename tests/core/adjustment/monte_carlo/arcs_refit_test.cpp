@@ -89,8 +89,8 @@ TEST(ArcsRefit, FindsTheCirclesWhoseReadingsWereDrawn) {
     }
 }
 
-// The fast fit refuses a reading off by 10′, and the general one replaces it; an arc at a single place, or 2°
-// long, has no result in either. The other draws are unaffected.
+// The fast fit refuses a reading off by 10′, and the general fit takes its place. An arc at a single place,
+// or 2° long, has no result in either. The other draws are unaffected.
 TEST(ArcsRefit, LeavesToTheGeneralOneWhatTheFastFitRefuses) {
   const Measurement measurement = test::withPerfectArcs(test::uncertainMeasurement(), circlesApart, 9, 150);
   const test::FittedForDraws fitted(measurement);

@@ -73,7 +73,7 @@ TEST(Draw, GivesEveryUncertainNumberAPlaceOfItsOwn) {
   }
 }
 
-// In reverse order, into a draw of a longer plan, or by a new plan.
+// The draws are made in reverse order, into a draw of a longer plan, and by a new plan.
 TEST(Draw, IsTheSameWhoeverAsksForIt) {
   const Measurement measurement = unlikeArcs();
   const NoiseScale noise{1.3, 12};
@@ -117,7 +117,7 @@ TEST(Draw, IsOfIndependentNormalNumbers) {
 }
 
 // A reading's error divided by s0 is Student's, whose distributions with 1, 2 and 4 degrees of freedom have
-// closed forms; with many it is almost normal, and exactly so if the noise is known. Large and small s0 in
+// closed forms. With many it is almost normal, and exactly so if the noise is known. Large and small s0 in
 // turn.
 TEST(Draw, ScattersReadingsAsStudentDid) {
   struct Case {

@@ -56,8 +56,8 @@ TEST(ExpandedRefit, FindsTheCirclesWhoseReadingsWereDrawn) {
     }
 }
 
-// Three arcs, two of them with a common centre, and estimated zeros: the same as by the fits themselves. The
-// drawn zeros and readings move a centre by some σ; a thousandth is of third order.
+// With three arcs, two of them about a common centre, and estimated zeros the result is that of the fits
+// themselves. The drawn zeros and readings move a centre by some σ; a thousandth is of third order.
 TEST(ExpandedRefit, AgreesWithTheGeneralOneOnPositionsMeasuredAgain) {
   for (const bool sliders : {false, true}) {
     Measurement measurement =
@@ -87,7 +87,7 @@ TEST(ExpandedRefit, AgreesWithTheGeneralOneOnPositionsMeasuredAgain) {
   }
 }
 
-// Targets that move along the arc, by 3.5 mm at its ends, depart from its tangents by up to 0.015 mm: with
+// Targets that move along the arc, by 3.5 mm at its ends, depart from its tangents by up to 0.015 mm. With
 // readings of 1′ the linear budget's Δd is off by a thirtieth of σ. The remainder is of third order, below
 // the thousandth of σ that `propagateDistributions` requires.
 TEST(ExpandedRefit, IsGoodToSecondOrder) {
@@ -100,7 +100,7 @@ TEST(ExpandedRefit, IsGoodToSecondOrder) {
     const double by = sigmas * task.fit.sigmas[0].y;
     const std::array<Circle, 2> circles{Circle{0.5 + by, 1 + by, 400 - by}, Circle{-by, -1 + by, 400 + by}};
     const Measurement wanted = test::withPerfectArcs(measurement, circles, 9, 90 + sigmas);
-    double linear = 0;  // change of Δd, which does not change
+    double linear = 0;  // change of Δd in the linear budget; the true Δd does not change
     for (const AdjustedReading& reading : task.fit.joint.readings) {
       const Sighting &from = measurement.arcs[reading.arc].sightings[reading.sighting],
                      &to = wanted.arcs[reading.arc].sightings[reading.sighting];

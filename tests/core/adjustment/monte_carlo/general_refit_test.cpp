@@ -47,7 +47,7 @@ TEST(GeneralRefit, FindsTheCirclesWhoseReadingsWereDrawn) {
     }
 }
 
-// If the readings scatter, the minimum is a compromise: that of a session with these readings typed.
+// If the readings scatter, the refit has the minimum of a session with these readings typed.
 TEST(GeneralRefit, IsTheFitOfTheSessionDrawn) {
   std::mt19937_64 generator(12);
   for (const RadiusModel radius : {RadiusModel::Free, RadiusModel::Common, RadiusModel::Known}) {

@@ -6,7 +6,7 @@
 #include "core/adjustment/monte_carlo/monte_carlo.h"
 #include "tests/support/perfect_session.h"
 
-// Is every uncertain quantity drawn, and where do the intervals end?
+// Tests whether every uncertain quantity is drawn, and where the intervals end.
 
 namespace alidade {
 namespace {
@@ -26,7 +26,7 @@ double sigmaOfDraws(const Measurement& measurement, std::size_t draws) {
   return propagateDistributions(measurement, fit, {.draws = draws}).value().intersection.value().sigma;
 }
 
-// A slider of 20″ is about as accurate along the arc as circles of 2″: it contributes more than a third of
+// A slider of 20″ is about as accurate along the arc as circles of 2″. It contributes more than a third of
 // the variance of Δd (∂Δd/∂reading · σ of every reading, summed). σ of 1000 draws is known to 2.2 %.
 TEST(MonteCarloDraws, TakeTheSlidersNoise) {
   Measurement measurement = perfect(17, 160);
@@ -47,7 +47,7 @@ TEST(MonteCarloDraws, TakeTheSlidersNoise) {
 }
 
 // On a short arc of 15° the readings hardly determine R compared with a known one of 0.1 mm. A radius error δ
-// moves the centre along the arc's middle by −δ Σ sin φ/Σ sin² φ, in opposite directions for the two: so Δd
+// moves the centre along the arc's middle by −δ Σ sin φ/Σ sin² φ, in opposite directions for the two. So Δd
 // errs by that much, and by some 0.007 mm from the readings. σ of 1000 draws is known to 2.2 %.
 TEST(MonteCarloDraws, TakeTheKnownRadius) {
   Measurement measurement = perfect(5, 15);
@@ -63,10 +63,10 @@ TEST(MonteCarloDraws, TakeTheKnownRadius) {
 }
 
 // JCGM 101, 7.7.2: of M = 100 draws the 95 % interval goes from the 3rd to the 98th in order of size, since q
-// = pM = 95 and r is the whole part of (M − q + 1)/2 = 3; the 90 % interval from the 5th to the 95th, as r =
-// (M − q)/2 is whole. For any distribution the average share below the r-th draw is r/(M + 1), with a scatter
-// of √(r(M + 1 − r)/(M + 2))/(M + 1), 0.022 for the 5th: over 400 seeds that is 0.11 ranks. Three places on
-// an arc are linear in their readings: Δd is normal with the budget's σ.
+// = pM = 95 and r is the whole part of (M − q + 1)/2 = 3. The 90 % interval goes from the 5th to the 95th, as
+// r = (M − q)/2 is whole. For any distribution the average share below the r-th draw is r/(M + 1), with a
+// scatter of √(r(M + 1 − r)/(M + 2))/(M + 1), 0.022 for the 5th: over 400 seeds that is 0.11 ranks. Three
+// places on an arc are linear in their readings: Δd is normal with the budget's σ.
 TEST(MonteCarloDraws, IntervalEndsAtTheDrawsOfTheGuide) {
   struct Interval {
     double coverage, low, high;

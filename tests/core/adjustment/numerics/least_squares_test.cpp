@@ -71,7 +71,7 @@ TEST(LeastSquares, FindsTheRootOfACurve) {
   EXPECT_NEAR(found.system.chiSquare, 0, 1e-20);
 }
 
-// From a start at the minimum it ends only after a step there and a second one that confirms it.
+// From a start at the minimum the iteration ends only after one step and a second one that confirms it.
 TEST(LeastSquares, DoesNotTrustASmallStepThatNeedsConfirmation) {
   const OneUnknown problem = line();
   const auto found = minimise(problem, 2.0, {.tolerance = 1e-6, .confirmation = 1e-4});
@@ -98,7 +98,7 @@ TEST(LeastSquares, SaysThatNoStepLowersChiSquare) {
   const auto found = minimise(problem, 12.0, {.firstDamping = 1e-3, .largestDamping = 1e3});
   EXPECT_EQ(found.status, FitStatus::NoDescent);
   EXPECT_EQ(found.state, 12);
-  EXPECT_EQ(found.iterations, 6);  // from 1e-3 up to before 1e3
+  EXPECT_EQ(found.iterations, 6);  // one for each damping from 1e-3 to 1e2
 }
 
 // The parabola's other root is beyond the wall, and so is the undamped step.

@@ -24,7 +24,8 @@ std::vector<Closure> closuresOf(const Measurement& measurement) {
   return alidade::closuresOf(measurement, fitSession(measurement).joint);
 }
 
-// For any order of the positions in the file. With exact zeros and distance the arcs are independent.
+// The result is the same for any order of the positions in the file. With exact zeros and distance the arcs
+// are independent.
 TEST(Closures, AreTheDifferencesOfThePositions) {
   const Measurement measurement = withArcs({0.3, 1, 400.2}, {-0.1, -1, 400.5});
   const SessionFit fit = fitSession(measurement);
@@ -38,7 +39,7 @@ TEST(Closures, AreTheDifferencesOfThePositions) {
   EXPECT_NEAR(closures[1].sigma, std::hypot(fit.sigmas[0].x, fit.sigmas[1].x), 1e-10);
 }
 
-// A zero error of its σ moves its centre by L times that; an error of L is common to both radii, and would be
+// A zero error of its σ moves its centre by L times that. An error of L is common to both radii, and would be
 // 0.166 mm in each for 1 mm of L.
 TEST(Closures, CarryTheZerosAndNotTheDistance) {
   Measurement measurement = withArcs({0, 1, 400}, {0, -1, 400});
@@ -48,7 +49,8 @@ TEST(Closures, CarryTheZerosAndNotTheDistance) {
   const std::vector<Closure> closures = closuresOf(measurement);
   EXPECT_NEAR(closures[0].sigma, of, 0.02 * of);
   const double ofZeros = std::sqrt(2) * 2405 * Angle::fromArcseconds(10).radians();
-  EXPECT_NEAR(closures[1].sigma, std::hypot(ofCentre, ofZeros), 0.03 * ofZeros);  // the arc is 400 mm off
+  EXPECT_NEAR(closures[1].sigma, std::hypot(ofCentre, ofZeros), 0.03 * ofZeros);  // the points of the arc are
+                                                                                  // 400 mm from its centre
 }
 
 // A repeated position with a zero off by (h, v) is L h to the side and L v higher, with the same radius.
@@ -89,8 +91,8 @@ TEST(Closures, NeedBothPositionsAndWhatIsFreeInEach) {
   EXPECT_TRUE(closuresOf(measurement).empty());
 }
 
-// The chance of sound sessions is uniform over 0…1, for any number of points: the mean of 400 is 1/2 within
-// four times 0.29/√400, and one in a thousand fails, so hardly more than four.
+// The chance of sound sessions is uniform over 0…1, for any number of points. The mean of 400 is 1/2 within
+// four times 0.29/√400. One in a thousand fails, so more than four of them are very improbable.
 TEST(Closures, FailByChanceAsOftenAsTheySay) {
   std::mt19937_64 generator(20261123);
   double sum = 0;

@@ -75,7 +75,7 @@ Session onElevationCircle() {
   return session;
 }
 
-/// With 0° repeated, its zero read 6″ differently.
+/// Returns a session with 0° repeated, its zero read 6″ differently.
 Session measuredAgain() {
   Session session = test::paperSession();
   session.positions.push_back(session.positions[0]);
@@ -83,7 +83,7 @@ Session measuredAgain() {
   return session;
 }
 
-// With a slightly different entry, a new fit changes Δd at the stated rate, in sign and size. Linear to 1e-3
+// A new fit with a slightly different entry changes Δd at the stated rate, in sign and size. Linear to 1e-3
 // of the largest.
 TEST(InputReliability, SaysWhatAnErrorDoesToTheIntersection) {
   for (const Session& session : {test::paperSession(), onElevationCircle(), measuredAgain()}) {

@@ -25,7 +25,7 @@ double share(const Intersection& intersection, UncertaintySource source) {
   return 0;
 }
 
-// Figures of independent solvers; half a unit of their last digit.
+// The figures are from independent solvers; the tolerance is half a unit of their last digit.
 TEST(Intersection, OfTableIMeetsTheIndependentSolution) {
   const Measurement measurement = test::paperMeasurement();
   const JointFit fit = fitted(measurement);
@@ -41,7 +41,7 @@ TEST(Intersection, OfTableIMeetsTheIndependentSolution) {
 TEST(Intersection, PlanarRelationGivesItsOwnValue) {
   Measurement measurement = test::paperMeasurement();
   measurement.relation = VerticalAngleRelation::Planar;
-  // From tests/reference/high-precision.
+  // The value is from tests/reference/high-precision.
   EXPECT_NEAR(intersect(measurement, fitted(measurement))->value, 1.2303960656054, 1e-9);
 }
 
@@ -99,8 +99,8 @@ TEST(Intersection, CountsDegreesOfFreedomAfterWelchAndSatterthwaite) {
   EXPECT_NEAR(intersection.coverageFactor, 1.960, 0.006);
 }
 
-// Below its 0.1 % point, χ²(28) = 10.391 in the tables, the scatter of Table I is not trusted; its χ² is 28 ·
-// 6.91² with 2″ and falls with the square of the stated σ.
+// The scatter of Table I is not trusted below its 0.1 % point, χ²(28) = 10.391 in the tables. Its χ² is 28 ·
+// 6.91² with 2″ and decreases with the square of the stated σ.
 TEST(Intersection, BelievesAScatterDownToItsLowestThousandth) {
   Measurement measurement = test::paperMeasurement();
   const auto factorWith = [&](double chiSquare) {
@@ -112,7 +112,7 @@ TEST(Intersection, BelievesAScatterDownToItsLowestThousandth) {
   EXPECT_EQ(factorWith(10.2), 1);
 }
 
-// "readings" is their contribution if the effect were known, that is without it in the model; the additional
+// "readings" is their contribution if the effect were known, that is without it in the model. The additional
 // cost of determining its size is the effect's share. A drift, correlated with the height of an arc that
 // takes as long, costs about as much again.
 TEST(Intersection, PaysForAnEffectThatIsEstimatedAlong) {
@@ -152,8 +152,8 @@ TEST(Intersection, TakesPlausibleSizesAsTheyAre) {
   EXPECT_NEAR(fit.effects.at(0).sigma, 1, 0.01);
 }
 
-// The zeros of Table I scatter like its readings, 6.91 times the 2″ of the circles, if they have no stated σ;
-// and at least as stated if the readings scatter less.
+// The zeros of Table I scatter like its readings, 6.91 times the 2″ of the circles, if they have no stated σ.
+// They scatter at least as stated if the readings scatter less.
 TEST(Intersection, HasZerosScatterAsTheReadingsWhereNothingIsStatedOfThem) {
   Measurement measurement = test::paperMeasurement();
   measurement.sigmaZeroHorizontal = measurement.sigmaZeroVertical = Angle::fromArcseconds(2);

@@ -48,8 +48,8 @@ struct Gaussian {
 };
 
 // The free fit with R1 = R2 and R = R0 as additional observations equals the fit with a common or known
-// radius, in closed form, up to the curvature of the model: radii change by some 0.1 mm, with a curvature of
-// some 1e-4.
+// radius, in closed form. The curvature of the model is neglected: radii change by some 0.1 mm, with a
+// curvature of some 1e-4.
 TEST(RadiusModel, IsTheFreeFitConditioned) {
   for (const char* protocol : {"paper", "full"}) {
     const Measurement measurement = test::trialMeasurement(protocol);
@@ -153,7 +153,7 @@ TEST(RadiusModel, CorrelationWithTheCentreIsStated) {
   EXPECT_LT(free.sigmas[0].radiusY, -0.4);
   EXPECT_GT(free.sigmas[1].radiusY, 0.4);
   EXPECT_LT(std::abs(free.sigmas[0].radiusX), 0.1);
-  // Compared with the definition, with readings as the only source.
+  // The reference is the definition, with readings as the only source.
   Measurement exactZeros = measurement;
   exactZeros.sigmaZeroHorizontal = exactZeros.sigmaZeroVertical = Angle();
   const SessionFit fit = fitSession(exactZeros);

@@ -16,7 +16,7 @@ std::vector<Angle> multiplesOf(double step, int count, double first = 0) {
   return readings;
 }
 
-// Whatever they are counted from, and across 360°.
+// The step is independent of the origin of the readings, also across 360°.
 TEST(ReadingStep, IsTheCoarsestThatDividesAllDifferences) {
   for (const double step : {3600.0, 324.0, 60.0, 32.4, 30.0, 10.0, 3.6}) {
     const auto found = readingStep(multiplesOf(step, 40, 12.3), Angle::fromArcseconds(1));

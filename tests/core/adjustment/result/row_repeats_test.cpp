@@ -14,11 +14,11 @@ namespace {
 
 using testing::ElementsAre, testing::IsEmpty, testing::Pair;
 
-/// How an arc is read: the number of places along 160°, the rounds, and the grid in arcseconds.
+/// The reading of an arc: the number of places along 160°, the rounds, and the grid in arcseconds.
 struct Reader {
   int places = 17, rounds = 1;
   double gridArcseconds = 1, noiseArcseconds = 2;
-  bool isNumberedAnew = false;  ///< every row has a number of its own
+  bool isNumberedAnew = false;  ///< every row has a different number
 
   ArcMeasurement read(const Measurement& measurement, RandomSource& random) const {
     const ArcMeasurement places160 =
@@ -63,9 +63,9 @@ int falseAlarms(const Reader& reader) {
   return alarms;
 }
 
-// One of a hundred is allowed, of 400 sessions 4; 12 has a probability of 1 in 2000. Without allowing for
-// chance all sessions of six rounds read to whole seconds would be reported, and every second one of two
-// rounds.
+// One of a hundred sessions may be reported, which is 4 of 400; 12 has a probability of 1 in 2000. Without
+// allowing for chance all sessions of six rounds read to whole seconds would be reported, and every second
+// one of two rounds.
 TEST(RowRepeats, AreNotMadeOfChance) {
   for (const double grid : {5.0, 1.0, 0.5, 0.1, 0.324})
     for (const int rounds : {1, 2, 6})
@@ -97,7 +97,7 @@ TEST(RowRepeats, AreOneCopiedRow) {
   }
 }
 
-// A copied round is far more than the chance of one pair in three sessions.
+// A copied round repeats far more readings than the one pair expected by chance in three sessions.
 TEST(RowRepeats, AreACopiedRound) {
   const Measurement measurement = test::usualMeasurement();
   RandomSource random(9);
@@ -106,7 +106,7 @@ TEST(RowRepeats, AreACopiedRound) {
   EXPECT_EQ(repeatsOf(measurement, arc).size(), 17u);
 }
 
-// On a grid of a tenth of a second, one row of the round before is enough.
+// On a grid of a tenth of a second, one row copied from the round before is enough.
 TEST(RowRepeats, AreOneRowOfTheRoundBeforeOnAFineGrid) {
   const Measurement measurement = test::usualMeasurement();
   RandomSource random(11);
@@ -127,7 +127,7 @@ TEST(GridOf, IsTheCoarsestThatAllReadingsStandOn) {
   }
 }
 
-// Compared with 100 000 drawn pairs: at most four of their σ.
+// The reference is 100 000 drawn pairs; the tolerance is four of their σ.
 TEST(ChanceOfBeingAlike, IsAsOftenAsTwoReadingsAre) {
   RandomSource random(4);
   for (const double grid : {0.2, 1.0, 3.0, 20.0}) {

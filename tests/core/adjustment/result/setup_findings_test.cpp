@@ -32,7 +32,7 @@ std::vector<FitFinding> findingsOf(const Session& session) {
   return findingsOf(test::measurementOf(session));
 }
 
-/// In 0…360°.
+/// Returns the angle in 0…360°.
 Angle positive(Angle angle) {
   return wrapped(angle, Angle::fromDegrees(180));
 }
@@ -161,7 +161,7 @@ TEST(SetupFindings, AskWhetherAlikeZerosAreOne) {
   Session session = test::paperSession();
   EXPECT_FALSE(found<ZerosAlike>(findingsOf(session)));
   session.positions[1].zero.horizontal = "332°32'54.0\"";
-  session.positions[1].zero.vertical = "89 59 57";  // the first, written otherwise
+  session.positions[1].zero.vertical = "89 59 57";  // the first zero in another notation
   const auto findings = findingsOf(session);
   ASSERT_TRUE(found<ZerosAlike>(findings));
   EXPECT_EQ(found<ZerosAlike>(findings)->positions, 2u);
@@ -177,7 +177,7 @@ TEST(SetupFindings, AskWhetherAlikeZerosAreOne) {
   EXPECT_FALSE(found<ZerosAlike>(findingsOf(session)));
 }
 
-// Written to whole minutes they scatter by 17.3″, which a stated σ of 2″ leaves out.
+// Readings written to whole minutes scatter by 17.3″, which a stated σ of 2″ does not include.
 TEST(SetupFindings, TellOfReadingsWrittenInTooCoarseSteps) {
   Session session = test::paperSession();
   EXPECT_FALSE(found<ReadingsRounded>(findingsOf(session)));

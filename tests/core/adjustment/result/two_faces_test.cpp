@@ -21,7 +21,8 @@ Angle degrees(double value) {
   return Angle::fromDegrees(value);
 }
 
-/// Both faces at each of these elevations (degrees), by the textbook's formulas, independent of the model.
+/// Returns readings in both faces at each of these elevations (degrees), by the textbook's formulas,
+/// independent of the model.
 Measurement twoFaceReadings(const Errors& errors, const std::vector<double>& elevations,
                             VerticalCircle circle = VerticalCircle::Zenith) {
   Measurement measurement = test::usualMeasurement();
@@ -74,7 +75,7 @@ TEST(TwoFaces, CountTheIndexAsAnExcessOfTheReadingOnEitherCircle) {
 }
 
 // Two visits each at ±10°: w = 2c·cos e/2 has σ = 2″·cos e/√2, the mean of four half of it, the slope 1/sin
-// 10° times that of the mean; an index has σ = 2″/√2.
+// 10° times that of the mean. An index has σ = 2″/√2.
 TEST(TwoFaces, StateUncertaintiesOfTheStatedNoiseWhereReadingsScatterImprobablyLittle) {
   const auto faces = compareFaces(twoFaceReadings({5, 5, 5}, {10, -10, 10, -10}));
   ASSERT_TRUE(faces && faces->trunnionTilt);
@@ -142,7 +143,7 @@ TEST(TwoFaces, TellTheRayTracersInstrument) {
 }
 
 // The joint adjustment estimates the same errors from the same differences, with the exact model and its own
-// derivatives; its priors of 30″ change them by less than a thousandth.
+// derivatives. Its priors of 30″ change them by less than a thousandth.
 TEST(TwoFaces, MeetTheJointAdjustmentsEstimates) {
   Measurement measurement = test::trialMeasurement("two-face");
   const auto faces = compareFaces(measurement);

@@ -23,7 +23,7 @@ Candidates ofThreeKinds() {
   return candidates;
 }
 
-// 19 effects, a step before each row but the first of 136, and every reading.
+// 19 effects, a jump before each of 136 rows except the first, and every reading.
 TEST(Candidates, AreNumberedThrough) {
   const Candidates candidates = ofThreeKinds();
   ASSERT_EQ(candidates.groups().size(), 3u);

@@ -14,7 +14,7 @@ namespace {
 using Eigen::Index, Eigen::MatrixXd, Eigen::MatrixXf, Eigen::VectorXd;
 using test::greatest;
 
-/// More than two pieces, the last one short; one piece that is full; and a few cells.
+/// Three pieces, the last one short; one full piece; one full piece and one cell; a few cells.
 constexpr Index cellCounts[] = {9001, 4096, 4097, 5};
 
 MatrixXf drawnFunctions(Index cells, Index count) {
@@ -27,7 +27,7 @@ VectorXd drawnVector(Index size) {
   return VectorXd::NullaryExpr(size, [&] { return random.normal(); });
 }
 
-/// Of no group and of four in turn, and what that is written out.
+/// Functions of no group and of four groups in turn, with the matrix of their values.
 std::pair<std::vector<Index>, MatrixXd> fourGroups(Index cells) {
   std::vector<Index> groups;
   MatrixXd indicators = MatrixXd::Zero(cells, 4);
@@ -38,7 +38,7 @@ std::pair<std::vector<Index>, MatrixXd> fourGroups(Index cells) {
   return {groups, indicators};
 }
 
-/// Sums of some thousand products of numbers near 1, in another order.
+/// Sums of some thousand products of numbers near 1, in a different order.
 void expectFunctions(const CellFunctions& functions, const MatrixXd& columns) {
   const double rounding = 1e-14 * static_cast<double>(columns.rows());
   ASSERT_EQ(functions.cells(), columns.rows());
@@ -66,7 +66,7 @@ TEST(CellFunctions, OfGroupsAreOneInTheirCells) {
   }
 }
 
-// Those that are chosen stand in the order asked for, and may be chosen from again.
+// Chosen functions are in the requested order, and can be chosen from again.
 TEST(CellFunctions, ChosenAreThoseAskedFor) {
   const MatrixXf functions = drawnFunctions(50, 6);
   const auto [groups, indicators] = fourGroups(50);
@@ -82,7 +82,8 @@ TEST(CellFunctions, ChosenAreThoseAskedFor) {
   }
 }
 
-// Scaled twice is scaled by the product, powers of two exactly; what a copy shares is not scaled along.
+// Scaling twice multiplies the factors, exactly for powers of two. The data shared with a copy are not
+// scaled.
 TEST(CellFunctions, AreScaledApartFromTheirCopies) {
   const MatrixXf functions = drawnFunctions(40, 2);
   const auto [groups, indicators] = fourGroups(40);

@@ -16,7 +16,7 @@ namespace {
 
 using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
 
-/// All candidates of a session, at the fit they were made for.
+/// All candidates of a session, at the fit that they belong to.
 class ComponentTest : public testing::TestWithParam<const char*> {
  protected:
   Inquiry inquiry = inquire(
@@ -39,14 +39,14 @@ class ComponentTest : public testing::TestWithParam<const char*> {
   }
 };
 
-/// Sums that are taken in another order, and patterns kept in single precision.
+/// Tolerance for sums in a different order, and for patterns in single precision.
 void expectNear(const MatrixXd& some, const MatrixXd& other, double scale) {
   ASSERT_EQ(some.rows(), other.rows());
   ASSERT_EQ(some.cols(), other.cols());
   EXPECT_LT((some - other).cwiseAbs().maxCoeff(), 1e-9 * (1 + scale));
 }
 
-// Each kind has inner products in its own way; whatever the way, they are those of the columns.
+// Each kind computes inner products in its own way; they must equal those of the columns.
 TEST_P(ComponentTest, HasTheInnerProductsOfItsColumns) {
   const VectorXd visible = leftover.visible(drawn(leftover.rows())), any = drawn(leftover.readings());
   const SharedProducts ofVisible(leftover, visible), ofAny(leftover, any);
@@ -74,8 +74,8 @@ TEST_P(ComponentTest, LeavesItsSignature) {
   });
 }
 
-// What stands for it in the model takes its trace off: the fit with it leaves what is at right angles to the
-// columns, as far as weights of 300 plausible sizes are free and 1 % as far as the model is linear.
+// A component's terms in the model eliminate its trace: the fit leaves the part that is orthogonal to the
+// columns. Tolerances: weights of 300 plausible sizes are practically free; 1 % for the model's nonlinearity.
 TEST_P(ComponentTest, TakesInTheModelWhatItsColumnsTake) {
   std::set<std::string_view> done;
   eachComponent([&](const Component& component) {

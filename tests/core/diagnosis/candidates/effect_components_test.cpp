@@ -29,7 +29,7 @@ const EffectComponent& componentOf(const std::vector<EffectComponent>& component
   return *std::ranges::find(components, id, &EffectComponent::id);
 }
 
-/// What the ray tracer put in, in plausible sizes.
+/// The sizes simulated by the ray tracer, in plausible sizes.
 VectorXd trueWeights(const EffectComponent& component, const test::Trial& trial) {
   VectorXd weights = VectorXd::Zero(component.weights());
   for (const TrueSize& size : test::truthOf(trial).effects)
@@ -40,14 +40,14 @@ VectorXd trueWeights(const EffectComponent& component, const test::Trial& trial)
   return weights;
 }
 
-/// Read without noise and rounding, in places of its own.
+/// A session without noise and rounding, at places of its own.
 Measurement soundMeasurement(const std::string& protocol, const std::vector<TrueSize>& effects = {}) {
   Truth truth = drawTruth(3);
   truth.effects = effects;
   return *examine(*simulateWithoutNoise(*protocolByName(protocol), truth, 3)).measurement;
 }
 
-/// In σ, in the order of `leftover`.
+/// The readings in σ, in the order of `leftover`.
 VectorXd readingsWith(const std::vector<TrueSize>& effects, const std::string& protocol,
                       const Leftover& leftover) {
   const Measurement measurement = soundMeasurement(protocol, effects);
@@ -56,7 +56,7 @@ VectorXd readingsWith(const std::vector<TrueSize>& effects, const std::string& p
     const LinearReading& reading = leftover.reading(i);
     const ArcMeasurement& arc = measurement.arcs[reading.arc];
     const Sighting& sighting = arc.sightings[reading.sighting];
-    // What the instrument's errors do to the zero as read turns the line from which y counts.
+    // The instrument's errors at the zero rotate the line from which y counts.
     const double turned = leftover.equations().perUnknown.at(
         reading.kind, reading.number, static_cast<std::size_t>(Unknown::Kind::VerticalZero));
     const double ofZero = arc.zeroElevation.radians() *
@@ -70,8 +70,8 @@ VectorXd readingsWith(const std::vector<TrueSize>& effects, const std::string& p
   return readings;
 }
 
-// A weight of 1 is the plausible size: against sessions simulated with a tenth of it more and less, read back
-// from their texts. Reading and zero are rounded by up to 5e-7″ in both, 5e-6 of a plausible size at σ 2″.
+// A weight of 1 is the plausible size. The reference are sessions simulated with a tenth of it more and less.
+// Their texts round reading and zero by up to 5e-7″ each, 5e-6 of a plausible size at σ 2″.
 TEST(EffectComponents, MoveReadingsAsTheirPlausibleSizeDoes) {
   for (const std::string protocol : {"paper", "full"}) {
     const Leftover leftover = leftoverOf(*modelOf(soundMeasurement(protocol)));
@@ -92,8 +92,8 @@ TEST(EffectComponents, MoveReadingsAsTheirPlausibleSizeDoes) {
   }
 }
 
-// How far the true sizes show was worked out by the ray tracer's own tools, with its own places. Effects that
-// a distance does not take up, which its fit leaves free.
+// The ray tracer's own tools computed the visibility of the true sizes, at its own places. Effects that a
+// free distance absorbs are excluded, because its fit leaves the distance free.
 TEST(EffectComponents, ShowAsFarAsTheRayTracerSays) {
   const std::set<std::string> apartFromDistance{"collimation", "trunnion_tilt", "vertical_index",
                                                 "vertical_circle_eccentricity", "slider_eccentricity"};
@@ -111,8 +111,8 @@ TEST(EffectComponents, ShowAsFarAsTheRayTracerSays) {
   EXPECT_EQ(compared, 6);
 }
 
-// In the order of the catalogue; what is left out changes nothing about the others, but for rounding where
-// columns are projected side by side.
+// The components are in the order of the catalogue. Leaving effects out changes the others only by rounding,
+// because columns are projected together.
 TEST(EffectComponents, AreThoseOfTheCatalogueThatAreNotLeftOut) {
   const GapModel model = *modelOf(test::trialMeasurement("full"));
   const std::vector<std::string> leftOut{"plane_warp", "collimation", "no_effect"};
@@ -135,9 +135,9 @@ TEST(EffectComponents, AreThoseOfTheCatalogueThatAreNotLeftOut) {
   }
 }
 
-// The part of a trace that changes sign with its weights is linear, the other one a square of them: twice the
-// weights, four times as much. Together they are what simulated tilts leave, but for third derivatives, at
-// tilts of 0.008 rad less than a hundredth of the square.
+// The part of a trace that changes sign with the weights is linear; the other part is quadratic: fourfold for
+// twice the weights. Their sum equals the trace of simulated tilts, except for third derivatives. These are
+// below a hundredth of the quadratic part at 0.008 rad.
 TEST(EffectComponents, BendWithTheSquareOfTheirWeights) {
   for (const std::string protocol : {"paper", "full"}) {
     const GapModel model = *modelOf(soundMeasurement(protocol));
@@ -172,9 +172,10 @@ TEST(EffectComponents, BendWithTheSquareOfTheirWeights) {
   }
 }
 
-// With the effect in the model its numbers come out in the unit of the catalogue, within 4 σ of what the ray
-// tracer put in (one in 15000 each), wherever the fit starts. A prior of 1000 plausible sizes says
-// nothing; beside one of a thousandth the readings say nothing, but for 2 % of its σ and 4 % of the size.
+// With the effect in the model, its numbers are within 4 σ of the simulated ones (1 in 15000 each), in the
+// unit of the catalogue, from any start. A prior of 1000 plausible sizes has no influence. A prior of a
+// thousandth of a plausible size decides almost alone: 2 % of its σ and 4 % of the size are from the
+// readings.
 TEST(EffectComponents, TellTheirNumbersInTheUnitOfTheCatalogue) {
   const std::set<std::string> told{"collimation", "trunnion_tilt",  "slider_scale",
                                    "gravity_sag", "vertical_drift", "arc_ellipticity"};
@@ -208,7 +209,7 @@ TEST(EffectComponents, TellTheirNumbersInTheUnitOfTheCatalogue) {
   }
 }
 
-// Whatever the weights and the width: the readings do not say how much of the other relation there is.
+// The result is independent of weights and width: the other relation is present or absent.
 TEST(EffectComponents, OfTheRelationIsWhollyThere) {
   for (const test::Trial& trial : test::trials()) {
     if (trial.kind != relationId && trial.kind != "none") continue;

@@ -18,8 +18,8 @@ Leftover leftoverAfter(const GapModel& model) {
   return Leftover(linearise(*model.measurement, *model.fit, model.options));
 }
 
-/// What no unknown takes up, of all unknowns at once: an arc angle for each visit, and those that are not
-/// exact, what is known of them beforehand as readings of their own.
+/// The projector on the complement of all unknowns together: an arc angle for each visit, and unknowns that
+/// are not exact. Their prior knowledge counts as readings.
 MatrixXd projectorOf(const Linearised& equations) {
   const std::vector<std::size_t> unknowns = equations.uncertainUnknowns();
   const std::vector<PriorRow> priors = equations.priorRows(unknowns, {});
@@ -41,8 +41,8 @@ MatrixXd projectorOf(const Linearised& equations) {
   return MatrixXd::Identity(design.rows(), design.rows()) - basis * basis.transpose();
 }
 
-// The share of an error that shows, by a projector that knows nothing of visits or arc angles: 1e-12 is what
-// rounding leaves of some hundred columns.
+// The visible share of an error, from a projector without special treatment of visits or arc angles. Rounding
+// errors of some hundred columns are 1e-12.
 TEST(GrossErrorComponents, AreEveryReadingInItsOrder) {
   for (const char* protocol : {"paper", "paper-slider", "full"}) {
     SCOPED_TRACE(protocol);
@@ -64,9 +64,9 @@ TEST(GrossErrorComponents, AreEveryReadingInItsOrder) {
   }
 }
 
-// The ray tracer's misread readings, 30″ and 300″: of all readings the one whose error alone takes most off
-// χ² is the one, and by as much as it was off, within 4 σ. Without it χ² is smaller by what it took, as far
-// as the fit is linear over 300″: to 1e-4.
+// The ray tracer's misread readings, 30″ and 300″. The reading whose error alone reduces χ² most is the
+// misread one, and its error is right within 4 σ. Without that reading χ² decreases by the same amount, to
+// 1e-4, because the fit is almost linear over 300″.
 TEST(GrossErrorComponents, PointAtTheReadingThatIsOff) {
   int found = 0;
   for (const test::Trial& trial : test::trials()) {
@@ -88,7 +88,7 @@ TEST(GrossErrorComponents, PointAtTheReadingThatIsOff) {
     EXPECT_EQ(blunder.at(2), sighting.point);
     EXPECT_EQ(blunder.at(3), sighting.face);
     const bool isHorizontal = reading.kind == ReadingKind::Horizontal;
-    const double side = isHorizontal ? 1 : -1;  // zenith readings grow downwards
+    const double side = isHorizontal ? 1 : -1;  // zenith readings increase downwards
     EXPECT_NEAR(side * most.products(left)[0] / most.gram()(0, 0),
                 blunder.at(isHorizontal ? 4 : 5).get<double>() / 2, 4 / std::sqrt(most.gram()(0, 0)));
     const double before = model.fit->chiSquare;
@@ -98,7 +98,7 @@ TEST(GrossErrorComponents, PointAtTheReadingThatIsOff) {
     EXPECT_TRUE(model.options.terms.empty());
     model.refit();
     EXPECT_NEAR(before - model.fit->chiSquare, taken(most), 1e-4 * taken(most));
-    // What has no part in the model any more cannot be off in it.
+    // A reading that is excluded from the model cannot have a gross error.
     const Leftover after = leftoverAfter(model);
     EXPECT_EQ(grossErrorComponents(after)[static_cast<std::size_t>(*most.grossErrorAt())].gram()(0, 0), 0);
     ++found;
@@ -106,7 +106,7 @@ TEST(GrossErrorComponents, PointAtTheReadingThatIsOff) {
   EXPECT_EQ(found, 3);
 }
 
-// Which readings are weighed at all hangs on the first width as the narrowest.
+// The search bounds rely on the first width as the narrowest.
 TEST(GrossErrorComponents, HaveTheirWidthsTheNarrowestFirst) {
   EXPECT_TRUE(std::ranges::is_sorted(grossErrorWidths(), std::ranges::less(), &Width::sigma));
   EXPECT_EQ(&GrossErrorComponent(3, 0.5).widths(), &grossErrorWidths());

@@ -14,7 +14,7 @@ using test::greatest, test::leftover;
 
 TEST(JumpColumns, AreTheSumsOverEveryReadingFromTheMomentToItsEnd) {
   constexpr double size = 1e-4;
-  // Those before row 60 end there, as where the zero was sighted anew.
+  // Jumps before row 60 end there, as at a new sighting of the zero.
   const std::vector<JumpMoment> moments{{1, 60}, {7, 60}, {61}, {62}, {135}};
   const JumpColumns steps(leftover(), moments, size);
   const VectorXd any = leftover().residual().head(leftover().readings());

@@ -20,8 +20,9 @@ std::ptrdiff_t momentsSoughtBy(const std::string& protocol) {
   return std::ranges::count_if(jumpComponents(leftover), [](const Component& c) { return !c.onlyRow(); });
 }
 
-// Rows alone in their visits: 34 rows have 33 moments between them, less one behind the first and one before
-// the last row of each position. A second face or the slider tells a step from a gross error.
+// Rows alone in their visits: 34 rows have 33 moments between them. One after the first and one before the
+// last row of each position do not count. A second face or the slider distinguishes a jump from a gross
+// error.
 TEST(JumpComponents, StepIsNotSoughtWhereItIsAMisreading) {
   EXPECT_EQ(momentsSoughtBy("paper"), 33 - 4);
   EXPECT_EQ(momentsSoughtBy("there-and-back"), 67 - 4);
@@ -29,8 +30,8 @@ TEST(JumpComponents, StepIsNotSoughtWhereItIsAMisreading) {
   EXPECT_EQ(momentsSoughtBy("two-face"), 135);
 }
 
-// At the ends of the arc, 10° and 170°, the horizontal circle shows nearly all of a slip. A step there would
-// leave the very same.
+// At the ends of the arc, 10° and 170°, the horizontal circle shows almost all of a gross error. A jump there
+// would leave exactly the same trace.
 TEST(JumpComponents, SlipInTheLastRowOfAPositionIsNoStep) {
   for (const int axis : {0, 180})
     for (const int point : {1, 17}) {
@@ -49,7 +50,7 @@ TEST(JumpComponents, SlipInTheLastRowOfAPositionIsNoStep) {
     }
 }
 
-/// Before row `row` of 34.
+/// A truth with a jump before row `row` of 34.
 Truth knockedBefore(int row) {
   Truth truth = drawTruth(5);
   truth.jump = {.moment = (row - 1.5) / 33,
@@ -58,8 +59,8 @@ Truth knockedBefore(int row) {
   return truth;
 }
 
-// In truth the tripod was knocked before the last row of the first position. No residual tells it from a
-// misreading, nor from a knock behind that row; that the zero of the second position is another does.
+// The tripod was knocked before the last row of the first position. The residuals cannot distinguish this
+// from a misreading, or from a jump after that row. The different zero of the second position can.
 TEST(JumpComponents, StepBeforeTheLastRowOfAPositionShowsInTheNext) {
   const Truth truth = knockedBefore(17);
   const Diagnosis diagnosis = *diagnose(*examine(*simulate(*protocolByName("paper"), truth, 5)).measurement);
@@ -69,8 +70,8 @@ TEST(JumpComponents, StepBeforeTheLastRowOfAPositionShowsInTheNext) {
   EXPECT_LT(std::abs(diagnosis.afterwards->value - truth.intersection), diagnosis.afterwards->expanded);
 }
 
-// Before the last row of all it leaves what a misreading of that row leaves: that row is blamed, and the
-// knock named beside it.
+// A jump before the very last row leaves the trace of a misreading of that row. So the row is blamed, and the
+// jump is named as its look-alike.
 TEST(JumpComponents, StepThatLooksLikeAMisreadingIsNamedBesideIt) {
   const Truth truth = knockedBefore(34);
   const Diagnosis diagnosis = *diagnose(*examine(*simulate(*protocolByName("paper"), truth, 5)).measurement);
@@ -88,7 +89,7 @@ TEST(JumpComponents, StepThatLooksLikeAMisreadingIsNamedBesideIt) {
   EXPECT_FALSE(diagnosis.advice.front().ofUndetectable);
 }
 
-// Where misread values are ruled out nothing else leaves what the knock leaves.
+// If misread values are excluded, only the jump leaves this trace.
 TEST(JumpComponents, StepIsFoundAtTheLastRowWhereNothingIsMisread) {
   const Diagnosis diagnosis =
       *diagnose(*examine(*simulate(*protocolByName("paper"), knockedBefore(34), 5)).measurement,
@@ -97,7 +98,7 @@ TEST(JumpComponents, StepIsFoundAtTheLastRowWhereNothingIsMisread) {
   EXPECT_EQ(diagnosis.causes[0].effect, "orientation_jump");
 }
 
-// 300″ are five plausible steps: a slip and nothing else. With the slider a knock shows in both circles.
+// 300″ are five plausible sizes of a jump, but a gross error. With the slider a jump appears in both circles.
 TEST(JumpComponents, LargeSlipIsNoStep) {
   Truth truth = drawTruth(5);
   truth.grossErrors = {{.axisDeg = 0, .point = 17, .horizontal = Angle::fromArcseconds(300), .vertical = {}}};
@@ -109,9 +110,9 @@ TEST(JumpComponents, LargeSlipIsNoStep) {
   EXPECT_EQ(knocked.causes[0].effect, "orientation_jump");
 }
 
-// By Bayes' theorem, of steps normal around zero with a width of 0.3 or 1, as likely before: a step of which
-// 0.4 is seen is of the narrow kind with odds of e^(0.08 − 0.8889)/0.3. What is far larger than either is its
-// own width.
+// Bayes' theorem for jumps that are normal about zero with a width of 0.3 or 1, equally probable. A visible
+// jump of 0.4 has the narrow width with odds of e^(0.08 − 0.8889)/0.3. A jump far larger than both has its
+// own size as width.
 TEST(JumpComponents, ThatAreSmallWhereTheyShowAreNotTakenForLargeElsewhere) {
   const std::vector<JumpComponent> slips = zeroSlips(Leftover(
       linearise(test::trialMeasurement("paper"),

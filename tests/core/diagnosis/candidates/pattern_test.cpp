@@ -16,7 +16,7 @@ using test::greatest, test::leftover;
 
 using SharedCells = std::shared_ptr<const Cells>;
 
-/// A cell for each row of the session, and for each slider reading.
+/// One cell for each row of the session, and one for each slider reading.
 SharedCells rowByRow() {
   return std::make_shared<Cells>(leftover().readings(), [](Index i, Index j) {
     return leftover().reading(i).sighting == leftover().reading(j).sighting &&
@@ -30,7 +30,7 @@ SharedCells visitByVisit() {
   });
 }
 
-/// As carriers keep it.
+/// The column in the precision of carriers.
 VectorXd column(ErrorTerm term) {
   return leftover().column(term).cast<float>().cast<double>();
 }
@@ -39,7 +39,7 @@ std::shared_ptr<const Carrier> carrierOf(ErrorTerm term) {
   return std::make_shared<Carrier>(leftover(), leftover().column(term), rowByRow());
 }
 
-/// Every function written out over the readings.
+/// The columns of every function over the readings.
 MatrixXd dense(const Pattern& pattern, const std::vector<VectorXd>& carriers) {
   const SharedCells cells = rowByRow();
   MatrixXd columns(leftover().readings(), 0);
@@ -77,7 +77,7 @@ TEST(Pattern, IsKnownCellByCellAsOverTheReadings) {
             1e-12 * columns.norm() * any.norm());
 }
 
-// Three groups and cells of none, where visits have one cell, and where they have several.
+// Three groups and cells without a group, for visits with one cell and with several.
 TEST(Pattern, OfGroupsIsThatOfTheirIndicatorFunctions) {
   for (const bool isOfVisits : {false, true}) {
     const SharedCells cells = isOfVisits ? visitByVisit() : rowByRow();

@@ -31,8 +31,8 @@ VectorXd derivative(const GapModel& model, ErrorTerm by, ErrorTerm tilt, double 
 }
 
 // Automatic first derivatives at tilts of ± a thousandth of a plausible size: their differences are second
-// derivatives to seven digits. Over a step of a plausible size, 0.005 rad, differences are off by the step
-// times the third derivatives, which are no larger than the first by both tilts together.
+// derivatives to seven digits. Differences over a plausible size, 0.005 rad, err by the step times the third
+// derivatives. These do not exceed the first derivatives by both tilts together.
 TEST(SecondDerivatives, AreHowTheFirstOnesChange) {
   const Effect& tilt = *effectById("plane_tilt");
   const std::vector<EffectParameter>& tilts = tilt.parameters;

@@ -9,7 +9,7 @@
 #include "core/simulation/protocol.h"
 #include "core/simulation/simulate.h"
 
-// What the simulator does to readings has to be what the pattern's columns say, with the weights of its size.
+// The simulator's change of the readings must equal the pattern's columns with the weights of its size.
 
 namespace alidade {
 namespace {
@@ -26,8 +26,8 @@ const EffectColumns& pattern(const std::string& follows, int order) {
   return sharedColumns().back();
 }
 
-/// N w = b holds for the weights of what was put in, to a few percent of the length of b: readings follow it
-/// in proportion but for what bends.
+/// N w = b holds for the simulated weights, to a few percent of the length of b: the readings are
+/// proportional to the weights except for second-order terms.
 void expectToExplain(const SessionEvidence& evidence, const EffectColumns& columns,
                      const std::vector<double>& weights) {
   double length = 0, missed = 0;
@@ -52,7 +52,7 @@ TEST(SessionPatterns, AHarmonicOfTheRadiusIsWhatTheSimulatorMakesOfIt) {
   }
 }
 
-// In both faces, whose readings lie half a turn apart.
+// In both faces, whose readings differ by half a turn.
 TEST(SessionPatterns, AHarmonicOfTheCircleFollowsItsReadings) {
   Truth truth = drawTruth(4);
   const double phase = 40;
@@ -74,7 +74,8 @@ TEST(SessionPatterns, AWarpOfHigherOrderTurnsWithTheGuideway) {
   expectToExplain(evidenceOfPerfect("full", truth), pattern("guideway out of its plane", 4), {0, 2});
 }
 
-// Products of every column with the catalogue's and with its own pattern's have places of their own.
+// Products of every column with the catalogue's columns and with those of its own pattern have separate
+// indices.
 TEST(SessionPatterns, EveryProductThatIsKeptHasItsPlace) {
   std::vector<std::size_t> places;
   for (std::size_t a = 0; a < columnCount(); ++a)

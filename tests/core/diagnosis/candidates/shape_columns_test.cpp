@@ -33,7 +33,7 @@ bool holds(std::string_view id, std::string_view word) {
   return id.find(word) != std::string_view::npos;
 }
 
-// A pattern moves the readings that its name says, and those only.
+// A pattern changes exactly the readings that its name states.
 TEST(ShapeColumns, MoveWhatTheyAreNamedAfter) {
   for (const ShapeComponent& shape : shapes()) {
     const MatrixXd columns = shape.wholeColumns(test::leftover());
@@ -65,8 +65,8 @@ TEST(ShapeColumns, ComeFromTheSourceTheirNameSays) {
   EXPECT_EQ(found, (std::set{ErrorSource::Guideway, ErrorSource::Instrument, ErrorSource::Time}));
 }
 
-// Second to eighth harmonics of a scale that turns by s: cos ns and sin ns, times what one unit does to the
-// slider's readings, alone. Patterns are kept in single precision.
+// Second to eighth harmonics of a scale that turns by s: cos ns and sin ns, times the effect of one unit on
+// the slider's readings only. Patterns are stored in single precision.
 TEST(ShapeColumns, FollowTheScaleInHarmonics) {
   const Eigen::VectorXd carrier = test::leftover().column(Unknown::Kind::SliderZero);
   std::multiset<int> orders;

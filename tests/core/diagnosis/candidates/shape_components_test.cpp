@@ -9,9 +9,9 @@
 namespace alidade {
 namespace {
 
-// Where the noise of a circle is large beside the span of the arc, a pattern over the directions as read
-// would follow the noise: here it took up nine tenths of χ² in each of 100 sessions without any effect. A
-// diagnosis names something in 2 % of sound sessions; of 30 by chance more than 4 once in 2000 times.
+// If the noise of a circle is large compared with the span of the arc, a pattern over observed directions
+// would follow the noise. Here it explained nine tenths of χ² in each of 100 sessions without any effect. A
+// diagnosis names a cause in 2 % of sound sessions; of 30, more than 4 occur by chance once in 2000 times.
 TEST(ShapeComponents, DoNotFollowTheNoiseOfTheDirections) {
   Protocol protocol{.name = "short arc", .description = {}, .points = 21};
   protocol.step = Angle::fromDegrees(1.2);

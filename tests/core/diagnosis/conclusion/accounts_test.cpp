@@ -18,8 +18,8 @@ namespace {
 
 constexpr EffectScales asPlausible;
 
-// Beside a fit of every effect: the answer's parts are as wide there as here. Beside a misread value there is
-// nothing to count from, since all scatters by it.
+// The reference is a fit of every effect, in which the parts of the answer have the same widths. Sessions
+// with a misread value are excluded, because everything scatters by it.
 TEST(Accounts, AgreeWithAFitOfEveryEffect) {
   int compared = 0;
   for (const test::Trial& trial : test::trials()) {
@@ -44,7 +44,7 @@ TEST(Accounts, AgreeWithAFitOfEveryEffect) {
       EXPECT_NEAR(account->value - ofNothing.value, shift, 0.05 * fitted->sigma + 0.02 * std::abs(shift))
           << trial.id;
       const double variance = base->sigma * base->sigma + account->variance - ofNothing.variance;
-      // Zeros do not scatter as the readings do where these leave much.
+      // If the readings have a large misfit, zeros do not scatter like them.
       if (noiseScale(*inquiry.base.fit).factor < 2) {
         EXPECT_NEAR(std::sqrt(variance) / fitted->sigma, 1, 0.1) << trial.id;
       }
@@ -54,8 +54,8 @@ TEST(Accounts, AgreeWithAFitOfEveryEffect) {
   EXPECT_GT(compared, 50);
 }
 
-// Without effects besides, an account of known widths has the evidence that the search found: it sums over
-// widths of which the likeliest has at least a quarter, so ln 4 a part.
+// Without other effects an account of known widths has the evidence that the search found. It sums over
+// widths of which the most likely has at least a quarter: ln 4 for each part.
 TEST(Accounts, HaveTheEvidenceOfTheSearch) {
   int compared = 0;
   for (const test::Trial& trial : test::trials()) {
@@ -96,14 +96,14 @@ EffectScales likeliestIn(const Session& session) {
   return std::ranges::max(accounts.of({}), {}, &Account::logOdds).scales;
 }
 
-// Readings say how large the effects are altogether.
+// The readings determine the common scale of the effects.
 TEST(Accounts, FindHowLargeTheEffectsAre) {
   EXPECT_EQ(likeliestIn(sessionWith("full", 0)), asPlausible);
   EXPECT_EQ(likeliestIn(sessionWith("full", 1)), asPlausible);
   EXPECT_EQ(likeliestIn(sessionWith("full", 3)), (EffectScales{3, 3, 3}));
 }
 
-// A pattern is more than all effects at their plausible size; these are more causes than can be told apart.
+// A pattern exceeds all effects of plausible size; several causes beyond separation do not.
 TEST(Accounts, TellManyCausesFromAPattern) {
   const auto answerOf = [](const Session& session) {
     return conclude(inquire(*modelOf(*examine(session).measurement), {}, {})).kind;

@@ -19,9 +19,9 @@
 namespace alidade {
 namespace {
 
-/// What is believed of Δd, by brute force: nothing, a trunnion tilt, a vertical drift, or both, their sizes
-/// on a grid and each held in a fit of its own. The evidence is χ² of these fits, the prior that of the
-/// diagnosis, the noise as stated.
+/// The posterior of Δd by brute force: no cause, a trunnion tilt, a vertical drift, or both. The sizes are on
+/// a grid, and each is held in a fit of its own. The evidence is χ² of these fits, with the prior of the
+/// diagnosis and the stated noise.
 class Posterior {
  public:
   explicit Posterior(const Measurement& measurement) : m_base(*closedModelOf(*modelOf(measurement))) {
@@ -31,7 +31,7 @@ class Posterior {
     addBoth();
   }
 
-  /// Standard deviation of what is believed.
+  /// Standard deviation of the posterior.
   double sigma() const {
     double all = 0, mean = 0, square = 0;
     for (const Node& node : m_nodes) {
@@ -43,7 +43,7 @@ class Posterior {
     return std::sqrt(square / all - std::pow(mean / all, 2));
   }
 
-  /// What of it lies within centre ± half.
+  /// Posterior probability of the interval `value` ± U.
   double within(const IntersectionEstimate& estimate) const {
     double sum = 0, all = 0;
     for (const Node& node : m_nodes) {
@@ -73,7 +73,7 @@ class Posterior {
 
   static double unit(const Size& size) { return Angle::fromArcseconds(size.plausible).radians(); }
 
-  /// In plausible sizes: normal, 0.1, 0.3, 1 or 3 of them wide.
+  /// Prior density of a size in plausible sizes: a mixture of normal ones with widths 0.1, 0.3, 1 and 3.
   static double prior(double size) {
     double sum = 0;
     for (const double width : {0.1, 0.3, 1.0, 3.0})
@@ -81,7 +81,7 @@ class Posterior {
     return sum;
   }
 
-  /// Sizes that are held, or open where there are none of `at`, all in plausible sizes.
+  /// Returns the fit with sizes held at `at`, or estimated if `at` is empty; all in plausible sizes.
   GapModel fitted(const std::vector<Size>& sizes, const std::vector<double>& at) const {
     constexpr double held = 1e-4, open = 1000;
     GapModel model = m_base;
@@ -98,7 +98,7 @@ class Posterior {
     const GapModel model = fitted(sizes, at);
     for (const double size : at) weight *= prior(size);
     const Intersection found = *intersect(*model.measurement, *model.fit);
-    const double variance = influencePerSigma(model).squaredNorm();  // the zeros are readings, too
+    const double variance = influencePerSigma(model).squaredNorm();  // the zeros are readings too
     m_nodes.push_back({weight, model.fit->chiSquare, found.value, std::sqrt(variance)});
     m_least = std::min(m_least, model.fit->chiSquare);
   }
@@ -107,7 +107,7 @@ class Posterior {
     return fit.indexOf({.kind = Unknown::Kind::Error, .arc = 0, .term = size.term});
   }
 
-  /// Around where the readings put it.
+  /// Adds sizes around the estimate.
   void addOne(const Size& size) {
     const JointFit fit = *fitted({size}, {}).fit;
     const std::size_t i = indexOf(fit, size);
@@ -115,7 +115,7 @@ class Posterior {
     for (double u = -reach; u <= reach; u += step) addNode(odds * sigma * step, {size}, {centre + u * sigma});
   }
 
-  /// Along the axes of what the readings leave open.
+  /// Adds sizes along the principal axes of the estimate's uncertainty.
   void addBoth() {
     const JointFit fit = *fitted({tilt, drift}, {}).fit;
     const std::size_t i = indexOf(fit, tilt), j = indexOf(fit, drift);
@@ -129,7 +129,7 @@ class Posterior {
   }
 };
 
-/// Δd with the one cause that is named, and afterwards, where nothing but the two is considered.
+/// Returns Δd with the named cause, and `afterwards` if only the two effects are considered.
 std::pair<IntersectionEstimate, IntersectionEstimate> estimatesOf(const Measurement& measurement) {
   DiagnosisOptions options;
   for (const std::string& id : diagnosableEffects())
@@ -139,9 +139,9 @@ std::pair<IntersectionEstimate, IntersectionEstimate> estimatesOf(const Measurem
   return {*estimateOf(answer.after), *modelAveragedIntersection(inquiry, answer)};
 }
 
-// One pass in one face, with slider: a tilt and a drift are hard to tell apart. U may hold more than the 95 %
-// where kσ is farther; less by 2 % because it scales with the scatter of the readings, which is some 5 % off
-// the stated noise, and because chances below 1 % are passed over.
+// One pass in one face, with slider: a tilt and a drift are hard to separate. U may cover more than 95 % if
+// kσ is larger. It may cover 2 % less, because it scales with the scatter of the readings, some 5 % different
+// from the stated noise, and omits probabilities below 1 %.
 TEST(Afterwards, HoldsTheCoverageOfWhatIsBelieved) {
   for (const auto& [arcsec, seed] : {std::pair{60.0, 2u}, {60.0, 5u}, {90.0, 5u}, {120.0, 3u}, {150.0, 6u}}) {
     Truth truth;
@@ -157,8 +157,8 @@ TEST(Afterwards, HoldsTheCoverageOfWhatIsBelieved) {
   }
 }
 
-// Of a large tilt the drift is no look-alike; but that both are there has a chance of a few percent, and then
-// Δd is another. The noise, taken as stated by the one and as it scatters by the other, is some 5 % apart.
+// The drift is not a look-alike of a large tilt. But both together have a probability of a few percent, and
+// then Δd differs. One side uses the stated noise, the other the observed scatter, which differ by some 5 %.
 TEST(Afterwards, CountsWhatHasAChanceOfAFewPercent) {
   for (const auto& [arcsec, seed] : {std::pair{120.0, 5u}, {150.0, 3u}, {150.0, 11u}}) {
     Truth truth;
@@ -174,8 +174,8 @@ TEST(Afterwards, CountsWhatHasAChanceOfAFewPercent) {
   }
 }
 
-// Both faces, there and back, with slider: nothing else is likely, and Δd with the cause stays what its fit
-// says.
+// Both faces, there and back, with slider: no other cause is likely, and Δd with the cause is that of its
+// fit.
 TEST(Afterwards, IsTheFitWithTheCauseWhereNothingElseMayBe) {
   Truth truth;
   truth.seed = 1;

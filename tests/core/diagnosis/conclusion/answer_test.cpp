@@ -28,8 +28,8 @@ bool covers(const Diagnosis& diagnosis, double intersection) {
   return std::abs(diagnosis.afterwards->value - intersection) <= diagnosis.afterwards->expanded;
 }
 
-// A seventh harmonic of the radius is in no catalogue; the drift beside it is, and it moves Δd. Covered in 95
-// of 100: fewer than 14 of 20 has a chance of 3e-4.
+// A seventh harmonic of the radius is uncatalogued; the additional drift is catalogued and moves Δd. With a
+// coverage of 95 %, fewer than 14 of 20 have a probability of 3e-4.
 TEST(Answer, KeepsACertainCauseBesideAnUnknownOne) {
   int covered = 0;
   constexpr int sessions = 20;
@@ -46,8 +46,8 @@ TEST(Answer, KeepsACertainCauseBesideAnUnknownOne) {
   EXPECT_GE(covered, 14);
 }
 
-// One pass with one face tells a trunnion tilt from vertical drift and a warped plane hardly at all, whatever
-// else is found. Covered in 95 of 100: fewer than 32 of 40 has a chance of 4e-4.
+// One pass in one face hardly separates a trunnion tilt from vertical drift and a warped plane, whatever else
+// is found. With a coverage of 95 %, fewer than 32 of 40 have a probability of 4e-4.
 TEST(Answer, AveragesOverWhatLooksLikeOneOfSeveralCauses) {
   int covered = 0, averaged = 0;
   constexpr int sessions = 40;
@@ -67,7 +67,7 @@ TEST(Answer, AveragesOverWhatLooksLikeOneOfSeveralCauses) {
   EXPECT_GE(covered, 32);
 }
 
-// A dent in the guideway: look-alikes of a cause are weighed with a pattern of 17 columns taken off before.
+// A dent in the guideway: look-alikes of a cause are evaluated after a pattern of 17 columns is eliminated.
 TEST(Answer, WeighsLookAlikesBesideAPatternOfManyColumns) {
   Truth truth = drawTruth(5201871);
   ASSERT_FALSE(addEffect(truth, "local_dent=-0.17728929671374516,29.111326086958027,12.777764569703326"));
@@ -77,7 +77,7 @@ TEST(Answer, WeighsLookAlikesBesideAPatternOfManyColumns) {
   EXPECT_THAT(diagnosis.shape->follows, testing::HasSubstr("from place to place"));
 }
 
-// Of one cause: what looks like it explains the readings better than nothing does.
+// With a single cause, each look-alike explains the readings better than no effect.
 TEST(Answer, ListsNothingThatExplainsNothing) {
   int listed = 0;
   for (const test::Trial& trial : test::trials()) {

@@ -36,8 +36,9 @@ TrueGrossError misread(int axisDeg, int point, int face, double horizontal, doub
           .vertical = Angle::fromArcseconds(vertical)};
 }
 
-// As they were put on the circles, whichever way these count: up and down, in either face. In two faces and
-// with slider a reading is known to some 2.5″ without it: four of that. A degree is left out beforehand.
+// The sizes are as simulated, for circles that count up or down and in either face. In two faces with slider
+// the other readings predict one to some 2.5″; the tolerance is four times that. An error of a degree is
+// excluded before the search.
 TEST(Causes, BlameReadingsTogetherAndByTheirCircles) {
   for (const VerticalCircle circle : {VerticalCircle::Zenith, VerticalCircle::Elevation})
     for (const double large : {150.0, 3600.0}) {
@@ -69,7 +70,7 @@ TEST(Causes, BlameReadingsTogetherAndByTheirCircles) {
     }
 }
 
-// What was left out before the search has no part in what the search finds likely.
+// A reading that was excluded before the search does not depend on the probabilities of the search.
 TEST(Causes, AreSureOfAReadingThatIsFarOff) {
   Truth truth = drawTruth(4);
   truth.grossErrors = {misread(180, 9, 2, 0, 3600)};
@@ -81,7 +82,8 @@ TEST(Causes, AreSureOfAReadingThatIsFarOff) {
   EXPECT_EQ(causes[0].readings.size(), 1u);
 }
 
-// What the truth holds, to four σ; the chance of a cause is the sum over all explanations that have it.
+// The sizes are true within four σ. The probability of a cause is the sum over all explanations that contain
+// it.
 TEST(Causes, TellTheNumbersOfEveryPart) {
   Truth truth = drawTruth(6);
   truth.effects = {
@@ -104,8 +106,8 @@ TEST(Causes, TellTheNumbersOfEveryPart) {
   expectNumber("arc_lobing", 0, 0.15);
   expectNumber("arc_lobing", 1, 0.1);
   expectNumber(noiseId, 0, 2.5);
-  // Of a standard deviation from f squares: s/√(2 f). Of 340 readings 68 places, two circles and two slider
-  // zeros take 76; what is known beforehand of the causes' numbers makes up for these.
+  // Standard uncertainty of a standard deviation from f squares: s/√(2 f). Of 340 readings 68 arc angles, two
+  // circles and two slider zeros take 76. The priors of the causes' numbers compensate for these.
   const CauseParameter& noise = causes[noiseId].parameters[0];
   EXPECT_NEAR(noise.sigma, noise.value / std::sqrt(2.0 * (340 - 68 - 8)), 0.01 * noise.sigma);
   for (const auto& [id, cause] : causes) {
@@ -120,7 +122,7 @@ TEST(Causes, TellTheNumbersOfEveryPart) {
   }
 }
 
-// One face on 17 places hardly tells a tilt from a drift: what stands in its place is named with it.
+// One face with 17 places hardly separates a tilt from a drift, so both are named.
 TEST(Causes, NameWhatTheyCannotBeToldFrom) {
   Truth truth = drawTruth(5);
   truth.effects = {{ErrorTerm::TrunnionTilt, 90}};
@@ -138,8 +140,8 @@ TEST(Causes, NameWhatTheyCannotBeToldFrom) {
   EXPECT_THAT(named, testing::Contains("trunnion_tilt"));
 }
 
-// At the end of a pass a jump would show in the last row alone; of two readings that are off it is no
-// look-alike any more.
+// At the end of a pass only the last row would show a jump. If two readings are wrong, the jump is no longer
+// a look-alike.
 TEST(Causes, LikenOnlyASingleReadingToAJump) {
   Truth truth = drawTruth(3);
   truth.grossErrors = {misread(0, 17, 1, 60, 0)};
@@ -155,8 +157,8 @@ TEST(Causes, LikenOnlyASingleReadingToAJump) {
   EXPECT_THAT(causesOf(inquiry, answer)[0].indistinguishableFrom, IsEmpty());
 }
 
-// Each as it explains the leftover alone; of steps and readings the best one. What it takes up is what its
-// columns at right angles to the fit leave of it.
+// Every candidate is evaluated alone; of jumps and readings only the best. The explained part is the
+// projection of the leftover on its visible columns.
 TEST(CandidatesOf, AreAllEffectsByHowWellTheyExplainAlone) {
   Truth truth = drawTruth(6);
   truth.effects = {{ErrorTerm::TrunnionTilt, 25}, {ErrorTerm::LobingCosine, 0.1}};
@@ -170,7 +172,7 @@ TEST(CandidatesOf, AreAllEffectsByHowWellTheyExplainAlone) {
         << effect.id;
   EXPECT_TRUE(std::ranges::is_sorted(list, std::greater{}, &Candidate::logBayesFactor));
   const SharedProducts residual(inquiry.leftover, inquiry.leftover.residual());
-  std::map<std::string, std::pair<double, double>> best;  // what they explain, and how far it shows
+  std::map<std::string, std::pair<double, double>> best;  // the evidence, and how far it shows
   for (std::size_t i = 0; i < inquiry.candidates.size(); ++i) {
     const Component& component = inquiry.candidates[i];
     if (component.isShape() || component.onlyRow() || component.gram().isZero(0)) continue;
@@ -181,8 +183,8 @@ TEST(CandidatesOf, AreAllEffectsByHowWellTheyExplainAlone) {
   }
   for (const Candidate& candidate : list) {
     if (candidate.effect == noiseId) continue;
-    // The search has sums in another order, and keeps 1 % of the chance for far greater jumps, which this
-    // one is not: what it has of that is a millionth.
+    // The search sums in a different order, and reserves 1 % of the probability for far larger jumps. This
+    // jump is not one of them: its part is a millionth.
     const double keptBack = candidate.effect == jumpId ? std::log(0.99) : 0;
     EXPECT_NEAR(candidate.logBayesFactor, best.at(candidate.effect).first + keptBack, 1e-5)
         << candidate.effect;

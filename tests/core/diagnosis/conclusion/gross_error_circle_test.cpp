@@ -29,7 +29,7 @@ Measurement misreadMeasurement(const std::vector<Misread>& errors, double step =
                                                 axisDeg));
     test::addNoise(measurement.arcs.back(), measurement, generator);
     for (Sighting& sighting : measurement.arcs.back().sightings) {
-      sighting.row = 2 * sighting.row + 1;  // every other row is left out
+      sighting.row = 2 * sighting.row + 1;  // every other row is excluded
       sighting.sequence = measurement.rows++;
     }
   }
@@ -43,7 +43,7 @@ Measurement misreadMeasurement(const std::vector<Misread>& errors, double step =
   return measurement;
 }
 
-/// With the readings blamed out of the fit, as the diagnosis has it.
+/// Blamed readings are excluded from the fit, as in the diagnosis.
 std::vector<ReadingDeviation> judged(const Measurement& measurement, const std::vector<Misread>& blamed) {
   GapModel model = *modelOf(measurement);
   std::vector<ReadingDeviation> deviations;
@@ -56,9 +56,9 @@ std::vector<ReadingDeviation> judged(const Measurement& measurement, const std::
   return withLikelierCircles(model, deviations);
 }
 
-// Places 10° apart, on slopes where each circle tells the place: 20° to 70° from the top. A wrong place lies
-// a degree and more off its own. 2″ of noise in the circle that was kept tell the other to 2″/tan 20° and its
-// own 2″; in four of their σ 25″.
+// Places 10° apart, 20° to 70° from the top, where each circle determines the place. A wrong place deviates
+// by a degree or more. Noise of 2″ in the retained circle predicts the other to 2″/tan 20°, plus its own 2″;
+// four σ of both are 25″.
 TEST(GrossErrorCircle, IsTheOneThatPutsTheSliderAmongItsNeighbours) {
   for (const std::size_t sighting : {2u, 4u, 6u, 11u, 13u})
     for (const std::size_t arc : {0u, 1u})
@@ -97,8 +97,8 @@ void expectUntouched(const Measurement& measurement, const Misread& blamed) {
   EXPECT_EQ(found[0].size, blamed.arcseconds);
 }
 
-// A slider reading or the other face tells the circle already, so the blame stays, even a wrong one; and what
-// is off at the slider is no circle.
+// A slider reading or the other face already identifies the circle, so the named circle stays, even if it is
+// wrong. An error of the slider is not an error of a circle.
 TEST(GrossErrorCircle, StaysWhereMoreThanOneReadingTellsThePlace) {
   const Misread wronglyBlamed{0, 4, Vertical, 321};
   const Measurement measurement = misreadMeasurement({{0, 4, Horizontal, 900}});
@@ -115,13 +115,14 @@ TEST(GrossErrorCircle, StaysWhereMoreThanOneReadingTellsThePlace) {
   twin.face = 2;
   withFaces.arcs[0].sightings.insert(withFaces.arcs[0].sightings.begin() + 5, twin);
   expectUntouched(withFaces, wronglyBlamed);
-  withFaces.arcs[0].sightings[5].face = 1;  // another round is another visit
+  withFaces.arcs[0].sightings[5].face = 1;  // another round counts as another visit
   withFaces.arcs[0].sightings[5].round = 2;
   withFaces.arcs[0].sightings[5].a = misreadMeasurement({}).arcs[0].sightings[4].a;
   EXPECT_EQ(judged(withFaces, {wronglyBlamed})[0].kind, Horizontal);
 }
 
-// 15′ above the top of the arc no horizontal reading helps, and the vertical one does not tell the place.
+// 15′ above the top of the arc no horizontal reading can correct the row, and the vertical one does not
+// determine the place.
 TEST(GrossErrorCircle, StaysWhereOneCircleCannotBeCorrected) {
   expectUntouched(misreadMeasurement({{0, 8, Vertical, 900}}), {0, 8, Vertical, 900});
 }

@@ -12,9 +12,9 @@
 namespace alidade {
 namespace {
 
-// Beside a fit of the whole model with the explanation's causes. The equations at the fit that the causes
-// have spoiled are wrong by some thousandths, so a move of forty σ by a fifth of σ. Larger noise also shifts
-// the weights between readings and zeros, which the equations have as stated: 5 % of σ.
+// The reference is a fit of the whole model with the causes of the explanation. The causes distort the fit at
+// which the equations were linearised by some thousandths: a move of forty σ errs by a fifth of σ. Larger
+// noise also changes the weights between readings and zeros, which the equations have as stated: 5 % of σ.
 TEST(LinearMoves, AgreeWithAFitOfTheWholeModel) {
   int compared = 0, moved = 0;
   for (const test::Trial& trial : test::trials()) {
@@ -26,7 +26,7 @@ TEST(LinearMoves, AgreeWithAFitOfTheWholeModel) {
       if (explanation.shaped || explanation.chance < 0.01) continue;
       const std::optional<Move> move = moves.of(explanation);
       if (!move) continue;
-      // Larger noise weighs the readings less against the zeros, with or without causes.
+      // Larger noise reduces the weight of readings relative to zeros, with or without causes.
       Explanation nothing;
       nothing.noisy = explanation.noisy;
       nothing.noise = explanation.noise;
@@ -38,7 +38,7 @@ TEST(LinearMoves, AgreeWithAFitOfTheWholeModel) {
       const double shift = fitted->value - before->value;
       EXPECT_NEAR(move->shift, shift, 0.1 * fitted->sigma + 0.01 * std::abs(shift)) << trial.id;
       const double variance = before->sigma * before->sigma + move->variance - byNothing;
-      // Zeros do not scatter as the readings do where these leave much.
+      // If the readings have a large misfit, zeros do not scatter like them.
       if (noiseScale(*inquiry.base.fit).factor < 2) {
         EXPECT_NEAR(std::sqrt(variance) / fitted->sigma, 1, 0.05) << trial.id;
       }

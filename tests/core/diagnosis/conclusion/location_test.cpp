@@ -15,7 +15,7 @@ namespace {
 
 using testing::ElementsAre;
 
-/// Parts of each division in the order given.
+/// Parts of each division in their order.
 std::vector<std::string> partsOf(const std::vector<GapShare>& where, const std::string& by) {
   std::vector<std::string> parts;
   for (const GapShare& share : where)
@@ -39,8 +39,8 @@ Truth with(ErrorTerm term, double size) {
   return truth;
 }
 
-// What is put in shows by some 30 σ and more, what noise and lesser explanations take up by a few σ: of the
-// squares less than a twentieth.
+// Simulated effects are visible by 30 σ and more. Noise and minor explanations account for a few σ: less than
+// a twentieth of the squares.
 TEST(Location, FindsTheFrameOfWhatWasPutIn) {
   constexpr double most = 0.95;
   const Protocol& full = *protocolByName("full");
@@ -63,7 +63,7 @@ TEST(Location, FindsTheFrameOfWhatWasPutIn) {
   EXPECT_GT(share(noisy, "noise"), most);
 }
 
-// A pattern that no effect of the catalogue makes has its frame, too.
+// An uncatalogued pattern has a frame too.
 TEST(Location, FindsTheFrameOfAPatternWithoutAName) {
   Truth lobed = drawTruth(3);
   lobed.harmonic = FormHarmonic{.order = 7, .cosine = 0.2, .sine = 0.1};
@@ -82,9 +82,9 @@ Truth misreadBy(double arcseconds) {
   return truth;
 }
 
-// Least squares leaves an error e of one reading as r e there, r its redundancy, and r (1 − r) e² in the
-// squares of all others: its own share is r, of which the two faces and a slider leave 0.7 and more. Of the
-// rest the other face of the same visit has the most.
+// After least squares an error e of one reading leaves r e there, with its redundancy r, and r (1 − r) e² in
+// the squares of all others. Its own share is therefore r, at least 0.7 with two faces and a slider. The
+// other face of the same visit has most of the rest.
 TEST(Location, FindsTheCellThatIsMisread) {
   const std::vector<GapShare> where = whereOf(*protocolByName("full"), misreadBy(120));
   EXPECT_GT(shareOf(where, "frame", "readings"), 0.95);
@@ -96,8 +96,8 @@ TEST(Location, FindsTheCellThatIsMisread) {
   EXPECT_GT(shareOf(where, "face", "2"), 0.7);
 }
 
-// From the residuals of the fit itself, where zeros and distance are exact: Σ (v² − r)/σ² of each part over
-// that of all parts. A trunnion tilt shows in every part.
+// The reference are the residuals of the fit itself with exact zeros and distance: Σ (v² − r)/σ² of each part
+// over that of all parts. A trunnion tilt appears in every part.
 TEST(Location, IsWhatTheResidualsOfTheFitSay) {
   Truth truth = with(ErrorTerm::TrunnionTilt, 60);
   truth.sigmaZero = Angle();
@@ -136,7 +136,7 @@ TEST(Location, ComesInTheOrderOfTheValues) {
   EXPECT_THAT(partsOf(where, "time"), ElementsAre("quarter 1", "quarter 2", "quarter 3", "quarter 4"));
 }
 
-// Only the reversal tells what turns with the guideway.
+// Only both positions show what turns with the guideway.
 TEST(Location, OnePositionDoesNotTellGuidewayFromInstrument) {
   Protocol protocol = *protocolByName("full");
   protocol.axes = {0};

@@ -20,9 +20,9 @@
 namespace alidade {
 namespace {
 
-/// With each number of the catalogue drawn so many plausible sizes wide.
+/// A truth with each number of the catalogue drawn with `sizes` plausible sizes as σ.
 Truth withEveryEffectThere(std::uint64_t seed, double sizes, bool slider) {
-  constexpr std::uint64_t stream = 55;  // apart from those of guideway and noise
+  constexpr std::uint64_t stream = 55;  // separate from those of guideway and noise
   Truth truth = drawTruth(seed);
   RandomSource random(seed, stream);
   for (const Effect& effect : effectCatalogue()) {
@@ -56,9 +56,8 @@ Coverage coverageOf(const char* name, int sessions, double sizes) {
   return coverage;
 }
 
-// Every effect there as large as is plausible: of 100 such sessions by each plan 94 to 98 are covered. Of 40
-// by each plan at least 33 are, but in one of ten thousand runs. The fit alone covers a quarter to four
-// fifths.
+// Every effect has its plausible size: U covers 94 to 98 of 100 such sessions for each plan. At least 33 of
+// 40 are covered except in one of ten thousand runs. The fit only covers a quarter to four fifths.
 TEST(MeasuredIntersection, CoversWhateverMayBeThere) {
   for (const char* plan : {"paper", "paper-slider", "two-face", "full", "again"}) {
     const Coverage coverage = coverageOf(plan, 40, 1);
@@ -89,7 +88,7 @@ TEST(MeasuredIntersection, IsSharedOutByItsSources) {
   }
 }
 
-// What a plan shows of an effect need not be feared: by the perfect readings of each.
+// An effect that a plan reveals does not increase U: compared with the perfect readings of each plan.
 TEST(MeasuredIntersection, IsSurerByAPlanThatShowsMore) {
   const auto expandedBy = [](const char* plan) {
     const Session session = *simulateWithoutNoise(*protocolByName(plan), drawTruth(3), 3);
@@ -100,8 +99,8 @@ TEST(MeasuredIntersection, IsSurerByAPlanThatShowsMore) {
   EXPECT_LT(expandedBy("full"), 0.5 * expandedBy("two-face"));
 }
 
-// A form that no catalogue has is estimated along, not poured into what the catalogue has: in 60 sessions at
-// least 51 are covered, but once in ten thousand where 95 % are.
+// An uncatalogued form is estimated, not attributed to catalogued effects. At a coverage of 95 %, at least 51
+// of 60 sessions are covered except once in ten thousand.
 TEST(MeasuredIntersection, CoversBesideAPattern) {
   int covered = 0, unknown = 0;
   for (int i = 0; i < 60; ++i) {
@@ -118,19 +117,20 @@ TEST(MeasuredIntersection, CoversBesideAPattern) {
   EXPECT_GE(covered, 51);
 }
 
-// A large session's effects are taken as linear: beside their fit, of which there are rows enough for either.
+// Effects of a large session are treated as linear; the reference is their fit. There are enough rows for
+// both.
 TEST(MeasuredIntersection, IsTheSameAsLinear) {
   Measurement measurement = *examine(test::largeSession(5100)).measurement;
   ASSERT_TRUE(isLarge(measurement));
   const IntersectionEstimate linear = diagnose(measurement)->measured->estimate;
-  measurement.rows = 100;  // says that they are few
+  measurement.rows = 100;  // pretends that the session is small
   ASSERT_FALSE(isLarge(measurement));
   const IntersectionEstimate fitted = diagnose(measurement)->measured->estimate;
   EXPECT_NEAR(linear.value, fitted.value, 0.02 * fitted.sigma);
   EXPECT_NEAR(linear.sigma / fitted.sigma, 1, 0.02);
 }
 
-// What a certificate says of the effect that matters most takes its share away, and says so.
+// A certificate for the most important effect removes its share and is named.
 TEST(MeasuredIntersection, IsSurerByWhatIsKnown) {
   Measurement measurement = test::trialMeasurement("two-face");
   const MeasuredIntersection before = *diagnose(measurement)->measured;
@@ -159,10 +159,10 @@ Measurement withPlaneOff(double offset, const char* plan, std::uint64_t seed) {
   return *examine(*simulate(*protocolByName(plan), truth, seed)).measurement;
 }
 
-// A plane nearer by the offset at 0° and farther at 180° makes the radii differ by 2 R offset/L (similar
-// triangles). The value is that of the radii as fitted but for what other effects may have of it, within u,
-// and no plausible size draws it to zero. It lies within U of the truth in 19 of 20 sessions; of 60 at least
-// 52 do, but once in ten thousand.
+// A plane that is nearer by the offset at 0° and farther at 180° changes the radii by 2 R offset/L (similar
+// triangles). The value is that of the fitted radii, changed by other effects within u, and not reduced by a
+// plausible size. U covers the truth in 19 of 20 sessions; at least 52 of 60 are covered except once in ten
+// thousand.
 TEST(MeasuredIntersection, TellsHowFarTheCentreLiesAcrossThePlane) {
   int covered = 0, sessions = 0;
   for (const double offset : {-5.0, 0.0, 3.0})
@@ -184,7 +184,7 @@ TEST(MeasuredIntersection, TellsHowFarTheCentreLiesAcrossThePlane) {
 
 TEST(MeasuredIntersection, DoesNotTellAcrossThePlaneByWhatIsPlausible) {
   Measurement measurement = withPlaneOff(0, "paper", 5);
-  for (ArcMeasurement& arc : measurement.arcs)  // 80° to 100°: neither radius nor x
+  for (ArcMeasurement& arc : measurement.arcs)  // 80° to 100°: neither radius nor x is determined
     arc.sightings = {arc.sightings.begin() + 7, arc.sightings.begin() + 10};
   const auto diagnosis = diagnose(measurement);
   ASSERT_TRUE(diagnosis->measured);

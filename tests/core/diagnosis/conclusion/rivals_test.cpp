@@ -17,8 +17,8 @@ namespace {
 
 constexpr std::size_t lastRow = 16;  // of the first position
 
-/// One pass in one face over 90° of arc about the top, where both circles show as much of a slip at either
-/// end; the horizontal reading of the first position's last row is 60″ off.
+/// One pass in one face over 90° of arc around the top, where both circles show an equal share of an error at
+/// either end. The horizontal reading of the first position's last row is 60″ wrong.
 Measurement misreadAtTheEnd() {
   Measurement measurement = test::usualMeasurement();
   std::mt19937_64 generator(4);
@@ -34,8 +34,8 @@ Measurement misreadAtTheEnd() {
   return measurement;
 }
 
-/// Evidence for weights normal around zero that show with squared length w²·`square`, where they take
-/// `gain` off χ², averaged over the widths w (MacKay 1992, the linear model with normal weights).
+/// Evidence for normal weights whose visible squared length is w²·`square` and which reduce χ² by `gain`,
+/// averaged over the widths w (MacKay 1992, the linear model with normal weights).
 double evidence(const std::vector<Width>& widths, double square, double gain) {
   double sum = 0;
   for (const Width& width : widths) {
@@ -45,10 +45,9 @@ double evidence(const std::vector<Width>& widths, double square, double gain) {
   return sum;
 }
 
-// All that shows of a slip in either circle of the row, or of a step just before it, is the one condition
-// between its circles. So a jump stands against two gross errors: the odds are those of the priors times the
-// evidence of the step over that of the two. What a step leaves in the position after it, a thousandth of
-// it, is not counted: 10 %.
+// A single condition between the circles of the row shows an error of either circle, or a jump just before
+// it. So a jump competes with two gross errors: the odds are those of the priors times the ratio of the
+// evidences. The trace of a jump in the next position, a thousandth of it, is neglected: 10 %.
 TEST(Rivals, JumpStandsAgainstAGrossErrorOfEitherCircle) {
   const Measurement measurement = misreadAtTheEnd();
   const Inquiry inquiry = inquire(*modelOf(measurement), {}, {});
@@ -70,7 +69,8 @@ TEST(Rivals, JumpStandsAgainstAGrossErrorOfEitherCircle) {
   }
   const PriorOdds odds;
   const double rows = 34, readings = 2 * rows;
-  // Before each row but the first of a position, to the end of its own: the zeros may be none of one mark.
+  // Jumps may occur before each row except the first of a position, and last to the end of that position. The
+  // zeros may sight different marks.
   const double moments = 16 + 16;
   const double expected = odds.jump / moments * evidence(usualAndFarWiderJumpWidths(), shown, gain) /
                           (odds.grossError / readings * ofGrossErrors);

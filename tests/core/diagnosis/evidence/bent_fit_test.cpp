@@ -7,8 +7,8 @@
 namespace alidade {
 namespace {
 
-// Where nothing bends, the integral over the grid is the closed form. The grid ends at three times the
-// greatest width and its step is a quarter of what the readings tell here: 1e-4 is what it lacks.
+// Without second-order terms the integral over the grid has a closed form. The grid ends at three times the
+// largest width, and its step is a quarter of the posterior σ, so its error is 1e-4.
 TEST(BentFit, OfWhatDoesNotBendIsTheClosedForm) {
   Eigen::Matrix<double, 5, 5> gram = Eigen::Matrix<double, 5, 5>::Zero();
   gram.topLeftCorner(2, 2) << 0.5, 0.1, 0.1, 0.4;
@@ -20,9 +20,8 @@ TEST(BentFit, OfWhatDoesNotBendIsTheClosedForm) {
   EXPECT_NEAR(bent.gain.log, closed.log, 1e-4);
 }
 
-// Readings that tell the weights to a hundredth: the peak lies between the places of the grid. Against sums
-// of the density itself at steps of a tenth of the peak; Laplace's method lacks what the peak bends within
-// itself.
+// Readings that determine the weights to a hundredth: the peak is narrower than the grid. The reference is a
+// sum of the density at steps of a tenth of the peak. Laplace's method omits the curvature within the peak.
 TEST(BentFit, OfANarrowPeakIsTheIntegralOverIt) {
   Eigen::Matrix<double, 7, 5> columns;
   columns << 60, 10, 2, 1, 0,  //
@@ -46,7 +45,7 @@ TEST(BentFit, OfANarrowPeakIsTheIntegralOverIt) {
   for (int i = -150; i <= 150; ++i)
     for (int j = -150; j <= 150; ++j)
       sum += std::exp(logDensityAt(truth + step * Eigen::Vector2d(i, j)) - top) * step * step;
-  constexpr double never = -1e6;  // ln of the chance of the width that knows no bending
+  constexpr double never = -1e6;  // logarithm of the probability of the width without second-order terms
   const BentFit bent = fitBent({{0.3, never}, {1, 0}}, gram, right, 1);
   EXPECT_NEAR(bent.gain.log, top + std::log(sum), 0.01);
 }

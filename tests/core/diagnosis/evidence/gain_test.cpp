@@ -24,8 +24,8 @@ double logDensity(const VectorXd& x, const MatrixXd& covariance) {
          0.5 * static_cast<double>(x.size()) * std::log(2 * std::numbers::pi);
 }
 
-// The evidence is the density of the readings with the weights integrated out: normal, of covariance
-// v + w² C Cᵀ. Worked out from that matrix whole, one density after the other.
+// The evidence is the density of the readings integrated over the weights: normal with covariance v + w² C
+// Cᵀ. The test computes each density from the full matrix.
 TEST(Gain, IsTheRatioOfTwoNormalDensities) {
   RandomSource random(1);
   constexpr double variance = 1.7;
@@ -41,8 +41,8 @@ TEST(Gain, IsTheRatioOfTwoNormalDensities) {
   EXPECT_NEAR(gain.log, std::log(evidence) - logDensity(readings, noise), 1e-10);
 }
 
-// With other columns, of width u, taken off before, the noise has the covariance v + u² B Bᵀ. A few are
-// worked on unrolled; a pattern takes many.
+// With other columns of width u eliminated before, the noise has the covariance v + u² B Bᵀ. Few columns use
+// an unrolled loop; a pattern has many.
 TEST(Gain, KnowsWhatWasTakenOffBefore) {
   RandomSource random(2);
   constexpr double variance = 0.8, before = 1.5;

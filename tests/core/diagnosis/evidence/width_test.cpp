@@ -10,14 +10,14 @@
 namespace alidade {
 namespace {
 
-/// Chances, not their logarithms.
+/// Sums probabilities, not their logarithms.
 double sumOfChances(const std::vector<Width>& widths) {
   double sum = 0;
   for (const Width& width : widths) sum += std::exp(width.logChance);
   return sum;
 }
 
-// Sums of a few numbers below 1: 1e-14 is some fifty roundings.
+// Sums of a few numbers below 1: 1e-14 is some fifty rounding errors.
 TEST(Width, IsSureToBeOneOfThoseGiven) {
   for (const std::vector<Width>& widths : {evenly({2}), evenly({0.1, 3}), evenly({8, 30, 120, 1000, 1e6})}) {
     EXPECT_NEAR(sumOfChances(widths), 1, 1e-14);
@@ -33,7 +33,7 @@ TEST(Width, KeepsTheOrderOfThoseGiven) {
   for (std::size_t i = 0; i < widths.size(); ++i) EXPECT_EQ(widths[i].sigma, sigmas[i]) << i;
 }
 
-// One in a hundred, and each of the others as likely beside its neighbour as before.
+// One in a hundred; the ratios of the others stay the same.
 TEST(Width, FarGreaterOneTakesFromAllAlike) {
   const std::vector<Width> uneven{{0.3, std::log(0.2)}, {1, std::log(0.7)}, {2, std::log(0.1)}};
   const std::vector<Width> wider = andFarWider(uneven, 50);
@@ -43,8 +43,8 @@ TEST(Width, FarGreaterOneTakesFromAllAlike) {
     EXPECT_NEAR(std::exp(wider[i].logChance), chances[i], 1e-15) << i;
 }
 
-// The evidence is the mean over the widths, so one width given twice is that width, and with a 1 and a 4 in
-// turn it makes no difference which comes first. 1e-12: the gain of 18 is a sum of a dozen numbers.
+// The evidence is the mean over the widths. So a width given twice equals that width, and the order of 1 and
+// 4 does not matter. The gain of 18 is a sum of a dozen numbers: 1e-12.
 TEST(Width, GivenTwiceIsThatWidth) {
   const Eigen::MatrixXd gram = Eigen::MatrixXd::Constant(1, 1, 2);
   const Eigen::VectorXd right = Eigen::VectorXd::Constant(1, 9);

@@ -36,7 +36,7 @@ TEST(EveryEffect, HasThoseOfTheSliderWhereItIsRead) {
   EXPECT_TRUE(has(everyEffect(test::trialMeasurement("full")), ErrorTerm::SliderSine));
 }
 
-// What is in the model already keeps its width where that is the wider one, or its session's own.
+// A term that is already in the model keeps its width if that is wider or the session's own.
 TEST(EveryEffect, NarrowsNothingDown) {
   Measurement measurement = test::trialMeasurement("two-face");
   measurement.effects = {"collimation"};

@@ -27,7 +27,7 @@ TEST(GapModel, HasOnlyTheArcsThatCanBeFitted) {
   EXPECT_EQ(model.noise, 1);
 }
 
-// Whatever asks the model anew gets its fit again, to 1e-6 of a σ: the fit ends 1e-9 σ from the minimum.
+// A repeated fit of the model gives the same result to 1e-6 σ, because fits end 1e-9 σ from the minimum.
 TEST(GapModel, StartsAndOptionsLeadToItsFit) {
   for (const std::vector<std::string>& effects :
        {std::vector<std::string>{}, {"collimation", "plane_warp"}}) {
@@ -56,7 +56,7 @@ TEST(GapModel, FailsWithTheFirstErrorOfTheFit) {
   EXPECT_TRUE(std::holds_alternative<session_finding::PositionMissing>(refused.problem().why->what));
 }
 
-/// Δd with one reading off by so many of its σ.
+/// Returns Δd with one reading changed by `sigmas` of its σ.
 double intersectionWith(const GapModel& model, const AdjustedReading& reading, double sigmas) {
   Measurement measurement = *model.measurement;
   Sighting& row = measurement.arcs[reading.arc].sightings[reading.sighting];
@@ -67,8 +67,8 @@ double intersectionWith(const GapModel& model, const AdjustedReading& reading, d
   return intersect(measurement, fitJointly(measurement, model.starts, model.options))->value;
 }
 
-// Fits of perfect readings of which one is ± one σ off. Between the two what bends falls out but for the
-// third order, and the fits end 1e-9 σ from the minimum: 1e-6 of the greatest.
+// Fits of perfect readings with one reading changed by ± 1 σ. Second-order terms cancel in the difference;
+// third-order terms and the end of the fits 1e-9 σ from the minimum leave 1e-6 of the largest.
 TEST(GapModel, InfluenceIsHowFarAReadingMovesTheIntersection) {
   Measurement measurement =
       test::measurementOf(*simulateWithoutNoise(*protocolByName("paper-slider"), drawTruth(6), 6));
@@ -78,16 +78,16 @@ TEST(GapModel, InfluenceIsHowFarAReadingMovesTheIntersection) {
   const Eigen::VectorXd influence = influencePerSigma(model);
   ASSERT_EQ(influence.size(), 3 * 34);
   const double most = influence.cwiseAbs().maxCoeff();
-  for (Eigen::Index i = 0; i < influence.size(); i += 4) {  // of each kind in turn
+  for (Eigen::Index i = 0; i < influence.size(); i += 4) {  // readings of each kind in turn
     const AdjustedReading& reading = model.fit->readings[static_cast<std::size_t>(i)];
     const double moved = (intersectionWith(model, reading, 1) - intersectionWith(model, reading, -1)) / 2;
     EXPECT_NEAR(influence[i], moved, 1e-6 * most) << i;
   }
 }
 
-// A session that goes round in face 1 before it goes round in face 2. Residuals and influences of a fit are
-// held against leftovers index by index, so both have their readings visit by visit. 1e-6 σ are some 1e-11
-// rad, what rounding leaves of a reading.
+// The session completes its rounds in face 1 before those in face 2. Residuals and influences of a fit are
+// compared with leftovers index by index, so both list the readings visit by visit. Rounding errors of a
+// reading, some 1e-11 rad, are 1e-6 σ.
 TEST(GapModel, ReadingRefsNameTheReadingsOfTheLeftover) {
   Measurement measurement = test::trialMeasurement("full");
   measurement.rows = 0;

@@ -9,9 +9,9 @@
 namespace alidade {
 namespace {
 
-// Of Table I the residuals have 9.375″ and 8.34″ (independent solvers). Slider readings so poor that they
-// have no say, 1800″ off at every other place with σ 3500″, leave the circles as they are; they are of
-// another kind, and no part of the gap in arcseconds.
+// The residuals of Table I are 9.375″ and 8.34″ (independent solvers). Slider readings without influence,
+// 1800″ wrong at every other visit with σ 3500″, do not change the circles. Their residuals do not count in
+// the gap in arcseconds.
 TEST(GapSize, RmsIsOfTheCirclesAlone) {
   Session session = test::paperSession();
   session.instrument.sigmaSliderArcsec = "3500";

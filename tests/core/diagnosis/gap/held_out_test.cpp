@@ -16,7 +16,7 @@ Measurement read(const std::string& protocol, const Truth& truth, std::uint64_t 
   return test::measurementOf(*simulate(*protocolByName(protocol), truth, seed));
 }
 
-/// With terms added, each known beforehand to `priorSigma`.
+/// Returns the model with added terms, each known to `priorSigma`.
 GapModel with(const GapModel& model, const std::vector<ErrorTerm>& terms, double priorSigma) {
   GapModel more = model;
   for (const ErrorTerm term : terms) more.options.terms.push_back({term, priorSigma});
@@ -24,8 +24,8 @@ GapModel with(const GapModel& model, const std::vector<ErrorTerm>& terms, double
   return more;
 }
 
-/// rms of the circle readings, arcseconds, each fifth of the visits predicted by a whole new fit of the
-/// others.
+/// Returns the rms of the circle readings, arcseconds; a complete new fit of the other visits predicts each
+/// fifth of the visits.
 double rmsOfRefits(const GapModel& model) {
   std::vector<Circle> circles;
   for (std::size_t arc = 0; arc < model.measurement->arcs.size(); ++arc)
@@ -56,8 +56,8 @@ double rmsOfRefits(const GapModel& model) {
   return std::sqrt(sum / count);
 }
 
-// The equations are linear about the fit of all readings; the new fits start a few arcseconds away, where
-// they are curved by less than a millionth.
+// The equations are linearised at the fit of all readings. The new fits differ by a few arcseconds, where
+// curvature is below a millionth.
 TEST(HeldOut, IsWhatNewFitsWithoutTheReadingsSay) {
   Truth truth = drawTruth(3);
   truth.effects = {{ErrorTerm::TrunnionTilt, 25}, {ErrorTerm::EllipticityCosine, 0.1}};
@@ -73,8 +73,8 @@ TEST(HeldOut, IsWhatNewFitsWithoutTheReadingsSay) {
   }
 }
 
-// Numbers that mean nothing always fit a little better and predict a little worse. Two to 68 readings: each
-// session's figures scatter by some percent, the mean of 30 by less than one.
+// Meaningless numbers always fit slightly better and predict slightly worse. Two numbers for 68 readings: the
+// results of single sessions scatter by some percent, the mean of 30 by less than one.
 TEST(HeldOut, PunishesNumbersThatMeanNothing) {
   double inSample = 0, heldOut = 0;
   for (std::uint64_t seed = 0; seed < 30; ++seed) {
@@ -89,8 +89,9 @@ TEST(HeldOut, PunishesNumbersThatMeanNothing) {
   EXPECT_GT(heldOut, -0.2);
 }
 
-// One face, no slider: the sighting is alone in its visit, so nothing is left there to predict. Without it
-// noise is left, with it the slip beside noise: what it makes of the 17 + 17 visits is in both figures.
+// With one face and without slider the sighting is alone in its visit, so it cannot be predicted. Without it
+// only noise remains, with it the gross error plus noise. Both figures include its effect on the 17 + 17
+// visits.
 TEST(HeldOut, DoesWithoutASightingThatIsMisread) {
   for (const double size : {60.0, 400.0, 900.0}) {
     SCOPED_TRACE(size);

@@ -18,7 +18,8 @@ namespace {
 using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
 using test::greatest;
 
-/// All that the fit takes up at once, an arc angle for each visit among it, and the projector off it.
+/// Everything that the fit absorbs, including an arc angle for each visit, and the projector on its
+/// complement.
 struct Whole {
   MatrixXd projector;
   VectorXd observed;
@@ -55,7 +56,7 @@ struct Whole {
   }
 };
 
-/// With a whole row and two readings that take no part, and two terms, where it is not plain.
+/// The model; unless `plain` with two terms, an excluded row and two excluded readings.
 GapModel modelBy(const std::string& protocol, bool plain) {
   GapModel model = *modelOf(test::trialMeasurement(protocol));
   if (plain) return model;
@@ -68,7 +69,7 @@ GapModel modelBy(const std::string& protocol, bool plain) {
   return model;
 }
 
-// Sums of some hundred numbers in another order: a few of the last digits.
+// Sums of some hundred numbers in a different order agree except for a few last digits.
 TEST(Leftover, IsWhatIsOutsideOfAllThatTheFitTakesUp) {
   for (const char* protocol : {"paper", "paper-slider", "two-face"})
     for (const bool plain : {true, false}) {
@@ -93,8 +94,8 @@ TEST(Leftover, IsWhatIsOutsideOfAllThatTheFitTakesUp) {
     }
 }
 
-// With zeros and distance exact the fit itself says how much is left, by other equations: it ends 1e-9 σ from
-// the minimum, where the residuals are known to some 1e-7.
+// With exact zeros and distance the fit itself gives the leftover, from other equations. It ends 1e-9 σ from
+// the minimum, where the residuals are accurate to some 1e-7.
 TEST(Leftover, IsWhatTheFitLeavesWhereZerosAreExact) {
   Measurement measurement = test::trialMeasurement("full");
   const double known = Leftover(linearise(measurement, *modelOf(measurement)->fit)).chiSquare();
@@ -105,7 +106,7 @@ TEST(Leftover, IsWhatTheFitLeavesWhereZerosAreExact) {
   EXPECT_EQ(leftover.rows(), leftover.readings());
   EXPECT_EQ(leftover.degreesOfFreedom(), model.fit->degreesOfFreedom);
   EXPECT_NEAR(leftover.chiSquare(), model.fit->chiSquare, 1e-7 * model.fit->chiSquare);
-  EXPECT_LT(known, leftover.chiSquare());  // a zero that is not exact takes up a little
+  EXPECT_LT(known, leftover.chiSquare());  // an uncertain zero absorbs a little
   for (Index i = 0; i < leftover.readings(); ++i)
     for (const AdjustedReading& reading : model.fit->readings)
       if (ReadingRef{reading.arc, reading.sighting, reading.kind} == readingRef(leftover, i)) {
@@ -132,7 +133,7 @@ TEST(Leftover, SeesNothingOfWhatTheFitTakesUp) {
   }
 }
 
-// The slider's scale, where no slider is read, and nothing is known of it beforehand.
+// The slider's scale without slider readings and without prior knowledge.
 TEST(Leftover, LosesNothingToWhatNoReadingSees) {
   const GapModel model = modelBy("paper", true);
   const Linearised set = linearise(*model.measurement, *model.fit);
@@ -141,7 +142,7 @@ TEST(Leftover, LosesNothingToWhatNoReadingSees) {
   EXPECT_LT(greatest(with.residual() - without.residual()), 1e-10);
 }
 
-// Products of a reading's derivatives kind by kind, and reading by reading.
+// Products of the derivatives, computed by kind of reading and by single readings.
 TEST(Leftover, HasTheProductsOfEveryTerm) {
   const GapModel model = modelBy("paper-slider", false);
   const std::vector<ErrorTerm> some{ErrorTerm::VerticalIndex, ErrorTerm::SliderScale, ErrorTerm::GravitySag};
@@ -159,8 +160,8 @@ TEST(Leftover, HasTheProductsOfEveryTerm) {
   EXPECT_LT(greatest(leftover.residualByTerms() - leftover.productsOfTerms(leftover.residual())), 1e-9);
 }
 
-// From a = atan(x/L) and sin e = y/|P|, differentiated by hand; the angles are read and not adjusted, but
-// there is no noise. A slider zero is read as it is, on the arc whose slider is read.
+// From a = atan(x/L) and sin e = y/|P|, differentiated by hand. Observed angles replace adjusted ones, since
+// there is no noise. A slider zero enters the slider readings of its arc directly.
 TEST(Leftover, ColumnsOfUnknownsAreThoseOfTheGeometry) {
   Measurement measurement = test::usualMeasurement();
   measurement.sigmaVertical = Angle::fromArcseconds(3);

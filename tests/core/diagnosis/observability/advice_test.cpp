@@ -23,17 +23,17 @@ namespace {
 using Eigen::Vector2d, Eigen::VectorXd;
 using testing::ElementsAre;
 
-/// Read without noise, the places exactly as planned.
+/// The model of readings without noise, with the visits exactly as planned.
 GapModel modelBy(const Protocol& protocol, const std::vector<TrueSize>& effects) {
   Truth truth = drawTruth(11);
   truth.placeSpread = Angle();
   truth.effects = effects;
   Measurement measurement = test::measurementOf(*simulateWithoutNoise(protocol, truth, 11));
-  measurement.zeroIs = ZeroIs::Unknown;  // else the zeros tell drifts and knocks by themselves
+  measurement.zeroIs = ZeroIs::Unknown;  // otherwise the zeros alone separate drifts and jumps
   return *modelOf(measurement);
 }
 
-/// Into a session of which nothing has been explained yet.
+/// An inquiry into a session without an explanation so far.
 Inquiry inquiryInto(GapModel model) {
   Leftover leftover(linearise(*model.measurement, *model.fit, model.options));
   return {model, model, std::move(model), std::move(leftover), {}, {}, {}, {}};
@@ -73,7 +73,8 @@ const Advice* adviceTo(Measure measure, const std::vector<Advice>& list) {
   return found == list.end() ? nullptr : &*found;
 }
 
-/// The most probable to leave one answer first, to a twentieth, and none that tells nothing clearly.
+/// The advice that most probably leaves one answer comes first, rounded to a twentieth. Advice that separates
+/// nothing clearly is absent.
 void expectInOrder(const std::vector<Advice>& list) {
   ASSERT_GT(list.size(), 1u);
   for (std::size_t i = 0; i < list.size(); ++i) {
@@ -92,7 +93,7 @@ PossibleCause slipOf(std::size_t arc, double horizontal) {
   return {jumpId, Vector2d(horizontal / 60, 0), 1, arc};
 }
 
-/// The plan of the paper with one more thing read, as a session of its own.
+/// The plan of the paper with one more measure, as separate sessions.
 std::vector<std::pair<Measure, Protocol>> moreThanThePaper() {
   const Protocol paper = *protocolByName("paper");
   Protocol faces = paper, back = paper, slider = paper;
@@ -102,7 +103,7 @@ std::vector<std::pair<Measure, Protocol>> moreThanThePaper() {
   return {{Measure::BothFaces, faces}, {Measure::WayBack, back}, {Measure::SliderReadings, slider}};
 }
 
-/// How far a session by the protocol that holds the first one shows it from all that the other can leave.
+/// Distance between the trace of `held` and the nearest trace of `other`, in a session with this protocol.
 double shownApart(const Protocol& protocol, const std::pair<ErrorTerm, double>& held,
                   const std::string& other) {
   const GapModel model = *closedModelOf(modelBy(protocol, {{held.first, held.second}}));
@@ -112,8 +113,9 @@ double shownApart(const Protocol& protocol, const std::pair<ErrorTerm, double>& 
   return trace.differenceFrom(*std::ranges::find(effects, other, &EffectComponent::id));
 }
 
-// Against sessions by the richer plan that hold one of the suspects: how far that is from what any other can
-// leave, whichever of the two is there, is what the advice promises of every two. It is linear: 2 %.
+// The reference are sessions with the richer plan that contain one of the suspects. Their distance from any
+// trace of the other suspect, whichever is the cause, is what the advice promises for every two. The advice
+// is linear: 2 %.
 TEST(Advice, PromisesOfEveryTwoWhatSessionsWithTheFurtherReadingsShow) {
   const std::vector<std::pair<ErrorTerm, double>> sizes{
       {ErrorTerm::VerticalDrift, 150}, {ErrorTerm::TrunnionTilt, 300}, {ErrorTerm::GravitySag, 0.4}};
@@ -146,8 +148,8 @@ TEST(Advice, PromisesOfEveryTwoWhatSessionsWithTheFurtherReadingsShow) {
   EXPECT_GE(told, 2);
 }
 
-// A drift of 60″ has turned the zero by 29″ when 17 of 34 rows are read, in either position; a slip of 30″
-// after the last zero turns it there alone, and a shift along the axis not at all.
+// A drift of 60″ has turned the zero by 29″ when 17 of 34 rows are read, in each position. A slip of 30″
+// after the last zero turns it in that position only; a shift along the axis does not turn it.
 TEST(Advice, SightsTheZerosAgainToTellASlipFromADriftAndAShift) {
   const Inquiry inquiry = inquiryInto(*closedModelOf(modelBy(*protocolByName("paper"), {})));
   const std::vector<Advice> list = adviceFor(
@@ -159,19 +161,19 @@ TEST(Advice, SightsTheZerosAgainToTellASlipFromADriftAndAShift) {
   EXPECT_THAT(zero->separates, testing::IsSupersetOf({"axial_shift"}));
   const double sigma = 2 * std::numbers::sqrt2;
   EXPECT_NEAR(zero->bySigma, 30 / sigma,
-              0.05 * 30 / sigma);  // of axial shift and either; less of drift and slip
+              0.05 * 30 / sigma);  // the axial shift from each of the others; drift and slip are nearer
 }
 
-/// A jump between the zero and the first place of a position of the paper's plan.
+/// A jump between the zero and the first visit of a position of the paper's plan.
 PossibleCause slipAt(std::size_t arc, double horizontal) {
   PossibleCause slip = slipOf(arc, horizontal);
-  slip.moment = JumpMoment{18 * arc + 1, 18 * (arc + 1)};  // with the zero before the 17 rows
+  slip.moment = JumpMoment{18 * arc + 1, 18 * (arc + 1)};  // the zero precedes the 17 rows
   return slip;
 }
 
-// 0° again stands where it stood at first, whatever shifts when the guideway is turned, unless the first zero
-// slipped: against a shift, which takes up what 180° says, two zeros and two arcs of 17 readings tell its
-// 30″, √2 (2″ ⊕ 0.37 · 2″). A slip at 180° leaves there what a shift leaves.
+// The repeat at 0° is equal to the first position, even with a shift at 180°, unless the first zero slipped.
+// A shift absorbs the readings at 180°. So two zeros and two arcs of 17 readings separate 30″ from it: √2 (2″
+// ⊕ 0.37 · 2″). A slip at 180° has the same trace as a shift.
 TEST(Advice, MeasuresAPositionAgainToTellASlipOfItsZeroFromAShift) {
   const Inquiry inquiry = inquiryInto(*closedModelOf(modelBy(*protocolByName("paper"), {})));
   const std::vector<Advice> ofFirst =
@@ -185,14 +187,14 @@ TEST(Advice, MeasuresAPositionAgainToTellASlipOfItsZeroFromAShift) {
       adviceFor(inquiry, {possibleCauseOf("axial_shift", 0.35), slipAt(1, 30)}, {}, {});
   EXPECT_FALSE(adviceTo(Measure::At0Again, ofSecond));
   EXPECT_TRUE(adviceTo(Measure::At180Again, ofSecond));
-  // Either zero may have slipped: only both positions tell.
+  // Either zero may have slipped: only both repeated positions decide.
   const std::vector<Advice> ofEither =
       adviceFor(inquiry, {possibleCauseOf("axial_shift", 0.35), slipAt(0, 30), slipAt(1, -30)}, {}, {});
   EXPECT_FALSE(adviceTo(Measure::At0Again, ofEither));
   EXPECT_FALSE(adviceTo(Measure::At180Again, ofEither));
 }
 
-// The distances differ by twice the offset of the plane, a radius that differs changes none.
+// The distances differ by twice the plane offset; a change of radius does not affect them.
 TEST(Advice, MeasuresTheDistanceInBothPositions) {
   Measurement measurement = *modelBy(*protocolByName("paper"), {}).measurement;
   measurement.sigmaDistance = 0.5;
@@ -205,7 +207,7 @@ TEST(Advice, MeasuresTheDistanceInBothPositions) {
   EXPECT_NEAR(distance->bySigma, 6 / 0.5 / std::numbers::sqrt2, 1e-9);
 }
 
-// Of a way back that shows a plausible drift, again by a session that holds it.
+// A way back that reveals a plausible drift, compared with a session that contains it.
 TEST(Advice, TellsWhatWouldShowTheUnseenWhereNothingIsToBeToldApart) {
   const Inquiry inquiry = paperInquiry();
   const std::vector<Detectability> drifts{undetectable("vertical_drift", VectorXd::Ones(1)),
@@ -256,7 +258,8 @@ TEST(Advice, SightsTheZeroAgainWhereAMisreadValueMayBeAJump) {
   EXPECT_TRUE(adviceFor(inquiry, {}, {two}, {}).empty());
 }
 
-// A jump of 60″ in the direction of 0.6 and 0.8; it comes first where nothing else is asked, else last.
+// A jump of 60″ in the direction (0.6, 0.8). The advice comes first if there is no other question, otherwise
+// last.
 TEST(Advice, SightsTheZeroAgainWhereAJumpGoesUnseen) {
   Measurement measurement = *modelBy(*protocolByName("paper"), {}).measurement;
   measurement.sigmaVertical = Angle::fromArcseconds(5);

@@ -31,8 +31,8 @@ double expandedWith(const std::vector<AttainableUncertainty>& list, const std::v
   return found == list.end() ? 0 : found->expanded;
 }
 
-// What is promised of slider readings or the other face is what a plan with them has. Its places are others
-// by what they are spread by, and its rounds may be more: 5 %.
+// The promise for slider readings or the other face is the U of a plan with them. The visits of that plan
+// differ by their spread, and it may have more rounds: 5 %.
 TEST(Attainable, IsWhatThePlanWithMoreHas) {
   const auto paper = attainableBy(cleanBy("paper"));
   EXPECT_NEAR(
@@ -40,19 +40,21 @@ TEST(Attainable, IsWhatThePlanWithMoreHas) {
       0.05);
 }
 
-// What is measured of a plan's own perfect readings, up to what else may explain even these.
+// The first entry is the U measured from the plan's perfect readings, except for other explanations that even
+// these allow.
 TEST(Attainable, BeginsWithWhatTheReadingsThemselvesHave) {
   for (const char* plan : {"paper", "paper-slider", "two-face", "full"}) {
     const Measurement measurement = cleanBy(plan);
     const Diagnosis diagnosis = diagnosisOf(measurement);
     ASSERT_FALSE(diagnosis.attainable.empty()) << plan;
     EXPECT_NEAR(diagnosis.attainable[0].expanded / diagnosis.measured->estimate.expanded, 1, 0.1) << plan;
-    // A plan has every effect at its plausible size; that they are larger is a little probable in readings.
+    // A plan assumes every effect at its plausible size; readings leave a small probability that they are
+    // larger.
     EXPECT_NEAR(diagnosis.attainable[0].expanded / attainableBy(measurement)[0].expanded, 1.05, 0.05) << plan;
   }
 }
 
-// A certificate that says nearly nothing is left open brings U down to what was promised of it.
+// A certificate that leaves almost no uncertainty reduces U to the promised value.
 TEST(Attainable, OfAKnownEffectIsWhatACertificateBrings) {
   for (const char* plan : {"paper", "two-face"}) {
     Measurement measurement = cleanBy(plan);
@@ -82,7 +84,7 @@ TEST(Attainable, OffersWhatIsWorthItTheLeastFirst) {
   }
 }
 
-// Noise five times as large costs more, where effects are not all there is.
+// Five times the noise increases U where effects are not its only contribution.
 TEST(Attainable, HasTheNoiseThatWasFound) {
   Truth truth = drawTruth(4);
   const Protocol& plan = *protocolByName("full");

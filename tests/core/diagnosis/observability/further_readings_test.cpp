@@ -31,14 +31,14 @@ std::vector<Measure> measuresOf(const GapModel& model) {
   return measures;
 }
 
-/// What is added by one of the measures.
+/// Returns the readings added by one of the measures.
 Measurement with(const GapModel& model, Measure measure) {
   const std::vector<FurtherReadings> plans = plansOf(model);
   return std::ranges::find(plans, std::vector{measure}, &FurtherReadings::measures)->sets.back();
 }
 
-/// How far the sighted point is from the circle, and the slider from where it stands, by the closed forms
-/// tan a = x/L and tan e = y/√(x² + L²) or y/L, mm.
+/// Returns the largest distance of a sighted point from the circle, and of the slider from its place, mm. It
+/// uses the closed forms tan a = x/L and tan e = y/√(x² + L²) or y/L.
 double farthestFromCircle(const Measurement& set, const GapModel& model) {
   double farthest = 0;
   for (std::size_t arc = 0; arc < set.arcs.size(); ++arc)
@@ -57,9 +57,9 @@ double farthestFromCircle(const Measurement& set, const GapModel& model) {
   return farthest;
 }
 
-constexpr double rounding = 1e-8;  // mm; of angles on metres
+constexpr double rounding = 1e-8;  // mm; rounding errors of angles over metres
 
-/// Some places in both faces, and a slider at every other place, over 90° of arc.
+/// Some visits in both faces, and slider readings at every other visit, over 90° of arc.
 Measurement mixedMeasurement(VerticalAngleRelation relation) {
   Measurement measurement = test::usualMeasurement();
   measurement.relation = relation;
@@ -98,7 +98,7 @@ TEST(FurtherReadings, OfferOnlyWhatASessionHasNot) {
                           At0Again, At180Again));
 }
 
-// The fit of what is read without error is the fit at hand, and leaves nothing.
+// The fit of error-free readings equals the existing fit and leaves no residuals.
 TEST(FurtherReadings, AreReadWithoutError) {
   for (const VerticalAngleRelation relation : {VerticalAngleRelation::Exact, VerticalAngleRelation::Planar}) {
     const Measurement measurement = mixedMeasurement(relation);
@@ -123,13 +123,14 @@ TEST(FurtherReadings, AreReadWithoutError) {
         std::size_t next = 0;
         for (const ArcMeasurement& arc : set.arcs)
           for (const Sighting& sighting : arc.sightings) EXPECT_EQ(sighting.sequence, next++);
-        // What goes on behind the session keeps its measure of time.
+        // Readings that continue the session keep its measure of time.
         EXPECT_EQ(set.rows, more.goesOn ? plan.rows : next) << static_cast<int>(more.measures.front());
       }
   }
 }
 
-// A third position behind the two, to the places of the first at its axis, each row later than all others.
+// A third position after the two, with the visits of the first one at its axis. Each of its rows is later
+// than all others.
 TEST(FurtherReadings, MeasureAPositionAgain) {
   const GapModel model = *modelOf(mixedMeasurement(VerticalAngleRelation::Exact));
   for (const auto& [measure, axisDeg] : {std::pair(At0Again, 0), std::pair(At180Again, 180)}) {
@@ -176,7 +177,7 @@ TEST(FurtherReadings, AddWhatTheirMeasureSays) {
 
     for (const Sighting& sighting : slider.arcs[arc].sightings) EXPECT_TRUE(sighting.slider);
 
-    // 160° in 17 places, 10° apart, of which the 90° at hand hold nine.
+    // 160° in 17 places, 10° apart; the existing 90° contain nine of them.
     EXPECT_EQ(more.arcs[arc].sightings.size(), own.size() + 8);
     std::vector<int> points;
     for (std::size_t i = own.size(); i < more.arcs[arc].sightings.size(); ++i)
@@ -199,7 +200,7 @@ TEST(FurtherReadings, OfASetUpOfItsOwnComeBesideTheSession) {
   }
 }
 
-// Where they are planned nothing is left over, whatever size of an effect the model has found.
+// Planned readings have no residuals, whatever size of an effect the model has estimated.
 TEST(FurtherReadings, AreLinearisedWithoutTheEffectsOfTheModel) {
   GapModel model = *modelOf(mixedMeasurement(VerticalAngleRelation::Exact));
   model.options.terms = {{ErrorTerm::TrunnionTilt, 1e-3, 0, 2e-3}};
@@ -210,7 +211,7 @@ TEST(FurtherReadings, AreLinearisedWithoutTheEffectsOfTheModel) {
     EXPECT_EQ(set.termValues[static_cast<std::size_t>(ErrorTerm::TrunnionTilt)], 0);
     double tilt = 0, sag = 0, warp = 0;
     for (std::size_t i = 0; i < set.readings.size(); ++i) {
-      EXPECT_NEAR(set.readings[i].residual, 0, 1e-4);  // σ, of rounding
+      EXPECT_NEAR(set.readings[i].residual, 0, 1e-4);  // σ; rounding errors
       tilt += std::abs(set.ofTerm(i, ErrorTerm::TrunnionTilt));
       sag += std::abs(set.ofTerm(i, ErrorTerm::GravitySag));
       warp += std::abs(set.ofTerm(i, ErrorTerm::WarpSine));

@@ -23,7 +23,8 @@ const std::vector<const Effect*>& someEffects() {
   return effects;
 }
 
-/// What a set shows of every term, by columns outside all that its fit takes up.
+/// The visible parts of every term in a set, from columns projected on the complement of what its fit
+/// absorbs.
 MatrixXd shownBy(const Linearised& set) {
   const Leftover leftover(set);
   MatrixXd columns(leftover.readings(), static_cast<Index>(errorTermCount));
@@ -37,7 +38,7 @@ MatrixXd below(const MatrixXd& one, const MatrixXd& other) {
   return all;
 }
 
-/// The same outside the terms that the model estimates, of which something is known beforehand.
+/// The same with the estimated terms of the model eliminated, including their prior knowledge.
 MatrixXd besideEstimated(const MatrixXd& columns, const std::vector<EstimatedTerm>& estimated) {
   const Index count = std::ssize(estimated), rows = columns.rows();
   if (count == 0) return columns;
@@ -51,7 +52,7 @@ MatrixXd besideEstimated(const MatrixXd& columns, const std::vector<EstimatedTer
   return all - taken * taken.colPivHouseholderQr().solve(all);
 }
 
-/// Of some terms, each against its whole length; the others show nothing.
+/// Compares some terms, each relative to its full length; the others must be zero.
 void expectShown(const VisibleTerms& shown, const MatrixXd& columns, const std::vector<ErrorTerm>& terms) {
   MatrixXd expected = MatrixXd::Zero(columns.cols(), columns.cols());
   const MatrixXd gram = columns.transpose() * columns;
@@ -64,7 +65,7 @@ void expectShown(const VisibleTerms& shown, const MatrixXd& columns, const std::
   EXPECT_LT(greatest(scale.asDiagonal() * (shown.gram - expected) * scale.asDiagonal()), 1e-10);
 }
 
-/// As the diagnosis makes them: with effects of the session's own model, with readings that take no part.
+/// Returns models as in a diagnosis: with effects of the session's own model, and with excluded readings.
 GapModel modelWith(const std::vector<EstimatedTerm>& terms, const std::vector<ReadingRef>& without) {
   GapModel model = *modelOf(test::trialMeasurement("paper-slider"));
   model.options.terms = terms;
@@ -73,9 +74,9 @@ GapModel modelWith(const std::vector<EstimatedTerm>& terms, const std::vector<Re
   return model;
 }
 
-// Columns by an orthonormal basis, inner products by normal equations: both lose what the length of the
-// columns leaves of sixteen digits. What is read besides a session adds to what the session shows, each with
-// circles and zeros of its own; of a session as it was read its own equations serve, else those of its plan.
+// The reference uses columns and an orthonormal basis, the code normal equations. Both lose the digits that
+// the columns' length takes of sixteen. Further readings add to what the session shows, each set with its own
+// circles and zeros. A session as read uses its own equations, otherwise those of its plan.
 TEST(FurtherTerms, AreThoseOfAllSetsTogether) {
   const std::vector<EstimatedTerm> some{{ErrorTerm::TrunnionTilt, 1e-5}, {ErrorTerm::LobingSine, 0.05}};
   const std::vector<ErrorTerm> asked{ErrorTerm::VerticalDrift, ErrorTerm::WarpCosine, ErrorTerm::WarpSine,
@@ -100,14 +101,14 @@ TEST(FurtherTerms, AreThoseOfAllSetsTogether) {
       besides += plan.besideSession;
       const VisibleTerms shown = further.shownBy(plan);
       expectShown(shown, besideEstimated(columns, terms), known);
-      EXPECT_EQ(further.shownBy(plan).gram, shown.gram);  // asked again
+      EXPECT_EQ(further.shownBy(plan).gram, shown.gram);  // a repeated call
     });
     EXPECT_EQ(besides, 2);
   }
 }
 
-// Twice the readings of a session in an instrument whose circle is as it was show twice the square; the
-// second set has its circle turned, which only an eccentricity minds.
+// Twice the readings of a session with an unchanged circle show twice the squares. In the second set the
+// circle is turned, which affects only an eccentricity.
 TEST(FurtherTerms, OfAShiftedCircleAreTwiceThoseOfTheSession) {
   const GapModel model = *modelOf(readWithoutError(*modelOf(test::trialMeasurement("full"))));
   const Linearised ofSession = linearise(*model.measurement, *model.fit);

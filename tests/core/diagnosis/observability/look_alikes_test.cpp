@@ -17,7 +17,7 @@ namespace {
 
 using Eigen::Index, Eigen::MatrixXd, Eigen::Vector2d, Eigen::VectorXd;
 
-/// What the effects of the catalogue leave in the readings of a session.
+/// The traces of the catalogue's effects in the readings of a session.
 struct Traces {
   GapModel model;
   Leftover leftover{linearise(*model.measurement, *model.fit, model.options)};
@@ -28,14 +28,14 @@ struct Traces {
   const EffectComponent& of(std::string_view id) const {
     return *std::ranges::find(effects, id, &EffectComponent::id);
   }
-  /// Of two effects together, with a bit of the noise that is there.
+  /// A mixture of two effects with a little of the actual noise.
   VectorXd mixed(const EffectComponent& one, const EffectComponent& other) const {
     return one.signature(leftover, VectorXd::LinSpaced(one.weights(), 2, -1)) +
            other.signature(leftover, VectorXd::Ones(other.weights())) + 0.1 * leftover.residual();
   }
 };
 
-/// Distance to the span of the columns, those left out that do not show.
+/// Distance to the span of the columns; invisible columns are ignored.
 double distanceFromSpan(const VectorXd& trace, const MatrixXd& columns) {
   MatrixXd shown(columns.rows(), 0);
   for (Index c = 0; c < columns.cols(); ++c) {
@@ -47,8 +47,8 @@ double distanceFromSpan(const VectorXd& trace, const MatrixXd& columns) {
   return (trace - shown * shown.colPivHouseholderQr().solve(trace)).norm();
 }
 
-// A scale that is stretched or not centred leaves nothing where no slider is read. By columns instead of
-// normal equations: to a millionth of the trace where these have half the digits.
+// A stretched or eccentric scale leaves no trace without slider readings. The reference uses columns instead
+// of normal equations, which have half the digits: a millionth of the trace.
 TEST(Trace, IsAsFarFromAnEffectAsFromItsSpan) {
   for (const char* protocol : {"paper", "full"}) {
     const Traces traces(protocol);
@@ -79,7 +79,7 @@ TEST(Trace, IsAsFarFromAllOrNothingAsFromTheNearerOfTheTwo) {
   }
 }
 
-/// The best of all tilts up to twelve plausible sizes on a grid, closed in on in ever finer grids.
+/// The best of all tilts up to twelve plausible sizes on a grid that is refined repeatedly.
 double distanceFromBent(const VectorXd& trace, const EffectComponent& effect, const Leftover& leftover) {
   const MatrixXd columns = effect.visibleColumns(leftover);
   Vector2d best(0, 0);
@@ -99,8 +99,8 @@ double distanceFromBent(const VectorXd& trace, const EffectComponent& effect, co
   return least;
 }
 
-// The last grid is 1e-5 of a plausible size fine. Never nearer than the nearest; a few steps from several
-// sides may end beside it, by less than matters where 3 σ and 4.2 σ are asked for.
+// The last grid has steps of 1e-5 of a plausible size. The distance is never below the smallest one. A few
+// iterations from several starts may end near it, with a difference that is negligible at 3 σ and 4.2 σ.
 TEST(Trace, IsAsFarFromWhatBendsAsFromTheNearestOfAllItsSizes) {
   for (const char* protocol : {"paper", "paper-slider"}) {
     const Traces traces(protocol);
@@ -119,7 +119,7 @@ TEST(Trace, IsAsFarFromWhatBendsAsFromTheNearestOfAllItsSizes) {
   }
 }
 
-// 1e-8 of the length are 1e-16 of its square, which normal equations do not have.
+// 1e-8 of the length is 1e-16 of its square, beyond the precision of normal equations.
 TEST(Trace, TellsWhatIsMuchNearerThanItIsLong) {
   const Traces traces("full");
   for (const char* id : {"collimation", "arc_lobing"}) {
@@ -135,7 +135,7 @@ TEST(Trace, TellsWhatIsMuchNearerThanItIsLong) {
   }
 }
 
-// Of one number the cosine is that of the angle between two vectors, whatever their lengths and signs.
+// For one number the cosine is that of the angle between two vectors, independent of their lengths and signs.
 TEST(Trace, ComparesByTheAngle) {
   const Traces traces("two-face");
   const EffectComponent &drift = traces.of("vertical_drift"), &sag = traces.of("gravity_sag");

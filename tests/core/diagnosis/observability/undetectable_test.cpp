@@ -40,9 +40,9 @@ class Undetectable : public ::testing::TestWithParam<const char*> {
   }
 };
 
-// Sessions that hold the effect say how far it shows and where Δd goes; a plane tilt shows to second order
-// only where the slider is not read, and not the same on both sides. 3 % and 0.002 σ are of third order.
-// The influence is of first order: what 0.3° do to second order is some R²/L tan² 0.3° = 2 µm.
+// The reference for visibility and change of Δd are sessions that contain the effect. Without slider readings
+// a plane tilt is visible to second order only, and differs between both signs. Third-order terms are 3 % and
+// 0.002 σ. The influence is of first order: the second order of 0.3° is some R²/L tan² 0.3° = 2 µm.
 TEST_P(Undetectable, EffectsShowAndMoveTheIntersectionAsSessionsThatHoldThem) {
   const double clean = intersectionOf(*model.measurement);
   for (const char* id : {"plane_tilt", "horizontal_circle_eccentricity", "vertical_drift", "plane_warp"}) {
@@ -59,7 +59,7 @@ TEST_P(Undetectable, EffectsShowAndMoveTheIntersectionAsSessionsThatHoldThem) {
   }
 }
 
-// An index error is the same in every reading of one face and goes with the zeros: Δd stays.
+// An index error is equal in all readings of one face and in the zeros, so Δd does not change.
 TEST_P(Undetectable, WhatDoesNotMoveTheIntersectionIsNoDanger) {
   const Detectability detectability = detectabilityOf(find("vertical_index"), perReading);
   EXPECT_LT(detectability.influence, negligibleInfluence);

@@ -22,8 +22,8 @@ Linearised equationsOf(const std::string& protocol) {
   return linearise(measurement, fitSession(measurement).joint);
 }
 
-/// The other way: columns projected by an orthonormal basis. Both lose what the columns' length leaves of
-/// sixteen digits.
+/// The reference: columns projected with an orthonormal basis. Both lose the digits that the columns' length
+/// takes of sixteen.
 MatrixXd gramOf(const Leftover& leftover) {
   MatrixXd columns(leftover.readings(), static_cast<Index>(errorTermCount));
   for (Index t = 0; t < columns.cols(); ++t) columns.col(t) = leftover.column(static_cast<ErrorTerm>(t));
@@ -46,7 +46,7 @@ TEST(VisibleTerms, AreThoseOfProjectedColumns) {
   }
 }
 
-// The columns of a jump are those of one before every row, cut off at both ends of it.
+// The columns of a jump are those of a jump before every row, restricted to the rows between its two ends.
 TEST(VisibleTerms, HoldJumpsBehindTheTerms) {
   const Linearised set = equationsOf("full");
   const Leftover leftover(set);
@@ -78,7 +78,7 @@ TEST(VisibleTerms, AddUpOverSetsWithUnknownsOfTheirOwn) {
             digits);
 }
 
-// Readings of 60 000 visits come in two pieces; the second has the same unknowns.
+// Readings of 60 000 visits come in two pieces with the same unknowns.
 TEST(VisibleTerms, AddUpOverThePiecesOfASet) {
   const Session session = test::largeSession(60'000);
   const GapModel model = *modelOf(*examine(session).measurement);
@@ -93,7 +93,7 @@ TEST(VisibleTerms, AddUpOverThePiecesOfASet) {
   EXPECT_EQ(pieces, 2);
   const Linearised whole = linearise(*model.measurement, *model.fit, model.options, terms);
   EXPECT_LT(greatestError(sum.sum(), visibleTerms(whole, terms).gram),
-            1e-6);  // they are not quite at one place
+            1e-6);  // the slider is not exactly at one place
 }
 
 TEST(VisibleTerms, LoseWhatEstimatedTermsTakeUp) {
@@ -114,7 +114,7 @@ TEST(VisibleTerms, TellHowFarEffectsAreApart) {
     const VectorXd combination = combinationOf(one.effect()) * weights;
     const Trace trace(leftover, one.signature(leftover, weights));
     for (const EffectComponent& other : components) {
-      // Its tilt about x turns the zero along: what is left of it is of the size of rounding.
+      // Its tilt about x turns the zero too, so only rounding errors remain.
       if (other.id() == "vertical_axis_tilt") continue;
       EXPECT_NEAR(linearDifferenceFrom(terms, combination, other.effect()), trace.differenceFrom(other),
                   1e-4 + 2e-5 * trace.differenceFrom(other))

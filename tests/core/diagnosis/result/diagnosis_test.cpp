@@ -23,7 +23,7 @@ Cause cause(const std::string& effect, std::vector<std::string> group = {}) {
   return cause;
 }
 
-/// Two causes that nothing looks like; U shrinks with each, and afterwards it is that of the last step.
+/// Two causes without look-alikes. U decreases with each step; `afterwards` equals the last step.
 Diagnosis ofTwoCauses() {
   Diagnosis diagnosis;
   diagnosis.verdict = DiagnosisVerdict::SeveralCauses;
@@ -35,7 +35,7 @@ Diagnosis ofTwoCauses() {
   return diagnosis;
 }
 
-// Truth files of others and scripts that read results know these words.
+// Truth files of others, and scripts that read results, use these words.
 TEST(DiagnosisResult, CallsVerdictsAsFilesDo) {
   using enum DiagnosisVerdict;
   EXPECT_EQ(nameOf(WithinNoise), "within-noise");
@@ -59,7 +59,7 @@ TEST(DiagnosisResult, IsAveragedOverOthersWhereUIsWider) {
   EXPECT_EQ(beyondTheFit(diagnosis), Beyond::Others);
 }
 
-// Where one position is not there, no Δd is told.
+// If one position is missing, there is no Δd.
 TEST(DiagnosisResult, HoldsNothingBeyondTheFitWithoutAnIntersection) {
   Diagnosis diagnosis = ofTwoCauses();
   diagnosis.afterwards.reset();
@@ -71,7 +71,7 @@ TEST(DiagnosisResult, HoldsNothingBeyondTheFitWithoutAnIntersection) {
   EXPECT_EQ(beyondTheFit(diagnosis), Beyond::Nothing);
 }
 
-// Any of the causes, whatever U; and a pattern is told before what looks alike.
+// Look-alikes of any cause count, whatever U; a pattern takes precedence over look-alikes.
 TEST(DiagnosisResult, NamesLookAlikesOfAnyCauseAndThePatternFirst) {
   for (const std::size_t i : {0u, 1u}) {
     Diagnosis diagnosis = ofTwoCauses();
@@ -90,11 +90,10 @@ double shareOfZeros(const Intersection& intersection) {
   return 0;
 }
 
-// Sessions of an independent ray tracer. Nothing beyond the fit: a fit with the cause in the model says the
-// same, though with a prior of one plausible size where the diagnosis may take three, and without what the
-// two positions must agree on. That moves Δd by less than a twentieth of U, and U by 5 %; but zeros of one
-// mark cancel in Δd, while the fit counts either position from its own. With a pattern or others in mind U is
-// wider than any fit's.
+// Sessions of an independent ray tracer without anything beyond the fit. A fit with the cause in the model
+// gives the same result. It has a prior of one plausible size instead of three, and no closures. This changes
+// Δd by less than a twentieth of U, and U by 5 %. Zeros of one mark cancel in Δd, while the fit refers each
+// position to its own zero. With a pattern or other causes U exceeds that of any fit.
 TEST(DiagnosisResult, HoldsNothingBeyondWhereAFitSaysTheSame) {
   std::array<int, 4> times{};
   for (const test::Trial& trial : test::trials()) {
@@ -103,7 +102,7 @@ TEST(DiagnosisResult, HoldsNothingBeyondWhereAFitSaysTheSame) {
     ++times[static_cast<std::size_t>(beyond)];
     if (diagnosis.causes.size() > 1 || beyond == Beyond::LookAlikes) continue;
     const std::string named = diagnosis.causes.empty() ? "" : diagnosis.causes.front().effect;
-    // What is there or not is not estimated, and what is no effect cannot be named in a session.
+    // An all-or-nothing effect is not estimated, and a session cannot name what is not an effect.
     if (!named.empty() && (!effectById(named) || named == relationId)) continue;
     SCOPED_TRACE(trial.id + " " + trial.kind);
     Measurement measurement = trial.measurement;

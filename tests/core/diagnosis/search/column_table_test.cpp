@@ -17,7 +17,7 @@ namespace {
 
 using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
 
-/// A tilt of the plane, which bends, shapes of many columns, jumps of two and readings of one.
+/// A plane tilt, which is bent; patterns with many columns; jumps with two; readings with one.
 class ColumnTableTest : public testing::TestWithParam<const char*> {
  protected:
   GapModel model = *modelOf(test::trialMeasurement(GetParam()));
@@ -25,7 +25,7 @@ class ColumnTableTest : public testing::TestWithParam<const char*> {
   Candidates candidates = candidatesFor();
   ColumnTable table{leftover, candidates};
 
-  /// The columns of a component as the table has them turned.
+  /// Returns the turned columns of a component.
   MatrixXd turned(std::size_t component) const {
     const Index count = table.count(component);
     MatrixXd turns(count, count);
@@ -51,7 +51,7 @@ class ColumnTableTest : public testing::TestWithParam<const char*> {
   }
 };
 
-/// Sums in another order, and shapes that are kept in single precision: as in component_test.cpp.
+/// Tolerance for sums in a different order, and patterns in single precision: as in component_test.cpp.
 void expectNear(const MatrixXd& some, const MatrixXd& other, double scale) {
   ASSERT_EQ(some.rows(), other.rows());
   ASSERT_EQ(some.cols(), other.cols());
@@ -70,8 +70,7 @@ TEST_P(ColumnTableTest, HasTheColumnsOfAllComponentsInTurn) {
   EXPECT_GT(widest, 5);
 }
 
-// Turned by a rotation, so that a column has inner products with its neighbours only; what bends is left as
-// it is.
+// A rotation leaves inner products between neighbouring columns only; bent components are not turned.
 TEST_P(ColumnTableTest, KnowsTheInnerProductsOfTurnedColumns) {
   int bending = 0;
   eachComponent([&](std::size_t i) {

@@ -20,7 +20,7 @@ namespace {
 
 using Eigen::VectorXd;
 
-/// A model, what it leaves over, and what that may be explained by.
+/// A model, its leftover, and the candidates that may explain it.
 struct Explainable {
   GapModel base;
   Leftover leftover{linearise(*base.measurement, *base.fit, base.options)};
@@ -63,7 +63,7 @@ double valueOf(const GapModel& model, ErrorTerm term) {
   return model.fit->values[model.fit->indexOf({.kind = Unknown::Kind::Error, .arc = 0, .term = term})];
 }
 
-/// A collimation, a warp, a step before row 40 of 136 and one reading 200″ off, without noise.
+/// A collimation, a warp, a jump before row 40 of 136 and one reading 200″ wrong, without noise.
 Explainable perfectSession() {
   Truth truth = drawTruth(8);
   truth.effects = {{ErrorTerm::Collimation, 25}, {ErrorTerm::WarpCosine, 0.3}, {ErrorTerm::WarpSine, -0.2}};
@@ -78,8 +78,8 @@ Explainable perfectSession() {
   return {*modelOf(test::measurementOf(*simulateWithoutNoise(*protocolByName("full"), truth, 8)))};
 }
 
-// A size of which 1σ is plausible and that shows by tens of σ is drawn to 0 by its prior: by a few percent
-// where it shows by seven σ per plausible size, a warp, and by less of the others.
+// The prior draws a size of 1σ, visible by tens of σ, towards 0. The change is a few percent for a warp,
+// which is visible by seven σ per plausible size, and less for the others.
 TEST(ExplainedModel, GivesBackWhatASessionHolds) {
   const Explainable session = perfectSession();
   const ArcMeasurement& arc = session.base.measurement->arcs[1];
@@ -92,14 +92,14 @@ TEST(ExplainedModel, GivesBackWhatASessionHolds) {
   const GapModel model = session.with({.parts = parts});
   ASSERT_TRUE(model.fit->converged());
   EXPECT_EQ(model.options.without, std::vector{misread});
-  EXPECT_EQ(model.options.jumpBefore, 41u);  // with the zero before them
+  EXPECT_EQ(model.options.jumpBefore, 41u);  // with the zero before the rows
   const double second = Angle::fromArcseconds(1).radians();
   EXPECT_NEAR(valueOf(model, ErrorTerm::Collimation) / second, 25, 0.25);
   EXPECT_NEAR(valueOf(model, ErrorTerm::WarpCosine), 0.3, 0.03);
   EXPECT_NEAR(valueOf(model, ErrorTerm::WarpSine), -0.2, 0.03);
   EXPECT_NEAR(valueOf(model, ErrorTerm::HorizontalJump) / second, 40, 0.4);
   EXPECT_NEAR(valueOf(model, ErrorTerm::VerticalJump) / second, -30, 0.4);
-  EXPECT_LT(model.fit->chiSquare, 10);  // of the priors: sizes over plausible sizes, squared
+  EXPECT_LT(model.fit->chiSquare, 10);  // from the priors: squared sizes in plausible sizes
   EXPECT_GT(session.base.fit->chiSquare, 1000);
   EXPECT_TRUE(session.base.options.terms.empty());
   EXPECT_EQ(model.measurement, session.base.measurement);
@@ -109,8 +109,8 @@ TEST(ExplainedModel, GivesBackWhatASessionHolds) {
   EXPECT_NEAR(reversed.fit->chiSquare, model.fit->chiSquare, 1e-9 * model.fit->chiSquare);
 }
 
-// That it is large is no misfit: the prior is as wide as what was found. With one weight 4 plausible sizes
-// and the other 2, that is √10.
+// A large size is not a misfit: the prior is as wide as the size found. With weights of 4 and 2 plausible
+// sizes it is √10.
 TEST(ExplainedModel, EstimatesInTheWidthOfTheParts) {
   const Explainable session = perfectSession();
   const GapModel model = session.with({.parts = {session.effect("plane_warp", Eigen::Vector2d(4, -2))}});
@@ -121,8 +121,8 @@ TEST(ExplainedModel, EstimatesInTheWidthOfTheParts) {
   EXPECT_NEAR(model.options.terms[1].start, -0.4, 1e-12);
 }
 
-// One face and no slider hardly see the sign of a tilt of the plane: the fit stays on the side it starts
-// from. How large it is, circles and prior take up by half.
+// One face without slider hardly determines the sign of a plane tilt, so the fit keeps the sign of its start.
+// Circles and prior absorb half of its size.
 TEST(ExplainedModel, StartsFromTheWeightsOfTheParts) {
   Truth truth = drawTruth(8);
   truth.effects = {{ErrorTerm::PlaneTiltX, 1.2}};
@@ -135,7 +135,7 @@ TEST(ExplainedModel, StartsFromTheWeightsOfTheParts) {
   }
 }
 
-// By definition of its scale noise leaves χ² = f. Without redundancy nothing tells it.
+// By definition of its scale, noise gives χ² = f. Without redundancy it is unknown.
 TEST(ExplainedModel, TakesForNoiseWhatScatters) {
   Truth truth = drawTruth(5);
   truth.noiseFactor = 3;

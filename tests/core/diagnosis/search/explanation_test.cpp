@@ -32,14 +32,14 @@ TEST(Explanation, IsSoughtNoFurtherOnceStopped) {
   EXPECT_EQ(longest(), 0U);
 }
 
-/// ln of the density of N(0, covariance), but for what depends on the number of readings alone.
+/// ln of the density of N(0, covariance), without the term that depends only on the number of readings.
 double logDensity(const Eigen::VectorXd& x, const Eigen::MatrixXd& covariance) {
   const Eigen::LLT<Eigen::MatrixXd> factor(covariance);
   return -factor.matrixLLT().diagonal().array().log().sum() - 0.5 * factor.matrixL().solve(x).squaredNorm();
 }
 
-/// ln of the evidence for an effect that does not bend against that for nothing, from densities of all
-/// readings: with weights normal of width σ they are normal of covariance 1 + σ² C Cᵀ, with the weight 1 of
+/// ln of the Bayes factor of a linear effect against none, from densities of all readings. With normal
+/// weights of width σ the readings have the covariance 1 + σ² C Cᵀ; with the weight fixed at 1 they have the
 /// mean C.
 double logBayesFactor(const Leftover& leftover, const Component& effect) {
   const Eigen::VectorXd& readings = leftover.residual();
@@ -58,8 +58,8 @@ double logBayesFactor(const Leftover& leftover, const Component& effect) {
   return highest + std::log(sum);
 }
 
-// A perfect session that holds three plausible sizes of an effect gives them back, drawn to 0 by the prior of
-// their width by less than 3 % where they show by some ten σ; a plane tilt bends.
+// The fit reproduces an effect of three plausible sizes in a perfect session. The prior draws it towards 0 by
+// less than 3 % if it is visible by some ten σ; a plane tilt is bent.
 TEST(FitAlone, GivesBackTheEffectThatASessionHolds) {
   for (const char* id : {"collimation", "trunnion_tilt", "plane_tilt", "arc_ellipticity", "vertical_drift"}) {
     SCOPED_TRACE(id);
@@ -75,13 +75,13 @@ TEST(FitAlone, GivesBackTheEffectThatASessionHolds) {
     for (std::size_t i = 0; i < effects.size(); ++i) {
       const Part part = fitAlone(residual, effects[i], i);
       EXPECT_EQ(part.component, i);
-      if (effects[i].response() != Response::Bent) {  // 1e-9 of what the readings tell of it
+      if (effects[i].response() != Response::Bent) {  // 1e-9 of its evidence
         const double evidence = logBayesFactor(leftover, effects[i]);
         EXPECT_NEAR(part.logGain, evidence, 1e-9 * (1 + std::abs(evidence))) << effects[i].id();
       }
       if (effects[i].id() != id) continue;
       isFound = true;
-      for (const double weight : part.weights)  // a tilt of the plane shows its sign to second order only
+      for (const double weight : part.weights)  // the sign of a plane tilt is visible to second order only
         EXPECT_NEAR(std::string(id) == "plane_tilt" ? std::abs(weight) : weight, 3, 0.03 * 3);
     }
     EXPECT_TRUE(isFound);

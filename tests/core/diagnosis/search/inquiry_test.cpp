@@ -35,8 +35,8 @@ double bayesFactorOf(const Diagnosis& diagnosis, const std::string& id) {
   return found == diagnosis.candidates.end() ? 0 : found->logBayesFactor;
 }
 
-// Beyond 300 σ, 600″, a misread value is left out before the search. The answer must not tell: 590″ and
-// 620″ differ by 5 %, in their squares and evidence by 10 %.
+// Beyond 300 σ, 600″, a misread value is excluded before the search. The result must not depend on this: 590″
+// and 620″ differ by 5 %, in their squares and evidence by 10 %.
 TEST(Inquiry, AnswersAlikeOnBothSidesOfWhereAReadingIsFarOff) {
   for (const char* protocol : {"paper", "full"}) {
     SCOPED_TRACE(protocol);
@@ -55,7 +55,7 @@ TEST(Inquiry, AnswersAlikeOnBothSidesOfWhereAReadingIsFarOff) {
     ASSERT_EQ(first.size(), second.size());
     for (const auto& [part, share] : first)
       EXPECT_NEAR(share, second.at(part), 0.02) << part.first << ' ' << part.second;
-    EXPECT_GT(second.at({"frame", "readings"}), 0.9);  // the collimation has the rest
+    EXPECT_GT(second.at({"frame", "readings"}), 0.9);  // the collimation accounts for the rest
     EXPECT_GT(second.at({"position", "0"}), 0.9);
     EXPECT_EQ(below.candidates.front().effect, "gross_error");
     EXPECT_EQ(above.candidates.front().effect, "gross_error");
@@ -70,7 +70,8 @@ TEST(Inquiry, AnswersAlikeOnBothSidesOfWhereAReadingIsFarOff) {
   }
 }
 
-// One slip after the other is found; both are told in one cause, one step, and in where the gap lies.
+// The gross errors are found one after the other; both appear in one cause, one step, and in the location of
+// the gap.
 TEST(Inquiry, TellsAllReadingsThatAreFarOff) {
   Truth truth = drawTruth(3);
   truth.grossErrors = {{.axisDeg = 0, .point = 5, .horizontal = {}, .vertical = Angle::fromDegrees(1)},
@@ -97,9 +98,9 @@ struct LargeEffect {
   std::function<void(Truth&)> put;
 };
 
-// A tripod knocked by a degree, and other effects of many plausible sizes: the fit without them is so far
-// off that equations taken there tell them wrongly. Δd is told within U, and what is left is noise: reduced
-// χ² of 1 to five of its σ, √(2/27) on the plan with the fewest readings.
+// A tripod knocked by a degree, and other effects of many plausible sizes. Equations linearised at the fit
+// without them would give wrong sizes. Δd is right within U, and only noise remains: reduced χ² is 1 within
+// five of its σ, √(2/27) for the plan with the fewest readings.
 TEST(Inquiry, NamesEffectsHoweverLarge) {
   const auto knock = [](double arcseconds) {
     return [arcseconds](Truth& truth) {

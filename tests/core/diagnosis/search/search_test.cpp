@@ -14,7 +14,7 @@
 namespace alidade {
 namespace {
 
-/// A trunnion tilt that shows clearly, a small knock and a reading some σ off.
+/// A clearly visible trunnion tilt, a small jump and a reading wrong by some σ.
 class SearchTest : public testing::TestWithParam<std::string> {
  protected:
   static Leftover leftoverBy(const std::string& protocol) {
@@ -42,7 +42,7 @@ class SearchTest : public testing::TestWithParam<std::string> {
   bool isJump(std::size_t component) const { return candidates[component].isJump(); }
   bool isGrossError(std::size_t component) const { return candidates[component].grossErrorAt().has_value(); }
 
-  /// The highest few of the evidences of all jumps or gross errors that may be sought, `before` taken first.
+  /// The few largest evidences among all jumps or gross errors that may be sought, each added after `before`.
   template <typename Kind>
   std::vector<double> bestByTrying(Search& search, const Kind& isOfKind,
                                    const std::vector<std::size_t>& before, double variance,
@@ -60,7 +60,7 @@ class SearchTest : public testing::TestWithParam<std::string> {
     return all;
   }
 
-  /// Of the sets that were found, those of `before` and one more of the kind.
+  /// The evidences of the found sets that consist of `before` and one more component of the kind.
   template <typename Kind>
   static std::vector<double> found(const std::vector<Explanation>& sets, const Kind& isOfKind,
                                    const std::vector<std::size_t>& before) {
@@ -80,7 +80,7 @@ class SearchTest : public testing::TestWithParam<std::string> {
     const std::vector<Explanation> sets = search.grown(variance);
     const auto jumps = [&](std::size_t i) { return isJump(i); };
     const auto grossErrors = [&](std::size_t i) { return isGrossError(i); };
-    // The same sums in another order: what rounding leaves.
+    // The same sums in a different order: rounding errors.
     EXPECT_THAT(
         found(sets, jumps, before),
         testing::Pointwise(testing::DoubleNear(1e-9), bestByTrying(search, jumps, before, variance, 2)));
@@ -90,8 +90,8 @@ class SearchTest : public testing::TestWithParam<std::string> {
   }
 };
 
-// Which jumps and readings are weighed at all is decided by a bound of what each could gain; whatever it
-// passes over, the best are those that trying all of them finds.
+// An upper bound of the gain decides which jumps and readings are evaluated. The best ones must still be
+// those that trying all of them gives.
 TEST_P(SearchTest, OffersTheBestOfAllJumpsAndMisreadings) {
   for (const double variance : {1.0, 9.0}) {
     SCOPED_TRACE(variance);

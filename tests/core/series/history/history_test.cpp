@@ -16,7 +16,7 @@ DatedValue at(double day, double value, double u) {
   return {std::to_string(day), day, value, u, u, {}};
 }
 
-/// Values of one level with noise of their u times `scatter`, a month apart.
+/// Returns values of one level, a month apart, with noise of `scatter` times their u.
 std::vector<DatedValue> stable(std::mt19937_64& generator, std::size_t count, double scatter = 1,
                                bool unequal = false) {
   std::normal_distribution<double> normal;
@@ -50,7 +50,7 @@ TEST(History, HasTheMeanAndMisfitOfTheClosedForms) {
 
 // The sixteen determinations of G used in CODATA's adjustment of 2018 (Tiesinga and others, Rev. Mod. Phys.
 // 93, 025010, table XXIX): weighted mean 6.674 30e-11, Birge ratio 3.6. Three small correlations are ignored
-// here; they and the rounding of the printed values change the mean by one and a half of its last digit.
+// here. They and the rounding of the printed values change the mean by one and a half of its last digit.
 TEST(History, OfNewtonsConstantIsAsPublished) {
   const std::vector<std::array<double, 3>> published = {
       {1982, 6.67248, 0.00043},   {1996, 6.6729, 0.0005},   {1997, 6.67398, 0.00070},
@@ -195,7 +195,7 @@ TEST(History, LeavesWhatIsSharedToTheMean) {
   EXPECT_NEAR(shared.mean.u, std::sqrt(0.5 + 9), 1e-12);
 }
 
-// With the odds in the header, 2000 draws give 0.0 to 0.3 % for each; 2 % of 600 is 12.
+// With the odds in the header, 2000 draws give a false report in 0.0 to 0.3 % for each; 2 % of 600 is 12.
 TEST(History, SeldomTellsAChangeWhereThereIsNone) {
   std::mt19937_64 generator(9);
   for (const std::size_t count : {3, 4, 6, 10, 20, 60})

@@ -25,7 +25,7 @@ double chiSquareOf(const std::vector<double>& x, const std::vector<double>& u,
   return sum;
 }
 
-/// The best of all ways to place so many steps.
+/// Returns χ² of the best of all ways to place this many steps.
 double bruteForce(const std::vector<double>& x, const std::vector<double>& u, std::size_t steps) {
   double best = std::numeric_limits<double>::infinity();
   std::vector<std::size_t> firsts;

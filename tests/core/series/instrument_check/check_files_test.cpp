@@ -48,7 +48,8 @@ TEST(CheckFiles, ReadGsiWithStationsByCodeAndByCoordinates) {
   EXPECT_EQ(readings->readings[0].distanceM, 12.5);
   const auto rounds = completeRounds(*readings);
   ASSERT_EQ(rounds.size(), 2U);
-  // Faces that differ by 0.00100 gon = 3.24″ and 0.00300 gon beyond 400: face 1 is less by half of it.
+  // Face 1 reads 0.00100 gon = 3.24″ less, and the zeniths close to 0.00300 gon beyond 400. Half of each is
+  // expected.
   EXPECT_NEAR(rounds[0].rounds[0].pairs[0].halfDirection.arcseconds(), -1.62, 1e-6);
   EXPECT_NEAR(rounds[0].rounds[0].pairs[0].halfVertical.arcseconds(), 4.86, 1e-6);
 }

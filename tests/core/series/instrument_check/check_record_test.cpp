@@ -33,8 +33,8 @@ TEST(CheckedRecord, HoldsWhatTheCheckFound) {
     EXPECT_NEAR(value, truths[i], 4 * sigma) << known["effect"];
     EXPECT_EQ(known["unit"], "arcsec");
   }
-  // s is for two faces, the record's σ for one reading: 1″, known to 17 % from 18 degrees of freedom; three
-  // times that.
+  // s is for two faces, the record's σ for one reading: 1″. 18 degrees of freedom determine it to 17 %; the
+  // tolerance is three times that.
   EXPECT_NEAR(record["sigma_horizontal_arcsec"], 1, 0.5);
 }
 

@@ -8,7 +8,7 @@
 #include "core/series/instrument_check/checked_readings.h"
 
 // Files of tests/reference/import. The expected figures are from plain loops over the files in another
-// language, by the formulas of ISO 17123-3 and least squares of two unknowns; angles in the files end at
+// language, by the formulas of ISO 17123-3 and least squares of two unknowns. Angles in the files end at
 // 0.1″, so the figures agree to all digits here.
 
 namespace alidade::test {

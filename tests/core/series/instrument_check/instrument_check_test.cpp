@@ -40,8 +40,8 @@ TEST(InstrumentCheck, PoolsByDegreesOfFreedom) {
       check.direction.s(),
       std::sqrt((6 * p.direction.s() * p.direction.s() + 18 * q.direction.s() * q.direction.s()) / 24),
       1e-12);
-  // One geometry, so that the weights are the rounds, except for the elevations as read: 1e-4 of differences
-  // of 1″.
+  // All stations have one geometry, so the numbers of rounds are the weights. Only the elevations as read
+  // differ slightly: 1e-4 of differences of 1″.
   EXPECT_NEAR(check.collimation.value, (12 * p.collimation.value + 28 * q.collimation.value) / 40, 1e-4);
   EXPECT_NEAR(check.index.value, (12 * p.index.value + 28 * q.index.value) / 40, 1e-12);
 }

@@ -104,7 +104,7 @@ TEST(Implausibility, NamesTheFileAmongSeveral) {
   EXPECT_THAT(refusal(readings), testing::StartsWith("“south.gsi” lines 11"));
 }
 
-/// Consecutive rounds at several places of the instrument, as of one station.
+/// Returns consecutive rounds at several places of the instrument, under the name of one station.
 CheckReadings atPlaces(const std::vector<int>& rounds) {
   CheckReadings all;
   for (std::size_t place = 0; place < rounds.size(); ++place) {
@@ -128,7 +128,8 @@ TEST(PartedByGeometry, EvaluatesPlacesOfTheInstrumentOneByOne) {
   EXPECT_EQ(check->stations[0].station, "S (1)");
   EXPECT_EQ(check->stations[2].rounds, 4U);
   EXPECT_EQ(check->direction.dof, 6 + 3 + 9);
-  // 1″ of a reading is 0.71″ of both faces; with 18 degrees of freedom it scatters by 17 %, three times that.
+  // 1″ of a reading is 0.71″ of both faces. With 18 degrees of freedom it scatters by 17 %; the tolerance is
+  // three times that.
   EXPECT_NEAR(check->direction.s(), 0.71, 0.36);
   const std::vector<Finding> findings = checkFindings(*check);
   EXPECT_TRUE(std::ranges::any_of(findings, [](const Finding& finding) {

@@ -62,7 +62,7 @@ TEST(CompleteRounds, AverageTheTargetThatClosesTheHorizon) {
   const StationRounds station = roundsOf("A1 B1 C1 A1 A2 C2 B2 A2 A1 B1 C1 A1 A2 C2 B2 A2");
   ASSERT_EQ(station.rounds.size(), 2U);
   EXPECT_EQ(count(station, LeftOut::Repeated), 4U);
-  // Read as 0″, 3″, 4″, 7″ and 8″, 11″, 12″, 15″ after the first sighting.
+  // The sightings are read 0″, 3″, 4″, 7″ and 8″, 11″, 12″, 15″ after the first one.
   EXPECT_NEAR(station.rounds[0].pairs[0].direction.arcseconds(), 3.5, 1e-6);
   EXPECT_NEAR(station.rounds[1].pairs[0].direction.arcseconds(), 11.5, 1e-6);
 }

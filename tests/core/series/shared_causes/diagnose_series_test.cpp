@@ -205,7 +205,7 @@ TEST(DiagnoseSeries, NoiseOfOneSessionIsNotThatOfAll) {
   EXPECT_EQ(series.sessions[3].own.front().effect, "underestimated_noise");
 }
 
-// If all scatter so, it is the instrument.
+// If all sessions scatter like this, the instrument is the owner.
 TEST(DiagnoseSeries, NoiseOfAllIsThatOfTheInstrument) {
   const SeriesDiagnosis series =
       answerTo(drawn({.put = [](Truth& truth, std::size_t) { truth.noiseFactor = 1.6; }}));
@@ -225,7 +225,7 @@ TEST(DiagnoseSeries, ASessionThatDoesNotShareItIsSetApart) {
   EXPECT_EQ(cause.cause.effect, "trunnion_tilt");
   const CauseParameter& tilt = cause.cause.parameters.front();
   EXPECT_NEAR(tilt.value, 12, 3.3 * tilt.sigma);
-  // Reported either as not sharing it, or as having an additional cause of its own.
+  // The session is reported either as not sharing the cause, or as having an additional cause of its own.
   EXPECT_TRUE(std::ranges::count(cause.apart, 5u) == 1 || !series.sessions[5].own.empty());
 }
 

@@ -127,7 +127,7 @@ TEST(CentresInset, ShowsWhereTheCentresMayLieAtTheTolerance) {
 
 TEST(CentresInset, EndsTheBarOfUAtBothEnds) {
   const Painted painted(drawnIntersection());
-  // To the right of the bar, where only a cap reaches.
+  // The place is to the right of the bar, where only a cap reaches.
   const auto isDarkBeside = [&](double y) {
     const QPoint beside = painted.at(-0.5, y).toPoint() + QPoint(qRound(3 * painted.style.unit()), 0);
     int darkest = 255;
@@ -141,7 +141,7 @@ TEST(CentresInset, EndsTheBarOfUAtBothEnds) {
   EXPECT_FALSE(isDarkBeside(2 + 0.75));
 }
 
-// In a window of 1024 × 700 the picture of the arcs is some 210 × 260.
+// The picture of the arcs is some 210 × 260 in a window of 1024 × 700.
 TEST(CentresInset, WritesNoNameOverAnother) {
   DrawnIntersection close = drawnIntersection();  // O1 to the right, its name on the line of the axis
   close.upperCentre = {0.1, 0.05};

@@ -169,7 +169,7 @@ TEST(ArcPlot, EnlargesTheCentresInTrueProportion) {
 
 TEST(ArcPlot, KeepsTheCentresInsideItsFrame) {
   Session session = paperSession();
-  for (Position& position : session.positions)  // far above and below the centres, none beside them
+  for (Position& position : session.positions)  // far above and below the centres, none at their height
     position.readings = {position.readings.begin() + 6, position.readings.begin() + 10};
   ArcPlot plot;
   plot.setStyle(testStyle());

@@ -123,7 +123,7 @@ TEST(KnownSizes, ListEveryNumberOfTheCatalogueWithItsDefault) {
   EXPECT_EQ(bench.text(bench.row("Slider scale"), Column::Default), "0.0005");
 }
 
-// As from a certificate: value, Enter, u, Enter, its number, Enter.
+// Types a size from a certificate: value, Enter, u, Enter, its number, Enter.
 TEST(KnownSizes, AreTypedWithTheKeyboardAndUndone) {
   KnownBench bench;
   const Session before = bench.session();
@@ -176,7 +176,7 @@ TEST(KnownSizes, NarrowTheMeasurement) {
   ASSERT_GT(square(brought), 0.3 * square(before.estimate.sigma)) << "or it would prove little";
   EXPECT_LT(square(after.estimate.sigma), square(before.estimate.sigma) - square(brought) / 2);
   EXPECT_LT(after.estimate.expanded, before.estimate.expanded);
-  // As somebody would edit the file by hand.
+  // Edits the file as a person would by hand.
   Json byHand = KnownBench::clean();
   byHand["device"]["known"] = written["device"]["known"];
   EXPECT_EQ(after.estimate.expanded, measuredOf(*readSession(byHand.dump())).estimate.expanded);
