@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# Core headers without a source file compile by themselves; a source file includes its header first
+# headers.sh TREE COMPILER EIGEN headers|sources: core headers without a source file compile by themselves, or sources
+# of the core and the console do, which the build compiles room by room. A source includes its header first
 # (includes.sh).
 set -euo pipefail
 # shellcheck source=tests/packaging/lib.sh
@@ -7,9 +8,15 @@ source "$(dirname -- "${BASH_SOURCE[0]}")/lib.sh"
 compiler=${2:?the compiler}
 eigen=${3:?the folder of Eigen}
 
-failed=0
-while read -r header; do
-  [[ -e ${header%.h}.cpp ]] || "$compiler" -std=c++20 -I. -isystem "$eigen" -Wall -Wextra -Werror -fsyntax-only -x c++ - <<<"#include \"$header\"" ||
-    { echo "$header does not compile by itself" && failed=1; }
-done < <(sources core -- '*.h')
-exit "$failed"
+files() {
+  [[ ${1:?headers or sources} == headers ]] || { sources core app/console -- '*.cpp' && return; }
+  sources core -- '*.h' | while read -r header; do [[ -e ${header%.h}.cpp ]] || printf '%s\n' "$header"; done
+}
+
+compile() {
+  "$1" -std=c++20 -I. -isystem "$2" -Wall -Wextra -Werror -fsyntax-only -x c++ - <<<"#include \"$3\"" ||
+    { echo "$3 does not compile by itself" && exit 1; }
+}
+export -f compile
+
+files "${4:-}" | xargs -r -d '\n' -n 1 -P "$(nproc)" bash -c 'compile "$@"' - "$compiler" "$eigen"
