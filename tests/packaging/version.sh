@@ -13,8 +13,9 @@ failed=0
 # writes BUILD WHY: what the source says is the build.
 writes() {
   "$cmake" "-DSOURCE=$work/outer/inner" -DVERSION=1.2.3 "-DOUT=$work/version.cpp" -P "$tree/core/base/version.cmake"
-  grep -qF 'programVersion = "1.2.3"' "$work/version.cpp" && grep -qxF "const char* const programBuild = \"$1\";" "$work/version.cpp" ||
-    { echo "not $1 $2:" && cat "$work/version.cpp" && failed=1; }
+  if ! grep -qF 'programVersion = "1.2.3"' "$work/version.cpp" || ! grep -qF "programBuild = \"$1\";" "$work/version.cpp"; then
+    echo "not $1 $2:" && cat "$work/version.cpp" && failed=1
+  fi
 }
 
 mkdir -p "$work/outer/inner/core/base"
