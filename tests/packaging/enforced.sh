@@ -21,10 +21,10 @@ sound_tree() {
   printf '#!/usr/bin/env bash\necho sound\n' >sound.sh
 }
 
-# must pass|fail RULE: the expected result of the rule for the tree.
+# must pass|fail RULE: the expected result of the rule for the tree. The rule `sources` is another kind of `headers`.
 must() {
   local expected=$1 outcome=pass
-  bash "$rules/$2.sh" "$trees/tree" "$compiler" "$eigen" >"$trees/log" 2>&1 || outcome=fail
+  bash "$rules/${2/sources/headers}.sh" "$trees/tree" "$compiler" "$eigen" "$2" >"$trees/log" 2>&1 || outcome=fail
   [[ $outcome == "$expected" ]] || { echo "$2.sh should $expected: $3" && cat "$trees/log" && failed=1; }
 }
 
@@ -36,7 +36,7 @@ offence() {
 }
 
 sound_tree
-for rule in format includes names headers repository scripts; do must pass "$rule" "the sound tree"; done
+for rule in format includes names headers sources repository scripts; do must pass "$rule" "the sound tree"; done
 
 offence format core/base/one.cpp 'int  two( ) {return 2;}\n'
 offence format core/base/README.md '#Title\n\nText.\n'
@@ -54,6 +54,7 @@ offence includes core/session/two.h '#include "ui/window.h"\n'
 offence includes app/console/main.cpp '#include <QString>\n'
 offence includes ui/window.h '#include "app/console/main.cpp"\n'
 offence headers core/session/two.h 'std::string text();\n'
+offence sources core/base/one.cpp 'std::string text();\n'
 sound_tree
 printf '\nstruct Thing {\n  int size;\n};\n' | tee -a core/base/one.h >>ui/window.h
 must pass names 'a type of the core and one of the window'

@@ -1,15 +1,25 @@
 #!/usr/bin/env bash
-# Core headers without a source file compile by themselves; a source file includes its header first
-# (includes.sh).
+# headers.sh TREE COMPILER EIGEN headers|sources|third: core headers without a source file compile by themselves, or
+# sources of the core and the console do, which the build compiles room by room: all, or a third, another one at the
+# next commit. A source includes its header first (includes.sh).
 set -euo pipefail
 # shellcheck source=tests/packaging/lib.sh
 source "$(dirname -- "${BASH_SOURCE[0]}")/lib.sh"
 compiler=${2:?the compiler}
 eigen=${3:?the folder of Eigen}
 
-failed=0
-while read -r header; do
-  [[ -e ${header%.h}.cpp ]] || "$compiler" -std=c++20 -I. -isystem "$eigen" -Wall -Wextra -Werror -fsyntax-only -x c++ - <<<"#include \"$header\"" ||
-    { echo "$header does not compile by itself" && failed=1; }
-done < <(sources core -- '*.h')
-exit "$failed"
+files() {
+  case ${1:?headers, sources or third} in
+    headers) sources core -- '*.h' | while read -r header; do [[ -e ${header%.h}.cpp ]] || printf '%s\n' "$header"; done ;;
+    sources) sources core app/console -- '*.cpp' ;;
+    third) files sources | awk -v commits="$(git rev-list --count HEAD 2>/dev/null)" '(NR + commits) % 3 == 0' ;;
+  esac
+}
+
+compile() {
+  "$1" -std=c++20 -I. -isystem "$2" -Wall -Wextra -Werror -fsyntax-only -x c++ - <<<"#include \"$3\"" ||
+    { echo "$3 does not compile by itself" && exit 1; }
+}
+export -f compile
+
+files "${4:-}" | xargs -r -d '\n' -n 1 -P "$(nproc)" bash -c 'compile "$@"' - "$compiler" "$eigen"

@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
-# tidy.sh TREE BUILD quick|all FOLDER...: clang-tidy 14 for the sources of the folders that the build
-# compiles, one process per processor. `quick` leaves out the checks that cost most for their findings. A
-# source that passed is checked again after a change of it, of an included header or of the rules.
+# tidy.sh TREE BUILD quick|all FOLDER...: clang-tidy 14 for what the build compiles of the folders, one process per
+# processor. Sources are looked at room by room, as they are compiled, so that what they all include is read once.
+# `quick` leaves out the checks that cost most for their findings. A room that passed is checked again after a change
+# of it, of an included header or of the rules.
 set -euo pipefail
 self=$(realpath -- "${BASH_SOURCE[0]}")
 # shellcheck source=tests/packaging/lib.sh
@@ -13,40 +14,30 @@ shift 3
 quick='-*,bugprone-dangling-handle,bugprone-infinite-loop,bugprone-integer-division,bugprone-use-after-move'
 quick+=',performance-for-range-copy,performance-unnecessary-copy-initialization,performance-unnecessary-value-param'
 quick+=',readability-container-size-empty,readability-identifier-naming'
-checks=()
-[[ $extent == all ]] || checks=("--checks=$quick")
+checks=$quick
+[[ $extent != all ]] || checks=-bugprone-suspicious-include  # a room includes its sources
 
 passed=$build/tidy/$extent
 mkdir -p -- "$passed"
-# The commands that compile each source by itself, without precompiled headers of g++, which clang cannot
-# read.
-alone=$build/tidy/alone
-cmake -S . -B "$alone" -G Ninja -DCMAKE_BUILD_TYPE=Release -DCMAKE_EXPORT_COMPILE_COMMANDS=ON -DALIDADE_TESTS=ON \
-  -DALIDADE_FUZZ_SECONDS=0 -DALIDADE_BY_ROOM=OFF -DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON >/dev/null
+# The commands without precompiled headers of g++, which clang cannot read.
+rooms=$build/tidy/rooms
+cmake -S . -B "$rooms" -G Ninja -DCMAKE_BUILD_TYPE=Release -DCMAKE_EXPORT_COMPILE_COMMANDS=ON -DALIDADE_TESTS=ON \
+  -DALIDADE_FUZZ_SECONDS=0 -DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON >/dev/null
 
-# The files of the tree from which each source was compiled, with its folder, as the build knows them: lines
-# of source, tab, file.
+# The files of the tree from which the build made each object: lines of object, tab, file.
 compiled_from() {
   ninja -C "$build" -t deps | awk -v root="$PWD/" '
-    /#deps/ || !NF {
-      for (s in sources) for (f in files) print s "\t" f
-      delete sources
-      delete files
-      next
-    }
-    {
-      file = substr($0, 5)
-      if (index(file, root) == 1) file = substr(file, length(root) + 1)
-      else if (!sub(/^(\.\.\/)+/, "", file)) next
-      files[file]
-      if (file ~ /\.cpp$/) sources[file]
+    /#deps/ { object = $1; sub(/:$/, "", object); next }
+    NF {
+      file = $1
+      if (index(file, root) == 1 && sub(root, "", file) || sub(/^(\.\.\/)+/, "", file)) print object "\t" file
     }'
 }
 
 declare -A needs=()
-while IFS=$'\t' read -r source file; do needs[$source]+=$file$'\n'; done < <(compiled_from)
+while IFS=$'\t' read -r object file; do needs[$object]+=$file$'\n'; done < <(compiled_from)
 
-# True if a file passed after the last change of it, of an included header and of the rules.
+# True if what became the object passed after the last change of it, of an included header and of the rules.
 still_passes() {
   local stamp=$passed/${1//\//_} files
   [[ -e $stamp && -n ${needs[$1]:-} ]] || return 1
@@ -55,12 +46,24 @@ still_passes() {
 }
 
 look_at() {
-  clang-tidy-14 -p "$1" --quiet --extra-arg=-Wno-unknown-warning-option "${@:4}" "$3" 2> >(grep -v 'warnings\? generated' >&2) &&
-    touch -- "$2/${3//\//_}"
+  clang-tidy-14 -p "$1" --quiet --extra-arg=-Wno-unknown-warning-option "--checks=$2" "$4" \
+    2> >(grep -v 'warnings\? generated' >&2) && touch -- "$3"
 }
 export -f look_at
 
-sources "$@" -- '*.cpp' | while read -r file; do
-  grep -qF "\"file\": \"$PWD/$file\"" "$alone/compile_commands.json" || continue
-  still_passes "$file" || printf '%s\n' "$file"
-done | xargs -r -d '\n' -I '{}' -P "$(nproc)" bash -c 'look_at "$@"' - "$alone" "$passed" '{}' "${checks[@]}"
+# What the build compiles of the folders: lines of object, tab, room or single source. What Qt generates is not ours.
+compiled() {
+  python3 - "$rooms" "$PWD" "$@" <<'READ'
+import json, re, sys
+build, tree, *folders = sys.argv[1:]
+for entry in json.load(open(f"{build}/compile_commands.json")):
+    source = entry["file"]
+    below = re.sub(f"^({re.escape(build)}|{re.escape(tree)})/", "", source)
+    if below.split("/")[0] in folders and not re.search(r"_autogen/|/\.rcc/", below):
+        print(re.search(r" -o (\S+)", entry["command"])[1], source, sep="\t")
+READ
+}
+
+compiled "$@" | while IFS=$'\t' read -r object source; do
+  still_passes "$object" || printf '%s\n%s\n' "$passed/${object//\//_}" "$source"
+done | xargs -r -d '\n' -n 2 -P "$(nproc)" bash -c 'look_at "$@"' - "$rooms" "$checks"

@@ -64,7 +64,7 @@ class Showing {
 class EveryStateShown : public testing::TestWithParam<int> {};
 
 TEST_P(EveryStateShown, OfTypingIsAnAnswerOrASentence) {
-  constexpr int states = inTheTime(40), apart = 7;
+  constexpr int states = inTheTime(20), apart = 7;
   const std::uint64_t shard = 7200000 + 1000 * static_cast<std::uint64_t>(GetParam());
   Showing showing;
   int shown = 0;
@@ -82,7 +82,7 @@ TEST_P(EveryStateShown, OfTypingIsAnAnswerOrASentence) {
 }
 
 TEST_P(EveryStateShown, OfAnyGeometryIsAnAnswerOrASentence) {
-  constexpr int sessions = inTheTime(8);
+  constexpr int sessions = inTheTime(4);
   const std::uint64_t shard = 8200000 + 1000 * static_cast<std::uint64_t>(GetParam());
   Showing showing;
   for (std::uint64_t seed = shard; seed < shard + sessions && !HasFailure(); ++seed) {
@@ -95,7 +95,8 @@ TEST_P(EveryStateShown, OfAnyGeometryIsAnAnswerOrASentence) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Hundreds, EveryStateShown, testing::Range(0, 5));
+INSTANTIATE_TEST_SUITE_P(Sample, EveryStateShown, testing::Values(0));
+INSTANTIATE_TEST_SUITE_P(Long, EveryStateShown, testing::Range(1, 10));
 
 }  // namespace
 }  // namespace alidade::ui

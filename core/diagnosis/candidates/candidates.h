@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/diagnosis/candidates/component.h"
+#include "core/diagnosis/result/noise_policy.h"
 
 namespace alidade {
 
@@ -17,8 +18,8 @@ struct PriorOdds {
   double jump = 0.04;        ///< for all moments together
   double zeroSlip = 0.04;    ///< for a jump between a zero and the first visit, all positions together
   double grossError = 0.08;  ///< for all readings together
-  double noise = 0.04;       ///< for noise larger than stated
-  double shape = 0.04;       ///< for all patterns together
+  double noise = noise_policy::odds;  ///< for noise larger than stated
+  double shape = 0.04;                ///< for all patterns together
 };
 
 /// States how many components of one kind the search may add to a set.
