@@ -52,10 +52,11 @@ class EffectComponent final : public Component {
 /// Effects small and large beside their plausible size.
 const std::vector<Width>& effectWidths();
 
-/// The effects of the catalogue but those in `leftOut`, none of them bent.
+/// The effects of the catalogue and the user's own but those in `leftOut`, none of them bent.
 std::vector<EffectComponent> effectComponents(const Leftover& leftover,
-                                              const std::vector<std::string>& leftOut);
-/// The effects of the catalogue but those in `leftOut`, what bends with its second derivatives, what is known
+                                              const std::vector<std::string>& leftOut,
+                                              const Measurement& measurement = {});
+/// The same, what bends with its second derivatives, what is known
 /// marked so where it is in the model. `leftover` is that of the model.
 std::vector<EffectComponent> effectsBeyond(const GapModel& model, const Leftover& leftover,
                                            const std::vector<std::string>& leftOut);

@@ -43,7 +43,7 @@ Candidates candidatesFor(const GapModel& base, const Leftover& leftover, const D
                          const PriorOdds& odds) {
   std::vector<std::string> leftOut = options.without;
   for (const std::string& id : base.measurement->effects) {
-    const Effect* effect = effectById(id);
+    const Effect* effect = effectById(id, *base.measurement);
     if (!effect || !knownOf(*base.measurement, *effect)) leftOut.push_back(id);
   }
   Candidates candidates;
@@ -125,8 +125,8 @@ std::optional<Explanation> largeCauses(const Inquiry& inquiry) {
 /// The equations at a fit with causes added, their own share put back into the residuals.
 Linearised around(const GapModel& base, const GapModel& withCauses) {
   // A jump does the same wherever it is taken, and what bends is known with its bend.
-  const auto staysOut = [](ErrorTerm term) {
-    const Effect* effect = effectOf(term);
+  const auto staysOut = [&](ErrorTerm term) {
+    const Effect* effect = effectOf(term, *base.measurement);
     return isOfJump(term) || (effect && effect->response == Response::Bent);
   };
   const auto at = [](ErrorTerm term) {
