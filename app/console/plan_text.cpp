@@ -71,9 +71,9 @@ std::string adviceText(const PlanReview& review) {
   return text;
 }
 
-Json effectJson(const PlanReview& review, const PlannedEffect& effect) {
+Json effectJson(const PlanReview& review, const PlannedEffect& effect, const Measurement& measurement) {
   Json sizes = Json::array(), alike = Json::array();
-  for (const EffectParameter& parameter : effectById(effect.effect)->parameters)
+  for (const EffectParameter& parameter : effectById(effect.effect, measurement)->parameters)
     sizes.push_back({{"name", parameter.name}, {"value", parameter.plausible}, {"unit", parameter.unit}});
   for (const LookAlike& other : effect.lookAlikes)
     alike.push_back(
@@ -99,9 +99,10 @@ std::string planText(const std::string& session, const PlanReview& review,
 }
 
 std::string planJson(const std::string& session, const PlanReview& review,
-                     const std::vector<Finding>& findings) {
+                     const std::vector<Finding>& findings, const Measurement& measurement) {
   Json effects = Json::array(), advice = Json::array();
-  for (const PlannedEffect& effect : review.effects) effects.push_back(effectJson(review, effect));
+  for (const PlannedEffect& effect : review.effects)
+    effects.push_back(effectJson(review, effect, measurement));
   for (const PlanAdvice& entry : review.advice)
     advice.push_back(
         {{"measure", textOf(entry.measures)}, {"reveals", entry.reveals}, {"separates", entry.separates}});

@@ -14,6 +14,6 @@ std::string planText(const std::string& session, const PlanReview& review,
 
 /// One JSON document.
 std::string planJson(const std::string& session, const PlanReview& review,
-                     const std::vector<Finding>& findings);
+                     const std::vector<Finding>& findings, const Measurement& measurement);
 
 }  // namespace alidade::console

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "app/console/channels.h"
+#include "app/console/own_effect_files.h"
 #include "core/base/file_bytes.h"
 #include "core/base/visible_text.h"
 #include "core/session/hindrance.h"
@@ -26,6 +27,7 @@ Result<SessionInput> sessionInput(Session session, const std::string& file) {
     return firstOf(problems);
   for (const Problem& problem : examined.problems) notify(inputName(file), problem.text());
   const std::string name = nameOf(session, file);
+  tellOwnEffects(inputName(file), *examined.measurement);
   return SessionInput{name, std::move(session), std::move(examined.measurement).value()};
 }
 
@@ -50,11 +52,14 @@ Result<Measurement> measurementOf(const Session& session) {
   return std::move(examined.measurement).value();
 }
 
-Result<SessionInput> readSessionInput(const std::string& file, Session (*prepare)(Session)) {
-  Result<Session> session = readSessionOf(file);
-  if (!session) return session.problem();
-  if (prepare) session = prepare(*std::move(session));
-  return sessionInput(*std::move(session), file);
+Result<SessionInput> readSessionInput(const std::string& file, Session (*prepare)(Session),
+                                      const std::vector<std::string>& effects) {
+  Result<Session> read = readSessionOf(file);
+  if (!read) return read.problem();
+  Session session = *std::move(read);
+  if (prepare) session = prepare(std::move(session));
+  if (auto problem = addOwnEffects(session, effects)) return *std::move(problem);
+  return sessionInput(std::move(session), file);
 }
 
 std::optional<Problem> addRecord(Session& session, const std::string& record) {
@@ -63,12 +68,14 @@ std::optional<Problem> addRecord(Session& session, const std::string& record) {
   return takeRecord(session, *known, wellFormed(std::filesystem::path(record).filename().string()));
 }
 
-Result<SessionInput> readSessionInput(const std::string& file, const std::string& record) {
+Result<SessionInput> readSessionInput(const std::string& file, const std::string& record,
+                                      const std::vector<std::string>& effects) {
   Result<Session> read = readSessionOf(file);
   if (!read) return read.problem();
   Session session = *std::move(read);
   if (!record.empty())
     if (auto problem = addRecord(session, record)) return *std::move(problem);
+  if (auto problem = addOwnEffects(session, effects)) return *std::move(problem);
   return sessionInput(std::move(session), file);
 }
 

@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "core/base/result.h"
 #include "core/session/measurement.h"
@@ -25,13 +26,16 @@ std::string nameOf(const Session& session, const std::string& file);
 /// The measurement of a session; fails with its first problem.
 Result<Measurement> measurementOf(const Session& session);
 
-/// `prepare` changes the session before it is examined. Fails with the session's first problem.
-Result<SessionInput> readSessionInput(const std::string& file, Session (*prepare)(Session) = nullptr);
+/// `prepare` changes the session before it is examined; `effects` are paths as in `addOwnEffects`. Fails with
+/// the session's first problem.
+Result<SessionInput> readSessionInput(const std::string& file, Session (*prepare)(Session) = nullptr,
+                                      const std::vector<std::string>& effects = {});
 
 /// Copies the instrument record at this path into the session; returns the reason of a failure.
 std::optional<Problem> addRecord(Session& session, const std::string& record);
 
 /// Includes an instrument record for this run; `record` is its path, empty: none.
-Result<SessionInput> readSessionInput(const std::string& file, const std::string& record);
+Result<SessionInput> readSessionInput(const std::string& file, const std::string& record,
+                                      const std::vector<std::string>& effects = {});
 
 }  // namespace alidade::console

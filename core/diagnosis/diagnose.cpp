@@ -177,8 +177,7 @@ Result<Diagnosis, DiagnosisFault> diagnose(const Measurement& measurement, const
 Result<Diagnosis, DiagnosisFault> diagnose(const Measurement& measurement, const SessionFit& fit,
                                            const DiagnosisOptions& options, const std::stop_token& stop) {
   for (const std::string& id : options.without)
-    if (std::ranges::find(diagnosableEffects(), id) == diagnosableEffects().end())
-      return DiagnosisFault(UnknownCause{id});
+    if (!isDiagnosable(id, measurement)) return DiagnosisFault(UnknownCause{id});
   auto model = modelOf(measurement, fit);
   if (!model) return DiagnosisFault(model.problem());
   const DiagnosisFault stopped = Stopped{};

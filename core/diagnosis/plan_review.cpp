@@ -79,7 +79,7 @@ void seeInfluence(Planned& planned, const Component& component, const SharedProd
 std::vector<std::string> estimatedAlong(const Measurement& measurement) {
   std::vector<std::string> ids = measurement.effects;
   std::erase_if(ids, [&](const std::string& id) {
-    const Effect* effect = effectById(id);
+    const Effect* effect = effectById(id, measurement);
     return effect && knownOf(measurement, *effect);
   });
   return ids;
@@ -136,7 +136,7 @@ PlanAdvice adviceOf(const std::vector<Measure>& measures, const VisibleTerms& sh
     for (const LookAlike& other : planned.summary.lookAlikes) {
       const std::pair pair(other.effect, planned.summary.effect);
       if (std::ranges::find(advice.separates, pair) == advice.separates.end() &&
-          linearDifferenceFrom(shown, plainest, *effectById(other.effect)) > clearlyDifferent &&
+          linearDifferenceFrom(shown, plainest, *plannedAs(other.effect).effect) > clearlyDifferent &&
           linearDifferenceFrom(shown, plainestOf(plannedAs(other.effect)), *planned.effect) >
               clearlyDifferent)
         advice.separates.emplace_back(planned.summary.effect, other.effect);

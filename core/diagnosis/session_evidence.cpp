@@ -270,8 +270,7 @@ Result<SessionEvidence, DiagnosisFault> evidenceOf(const Measurement& measuremen
                                                    const DiagnosisOptions& options,
                                                    const std::stop_token& stop) {
   for (const std::string& id : options.without)
-    if (std::ranges::find(diagnosableEffects(), id) == diagnosableEffects().end())
-      return DiagnosisFault(UnknownCause{id});
+    if (!isDiagnosable(id, measurement)) return DiagnosisFault(UnknownCause{id});
   const SessionFit fit = fitSession(measurement);
   auto model = modelOf(measurement, fit);
   if (!model) return DiagnosisFault(model.problem());

@@ -7,6 +7,7 @@
 #include "core/base/angle.h"
 #include "core/base/phrase.h"
 #include "core/effects/cause_ids.h"
+#include "core/session/measurement.h"
 
 namespace alidade {
 
@@ -227,14 +228,15 @@ constexpr std::vector<Effect> makeCatalogue() {
   };
 }
 
-/// Each error term except those of a jump belongs to exactly one effect.
+/// Each error term except those of a jump and the user's own belongs to exactly one effect.
 constexpr bool sharesOutTheTerms(const std::vector<Effect>& effects) {
   std::array<int, errorTermCount> times{};
   for (const Effect& effect : effects)
     for (const EffectParameter& parameter : effect.parameters)
       ++times[static_cast<std::size_t>(parameter.term)];
-  for (std::size_t term = 0; term < errorTermCount; ++term)
-    if (times[term] != (isOfJump(static_cast<ErrorTerm>(term)) ? 0 : 1)) return false;
+  for (std::size_t i = 0; i < errorTermCount; ++i)
+    if (const auto term = static_cast<ErrorTerm>(i); times[i] != (isOfJump(term) || isOwn(term) ? 0 : 1))
+      return false;
   return true;
 }
 
@@ -290,6 +292,28 @@ const Effect* effectOf(ErrorTerm term) {
     return std::ranges::find(effect.parameters, term, &EffectParameter::term) != effect.parameters.end();
   });
   return found == catalogue().end() ? nullptr : &*found;
+}
+
+std::vector<const Effect*> effectsWith(const OwnEffects* own) {
+  std::vector<const Effect*> all;
+  for (const Effect& effect : catalogue()) all.push_back(&effect);
+  if (own)
+    for (const OwnEntry& entry : own->entries()) all.push_back(&entry.effect);
+  return all;
+}
+
+std::vector<const Effect*> effectsOf(const Measurement& measurement) {
+  return effectsWith(measurement.own.get());
+}
+
+const Effect* effectById(std::string_view id, const Measurement& measurement) {
+  const Effect* effect = effectById(id);
+  return !effect && measurement.own ? measurement.own->find(id) : effect;
+}
+
+const Effect* effectOf(ErrorTerm term, const Measurement& measurement) {
+  if (!isOwn(term)) return effectOf(term);
+  return measurement.own ? measurement.own->find(term) : nullptr;
 }
 
 double modelUnitsPer(std::string_view unit) {

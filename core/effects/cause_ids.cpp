@@ -1,5 +1,7 @@
 #include "core/effects/cause_ids.h"
 
+#include <algorithm>
+
 #include "core/effects/catalogue.h"
 
 namespace alidade {
@@ -12,6 +14,11 @@ const std::vector<std::string>& diagnosableEffects() {
     return list;
   }();
   return ids;
+}
+
+bool isDiagnosable(std::string_view id, const Measurement& measurement) {
+  return std::ranges::find(diagnosableEffects(), id) != diagnosableEffects().end() ||
+         effectById(id, measurement) != nullptr;
 }
 
 }  // namespace alidade

@@ -1,9 +1,12 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace alidade {
+
+struct Measurement;
 
 // Ids of the causes without an error term in the catalogue, and of the one effect that is either present or
 // absent. Used in truth files and in results, like the ids of the catalogue.
@@ -21,5 +24,7 @@ inline constexpr const char* knownId = "known_sizes";
 
 /// Every id a diagnosis may name: the effects of the catalogue, a jump, misread values, larger noise.
 const std::vector<std::string>& diagnosableEffects();
+/// Is it one of these, or of the user's own effects of a measurement?
+bool isDiagnosable(std::string_view id, const Measurement& measurement);
 
 }  // namespace alidade

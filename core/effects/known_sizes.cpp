@@ -9,9 +9,9 @@ bool hasSizes(const Effect& effect) {
   return effect.response != Response::AllOrNothing;
 }
 
-const EffectParameter* parameterMeant(std::string_view effect, std::string_view parameter,
-                                      std::string_view unit) {
-  const Effect* of = effectById(effect);
+namespace {
+
+const EffectParameter* parameterOf(const Effect* of, std::string_view parameter, std::string_view unit) {
   if (!of || !hasSizes(*of)) return nullptr;
   const bool isOnly = of->parameters.size() == 1 && parameter.empty();
   const auto meant = std::ranges::find_if(of->parameters, [&](const EffectParameter& each) {
@@ -20,8 +20,19 @@ const EffectParameter* parameterMeant(std::string_view effect, std::string_view 
   return meant == of->parameters.end() ? nullptr : &*meant;
 }
 
+}  // namespace
+
+const EffectParameter* parameterMeant(std::string_view effect, std::string_view parameter,
+                                      std::string_view unit) {
+  return parameterOf(effectById(effect), parameter, unit);
+}
+
 const EffectParameter* parameterMeant(const KnownNumber& known) {
   return parameterMeant(known.effect, known.parameter, known.unit);
+}
+
+const EffectParameter* parameterMeant(const Measurement& measurement, const KnownNumber& known) {
+  return parameterOf(effectById(known.effect, measurement), known.parameter, known.unit);
 }
 
 std::optional<KnownPrior> knownOf(const Measurement& measurement, const EffectParameter& parameter) {
@@ -29,7 +40,7 @@ std::optional<KnownPrior> knownOf(const Measurement& measurement, const EffectPa
   KnownPrior prior;
   double weights = 0;
   for (const KnownNumber& known : measurement.known) {
-    const EffectParameter* meant = parameterMeant(known);
+    const EffectParameter* meant = parameterMeant(measurement, known);
     if (!meant || meant->term != parameter.term) continue;
     const double weight = std::pow(known.sigma * unit, -2);
     weights += weight;
@@ -61,8 +72,9 @@ double staleChanceOf(const Measurement& measurement, const Effect& effect) {
 }
 
 bool isAnythingKnown(const Measurement& measurement) {
-  return std::ranges::any_of(measurement.known,
-                             [](const KnownNumber& known) { return parameterMeant(known) != nullptr; });
+  return std::ranges::any_of(measurement.known, [&](const KnownNumber& known) {
+    return parameterMeant(measurement, known) != nullptr;
+  });
 }
 
 }  // namespace alidade

@@ -17,6 +17,8 @@ bool hasSizes(const Effect& effect);
 const EffectParameter* parameterMeant(std::string_view effect, std::string_view parameter,
                                       std::string_view unit);
 const EffectParameter* parameterMeant(const KnownNumber& known);
+/// Of the catalogue, or of the user's own effects of the measurement.
+const EffectParameter* parameterMeant(const Measurement& measurement, const KnownNumber& known);
 
 /// Prior knowledge of a parameter of the catalogue, in the unit of its term: rad, mm or 1. With probability 1
 /// − p it is normal about the value with this σ. With probability p the value is outdated and has changed by

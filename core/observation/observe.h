@@ -6,6 +6,7 @@
 #include "core/observation/error_term.h"
 #include "core/observation/guideway.h"
 #include "core/observation/half_turn.h"
+#include "core/observation/own_model.h"
 #include "core/observation/perfect_theodolite.h"
 #include "core/observation/zero_line.h"
 #include "core/session/measurement.h"
@@ -50,12 +51,34 @@ struct Pointing {
   double horizontalZero = 0;  ///< α0 as read, rad: the circle position that determines the eccentricity error
   VerticalCircle circle = VerticalCircle::Zenith;
   VerticalAngleRelation relation = VerticalAngleRelation::Exact;
+  const OwnPlace* own = nullptr;  ///< where the user's own effects act; null: there are none
 };
 
-/// The place of the target, mm in o0, for the slider at arc angle φ (rad).
+/// What the user's own effects displace at φ; `distance` in mm.
+template <typename T>
+OwnDisplacement<T> ownDisplacementAt(const ErrorTerms<T>& errors, const ArcPose<T>& arc, double distance,
+                                     const T& phi, int axisDeg, const OwnPlace& own) {
+  const PlanePoint<double> centre{plainValue(arc.x), plainValue(arc.y)};
+  return ownDisplacement(
+      own.model->ofGuideway(own, centre, plainValue(arc.radius), distance, plainValue(phi), axisDeg), errors,
+      phi);
+}
+
+/// Adds what they displace to the target, in the guideway's frame and in the room's.
+template <typename T>
+void displace(SpacePoint<T>& target, const OwnDisplacement<T>& by, const T& phi, double turn) {
+  using std::cos, std::sin;
+  const T along = turn * by.tangential;
+  target.x += by.radial * cos(phi) - along * sin(phi) + by.x;
+  target.y += by.radial * sin(phi) + along * cos(phi) + by.y;
+  target.z += turn * by.across + by.z;
+}
+
+/// The place of the target, mm in o0, for the slider at arc angle φ (rad). `own`: where the user's own
+/// effects act, null without any.
 template <typename T>
 SpacePoint<T> targetAt(const ErrorTerms<T>& errors, const ArcPose<T>& arc, const T& distance, const T& phi,
-                       int axisDeg) {
+                       int axisDeg, const OwnPlace* own = nullptr) {
   using std::cos, std::sin;
   using enum ErrorTerm;
   if (errors.isPerfect()) {
@@ -77,8 +100,23 @@ SpacePoint<T> targetAt(const ErrorTerms<T>& errors, const ArcPose<T>& arc, const
   const T yTilted = y * cos(tiltX) - off * sin(tiltX), zTilted = y * sin(tiltX) + off * cos(tiltX);
   const T xTurned = x * cos(tiltY) + zTilted * sin(tiltY), zTurned = zTilted * cos(tiltY) - x * sin(tiltY);
   const T drop = errors[GravitySag] * sin(s) + errors[ArmSag] * cos(phi) * cos(phi);
-  return {arc.x + turned * errors[AxialShift] + xTurned + errors[ArmSag] * cos(phi) * sin(phi),
-          arc.y + yTilted - drop, zTurned + turn * errors[PlaneOffset] - distance};
+  SpacePoint<T> target{arc.x + turned * errors[AxialShift] + xTurned + errors[ArmSag] * cos(phi) * sin(phi),
+                       arc.y + yTilted - drop, zTurned + turn * errors[PlaneOffset] - distance};
+  if (own)
+    displace(target, ownDisplacementAt(errors, arc, plainValue(distance), phi, axisDeg, *own), phi, turn);
+  return target;
+}
+
+/// Adds the user's own effects on the circles to a direction as read before them.
+template <typename T>
+void addOwn(const ErrorTerms<T>& errors, const OwnPlace& own, T& a, T& e) {
+  const T offA = a - plainValue(a), offE = e - plainValue(e);
+  for (const OwnShare& share : own.model->ofCircles(own, plainValue(a), plainValue(e))) {
+    const T factor = share.value + T(share.byA * offA) + T(share.byE * offE);
+    const T added = errors[share.term] * factor;
+    if (share.carrier != OwnCarrier::Vertical) a += added;
+    if (share.carrier != OwnCarrier::Horizontal) e += added;
+  }
 }
 
 /// The direction to `target` as read on the circles in `pointing`'s face, as its face 1 equivalent before the
@@ -138,17 +176,20 @@ Direction<T> circleDirection(const ErrorTerms<T>& errors, SpacePoint<T> target, 
     a += errors[HorizontalJump] * pointing.jumpShare;
     e -= down * pointing.jumpShare * errors[VerticalJump];
   }
+  if (pointing.own) addOwn(errors, *pointing.own, a, e);
   return {a, e};
 }
 
-/// The slider reading at arc angle φ, rad.
+/// The slider reading at arc angle φ, rad. `distance`, mm, and `own` are for the user's own effects.
 template <typename T>
-T observeSlider(const ErrorTerms<T>& errors, const ArcPose<T>& arc, const T& phi, int axisDeg) {
+T observeSlider(const ErrorTerms<T>& errors, const ArcPose<T>& arc, const T& phi, int axisDeg,
+                double distance = 0, const OwnPlace* own = nullptr) {
   using std::sin;
   using enum ErrorTerm;
   const T s = sliderCoordinateOf(phi, axisDeg);
   if (errors.isPerfect()) return arc.sliderZero + s;
-  return arc.sliderZero + s + errors[SliderScale] * s + errors[SliderSine] * sin(s);
+  const T read = arc.sliderZero + s + errors[SliderScale] * s + errors[SliderSine] * sin(s);
+  return own ? T(read + ownDisplacementAt(errors, arc, distance, phi, axisDeg, *own).slider) : read;
 }
 
 }  // namespace alidade

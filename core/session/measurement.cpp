@@ -74,6 +74,7 @@ class Examiner : private ProblemReporter {
       m_usable = false;
     }
     m_measurement.effects = m_session.model.effects;
+    m_measurement.own = examineOwnEffects(m_session.ownEffects, m_problems);
     checkDate("instrument.record.date", m_session.instrument.record.date);
     examineKnown("instrument.known", m_session.instrument.known);
     takeLineOfSight();

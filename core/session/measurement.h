@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstddef>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -10,6 +11,7 @@
 #include "core/base/circle_unit.h"
 #include "core/base/place.h"
 #include "core/base/problem.h"
+#include "core/session/own_effects.h"
 #include "core/session/session.h"
 
 namespace alidade {
@@ -180,6 +182,7 @@ struct Measurement {
   double pauseRows = 0;  ///< number of rows that would fit between two positions; used if rows have no times
   std::vector<std::string> effects;  ///< ids of model.effects, to be estimated
   std::vector<KnownNumber> known;    ///< of the instrument, followed by the device
+  std::shared_ptr<const OwnEffects> own = {};  ///< of the user's own; null: none
 
   /// Is there a single zero, with the same error in every arc?
   bool hasOneZero() const { return pointingZeros == PointingZeros::One; }

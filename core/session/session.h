@@ -7,6 +7,7 @@
 #include "core/session/first_texts.h"
 #include "core/session/journal.h"
 #include "core/session/json_origin.h"
+#include "core/session/own_effect.h"
 
 namespace alidade {
 
@@ -210,6 +211,7 @@ struct Session {
   Geometry geometry;
   Acceptance acceptance;
   Model model;
+  std::vector<OwnEffect> ownEffects;  ///< of the user's own, candidates like those of the catalogue
   std::vector<Position> positions;
   /// The protocol of sightings in use, as its JSON; empty: none. See `protocolOf`.
   std::string protocol;

@@ -188,6 +188,7 @@ Session readDocument(const ObjectReader& reader, SessionRows& rows, std::optiona
   }
   session.acceptance = readAcceptance(reader.object("acceptance"));
   session.model = readModel(reader.object("model"));
+  session.ownEffects = readOwnEffects(reader);
   reader.require("positions",
                  PHRASE_LATER("Phrase", "add the list of the positions of the axis, which may be empty"));
   for (const Json& position : reader.list("positions")) {
@@ -200,7 +201,7 @@ Session readDocument(const ObjectReader& reader, SessionRows& rows, std::optiona
   for (const Json& entry : reader.list("journal"))
     session.journal.push_back(readJournalEntry(reader.member("journal", session.journal.size(), entry)));
   session.origin = reader.origin({"report", "device", "instrument", "environment", "geometry", "acceptance",
-                                  "model", "positions", "protocol", "journal"});
+                                  "model", "own_effects", "positions", "protocol", "journal"});
   return session;
 }
 

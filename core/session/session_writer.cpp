@@ -185,6 +185,7 @@ std::string writeSession(const Session& session) {
   writer.part("geometry", geometryJson(session.geometry), Presence::Required);
   writer.part("acceptance", acceptanceJson(session.acceptance));
   writer.part("model", modelJson(session.model));
+  writer.partIfAny("own_effects", ownEffectsJson(session.ownEffects));
   Json positions = Json::array();
   for (const Position& position : session.positions) positions.push_back(positionJson(position));
   writer.part("positions", std::move(positions), Presence::Required);

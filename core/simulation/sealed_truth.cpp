@@ -61,7 +61,7 @@ bool isDiagnosable(const std::string& id) {
 
 /// Can a diagnosis name it, or is it uncatalogued?
 bool isCause(const std::string& id) {
-  return id.starts_with("unknown") || isDiagnosable(id);
+  return id.starts_with("unknown") || id.starts_with(ownPrefix) || isDiagnosable(id);
 }
 
 /// The number of letters to insert, delete or replace (Levenshtein).

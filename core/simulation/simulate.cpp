@@ -128,7 +128,7 @@ class Simulator {
     if (inFull) position.zero.faceTwo = zero(perfect.zero(2, moment(m_plan.front())));
     for (std::size_t i = 0; i < m_plan.size(); ++i) {
       if (i == 0 || m_plan[i].point != m_plan[i - 1].point || m_plan[i].round != m_plan[i - 1].round)
-        moveSlider(perfect, m_plan[i].point);
+        moveSlider(perfect, m_plan[i]);
       position.readings.push_back(reading(perfect, axisDeg, m_plan[i]));
     }
     if (!inFull) return position;
@@ -145,9 +145,9 @@ class Simulator {
             typedOnCircle(circles.vertical + noise(m_truth.sigmaZero), m_step)};
   }
 
-  void moveSlider(const PerfectReadings& perfect, int point) {
-    m_place = plannedPlace(m_protocol, point) + m_truth.placeSpread * m_random.normal();
-    m_slider = typed(perfect.slider(m_place) + noise(m_truth.sigmaSlider), m_step);
+  void moveSlider(const PerfectReadings& perfect, const PlannedRow& row) {
+    m_place = plannedPlace(m_protocol, row.point) + m_truth.placeSpread * m_random.normal();
+    m_slider = typed(perfect.slider(m_place, moment(row)) + noise(m_truth.sigmaSlider), m_step);
   }
 
   Reading reading(const PerfectReadings& perfect, int axisDeg, const PlannedRow& row) {
@@ -174,7 +174,7 @@ class Simulator {
   Moment moment(const PlannedRow& row) const {
     const double elapsed = m_rows > 1 ? static_cast<double>(m_taken) / static_cast<double>(m_rows - 1) : 0;
     return {elapsed, m_truth.jump && elapsed >= m_truth.jump->moment, row.round % 2 == 0,
-            m_taken >= m_plan.size()};
+            m_taken >= m_plan.size(), row.round};
   }
 
   const Protocol& m_protocol;
@@ -193,6 +193,7 @@ class Simulator {
 
 PerfectReadings::PerfectReadings(const Truth& truth, int axisDeg, Angle horizontalZero)
     : m_truth(truth), m_errors(errorsOf(truth)), m_axisDeg(axisDeg), m_horizontalZero(horizontalZero) {
+  if (truth.own) m_own = std::make_shared<OwnModel>(truth.own);
   if (!truth.jump) return;
   m_errors.set(ErrorTerm::HorizontalJump, truth.jump->horizontal.radians());
   m_errors.set(ErrorTerm::VerticalJump, truth.jump->vertical.radians());
@@ -207,6 +208,24 @@ Pointing PerfectReadings::pointing(int face, const Moment& moment) const {
   pointing.horizontalZero = m_horizontalZero.radians();
   pointing.circle = m_truth.verticalCircle;
   return pointing;
+}
+
+std::optional<OwnPlace> PerfectReadings::ownPlace(std::optional<Angle> s, int face,
+                                                  const Moment& moment) const {
+  if (!m_own) return std::nullopt;
+  const bool isZenith = m_truth.verticalCircle == VerticalCircle::Zenith;
+  const Angle elevation = isZenith ? Angle::fromDegrees(90) - m_truth.verticalZero : m_truth.verticalZero;
+  return OwnPlace{.model = m_own.get(),
+                  .row = {.s = s ? s->radians() : 0,
+                          .t = moment.elapsed,
+                          .leg = moment.wayBack ? -1.0 : 1.0,
+                          .round = static_cast<double>(moment.round),
+                          .face = face == 1 ? 1.0 : -1.0,
+                          .position = halfTurnSign(m_axisDeg)},
+                  .horizontalZero = m_horizontalZero.radians(),
+                  .zeroElevation = elevation.radians(),
+                  .circle = m_truth.verticalCircle,
+                  .isZero = !s};
 }
 
 ArcPose<double> PerfectReadings::poseAt(Angle s) const {
@@ -242,6 +261,8 @@ SpacePoint<double> PerfectReadings::inRoom(const SpacePoint<double>& target) con
 CircleReadings PerfectReadings::zero(int face, const Moment& moment) const {
   Pointing asDirection = pointing(face, moment);
   asDirection.isSetUpAgain = false;
+  const std::optional<OwnPlace> own = ownPlace(std::nullopt, face, moment);
+  asDirection.own = own ? &*own : nullptr;
   Moment thereOnly = moment;  // a zero is approached anew
   thereOnly.wayBack = false;
   return disturbed(circleDirection(m_errors, inRoom({0, 0, -m_truth.distance}), asDirection), face,
@@ -258,14 +279,20 @@ CircleReadings PerfectReadings::disturbed(Direction<double> direction, int face,
 }
 
 CircleReadings PerfectReadings::target(Angle s, int face, const Moment& moment) const {
-  SpacePoint<double> target = targetAt(m_errors, poseAt(s), m_truth.distance, arcAngle(s), m_axisDeg);
+  const std::optional<OwnPlace> own = ownPlace(s, face, moment);
+  SpacePoint<double> target =
+      targetAt(m_errors, poseAt(s), m_truth.distance, arcAngle(s), m_axisDeg, own ? &*own : nullptr);
+  Pointing taken = pointing(face, moment);
+  taken.own = own ? &*own : nullptr;
   if (const auto& foreign = m_truth.foreign)
     target.z += halfTurnSign(m_axisDeg) * offPlaneBy(*foreign, s) - distanceBy(*foreign, moment.elapsed);
-  return disturbed(circleDirection(m_errors, inRoom(target), pointing(face, moment)), face, moment);
+  return disturbed(circleDirection(m_errors, inRoom(target), taken), face, moment);
 }
 
-Angle PerfectReadings::slider(Angle s) const {
-  return Angle::fromRadians(observeSlider(m_errors, poseAt(s), arcAngle(s), m_axisDeg));
+Angle PerfectReadings::slider(Angle s, const Moment& moment) const {
+  const std::optional<OwnPlace> own = ownPlace(s, 1, moment);
+  return Angle::fromRadians(
+      observeSlider(m_errors, poseAt(s), arcAngle(s), m_axisDeg, m_truth.distance, own ? &*own : nullptr));
 }
 
 Result<Session> simulate(const Protocol& protocol, const Truth& truth, std::uint64_t seed) {

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
+#include <optional>
 
 #include "core/base/result.h"
 #include "core/observation/observe.h"
@@ -26,6 +28,7 @@ struct Moment {
   bool afterJump = false;     ///< after the truth's jump
   bool wayBack = false;       ///< in an even round
   bool isSetUpAgain = false;  ///< in a position after the first
+  int round = 1;
 };
 
 /// The readings of a truth without noise and gross errors, one position at a time.
@@ -38,10 +41,12 @@ class PerfectReadings {
   CircleReadings zero(int face = 1, const Moment& moment = {}) const;
   /// Readings of the target with the slider at coordinate `s` (equal to φ at 0°, to −φ at 180°).
   CircleReadings target(Angle s, int face, const Moment& moment) const;
-  Angle slider(Angle s) const;
+  Angle slider(Angle s, const Moment& moment = {}) const;
 
  private:
   Pointing pointing(int face, const Moment& moment) const;
+  /// For the user's own effects, absent without any. `s`: absent for a pointing zero.
+  std::optional<OwnPlace> ownPlace(std::optional<Angle> s, int face, const Moment& moment) const;
   ArcPose<double> poseAt(Angle s) const;
   SpacePoint<double> inRoom(const SpacePoint<double>& target) const;
   double arcAngle(Angle s) const;
@@ -53,6 +58,7 @@ class PerfectReadings {
   ErrorTerms<double> m_errors;
   int m_axisDeg;
   Angle m_horizontalZero;
+  std::shared_ptr<const OwnModel> m_own;  ///< null: none
 };
 
 /// The session of a truth, by a protocol, with the noise of `seed`. The same seed gives the same places and

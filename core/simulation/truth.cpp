@@ -7,9 +7,9 @@ namespace alidade {
 
 namespace {
 
-double unitOf(ErrorTerm term) {
-  for (const Effect& effect : effectCatalogue())
-    for (const EffectParameter& parameter : effect.parameters)
+double unitOf(ErrorTerm term, const OwnEffects* own) {
+  for (const Effect* effect : effectsWith(own))
+    for (const EffectParameter& parameter : effect->parameters)
       if (parameter.term == term) return modelUnitsPer(parameter.unit);
   return 1;
 }
@@ -32,7 +32,8 @@ Truth drawTruth(std::uint64_t seed) {
 
 ErrorTerms<double> errorsOf(const Truth& truth) {
   ErrorTerms<double> errors;
-  for (const TrueSize& size : truth.effects) errors.set(size.term, size.value * unitOf(size.term));
+  for (const TrueSize& size : truth.effects)
+    errors.set(size.term, size.value * unitOf(size.term, truth.own.get()));
   return errors;
 }
 

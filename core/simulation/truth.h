@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -72,6 +73,7 @@ struct Truth {
   Angle sliderZero;                     ///< slider reading at s = 0
 
   std::vector<TrueSize> effects;  ///< each term at most once
+  std::shared_ptr<const OwnEffects> own = {};  ///< whose terms these may be, too; null: none
   std::optional<OrientationJump> jump = {};
   std::optional<TrueZeroSlip> zeroSlip = {};
   std::optional<FormHarmonic> harmonic = {};

@@ -28,11 +28,11 @@ std::string nameOf(const Effect& effect, const EffectParameter& parameter) {
   return std::string(effect.id) + "." + std::string(parameter.name.substr(parameter.name.rfind(' ') + 1));
 }
 
-std::vector<const EffectParameter*> parametersNamed(const std::string& name) {
+std::vector<const EffectParameter*> parametersNamed(const std::string& name, const OwnEffects* own) {
   std::vector<const EffectParameter*> found;
-  for (const Effect& effect : effectCatalogue())
-    for (const EffectParameter& parameter : effect.parameters)
-      if (name == effect.id || name == nameOf(effect, parameter)) found.push_back(&parameter);
+  for (const Effect* effect : effectsWith(own))
+    for (const EffectParameter& parameter : effect->parameters)
+      if (name == effect->id || name == nameOf(*effect, parameter)) found.push_back(&parameter);
   return found;
 }
 
@@ -146,10 +146,10 @@ void setSize(Truth& truth, ErrorTerm term, double value) {
 
 OrderedJson effectsJson(const Truth& truth) {
   OrderedJson effects = OrderedJson::object();
-  for (const Effect& effect : effectCatalogue())
-    for (const EffectParameter& parameter : effect.parameters) {
+  for (const Effect* effect : effectsWith(truth.own.get()))
+    for (const EffectParameter& parameter : effect->parameters) {
       const auto size = std::ranges::find(truth.effects, parameter.term, &TrueSize::term);
-      if (size != truth.effects.end()) effects[nameOf(effect, parameter)] = size->value;
+      if (size != truth.effects.end()) effects[nameOf(*effect, parameter)] = size->value;
     }
   if (truth.jump)
     effects[jumpId] = {truth.jump->moment, truth.jump->horizontal.arcseconds(),
@@ -183,7 +183,7 @@ std::optional<Problem> addEffect(Truth& truth, const std::string& text) {
   const Result<Numbers> numbers = numbersIn(name, text.substr(equals + 1));
   const auto other = std::ranges::find_if(otherEffects, [&](const OtherEffect& o) { return name == o.name; });
   const auto foreign = std::ranges::find(foreignEffectNames(), name, &ForeignEffectName::name);
-  const std::vector<const EffectParameter*> parameters = parametersNamed(name);
+  const std::vector<const EffectParameter*> parameters = parametersNamed(name, truth.own.get());
   if (other == otherEffects.end() && foreign == foreignEffectNames().end() && parameters.empty())
     return Problem{quotation(name) + " is no effect: `alidade-cli simulate --help` lists them"};
   if (!numbers) return numbers.problem();
@@ -216,12 +216,12 @@ std::string effectNames() {
 
 std::vector<std::string> trueCauses(const Truth& truth) {
   std::vector<std::string> causes;
-  for (const Effect& effect : effectCatalogue())
-    if (std::ranges::any_of(effect.parameters, [&](const EffectParameter& parameter) {
+  for (const Effect* effect : effectsWith(truth.own.get()))
+    if (std::ranges::any_of(effect->parameters, [&](const EffectParameter& parameter) {
           const auto size = std::ranges::find(truth.effects, parameter.term, &TrueSize::term);
           return size != truth.effects.end() && size->value != 0;
         }))
-      causes.emplace_back(effect.id);
+      causes.emplace_back(effect->id);
   const auto turns = [](const auto& step) {
     return step.horizontal.radians() != 0 || step.vertical.radians() != 0;
   };

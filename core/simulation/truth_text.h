@@ -17,6 +17,7 @@ namespace alidade {
 ///   orientation_jump=0.4,30,-20 moment (share of the rows), horizontal and vertical, arcsec
 ///   underestimated_noise=2.5 true noise divided by the stated one
 ///   gross_error=180,1,11,1,60,0 axis, round, point, face, horizontal and vertical, arcsec
+///   own:dent=0.2 an effect of the truth's own ones, in its unit
 ///   form_harmonic=7,0.1,0.1 order, cosine and sine, mm; uncatalogued
 ///   local_dent=0.1,60,8, settling=20,0.2, … other uncatalogued ones (foreign_effect.h)
 ///

@@ -50,6 +50,7 @@ function read_entry(i, section,   line, typed, meaning, goes_on) {
 
 function kind_of(meaning) {
   if (meaning ~ /\*\.alidade-instrument/) return "record"
+  if (meaning ~ /\*\.alidade-effect/) return "file"
   if (meaning ~ /a folder with/) return "folder"
   if (meaning ~ /^Files? |^Folder of|^Session to open|^Truth file/) return "file"
   if (meaning ~ /\*\.alidade|^Session whose/) return "session"

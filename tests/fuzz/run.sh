@@ -4,7 +4,7 @@ set -euo pipefail
 here=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")" && pwd)
 root=$(cd -- "$here/../.." && pwd)
 build=$root/build/fuzz
-targets=(session typing gsi csv angles truth records values talk)
+targets=(session typing gsi csv angles truth records values talk formula)
 unavailable=4
 
 if [[ ${1:-} == -h || ${1:-} == --help ]]; then

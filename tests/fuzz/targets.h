@@ -17,6 +17,7 @@ void throwTruth(std::string_view bytes);    ///< a truth file, or an effect of t
 void throwRecords(std::string_view bytes);  ///< a protocol, or the record of an instrument
 void throwValues(std::string_view bytes);   ///< values over time, or rounds of an instrument check
 void throwTalk(std::string_view bytes);     ///< bytes from an instrument, and bytes sent to a simulated one
+void throwFormula(std::string_view bytes);  ///< a formula of an effect of the user's own, or its file
 
 struct Target {
   std::string_view name;  ///< of its program, corpus and dictionary

@@ -8,7 +8,7 @@ source "$(dirname -- "${BASH_SOURCE[0]}")/lib.sh"
 mapfile -t files < <(sources app core ui -- '*.h' '*.cpp')
 awk '
   BEGIN {
-    rooms = split("base signature session exchange connection observation effects " \
+    rooms = split("base signature terms session exchange connection observation effects " \
                   "adjustment/numerics adjustment/arc adjustment/joint adjustment/result adjustment/monte_carlo " \
                   "adjustment/gross_errors " \
                   "diagnosis/result diagnosis/gap diagnosis/evidence diagnosis/candidates diagnosis/search " \

@@ -59,7 +59,7 @@ std::vector<GapStage> modelledStages(const Evaluation& evaluation, const std::st
   std::vector<GapStage> stages;
   Measurement measurement = *evaluation.examined.measurement;
   const std::vector<std::string> effects = std::exchange(measurement.effects, {});
-  const auto isKnown = [](const std::string& id) { return effectById(id) != nullptr; };
+  const auto isKnown = [&](const std::string& id) { return effectById(id, measurement) != nullptr; };
   const auto known = std::count_if(effects.begin(), effects.end(), isKnown);
   if (known > 0) stages.push_back(stageOf(fitSession(measurement)));
   for (const std::string& id : effects) {

@@ -1,6 +1,7 @@
 #include "ui/text/effect_text.h"
 
 #include "core/base/phrase.h"
+#include "core/session/own_effects.h"
 #include "ui/text/entry_text.h"
 #include "ui/text/quantity_text.h"
 #include "ui/text/visible_text.h"
@@ -18,7 +19,8 @@ bool isSign(const QString& unit) {
 
 QString effectName(const std::string& id) {
   if (const Effect* effect = effectById(id)) return qText(Phrase::of(effect->name));
-  return visibleLine(id).replace(QLatin1Char('_'), QLatin1Char(' '));
+  const bool isOwn = id.starts_with(ownPrefix);
+  return visibleLine(isOwn ? id.substr(ownPrefix.size()) : id).replace(QLatin1Char('_'), QLatin1Char(' '));
 }
 
 QString effectText(const EffectEstimate& estimate, const QString& separator) {

@@ -11,6 +11,8 @@
 #include "app/console/channels.h"
 #include "app/console/commands/batch_options.h"
 #include "app/console/diagnosis_text.h"
+#include "app/console/output_file.h"
+#include "app/console/own_effect_files.h"
 #include "app/console/series_text.h"
 #include "app/console/session_files.h"
 #include "app/console/session_input.h"
@@ -21,6 +23,7 @@
 #include "core/base/threads.h"
 #include "core/base/visible_text.h"
 #include "core/diagnosis/diagnose.h"
+#include "core/diagnosis/kept_form.h"
 #include "core/effects/cause_ids.h"
 #include "core/series/shared_causes/diagnose_series.h"
 #include "core/wording/copies.h"
@@ -36,6 +39,15 @@ void takeRelation(const DiagnoseRequest& request, Measurement& measurement) {
         request.verticalAngle == "planar" ? VerticalAngleRelation::Planar : VerticalAngleRelation::Exact;
 }
 
+/// Writes the first form as an effect of the user's own.
+std::optional<Problem> keepForm(const DiagnoseRequest& request, const Diagnosis& diagnosis,
+                                const Session& session) {
+  if (diagnosis.forms.empty()) return Problem{"--keep-form: no form was found in these readings"};
+  return writeOutputs(
+      {{"--keep-form", request.keepForm, writeOwnEffect(ownEffectOf(diagnosis.forms.front(), session))}},
+      request.files);
+}
+
 /// The name of the series: its folder, or its number of files.
 std::string seriesName(const std::vector<std::string>& named, std::size_t sessions) {
   if (named.size() == 1) {
@@ -44,6 +56,15 @@ std::string seriesName(const std::vector<std::string>& named, std::size_t sessio
     if (!name.empty() && name != ".") return wellFormed(name);
   }
   return "Series of " + counted(sessions, "session");
+}
+
+/// Of the catalogue, as the help lists it, or one of the user's own, which only the session knows.
+CLI::Validator effectCheck() {
+  CLI::Validator check = CLI::IsMember(diagnosableEffects());
+  check.operation([isOfCatalogue = check](std::string& id) {
+    return id.starts_with(ownPrefix) ? std::string() : isOfCatalogue(id);
+  });
+  return check;
 }
 
 /// Prints progress to stderr from time to time during long work.
@@ -77,19 +98,23 @@ void addDiagnoseCommand(CLI::App& app, DiagnoseRequest& request) {
       ->check(CLI::IsMember({"exact", "planar"}));
   diagnose
       ->add_option("--without", request.without, "An effect not to be considered; may be given several times")
-      ->check(CLI::IsMember(diagnosableEffects()));
+      ->check(effectCheck());
   diagnose->add_flag("--with-reference", request.withReference,
                      "Weigh the causes with the reference intersection and its σ, too; Δd never");
   diagnose->add_option("--instrument", request.instrument,
                        "Take what this instrument record says (*.alidade-instrument), for this run");
+  addEffectsOption(*diagnose, request.effects);
+  diagnose->add_option("--keep-form", request.keepForm,
+                       "Write the first form found as an effect of this device or instrument "
+                       "(*.alidade-effect)");
   addBatchOptions(*diagnose, request.batch);
 }
 
 Result<std::string> runDiagnose(const DiagnoseRequest& request, const std::string& file) {
-  Result<SessionInput> read = readSessionInput(file, request.instrument);
+  Result<SessionInput> read = readSessionInput(file, request.instrument, request.effects);
   if (!read) return read.problem();
   SessionInput input = *std::move(read);
-  input.session = {};  // no longer needed, and as large as its rows
+  input.session.positions.clear();  // no longer needed, and as large as its rows
   Measurement& measurement = input.measurement;
   takeRelation(request, measurement);
   if (request.withReference && !measurement.sigmaReference)
@@ -104,6 +129,8 @@ Result<std::string> runDiagnose(const DiagnoseRequest& request, const std::strin
       diagnose(measurement, fit,
                {.without = request.without, .withReference = request.withReference, .withAttainable = true});
   if (!diagnosis) return problemOf(diagnosis.problem());
+  if (!request.keepForm.empty())
+    if (auto problem = keepForm(request, *diagnosis, input.session)) return *std::move(problem);
   return request.batch.json ? diagnosisJson(input.name, *diagnosis, *findings)
                             : diagnosisText(input.name, *diagnosis, *findings);
 }
@@ -121,7 +148,7 @@ int giveSeries(const DiagnoseRequest& request) {
       read[i] = Result<SeriesSession>(*file.problem);
       return;
     }
-    Result<SessionInput> found = readSessionInput(file.path, request.instrument);
+    Result<SessionInput> found = readSessionInput(file.path, request.instrument, request.effects);
     if (!found) {
       read[i] = Result<SeriesSession>(found.problem());
       return;

@@ -19,12 +19,15 @@ struct DiagnoseRequest {
   std::string verticalAngle;       ///< exact or planar; empty: from the session
   std::vector<std::string> without;
   std::string instrument;  ///< path of an instrument record; empty: none
+  std::vector<std::string> effects;  ///< files and folders of effects of the user's own
+  std::string keepForm;              ///< file to write the first form to; empty: none
   bool withReference = false;
   BatchOptions batch = {};
 };
 
 /// Adds `diagnose FILE… [--each] [--vertical-angle exact|planar] [--without EFFECT]… [--with-reference]
-/// [--instrument RECORD] [--threads N] [--progress] [--json]`, which fills in `request`.
+/// [--instrument RECORD] [--effects FILE|FOLDER]… [--threads N] [--progress] [--json]`, which fills in
+/// `request`.
 void addDiagnoseCommand(CLI::App& app, DiagnoseRequest& request);
 
 /// The common result of many files: every usable session among them; each unusable one gets a line on stderr

@@ -7,6 +7,7 @@
 #include "app/console/commands/batch_options.h"
 #include "app/console/commands/option_checks.h"
 #include "app/console/fit_text.h"
+#include "app/console/own_effect_files.h"
 #include "app/console/session_input.h"
 #include "core/adjustment/gross_errors/suspects.h"
 #include "core/adjustment/monte_carlo/monte_carlo.h"
@@ -90,6 +91,7 @@ void addFitCommand(CLI::App& app, FitRequest& request) {
                   "Print a table (RFC 4180) instead: residuals of every reading, budget of every "
                   "uncertainty, or results")
       ->check(CLI::IsMember({"residuals", "budget", "results"}));
+  addEffectsOption(*fit, request.effects);
   addBatchOptions(*fit, request.batch);
 }
 
@@ -102,7 +104,7 @@ Result<std::string> runFit(const FitRequest& request, const std::string& file) {
     return Problem{"the published method has no tables: leave out --csv or --method"};
   if (!request.csv.empty() && namesMany(request.files))
     return Problem{"--csv prints the table of one session: name one file"};
-  Result<SessionInput> input = readSessionInput(file, request.instrument);
+  Result<SessionInput> input = readSessionInput(file, request.instrument, request.effects);
   if (!input) return input.problem();
   return request.method == "published" ? publishedAnswer(request, input->name, input->measurement)
                                        : rigorousAnswer(request, *std::move(input));

@@ -23,14 +23,15 @@ struct FitRequest {
   std::string monteCarlo;
   std::uint64_t seed = 1;  ///< seed of the draws
   std::string instrument;  ///< path of an instrument record; empty: none
+  std::vector<std::string> effects;  ///< files and folders of effects of the user's own
   std::string csv;         ///< "residuals", "budget" or "results": a table instead; empty: none
   bool diagnosis = true;   ///< whether to diagnose the gap, which the verdict takes into account
   BatchOptions batch = {};
 };
 
 /// Adds `fit FILE… [--method rigorous|published] [--risk P] [--monte-carlo N|auto [--seed S]]
-/// [--no-diagnosis] [--instrument RECORD] [--csv residuals|budget|results] [--threads N] [--progress]
-/// [--json]`, which fills in `request`.
+/// [--no-diagnosis] [--instrument RECORD] [--effects FILE|FOLDER]… [--csv residuals|budget|results]
+/// [--threads N] [--progress] [--json]`, which fills in `request`.
 void addFitCommand(CLI::App& app, FitRequest& request);
 
 /// The fit of one file as text or JSON. Fails if the session cannot be read or an arc cannot be fitted. Also

@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <utility>
 
+#include "app/console/own_effect_files.h"
 #include "app/console/plan_text.h"
 #include "app/console/session_input.h"
 #include "core/answers/beforehand.h"
@@ -19,11 +20,12 @@ void addPlanCommand(CLI::App& app, PlanRequest& request) {
           "Session with the rows to be read (*.alidade); - reads standard input. Rows without readings "
           "are thought to be read at their slider coordinate, else evenly spread")
       ->required();
+  addEffectsOption(*plan, request.effects);
   plan->add_flag("--json", request.json, "Print one JSON document");
 }
 
 Result<std::string> runPlan(const PlanRequest& request) {
-  Result<SessionInput> read = readSessionInput(request.file, &withPlannedReadings);
+  Result<SessionInput> read = readSessionInput(request.file, &withPlannedReadings, request.effects);
   if (!read) return read.problem();
   SessionInput input = *std::move(read);
   input.session = {};  // no longer needed, and as large as its rows
@@ -32,7 +34,8 @@ Result<std::string> runPlan(const PlanRequest& request) {
   if (!findings) return findings.problem();
   const auto review = reviewPlan(input.measurement, fit);
   if (!review) return problemOf(review.problem());
-  return request.json ? planJson(input.name, *review, *findings) : planText(input.name, *review, *findings);
+  return request.json ? planJson(input.name, *review, *findings, input.measurement)
+                      : planText(input.name, *review, *findings);
 }
 
 }  // namespace alidade::console

@@ -5,6 +5,7 @@
 
 #include "app/console/commands/option_checks.h"
 #include "app/console/output_file.h"
+#include "app/console/own_effect_files.h"
 #include "app/console/session_input.h"
 #include "core/base/number_text.h"
 #include "core/base/visible_text.h"
@@ -164,6 +165,12 @@ void addSimulateCommand(CLI::App& app, SimulateRequest& request) {
   simulate->add_option("--effect", request.effects, "NAME=VALUE of an effect to put in; may be repeated")
       ->take_all()
       ->expected(1);
+  simulate
+      ->add_option("--effects", request.ownEffects,
+                   "Effects of your own (*.alidade-effect, or a folder of them), to put in as "
+                   "--effect own:NAME=VALUE; the session does not state them")
+      ->take_all()
+      ->expected(1);
   for (const NumberOption& option : numberOptions)
     simulate->add_option(option.name, request.*option.value, option.help)
         ->check(numberFrom(option.least, option.most));
@@ -183,6 +190,11 @@ void addSimulateCommand(CLI::App& app, SimulateRequest& request) {
 
 Result<std::string> runSimulate(const SimulateRequest& request) {
   Truth truth = truthOf(request);
+  const Result<std::vector<OwnEffect>> own = ownEffectsIn(request.ownEffects);
+  if (!own) return own.problem();
+  std::vector<Problem> problems;
+  truth.own = examineOwnEffects(*own, problems);
+  if (!problems.empty()) return Problem{"--effects: " + problems.front().text()};
   for (const std::string& effect : request.effects)
     if (auto problem = addEffect(truth, effect)) return *std::move(problem);
   Result<Session> simulated = sessionOf(request, truth);

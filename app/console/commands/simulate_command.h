@@ -22,6 +22,7 @@ struct SimulateRequest {
   std::uint64_t seed = 1;
   std::string protocol = "paper";
   std::vector<std::string> effects;
+  std::vector<std::string> ownEffects;  ///< files and folders of effects of the user's own
   std::optional<int> points, rounds;
   std::optional<double> intersection, centreX, axisHeight, radius, distance, nominalRadius;  ///< mm
   std::optional<double> tolerance;                                                           ///< mm

@@ -19,19 +19,22 @@ constexpr int evenSize(int slots) {
 }
 
 /// The error terms that have derivatives.
-enum class ArcTerms { None, OfGuideway, All };
+enum class ArcTerms { None, OfGuideway, All, AlsoOwn };  // `All`: of the catalogue and jumps
 
 template <ArcTerms which>
 struct ArcJets {
-  /// x, y, R, zero of the slider, L, φ, then the terms from `firstGuidewayTerm` on.
+  /// x, y, R, zero of the slider, L, φ, then the terms from `firstGuidewayTerm` on, the user's own last.
   static constexpr int xSlot = 0, ySlot = 1, radiusSlot = 2, sliderSlot = 3, farSlot = 4, angleSlot = 5,
                        guidewayTermSlot = 6;
-  /// The target's x, y, z, then the terms before `firstGuidewayTerm`.
+  /// The target's x, y, z, then the terms before `firstGuidewayTerm`, the user's own last.
   static constexpr int instrumentTermSlot = 3;
+  static constexpr int ownSlots = which == ArcTerms::AlsoOwn ? static_cast<int>(mostOwnTerms) : 0;
   static constexpr int guidewaySlots =
-      guidewayTermSlot + (which == ArcTerms::None ? 0 : static_cast<int>(errorTermCount - firstGuidewayTerm));
+      guidewayTermSlot + ownSlots +
+      (which == ArcTerms::None ? 0 : static_cast<int>(firstOwnTerm - firstGuidewayTerm));
   static constexpr int instrumentSlots =
-      instrumentTermSlot + (which == ArcTerms::All ? static_cast<int>(firstGuidewayTerm) : 0);
+      instrumentTermSlot + ownSlots +
+      (which == ArcTerms::All || which == ArcTerms::AlsoOwn ? static_cast<int>(firstGuidewayTerm) : 0);
   using GuidewayJet = Eigen::AutoDiffScalar<Eigen::Vector<double, evenSize(guidewaySlots)>>;
   using InstrumentJet = Eigen::AutoDiffScalar<Eigen::Vector<double, evenSize(instrumentSlots)>>;
 
@@ -54,13 +57,19 @@ struct ArcJets {
     return Jet(value, static_cast<int>(Jet::DerType::SizeAtCompileTime), slot);
   }
 
-  void set(ErrorTerm term, double size) {
+  /// The slot of a term in the jets of its own stage.
+  static constexpr int slotOf(ErrorTerm term) {
     const auto index = static_cast<std::size_t>(term);
+    if (isOfGuideway(term)) return guidewayTermSlot + static_cast<int>(index - firstGuidewayTerm);
+    return instrumentTermSlot +
+           static_cast<int>(isOwn(term) ? firstGuidewayTerm + (index - firstOwnInstrumentTerm) : index);
+  }
+
+  void set(ErrorTerm term, double size) {
     if (isOfGuideway(term))
-      guidewayErrors.set(
-          term, variable<GuidewayJet>(size, guidewayTermSlot + static_cast<int>(index - firstGuidewayTerm)));
+      guidewayErrors.set(term, variable<GuidewayJet>(size, slotOf(term)));
     else
-      instrumentErrors.set(term, variable<InstrumentJet>(size, instrumentTermSlot + static_cast<int>(index)));
+      instrumentErrors.set(term, variable<InstrumentJet>(size, slotOf(term)));
   }
 
   /// The target as input of the instrument's stage.

@@ -66,6 +66,8 @@ JointProblem::JointProblem(const Measurement& measurement, const JointFitOptions
       m_firsts(firstAtTheirAxes(measurement)),
       m_without(options.without) {
   m_estimatesZeros = m_isClosed || options.estimatesZeros || (hasRepeats(measurement) && !options.isApart);
+  if (std::ranges::any_of(m_terms, isOwn, &EstimatedTerm::term))
+    m_own = std::make_unique<OwnModel>(measurement.own);
   if (options.isApart) std::iota(m_firsts.begin(), m_firsts.end(), std::size_t{0});
   for (std::size_t arc = 0; arc < measurement.arcs.size(); ++arc) {
     addArc(arc);
@@ -254,9 +256,12 @@ Jets JointProblem::jetsOf(const JointState& state, std::size_t arc) const {
       roomFromZeroLine(SpacePoint<double>{0, 0, -distance}, distance, elevation, m_measurement.plane);
   const auto mark = Jets::asTarget(ahead.x, ahead.y, ahead.z);
   Pointing pointing = zeroPointing(m_measurement.arcs[arc]);
+  std::optional<OwnPlace> own;
+  if (m_own) pointing.own = &own.emplace(m_own->zeroOf(m_measurement, m_measurement.arcs[arc]));
   jets.zero = circleDirection(jets.instrumentErrors, mark, pointing);
   if (m_measurement.arcs[arc].zero.isInBothFaces) {
     pointing.face = 2;
+    if (own) own->row.face = -1;
     const auto inTwo = circleDirection(jets.instrumentErrors, mark, pointing);
     jets.zero.a = (jets.zero.a + inTwo.a) / 2.0;
     jets.zero.e = (jets.zero.e + inTwo.e) / 2.0;
@@ -303,6 +308,7 @@ bool JointProblem::takesPart(std::size_t arc, std::size_t sighting, ReadingKind 
 template <typename Function>
 auto JointProblem::withJets(const Function& function) const {
   if (m_terms.empty()) return function(ArcJets<ArcTerms::None>());
+  if (m_own) return function(ArcJets<ArcTerms::AlsoOwn>());
   if (std::ranges::all_of(m_terms, isOfGuideway, &EstimatedTerm::term))
     return function(ArcJets<ArcTerms::OfGuideway>());
   return function(ArcJets<ArcTerms::All>());
@@ -385,14 +391,12 @@ void fillRow(VisitEquations::Jacobian::RowXpr row, const typename Jets::Instrume
   row[distanceSlot] = place[Jets::farSlot];
   row[phiSlot] = place[Jets::angleSlot];
   for (std::size_t t = 0; t < terms.size(); ++t) {
-    const auto term = static_cast<std::size_t>(terms[t].term);
     const auto slot = static_cast<Index>(firstTermSlot + t);
-    if (isOfGuideway(terms[t].term)) {
-      row[slot] = place[static_cast<Index>(Jets::guidewayTermSlot + term - firstGuidewayTerm)];
-    } else {
-      const auto own = static_cast<Index>(Jets::instrumentTermSlot + term);
+    const Index own = Jets::slotOf(terms[t].term);
+    if (isOfGuideway(terms[t].term))
+      row[slot] = place[own];
+    else
       row[slot] = by[own] - turn * zeroElevation.derivatives()[own];
-    }
   }
 }
 
@@ -403,9 +407,7 @@ void takeOffZero(VisitEquations::Jacobian::RowXpr row, const typename Jets::Inst
   row[static_cast<int>(Unknown::Kind::HorizontalZero)] = -1;
   for (std::size_t t = 0; t < terms.size(); ++t)
     if (!isOfGuideway(terms[t].term))
-      row[static_cast<Index>(firstTermSlot + t)] -=
-          zero.derivatives()[static_cast<Index>(Jets::instrumentTermSlot) +
-                             static_cast<Index>(terms[t].term)];
+      row[static_cast<Index>(firstTermSlot + t)] -= zero.derivatives()[Jets::slotOf(terms[t].term)];
 }
 
 template <typename Jets>
@@ -417,8 +419,24 @@ void fillSliderRow(VisitEquations::Jacobian::RowXpr row, const typename Jets::Gu
   row[phiSlot] = by[Jets::angleSlot];
   for (std::size_t t = 0; t < terms.size(); ++t)
     if (isOfGuideway(terms[t].term))
-      row[static_cast<Index>(firstTermSlot + t)] = by[static_cast<Index>(
-          Jets::guidewayTermSlot + static_cast<std::size_t>(terms[t].term) - firstGuidewayTerm)];
+      row[static_cast<Index>(firstTermSlot + t)] = by[Jets::slotOf(terms[t].term)];
+}
+
+/// ∂reading/∂φ that the user's own effects on the circles add as functions of s.
+struct OwnSlopes {
+  double a = 0, e = 0;
+};
+
+template <typename Jets>
+OwnSlopes ownSlopes(const Jets& jets, const OwnPlace& own,
+                    const Direction<typename Jets::InstrumentJet>& sighted) {
+  OwnSlopes slopes;
+  for (const OwnShare& share : own.model->ofCircles(own, sighted.a.value(), sighted.e.value())) {
+    const double slope = jets.instrumentErrors[share.term].value() * share.byArcAngle;
+    if (share.carrier != OwnCarrier::Vertical) slopes.a += slope;
+    if (share.carrier != OwnCarrier::Horizontal) slopes.e += slope;
+  }
+  return slopes;
 }
 
 }  // namespace
@@ -433,8 +451,11 @@ void JointProblem::fillZeroEquations(const Jets& jets, std::size_t visitIndex,
   const double distance = jets.distance.value();
   const auto mark = roomFromZeroLine(SpacePoint<double>{0, 0, -distance}, distance, jets.zeroElevation,
                                      m_measurement.plane);
-  const auto sighted = circleDirection(jets.instrumentErrors, Jets::asTarget(mark.x, mark.y, mark.z),
-                                       pointingOf(arc, sighting));
+  Pointing pointing = pointingOf(arc, sighting);
+  std::optional<OwnPlace> own;
+  if (m_own) pointing.own = &own.emplace(m_own->placeOf(m_measurement, arc, sighting, 0));
+  const auto sighted =
+      circleDirection(jets.instrumentErrors, Jets::asTarget(mark.x, mark.y, mark.z), pointing);
   const PerElevation turn = perElevation(mark.y, mark.z, distance, jets.zeroElevation, m_measurement.plane);
   equations.residual.resize(2);
   equations.jacobian.setZero(2, slots());
@@ -443,8 +464,7 @@ void JointProblem::fillZeroEquations(const Jets& jets, std::size_t visitIndex,
     for (std::size_t t = 0; t < m_terms.size(); ++t)
       if (!isOfGuideway(m_terms[t].term))
         equations.jacobian(row, static_cast<Index>(firstTermSlot + t)) =
-            reading.derivatives()[static_cast<Index>(Jets::instrumentTermSlot) +
-                                  static_cast<Index>(m_terms[t].term)];
+            reading.derivatives()[Jets::slotOf(m_terms[t].term)];
     if (kind == ReadingKind::Horizontal)
       equations.jacobian(row, static_cast<int>(Unknown::Kind::HorizontalZero)) = -1;
     const double sigma = sigmaOf(m_measurement, sighting, kind == ReadingKind::Vertical).radians();
@@ -472,12 +492,17 @@ void JointProblem::fillEquations(const Jets& jets, const JointState& state, std:
   using InstrumentJet = typename Jets::InstrumentJet;
   const GuidewayJet phi =
       Jets::template variable<GuidewayJet>(state.arcAngles[static_cast<Index>(visitIndex)], Jets::angleSlot);
-  const SpacePoint<GuidewayJet> place =
-      roomFromZeroLine(targetAt(jets.guidewayErrors, jets.pose, jets.distance, phi, arc.axisDeg),
-                       jets.distance, jets.zeroElevation, m_measurement.plane);
+  // Of the visit, or, as the user's own effects may know, of a row.
+  std::optional<OwnPlace> own;
+  const auto placeAt = [&]() {
+    return roomFromZeroLine(
+        targetAt(jets.guidewayErrors, jets.pose, jets.distance, phi, arc.axisDeg, own ? &*own : nullptr),
+        jets.distance, jets.zeroElevation, m_measurement.plane);
+  };
+  SpacePoint<GuidewayJet> place = placeAt();
   const PerElevation turn = perElevation(place.y.value(), place.z.value(), jets.distance.value(),
                                          jets.zeroElevation, m_measurement.plane);
-  const SpacePoint<InstrumentJet> target = Jets::asTarget(place.x.value(), place.y.value(), place.z.value());
+  SpacePoint<InstrumentJet> target = Jets::asTarget(place.x.value(), place.y.value(), place.z.value());
   // A perfect instrument reads the same in both faces.
   const bool isPerfect = jets.instrumentErrors.isPerfect();
   Direction<InstrumentJet> sighted = jets.zero;
@@ -495,17 +520,29 @@ void JointProblem::fillEquations(const Jets& jets, const JointState& state, std:
   };
   for (const std::size_t i : visit.sightings) {
     const Sighting& sighting = arc.sightings[i];
-    if (!isPerfect) sighted = circleDirection(jets.instrumentErrors, target, pointingOf(arc, sighting));
+    if (m_own) {
+      own = m_own->placeOf(m_measurement, arc, sighting, phi.value());
+      place = placeAt();
+      target = Jets::asTarget(place.x.value(), place.y.value(), place.z.value());
+    }
+    Pointing pointing = pointingOf(arc, sighting);
+    pointing.own = own ? &*own : nullptr;
+    if (!isPerfect || own) sighted = circleDirection(jets.instrumentErrors, target, pointing);
     fillRow<Jets>(equations.jacobian.row(row), sighted.a, jets.zero.e, turn, place, m_terms);
     takeOffZero<Jets>(equations.jacobian.row(row), jets.zero.a, m_terms);
+    const OwnSlopes slopes = own ? ownSlopes(jets, *own, sighted) : OwnSlopes();
+    equations.jacobian(row, phiSlot) += slopes.a;
     weigh(sighting.a.radians() - (sighted.a.value() - jets.zero.a.value() - jets.horizontalZero),
           m_measurement.sigmaHorizontal.radians(), takesPart(arcIndex, i, ReadingKind::Horizontal));
     fillRow<Jets>(equations.jacobian.row(row), sighted.e, jets.zero.e, turn, place, m_terms);
+    equations.jacobian(row, phiSlot) += slopes.e;
     weigh(sighting.e.radians() + arc.zeroElevation.radians() - sighted.e.value(),
           m_measurement.sigmaVertical.radians(), takesPart(arcIndex, i, ReadingKind::Vertical));
   }
   if (slider) {
-    const GuidewayJet s = observeSlider(jets.guidewayErrors, jets.pose, phi, arc.axisDeg);
+    if (m_own) own = m_own->placeOf(m_measurement, arc, *slider, phi.value());
+    const GuidewayJet s = observeSlider(jets.guidewayErrors, jets.pose, phi, arc.axisDeg,
+                                        jets.distance.value(), own ? &*own : nullptr);
     fillSliderRow<Jets>(equations.jacobian.row(row), s, m_terms);
     weigh(wrapped(*slider->slider - Angle::fromRadians(s.value())).radians(),
           m_measurement.sigmaSlider.radians(),

@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 #include <array>
 #include <functional>
+#include <memory>
 #include <vector>
 
 #include "core/adjustment/joint/joint_fit.h"
@@ -137,6 +138,7 @@ class JointProblem {
 
   const Measurement& m_measurement;
   std::vector<EstimatedTerm> m_terms;
+  std::unique_ptr<OwnModel> m_own;  ///< null unless a term is of the user's own effects
   std::optional<std::size_t> m_jumpBefore, m_jumpEnd;
   bool m_isClosed;
   std::vector<std::size_t> m_firsts;

@@ -18,9 +18,11 @@ using Eigen::Index;
 constexpr double asGoodAsZero = 1e-100;
 
 /// Options with the terms of the fit at its solution, the others at zero.
-JointFitOptions withTerms(JointFitOptions options, const std::vector<ErrorTerm>& terms) {
+JointFitOptions withTerms(JointFitOptions options, const std::vector<ErrorTerm>& terms,
+                          const Measurement& measurement) {
   for (const ErrorTerm term : terms)
-    if (std::ranges::find(options.terms, term, &EstimatedTerm::term) == options.terms.end())
+    if ((!isOwn(term) || (measurement.own && measurement.own->has(term))) &&
+        std::ranges::find(options.terms, term, &EstimatedTerm::term) == options.terms.end())
       options.terms.push_back({term, std::numeric_limits<double>::infinity()});
   if (!options.jumpBefore) {
     options.jumpBefore = 0;
@@ -164,7 +166,7 @@ const std::vector<ErrorTerm>& everyTerm() {
 
 Linearised linearise(const Measurement& measurement, const JointFit& fit, const JointFitOptions& options,
                      const std::vector<ErrorTerm>& terms) {
-  const JointFitOptions extended = withTerms(options, terms);
+  const JointFitOptions extended = withTerms(options, terms, measurement);
   const JointProblem problem(measurement, extended);
   const JointState state = problem.stateOf(fit);
   if (problem.visits().empty()) return withoutReadings(problem, state);
@@ -178,7 +180,7 @@ void linearise(const Measurement& measurement, const std::vector<Circle>& circle
                const JointFitOptions& options, const std::vector<ErrorTerm>& terms,
                const std::function<void(const Linearised& piece)>& take) {
   constexpr std::size_t pieceLength = 50'000;  // visits: some ten megabytes
-  const JointFitOptions extended = withTerms(options, terms);
+  const JointFitOptions extended = withTerms(options, terms, measurement);
   const JointProblem problem(measurement, extended);
   linearise(measurement, problem, problem.start(circles), extended.terms, pieceLength, take);
 }

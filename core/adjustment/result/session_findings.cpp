@@ -105,9 +105,10 @@ std::vector<FitFinding> missingPositions(const Measurement& measurement) {
 std::vector<FitFinding> modelFindings(const Measurement& measurement) {
   std::vector<FitFinding> findings;
   for (const std::string& id : measurement.effects)
-    if (!effectById(id)) findings.push_back({Severity::Warning, fieldOf("model.effects"), UnknownEffect{id}});
+    if (!effectById(id, measurement))
+      findings.push_back({Severity::Warning, fieldOf("model.effects"), UnknownEffect{id}});
   for (const KnownNumber& known : measurement.known)
-    if (!parameterMeant(known))
+    if (!parameterMeant(measurement, known))
       findings.push_back(
           {Severity::Warning, known.where, KnownOfNothing{known.effect, known.parameter, known.unit}});
   judgeCompensator(findings, measurement);

@@ -20,11 +20,11 @@ FitFinding missing(const ArcMeasurement& arc, const ArcFault& why) {
           session_finding::ArcMissing{arc.axisDeg, why, arc.time}};
 }
 
-/// The effects that are in the catalogue, each once.
-std::vector<const Effect*> knownEffects(const std::vector<std::string>& ids) {
+/// The effects of the model that there are, each once.
+std::vector<const Effect*> knownEffects(const Measurement& measurement) {
   std::vector<const Effect*> effects;
-  for (const std::string& id : ids) {
-    const Effect* effect = effectById(id);
+  for (const std::string& id : measurement.effects) {
+    const Effect* effect = effectById(id, measurement);
     if (effect && std::ranges::find(effects, effect) == effects.end()) effects.push_back(effect);
   }
   return effects;
@@ -96,7 +96,7 @@ std::vector<Result<ArcFit, ArcFault>> firstFits(const Measurement& measurement) 
 bool adjust(SessionFit& fit, const Measurement& fitted) {
   std::vector<Circle> starts;
   for (const ArcFit& arc : fit.arcs) starts.push_back(arc.circle);
-  const std::vector<const Effect*> effects = knownEffects(fitted.effects);
+  const std::vector<const Effect*> effects = knownEffects(fitted);
   fit.joint = fitJointly(fitted, starts, {.terms = termsOf(effects)});
   if (!fit.joint.isDetermined()) return false;
   fit.noise = noiseScale(fit.joint);
@@ -153,7 +153,7 @@ SessionFit fitSession(const Measurement& measurement) {
   fit.lengthsInDoubt = doubtfulLengths(measurement, fit.arcs);  // while every radius is free
   if (!fit.arcs.empty() && !adjust(fit, fitted())) {
     fit.findings.push_back(
-        {Severity::Error, {}, session_finding::Undetermined{!knownEffects(measurement.effects).empty()}});
+        {Severity::Error, {}, session_finding::Undetermined{!knownEffects(measurement).empty()}});
     fit.arcs.clear();
     fit.joint = {};
     part.reset();
@@ -172,7 +172,7 @@ Measurement fittedPart(const Measurement& measurement, const SessionFit& fit) {
 }
 
 std::vector<EstimatedTerm> estimatedTerms(const Measurement& measurement) {
-  return termsOf(knownEffects(measurement.effects));
+  return termsOf(knownEffects(measurement));
 }
 
 namespace {

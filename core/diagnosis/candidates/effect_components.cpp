@@ -115,10 +115,12 @@ void addComponents(const Leftover& leftover, std::span<const Effect* const> effe
 }  // namespace
 
 std::vector<EffectComponent> effectComponents(const Leftover& leftover,
-                                              const std::vector<std::string>& leftOut) {
-  std::vector<const Effect*> effects;
-  for (const Effect& effect : effectCatalogue())
-    if (effect.isSought && std::ranges::find(leftOut, effect.id) == leftOut.end()) effects.push_back(&effect);
+                                              const std::vector<std::string>& leftOut,
+                                              const Measurement& measurement) {
+  std::vector<const Effect*> effects = effectsOf(measurement);
+  std::erase_if(effects, [&](const Effect* effect) {
+    return !effect->isSought || std::ranges::find(leftOut, effect->id) != leftOut.end();
+  });
   std::vector<EffectComponent> components;
   constexpr Index mostNumbers = 4'000'000;  // numbers at a time: all columns of a large session would fill
                                             // the memory
@@ -158,7 +160,7 @@ void markKnown(EffectComponent& component, const GapModel& model) {
 
 std::vector<EffectComponent> effectsBeyond(const GapModel& model, const Leftover& leftover,
                                            const std::vector<std::string>& leftOut) {
-  std::vector<EffectComponent> components = effectComponents(leftover, leftOut);
+  std::vector<EffectComponent> components = effectComponents(leftover, leftOut, *model.measurement);
   for (EffectComponent& component : components) {
     if (component.effect().response == Response::Bent)
       component.bend(leftover, leftover.visible(secondDerivatives(model, leftover, component.effect())));

@@ -54,9 +54,10 @@ const std::vector<Width>& effectWidths();
 
 /// Returns the effects of the catalogue except those in `leftOut`, all linear.
 std::vector<EffectComponent> effectComponents(const Leftover& leftover,
-                                              const std::vector<std::string>& leftOut);
-/// Returns the effects of the catalogue except those in `leftOut`, with the second derivatives of bent ones.
-/// Effects whose size is known and in the model are marked as known. `leftover` is that of the model.
+                                              const std::vector<std::string>& leftOut,
+                                              const Measurement& measurement = {});
+/// The same, what bends with its second derivatives, what is known
+/// marked so where it is in the model. `leftover` is that of the model.
 std::vector<EffectComponent> effectsBeyond(const GapModel& model, const Leftover& leftover,
                                            const std::vector<std::string>& leftOut);
 

@@ -33,7 +33,8 @@ std::vector<EstimatedTerm> effectsBeyond(const GapModel& base) {
 std::vector<EstimatedTerm> settledTerms(const GapModel& at) {
   std::vector<EstimatedTerm> terms;
   for (const EstimatedTerm& term : at.options.terms)
-    if (const Effect* effect = effectOf(term.term); effect && effect->response == Response::AllOrNothing)
+    if (const Effect* effect = effectOf(term.term, *at.measurement);
+        effect && effect->response == Response::AllOrNothing)
       terms.push_back(term);
   return terms;
 }
@@ -110,7 +111,8 @@ void Accounts::alsoAt(const GapModel& at, const Explanation& explanation, const 
 }
 
 void Accounts::addEffects() {
-  for (const EstimatedTerm& term : m_terms) m_effects.push_back(effectOf(term.term));
+  for (const EstimatedTerm& term : m_terms)
+    m_effects.push_back(effectOf(term.term, *m_inquiry.base.measurement));
   m_gram = isLarge(*m_inquiry.base.measurement) ? gramOfMany() : gramOfColumns();
   m_right = productsOfEffects(leftover().residual());
   m_influence = productsOfEffects(m_perReading);
@@ -187,10 +189,11 @@ std::optional<Accounts::System> Accounts::systemOf(const Explanation& explanatio
       continue;
     }
     const double width = component.widthOfFit(part.width, part.weights);
-    const Effect* const effect = component.isEffect() ? effectById(component.id()) : nullptr;
+    const Effect* const effect =
+        component.isEffect() ? effectById(component.id(), *m_inquiry.base.measurement) : nullptr;
     bool isOfEffects = false;
     for (Index i = 0; i < effects; ++i)
-      if (effect && effectOf(m_terms[static_cast<std::size_t>(i)].term) == effect) {
+      if (effect && m_effects[static_cast<std::size_t>(i)] == effect) {
         system.leastWidths[i] = width;
         isOfEffects = true;
       }

@@ -27,20 +27,20 @@ void fillSeen(KnownCheck& check, const EstimatedTerm& term, const JointFit& fit,
 std::vector<KnownCheck> knownChecks(const Inquiry& inquiry, const Answer& answer) {
   const GapModel& after = answer.after;
   std::vector<KnownCheck> checks;
-  for (const Effect& effect : effectCatalogue())
-    for (const EffectParameter& parameter : effect.parameters) {
+  for (const Effect* effect : effectsOf(*after.measurement))
+    for (const EffectParameter& parameter : effect->parameters) {
       const std::optional<KnownPrior> known = knownOf(*after.measurement, parameter);
       const auto term = std::ranges::find(after.options.terms, parameter.term, &EstimatedTerm::term);
       if (!known || term == after.options.terms.end()) continue;
       const double unit = modelUnitsPer(parameter.unit);
-      KnownCheck check{.effect = std::string(effect.id),
+      KnownCheck check{.effect = std::string(effect->id),
                        .name = std::string(parameter.name),
                        .unit = std::string(parameter.unit),
                        .known = known->value / unit,
                        .sigmaKnown = known->sigma / unit,
                        .from = known->from,
                        .date = known->date,
-                       .staleChance = inquiry.probabilityOf(effect.id)};
+                       .staleChance = inquiry.probabilityOf(effect->id)};
       fillSeen(check, *term, *after.fit, unit);
       checks.push_back(std::move(check));
     }

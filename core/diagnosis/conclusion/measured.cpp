@@ -189,7 +189,9 @@ class Measured {
     double ofTerms = 0;
     for (std::size_t i = 0; i < with->ofEffects.size(); ++i) {
       const EstimatedTerm& term = m_accounts.effects()[i];
-      account.terms[term.term] = {term.priorSigma * m_scales.of(*effectOf(term.term)), with->ofEffects[i]};
+      account.terms[term.term] = {
+          term.priorSigma * m_scales.of(*effectOf(term.term, *m_inquiry.base.measurement)),
+          with->ofEffects[i]};
       ofTerms += with->ofEffects[i];
     }
     estimate.value += with->value - without->value;
@@ -252,7 +254,8 @@ class Measured {
       part.weights = Eigen::VectorXd::Zero(component.weights());
       const auto evidence = m_accounts.logEvidenceOf(m_whole, part);
       if (!evidence) continue;
-      const double chance = staleChanceOf(*m_inquiry.base.measurement, *effectById(component.id()));
+      const double chance = staleChanceOf(*m_inquiry.base.measurement,
+                                          *effectById(component.id(), *m_inquiry.base.measurement));
       Explanation stale = m_whole;
       stale.parts.insert(stale.parts.begin(), part);
       stale.logPosteriorOdds += *evidence + std::log(chance / (1 - chance));

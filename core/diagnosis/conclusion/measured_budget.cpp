@@ -19,15 +19,15 @@ namespace {
 std::vector<UncertaintyShare> sharesOfEffects(const FittedAccount& account, const Measurement& measurement) {
   constexpr double rounding = 1e-9;
   std::vector<UncertaintyShare> shares;
-  for (const Effect& effect : effectCatalogue()) {
-    UncertaintyShare share{.effect = std::string(effect.id), .from = UncertaintyShare::From::Default};
+  for (const Effect* effect : effectsOf(measurement)) {
+    UncertaintyShare share{.effect = std::string(effect->id), .from = UncertaintyShare::From::Default};
     double variance = 0;
-    for (const EffectParameter& parameter : effect.parameters) {
+    for (const EffectParameter& parameter : effect->parameters) {
       const auto term = account.terms.find(parameter.term);
       if (term == account.terms.end()) continue;
       const auto& [priorSigma, ofTerm] = term->second;
       const std::optional<KnownPrior> known = knownOf(measurement, parameter);
-      const double usual = known ? known->sigma : plausibleSize(parameter) * account.scales.of(effect);
+      const double usual = known ? known->sigma : plausibleSize(parameter) * account.scales.of(*effect);
       if (priorSigma > usual * (1 + rounding)) {
         share.from = UncertaintyShare::From::Diagnosis;
       } else if (known) {
@@ -43,7 +43,7 @@ std::vector<UncertaintyShare> sharesOfEffects(const FittedAccount& account, cons
   }
   double ofJump = 0;
   for (const auto& [term, share] : account.terms)
-    if (!effectOf(term)) ofJump += share.variance;
+    if (isOfJump(term)) ofJump += share.variance;
   if (ofJump > 0)
     shares.push_back({.effect = std::string(jumpId),
                       .from = UncertaintyShare::From::Diagnosis,

@@ -36,10 +36,10 @@ double excludedBy(const Component& component, const VectorXd& products, const Ve
   return std::sqrt(std::max(gained(best) - gained(weights), 0.0)) / noise;
 }
 
-Required requiredOf(const Component& component, const VectorXd& weights) {
+Required requiredOf(const Component& component, const VectorXd& weights, const Measurement& measurement) {
   Required required;
   required.effect = component.id();
-  const Effect* effect = effectById(component.id());
+  const Effect* effect = effectById(component.id(), measurement);
   required.unit = effect ? effect->parameters.front().unit : "arcsec";
   const double unit = effect ? effect->parameters.front().plausible : plausibleJump / modelUnitsPer("arcsec");
   required.plausibleSizes = weights.norm();
@@ -69,7 +69,7 @@ std::vector<Required> whatItWouldTake(const Inquiry& inquiry) {
     const VectorXd weights = leastThatMoves(component, influence, move);
     const VectorXd products = component.products(residual).head(weights.size());
     if (excludedBy(component, products, weights, noise) > clearlyDifferent) continue;
-    Required required = requiredOf(component, weights);
+    Required required = requiredOf(component, weights, measurement);
     required.visibleSigma = component.signatureLength(weights);
     const auto same = std::ranges::find(list, required.effect, &Required::effect);
     if (same == list.end())

@@ -27,7 +27,7 @@ Leftover leftoverOf(const GapModel& model) {
 GapModel withEffects(const GapModel& plain, const EffectScales& scales, const DiagnosisOptions& options) {
   GapModel full = withEveryEffect(plain, scales);
   const auto isLeftOut = [&](const EstimatedTerm& term) {
-    const Effect* const effect = effectOf(term.term);
+    const Effect* const effect = effectOf(term.term, *plain.measurement);
     return effect && std::ranges::find(options.without, effect->id) != options.without.end();
   };
   if (std::erase_if(full.options.terms, isLeftOut) > 0) full.refit();

@@ -35,9 +35,9 @@ std::vector<EstimatedTerm> everyEffect(const Measurement& measurement) {
   const bool hasSlider = std::ranges::any_of(measurement.arcs, hasSliderReadings);
   const std::optional<Prior> tilt = tiltInDoubt(measurement);
   std::vector<EstimatedTerm> terms;
-  for (const Effect& effect : effectCatalogue()) {
-    if (!hasSizes(effect)) continue;
-    for (const EffectParameter& parameter : effect.parameters) {
+  for (const Effect* effect : effectsOf(measurement)) {
+    if (!hasSizes(*effect)) continue;
+    for (const EffectParameter& parameter : effect->parameters) {
       if (!hasSlider && isOfSlider(parameter.term)) continue;
       const std::optional<KnownPrior> known = knownOf(measurement, parameter);
       if (known)
@@ -56,7 +56,7 @@ std::vector<EstimatedTerm> knownTerms(const Measurement& measurement) {
   std::vector<EstimatedTerm> terms = everyEffect(measurement);
   const std::optional<Prior> tilt = tiltInDoubt(measurement);
   std::erase_if(terms, [&](const EstimatedTerm& term) {
-    const auto& parameters = effectOf(term.term)->parameters;
+    const auto& parameters = effectOf(term.term, measurement)->parameters;
     return !knownOf(measurement, *std::ranges::find(parameters, term.term, &EffectParameter::term)) &&
            !(tilt && term.term == ErrorTerm::PlaneTiltX);
   });
@@ -116,11 +116,11 @@ GapModel withEveryEffect(GapModel model, const EffectScales& scales) {
   const std::vector<EstimatedTerm> known = knownTerms(*model.measurement);
   for (EstimatedTerm term : everyEffect(*model.measurement)) {
     if (std::ranges::find(known, term.term, &EstimatedTerm::term) == known.end())
-      term.priorSigma *= scales.of(*effectOf(term.term));
+      term.priorSigma *= scales.of(*effectOf(term.term, *model.measurement));
     const auto there = std::ranges::find(model.options.terms, term.term, &EstimatedTerm::term);
     if (there == model.options.terms.end())
       model.options.terms.push_back(term);
-    else if (std::ranges::find(own, effectOf(term.term)->id) == own.end())
+    else if (std::ranges::find(own, effectOf(term.term, *model.measurement)->id) == own.end())
       there->priorSigma = std::max(there->priorSigma, term.priorSigma);
   }
   model.refit();

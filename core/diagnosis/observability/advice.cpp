@@ -95,10 +95,10 @@ class Distances {
 
 /// Returns the columns of a suspect within `terms`, scaled to plausible sizes. `moments` are those of the
 /// jumps that follow the terms. Absent if the suspect is not among them.
-std::optional<MatrixXd> columnsOf(const PossibleCause& suspect, const VisibleTerms& terms,
-                                  const std::vector<JumpMoment>& moments) {
+std::optional<MatrixXd> columnsOf(const PossibleCause& suspect, const Effect* effect,
+                                  const VisibleTerms& terms, const std::vector<JumpMoment>& moments) {
   const Index size = terms.gram.rows();
-  if (const Effect* effect = effectById(suspect.id)) {
+  if (effect) {
     const MatrixXd ofTerms = combinationOf(*effect);
     MatrixXd columns = MatrixXd::Zero(size, ofTerms.cols());
     columns.topRows(ofTerms.rows()) = ofTerms;
@@ -113,11 +113,12 @@ std::optional<MatrixXd> columnsOf(const PossibleCause& suspect, const VisibleTer
 }
 
 /// Returns the distance of two suspects in further readings, from the visible terms and jumps.
-double apartBy(const VisibleTerms& terms, const std::vector<JumpMoment>& moments, const PossibleCause& one,
-               const PossibleCause& other) {
-  const auto first = columnsOf(one, terms, moments), second = columnsOf(other, terms, moments);
+double apartBy(const VisibleTerms& terms, const std::vector<JumpMoment>& moments,
+               const Measurement& measurement, const PossibleCause& one, const PossibleCause& other) {
+  const Effect* effect = effectById(other.id, measurement);
+  const auto first = columnsOf(one, effectById(one.id, measurement), terms, moments),
+             second = columnsOf(other, effect, terms, moments);
   if (!first || !second) return 0;
-  const Effect* effect = effectById(other.id);
   return linearDifferenceFrom(terms, *first * one.weights, *second,
                               effect ? effect->response : Response::Linear);
 }
@@ -134,7 +135,7 @@ Eigen::Vector2d sigmasOfTwoSightings(const Measurement& measurement) {
 VectorXd atTheZeros(const Measurement& measurement, const PossibleCause& suspect) {
   VectorXd left = VectorXd::Zero(2 * std::ssize(measurement.arcs));
   const Eigen::Vector2d sigmas = sigmasOfTwoSightings(measurement);
-  const Effect* effect = effectById(suspect.id);
+  const Effect* effect = effectById(suspect.id, measurement);
   for (std::size_t arc = 0; arc < measurement.arcs.size(); ++arc) {
     Eigen::Vector2d moved = Eigen::Vector2d::Zero();
     if (suspect.arc == arc) moved = suspect.weights * plausibleJump;
@@ -168,7 +169,7 @@ Advice bySightingZeros(const Measurement& measurement, const std::vector<Possibl
 double atTheDistances(const Measurement& measurement, const PossibleCause& suspect) {
   constexpr double usualSigma = 1;  // mm
   const double sigma = measurement.sigmaDistance > 0 ? measurement.sigmaDistance : usualSigma;
-  const Effect* effect = effectById(suspect.id);
+  const Effect* effect = effectById(suspect.id, measurement);
   if (!effect || effect->parameters.front().term != ErrorTerm::PlaneOffset) return 0;
   return 2 * suspect.weights[0] * plausibleSize(effect->parameters.front()) / (sigma * std::numbers::sqrt2);
 }
@@ -240,10 +241,10 @@ void keepUsefulCombinations(std::vector<Advice>& list) {
 }
 
 std::optional<Advice> revealing(const std::vector<Detectability>& undetectable, std::vector<Measure> measures,
-                                const VisibleTerms& terms) {
+                                const VisibleTerms& terms, const Measurement& measurement) {
   Advice advice{.measures = std::move(measures), .ofUndetectable = true};
   for (const Detectability& detectability : undetectable) {
-    const Effect* effect = effectById(detectability.effect);
+    const Effect* effect = effectById(detectability.effect, measurement);
     if (!effect) continue;
     const double visible = lengthOf(terms, combinationOf(*effect) * detectability.weights);
     if (visible < clearlyDifferent) continue;
@@ -281,10 +282,10 @@ std::optional<Advice> revealingJump(const Inquiry& inquiry, const std::vector<De
 
 /// Returns the effects of the catalogue whose identifiers are in the list.
 template <typename List, typename Id>
-std::vector<const Effect*> effectsIn(const List& list, const Id& id) {
+std::vector<const Effect*> effectsIn(const List& list, const Id& id, const Measurement& measurement) {
   std::vector<const Effect*> effects;
   for (const auto& entry : list)
-    if (const Effect* effect = effectById(std::invoke(id, entry))) effects.push_back(effect);
+    if (const Effect* effect = effectById(std::invoke(id, entry), measurement)) effects.push_back(effect);
   return effects;
 }
 
@@ -297,12 +298,12 @@ std::vector<Advice> separating(const Inquiry& inquiry, const std::vector<Possibl
   std::vector<JumpMoment> moments;
   for (const PossibleCause& suspect : suspects)
     if (suspect.moment) moments.push_back(*suspect.moment);
-  FurtherTerms further(inquiry.base, inquiry.leftover.equations(), effectsIn(suspects, &PossibleCause::id),
-                       moments);
+  FurtherTerms further(inquiry.base, inquiry.leftover.equations(),
+                       effectsIn(suspects, &PossibleCause::id, *inquiry.base.measurement), moments);
   const auto tryOut = [&](const FurtherReadings& plan) {
     const VisibleTerms terms = further.shownBy(plan);
     const Distances distances(suspects, [&](const PossibleCause& one, const PossibleCause& other) {
-      return apartBy(terms, moments, one, other);
+      return apartBy(terms, moments, *inquiry.base.measurement, one, other);
     });
     offer(distances.largestApart(plan.measures));
   };
@@ -318,12 +319,14 @@ std::vector<Advice> separating(const Inquiry& inquiry, const std::vector<Possibl
 
 /// Returns advice on readings that reveal undetectable effects, the most effective first.
 std::vector<Advice> revealing(const Inquiry& inquiry, const std::vector<Detectability>& undetectable) {
-  const std::vector<const Effect*> effects = effectsIn(undetectable, &Detectability::effect);
+  const std::vector<const Effect*> effects =
+      effectsIn(undetectable, &Detectability::effect, *inquiry.base.measurement);
   std::vector<Advice> list;
   if (effects.empty()) return list;
   FurtherTerms further(inquiry.base, inquiry.leftover.equations(), effects);
   eachFurtherReadings(inquiry.base, [&](const FurtherReadings& plan) {
-    if (const auto advice = revealing(undetectable, plan.measures, further.shownBy(plan)))
+    if (const auto advice =
+            revealing(undetectable, plan.measures, further.shownBy(plan), *inquiry.base.measurement))
       list.push_back(*advice);
   });
   std::ranges::sort(list, [](const Advice& a, const Advice& b) {

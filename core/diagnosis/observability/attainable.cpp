@@ -30,7 +30,7 @@ GapModel plannedModel(const GapModel& model, const Measurement& set, double nois
   for (const ArcMeasurement& arc : set.arcs)
     planned.starts.push_back(model.fit->circleOf(arcAt(*model.measurement, arc.axisDeg).value()));
   for (EstimatedTerm term : model.options.terms) {
-    if (!effectOf(term.term)) continue;
+    if (isOfJump(term.term)) continue;
     term.start = term.priorValue = 0;
     planned.options.terms.push_back(term);
   }
@@ -49,7 +49,8 @@ double varianceUpTo(const GapModel& planned, const Effect& effect) {
       intersectionWeights(fit, *arcAt(*planned.measurement, 0), *arcAt(*planned.measurement, 180));
   std::vector<std::size_t> own;
   for (std::size_t i = 0; i < fit.unknowns.size(); ++i)
-    if (fit.unknowns[i].kind == Unknown::Kind::Error && effectOf(fit.unknowns[i].term) == &effect)
+    if (fit.unknowns[i].kind == Unknown::Kind::Error &&
+        effectOf(fit.unknowns[i].term, *planned.measurement) == &effect)
       own.push_back(i);
   if (own.empty()) return 0;
   const auto count = static_cast<Eigen::Index>(own.size());
@@ -67,11 +68,11 @@ double varianceUpTo(const GapModel& planned, const Effect& effect) {
 /// Returns the attainable U for each effect whose certificate would be worth the effort.
 std::vector<AttainableUncertainty> withKnownEffects(const GapModel& planned, const Intersection& found) {
   std::vector<AttainableUncertainty> list;
-  for (const Effect& effect : effectCatalogue()) {
-    const double left = 1 - varianceUpTo(planned, effect) / square(found.sigma);
+  for (const Effect* effect : effectsOf(*planned.measurement)) {
+    const double left = 1 - varianceUpTo(planned, *effect) / square(found.sigma);
     const double expanded = found.expanded * std::sqrt(std::max(left, 0.0));
     if (expanded <= worthIt * found.expanded)
-      list.push_back({.measures = {}, .known = std::string(effect.id), .expanded = expanded});
+      list.push_back({.measures = {}, .known = std::string(effect->id), .expanded = expanded});
   }
   return list;
 }

@@ -45,7 +45,7 @@ Candidates candidatesFor(const GapModel& base, const Leftover& leftover, const D
                          const PriorOdds& odds) {
   std::vector<std::string> leftOut = options.without;
   for (const std::string& id : base.measurement->effects) {
-    const Effect* effect = effectById(id);
+    const Effect* effect = effectById(id, *base.measurement);
     if (!effect || !knownOf(*base.measurement, *effect)) leftOut.push_back(id);
   }
   Candidates candidates;
@@ -128,8 +128,8 @@ std::optional<Explanation> largeCauses(const Inquiry& inquiry) {
 /// the residuals.
 Linearised around(const GapModel& base, const GapModel& withCauses) {
   // A jump is independent of the point of linearisation, and a bent effect has its second derivatives.
-  const auto staysOut = [](ErrorTerm term) {
-    const Effect* effect = effectOf(term);
+  const auto staysOut = [&](ErrorTerm term) {
+    const Effect* effect = effectOf(term, *base.measurement);
     return isOfJump(term) || (effect && effect->response == Response::Bent);
   };
   const auto at = [](ErrorTerm term) {

@@ -10,6 +10,7 @@
 
 #include "core/base/phrase.h"
 #include "core/effects/catalogue.h"
+#include "core/session/own_effects.h"
 #include "ui/commands/change_effects.h"
 #include "ui/document/session_document.h"
 #include "ui/settings/theme.h"
@@ -105,12 +106,15 @@ QTreeWidgetItem* EffectsPanel::addItem(const std::string& id, const QString& nam
   return item;
 }
 
-/// Effects unknown to the catalogue follow it; unticking removes them.
+/// The user's own effects follow the catalogue, then what nobody knows; unticking removes the latter.
 void EffectsPanel::addUnknown() {
   const auto known = static_cast<int>(effectCatalogue().size());
   while (m_list->topLevelItemCount() > known) delete m_list->takeTopLevelItem(known);
+  const auto& own = m_document.session().ownEffects;
+  for (const OwnEffect& effect : own)
+    addItem(ownId(effect), capitalised(effectName(ownId(effect))))->setToolTip(0, qText(effect.description));
   for (const std::string& id : m_document.session().model.effects) {
-    if (effectById(id)) continue;
+    if (effectById(id) || std::ranges::find(own, id, ownId) != own.end()) continue;
     QTreeWidgetItem* item = addItem(id, shortLine(id, longestId));
     item->setIcon(0, themeIcon(QStringLiteral("problem")));
     item->setToolTip(0, tr("“%1” is no effect of the catalogue; it is kept, but not estimated.")
@@ -142,6 +146,9 @@ void EffectsPanel::handIn(QTreeWidgetItem* item) {
 void EffectsPanel::setEvaluation(const Evaluation& evaluation) {
   const QSignalBlocker quiet(m_list);
   const auto& estimates = evaluation.fit.effects;
+  const auto isOne = [&](const std::string& id) {
+    return std::ranges::count(estimates, id, &EffectEstimate::effect) == 1;
+  };
   for (int i = 0; i < m_list->topLevelItemCount(); ++i) {
     QTreeWidgetItem* item = m_list->topLevelItem(i);
     qDeleteAll(item->takeChildren());
@@ -149,7 +156,7 @@ void EffectsPanel::setEvaluation(const Evaluation& evaluation) {
     const std::string id = idOf(*item);
     for (const EffectEstimate& estimate : estimates) {
       if (estimate.effect != id) continue;
-      if (effectById(id)->parameters.size() == 1) {
+      if (isOne(id)) {
         item->setText(1, sizeText(estimate));
       } else {
         auto* child = new QTreeWidgetItem(item, {qText(parameterName(estimate.name)), sizeText(estimate)});

@@ -112,7 +112,7 @@ TEST(SessionFit, EstimatesTheWholeCatalogueAtOnce) {
   measurement.effects.emplace_back("collimation");  // named twice, estimated once
   const SessionFit fit = fitSession(measurement);
   EXPECT_EQ(fit.effects.size(),
-            errorTermCount - 2);  // the jump's two belong to no effect
+            firstOwnTerm - 2);  // the jump's two belong to no effect
   EXPECT_TRUE(fit.joint.converged());
   EXPECT_EQ(fit.joint.degreesOfFreedom, alone);
   ASSERT_TRUE(fit.intersection);

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/base/problem.h"
+#include "core/base/result.h"
+#include "core/session/measurement.h"
+
+namespace CLI {
+class App;
+}
+
+namespace alidade::console {
+
+/// Adds `[--effects FILE|FOLDER]…`, which fills in `paths`.
+void addEffectsOption(CLI::App& command, std::vector<std::string>& paths);
+
+/// The effects of the user's own in files, and in the `*.alidade-effect` files of folders by name.
+Result<std::vector<OwnEffect>> ownEffectsIn(const std::vector<std::string>& paths);
+
+/// Takes up those that have no owner, or whose owner is the session's device or instrument.
+std::optional<Problem> addOwnEffects(Session& session, const std::vector<std::string>& paths);
+
+/// What the user should know of the session's own effects, on stderr under the session's name.
+void tellOwnEffects(const std::string& name, const Measurement& measurement);
+
+}  // namespace alidade::console

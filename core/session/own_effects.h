@@ -1,0 +1,56 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/base/problem.h"
+#include "core/session/own_effect.h"
+#include "core/terms/effect.h"
+#include "core/terms/formula.h"
+
+namespace alidade {
+
+/// Before the id of an effect of the user's own, wherever effects are named: no effect of the catalogue has
+/// it.
+inline constexpr std::string_view ownPrefix = "own:";
+/// The id in results: "own:dent".
+std::string ownId(const OwnEffect& effect);
+
+/// An effect of the user's own that is sound, with its terms.
+struct OwnEntry {
+  OwnEffect source;
+  std::string id;  ///< with `ownPrefix`
+  Formula formula;
+  std::vector<ErrorTerm> terms = {};  ///< of each amplitude of the formula
+  Effect effect = {};                 ///< its texts are those of `source`
+};
+
+/// The sound effects of a session, which share out the own terms. Its entries never move, so that their
+/// `Effect` may be pointed to; measurements share it.
+class OwnEffects {
+ public:
+  /// `entries`: with their terms. `effect` is filled in.
+  explicit OwnEffects(std::vector<OwnEntry> entries);
+  OwnEffects(const OwnEffects&) = delete;
+  OwnEffects& operator=(const OwnEffects&) = delete;
+
+  const std::vector<OwnEntry>& entries() const { return m_entries; }
+  const Effect* find(std::string_view id) const;
+  const Effect* find(ErrorTerm term) const;
+  bool has(ErrorTerm term) const { return find(term) != nullptr; }
+
+ private:
+  std::vector<OwnEntry> m_entries;
+};
+
+/// The first reason why an effect cannot be used; absent if it is sound. `where` names the key.
+std::optional<Problem> ownEffectProblem(const OwnEffect& effect);
+
+/// The sound ones of a list, null if there is none; a problem for each of the others.
+std::shared_ptr<const OwnEffects> examineOwnEffects(const std::vector<OwnEffect>& effects,
+                                                    std::vector<Problem>& problems);
+
+}  // namespace alidade

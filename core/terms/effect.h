@@ -1,0 +1,49 @@
+#pragma once
+
+#include <string_view>
+#include <vector>
+
+#include "core/terms/error_term.h"
+
+namespace alidade {
+
+/// One parameter of an effect.
+struct EffectParameter {
+  std::string_view name;  ///< "tilt about x": in files; `parameterName` is for people
+  ErrorTerm term;
+  std::string_view unit;  ///< "arcsec", "deg", "mm", "1" or "-"
+  double plausible;       ///< 1σ, in that unit
+};
+
+/// The source of an error. Sighting the same guideway in two positions separates its errors from those of the
+/// instrument.
+enum class ErrorSource {
+  Guideway,    ///< its form, its place, the slider's scale
+  Instrument,  ///< its axes, circles and line of sight
+  Time,        ///< it develops during the session
+  Reading,     ///< a single reading is wrong; has no effect in the catalogue
+};
+
+/// How the readings depend on the parameters of an effect.
+enum class Response {
+  Linear,        ///< in proportion, to sufficient accuracy
+  Bent,          ///< second derivatives matter; of two parameters, both the guideway's
+  AllOrNothing,  ///< its one parameter is 1, or it is absent
+};
+
+/// A physical effect of the catalogue: related error terms of the forward model.
+struct Effect {
+  std::string_view id;  ///< part of the file format
+  // Texts for `Phrase::of`.
+  const char* name;         ///< "plane tilt"
+  const char* description;  ///< description, as a phrase
+  const char* remedy;       ///< remedy at the machine, as a phrase
+  ErrorSource source;
+  Response response;
+  std::vector<EffectParameter> parameters;
+  /// Does the diagnosis consider it as a cause of a gap? Effects indistinguishable in any readings enter only
+  /// the uncertainty.
+  bool isSought = true;
+};
+
+}  // namespace alidade

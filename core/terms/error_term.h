@@ -1,0 +1,81 @@
+#pragma once
+
+#include <cstddef>
+
+namespace alidade {
+
+/// The errors of instrument and guideway: parameters of the forward model that are zero for perfect ones.
+/// Angles in radians, lengths in mm. `s` is the slider coordinate, α and β are circle readings of face 1.
+enum class ErrorTerm : std::size_t {
+  VerticalAngleRelation,  ///< 0: the session's own relation between y and e; 1: the other one (exact ↔
+                          ///< planar)
+  Collimation,        ///< c: line of sight against the perpendicular of the trunnion axis; δα = ±c/cos e
+  TrunnionTilt,       ///< i: trunnion axis against the perpendicular of the vertical axis; δα = ±i tan e
+  VerticalIndex,      ///< j: added to the vertical circle's reading in both faces
+  VerticalAxisTiltX,  ///< the vertical axis is tilted towards the observer (turned about +x)
+  VerticalAxisTiltZ,  ///< the vertical axis is tilted to the left (turned about +z)
+  HorizontalCircleSine,      ///< δα = A sin α + B cos α of the circle reading of either face: A
+  HorizontalCircleCosine,    ///< B
+  VerticalCircleSine,        ///< δβ = A sin β + B cos β of the circle reading of either face: A
+  VerticalCircleCosine,      ///< B
+  VerticalGraduationSine,    ///< δβ = A sin 2β + B cos 2β of the circle reading of either face: A
+  VerticalGraduationCosine,  ///< B
+  VerticalRefraction,        ///< k: e is read too large by k (e/10°)²
+  HorizontalDrift,           ///< rotation of the orientation from the first reading of the session to the
+                             ///< last
+  VerticalDrift,             ///< the same for the vertical circle; zenith readings grow with positive drift
+  HorizontalJump,            ///< step of the orientation at the moment of the jump
+  VerticalJump,
+  SetupShiftX,        ///< of the target relative to the instrument, +x, in every position after the first
+  SetupShiftY,        ///< +y
+  PlaneTiltX,         ///< the arc plane turned about +x through the arc centre
+  PlaneTiltY,         ///< about +y
+  PlaneOffset,        ///< the arc plane's distance from the rotation axis: nearer at 0°, farther at 180°
+  PlaneSkew,          ///< skew of the arc plane to its own axis: off it by ε R cos s, turning with the
+                      ///< guideway
+  AxialShift,         ///< of the guideway along its axis, +x, from position 0° to 180°
+  RadiusChange,       ///< of the radius from position 0° to 180°
+  EllipticityCosine,  ///< radius + A cos 2s + B sin 2s: A
+  EllipticitySine,    ///< B
+  LobingCosine,       ///< radius + A cos 3s + B sin 3s: A
+  LobingSine,         ///< B
+  GravitySag,         ///< y − g sin s, downwards in either position of the guideway
+  ArmSag,       ///< along the arc by −g cos φ, which lowers the target in either position of the guideway
+  WarpCosine,   ///< target off the plane by A cos 2s + B sin 2s, turning with the guideway: A
+  WarpSine,     ///< B
+  SliderScale,  ///< slider reading = s (1 + k) + …
+  SliderSine,   ///< … + A sin s
+  OwnGuideway,  ///< the first of `mostOwnTerms` amplitudes of the user's own effects that move the target or
+                ///< the slider reading
+  OwnInstrument = OwnGuideway + 6,  ///< the first of as many that act on the circles
+  Count = OwnInstrument + 6,
+};
+
+inline constexpr std::size_t errorTermCount = static_cast<std::size_t>(ErrorTerm::Count);
+
+/// Amplitudes of the user's own effects in one session.
+inline constexpr std::size_t mostOwnTerms = 6;
+
+/// The first term of the guideway.
+inline constexpr auto firstGuidewayTerm = static_cast<std::size_t>(ErrorTerm::PlaneTiltX);
+/// From this term on they are the user's own, and no effect of the catalogue has them.
+inline constexpr auto firstOwnTerm = static_cast<std::size_t>(ErrorTerm::OwnGuideway);
+inline constexpr auto firstOwnInstrumentTerm = static_cast<std::size_t>(ErrorTerm::OwnInstrument);
+
+/// Does the term belong to the guideway? Otherwise it belongs to the instrument.
+constexpr bool isOfGuideway(ErrorTerm term) {
+  return static_cast<std::size_t>(term) >= firstGuidewayTerm &&
+         static_cast<std::size_t>(term) < firstOwnInstrumentTerm;
+}
+
+/// Is it an amplitude of an effect of the user's own?
+constexpr bool isOwn(ErrorTerm term) {
+  return static_cast<std::size_t>(term) >= firstOwnTerm;
+}
+
+/// Is it a step of the orientation? That has a moment of its own and is outside the catalogue.
+constexpr bool isOfJump(ErrorTerm term) {
+  return term == ErrorTerm::HorizontalJump || term == ErrorTerm::VerticalJump;
+}
+
+}  // namespace alidade

@@ -1,0 +1,100 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/base/result.h"
+
+namespace alidade {
+
+// The formulas of the user's own effects, such as
+//
+//   radial = A*bump(s, 83°, w); w = 4°
+//
+// Lines end with a semicolon or a line break. A line is `carrier = expression` or `name = number`; the latter
+// fixes a number of the shape. Names that are neither variables nor fixed are amplitudes: the expressions are
+// linear in them, which is checked. Angles are radians inside; a number with ° or deg counts degrees.
+// Formulas come from files of strangers: their length is bounded, there are no loops, strings or assignments,
+// and the parser (muParser) sees only what was checked here before.
+
+/// What a line displaces. `Radial`, `Tangential`, `Across`: the target, mm, turning with the guideway. `X`,
+/// `Y`, `Z`: the target, mm in o0. `Horizontal`: added to the reading in face 1, arcseconds. `Vertical`: of
+/// the elevation, up positive, arcseconds. `Orientation`: both of these alike. `Slider`: its reading,
+/// arcseconds.
+enum class OwnCarrier { Radial, Tangential, Across, X, Y, Z, Horizontal, Vertical, Orientation, Slider };
+
+std::string_view nameOf(OwnCarrier carrier);
+/// Does it act on a circle, rather than on the guideway and its slider?
+bool isOfCircles(OwnCarrier carrier);
+/// "mm" or "arcsec".
+std::string_view unitOf(OwnCarrier carrier);
+
+/// The variables of a formula for one reading; angles in rad.
+struct FormulaArguments {
+  double s = 0;                 ///< slider coordinate; 0 for a pointing zero
+  double t = 0;                 ///< elapsed share of the session, 0…1
+  double a = 0, e = 0;          ///< azimuth from the pointing zero, elevation over the horizon, in face 1
+  double horizontalCircle = 0;  ///< as read in either face, like the next
+  double verticalCircle = 0;
+  double leg = 1;       ///< 1 in odd rounds, −1 in even ones
+  double round = 1;     ///< from 1
+  double face = 1;      ///< 1 or −1
+  double position = 1;  ///< 1 at axis 0°, −1 at 180°
+};
+
+/// Why a text is no formula, and where in it.
+struct FormulaFault {
+  std::size_t at = 0, length = 0;  ///< bytes of the text, UTF-8; length 0: at its end
+  std::string what;                ///< a sentence, without the place
+
+  /// The sentence after line and column, both from 1, columns in characters.
+  std::string text(std::string_view formula) const;
+};
+
+struct FormulaLine {
+  OwnCarrier carrier = OwnCarrier::Radial;
+  std::string expression;               ///< for the parser
+  std::vector<std::size_t> amplitudes;  ///< indices into `Formula::amplitudes`
+  /// A line of circles acts on pointing zeros as well, unless it is of the slider's place, leg, round or
+  /// position.
+  bool actsOnZeros = true;
+  bool isOfTime = false;
+};
+
+struct FormulaAmplitude {
+  std::string name;
+  OwnCarrier carrier = OwnCarrier::Radial;  ///< of its first line
+};
+
+/// A formula that is sound. Immutable, and shared between threads.
+struct Formula {
+  std::vector<FormulaLine> lines = {};
+  std::vector<FormulaAmplitude> amplitudes = {};
+};
+
+inline constexpr std::size_t longestFormula = 500;  ///< bytes
+
+/// Takes some 0.2 ms.
+Result<Formula, FormulaFault> parseFormula(std::string_view text);
+
+/// Evaluates the lines of a formula. Not for several threads at once.
+class FormulaEvaluator {
+ public:
+  explicit FormulaEvaluator(const Formula& formula);
+  FormulaEvaluator(FormulaEvaluator&&) noexcept;
+  ~FormulaEvaluator();
+
+  /// What one unit of an amplitude does to the carrier of a line. NaN if that is no number or beyond 10⁶.
+  double value(std::size_t line, std::size_t amplitude, const FormulaArguments& at) const;
+
+ private:
+  friend class LinearityCheck;
+  struct Parsers;
+  std::unique_ptr<Parsers> m_parsers;
+};
+
+}  // namespace alidade
