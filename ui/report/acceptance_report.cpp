@@ -15,6 +15,7 @@
 #include "ui/report/device_history_report.h"
 #include "ui/report/painted_pdf.h"
 #include "ui/report/pdf_archive.h"
+#include "ui/report/report_forms.h"
 #include "ui/report/report_gap.h"
 #include "ui/report/report_journal.h"
 #include "ui/report/report_known.h"
@@ -81,7 +82,10 @@ void layOut(ReportSheet& sheet, const Gap& gap, const ReportOptions& options) {
       sheet.paragraph(simulationParagraph(*options.simulated));
   }
   addKnown(sheet, gap);
-  if (prints(ReportPart::Gap)) addGap(sheet, gap);
+  if (prints(ReportPart::Gap)) {
+    addGap(sheet, gap);
+    addForms(sheet, gap);
+  }
   if (prints(ReportPart::Closures)) addClosures(sheet, gap);
   if (prints(ReportPart::Undetectable)) addUndetectable(sheet, gap);
   if (options.history) {

@@ -2,7 +2,6 @@
 
 #include <QPainter>
 #include <algorithm>
-#include <memory>
 
 #include "ui/charts/arc/arc_plot.h"
 #include "ui/charts/residuals/residual_plot.h"
@@ -11,21 +10,6 @@
 
 namespace alidade::ui {
 namespace {
-
-constexpr double sceneUnitsPerMillimetre = 96 / 25.4;
-
-void addPlot(ReportSheet& sheet, const std::shared_ptr<Plot>& plot, const Evaluation& evaluation,
-             double height) {
-  const QRectF area(0, sheet.y(), ReportSheet::width, height);
-  plot->setStyle(printStyle(reportFontFamily()));
-  plot->setEvaluation(evaluation);
-  plot->arrange(area.size() * sceneUnitsPerMillimetre);
-  sheet.draw([plot, target = sheet.inDeviceUnits(area)](QPainter& painter) {
-    painter.setRenderHint(QPainter::Antialiasing);
-    plot->scene()->render(&painter, target, plot->scene()->sceneRect());
-  });
-  sheet.skip(height + 1.5);
-}
 
 /// Legend entries for the rings, faces and rounds that occur.
 template <typename Drawn>
@@ -87,6 +71,18 @@ QString residualCaption(const ResidualPicture& picture, int figure) {
 
 }  // namespace
 
+void addPlot(ReportSheet& sheet, const std::shared_ptr<Plot>& plot, double height) {
+  constexpr double sceneUnitsPerMillimetre = 96 / 25.4;
+  const QRectF area(0, sheet.y(), ReportSheet::width, height);
+  plot->setStyle(printStyle(reportFontFamily()));
+  plot->arrange(area.size() * sceneUnitsPerMillimetre);
+  sheet.draw([plot, target = sheet.inDeviceUnits(area)](QPainter& painter) {
+    painter.setRenderHint(QPainter::Antialiasing);
+    plot->scene()->render(&painter, target, plot->scene()->sceneRect());
+  });
+  sheet.skip(height + 1.5);
+}
+
 void addPlots(ReportSheet& sheet, const Gap& gap, bool hasArcs, bool hasResiduals) {
   if (!hasArcs && !hasResiduals) return;
   const double lacking = 252 - sheet.height();  // difference from A4
@@ -102,7 +98,8 @@ void addPlots(ReportSheet& sheet, const Gap& gap, bool hasArcs, bool hasResidual
   if (hasArcs) {
     const auto arcs = std::make_shared<ArcPlot>();
     arcs->setHeadline(headlineOf(gap));
-    addPlot(sheet, arcs, *gap.evaluation, arcsHeight);
+    arcs->setEvaluation(*gap.evaluation);
+    addPlot(sheet, arcs, arcsHeight);
     sheet.paragraph(arcCaption(arcs->picture()), type::small);
   }
   if (!hasResiduals) return;
@@ -111,7 +108,8 @@ void addPlots(ReportSheet& sheet, const Gap& gap, bool hasArcs, bool hasResidual
     sheet.mayBreak();
   }
   const auto residuals = std::make_shared<ResidualPlot>();
-  addPlot(sheet, residuals, *gap.evaluation, residualsHeight);
+  residuals->setEvaluation(*gap.evaluation);
+  addPlot(sheet, residuals, residualsHeight);
   sheet.paragraph(residualCaption(residuals->picture(), hasArcs ? 2 : 1), type::small);
 }
 

@@ -33,7 +33,12 @@ const std::vector<Sample>& allSamples() {
       {"stale-record", QT_TRANSLATE_NOOP("Sample", "Knocked since the record"),
        QT_TRANSLATE_NOOP("Sample", "A record that holds no longer, found out")},
       {"unknown-form", QT_TRANSLATE_NOOP("Sample", "A guideway out of shape"),
-       QT_TRANSLATE_NOOP("Sample", "A gap that is described and not pinned on the nearest effect")}};
+       QT_TRANSLATE_NOOP("Sample",
+                         "A radius that changes five times in a turn: the form found, with its size")},
+      {"dented-guideway", QT_TRANSLATE_NOOP("Sample", "A dented guideway"),
+       QT_TRANSLATE_NOOP("Sample", "The form of an effect of no catalogue, and where the model holds")},
+      {"settling-tripod", QT_TRANSLATE_NOOP("Sample", "A settling tripod"),
+       QT_TRANSLATE_NOOP("Sample", "A form of time: the first quarter is off, the rest is not")}};
   return samples;
 }
 

@@ -85,7 +85,8 @@ TEST_P(ChineseWindow, SaysNothingInEnglish) {
 INSTANTIATE_TEST_SUITE_P(Samples, ChineseWindow,
                          testing::Values("paper-table-1", "trunnion-tilt", "two-faces", "look-alikes",
                                          "misreading", "knocked-tripod", "two-causes", "unknown-form",
-                                         "noisy-readings", "clean-session"));
+                                         "dented-guideway", "settling-tripod", "noisy-readings",
+                                         "clean-session"));
 
 }  // namespace
 }  // namespace alidade::ui

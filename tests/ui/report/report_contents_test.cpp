@@ -74,6 +74,18 @@ TEST(ReportContents, NeverLeavesOutWhatSpeaksAgainstTheResult) {
   EXPECT_THAT(textWithout(clean, everything()), Not(HasSubstr("Gap between")));
 }
 
+TEST(ReportContents, TellsTheFormOfAGap) {
+  const auto textOf = [](const char* sample) {
+    const QString path = samplePath(QStringLiteral("%1.alidade").arg(QString::fromLatin1(sample)));
+    return textWithout(*loadSession(path.toStdString()), everything());
+  };
+  const std::string text = textOf("dented-guideway");
+  for (const char* said : {"Form of the gap", "The form: radius − 0.2", "The model holds where s is within",
+                           "slider coordinate s (°)", "readings that took no part"})
+    EXPECT_THAT(text, HasSubstr(said));
+  EXPECT_THAT(textOf("trunnion-tilt"), Not(HasSubstr("Form of the gap")));
+}
+
 TEST(ReportContents, SaysThatTheJournalIsLeftOut) {
   Session session = paperSession();
   enterInJournal(session.journal, {.at = "2026-03-02T10:00:00Z",

@@ -262,6 +262,9 @@ void Plot::applyTicks(QValueAxis* axis, double step) const {
   // Narrows first: the old range with a much finer step would have thousands of ticks.
   if (step < axis->tickInterval()) axis->setRange(-step, step);
   axis->setTickInterval(step);
+  // Ticks are added up: three steps of 0.1 from −0.3 on end below 0, which would be written −0.0.
+  constexpr double aboveZero = 1e-9;
+  axis->setTickAnchor(aboveZero * step);
 }
 
 const Mark* Plot::markAt(const QPointF& scene) const {

@@ -84,7 +84,7 @@ void CauseList::setGap(const Gap& gap) {
   if (!gap.diagnosis) return;
   for (const Cause& cause : gap.diagnosis->causes) addCause(gap, cause);
   addAllCauses(gap.diagnosis->causes);
-  if (gap.diagnosis->shape) addShape(*gap.diagnosis->shape);
+  if (tellsShape(*gap.diagnosis)) addShape(*gap.diagnosis->shape);
   for (const GapStage& stage : gap.stages)
     if (stage.kind == GapStage::Kind::InModel) addEffectOfModel(gap, stage.effect);
 }

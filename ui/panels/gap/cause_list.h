@@ -22,6 +22,8 @@ class CauseList : public QWidget {
   explicit CauseList(QWidget* parent = nullptr);
 
   void setGap(const Gap& gap);
+  /// Has the gap a shape that no form tells better?
+  static bool tellsShape(const Diagnosis& diagnosis) { return diagnosis.shape && diagnosis.forms.empty(); }
 
  signals:
   /// Asks to add these effects to the model.

@@ -18,7 +18,9 @@
 #include "ui/charts/gap/closure_bars.h"
 #include "ui/charts/gap/gap_map.h"
 #include "ui/charts/gap/gap_waterfall.h"
+#include "ui/charts/gap/leftover_strips.h"
 #include "ui/panels/gap/cause_list.h"
+#include "ui/panels/gap/form_list.h"
 #include "ui/panels/gap/gap_headline.h"
 #include "ui/panels/parts/data_table.h"
 #include "ui/panels/parts/figure_grid.h"
@@ -64,10 +66,12 @@ GapPanel::GapPanel(QWidget* parent)
       m_grid(new QGridLayout),
       m_headline(new GapHeadline),
       m_causes(new CauseList),
+      m_forms(new FormList),
       m_waterfall(new GapWaterfall),
       m_result(new FigureGrid),
       m_shrinkage(wrappedLabel()),
       m_map(new GapMap),
+      m_leftOver(new LeftoverStrips),
       m_candidates(nullptr),
       m_add(nullptr),
       m_closures(new ClosureBars),
@@ -93,14 +97,18 @@ GapPanel::GapPanel(QWidget* parent)
   m_withReference->setToolTip(
       tr("How far Δd is from the reference then helps to tell the causes apart.\n"
          "Δd with the causes rests on the readings alone, and so does the report."));
+  m_formsBlock = block(tr("Form"), {m_forms});
+  m_whereBlock =
+      block(tr("Where it lies"),
+            {m_map, standard(tr("Good: no part stands out; one that does is where to look.")), m_leftOver});
   m_requiredBlock = block(tr("What it would take to explain Δd − reference"), {m_required, m_requiredNote});
   m_blocks = {m_headline,
               block(tr("Causes"), {m_causes}),
+              m_formsBlock,
               block(tr("Before and after"),
                     {m_waterfall, standard(tr("Good: the last bar ends at the broken line of the noise.")),
                      m_result, m_shrinkage}),
-              block(tr("Where it lies"),
-                    {m_map, standard(tr("Good: no part stands out; one that does is where to look."))}),
+              m_whereBlock,
               block(tr("What must agree"),
                     {m_closures, standard(tr("Good: every bar ends inside the grey band of ± U.")),
                      m_closuresNote, m_withReference, m_withReferenceNote}),
@@ -178,8 +186,10 @@ void GapPanel::setGap(const SharedGap& gap) {
   showVerdict();
   if (!gap->diagnosis) return;
   m_causes->setGap(*gap);
+  m_forms->setGap(*gap);
   m_waterfall->setGap(*gap);
   m_map->setShares(gap->diagnosis->where);
+  m_leftOver->setGap(*gap);
   showEffectOnResult();
   showShrinkage();
   const auto rows = static_cast<int>(gap->diagnosis->candidates.size());
@@ -216,12 +226,13 @@ void GapPanel::showVerdict() {
                         tr("The readings are compared with the model as soon as there are any."));
   for (int i = 1; i < m_blocks.size(); ++i) m_blocks[i]->setVisible(says);
   if (says) {
-    const bool hasCauses = !gap->diagnosis->causes.empty() || gap->diagnosis->shape ||
+    const bool hasCauses = !gap->diagnosis->causes.empty() || CauseList::tellsShape(*gap->diagnosis) ||
                            std::ranges::any_of(gap->stages, [](const GapStage& stage) {
                              return stage.kind == GapStage::Kind::InModel;
                            });
     m_blocks[1]->setVisible(hasCauses);
-    m_blocks[3]->setVisible(gap->isOpen());
+    m_formsBlock->setVisible(!gap->diagnosis->forms.empty());
+    m_whereBlock->setVisible(gap->isOpen());
     m_requiredBlock->setVisible(!gap->diagnosis->whatItWouldTake.empty());
   }
   arrange();

@@ -15,12 +15,14 @@ class CauseList;
 class ClosureBars;
 class DataTable;
 class FigureGrid;
+class FormList;
 class GapHeadline;
 class GapMap;
 class GapWaterfall;
+class LeftoverStrips;
 
-/// The gap between model and readings: verdict, causes, how far it shrinks, its place, all candidates, what
-/// to measure next and undetectable effects. Only emits signals.
+/// The gap between model and readings: verdict, causes, forms, how far it shrinks, its place, all candidates,
+/// what to measure next and undetectable effects. Only emits signals.
 class GapPanel : public ScrollPage {
   Q_OBJECT
 
@@ -72,10 +74,12 @@ class GapPanel : public ScrollPage {
   QGridLayout* m_grid;
   GapHeadline* m_headline;
   CauseList* m_causes;
+  FormList* m_forms;
   GapWaterfall* m_waterfall;
   FigureGrid* m_result;
   QLabel* m_shrinkage;
   GapMap* m_map;
+  LeftoverStrips* m_leftOver;
   DataTable* m_candidates;
   QPushButton* m_add;
   ClosureBars* m_closures;
@@ -88,7 +92,7 @@ class GapPanel : public ScrollPage {
   FigureGrid* m_undetectable;
   QLabel* m_undetectableNote;
   QList<QWidget*> m_blocks;           ///< in reading order
-  QWidget* m_requiredBlock;           ///< the block of required sizes, one of `m_blocks`
+  QWidget *m_formsBlock, *m_whereBlock, *m_requiredBlock;  ///< of `m_blocks`, not always shown
   bool m_returnsToReference = false;  ///< gives the keyboard back to the switch after the diagnosis
 };
 

@@ -1,0 +1,70 @@
+#pragma once
+
+#include <QtCharts/QAreaSeries>
+#include <QtCharts/QLineSeries>
+#include <array>
+#include <vector>
+
+#include "core/diagnosis/result/form.h"
+#include "ui/charts/plotting/plot.h"
+#include "ui/jobs/gap.h"
+
+namespace alidade::ui {
+
+/// A form as a curve over its argument, with what every sighting says of it before the form is in the model
+/// (hollow) and after (filled), on sightings that took no part where there are such. Of an orientation the
+/// horizontal circle has one colour and shape, the vertical another. Bands show where the model holds.
+class FormPlot : public Plot {
+  Q_OBJECT
+
+ public:
+  explicit FormPlot(QObject* parent = nullptr);
+
+  void setEvaluation(const Evaluation&) override {}
+  /// Shows the form `index` of the diagnosis.
+  void setForm(const Gap& gap, std::size_t index);
+
+  QString describe(const Mark& mark) const override;
+  QString summary() const override;
+  QString standard() const override;
+  std::string csv() const override;
+
+  const FoundForm& form() const { return m_form; }
+  /// Is there a sighting that took no part in finding it?
+  bool isHeldOut() const;
+  /// The points of the curve in the plot area.
+  std::size_t curvePoints() const;
+
+ protected:
+  void applyStyle() override;
+  QRectF axisRange(const QSizeF& plotArea) const override;
+  void placeExtras() override;
+
+ private:
+  static constexpr std::size_t mostPieces = 4, mostBands = 3;
+  enum Kind : std::size_t { Before, After, BeforeVertical, AfterVertical };
+  struct Band {
+    QLineSeries *top, *bottom;
+    QAreaSeries* area;
+  };
+
+  void draw();
+  void reckonExtent();
+  void showTitles();
+  void showLegend();
+  Marker markerOf(Kind kind) const;
+  bool hasTwoCircles() const { return m_form.form.carrier == FormCarrier::Orientation; }
+  bool hasLevels() const { return m_form.form.function == FormFunction::Hysteresis; }
+  QList<QList<QPointF>> curves(std::size_t which) const;
+  QString valueText(double value) const;
+
+  FoundForm m_form;
+  std::vector<QString> m_names;  ///< of the sighting of each point of the trace
+  QRectF m_extent{0, -1, 1, 2};
+  std::array<Band, mostBands> m_bands;  // these and the lines are owned by the chart
+  std::array<QLineSeries*, 2> m_limits;
+  QLineSeries* m_zero;
+  std::array<std::array<QLineSeries*, mostPieces>, 2> m_curves;
+};
+
+}  // namespace alidade::ui

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "ui/charts/gap/bar_rows.h"
+#include "ui/charts/residuals/residual_picture.h"
+#include "ui/jobs/gap.h"
+
+namespace alidade::ui {
+
+/// What is left over along the slider coordinate s, the elevation e and the time t: three strips of the
+/// residuals in σ of the circle. Bands show where the model holds without the forms of that argument.
+class LeftoverStrips : public BarRows {
+  Q_OBJECT
+
+ public:
+  explicit LeftoverStrips(QWidget* parent = nullptr);
+
+  void setGap(const Gap& gap);
+  std::string numbers() const override;
+  /// The part of a strip where the model holds, in widget units.
+  std::vector<QRect> bands(std::size_t strip) const;
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+  int pictureHeight() const override;
+  QString aboutAt(const QPoint& point) const override;
+
+ private:
+  static constexpr std::size_t strips = 3;
+  struct Point {
+    std::array<double, strips> at;  ///< s and e in degrees, share of the session
+    DrawnResidual residual;
+    double sigmas = 0;
+  };
+  struct Axis {
+    double low = 0, high = 1;
+    std::vector<std::array<double, 2>> clean;
+  };
+
+  int stripHeight() const { return 4 * fontMetrics().height(); }
+  QRect area(std::size_t strip) const;
+  double x(std::size_t strip, double at) const;
+  QPointF placeOf(std::size_t strip, const Point& point) const;
+  void paintStrip(QPainter& painter, std::size_t strip) const;
+  void paintScale(QPainter& painter, std::size_t strip) const;
+
+  std::vector<Point> m_points;
+  std::array<Axis, strips> m_axes;
+  double m_reach = 1;  ///< σ at the upper end
+};
+
+}  // namespace alidade::ui

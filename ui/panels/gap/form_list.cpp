@@ -1,0 +1,46 @@
+#include "ui/panels/gap/form_list.h"
+
+#include <QLabel>
+#include <QVBoxLayout>
+
+#include "core/wording/form_sentence.h"
+#include "ui/charts/gap/form_chart.h"
+#include "ui/panels/parts/figure_grid.h"
+#include "ui/text/entry_text.h"
+#include "ui/text/form_text.h"
+
+namespace alidade::ui {
+
+FormList::FormList(QWidget* parent) : QWidget(parent), m_shrinkage(wrappedLabel()) {
+  constexpr std::size_t most = 3;
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(4);
+  for (std::size_t i = 0; i < most; ++i) {
+    const Row row{wrappedLabel(), wrappedLabel(), new FormChart};
+    row.about->setForegroundRole(QPalette::PlaceholderText);
+    for (QWidget* part : std::initializer_list<QWidget*>{row.sentence, row.about, row.chart})
+      layout->addWidget(part);
+    m_rows.push_back(row);
+  }
+  layout->addWidget(m_shrinkage);
+}
+
+void FormList::setGap(const Gap& gap) {
+  const std::vector<FoundForm>& forms = gap.diagnosis->forms;
+  for (std::size_t i = 0; i < m_rows.size(); ++i) {
+    const Row& row = m_rows[i];
+    const bool isThere = i < forms.size();
+    for (QWidget* part : std::initializer_list<QWidget*>{row.sentence, row.about, row.chart})
+      part->setVisible(isThere);
+    if (!isThere) continue;
+    row.sentence->setText(qText(formSentence(forms[i])));
+    row.about->setText(aboutForm(forms[i]));
+    row.about->setVisible(!row.about->text().isEmpty());
+    row.chart->setForm(gap, i);
+  }
+  m_shrinkage->setText(forms.empty() ? QString() : qText(shrinkSentence(forms.front())));
+  m_shrinkage->setVisible(!m_shrinkage->text().isEmpty());
+}
+
+}  // namespace alidade::ui

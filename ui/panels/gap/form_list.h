@@ -1,0 +1,34 @@
+#pragma once
+
+#include <QWidget>
+#include <vector>
+
+#include "ui/jobs/gap.h"
+
+class QLabel;
+
+namespace alidade::ui {
+
+class FormChart;
+
+/// The forms of a gap: each in a sentence, with what looks like it, where the model holds, and its curve;
+/// then how far the gap shrinks.
+class FormList : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit FormList(QWidget* parent = nullptr);
+
+  void setGap(const Gap& gap);
+
+ private:
+  struct Row {
+    QLabel *sentence, *about;
+    FormChart* chart;
+  };
+
+  std::vector<Row> m_rows;
+  QLabel* m_shrinkage;
+};
+
+}  // namespace alidade::ui

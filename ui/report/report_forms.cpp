@@ -1,0 +1,52 @@
+#include "ui/report/report_forms.h"
+
+#include <memory>
+
+#include "core/wording/form_sentence.h"
+#include "ui/charts/gap/form_plot.h"
+#include "ui/report/report_plots.h"
+#include "ui/report/report_text.h"
+#include "ui/text/form_text.h"
+
+namespace alidade::ui {
+
+namespace {
+
+constexpr double plotHeight = 62;  // mm
+
+QString formCaption(const FormPlot& plot) {
+  QStringList sentences{
+      Report::tr("The curve is the form; hollow marks are what each sighting says with everything but this "
+                 "form in the model."),
+      plot.isHeldOut()
+          ? Report::tr("Filled marks are the same less the form, as found without that sighting.")
+          : Report::tr("Filled marks are the same less the form."),
+      Report::tr("Broken lines: ±1σ of a sighting by the stated noise.")};
+  if (!plot.form().cleanRange.empty()) sentences.append(Report::tr("Grey: where the model holds."));
+  return Report::sentences(sentences);
+}
+
+}  // namespace
+
+void addForms(ReportSheet& sheet, const Gap& gap) {
+  if (!gap.diagnosis || gap.diagnosis->forms.empty()) return;
+  const std::vector<FoundForm>& forms = gap.diagnosis->forms;
+  constexpr double aroundPlot = 50;  // heading, sentences and caption
+  sheet.keepTogether(plotHeight + aroundPlot);
+  sheet.heading(Report::tr("Form of the gap"));
+  for (std::size_t i = 0; i < forms.size(); ++i) {
+    if (i > 0) sheet.keepTogether(plotHeight + aroundPlot);
+    sheet.paragraph(qText(formSentence(forms[i])));
+    if (const QString about = aboutForm(forms[i]); !about.isEmpty()) sheet.paragraph(about);
+    const auto plot = std::make_shared<FormPlot>();
+    plot->setForm(gap, i);
+    addPlot(sheet, plot, plotHeight);
+    sheet.paragraph(formCaption(*plot), type::small);
+  }
+  const QString shrink = qText(shrinkSentence(forms.front()));
+  if (!shrink.isEmpty()) sheet.paragraph(shrink);
+  sheet.paragraph(Report::tr("A form tells what the readings do; it does not name what causes it."),
+                  type::small);
+}
+
+}  // namespace alidade::ui
