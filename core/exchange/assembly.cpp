@@ -207,13 +207,14 @@ class Assembly {
   }
 
   void report(const RecordedSighting& sighting, std::size_t column, std::string_view name,
-              const Problem& problem) {
+              const Problem& problem, bool asksUnit = false) {
     if (m_problems.size() >= limits::mostProblems) return;
     const std::string& file = areSeveral() ? m_files[sighting.file].name : std::string();
     m_problems.emplace_back(sighting.file, LineProblem{.line = sighting.line,
                                                        .column = column,
                                                        .what = plainKey(name) + " " + problem.what,
-                                                       .file = file});
+                                                       .file = file,
+                                                       .asksUnit = asksUnit});
   }
 
   /// Applies the rules of the session file and reports problems by line and column.
@@ -228,7 +229,8 @@ class Assembly {
       if (const auto problem = isAngle(field) ? gonWithoutUnit(text) : std::nullopt)
         report(sighting, sighting.columnOf(field), field.key, *problem);
       else if (const auto rule = entryProblem(field, text, m_circle))
-        report(sighting, sighting.columnOf(field), field.key, *rule);
+        report(sighting, sighting.columnOf(field), field.key, *rule,
+               isAngle(field) && parseNumber(text) && !parseAngle(text));
     }
   }
 

@@ -82,7 +82,7 @@ class TableRecognition {
   explicit TableRecognition(std::string_view text) : m_text(text) {}
 
   Recognised recognise() {
-    m_found.name = "Table";
+    m_found.name = Phrase::of("Table");
     chooseSeparator();
     m_rows = rowsOf(m_text, m_found.table.separator);
     chooseHead();

@@ -16,6 +16,7 @@ struct LineProblem {
   std::size_t column = 0;  ///< character in the line, from 1; 0: the whole line
   std::string what;
   std::string file = {};  ///< name of the file, if there are several
+  bool asksUnit = false;  ///< a plain number that may be decimal degrees or degrees, minutes and seconds
 
   std::string text() const;  ///< `line 3, column 12: …`, preceded by the file
 

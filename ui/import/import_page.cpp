@@ -280,8 +280,7 @@ void ImportPage::tellTroubles() {
   bool isUnitOpen = false;  // the unit of the numbers is then the only question
   for (std::size_t i = 0; i < m_request.sources.size(); ++i) isUnitOpen = isUnitOpen || asksUnit(i);
   for (const ProblemGroup& kind : m_shown->kinds)
-    if (!isUnitOpen || kind.first.what.find(" may mean ") == std::string::npos)
-      told.append(capitalised(visibleLine(kind.text())) + u'.');
+    if (!isUnitOpen || !kind.first.asksUnit) told.append(capitalised(visibleLine(kind.text())) + u'.');
   if (m_shown->import) told += remarks();
   constexpr qsizetype most = 200, mostLines = 4;
   if (told.size() > most) {

@@ -7,18 +7,19 @@
 #include <vector>
 
 #include "core/diagnosis/candidates/component.h"
+#include "core/diagnosis/result/noise_policy.h"
 
 namespace alidade {
 
 /// What is believed before the readings are seen, in odds against "no gap at all". Broad on purpose: a factor
 /// of two in any of them moves no clear answer.
 struct PriorOdds {
-  double effect = 0.04;      ///< each
-  double jump = 0.04;        ///< shared by all moments
-  double zeroSlip = 0.04;    ///< a jump between a zero and the first place; shared by the positions
-  double grossError = 0.08;  ///< shared by all readings
-  double noise = 0.04;       ///< larger than stated
-  double shape = 0.04;       ///< shared by all shapes
+  double effect = 0.04;               ///< each
+  double jump = 0.04;                 ///< shared by all moments
+  double zeroSlip = 0.04;             ///< a jump between a zero and the first place; shared by the positions
+  double grossError = 0.08;           ///< shared by all readings
+  double noise = noise_policy::odds;  ///< larger than stated
+  double shape = 0.04;                ///< shared by all shapes
 };
 
 /// How components of one kind are offered to a set that takes one more.

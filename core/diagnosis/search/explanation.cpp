@@ -6,6 +6,7 @@
 #include <iterator>
 
 #include "core/diagnosis/evidence/bent_fit.h"
+#include "core/diagnosis/result/noise_policy.h"
 #include "core/diagnosis/search/search.h"
 
 namespace alidade {
@@ -14,8 +15,7 @@ using Eigen::MatrixXd, Eigen::VectorXd;
 
 namespace {
 
-constexpr double knownTo = 0.1;  // the stated σ holds to a tenth
-constexpr double leastNoise = 1.25, mostNoise = 20;
+using noise_policy::knownTo;
 constexpr double outOfQuestion = 1e-4;  // odds below which larger noise is not searched further
 
 /// What is believed of the scale of the noise: its logarithm at even steps, with the density there.
@@ -59,7 +59,7 @@ const NoiseScales& nominalScales() {
 }
 
 const NoiseScales& largerScales() {
-  static const double from = std::log(leastNoise), to = std::log(mostNoise);
+  static const double from = std::log(noise_policy::least), to = std::log(noise_policy::most);
   static const NoiseScales scales(from, to, [](double) { return -std::log(to - from); });
   return scales;
 }
@@ -102,7 +102,7 @@ void addNoisy(std::vector<Explanation>& all, Search& search, const Leftover& lef
               const PriorOdds& odds) {
   const double f = leftover.degreesOfFreedom(), chiSquare = leftover.chiSquare();
   const auto scaleOf = [&](double left) {
-    return std::clamp(std::sqrt(left / std::max(f, 1.0)), leastNoise, mostNoise);
+    return std::clamp(std::sqrt(left / std::max(f, 1.0)), noise_policy::least, noise_policy::most);
   };
   const auto weigh = [&](Explanation& set, double reference) {
     set.logPosteriorOdds += std::log(odds.noise);

@@ -7,13 +7,13 @@
 #include <map>
 #include <numeric>
 
+#include "core/diagnosis/result/noise_policy.h"
+
 namespace alidade {
 
 namespace {
 
-constexpr double knownTo = 0.1;  // relative uncertainty of the stated σ
-constexpr double leastNoise = 1.25, mostNoise = 20;
-constexpr double noiseOdds = 0.04;  // that the noise is larger than stated
+using noise_policy::knownTo;
 
 /// Remaining residuals of an instrument's sessions, one entry for each.
 struct Left {
@@ -37,10 +37,10 @@ struct OwnNoise {
 
 OwnNoise ownNoise(const Left& left, std::size_t i) {
   const double f = std::max(left.f[i], 1.0);
-  const double scale = std::clamp(std::sqrt(left.chiSquares[i] / f), leastNoise, mostNoise);
-  const double spread = std::sqrt(M_PI / f) / std::log(mostNoise / leastNoise);
+  const double scale = std::clamp(std::sqrt(left.chiSquares[i] / f), noise_policy::least, noise_policy::most);
+  const double spread = std::sqrt(M_PI / f) / std::log(noise_policy::most / noise_policy::least);
   return {scale, logOf(left.chiSquares[i], left.f[i], scale) + std::log(std::min(spread, 1.0)) +
-                     std::log(noiseOdds / static_cast<double>(left.sessions.size()))};
+                     std::log(noise_policy::odds / static_cast<double>(left.sessions.size()))};
 }
 
 double logSumOfTwo(double a, double b) {
@@ -79,8 +79,9 @@ std::vector<CommonNoise> noiseOf(const std::string& instrument, const Left& left
   const Range asStated = weighed(left, std::exp(-4 * knownTo), std::exp(4 * knownTo), [](double log) {
     return -0.5 * std::pow(log / knownTo, 2) - std::log(knownTo * std::sqrt(2 * M_PI));
   });
-  const Range larger = weighed(left, leastNoise, mostNoise,
-                               [](double) { return std::log(noiseOdds / std::log(mostNoise / leastNoise)); });
+  const Range larger = weighed(left, noise_policy::least, noise_policy::most, [](double) {
+    return std::log(noise_policy::odds / std::log(noise_policy::most / noise_policy::least));
+  });
   CommonNoise all{.instrument = instrument, .sessions = {}};
   all.probability = 1 / (1 + std::exp(std::clamp(asStated.log - larger.log, -700.0, 700.0)));
   all.isLarger = all.probability > certain;

@@ -244,6 +244,8 @@ TEST(Import, NamesEntriesByLineAndColumnAndKeepsThem) {
   EXPECT_THAT(import.problems[2].text(), HasSubstr("line 2, column 24: face “3”"));
   EXPECT_THAT(import.problems[3].text(), HasSubstr("line 3, column 1: axis “90”"));
   EXPECT_EQ(import.session.positions.at(0).readings.at(0).vertical, "88°71'49\"");
+  for (std::size_t i = 0; i < import.problems.size(); ++i)
+    EXPECT_EQ(import.problems[i].asksUnit, i == 0) << import.problems[i].text();
 }
 
 TEST(Import, RefusesWhatHoldsNoReadings) {
