@@ -16,6 +16,7 @@
 #include <numeric>
 #include <utility>
 
+#include "core/base/version.h"
 #include "core/session/entry.h"
 #include "ui/charts/arc/arc_chart.h"
 #include "ui/charts/arc/arc_plot.h"
@@ -559,7 +560,7 @@ void MainWindow::showTitle() {
   const QString mark = QStringLiteral("[*]");
   QString name = visibleLine(m_document.displayName());
   name.replace(mark, mark + mark);  // escapes the name's own marks of a changed file
-  setWindowTitle(tr("%1[*] — Alidade").arg(name));
+  setWindowTitle(tr("%1[*] — Alidade").arg(name) + QLatin1Char(' ') + qText(versionAndBuild()));
   setWindowModified(m_document.isModified() || !m_document.halfTyped().isEmpty());
 }
 

@@ -69,13 +69,13 @@ std::string journalJson(const std::string& name, const Session& session, const J
               {"by", seal->by},
               {"revision", seal->revision},
               {"unchanged", isAsSealed(session, *seal)}};
-  return jsonText({{"session", name},
-                   {"whole", check.holds()},
-                   {"changed_readings", changedReadings(session)},
-                   {"contradictions", std::move(contradictions)},
-                   {"sealed", std::move(sealed)},
-                   {"seals", std::move(seals)},
-                   {"entries", std::move(entries)}});
+  return answerText({{"session", name},
+                     {"whole", check.holds()},
+                     {"changed_readings", changedReadings(session)},
+                     {"contradictions", std::move(contradictions)},
+                     {"sealed", std::move(sealed)},
+                     {"seals", std::move(seals)},
+                     {"entries", std::move(entries)}});
 }
 
 }  // namespace alidade::console

@@ -111,7 +111,7 @@ std::string planJson(const std::string& session, const PlanReview& review,
   json["effects"] = std::move(effects);
   json["advice"] = std::move(advice);
   json["findings"] = findingsJson(findings);
-  return jsonText(json);
+  return answerText(std::move(json));
 }
 
 }  // namespace alidade::console

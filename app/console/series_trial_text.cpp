@@ -96,18 +96,18 @@ std::string seriesTrialJson(const std::vector<ScoredSeries>& series) {
                     {"alarm", one.isAlarm},
                     {"sessions", one.sessions},
                     {"named_alone", one.namedAlone}});
-  const Json json = {{"count", series.size()},
-                     {"named", scoreJson(summary.named)},
-                     {"named_first", scoreJson(summary.first)},
-                     {"owner_right", scoreJson(summary.owner)},
-                     {"of_no_catalogue", scoreJson(summary.unknown)},
-                     {"noise_of_several", scoreJson(summary.noiseOfAll)},
-                     {"silent_where_empty", scoreJson(summary.silent)},
-                     {"right_though_spoiled", scoreJson(summary.spoiled)},
-                     {"spoiler_told", scoreJson(summary.spoilers)},
-                     {"named_alone", scoreJson(summary.alone)},
-                     {"series", list}};
-  return jsonText(json);
+  Json json = {{"count", series.size()},
+               {"named", scoreJson(summary.named)},
+               {"named_first", scoreJson(summary.first)},
+               {"owner_right", scoreJson(summary.owner)},
+               {"of_no_catalogue", scoreJson(summary.unknown)},
+               {"noise_of_several", scoreJson(summary.noiseOfAll)},
+               {"silent_where_empty", scoreJson(summary.silent)},
+               {"right_though_spoiled", scoreJson(summary.spoiled)},
+               {"spoiler_told", scoreJson(summary.spoilers)},
+               {"named_alone", scoreJson(summary.alone)},
+               {"series", list}};
+  return answerText(std::move(json));
 }
 
 }  // namespace alidade::console

@@ -148,17 +148,17 @@ std::string trialJson(const std::vector<ScoredTrial>& trials, const TrialSummary
                          {"detected", tallyJson(bin.detected)},
                          {"named", tallyJson(bin.named)}});
   for (const ScoredTrial& trial : trials) list.push_back(scoredJson(trial));
-  const Json json = {{"count", summary.count},
-                     {"right", right},
-                     {"false_alarms", tallyJson(summary.falseAlarms)},
-                     {"back_to_noise", tallyJson(summary.backToNoise)},
-                     {"covered", tallyJson(summary.covered)},
-                     {"wrong_without", tallyJson(summary.wrongWithout)},
-                     {"kinds", kinds},
-                     {"detection", detection},
-                     {"confusion", summary.confusion},
-                     {"trials", list}};
-  return jsonText(json);
+  Json json = {{"count", summary.count},
+               {"right", right},
+               {"false_alarms", tallyJson(summary.falseAlarms)},
+               {"back_to_noise", tallyJson(summary.backToNoise)},
+               {"covered", tallyJson(summary.covered)},
+               {"wrong_without", tallyJson(summary.wrongWithout)},
+               {"kinds", kinds},
+               {"detection", detection},
+               {"confusion", summary.confusion},
+               {"trials", list}};
+  return answerText(std::move(json));
 }
 
 }  // namespace alidade::console

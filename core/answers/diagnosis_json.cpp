@@ -1,5 +1,7 @@
 #include "core/answers/diagnosis_json.h"
 
+#include <array>
+#include <charconv>
 #include <nlohmann/json.hpp>
 
 #include "core/answers/attainable_json.h"
@@ -51,13 +53,23 @@ Json closureJson(const ClosureStep& step) {
   return json;
 }
 
+/// As it was typed: 25″ went through radians, which cost the last digit. Typed numbers have at most 15.
+double asTyped(double value) {
+  std::array<char, 32> text{};
+  const auto written = std::to_chars(text.begin(), text.end(), value, std::chars_format::general, 15);
+  std::from_chars(text.begin(), written.ptr, value);
+  return value;
+}
+
 Json knownJson(const KnownCheck& check) {
-  Json json = {{"effect", check.effect},
-               {"parameter", check.name},
-               {"unit", check.unit},
-               {"known", {{"value", check.known}, {"sigma", check.sigmaKnown}, {"from", check.from}}},
-               {"readings", nullptr},
-               {"stale_probability", check.staleChance}};
+  Json json = {
+      {"effect", check.effect},
+      {"parameter", check.name},
+      {"unit", check.unit},
+      {"known",
+       {{"value", asTyped(check.known)}, {"sigma", asTyped(check.sigmaKnown)}, {"from", check.from}}},
+      {"readings", nullptr},
+      {"stale_probability", check.staleChance}};
   if (!check.date.empty()) json["known"]["date"] = check.date;
   if (check.isSeen) json["readings"] = {{"value", check.value}, {"sigma", check.sigma}};
   return json;
@@ -97,7 +109,7 @@ Json causeDocument(const Cause& cause) {
 
 std::string diagnosisJson(const std::string& session, const Diagnosis& diagnosis,
                           const std::vector<Finding>& findings) {
-  return jsonText(diagnosisDocument(session, diagnosis, findings));
+  return answerText(diagnosisDocument(session, diagnosis, findings));
 }
 
 Json diagnosisDocument(const std::string& session, const Diagnosis& diagnosis,

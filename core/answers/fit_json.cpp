@@ -402,7 +402,7 @@ std::string fitJson(const FitAnswer& answer) {
   document["suspects"] = Json::array();
   for (const Suspect& suspect : answer.suspects) document["suspects"].push_back(suspectJson(suspect));
   document["findings"] = findingsJson(inWords(fit.findings, answer.suspects));
-  return jsonText(document, lists);
+  return answerText(std::move(document), lists);
 }
 
 std::string fitJson(const std::string& name, const Measurement& measurement, const PublishedSessionFit& fit) {
@@ -420,7 +420,7 @@ std::string fitJson(const std::string& name, const Measurement& measurement, con
   document["budget"] = Json::array();
   document["suspects"] = Json::array();
   document["findings"] = findingsJson(inWords(fit.findings));
-  return jsonText(document);
+  return answerText(std::move(document));
 }
 
 }  // namespace alidade

@@ -129,7 +129,7 @@ std::string guidanceJson(const std::string& session, const Guidance& guidance) {
   json["repeat"] = std::move(repeats);
   json["outlook"] = outlookJson(guidance);
   json["sightings"] = std::move(sightings);
-  return jsonText(json);
+  return answerText(std::move(json));
 }
 
 }  // namespace alidade

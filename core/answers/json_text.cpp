@@ -5,6 +5,8 @@
 #include <string_view>
 #include <utility>
 
+#include "core/base/version.h"
+
 namespace alidade {
 
 namespace {
@@ -89,6 +91,11 @@ class JsonText {
 
 std::string jsonText(const Json& document, const std::vector<LongList>& lists) {
   return JsonText(lists).of(document);
+}
+
+std::string answerText(Json document, const std::vector<LongList>& lists) {
+  document["program"] = {{"name", "Alidade"}, {"version", programVersion}, {"build", programBuild}};
+  return jsonText(document, lists);
 }
 
 }  // namespace alidade

@@ -23,4 +23,7 @@ struct LongList {
 /// replaced, what is no number is null.
 std::string jsonText(const nlohmann::ordered_json& document, const std::vector<LongList>& lists = {});
 
+/// The document of an answer, with the program that gives it as its last member.
+std::string answerText(nlohmann::ordered_json document, const std::vector<LongList>& lists = {});
+
 }  // namespace alidade

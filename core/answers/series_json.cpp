@@ -114,12 +114,12 @@ Json sessionJson(const SeriesMember& member) {
 }  // namespace
 
 std::string seriesJson(const std::string& name, const SeriesDiagnosis& series) {
-  const Json json = {{"series", together(name, series)}, {"sessions", Json::array()}};
+  Json json = {{"series", together(name, series)}, {"sessions", Json::array()}};
   const LongList sessions{"/sessions", series.sessions.size(), [&](std::size_t i, const TakeMember& take) {
                             const Json session = sessionJson(series.sessions[i]);
                             for (const auto& [key, value] : session.items()) take(key.c_str(), value);
                           }};
-  return jsonText(json, {sessions});
+  return answerText(std::move(json), {sessions});
 }
 
 }  // namespace alidade

@@ -26,7 +26,7 @@ nlohmann::ordered_json orNull(const std::optional<double>& share) {
 
 }  // namespace
 
-std::string selfTestJson(const SelfTest& test, const std::string& program, const std::string& at) {
+std::string selfTestJson(const SelfTest& test, const std::string& at) {
   using Json = nlohmann::ordered_json;
   Json environment = Json::object(), checks = Json::array();
   for (const auto& [name, value] : test.environment) environment[name] = value;
@@ -39,14 +39,13 @@ std::string selfTestJson(const SelfTest& test, const std::string& program, const
                       {"tolerance", orNull(check.tolerance)},
                       {"reason", check.reason},
                       {"outcome", nameOf(check.outcome)}});
-  return jsonText({{"program", program},
-                   {"at", at},
-                   {"verdict", test.hasPassed() ? "pass" : "fail"},
-                   {"passed", test.count(SelfCheck::Outcome::Passed)},
-                   {"failed", test.count(SelfCheck::Outcome::Failed)},
-                   {"left_out", test.count(SelfCheck::Outcome::LeftOut)},
-                   {"environment", std::move(environment)},
-                   {"checks", std::move(checks)}});
+  return answerText({{"at", at},
+                     {"verdict", test.hasPassed() ? "pass" : "fail"},
+                     {"passed", test.count(SelfCheck::Outcome::Passed)},
+                     {"failed", test.count(SelfCheck::Outcome::Failed)},
+                     {"left_out", test.count(SelfCheck::Outcome::LeftOut)},
+                     {"environment", std::move(environment)},
+                     {"checks", std::move(checks)}});
 }
 
 }  // namespace alidade

@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <fstream>
+#include <nlohmann/json.hpp>
 #include <sstream>
 
 // Properties of every call of the program: help, version, working folder, output.
@@ -24,7 +25,9 @@ TEST(Console, ExplainsItself) {
   EXPECT_THAT(fitHelp.out, HasSubstr("--method"));
   const ProgramRun version = alidadeCli({"--version"});
   EXPECT_EQ(version.exitCode, 0);
-  EXPECT_THAT(version.out, StartsWith("alidade-cli "));
+  const auto program = nlohmann::json::parse(alidadeCli({"fit", paperSession, "--json"}).out).at("program");
+  EXPECT_EQ(version.out, "alidade-cli " + program.at("version").get<std::string>() + " (" +
+                             program.at("build").get<std::string>() + ")\n");
 }
 
 TEST(Console, WritesTheSameInEveryLocale) {

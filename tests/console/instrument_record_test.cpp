@@ -39,7 +39,7 @@ TEST(InstrumentOption, TakesTheRecordForThisRun) {
   EXPECT_EQ(answer.at("verdict"), "within-noise");
   const Json& known = answer.at("known").at(0);
   EXPECT_EQ(known.at("effect"), "trunnion_tilt");
-  EXPECT_NEAR(known.at("known").at("value").get<double>(), 25, 1e-9);
+  EXPECT_EQ(known.at("known").at("value").get<double>(), 25);  // as typed
   EXPECT_EQ(known.at("known").at("from"), "instrument record t.alidade-instrument of 2026-03-01: check");
   EXPECT_EQ(known.at("known").at("date"), "2026-03-01");
   EXPECT_NEAR(known.at("readings").at("value").get<double>(), 25,

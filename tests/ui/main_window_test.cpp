@@ -231,9 +231,12 @@ TEST(MainWindow, TellsThePublishedFiguresOnRequest) {
 
 TEST(MainWindow, CarriesNameAndModifiedMarkInTheTitle) {
   OpenWindow open;
-  EXPECT_EQ(open->windowTitle(), QStringLiteral("Untitled[*] — Alidade"));
+  const auto title = [](const QString& name) {
+    return name + QStringLiteral("[*] — Alidade ") + QCoreApplication::applicationVersion();
+  };
+  EXPECT_EQ(open->windowTitle(), title(QStringLiteral("Untitled")));
   loadPaper(open);
-  EXPECT_EQ(open->windowTitle(), QStringLiteral("paper-table-1.alidade[*] — Alidade"));
+  EXPECT_EQ(open->windowTitle(), title(QStringLiteral("paper-table-1.alidade")));
   EXPECT_FALSE(open->isWindowModified());
   typeInto(field(open, "acceptance.tolerance_mm"), QStringLiteral("3"));
   EXPECT_TRUE(open->isWindowModified());

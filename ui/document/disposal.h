@@ -19,10 +19,6 @@ std::shared_ptr<const Value> sharedAside(Value value) {
                                       [](const Value* old) { doAside([old] { delete old; }); });
 }
 
-/// Makes the allocator keep freed memory: returning pages to the system slows an evaluation of 10⁵ rows by a
-/// sixth. Call once at program start.
-void keepFreedMemory();
-
 /// The value itself if nobody else owns it; else absent, and the owners keep it. Only for values of
 /// `sharedAside`, which are not const.
 template <typename Value>

@@ -13,6 +13,7 @@
 
 #include "core/base/atomic_file.h"
 #include "core/base/failure.h"
+#include "core/base/version.h"
 #include "core/session/session_file.h"
 #include "ui/recovery/private_folder.h"
 #include "ui/text/encoded_path.h"
@@ -30,7 +31,7 @@ struct Text {
 
 /// Inserts the session as its file text, since Qt's JSON preserves neither the key order nor all digits.
 QByteArray recordOf(const FailedJob& failed, const QDateTime& now) {
-  QJsonObject head{{QStringLiteral("program"), QStringLiteral("Alidade " ALIDADE_VERSION)},
+  QJsonObject head{{QStringLiteral("program"), qText("Alidade " + versionAndBuild())},
                    {QStringLiteral("qt"), QString::fromLatin1(qVersion())},
                    {QStringLiteral("system"), QSysInfo::prettyProductName()},
                    {QStringLiteral("time"), now.toString(Qt::ISODateWithMs)},

@@ -7,6 +7,7 @@
 #include <memory>
 
 #include "core/base/atomic_file.h"
+#include "core/base/version.h"
 #include "core/session/session_file.h"
 #include "ui/language/language_scope.h"
 #include "ui/language/languages.h"
@@ -52,7 +53,7 @@ QString fingerprint(const Evaluation& evaluation, const ReportSource& source) {
 
 /// The program that wrote the report, and the report's number if it has one.
 QString productLine(const Session& session) {
-  const QString version = QStringLiteral(ALIDADE_VERSION);
+  const QString version = qText(versionAndBuild());
   const QString number = QString::fromStdString(session.report.number).trimmed();
   return number.isEmpty() ? Report::tr("Alidade %1 · Acceptance report").arg(version)
                           : Report::tr("Alidade %1 · Acceptance report · No. %2").arg(version, number);
@@ -99,7 +100,7 @@ PdfInformation informationOf(const Evaluation& evaluation, const ReportSource& s
   const QString laboratory = typed(evaluation.session.report.laboratory);
   return {.title = reportTitle(evaluation, source),
           .author = laboratory.isEmpty() ? typed(evaluation.session.operatorName) : laboratory,
-          .creator = QStringLiteral("Alidade " ALIDADE_VERSION),
+          .creator = qText("Alidade " + versionAndBuild()),
           .date = options.date};
 }
 

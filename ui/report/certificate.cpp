@@ -5,6 +5,7 @@
 
 #include "core/answers/beforehand.h"
 #include "core/base/phrase.h"
+#include "core/base/version.h"
 #include "core/certificate/calibration_certificate.h"
 #include "core/session/hindrance.h"
 #include "core/session/session_file.h"
@@ -58,7 +59,7 @@ Result<WrittenCertificate> certificateOf(const ReportSource& source, const Repor
   if (!answer) return whyNoAnswer(*gap.evaluation);
   const bool isFile = source.saved && !source.bytes.isEmpty();
   const std::string bytes = isFile ? source.bytes.toStdString() : writeSession(session);
-  CertificateOptions options{.version = ALIDADE_VERSION,
+  CertificateOptions options{.version = versionAndBuild(),
                              .measuredOn = entries.measuredOn.toStdString(),
                              .country = entries.country.toStdString(),
                              .performedAt = entries.performedAt.toStdString(),

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/base/atomic_file.h"
+#include "core/base/version.h"
 #include "core/series/history/history_json.h"
 #include "core/series/history/history_sentences.h"
 #include "ui/report/painted_pdf.h"
@@ -185,7 +186,7 @@ Result<QString> writeDeviceHistory(const DeviceHistory& device, const QString& o
   const auto painted = paintedPdf(paper, [&](QPagedPaintDevice& pages) {
     ReportSheet sheet(
         pages,
-        {.product = Report::tr("Alidade %1 · Device history").arg(QStringLiteral(ALIDADE_VERSION)),
+        {.product = Report::tr("Alidade %1 · Device history").arg(qText(versionAndBuild())),
          .session = deviceText(device),
          .fileName = Report::tr("Sessions: %1, %2").arg(device.epochs.size()).arg(spanText(device)),
          .fingerprint = {},
@@ -201,7 +202,7 @@ Result<QString> writeDeviceHistory(const DeviceHistory& device, const QString& o
       archivedPdf(*painted,
                   {.title = Report::tr("Device history: %1").arg(shortLine(deviceText(device), 300)),
                    .author = {},
-                   .creator = QStringLiteral("Alidade " ALIDADE_VERSION),
+                   .creator = qText("Alidade " + versionAndBuild()),
                    .date = date},
                   {{.fileName = QStringLiteral("history.json"),
                     .description = Report::tr("The history of this document, to be read by programs"),

@@ -4,6 +4,7 @@
 #include <QPainter>
 
 #include "core/base/atomic_file.h"
+#include "core/base/version.h"
 #include "core/self_test/self_test_json.h"
 #include "core/self_test/self_test_words.h"
 #include "ui/report/painted_pdf.h"
@@ -82,7 +83,7 @@ bool paintOn(QPagedPaintDevice& device, const InstallationCheck& check, const Re
 }  // namespace
 
 QString InstallationCheck::product() const {
-  return QStringLiteral("Alidade " ALIDADE_VERSION);
+  return QString::fromStdString("Alidade " + versionAndBuild());
 }
 
 InstallationCheck checkInstallation() {
@@ -116,7 +117,7 @@ Result<QString> writeInstallationCheck(const InstallationCheck& check, const QSt
                    .date = check.at},
                   {{.fileName = QStringLiteral("self-test.json"),
                     .description = Report::tr("The check of this document, to be read by programs"),
-                    .bytes = selfTestJson(check.test, check.product().toStdString(), at)}});
+                    .bytes = selfTestJson(check.test, at)}});
   if (auto problem = writeFile(encodedPath(path), pdf, encodedPaths(inputs))) return *std::move(problem);
   return path;
 }

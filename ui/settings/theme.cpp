@@ -13,7 +13,8 @@
 #include <QTabWidget>
 #include <QToolTip>
 
-#include "ui/document/disposal.h"
+#include "core/base/freed_memory.h"
+#include "core/base/version.h"
 
 void initializeAlidadeResources() {
   Q_INIT_RESOURCE(alidade);
@@ -153,7 +154,7 @@ void setUpApplication(QApplication& application) {
   QApplication::setOrganizationName(QStringLiteral("Alidade"));
   QApplication::setApplicationName(QStringLiteral("alidade"));
   QApplication::setApplicationDisplayName(QStringLiteral("Alidade"));
-  QApplication::setApplicationVersion(QStringLiteral(ALIDADE_VERSION));
+  QApplication::setApplicationVersion(QString::fromStdString(versionAndBuild()));
   QApplication::setWindowIcon(themeIcon(QStringLiteral("alidade")));
   desktopPalette() = application.palette();
   QApplication::setStyle(new WorkstationStyle);

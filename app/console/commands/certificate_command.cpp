@@ -13,6 +13,7 @@
 #include "core/base/file_bytes.h"
 #include "core/base/file_target.h"
 #include "core/base/list_text.h"
+#include "core/base/version.h"
 #include "core/base/visible_text.h"
 #include "core/certificate/calibration_certificate.h"
 #include "core/diagnosis/diagnose.h"
@@ -109,7 +110,7 @@ Result<CertificateAnswer> runCertificate(const CertificateRequest& request) {
     answer.diagnosis = *std::move(diagnosis);
   answer.findDependences();
 
-  CertificateOptions options{.version = ALIDADE_VERSION,
+  CertificateOptions options{.version = versionAndBuild(),
                              .measuredOn = request.measuredOn,
                              .country = request.country,
                              .performedAt = request.performedAt,

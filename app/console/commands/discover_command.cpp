@@ -38,7 +38,7 @@ Result<std::string> runDiscover(const DiscoverRequest& request) {
                                  {"reduced_chi2", discovery->reducedChiSquare},
                                  {"noise_scale", discovery->noise}};
   json["forms"] = formsJson(discovery->forms);
-  return jsonText(json);
+  return answerText(std::move(json));
 }
 
 }  // namespace alidade::console

@@ -1,8 +1,5 @@
-#include <malloc.h>
-
 #include <CLI/CLI.hpp>
 #include <csignal>
-#include <limits>
 #include <string>
 #include <vector>
 
@@ -24,20 +21,14 @@
 #include "app/console/commands/trial_command.h"
 #include "app/console/session_files.h"
 #include "core/base/failure.h"
+#include "core/base/freed_memory.h"
 #include "core/base/given_arguments.h"
+#include "core/base/version.h"
 #include "core/base/visible_text.h"
 
 namespace {
 
 using namespace alidade::console;
-
-/// Keeps freed memory: returning long vectors to the system takes a quarter of the time for a million rows.
-void keepFreedMemory() {
-  constexpr int pieces = 1 << 20;  // bytes
-  mallopt(M_MMAP_MAX, 0);
-  mallopt(M_TRIM_THRESHOLD, std::numeric_limits<int>::max());
-  mallopt(M_TOP_PAD, pieces);
-}
 
 std::string callProblem(const CLI::App& app, const CLI::ParseError& error) {
   const std::vector<std::string> unknown = app.remaining();
@@ -105,7 +96,7 @@ int giveDiagnosis(const DiagnoseRequest& request, std::string& subject) {
 int run(int argc, char** argv, std::string& subject) {
   if (const auto why = alidade::emptyArgument(argc, argv)) return refuse(subject, *why);
   CLI::App app("Intersection of rotatable arc guideways from theodolite readings.", "alidade-cli");
-  app.set_version_flag("--version", "alidade-cli " ALIDADE_VERSION);
+  app.set_version_flag("--version", "alidade-cli " + alidade::versionAndBuild());
   app.require_subcommand(1);
   FitRequest fitRequest;
   addFitCommand(app, fitRequest);
@@ -176,7 +167,7 @@ int run(int argc, char** argv, std::string& subject) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  keepFreedMemory();
+  alidade::keepFreedMemory();
   std::signal(SIGXFSZ, SIG_IGN);  // exceeding the file size limit becomes an error message
   int exitCode = Failed;
   std::string subject = "alidade-cli";

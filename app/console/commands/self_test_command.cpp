@@ -6,6 +6,7 @@
 #include "app/console/clock.h"
 #include "app/console/self_test_text.h"
 #include "core/base/file_bytes.h"
+#include "core/base/version.h"
 #include "core/self_test/self_test.h"
 #include "core/self_test/self_test_json.h"
 
@@ -45,9 +46,8 @@ int giveSelfTest(const SelfTestRequest& request) {
   if (!take(request.fits, references.fits) || !take(request.numbers, references.numbers)) return BadInput;
   SelfTest test = runSelfTest(installedShare(), references);
   test.environment.insert(test.environment.begin(), {"CLI11", CLI11_VERSION});
-  const std::string program = "alidade-cli " ALIDADE_VERSION, at = timeInUtc();
-  const int written =
-      writeResult(request.json ? selfTestJson(test, program, at) : selfTestText(test, program, at));
+  const std::string program = "alidade-cli " + versionAndBuild(), at = timeInUtc();
+  const int written = writeResult(request.json ? selfTestJson(test, at) : selfTestText(test, program, at));
   if (written != Done) return written;
   return test.hasPassed() ? Done : Failed;
 }

@@ -134,7 +134,7 @@ Json named(const std::string& name, const Json& json) {
 std::string historyJson(const std::string& name, const ValueTable& table, const History& history) {
   Json json = named(name, seriesJson(history, table.unit));
   json["remarks"] = table.remarks;
-  return jsonText(json);
+  return answerText(std::move(json));
 }
 
 std::string historyJson(const std::string& name, const DeviceHistories& histories,
@@ -147,7 +147,7 @@ std::string historyJson(const std::string& name, const DeviceHistories& historie
     for (const DeviceHistory& device : histories.devices) json["devices"].push_back(deviceJson(device));
   }
   json["remarks"] = remarks;
-  return jsonText(json);
+  return answerText(std::move(json));
 }
 
 }  // namespace alidade

@@ -138,14 +138,14 @@ std::string instrumentJson(const InstrumentCheck& check, const std::vector<Findi
   pooled["line_of_sight"] = causesJson(check.lineOfSight, "eccentricity", "mm");
   pooled["collimations_differ_p_value"] = finite(check.collimationsDifferP);
   pooled["indices_differ_p_value"] = finite(check.indicesDifferP);
-  return jsonText({{"stations", std::move(stations)},
-                   {"pooled", std::move(pooled)},
-                   {"tests",
-                    {{"direction", testJson(check.directionTest)},
-                     {"zenith", testJson(check.verticalTest)},
-                     {"two_samples", samplesJson(check)}}},
-                   {"findings", findingsJson(findings)},
-                   {"remarks", remarks}});
+  return answerText({{"stations", std::move(stations)},
+                     {"pooled", std::move(pooled)},
+                     {"tests",
+                      {{"direction", testJson(check.directionTest)},
+                       {"zenith", testJson(check.verticalTest)},
+                       {"two_samples", samplesJson(check)}}},
+                     {"findings", findingsJson(findings)},
+                     {"remarks", remarks}});
 }
 
 std::string instrumentCsv(const InstrumentCheck& check) {

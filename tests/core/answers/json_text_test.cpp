@@ -2,8 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <iterator>
 #include <limits>
 #include <nlohmann/json.hpp>
+
+#include "core/base/version.h"
 
 namespace alidade {
 namespace {
@@ -41,6 +44,14 @@ TEST(JsonText, TakesADocumentWithoutLongLists) {
   EXPECT_EQ(jsonText(document(listOf(2), Json::array())), document(listOf(2), Json::array()).dump(2) + "\n");
   EXPECT_EQ(jsonText(Json::object()), "{}\n");
   EXPECT_EQ(jsonText("\xff"), "\"\uFFFD\"\n");
+}
+
+TEST(JsonText, OfAnAnswerNamesTheProgramLast) {
+  const Json answer = Json::parse(answerText({{"list", Json::array()}}, {rows("/list", 2)}));
+  EXPECT_EQ(answer.at("list").size(), 2U);
+  const Json program = {{"name", "Alidade"}, {"version", programVersion}, {"build", programBuild}};
+  EXPECT_EQ(std::prev(answer.end()).key(), "program");
+  EXPECT_EQ(answer.at("program"), program);
 }
 
 }  // namespace

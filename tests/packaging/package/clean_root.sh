@@ -93,8 +93,8 @@ apt() {
 apt update
 apt install "/tmp/$(basename -- "$package")" libglib2.0-bin desktop-file-utils shared-mime-info man-db
 step "installed"
-[[ $(inside alidade-cli --version) == "alidade-cli $version" ]] || fail "alidade-cli is not on PATH, or of another version"
-[[ $(inside alidade --version) == "alidade $version" ]] || fail "alidade is not on PATH, or of another version"
+[[ $(inside alidade-cli --version) == "alidade-cli $version ("*")" ]] || fail "alidade-cli is not on PATH, or of another version"
+[[ $(inside alidade --version) == "alidade $version ("*")" ]] || fail "alidade is not on PATH, or of another version"
 
 # As a user without rights outside the home folder.
 inside useradd --create-home guest

@@ -16,7 +16,7 @@ share=$tree/usr/share
 [[ $(dpkg-deb -f "$package" Version) == "$version"-* ]] || fail "the package is of another version than $version"
 for program in alidade alidade-cli; do
   said=$("$tree/usr/bin/$program" --version)
-  [[ $said == "$program $version" ]] || fail "$program --version says $said, not $version"
+  [[ $said == "$program $version ("*")" ]] || fail "$program --version says $said, not $version"
 done
 grep -q "<release version=\"$version\"" "$share/metainfo/$id.metainfo.xml" || fail "the metadata is of another version"
 grep -q "^alidade ($version-" < <(gzip -dc "$share/doc/alidade/changelog.Debian.gz") || fail "the changelog is of another version"
