@@ -48,7 +48,7 @@ TEST(JsonText, TakesADocumentWithoutLongLists) {
 
 TEST(JsonText, OfAnAnswerNamesTheProgramLast) {
   const Json answer = Json::parse(answerText({{"list", Json::array()}}, {rows("/list", 2)}));
-  EXPECT_EQ(answer.at("list"), listOf(2));
+  EXPECT_EQ(answer.at("list").size(), 2U);
   const Json program = {{"name", "Alidade"}, {"version", programVersion}, {"build", programBuild}};
   EXPECT_EQ(std::prev(answer.end()).key(), "program");
   EXPECT_EQ(answer.at("program"), program);
