@@ -45,14 +45,11 @@ std::string plainName(const Form& form) {
 }  // namespace
 
 OwnEffect ownEffectOf(const FoundForm& found, const Session& session) {
-  const bool isOfInstrument = found.form.carrier == FormCarrier::Horizontal ||
-                              found.form.carrier == FormCarrier::Vertical ||
-                              found.form.carrier == FormCarrier::Orientation;
   OwnEffect effect{.name = plainName(found.form), .formula = linesOf(found.formula)};
   effect.id = effect.name;
   std::ranges::replace_if(
       effect.id, [](char c) { return std::isalnum(static_cast<unsigned char>(c)) == 0; }, '_');
-  (isOfInstrument ? effect.instrument : effect.device) =
+  (isOfCircles(found.form.carrier) ? effect.instrument : effect.device) =
       isOfInstrument ? session.instrument.serial : session.device.serial;
   const std::string plausible = rounded(plausibleOf(found));
   for (const FormNumber& coefficient : found.coefficients)

@@ -114,8 +114,8 @@ void addOwn(const ErrorTerms<T>& errors, const OwnPlace& own, T& a, T& e) {
   for (const OwnShare& share : own.model->ofCircles(own, plainValue(a), plainValue(e))) {
     const T factor = share.value + T(share.byA * offA) + T(share.byE * offE);
     const T added = errors[share.term] * factor;
-    if (share.carrier != OwnCarrier::Vertical) a += added;
-    if (share.carrier != OwnCarrier::Horizontal) e += added;
+    if (share.carrier != FormCarrier::Vertical) a += added;
+    if (share.carrier != FormCarrier::Horizontal) e += added;
   }
 }
 

@@ -27,7 +27,7 @@ struct OwnPlace {
 /// What one unit of an own term (mm or rad) does to a carrier, with its slopes.
 struct OwnShare {
   ErrorTerm term;
-  OwnCarrier carrier;
+  FormCarrier carrier;
   double value = 0;         ///< mm or rad per unit
   double byArcAngle = 0;    ///< its derivative by φ
   double byA = 0, byE = 0;  ///< by the directions
@@ -57,7 +57,7 @@ class OwnModel {
  private:
   struct Line {
     std::size_t entry, line;
-    OwnCarrier carrier;
+    FormCarrier carrier;
     bool actsOnZeros, turnsWithFace;
     std::vector<std::size_t> amplitudes;
   };
@@ -95,7 +95,7 @@ OwnDisplacement<T> ownDisplacement(std::span<const OwnShare> shares, const Error
                                           &OwnDisplacement<T>::across, &OwnDisplacement<T>::x,
                                           &OwnDisplacement<T>::y,      &OwnDisplacement<T>::z};
   for (const OwnShare& share : shares) {
-    T& part = share.carrier == OwnCarrier::Slider ? sum.slider
+    T& part = share.carrier == FormCarrier::Slider ? sum.slider
                                                   : sum.*parts[static_cast<std::size_t>(share.carrier)];
     const T factor = share.value + T(share.byArcAngle * off);
     part += errors[share.term] * factor;

@@ -77,13 +77,8 @@ constexpr double notANumber = std::numeric_limits<double>::quiet_NaN();
 
 }  // namespace
 
-bool isOfCircles(OwnCarrier carrier) {
-  return carrier == OwnCarrier::Horizontal || carrier == OwnCarrier::Vertical ||
-         carrier == OwnCarrier::Orientation;
-}
-
-std::string_view unitOf(OwnCarrier carrier) {
-  return carrier <= OwnCarrier::Z ? "mm" : "arcsec";
+std::string_view unitOf(FormCarrier carrier) {
+  return carrier <= FormCarrier::Z ? "mm" : "arcsec";
 }
 
 std::string FormulaFault::text(std::string_view formula) const {
@@ -267,7 +262,7 @@ class FormulaMaker {
     return std::nullopt;
   }
 
-  std::optional<FormulaFault> addLine(const FormulaStatement& statement, OwnCarrier carrier) {
+  std::optional<FormulaFault> addLine(const FormulaStatement& statement, FormCarrier carrier) {
     auto plain = plainExpression(statement, m_numbers);
     if (!plain) return plain.problem();
     FormulaLine line{.carrier = carrier, .expression = std::move(plain->text), .amplitudes = {}};

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/base/result.h"
+#include "core/terms/carrier.h"
 
 namespace alidade {
 
@@ -21,17 +22,8 @@ namespace alidade {
 // Formulas come from files of strangers: their length is bounded, there are no loops, strings or assignments,
 // and the parser (muParser) sees only what was checked here before.
 
-/// What a line displaces. `Radial`, `Tangential`, `Across`: the target, mm, turning with the guideway. `X`,
-/// `Y`, `Z`: the target, mm in o0. `Horizontal`: added to the reading in face 1, arcseconds. `Vertical`: of
-/// the elevation, up positive, arcseconds. `Orientation`: both of these alike. `Slider`: its reading,
-/// arcseconds.
-enum class OwnCarrier { Radial, Tangential, Across, X, Y, Z, Horizontal, Vertical, Orientation, Slider };
-
-std::string_view nameOf(OwnCarrier carrier);
-/// Does it act on a circle, rather than on the guideway and its slider?
-bool isOfCircles(OwnCarrier carrier);
 /// "mm" or "arcsec".
-std::string_view unitOf(OwnCarrier carrier);
+std::string_view unitOf(FormCarrier carrier);
 
 /// The variables of a formula for one reading; angles in rad.
 struct FormulaArguments {
@@ -56,7 +48,7 @@ struct FormulaFault {
 };
 
 struct FormulaLine {
-  OwnCarrier carrier = OwnCarrier::Radial;
+  FormCarrier carrier = FormCarrier::Radial;
   std::string expression;               ///< for the parser
   std::vector<std::size_t> amplitudes;  ///< indices into `Formula::amplitudes`
   /// A line of circles acts on pointing zeros as well, unless it is of the slider's place, leg, round or
@@ -67,7 +59,7 @@ struct FormulaLine {
 
 struct FormulaAmplitude {
   std::string name;
-  OwnCarrier carrier = OwnCarrier::Radial;  ///< of its first line
+  FormCarrier carrier = FormCarrier::Radial;  ///< of its first line
 };
 
 /// A formula that is sound. Immutable, and shared between threads.

@@ -14,8 +14,6 @@ namespace alidade {
 
 namespace {
 
-constexpr std::string_view carrierNames[] = {"radial", "tangential", "across",   "x",           "y",
-                                             "z",      "horizontal", "vertical", "orientation", "slider"};
 constexpr std::string_view degreeSigns[] = {"°", "º", "deg"};
 
 bool startsName(char c) {
@@ -257,16 +255,6 @@ class ExpressionReader {
 };
 
 }  // namespace
-
-std::string_view nameOf(OwnCarrier carrier) {
-  return carrierNames[static_cast<std::size_t>(carrier)];
-}
-
-std::optional<OwnCarrier> carrierNamed(std::string_view name) {
-  const auto found = std::ranges::find(carrierNames, name);
-  if (found == std::end(carrierNames)) return std::nullopt;
-  return static_cast<OwnCarrier>(found - std::begin(carrierNames));
-}
 
 Result<std::vector<FormulaStatement>, FormulaFault> formulaStatements(std::string_view text) {
   std::vector<FormulaStatement> statements;

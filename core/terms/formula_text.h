@@ -68,6 +68,4 @@ struct PlainExpression {
 Result<PlainExpression, FormulaFault> plainExpression(const FormulaStatement& statement,
                                                       const std::map<std::string_view, double>& numbers);
 
-std::optional<OwnCarrier> carrierNamed(std::string_view name);
-
 }  // namespace alidade

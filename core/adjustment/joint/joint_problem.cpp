@@ -433,8 +433,8 @@ OwnSlopes ownSlopes(const Jets& jets, const OwnPlace& own,
   OwnSlopes slopes;
   for (const OwnShare& share : own.model->ofCircles(own, sighted.a.value(), sighted.e.value())) {
     const double slope = jets.instrumentErrors[share.term].value() * share.byArcAngle;
-    if (share.carrier != OwnCarrier::Vertical) slopes.a += slope;
-    if (share.carrier != OwnCarrier::Horizontal) slopes.e += slope;
+    if (share.carrier != FormCarrier::Vertical) slopes.a += slope;
+    if (share.carrier != FormCarrier::Horizontal) slopes.e += slope;
   }
   return slopes;
 }

@@ -134,11 +134,6 @@ class SessionReadings {
   }
 };
 
-bool isOfInstrument(FormCarrier carrier) {
-  return carrier == FormCarrier::Horizontal || carrier == FormCarrier::Vertical ||
-         carrier == FormCarrier::Orientation;
-}
-
 }  // namespace
 
 FormReadings formReadings(const Leftover& leftover, const Measurement& measurement, const JointFit& fit) {
@@ -244,7 +239,7 @@ MatrixXd formColumns(const FormReadings& readings, const Form& form) {
   };
   MatrixXd values = valuesAt(readings.of(form.of));
   if (form.turnsWithFace) values = readings.face.asDiagonal() * values;
-  if (zero.size() > 0 && isOfInstrument(form.carrier)) values -= valuesAt(zero);
+  if (zero.size() > 0 && isOfCircles(form.carrier)) values -= valuesAt(zero);
   if (form.carrier != FormCarrier::Orientation) return readings.of(form.carrier).asDiagonal() * values;
   MatrixXd both(values.rows(), 2 * values.cols());
   both << readings.of(FormCarrier::Horizontal).asDiagonal() * values,

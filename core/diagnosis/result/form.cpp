@@ -4,18 +4,12 @@ namespace alidade {
 
 namespace {
 
-constexpr std::array<std::string_view, 10> carrierNames = {
-    "radial", "tangential", "across", "x", "y", "z", "horizontal", "vertical", "orientation", "slider"};
 constexpr std::array<std::string_view, 9> functionNames = {
     "harmonic", "bump", "step", "hinge", "exponential", "power", "hysteresis", "walk", "per_place"};
 constexpr std::array<std::string_view, 10> argumentNames = {
     "s", "t", "a", "e", "horizontal circle", "vertical circle", "leg", "face", "position", "round"};
 
 }  // namespace
-
-std::string_view nameOf(FormCarrier carrier) {
-  return carrierNames[static_cast<std::size_t>(carrier)];
-}
 
 std::string_view nameOf(FormFunction function) {
   return functionNames[static_cast<std::size_t>(function)];

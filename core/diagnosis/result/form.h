@@ -6,15 +6,12 @@
 #include <string_view>
 #include <vector>
 
+#include "core/terms/carrier.h"
+
 namespace alidade {
 
 // A form describes an uncatalogued effect as carrier × function of an argument. It describes the readings
 // without naming a cause.
-
-/// The displaced quantity. `Radial`, `Tangential`, `Across`: the target, mm, turning with the guideway. `X`,
-/// `Y`, `Z`: the target, mm in o0. `Horizontal`, `Vertical`: one circle, arcseconds. `Orientation`: both
-/// circles, each with its own amplitudes, arcseconds. `Slider`: the slider reading, arcseconds.
-enum class FormCarrier { Radial, Tangential, Across, X, Y, Z, Horizontal, Vertical, Orientation, Slider };
 
 /// Function of the argument x, in this order: cos kx and sin kx; exp(−½((x − at)/width)²); 1 beyond `at`;
 /// max(0, x − at); exp(−x/τ); (x/unit)^k; x itself, which is 1 or −1; a random walk in steps of equal length;
@@ -37,7 +34,6 @@ enum class FormArgument {
   Round
 };
 
-std::string_view nameOf(FormCarrier carrier);
 std::string_view nameOf(FormFunction function);
 std::string_view nameOf(FormArgument argument);
 

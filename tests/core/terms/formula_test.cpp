@@ -29,7 +29,7 @@ TEST(Formula, HasLinesWithTheirAmplitudes) {
   const Formula formula =
       sound("horizontal = A*cos(2*pi*t) + B*sin(2*pi*t)\n vertical = C*t^2; radial = R*s");
   ASSERT_EQ(formula.lines.size(), 3u);
-  EXPECT_EQ(formula.lines[0].carrier, OwnCarrier::Horizontal);
+  EXPECT_EQ(formula.lines[0].carrier, FormCarrier::Horizontal);
   EXPECT_EQ(formula.lines[0].amplitudes, (std::vector<std::size_t>{0, 1}));
   EXPECT_EQ(formula.lines[1].amplitudes, (std::vector<std::size_t>{2}));
   ASSERT_EQ(formula.amplitudes.size(), 4u);

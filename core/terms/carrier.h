@@ -1,0 +1,19 @@
+#pragma once
+
+#include <optional>
+#include <string_view>
+
+namespace alidade {
+
+/// The displaced quantity of a form or a formula. `Radial`, `Tangential`, `Across`: the target, mm, turning
+/// with the guideway. `X`, `Y`, `Z`: the target, mm in o0. `Horizontal`, `Vertical`: the reading of one
+/// circle in face 1, arcseconds; vertical of the elevation, up positive. `Orientation`: both circles.
+/// `Slider`: the slider reading, arcseconds.
+enum class FormCarrier { Radial, Tangential, Across, X, Y, Z, Horizontal, Vertical, Orientation, Slider };
+
+std::string_view nameOf(FormCarrier carrier);
+std::optional<FormCarrier> carrierNamed(std::string_view name);
+/// Whether it acts on a circle, and not on the guideway or its slider.
+bool isOfCircles(FormCarrier carrier);
+
+}  // namespace alidade
