@@ -45,11 +45,12 @@ std::string plainName(const Form& form) {
 }  // namespace
 
 OwnEffect ownEffectOf(const FoundForm& found, const Session& session) {
+  const bool isOfInstrument = isOfCircles(found.form.carrier);
   OwnEffect effect{.name = plainName(found.form), .formula = linesOf(found.formula)};
   effect.id = effect.name;
   std::ranges::replace_if(
       effect.id, [](char c) { return std::isalnum(static_cast<unsigned char>(c)) == 0; }, '_');
-  (isOfCircles(found.form.carrier) ? effect.instrument : effect.device) =
+  (isOfInstrument ? effect.instrument : effect.device) =
       isOfInstrument ? session.instrument.serial : session.device.serial;
   const std::string plausible = rounded(plausibleOf(found));
   for (const FormNumber& coefficient : found.coefficients)
