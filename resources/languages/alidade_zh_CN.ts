@@ -1287,6 +1287,10 @@ Sealed by:</source>
         <source>Undetectable here, yet a plausible size moves Δd by more than U: %1; and %2 more.</source>
         <translation>在此无法检出，但合理大小使 Δd 移动超过 U：%1；另有 %2 个。</translation>
     </message>
+    <message>
+        <source>the form</source>
+        <translation>形式</translation>
+    </message>
 </context>
 <context>
     <name>HeadlineText</name>
@@ -1393,6 +1397,10 @@ Includes every catalogued effect, limited by these readings or by its plausible 
     <message>
         <source>Checking this installation</source>
         <translation>检查本安装</translation>
+    </message>
+    <message>
+        <source>Forms: effects of no catalogue</source>
+        <translation>形式：目录之外的效应</translation>
     </message>
 </context>
 <context>
@@ -6072,6 +6080,231 @@ Includes every catalogued effect, limited by these readings or by its plausible 
         <source>On %1 readings that took no part in finding it the gap shrinks by %2 %, in all readings by %3 % (F test: p = %4).</source>
         <translation>在未参与求解的 %1 个读数上，偏差缩小 %2 %，在全部读数上缩小 %3 %（F 检验：p = %4）。</translation>
     </message>
+    <message>
+        <source>a session without a title</source>
+        <translation>无标题的测量记录</translation>
+    </message>
+    <message>
+        <source>found in %1</source>
+        <translation>见于 %1</translation>
+    </message>
+    <message>
+        <source>found in %1 of %2</source>
+        <translation>见于 %2 的 %1</translation>
+    </message>
+    <message>
+        <source>The formula has no finite value on these readings in %1 of %2 cases: it counts as 0 there.</source>
+        <translation>对这些读数，公式在 %2 个值中有 %1 个不是有限值：该处按 0 计。</translation>
+    </message>
+    <message>
+        <source>This leaves nothing to see here, as the fit takes it up: %1 σ per %2.</source>
+        <translation>此影响在此处不可见，因为拟合将其吸收：每 %2 为 %1 σ。</translation>
+    </message>
+    <message>
+        <source>This is %1 of the catalogue already: these readings cannot tell the two apart.</source>
+        <translation>这已是目录中的%1：这些读数无法区分二者。</translation>
+    </message>
+    <message>
+        <source>Table</source>
+        <translation>表格</translation>
+    </message>
+    <message>
+        <source>is missing: this is no effect&apos;s file, which says &quot;format&quot;: &quot;alidade-effect&quot;</source>
+        <translation>缺失：这不是影响因素文件，此类文件含 &quot;format&quot;: &quot;alidade-effect&quot;</translation>
+    </message>
+    <message>
+        <source>choose a file of an effect</source>
+        <translation>请选择一个影响因素文件</translation>
+    </message>
+    <message>
+        <source>%1 is no version of an effect&apos;s file: it must be %2</source>
+        <translation>%1 不是影响因素文件的版本：应为 %2</translation>
+    </message>
+    <message>
+        <source>lack the amplitude %1: say its plausible size</source>
+        <translation>缺少幅值 %1：请给出其合理大小</translation>
+    </message>
+    <message>
+        <source>is no plausible size: type a number above 0</source>
+        <translation>不是合理大小：请输入大于 0 的数</translation>
+    </message>
+    <message>
+        <source>is not the unit of %1, which is %2</source>
+        <translation>不是 %1 的单位，其单位为 %2</translation>
+    </message>
+    <message>
+        <source>must be up to 40 letters, digits, _ or -</source>
+        <translation>必须是至多 40 个字母、数字、_ 或 -</translation>
+    </message>
+    <message>
+        <source>%1 is no amplitude of the formula</source>
+        <translation>%1 不是公式中的幅值</translation>
+    </message>
+    <message>
+        <source>is that of another effect of the session: take another one</source>
+        <translation>已用于测量记录中的另一影响因素：请换一个</translation>
+    </message>
+    <message>
+        <source>has too many amplitudes: those of a session&apos;s own effects may be %1 together</source>
+        <translation>幅值过多：一份测量记录的自定义影响因素总共最多 %1 个</translation>
+    </message>
+    <message>
+        <source>Line %1, column %2: %3</source>
+        <extracomment>the place in a formula, then a sentence on it</extracomment>
+        <translation>第 %1 行，第 %2 列：%3</translation>
+    </message>
+    <message>
+        <source>The formula is too long: it may have %1 characters.</source>
+        <translation>公式过长：最多 %1 个字符。</translation>
+    </message>
+    <message>
+        <source>No line says what is displaced: add one such as radial = A*cos(2*s).</source>
+        <translation>没有一行说明位移的对象：请添加一行，例如 radial = A*cos(2*s)。</translation>
+    </message>
+    <message>
+        <source>%1 cannot be set: begin a line with what it displaces, such as radial, or with a new name.</source>
+        <translation>不能给 %1 赋值：一行应以位移的对象（例如 radial）或新名称开头。</translation>
+    </message>
+    <message>
+        <source>%1 is given a number here: take %2 out of it.</source>
+        <translation>此处 %1 应为一个数：请去掉 %2。</translation>
+    </message>
+    <message>
+        <source>This is no finite number.</source>
+        <translation>这不是有限的数。</translation>
+    </message>
+    <message>
+        <source>The expression has no amplitude: multiply it by a letter such as A.</source>
+        <translation>表达式没有幅值：请乘以一个字母，例如 A。</translation>
+    </message>
+    <message>
+        <source>%1 is one amplitude too many: there may be %2.</source>
+        <translation>%1 使幅值过多：最多 %2 个。</translation>
+    </message>
+    <message>
+        <source>%1 belongs to the line %2 already, which is of another kind: take another letter here.</source>
+        <translation>%1 已属于另一类的行 %2：请在此处使用另一个字母。</translation>
+    </message>
+    <message>
+        <source>The line must be a sum of amplitudes times functions, without a part that has none or two of them.</source>
+        <translation>该行必须是幅值乘以函数之和，任何一项不得没有幅值或含两个幅值。</translation>
+    </message>
+    <message>
+        <source>The line is not in proportion to %1: multiply by it, or set it to a number, such as %2 = 1.</source>
+        <translation>该行与 %1 不成正比：请乘以它，或将其设为一个数，例如 %2 = 1。</translation>
+    </message>
+    <message>
+        <source>The formula cannot be read: write it more simply.</source>
+        <translation>无法读取公式：请写得更简单。</translation>
+    </message>
+    <message>
+        <source>The expression ends where a number or a name is missing.</source>
+        <translation>表达式在缺少数或名称处结束。</translation>
+    </message>
+    <message>
+        <source>This parenthesis is not closed: add ) where it ends.</source>
+        <translation>此括号未闭合：请在其结尾处添加 )。</translation>
+    </message>
+    <message>
+        <source>The sign ° stands only behind a number, such as 83°.</source>
+        <translation>符号 ° 只能位于数之后，例如 83°。</translation>
+    </message>
+    <message>
+        <source>The sign %1 has no meaning in a formula: take it out.</source>
+        <translation>符号 %1 在公式中没有意义：请去掉。</translation>
+    </message>
+    <message>
+        <source>An operator such as * is missing before %1.</source>
+        <translation>%1 之前缺少运算符，例如 *。</translation>
+    </message>
+    <message>
+        <source>This is no number of a formula: type one up to 10^15 with a point.</source>
+        <translation>这不是公式中的数：请输入不大于 10^15 的数，小数点用句点。</translation>
+    </message>
+    <message>
+        <source>%1 is no function: there are bump, step, hinge, exponential, sin, cos, tan, exp, ln, sqrt, abs, min, max and the like.</source>
+        <translation>%1 不是函数：可用 bump、step、hinge、exponential、sin、cos、tan、exp、ln、sqrt、abs、min、max 等。</translation>
+    </message>
+    <message>
+        <source>The readings have no temperature of their own: take another variable, such as t, the share of the session.</source>
+        <translation>读数没有各自的温度：请用另一个变量，例如 t（测量记录的时间份额）。</translation>
+    </message>
+    <message>
+        <source>%1 cannot be an amplitude, as it has another meaning: take a letter such as A.</source>
+        <translation>%1 另有含义，不能作为幅值：请用一个字母，例如 A。</translation>
+    </message>
+    <message>
+        <source>The name is too long: take one of at most %1 letters.</source>
+        <translation>名称过长：最多 %1 个字母。</translation>
+    </message>
+    <message>
+        <source>There are too many parentheses inside one another.</source>
+        <translation>括号嵌套过多。</translation>
+    </message>
+    <message>
+        <source>Nothing is open here: take ) out.</source>
+        <translation>此处没有未闭合的括号：请去掉 )。</translation>
+    </message>
+    <message>
+        <source>A number or a name is missing before ).</source>
+        <translation>) 之前缺少数或名称。</translation>
+    </message>
+    <message>
+        <source>%1 takes one argument: write %1(x).</source>
+        <translation>%1 有一个自变量：请写 %1(x)。</translation>
+    </message>
+    <message>
+        <source>%1 takes two arguments: write %1(x, y).</source>
+        <translation>%1 有两个自变量：请写 %1(x, y)。</translation>
+    </message>
+    <message>
+        <source>%1 takes three arguments: write %1(x, at, width).</source>
+        <translation>%1 有三个自变量：请写 %1(x, at, width)。</translation>
+    </message>
+    <message>
+        <source>A comma stands only between the arguments of a function. Type a point in numbers.</source>
+        <translation>逗号只能位于函数的自变量之间。数中的小数点请用句点。</translation>
+    </message>
+    <message>
+        <source>A number or a name is missing before the comma.</source>
+        <translation>逗号之前缺少数或名称。</translation>
+    </message>
+    <message>
+        <source>A number or a name is missing before %1.</source>
+        <translation>%1 之前缺少数或名称。</translation>
+    </message>
+    <message>
+        <source>Put a negative exponent in parentheses, such as x^(-1).</source>
+        <translation>负指数请加括号，例如 x^(-1)。</translation>
+    </message>
+    <message>
+        <source>A line begins with what it displaces, such as radial = A*cos(2*s).</source>
+        <translation>一行以位移的对象开头，例如 radial = A*cos(2*s)。</translation>
+    </message>
+    <message>
+        <source>A line has one = only: begin a new line, or put a semicolon before.</source>
+        <translation>一行只能有一个 =：请另起一行，或在其前加分号。</translation>
+    </message>
+    <message>
+        <source>a random walk</source>
+        <translation>随机游走</translation>
+    </message>
+    <message>
+        <source>a number for each place</source>
+        <translation>每个位置一个数</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%2 的%1</translation>
+    </message>
+    <message>
+        <source>It displaces readings by more than their σ over the whole range of %1.</source>
+        <translation>它使读数的偏移在 %1 的整个范围内均大于其 σ。</translation>
+    </message>
+    <message>
+        <source>The model holds where %1 is within %2: the form is below the σ of a reading there.</source>
+        <translation>%1 在 %2 之内时模型成立：此处该形式小于一个读数的 σ。</translation>
+    </message>
 </context>
 <context>
     <name>PlaceText</name>
@@ -7579,6 +7812,34 @@ a clause as a sentence</extracomment>
         <source>known sizes in Δd, measured: %1</source>
         <translation>实测 Δd 采用的已知值：%1</translation>
     </message>
+    <message>
+        <source>The curve is the form; hollow marks are what each sighting says with everything but this form in the model.</source>
+        <translation>曲线是形式；空心标记是除此形式外其余均列入模型时每次照准所反映的量。</translation>
+    </message>
+    <message>
+        <source>Filled marks are the same less the form, as found without that sighting.</source>
+        <translation>实心标记是减去形式后的同一量，形式由不含该次照准的读数求得。</translation>
+    </message>
+    <message>
+        <source>Filled marks are the same less the form.</source>
+        <translation>实心标记是减去形式后的同一量。</translation>
+    </message>
+    <message>
+        <source>Broken lines: ±1σ of a sighting by the stated noise.</source>
+        <translation>虚线：按声明噪声一次照准的 ±1σ。</translation>
+    </message>
+    <message>
+        <source>Grey: where the model holds.</source>
+        <translation>灰色：模型成立之处。</translation>
+    </message>
+    <message>
+        <source>Form of the gap</source>
+        <translation>差距的形式</translation>
+    </message>
+    <message>
+        <source>A form tells what the readings do; it does not name what causes it.</source>
+        <translation>形式说明读数怎样变化，并不指明其原因。</translation>
+    </message>
 </context>
 <context>
     <name>ReportPart</name>
@@ -7759,10 +8020,6 @@ a clause as a sentence</extracomment>
         <translation>导轨变形</translation>
     </message>
     <message>
-        <source>A gap that is described and not pinned on the nearest effect</source>
-        <translation>只描述差距，而不归咎于最接近的效应</translation>
-    </message>
-    <message>
         <source>As the record says</source>
         <translation>与记录相符</translation>
     </message>
@@ -7777,6 +8034,26 @@ a clause as a sentence</extracomment>
     <message>
         <source>A record that holds no longer, found out</source>
         <translation>不再成立的记录，被识破</translation>
+    </message>
+    <message>
+        <source>A radius that changes five times in a turn: the form found, with its size</source>
+        <translation>半径每转变化五次：求得形式及其大小</translation>
+    </message>
+    <message>
+        <source>A dented guideway</source>
+        <translation>导轨凹陷</translation>
+    </message>
+    <message>
+        <source>The form of an effect of no catalogue, and where the model holds</source>
+        <translation>目录之外效应的形式，以及模型成立之处</translation>
+    </message>
+    <message>
+        <source>A settling tripod</source>
+        <translation>三脚架沉降</translation>
+    </message>
+    <message>
+        <source>A form of time: the first quarter is off, the rest is not</source>
+        <translation>随时间的形式：前四分之一有偏移，其余没有</translation>
     </message>
 </context>
 <context>
@@ -9489,6 +9766,105 @@ and a plausible size of %1 (1σ)</source>
     </message>
 </context>
 <context>
+    <name>alidade::ui::FormChart</name>
+    <message>
+        <source>Form of the gap</source>
+        <translation>差距的形式</translation>
+    </message>
+</context>
+<context>
+    <name>alidade::ui::FormPlot</name>
+    <message>
+        <source>slider coordinate s (°)</source>
+        <translation>滑块坐标 s (°)</translation>
+    </message>
+    <message>
+        <source>t, share of the session</source>
+        <translation>t，占测量记录的份额</translation>
+    </message>
+    <message>
+        <source>azimuth a (°), right positive</source>
+        <translation>方位角 a (°)，向右为正</translation>
+    </message>
+    <message>
+        <source>elevation e (°), up positive</source>
+        <translation>高度角 e (°)，向上为正</translation>
+    </message>
+    <message>
+        <source>horizontal circle α (°)</source>
+        <translation>水平度盘 α (°)</translation>
+    </message>
+    <message>
+        <source>vertical circle β (°)</source>
+        <translation>竖直度盘 β (°)</translation>
+    </message>
+    <message>
+        <source>1: there, −1: back</source>
+        <translation>1：往，−1：返</translation>
+    </message>
+    <message>
+        <source>1: face 1, −1: face 2</source>
+        <translation>1：盘左，−1：盘右</translation>
+    </message>
+    <message>
+        <source>1: axis at 0°, −1: at 180°</source>
+        <translation>1：轴位 0°，−1：轴位 180°</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <extracomment>%1: what a form displaces, %2: unit</extracomment>
+        <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>No sighting shows this form by itself.</source>
+        <translation>没有单次照准能单独显示此形式。</translation>
+    </message>
+    <message>
+        <source>after, held out</source>
+        <translation>之后，留出的读数</translation>
+    </message>
+    <message>
+        <source>after</source>
+        <translation>之后</translation>
+    </message>
+    <message>
+        <source>horizontal</source>
+        <translation>水平</translation>
+    </message>
+    <message>
+        <source>vertical</source>
+        <translation>竖直</translation>
+    </message>
+    <message>
+        <source>the form</source>
+        <translation>形式</translation>
+    </message>
+    <message>
+        <source>before</source>
+        <translation>之前</translation>
+    </message>
+    <message>
+        <source>±σ of a sighting</source>
+        <translation>一次照准的 ±σ</translation>
+    </message>
+    <message>
+        <source>the model holds</source>
+        <translation>模型成立</translation>
+    </message>
+    <message>
+        <source>before %1, after %2</source>
+        <translation>之前 %1，之后 %2</translation>
+    </message>
+    <message>
+        <source>, without it in the search %1</source>
+        <translation>，求解时不计入它 %1</translation>
+    </message>
+    <message>
+        <source>Good: hollow marks along the curve, filled ones an even band about 0.</source>
+        <translation>良好：空心标记沿曲线，实心标记成为 0 附近均匀的带。</translation>
+    </message>
+</context>
+<context>
     <name>alidade::ui::GapHeadline</name>
     <message>
         <source>No diagnosis</source>
@@ -9865,6 +10241,10 @@ sizes</source>
     <message>
         <source> and </source>
         <translation>和</translation>
+    </message>
+    <message>
+        <source>Form</source>
+        <translation>形式</translation>
     </message>
 </context>
 <context>
@@ -10857,6 +11237,29 @@ sizes</source>
     <message>
         <source>Clear what is known</source>
         <translation>清除已知值</translation>
+    </message>
+</context>
+<context>
+    <name>alidade::ui::LeftoverStrips</name>
+    <message>
+        <source>What is left over along s, e and t</source>
+        <translation>沿 s、e 和 t 的剩余</translation>
+    </message>
+    <message>
+        <source>%1 residuals of at most %2 σ</source>
+        <translation>%1 个残差，最大 %2 σ</translation>
+    </message>
+    <message>
+        <source>● horizontal  ◆ vertical; the strips end at ± %1 σ; grey: the model holds</source>
+        <translation>● 水平  ◆ 竖直；上下界为 ± %1 σ；灰色：模型成立</translation>
+    </message>
+    <message>
+        <source>● horizontal  ◆ vertical; the strips end at ± %1 σ</source>
+        <translation>● 水平  ◆ 竖直；上下界为 ± %1 σ</translation>
+    </message>
+    <message>
+        <source>%1 circle: %2 σ</source>
+        <translation>%1度盘：%2 σ</translation>
     </message>
 </context>
 <context>

@@ -162,8 +162,8 @@ TEST(OwnEffects, ThatWerePutInAreEstimated) {
     EXPECT_EQ(fit.effects[0].unit, unit);
     EXPECT_LT(std::abs(fit.effects[0].value - size), 4 * fit.effects[0].sigma) << formula;
     EXPECT_LT(fit.effects[0].sigma, size / 3) << formula << ": it shows";
-    const double perDegree = fit.joint.chiSquare / fit.joint.degreesOfFreedom;
-    EXPECT_LT(std::abs(perDegree - 1), 5 * std::sqrt(2.0 / fit.joint.degreesOfFreedom)) << formula;
+    const double perFreedom = fit.joint.chiSquare / fit.joint.degreesOfFreedom;
+    EXPECT_LT(std::abs(perFreedom - 1), 5 * std::sqrt(2.0 / fit.joint.degreesOfFreedom)) << formula;
   }
 }
 
