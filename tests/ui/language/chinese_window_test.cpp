@@ -33,8 +33,8 @@ QStringList englishIn(const QString& text) {
   static const QRegularExpression word(QStringLiteral("[A-Za-z]{2,}"));
   static const QSet<QString> meant{
       // units, symbols, functions
-      u"mm"_s, u"ppm"_s, u"gon"_s, u"ln"_s, u"sin"_s, u"cos"_s, u"tan"_s, u"atan"_s, u"DMS"_s, u"dms"_s,
-      u"deg"_s, u"mgon"_s, u"mrad"_s, u"rad"_s,
+      u"mm"_s, u"ppm"_s, u"gon"_s, u"ln"_s, u"sin"_s, u"cos"_s, u"tan"_s, u"atan"_s, u"exp"_s, u"DMS"_s,
+      u"dms"_s, u"deg"_s, u"mgon"_s, u"mrad"_s, u"rad"_s,
       // keys
       u"Ctrl"_s, u"Shift"_s, u"Alt"_s, u"Tab"_s, u"Enter"_s, u"Esc"_s, u"Space"_s, u"Del"_s, u"Ins"_s,
       u"Home"_s, u"End"_s, u"Up"_s, u"Down"_s, u"Left"_s, u"Right"_s, u"PgUp"_s, u"PgDown"_s, u"Return"_s,

@@ -17,7 +17,7 @@ class FormChart : public PlotWidget {
 
   QString fileName() const override { return QStringLiteral("form"); }
   QSize minimumSizeHint() const override { return {240, 230}; }
-  QSize sizeHint() const override { return {420, 290}; }
+  QSize sizeHint() const override { return {420, 270}; }
 
  protected:
   bool eventFilter(QObject* watched, QEvent* event) override;

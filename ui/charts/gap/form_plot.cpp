@@ -66,6 +66,7 @@ FormPlot::FormPlot(QObject* parent) : Plot(parent) {
   for (QLineSeries*& limit : m_limits) limit = addLine();
   for (auto& curve : m_curves)
     for (QLineSeries*& piece : curve) piece = addLine();
+  draw();
 }
 
 void FormPlot::setForm(const Gap& gap, std::size_t index) {
@@ -206,7 +207,7 @@ void FormPlot::applyStyle() {
 void FormPlot::showLegend() {
   if (markers().marks().empty()) return legendItem().setEntries({});
   const double unit = style().unit();
-  const QString after = isHeldOut() ? tr("after, on readings that took no part") : tr("after");
+  const QString after = isHeldOut() ? tr("after, held out") : tr("after");
   std::vector<LegendEntry> entries;
   if (hasTwoCircles()) {
     entries = {{QPen(style().upper, 2 * unit), tr("horizontal")},

@@ -103,8 +103,8 @@ GapPanel::GapPanel(QWidget* parent)
             {m_map, standard(tr("Good: no part stands out; one that does is where to look.")), m_leftOver});
   m_requiredBlock = block(tr("What it would take to explain Δd − reference"), {m_required, m_requiredNote});
   m_blocks = {m_headline,
-              block(tr("Causes"), {m_causes}),
               m_formsBlock,
+              block(tr("Causes"), {m_causes}),
               block(tr("Before and after"),
                     {m_waterfall, standard(tr("Good: the last bar ends at the broken line of the noise.")),
                      m_result, m_shrinkage}),
@@ -170,15 +170,16 @@ QWidget* GapPanel::createCandidates() {
   return block(tr("Candidates, each by itself"), {m_candidates, m_add});
 }
 
-/// Two columns if the width allows, else one; hidden blocks come last.
+/// Two columns below headline and forms if the width allows, else one; hidden blocks come last.
 void GapPanel::arrange() {
   const int columns = viewport()->width() >= byFont(twoColumnsFrom) ? 2 : 1;
   m_grid->setColumnStretch(0, columns == 2 ? 4 : 1);
   m_grid->setColumnStretch(1, columns == 2 ? 5 : 0);
-  m_grid->addWidget(m_blocks.front(), 0, 0, 1, columns);
-  QList<QWidget*> parts = m_blocks.mid(1);
+  constexpr int wide = 2;
+  for (int row = 0; row < wide; ++row) m_grid->addWidget(m_blocks[row], row, 0, 1, columns);
+  QList<QWidget*> parts = m_blocks.mid(wide);
   std::stable_partition(parts.begin(), parts.end(), [](const QWidget* part) { return !part->isHidden(); });
-  for (int i = 0; i < parts.size(); ++i) m_grid->addWidget(parts[i], 1 + i / columns, i % columns);
+  for (int i = 0; i < parts.size(); ++i) m_grid->addWidget(parts[i], wide + i / columns, i % columns);
 }
 
 void GapPanel::setGap(const SharedGap& gap) {
@@ -230,7 +231,7 @@ void GapPanel::showVerdict() {
                            std::ranges::any_of(gap->stages, [](const GapStage& stage) {
                              return stage.kind == GapStage::Kind::InModel;
                            });
-    m_blocks[1]->setVisible(hasCauses);
+    m_blocks[2]->setVisible(hasCauses);
     m_formsBlock->setVisible(!gap->diagnosis->forms.empty());
     m_whereBlock->setVisible(gap->isOpen());
     m_requiredBlock->setVisible(!gap->diagnosis->whatItWouldTake.empty());
