@@ -68,7 +68,8 @@ void LeftoverStrips::setGap(const Gap& gap) {
     Axis axis{.clean = cleanRanges(gap.diagnosis->forms, arguments[strip])};
     const auto [low, high] =
         std::ranges::minmax_element(m_points, {}, [strip](const Point& point) { return point.at[strip]; });
-    if (!m_points.empty() && low->at[strip] < high->at[strip]) {
+    constexpr double least = 1e-6;  // less is one place, and no scale has steps so fine
+    if (!m_points.empty() && low->at[strip] + least < high->at[strip]) {
       axis.low = low->at[strip];
       axis.high = high->at[strip];
     }
