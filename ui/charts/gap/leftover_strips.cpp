@@ -68,7 +68,8 @@ void LeftoverStrips::setGap(const Gap& gap) {
     Axis axis{.clean = cleanRanges(gap.diagnosis->forms, arguments[strip])};
     const auto [low, high] =
         std::ranges::minmax_element(m_points, {}, [strip](const Point& point) { return point.at[strip]; });
-    if (!m_points.empty() && low->at[strip] < high->at[strip]) {
+    constexpr double least = 1e-6;  // less is one place, and no scale has steps so fine
+    if (!m_points.empty() && low->at[strip] + least < high->at[strip]) {
       axis.low = low->at[strip];
       axis.high = high->at[strip];
     }
@@ -128,9 +129,8 @@ void LeftoverStrips::paintEvent(QPaintEvent*) {
   const PlotStyle style = screenStyle(palette(), font());
   const bool hasBands = std::ranges::any_of(m_axes, [](const Axis& axis) { return !axis.clean.empty(); });
   const int line = fontMetrics().height();
-  const QString says = hasBands
-                           ? tr("● horizontal  ◆ vertical; the strips end at ± %1 σ; grey: the model holds")
-                           : tr("● horizontal  ◆ vertical; the strips end at ± %1 σ");
+  const QString says = hasBands ? tr("● horizontal  ◆ vertical, ± %1 σ; grey: the model holds")
+                                : tr("● horizontal  ◆ vertical, ± %1 σ");
   painter.setPen(style.mutedText);
   painter.drawText(QRect(0, height() - line, width(), line), Qt::AlignLeft | Qt::AlignVCenter,
                    fontMetrics().elidedText(says.arg(numberText(m_reach, 1)), Qt::ElideRight, width()));
