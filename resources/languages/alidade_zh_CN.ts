@@ -9863,6 +9863,10 @@ and a plausible size of %1 (1σ)</source>
         <source>Good: hollow marks along the curve, filled ones an even band about 0.</source>
         <translation>良好：空心标记沿曲线，实心标记成为 0 附近均匀的带。</translation>
     </message>
+    <message>
+        <source>round</source>
+        <translation>测回</translation>
+    </message>
 </context>
 <context>
     <name>alidade::ui::GapHeadline</name>
@@ -11250,16 +11254,16 @@ sizes</source>
         <translation>%1 个残差，最大 %2 σ</translation>
     </message>
     <message>
-        <source>● horizontal  ◆ vertical; the strips end at ± %1 σ; grey: the model holds</source>
-        <translation>● 水平  ◆ 竖直；上下界为 ± %1 σ；灰色：模型成立</translation>
-    </message>
-    <message>
-        <source>● horizontal  ◆ vertical; the strips end at ± %1 σ</source>
-        <translation>● 水平  ◆ 竖直；上下界为 ± %1 σ</translation>
-    </message>
-    <message>
         <source>%1 circle: %2 σ</source>
         <translation>%1度盘：%2 σ</translation>
+    </message>
+    <message>
+        <source>● horizontal  ◆ vertical, ± %1 σ; grey: the model holds</source>
+        <translation>● 水平  ◆ 竖直，± %1 σ；灰色：模型成立</translation>
+    </message>
+    <message>
+        <source>● horizontal  ◆ vertical, ± %1 σ</source>
+        <translation>● 水平  ◆ 竖直，± %1 σ</translation>
     </message>
 </context>
 <context>

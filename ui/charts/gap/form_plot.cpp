@@ -43,6 +43,8 @@ QString argumentTitle(FormArgument of) {
       return FormPlot::tr("1: there, −1: back");
     case FormArgument::Face:
       return FormPlot::tr("1: face 1, −1: face 2");
+    case FormArgument::Round:
+      return FormPlot::tr("round");
     case FormArgument::Position:
       break;
   }
