@@ -17,7 +17,9 @@
 #include <utility>
 
 #include "core/base/version.h"
+#include "core/diagnosis/kept_form.h"
 #include "core/session/entry.h"
+#include "core/session/own_effects.h"
 #include "ui/charts/arc/arc_chart.h"
 #include "ui/charts/arc/arc_plot.h"
 #include "ui/charts/residuals/residual_chart.h"
@@ -25,6 +27,7 @@
 #include "ui/commands/apply_changes.h"
 #include "ui/commands/change_effects.h"
 #include "ui/commands/change_field.h"
+#include "ui/commands/change_own_effects.h"
 #include "ui/commands/edit_readings.h"
 #include "ui/commands/move_rows.h"
 #include "ui/commands/remove_position.h"
@@ -245,6 +248,12 @@ PageTabs* MainWindow::createDetails() {
     m_known->reveal(effect);
     m_details->showPage(m_details->indexOf(m_known));
   });
+  connect(m_effects, &EffectsPanel::ownWanted, this, [this](const std::string& id) {
+    commitPending();
+    const std::vector<OwnEffect>& own = m_document.session().ownEffects;
+    const auto found = std::ranges::find(own, id, ownId);
+    typeOwnEffect(found == own.end() ? OwnEffect() : *found);
+  });
   connect(m_positions, &PositionTabs::rowEntered, residuals, &ResidualChart::setHighlighted);
   connect(m_positions, &PositionTabs::rowEntered, reliability, &ReliabilityPanel::setCurrentReading);
   const auto select = [this](std::size_t position, std::size_t row) { selectReading(position, row); };
@@ -462,6 +471,10 @@ void MainWindow::connectGap() {
     addEffects(m_document, effects);
     m_gap->setFocus();
   });
+  connect(m_gap, &GapPanel::formWanted, this, [this](const FoundForm& form) {
+    commitPending();
+    typeOwnEffect(ownEffectOf(form, m_document.session()));
+  });
   connect(m_gap, &GapPanel::effectUnwanted, this, [this](const QString& id) {
     commitPending();
     setEffect(m_document, id.toStdString(), false);
@@ -604,6 +617,11 @@ void MainWindow::showGap(const SharedGap& gap) {
 }
 
 /// Marks the gap as old until the diagnosis of the current session is done.
+void MainWindow::typeOwnEffect(const OwnEffect& effect) {
+  if (const std::optional<OwnEffect> typed = m_dialogs->askOwnEffect(m_document.session(), effect))
+    keepOwnEffect(m_document, *typed);
+}
+
 void MainWindow::showGapAsOld() {
   if (std::exchange(m_isGapOld, true)) return;
   m_gap->setStale();
@@ -667,7 +685,8 @@ void MainWindow::reveal(const Place& place, bool takeFocus) {
 }
 
 void MainWindow::revealField(const Place& place, bool takeFocus) {
-  if (place.field == "model.effects") return m_figures->setCurrentWidget(m_effects);
+  if (place.field == "model.effects" || place.field.starts_with("own_effects"))
+    return m_figures->setCurrentWidget(m_effects);
   if (const auto known = knownAt(place)) {
     m_known->reveal(*known);
     m_details->setCurrentWidget(m_known);

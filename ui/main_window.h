@@ -133,6 +133,8 @@ class MainWindow : public QMainWindow {
   void showHeadline(const Headline& headline);
   void showGap(const SharedGap& gap);
   void showGapAsOld();
+  /// Asks for an effect of one's own, starting with `effect`, and keeps it in the session.
+  void typeOwnEffect(const OwnEffect& effect);
   void showNoGap();
   void stopJobs();
   void markForms();

@@ -19,8 +19,8 @@ using Json = nlohmann::ordered_json;
 
 constexpr const char* firstTexts = "as_read";
 constexpr const char* flagName = "excluded";
-constexpr std::string_view toldInWords[] = {"instrument.known", "device.known", "instrument.record",
-                                            "protocol", "model.effects"};
+constexpr std::string_view toldInWords[] = {"instrument.known", "device.known",  "instrument.record",
+                                            "protocol",         "model.effects", "own_effects"};
 
 /// The number in `[12]` at the start of `text`, which is removed.
 std::optional<std::size_t> takeIndex(std::string_view& text, std::string_view name) {

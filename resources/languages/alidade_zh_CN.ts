@@ -71,6 +71,13 @@
     </message>
 </context>
 <context>
+    <name>ChangeOwnEffects</name>
+    <message>
+        <source>Keep the effect %1</source>
+        <translation>保留影响因素 %1</translation>
+    </message>
+</context>
+<context>
     <name>ChangeProtocol</name>
     <message>
         <source>Follow a protocol</source>
@@ -9486,6 +9493,14 @@ and a plausible size of %1 (1σ)</source>
         <source>no size of its own</source>
         <translation>没有自己的大小</translation>
     </message>
+    <message>
+        <source>Effect of Your Own…</source>
+        <translation>自定义影响因素…</translation>
+    </message>
+    <message>
+        <source>Types an effect by its formula, or changes the selected one</source>
+        <translation>用公式输入影响因素，或修改所选的影响因素</translation>
+    </message>
 </context>
 <context>
     <name>alidade::ui::EntryGuide</name>
@@ -9770,6 +9785,17 @@ and a plausible size of %1 (1σ)</source>
     <message>
         <source>Form of the gap</source>
         <translation>差距的形式</translation>
+    </message>
+</context>
+<context>
+    <name>alidade::ui::FormList</name>
+    <message>
+        <source>Keep as an Effect…</source>
+        <translation>保留为影响因素…</translation>
+    </message>
+    <message>
+        <source>Makes an effect of your own of it, for this device or instrument</source>
+        <translation>将其作为此装置或仪器的自定义影响因素</translation>
     </message>
 </context>
 <context>
@@ -11510,6 +11536,71 @@ sizes</source>
     <message>
         <source>None</source>
         <translation>无</translation>
+    </message>
+</context>
+<context>
+    <name>alidade::ui::OwnEffectDialog</name>
+    <message>
+        <source>The other &amp;sign in face 2</source>
+        <translation>盘右符号相反(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Effect of Your Own</source>
+        <translation>自定义影响因素</translation>
+    </message>
+    <message>
+        <source>Formula</source>
+        <translation>公式</translation>
+    </message>
+    <message>
+        <source>no owner: of every session</source>
+        <translation>无所属：适用于每份测量记录</translation>
+    </message>
+    <message>
+        <source>device %1</source>
+        <translation>装置 %1</translation>
+    </message>
+    <message>
+        <source>instrument %1</source>
+        <translation>仪器 %1</translation>
+    </message>
+    <message>
+        <source>Save as &amp;File…</source>
+        <translation>另存为文件(&amp;F)…</translation>
+    </message>
+    <message>
+        <source>&amp;Name</source>
+        <translation>名称(&amp;N)</translation>
+    </message>
+    <message>
+        <source>&amp;Formula</source>
+        <translation>公式(&amp;F)</translation>
+    </message>
+    <message>
+        <source>Plausible sizes, 1σ</source>
+        <translation>合理大小，1σ</translation>
+    </message>
+    <message>
+        <source>&amp;Owner</source>
+        <translation>所属(&amp;O)</translation>
+    </message>
+    <message>
+        <source>&amp;Remedy</source>
+        <translation>措施(&amp;R)</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <extracomment>an amplitude of a formula and its unit: A (mm)</extracomment>
+        <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>%1 shows by %2 σ per %3, a plausible size by %4 σ.</source>
+        <extracomment>%1: an amplitude; %3: a unit</extracomment>
+        <translation>%1 每 %3 显示 %2 σ，合理大小显示 %4 σ。</translation>
+    </message>
+    <message>
+        <source>Save Effect</source>
+        <translation>保存影响因素</translation>
     </message>
 </context>
 <context>

@@ -83,6 +83,11 @@ class ScriptedDialogs : public Dialogs {
   QStringList askSessionPaths(const QString&) override { return sessionPaths; }
   std::optional<ImportDecision> askImport(ImportRequest request) override;
   QString askRecordPath(const QString&) override { return recordPath; }
+  std::optional<OwnEffect> askOwnEffect(const Session&, const OwnEffect& asked) override {
+    effectAsked = asked;
+    return effectAnswer;
+  }
+  std::optional<OwnEffect> effectAsked, effectAnswer;
   QString askProtocolPath(const QString&) override { return protocolPath; }
   std::optional<SightingProtocol> askProtocol(const SightingProtocol&, CircleUnit) override {
     return protocol;

@@ -11,6 +11,7 @@
 #include <QPushButton>
 #include <QRegularExpression>
 
+#include "ui/dialogs/own_effect_dialog.h"
 #include "ui/dialogs/paper_form.h"
 #include "ui/dialogs/protocol_dialog.h"
 #include "ui/dialogs/safe_button.h"
@@ -122,6 +123,11 @@ QString Dialogs::askProtocolPath(const QString& folder) {
 std::optional<SightingProtocol> Dialogs::askProtocol(const SightingProtocol& protocol, CircleUnit unit) {
   ProtocolDialog dialog(protocol, unit, m_parent);
   return dialog.exec() == QDialog::Accepted ? dialog.protocol() : std::nullopt;
+}
+
+std::optional<OwnEffect> Dialogs::askOwnEffect(const Session& session, const OwnEffect& effect) {
+  OwnEffectDialog dialog(session, effect, *this, m_parent);
+  return dialog.exec() == QDialog::Accepted ? std::optional(dialog.effect()) : std::nullopt;
 }
 
 QWidget* Dialogs::over() const {

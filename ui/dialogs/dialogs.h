@@ -10,6 +10,7 @@
 #include <optional>
 
 #include "core/base/circle_unit.h"
+#include "core/session/own_effect.h"
 #include "core/session/sighting_protocol.h"
 #include "ui/dialogs/busy.h"
 #include "ui/dialogs/changed_file.h"
@@ -52,6 +53,8 @@ class Dialogs {
   virtual QString askProtocolPath(const QString& folder);
   /// Edits the protocol in a form; absent: cancelled.
   virtual std::optional<SightingProtocol> askProtocol(const SightingProtocol& protocol, CircleUnit unit);
+  /// Edits an effect of one's own in a form; absent: cancelled.
+  virtual std::optional<OwnEffect> askOwnEffect(const Session& session, const OwnEffect& effect);
   /// Asks for a folder, or single sessions, of a series; empty: cancelled.
   virtual QString askFolder(const QString& title, const QString& folder);
   virtual QStringList askSessionPaths(const QString& folder);

@@ -116,6 +116,13 @@ void SessionDocument::putEffects(const std::vector<std::string>& effects) {
   emit changed(change);
 }
 
+void SessionDocument::putOwnEffects(const std::vector<OwnEffect>& effects) {
+  const SessionChange change = told({.kind = SessionChange::Kind::Field, .place = {.field = "own_effects"}});
+  emit aboutToChange(change);
+  m_session.ownEffects = effects;
+  emit changed(change);
+}
+
 void SessionDocument::putKnown(const Place& place, bool isThere, const std::optional<KnownSize>& size) {
   const KnownRef ref = knownAt(place).value().ref;
   const SessionChange change = told({.kind = SessionChange::Kind::Field, .place = place});

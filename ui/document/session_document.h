@@ -83,6 +83,7 @@ class SessionDocument : public QObject {
   friend class ChangeField;
   friend class ChangeInstrument;
   friend class ChangeKnown;
+  friend class ChangeOwnEffects;
   friend class ChangeProtocol;
   friend class ImportReadings;
   friend class JournalledCommand;
@@ -94,6 +95,7 @@ class SessionDocument : public QObject {
   SessionChange told(SessionChange change);  ///< adds the change's effect on the journal
   void putField(const Place& place, const std::string& text);
   void putEffects(const std::vector<std::string>& effects);
+  void putOwnEffects(const std::vector<OwnEffect>& effects);
   /// Replaces the entry at `place` by `size` if `isThere`, else inserts it before; absent: removes the entry.
   void putKnown(const Place& place, bool isThere, const std::optional<KnownSize>& size);
   void putInstrument(const Instrument& instrument);

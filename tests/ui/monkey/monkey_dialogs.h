@@ -28,6 +28,7 @@ class MonkeyDialogs : public ScriptedDialogs {
   std::optional<SightingProtocol> askProtocol(const SightingProtocol& asked, CircleUnit) override {
     return asked;
   }
+  std::optional<OwnEffect> askOwnEffect(const Session&, const OwnEffect& asked) override { return asked; }
   QString askProtocolPath(const QString&) override { return present(QStringLiteral("*.alidade-protocol")); }
   QString askRecordPath(const QString&) override { return present(QStringLiteral("*.alidade-instrument")); }
   QString askExportPath(const QString&, const QString&, const QString& suffix) override {

@@ -1,6 +1,7 @@
 #include "ui/panels/gap/form_list.h"
 
 #include <QLabel>
+#include <QPushButton>
 #include <QVBoxLayout>
 
 #include "core/wording/form_sentence.h"
@@ -17,10 +18,13 @@ FormList::FormList(QWidget* parent) : QWidget(parent), m_shrinkage(wrappedLabel(
   layout->setContentsMargins(0, 0, 0, 0);
   layout->setSpacing(4);
   for (std::size_t i = 0; i < most; ++i) {
-    const Row row{wrappedLabel(), wrappedLabel(), new FormChart};
+    const Row row{wrappedLabel(), wrappedLabel(), new FormChart, new QPushButton(tr("Keep as an Effect…"))};
+    row.keep->setToolTip(tr("Makes an effect of your own of it, for this device or instrument"));
+    connect(row.keep, &QPushButton::clicked, this, [this, i] { emit keepWanted(i); });
     row.about->setForegroundRole(QPalette::PlaceholderText);
     for (QWidget* part : std::initializer_list<QWidget*>{row.sentence, row.about, row.chart})
       layout->addWidget(part);
+    layout->addWidget(row.keep, 0, Qt::AlignLeft);
     m_rows.push_back(row);
   }
   layout->addWidget(m_shrinkage);
@@ -33,6 +37,7 @@ void FormList::setGap(const Gap& gap) {
     const bool isThere = i < forms.size();
     for (QWidget* part : std::initializer_list<QWidget*>{row.sentence, row.about, row.chart})
       part->setVisible(isThere);
+    row.keep->setVisible(isThere && !forms[i].form.isFree());
     if (!isThere) continue;
     row.sentence->setText(qText(formSentence(forms[i])));
     row.about->setText(aboutForm(forms[i]));

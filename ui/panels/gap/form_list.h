@@ -6,6 +6,7 @@
 #include "ui/jobs/gap.h"
 
 class QLabel;
+class QPushButton;
 
 namespace alidade::ui {
 
@@ -21,10 +22,14 @@ class FormList : public QWidget {
 
   void setGap(const Gap& gap);
 
+ signals:
+  void keepWanted(std::size_t form);  ///< as an effect of one's own; an index into the forms
+
  private:
   struct Row {
     QLabel *sentence, *about;
     FormChart* chart;
+    QPushButton* keep;
   };
 
   std::vector<Row> m_rows;

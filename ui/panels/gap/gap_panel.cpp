@@ -97,6 +97,8 @@ GapPanel::GapPanel(QWidget* parent)
   m_withReference->setToolTip(
       tr("How far Δd is from the reference then helps to tell the causes apart.\n"
          "Δd with the causes rests on the readings alone, and so does the report."));
+  connect(m_forms, &FormList::keepWanted, this,
+          [this](std::size_t form) { emit formWanted(m_gap->diagnosis->forms[form]); });
   m_formsBlock = block(tr("Form"), {m_forms});
   m_whereBlock =
       block(tr("Where it lies"),

@@ -45,6 +45,7 @@ class GapPanel : public ScrollPage {
   void placeActivated(const alidade::Place& place);
   void exclusionWanted(const alidade::Place& place);
   void rowsExclusionWanted(const alidade::ui::RowRange& rows);
+  void formWanted(const alidade::FoundForm& form);  ///< is to be kept as an effect
   void noiseWanted(const alidade::ui::StatedNoise& noise);
   void referenceWanted(bool wanted);  ///< whether the causes are to be weighed with the reference
 
@@ -91,7 +92,7 @@ class GapPanel : public ScrollPage {
   QLabel* m_next;
   FigureGrid* m_undetectable;
   QLabel* m_undetectableNote;
-  QList<QWidget*> m_blocks;           ///< in reading order
+  QList<QWidget*> m_blocks;                                ///< in reading order
   QWidget *m_formsBlock, *m_whereBlock, *m_requiredBlock;  ///< of `m_blocks`, not always shown
   bool m_returnsToReference = false;  ///< gives the keyboard back to the switch after the diagnosis
 };

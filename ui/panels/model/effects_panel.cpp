@@ -1,5 +1,6 @@
 #include "ui/panels/model/effects_panel.h"
 
+#include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLabel>
 #include <QPushButton>
@@ -80,16 +81,26 @@ EffectsPanel::EffectsPanel(SessionDocument& document, QWidget* parent)
   auto* known = new QPushButton(tr("What Is Known of It…"));
   known->setToolTip(tr("Type what a certificate or a check says of the effect"));
   connect(known, &QPushButton::clicked, this, &EffectsPanel::askForKnown);
+  auto* own = new QPushButton(tr("Effect of Your Own…"));
+  own->setToolTip(tr("Types an effect by its formula, or changes the selected one"));
+  connect(own, &QPushButton::clicked, this, [this] {
+    const QTreeWidgetItem* item = m_list->currentItem();
+    emit ownWanted(item && idOf(*item).starts_with(ownPrefix) ? idOf(*item) : std::string());
+  });
   setFocusProxy(m_list);
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(6, 6, 6, 6);
   layout->addWidget(m_list, 1);
   layout->addWidget(m_about);
-  layout->addWidget(known, 0, Qt::AlignLeft);
+  auto* buttons = new QHBoxLayout;
+  buttons->addWidget(known);
+  buttons->addWidget(own);
+  buttons->addStretch();
+  layout->addLayout(buttons);
   connect(m_list, &QTreeWidget::itemChanged, this, &EffectsPanel::handIn);
   connect(m_list, &QTreeWidget::currentItemChanged, this, &EffectsPanel::explain);
   connect(&document, &SessionDocument::changed, this, [this](const SessionChange& change) {
-    const bool mine = change.place.field == "model.effects";
+    const bool mine = change.place.field == "model.effects" || change.place.field == "own_effects";
     if (mine || change.kind == SessionChange::Kind::Everything) refreshTicks();
   });
   refreshTicks();

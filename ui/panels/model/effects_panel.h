@@ -25,6 +25,8 @@ class EffectsPanel : public QWidget {
  signals:
   /// Asks to type a known size of the effect; empty: of none in particular.
   void knownWanted(const std::string& effect);
+  /// Asks to type an effect of one's own; empty: a new one.
+  void ownWanted(const std::string& id);
 
  private:
   QTreeWidgetItem* addItem(const std::string& id, const QString& name);
