@@ -69,6 +69,20 @@ TEST(OwnEffects, AreInFitPlanAndText) {
   EXPECT_THAT(text.out, HasSubstr("own:wave"));
 }
 
+TEST(OwnEffects, AreTheCauseOfASeries) {
+  const WavySession one;
+  const std::string second = one.path("second.alidade");
+  const ProgramRun run = alidadeCli({"simulate", "--out", second, "--truth", one.path("u.json"), "--seed",
+                                     "2", "--protocol", "full", "--device-serial", "G-7", "--effects",
+                                     one.effect, "--effect", "own:wave=0.15,0.1"});
+  EXPECT_EQ(run.exitCode, 0) << run.err;
+  const Json series = diagnosed({one.session, second, "--effects", one.effect}).at("series");
+  EXPECT_EQ(series.at("verdict"), "single-cause");
+  ASSERT_EQ(series.at("causes").size(), 1u);
+  EXPECT_EQ(series.at("causes").at(0).at("effect"), "own:wave");
+  EXPECT_EQ(series.at("causes").at(0).at("sessions").size(), 2u);
+}
+
 TEST(OwnEffects, AreKeptFromAForm) {
   const WavySession wavy;
   const std::string kept = wavy.path("kept.alidade-effect");
