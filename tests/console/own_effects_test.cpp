@@ -15,11 +15,11 @@ namespace {
 using Json = nlohmann::ordered_json;
 using testing::HasSubstr, testing::Not;
 
-constexpr const char *wave = R"({"format": "alidade-effect", "version": 1, "id": "wave",
- "owner": {"device": "G-7"}, "formula": "radial = A*cos(7*s) + B*sin(7*s)",
-                     "parameters"
-    : [ {"name" : "A", "plausible" : 0.2, "unit" : "mm"}, {"name" : "B", "plausible" : 0.2, "unit" : "mm"} ]
-})";
+constexpr const char* wave = R"json({
+  "format": "alidade-effect", "version": 1, "id": "wave", "owner": {"device": "G-7"},
+  "formula": "radial = A*cos(7*s) + B*sin(7*s)",
+  "parameters": [{"name": "A", "plausible": 0.2, "unit": "mm"}, {"name": "B", "plausible": 0.2, "unit": "mm"}]
+})json";
 
 /// A session of device G-7 with the wave in it, which it does not state.
 struct WavySession {
