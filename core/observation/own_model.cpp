@@ -22,14 +22,16 @@ void turnTo(FormulaArguments& at, const OwnPlace& place, double a, double e) {
   at.verticalCircle = isFaceOne ? inOne : (isZenith ? turn : turn / 2) - inOne;
 }
 
-/// Of what is smooth either difference; of what jumps nearby the one away from it.
+/// Of what is smooth the mean of both differences; of what jumps nearby the one away from it.
 double slope(double before, double here, double after, double step) {
   const double back = (here - before) / step, on = (after - here) / step;
   if (!std::isfinite(back) || !std::isfinite(on)) return 0;
+  constexpr double smooth = 1e-2;
+  if (std::abs(on - back) < smooth * (1 + std::abs(back) + std::abs(on))) return (back + on) / 2;
   return std::abs(back) < std::abs(on) ? back : on;
 }
 
-constexpr double shortStep = 1e-6;  // rad: rounding and curvature of a smooth function stay below 1e-5
+constexpr double shortStep = 1e-6;  // rad: rounding and third derivatives stay below 1e-9
 
 }  // namespace
 

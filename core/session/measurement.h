@@ -180,8 +180,8 @@ struct Measurement {
   std::vector<ArcMeasurement> arcs;               ///< of each position, in the order taken
   std::size_t rows = 0;                           ///< of the whole session, excluded ones included
   double pauseRows = 0;  ///< number of rows that would fit between two positions; used if rows have no times
-  std::vector<std::string> effects;  ///< ids of model.effects, to be estimated
-  std::vector<KnownNumber> known;    ///< of the instrument, followed by the device
+  std::vector<std::string> effects;            ///< ids of model.effects, to be estimated
+  std::vector<KnownNumber> known;              ///< of the instrument, followed by the device
   std::shared_ptr<const OwnEffects> own = {};  ///< of the user's own; null: none
 
   /// Is there a single zero, with the same error in every arc?

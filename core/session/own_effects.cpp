@@ -117,6 +117,11 @@ std::shared_ptr<const OwnEffects> examineOwnEffects(const std::vector<OwnEffect>
       problem.where.field.insert(0, entry);
       problems.push_back(std::move(problem));
     };
+    constexpr std::size_t mostRead = 20;
+    if (i == mostRead) {
+      refuse({Phrase::of("is one effect too many: a session may have %1", mostRead), {.field = "id"}});
+      break;
+    }
     Result<Formula> formula = soundFormula(effects[i]);
     const std::string id = ownId(effects[i]);
     if (!formula) {

@@ -72,7 +72,7 @@ struct Truth {
   ArcPlane plane = ArcPlane::Vertical;  ///< matters if the instrument is at another height
   Angle sliderZero;                     ///< slider reading at s = 0
 
-  std::vector<TrueSize> effects;  ///< each term at most once
+  std::vector<TrueSize> effects;               ///< each term at most once
   std::shared_ptr<const OwnEffects> own = {};  ///< whose terms these may be, too; null: none
   std::optional<OrientationJump> jump = {};
   std::optional<TrueZeroSlip> zeroSlip = {};

@@ -240,7 +240,7 @@ class FormulaMaker {
   }
 
   std::optional<FormulaFault> addNumber(const FormulaStatement& statement) {
-    const auto [name, at] = statement.name;
+    const std::string_view name = statement.name.name;
     const auto isNamed = [&](const auto& entry) { return entry.name == name; };
     if (std::ranges::any_of(formulaVariables, isNamed) || std::ranges::any_of(formulaFunctions, isNamed) ||
         name == "pi" || name == "temperature" || m_numbers.contains(name))

@@ -15,11 +15,11 @@ namespace {
 using Json = nlohmann::ordered_json;
 using testing::HasSubstr, testing::Not;
 
-constexpr const char *wave = R"({"format": "alidade-effect", "version": 1, "id": "wave",
- "owner": {"device": "G-7"}, "formula": "radial = A*cos(7*s) + B*sin(7*s)",
-                     "parameters"
-    : [ {"name" : "A", "plausible" : 0.2, "unit" : "mm"}, {"name" : "B", "plausible" : 0.2, "unit" : "mm"} ]
-})";
+constexpr const char* wave = R"json({
+  "format": "alidade-effect", "version": 1, "id": "wave", "owner": {"device": "G-7"},
+  "formula": "radial = A*cos(7*s) + B*sin(7*s)",
+  "parameters": [{"name": "A", "plausible": 0.2, "unit": "mm"}, {"name": "B", "plausible": 0.2, "unit": "mm"}]
+})json";
 
 /// A session of device G-7 with the wave in it, which it does not state.
 struct WavySession {
@@ -67,6 +67,20 @@ TEST(OwnEffects, AreInFitPlanAndText) {
   EXPECT_THAT(plan.out, HasSubstr("\"own:wave\""));
   const ProgramRun text = alidadeCli({"diagnose", wavy.session, "--effects", wavy.effect});
   EXPECT_THAT(text.out, HasSubstr("own:wave"));
+}
+
+TEST(OwnEffects, AreTheCauseOfASeries) {
+  const WavySession one;
+  const std::string second = one.path("second.alidade");
+  const ProgramRun run = alidadeCli({"simulate", "--out", second, "--truth", one.path("u.json"), "--seed",
+                                     "2", "--protocol", "full", "--device-serial", "G-7", "--effects",
+                                     one.effect, "--effect", "own:wave=0.15,0.1"});
+  EXPECT_EQ(run.exitCode, 0) << run.err;
+  const Json series = diagnosed({one.session, second, "--effects", one.effect}).at("series");
+  EXPECT_EQ(series.at("verdict"), "single-cause");
+  ASSERT_EQ(series.at("causes").size(), 1u);
+  EXPECT_EQ(series.at("causes").at(0).at("effect"), "own:wave");
+  EXPECT_EQ(series.at("causes").at(0).at("sessions").size(), 2u);
 }
 
 TEST(OwnEffects, AreKeptFromAForm) {

@@ -18,7 +18,7 @@ struct DiagnoseRequest {
   bool each = false;               ///< each file separately, also in folders
   std::string verticalAngle;       ///< exact or planar; empty: from the session
   std::vector<std::string> without;
-  std::string instrument;  ///< path of an instrument record; empty: none
+  std::string instrument;            ///< path of an instrument record; empty: none
   std::vector<std::string> effects;  ///< files and folders of effects of the user's own
   std::string keepForm;              ///< file to write the first form to; empty: none
   bool withReference = false;

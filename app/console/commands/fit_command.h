@@ -21,11 +21,11 @@ struct FitRequest {
   double risk = 0.01;               ///< probability of naming a suspect in a sound session
   /// Draws for the Monte Carlo check: a number, or `auto` for as many as needed; empty: none.
   std::string monteCarlo;
-  std::uint64_t seed = 1;  ///< seed of the draws
-  std::string instrument;  ///< path of an instrument record; empty: none
+  std::uint64_t seed = 1;            ///< seed of the draws
+  std::string instrument;            ///< path of an instrument record; empty: none
   std::vector<std::string> effects;  ///< files and folders of effects of the user's own
-  std::string csv;         ///< "residuals", "budget" or "results": a table instead; empty: none
-  bool diagnosis = true;   ///< whether to diagnose the gap, which the verdict takes into account
+  std::string csv;                   ///< "residuals", "budget" or "results": a table instead; empty: none
+  bool diagnosis = true;             ///< whether to diagnose the gap, which the verdict takes into account
   BatchOptions batch = {};
 };
 

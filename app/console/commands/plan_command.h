@@ -13,7 +13,7 @@ namespace alidade::console {
 
 /// The arguments of `alidade-cli plan`.
 struct PlanRequest {
-  std::string file;  ///< a path, or - for standard input
+  std::string file;                  ///< a path, or - for standard input
   std::vector<std::string> effects;  ///< files and folders of effects of the user's own
   bool json = false;
 };

@@ -500,8 +500,11 @@ void JointProblem::fillEquations(const Jets& jets, const JointState& state, std:
         jets.distance, jets.zeroElevation, m_measurement.plane);
   };
   SpacePoint<GuidewayJet> place = placeAt();
-  const PerElevation turn = perElevation(place.y.value(), place.z.value(), jets.distance.value(),
-                                         jets.zeroElevation, m_measurement.plane);
+  const auto turned = [&]() {
+    return perElevation(place.y.value(), place.z.value(), jets.distance.value(), jets.zeroElevation,
+                        m_measurement.plane);
+  };
+  PerElevation turn = turned();
   SpacePoint<InstrumentJet> target = Jets::asTarget(place.x.value(), place.y.value(), place.z.value());
   // A perfect instrument reads the same in both faces.
   const bool isPerfect = jets.instrumentErrors.isPerfect();
@@ -523,6 +526,7 @@ void JointProblem::fillEquations(const Jets& jets, const JointState& state, std:
     if (m_own) {
       own = m_own->placeOf(m_measurement, arc, sighting, phi.value());
       place = placeAt();
+      turn = turned();
       target = Jets::asTarget(place.x.value(), place.y.value(), place.z.value());
     }
     Pointing pointing = pointingOf(arc, sighting);

@@ -13,6 +13,7 @@
 #include "core/base/statistics.h"
 #include "core/effects/cause_ids.h"
 #include "core/series/shared_causes/settled_series.h"
+#include "core/session/own_effects.h"
 
 namespace alidade {
 
@@ -358,8 +359,14 @@ class Conclusion {
   /// Returns the argument of the pattern among an account's causes; empty without a pattern.
   static std::string shapeIn(const OwnAccount& account) {
     for (const std::string& id : account.causes)
-      if (std::ranges::find(diagnosableEffects(), id) == diagnosableEffects().end()) return id;
+      if (!isCause(id)) return id;
     return {};
+  }
+
+  /// A cause of a session alone: also one of the user's own effects, which series do not search together.
+  static bool isCause(const std::string& id) {
+    return id.starts_with(ownPrefix) ||
+           std::ranges::find(diagnosableEffects(), id) != diagnosableEffects().end();
   }
 
   SharedPattern patternOf(const SharedPart& part) const {
@@ -479,11 +486,12 @@ class Conclusion {
       const OwnAccount& account = m_sums[s].account(likeliest);
       std::set<std::string> ids;
       for (const std::string& id : account.causes)
-        if (std::ranges::find(diagnosableEffects(), id) != diagnosableEffects().end()) ids.insert(id);
+        if (isCause(id)) ids.insert(id);
       if (account.noisy) ids.insert(noiseId);
       conclusion.ownChance[s] = something;
       for (const std::string& id : ids) {
         conclusion.own[s].push_back(id);
+        if (addToOwn(conclusion.diagnosis.causes, id, s, something)) continue;
         SharedCause cause;
         const auto same = std::ranges::find(m_evidence[s].causes, id, &Cause::effect);
         cause.cause = same != m_evidence[s].causes.end() ? *same : named(id);
@@ -492,6 +500,27 @@ class Conclusion {
         conclusion.diagnosis.causes.push_back(std::move(cause));
       }
     }
+  }
+
+  /// Of an effect of the user's own, in another session as well: one cause, with the mean of its sizes by
+  /// their weights. False if it is none, or the first.
+  bool addToOwn(std::vector<SharedCause>& causes, const std::string& id, std::size_t session,
+                double probability) const {
+    const auto known = std::ranges::find(causes, id, [](const SharedCause& one) { return one.cause.effect; });
+    const auto& its = m_evidence[session].causes;
+    const auto found = std::ranges::find(its, id, &Cause::effect);
+    if (!id.starts_with(ownPrefix) || known == causes.end()) return false;
+    known->sessions.push_back(session);
+    known->cause.probability = std::min(known->cause.probability, probability);
+    if (found == its.end()) return true;
+    for (std::size_t p = 0; p < std::min(known->cause.parameters.size(), found->parameters.size()); ++p) {
+      CauseParameter& mean = known->cause.parameters[p];
+      const CauseParameter& one = found->parameters[p];
+      const double before = std::pow(mean.sigma, -2), now = std::pow(one.sigma, -2);
+      mean.value += (one.value - mean.value) * now / (before + now);
+      mean.sigma = 1 / std::sqrt(before + now);
+    }
+    return true;
   }
 
   static DiagnosisVerdict verdictOf(const std::vector<SharedCause>& causes) {

@@ -122,5 +122,15 @@ TEST(OwnEffects, ThatCannotBeUsedAreToldAndLeftOut) {
               testing::ElementsAre("own_effects[1].formula", "own_effects[2].formula", "own_effects[4].id"));
 }
 
+TEST(OwnEffects, OfStrangersAreBounded) {
+  Session own = session();
+  own.ownEffects.assign(100'000, dent());
+  const Examined examined = examine(own);
+  ASSERT_TRUE(examined.measurement && examined.measurement->own);
+  EXPECT_EQ(examined.measurement->own->entries().size(), 1u);
+  const auto isLast = [](const Problem& problem) { return problem.where.field == "own_effects[20].id"; };
+  EXPECT_EQ(std::ranges::count_if(examined.problems, isLast), 1) << "the rest is not even read";
+}
+
 }  // namespace
 }  // namespace alidade
