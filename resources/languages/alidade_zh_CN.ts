@@ -6312,6 +6312,10 @@ Includes every catalogued effect, limited by these readings or by its plausible 
         <source>The model holds where %1 is within %2: the form is below the σ of a reading there.</source>
         <translation>%1 在 %2 之内时模型成立：此处该形式小于一个读数的 σ。</translation>
     </message>
+    <message>
+        <source>is one effect too many: a session may have %1</source>
+        <translation>影响因素过多：一份测量记录最多 %1 个</translation>
+    </message>
 </context>
 <context>
     <name>PlaceText</name>

@@ -67,8 +67,8 @@ void review(const Session& session) {
   const Result<std::vector<Finding>> findings =
       findingsBeforehand(*planned.measurement, fitSession(*planned.measurement));
   if (!findings) return test::expectSentence(findings.problem().text());
-  requireText(console::planText(name, *review, *findings));
-  requireJson(console::planJson(name, *review, *findings));
+  requireText(console::planText(name, *review, *findings, *planned.measurement));
+  requireJson(console::planJson(name, *review, *findings, *planned.measurement));
 }
 
 /// Follows the protocol that the session names, otherwise its own rows.
