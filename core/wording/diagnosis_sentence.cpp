@@ -76,7 +76,7 @@ std::string causesNamed(const Diagnosis& diagnosis, const CauseNamer& name) {
 
 std::string unexplained(const Diagnosis& diagnosis, const CauseNamer& name) {
   const std::string causes = causesNamed(diagnosis, name);
-  if (!diagnosis.shape)
+  if (!diagnosis.shape || !diagnosis.forms.empty())
     return causes.empty()
                ? Phrase::of("The gap is real, and no effect of the catalogue explains it.")
                : Phrase::of("Beside %1 the gap is real, and no effect of the catalogue explains the rest.",

@@ -10280,6 +10280,14 @@ sizes</source>
         <source>Form</source>
         <translation>形式</translation>
     </message>
+    <message>
+        <source>with the form</source>
+        <translation>含此形式</translation>
+    </message>
+    <message>
+        <source>Δd with the form is averaged over what looks like it; what causes it is not known.</source>
+        <translation>含此形式的 Δd 是对与其相似的形式取的平均；其原因未知。</translation>
+    </message>
 </context>
 <context>
     <name>alidade::ui::GapWaterfall</name>

@@ -59,7 +59,7 @@ IntersectionEstimate estimateOf(const Intersection& intersection) {
 }
 
 Beyond beyondTheFit(const Diagnosis& diagnosis) {
-  if (diagnosis.shape) return Beyond::Pattern;
+  if (diagnosis.shape && diagnosis.forms.empty()) return Beyond::Pattern;
   const auto isAlone = [](const Cause& cause) { return cause.indistinguishableFrom.empty(); };
   if (!std::ranges::all_of(diagnosis.causes, isAlone)) return Beyond::LookAlikes;
   if (diagnosis.steps.empty() || !diagnosis.afterwards || !diagnosis.steps.back().intersection)

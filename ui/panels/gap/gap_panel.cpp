@@ -252,7 +252,10 @@ void GapPanel::showEffectOnResult() {
   };
   if (&bare != &modelled) add(tr("before"), bare.intersection, tr("Without the effects of the model"));
   add(tr("as modelled"), modelled.intersection, {});
-  if (diagnosis.shape)
+  if (!diagnosis.forms.empty())
+    add(tr("with the form"), diagnosis.afterwards,
+        tr("Averaged over what else may be the case, each as likely as it is"));
+  else if (diagnosis.shape)
     add(tr("with the pattern"), diagnosis.afterwards, tr("U holds what it may move Δd by"));
   else if (!diagnosis.steps.empty())
     add(tr("with the causes"), diagnosis.afterwards,
@@ -276,7 +279,9 @@ void GapPanel::showShrinkage() {
             : tr("The residuals shrink by %1 %; there are too few readings to hold any out of the fit.")
                   .arg(numberText(100 * diagnosis.shrink.inSample, 0)));
   for (const KnownCheck& check : diagnosis.known) says.append(qText(textOf(check, causeNameInCore)) + u'.');
-  if (diagnosis.shape)
+  if (!diagnosis.forms.empty())
+    says.append(tr("Δd with the form is averaged over what looks like it; what causes it is not known."));
+  else if (diagnosis.shape)
     says.append(tr("U holds what the pattern may move Δd by; what causes it is not known."));
   else if (beyondTheFit(diagnosis) != Beyond::Nothing)
     says.append(
