@@ -15,6 +15,7 @@
 #include "core/diagnosis/own_effect_check.h"
 #include "core/session/own_effects.h"
 #include "ui/dialogs/written_file.h"
+#include "ui/text/effect_text.h"
 #include "ui/text/entry_text.h"
 #include "ui/text/quantity_text.h"
 
