@@ -67,7 +67,7 @@ void review(const Session& session) {
   const Result<std::vector<Finding>> findings =
       findingsBeforehand(*planned.measurement, fitSession(*planned.measurement));
   if (!findings) return test::expectSentence(findings.problem().text());
-  requireText(console::planText(name, *review, *findings, *planned.measurement));
+  requireText(console::planText(name, *review, *findings));
   requireJson(console::planJson(name, *review, *findings, *planned.measurement));
 }
 

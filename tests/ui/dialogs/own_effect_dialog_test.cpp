@@ -31,7 +31,7 @@ struct EffectForm {
   bool isReady() { return dialog.findChild<QDialogButtonBox*>()->button(QDialogButtonBox::Ok)->isEnabled(); }
   QLineEdit* sizeOf(const QString& name) {
     for (const QLabel* label : dialog.findChildren<QLabel*>())
-      if (label->text().startsWith(name + u" (")) return qobject_cast<QLineEdit*>(label->buddy());
+      if (label->text().startsWith(name + QStringLiteral(" ("))) return qobject_cast<QLineEdit*>(label->buddy());
     return nullptr;
   }
 
