@@ -96,7 +96,7 @@ OwnDisplacement<T> ownDisplacement(std::span<const OwnShare> shares, const Error
                                           &OwnDisplacement<T>::y,      &OwnDisplacement<T>::z};
   for (const OwnShare& share : shares) {
     T& part = share.carrier == FormCarrier::Slider ? sum.slider
-                                                  : sum.*parts[static_cast<std::size_t>(share.carrier)];
+                                                   : sum.*parts[static_cast<std::size_t>(share.carrier)];
     const T factor = share.value + T(share.byArcAngle * off);
     part += errors[share.term] * factor;
   }

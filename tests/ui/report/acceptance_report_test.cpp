@@ -1,4 +1,5 @@
 #include "ui/report/acceptance_report.h"
+#include "core/base/version.h"
 #include "core/diagnosis/diagnose.h"
 
 #include <gtest/gtest.h>
@@ -377,7 +378,7 @@ TEST(AcceptanceReport, PrintsWhatALaboratoryStates) {
   EXPECT_EQ(report.pageCount(), 5);
   for (int page = 0; page < report.pageCount(); ++page)
     EXPECT_TRUE(report.page(page).contains(QStringLiteral("Alidade %1 · Acceptance report · No. 2026-117")
-                                               .arg(QCoreApplication::applicationVersion())))
+                                               .arg(QString::fromStdString(versionAndBuild()))))
         << page;
   const QString front = report.page(0).simplified();
   for (const char* text :

@@ -369,7 +369,7 @@ TEST(Gap, SaysWhatToDoWhereNothingCanBeAdded) {
     EXPECT_THAT(bench.shown(), HasSubstr("Nothing to add to the model"));
   }
   GapBench bench(harmonicTrial);
-  EXPECT_THAT(bench.shown(), HasSubstr("“radius along the guideway”"));
+  EXPECT_THAT(bench.shown(), HasSubstr("The form: radius"));
 }
 
 TEST(Gap, SaysWhenWhichRowsOfAJumpMayBeLeftOut) {
