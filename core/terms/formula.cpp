@@ -253,8 +253,7 @@ class FormulaMaker {
       if (!names->empty())
         return faultAt(names->front(), Phrase::of("%1 is given a number here: take %2 out of it.",
                                                   quotation(name), quotation(names->front().name)));
-    Formula constant{.lines = {{.expression = std::move(plain->text), .amplitudes = {}}},
-                     .amplitudes = {{"unused"}}};
+    Formula constant{.lines = {{.expression = plain->text, .amplitudes = {}}}, .amplitudes = {{"unused"}}};
     const double value = FormulaEvaluator(constant).value(0, 0, {});
     if (!std::isfinite(value))
       return FormulaFault{statement.at, statement.expression.size(), Phrase::of("This is no finite number.")};
@@ -265,7 +264,7 @@ class FormulaMaker {
   std::optional<FormulaFault> addLine(const FormulaStatement& statement, FormCarrier carrier) {
     auto plain = plainExpression(statement, m_numbers);
     if (!plain) return plain.problem();
-    FormulaLine line{.carrier = carrier, .expression = std::move(plain->text), .amplitudes = {}};
+    FormulaLine line{.carrier = carrier, .expression = plain->text, .amplitudes = {}};
     for (const FormulaName& variable : plain->variables) {
       const auto known = std::ranges::find(formulaVariables, variable.name, &FormulaVariable::name);
       line.actsOnZeros = line.actsOnZeros && known->isOfZerosToo;
@@ -278,7 +277,7 @@ class FormulaMaker {
                           Phrase::of("The expression has no amplitude: multiply it by a letter such as A.")};
     m_formula.lines.push_back(std::move(line));
     m_statements.push_back(statement);
-    m_names.push_back(std::move(plain->amplitudes));
+    m_names.push_back(plain->amplitudes);
     return std::nullopt;
   }
 

@@ -131,6 +131,7 @@ void takeUpForms(Inquiry& inquiry, Answer& answer, const FoundForms& found) {
   const FormReadings readings = formReadings(inquiry.leftover, *inquiry.base.measurement, *inquiry.base.fit);
   const std::vector<Combination> combinations = combinationsOf(found);
   std::vector<FormComponent> components;
+  components.reserve(combinations.size());
   for (const Combination& forms : combinations) components.emplace_back(inquiry.leftover, readings, forms);
   Inquiry with = inquiry;
   const std::size_t first = with.candidates.size();
