@@ -573,7 +573,8 @@ void MainWindow::showTitle() {
   const QString mark = QStringLiteral("[*]");
   QString name = visibleLine(m_document.displayName());
   name.replace(mark, mark + mark);  // escapes the name's own marks of a changed file
-  setWindowTitle(tr("%1[*] — Alidade").arg(name) + QLatin1Char(' ') + qText(versionAndBuild()));
+  // Ends in the program's name, which Qt would add otherwise.
+  setWindowTitle(QStringLiteral("%1[*] — %2 — Alidade").arg(name, qText(versionAndBuild())));
   setWindowModified(m_document.isModified() || !m_document.halfTyped().isEmpty());
 }
 

@@ -11367,10 +11367,6 @@ sizes</source>
         <translation>出了问题</translation>
     </message>
     <message>
-        <source>%1[*] — Alidade</source>
-        <translation>%1[*] — Alidade</translation>
-    </message>
-    <message>
         <source>Stopped: misread readings were not looked for.</source>
         <translation>已停止：未查找误读。</translation>
     </message>
@@ -11613,6 +11609,11 @@ sizes</source>
     <message>
         <source>Save Effect</source>
         <translation>保存影响因素</translation>
+    </message>
+    <message>
+        <source>Type a plausible size of %1, 1σ.</source>
+        <extracomment>%1: an amplitude of a formula</extracomment>
+        <translation>请输入 %1 的合理大小（1σ）。</translation>
     </message>
 </context>
 <context>

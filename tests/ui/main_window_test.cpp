@@ -232,7 +232,7 @@ TEST(MainWindow, TellsThePublishedFiguresOnRequest) {
 TEST(MainWindow, CarriesNameAndModifiedMarkInTheTitle) {
   OpenWindow open;
   const auto title = [](const QString& name) {
-    return name + QStringLiteral("[*] — Alidade ") + QCoreApplication::applicationVersion();
+    return name + QStringLiteral("[*] — %1 — Alidade").arg(QCoreApplication::applicationVersion());
   };
   EXPECT_EQ(open->windowTitle(), title(QStringLiteral("Untitled")));
   loadPaper(open);

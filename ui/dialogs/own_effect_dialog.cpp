@@ -119,8 +119,11 @@ void OwnEffectDialog::check() {
   bool isSound = false;
   if (!formula) {
     says = qText(formula.problem().text(text));
+  } else if (const QString missing = sizeMissing(); !missing.isEmpty()) {
+    //: %1: an amplitude of a formula
+    says = tr("Type a plausible size of %1, 1σ.").arg(missing);
   } else if (const auto problem = ownEffectProblem(effect())) {
-    says = qText(problem->what);
+    says = qText(problem->text());
   } else {
     isSound = true;
     says = visibility();
@@ -128,6 +131,13 @@ void OwnEffectDialog::check() {
   m_remark->setText(says);
   for (QAbstractButton* button : m_buttons->buttons())
     if (m_buttons->buttonRole(button) != QDialogButtonBox::RejectRole) button->setEnabled(isSound);
+}
+
+/// The first amplitude without a plausible size; empty: none.
+QString OwnEffectDialog::sizeMissing() const {
+  for (const Size& size : m_amplitudes)
+    if (typedIn(*size.entry).empty()) return qText(size.name);
+  return {};
 }
 
 /// An entry for each amplitude, those that stay with what was typed.
@@ -156,6 +166,12 @@ void OwnEffectDialog::showAmplitudes(const Formula& formula) {
     connect(entry, &QLineEdit::textChanged, this, &OwnEffectDialog::check);
     m_amplitudes.append({amplitude.name, entry});
   }
+  QWidget* last = m_turns;
+  for (const Size& size : m_amplitudes) {
+    setTabOrder(last, size.entry);
+    last = size.entry;
+  }
+  setTabOrder(last, m_owner);
 }
 
 void OwnEffectDialog::markFault(const FormulaFault* fault) {

@@ -36,6 +36,7 @@ class OwnEffectDialog : public QDialog {
  private:
   void check();
   void showAmplitudes(const Formula& formula);
+  QString sizeMissing() const;
   void markFault(const FormulaFault* fault);
   QString visibility() const;
   void saveAsFile();

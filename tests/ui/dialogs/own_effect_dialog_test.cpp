@@ -75,7 +75,8 @@ TEST(OwnEffectDialog, KeepsTheSizesOfAmplitudesThatStay) {
   ASSERT_TRUE(form.sizeOf(QStringLiteral("A")));
   EXPECT_EQ(form.sizeOf(QStringLiteral("A"))->text(), QStringLiteral("0.1"));
   form.type("radial = A*cos(4*s) + B*sin(4*s)");
-  EXPECT_FALSE(form.isReady()) << "B has no plausible size yet";
+  EXPECT_FALSE(form.isReady());
+  EXPECT_EQ(form.says(), "Type a plausible size of B, 1σ.");
   ASSERT_TRUE(form.sizeOf(QStringLiteral("B")));
   form.sizeOf(QStringLiteral("B"))->setText(QStringLiteral("0.05"));
   EXPECT_TRUE(form.isReady());
