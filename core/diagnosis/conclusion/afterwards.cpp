@@ -143,7 +143,8 @@ IntersectionEstimate averagedOver(const IntersectionEstimate& own, const std::ve
 }
 
 IntersectionEstimate widerBy(IntersectionEstimate own, double variance) {
-  const double sigma = std::sqrt(square(own.sigma) + std::max(variance, 0.0));
+  if (!(variance > 0) || !std::isfinite(variance)) return own;
+  const double sigma = std::sqrt(square(own.sigma) + variance);
   own.expanded *= sigma / own.sigma;
   own.sigma = sigma;
   own.accounts = {{1, own.value, own.sigma}};

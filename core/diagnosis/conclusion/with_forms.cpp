@@ -53,6 +53,12 @@ std::vector<Explanation> restsOf(const Inquiry& inquiry, const Explanation& cert
   return {certain, calm};
 }
 
+/// Readings far off leave no number.
+bool isFinite(const Account& account) {
+  return std::isfinite(account.logOdds) && std::isfinite(account.value) && std::isfinite(account.variance) &&
+         std::isfinite(account.ofWeights);
+}
+
 /// An explanation with forms, and how likely it is with effects at their plausible sizes.
 struct Weighed {
   Explanation explanation;
@@ -75,7 +81,7 @@ std::vector<Weighed> weighedWith(const Inquiry& inquiry, const Explanation& cert
       double prior = logPriorOf(combinations[i]);
       for (const Part& part : rest.parts) prior += inquiry.candidates.groupOf(part.component).logPrior;
       const auto alone = accounts.of(with, noEffect), beside = accounts.of(with, EffectScales{});
-      if (!alone || !beside || !std::isfinite(beside->logOdds)) continue;
+      if (!alone || !beside || !isFinite(*alone) || !isFinite(*beside)) continue;
       with.logPosteriorOdds = prior + alone->logOdds - nothing->logOdds;
       all.push_back({std::move(with), prior + beside->logOdds});
     }
@@ -150,8 +156,11 @@ void takeUpForms(Inquiry& inquiry, Answer& answer, const FoundForms& found) {
     then.rivals.erase(then.rivals.begin() + static_cast<std::ptrdiff_t>(p));
   }
   const Eigen::VectorXd taken = Accounts(with).takenByPattern(likeliest, noEffect);
+  if (!taken.allFinite()) return;
   then.after = without(modelWith(with.base, then.explanation, with.candidates, with.leftover), with, taken);
-  if (!then.after.fit->isDetermined()) return;
+  const std::optional<IntersectionEstimate> estimate = estimateOf(then.after);
+  if (!then.after.fit->isDetermined() || (estimate && !std::isfinite(estimate->value + estimate->expanded)))
+    return;
   then.measured = then.after;
   then.opened = without(openedModelOf(then.after, with.own), with, taken);
   inquiry = std::move(with);
@@ -167,11 +176,13 @@ std::optional<IntersectionEstimate> intersectionWithForms(const Inquiry& inquiry
   Accounts accounts(inquiry);
   const auto likeliest = accounts.of(inquiry.explanations.front(), noEffect),
              rest = accounts.of(answer.explanation, noEffect);
-  if (!own || !likeliest || !rest || !(own->sigma > 0)) return own;
+  if (!own || !likeliest || !rest || !(own->sigma > 0) || !isFinite(*likeliest) || !isFinite(*rest))
+    return own;
   own = widerBy(*own, likeliest->ofWeights - rest->ofWeights);
   std::vector<Possible> all;
   for (const Explanation& explanation : inquiry.explanations)
-    if (const auto account = accounts.of(explanation, noEffect); account && explanation.shaped)
+    if (const auto account = accounts.of(explanation, noEffect);
+        account && explanation.shaped && isFinite(*account))
       all.push_back({explanation.chance / inquiry.explanations.front().chance,
                      account->value - likeliest->value, account->variance - likeliest->variance});
   return averagedOver(*own, all, inquiry.base.measurement->coverage);
