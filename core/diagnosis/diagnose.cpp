@@ -244,7 +244,7 @@ Result<Diagnosis, DiagnosisFault> diagnose(const Measurement& measurement, const
   if (stop.stop_requested()) return stopped;
   diagnosis.steps = stepsOf(inquiry, answer);
   diagnosis.before = numberOf(estimateOf(own));
-  diagnosis.afterwards = numberOf(found);
+  diagnosis.afterwards = found && !numberOf(found) ? diagnosis.before : found;
   for (GapStep& step : diagnosis.steps) step.intersection = numberOf(step.intersection);
   const std::vector<Detectability> undetectable =
       undetectableEffects(inquiry.leftover, inquiry.candidates, perReading);
