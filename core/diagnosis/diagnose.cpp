@@ -161,14 +161,6 @@ Conclusion concluded(Inquiry inquiry, const DiagnosisOptions& options, const std
   return {std::move(inquiry), std::move(answer), std::move(found.forms), std::move(shape)};
 }
 
-/// Absent where readings far off leave no number.
-std::optional<IntersectionEstimate> numberOf(const std::optional<IntersectionEstimate>& estimate) {
-  return estimate && std::isfinite(estimate->value) && std::isfinite(estimate->sigma) &&
-                 std::isfinite(estimate->expanded)
-             ? estimate
-             : std::nullopt;
-}
-
 std::optional<IntersectionEstimate> afterwardsOf(const Conclusion& conclusion) {
   return hasForms(conclusion.inquiry, conclusion.answer)
              ? intersectionWithForms(conclusion.inquiry, conclusion.answer)
@@ -226,8 +218,7 @@ Result<Diagnosis, DiagnosisFault> diagnose(const Measurement& measurement, const
   diagnosis.causes = causesOf(inquiry, answer);
   diagnosis.verdict = verdictOf(answer, diagnosis.causes);
   diagnosis.hasMoreCausesThanSeparable = answer.kind == Answer::Kind::Several;
-  if (measured && numberOf(measured->intersection.estimate))
-    diagnosis.measured = std::move(measured->intersection);
+  if (measured) diagnosis.measured = std::move(measured->intersection);
   diagnosis.closures = closuresOf(own, answer.opened, diagnosis.measured);
   diagnosis.unexplained = unexplainedOf(inquiry, answer, referenceIn(diagnosis.closures));
   const Eigen::VectorXd perReading = influencePerSigma(inquiry.base);
@@ -243,9 +234,8 @@ Result<Diagnosis, DiagnosisFault> diagnose(const Measurement& measurement, const
   diagnosis.where = whereOf(inquiry, answer);
   if (stop.stop_requested()) return stopped;
   diagnosis.steps = stepsOf(inquiry, answer);
-  diagnosis.before = numberOf(estimateOf(own));
-  diagnosis.afterwards = found && !numberOf(found) ? diagnosis.before : found;
-  for (GapStep& step : diagnosis.steps) step.intersection = numberOf(step.intersection);
+  diagnosis.before = estimateOf(own);
+  diagnosis.afterwards = found;
   const std::vector<Detectability> undetectable =
       undetectableEffects(inquiry.leftover, inquiry.candidates, perReading);
   for (const Detectability& detectability : undetectable)

@@ -143,8 +143,7 @@ IntersectionEstimate averagedOver(const IntersectionEstimate& own, const std::ve
 }
 
 IntersectionEstimate widerBy(IntersectionEstimate own, double variance) {
-  if (!(variance > 0) || !std::isfinite(variance)) return own;
-  const double sigma = std::sqrt(square(own.sigma) + variance);
+  const double sigma = std::sqrt(square(own.sigma) + std::max(variance, 0.0));
   own.expanded *= sigma / own.sigma;
   own.sigma = sigma;
   own.accounts = {{1, own.value, own.sigma}};

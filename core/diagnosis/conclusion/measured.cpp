@@ -121,9 +121,8 @@ class Measured {
     m_scales = averageScales();
     if (isLarge(*inquiry.base.measurement)) return;
     if (m_whole.shaped)
-      if (const Eigen::VectorXd taken = m_accounts.takenByPattern(m_whole, m_scales); taken.allFinite())
-        m_model.measurement =
-            std::make_shared<const Measurement>(withoutPattern(*m_model.measurement, inquiry, taken));
+      m_model.measurement = std::make_shared<const Measurement>(
+          withoutPattern(*m_model.measurement, inquiry, m_accounts.takenByPattern(m_whole, m_scales)));
     m_every = withEveryEffect(m_model);
     m_fit = withEveryEffect(m_model, m_scales);
     m_accounts.alsoAt(m_fit, m_whole, m_scales);
@@ -207,8 +206,7 @@ class Measured {
   /// Over every explanation with each scale of the effects.
   IntersectionEstimate averaged(IntersectionEstimate own) {
     const std::optional<Account> ofWhole = m_accounts.of(m_whole, m_scales);
-    if (!ofWhole || !(own.sigma > 0) || !std::isfinite(ofWhole->value) || !std::isfinite(ofWhole->variance))
-      return own;
+    if (!ofWhole || !(own.sigma > 0)) return own;
     if (m_whole.shaped && !isLarge(*m_inquiry.base.measurement)) {
       const std::optional<Account> ofRest = m_accounts.of(rest(), m_scales);
       own = widerBy(own, ofRest ? ofWhole->ofWeights - ofRest->ofWeights : 0);

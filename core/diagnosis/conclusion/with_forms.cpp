@@ -41,49 +41,45 @@ double logPriorOf(const Combination& forms) {
   return log;
 }
 
-bool isJump(const Component& component) {
-  return component.isJump() || component.slippedArc().has_value();
-}
-
 /// What is certain, with and without the jumps that a form may have been taken for.
 std::vector<Explanation> restsOf(const Inquiry& inquiry, const Explanation& certain) {
   Explanation calm = certain;
-  std::erase_if(calm.parts, [&](const Part& part) { return isJump(inquiry.of(part)); });
+  std::erase_if(calm.parts, [&](const Part& part) { return inquiry.of(part).stepsOrientation(); });
   if (calm.parts.size() == certain.parts.size()) return {certain};
   return {certain, calm};
 }
 
-/// Readings far off leave no number.
-bool isFinite(const Account& account) {
-  return std::isfinite(account.logOdds) && std::isfinite(account.value) && std::isfinite(account.variance) &&
-         std::isfinite(account.ofWeights);
+/// With every effect besides at its plausible size, but for a constant: natural logarithm.
+double logOddsBesideEffects(Accounts& accounts, const Explanation& explanation) {
+  const auto alone = accounts.of(explanation, noEffect), beside = accounts.of(explanation, EffectScales{});
+  return alone && beside ? explanation.logPosteriorOdds - alone->logOdds + beside->logOdds : impossible;
 }
 
-/// An explanation with forms, and how likely it is with effects at their plausible sizes.
+/// An explanation with forms, and how likely it is beside the effects.
 struct Weighed {
   Explanation explanation;
   double logOdds = 0;
 };
 
-std::vector<Weighed> weighedWith(const Inquiry& inquiry, const Explanation& certain, std::size_t first,
-                                 const std::vector<Combination>& combinations) {
-  Accounts accounts(inquiry);
+/// `forms`: a part and the logarithm of its prior odds for each combination.
+std::vector<Weighed> weighedWith(Accounts& accounts, const Inquiry& inquiry, const Explanation& certain,
+                                 const std::vector<std::pair<Part, double>>& forms) {
   std::vector<Weighed> all;
   const std::optional<Account> nothing = accounts.of({}, noEffect);
   if (!nothing) return all;
   for (const Explanation& rest : restsOf(inquiry, certain))
-    for (std::size_t i = 0; i < combinations.size(); ++i) {
-      const auto& component = static_cast<const FormComponent&>(inquiry.candidates[first + i]);
+    for (const auto& [form, logPrior] : forms) {
       Explanation with = rest;
       with.shaped = true;
       with.noisy = false;
-      with.parts.push_back({first + i, 1, component.found()});
-      double prior = logPriorOf(combinations[i]);
-      for (const Part& part : rest.parts) prior += inquiry.candidates.groupOf(part.component).logPrior;
-      const auto alone = accounts.of(with, noEffect), beside = accounts.of(with, EffectScales{});
-      if (!alone || !beside || !isFinite(*alone) || !isFinite(*beside)) continue;
-      with.logPosteriorOdds = prior + alone->logOdds - nothing->logOdds;
-      all.push_back({std::move(with), prior + beside->logOdds});
+      with.parts.push_back(form);
+      const std::optional<Account> alone = accounts.of(with, noEffect);
+      if (!alone) continue;
+      with.logPosteriorOdds = logPrior + alone->logOdds - nothing->logOdds;
+      for (const Part& part : rest.parts)
+        with.logPosteriorOdds += inquiry.candidates.groupOf(part.component).logPrior;
+      const double logOdds = logOddsBesideEffects(accounts, with);
+      if (std::isfinite(logOdds)) all.push_back({std::move(with), logOdds});
     }
   std::ranges::stable_sort(all, {}, [](const Weighed& one) { return -one.logOdds; });
   return all;
@@ -138,11 +134,16 @@ void takeUpForms(Inquiry& inquiry, Answer& answer, const FoundForms& found) {
   const std::vector<Combination> combinations = combinationsOf(found);
   std::vector<FormComponent> components;
   components.reserve(combinations.size());
-  for (const Combination& forms : combinations) components.emplace_back(inquiry.leftover, readings, forms);
+  std::vector<std::pair<Part, double>> parts;
+  for (const Combination& forms : combinations) {
+    const FormComponent& component = components.emplace_back(inquiry.leftover, readings, forms);
+    parts.emplace_back(Part{inquiry.candidates.size() + parts.size(), 1, component.found()},
+                       logPriorOf(forms));
+  }
   Inquiry with = inquiry;
-  const std::size_t first = with.candidates.size();
   with.candidates.add(std::move(components), PriorOdds{}.shape);
-  std::vector<Weighed> all = weighedWith(with, answer.explanation, first, combinations);
+  Accounts accounts(with);
+  std::vector<Weighed> all = weighedWith(accounts, with, answer.explanation, parts);
   if (all.empty()) return;
   replacePatterns(with, std::move(all));
 
@@ -155,14 +156,11 @@ void takeUpForms(Inquiry& inquiry, Answer& answer, const FoundForms& found) {
     then.explanation.parts.erase(then.explanation.parts.begin() + static_cast<std::ptrdiff_t>(p));
     then.rivals.erase(then.rivals.begin() + static_cast<std::ptrdiff_t>(p));
   }
-  const Eigen::VectorXd taken = Accounts(with).takenByPattern(likeliest, noEffect);
-  if (!taken.allFinite()) return;
+  const Eigen::VectorXd taken = accounts.takenByPattern(likeliest, noEffect);
   then.after = without(modelWith(with.base, then.explanation, with.candidates, with.leftover), with, taken);
-  const std::optional<IntersectionEstimate> estimate = estimateOf(then.after);
-  if (!then.after.fit->isDetermined() || (estimate && !std::isfinite(estimate->value + estimate->expanded)))
-    return;
   then.measured = then.after;
   then.opened = without(openedModelOf(then.after, with.own), with, taken);
+  if (!then.after.fit->isDetermined() || !then.opened.fit->isDetermined()) return;
   inquiry = std::move(with);
   answer = std::move(then);
 }
@@ -172,20 +170,19 @@ bool hasForms(const Inquiry& inquiry, const Answer& answer) {
 }
 
 std::optional<IntersectionEstimate> intersectionWithForms(const Inquiry& inquiry, const Answer& answer) {
-  std::optional<IntersectionEstimate> own = estimateOf(answer.measured);
+  const std::optional<IntersectionEstimate> own = estimateOf(answer.measured);
   Accounts accounts(inquiry);
   const auto likeliest = accounts.of(inquiry.explanations.front(), noEffect),
              rest = accounts.of(answer.explanation, noEffect);
-  if (!own || !likeliest || !rest || !(own->sigma > 0) || !isFinite(*likeliest) || !isFinite(*rest))
-    return own;
-  own = widerBy(*own, likeliest->ofWeights - rest->ofWeights);
+  if (!own || !likeliest || !rest || !(own->sigma > 0)) return own;
+  const double logOdds = logOddsBesideEffects(accounts, inquiry.explanations.front());
   std::vector<Possible> all;
   for (const Explanation& explanation : inquiry.explanations)
-    if (const auto account = accounts.of(explanation, noEffect);
-        account && explanation.shaped && isFinite(*account))
-      all.push_back({explanation.chance / inquiry.explanations.front().chance,
+    if (const auto account = accounts.of(explanation, noEffect); account && explanation.shaped)
+      all.push_back({std::exp(logOddsBesideEffects(accounts, explanation) - logOdds),
                      account->value - likeliest->value, account->variance - likeliest->variance});
-  return averagedOver(*own, all, inquiry.base.measurement->coverage);
+  return averagedOver(widerBy(*own, likeliest->ofWeights - rest->ofWeights), all,
+                      inquiry.base.measurement->coverage);
 }
 
 Measurement withoutPattern(Measurement measurement, const Inquiry& inquiry, const Eigen::VectorXd& taken) {
