@@ -11,7 +11,7 @@ source "$(dirname "$0")/desk.sh"
 "$workstation" >"$work/out" 2>&1 &
 started+=($!)
 program=$!
-wait_for "the window" window_named "Untitled.* — Alidade"
+wait_for "the window" window_named "Untitled.* — .*Alidade"
 wait_for "the keyboard" xdotool getactivewindow
 sleep 1
 keys ctrl+n
@@ -51,7 +51,7 @@ keys ctrl+s
 wait_for "the question where to save" window_named "Save session as"
 typed "$session"
 wait_for "the file" test -s "$session"
-wait_for "the saved name" window_named "typed.alidade — Alidade"
+wait_for "the saved name" window_named "^typed.alidade — .*Alidade"
 
 keys ctrl+e
 wait_for "the question what the report holds" window_named "Acceptance report"
@@ -97,6 +97,6 @@ diff <(sed 's/ [0-9][0-9]:[0-9][0-9]//' "$work/report.txt") <(sed 's/ [0-9][0-9]
 
 "$workstation" "$session" >>"$work/out" 2>&1 &
 started+=($!)
-wait_for "the session opened again" window_named "typed.alidade — Alidade"
+wait_for "the session opened again" window_named "^typed.alidade — .*Alidade"
 [[ $(intersection "$session") == "$other" ]] || fail "opening it changed the file"
 echo "typed, corrected, saved, reported, printed and opened again: Δd = ${own##* } mm"

@@ -15,7 +15,7 @@ source "$here/desk.sh"
 
 QT_LINUX_ACCESSIBILITY_ALWAYS_ON=1 "$workstation" "$session" >"$work/out" 2>&1 &
 started+=($!)
-wait_for "the window" window_named "$(basename "$session") — Alidade"
+wait_for "the window" window_named "$(basename "$session") — .*Alidade"
 wait_for "the window on the bus" /usr/bin/python3 "$here/listener.py" there
 /usr/bin/python3 "$here/listener.py" controls || fail "controls without a name or a role"
 /usr/bin/python3 "$here/listener.py" points Residuals 68 || fail "points of the residuals"
