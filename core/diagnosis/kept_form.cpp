@@ -1,12 +1,12 @@
 #include "core/diagnosis/kept_form.h"
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 
 #include "core/base/number_text.h"
 #include "core/base/phrase.h"
 #include "core/base/visible_text.h"
+#include "core/session/own_effects.h"
 #include "core/terms/formula.h"
 
 namespace alidade {
@@ -47,9 +47,7 @@ std::string plainName(const Form& form) {
 OwnEffect ownEffectOf(const FoundForm& found, const Session& session) {
   const bool isOfInstrument = isOfCircles(found.form.carrier);
   OwnEffect effect{.name = plainName(found.form), .formula = linesOf(found.formula)};
-  effect.id = effect.name;
-  std::ranges::replace_if(
-      effect.id, [](char c) { return std::isalnum(static_cast<unsigned char>(c)) == 0; }, '_');
+  effect.id = ownIdFrom(effect.name);
   (isOfInstrument ? effect.instrument : effect.device) =
       isOfInstrument ? session.instrument.serial : session.device.serial;
   const std::string plausible = rounded(plausibleOf(found));

@@ -8,9 +8,9 @@
 #include "core/base/number_text.h"
 #include "core/base/phrase.h"
 #include "core/base/visible_text.h"
+#include "core/diagnosis/candidates/effect_components.h"
 #include "core/diagnosis/gap/gap_model.h"
 #include "core/diagnosis/gap/leftover.h"
-#include "core/diagnosis/visibility.h"
 #include "core/effects/catalogue.h"
 #include "core/effects/known_sizes.h"
 #include "core/observation/own_model.h"
@@ -24,11 +24,7 @@ using Eigen::Index, Eigen::MatrixXd;
 constexpr double nothing = 0.1;  // σ
 
 MatrixXd visibleColumns(const Leftover& leftover, const Effect& effect) {
-  MatrixXd columns(leftover.readings(), static_cast<Index>(effect.parameters.size()));
-  Index column = 0;
-  for (const EffectParameter& parameter : effect.parameters)
-    columns.col(column++) = leftover.column(parameter.term) * plausibleSize(parameter);
-  return leftover.visible(columns);
+  return EffectComponent(effect, {}).visibleColumns(leftover);
 }
 
 /// The effect of the catalogue in whose span the columns are, nearly.

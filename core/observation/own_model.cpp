@@ -13,13 +13,11 @@ namespace {
 
 /// The arguments that follow from directions.
 void turnTo(FormulaArguments& at, const OwnPlace& place, double a, double e) {
-  constexpr double turn = 2 * std::numbers::pi;
-  const bool isZenith = place.circle == VerticalCircle::Zenith, isFaceOne = at.face > 0;
-  const double inOne = isZenith ? turn / 4 - e : e;
+  const int face = at.face > 0 ? 1 : 2;
   at.a = a;
   at.e = e;
-  at.horizontalCircle = place.horizontalZero + a + (isFaceOne ? 0 : turn / 2);
-  at.verticalCircle = isFaceOne ? inOne : (isZenith ? turn : turn / 2) - inOne;
+  at.horizontalCircle = place.horizontalZero + a + (face == 1 ? 0 : std::numbers::pi);
+  at.verticalCircle = verticalCircleReading(e, face, place.circle);
 }
 
 /// Of what is smooth the mean of both differences; of what jumps nearby the one away from it.

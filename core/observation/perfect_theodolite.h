@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cmath>
+#include <numbers>
 
 #include "core/session/measurement.h"
 
@@ -29,6 +30,13 @@ template <typename T>
 struct PlanePoint {
   T x, y;
 };
+
+/// The reading of the vertical circle at elevation `e`, rad, in `face`.
+inline double verticalCircleReading(double e, int face, VerticalCircle circle) {
+  const bool isZenith = circle == VerticalCircle::Zenith;
+  const double inFaceOne = isZenith ? std::numbers::pi / 2 - e : e;
+  return face == 1 ? inFaceOne : (isZenith ? 2 : 1) * std::numbers::pi - inFaceOne;
+}
 
 /// The reading for a target at `target`; `distance` is L > 0 in mm. Always finite.
 template <typename T>

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <functional>
 #include <utility>
 
 #include "core/base/number_text.h"
@@ -12,11 +13,14 @@ namespace alidade {
 
 namespace {
 
+constexpr std::size_t longestId = 40;
+
+bool isInId(char c) {
+  return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == '-';
+}
+
 bool isId(const std::string& text) {
-  constexpr std::size_t longest = 40;
-  return !text.empty() && text.size() <= longest && std::ranges::all_of(text, [](char c) {
-    return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == '-';
-  });
+  return !text.empty() && text.size() <= longestId && std::ranges::all_of(text, isInId);
 }
 
 /// The parameter's entry for an amplitude; a problem at its key.
@@ -66,6 +70,12 @@ ErrorTerm following(ErrorTerm first, std::size_t count) {
 }
 
 }  // namespace
+
+std::string ownIdFrom(std::string name) {
+  if (name.size() > longestId) name.resize(longestId);
+  std::ranges::replace_if(name, std::not_fn(isInId), '_');
+  return name;
+}
 
 std::string ownId(const OwnEffect& effect) {
   return std::string(ownPrefix) + effect.id;

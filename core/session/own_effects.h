@@ -19,6 +19,9 @@ inline constexpr std::string_view ownPrefix = "own:";
 /// The id in results: "own:dent".
 std::string ownId(const OwnEffect& effect);
 
+/// An id made of a name: letters, digits and - stay, all else becomes _. At most 40 bytes.
+std::string ownIdFrom(std::string name);
+
 /// An effect of the user's own that is sound, with its terms.
 struct OwnEntry {
   OwnEffect source;

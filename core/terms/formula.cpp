@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "core/base/phrase.h"
+#include "core/base/random_source.h"
 #include "core/base/visible_text.h"
 #include "core/terms/error_term.h"
 #include "core/terms/formula_text.h"
@@ -153,7 +154,7 @@ class LinearityCheck {
       std::vector<std::pair<std::size_t, double>> all;
       double sum = 0;
       for (const std::size_t amplitude : m_formula.lines[line].amplitudes) {
-        const double size = 1 + next(), once = with(line, {{amplitude, 1}});
+        const double size = 1 + m_random.uniform(), once = with(line, {{amplitude, 1}});
         if (!isAlike(with(line, {{amplitude, -size}}), -size * once)) return amplitude;
         all.emplace_back(amplitude, size);
         sum += size * once;
@@ -177,29 +178,24 @@ class LinearityCheck {
     return !(std::abs(one - other) > rounding * (1 + std::abs(one) + std::abs(other)));
   }
 
-  /// 0…1, always the same sequence.
-  double next() {
-    m_state = m_state * 6364136223846793005u + 1442695040888963407u;
-    return static_cast<double>(m_state >> 11) * 0x1p-53;
-  }
-  double sign() { return next() < 0.5 ? -1 : 1; }
+  double sign() { return m_random.uniform() < 0.5 ? -1 : 1; }
   FormulaArguments spread() {
     constexpr double wide = 6, near = 0.3;
-    return {.s = 3 * sign() * next(),
-            .t = next(),
-            .a = near * sign() * next(),
-            .e = near * sign() * next(),
-            .horizontalCircle = wide * next(),
-            .verticalCircle = wide * next(),
+    return {.s = 3 * sign() * m_random.uniform(),
+            .t = m_random.uniform(),
+            .a = near * sign() * m_random.uniform(),
+            .e = near * sign() * m_random.uniform(),
+            .horizontalCircle = wide * m_random.uniform(),
+            .verticalCircle = wide * m_random.uniform(),
             .leg = sign(),
-            .round = std::floor(1 + 3 * next()),
+            .round = static_cast<double>(m_random.whole(1, 3)),
             .face = sign(),
             .position = sign()};
   }
 
   const Formula& m_formula;
   FormulaEvaluator m_evaluator;
-  std::uint64_t m_state = 1;
+  RandomSource m_random{1};
 };
 
 namespace {

@@ -9,7 +9,6 @@
 #include <QPlainTextEdit>
 #include <QPushButton>
 #include <algorithm>
-#include <cctype>
 #include <utility>
 
 #include "core/diagnosis/own_effect_check.h"
@@ -22,15 +21,6 @@
 namespace alidade::ui {
 
 namespace {
-
-/// The part of an id: letters, digits, _ and -.
-std::string idFrom(const std::string& name) {
-  constexpr std::size_t longest = 40;
-  std::string id = name.substr(0, longest);
-  std::ranges::replace_if(
-      id, [](char c) { return !std::isalnum(static_cast<unsigned char>(c)) && c != '-'; }, '_');
-  return id;
-}
 
 std::string typedIn(const QLineEdit& entry) {
   return entry.text().trimmed().toStdString();
@@ -96,7 +86,7 @@ OwnEffectDialog::OwnEffectDialog(const Session& session, OwnEffect effect, Dialo
 OwnEffect OwnEffectDialog::effect() const {
   OwnEffect typed = m_start;
   typed.name = typedIn(*m_name);
-  if (typed.name != m_start.name || typed.id.empty()) typed.id = idFrom(typed.name);
+  if (typed.name != m_start.name || typed.id.empty()) typed.id = ownIdFrom(typed.name);
   typed.formula = m_formula->toPlainText().toStdString();
   typed.remedy = typedIn(*m_remedy);
   typed.turnsWithFace = m_turns->isChecked();

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "core/observation/half_turn.h"
+#include "core/observation/perfect_theodolite.h"
 
 namespace alidade {
 
@@ -91,18 +92,13 @@ class SessionReadings {
     set(HorizontalCircle, each([&](Index i) {
           return arcOf(i).zeroHorizontal.radians() + a[i] + (rowOf(i).face == 1 ? 0 : std::numbers::pi);
         }));
-    set(VerticalCircle, each([&](Index i) { return verticalCircle(e[i], rowOf(i).face); }));
+    set(VerticalCircle, each([&](Index i) {
+          return verticalCircleReading(e[i], rowOf(i).face, m_measurement.verticalCircle);
+        }));
     set(Leg, each([&](Index i) { return at(i).isZero || rowOf(i).round % 2 == 1 ? 1.0 : -1.0; }));
     set(Round, each([&](Index i) { return static_cast<double>(rowOf(i).round); }));
     set(Face, m_result.face);
     set(Position, each([&](Index i) { return halfTurnSign(arcOf(i).axisDeg); }));
-  }
-
-  /// The circle reading at elevation `e`, rad.
-  double verticalCircle(double e, int face) const {
-    const bool isZenith = m_measurement.verticalCircle == VerticalCircle::Zenith;
-    const double first = isZenith ? std::numbers::pi / 2 - e : e;
-    return face == 1 ? first : (isZenith ? 2 : 1) * std::numbers::pi - first;
   }
 
   /// Azimuth or elevation above the horizon of the row of each reading, as the fit has it: a function of a
@@ -129,8 +125,9 @@ class SessionReadings {
     set(FormArgument::Azimuth, [](Index) { return 0.0; });
     set(FormArgument::Elevation, [&](Index i) { return arcOf(i).zeroElevation.radians(); });
     set(FormArgument::HorizontalCircle, [&](Index i) { return arcOf(i).zeroHorizontal.radians(); });
-    set(FormArgument::VerticalCircle,
-        [&](Index i) { return verticalCircle(arcOf(i).zeroElevation.radians(), 1); });
+    set(FormArgument::VerticalCircle, [&](Index i) {
+      return verticalCircleReading(arcOf(i).zeroElevation.radians(), 1, m_measurement.verticalCircle);
+    });
   }
 };
 

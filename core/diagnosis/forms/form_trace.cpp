@@ -28,9 +28,7 @@ std::vector<Channel> channelsOf(const Form& form) {
 double valueAt(const FoundForm& found, const Channel& channel, double x) {
   const VectorXd functions = found.form.isFree() ? freeFunctions(found.form, found.places, x)
                                                  : VectorXd(formFunctions(found.form, x).matrix());
-  const std::size_t count = found.form.isFree()                             ? found.places.size()
-                            : found.form.function == FormFunction::Harmonic ? 2
-                                                                            : 1;
+  const std::size_t count = found.coefficients.size() / channelsOf(found.form).size();
   const std::size_t first = channel.isVertical ? count : 0;
   double sum = 0;
   for (std::size_t i = 0; i < count; ++i)

@@ -34,11 +34,6 @@ GapModel withEffects(const GapModel& plain, const EffectScales& scales, const Di
   return full.fit->converged() ? full : plain;
 }
 
-/// Jumps have a moment, which a model's terms lack: they are columns beside it.
-bool isJump(const Component& component) {
-  return component.isJump() || component.slippedArc().has_value();
-}
-
 class SessionForms {
  public:
   SessionForms(const Inquiry& inquiry, const Explanation& certain, const EffectScales& scales,
@@ -53,7 +48,7 @@ class SessionForms {
         m_families(formFamilies(m_readings)),
         m_system(systemOf(m_full)) {
     for (const Part& part : certain.parts)
-      if (isJump(inquiry.of(part))) addJump(part);
+      if (inquiry.of(part).stepsOrientation()) addJump(part);
   }
 
   FoundForms find() {
@@ -81,7 +76,7 @@ class SessionForms {
   MatrixXd m_beside;  ///< over the readings: jumps
 
   static GapModel plainModel(const Inquiry& inquiry, Explanation certain) {
-    std::erase_if(certain.parts, [&](const Part& part) { return isJump(inquiry.of(part)); });
+    std::erase_if(certain.parts, [&](const Part& part) { return inquiry.of(part).stepsOrientation(); });
     if (certain.parts.empty() && !certain.noisy) return inquiry.base;
     GapModel model = modelWith(inquiry.base, certain, inquiry.candidates, inquiry.leftover);
     return model.fit->isDetermined() ? model : inquiry.base;
