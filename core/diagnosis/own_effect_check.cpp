@@ -117,6 +117,7 @@ std::optional<OwnEffectCheck> checkOwnEffect(const Measurement& measurement, con
         {std::string(parameter.name), std::string(parameter.unit), visible / parameter.plausible, visible});
   }
   count(check, *model.measurement, fit, *entry);
+  check.curves = curvesOf(*entry, *model.measurement, fit);
   if (!check.leavesNothing()) check.sameAs = sameAs(leftover, columns);
   return check;
 }

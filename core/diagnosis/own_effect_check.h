@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "core/diagnosis/own_effect_curve.h"
 #include "core/session/measurement.h"
 
 namespace alidade {
@@ -25,6 +26,7 @@ struct OwnEffectCheck {
   std::string sameAs = {};
   std::size_t notFinite = 0;  ///< values of the formula on these readings that are no finite number
   std::size_t values = 0;     ///< of all
+  std::vector<OwnCurve> curves = {};
 
   /// Of no amplitude a plausible size is beyond what the fit takes up.
   bool leavesNothing() const;

@@ -11,15 +11,6 @@ namespace alidade {
 
 namespace {
 
-/// The arguments that follow from directions.
-void turnTo(FormulaArguments& at, const OwnPlace& place, double a, double e) {
-  const int face = at.face > 0 ? 1 : 2;
-  at.a = a;
-  at.e = e;
-  at.horizontalCircle = place.horizontalZero + a + (face == 1 ? 0 : std::numbers::pi);
-  at.verticalCircle = verticalCircleReading(e, face, place.circle);
-}
-
 /// Of what is smooth the mean of both differences; of what jumps nearby the one away from it.
 double slope(double before, double here, double after, double step) {
   const double back = (here - before) / step, on = (after - here) / step;
@@ -32,6 +23,16 @@ double slope(double before, double here, double after, double step) {
 constexpr double shortStep = 1e-6;  // rad: rounding and third derivatives stay below 1e-9
 
 }  // namespace
+
+FormulaArguments argumentsAt(const OwnPlace& place, double a, double e) {
+  FormulaArguments at = place.row;
+  const int face = at.face > 0 ? 1 : 2;
+  at.a = a;
+  at.e = e;
+  at.horizontalCircle = place.horizontalZero + a + (face == 1 ? 0 : std::numbers::pi);
+  at.verticalCircle = verticalCircleReading(e, face, place.circle);
+  return at;
+}
 
 OwnModel::OwnModel(std::shared_ptr<const OwnEffects> effects) : m_effects(std::move(effects)) {
   for (std::size_t entry = 0; m_effects && entry < m_effects->entries().size(); ++entry) {
@@ -72,11 +73,11 @@ std::span<const OwnShare> OwnModel::ofGuideway(const OwnPlace& place, const Plan
   std::array<FormulaArguments, 3> at;  // before, here, behind
   for (int i = 0; i < 3; ++i) {
     const double there = phi + (i - 1) * shortStep;
-    FormulaArguments& own = at[static_cast<std::size_t>(i)] = place.row;
-    own.s = sliderCoordinateOf(there, axisDeg);
     const Direction<double> direction =
         observe(targetOnArc(centre.x, centre.y, radius, there), distance, VerticalAngleRelation::Exact);
-    turnTo(own, place, direction.a, direction.e + place.zeroElevation);
+    FormulaArguments& own = at[static_cast<std::size_t>(i)] =
+        argumentsAt(place, direction.a, direction.e + place.zeroElevation);
+    own.s = sliderCoordinateOf(there, axisDeg);
   }
   return shares(false, place, [&](OwnShare& share, const auto& valueAt) {
     share.value = valueAt(at[1]);
@@ -86,9 +87,8 @@ std::span<const OwnShare> OwnModel::ofGuideway(const OwnPlace& place, const Plan
 
 std::span<const OwnShare> OwnModel::ofCircles(const OwnPlace& place, double a, double e) const {
   const auto at = [&](double a1, double e1, double s1) {
-    FormulaArguments arguments = place.row;
+    FormulaArguments arguments = argumentsAt(place, a1, e1);
     arguments.s += s1;
-    turnTo(arguments, place, a1, e1);
     return arguments;
   };
   constexpr double d = shortStep;

@@ -24,6 +24,9 @@ struct OwnPlace {
   bool isZero = false;  ///< of a pointing zero
 };
 
+/// The arguments of a formula at these directions, rad: face 1 equivalents, `e` above the horizon.
+FormulaArguments argumentsAt(const OwnPlace& place, double a, double e);
+
 /// What one unit of an own term (mm or rad) does to a carrier, with its slopes.
 struct OwnShare {
   ErrorTerm term;

@@ -264,7 +264,8 @@ class FormulaMaker {
     for (const FormulaName& variable : plain->variables) {
       const auto known = std::ranges::find(formulaVariables, variable.name, &FormulaVariable::name);
       line.actsOnZeros = line.actsOnZeros && known->isOfZerosToo;
-      line.isOfTime = line.isOfTime || variable.name == "t";
+      if (std::ranges::find(line.variables, known->value) == line.variables.end())
+        line.variables.push_back(known->value);
     }
     for (const FormulaName& name : plain->amplitudes)
       if (auto fault = addAmplitude(name, line)) return fault;

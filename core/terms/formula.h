@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <memory>
@@ -54,7 +55,9 @@ struct FormulaLine {
   /// A line of circles acts on pointing zeros as well, unless it is of the slider's place, leg, round or
   /// position.
   bool actsOnZeros = true;
-  bool isOfTime = false;
+  std::vector<double FormulaArguments::*> variables = {};  ///< each once
+
+  bool isOfTime() const { return std::ranges::find(variables, &FormulaArguments::t) != variables.end(); }
 };
 
 struct FormulaAmplitude {

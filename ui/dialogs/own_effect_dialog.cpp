@@ -13,6 +13,7 @@
 
 #include "core/diagnosis/own_effect_check.h"
 #include "core/session/own_effects.h"
+#include "ui/charts/gap/own_effect_curve.h"
 #include "ui/dialogs/written_file.h"
 #include "ui/text/effect_text.h"
 #include "ui/text/entry_text.h"
@@ -24,6 +25,17 @@ namespace {
 
 std::string typedIn(const QLineEdit& entry) {
   return entry.text().trimmed().toStdString();
+}
+
+QString visibilityText(const OwnEffectCheck& check) {
+  QStringList says;
+  for (const OwnVisibility& parameter : check.parameters)
+    //: %1: an amplitude; %3: a unit
+    says.append(OwnEffectDialog::tr("%1 shows by %2 σ per %3, a plausible size by %4 σ.")
+                    .arg(qText(parameter.parameter), numberText(parameter.perUnit, 1),
+                         unitText(parameter.unit), numberText(parameter.plausible, 1)));
+  for (const std::string& sentence : check.sentences()) says.append(qText(sentence));
+  return says.join(u' ');
 }
 
 }  // namespace
@@ -43,7 +55,8 @@ OwnEffectDialog::OwnEffectDialog(const Session& session, OwnEffect effect, Dialo
       m_turns(new QCheckBox(tr("The other &sign in face 2"))),
       m_remark(new QLabel),
       m_buttons(new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel)),
-      m_sizes(new QFormLayout) {
+      m_sizes(new QFormLayout),
+      m_curve(new OwnEffectCurve) {
   setWindowTitle(tr("Effect of Your Own"));
   m_formula->setPlaceholderText(QStringLiteral("radial = A*bump(s, 83°, 4°)"));
   m_formula->setTabChangesFocus(true);
@@ -72,6 +85,7 @@ OwnEffectDialog::OwnEffectDialog(const Session& session, OwnEffect effect, Dialo
   form->addRow(tr("&Owner"), m_owner);
   form->addRow(tr("&Remedy"), m_remedy);
   form->addRow(m_remark);
+  form->addRow(m_curve);
   form->addRow(m_buttons);
   setMinimumWidth(60 * fontMetrics().averageCharWidth());
   connect(m_buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
@@ -105,6 +119,7 @@ void OwnEffectDialog::check() {
   const Result<Formula, FormulaFault> formula = parseFormula(text);
   markFault(formula ? nullptr : &formula.problem());
   if (formula) showAmplitudes(*formula);
+  std::optional<OwnEffectCheck> shown;
   QString says;
   bool isSound = false;
   if (!formula) {
@@ -116,9 +131,11 @@ void OwnEffectDialog::check() {
     says = qText(problem->text());
   } else {
     isSound = true;
-    says = visibility();
+    if (m_measurement) shown = checkOwnEffect(*m_measurement, effect());
+    if (shown) says = visibilityText(*shown);
   }
   m_remark->setText(says);
+  m_curve->setCurves(shown ? shown->curves : std::vector<OwnCurve>());
   for (QAbstractButton* button : m_buttons->buttons())
     if (m_buttons->buttonRole(button) != QDialogButtonBox::RejectRole) button->setEnabled(isSound);
 }
@@ -180,20 +197,6 @@ void OwnEffectDialog::markFault(const FormulaFault* fault) {
     marks.append(mark);
   }
   m_formula->setExtraSelections(marks);
-}
-
-QString OwnEffectDialog::visibility() const {
-  if (!m_measurement) return {};
-  const std::optional<OwnEffectCheck> shown = checkOwnEffect(*m_measurement, effect());
-  if (!shown) return {};
-  QStringList says;
-  for (const OwnVisibility& parameter : shown->parameters)
-    //: %1: an amplitude; %3: a unit
-    says.append(tr("%1 shows by %2 σ per %3, a plausible size by %4 σ.")
-                    .arg(qText(parameter.parameter), numberText(parameter.perUnit, 1),
-                         unitText(parameter.unit), numberText(parameter.plausible, 1)));
-  for (const std::string& sentence : shown->sentences()) says.append(qText(sentence));
-  return says.join(u' ');
 }
 
 void OwnEffectDialog::saveAsFile() {

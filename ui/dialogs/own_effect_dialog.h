@@ -21,6 +21,7 @@ class QPlainTextEdit;
 namespace alidade::ui {
 
 class Dialogs;
+class OwnEffectCurve;
 
 /// Types an effect of one's own. Each change is checked: an error of the formula is marked at its place, and
 /// a sound formula says how far it would show in the readings of the session.
@@ -38,7 +39,6 @@ class OwnEffectDialog : public QDialog {
   void showAmplitudes(const Formula& formula);
   QString sizeMissing() const;
   void markFault(const FormulaFault* fault);
-  QString visibility() const;
   void saveAsFile();
 
   Dialogs& m_dialogs;
@@ -52,6 +52,7 @@ class OwnEffectDialog : public QDialog {
   QLabel* m_remark;
   QDialogButtonBox* m_buttons;
   QFormLayout* m_sizes;
+  OwnEffectCurve* m_curve;
   struct Size {
     std::string name;
     QLineEdit* entry;

@@ -223,6 +223,31 @@ TEST(OwnEffectCheck, SaysWhatIsOfNoUse) {
   EXPECT_THAT(sentence("radial = A*sqrt(s - 90°)*cos(9*s)", "0.2"), HasSubstr("no finite value"));
 }
 
+// The formulas themselves, at plausible sizes.
+TEST(OwnEffectCheck, DrawsWhatTheFormulaDoes) {
+  const Measurement measurement = measurementOf(sessionWith(effectOf("y = A", {"A"}, "1"), {}), nullptr);
+  const auto curves = [&](const char* formula, const std::vector<std::string>& amplitudes) {
+    const auto check = checkOwnEffect(measurement, effectOf(formula, amplitudes, "0.2"));
+    return check ? check->curves : std::vector<OwnCurve>();
+  };
+  const auto bump = curves("radial = A*bump(s, 83°, 4°)", {"A"});
+  ASSERT_EQ(bump.size(), 1u);
+  EXPECT_EQ(bump[0].variable, "s");
+  ASSERT_GT(bump[0].points.size(), 100u);
+  for (const auto& [s, y] : bump[0].points) EXPECT_NEAR(y, 0.2 * std::exp(-(s - 83) * (s - 83) / 32), 1e-9);
+  EXPECT_LT(bump[0].points.front()[0], 83);
+  EXPECT_GT(bump[0].points.back()[0], 83);
+
+  const auto sum = curves("horizontal = A*leg; vertical = A*leg + B*face*leg", {"A", "B"});
+  ASSERT_EQ(sum.size(), 2u);
+  EXPECT_EQ(sum[0].variable, "leg");
+  EXPECT_EQ(sum[0].points, (std::vector<std::array<double, 2>>{{-1, -0.2}, {1, 0.2}}));
+  EXPECT_EQ(sum[1].variable, "") << "of two variables";
+  std::size_t sightings = 0;
+  for (const ArcMeasurement& arc : measurement.arcs) sightings += arc.sightings.size();
+  EXPECT_EQ(sum[1].points.size(), sightings);
+}
+
 TEST(KeptForm, IsAnEffectThatIsNamedFromThenOn) {
   const OwnEffect own = effectOf("radial = A*cos(7*s) + B*sin(7*s)", {"A", "B"}, "0.2");
   Session session = sessionWith(own, {"own:own=0.15,0.1"});

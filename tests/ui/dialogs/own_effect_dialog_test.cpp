@@ -8,9 +8,12 @@
 #include <QLineEdit>
 #include <QPlainTextEdit>
 #include <QPushButton>
+#include <QtCharts/QChart>
+#include <QtCharts/QXYSeries>
 
 #include "core/session/own_effects.h"
 #include "tests/ui/support.h"
+#include "ui/charts/gap/own_effect_curve.h"
 #include "ui/document/session_document.h"
 #include "ui/main_window.h"
 
@@ -68,6 +71,21 @@ TEST(OwnEffectDialog, SaysHowFarASoundOneShows) {
   form.type("radial = A");
   EXPECT_THAT(form.says(), HasSubstr("This leaves nothing to see here"))
       << "a radius is what the fit takes up";
+}
+
+TEST(OwnEffectDialog, DrawsASoundOneAndSaysWhyThereIsNoCurve) {
+  EffectForm form(dent());
+  const QChart* chart = form.dialog.findChild<OwnEffectCurve*>()->chart();
+  ASSERT_EQ(chart->series().size(), 1);
+  EXPECT_GT(qobject_cast<QXYSeries*>(chart->series()[0])->count(), 100);
+  EXPECT_EQ(chart->axes(Qt::Horizontal)[0]->titleText(), QStringLiteral("s (°)"));
+  EXPECT_EQ(chart->axes(Qt::Vertical)[0]->titleText(), QStringLiteral("mm"));
+  form.type("radial = A*bump(s, 60°, 9°");
+  EXPECT_TRUE(chart->series().isEmpty());
+  EXPECT_FALSE(chart->title().isEmpty());
+  form.type("horizontal = A*leg\nvertical = A*leg");
+  EXPECT_EQ(chart->series().size(), 2);
+  EXPECT_TRUE(chart->legend()->isVisible());
 }
 
 TEST(OwnEffectDialog, KeepsTheSizesOfAmplitudesThatStay) {

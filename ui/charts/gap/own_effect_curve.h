@@ -1,0 +1,24 @@
+#pragma once
+
+#include <QtCharts/QChartView>
+#include <vector>
+
+#include "core/diagnosis/own_effect_curve.h"
+
+namespace alidade::ui {
+
+/// What an effect of the user's own does at its plausible sizes, a line for each carrier.
+class OwnEffectCurve : public QChartView {
+  Q_OBJECT
+
+ public:
+  explicit OwnEffectCurve(QWidget* parent = nullptr);
+
+  /// Lines over different variables, or in different units, cannot share a picture: the first decides which
+  /// are shown. Without points the picture says why it is empty.
+  void setCurves(const std::vector<OwnCurve>& curves);
+
+  QSize sizeHint() const override { return {420, 190}; }
+};
+
+}  // namespace alidade::ui
