@@ -19,9 +19,8 @@ namespace alidade {
 namespace {
 
 bool isOfSlider(const Effect& effect) {
-  return std::ranges::any_of(effect.parameters, [](const EffectParameter& parameter) {
-    return parameter.term == ErrorTerm::SliderScale || parameter.term == ErrorTerm::SliderSine;
-  });
+  return std::ranges::any_of(effect.parameters,
+                             [](const EffectParameter& parameter) { return parameter.traits.needsSlider; });
 }
 
 /// Draws one trial, step by step.

@@ -7,12 +7,24 @@
 
 namespace alidade {
 
+/// What the program must know of a parameter beside its derivatives.
+struct ParameterTraits {
+  bool needsSlider = false;  ///< without slider readings nothing follows from it
+  /// The order of a wave over the slider coordinate that turns with the guideway, of its radius or across its
+  /// plane; 0: none.
+  int radialOrder = 0, acrossOrder = 0;
+  /// Sighting a pointing zero again shows how far a circle has turned since: 1 of the circle.
+  bool turnsHorizontalZero = false, turnsVerticalZero = false;
+  bool changesDistance = false;  ///< by opposite amounts in the two positions
+};
+
 /// One parameter of an effect.
 struct EffectParameter {
   std::string_view name;  ///< "tilt about x": in files; `parameterName` is for people
   ErrorTerm term;
   std::string_view unit;  ///< "arcsec", "deg", "mm", "1" or "-"
   double plausible;       ///< 1σ, in that unit
+  ParameterTraits traits = {};
 };
 
 /// The source of an error. Sighting the same guideway in two positions separates its errors from those of the

@@ -6,6 +6,7 @@
 #include <complex>
 #include <map>
 #include <numbers>
+#include <numeric>
 #include <string_view>
 #include <tuple>
 #include <utility>
@@ -230,6 +231,17 @@ VectorXd toUnit(const VectorXd& values) {
   return range > 0 ? VectorXd((values.array() - least) / range) : VectorXd::Zero(values.size());
 }
 
+/// The orders from `first` to `last` that no effect of the catalogue has but those left out.
+std::vector<int> ordersBeside(int ParameterTraits::*order, int first, int last,
+                              const std::vector<std::string>& leftOut) {
+  std::vector<int> orders(static_cast<std::size_t>(last - first + 1));
+  std::iota(orders.begin(), orders.end(), first);
+  for (const Effect& effect : effectCatalogue())
+    if (std::ranges::find(leftOut, effect.id) == leftOut.end())
+      std::erase(orders, effect.parameters.front().traits.*order);
+  return orders;
+}
+
 }  // namespace
 
 ShapeComponent::ShapeComponent(std::string_view follows, ErrorSource source, Pattern pattern, MatrixXd gram)
@@ -274,16 +286,8 @@ std::vector<ShapeComponent> shapeComponents(const Leftover& leftover, const Meas
   const SharedCarrier horizontal = all.ofInstrument(ofHorizontal), vertical = all.ofInstrument(ofVertical);
   ShapeMaker maker(leftover);
   const CellFunctions harmonics = harmonicsOf(all.s, 12);
-  const auto isLeft = [&](ErrorTerm term) {
-    return std::ranges::find(leftOut, effectOf(term)->id) != leftOut.end();
-  };
-  std::vector<int> radialOrders, planeOrders;
-  for (int order = 2; order <= 12; ++order)
-    if (order > 3 || isLeft(order == 2 ? ErrorTerm::EllipticityCosine : ErrorTerm::LobingCosine))
-      radialOrders.push_back(order);
-  for (int order = 1; order <= 8; ++order)
-    if (order > 2 || isLeft(order == 1 ? ErrorTerm::PlaneSkew : ErrorTerm::WarpCosine))
-      planeOrders.push_back(order);
+  const std::vector<int> radialOrders = ordersBeside(&ParameterTraits::radialOrder, 2, 12, leftOut),
+                         planeOrders = ordersBeside(&ParameterTraits::acrossOrder, 1, 8, leftOut);
   maker.addHarmonics(PHRASE_LATER("Phrase", "radius along the guideway"), radial, harmonics, radialOrders);
   maker.addHarmonics(PHRASE_LATER("Phrase", "guideway out of its plane"), offPlane, harmonics, planeOrders);
   maker.addHarmonics(PHRASE_LATER("Phrase", "slider readings along the scale"), slider, harmonics,

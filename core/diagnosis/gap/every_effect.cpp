@@ -14,10 +14,6 @@ namespace alidade {
 
 namespace {
 
-bool isOfSlider(ErrorTerm term) {
-  return term == ErrorTerm::SliderScale || term == ErrorTerm::SliderSine;
-}
-
 /// Returns the prior of the tilt about x if the session does not state whether the plane is vertical or
 /// square to an inclined zero. Both are equally probable.
 std::optional<Prior> tiltInDoubt(const Measurement& measurement) {
@@ -38,7 +34,7 @@ std::vector<EstimatedTerm> everyEffect(const Measurement& measurement) {
   for (const Effect* effect : effectsOf(measurement)) {
     if (!hasSizes(*effect)) continue;
     for (const EffectParameter& parameter : effect->parameters) {
-      if (!hasSlider && isOfSlider(parameter.term)) continue;
+      if (!hasSlider && parameter.traits.needsSlider) continue;
       const std::optional<KnownPrior> known = knownOf(measurement, parameter);
       if (known)
         terms.push_back({parameter.term, known->sigma, known->value, known->value});

@@ -146,8 +146,8 @@ VectorXd atTheZeros(const Measurement& measurement, const PossibleCause& suspect
       for (std::size_t p = 0; p < effect->parameters.size(); ++p) {
         const double size =
             suspect.weights[static_cast<Index>(p)] * plausibleSize(effect->parameters[p]) * since;
-        if (effect->parameters[p].term == ErrorTerm::HorizontalDrift) moved[0] += size;
-        if (effect->parameters[p].term == ErrorTerm::VerticalDrift) moved[1] += size;
+        if (effect->parameters[p].traits.turnsHorizontalZero) moved[0] += size;
+        if (effect->parameters[p].traits.turnsVerticalZero) moved[1] += size;
       }
     }
     left.segment<2>(2 * static_cast<Index>(arc)) = moved.cwiseQuotient(sigmas);
@@ -170,7 +170,7 @@ double atTheDistances(const Measurement& measurement, const PossibleCause& suspe
   constexpr double usualSigma = 1;  // mm
   const double sigma = measurement.sigmaDistance > 0 ? measurement.sigmaDistance : usualSigma;
   const Effect* effect = effectById(suspect.id, measurement);
-  if (!effect || effect->parameters.front().term != ErrorTerm::PlaneOffset) return 0;
+  if (!effect || !effect->parameters.front().traits.changesDistance) return 0;
   return 2 * suspect.weights[0] * plausibleSize(effect->parameters.front()) / (sigma * std::numbers::sqrt2);
 }
 
