@@ -6,7 +6,7 @@
 #include <map>
 #include <utility>
 
-#include "core/base/random_source.h"
+#include "core/base/statistics.h"
 
 namespace alidade {
 

@@ -3,7 +3,7 @@
 #include <boost/math/distributions/beta.hpp>
 #include <cassert>
 
-#include "core/base/random_source.h"
+#include "core/base/statistics.h"
 
 namespace alidade {
 

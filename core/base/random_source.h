@@ -9,8 +9,7 @@ namespace alidade {
 /// Random numbers that are the same on every machine and for any distribution of the work: each piece of work
 /// has its own stream, identified by a seed and a number. xoshiro256++ (Blackman and Vigna, "Scrambled linear
 /// pseudorandom number generators", 2021), seeded through SplitMix64. A normal number is the normal quantile
-/// of a uniform one (Wichura, algorithm AS 241, 1988) instead of std::normal_distribution, whose algorithm
-/// depends on the library.
+/// of a uniform one instead of std::normal_distribution, whose algorithm depends on the library.
 class RandomSource {
  public:
   explicit RandomSource(std::uint64_t seed, std::uint64_t stream = 0);
@@ -36,8 +35,5 @@ class RandomSource {
  private:
   std::array<std::uint64_t, 4> m_state;
 };
-
-/// z with Φ(z) = `probability` in (0, 1); relative error about 1e-16.
-double normalQuantile(double probability);
 
 }  // namespace alidade

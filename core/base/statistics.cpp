@@ -77,4 +77,9 @@ double standardDeviation(double variance) {
   return std::sqrt(variance < 0 ? 0 : variance);
 }
 
+double normalQuantile(double probability) {
+  assert(probability > 0 && probability < 1);
+  return boost::math::quantile(boost::math::normal_distribution<double, QuietAndQuick>(), probability);
+}
+
 }  // namespace alidade

@@ -63,4 +63,7 @@ DegreesOfFreedom effectiveDegreesOfFreedom(double sigma, double scaled, DegreesO
 /// σ of a variance: 0 for one below zero by rounding; NaN stays NaN.
 double standardDeviation(double variance);
 
+/// z with Φ(z) = `probability` in (0, 1).
+double normalQuantile(double probability);
+
 }  // namespace alidade

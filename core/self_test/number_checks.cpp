@@ -6,7 +6,6 @@
 #include "core/base/angle_text.h"
 #include "core/base/number_text.h"
 #include "core/base/phrase.h"
-#include "core/base/random_source.h"
 #include "core/base/statistics.h"
 #include "core/self_test/check_families.h"
 

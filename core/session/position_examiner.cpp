@@ -1,10 +1,11 @@
 #include "core/session/position_examiner.h"
 
+#include <boost/container_hash/hash.hpp>
 #include <cmath>
-#include <cstdint>
+#include <tuple>
+#include <unordered_map>
 #include <utility>
 
-#include "core/base/first_index.h"
 #include "core/base/number_text.h"
 #include "core/base/phrase.h"
 #include "core/base/visible_text.h"
@@ -21,25 +22,8 @@ namespace {
 /// Sightings on the arc are closer to the pointing zero than this: beyond it the tangents grow excessively.
 constexpr double widestDegrees = 80;
 
-/// The key of a row, unique within a position.
-struct VisitFace {
-  int round = 0, point = 0, face = 0;
-
-  bool operator==(const VisitFace&) const = default;
-};
-
-struct RoundOfVisitFace {
-  int operator()(const VisitFace& key) const { return key.round; }
-};
-
-struct HashOfVisitFace {
-  std::size_t operator()(const VisitFace& key) const {
-    const auto part = [](int number) {
-      return static_cast<std::uint64_t>(static_cast<std::uint32_t>(number));
-    };
-    return mixedBits((part(key.point) << 32U | part(key.round)) * 2 + part(key.face));
-  }
-};
+/// The round, point and face of a row, unique within a position.
+using VisitFace = std::tuple<int, int, int>;
 
 class PositionExaminer : private ProblemReporter {
  public:
@@ -49,8 +33,8 @@ class PositionExaminer : private ProblemReporter {
         m_index(index),
         m_firstSequence(firstSequence),
         m_zero(zero.direction),
-        m_circle(circle),
-        m_rowOfVisitFace(position.readings.size()) {
+        m_circle(circle) {
+    m_rowOfVisitFace.reserve(position.readings.size());
     m_problems = zero.problems;
   }
 
@@ -136,7 +120,8 @@ class PositionExaminer : private ProblemReporter {
     sighting.round = **round;
     sighting.face = **face;
     const std::size_t first =
-        m_rowOfVisitFace.put({sighting.round, sighting.point, sighting.face}, *place.reading);
+        m_rowOfVisitFace.try_emplace({sighting.round, sighting.point, sighting.face}, *place.reading)
+            .first->second;
     if (first == *place.reading) return;
     report({Phrase::of("point %1, round %2, face %3 is already in row %4: give it another point or round, or "
                        "exclude one",
@@ -180,7 +165,7 @@ class PositionExaminer : private ProblemReporter {
   const std::optional<ZeroDirection> m_zero;
   const std::optional<VerticalCircle> m_circle;
   ExaminedPosition m_examined;
-  FirstIndex<VisitFace, HashOfVisitFace, RoundOfVisitFace> m_rowOfVisitFace;
+  std::unordered_map<VisitFace, std::size_t, boost::hash<VisitFace>> m_rowOfVisitFace;  ///< of the first
 };
 
 }  // namespace

@@ -8,7 +8,7 @@
 #include <thread>
 
 #include "core/adjustment/monte_carlo/refit.h"
-#include "core/base/random_source.h"
+#include "core/base/statistics.h"
 #include "core/base/threads.h"
 
 namespace alidade {

@@ -2,15 +2,14 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
+#include <boost/container_hash/hash.hpp>
 #include <cmath>
-#include <compare>
-#include <cstdint>
-#include <functional>
 #include <numbers>
+#include <tuple>
+#include <unordered_map>
+#include <utility>
 
 #include "core/base/angle.h"
-#include "core/base/first_index.h"
 #include "core/base/statistics.h"
 
 namespace alidade {
@@ -20,33 +19,15 @@ namespace {
 constexpr double tooSeldom = 0.01;
 constexpr double nearSteps = 10;  // of the grid, to either side
 
-/// The circle readings that two identical rows share.
-struct Circles {
-  int face = 0;
-  double a = 0, e = 0;  // rad
+/// The circle readings that two identical rows share: face, a and e in rad.
+using Circles = std::tuple<int, double, double>;
 
-  auto operator<=>(const Circles&) const = default;
-};
+/// A place of the slider, as far as the user numbers them: face and point.
+using Mark = std::pair<int, int>;
 
-struct HashOfCircles {
-  std::size_t operator()(const Circles& key) const {
-    const auto bits = [](double value) { return std::bit_cast<std::uint64_t>(value + 0.0); };  // no −0
-    return mixedBits(bits(key.a) * 3 + bits(key.e) * 5 + static_cast<std::uint64_t>(key.face));
-  }
-};
-
-/// A place of the slider, as far as the user numbers them.
-struct Mark {
-  int face = 0, point = 0;
-
-  auto operator<=>(const Mark&) const = default;
-};
-
-struct HashOfMark {
-  std::size_t operator()(const Mark& key) const {
-    return mixedBits(static_cast<std::uint64_t>(key.point) * 2 + static_cast<std::uint64_t>(key.face));
-  }
-};
+/// Of each key the first index.
+template <typename Key>
+using FirstIndices = std::unordered_map<Key, std::size_t, boost::hash<Key>>;
 
 Mark markOf(const Sighting& row) {
   return {row.face, row.point};
@@ -56,11 +37,13 @@ using IndexPair = std::pair<std::size_t, std::size_t>;
 
 /// Pairs of sightings with the same readings: the first of a group with each other one, in order.
 std::vector<IndexPair> alikeIn(const ArcMeasurement& arc) {
-  FirstIndex<Circles, HashOfCircles, std::identity> firsts(arc.sightings.size());
+  FirstIndices<Circles> firsts;
   std::vector<IndexPair> alike;
   for (std::size_t i = 0; i < arc.sightings.size(); ++i) {
     const Sighting& row = arc.sightings[i];
-    const std::size_t first = firsts.put({row.face, row.a.radians(), row.e.radians()}, i);
+    constexpr double noMinus = 0;  // makes 0 of −0
+    const Circles circles{row.face, row.a.radians() + noMinus, row.e.radians() + noMinus};
+    const std::size_t first = firsts.try_emplace(circles, i).first->second;
     if (first != i) alike.emplace_back(first, i);
   }
   return alike;
@@ -81,11 +64,11 @@ bool isTooMany(std::size_t events, double expected) {
 
 /// The number of pairs of rows at one place.
 double pairsOfOnePlace(const ArcMeasurement& arc) {
-  FirstIndex<Mark, HashOfMark, std::identity> firsts(arc.sightings.size());
+  FirstIndices<Mark> firsts;
   std::vector<std::size_t> counts(arc.sightings.size());
   double pairs = 0;
   for (std::size_t i = 0; i < arc.sightings.size(); ++i)
-    pairs += static_cast<double>(counts[firsts.put(markOf(arc.sightings[i]), i)]++);
+    pairs += static_cast<double>(counts[firsts.try_emplace(markOf(arc.sightings[i]), i).first->second]++);
   return pairs;
 }
 
@@ -106,7 +89,7 @@ double nearPairsOfTwoPlaces(const ArcMeasurement& arc, double gridA, double grid
     for (auto other = one + 1; other != rows.end() && other->a - one->a < reach * gridA; ++other) {
       const bool isNear =
           std::abs(other->e - one->e) < reach * gridE && (other->a != one->a || other->e != one->e);
-      if (isNear && one->mark.face == other->mark.face && one->mark.point != other->mark.point) ++pairs;
+      if (isNear && one->mark.first == other->mark.first && one->mark.second != other->mark.second) ++pairs;
     }
   return pairs;
 }

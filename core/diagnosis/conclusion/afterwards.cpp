@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "core/base/normal_mixture.h"
-#include "core/base/random_source.h"
+#include "core/base/statistics.h"
 #include "core/base/square.h"
 #include "core/diagnosis/conclusion/linear_move.h"
 #include "core/diagnosis/evidence/gain.h"

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <iterator>
 
-#include "core/base/random_source.h"
+#include "core/base/statistics.h"
 #include "core/base/square.h"
 #include "core/diagnosis/gap/gap_size.h"
 

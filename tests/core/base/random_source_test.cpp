@@ -2,10 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include <boost/math/distributions/normal.hpp>
 #include <cmath>
 #include <set>
-#include <vector>
 
 namespace alidade {
 namespace {
@@ -16,16 +14,6 @@ TEST(RandomSource, FollowsThePublishedGenerator) {
   EXPECT_EQ(random.bits(), 0xd9893fc677d6169u);
   EXPECT_EQ(random.bits(), 0x8c202a1a1dd3b94du);
   EXPECT_EQ(random.bits(), 0xb20f071eca7887c8u);
-}
-
-// Compared with another library's quantile, over the range of 64 bits.
-TEST(RandomSource, TurnsUniformNumbersIntoNormalOnes) {
-  const boost::math::normal normal;
-  std::vector<double> probabilities{0.5, 0.075, 0.925, 0.0751, 1e-11, 2e-11};
-  for (int i = 1; i < 1000; ++i) probabilities.push_back(i / 1000.0);
-  for (double p = 0.05; p > 1e-17; p *= 0.7) probabilities.push_back(p);
-  for (const double p : probabilities)
-    EXPECT_NEAR(normalQuantile(p), quantile(normal, p), 1e-14 * (1 + std::abs(quantile(normal, p)))) << p;
 }
 
 // Sample moments of 10⁵ numbers within 5 of their standard deviations.

@@ -21,6 +21,12 @@ TEST(Statistics, CoverageFactorMeetsTheTableOfTheGum) {
 }
 
 // With two degrees of freedom the tail is exp(−χ²/2).
+// The C library's erfc, to its rounding times the condition number z² of a tail.
+TEST(Statistics, NormalQuantileTurnsTheErrorFunctionRound) {
+  for (double p = 0.95; p > 1e-300; p *= 0.7)
+    EXPECT_NEAR(std::erfc(-normalQuantile(p) / std::numbers::sqrt2) / 2, p, 1e-12 * p) << p;
+}
+
 TEST(Statistics, ChiSquareTailMeetsItsClosedForm) {
   for (const double chiSquare : {0.0, 0.5, 3.0, 40.0, 900.0})
     EXPECT_NEAR(chiSquareUpperTail(chiSquare, 2).value() / std::exp(-chiSquare / 2), 1, 1e-12) << chiSquare;
