@@ -1,5 +1,6 @@
 #include <CLI/CLI.hpp>
 #include <csignal>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -92,44 +93,60 @@ int giveDiagnosis(const DiagnoseRequest& request, std::string& subject) {
   return give(runDiagnose(request, request.files.front()), subject);
 }
 
+/// Adds a command to the app: `add` its options, and `give`, which runs once the call is parsed, what it
+/// answers.
+template <typename Request, typename Add, typename Give>
+void addCommand(CLI::App& app, int& exitCode, const Add& add, const Give& give) {
+  const auto request = std::make_shared<Request>();
+  add(app, *request);
+  app.get_subcommands([](const CLI::App*) { return true; }).back()->callback([request, give, &exitCode] {
+    exitCode = give(*request);
+  });
+}
+
+/// `subject` is the input while that is processed.
+void addCommands(CLI::App& app, int& exitCode, std::string& subject) {
+  const auto ofNothing = [&](const auto& run) {
+    return [&, run](const auto& request) { return give(run(request), subject); };
+  };
+  const auto ofFile = [&](const auto& run) {
+    return [&, run](const auto& request) {
+      subject = inputName(request.file);
+      return give(run(request), subject);
+    };
+  };
+  const auto heard = [&](const auto& giveThis) {
+    return [&, giveThis](const auto& request) { return giveThis(request, subject); };
+  };
+  addCommand<FitRequest>(app, exitCode, addFitCommand, heard(giveFit));
+  addCommand<DiagnoseRequest>(app, exitCode, addDiagnoseCommand, heard(giveDiagnosis));
+  addCommand<DiscoverRequest>(app, exitCode, addDiscoverCommand, ofFile(runDiscover));
+  addCommand<SimulateRequest>(app, exitCode, addSimulateCommand, ofNothing(runSimulate));
+  addCommand<PlanRequest>(app, exitCode, addPlanCommand, ofFile(runPlan));
+  addCommand<ProtocolRequest>(app, exitCode, addProtocolCommand, ofFile(runProtocol));
+  addCommand<TrialRequest>(app, exitCode, addTrialCommand, ofNothing(runTrial));
+  addCommand<JournalRequest>(app, exitCode, addJournalCommand, heard(giveJournal));
+  addCommand<HistoryRequest>(app, exitCode, addHistoryCommand, giveHistory);
+  addCommand<ImportRequest>(app, exitCode, addImportCommand, heard(giveImport));
+  addCommand<InstrumentRequest>(app, exitCode, addInstrumentCommand, heard(giveInstrument));
+  addCommand<SimulatorRequest>(app, exitCode, addSimulatorCommand, [&](const SimulatorRequest& request) {
+    if (!request.session.empty()) subject = inputName(request.session);
+    return give(runSimulator(request), subject);
+  });
+  addCommand<CertificateRequest>(app, exitCode, addCertificateCommand, heard(giveCertificate));
+  addCommand<std::string>(app, exitCode, addSchemaCommand, ofNothing(runSchema));
+  addCommand<SelfTestRequest>(app, exitCode, addSelfTestCommand, giveSelfTest);
+}
+
 /// Sets `subject` to the input while that is processed.
 int run(int argc, char** argv, std::string& subject) {
   if (const auto why = alidade::emptyArgument(argc, argv)) return refuse(subject, *why);
   CLI::App app("Intersection of rotatable arc guideways from theodolite readings.", "alidade-cli");
   app.set_version_flag("--version", "alidade-cli " + alidade::versionAndBuild());
   app.require_subcommand(1);
-  FitRequest fitRequest;
-  addFitCommand(app, fitRequest);
-  DiagnoseRequest diagnoseRequest;
-  addDiagnoseCommand(app, diagnoseRequest);
-  DiscoverRequest discoverRequest;
-  addDiscoverCommand(app, discoverRequest);
-  SimulateRequest simulateRequest;
-  addSimulateCommand(app, simulateRequest);
-  PlanRequest planRequest;
-  addPlanCommand(app, planRequest);
-  ProtocolRequest protocolRequest;
-  addProtocolCommand(app, protocolRequest);
-  TrialRequest trialRequest;
-  addTrialCommand(app, trialRequest);
-  JournalRequest journalRequest;
-  addJournalCommand(app, journalRequest);
-  HistoryRequest historyRequest;
-  addHistoryCommand(app, historyRequest);
-  ImportRequest importRequest;
-  addImportCommand(app, importRequest);
-  InstrumentRequest instrumentRequest;
-  addInstrumentCommand(app, instrumentRequest);
-  SimulatorRequest simulatorRequest;
-  addSimulatorCommand(app, simulatorRequest);
-  CertificateRequest certificateRequest;
-  addCertificateCommand(app, certificateRequest);
-  std::string schema;
-  addSchemaCommand(app, schema);
-  SelfTestRequest selfTestRequest;
-  addSelfTestCommand(app, selfTestRequest);
+  int exitCode = Failed;
+  addCommands(app, exitCode, subject);
   app.footer("Exit codes: 0 done, 2 bad input or call, 1 anything else.");
-
   try {
     app.parse(argc, argv);
   } catch (const CLI::CallForHelp&) {
@@ -139,29 +156,7 @@ int run(int argc, char** argv, std::string& subject) {
   } catch (const CLI::ParseError& error) {
     return refuse("alidade-cli", callProblem(app, error) + ". `alidade-cli --help` lists what can be asked.");
   }
-
-  if (app.got_subcommand("self-test")) return giveSelfTest(selfTestRequest);
-  if (app.got_subcommand("simulate")) return give(runSimulate(simulateRequest), subject);
-  if (app.got_subcommand("trial")) return give(runTrial(trialRequest), subject);
-  if (app.got_subcommand("history")) return giveHistory(historyRequest);
-  if (app.got_subcommand("import")) return giveImport(importRequest, subject);
-  if (app.got_subcommand("instrument")) return giveInstrument(instrumentRequest, subject);
-  if (app.got_subcommand("instrument-simulator")) {
-    if (!simulatorRequest.session.empty()) subject = inputName(simulatorRequest.session);
-    return give(runSimulator(simulatorRequest), subject);
-  }
-  if (app.got_subcommand("schema")) return give(runSchema(schema), subject);
-  if (app.got_subcommand("certificate")) return giveCertificate(certificateRequest, subject);
-  const auto giveFrom = [&](const auto& request, const auto& runCommand) {
-    subject = inputName(request.file);
-    return give(runCommand(request), subject);
-  };
-  if (app.got_subcommand("plan")) return giveFrom(planRequest, runPlan);
-  if (app.got_subcommand("protocol")) return giveFrom(protocolRequest, runProtocol);
-  if (app.got_subcommand("discover")) return giveFrom(discoverRequest, runDiscover);
-  if (app.got_subcommand("journal")) return giveJournal(journalRequest, subject);
-  if (app.got_subcommand("diagnose")) return giveDiagnosis(diagnoseRequest, subject);
-  return giveFit(fitRequest, subject);
+  return exitCode;
 }
 
 }  // namespace
