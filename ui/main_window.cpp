@@ -274,7 +274,7 @@ void MainWindow::connectParts() {
       showGapAsOld();
     }
     m_gapJob.cancel();
-    m_job.request(m_document.session(), change);
+    m_job.request(m_document.session());
     m_jobs->watch();
   });
   connect(m_jobs, &JobStatus::stopWanted, this, &MainWindow::stopJobs);

@@ -35,8 +35,7 @@ class Typing : public ::testing::Test {
 
   /// A whole evaluation of the current session, shown everywhere.
   void news() {
-    SessionChange everything;
-    open->job().request(open->document().session(), everything);
+    open->job().request(open->document().session());
     open.settle();
   }
 

@@ -4,8 +4,6 @@
 #include <memory>
 #include <utility>
 
-#include "core/base/sole_holder.h"
-
 namespace alidade::ui {
 
 /// Runs `work` on another thread if called on the window's thread, otherwise at once.
@@ -17,14 +15,6 @@ template <typename Value>
 std::shared_ptr<const Value> sharedAside(Value value) {
   return std::shared_ptr<const Value>(new Value(std::move(value)),
                                       [](const Value* old) { doAside([old] { delete old; }); });
-}
-
-/// Returns the value itself if nobody else owns it; otherwise absent, and the owners keep it. Only for values
-/// of `sharedAside`, which are not const.
-template <typename Value>
-std::unique_ptr<Value> takenBack(std::shared_ptr<const Value> shared) {
-  if (!isSoleHolder(shared)) return nullptr;
-  return std::make_unique<Value>(std::move(const_cast<Value&>(*shared)));
 }
 
 }  // namespace alidade::ui

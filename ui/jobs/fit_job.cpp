@@ -11,68 +11,31 @@ FitJob::FitJob(QObject* parent)
       m_fit([this](const SharedEvaluation& fitted) { finishFit(fitted); }),
       m_search([this](const std::shared_ptr<const Search>& done) { finishSearch(*done); }) {}
 
-void FitJob::request(const Session& session) {
-  m_next.emplace(session);
-  begin();
-}
-
-void FitJob::request(const Session& session, const SessionChange& change) {
-  const bool hasGround = m_next || m_last || m_fit.isAtWork();
-  if (!hasGround)
-    m_next.emplace(session);
-  else if (m_next)
-    m_next->add(session, change);
-  else
-    m_next.emplace(session, change);
-  begin();
-}
-
-void FitJob::begin() {
+void FitJob::request(Session session) {
   m_fitted.reset();
   m_search.stop();
-  if (m_fit.isAtWork())
+  if (m_fit.isAtWork()) {
+    m_next = std::move(session);
     m_fit.stop();
-  else
-    fit(*std::exchange(m_next, std::nullopt));
+  } else {
+    fit(std::move(session));
+  }
 }
 
-void FitJob::fit(FitRequest request) {
-  m_request = std::make_shared<const FitRequest>(std::move(request));
-  const auto spare = std::make_shared<std::optional<Spare>>(std::exchange(m_spare, std::nullopt));
-  const auto wanted = [request = m_request, before = m_last, spare] {
-    if (request->isWhole()) return request->onto({});
-    std::optional<Spare> once = std::exchange(*spare, std::nullopt);
-    return request->onto(once ? once->onwards->onto(std::move(once->session)) : before->session);
-  };
-  m_fit.start([wanted](const std::stop_token& stop) { return evaluateFit(wanted(), stop); },
-              [wanted](const std::string& reason) {
-                Session session = wanted();
-                const std::string failure = tellFailure({QT_TRANSLATE_NOOP("Job", "fit"), reason, session});
-                return failedEvaluation(std::move(session), failure);
-              });
+void FitJob::fit(Session session) {
+  const auto wanted = std::make_shared<const Session>(std::move(session));
+  m_fit.start(
+      [wanted](const std::stop_token& stop) { return evaluateFit(*wanted, stop); },
+      [wanted](const std::string& reason) {
+        return failedEvaluation(*wanted, tellFailure({QT_TRANSLATE_NOOP("Job", "fit"), reason, *wanted}));
+      });
 }
 
 void FitJob::finishFit(const SharedEvaluation& fitted) {
-  SharedEvaluation before = std::exchange(m_last, fitted);
-  if (m_next) {
-    keepSpare(std::move(before));
-    fit(*std::exchange(m_next, std::nullopt));
-    return;
-  }
+  if (m_next) return fit(*std::exchange(m_next, std::nullopt));
   if (!fitted->isSearched) m_fitted = fitted;
   emit evaluated(fitted);
-  keepSpare(std::move(before));
   search();
-}
-
-/// Keeps the previous session if nothing else uses the previous evaluation.
-void FitJob::keepSpare(SharedEvaluation before) {
-  m_spare.reset();
-  if (!before || m_request->isWhole()) return;
-  if (std::unique_ptr<Evaluation> old = takenBack(std::move(before))) {
-    m_spare = Spare{std::move(old->session), m_request};
-    sharedAside(std::move(*old));
-  }
 }
 
 void FitJob::search() {

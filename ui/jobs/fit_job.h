@@ -6,7 +6,6 @@
 
 #include "ui/jobs/background.h"
 #include "ui/jobs/evaluation.h"
-#include "ui/jobs/fit_request.h"
 
 namespace alidade::ui {
 
@@ -22,9 +21,7 @@ class FitJob : public QObject {
  public:
   explicit FitJob(QObject* parent = nullptr);
 
-  void request(const Session& session);
-  /// The session requested before, after `change`: unchanged parts are not copied here.
-  void request(const Session& session, const SessionChange& change);
+  void request(Session session);
   bool isFitting() const { return m_fit.isAtWork(); }
   bool isSearching() const { return m_fitted != nullptr; }
   /// Stops the search for misread readings; `searched` is not emitted for this evaluation.
@@ -44,24 +41,13 @@ class FitJob : public QObject {
     SharedEvaluation fitted, found;
   };
 
-  /// A discarded session, from which the next one is made without copying its rows.
-  struct Spare {
-    Session session;                            ///< the session before the last finished request
-    std::shared_ptr<const FitRequest> onwards;  ///< that request
-  };
-
-  void begin();
-  void fit(FitRequest request);
-  void keepSpare(SharedEvaluation before);
+  void fit(Session session);
   void finishFit(const SharedEvaluation& fitted);
   void search();
   void finishSearch(const Search& done);
 
-  std::optional<FitRequest> m_next;
-  std::shared_ptr<const FitRequest> m_request;  ///< running, or finished last
-  std::optional<Spare> m_spare;
-  SharedEvaluation m_last;    ///< of the last finished request, delivered or not; null: changes have no base
-  SharedEvaluation m_fitted;  ///< delivered last, search still wanted; null if not
+  std::optional<Session> m_next;  ///< requested during a fit
+  SharedEvaluation m_fitted;      ///< delivered last, search still wanted; null if not
   Background<Evaluation> m_fit;
   Background<Search> m_search;
 };

@@ -5,7 +5,6 @@
 #include <QThreadPool>
 #include <algorithm>
 #include <memory>
-#include <set>
 #include <string>
 #include <vector>
 
@@ -138,15 +137,11 @@ class Typist {
  public:
   explicit Typist(const Session& session) {
     m_document.startWith(session);
-    QObject::connect(&m_job, &FitJob::evaluated, [this](const SharedEvaluation& one) {
-      m_shown = one;
-      m_fittedIn.insert(one->session.positions[1].readings.data());
-    });
+    QObject::connect(&m_job, &FitJob::evaluated, [this](const SharedEvaluation& one) { m_shown = one; });
     QObject::connect(&m_job, &FitJob::searched, [this](const SharedEvaluation& one) { m_shown = one; });
     m_job.request(m_document.session());
     rest();
-    QObject::connect(&m_document, &SessionDocument::changed,
-                     [this](const SessionChange& change) { m_job.request(m_document.session(), change); });
+    QObject::connect(&m_document, &SessionDocument::changed, [this] { m_job.request(m_document.session()); });
   }
 
   const Evaluation& type(std::size_t row, const std::string& text) {
@@ -155,13 +150,7 @@ class Typist {
     return *m_shown;
   }
   SharedEvaluation shown() const { return m_shown; }
-  /// The addresses of the rows of all sessions fitted so far.
-  const std::set<const Reading*>& fittedIn() const { return m_fittedIn; }
   const Session& session() const { return m_document.session(); }
-  void undo() {
-    m_document.undoStack().undo();
-    rest();
-  }
 
  private:
   void rest() {
@@ -171,22 +160,8 @@ class Typist {
 
   SessionDocument m_document;
   SharedEvaluation m_shown;
-  std::set<const Reading*> m_fittedIn;
   FitJob m_job;
 };
-
-/// Two copies of the rows alternate, however long the typing.
-TEST(FitJob, MakesTheNextSessionOfOneThatIsOfNoMoreUse) {
-  Typist typist(paperSession());
-  for (std::size_t i = 0; i < 12; ++i) {
-    const Evaluation& evaluation = typist.type(i, "note " + std::to_string(i));
-    EXPECT_EQ(evaluation.session, typist.session());
-    EXPECT_TRUE(evaluation.fit.intersection);
-  }
-  typist.undo();
-  EXPECT_EQ(typist.shown()->session, typist.session());
-  EXPECT_LE(typist.fittedIn().size(), 3u) << "the first, and two that take turns";
-}
 
 TEST(FitJob, LeavesASessionToThoseWhoHoldOnToIt) {
   Typist typist(paperSession());
