@@ -17,10 +17,10 @@ AddPosition::AddPosition(SessionDocument& document, int axisDeg)
 }
 
 void AddPosition::apply() {
-  document().insertPosition(m_index, m_position);
+  insertPosition(m_index, m_position);
 }
 void AddPosition::revert() {
-  document().removePosition(m_index);
+  erasePosition(m_index);
 }
 
 Place AddPosition::place() const {

@@ -2,8 +2,8 @@
 
 #include <QCoreApplication>
 #include <algorithm>
-#include <utility>
 
+#include "ui/commands/change_part.h"
 #include "ui/document/session_document.h"
 #include "ui/text/effect_text.h"
 
@@ -11,35 +11,21 @@ namespace alidade::ui {
 
 namespace {
 
-Place effectsPlace() {
-  return {.field = "model.effects"};
-}
-
 std::string listed(const std::vector<std::string>& effects) {
   std::string text;
   for (const std::string& effect : effects) text += (text.empty() ? "" : ", ") + effect;
   return text;
 }
 
+void change(SessionDocument& document, const std::vector<std::string>& effects, const QString& text) {
+  using List = std::vector<std::string>;
+  const auto partOf = [](Session& session) -> List& { return session.model.effects; };
+  document.push(new ChangePart<List>(
+      document, text, partOf, effects,
+      changeAt({.field = "model.effects"}, listed(document.session().model.effects), listed(effects))));
+}
+
 }  // namespace
-
-ChangeEffects::ChangeEffects(SessionDocument& document, std::vector<std::string> effects, const QString& text)
-    : JournalledCommand(document, text),
-      m_before(document.session().model.effects),
-      m_after(std::move(effects)) {
-  setEntries(journal().judge(effectsPlace(), listed(m_before), listed(m_after)));
-}
-
-void ChangeEffects::apply() {
-  document().putEffects(m_after);
-}
-void ChangeEffects::revert() {
-  document().putEffects(m_before);
-}
-
-std::vector<JournalEntry> ChangeEffects::allEntries() const {
-  return journal().asStanding(effectsPlace(), listed(m_before), listed(m_after));
-}
 
 void setEffect(SessionDocument& document, const std::string& id, bool isEstimated) {
   std::vector<std::string> effects = document.session().model.effects;
@@ -52,7 +38,7 @@ void setEffect(SessionDocument& document, const std::string& id, bool isEstimate
   }
   const QString text = isEstimated ? QCoreApplication::translate("ChangeEffects", "Estimate %1")
                                    : QCoreApplication::translate("ChangeEffects", "Leave out %1");
-  document.push(new ChangeEffects(document, std::move(effects), text.arg(effectName(id))));
+  change(document, effects, text.arg(effectName(id)));
 }
 
 void addEffects(SessionDocument& document, const std::vector<std::string>& ids) {
@@ -65,7 +51,7 @@ void addEffects(SessionDocument& document, const std::vector<std::string>& ids) 
   }
   if (names.isEmpty()) return;
   const QString text = QCoreApplication::translate("ChangeEffects", "Estimate %1");
-  document.push(new ChangeEffects(document, std::move(effects), text.arg(names.join(QStringLiteral(", ")))));
+  change(document, effects, text.arg(names.join(QStringLiteral(", "))));
 }
 
 }  // namespace alidade::ui

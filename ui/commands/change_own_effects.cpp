@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "ui/commands/change_part.h"
 #include "ui/document/session_document.h"
 #include "ui/text/entry_text.h"
 
@@ -11,11 +12,7 @@ namespace alidade::ui {
 
 namespace {
 
-Place ownPlace() {
-  return {.field = "own_effects"};
-}
-
-std::string listed(const std::vector<OwnEffect>& effects) {
+std::string listedOwn(const std::vector<OwnEffect>& effects) {
   std::string text;
   for (const OwnEffect& effect : effects)
     text += (text.empty() ? "" : "; ") + effect.id + ": " + effect.formula;
@@ -23,22 +20,6 @@ std::string listed(const std::vector<OwnEffect>& effects) {
 }
 
 }  // namespace
-
-ChangeOwnEffects::ChangeOwnEffects(SessionDocument& document, std::vector<OwnEffect> own, const QString& text)
-    : JournalledCommand(document, text), m_before(document.session().ownEffects), m_after(std::move(own)) {
-  setEntries(journal().judge(ownPlace(), listed(m_before), listed(m_after)));
-}
-
-void ChangeOwnEffects::apply() {
-  document().putOwnEffects(m_after);
-}
-void ChangeOwnEffects::revert() {
-  document().putOwnEffects(m_before);
-}
-
-std::vector<JournalEntry> ChangeOwnEffects::allEntries() const {
-  return journal().asStanding(ownPlace(), listed(m_before), listed(m_after));
-}
 
 void keepOwnEffect(SessionDocument& document, const OwnEffect& effect) {
   std::vector<OwnEffect> own = document.session().ownEffects;
@@ -50,7 +31,11 @@ void keepOwnEffect(SessionDocument& document, const OwnEffect& effect) {
   else
     *same = effect;
   const QString text = QCoreApplication::translate("ChangeOwnEffects", "Keep the effect %1");
-  document.push(new ChangeOwnEffects(document, std::move(own), text.arg(qText(effect.name))));
+  const auto partOf = [](Session& session) -> std::vector<OwnEffect>& { return session.ownEffects; };
+  PartChange change =
+      changeAt({.field = "own_effects"}, listedOwn(document.session().ownEffects), listedOwn(own));
+  document.push(new ChangePart<std::vector<OwnEffect>>(document, text.arg(qText(effect.name)), partOf,
+                                                       std::move(own), std::move(change)));
 }
 
 }  // namespace alidade::ui

@@ -13,10 +13,10 @@ ImportReadings::ImportReadings(SessionDocument& document, Session session, std::
 }
 
 void ImportReadings::apply() {
-  document().exchangeContent(m_other);
-}
-void ImportReadings::revert() {
-  document().exchangeContent(m_other);
+  write({}, [this](Session& session) {
+    std::swap(session, m_other);
+    std::swap(session.journal, m_other.journal);
+  });
 }
 
 }  // namespace alidade::ui

@@ -18,7 +18,6 @@ class ImportReadings : public JournalledCommand {
 
  private:
   void apply() override;
-  void revert() override;
   std::vector<JournalEntry> allEntries() const override { return m_origins; }
 
   Session m_other;  ///< the session not in use; its journal is ignored

@@ -50,10 +50,10 @@ RemovePosition::RemovePosition(SessionDocument& document, std::size_t index)
 }
 
 void RemovePosition::apply() {
-  document().removePosition(m_index);
+  erasePosition(m_index);
 }
 void RemovePosition::revert() {
-  document().insertPosition(m_index, m_position);
+  insertPosition(m_index, m_position);
 }
 
 void removePosition(SessionDocument& document, std::size_t index) {

@@ -2,20 +2,18 @@
 
 #include <utility>
 
-#include "ui/document/session_document.h"
-
 namespace alidade::ui {
 
 ReplaceSession::ReplaceSession(SessionDocument& document, Session session, const QString& text)
-    : m_document(document), m_other(std::move(session)), m_otherState(JournalKeeper::stateOf(m_other, true)) {
-  setText(text);
-}
+    : SessionCommand(document, text),
+      m_other(std::move(session)),
+      m_otherState(JournalKeeper::stateOf(m_other, true)) {}
 
-void ReplaceSession::undo() {
-  m_document.exchangeSession(m_other, m_otherState);
-}
-void ReplaceSession::redo() {
-  m_document.exchangeSession(m_other, m_otherState);
+void ReplaceSession::exchange() {
+  edit({}, [this](Session& session) {
+    std::swap(session, m_other);
+    journal().exchange(m_otherState);
+  });
 }
 
 }  // namespace alidade::ui

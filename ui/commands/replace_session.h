@@ -1,24 +1,21 @@
 #pragma once
 
-#include <QUndoCommand>
-
-#include "core/session/session.h"
+#include "ui/commands/journalled_command.h"
 #include "ui/document/journal_keeper.h"
 
 namespace alidade::ui {
 
-class SessionDocument;
-
 /// Replaces the whole session by another. Undo restores the previous one.
-class ReplaceSession : public QUndoCommand {
+class ReplaceSession : public SessionCommand {
  public:
   ReplaceSession(SessionDocument& document, Session session, const QString& text);
 
-  void undo() override;
-  void redo() override;
+  void undo() override { exchange(); }
+  void redo() override { exchange(); }
 
  private:
-  SessionDocument& m_document;
+  void exchange();
+
   Session m_other;  ///< the session not in use
   JournalKeeper::State m_otherState;
 };

@@ -13,11 +13,7 @@ SealSession::SealSession(SessionDocument& document, const std::string& by)
 }
 
 void SealSession::apply() {
-  document().tellOfJournal();
-}
-
-void SealSession::revert() {
-  document().tellOfJournal();
+  write({.kind = SessionChange::Kind::Field, .place = {.field = "journal"}}, [](Session&) {});
 }
 
 }  // namespace alidade::ui

@@ -14,7 +14,6 @@ class SealSession : public JournalledCommand {
 
  private:
   void apply() override;
-  void revert() override;
   std::vector<JournalEntry> allEntries() const override { return {m_entry}; }
 
   JournalEntry m_entry;
