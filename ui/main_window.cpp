@@ -26,7 +26,7 @@
 #include "ui/panels/readings/readings_table.h"
 #include "ui/panels/window/changed_file_bar.h"
 #include "ui/panels/window/job_status.h"
-#include "ui/settings/report_settings.h"
+#include "ui/report/report_settings.h"
 #include "ui/start/samples.h"
 #include "ui/start/start_page.h"
 #include "ui/text/entry_text.h"

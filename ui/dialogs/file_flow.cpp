@@ -16,11 +16,11 @@
 #include "ui/dialogs/dialogs.h"
 #include "ui/dialogs/in_background.h"
 #include "ui/document/disposal.h"
+#include "ui/document/encoded_path.h"
 #include "ui/document/session_document.h"
 #include "ui/import/import_page.h"
 #include "ui/report/attached_session.h"
 #include "ui/settings/recent_files.h"
-#include "ui/text/encoded_path.h"
 #include "ui/text/entry_text.h"
 #include "ui/text/visible_text.h"
 

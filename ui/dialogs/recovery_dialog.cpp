@@ -11,8 +11,8 @@
 #include <QVBoxLayout>
 
 #include "ui/dialogs/difference_table.h"
-#include "ui/dialogs/plain_label.h"
 #include "ui/dialogs/safe_button.h"
+#include "ui/panels/parts/plain_label.h"
 
 namespace alidade::ui {
 

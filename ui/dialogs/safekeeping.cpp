@@ -13,11 +13,11 @@
 #include "ui/commands/replace_session.h"
 #include "ui/dialogs/dialogs.h"
 #include "ui/dialogs/file_flow.h"
+#include "ui/document/encoded_path.h"
 #include "ui/document/session_document.h"
 #include "ui/recovery/drafts.h"
 #include "ui/recovery/half_typed_record.h"
 #include "ui/settings/theme.h"
-#include "ui/text/encoded_path.h"
 #include "ui/text/entry_text.h"
 #include "ui/text/visible_text.h"
 

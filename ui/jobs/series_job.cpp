@@ -1,4 +1,4 @@
-#include "ui/series/series_job.h"
+#include "ui/jobs/series_job.h"
 
 #include <QDir>
 #include <QFile>
@@ -12,8 +12,8 @@
 #include "core/base/threads.h"
 #include "core/series/history/history_sentences.h"
 #include "core/wording/copies.h"
+#include "ui/document/encoded_path.h"
 #include "ui/jobs/failed_job.h"
-#include "ui/text/encoded_path.h"
 
 namespace alidade::ui {
 

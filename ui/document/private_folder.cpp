@@ -1,10 +1,10 @@
-#include "ui/recovery/private_folder.h"
+#include "ui/document/private_folder.h"
 
 #include <sys/stat.h>
 
 #include <QDir>
 
-#include "ui/text/encoded_path.h"
+#include "ui/document/encoded_path.h"
 
 namespace alidade::ui {
 

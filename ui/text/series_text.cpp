@@ -1,4 +1,4 @@
-#include "ui/series/series_text.h"
+#include "ui/text/series_text.h"
 
 #include <QCoreApplication>
 

@@ -1,4 +1,4 @@
-#include "ui/entry/next_entry.h"
+#include "ui/models/next_entry.h"
 
 #include <QAbstractItemView>
 #include <QComboBox>

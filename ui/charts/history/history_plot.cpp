@@ -1,4 +1,4 @@
-#include "ui/series/history_plot.h"
+#include "ui/charts/history/history_plot.h"
 
 #include <QFontMetricsF>
 #include <algorithm>

@@ -1,4 +1,4 @@
-#include "ui/entry/entry_watch.h"
+#include "ui/models/entry_watch.h"
 
 #include <cmath>
 

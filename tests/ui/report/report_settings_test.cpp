@@ -1,4 +1,4 @@
-#include "ui/settings/report_settings.h"
+#include "ui/report/report_settings.h"
 
 #include <gtest/gtest.h>
 

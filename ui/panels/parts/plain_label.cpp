@@ -1,4 +1,4 @@
-#include "ui/dialogs/plain_label.h"
+#include "ui/panels/parts/plain_label.h"
 
 #include <QLabel>
 
