@@ -12,7 +12,7 @@
 #include <utility>
 
 #include "core/base/version.h"
-#include "ui/commands/add_position.h"
+#include "ui/commands/change_positions.h"
 #include "ui/connection/instrument_desk.h"
 #include "ui/dialogs/export_flow.h"
 #include "ui/dialogs/instrument_flow.h"
@@ -26,7 +26,7 @@
 #include "ui/panels/readings/readings_table.h"
 #include "ui/panels/window/changed_file_bar.h"
 #include "ui/panels/window/job_status.h"
-#include "ui/report/report_settings.h"
+#include "ui/report/report_choice.h"
 #include "ui/start/samples.h"
 #include "ui/start/start_page.h"
 #include "ui/text/entry_text.h"
@@ -250,14 +250,6 @@ void MainWindow::showTitle() {
   // Ends in the program's name, which Qt would add otherwise.
   setWindowTitle(QStringLiteral("%1[*] — %2 — Alidade").arg(name, qText(versionAndBuild())));
   setWindowModified(m_document.isModified() || !m_document.halfTyped().isEmpty());
-}
-
-ReadingsFinder& MainWindow::finder() {
-  return m_entries->finder();
-}
-
-SuspectBar* MainWindow::suspects() const {
-  return m_entries->suspects();
 }
 
 ReadingsTable* MainWindow::currentTable() const {

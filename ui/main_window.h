@@ -24,13 +24,11 @@ class InstrumentFlow;
 class JobStatus;
 class PageTabs;
 class ProtocolFlow;
-class ReadingsFinder;
 class ReadingsTable;
 class ResultColumn;
 class Safekeeping;
 class SideWindows;
 class StartPage;
-class SuspectBar;
 class WindowActions;
 
 /// The workstation's window: connects its parts, which do the work.
@@ -52,8 +50,6 @@ class MainWindow : public QMainWindow {
   InstrumentDesk& instrumentDesk() { return *m_desk; }
   ResultColumn& results() { return *m_results; }
   SideWindows& sideWindows() { return *m_sideWindows; }
-  ReadingsFinder& finder();
-  SuspectBar* suspects() const;
   ReadingsTable* currentTable() const;
   /// The tabs at the right of the picture of the arcs and below it.
   QList<PageTabs*> pageTabs() const;

@@ -14,8 +14,8 @@
 #include <QToolButton>
 
 #include "core/session/entry.h"
-#include "ui/commands/add_position.h"
 #include "ui/commands/change_field.h"
+#include "ui/commands/change_positions.h"
 #include "ui/connection/instrument_desk.h"
 #include "ui/dialogs/command_palette.h"
 #include "ui/dialogs/export_flow.h"
@@ -23,7 +23,6 @@
 #include "ui/entry/readings_finder.h"
 #include "ui/help/help_topics.h"
 #include "ui/help/help_window.h"
-#include "ui/language/language_scope.h"
 #include "ui/language/languages.h"
 #include "ui/main_window.h"
 #include "ui/panels/readings/position_tabs.h"
@@ -172,11 +171,12 @@ void WindowActions::createEditMenu(QToolBar& bar) {
         [this] { m_window.files().importClipboard(); });
   addTo(menu, nullptr, tr("Select &All"), QKeySequence::SelectAll, this, [this] { selectAll(); });
   menu.addSeparator();
-  addTo(menu, nullptr, tr("&Find…"), QKeySequence::Find, this, [this] { m_window.finder().find(); });
+  addTo(menu, nullptr, tr("&Find…"), QKeySequence::Find, this,
+        [this] { m_window.entries().finder().find(); });
   for (const bool forward : {true, false})
     addTo(menu, nullptr, forward ? tr("Find Next") : tr("Find Previous"),
           forward ? QKeySequence(Qt::Key_F3) : QKeySequence(Qt::SHIFT | Qt::Key_F3), this,
-          [this, forward] { m_window.finder().findAgain(forward); });
+          [this, forward] { m_window.entries().finder().findAgain(forward); });
   menu.addSeparator();
   const auto onTable = [this](void (ReadingsTable::*call)()) {
     return [this, call] {
@@ -206,7 +206,7 @@ void WindowActions::createEditMenu(QToolBar& bar) {
 /// Enabled if a reading looks misread, the second if a correction is proposed.
 void WindowActions::addSuspectActions(QMenu& menu) {
   menu.addSeparator();
-  SuspectBar* suspects = m_window.suspects();
+  SuspectBar* suspects = m_window.entries().suspects();
   QAction* next = addTo(menu, nullptr, tr("&Next Misread Reading"), QKeySequence(Qt::Key_F7), this,
                         [suspects] { suspects->goToNext(); });
   QAction* use = addTo(menu, nullptr, tr("Use Proposed Readin&g"), QKeySequence(Qt::Key_F8), this,

@@ -2,10 +2,12 @@
 
 #include <QCoreApplication>
 #include <algorithm>
+#include <utility>
 
 #include "ui/commands/change_part.h"
 #include "ui/document/session_document.h"
 #include "ui/text/effect_text.h"
+#include "ui/text/entry_text.h"
 
 namespace alidade::ui {
 
@@ -23,6 +25,13 @@ void change(SessionDocument& document, const std::vector<std::string>& effects, 
   document.push(new ChangePart<List>(
       document, text, partOf, effects,
       changeAt({.field = "model.effects"}, listed(document.session().model.effects), listed(effects))));
+}
+
+std::string listedOwn(const std::vector<OwnEffect>& effects) {
+  std::string text;
+  for (const OwnEffect& effect : effects)
+    text += (text.empty() ? "" : "; ") + effect.id + ": " + effect.formula;
+  return text;
 }
 
 }  // namespace
@@ -52,6 +61,23 @@ void addEffects(SessionDocument& document, const std::vector<std::string>& ids) 
   if (names.isEmpty()) return;
   const QString text = QCoreApplication::translate("ChangeEffects", "Estimate %1");
   change(document, effects, text.arg(names.join(QStringLiteral(", "))));
+}
+
+void keepOwnEffect(SessionDocument& document, const OwnEffect& effect) {
+  std::vector<OwnEffect> own = document.session().ownEffects;
+  const auto same = std::ranges::find(own, effect.id, &OwnEffect::id);
+  if (same == own.end())
+    own.push_back(effect);
+  else if (*same == effect)
+    return;
+  else
+    *same = effect;
+  const QString text = QCoreApplication::translate("ChangeOwnEffects", "Keep the effect %1");
+  const auto partOf = [](Session& session) -> std::vector<OwnEffect>& { return session.ownEffects; };
+  PartChange change =
+      changeAt({.field = "own_effects"}, listedOwn(document.session().ownEffects), listedOwn(own));
+  document.push(new ChangePart<std::vector<OwnEffect>>(document, text.arg(qText(effect.name)), partOf,
+                                                       std::move(own), std::move(change)));
 }
 
 }  // namespace alidade::ui

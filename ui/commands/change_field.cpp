@@ -6,6 +6,7 @@
 #include "ui/commands/change_part.h"
 #include "ui/document/field.h"
 #include "ui/document/session_document.h"
+#include "ui/jobs/remedies.h"
 
 namespace alidade::ui {
 
@@ -27,6 +28,13 @@ void changeField(SessionDocument& document, const Place& place, const std::strin
                           Session& session) -> std::string& { return field->at(session, position); };
   document.push(
       new ChangePart<std::string>(document, undoText(place), partOf, text, changeAt(place, before, text)));
+}
+
+void stateNoise(SessionDocument& document, const StatedNoise& noise) {
+  document.beginTogether(QCoreApplication::translate("StateNoise", "State σ of the circles"));
+  changeField(document, {.field = "instrument.sigma_horizontal_arcsec"}, noise.horizontal);
+  changeField(document, {.field = "instrument.sigma_vertical_arcsec"}, noise.vertical);
+  document.endTogether();
 }
 
 }  // namespace alidade::ui

@@ -7,8 +7,12 @@
 namespace alidade::ui {
 
 class SessionDocument;
+struct StatedNoise;
 
 /// Stores a day in the session's form (`completedDay`). Does nothing if the field already has this text.
 void changeField(SessionDocument& document, const Place& place, const std::string& typed);
+
+/// Sets the σ of both circles as one undo step.
+void stateNoise(SessionDocument& document, const StatedNoise& noise);
 
 }  // namespace alidade::ui

@@ -3,8 +3,8 @@
 #include <QCoreApplication>
 
 #include "core/session/protocol_progress.h"
-#include "ui/commands/add_position.h"
 #include "ui/commands/change_part.h"
+#include "ui/commands/change_positions.h"
 #include "ui/document/session_document.h"
 
 namespace alidade::ui {

@@ -12,8 +12,7 @@
 #include "ui/connection/wire_log.h"
 #include "ui/dialogs/dialogs.h"
 #include "ui/dialogs/written_file.h"
-#include "ui/panels/parts/button_row.h"
-#include "ui/panels/parts/plain_label.h"
+#include "ui/panels/parts/dialog_parts.h"
 #include "ui/text/visible_text.h"
 
 namespace alidade::ui {

@@ -10,9 +10,7 @@
 
 #include "core/base/file_bytes.h"
 #include "core/base/file_target.h"
-#include "ui/commands/import_readings.h"
-#include "ui/commands/replace_session.h"
-#include "ui/commands/seal_session.h"
+#include "ui/commands/session_commands.h"
 #include "ui/dialogs/dialogs.h"
 #include "ui/dialogs/in_background.h"
 #include "ui/document/disposal.h"

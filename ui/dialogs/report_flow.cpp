@@ -14,12 +14,11 @@
 #include "ui/jobs/evaluation.h"
 #include "ui/jobs/failed_job.h"
 #include "ui/jobs/series_job.h"
-#include "ui/language/language_scope.h"
 #include "ui/language/languages.h"
 #include "ui/report/certificate.h"
 #include "ui/report/empty_fields.h"
+#include "ui/report/report_choice.h"
 #include "ui/report/report_logo.h"
-#include "ui/report/report_settings.h"
 #include "ui/text/entry_text.h"
 #include "ui/text/visible_text.h"
 

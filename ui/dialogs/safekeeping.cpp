@@ -10,7 +10,7 @@
 #include "core/base/file_bytes.h"
 #include "core/session/session_file.h"
 #include "ui/commands/hand_in.h"
-#include "ui/commands/replace_session.h"
+#include "ui/commands/session_commands.h"
 #include "ui/dialogs/dialogs.h"
 #include "ui/dialogs/file_flow.h"
 #include "ui/document/encoded_path.h"

@@ -26,8 +26,10 @@ SessionDelta::SessionDelta(const Session& after, const SessionChange& change)
         m_news = fieldText(after, place);
       else if (const auto known = knownAt(place))
         m_news = knownBy(after, known->ref.owner);
-      else
+      else if (place.field == "model.effects")
         m_news = after.model.effects;
+      else
+        m_news = after;
       break;
     case SessionChange::Kind::Readings:
       break;

@@ -25,7 +25,7 @@
 #include "ui/import/import_preview.h"
 #include "ui/import/import_zeros.h"
 #include "ui/jobs/failed_job.h"
-#include "ui/panels/parts/plain_label.h"
+#include "ui/panels/parts/dialog_parts.h"
 #include "ui/recovery/form_draft.h"
 #include "ui/text/effect_text.h"
 #include "ui/text/entry_text.h"

@@ -5,10 +5,8 @@
 #include <QTabWidget>
 #include <algorithm>
 
-#include "ui/commands/apply_changes.h"
+#include "ui/commands/change_positions.h"
 #include "ui/commands/edit_readings.h"
-#include "ui/commands/move_rows.h"
-#include "ui/commands/remove_position.h"
 #include "ui/connection/instrument_desk.h"
 #include "ui/connection/reading_question_bar.h"
 #include "ui/document/session_document.h"

@@ -4,7 +4,6 @@
 #include "ui/commands/change_effects.h"
 #include "ui/commands/change_field.h"
 #include "ui/commands/edit_readings.h"
-#include "ui/commands/state_noise.h"
 #include "ui/document/session_document.h"
 #include "ui/panels/gap/gap_panel.h"
 #include "ui/settings/theme.h"

@@ -5,7 +5,7 @@
 
 #include "core/session/own_effects.h"
 #include "ui/charts/residuals/residual_chart.h"
-#include "ui/commands/change_own_effects.h"
+#include "ui/commands/change_effects.h"
 #include "ui/dialogs/dialogs.h"
 #include "ui/dialogs/file_flow.h"
 #include "ui/dialogs/instrument_flow.h"
@@ -27,17 +27,6 @@
 namespace alidade::ui {
 
 namespace {
-
-/// Shows the evaluation by the page's `setEvaluation`.
-template <typename Panel>
-PageTabs::Show shownBy(Panel* panel) {
-  return [panel](const SharedEvaluation& evaluation) {
-    if constexpr (requires { panel->setEvaluation(evaluation); })
-      panel->setEvaluation(evaluation);
-    else
-      panel->setEvaluation(*evaluation);
-  };
-}
 
 MadePage makeResult(const WindowParts& parts, ResultColumn& column) {
   auto* panel = new ResultPanel;

@@ -17,7 +17,7 @@
 #include "ui/instrument/check_input.h"
 #include "ui/instrument/instrument_dialog.h"
 #include "ui/main_window.h"
-#include "ui/report/report_settings.h"
+#include "ui/report/report_choice.h"
 #include "ui/window/side_windows.h"
 
 namespace alidade::ui {

@@ -8,10 +8,10 @@
 #include "core/session/session_file.h"
 #include "tests/support/large_session.h"
 #include "tests/ui/support.h"
-#include "ui/commands/add_position.h"
 #include "ui/commands/change_effects.h"
 #include "ui/commands/change_field.h"
 #include "ui/commands/change_known.h"
+#include "ui/commands/change_positions.h"
 #include "ui/commands/edit_readings.h"
 #include "ui/document/session_document.h"
 #include "ui/jobs/fit_request.h"
@@ -59,6 +59,8 @@ TEST(SessionDelta, LeavesACopyAsTheDocumentIs) {
   expectSame("fields");
   setEffect(document, "collimation", true);
   expectSame("effects");
+  keepOwnEffect(document, {.id = "dip", .name = "Dip", .formula = "a * cos(V)"});
+  expectSame("an effect of one's own");
   const auto collimation = [&] {
     const std::vector<KnownRow> rows = knownRows(document.session());
     return *std::ranges::find_if(rows, [](const KnownRow& row) { return row.effect->id == "collimation"; });

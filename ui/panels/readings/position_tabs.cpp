@@ -6,7 +6,7 @@
 #include <algorithm>
 
 #include "core/session/entry.h"
-#include "ui/commands/add_position.h"
+#include "ui/commands/change_positions.h"
 #include "ui/document/session_document.h"
 #include "ui/models/entry_watch.h"
 #include "ui/panels/readings/readings_table.h"

@@ -69,8 +69,8 @@ class CountingPage : public QWidget {
 TEST(PageTabs, FeedOnlyThePageInFront) {
   PageTabs tabs;
   auto *first = new CountingPage, *second = new CountingPage;
-  tabs.addPage(first, QStringLiteral("first"));
-  tabs.addPage(second, QStringLiteral("second"));
+  tabs.addPage(first, QStringLiteral("first"), shownBy(first));
+  tabs.addPage(second, QStringLiteral("second"), shownBy(second));
   for (int i = 0; i < 3; ++i) tabs.setEvaluation(std::make_shared<const Evaluation>());
   EXPECT_EQ(first->shown, 3);
   EXPECT_EQ(second->shown, 0);
@@ -82,9 +82,10 @@ TEST(PageTabs, FeedOnlyThePageInFront) {
 
 TEST(PageTabs, HideAPageThatHasNothingToShow) {
   PageTabs tabs;
-  tabs.addPage(new CountingPage, QStringLiteral("always"));
-  tabs.addPage(new CountingPage, QStringLiteral("titled"),
-               [](const Evaluation& evaluation) { return !evaluation.session.title.empty(); });
+  tabs.addPage(new QWidget, QStringLiteral("always"), [](const SharedEvaluation&) {});
+  tabs.addPage(
+      new QWidget, QStringLiteral("titled"), [](const SharedEvaluation&) {},
+      [](const Evaluation& evaluation) { return !evaluation.session.title.empty(); });
   EXPECT_FALSE(tabs.isTabVisible(1));
   Evaluation titled;
   titled.session.title = "t";

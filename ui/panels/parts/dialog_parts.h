@@ -3,6 +3,7 @@
 #include <QWidget>
 
 class QHBoxLayout;
+class QLabel;
 class QPushButton;
 
 namespace alidade::ui {
@@ -20,5 +21,12 @@ class ButtonRow : public QWidget {
  private:
   QHBoxLayout* m_layout;
 };
+
+/// Makes the non-destructive button the default: it has the keyboard focus, and Return presses it wherever
+/// the focus is. Call once all buttons of the dialog exist.
+void makeSafeButton(QPushButton& button);
+
+/// A wrapping label that shows its text without interpreting markup.
+QLabel* createPlainLabel(const QString& text);
 
 }  // namespace alidade::ui

@@ -1,4 +1,4 @@
-#include "ui/report/report_settings.h"
+#include "ui/report/report_choice.h"
 
 #include <QSettings>
 #include <algorithm>

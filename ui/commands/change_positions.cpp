@@ -1,10 +1,13 @@
-#include "ui/commands/remove_position.h"
+#include "ui/commands/change_positions.h"
 
 #include <QCoreApplication>
+#include <algorithm>
 #include <iterator>
 #include <numeric>
+#include <string>
 #include <utility>
 
+#include "core/session/entry.h"
 #include "ui/document/journal_entries.h"
 #include "ui/document/session_document.h"
 #include "ui/text/position_text.h"
@@ -27,6 +30,51 @@ void append(std::vector<JournalEntry>& entries, std::vector<JournalEntry> furthe
 }
 
 }  // namespace
+
+AddPosition::AddPosition(SessionDocument& document, int axisDeg)
+    : JournalledCommand(document, addPositionText(document.session(), axisDeg)),
+      m_index(axisDeg == 0 && !hasPosition(document.session(), 0) ? 0 : document.session().positions.size()) {
+  m_position.axisDeg = std::to_string(axisDeg);
+  setEntries(journal().judge(place(), {}, m_position.axisDeg));
+}
+
+void AddPosition::apply() {
+  insertPosition(m_index, m_position);
+}
+void AddPosition::revert() {
+  erasePosition(m_index);
+}
+
+Place AddPosition::place() const {
+  return {.position = m_index};
+}
+
+std::vector<JournalEntry> AddPosition::allEntries() const {
+  return journal().asStanding(place(), {}, m_position.axisDeg);
+}
+
+bool hasPosition(const Session& session, int axisDeg) {
+  return std::any_of(session.positions.begin(), session.positions.end(), [axisDeg](const Position& position) {
+    const Result<int> axis = axisEntry(position.axisDeg);
+    return axis && *axis == axisDeg;
+  });
+}
+
+bool mayAddPosition(const Session& session, int axisDeg) {
+  return !hasPosition(session, axisDeg) || hasPosition(session, axisDeg == 0 ? 180 : 0);
+}
+
+QString addPositionText(const Session& session, int axisDeg) {
+  const QString text = hasPosition(session, axisDeg)
+                           ? QCoreApplication::translate("AddPosition", "Measure %1° again")
+                           : QCoreApplication::translate("AddPosition", "Add position at %1°");
+  return text.arg(axisDeg);
+}
+
+void addPosition(SessionDocument& document, int axisDeg) {
+  if (!mayAddPosition(document.session(), axisDeg)) return;
+  document.push(new AddPosition(document, axisDeg));
+}
 
 RemovePosition::RemovePosition(SessionDocument& document, std::size_t index)
     : JournalledCommand(document, QCoreApplication::translate("RemovePosition", "Delete position %1")

@@ -1,6 +1,7 @@
-#include "ui/panels/parts/button_row.h"
+#include "ui/panels/parts/dialog_parts.h"
 
 #include <QHBoxLayout>
+#include <QLabel>
 #include <QPushButton>
 
 namespace alidade::ui {
@@ -19,6 +20,20 @@ QPushButton* ButtonRow::add(const QString& text, const char* name) {
 
 void ButtonRow::addRoom() {
   m_layout->addStretch();
+}
+
+void makeSafeButton(QPushButton& button) {
+  for (QPushButton* other : button.window()->findChildren<QPushButton*>())
+    if (other != &button) other->setAutoDefault(false);
+  button.setDefault(true);
+  button.setFocus();
+}
+
+QLabel* createPlainLabel(const QString& text) {
+  auto* label = new QLabel(text);
+  label->setTextFormat(Qt::PlainText);
+  label->setWordWrap(true);
+  return label;
 }
 
 }  // namespace alidade::ui
