@@ -38,7 +38,7 @@ MadePage makeResult(const WindowParts& parts, ResultColumn& column) {
   QObject::connect(&parts.jobs, &SessionJobs::gapAged, panel, &ResultPanel::setGapStale);
   QObject::connect(&parts.jobs, &SessionJobs::gapCleared, panel, &ResultPanel::clearGap);
   QObject::connect(panel, &ResultPanel::gapActivated, &column, [&column] { column.showPage("gap"); });
-  return {panel, shownBy(panel)};
+  return {panel, showIn(panel)};
 }
 
 MadePage makeBudget(const WindowParts& parts, ResultColumn&) {
@@ -49,7 +49,7 @@ MadePage makeBudget(const WindowParts& parts, ResultColumn&) {
   QObject::connect(&parts.jobs, &SessionJobs::gapAged, panel, &BudgetPanel::setGapStale);
   QObject::connect(&parts.jobs, &SessionJobs::gapCleared, panel, &BudgetPanel::clearGap);
   QObject::connect(panel, &BudgetPanel::checked, &parts.files, &FileFlow::setBudgetCheck);
-  return {panel, shownBy(panel)};
+  return {panel, showIn(panel)};
 }
 
 MadePage makeEffects(const WindowParts& parts, ResultColumn& column) {
@@ -64,14 +64,14 @@ MadePage makeEffects(const WindowParts& parts, ResultColumn& column) {
     const auto found = std::ranges::find(own, id, ownId);
     typeOwnEffect(parts, found == own.end() ? OwnEffect() : *found);
   });
-  return {panel, shownBy(panel)};
+  return {panel, showIn(panel)};
 }
 
 MadePage makeResiduals(const WindowParts& parts, ResultColumn&) {
   auto* chart = new ResidualChart;
   chart->setMinimumSize(240, 130);
   QObject::connect(&parts.positions, &PositionTabs::rowEntered, chart, &ResidualChart::setHighlighted);
-  return {chart, shownBy(chart)};
+  return {chart, showIn(chart)};
 }
 
 MadePage makeOrder(const WindowParts& parts, ResultColumn& column) {
@@ -84,21 +84,20 @@ MadePage makeOrder(const WindowParts& parts, ResultColumn& column) {
   QObject::connect(panel, &OrderPanel::editWanted, &parts.protocol, &ProtocolFlow::edit);
   QObject::connect(panel, &OrderPanel::placeActivated, &column,
                    [&column](const Place& place) { emit column.revealWanted(place, true); });
-  return {panel, shownBy(panel)};
+  return {panel, showIn(panel)};
 }
 
 MadePage makeReliability(const WindowParts& parts, ResultColumn& column) {
   auto* panel = new ReliabilityPanel;
   QObject::connect(&parts.positions, &PositionTabs::rowEntered, panel, &ReliabilityPanel::setCurrentReading);
   QObject::connect(panel, &ReliabilityPanel::sightingActivated, &column, &ResultColumn::select);
-  return {panel, shownBy(panel)};
+  return {panel, showIn(panel)};
 }
 
 MadePage makeTwoFaces(const WindowParts&, ResultColumn& column) {
   auto* panel = new TwoFacesPanel;
   QObject::connect(panel, &TwoFacesPanel::sightingActivated, &column, &ResultColumn::select);
-  return {panel, shownBy(panel),
-          [](const Evaluation& evaluation) { return evaluation.twoFaces.has_value(); }};
+  return {panel, showIn(panel), [](const Evaluation& evaluation) { return evaluation.twoFaces.has_value(); }};
 }
 
 MadePage makeKnownSizes(const WindowParts& parts, ResultColumn& column) {
@@ -116,7 +115,7 @@ MadePage makeJournal(const WindowParts& parts, ResultColumn&) {
   auto* panel = new JournalPanel;
   QObject::connect(&parts.jobs, &SessionJobs::suspectsChanged, panel,
                    [panel](const SharedEvaluation& evaluation) { panel->setSummary(*evaluation); });
-  return {panel, shownBy(panel), [](const Evaluation& evaluation) {
+  return {panel, showIn(panel), [](const Evaluation& evaluation) {
             return !evaluation.session.journal.empty() || !evaluation.journal.empty();
           }};
 }

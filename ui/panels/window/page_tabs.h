@@ -41,7 +41,7 @@ class PageTabs : public QTabWidget {
 
 /// Shows the evaluation by the page's `setEvaluation`.
 template <typename Panel>
-PageTabs::Show shownBy(Panel* panel) {
+PageTabs::Show showIn(Panel* panel) {
   return [panel](const SharedEvaluation& evaluation) {
     if constexpr (requires { panel->setEvaluation(evaluation); })
       panel->setEvaluation(evaluation);

@@ -69,8 +69,8 @@ class CountingPage : public QWidget {
 TEST(PageTabs, FeedOnlyThePageInFront) {
   PageTabs tabs;
   auto *first = new CountingPage, *second = new CountingPage;
-  tabs.addPage(first, QStringLiteral("first"), shownBy(first));
-  tabs.addPage(second, QStringLiteral("second"), shownBy(second));
+  tabs.addPage(first, QStringLiteral("first"), showIn(first));
+  tabs.addPage(second, QStringLiteral("second"), showIn(second));
   for (int i = 0; i < 3; ++i) tabs.setEvaluation(std::make_shared<const Evaluation>());
   EXPECT_EQ(first->shown, 3);
   EXPECT_EQ(second->shown, 0);
