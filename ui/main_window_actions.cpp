@@ -14,8 +14,8 @@
 #include <QToolButton>
 
 #include "core/session/entry.h"
-#include "ui/commands/add_position.h"
 #include "ui/commands/change_field.h"
+#include "ui/commands/change_positions.h"
 #include "ui/connection/instrument_desk.h"
 #include "ui/dialogs/command_palette.h"
 #include "ui/dialogs/export_flow.h"
@@ -23,19 +23,20 @@
 #include "ui/entry/readings_finder.h"
 #include "ui/help/help_topics.h"
 #include "ui/help/help_window.h"
-#include "ui/language/language_scope.h"
 #include "ui/language/languages.h"
 #include "ui/main_window.h"
 #include "ui/panels/readings/position_tabs.h"
 #include "ui/panels/readings/readings_table.h"
 #include "ui/panels/readings/suspect_bar.h"
-#include "ui/panels/window/page_tabs.h"
 #include "ui/settings/entry_tone.h"
 #include "ui/settings/recent_files.h"
 #include "ui/settings/theme.h"
 #include "ui/settings/window_font.h"
 #include "ui/text/position_text.h"
 #include "ui/text/visible_text.h"
+#include "ui/window/entry_column.h"
+#include "ui/window/result_column.h"
+#include "ui/window/side_windows.h"
 
 namespace alidade::ui {
 
@@ -170,11 +171,12 @@ void WindowActions::createEditMenu(QToolBar& bar) {
         [this] { m_window.files().importClipboard(); });
   addTo(menu, nullptr, tr("Select &All"), QKeySequence::SelectAll, this, [this] { selectAll(); });
   menu.addSeparator();
-  addTo(menu, nullptr, tr("&Find…"), QKeySequence::Find, this, [this] { m_window.finder().find(); });
+  addTo(menu, nullptr, tr("&Find…"), QKeySequence::Find, this,
+        [this] { m_window.entries().finder().find(); });
   for (const bool forward : {true, false})
     addTo(menu, nullptr, forward ? tr("Find Next") : tr("Find Previous"),
           forward ? QKeySequence(Qt::Key_F3) : QKeySequence(Qt::SHIFT | Qt::Key_F3), this,
-          [this, forward] { m_window.finder().findAgain(forward); });
+          [this, forward] { m_window.entries().finder().findAgain(forward); });
   menu.addSeparator();
   const auto onTable = [this](void (ReadingsTable::*call)()) {
     return [this, call] {
@@ -204,7 +206,7 @@ void WindowActions::createEditMenu(QToolBar& bar) {
 /// Enabled if a reading looks misread, the second if a correction is proposed.
 void WindowActions::addSuspectActions(QMenu& menu) {
   menu.addSeparator();
-  SuspectBar* suspects = m_window.suspects();
+  SuspectBar* suspects = m_window.entries().suspects();
   QAction* next = addTo(menu, nullptr, tr("&Next Misread Reading"), QKeySequence(Qt::Key_F7), this,
                         [suspects] { suspects->goToNext(); });
   QAction* use = addTo(menu, nullptr, tr("Use Proposed Readin&g"), QKeySequence(Qt::Key_F8), this,
@@ -254,8 +256,8 @@ void WindowActions::addPositionActions(QMenu& menu) {
     offer();
   }
   QAction* remove =
-      addTo(menu, nullptr, tr("Delete Position"), {}, this, [this] { m_window.removePosition(); });
-  QAction* move = addTo(menu, nullptr, {}, {}, this, [this] { m_window.moveReadings(); });
+      addTo(menu, nullptr, tr("Delete Position"), {}, this, [this] { m_window.entries().removePosition(); });
+  QAction* move = addTo(menu, nullptr, {}, {}, this, [this] { m_window.entries().moveReadings(); });
   m_tableActions << move;
   connect(&menu, &QMenu::aboutToShow, this, [this, &document, remove, move] {
     const auto* tabs = m_window.findChild<PositionTabs*>();
@@ -408,22 +410,22 @@ void WindowActions::addUnitActions(QMenu& menu) {
   units->addActions(group->actions());
 }
 
-/// Every page by its number, Ctrl+1 and so on; empty pages are disabled.
+/// Every page with its shortcut; empty pages are disabled.
 void WindowActions::addPageActions(QMenu& menu) {
   menu.addSeparator();
-  int number = 0;
-  for (PageTabs* tabs : m_window.pageTabs()) {
-    for (int page = 0; page < tabs->count(); ++page) {
-      QAction* action = addTo(menu, nullptr, tabs->tabText(page),
-                              QKeySequence(Qt::CTRL | (Qt::Key_1 + number++)), this, [this, tabs, page] {
-                                m_window.hideStart();
-                                if (tabs->isHidden()) m_enlarge->setChecked(false);
-                                tabs->showPage(page);
-                              });
-      connect(&menu, &QMenu::aboutToShow, action,
-              [tabs, page, action] { action->setEnabled(tabs->isTabVisible(page)); });
-      connect(&menu, &QMenu::aboutToHide, action, [action] { action->setEnabled(true); });
-    }
+  for (const PageInfo& info : allPages()) {
+    const auto [tabs, page] = m_window.results().tab(info.id);
+    const QKeySequence keys(QString::fromLatin1(info.keys));
+    QAction* action = addTo(menu, nullptr, tabs->tabText(page), keys, this, [this, id = info.id] {
+      m_window.hideStart();
+      if (m_window.results().tab(id).first->isHidden()) m_enlarge->setChecked(false);
+      m_window.results().showPage(id);
+    });
+    connect(&menu, &QMenu::aboutToShow, action, [this, id = info.id, action] {
+      const auto [shown, index] = m_window.results().tab(id);
+      action->setEnabled(shown->isTabVisible(index));
+    });
+    connect(&menu, &QMenu::aboutToHide, action, [action] { action->setEnabled(true); });
   }
 }
 
@@ -440,7 +442,7 @@ void WindowActions::addEnlargeAction(QMenu& menu) {
   m_window.pageTabs().last()->setCornerWidget(button);
   connect(button, &QToolButton::toggled, m_enlarge, &QAction::setChecked);
   connect(m_enlarge, &QAction::toggled, this, [this, button](bool enlarged) {
-    m_window.setDetailsEnlarged(enlarged);
+    m_window.results().setPictureShown(!enlarged);
     button->setChecked(enlarged);
     button->setArrowType(enlarged ? Qt::DownArrow : Qt::UpArrow);
   });
@@ -463,9 +465,10 @@ void WindowActions::createInstrumentMenu() {
 void WindowActions::createToolsMenu() {
   QMenu& menu = *m_window.menuBar()->addMenu(tr("T&ools"));
   addTo(menu, nullptr, tr("&Blind Trial…"), QKeySequence(tr("Ctrl+B")), this,
-        [this] { m_window.showBlindTrials(); });
-  addTo(menu, nullptr, tr("&Instrument Check…"), {}, this, [this] { m_window.showInstrumentCheck(); });
-  addTo(menu, nullptr, tr("&Series…"), {}, this, [this] { m_window.showSeries(); });
+        [this] { m_window.sideWindows().showBlindTrials(); });
+  addTo(menu, nullptr, tr("&Instrument Check…"), {}, this,
+        [this] { m_window.sideWindows().showInstrumentCheck(); });
+  addTo(menu, nullptr, tr("&Series…"), {}, this, [this] { m_window.sideWindows().showSeries(); });
   addTo(menu, nullptr, tr("&Commands…"), QKeySequence(tr("Ctrl+Shift+P")), this, [this] {
     CommandPalette palette(*m_window.menuBar(), &m_window);
     if (QAction* command = palette.ask()) command->trigger();
@@ -485,7 +488,7 @@ void WindowActions::createHelpMenu(Dialogs& dialogs) {
     m_window.showStart();
   });
   addTo(menu, nullptr, tr("&Check This Installation…"), {}, this,
-        [this] { m_window.showInstallationCheck(); });
+        [this] { m_window.sideWindows().showInstallationCheck(); });
   addTo(menu, nullptr, tr("&About Alidade"), {}, this, [&dialogs] { dialogs.showAbout(); });
 }
 

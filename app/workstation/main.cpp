@@ -14,13 +14,13 @@
 #include "core/base/utf8.h"
 #include "core/base/visible_text.h"
 #include "ui/application.h"
+#include "ui/document/encoded_path.h"
 #include "ui/language/languages.h"
 #include "ui/main_window.h"
 #include "ui/recovery/termination.h"
 #include "ui/settings/theme.h"
 #include "ui/settings/visible_log.h"
 #include "ui/settings/window_font.h"
-#include "ui/text/encoded_path.h"
 #include "ui/text/visible_text.h"
 
 namespace {

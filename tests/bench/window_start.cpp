@@ -78,7 +78,7 @@ int main(int argc, char** argv) {
   if (file.isEmpty()) window.showStart();
   window.show();
   Moment shown;
-  QObject::connect(&window.fitJob(), &FitJob::evaluated, &window, [&](const SharedEvaluation& evaluation) {
+  QObject::connect(&window.job(), &FitJob::evaluated, &window, [&](const SharedEvaluation& evaluation) {
     if (file.isEmpty() || !evaluation->fit.intersection) return;
     shown = sinceStart();
     application.quit();

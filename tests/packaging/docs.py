@@ -212,7 +212,7 @@ def catalogue(text):
     for own in re.split(r"\n      \{(?=relationId|\")", body)[1:]:
         id_of = re.match(r"(relationId|\"(\w+)\")", own)
         name = re.search(r'PHRASE_LATER\("Phrase", "([^"]+)"\)', own).group(1)
-        numbers = re.findall(r'\{PHRASE_LATER\("Phrase", "([^"]+)"\), \w+, "([^"]+)", ([\d.e-]+)\}', own)
+        numbers = re.findall(r'\{PHRASE_LATER\("Phrase", "([^"]+)"\), \w+, "([^"]+)", ([\d.e-]+)[,}]', own)
         effects[id_of.group(2) or "vertical_angle_relation"] = \
             (name, [(number, f"{float(size):g}{units[unit]}") for number, unit, size in numbers])
     return effects

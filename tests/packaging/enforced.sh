@@ -10,13 +10,16 @@ failed=0
 
 sound_tree() {
   rm -rf -- "${trees:?}/tree"
-  mkdir -p "$trees/tree/core/base" "$trees/tree/core/session" "$trees/tree/app/console" "$trees/tree/ui"
+  mkdir -p "$trees/tree/core/base" "$trees/tree/core/session" "$trees/tree/app/console" \
+    "$trees/tree/ui/document" "$trees/tree/ui/jobs"
   cd "$trees/tree"
   cp "$rules/../../LICENSE" "$rules/../../.clang-format" .
   printf '# A tree\n\nA picture: shown.png\n' >README.md
   printf '#pragma once\n\nint one();\n' >core/base/one.h
   printf '#include "core/base/one.h"\n\nint one() {\n  return 1;\n}\n' >core/base/one.cpp
   printf '#pragma once\n\n#include "core/base/one.h"\n' >core/session/two.h
+  printf '#pragma once\n\nint fit();\n' >ui/jobs/fit.h
+  printf '#pragma once\n\nint held();\n' >ui/document/held.h
   printf '#include <cstdio>\n\n#include "core/session/two.h"\n\nint main() {\n  return one();\n}\n' >app/console/main.cpp
   printf '#!/usr/bin/env bash\necho sound\n' >sound.sh
 }
@@ -31,6 +34,7 @@ must() {
 # offence RULE FILE TEXT: the rule refuses the sound tree with TEXT appended to FILE.
 offence() {
   sound_tree
+  mkdir -p "$(dirname -- "$2")"
   printf '%b' "$3" >>"$2"
   must fail "$1" "$2 with $3"
 }
@@ -53,6 +57,8 @@ offence includes core/base/one.h '#include <Eigen/Core>\n'
 offence includes core/session/two.h '#include "ui/window.h"\n'
 offence includes app/console/main.cpp '#include <QString>\n'
 offence includes ui/window.h '#include "app/console/main.cpp"\n'
+offence includes ui/document/held.h '#include "ui/jobs/fit.h"\n'
+offence includes ui/no_room/one.h '#pragma once\n'
 offence headers core/session/two.h 'std::string text();\n'
 offence sources core/base/one.cpp 'std::string text();\n'
 sound_tree

@@ -11,13 +11,14 @@
 #include "core/session/session_file.h"
 #include "tests/ui/support.h"
 #include "ui/commands/change_field.h"
-#include "ui/commands/move_rows.h"
-#include "ui/commands/remove_position.h"
+#include "ui/commands/change_positions.h"
+#include "ui/commands/edit_readings.h"
 #include "ui/dialogs/file_flow.h"
 #include "ui/entry/readings_finder.h"
 #include "ui/main_window.h"
 #include "ui/panels/readings/find_bar.h"
 #include "ui/panels/readings/readings_table.h"
+#include "ui/window/entry_column.h"
 
 // The duties of any desktop program, without loss of readings.
 
@@ -137,7 +138,7 @@ TEST(FindBar, LeadsToWhatIsTypedAndBackToTheTable) {
   OpenWindow open;
   open->document().startWith(paperSession());
   open.settle();
-  open->finder().find();
+  open->entries().finder().find();
   auto* line = open->findChild<QLineEdit*>(QStringLiteral("find"));
   ASSERT_TRUE(line->isVisible());
   typeInto(*line, QStringLiteral("98 57"));

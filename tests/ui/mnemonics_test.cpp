@@ -14,6 +14,7 @@
 #include "ui/dialogs/blind_trial_dialog.h"
 #include "ui/main_window.h"
 #include "ui/panels/window/page_tabs.h"
+#include "ui/window/side_windows.h"
 
 // Alt and a letter trigger a single action, whatever is in front.
 
@@ -86,7 +87,7 @@ TEST(Mnemonics, LeadToOneThingInMenusAndInTheBlindTrial) {
     for (const QAction* action : top->menu()->actions()) mnemonics.add(action->text());
     EXPECT_EQ(mnemonics.twice(), "") << top->text().toStdString();
   }
-  open->showBlindTrials();
+  open->sideWindows().showBlindTrials();
   Mnemonics mnemonics;
   mnemonics.addVisibleOf(*open->findChild<BlindTrialDialog*>());
   EXPECT_EQ(mnemonics.twice(), "");

@@ -4,16 +4,14 @@
 #include <algorithm>
 #include <utility>
 
+#include "ui/commands/change_part.h"
 #include "ui/document/session_document.h"
 #include "ui/text/effect_text.h"
+#include "ui/text/entry_text.h"
 
 namespace alidade::ui {
 
 namespace {
-
-Place effectsPlace() {
-  return {.field = "model.effects"};
-}
 
 std::string listed(const std::vector<std::string>& effects) {
   std::string text;
@@ -21,25 +19,22 @@ std::string listed(const std::vector<std::string>& effects) {
   return text;
 }
 
+void change(SessionDocument& document, const std::vector<std::string>& effects, const QString& text) {
+  using List = std::vector<std::string>;
+  const auto partOf = [](Session& session) -> List& { return session.model.effects; };
+  document.push(new ChangePart<List>(
+      document, text, partOf, effects,
+      changeAt({.field = "model.effects"}, listed(document.session().model.effects), listed(effects))));
+}
+
+std::string listedOwn(const std::vector<OwnEffect>& effects) {
+  std::string text;
+  for (const OwnEffect& effect : effects)
+    text += (text.empty() ? "" : "; ") + effect.id + ": " + effect.formula;
+  return text;
+}
+
 }  // namespace
-
-ChangeEffects::ChangeEffects(SessionDocument& document, std::vector<std::string> effects, const QString& text)
-    : JournalledCommand(document, text),
-      m_before(document.session().model.effects),
-      m_after(std::move(effects)) {
-  setEntries(journal().judge(effectsPlace(), listed(m_before), listed(m_after)));
-}
-
-void ChangeEffects::apply() {
-  document().putEffects(m_after);
-}
-void ChangeEffects::revert() {
-  document().putEffects(m_before);
-}
-
-std::vector<JournalEntry> ChangeEffects::allEntries() const {
-  return journal().asStanding(effectsPlace(), listed(m_before), listed(m_after));
-}
 
 void setEffect(SessionDocument& document, const std::string& id, bool isEstimated) {
   std::vector<std::string> effects = document.session().model.effects;
@@ -52,7 +47,7 @@ void setEffect(SessionDocument& document, const std::string& id, bool isEstimate
   }
   const QString text = isEstimated ? QCoreApplication::translate("ChangeEffects", "Estimate %1")
                                    : QCoreApplication::translate("ChangeEffects", "Leave out %1");
-  document.push(new ChangeEffects(document, std::move(effects), text.arg(effectName(id))));
+  change(document, effects, text.arg(effectName(id)));
 }
 
 void addEffects(SessionDocument& document, const std::vector<std::string>& ids) {
@@ -65,7 +60,24 @@ void addEffects(SessionDocument& document, const std::vector<std::string>& ids) 
   }
   if (names.isEmpty()) return;
   const QString text = QCoreApplication::translate("ChangeEffects", "Estimate %1");
-  document.push(new ChangeEffects(document, std::move(effects), text.arg(names.join(QStringLiteral(", ")))));
+  change(document, effects, text.arg(names.join(QStringLiteral(", "))));
+}
+
+void keepOwnEffect(SessionDocument& document, const OwnEffect& effect) {
+  std::vector<OwnEffect> own = document.session().ownEffects;
+  const auto same = std::ranges::find(own, effect.id, &OwnEffect::id);
+  if (same == own.end())
+    own.push_back(effect);
+  else if (*same == effect)
+    return;
+  else
+    *same = effect;
+  const QString text = QCoreApplication::translate("ChangeOwnEffects", "Keep the effect %1");
+  const auto partOf = [](Session& session) -> std::vector<OwnEffect>& { return session.ownEffects; };
+  PartChange change =
+      changeAt({.field = "own_effects"}, listedOwn(document.session().ownEffects), listedOwn(own));
+  document.push(new ChangePart<std::vector<OwnEffect>>(document, text.arg(qText(effect.name)), partOf,
+                                                       std::move(own), std::move(change)));
 }
 
 }  // namespace alidade::ui

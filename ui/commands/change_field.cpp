@@ -1,11 +1,12 @@
 #include "ui/commands/change_field.h"
 
 #include <QCoreApplication>
-#include <utility>
 
 #include "core/session/day_text.h"
+#include "ui/commands/change_part.h"
 #include "ui/document/field.h"
 #include "ui/document/session_document.h"
+#include "ui/jobs/remedies.h"
 
 namespace alidade::ui {
 
@@ -18,30 +19,22 @@ QString undoText(const Place& place) {
 
 }  // namespace
 
-ChangeField::ChangeField(SessionDocument& document, const Place& place, std::string text)
-    : JournalledCommand(document, undoText(place)),
-      m_place(place),
-      m_before(fieldText(document.session(), place)),
-      m_after(std::move(text)) {
-  setEntries(journal().judge(m_place, m_before, m_after));
-}
-
-void ChangeField::apply() {
-  document().putField(m_place, m_after);
-}
-void ChangeField::revert() {
-  document().putField(m_place, m_before);
-}
-
-std::vector<JournalEntry> ChangeField::allEntries() const {
-  return journal().asStanding(m_place, m_before, m_after);
-}
-
 void changeField(SessionDocument& document, const Place& place, const std::string& typed) {
   const bool isDay = place.field == "measured_on" || place.field.ends_with(".date");
   const std::string text = isDay ? completedDay(typed) : typed;
-  if (fieldText(document.session(), place) == text) return;
-  document.push(new ChangeField(document, place, text));
+  const std::string before = fieldText(document.session(), place);
+  if (before == text) return;
+  const auto partOf = [field = fieldNamed(place.field), position = place.position.value_or(0)](
+                          Session& session) -> std::string& { return field->at(session, position); };
+  document.push(
+      new ChangePart<std::string>(document, undoText(place), partOf, text, changeAt(place, before, text)));
+}
+
+void stateNoise(SessionDocument& document, const StatedNoise& noise) {
+  document.beginTogether(QCoreApplication::translate("StateNoise", "State σ of the circles"));
+  changeField(document, {.field = "instrument.sigma_horizontal_arcsec"}, noise.horizontal);
+  changeField(document, {.field = "instrument.sigma_vertical_arcsec"}, noise.vertical);
+  document.endTogether();
 }
 
 }  // namespace alidade::ui

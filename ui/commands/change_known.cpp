@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "ui/commands/change_part.h"
 #include "ui/document/session_document.h"
 #include "ui/text/known_text.h"
 
@@ -24,33 +25,25 @@ bool saysNothing(const KnownSize& size) {
 }
 
 /// `trunnion_tilt: 12 ± 2 arcsec, certificate K-7`.
-std::string said(const std::optional<KnownSize>& size) {
-  if (!size) return {};
-  std::string text = size->effect;
-  if (!size->parameter.empty()) text += ' ' + size->parameter;
-  text += ": " + (size->value.empty() ? "0" : size->value) + " ± " + size->sigma + ' ' + size->unit;
-  return size->from.empty() ? text : text + ", " + size->from;
+std::string saidOf(const KnownSize& size) {
+  std::string text = size.effect;
+  if (!size.parameter.empty()) text += ' ' + size.parameter;
+  text += ": " + (size.value.empty() ? "0" : size.value) + " ± " + size.sigma + ' ' + size.unit;
+  return size.from.empty() ? text : text + ", " + size.from;
+}
+
+/// The list with this entry: replaced, appended, or removed if it says nothing.
+std::vector<KnownSize> listWith(std::vector<KnownSize> list, std::size_t index, const KnownSize& entry) {
+  if (index == list.size())
+    list.push_back(entry);
+  else if (saysNothing(entry))
+    list.erase(list.begin() + static_cast<std::ptrdiff_t>(index));
+  else
+    list[index] = entry;
+  return list;
 }
 
 }  // namespace
-
-ChangeKnown::ChangeKnown(SessionDocument& document, const KnownRef& ref, std::string_view member,
-                         std::optional<KnownSize> after, const QString& text)
-    : JournalledCommand(document, text), m_place(placeOf(ref, member)), m_after(std::move(after)) {
-  if (const KnownSize* before = knownSize(document.session(), ref)) m_before = *before;
-  setEntries(journal().judge(placeOf(ref), said(m_before), said(m_after)));
-}
-
-void ChangeKnown::apply() {
-  document().putKnown(m_place, m_before.has_value(), m_after);
-}
-void ChangeKnown::revert() {
-  document().putKnown(m_place, m_after.has_value(), m_before);
-}
-
-std::vector<JournalEntry> ChangeKnown::allEntries() const {
-  return journal().asStanding(placeOf(knownAt(m_place).value().ref), said(m_before), said(m_after));
-}
 
 void typeKnown(SessionDocument& document, const KnownRow& row, const KnownCell& cell,
                const std::string& text) {
@@ -64,9 +57,13 @@ void typeKnown(SessionDocument& document, const KnownRow& row, const KnownCell& 
   const bool isGone = saysNothing(after);
   if (isGone ? !before : isSame) return;
   const QString undoText = QCoreApplication::translate("ChangeKnown", "Change what is known of %1");
-  document.push(new ChangeKnown(document, ref, cell.member,
-                                isGone ? std::nullopt : std::optional(std::move(after)),
-                                undoText.arg(knownName(session, row))));
+  PartChange change = changeAt(placeOf(ref), before ? saidOf(*before) : std::string(),
+                               isGone ? std::string() : saidOf(after));
+  change.told.place = placeOf(ref, cell.member);
+  document.push(new ChangePart<std::vector<KnownSize>>(
+      document, undoText.arg(knownName(session, row)),
+      [owner = ref.owner](Session& any) -> std::vector<KnownSize>& { return knownBy(any, owner); },
+      listWith(knownBy(session, ref.owner), ref.index, after), std::move(change)));
 }
 
 }  // namespace alidade::ui

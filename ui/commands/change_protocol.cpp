@@ -1,19 +1,15 @@
 #include "ui/commands/change_protocol.h"
 
 #include <QCoreApplication>
-#include <utility>
 
 #include "core/session/protocol_progress.h"
-#include "ui/commands/add_position.h"
+#include "ui/commands/change_part.h"
+#include "ui/commands/change_positions.h"
 #include "ui/document/session_document.h"
 
 namespace alidade::ui {
 
 namespace {
-
-Place protocolPlace() {
-  return {.field = "protocol"};
-}
 
 /// `full, 138 sightings`.
 std::string saidOf(const std::string& text) {
@@ -27,22 +23,6 @@ std::string saidOf(const std::string& text) {
 
 }  // namespace
 
-ChangeProtocol::ChangeProtocol(SessionDocument& document, std::string protocol, const QString& text)
-    : JournalledCommand(document, text), m_before(document.session().protocol), m_after(std::move(protocol)) {
-  setEntries(journal().judge(protocolPlace(), saidOf(m_before), saidOf(m_after)));
-}
-
-void ChangeProtocol::apply() {
-  document().putField(protocolPlace(), m_after);
-}
-void ChangeProtocol::revert() {
-  document().putField(protocolPlace(), m_before);
-}
-
-std::vector<JournalEntry> ChangeProtocol::allEntries() const {
-  return journal().asStanding(protocolPlace(), saidOf(m_before), saidOf(m_after));
-}
-
 void followProtocol(SessionDocument& document, const std::optional<SightingProtocol>& protocol) {
   const std::string text = protocol ? protocolText(*protocol) : std::string();
   if (text == document.session().protocol) return;
@@ -52,7 +32,9 @@ void followProtocol(SessionDocument& document, const std::optional<SightingProto
       protocol ? positionsLacking(document.session(), *protocol) : std::vector<int>();
   document.beginTogether(undoText);
   for (const int axisDeg : lacking) addPosition(document, axisDeg);
-  document.push(new ChangeProtocol(document, text, undoText));
+  document.push(new ChangePart<std::string>(
+      document, undoText, [](Session& session) -> std::string& { return session.protocol; }, text,
+      changeAt({.field = "protocol"}, saidOf(document.session().protocol), saidOf(text))));
   document.endTogether();
 }
 

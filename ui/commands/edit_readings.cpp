@@ -1,13 +1,18 @@
 #include "ui/commands/edit_readings.h"
 
+#include <QCoreApplication>
 #include <algorithm>
+#include <map>
 #include <utility>
+#include <vector>
 
 #include "core/base/number_text.h"
 #include "core/session/entry.h"
 #include "ui/commands/replace_readings.h"
+#include "ui/document/reading_column.h"
 #include "ui/document/session_document.h"
 #include "ui/text/entry_text.h"
+#include "ui/text/position_text.h"
 
 namespace alidade::ui {
 
@@ -37,6 +42,11 @@ Reading readingAfter(const Reading* last, std::size_t count) {
   }
   reading.point = std::to_string(point);
   return reading;
+}
+
+bool exists(const Session& session, const Place& place) {
+  return place.position && place.reading && *place.position < session.positions.size() &&
+         *place.reading < session.positions[*place.position].readings.size();
 }
 
 }  // namespace
@@ -135,6 +145,43 @@ std::size_t ReadingsEditor::paste(const ReadingBlock& block, std::size_t row,
 
 void ReadingsEditor::enterTexts(const std::vector<NewText>& texts, const QString& undoText, const char* why) {
   patchReadings(m_document, m_position, ReadingsPatch(readings(), texts), undoText, why);
+}
+
+void moveRows(SessionDocument& document, std::size_t from, const std::vector<std::size_t>& rows,
+              std::size_t to) {
+  const auto& positions = document.session().positions;
+  if (from == to || from >= positions.size() || to >= positions.size()) return;
+  const std::vector<Reading>& source = positions[from].readings;
+  std::vector<Reading> moved;
+  for (const std::size_t row : rows)
+    if (row < source.size()) moved.push_back(source[row]);
+  if (moved.empty()) return;
+  const QString text = QCoreApplication::translate("MoveRows", "Move %1 readings to %2")
+                           .arg(moved.size())
+                           .arg(positionText(document.session(), to));
+  document.beginTogether(text);
+  patchReadings(document, from, ReadingsPatch::removing(source, rows), text, journal_reasons::moved);
+  replaceReadings(document, to, positions[to].readings.size(), 0, moved, text, journal_reasons::moved);
+  document.endTogether();
+}
+
+void applyChanges(SessionDocument& document, const std::vector<CellChange>& changes,
+                  const QString& undoText) {
+  const Session& session = document.session();
+  std::map<std::size_t, std::vector<NewText>> texts;
+  for (const CellChange& change : changes)
+    if (exists(session, change.where))
+      texts[*change.where.position].push_back(
+          {*change.where.reading, readingColumn(change.where.field), change.text});
+  std::map<std::size_t, ReadingsPatch> patches;
+  for (const auto& [position, news] : texts)
+    if (ReadingsPatch patch(session.positions[position].readings, news); !patch.isEmpty())
+      patches.emplace(position, std::move(patch));
+  const bool isMany = patches.size() > 1;
+  if (isMany) document.beginTogether(undoText);
+  for (auto& [position, patch] : patches)
+    patchReadings(document, position, std::move(patch), undoText, journal_reasons::suggestion);
+  if (isMany) document.endTogether();
 }
 
 }  // namespace alidade::ui

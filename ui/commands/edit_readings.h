@@ -1,9 +1,11 @@
 #pragma once
 
 #include <QCoreApplication>
+#include <QString>
 #include <cstddef>
 #include <vector>
 
+#include "core/adjustment/gross_errors/suspects.h"
 #include "core/session/sighting_order.h"
 #include "ui/commands/reading_block.h"
 #include "ui/document/reading_column.h"
@@ -47,5 +49,14 @@ class ReadingsEditor {
   SessionDocument& m_document;
   std::size_t m_position;
 };
+
+/// Moves rows of one position to the end of another, in order, as one undo step: they were typed or imported
+/// at the wrong axis. Ignores missing rows.
+void moveRows(SessionDocument& document, std::size_t from, const std::vector<std::size_t>& rows,
+              std::size_t to);
+
+/// Types the texts of `changes` into their cells as one undo step. Ignores missing cells; without an
+/// effective change there is no undo step.
+void applyChanges(SessionDocument& document, const std::vector<CellChange>& changes, const QString& undoText);
 
 }  // namespace alidade::ui

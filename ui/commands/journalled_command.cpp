@@ -7,13 +7,34 @@
 
 namespace alidade::ui {
 
-JournalledCommand::JournalledCommand(SessionDocument& document, const QString& text)
-    : m_document(document), m_index(document.undoStack().index()) {
-  setText(text);
+void SessionCommand::edit(const SessionChange& change, const std::function<void(Session&)>& write) {
+  m_document.edit(EditKey(), change, write);
 }
 
-JournalKeeper& JournalledCommand::journal() const {
-  return m_document.m_journal;
+JournalKeeper& SessionCommand::journal() const {
+  return m_document.journal(EditKey());
+}
+
+JournalledCommand::JournalledCommand(SessionDocument& document, const QString& text)
+    : SessionCommand(document, text), m_index(document.undoStack().index()) {}
+
+void JournalledCommand::write(SessionChange change, const std::function<void(Session&)>& how) {
+  change.journalKept = journal().takeKept();
+  edit(change, how);
+}
+
+void JournalledCommand::insertPosition(std::size_t index, const Position& position) {
+  write({.kind = SessionChange::Kind::Positions, .place = {.position = index}, .inserted = 1},
+        [&](Session& session) {
+          session.positions.insert(session.positions.begin() + static_cast<std::ptrdiff_t>(index), position);
+        });
+}
+
+void JournalledCommand::erasePosition(std::size_t index) {
+  write({.kind = SessionChange::Kind::Positions, .place = {.position = index}, .removed = 1},
+        [&](Session& session) {
+          session.positions.erase(session.positions.begin() + static_cast<std::ptrdiff_t>(index));
+        });
 }
 
 void JournalledCommand::undo() {

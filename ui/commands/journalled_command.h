@@ -3,18 +3,34 @@
 #include <QString>
 #include <QUndoCommand>
 #include <cstddef>
+#include <functional>
 #include <vector>
 
 #include "core/session/journal.h"
+#include "core/session/session.h"
+#include "ui/document/session_change.h"
 
 namespace alidade::ui {
 
 class JournalKeeper;
 class SessionDocument;
 
+/// A command that writes to the session of a document.
+class SessionCommand : public QUndoCommand {
+ protected:
+  SessionCommand(SessionDocument& document, const QString& text) : m_document(document) { setText(text); }
+
+  void edit(const SessionChange& change, const std::function<void(Session&)>& write);
+  JournalKeeper& journal() const;
+  SessionDocument& document() const { return m_document; }
+
+ private:
+  SessionDocument& m_document;
+};
+
 /// An edit of the session that enters the journal if it changes recorded entries. Undone before it is saved
 /// it leaves no trace; undone later, the journal lists both.
-class JournalledCommand : public QUndoCommand {
+class JournalledCommand : public SessionCommand {
  public:
   void undo() final;
   void redo() final;
@@ -23,17 +39,18 @@ class JournalledCommand : public QUndoCommand {
   JournalledCommand(SessionDocument& document, const QString& text);
 
   virtual void apply() = 0;
-  virtual void revert() = 0;
+  virtual void revert() { apply(); }  ///< for an edit that exchanges two values
+  /// Writes to the session, and tells what is new in the journal too.
+  void write(SessionChange change, const std::function<void(Session&)>& how);
+  void insertPosition(std::size_t index, const Position& position);
+  void erasePosition(std::size_t index);
   /// Journal entries this edit would produce if all its values had been recorded.
   virtual std::vector<JournalEntry> allEntries() const = 0;
 
   /// Each constructor must call this.
   void setEntries(std::vector<JournalEntry> entries) { m_entries = std::move(entries); }
-  JournalKeeper& journal() const;
-  SessionDocument& document() const { return m_document; }
 
  private:
-  SessionDocument& m_document;
   int m_index;                               ///< index on the undo stack
   std::vector<JournalEntry> m_entries;       ///< while undone; else they are only in the journal
   std::size_t m_told = 0, m_toldUndone = 0;  ///< numbers of entries in the journal

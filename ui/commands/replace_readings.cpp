@@ -15,10 +15,22 @@ ReplaceReadings::ReplaceReadings(SessionDocument& document, std::size_t position
 }
 
 void ReplaceReadings::apply() {
-  document().patchReadings(m_position, m_patch);
+  write(change(false),
+        [this](Session& session) { m_patch->apply(session.positions.at(m_position).readings); });
 }
 void ReplaceReadings::revert() {
-  document().revertReadings(m_position, m_patch);
+  write(change(true),
+        [this](Session& session) { m_patch->revert(session.positions.at(m_position).readings); });
+}
+
+SessionChange ReplaceReadings::change(bool isReverted) const {
+  const RowSpan span = m_patch->span();
+  return {.kind = SessionChange::Kind::Readings,
+          .place = {.position = m_position, .reading = span.first},
+          .removed = isReverted ? span.after : span.before,
+          .inserted = isReverted ? span.before : span.after,
+          .patch = m_patch,
+          .isReverted = isReverted};
 }
 
 std::vector<JournalEntry> ReplaceReadings::allEntries() const {

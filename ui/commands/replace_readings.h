@@ -22,6 +22,7 @@ class ReplaceReadings : public JournalledCommand {
   void apply() override;
   void revert() override;
   std::vector<JournalEntry> allEntries() const override;
+  SessionChange change(bool isReverted) const;
 
   std::size_t m_position;
   std::shared_ptr<const ReadingsPatch> m_patch;

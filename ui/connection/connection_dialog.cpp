@@ -11,9 +11,8 @@
 #include "ui/connection/instrument_link.h"
 #include "ui/connection/wire_log.h"
 #include "ui/dialogs/dialogs.h"
-#include "ui/dialogs/plain_label.h"
 #include "ui/dialogs/written_file.h"
-#include "ui/panels/parts/button_row.h"
+#include "ui/panels/parts/dialog_parts.h"
 #include "ui/text/visible_text.h"
 
 namespace alidade::ui {

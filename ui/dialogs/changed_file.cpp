@@ -3,14 +3,15 @@
 #include <QCoreApplication>
 #include <QDialog>
 #include <QDialogButtonBox>
+#include <QHeaderView>
 #include <QLabel>
 #include <QPushButton>
 #include <QTreeWidget>
 #include <QVBoxLayout>
+#include <algorithm>
 
-#include "ui/dialogs/difference_table.h"
-#include "ui/dialogs/plain_label.h"
-#include "ui/dialogs/safe_button.h"
+#include "ui/panels/parts/dialog_parts.h"
+#include "ui/text/visible_text.h"
 
 namespace alidade::ui {
 
@@ -28,6 +29,14 @@ QString explanation(const ChangedFile& file) {
   if (!file.difference)
     return said + u' ' + ChangedFileText::tr("It is no session now: %1").arg(file.problem);
   return said + u' ' + differenceCount(*file.difference) + u':';
+}
+
+struct DifferenceText {
+  Q_DECLARE_TR_FUNCTIONS(DifferenceText)
+};
+
+QString orNothing(const QString& text) {
+  return text.isEmpty() ? QStringLiteral("—") : visibleLine(text);
 }
 
 }  // namespace
@@ -65,6 +74,30 @@ ChangedFileAnswer askChangedFile(QWidget* parent, const ChangedFile& file) {
   makeSafeButton(*buttons->button(QDialogButtonBox::Cancel));
   dialog.exec();
   return answer;
+}
+
+QTreeWidget* createDifferenceTable(const SessionDifference& difference, const QString& mine,
+                                   const QString& theirs) {
+  auto* table = new QTreeWidget;
+  table->setHeaderLabels({DifferenceText::tr("Entry"), mine, theirs});
+  table->setRootIsDecorated(false);
+  table->setUniformRowHeights(true);
+  table->setAlternatingRowColors(true);
+  table->setSelectionMode(QAbstractItemView::NoSelection);
+  QList<QTreeWidgetItem*> rows;
+  for (const EntryDifference& entry : difference.entries)
+    rows.append(
+        new QTreeWidgetItem({visibleLine(entry.where), orNothing(entry.mine), orNothing(entry.theirs)}));
+  const std::size_t more = difference.count - difference.entries.size();
+  if (more > 0) rows.append(new QTreeWidgetItem({DifferenceText::tr("and %1 more").arg(more)}));
+  table->addTopLevelItems(rows);
+  constexpr int margin = 14, widest = 260;
+  for (int column = 0; column < table->columnCount(); ++column) {
+    table->resizeColumnToContents(column);
+    table->setColumnWidth(column, std::min(table->columnWidth(column) + margin, widest));
+  }
+  table->header()->setStretchLastSection(true);
+  return table;
 }
 
 }  // namespace alidade::ui

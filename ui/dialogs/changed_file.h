@@ -5,6 +5,7 @@
 
 #include "ui/text/session_difference.h"
 
+class QTreeWidget;
 class QWidget;
 
 namespace alidade::ui {
@@ -20,5 +21,10 @@ enum class ChangedFileAnswer { Cancel, Reload, SaveAs, Overwrite };
 
 /// Shows the differences and asks what to do. Reload is offered if the file holds a readable session.
 ChangedFileAnswer askChangedFile(QWidget* parent, const ChangedFile& file);
+
+/// A list of the differences: place, and both texts under the titles `mine` and `theirs`. A last line counts
+/// the unlisted ones. The caller owns the widget.
+QTreeWidget* createDifferenceTable(const SessionDifference& difference, const QString& mine,
+                                   const QString& theirs);
 
 }  // namespace alidade::ui

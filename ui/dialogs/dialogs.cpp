@@ -14,8 +14,8 @@
 #include "ui/dialogs/own_effect_dialog.h"
 #include "ui/dialogs/paper_form.h"
 #include "ui/dialogs/protocol_dialog.h"
-#include "ui/dialogs/safe_button.h"
 #include "ui/import/import_page.h"
+#include "ui/panels/parts/dialog_parts.h"
 #include "ui/settings/theme.h"
 #include "ui/text/visible_text.h"
 

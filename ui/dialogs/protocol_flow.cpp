@@ -8,8 +8,8 @@
 #include "ui/commands/change_protocol.h"
 #include "ui/dialogs/dialogs.h"
 #include "ui/dialogs/written_file.h"
+#include "ui/document/encoded_path.h"
 #include "ui/document/session_document.h"
-#include "ui/text/encoded_path.h"
 #include "ui/text/visible_text.h"
 
 namespace alidade::ui {

@@ -10,9 +10,8 @@
 #include <QTreeWidget>
 #include <QVBoxLayout>
 
-#include "ui/dialogs/difference_table.h"
-#include "ui/dialogs/plain_label.h"
-#include "ui/dialogs/safe_button.h"
+#include "ui/dialogs/changed_file.h"
+#include "ui/panels/parts/dialog_parts.h"
 
 namespace alidade::ui {
 

@@ -14,8 +14,8 @@
 #include <algorithm>
 
 #include "ui/dialogs/paper_form.h"
-#include "ui/dialogs/plain_label.h"
 #include "ui/language/languages.h"
+#include "ui/panels/parts/dialog_parts.h"
 #include "ui/recovery/form_draft.h"
 #include "ui/report/report_logo.h"
 #include "ui/settings/theme.h"

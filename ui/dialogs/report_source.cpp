@@ -4,8 +4,8 @@
 #include <QFileInfo>
 
 #include "core/base/file_bytes.h"
+#include "ui/document/encoded_path.h"
 #include "ui/document/session_document.h"
-#include "ui/text/encoded_path.h"
 
 namespace alidade::ui {
 

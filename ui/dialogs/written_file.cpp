@@ -5,8 +5,8 @@
 
 #include "core/base/atomic_file.h"
 #include "ui/dialogs/dialogs.h"
+#include "ui/document/encoded_path.h"
 #include "ui/document/session_document.h"
-#include "ui/text/encoded_path.h"
 #include "ui/text/visible_text.h"
 
 namespace alidade::ui {

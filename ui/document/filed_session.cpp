@@ -9,7 +9,7 @@
 #include "core/base/atomic_file.h"
 #include "core/base/file_bytes.h"
 #include "core/session/session_file.h"
-#include "ui/text/encoded_path.h"
+#include "ui/document/encoded_path.h"
 
 namespace alidade::ui {
 

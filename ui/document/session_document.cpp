@@ -1,31 +1,12 @@
 #include "ui/document/session_document.h"
 
 #include <QFileInfo>
-#include <iterator>
 #include <utility>
 
 #include "core/session/session_file.h"
 #include "ui/document/disposal.h"
-#include "ui/document/field.h"
-#include "ui/document/known_entry.h"
-#include "ui/document/readings_patch.h"
 
 namespace alidade::ui {
-
-namespace {
-
-SessionChange changeOf(std::size_t position, const std::shared_ptr<const ReadingsPatch>& patch,
-                       bool isReverted) {
-  const RowSpan span = patch->span();
-  return {.kind = SessionChange::Kind::Readings,
-          .place = {.position = position, .reading = span.first},
-          .removed = isReverted ? span.after : span.before,
-          .inserted = isReverted ? span.before : span.after,
-          .patch = patch,
-          .isReverted = isReverted};
-}
-
-}  // namespace
 
 SessionDocument::SessionDocument(QObject* parent) : QObject(parent), m_session(blankSession()) {
   connect(&m_undoStack, &QUndoStack::indexChanged, this, &SessionDocument::identityChanged);
@@ -94,107 +75,10 @@ void SessionDocument::markSaved(const QString& path, const QByteArray& sha256) {
   emit identityChanged();
 }
 
-SessionChange SessionDocument::told(SessionChange change) {
-  change.journalKept = m_journal.takeKept();
-  return change;
-}
-
-void SessionDocument::putField(const Place& place, const std::string& text) {
-  const Field* field = fieldNamed(place.field);
-  Q_ASSERT(field);
-  const SessionChange change = told({.kind = SessionChange::Kind::Field, .place = place});
+void SessionDocument::edit(EditKey /*key*/, const SessionChange& change,
+                           const std::function<void(Session&)>& write) {
   emit aboutToChange(change);
-  field->at(m_session, place.position.value_or(0)) = text;
-  emit changed(change);
-}
-
-void SessionDocument::putEffects(const std::vector<std::string>& effects) {
-  const SessionChange change =
-      told({.kind = SessionChange::Kind::Field, .place = {.field = "model.effects"}});
-  emit aboutToChange(change);
-  m_session.model.effects = effects;
-  emit changed(change);
-}
-
-void SessionDocument::putOwnEffects(const std::vector<OwnEffect>& effects) {
-  const SessionChange change = told({.kind = SessionChange::Kind::Field, .place = {.field = "own_effects"}});
-  emit aboutToChange(change);
-  m_session.ownEffects = effects;
-  emit changed(change);
-}
-
-void SessionDocument::putKnown(const Place& place, bool isThere, const std::optional<KnownSize>& size) {
-  const KnownRef ref = knownAt(place).value().ref;
-  const SessionChange change = told({.kind = SessionChange::Kind::Field, .place = place});
-  emit aboutToChange(change);
-  std::vector<KnownSize>& list = knownBy(m_session, ref.owner);
-  const auto at = std::next(list.begin(), static_cast<std::ptrdiff_t>(ref.index));
-  if (isThere && size)
-    *at = *size;
-  else if (size)
-    list.insert(at, *size);
-  else
-    list.erase(at);
-  emit changed(change);
-}
-
-void SessionDocument::putInstrument(const Instrument& instrument) {
-  const SessionChange change = told({});
-  emit aboutToChange(change);
-  m_session.instrument = instrument;
-  emit changed(change);
-}
-
-void SessionDocument::patchReadings(std::size_t position, const std::shared_ptr<const ReadingsPatch>& patch) {
-  const SessionChange change = told(changeOf(position, patch, false));
-  emit aboutToChange(change);
-  patch->apply(m_session.positions.at(position).readings);
-  emit changed(change);
-}
-
-void SessionDocument::revertReadings(std::size_t position,
-                                     const std::shared_ptr<const ReadingsPatch>& patch) {
-  const SessionChange change = told(changeOf(position, patch, true));
-  emit aboutToChange(change);
-  patch->revert(m_session.positions.at(position).readings);
-  emit changed(change);
-}
-
-void SessionDocument::insertPosition(std::size_t index, const Position& position) {
-  const SessionChange change =
-      told({.kind = SessionChange::Kind::Positions, .place = {.position = index}, .inserted = 1});
-  emit aboutToChange(change);
-  m_session.positions.insert(std::next(m_session.positions.begin(), static_cast<std::ptrdiff_t>(index)),
-                             position);
-  emit changed(change);
-}
-
-void SessionDocument::removePosition(std::size_t index) {
-  const SessionChange change =
-      told({.kind = SessionChange::Kind::Positions, .place = {.position = index}, .removed = 1});
-  emit aboutToChange(change);
-  m_session.positions.erase(std::next(m_session.positions.begin(), static_cast<std::ptrdiff_t>(index)));
-  emit changed(change);
-}
-
-void SessionDocument::exchangeSession(Session& session, JournalKeeper::State& state) {
-  emit aboutToChange({});
-  std::swap(m_session, session);
-  m_journal.exchange(state);
-  emit changed({});
-}
-
-void SessionDocument::exchangeContent(Session& session) {
-  const SessionChange change = told({});
-  emit aboutToChange(change);
-  std::swap(m_session, session);
-  std::swap(m_session.journal, session.journal);
-  emit changed(change);
-}
-
-void SessionDocument::tellOfJournal() {
-  const SessionChange change = told({.kind = SessionChange::Kind::Field, .place = {.field = "journal"}});
-  emit aboutToChange(change);
+  write(m_session);
   emit changed(change);
 }
 

@@ -4,9 +4,8 @@
 #include <QObject>
 #include <QString>
 #include <QUndoStack>
-#include <memory>
+#include <functional>
 #include <optional>
-#include <vector>
 
 #include "core/base/problem.h"
 #include "core/session/session.h"
@@ -17,6 +16,12 @@
 #include "ui/document/session_files.h"
 
 namespace alidade::ui {
+
+/// Only commands have one, so only they write.
+class EditKey {
+  friend class SessionCommand;
+  EditKey() = default;
+};
 
 /// The current session: its data, its undo stack and its file. Views read `session()` and observe `changed`;
 /// only commands write. Modified means different from the last saved or loaded state. Undo may lead to
@@ -52,6 +57,9 @@ class SessionDocument : public QObject {
   void push(QUndoCommand* command);
   /// Likewise for a command that replaces the present session by an unsaved one.
   void pushAnother(QUndoCommand* command);
+  /// Writes to the session, and tells of `change` before and after.
+  void edit(EditKey key, const SessionChange& change, const std::function<void(Session&)>& write);
+  JournalKeeper& journal(EditKey /*key*/) { return m_journal; }
   /// Edits pushed until `endTogether` form one undo step.
   void beginTogether(const QString& undoText);
   void endTogether() { m_undoStack.endMacro(); }
@@ -78,34 +86,6 @@ class SessionDocument : public QObject {
   void identityChanged();  ///< path or modified state
 
  private:
-  friend class AddPosition;
-  friend class ChangeEffects;
-  friend class ChangeField;
-  friend class ChangeInstrument;
-  friend class ChangeKnown;
-  friend class ChangeOwnEffects;
-  friend class ChangeProtocol;
-  friend class ImportReadings;
-  friend class JournalledCommand;
-  friend class RemovePosition;
-  friend class ReplaceReadings;
-  friend class ReplaceSession;
-  friend class SealSession;
-
-  SessionChange told(SessionChange change);  ///< adds the change's effect on the journal
-  void putField(const Place& place, const std::string& text);
-  void putEffects(const std::vector<std::string>& effects);
-  void putOwnEffects(const std::vector<OwnEffect>& effects);
-  /// Replaces the entry at `place` by `size` if `isThere`, else inserts it before; absent: removes the entry.
-  void putKnown(const Place& place, bool isThere, const std::optional<KnownSize>& size);
-  void putInstrument(const Instrument& instrument);
-  void patchReadings(std::size_t position, const std::shared_ptr<const ReadingsPatch>& patch);
-  void revertReadings(std::size_t position, const std::shared_ptr<const ReadingsPatch>& patch);
-  void insertPosition(std::size_t index, const Position& position);
-  void removePosition(std::size_t index);
-  void exchangeSession(Session& session, JournalKeeper::State& state);  ///< with the current one
-  void exchangeContent(Session& session);                               ///< likewise, except the journal
-  void tellOfJournal();  ///< reports that only the journal changed
   void replaceAll(Session session, const QString& path, bool isNew);
 
   Session m_session;

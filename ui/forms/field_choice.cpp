@@ -3,8 +3,8 @@
 #include <QKeyEvent>
 #include <QWheelEvent>
 
-#include "ui/entry/next_entry.h"
 #include "ui/forms/field_binding.h"
+#include "ui/models/next_entry.h"
 #include "ui/settings/theme.h"
 #include "ui/text/visible_text.h"
 

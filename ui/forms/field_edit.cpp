@@ -5,8 +5,8 @@
 #include <QPainter>
 #include <limits>
 
-#include "ui/entry/next_entry.h"
 #include "ui/forms/field_binding.h"
+#include "ui/models/next_entry.h"
 #include "ui/settings/theme.h"
 #include "ui/text/entry_text.h"
 #include "ui/text/visible_text.h"

@@ -9,7 +9,7 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
-#include "ui/dialogs/plain_label.h"
+#include "ui/panels/parts/dialog_parts.h"
 #include "ui/text/effect_text.h"
 #include "ui/text/entry_text.h"
 #include "ui/text/visible_text.h"

@@ -7,7 +7,7 @@
 #include "core/base/file_bytes.h"
 #include "core/base/sha256.h"
 #include "core/exchange/file_format.h"
-#include "ui/text/encoded_path.h"
+#include "ui/document/encoded_path.h"
 #include "ui/text/visible_text.h"
 
 namespace alidade::ui {

@@ -19,7 +19,7 @@
 #include "ui/instrument/check_chart.h"
 #include "ui/instrument/check_input.h"
 #include "ui/instrument/check_table.h"
-#include "ui/panels/parts/button_row.h"
+#include "ui/panels/parts/dialog_parts.h"
 #include "ui/panels/parts/figure_grid.h"
 #include "ui/settings/theme.h"
 #include "ui/text/effect_text.h"

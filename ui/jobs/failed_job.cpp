@@ -15,8 +15,8 @@
 #include "core/base/failure.h"
 #include "core/base/version.h"
 #include "core/session/session_file.h"
-#include "ui/recovery/private_folder.h"
-#include "ui/text/encoded_path.h"
+#include "ui/document/encoded_path.h"
+#include "ui/document/private_folder.h"
 #include "ui/text/entry_text.h"
 
 namespace alidade::ui {

@@ -67,4 +67,12 @@ QString shownLanguage() {
   return tongue ? tongue->id : allLanguages().front().id;
 }
 
+LanguageScope::LanguageScope(const QString& id) : m_before(Interpreter::ownTongue()) {
+  if (const Tongue* tongue = tongueOf(id)) Interpreter::ownTongue() = tongue;
+}
+
+LanguageScope::~LanguageScope() {
+  Interpreter::ownTongue() = static_cast<const Tongue*>(m_before);
+}
+
 }  // namespace alidade::ui

@@ -8,7 +8,7 @@
 #include "core/wording/session_findings.h"
 #include "ui/commands/change_known.h"
 #include "ui/document/session_document.h"
-#include "ui/text/accessible_cell.h"
+#include "ui/text/accessible_place.h"
 #include "ui/text/effect_text.h"
 #include "ui/text/entry_text.h"
 #include "ui/text/known_text.h"

@@ -11,7 +11,7 @@
 #include "core/session/sighting_order.h"
 #include "ui/commands/edit_readings.h"
 #include "ui/document/session_document.h"
-#include "ui/text/accessible_cell.h"
+#include "ui/text/accessible_place.h"
 #include "ui/text/entry_text.h"
 #include "ui/text/journal_text.h"
 #include "ui/text/quantity_text.h"

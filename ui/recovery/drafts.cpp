@@ -9,7 +9,7 @@
 
 #include "core/base/atomic_file.h"
 #include "core/base/file_bytes.h"
-#include "ui/text/encoded_path.h"
+#include "ui/document/encoded_path.h"
 #include "ui/text/visible_text.h"
 
 namespace alidade::ui {

@@ -6,7 +6,7 @@
 #include <QFileInfo>
 #include <utility>
 
-#include "ui/recovery/private_folder.h"
+#include "ui/document/private_folder.h"
 
 namespace alidade::ui {
 

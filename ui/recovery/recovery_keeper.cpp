@@ -5,9 +5,9 @@
 #include <utility>
 
 #include "core/base/atomic_file.h"
+#include "ui/document/encoded_path.h"
 #include "ui/document/session_document.h"
 #include "ui/recovery/half_typed_record.h"
-#include "ui/text/encoded_path.h"
 #include "ui/text/visible_text.h"
 
 namespace alidade::ui {

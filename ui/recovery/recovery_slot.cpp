@@ -4,7 +4,7 @@
 #include <QFile>
 #include <QUuid>
 
-#include "ui/recovery/private_folder.h"
+#include "ui/document/private_folder.h"
 
 namespace alidade::ui {
 

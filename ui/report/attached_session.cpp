@@ -5,9 +5,9 @@
 #include "core/base/file_bytes.h"
 #include "core/base/limits.h"
 #include "core/session/session_file.h"
+#include "ui/document/encoded_path.h"
 #include "ui/report/pdf_attachments.h"
 #include "ui/report/report_text.h"
-#include "ui/text/encoded_path.h"
 
 namespace alidade::ui {
 

@@ -9,7 +9,6 @@
 #include "core/certificate/calibration_certificate.h"
 #include "core/session/hindrance.h"
 #include "core/session/session_file.h"
-#include "ui/language/language_scope.h"
 #include "ui/language/languages.h"
 #include "ui/report/attached_session.h"
 #include "ui/report/report_results.h"

@@ -8,15 +8,15 @@
 #include "core/base/version.h"
 #include "core/series/history/history_json.h"
 #include "core/series/history/history_sentences.h"
+#include "ui/charts/history/history_plot.h"
+#include "ui/document/encoded_path.h"
 #include "ui/report/painted_pdf.h"
 #include "ui/report/pdf_archive.h"
 #include "ui/report/report_sheet.h"
 #include "ui/report/report_table.h"
 #include "ui/report/report_text.h"
-#include "ui/series/history_plot.h"
-#include "ui/series/series_text.h"
-#include "ui/text/encoded_path.h"
 #include "ui/text/quantity_text.h"
+#include "ui/text/series_text.h"
 #include "ui/text/visible_text.h"
 
 namespace alidade::ui {

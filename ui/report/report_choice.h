@@ -20,4 +20,8 @@ struct ReportChoice {
   bool operator==(const ReportChoice&) const = default;
 };
 
+/// The last choice on this machine; invalid stored values are ignored.
+ReportChoice rememberedReportChoice();
+void rememberReportChoice(const ReportChoice& choice);
+
 }  // namespace alidade::ui

@@ -1,10 +1,9 @@
-#include "ui/report/report_forms.h"
+#include "ui/report/report_parts.h"
 
 #include <memory>
 
 #include "core/wording/form_sentence.h"
 #include "ui/charts/gap/form_plot.h"
-#include "ui/report/report_plots.h"
 #include "ui/report/report_text.h"
 #include "ui/text/form_text.h"
 

@@ -1,4 +1,4 @@
-#include "ui/report/report_journal.h"
+#include "ui/report/report_parts.h"
 
 #include <algorithm>
 

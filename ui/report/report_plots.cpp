@@ -1,4 +1,4 @@
-#include "ui/report/report_plots.h"
+#include "ui/report/report_parts.h"
 
 #include <QPainter>
 #include <algorithm>

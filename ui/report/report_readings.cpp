@@ -1,4 +1,4 @@
-#include "ui/report/report_readings.h"
+#include "ui/report/report_parts.h"
 
 #include <QCoreApplication>
 #include <algorithm>

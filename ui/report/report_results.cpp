@@ -4,7 +4,7 @@
 #include "core/answers/beforehand.h"
 #include "core/answers/fit_json.h"
 #include "core/session/hindrance.h"
-#include "ui/language/language_scope.h"
+#include "ui/language/languages.h"
 
 namespace alidade::ui {
 

@@ -5,8 +5,7 @@
 
 #include "core/wording/suspects.h"
 #include "ui/report/report_facts.h"
-#include "ui/report/report_result.h"
-#include "ui/report/report_terms.h"
+#include "ui/report/report_parts.h"
 #include "ui/report/report_text.h"
 #include "ui/text/cause_text.h"
 #include "ui/text/entry_text.h"

@@ -1,4 +1,4 @@
-#include "ui/report/report_terms.h"
+#include "ui/report/report_parts.h"
 
 #include <algorithm>
 #include <utility>

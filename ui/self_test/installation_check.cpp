@@ -7,13 +7,13 @@
 #include "core/base/version.h"
 #include "core/self_test/self_test_json.h"
 #include "core/self_test/self_test_words.h"
+#include "ui/document/encoded_path.h"
 #include "ui/report/painted_pdf.h"
 #include "ui/report/pdf_archive.h"
 #include "ui/report/report_sheet.h"
 #include "ui/report/report_table.h"
 #include "ui/report/report_text.h"
 #include "ui/self_test/window_checks.h"
-#include "ui/text/encoded_path.h"
 #include "ui/text/visible_text.h"
 
 namespace alidade::ui {

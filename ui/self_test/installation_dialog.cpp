@@ -13,7 +13,7 @@
 #include "core/base/failure.h"
 #include "core/self_test/self_test_words.h"
 #include "ui/dialogs/dialogs.h"
-#include "ui/panels/parts/button_row.h"
+#include "ui/panels/parts/dialog_parts.h"
 #include "ui/panels/parts/figure_grid.h"
 #include "ui/settings/theme.h"
 #include "ui/text/entry_text.h"

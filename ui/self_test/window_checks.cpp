@@ -9,7 +9,6 @@
 #include "core/base/phrase.h"
 #include "core/base/sha256.h"
 #include "core/self_test/references.h"
-#include "ui/language/language_scope.h"
 #include "ui/language/languages.h"
 #include "ui/report/text_style.h"
 

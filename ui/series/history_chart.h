@@ -1,7 +1,7 @@
 #pragma once
 
+#include "ui/charts/history/history_plot.h"
 #include "ui/charts/plotting/plot_widget.h"
-#include "ui/series/history_plot.h"
 
 namespace alidade::ui {
 

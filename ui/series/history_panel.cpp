@@ -12,8 +12,8 @@
 #include "ui/panels/parts/figure_grid.h"
 #include "ui/panels/parts/frames.h"
 #include "ui/series/history_chart.h"
-#include "ui/series/series_text.h"
 #include "ui/text/entry_text.h"
+#include "ui/text/series_text.h"
 #include "ui/text/visible_text.h"
 
 namespace alidade::ui {

@@ -2,7 +2,7 @@
 
 #include <QWidget>
 
-#include "ui/series/series_job.h"
+#include "ui/jobs/series_job.h"
 
 class QComboBox;
 class QLabel;

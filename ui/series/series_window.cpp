@@ -20,14 +20,14 @@
 #include "core/series/history/history_json.h"
 #include "ui/dialogs/dialogs.h"
 #include "ui/dialogs/written_file.h"
+#include "ui/document/encoded_path.h"
 #include "ui/panels/parts/frames.h"
 #include "ui/report/device_history_report.h"
 #include "ui/series/diagnosis_panel.h"
 #include "ui/series/history_chart.h"
 #include "ui/series/history_panel.h"
-#include "ui/series/series_text.h"
-#include "ui/text/encoded_path.h"
 #include "ui/text/entry_text.h"
+#include "ui/text/series_text.h"
 #include "ui/text/visible_text.h"
 
 namespace alidade::ui {

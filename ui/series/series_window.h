@@ -2,8 +2,8 @@
 
 #include <QWidget>
 
+#include "ui/jobs/series_job.h"
 #include "ui/series/diagnosis_job.h"
-#include "ui/series/series_job.h"
 
 class QLabel;
 class QProgressBar;

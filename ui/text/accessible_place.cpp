@@ -19,6 +19,10 @@ struct PlaceText {
   Q_DECLARE_TR_FUNCTIONS(PlaceText)
 };
 
+struct AccessibleCell {
+  Q_DECLARE_TR_FUNCTIONS(AccessibleCell)
+};
+
 }  // namespace
 
 QString accessibleRow(std::size_t row, const std::string& point) {
@@ -43,6 +47,11 @@ QString accessiblePlace(const Session& session, const Place& place) {
     parts.append(field ? QCoreApplication::translate("Field", field->noun) : qText(place.field));
   }
   return parts.join(QStringLiteral(", "));
+}
+
+QString accessibleCell(const QString& shown, const QString& title) {
+  //: of a cell of a table: the name of its column
+  return shown.isEmpty() ? AccessibleCell::tr("%1: empty").arg(title) : shown;
 }
 
 }  // namespace alidade::ui

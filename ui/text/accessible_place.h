@@ -14,4 +14,7 @@ QString accessibleRow(std::size_t row, const std::string& point);
 /// "distance L". Rows count from 1. Empty for the session as a whole.
 QString accessiblePlace(const Session& session, const Place& place);
 
+/// Returns the text of a cell for a screen reader: its text, or that the column named `title` is empty there.
+QString accessibleCell(const QString& shown, const QString& title);
+
 }  // namespace alidade::ui

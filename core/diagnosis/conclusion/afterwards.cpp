@@ -7,8 +7,8 @@
 #include <utility>
 
 #include "core/base/normal_mixture.h"
-#include "core/base/statistics.h"
 #include "core/base/square.h"
+#include "core/base/statistics.h"
 #include "core/diagnosis/conclusion/linear_move.h"
 #include "core/diagnosis/evidence/gain.h"
 #include "core/diagnosis/gap/gap_size.h"

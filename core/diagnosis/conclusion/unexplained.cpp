@@ -4,8 +4,8 @@
 #include <cmath>
 #include <iterator>
 
-#include "core/base/statistics.h"
 #include "core/base/square.h"
+#include "core/base/statistics.h"
 #include "core/diagnosis/gap/gap_size.h"
 
 namespace alidade {

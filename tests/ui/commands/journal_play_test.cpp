@@ -6,13 +6,11 @@
 #include "core/session/journal_check.h"
 #include "core/session/session_file.h"
 #include "tests/ui/support.h"
-#include "ui/commands/add_position.h"
 #include "ui/commands/change_field.h"
 #include "ui/commands/change_known.h"
+#include "ui/commands/change_positions.h"
 #include "ui/commands/edit_readings.h"
-#include "ui/commands/move_rows.h"
-#include "ui/commands/remove_position.h"
-#include "ui/commands/seal_session.h"
+#include "ui/commands/session_commands.h"
 #include "ui/document/session_document.h"
 
 // After any sequence of edits, undo, save and seal, the journal of the file is consistent.

@@ -5,12 +5,11 @@
 #include "core/session/journal_check.h"
 #include "core/session/session_file.h"
 #include "tests/ui/support.h"
-#include "ui/commands/add_position.h"
 #include "ui/commands/change_field.h"
 #include "ui/commands/change_known.h"
+#include "ui/commands/change_positions.h"
 #include "ui/commands/edit_readings.h"
-#include "ui/commands/move_rows.h"
-#include "ui/commands/seal_session.h"
+#include "ui/commands/session_commands.h"
 #include "ui/document/session_document.h"
 
 // Alters a file with a journal outside the program in many ways, before and after a seal, a revision and a

@@ -1,4 +1,4 @@
-#include "ui/commands/remove_position.h"
+#include "ui/commands/change_positions.h"
 
 #include <gtest/gtest.h>
 

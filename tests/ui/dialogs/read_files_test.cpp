@@ -17,7 +17,8 @@
 #include "ui/instrument/check_input.h"
 #include "ui/instrument/instrument_dialog.h"
 #include "ui/main_window.h"
-#include "ui/settings/report_settings.h"
+#include "ui/report/report_choice.h"
+#include "ui/window/side_windows.h"
 
 namespace alidade::ui {
 namespace {
@@ -40,7 +41,7 @@ class ReadFiles : public ::testing::Test {
     ReportChoice choice = rememberedReportChoice();
     choice.logoPath = in("logo.png");
     rememberReportChoice(choice);
-    open->showInstrumentCheck();
+    open->sideWindows().showInstrumentCheck();
     open->findChild<InstrumentDialog*>()->input().addFiles({in("check.gsi")});
     open.settle();
   }

@@ -15,7 +15,7 @@
 #include "ui/commands/change_field.h"
 #include "ui/commands/edit_readings.h"
 #include "ui/main_window.h"
-#include "ui/settings/report_settings.h"
+#include "ui/report/report_choice.h"
 
 namespace alidade::ui {
 namespace {

@@ -10,7 +10,7 @@
 #include "ui/dialogs/report_flow.h"
 #include "ui/document/session_document.h"
 #include "ui/jobs/evaluation.h"
-#include "ui/settings/report_settings.h"
+#include "ui/report/report_choice.h"
 
 namespace alidade::ui {
 namespace {

@@ -20,6 +20,7 @@
 #include "ui/instrument/check_rows_table.h"
 #include "ui/main_window.h"
 #include "ui/panels/parts/data_table.h"
+#include "ui/window/side_windows.h"
 
 namespace alidade::ui {
 namespace {
@@ -173,7 +174,7 @@ TEST(InstrumentDialog, TellsWhatCannotBeRead) {
 
 TEST(InstrumentDialog, OpensFromTheMenuAndNamesEveryControl) {
   OpenWindow open;
-  open->showInstrumentCheck();
+  open->sideWindows().showInstrumentCheck();
   auto* dialog = open->findChild<InstrumentDialog*>();
   ASSERT_TRUE(dialog && dialog->isVisible());
   for (QTabWidget* tabs : dialog->findChildren<QTabWidget*>())

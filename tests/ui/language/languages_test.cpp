@@ -10,7 +10,6 @@
 
 #include "core/base/phrase.h"
 #include "tests/ui/language/speaking.h"
-#include "ui/language/language_scope.h"
 
 namespace alidade::ui {
 namespace {

@@ -23,6 +23,7 @@
 #include "ui/panels/readings/suspect_bar.h"
 #include "ui/panels/window/page_tabs.h"
 #include "ui/settings/theme.h"
+#include "ui/window/entry_column.h"
 
 namespace alidade::ui {
 
@@ -237,7 +238,7 @@ void MonkeyHands::tickEffect() {
 }
 
 void MonkeyHands::useSuspect() {
-  SuspectBar* bar = m_window->suspects();
+  SuspectBar* bar = m_window->entries().suspects();
   const int way = m_chance.below(4);
   m_say(QStringLiteral("suspect: way %1").arg(way));
   if (way == 0)

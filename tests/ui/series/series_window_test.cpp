@@ -20,6 +20,7 @@
 #include "ui/series/diagnosis_panel.h"
 #include "ui/series/history_chart.h"
 #include "ui/series/history_panel.h"
+#include "ui/window/side_windows.h"
 
 // Tools › Series…: the sessions of a device together.
 
@@ -202,7 +203,7 @@ TEST(SeriesWindow, WritesJsonCsvAndPdf) {
 
 TEST(SeriesWindow, OpensASessionInTheMainWindow) {
   OpenWindow window;
-  window->showSeries();
+  window->sideWindows().showSeries();
   auto* series = window->findChild<SeriesWindow*>();
   ASSERT_NE(series, nullptr);
   series->add({samplePath(QStringLiteral("history"))});

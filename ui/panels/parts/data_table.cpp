@@ -12,7 +12,7 @@
 
 #include "ui/commands/reading_block.h"
 #include "ui/settings/window_font.h"
-#include "ui/text/accessible_cell.h"
+#include "ui/text/accessible_place.h"
 
 namespace alidade::ui {
 

@@ -6,9 +6,9 @@
 #include <algorithm>
 
 #include "core/session/entry.h"
-#include "ui/commands/add_position.h"
+#include "ui/commands/change_positions.h"
 #include "ui/document/session_document.h"
-#include "ui/entry/entry_watch.h"
+#include "ui/models/entry_watch.h"
 #include "ui/panels/readings/readings_table.h"
 #include "ui/panels/readings/zero_entries.h"
 #include "ui/panels/result/findings_panel.h"

@@ -6,7 +6,7 @@
 #include <algorithm>
 
 #include "ui/document/session_document.h"
-#include "ui/entry/next_entry.h"
+#include "ui/models/next_entry.h"
 #include "ui/settings/window_font.h"
 #include "ui/text/zero_text.h"
 

@@ -22,13 +22,6 @@ class PageTabs : public QTabWidget {
   /// Adds a page. It is always shown without `wanted`, otherwise only if `wanted` returns true.
   void addPage(QWidget* page, const QString& title, Show show, Wanted wanted = {});
 
-  template <typename Page>
-  void addPage(Page* page, const QString& title, Wanted wanted = {}) {
-    addPage(
-        page, title, [page](const SharedEvaluation& evaluation) { page->setEvaluation(*evaluation); },
-        std::move(wanted));
-  }
-
   void setEvaluation(SharedEvaluation evaluation);
   /// Brings the page to the front and gives it the keyboard; does nothing if it is hidden.
   void showPage(int index);
@@ -45,5 +38,16 @@ class PageTabs : public QTabWidget {
   std::vector<Page> m_pages;  ///< in the order of the tabs
   SharedEvaluation m_evaluation;
 };
+
+/// Shows the evaluation by the page's `setEvaluation`.
+template <typename Panel>
+PageTabs::Show showIn(Panel* panel) {
+  return [panel](const SharedEvaluation& evaluation) {
+    if constexpr (requires { panel->setEvaluation(evaluation); })
+      panel->setEvaluation(evaluation);
+    else
+      panel->setEvaluation(*evaluation);
+  };
+}
 
 }  // namespace alidade::ui

@@ -10,7 +10,6 @@
 #include <algorithm>
 
 #include "tests/ui/support.h"
-#include "ui/commands/apply_changes.h"
 #include "ui/commands/change_field.h"
 #include "ui/commands/edit_readings.h"
 #include "ui/main_window.h"

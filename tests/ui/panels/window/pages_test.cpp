@@ -6,8 +6,10 @@
 #include <QClipboard>
 #include <QLabel>
 #include <QMenuBar>
+#include <QRegularExpression>
 #include <QTest>
 #include <algorithm>
+#include <map>
 
 #include "core/adjustment/joint/reliability.h"
 #include "core/wording/budget.h"
@@ -22,6 +24,7 @@
 #include "ui/panels/window/page_tabs.h"
 #include "ui/text/effect_text.h"
 #include "ui/text/quantity_text.h"
+#include "ui/window/pages.h"
 
 namespace alidade::ui {
 namespace {
@@ -66,8 +69,8 @@ class CountingPage : public QWidget {
 TEST(PageTabs, FeedOnlyThePageInFront) {
   PageTabs tabs;
   auto *first = new CountingPage, *second = new CountingPage;
-  tabs.addPage(first, QStringLiteral("first"));
-  tabs.addPage(second, QStringLiteral("second"));
+  tabs.addPage(first, QStringLiteral("first"), showIn(first));
+  tabs.addPage(second, QStringLiteral("second"), showIn(second));
   for (int i = 0; i < 3; ++i) tabs.setEvaluation(std::make_shared<const Evaluation>());
   EXPECT_EQ(first->shown, 3);
   EXPECT_EQ(second->shown, 0);
@@ -79,9 +82,10 @@ TEST(PageTabs, FeedOnlyThePageInFront) {
 
 TEST(PageTabs, HideAPageThatHasNothingToShow) {
   PageTabs tabs;
-  tabs.addPage(new CountingPage, QStringLiteral("always"));
-  tabs.addPage(new CountingPage, QStringLiteral("titled"),
-               [](const Evaluation& evaluation) { return !evaluation.session.title.empty(); });
+  tabs.addPage(new QWidget, QStringLiteral("always"), [](const SharedEvaluation&) {});
+  tabs.addPage(
+      new QWidget, QStringLiteral("titled"), [](const SharedEvaluation&) {},
+      [](const Evaluation& evaluation) { return !evaluation.session.title.empty(); });
   EXPECT_FALSE(tabs.isTabVisible(1));
   Evaluation titled;
   titled.session.title = "t";
@@ -241,6 +245,22 @@ TEST(Pages, AreReachedByTheKeyboard) {
   QTest::keyClick(open.window.get(), Qt::Key_6, Qt::ControlModifier);
   EXPECT_EQ(tabs[1]->currentIndex(), 2);
   EXPECT_TRUE(qobject_cast<DataTable*>(QApplication::focusWidget()));
+}
+
+/// Keys that every keyboard types with Ctrl alone.
+TEST(Pages, HaveAShortcutEachThatIsADigitOrALetter) {
+  OpenWindow open;
+  std::map<QString, int> uses;
+  for (const QAction* action : open->findChildren<QAction*>())
+    if (!action->shortcut().isEmpty()) ++uses[action->shortcut().toString()];
+  std::size_t shown = 0;
+  for (const PageTabs* tabs : open->pageTabs()) shown += static_cast<std::size_t>(tabs->count());
+  EXPECT_EQ(shown, allPages().size());
+  for (const PageInfo& info : allPages()) {
+    const QString keys = QString::fromLatin1(info.keys);
+    EXPECT_TRUE(QRegularExpression(QStringLiteral("^Ctrl\\+[0-9A-Z]$")).match(keys).hasMatch()) << info.keys;
+    EXPECT_EQ(uses[keys], 1) << info.keys << " is the shortcut of " << info.id << " alone";
+  }
 }
 
 TEST(Pages, BelowThePictureTakeItsRoom) {

@@ -1,0 +1,254 @@
+#include "ui/charts/history/history_plot.h"
+
+#include <QFontMetricsF>
+#include <algorithm>
+#include <cmath>
+
+#include "core/exchange/csv_text.h"
+#include "core/series/history/history_date.h"
+#include "ui/text/entry_text.h"
+#include "ui/text/quantity_text.h"
+#include "ui/text/visible_text.h"
+
+namespace alidade::ui {
+
+namespace {
+
+// The lines in painting order.
+enum Line { StatedLimit, SeenLimit, EwmaLimit, Ewma, Level, StepDate, Bar, LineCount };
+enum Kind { Usual, Outside };
+
+constexpr double barSigmas = 2;
+
+}  // namespace
+
+HistoryPlot::HistoryPlot(QObject* parent) : Plot(parent) {
+  setHistory({}, {}, {});
+}
+
+void HistoryPlot::setHistory(const History& history, const QString& quantity, const std::string& unit) {
+  m_history = history;
+  m_quantity = quantity;
+  m_unit = unit;
+  m_scale = history.values.empty() ? 1 : HistoryNumbers(history, unit).scale();
+  const QString heading = history.values.empty() ? QString() : qText(HistoryNumbers(history, unit).heading());
+  setTitles(tr("date (year and its part)"),
+            heading.isEmpty() ? quantity : tr("%1 (%2)").arg(quantity, heading));
+  showWhole();
+  draw();
+}
+
+double HistoryPlot::yearOf(const DatedValue& value) const {
+  return 2000 + value.day / daysPerYear;
+}
+
+void HistoryPlot::draw() {
+  m_sticks.clear();
+  std::vector<Mark> marks;
+  const auto y = [&](double value) { return value * m_scale; };
+  const auto add = [&](Line line, double x1, double y1, double x2, double y2) {
+    m_sticks.push_back({QLineF(x1, y(y1), x2, y(y2)), static_cast<std::size_t>(line), {}});
+  };
+  const double mean = m_history.mean.value;
+  for (std::size_t i = 0; i < m_history.values.size(); ++i) {
+    const DatedValue& value = m_history.values[i];
+    const ControlChart::Point& point = m_history.chart.points[i];
+    const double x = yearOf(value);
+    marks.push_back({{x, y(value.value)}, point.isOut ? Outside : Usual, {0, i}, i, {}});
+    add(Bar, x, value.value - barSigmas * value.apart, x, value.value + barSigmas * value.apart);
+    if (i == 0) continue;
+    const double before = yearOf(m_history.values[i - 1]);
+    const ControlChart::Point& last = m_history.chart.points[i - 1];
+    for (const double side : {-1.0, 1.0}) {
+      add(StatedLimit, before, mean + side * last.shewhart, x, mean + side * point.shewhart);
+      add(EwmaLimit, before, mean + side * last.ewmaLimit, x, mean + side * point.ewmaLimit);
+    }
+    add(Ewma, before, last.ewma, x, point.ewma);
+  }
+  drawLevels();
+  setMessage(marks.empty() ? tr("Add sessions of a device, with the dates they were measured on.")
+                           : QString());
+  reckonExtent();
+  for (QGraphicsSimpleTextItem* date : m_dates) delete date;
+  m_dates.clear();
+  for (const HistoryStep& step : m_history.steps)
+    m_dates.push_back(new QGraphicsSimpleTextItem(visibleLine(step.date), chart()));
+  showMarks(std::move(marks), m_sticks);
+  applyStyle();
+  rearrange();
+}
+
+void HistoryPlot::drawLevels() {
+  if (m_history.values.empty()) return;
+  const auto add = [&](Line line, double x1, double y1, double x2, double y2) {
+    m_sticks.push_back({QLineF(x1, y1 * m_scale, x2, y2 * m_scale), static_cast<std::size_t>(line), {}});
+  };
+  const double first = yearOf(m_history.values.front()), last = yearOf(m_history.values.back());
+  const double mean = m_history.mean.value;
+  if (m_history.values.size() > 1)
+    for (const double side : {-1.0, 1.0}) {
+      const double limit = mean + side * limitSigmas * m_history.chart.seenSigma;
+      add(SeenLimit, first, limit, last, limit);
+    }
+  if (m_history.course == Course::Trend && m_history.trend) {
+    const auto at = [&](double year) {
+      return m_history.trend->atMean +
+             m_history.trend->perYear * (year - 2000 - m_history.trend->meanDay / daysPerYear);
+    };
+    add(Level, first, at(first), last, at(last));
+    return;
+  }
+  double begin = first;
+  for (std::size_t i = 0; i < m_history.steps.size(); ++i) {
+    const HistoryStep& step = m_history.steps[i];
+    const double middle =
+        (yearOf(m_history.values[step.first - 1]) + yearOf(m_history.values[step.first])) / 2;
+    add(Level, begin, m_history.levels[i], middle, m_history.levels[i]);
+    add(StepDate, middle, m_history.levels[i], middle, m_history.levels[i + 1]);
+    begin = middle;
+  }
+  const double level = m_history.steps.empty() ? mean : m_history.levels.back();
+  add(Level, begin, level, last, level);
+}
+
+void HistoryPlot::reckonExtent() {
+  if (m_history.values.empty()) {
+    m_extent = QRectF(0, -1, 1, 2);
+    return;
+  }
+  double low = m_history.mean.value, high = low;
+  const auto include = [&](double value) {
+    if (!std::isfinite(value)) return;
+    low = std::min(low, value);
+    high = std::max(high, value);
+  };
+  for (const DatedValue& value : m_history.values)
+    for (const double side : {-1.0, 1.0}) include(value.value + side * barSigmas * value.apart);
+  // Limits must be visible, except those of a very uncertain value.
+  const double reach = high - low;
+  for (const ControlChart::Point& point : m_history.chart.points)
+    for (const double side : {-1.0, 1.0})
+      if (point.shewhart < reach) include(m_history.mean.value + side * point.shewhart);
+  const double first = yearOf(m_history.values.front()), last = yearOf(m_history.values.back());
+  const double beside = std::max(0.04 * (last - first), last > first ? 0.0 : 0.5);
+  const double above = 0.14 * (high - low), below = 0.06 * (high - low);  // room for the dates of steps
+  m_extent = QRectF(first - beside, (low - below) * m_scale, last - first + 2 * beside,
+                    (high - low + above + below) * m_scale);
+}
+
+void HistoryPlot::showLegend() {
+  std::vector<LegendEntry> entries;
+  if (!m_history.values.empty()) {
+    const double unit = style().unit();
+    const auto pen = [&](const QColor& colour, double width, Qt::PenStyle line) {
+      return QPen(colour, width * unit, line);
+    };
+    entries.push_back({style().marker(0, MarkerShape::Circle), tr("value, bar: ± 2 u")});
+    if (std::ranges::any_of(m_history.chart.points, &ControlChart::Point::isOut))
+      entries.push_back({style().marker(180, MarkerShape::Diamond), tr("outside ± 3 u")});
+    const QString level = m_history.course == Course::Trend   ? tr("trend")
+                          : m_history.course == Course::Steps ? tr("levels")
+                                                              : tr("mean");
+    entries.push_back({pen(style().upper, 1.6, Qt::SolidLine), level});
+    if (m_history.values.size() > 1) {
+      entries.push_back({pen(style().limit, 1.2, Qt::DashLine), tr("mean ± 3 u")});
+      entries.push_back({pen(style().limit, 1.2, Qt::DotLine), tr("± 3 σ as seen")});
+      entries.push_back({pen(style().lower, 1.2, Qt::SolidLine), tr("average (EWMA)")});
+      entries.push_back({pen(style().lower, 1.0, Qt::DotLine), tr("its limits")});
+    }
+  }
+  legendItem().setEntries(std::move(entries));
+}
+
+void HistoryPlot::applyStyle() {
+  const double unit = style().unit();
+  std::vector<QPen> pens(LineCount);
+  pens[StatedLimit] = QPen(style().limit, 1.2 * unit, Qt::DashLine);
+  pens[SeenLimit] = QPen(style().limit, 1.2 * unit, Qt::DotLine);
+  pens[EwmaLimit] = QPen(style().lower, 1.0 * unit, Qt::DotLine);
+  pens[Ewma] = QPen(style().lower, 1.2 * unit);
+  pens[Level] = QPen(style().upper, 1.6 * unit);
+  pens[StepDate] = QPen(style().upper, 1.6 * unit, Qt::DashLine);
+  pens[Bar] = QPen(style().text, 1.0 * unit);
+  markerLayer().setPens(std::move(pens));
+  markerLayer().setMarkers(
+      {style().marker(0, MarkerShape::Circle), style().marker(180, MarkerShape::Diamond)});
+  for (QGraphicsSimpleTextItem* date : m_dates) {
+    date->setFont(style().font);
+    date->setBrush(style().text);
+  }
+  showLegend();
+}
+
+QRectF HistoryPlot::axisRange(const QSizeF&) const {
+  return m_extent;
+}
+
+/// Each date is at the top, above its step; overlapping ones move down a line.
+void HistoryPlot::placeExtras() {
+  double rightmost = plotArea().left(), line = 0;
+  for (std::size_t i = 0; i < m_dates.size(); ++i) {
+    const HistoryStep& step = m_history.steps[i];
+    const double middle =
+        (yearOf(m_history.values[step.first - 1]) + yearOf(m_history.values[step.first])) / 2;
+    const QRectF box = m_dates[i]->boundingRect();
+    const double x = sceneFromAxes().map(QPointF(middle, 0)).x() - box.width() / 2;
+    line = x < rightmost ? line + 1 : 0;
+    m_dates[i]->setPos(x, plotArea().top() + 2 + line * box.height());
+    m_dates[i]->setVisible(x >= plotArea().left() && x + box.width() <= plotArea().right());
+    rightmost = x + box.width();
+  }
+}
+
+QString HistoryPlot::describe(const Mark& mark) const {
+  if (mark.index >= m_history.values.size()) return {};
+  const DatedValue& value = m_history.values[mark.index];
+  const HistoryNumbers numbers(m_history, m_unit);
+  QStringList lines{
+      value.of.empty() ? visibleLine(value.date)
+                       : tr("%1: %2").arg(visibleLine(value.date), visibleLine(value.of)),
+      tr("%1 (standard uncertainty)").arg(qText(numbers.withUncertainty(value.value, value.apart)))};
+  const ControlChart::Point& point = m_history.chart.points[mark.index];
+  lines.append(tr("%1 from the mean, limits ± %2%3")
+                   .arg(qText(numbers.withUnit(value.value - m_history.mean.value)),
+                        qText(numbers.withUnit(point.shewhart)), point.isOut ? tr(": outside") : QString()));
+  for (const HistoryStep& step : m_history.steps)
+    if (step.first == mark.index)
+      lines.append(
+          tr("the first value after a step of %1").arg(qText(numbers.withUncertainty(step.size, step.u))));
+  if (m_history.oddValue == mark.index) lines.append(tr("stands apart from all others"));
+  return lines.join(u'\n');
+}
+
+QString HistoryPlot::summary() const {
+  if (!message().isEmpty()) return message();
+  return tr("%1, %2 values, from %3 to %4: %5")
+      .arg(m_quantity)
+      .arg(m_history.values.size())
+      .arg(visibleLine(m_history.values.front().date), visibleLine(m_history.values.back().date),
+           qText(courseName(m_history.course)));
+}
+
+QString HistoryPlot::standard() const {
+  return tr(
+      "Good: the values scatter about one level within ± 3 u, and the average stays within its limits.");
+}
+
+std::string HistoryPlot::csv() const {
+  const std::string unit = m_unit.empty() ? "" : "_" + m_unit;
+  CsvText csv{"date",           "year",
+              "value" + unit,   "u" + unit,
+              "u_apart" + unit, "limit_3u" + unit,
+              "ewma" + unit,    "ewma_limit" + unit,
+              "outside",        "session"};
+  for (std::size_t i = 0; i < m_history.values.size(); ++i) {
+    const DatedValue& value = m_history.values[i];
+    const ControlChart::Point& point = m_history.chart.points[i];
+    csv.typed(value.date).number(yearOf(value)).number(value.value).number(value.u).number(value.apart);
+    csv.number(point.shewhart).number(point.ewma).number(point.ewmaLimit).count(point.isOut ? 1 : 0);
+    csv.typed(value.of).endRow();
+  }
+  return csv.text();
+}
+
+}  // namespace alidade::ui

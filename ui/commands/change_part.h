@@ -1,0 +1,53 @@
+#pragma once
+
+#include <QString>
+#include <functional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "ui/commands/journalled_command.h"
+#include "ui/document/journal_keeper.h"
+
+namespace alidade::ui {
+
+/// What the views and the journal learn of a changed part.
+struct PartChange {
+  SessionChange told;    ///< to the views
+  Place place;           ///< in the journal
+  std::string from, to;  ///< in the journal
+};
+
+/// The change of the part at `place`, told alike to the views and the journal.
+inline PartChange changeAt(const Place& place, std::string from, std::string to) {
+  return {{.kind = SessionChange::Kind::Field, .place = place}, place, std::move(from), std::move(to)};
+}
+
+/// Replaces one part of the session: a text, a list or the instrument.
+template <typename Part>
+class ChangePart : public JournalledCommand {
+ public:
+  using PartOf = std::function<Part&(Session&)>;
+
+  ChangePart(SessionDocument& document, const QString& text, PartOf partOf, Part after, PartChange change)
+      : JournalledCommand(document, text),
+        m_partOf(std::move(partOf)),
+        m_other(std::move(after)),
+        m_change(std::move(change)) {
+    setEntries(journal().judge(m_change.place, m_change.from, m_change.to));
+  }
+
+ private:
+  void apply() override {
+    write(m_change.told, [this](Session& session) { std::swap(m_partOf(session), m_other); });
+  }
+  std::vector<JournalEntry> allEntries() const override {
+    return journal().asStanding(m_change.place, m_change.from, m_change.to);
+  }
+
+  PartOf m_partOf;
+  Part m_other;  ///< the value not in use
+  PartChange m_change;
+};
+
+}  // namespace alidade::ui

@@ -1,0 +1,112 @@
+#include "ui/commands/change_positions.h"
+
+#include <QCoreApplication>
+#include <algorithm>
+#include <iterator>
+#include <numeric>
+#include <string>
+#include <utility>
+
+#include "core/session/entry.h"
+#include "ui/document/journal_entries.h"
+#include "ui/document/session_document.h"
+#include "ui/text/position_text.h"
+
+namespace alidade::ui {
+
+namespace {
+
+ReadingsPatch withoutRows(const std::vector<Reading>& rows) {
+  std::vector<std::size_t> all(rows.size());
+  std::iota(all.begin(), all.end(), 0);
+  return ReadingsPatch::removing(rows, all);
+}
+
+void append(std::vector<JournalEntry>& entries, std::vector<JournalEntry> further) {
+  for (JournalEntry& entry : further) {
+    entry.why = journal_reasons::deleted;
+    entries.push_back(std::move(entry));
+  }
+}
+
+}  // namespace
+
+AddPosition::AddPosition(SessionDocument& document, int axisDeg)
+    : JournalledCommand(document, addPositionText(document.session(), axisDeg)),
+      m_index(axisDeg == 0 && !hasPosition(document.session(), 0) ? 0 : document.session().positions.size()) {
+  m_position.axisDeg = std::to_string(axisDeg);
+  setEntries(journal().judge(place(), {}, m_position.axisDeg));
+}
+
+void AddPosition::apply() {
+  insertPosition(m_index, m_position);
+}
+void AddPosition::revert() {
+  erasePosition(m_index);
+}
+
+Place AddPosition::place() const {
+  return {.position = m_index};
+}
+
+std::vector<JournalEntry> AddPosition::allEntries() const {
+  return journal().asStanding(place(), {}, m_position.axisDeg);
+}
+
+bool hasPosition(const Session& session, int axisDeg) {
+  return std::any_of(session.positions.begin(), session.positions.end(), [axisDeg](const Position& position) {
+    const Result<int> axis = axisEntry(position.axisDeg);
+    return axis && *axis == axisDeg;
+  });
+}
+
+bool mayAddPosition(const Session& session, int axisDeg) {
+  return !hasPosition(session, axisDeg) || hasPosition(session, axisDeg == 0 ? 180 : 0);
+}
+
+QString addPositionText(const Session& session, int axisDeg) {
+  const QString text = hasPosition(session, axisDeg)
+                           ? QCoreApplication::translate("AddPosition", "Measure %1° again")
+                           : QCoreApplication::translate("AddPosition", "Add position at %1°");
+  return text.arg(axisDeg);
+}
+
+void addPosition(SessionDocument& document, int axisDeg) {
+  if (!mayAddPosition(document.session(), axisDeg)) return;
+  document.push(new AddPosition(document, axisDeg));
+}
+
+RemovePosition::RemovePosition(SessionDocument& document, std::size_t index)
+    : JournalledCommand(document, QCoreApplication::translate("RemovePosition", "Delete position %1")
+                                      .arg(positionText(document.session(), index))),
+      m_index(index),
+      m_position(document.session().positions.at(index)) {
+  ReadingsPatch patch = withoutRows(m_position.readings);
+  m_all = entriesOf(document.session(), index, patch, journal_reasons::deleted,
+                    [](std::size_t, ReadingColumn) { return true; });
+  std::vector<JournalEntry> entries = journal().judge(index, patch, journal_reasons::deleted);
+  const std::pair<const char*, const std::string&> texts[] = {
+      {"pointing_zero.horizontal", m_position.zero.horizontal},
+      {"pointing_zero.vertical", m_position.zero.vertical},
+      {"axis_deg", m_position.axisDeg}};
+  for (const auto& [field, text] : texts) {
+    const Place place{.position = index, .field = field};
+    append(m_all, journal().asStanding(place, text, {}));
+    append(entries, journal().judge(place, text, {}));
+  }
+  setEntries(std::move(entries));
+}
+
+void RemovePosition::apply() {
+  erasePosition(m_index);
+}
+void RemovePosition::revert() {
+  insertPosition(m_index, m_position);
+}
+
+void removePosition(SessionDocument& document, std::size_t index) {
+  if (index >= document.session().positions.size()) return;
+  document.push(new RemovePosition(document, index));
+}
+
+}  // namespace alidade::ui

@@ -1,0 +1,57 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/session/session.h"
+#include "ui/commands/journalled_command.h"
+#include "ui/document/journal_keeper.h"
+
+namespace alidade::ui {
+
+class SessionDocument;
+
+/// Replaces the whole session by another. Undo restores the previous one.
+class ReplaceSession : public SessionCommand {
+ public:
+  ReplaceSession(SessionDocument& document, Session session, const QString& text);
+
+  void undo() override { exchange(); }
+  void redo() override { exchange(); }
+
+ private:
+  void exchange();
+
+  Session m_other;  ///< the session not in use
+  JournalKeeper::State m_otherState;
+};
+
+/// Replaces the current session by one with imported readings, keeping file and journal; the journal states
+/// the origin of the rows.
+class ImportReadings : public JournalledCommand {
+ public:
+  ImportReadings(SessionDocument& document, Session session, std::vector<JournalEntry> origins,
+                 const QString& text);
+
+ private:
+  void apply() override;
+  std::vector<JournalEntry> allEntries() const override { return m_origins; }
+
+  Session m_other;  ///< the session not in use; its journal is ignored
+  std::vector<JournalEntry> m_origins;
+};
+
+/// Seals the current session: the journal records who is responsible and the digest, and lists every later
+/// edit.
+class SealSession : public JournalledCommand {
+ public:
+  SealSession(SessionDocument& document, const std::string& by);
+
+ private:
+  void apply() override;
+  std::vector<JournalEntry> allEntries() const override { return {m_entry}; }
+
+  JournalEntry m_entry;
+};
+
+}  // namespace alidade::ui

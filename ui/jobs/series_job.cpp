@@ -1,0 +1,115 @@
+#include "ui/jobs/series_job.h"
+
+#include <QDir>
+#include <QFile>
+#include <QFileInfo>
+#include <atomic>
+#include <set>
+#include <thread>
+
+#include "core/base/failure.h"
+#include "core/base/phrase.h"
+#include "core/base/threads.h"
+#include "core/series/history/history_sentences.h"
+#include "core/wording/copies.h"
+#include "ui/document/encoded_path.h"
+#include "ui/jobs/failed_job.h"
+
+namespace alidade::ui {
+
+namespace {
+
+SeriesSession loaded(const std::string& path) {
+  SeriesSession session{path};
+  if (const QFileInfo file(QFile::decodeName(QByteArray::fromStdString(path)));
+      file.exists() && !file.isFile()) {
+    session.trouble = Phrase::of("is a pipe or a device: choose a file");
+    return session;
+  }
+  const auto failure = failureOf([&] {
+    Result<Epoch> epoch = loadEpoch(path);
+    if (epoch)
+      session.epoch = *std::move(epoch);
+    else
+      session.trouble = epoch.problem().text();
+  });
+  if (failure) session.trouble = *failure;
+  return session;
+}
+
+/// The histories of the usable sessions.
+void tellHistories(Series& series) {
+  std::vector<Epoch> epochs;
+  std::vector<std::size_t> sessions;
+  for (SeriesSession& session : series.sessions)
+    if (session.epoch) session.trouble.clear();
+  for (std::size_t i = 0; i < series.sessions.size(); ++i)
+    if (series.sessions[i].epoch) {
+      epochs.push_back(*series.sessions[i].epoch);
+      sessions.push_back(i);
+    }
+  DeviceHistories histories = deviceHistories(epochs);
+  for (const std::size_t undated : histories.undated)
+    series.sessions[sessions[undated]].trouble =
+        Phrase::of("it has no date and takes no part: enter the day it was measured on");
+  for (const auto& [copy, first] : histories.copies)
+    series.sessions[sessions[copy]].trouble = copyReason(epochs[copy].file, epochs[first].file);
+  series.devices = std::move(histories.devices);
+}
+
+}  // namespace
+
+std::vector<std::string> sessionPathsIn(const QStringList& filesAndFolders) {
+  std::vector<std::string> paths;
+  std::set<QString> seen;
+  const auto add = [&](const QFileInfo& file) {
+    const QString real = file.canonicalFilePath();
+    if (seen.insert(real.isEmpty() ? file.absoluteFilePath() : real).second)
+      paths.push_back(encodedPath(file.absoluteFilePath()));
+  };
+  for (const QString& path : filesAndFolders) {
+    const QFileInfo info(path);
+    if (!info.isDir()) {
+      add(info);
+      continue;
+    }
+    const QDir folder(path, QStringLiteral("*.alidade"), QDir::Name, QDir::Files);
+    for (const QFileInfo& file : folder.entryInfoList()) add(file);
+  }
+  return paths;
+}
+
+SeriesJob::SeriesJob(QObject* parent)
+    : QObject(parent), m_work([this](const SharedSeries& series) { emit told(series); }) {}
+
+Series readSeries(std::vector<SeriesSession> known, const std::vector<std::string>& added,
+                  const std::stop_token& stop, const std::function<void(int done, int total)>& progressed) {
+  Series series{std::move(known), {}};
+  std::vector<std::optional<SeriesSession>> fresh(added.size());
+  std::atomic<int> done = 0;
+  doEach(std::max(1u, std::thread::hardware_concurrency()), added.size(), [&](std::size_t i) {
+    if (stop.stop_requested()) return;
+    fresh[i] = loaded(added[i]);
+    if (progressed) progressed(++done, static_cast<int>(added.size()));
+  });
+  for (std::optional<SeriesSession>& session : fresh)
+    if (session) series.sessions.push_back(*std::move(session));
+  tellHistories(series);
+  return series;
+}
+
+void SeriesJob::start(const SharedSeries& known, const std::vector<std::string>& added) {
+  m_work.start(
+      [this, known, added](const std::stop_token& stop) {
+        return readSeries(known ? known->sessions : std::vector<SeriesSession>(), added, stop,
+                          [this](int done, int total) { emit progressed(done, total); });
+      },
+      [known](const std::string& reason) {
+        Series series = known ? *known : Series();
+        series.sessions.push_back(
+            {{}, {}, tellFailure({QT_TRANSLATE_NOOP("Job", "series"), reason, std::nullopt, {}})});
+        return series;
+      });
+}
+
+}  // namespace alidade::ui

@@ -1,0 +1,71 @@
+#pragma once
+
+#include <memory>
+
+#include "ui/jobs/evaluation.h"
+#include "ui/jobs/gap.h"
+#include "ui/report/report_contents.h"
+#include "ui/report/report_sheet.h"
+
+namespace alidade::ui {
+
+class Plot;
+
+// The parts of a report, each in a file of its own.
+
+/// The headline in a frame, in large type; then Δd, fit only, and the sentence.
+void addVerdict(ReportSheet& sheet, const Gap& gap);
+
+/// Every unusable entry, with a red bar at its left; empty if there are none.
+void addProblems(ReportSheet& sheet, const Evaluation& evaluation);
+
+/// Both arcs with standard uncertainties, the intersection, and the reference, if given.
+void addResult(ReportSheet& sheet, const Gap& gap);
+
+/// The budget of Δd, measured, then of Δd, fit only; empty without an intersection.
+void addUncertainty(ReportSheet& sheet, const Gap& gap);
+
+/// The diagnosis: the verdict, each stage of the gap with Δd, and the causes with their numbers. Empty if
+/// model and readings agree and the model has no effects. Also empty for larger noise alone, which is a
+/// finding.
+void addGap(ReportSheet& sheet, const Gap& gap);
+
+/// The closures with their misclosures, fit only and with the causes. With a reference that has a σ, also the
+/// size of each effect that would explain Δd − reference. Empty if there are no closures.
+void addClosures(ReportSheet& sheet, const Gap& gap);
+
+/// Limits of Δd ± U: undetectable effects in these readings, the change of Δd by a plausible size of each,
+/// and further readings to detect them.
+void addUndetectable(ReportSheet& sheet, const Gap& gap);
+
+/// Known sizes of instrument and device: each number with its u, source and date, and what these readings say
+/// of it; the instrument record by name. Empty without known sizes.
+void addKnown(ReportSheet& sheet, const Gap& gap);
+
+/// The forms of an effect of no catalogue: each in a sentence with what looks like it, where the model holds,
+/// and its curve; then how far the gap shrinks. Empty if there is none.
+void addForms(ReportSheet& sheet, const Gap& gap);
+
+/// A plot as vectors over the whole width, `height` mm high.
+void addPlot(ReportSheet& sheet, const std::shared_ptr<Plot>& plot, double height);
+
+/// The selected plots as vectors, by the drawing code of the screen, with captions; both on one page.
+void addPlots(ReportSheet& sheet, const Gap& gap, bool hasArcs, bool hasResiduals);
+
+/// Every reading as typed, position by position, with the adjusted arc angle and the residuals.
+void addReadings(ReportSheet& sheet, const Evaluation& evaluation);
+
+/// Used if the readings are left out: the rows a report must list, namely changed, excluded or unusable ones.
+/// Empty if there are none.
+void addRemarkableReadings(ReportSheet& sheet, const Evaluation& evaluation);
+
+/// Recorded changes in order, whether the journal is complete, and whether the session is sealed; empty
+/// without a journal.
+void addJournal(ReportSheet& sheet, const Evaluation& evaluation);
+
+/// The terms of the result: the measurand and its sign; the decision rule, its risk and who agreed it, if a
+/// verdict is possible; excluded rows, counted with their notes; corrections; the temperature, if stated, and
+/// its use; parts left out of the report.
+void addTerms(ReportSheet& sheet, const Gap& gap, const ReportContents& contents);
+
+}  // namespace alidade::ui

@@ -1,0 +1,61 @@
+#pragma once
+
+#include <QObject>
+
+#include "core/base/place.h"
+
+class QTabWidget;
+
+namespace alidade::ui {
+
+class FindingsPanel;
+class InstrumentDesk;
+class PositionTabs;
+class ReadingsFinder;
+class SessionDocument;
+class SessionJobs;
+class SuspectBar;
+
+/// The left column of the window: forms of the session, its readings, and what is found in them.
+class EntryColumn : public QObject {
+  Q_OBJECT
+
+ public:
+  EntryColumn(SessionDocument& document, SessionJobs& jobs, InstrumentDesk& desk, const QWidget& window);
+
+  QWidget* widget() const { return m_widget; }
+  PositionTabs& positions() const { return *m_positions; }
+  ReadingsFinder& finder() const { return *m_finder; }
+  SuspectBar* suspects() const { return m_suspects; }
+  /// Commits unfinished entries.
+  void commit();
+  /// Leads to the entry of a reading or field.
+  void reveal(const Place& place, bool takeFocus);
+  /// Removes the position in front.
+  void removePosition();
+  /// Moves the selected readings to the next position.
+  void moveReadings();
+
+ signals:
+  void commitWanted();  ///< unfinished entries must be committed first
+  void revealWanted(const alidade::Place& place, bool takeFocus);
+  void gapWanted();  ///< the page of the gap
+
+ private:
+  void createForms();
+  QWidget* createFindings(bool isLow);
+  void connectSuspects(SessionJobs& jobs);
+  void connectFindings(SessionJobs& jobs);
+  void markForms();
+  void revealReading(const Place& place, bool takeFocus);
+
+  SessionDocument& m_document;
+  QWidget* m_widget;
+  QTabWidget* m_forms;
+  PositionTabs* m_positions;
+  FindingsPanel* m_findings;
+  SuspectBar* m_suspects;
+  ReadingsFinder* m_finder;
+};
+
+}  // namespace alidade::ui

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <QObject>
+#include <QWidget>
+#include <string_view>
+#include <utility>
+
+#include "ui/window/pages.h"
+
+namespace alidade::ui {
+
+class ArcChart;
+
+/// The right column of the window: the picture of the arcs, with pages beside and below it (`allPages`).
+class ResultColumn : public QObject {
+  Q_OBJECT
+
+ public:
+  ResultColumn(const WindowParts& parts, const QWidget& window);
+
+  QWidget* widget() const { return m_widget; }
+  /// The tabs beside the picture and below it.
+  QList<PageTabs*> tabs() const { return {m_beside, m_below}; }
+  /// The tab of a page by its id, with its index.
+  std::pair<PageTabs*, int> tab(std::string_view id) const;
+  template <typename Panel>
+  Panel* panel() const {
+    return m_widget->findChild<Panel*>();
+  }
+  /// Brings the page to the front and gives it the keyboard.
+  void showPage(std::string_view id);
+  /// Commits unfinished entries.
+  void commit();
+  /// Leads to a place that a page edits; false if there is none.
+  bool reveal(const Place& place, bool takeFocus);
+  /// Leads to a reading.
+  void select(std::size_t position, std::size_t row);
+  /// Gives the room of the picture to the pages below it.
+  void setPictureShown(bool shown) { m_top->setVisible(shown); }
+
+ signals:
+  void commitWanted();  ///< unfinished entries must be committed first
+  void revealWanted(const alidade::Place& place, bool takeFocus);
+
+ private:
+  void connectPicture(const WindowParts& parts);
+  void connectCharts(const WindowParts& parts);
+
+  QWidget *m_widget, *m_top;  ///< `m_top`: the picture and the pages beside it
+  ArcChart* m_picture;
+  PageTabs *m_beside, *m_below;
+};
+
+}  // namespace alidade::ui

@@ -1,0 +1,83 @@
+#include "ui/window/session_jobs.h"
+
+#include <QCoreApplication>
+#include <memory>
+#include <utility>
+
+#include "ui/document/session_document.h"
+
+namespace alidade::ui {
+
+void SessionJobs::start() {
+  connect(&m_document, &SessionDocument::changed, this, &SessionJobs::follow);
+  connect(&m_fit, &FitJob::evaluated, this, &SessionJobs::show);
+  connect(&m_fit, &FitJob::evaluated, &m_gap, &GapJob::request);
+  connect(&m_fit, &FitJob::searched, this, &SessionJobs::suspectsChanged);
+  connect(&m_gap, &GapJob::assessed, this, &SessionJobs::showGap);
+  m_fit.request(m_document.session());
+  emit begun();
+}
+
+void SessionJobs::follow(const SessionChange& change) {
+  if (change.kind == SessionChange::Kind::Everything) {
+    m_gap.setWithReference(false);
+    clearGap();
+  } else {
+    ageGap();
+  }
+  m_gap.cancel();
+  m_fit.request(m_document.session());
+  emit begun();
+}
+
+void SessionJobs::show(const SharedEvaluation& evaluation) {
+  m_shown = evaluation;
+  emit suspectsChanged(evaluation);
+  emit evaluated(evaluation);
+  showProvisional();
+}
+
+void SessionJobs::showProvisional() {
+  if (m_shown) emit headlineChanged(headlineOf(*m_shown));
+}
+
+void SessionJobs::showGap(const SharedGap& gap) {
+  emit headlineChanged(headlineOf(*gap));
+  emit gapChanged(gap);
+  m_isGapOld = false;
+}
+
+void SessionJobs::ageGap() {
+  if (std::exchange(m_isGapOld, true)) return;
+  emit gapAged();
+  showProvisional();
+}
+
+void SessionJobs::clearGap() {
+  emit gapCleared();
+  showProvisional();
+  m_isGapOld = false;
+}
+
+void SessionJobs::setWithReference(bool wanted) {
+  m_gap.setWithReference(wanted);
+  ageGap();
+  if (m_fit.isFitting()) return;  // the result of the fit will be diagnosed
+  m_gap.request(m_shown);
+  emit begun();
+}
+
+void SessionJobs::stop() {
+  if (m_fit.isFitting() || !m_shown) return;
+  if (m_fit.isSearching()) {
+    m_fit.stopSearch();
+    emit searchStopped();
+  }
+  if (m_gap.isIdle()) return;
+  m_gap.cancel();
+  const QString why = QCoreApplication::translate(
+      "alidade::ui::MainWindow", "The diagnosis was stopped. The next edit takes it up again.");
+  showGap(std::make_shared<const Gap>(noGap(m_shown, why.toStdString())));
+}
+
+}  // namespace alidade::ui

@@ -1,0 +1,55 @@
+#pragma once
+
+#include <QObject>
+
+#include "ui/jobs/fit_job.h"
+#include "ui/jobs/gap_job.h"
+#include "ui/text/headline.h"
+
+namespace alidade::ui {
+
+class SessionDocument;
+
+/// Fits and diagnoses the current session after each change, and tells the window what is known of it.
+class SessionJobs : public QObject {
+  Q_OBJECT
+
+ public:
+  explicit SessionJobs(SessionDocument& document) : m_document(document) {}
+
+  FitJob& fit() { return m_fit; }
+  GapJob& gap() { return m_gap; }
+  /// Evaluates the session, and from now on after each change. All views must be connected already.
+  void start();
+  /// Weighs the causes with the reference as evidence, or without it.
+  void setWithReference(bool wanted);
+  /// Stops what follows the fit; its results are unknown.
+  void stop();
+
+ signals:
+  void begun();
+  void evaluated(const alidade::ui::SharedEvaluation& evaluation);
+  /// After each fit, and again after the search for misread readings.
+  void suspectsChanged(const alidade::ui::SharedEvaluation& evaluation);
+  void searchStopped();
+  void headlineChanged(const alidade::ui::Headline& headline);
+  void gapChanged(const alidade::ui::SharedGap& gap);
+  void gapAged();     ///< the session changed: the gap shown is that of an earlier state
+  void gapCleared();  ///< another session, not diagnosed yet
+
+ private:
+  void follow(const SessionChange& change);
+  void show(const SharedEvaluation& evaluation);
+  void showGap(const SharedGap& gap);
+  void ageGap();
+  void clearGap();
+  void showProvisional();
+
+  SessionDocument& m_document;
+  FitJob m_fit;
+  GapJob m_gap;
+  SharedEvaluation m_shown;  ///< the newest; null before the first
+  bool m_isGapOld = false;   ///< the gap shown is that of an earlier state
+};
+
+}  // namespace alidade::ui
