@@ -1,6 +1,6 @@
 #pragma once
 
-#include "ui/jobs/remedies.h"
+#include "core/evaluation/remedies.h"
 
 namespace alidade::ui {
 

@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "ui/charts/evaluation_pictures.h"
 #include "ui/jobs/failed_job.h"
 
 namespace alidade::ui {
@@ -44,7 +45,7 @@ void FitJob::fit(FitRequest request) {
     std::optional<Spare> once = std::exchange(*spare, std::nullopt);
     return request->onto(once ? once->onwards->onto(std::move(once->session)) : before->session);
   };
-  m_fit.start([wanted](const std::stop_token& stop) { return evaluateFit(wanted(), stop); },
+  m_fit.start([wanted](const std::stop_token& stop) { return drawn(evaluateFit(wanted(), stop), stop); },
               [wanted](const std::string& reason) {
                 Session session = wanted();
                 const std::string failure = tellFailure({QT_TRANSLATE_NOOP("Job", "fit"), reason, session});

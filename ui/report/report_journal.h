@@ -1,6 +1,6 @@
 #pragma once
 
-#include "ui/jobs/evaluation.h"
+#include "core/evaluation/evaluation.h"
 #include "ui/report/report_sheet.h"
 
 namespace alidade::ui {

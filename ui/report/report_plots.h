@@ -2,7 +2,7 @@
 
 #include <memory>
 
-#include "ui/jobs/gap.h"
+#include "core/evaluation/gap.h"
 #include "ui/report/report_sheet.h"
 
 namespace alidade::ui {

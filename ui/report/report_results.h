@@ -4,7 +4,7 @@
 #include <string>
 
 #include "core/answers/fit_answer.h"
-#include "ui/jobs/gap.h"
+#include "core/evaluation/gap.h"
 
 namespace alidade::ui {
 

@@ -2,7 +2,7 @@
 
 #include <QString>
 
-#include "ui/jobs/gap.h"
+#include "core/evaluation/gap.h"
 
 namespace alidade::ui {
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "ui/jobs/gap.h"
+#include "core/evaluation/gap.h"
 #include "ui/jobs/simulation_job.h"
 #include "ui/panels/parts/scroll_page.h"
 

@@ -2,11 +2,11 @@
 
 #include <QLabel>
 
+#include "core/evaluation/gap.h"
 #include "core/statement/budget.h"
 #include "core/wording/across.h"
 #include "tests/ui/support.h"
 #include "ui/document/session_document.h"
-#include "ui/jobs/gap.h"
 #include "ui/main_window.h"
 #include "ui/panels/result/result_panel.h"
 #include "ui/panels/uncertainty/budget_panel.h"
