@@ -4,14 +4,12 @@
 #include <vector>
 
 #include "app/console/findings_text.h"
+#include "app/console/statement_text.h"
 #include "app/console/text_layout.h"
 #include "app/console/two_faces_text.h"
 #include "core/base/number_text.h"
 #include "core/base/quantity_text.h"
-#include "core/base/visible_text.h"
-#include "core/wording/across.h"
-#include "core/wording/attainable.h"
-#include "core/wording/budget.h"
+#include "core/statement/budget.h"
 #include "core/wording/conditions.h"
 #include "core/wording/diagnosis_sentence.h"
 #include "core/wording/findings.h"
@@ -89,17 +87,6 @@ std::string measuredText(const FitAnswer& answer) {
          " coverage)" + tolerance + "\n";
 }
 
-/// The contents of Δd, measured, and how to reduce its U.
-std::string measuredNote(const FitAnswer& answer) {
-  if (!answer.fit.intersection || !answer.diagnosis || !answer.diagnosis->measured) return "";
-  return "\n" +
-         paragraph(
-             "Δd, measured, includes every catalogued effect, limited by these readings or by its "
-             "plausible size. " +
-             acrossSentence(*answer.diagnosis->measured)) +
-         paragraph(attainableSentence(answer.diagnosis->attainable));
-}
-
 /// Shown if the gap is more than noise.
 std::string gapText(const FitAnswer& answer) {
   if (!answer.diagnosis || !isMoreThanNoise(*answer.diagnosis)) return "";
@@ -113,29 +100,6 @@ std::string verdictText(const FitAnswer& answer) {
   return paragraph(basis + verdictName(decision->verdict) + ". " +
                    inTurn(verdictSentence(answer.measurement, answer.fit, answer.found(), *decision),
                           dependenceSentence(answer.dependences)));
-}
-
-std::string budgetText(const MeasuredIntersection& measured) {
-  const double sigma = measured.estimate.sigma, negligible = 1e-3;  // of the variance
-  Rows rows{{"Standard uncertainty of Δd, measured", "u (mm)", "share", "type", "1σ", "from"}};
-  for (const UncertaintyShare& share : measured.budget) {
-    const double part = share.sigma * share.sigma / (sigma * sigma);
-    if (!(part > negligible)) continue;
-    rows.push_back({"  " + textOf(share), fixedText(share.sigma, 4), fixedText(100 * part, 1) + " %",
-                    textOf(share.type), sizesText(share),
-                    share.reference.empty() ? textOf(share.from) : visibleText(share.reference)});
-  }
-  rows.push_back({"  together", fixedText(sigma, 4)});
-  return "\n" + alignedColumns(rows);
-}
-
-std::string budgetText(const Intersection& intersection) {
-  Rows rows;
-  for (const BudgetEntry& entry : intersection.budget) {
-    rows.push_back({"  " + textOf(entry.source), fixedText(entry.sigma, 4) + " mm"});
-  }
-  rows.push_back({"  together", fixedText(intersection.sigma, 4) + " mm"});
-  return "\nStandard uncertainty of Δd, fit only\n" + alignedColumns(rows);
 }
 
 std::vector<std::string> spreadRow(const std::string& name, const Spread& spread) {
@@ -260,9 +224,10 @@ std::string fitText(const FitAnswer& answer) {
   std::string text = heading(answer.session) + measuredText(answer) + verdictText(answer);
   if (fit.intersection) text += intersectionText(measurement, *fit.intersection) + "\n";
   text += "Rigorous fit: orthogonal least squares on the readings of both circles; x right, y up\n\n" +
-          arcsText(fit) + measuredNote(answer) + gapText(answer);
-  if (answer.diagnosis && answer.diagnosis->measured) text += budgetText(*answer.diagnosis->measured);
-  if (fit.intersection) text += budgetText(*fit.intersection);
+          arcsText(fit) + gapText(answer);
+  if (answer.diagnosis && answer.diagnosis->measured)
+    text += statementText(measuredBudget(*answer.diagnosis, measurement.coverage));
+  if (fit.intersection) text += statementText(fitBudget(*fit.intersection));
   if (answer.check) text += monteCarloText(*answer.check);
   text += effectsText(fit.effects);
   if (const auto faces = compareFaces(measurement)) text += twoFacesText(measurement, *faces);

@@ -4,10 +4,10 @@
 #include <memory>
 
 #include "core/base/failure.h"
+#include "core/evaluation/evaluation.h"
 #include "core/session/hindrance.h"
 #include "ui/dialogs/report_source.h"
 #include "ui/document/session_document.h"
-#include "ui/jobs/evaluation.h"
 #include "ui/report/empty_fields.h"
 #include "ui/text/visible_text.h"
 
@@ -45,7 +45,7 @@ int write(const ReportCommand& command) {
   }
   ui::SessionDocument document;
   if (const auto problem = document.load(path)) return refuse(path, *problem);
-  const ui::Evaluation evaluation = ui::evaluate(document.session());
+  const Evaluation evaluation = evaluate(document.session());
   if (const auto problems = hindrances(evaluation.session, evaluation.examined.problems); !problems.empty())
     return refuse(path, problems.front());
   const ui::ReportSource source = ui::reportSource(document);
@@ -55,8 +55,7 @@ int write(const ReportCommand& command) {
     return tellLacks(path, QStringLiteral("The report leaves out what the session leaves empty"),
                      ui::emptyReportFields(document.session()));
   }
-  options.gap =
-      std::make_shared<const ui::Gap>(ui::assessGap(std::make_shared<const ui::Evaluation>(evaluation)));
+  options.gap = std::make_shared<const Gap>(assessGap(std::make_shared<const Evaluation>(evaluation)));
   const auto written = ui::writeCertificate(source, command.certificate, options, command.entries);
   if (!written) return refuse(path, written.problem());
   return tellLacks(

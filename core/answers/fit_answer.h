@@ -8,8 +8,10 @@
 #include "core/adjustment/monte_carlo/monte_carlo.h"
 #include "core/adjustment/result/session_fit.h"
 #include "core/answers/arrivals.h"
+#include "core/base/result.h"
 #include "core/diagnosis/dependence.h"
 #include "core/diagnosis/result/diagnosis.h"
+#include "core/evaluation/gap.h"
 #include "core/session/measurement.h"
 
 namespace alidade {
@@ -33,5 +35,9 @@ struct FitAnswer {
       dependences = dependencesOf(measurement, fit, found(), *decision);
   }
 };
+
+/// The answer of a diagnosed evaluation, in the language of the thread. `gap` and `name` must outlive it.
+/// Fails with the first reason if an entry is unusable, a computation failed, or an arc was not fitted.
+Result<FitAnswer> fitAnswerOf(const Gap& gap, const std::string& name);
 
 }  // namespace alidade

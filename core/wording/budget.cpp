@@ -7,6 +7,7 @@
 #include "core/base/list_text.h"
 #include "core/base/phrase.h"
 #include "core/base/quantity_text.h"
+#include "core/wording/effect_name.h"
 
 namespace alidade {
 
@@ -78,6 +79,11 @@ std::string sizesText(const UncertaintyShare& share) {
   const std::string numbers = numbersText(share);
   if (share.sizes.empty() || share.sizes.front().unit.size() < 2) return numbers;
   return numbers + " " + share.sizes.front().unit;
+}
+
+std::string sizesWithSign(const UncertaintyShare& share) {
+  const std::string sign = share.sizes.empty() ? "" : signOf(share.sizes.front().unit);
+  return sign.empty() ? sizesText(share) : numbersText(share) + sign;
 }
 
 }  // namespace alidade

@@ -20,5 +20,7 @@ std::string textOf(UncertaintyShare::Type type);
 std::string numbersText(const UncertaintyShare& share);
 /// The same with their unit: "30 arcsec", "10, 12 arcsec".
 std::string sizesText(const UncertaintyShare& share);
+/// The same for people: "30″", "10, 12″".
+std::string sizesWithSign(const UncertaintyShare& share);
 
 }  // namespace alidade

@@ -14,10 +14,10 @@
 #include <functional>
 #include <vector>
 
+#include "core/evaluation/evaluation.h"
 #include "tests/support/large_session.h"
 #include "ui/charts/arc/arc_plot.h"
 #include "ui/charts/residuals/residual_plot.h"
-#include "ui/jobs/evaluation.h"
 #include "ui/settings/theme.h"
 
 namespace {

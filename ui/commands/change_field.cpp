@@ -2,11 +2,11 @@
 
 #include <QCoreApplication>
 
+#include "core/evaluation/remedies.h"
 #include "core/session/day_text.h"
 #include "ui/commands/change_part.h"
 #include "ui/document/field.h"
 #include "ui/document/session_document.h"
-#include "ui/jobs/remedies.h"
 
 namespace alidade::ui {
 

@@ -39,7 +39,7 @@ class ChangePart : public JournalledCommand {
 
  private:
   void apply() override {
-    write(m_change.told, [this](Session& session) { std::swap(m_partOf(session), m_other); });
+    edit(m_change.told, [this](Session& session) { std::swap(m_partOf(session), m_other); });
   }
   std::vector<JournalEntry> allEntries() const override {
     return journal().asStanding(m_change.place, m_change.from, m_change.to);

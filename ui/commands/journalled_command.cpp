@@ -18,23 +18,18 @@ JournalKeeper& SessionCommand::journal() const {
 JournalledCommand::JournalledCommand(SessionDocument& document, const QString& text)
     : SessionCommand(document, text), m_index(document.undoStack().index()) {}
 
-void JournalledCommand::write(SessionChange change, const std::function<void(Session&)>& how) {
-  change.journalKept = journal().takeKept();
-  edit(change, how);
-}
-
 void JournalledCommand::insertPosition(std::size_t index, const Position& position) {
-  write({.kind = SessionChange::Kind::Positions, .place = {.position = index}, .inserted = 1},
-        [&](Session& session) {
-          session.positions.insert(session.positions.begin() + static_cast<std::ptrdiff_t>(index), position);
-        });
+  edit({.kind = SessionChange::Kind::Positions, .place = {.position = index}, .inserted = 1},
+       [&](Session& session) {
+         session.positions.insert(session.positions.begin() + static_cast<std::ptrdiff_t>(index), position);
+       });
 }
 
 void JournalledCommand::erasePosition(std::size_t index) {
-  write({.kind = SessionChange::Kind::Positions, .place = {.position = index}, .removed = 1},
-        [&](Session& session) {
-          session.positions.erase(session.positions.begin() + static_cast<std::ptrdiff_t>(index));
-        });
+  edit({.kind = SessionChange::Kind::Positions, .place = {.position = index}, .removed = 1},
+       [&](Session& session) {
+         session.positions.erase(session.positions.begin() + static_cast<std::ptrdiff_t>(index));
+       });
 }
 
 void JournalledCommand::undo() {

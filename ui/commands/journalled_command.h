@@ -40,8 +40,6 @@ class JournalledCommand : public SessionCommand {
 
   virtual void apply() = 0;
   virtual void revert() { apply(); }  ///< for an edit that exchanges two values
-  /// Writes to the session, and tells what is new in the journal too.
-  void write(SessionChange change, const std::function<void(Session&)>& how);
   void insertPosition(std::size_t index, const Position& position);
   void erasePosition(std::size_t index);
   /// Journal entries this edit would produce if all its values had been recorded.

@@ -9,32 +9,27 @@ namespace alidade::ui {
 
 ReplaceReadings::ReplaceReadings(SessionDocument& document, std::size_t position, ReadingsPatch patch,
                                  const QString& text, const char* why)
-    : JournalledCommand(document, text), m_position(position), m_why(why) {
-  setEntries(journal().judge(m_position, patch, m_why));
-  m_patch = std::make_shared<const ReadingsPatch>(std::move(patch));
+    : JournalledCommand(document, text), m_position(position), m_patch(std::move(patch)), m_why(why) {
+  setEntries(journal().judge(m_position, m_patch, m_why));
 }
 
 void ReplaceReadings::apply() {
-  write(change(false),
-        [this](Session& session) { m_patch->apply(session.positions.at(m_position).readings); });
+  edit(change(false), [this](Session& session) { m_patch.apply(session.positions.at(m_position).readings); });
 }
 void ReplaceReadings::revert() {
-  write(change(true),
-        [this](Session& session) { m_patch->revert(session.positions.at(m_position).readings); });
+  edit(change(true), [this](Session& session) { m_patch.revert(session.positions.at(m_position).readings); });
 }
 
 SessionChange ReplaceReadings::change(bool isReverted) const {
-  const RowSpan span = m_patch->span();
+  const RowSpan span = m_patch.span();
   return {.kind = SessionChange::Kind::Readings,
           .place = {.position = m_position, .reading = span.first},
           .removed = isReverted ? span.after : span.before,
-          .inserted = isReverted ? span.before : span.after,
-          .patch = m_patch,
-          .isReverted = isReverted};
+          .inserted = isReverted ? span.before : span.after};
 }
 
 std::vector<JournalEntry> ReplaceReadings::allEntries() const {
-  return entriesOf(document().session(), m_position, *m_patch, m_why,
+  return entriesOf(document().session(), m_position, m_patch, m_why,
                    [](std::size_t, ReadingColumn) { return true; });
 }
 

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstddef>
-#include <memory>
 #include <vector>
 
 #include "ui/commands/journalled_command.h"
@@ -25,7 +24,7 @@ class ReplaceReadings : public JournalledCommand {
   SessionChange change(bool isReverted) const;
 
   std::size_t m_position;
-  std::shared_ptr<const ReadingsPatch> m_patch;
+  ReadingsPatch m_patch;
   const char* m_why;
 };
 

@@ -26,7 +26,7 @@ ImportReadings::ImportReadings(SessionDocument& document, Session session, std::
 }
 
 void ImportReadings::apply() {
-  write({}, [this](Session& session) {
+  edit({}, [this](Session& session) {
     std::swap(session, m_other);
     std::swap(session.journal, m_other.journal);
   });
@@ -39,7 +39,7 @@ SealSession::SealSession(SessionDocument& document, const std::string& by)
 }
 
 void SealSession::apply() {
-  write({.kind = SessionChange::Kind::Field, .place = {.field = "journal"}}, [](Session&) {});
+  edit({.kind = SessionChange::Kind::Field, .place = {.field = "journal"}}, [](Session&) {});
 }
 
 }  // namespace alidade::ui

@@ -6,9 +6,9 @@
 
 #include "core/base/place.h"
 #include "core/connection/instrument_reading.h"
+#include "core/evaluation/evaluation.h"
 #include "core/session/entry_to_come.h"
 #include "core/session/face.h"
-#include "ui/jobs/evaluation.h"
 
 namespace alidade::ui {
 

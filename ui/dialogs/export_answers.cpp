@@ -2,7 +2,6 @@
 
 #include <utility>
 
-#include "core/adjustment/gross_errors/suspects.h"
 #include "core/answers/beforehand.h"
 #include "core/answers/budget_csv.h"
 #include "core/answers/diagnosis_json.h"
@@ -47,13 +46,10 @@ Result<std::string> residualsAnswer(const Session& session, const std::string&) 
 }
 
 Result<std::string> resultAnswer(const Session& session, const std::string& name) {
-  const Result<Fitted> of = fitted(session);
-  if (!of) return of.problem();
-  FitAnswer answer{name, of->measurement, of->fit, findSuspects(session, of->measurement, of->fit)};
-  if (auto diagnosis = diagnosed(*of)) answer.diagnosis = *std::move(diagnosis);
-  answer.arrivals = arrivalsOf(session);
-  answer.findDependences();
-  return fitJson(answer);
+  const Gap gap = assessGap(std::make_shared<const Evaluation>(evaluate(session)));
+  const Result<FitAnswer> answer = fitAnswerOf(gap, name);
+  if (!answer) return answer.problem();
+  return fitJson(*answer);
 }
 
 Result<std::string> gapAnswer(const Session& session, const std::string& name) {

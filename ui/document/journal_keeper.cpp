@@ -22,13 +22,11 @@ JournalKeeper::State JournalKeeper::stateOf(const Session& session, bool isNew) 
 
 void JournalKeeper::restart(bool isNew) {
   m_state = stateOf(m_session, isNew);
-  m_kept = m_session.journal.size();
 }
 
 void JournalKeeper::exchange(State& state) {
   std::swap(m_state, state);
   m_state.open.closeRow();
-  m_kept = m_session.journal.size();
 }
 
 void JournalKeeper::setFiled(int undoIndex) {
@@ -69,10 +67,6 @@ std::vector<JournalEntry> JournalKeeper::asStanding(const Place& field, const st
   return {entryOf(m_session, field, from, to)};
 }
 
-std::size_t JournalKeeper::takeKept() {
-  return std::exchange(m_kept, m_session.journal.size());
-}
-
 void JournalKeeper::enter(std::vector<JournalEntry> entries) {
   for (JournalEntry& entry : entries) {
     if (entry.at.empty()) entry.at = now();  // a redone entry keeps its original time
@@ -91,7 +85,6 @@ std::vector<JournalEntry> JournalKeeper::takeBack(std::size_t count) {
     return {};
   }
   journal.erase(first, journal.end());
-  m_kept = std::min(m_kept, journal.size());
   return last;
 }
 

@@ -41,9 +41,6 @@ class JournalKeeper {
   std::vector<JournalEntry> asStanding(const Place& field, const std::string& from,
                                        const std::string& to) const;
 
-  /// The number of entries unchanged since the last call.
-  std::size_t takeKept();
-
   /// Adds the entries with time and operator.
   void enter(std::vector<JournalEntry> entries);
   /// Removes and returns the last `count` entries if no file has them; else adds their reverse.
@@ -54,7 +51,6 @@ class JournalKeeper {
 
   Session& m_session;
   State m_state;
-  std::size_t m_kept = 0;
 };
 
 }  // namespace alidade::ui

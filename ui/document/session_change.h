@@ -1,13 +1,10 @@
 #pragma once
 
 #include <cstddef>
-#include <memory>
 
 #include "core/base/place.h"
 
 namespace alidade::ui {
-
-class ReadingsPatch;
 
 /// A change of the session, sent to every view.
 struct SessionChange {
@@ -22,10 +19,6 @@ struct SessionChange {
   Place place = {};
   std::size_t removed = 0;
   std::size_t inserted = 0;
-  /// The patch of the rows that was applied, or, if `isReverted`, undone.
-  std::shared_ptr<const ReadingsPatch> patch = nullptr;
-  bool isReverted = false;
-  std::size_t journalKept = 0;  ///< number of unchanged journal entries; all later ones are new
 };
 
 }  // namespace alidade::ui

@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "ui/charts/evaluation_pictures.h"
 #include "ui/jobs/failed_job.h"
 
 namespace alidade::ui {
@@ -25,7 +26,7 @@ void FitJob::request(Session session) {
 void FitJob::fit(Session session) {
   const auto wanted = std::make_shared<const Session>(std::move(session));
   m_fit.start(
-      [wanted](const std::stop_token& stop) { return evaluateFit(*wanted, stop); },
+      [wanted](const std::stop_token& stop) { return drawn(evaluateFit(*wanted, stop), stop); },
       [wanted](const std::string& reason) {
         return failedEvaluation(*wanted, tellFailure({QT_TRANSLATE_NOOP("Job", "fit"), reason, *wanted}));
       });

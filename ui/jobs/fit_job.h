@@ -4,13 +4,12 @@
 #include <memory>
 #include <optional>
 
+#include "core/evaluation/evaluation.h"
 #include "ui/jobs/background.h"
-#include "ui/jobs/evaluation.h"
 
 namespace alidade::ui {
 
-/// Views may keep it as long as they like.
-using SharedEvaluation = std::shared_ptr<const Evaluation>;
+using alidade::SharedEvaluation;
 
 /// Evaluates copies of the session in the background, in two stages: first the fit, then the search for
 /// misread readings. During a fit only the newest request is kept; outdated fits and searches are stopped and

@@ -4,8 +4,8 @@
 #include <QTimer>
 #include <memory>
 
+#include "core/evaluation/gap.h"
 #include "ui/jobs/background.h"
-#include "ui/jobs/gap.h"
 
 namespace alidade::ui {
 

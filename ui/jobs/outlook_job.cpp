@@ -2,8 +2,8 @@
 
 #include <utility>
 
+#include "core/evaluation/guide.h"
 #include "ui/jobs/failed_job.h"
-#include "ui/jobs/guide.h"
 
 namespace alidade::ui {
 

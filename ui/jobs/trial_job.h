@@ -4,10 +4,10 @@
 #include <memory>
 #include <stop_token>
 
+#include "core/evaluation/gap.h"
 #include "core/simulation/blind_trial.h"
 #include "core/simulation/trial_score.h"
 #include "ui/jobs/background.h"
-#include "ui/jobs/gap.h"
 
 namespace alidade::ui {
 

@@ -11,9 +11,9 @@
 
 #include "core/adjustment/monte_carlo/monte_carlo.h"
 #include "core/base/result.h"
+#include "core/evaluation/gap.h"
 #include "core/series/history/device_history.h"
 #include "core/signature/signature.h"
-#include "ui/jobs/gap.h"
 #include "ui/report/report_contents.h"
 #include "ui/report/report_paper.h"
 

@@ -3,15 +3,13 @@
 #include <QFileInfo>
 #include <utility>
 
-#include "core/answers/beforehand.h"
+#include "core/answers/fit_answer.h"
 #include "core/base/phrase.h"
 #include "core/base/version.h"
 #include "core/certificate/calibration_certificate.h"
-#include "core/session/hindrance.h"
 #include "core/session/session_file.h"
 #include "ui/language/languages.h"
 #include "ui/report/attached_session.h"
-#include "ui/report/report_results.h"
 #include "ui/report/report_text.h"
 #include "ui/text/entry_text.h"
 
@@ -35,17 +33,6 @@ std::vector<CertificateLanguage> languagesOf(const ReportOptions& report) {
   return languages;
 }
 
-Problem whyNoAnswer(const Evaluation& evaluation) {
-  if (const auto problems = hindrances(evaluation.session, evaluation.examined.problems); !problems.empty())
-    return problems.front();
-  if (!evaluation.failure.empty()) return Problem{evaluation.failure};
-  if (!evaluation.searchFailure.empty()) return Problem{evaluation.searchFailure};
-  if (const auto& measurement = evaluation.examined.measurement)
-    if (auto problem = absence(*measurement, evaluation.fit.arcs.size(), evaluation.fit.findings))
-      return *std::move(problem);
-  return Problem{Report::tr("there is no result to certify").toStdString()};
-}
-
 }  // namespace
 
 Result<WrittenCertificate> certificateOf(const ReportSource& source, const ReportOptions& report,
@@ -54,8 +41,8 @@ Result<WrittenCertificate> certificateOf(const ReportSource& source, const Repor
   const Gap& gap = *report.gap;
   const Session& session = gap.evaluation->session;
   const std::string name = session.title.empty() ? source.fileName.toStdString() : session.title;
-  const std::optional<FitAnswer> answer = fitAnswerOf(gap, name);
-  if (!answer) return whyNoAnswer(*gap.evaluation);
+  const Result<FitAnswer> answer = fitAnswerOf(gap, name);
+  if (!answer) return answer.problem();
   const bool isFile = source.saved && !source.bytes.isEmpty();
   const std::string bytes = isFile ? source.bytes.toStdString() : writeSession(session);
   CertificateOptions options{.version = versionAndBuild(),

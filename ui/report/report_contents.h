@@ -5,7 +5,7 @@
 #include <set>
 #include <vector>
 
-#include "ui/jobs/gap.h"
+#include "core/evaluation/gap.h"
 
 namespace alidade::ui {
 

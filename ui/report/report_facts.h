@@ -3,7 +3,7 @@
 #include <QDateTime>
 #include <vector>
 
-#include "ui/jobs/evaluation.h"
+#include "core/evaluation/evaluation.h"
 #include "ui/report/report_sheet.h"
 
 namespace alidade::ui {

@@ -2,8 +2,8 @@
 
 #include <memory>
 
-#include "ui/jobs/evaluation.h"
-#include "ui/jobs/gap.h"
+#include "core/evaluation/evaluation.h"
+#include "core/evaluation/gap.h"
 #include "ui/report/report_contents.h"
 #include "ui/report/report_sheet.h"
 

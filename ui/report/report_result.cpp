@@ -3,13 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/statement/budget.h"
 #include "core/wording/across.h"
-#include "core/wording/budget.h"
 #include "core/wording/conditions.h"
+#include "ui/report/report_statement.h"
 #include "ui/report/report_table.h"
 #include "ui/report/report_text.h"
 #include "ui/text/accessible_place.h"
-#include "ui/text/budget_text.h"
 #include "ui/text/cause_text.h"
 #include "ui/text/effect_text.h"
 #include "ui/text/entry_text.h"
@@ -23,7 +23,6 @@ namespace {
 
 const QColor red(0xb0, 0x00, 0x20);
 const QColor pale(0xf2, 0xf2, 0xf2);
-constexpr double rowHeight = 4.5;  // mm, about
 const TextStyle large{.points = 15, .bold = true};
 
 QString percent(double share) {
@@ -35,12 +34,12 @@ QString coverageLine(const Gap& gap) {
   const auto u = [](double sigma) { return lengthText(sigma, decimalsFor(sigma)); };
   QStringList sentences{Report::tr("U: coverage %1.").arg(percent(fitted.coverage))};
   if (const MeasuredIntersection* measured = gap.measured())
-    sentences.append(
-        Report::tr("Δd, measured: u = %1, ν = %2.")
-            .arg(u(measured->estimate.sigma), degreesOfFreedomText(measured->estimate.degreesOfFreedom)));
+    sentences.append(Report::tr("Δd, measured: u = %1, ν = %2.")
+                         .arg(u(measured->estimate.sigma),
+                              qText(degreesOfFreedomText(measured->estimate.degreesOfFreedom))));
   sentences.append(Report::tr("Δd, fit only: k = %1, u = %2, ν = %3.")
                        .arg(numberText(fitted.coverageFactor, 2), u(fitted.sigma),
-                            degreesOfFreedomText(fitted.effectiveDegreesOfFreedom)));
+                            qText(degreesOfFreedomText(fitted.effectiveDegreesOfFreedom))));
   return Report::sentences(sentences);
 }
 
@@ -92,70 +91,6 @@ void addArcs(ReportSheet& sheet, const SessionFit& fit) {
                arc.degreesOfFreedom > 0 ? numberText(arc.reducedChiSquare(), 2) : notStated(),
                QString::number(arc.degreesOfFreedom)});
   }
-  table.finish();
-}
-
-void addBudget(ReportSheet& sheet, const MeasuredIntersection& measured, const QString& attainable,
-               double coverage) {
-  constexpr auto right = Qt::AlignRight;
-  const QVector<BudgetLine> lines = budgetLines(measured);
-  const QString beside = QStringLiteral("  ");  // room next to the preceding column
-  const IntersectionEstimate& found = measured.estimate;
-  sheet.keepTogether(static_cast<double>(lines.size() + 5) * rowHeight);
-  sheet.heading(Report::tr("Uncertainty of Δd, measured"));
-  //: heads of the budget: what of, how large it may be, type A or B, where that is known from, share
-  ReportTable table(sheet, {{Report::tr("Source"), 62},
-                            {Report::tr("1σ of its size"), 24, right},
-                            {Report::tr("type"), 10, right},
-                            {beside + Report::tr("from"), 40},
-                            {QStringLiteral("u (mm)"), 16, right},
-                            {Report::tr("of variance"), 18, right}});
-  table.head();
-  const int decimals = decimalsFor(found.sigma) + 1;
-  for (const BudgetLine& line : lines)
-    table.row({line.source, line.sizes, line.type, line.from.isEmpty() ? QString() : beside + line.from,
-               numberText(line.sigma, decimals), shareText(line.sigma, found.sigma)});
-  const TextStyle bold = type::body.inBold();
-  table.row({{Report::tr("combined standard uncertainty u"), bold},
-             {},
-             {},
-             {},
-             {numberText(found.sigma, decimals), bold},
-             {QStringLiteral("100.0 %"), bold}});
-  table.row({{Report::tr("expanded uncertainty U (%1)").arg(percent(coverage)), bold},
-             {},
-             {},
-             {},
-             {numberText(found.expanded, decimals), bold},
-             {}});
-  table.finish();
-  sheet.paragraph(Report::sentences(
-                      {Report::tr("Every effect of the catalogue takes part, as large as these readings and "
-                                  "what is plausible leave it. Type A: by the scatter of these readings; B: "
-                                  "by other knowledge."),
-                       attainable}),
-                  type::small);
-}
-
-void addBudget(ReportSheet& sheet, const Intersection& found) {
-  constexpr auto right = Qt::AlignRight;
-  sheet.keepTogether(static_cast<double>(found.budget.size() + 4) * rowHeight);
-  sheet.heading(Report::tr("Uncertainty of Δd, fit only"));
-  ReportTable table(sheet, {{Report::tr("Source"), 62},
-                            {QStringLiteral("u (mm)"), 26, right},
-                            {Report::tr("share of variance"), 34, right}});
-  table.head();
-  const int decimals = decimalsFor(found.sigma) + 1;
-  for (const BudgetEntry& entry : found.budget)
-    table.row({qText(textOf(entry.source)), numberText(entry.sigma, decimals),
-               shareText(entry.sigma, found.sigma)});
-  const TextStyle bold = type::body.inBold();
-  table.row({{Report::tr("combined standard uncertainty u"), bold},
-             {numberText(found.sigma, decimals), bold},
-             {QStringLiteral("100.0 %"), bold}});
-  table.row({{Report::tr("expanded uncertainty U (%1)").arg(percent(found.coverage)), bold},
-             {numberText(found.expanded, decimals), bold},
-             {}});
   table.finish();
 }
 
@@ -330,9 +265,8 @@ void addResult(ReportSheet& sheet, const Gap& gap) {
 void addUncertainty(ReportSheet& sheet, const Gap& gap) {
   const auto& fitted = gap.evaluation->fit.intersection;
   if (!fitted) return;
-  if (const MeasuredIntersection* measured = gap.measured())
-    addBudget(sheet, *measured, attainableText(gap), fitted->coverage);
-  addBudget(sheet, *fitted);
+  if (gap.measured()) addStatement(sheet, measuredBudget(*gap.diagnosis, fitted->coverage));
+  addStatement(sheet, fitBudget(*fitted));
 }
 
 }  // namespace alidade::ui

@@ -3,16 +3,12 @@
 #include <optional>
 #include <string>
 
-#include "core/answers/fit_answer.h"
-#include "ui/jobs/gap.h"
+#include "core/evaluation/gap.h"
 
 namespace alidade::ui {
 
 /// The results of the report for other programs: the output of `alidade-cli fit --json` for the session,
 /// named `name`, always in English. Absent without results: an entry is unusable, or an arc was not fitted.
 std::optional<std::string> resultsJson(const Gap& gap, const std::string& name);
-
-/// The same as a value for other uses. `name` and `gap` must outlive it.
-std::optional<FitAnswer> fitAnswerOf(const Gap& gap, const std::string& name);
 
 }  // namespace alidade::ui

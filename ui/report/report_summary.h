@@ -1,6 +1,6 @@
 #pragma once
 
-#include "ui/jobs/gap.h"
+#include "core/evaluation/gap.h"
 #include "ui/report/acceptance_report.h"
 #include "ui/report/report_sheet.h"
 

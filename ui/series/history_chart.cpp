@@ -1,6 +1,6 @@
 #include "ui/series/history_chart.h"
 
-#include "ui/jobs/evaluation.h"
+#include "core/evaluation/evaluation.h"
 
 namespace alidade::ui {
 

@@ -7,7 +7,6 @@
 #include "core/diagnosis/decision.h"
 #include "core/effects/catalogue.h"
 #include "core/effects/cause_ids.h"
-#include "core/wording/attainable.h"
 #include "core/wording/closures.h"
 #include "core/wording/diagnosis_sentence.h"
 #include "ui/text/effect_text.h"
@@ -181,11 +180,6 @@ QString undetectableBeyondUText(const Gap& gap) {
 QString plausibleText(const std::string& id) {
   const Effect* effect = effectById(id);
   return effect ? plausibleText(effect->parameters.front()) : QString();
-}
-
-QString attainableText(const Gap& gap) {
-  if (!gap.diagnosis) return {};
-  return qText(attainableSentence(gap.diagnosis->attainable, causeNameInCore));
 }
 
 QString estimateText(const std::optional<IntersectionEstimate>& estimate) {

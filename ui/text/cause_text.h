@@ -2,7 +2,7 @@
 
 #include <QString>
 
-#include "ui/jobs/gap.h"
+#include "core/evaluation/gap.h"
 
 namespace alidade::ui {
 
@@ -43,8 +43,5 @@ QString stageText(const Gap& gap, const GapStage& stage);
 
 /// "−2.1675 ± 0.0421 mm", or "—" if absent.
 QString estimateText(const std::optional<IntersectionEstimate>& estimate);
-
-/// U attainable with more readings or known sizes (`attainableSentence`); may be empty.
-QString attainableText(const Gap& gap);
 
 }  // namespace alidade::ui

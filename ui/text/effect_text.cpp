@@ -1,10 +1,8 @@
 #include "ui/text/effect_text.h"
 
-#include "core/base/phrase.h"
-#include "core/session/own_effects.h"
+#include "core/wording/effect_name.h"
 #include "ui/text/entry_text.h"
 #include "ui/text/quantity_text.h"
-#include "ui/text/visible_text.h"
 
 namespace alidade::ui {
 
@@ -18,9 +16,7 @@ bool isSign(const QString& unit) {
 }  // namespace
 
 QString effectName(const std::string& id) {
-  if (const Effect* effect = effectById(id)) return qText(Phrase::of(effect->name));
-  const bool isOwn = id.starts_with(ownPrefix);
-  return visibleLine(isOwn ? id.substr(ownPrefix.size()) : id).replace(QLatin1Char('_'), QLatin1Char(' '));
+  return qText(alidade::effectName(id));
 }
 
 QString effectText(const EffectEstimate& estimate, const QString& separator) {

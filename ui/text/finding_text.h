@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "core/base/finding.h"
-#include "ui/jobs/evaluation.h"
+#include "core/evaluation/evaluation.h"
 
 namespace alidade::ui {
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "ui/jobs/gap.h"
+#include "core/evaluation/gap.h"
 #include "ui/text/verdict_text.h"
 
 namespace alidade::ui {

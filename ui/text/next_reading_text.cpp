@@ -3,10 +3,10 @@
 #include <QCoreApplication>
 #include <cmath>
 
+#include "core/evaluation/evaluation.h"
 #include "core/session/entry.h"
 #include "core/session/row_fields.h"
 #include "core/wording/guidance.h"
-#include "ui/jobs/evaluation.h"
 #include "ui/text/effect_text.h"
 #include "ui/text/entry_text.h"
 #include "ui/text/position_text.h"

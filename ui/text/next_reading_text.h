@@ -3,12 +3,14 @@
 #include <QString>
 
 #include "core/base/circle_unit.h"
+#include "core/evaluation/next_reading.h"
 #include "core/session/entry_to_come.h"
-#include "ui/jobs/next_reading.h"
+
+namespace alidade {
+struct Evaluation;
+}  // namespace alidade
 
 namespace alidade::ui {
-
-struct Evaluation;
 
 /// Precise enough for pointing, too coarse to copy as a reading: "341°52′", "341.87°", "379.86 gon".
 QString coarseAngleText(Angle angle, CircleUnit unit);

@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "core/diagnosis/result/diagnosis.h"
-#include "ui/jobs/evaluation.h"
+#include "core/evaluation/evaluation.h"
 #include "ui/settings/theme.h"
 
 namespace alidade::ui {

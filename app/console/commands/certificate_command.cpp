@@ -7,8 +7,7 @@
 
 #include "app/console/commands/signing_options.h"
 #include "app/console/session_input.h"
-#include "core/adjustment/gross_errors/suspects.h"
-#include "core/answers/beforehand.h"
+#include "core/answers/fit_answer.h"
 #include "core/base/atomic_file.h"
 #include "core/base/file_bytes.h"
 #include "core/base/file_target.h"
@@ -16,7 +15,6 @@
 #include "core/base/version.h"
 #include "core/base/visible_text.h"
 #include "core/certificate/calibration_certificate.h"
-#include "core/diagnosis/diagnose.h"
 #include "core/session/session_file.h"
 
 namespace alidade::console {
@@ -99,16 +97,10 @@ Result<CertificateAnswer> runCertificate(const CertificateRequest& request) {
   Result<ReadSession> read = readWhole(request);
   if (!read) return read.problem();
   const Session& session = read->session;
-  const Result<Measurement> measurement = measurementOf(session);
-  if (!measurement) return measurement.problem();
-  const SessionFit fit = fitSession(*measurement);
-  if (auto problem = absence(*measurement, fit.arcs.size(), fit.findings)) return *std::move(problem);
+  const Gap gap = assessGap(std::make_shared<const Evaluation>(evaluate(session)));
   const std::string name = nameOf(session, request.file);
-  FitAnswer answer{name, *measurement, fit, findSuspects(session, *measurement, fit)};
-  answer.arrivals = arrivalsOf(session);
-  if (Result<Diagnosis, DiagnosisFault> diagnosis = diagnose(*measurement, fit, {.withAttainable = true}))
-    answer.diagnosis = *std::move(diagnosis);
-  answer.findDependences();
+  const Result<FitAnswer> answer = fitAnswerOf(gap, name);
+  if (!answer) return answer.problem();
 
   CertificateOptions options{.version = versionAndBuild(),
                              .measuredOn = request.measuredOn,
@@ -124,7 +116,7 @@ Result<CertificateAnswer> runCertificate(const CertificateRequest& request) {
     options.report = CertificateDocument{fileNameOf(request.pdf), "application/pdf", report};
   }
   const Result<CalibrationCertificate> certificate = calibrationCertificate(
-      {session, answer, request.file == "-" ? std::string() : fileNameOf(request.file), read->bytes},
+      {session, *answer, request.file == "-" ? std::string() : fileNameOf(request.file), read->bytes},
       options);
   if (!certificate) {
     Problem problem = certificate.problem();

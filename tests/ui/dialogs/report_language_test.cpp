@@ -5,11 +5,11 @@
 #include <QSettings>
 #include <QTemporaryDir>
 
+#include "core/evaluation/evaluation.h"
 #include "tests/ui/language/speaking.h"
 #include "tests/ui/support.h"
 #include "ui/dialogs/report_flow.h"
 #include "ui/document/session_document.h"
-#include "ui/jobs/evaluation.h"
 #include "ui/report/report_choice.h"
 
 namespace alidade::ui {

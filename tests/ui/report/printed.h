@@ -4,7 +4,7 @@
 #include <QString>
 #include <QTemporaryDir>
 
-#include "ui/jobs/evaluation.h"
+#include "core/evaluation/evaluation.h"
 #include "ui/report/acceptance_report.h"
 
 namespace alidade::ui {

@@ -35,7 +35,7 @@ TEST(ReportContents, LeavesOutThePartsThatAreNotWantedAndSaysSo) {
       {ReportPart::Residuals, "Residuals of the readings, observed"},
       {ReportPart::Readings, "Readings with the axis at 0°"},
       {ReportPart::Method, "rigorous orthogonal least squares"},
-      {ReportPart::Budget, "Uncertainty of Δd, measured"},
+      {ReportPart::Budget, "Standard uncertainty of Δd, measured"},
       {ReportPart::Closures, "Closures: what must agree"},
       {ReportPart::Undetectable, "are undetectable in these readings"},
       {ReportPart::Signatures, "Operator, date"}};

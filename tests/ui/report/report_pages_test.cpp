@@ -116,7 +116,7 @@ void expectNothingLonely(const Session& session, const ReportOptions& options, c
   EXPECT_GE(end, top + fifth - line) << what << ", " << report.pageCount() << " pages";
   static const QRegularExpression heading(
       QStringLiteral("^(Findings|Notes|Method|Arcs.*|Readings with.*|Closures:.*|Gap between.*|What these.*|"
-                     "What it would.*|Uncertainty of.*|Arc centres.*|Model effects)$"));
+                     "What it would.*|Standard uncertainty of.*|Arc centres.*|Model effects)$"));
   for (int page = 0; page < report.pageCount(); ++page) {
     const QStringList lines = report.page(page).split(u'\n', Qt::SkipEmptyParts);
     ASSERT_GE(lines.size(), 4);

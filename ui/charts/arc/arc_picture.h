@@ -4,10 +4,10 @@
 #include <optional>
 #include <vector>
 
+#include "core/evaluation/evaluation.h"
 #include "core/observation/guideway.h"
 #include "ui/charts/plotting/row_choice.h"
 #include "ui/charts/plotting/sighting_ref.h"
-#include "ui/jobs/evaluation.h"
 
 namespace alidade::ui {
 

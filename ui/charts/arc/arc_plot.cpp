@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "core/exchange/csv_text.h"
+#include "ui/charts/evaluation_pictures.h"
 #include "ui/charts/plotting/clipping.h"
 #include "ui/charts/plotting/row_entries.h"
 #include "ui/text/position_text.h"
@@ -58,7 +59,7 @@ void ArcPlot::adaptTo(const QSizeF& size) {
 }
 
 void ArcPlot::setEvaluation(const Evaluation& evaluation) {
-  m_picture = evaluation.arcs ? evaluation.arcs : std::make_shared<const ArcPicture>(arcPicture(evaluation));
+  m_picture = arcPictureOf(evaluation);
   m_extent = m_picture->extent();
   setMessage(m_picture->isEmpty() ? tr("No usable readings yet.") : QString());
   m_inset->setIntersection(m_picture->intersection);

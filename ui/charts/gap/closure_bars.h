@@ -3,8 +3,8 @@
 #include <optional>
 #include <vector>
 
+#include "core/evaluation/gap.h"
 #include "ui/charts/gap/bar_rows.h"
-#include "ui/jobs/gap.h"
 
 namespace alidade::ui {
 

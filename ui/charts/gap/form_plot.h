@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "core/diagnosis/result/form.h"
+#include "core/evaluation/gap.h"
 #include "ui/charts/plotting/plot.h"
-#include "ui/jobs/gap.h"
 
 namespace alidade::ui {
 

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "core/exchange/csv_text.h"
+#include "ui/charts/evaluation_pictures.h"
 #include "ui/charts/plotting/plot_style.h"
 #include "ui/charts/plotting/round_numbers.h"
 #include "ui/text/position_text.h"
@@ -50,15 +51,15 @@ LeftoverStrips::LeftoverStrips(QWidget* parent)
 
 void LeftoverStrips::setGap(const Gap& gap) {
   const Evaluation& evaluation = *gap.evaluation;
-  const ResidualPicture picture = evaluation.residuals ? *evaluation.residuals : residualPicture(evaluation);
+  const std::shared_ptr<const ResidualPicture> picture = residualPictureOf(evaluation);
   std::map<std::pair<std::size_t, std::size_t>, double> elapsed;
   for (const ArcMeasurement& arc : evaluation.examined.measurement->arcs)
     for (const Sighting& row : arc.sightings) elapsed[{arc.position, row.row}] = row.elapsed;
   m_points.clear();
   m_reach = 1;
-  for (const DrawnResidual& residual : picture.residuals) {
+  for (const DrawnResidual& residual : picture->residuals) {
     if (residual.circle == CircleRead::Slider) continue;
-    const double sigmas = residual.arcsec / picture.sigmaOf(residual.circle);
+    const double sigmas = residual.arcsec / picture->sigmaOf(residual.circle);
     const double t = elapsed[{residual.ref.position, residual.ref.row}];
     if (!std::isfinite(sigmas)) continue;
     m_points.push_back({{residual.slider, residual.elevation, t}, residual, sigmas});

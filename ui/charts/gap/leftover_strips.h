@@ -3,9 +3,9 @@
 #include <array>
 #include <vector>
 
+#include "core/evaluation/gap.h"
 #include "ui/charts/gap/bar_rows.h"
 #include "ui/charts/residuals/residual_picture.h"
-#include "ui/jobs/gap.h"
 
 namespace alidade::ui {
 

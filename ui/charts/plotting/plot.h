@@ -13,9 +13,11 @@
 #include "ui/charts/plotting/plot_style.h"
 #include "ui/charts/plotting/view_range.h"
 
-namespace alidade::ui {
-
+namespace alidade {
 struct Evaluation;
+}  // namespace alidade
+
+namespace alidade::ui {
 
 /// A chart with axes, points and legend in its own scene. The widget shows the scene, the report renders it:
 /// one drawing code for both. `arrange` lays it out at once, without waiting for events.

@@ -13,11 +13,14 @@ class QMouseEvent;
 class QRubberBand;
 class QToolButton;
 
+namespace alidade {
+struct Evaluation;
+}  // namespace alidade
+
 namespace alidade::ui {
 
 class Caption;
 class Plot;
-struct Evaluation;
 struct Mark;
 
 /// A plot on the screen: follows the widget's size, palette and font, describes the point under the mouse,

@@ -2,9 +2,9 @@
 
 #include <QMenu>
 
+#include "core/evaluation/evaluation.h"
 #include "ui/charts/plotting/row_menu.h"
 #include "ui/charts/residuals/residual_plot.h"
-#include "ui/jobs/evaluation.h"
 
 namespace alidade::ui {
 

@@ -3,9 +3,9 @@
 #include <cstdint>
 #include <vector>
 
+#include "core/evaluation/evaluation.h"
 #include "ui/charts/plotting/sighting_ref.h"
 #include "ui/charts/residuals/residual_choice.h"
-#include "ui/jobs/evaluation.h"
 
 namespace alidade::ui {
 

@@ -6,6 +6,7 @@
 #include <tuple>
 
 #include "core/exchange/csv_text.h"
+#include "ui/charts/evaluation_pictures.h"
 #include "ui/charts/plotting/clipping.h"
 #include "ui/charts/plotting/row_entries.h"
 #include "ui/text/position_text.h"
@@ -48,8 +49,7 @@ ResidualPlot::NoiseBand ResidualPlot::addNoiseBand() {
 }
 
 void ResidualPlot::setEvaluation(const Evaluation& evaluation) {
-  m_picture = evaluation.residuals ? evaluation.residuals
-                                   : std::make_shared<const ResidualPicture>(residualPicture(evaluation));
+  m_picture = residualPictureOf(evaluation);
   draw();
 }
 

@@ -4,8 +4,8 @@
 #include <QWidget>
 
 #include "core/base/place.h"
-#include "ui/jobs/gap.h"
-#include "ui/jobs/remedies.h"
+#include "core/evaluation/gap.h"
+#include "core/evaluation/remedies.h"
 
 class QBoxLayout;
 class QPushButton;
@@ -34,8 +34,8 @@ class CauseList : public QWidget {
   void relationWanted(const QString& text);
   void placeActivated(const alidade::Place& place);
   void exclusionWanted(const alidade::Place& place);
-  void rowsExclusionWanted(const alidade::ui::RowRange& rows);
-  void noiseWanted(const alidade::ui::StatedNoise& noise);
+  void rowsExclusionWanted(const alidade::RowRange& rows);
+  void noiseWanted(const alidade::StatedNoise& noise);
 
  private:
   void addCause(const Gap& gap, const Cause& cause);

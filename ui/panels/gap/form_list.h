@@ -3,7 +3,7 @@
 #include <QWidget>
 #include <vector>
 
-#include "ui/jobs/gap.h"
+#include "core/evaluation/gap.h"
 
 class QLabel;
 class QPushButton;

@@ -2,7 +2,7 @@
 
 #include <QWidget>
 
-#include "ui/jobs/gap.h"
+#include "core/evaluation/gap.h"
 #include "ui/settings/theme.h"
 
 class QLabel;

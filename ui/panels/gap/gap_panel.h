@@ -1,7 +1,7 @@
 #pragma once
 
+#include "core/evaluation/remedies.h"
 #include "ui/jobs/gap_job.h"
-#include "ui/jobs/remedies.h"
 #include "ui/panels/parts/scroll_page.h"
 
 class QCheckBox;
@@ -44,9 +44,9 @@ class GapPanel : public ScrollPage {
   void relationWanted(const QString& text);
   void placeActivated(const alidade::Place& place);
   void exclusionWanted(const alidade::Place& place);
-  void rowsExclusionWanted(const alidade::ui::RowRange& rows);
+  void rowsExclusionWanted(const alidade::RowRange& rows);
   void formWanted(const alidade::FoundForm& form);  ///< is to be kept as an effect
-  void noiseWanted(const alidade::ui::StatedNoise& noise);
+  void noiseWanted(const alidade::StatedNoise& noise);
   void referenceWanted(bool wanted);  ///< whether the causes are to be weighed with the reference
 
  protected:

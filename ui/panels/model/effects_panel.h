@@ -2,7 +2,7 @@
 
 #include <QWidget>
 
-#include "ui/jobs/evaluation.h"
+#include "core/evaluation/evaluation.h"
 
 class QLabel;
 class QTreeWidget;

@@ -3,7 +3,7 @@
 #include <QWidget>
 #include <vector>
 
-#include "ui/jobs/evaluation.h"
+#include "core/evaluation/evaluation.h"
 
 namespace alidade::ui {
 

@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/evaluation/guide.h"
 #include "core/guidance/advised_protocol.h"
 #include "core/session/entry.h"
 #include "core/simulation/protocol_template.h"
@@ -19,7 +20,6 @@
 #include "core/wording/position_name.h"
 #include "ui/commands/change_protocol.h"
 #include "ui/document/session_document.h"
-#include "ui/jobs/guide.h"
 #include "ui/jobs/simulation_job.h"
 #include "ui/panels/parts/data_table.h"
 #include "ui/text/effect_text.h"

@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "ui/jobs/evaluation.h"
+#include "core/evaluation/evaluation.h"
 
 class QLabel;
 class QPushButton;

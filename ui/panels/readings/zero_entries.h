@@ -4,8 +4,8 @@
 #include <cstddef>
 #include <vector>
 
+#include "core/evaluation/evaluation.h"
 #include "ui/forms/field_edit.h"
-#include "ui/jobs/evaluation.h"
 
 class QGridLayout;
 class QLabel;

@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "ui/jobs/gap.h"
+#include "core/evaluation/gap.h"
 #include "ui/panels/parts/scroll_page.h"
 #include "ui/text/headline.h"
 

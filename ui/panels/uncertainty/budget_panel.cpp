@@ -2,15 +2,13 @@
 
 #include <QLabel>
 #include <QVBoxLayout>
-#include <algorithm>
 #include <cmath>
 
-#include "core/wording/across.h"
+#include "core/statement/budget.h"
 #include "core/wording/budget.h"
 #include "ui/panels/parts/figure_grid.h"
+#include "ui/panels/parts/statement_view.h"
 #include "ui/panels/uncertainty/simulation_box.h"
-#include "ui/text/budget_text.h"
-#include "ui/text/cause_text.h"
 #include "ui/text/entry_text.h"
 #include "ui/text/quantity_text.h"
 
@@ -18,22 +16,16 @@ namespace alidade::ui {
 
 BudgetPanel::BudgetPanel(const SessionDocument& document, QWidget* parent)
     : ScrollPage(tr("Budget"), parent),
-      m_measuredTitle(panelHeading(tr("Standard uncertainty of Δd, measured"))),
-      m_measured(new FigureGrid(nullptr, FigureGrid::Captions::Wrapped)),
-      m_measuredNote(wrappedLabel()),
-      m_intersectionTitle(panelHeading(tr("Standard uncertainty of Δd, fit only"))),
-      m_intersection(new FigureGrid),
+      m_measured(new StatementView),
+      m_intersection(new StatementView),
       m_simulation(new SimulationBox(document)),
       m_centresTitle(panelHeading(tr("Standard uncertainty of the centres  mm"))),
       m_centres(new FigureGrid(nullptr, FigureGrid::Captions::Wrapped)),
       m_note(new QLabel) {
   m_note->setWordWrap(true);
-  for (QLabel* note : {m_note, m_measuredNote}) note->setForegroundRole(QPalette::PlaceholderText);
+  m_note->setForegroundRole(QPalette::PlaceholderText);
   QVBoxLayout* layout = column();
-  layout->addWidget(m_measuredTitle);
   layout->addWidget(m_measured);
-  layout->addWidget(m_measuredNote);
-  layout->addWidget(m_intersectionTitle);
   layout->addWidget(m_intersection);
   layout->addWidget(m_simulation);
   layout->addWidget(m_centresTitle);
@@ -41,7 +33,6 @@ BudgetPanel::BudgetPanel(const SessionDocument& document, QWidget* parent)
   layout->addSpacing(6);
   layout->addWidget(m_note);
   layout->addStretch();
-  clearGap();
   connect(m_simulation, &SimulationBox::checked, this, &BudgetPanel::checked);
 }
 
@@ -52,7 +43,7 @@ void BudgetPanel::stopOutdatedSimulation() {
 void BudgetPanel::setEvaluation(const SharedEvaluation& evaluation) {
   const SessionFit& fit = evaluation->fit;
   m_simulation->setEvaluation(evaluation);
-  showIntersection(fit);
+  m_intersection->setStatement(fit.intersection ? std::optional(fitBudget(*fit.intersection)) : std::nullopt);
   showCentres(fit);
   const QString scale =
       std::isfinite(fit.noise.degreesOfFreedom)
@@ -64,59 +55,17 @@ void BudgetPanel::setEvaluation(const SharedEvaluation& evaluation) {
 }
 
 void BudgetPanel::setGap(const Gap& gap) {
-  showMeasured(gap.measured());
-  if (!gap.measured()) return;
-  QStringList notes{
-      tr("1σ: how large each effect may plausibly be; share: of the variance. A: by the scatter of these "
-         "readings; B: by other knowledge."),
-      qText(acrossSentence(*gap.measured()))};
-  if (const QString attainable = attainableText(gap); !attainable.isEmpty()) notes.append(attainable);
-  m_measuredNote->setText(notes.join(u'\n'));
+  if (!gap.measured()) return clearGap();
+  m_measured->setStatement(measuredBudget(*gap.diagnosis, gap.evaluation->examined.measurement->coverage));
 }
 
 /// Marks the budget as outdated; the contents below stay.
 void BudgetPanel::setGapStale() {
-  for (QWidget* part : std::initializer_list<QWidget*>{m_measuredTitle, m_measured, m_measuredNote})
-    part->setEnabled(false);
+  m_measured->setEnabled(false);
 }
 
 void BudgetPanel::clearGap() {
-  showMeasured(nullptr);
-}
-
-void BudgetPanel::showMeasured(const MeasuredIntersection* measured) {
-  for (QWidget* part : std::initializer_list<QWidget*>{m_measuredTitle, m_measured, m_measuredNote}) {
-    part->setEnabled(true);
-    part->setVisible(measured);
-  }
-  if (!measured) return;
-  const IntersectionEstimate& found = measured->estimate;
-  QVector<FigureGrid::Row> rows;
-  for (const BudgetLine& line : budgetLines(*measured))
-    rows.append({line.source,
-                 {line.sizes, line.type, numberText(line.sigma, 4), shareText(line.sigma, found.sigma)},
-                 line.from.isEmpty() ? QString() : tr("Size from: %1").arg(line.from)});
-  rows.append({tr("combined, u"), {{}, {}, numberText(found.sigma, 4), {}}});
-  rows.append({tr("expanded, U"),
-               {{}, {}, numberText(found.expanded, 4), {}},
-               tr("%1 effective degrees of freedom").arg(degreesOfFreedomText(found.degreesOfFreedom))});
-  m_measured->setRows({tr("1σ"), tr("type"), tr("mm"), tr("share")}, rows);
-}
-
-void BudgetPanel::showIntersection(const SessionFit& fit) {
-  QVector<FigureGrid::Row> rows;
-  if (fit.intersection) {
-    for (const BudgetEntry& entry : fit.intersection->budget)
-      rows.append({qText(textOf(entry.source)),
-                   {numberText(entry.sigma, 4), shareText(entry.sigma, fit.intersection->sigma)}});
-    rows.append({tr("combined, u"), {numberText(fit.intersection->sigma, 4), {}}});
-    rows.append({tr("expanded, U"),
-                 {numberText(fit.intersection->expanded, 4), {}},
-                 tr("k σ with k = %1").arg(numberText(fit.intersection->coverageFactor, 2))});
-  }
-  m_intersectionTitle->setVisible(!rows.isEmpty());
-  m_intersection->setVisible(!rows.isEmpty());
-  m_intersection->setRows({tr("mm"), tr("of variance")}, rows);
+  m_measured->setStatement(std::nullopt);
 }
 
 void BudgetPanel::showCentres(const SessionFit& fit) {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "ui/jobs/gap.h"
+#include "core/evaluation/gap.h"
 #include "ui/jobs/simulation_job.h"
 #include "ui/panels/parts/scroll_page.h"
 
@@ -11,6 +11,7 @@ namespace alidade::ui {
 class FigureGrid;
 class SessionDocument;
 class SimulationBox;
+class StatementView;
 
 /// The uncertainty budget. Δd, measured: every effect of the catalogue. Δd, fit only, and each centre
 /// coordinate: readings, model effects, pointing zeros and distance. Also checks the fit by Monte Carlo on
@@ -35,15 +36,10 @@ class BudgetPanel : public ScrollPage {
   void checked(const alidade::ui::SharedBudgetCheck& check);
 
  private:
-  void showMeasured(const MeasuredIntersection* measured);
-  void showIntersection(const SessionFit& fit);
   void showCentres(const SessionFit& fit);
 
-  QLabel* m_measuredTitle;
-  FigureGrid* m_measured;
-  QLabel* m_measuredNote;
-  QLabel* m_intersectionTitle;
-  FigureGrid* m_intersection;
+  StatementView* m_measured;
+  StatementView* m_intersection;
   SimulationBox* m_simulation;
   QLabel* m_centresTitle;
   FigureGrid* m_centres;

@@ -9,9 +9,9 @@
 #include <cmath>
 #include <limits>
 
+#include "core/evaluation/evaluation.h"
 #include "tests/ui/support.h"
 #include "ui/charts/arc/arc_plot.h"
-#include "ui/jobs/evaluation.h"
 
 namespace alidade::ui {
 namespace {

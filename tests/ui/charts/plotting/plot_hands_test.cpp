@@ -16,6 +16,7 @@
 #include <cmath>
 #include <set>
 
+#include "core/evaluation/evaluation.h"
 #include "core/exchange/csv_table.h"
 #include "tests/ui/support.h"
 #include "ui/charts/arc/arc_chart.h"
@@ -23,7 +24,6 @@
 #include "ui/charts/plotting/caption.h"
 #include "ui/charts/residuals/residual_chart.h"
 #include "ui/charts/residuals/residual_plot.h"
-#include "ui/jobs/evaluation.h"
 
 namespace alidade::ui {
 namespace {

@@ -11,10 +11,10 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "core/evaluation/evaluation.h"
 #include "tests/ui/support.h"
 #include "ui/charts/arc/arc_plot.h"
 #include "ui/charts/residuals/residual_plot.h"
-#include "ui/jobs/evaluation.h"
 #include "ui/text/quantity_text.h"
 
 namespace alidade::ui {

@@ -8,12 +8,12 @@
 #include <QTest>
 
 #include "core/base/angle_text.h"
+#include "core/evaluation/evaluation.h"
 #include "tests/ui/support.h"
 #include "ui/charts/arc/arc_chart.h"
 #include "ui/charts/arc/arc_plot.h"
 #include "ui/charts/residuals/residual_chart.h"
 #include "ui/charts/residuals/residual_plot.h"
-#include "ui/jobs/evaluation.h"
 
 namespace alidade::ui {
 namespace {

@@ -2,10 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include "core/evaluation/evaluation.h"
 #include "tests/ui/support.h"
 #include "ui/charts/arc/arc_plot.h"
 #include "ui/charts/residuals/residual_plot.h"
-#include "ui/jobs/evaluation.h"
 
 namespace alidade::ui {
 namespace {

@@ -8,9 +8,9 @@
 #include <QLineEdit>
 #include <QTest>
 
+#include "core/evaluation/evaluation.h"
 #include "tests/ui/support.h"
 #include "ui/document/session_document.h"
-#include "ui/jobs/evaluation.h"
 
 namespace alidade::ui {
 namespace {

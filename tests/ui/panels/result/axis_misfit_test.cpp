@@ -4,8 +4,8 @@
 
 #include <cmath>
 
+#include "core/evaluation/evaluation.h"
 #include "tests/ui/support.h"
-#include "ui/jobs/evaluation.h"
 
 namespace alidade::ui {
 namespace {

@@ -106,7 +106,8 @@ TEST(Budget, AccountsForTheIntersectionAndEveryCoordinate) {
   const std::string shown = shownBy(page);
   for (const BudgetEntry& entry : fit.intersection->budget)
     EXPECT_THAT(shown,
-                HasSubstr(textOf(entry.source) + "\n" + numberText(entry.sigma, 4).toStdString() + "\n"));
+                HasSubstr(textOf(entry.source) + "\n" + numberText(entry.sigma, 3).toStdString() + "\n"))
+        << "a digit more than u = 0.10 mm needs";
   // The figures under the centres combine to the uncertainties of the fit.
   for (const ArcSigma& sigma : fit.sigmas)
     for (const double figure : {sigma.x, sigma.y})

@@ -5,10 +5,10 @@
 #include <vector>
 
 #include "core/adjustment/result/expected_reading.h"
+#include "core/evaluation/guide.h"
 #include "core/session/session.h"
-#include "ui/jobs/guide.h"
 
-namespace alidade::ui {
+namespace alidade {
 
 /// The next reading of a position.
 struct NextReading {
@@ -23,4 +23,4 @@ struct NextReading {
 std::vector<std::optional<NextReading>> nextReadings(const Session& session, const Measurement* measurement,
                                                      const SessionFit& fit, const Guide* guide = nullptr);
 
-}  // namespace alidade::ui
+}  // namespace alidade

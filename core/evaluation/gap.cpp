@@ -1,4 +1,4 @@
-#include "ui/jobs/gap.h"
+#include "core/evaluation/gap.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,7 +10,7 @@
 #include "core/effects/catalogue.h"
 #include "core/wording/diagnosis_fault.h"
 
-namespace alidade::ui {
+namespace alidade {
 
 namespace {
 
@@ -142,4 +142,4 @@ Gap assessGap(const SharedEvaluation& evaluation, const std::stop_token& stop, b
   return gap;
 }
 
-}  // namespace alidade::ui
+}  // namespace alidade

@@ -1,14 +1,11 @@
-#include "ui/jobs/evaluation.h"
+#include "core/evaluation/evaluation.h"
 
 #include <utility>
 
 #include "core/base/failure.h"
-#include "core/base/threads.h"
 #include "core/wording/journal.h"
-#include "ui/charts/arc/arc_picture.h"
-#include "ui/charts/residuals/residual_picture.h"
 
-namespace alidade::ui {
+namespace alidade {
 
 namespace {
 
@@ -24,13 +21,6 @@ void fit(Evaluation& evaluation, const std::stop_token& stop) {
   if (stop.stop_requested()) return;
   if (!isPublishedLater(evaluation)) evaluation.published = fitSessionAsPublished(measurement);
   evaluation.twoFaces = compareFaces(measurement);
-}
-
-void draw(Evaluation& evaluation) {
-  doAll(
-      threadsFor(evaluation.examined.measurement ? evaluation.examined.measurement->rows : 0),
-      {[&] { evaluation.arcs = std::make_shared<const ArcPicture>(arcPicture(evaluation)); },
-       [&] { evaluation.residuals = std::make_shared<const ResidualPicture>(residualPicture(evaluation)); }});
 }
 
 /// The results that the second stage adds to the fit.
@@ -79,7 +69,6 @@ Evaluation evaluateFit(Session session, const std::stop_token& stop) {
   evaluation.next = nextReadings(
       evaluation.session, evaluation.examined.measurement ? &*evaluation.examined.measurement : nullptr,
       evaluation.fit, evaluation.guide.get());
-  draw(evaluation);
   return evaluation;
 }
 
@@ -119,4 +108,4 @@ Evaluation evaluate(Session session) {
   return withSuspects(evaluateFit(std::move(session)));
 }
 
-}  // namespace alidade::ui
+}  // namespace alidade

@@ -5,9 +5,9 @@
 #include <string>
 
 #include "core/base/place.h"
-#include "ui/jobs/gap.h"
+#include "core/evaluation/gap.h"
 
-namespace alidade::ui {
+namespace alidade {
 
 /// Remedies for causes that no model effect can hold.
 
@@ -38,4 +38,4 @@ struct StatedNoise {
 /// cause is larger noise.
 std::optional<StatedNoise> scatterOf(const Gap& gap, const Cause& cause);
 
-}  // namespace alidade::ui
+}  // namespace alidade

@@ -1,11 +1,11 @@
-#include "ui/jobs/guide.h"
+#include "core/evaluation/guide.h"
 
 #include <utility>
 
+#include "core/evaluation/evaluation.h"
 #include "core/guidance/forecast.h"
-#include "ui/jobs/evaluation.h"
 
-namespace alidade::ui {
+namespace alidade {
 
 std::shared_ptr<const Guide> guideOf(const Evaluation& evaluation) {
   const Session& session = evaluation.session;
@@ -32,4 +32,4 @@ std::shared_ptr<const Guide> guideOf(const Evaluation& evaluation) {
   return std::make_shared<const Guide>(std::move(guide));
 }
 
-}  // namespace alidade::ui
+}  // namespace alidade

@@ -9,17 +9,18 @@
 #include "core/adjustment/gross_errors/suspects.h"
 #include "core/adjustment/result/session_fit.h"
 #include "core/adjustment/result/two_faces.h"
+#include "core/evaluation/guide.h"
+#include "core/evaluation/next_reading.h"
 #include "core/session/measurement.h"
 #include "core/session/session.h"
-#include "ui/jobs/guide.h"
-#include "ui/jobs/next_reading.h"
 
-namespace alidade::ui {
+namespace alidade {
 
-struct ArcPicture;
-struct ResidualPicture;
+/// The contents of charts, drawn by the window along with the evaluation. The core never looks into it.
+struct EvaluationPictures;
 
-/// Everything computed from one copy of the session. A plain value shown alike by charts, panels and report.
+/// Everything computed from one copy of the session, but its diagnosis. A plain value shown alike by charts,
+/// panels and report.
 struct Evaluation {
   Session session;
   Examined examined;
@@ -31,12 +32,13 @@ struct Evaluation {
   std::string journal = {};          ///< `journalSummary`, which may require writing the session
   std::string failure = {};          ///< why a possible fit failed: sentences
   std::string searchFailure = {};    ///< why the search for suspects failed: sentences
-  std::vector<std::optional<NextReading>> next = {};  ///< for each position
-  std::shared_ptr<const Guide> guide = {};            ///< null if the session has no protocol
-  /// The contents of the charts, computed on the fit's thread; null in an evaluation made by hand.
-  std::shared_ptr<const ArcPicture> arcs = {};
-  std::shared_ptr<const ResidualPicture> residuals = {};
+  std::vector<std::optional<NextReading>> next = {};        ///< for each position
+  std::shared_ptr<const Guide> guide = {};                  ///< null if the session has no protocol
+  std::shared_ptr<const EvaluationPictures> pictures = {};  ///< null if nobody drew them
 };
+
+/// Views may keep it as long as they like.
+using SharedEvaluation = std::shared_ptr<const Evaluation>;
 
 /// True if the published method is not computed yet.
 bool isPublishedToCome(const Evaluation& evaluation);
@@ -55,4 +57,4 @@ Evaluation withoutSuspects(Evaluation evaluation, const std::string& failure);
 /// Runs both stages.
 Evaluation evaluate(Session session);
 
-}  // namespace alidade::ui
+}  // namespace alidade

@@ -1,4 +1,4 @@
-#include "ui/jobs/next_reading.h"
+#include "core/evaluation/next_reading.h"
 
 #include <algorithm>
 #include <utility>
@@ -7,7 +7,7 @@
 #include "core/session/row_fields.h"
 #include "core/session/sighting_order.h"
 
-namespace alidade::ui {
+namespace alidade {
 
 namespace {
 
@@ -75,4 +75,4 @@ std::vector<std::optional<NextReading>> nextReadings(const Session& session, con
   return next;
 }
 
-}  // namespace alidade::ui
+}  // namespace alidade

@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "core/diagnosis/result/diagnosis.h"
-#include "ui/jobs/fit_job.h"
+#include "core/evaluation/evaluation.h"
 
-namespace alidade::ui {
+namespace alidade {
 
 /// The residuals of a fit with one more effect in the model than in the stage before.
 struct GapStage {
@@ -66,4 +66,4 @@ Gap assessGap(const SharedEvaluation& evaluation, const std::stop_token& stop = 
 /// A gap without a diagnosis, for this reason.
 Gap noGap(SharedEvaluation evaluation, std::string reason);
 
-}  // namespace alidade::ui
+}  // namespace alidade

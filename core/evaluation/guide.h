@@ -10,7 +10,7 @@
 #include "core/guidance/repeats.h"
 #include "core/session/protocol_progress.h"
 
-namespace alidade::ui {
+namespace alidade {
 
 struct Evaluation;
 
@@ -26,4 +26,4 @@ struct Guide {
 /// The guide of a fitted evaluation; null without a protocol, or with more rows than anyone types.
 std::shared_ptr<const Guide> guideOf(const Evaluation& evaluation);
 
-}  // namespace alidade::ui
+}  // namespace alidade

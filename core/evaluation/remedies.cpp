@@ -1,12 +1,12 @@
-#include "ui/jobs/remedies.h"
+#include "core/evaluation/remedies.h"
 
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/quantity_text.h"
 #include "core/effects/cause_ids.h"
-#include "ui/text/quantity_text.h"
 
-namespace alidade::ui {
+namespace alidade {
 
 namespace {
 
@@ -14,7 +14,7 @@ constexpr std::ptrdiff_t fewestSightings = 5;  // an arc has three unknowns and 
 
 std::string twoDigits(double value) {
   const int decimals = std::max(0, 1 - static_cast<int>(std::floor(std::log10(value))));
-  return plainNumberText(std::round(value * std::pow(10, decimals)) / std::pow(10, decimals)).toStdString();
+  return displayShortest(std::round(value * std::pow(10, decimals)) / std::pow(10, decimals));
 }
 
 }  // namespace
@@ -51,4 +51,4 @@ std::optional<StatedNoise> scatterOf(const Gap& gap, const Cause& cause) {
                      twoDigits(ratio * measurement.sigmaVertical.arcseconds())};
 }
 
-}  // namespace alidade::ui
+}  // namespace alidade

@@ -1,0 +1,35 @@
+#include "core/answers/fit_answer.h"
+
+#include "core/answers/beforehand.h"
+#include "core/base/phrase.h"
+#include "core/session/hindrance.h"
+
+namespace alidade {
+
+namespace {
+
+std::optional<Problem> whyNone(const Evaluation& evaluation) {
+  std::vector<Problem> problems = hindrances(evaluation.session, evaluation.examined.problems);
+  if (problems.size() > 1) problems.front().what += " (and " + std::to_string(problems.size() - 1) + " more)";
+  if (!problems.empty()) return problems.front();
+  if (!evaluation.failure.empty()) return Problem{evaluation.failure};
+  if (!evaluation.searchFailure.empty()) return Problem{evaluation.searchFailure};
+  return absence(evaluation.examined.measurement.value(), evaluation.fit.arcs.size(),
+                 evaluation.fit.findings);
+}
+
+}  // namespace
+
+Result<FitAnswer> fitAnswerOf(const Gap& gap, const std::string& name) {
+  const Evaluation& evaluation = *gap.evaluation;
+  if (auto problem = whyNone(evaluation)) return *std::move(problem);
+  const Measurement& measurement = *evaluation.examined.measurement;
+  FitAnswer answer{name, measurement, evaluation.fit, evaluation.suspects};
+  if (!evaluation.isSearched) answer.suspects = findSuspects(evaluation.session, measurement, evaluation.fit);
+  answer.diagnosis = gap.diagnosis;
+  answer.arrivals = arrivalsOf(evaluation.session);
+  answer.findDependences();
+  return answer;
+}
+
+}  // namespace alidade

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <string>
+
+#include "core/adjustment/result/intersection.h"
+#include "core/diagnosis/result/diagnosis.h"
+#include "core/statement/statement.h"
+
+namespace alidade {
+
+/// The budget of Δd, measured, largest share first. Shares below `leastShare` of the variance are combined in
+/// one row, if there are at least two. Lengths are in mm, with one digit more than u needs. `coverage` is
+/// that of U, 0…1; `name` names the effects of the sentences.
+Statement measuredBudget(const Diagnosis& diagnosis, double coverage);
+
+/// The budget of Δd, fit only: readings, model effects, known radius, pointing zeros and distance.
+Statement fitBudget(const Intersection& intersection);
+
+/// One percent: a smaller part of the variance changes u by less than half a percent.
+constexpr double leastShare = 0.01;
+
+/// A share of the variance: "63.1 %"; an em dash if `whole` is not positive.
+std::string varianceShare(double part, double whole);
+
+/// "7.2", "12", "many" above ten thousand, "∞".
+std::string degreesOfFreedomText(double degrees);
+
+}  // namespace alidade

@@ -1,0 +1,11 @@
+#pragma once
+
+#include "core/statement/statement.h"
+#include "ui/report/report_sheet.h"
+
+namespace alidade::ui {
+
+/// A section: the title, the table over the whole width with totals in bold, sentences and note.
+void addStatement(ReportSheet& sheet, const Statement& statement);
+
+}  // namespace alidade::ui
