@@ -186,8 +186,9 @@ TEST(KnownSizes, NarrowTheMeasurement) {
   std::string budget;
   for (const QLabel* label : bench.open->findChild<BudgetPanel*>()->findChildren<QLabel*>())
     budget += label->text().toStdString() + '\n';
-  EXPECT_THAT(budget, HasSubstr(numberText(after.estimate.sigma, 4).toStdString()));
-  EXPECT_THAT(budget, Not(HasSubstr(numberText(before.estimate.sigma, 4).toStdString())));
+  const auto shown = [](double sigma) { return numberText(sigma, decimalsFor(sigma) + 1).toStdString(); };
+  EXPECT_THAT(budget, HasSubstr(shown(after.estimate.sigma)));
+  EXPECT_THAT(budget, Not(HasSubstr(shown(before.estimate.sigma))));
 }
 
 TEST(KnownSizes, KeepABadEntryWithItsReasonInPlace) {
