@@ -21,17 +21,6 @@
     </message>
 </context>
 <context>
-    <name>BudgetText</name>
-    <message>
-        <source>%1 others</source>
-        <translation>其他 %1 项</translation>
-    </message>
-    <message>
-        <source>many</source>
-        <translation>很多</translation>
-    </message>
-</context>
-<context>
     <name>Busy</name>
     <message>
         <source>Stop</source>
@@ -1523,6 +1512,13 @@ Includes every catalogued effect, limited by these readings or by its plausible 
     <message>
         <source>%1: %2</source>
         <translation>%1：%2</translation>
+    </message>
+</context>
+<context>
+    <name>OwnEffectCurve</name>
+    <message>
+        <source>sighting of the session</source>
+        <translation>测量记录中的观测</translation>
     </message>
 </context>
 <context>
@@ -6316,6 +6312,58 @@ Includes every catalogued effect, limited by these readings or by its plausible 
         <source>is one effect too many: a session may have %1</source>
         <translation>影响因素过多：一份测量记录最多 %1 个</translation>
     </message>
+    <message>
+        <source>%1 others</source>
+        <translation>其他 %1 项</translation>
+    </message>
+    <message>
+        <source>Standard uncertainty of Δd, measured</source>
+        <translation>Δd，实测的标准不确定度</translation>
+    </message>
+    <message>
+        <source>Source</source>
+        <translation>来源</translation>
+    </message>
+    <message>
+        <source>type</source>
+        <translation>类型</translation>
+    </message>
+    <message>
+        <source>size from</source>
+        <translation>大小来源</translation>
+    </message>
+    <message>
+        <source>combined, u</source>
+        <translation>合成，u</translation>
+    </message>
+    <message>
+        <source>expanded, U</source>
+        <translation>扩展，U</translation>
+    </message>
+    <message>
+        <source>%1 coverage, %2 degrees of freedom</source>
+        <translation>包含概率 %1，自由度 %2</translation>
+    </message>
+    <message>
+        <source>Δd, measured, includes every catalogued effect, limited by these readings or by its plausible size.</source>
+        <translation>Δd，实测，包含目录中的每一项影响因素，其大小由这些读数或其合理大小限定。</translation>
+    </message>
+    <message>
+        <source>1σ: how large each effect may plausibly be; share: of the variance. A: by the scatter of these readings; B: by other knowledge.</source>
+        <translation>1σ：各影响因素的合理大小；占比：占方差。A：由这些读数的离散得出；B：由其他知识得出。</translation>
+    </message>
+    <message>
+        <source>Standard uncertainty of Δd, fit only</source>
+        <translation>Δd，仅拟合的标准不确定度</translation>
+    </message>
+    <message>
+        <source>%1 coverage, k = %2</source>
+        <translation>包含概率 %1，k = %2</translation>
+    </message>
+    <message>
+        <source>many</source>
+        <translation>很多</translation>
+    </message>
 </context>
 <context>
     <name>PlaceText</name>
@@ -7207,43 +7255,6 @@ a clause as a sentence</extracomment>
         <translation>%1，%2</translation>
     </message>
     <message>
-        <source>Source</source>
-        <extracomment>heads of the budget: what of, how large it may be, type A or B, where that is known from, share</extracomment>
-        <translation>来源</translation>
-    </message>
-    <message>
-        <source>1σ of its size</source>
-        <translation>其大小的 1σ</translation>
-    </message>
-    <message>
-        <source>type</source>
-        <translation>类型</translation>
-    </message>
-    <message>
-        <source>from</source>
-        <translation>出自</translation>
-    </message>
-    <message>
-        <source>of variance</source>
-        <translation>占方差</translation>
-    </message>
-    <message>
-        <source>combined standard uncertainty u</source>
-        <translation>合成标准不确定度 u</translation>
-    </message>
-    <message>
-        <source>expanded uncertainty U (%1)</source>
-        <translation>扩展不确定度 U（%1）</translation>
-    </message>
-    <message>
-        <source>Every effect of the catalogue takes part, as large as these readings and what is plausible leave it. Type A: by the scatter of these readings; B: by other knowledge.</source>
-        <translation>目录中的每个效应都参与，其大小为这些读数和合理范围所允许。A 类：由这些读数的离散得出；B 类：由其他知识得出。</translation>
-    </message>
-    <message>
-        <source>share of variance</source>
-        <translation>占方差的份额</translation>
-    </message>
-    <message>
         <source>Model effects</source>
         <translation>模型效应</translation>
     </message>
@@ -7690,10 +7701,6 @@ a clause as a sentence</extracomment>
         <translation>仪器已改正：%1</translation>
     </message>
     <message>
-        <source>there is no result to certify</source>
-        <translation>没有可出具证书的结果</translation>
-    </message>
-    <message>
         <source>Line</source>
         <translation>行</translation>
     </message>
@@ -7770,14 +7777,6 @@ a clause as a sentence</extracomment>
     <message>
         <source>Δd, fit only: k = %1, u = %2, ν = %3.</source>
         <translation>Δd，仅拟合：k = %1，u = %2，ν = %3。</translation>
-    </message>
-    <message>
-        <source>Uncertainty of Δd, measured</source>
-        <translation>Δd，实测的不确定度</translation>
-    </message>
-    <message>
-        <source>Uncertainty of Δd, fit only</source>
-        <translation>Δd，仅拟合的不确定度</translation>
     </message>
     <message>
         <source>Reference (never enters the fit): %1; Δd, measured, minus reference = %2</source>
@@ -8631,48 +8630,8 @@ a clause as a sentence</extracomment>
         <translation>尚未拟合出圆弧，因此没有可列的内容。</translation>
     </message>
     <message>
-        <source>1σ: how large each effect may plausibly be; share: of the variance. A: by the scatter of these readings; B: by other knowledge.</source>
-        <translation>1σ：各效应的合理大小；占比：占方差。A：由这些读数的离散得出；B：由其他知识得出。</translation>
-    </message>
-    <message>
-        <source>Size from: %1</source>
-        <translation>大小来源：%1</translation>
-    </message>
-    <message>
         <source>combined, u</source>
         <translation>合成，u</translation>
-    </message>
-    <message>
-        <source>expanded, U</source>
-        <translation>扩展，U</translation>
-    </message>
-    <message>
-        <source>%1 effective degrees of freedom</source>
-        <translation>%1 个有效自由度</translation>
-    </message>
-    <message>
-        <source>1σ</source>
-        <translation>1σ</translation>
-    </message>
-    <message>
-        <source>type</source>
-        <translation>类型</translation>
-    </message>
-    <message>
-        <source>mm</source>
-        <translation>mm</translation>
-    </message>
-    <message>
-        <source>share</source>
-        <translation>占比</translation>
-    </message>
-    <message>
-        <source>k σ with k = %1</source>
-        <translation>k σ，k = %1</translation>
-    </message>
-    <message>
-        <source>of variance</source>
-        <translation>占方差</translation>
     </message>
     <message>
         <source>correlation with R</source>
@@ -8681,14 +8640,6 @@ a clause as a sentence</extracomment>
     <message>
         <source>How far a wrong radius takes the centre along, −1 to 1: on half an arc it decides the height</source>
         <translation>错误的半径会把圆心带动多少，−1 到 1：半个圆弧时它决定高度</translation>
-    </message>
-    <message>
-        <source>Standard uncertainty of Δd, measured</source>
-        <translation>Δd，实测的标准不确定度</translation>
-    </message>
-    <message>
-        <source>Standard uncertainty of Δd, fit only</source>
-        <translation>Δd，仅拟合的标准不确定度</translation>
     </message>
 </context>
 <context>
@@ -11547,6 +11498,17 @@ sizes</source>
     </message>
 </context>
 <context>
+    <name>alidade::ui::OwnEffectCurve</name>
+    <message>
+        <source>Curve of the effect</source>
+        <translation>影响因素的曲线</translation>
+    </message>
+    <message>
+        <source>A curve appears once the formula is sound.</source>
+        <translation>公式正确后显示曲线。</translation>
+    </message>
+</context>
+<context>
     <name>alidade::ui::OwnEffectDialog</name>
     <message>
         <source>The other &amp;sign in face 2</source>
@@ -13133,6 +13095,13 @@ sizes</source>
     <message>
         <source>No files yet</source>
         <translation>尚无文件</translation>
+    </message>
+</context>
+<context>
+    <name>alidade::ui::StatementView</name>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1：%2</translation>
     </message>
 </context>
 <context>

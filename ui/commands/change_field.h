@@ -4,10 +4,13 @@
 
 #include "core/base/place.h"
 
+namespace alidade {
+struct StatedNoise;
+}
+
 namespace alidade::ui {
 
 class SessionDocument;
-struct StatedNoise;
 
 /// Stores a day in the session's form (`completedDay`). Does nothing if the field already has this text.
 void changeField(SessionDocument& document, const Place& place, const std::string& typed);
