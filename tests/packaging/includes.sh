@@ -18,7 +18,7 @@ awk '
                   "series/instrument_check series/history " \
                   "self_test", order)
     for (i = 1; i <= rooms; ++i) level["core/" order[i]] = i
-    rooms = split("language document text settings jobs answer_texts " \
+    rooms = split("language document text settings jobs answer_texts charts " \
                   "charts/plotting charts/residuals charts/arc charts/gap charts/history commands panels/parts " \
                   "panels/gap recovery import report dialogs models panels/result forms panels/readings " \
                   "connection entry help instrument panels/journal panels/model panels/order " \
@@ -28,7 +28,7 @@ awk '
     split("cause_text finding_text form_text headline next_reading_text trial_text verdict_text", answers)
     for (i in answers) moved["ui/text/" answers[i]] = level["ui/answer_texts"]
     split("plotting/round_numbers plotting/row_choice plotting/sighting_ref residuals/residual_choice " \
-          "residuals/residual_picture arc/arc_picture", pictures)
+          "residuals/residual_picture arc/arc_picture evaluation_pictures", pictures)
     for (i in pictures) moved["ui/charts/" pictures[i]] = level["ui/jobs"]
     # Linear algebra headers, only for the sources of one floor.
     floor_of["core/adjustment/joint/arc_jets.h"] = "adjustment"
