@@ -4,10 +4,12 @@
 #include <cmath>
 
 #include "app/console/findings_text.h"
+#include "app/console/forms_text.h"
 #include "app/console/text_layout.h"
 #include "core/base/list_text.h"
 #include "core/base/number_text.h"
 #include "core/base/quantity_text.h"
+#include "core/session/own_effects.h"
 #include "core/wording/series_words.h"
 #include "core/wording/verdict.h"
 
@@ -136,6 +138,9 @@ std::string seriesText(const std::string& name, const SeriesDiagnosis& series) {
                      paragraph(sentenceOf(series)) + gapText(series);
   if (series.pattern) text += patternText(*series.pattern);
   for (const SharedCause& cause : series.causes) text += causeText(cause, series);
+  for (const OfferedEffect& offered : series.offered)
+    text += formsText({offered.form}) + "  in " + counted(offered.sessions.size(), "session") +
+            "; --keep-form keeps it as " + ownId(offered.effect) + "\n";
   if (!series.causes.empty() || series.pattern) text += whereText(series);
   return text + sessionsText(series) + adviceText(series) + undetectableText(series) +
          findingsText(findingsOf(series));

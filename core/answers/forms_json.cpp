@@ -33,7 +33,9 @@ FormDocument parametersDocument(const FoundForm& found) {
   return json;
 }
 
-FormDocument formDocument(const FoundForm& found) {
+}  // namespace
+
+nlohmann::ordered_json formDocument(const FoundForm& found) {
   FormDocument json = kindDocument(found.form);
   json["turns_with_face"] = found.form.turnsWithFace;
   json["formula"] = found.formula;
@@ -53,8 +55,6 @@ FormDocument formDocument(const FoundForm& found) {
                     {"held_out_readings", found.shrink.heldOutReadings}};
   return json;
 }
-
-}  // namespace
 
 nlohmann::ordered_json formsJson(const std::vector<FoundForm>& forms) {
   FormDocument json = FormDocument::array();

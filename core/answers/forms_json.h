@@ -7,7 +7,8 @@
 
 namespace alidade {
 
-/// Returns the array `forms` of a result.
+/// Returns an entry of the array `forms` of a result, and the array.
+nlohmann::ordered_json formDocument(const FoundForm& found);
 nlohmann::ordered_json formsJson(const std::vector<FoundForm>& forms);
 
 }  // namespace alidade

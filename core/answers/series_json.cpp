@@ -5,6 +5,7 @@
 
 #include "core/answers/diagnosis_json.h"
 #include "core/answers/findings_json.h"
+#include "core/answers/forms_json.h"
 #include "core/answers/json_text.h"
 #include "core/wording/series_words.h"
 
@@ -73,6 +74,13 @@ Json shapeJson(const SeriesDiagnosis& series) {
       {"visible_sigma_together", pattern.visibleTogether}};
 }
 
+Json offeredJson(const OfferedEffect& offered, const SeriesDiagnosis& series) {
+  Json json = formDocument(offered.form);
+  json["sessions"] = jsonOf(offered.sessions, [&](std::size_t s) -> Json { return series.sessions[s].name; });
+  json["effect"] = ownEffectsJson({offered.effect}).front();
+  return json;
+}
+
 /// Fills the keys of a session's diagnosis with the results of the series.
 Json together(const std::string& name, const SeriesDiagnosis& series) {
   Diagnosis all;
@@ -90,6 +98,8 @@ Json together(const std::string& name, const SeriesDiagnosis& series) {
   if (series.pattern) json["shape"] = shapeJson(series);
   json["of_no_catalogue"] = series.unknownChance;
   json["advice"] = jsonOf(series.advice, adviceJson);
+  json["offered_effects"] =
+      jsonOf(series.offered, [&](const OfferedEffect& offered) { return offeredJson(offered, series); });
   return json;
 }
 

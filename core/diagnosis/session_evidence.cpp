@@ -4,6 +4,7 @@
 #include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "core/diagnosis/candidates/effect_components.h"
 #include "core/diagnosis/candidates/session_patterns.h"
@@ -25,20 +26,15 @@ std::vector<double> listed(const VectorXd& vector) {
   return {vector.begin(), vector.end()};
 }
 
-/// Number of columns of the catalogue.
-std::size_t effectColumnCount() {
-  return effectColumns().back().first + effectColumns().back().count;
-}
-
 /// Returns the stored inner products of the columns, indexed by `productAt`.
-std::vector<double> productsOf(const MatrixXd& columns) {
-  const auto ofEffects = static_cast<Index>(effectColumnCount());
+std::vector<double> productsOf(const SharedColumns& shared, const MatrixXd& columns) {
+  const auto ofEffects = static_cast<Index>(shared.effectCount());
   const MatrixXd withEffects = columns.transpose() * columns.leftCols(ofEffects);
   std::vector<double> list;
-  list.reserve(productAt(columnCount() - 1, columnCount() - 1) + 1);
+  list.reserve(shared.productAt(shared.count() - 1, shared.count() - 1) + 1);
   for (Index row = 0; row < ofEffects; ++row)
     for (Index column = 0; column <= row; ++column) list.push_back(withEffects(row, column));
-  for (const EffectColumns& pattern : sharedColumns()) {
+  for (const EffectColumns& pattern : shared.all()) {
     if (!pattern.isPattern) continue;
     const auto first = static_cast<Index>(pattern.first), count = static_cast<Index>(pattern.count);
     const MatrixXd own = columns.middleCols(first, count).transpose() * columns.middleCols(first, count);
@@ -51,15 +47,13 @@ std::vector<double> productsOf(const MatrixXd& columns) {
 }
 
 /// Returns the visible columns of all effects and patterns.
-MatrixXd columnsOf(const Inquiry& inquiry) {
-  MatrixXd all = MatrixXd::Zero(inquiry.leftover.rows(), static_cast<Index>(columnCount()));
+MatrixXd columnsOf(const Inquiry& inquiry, const SharedColumns& shared) {
+  MatrixXd all = MatrixXd::Zero(inquiry.leftover.rows(), static_cast<Index>(shared.count()));
   for (std::size_t i = 0; i < inquiry.candidates.size(); ++i) {
     const Component& component = inquiry.candidates[i];
     if (!component.isEffect()) continue;
-    const auto& effects = effectColumns();
-    const auto own = std::ranges::find_if(
-        effects, [&](const EffectColumns& effect) { return effect.effect->id == component.id(); });
-    if (own == effects.end()) continue;
+    const EffectColumns* own = shared.of(component.id(), inquiry.base.measurement->own.get());
+    if (!own) continue;
     const MatrixXd columns = component.visibleColumns(inquiry.leftover);
     if (columns.cols() == static_cast<Index>(own->count))
       all.middleCols(static_cast<Index>(own->first), columns.cols()) = columns;
@@ -183,22 +177,21 @@ void addCircleSums(const Inquiry& inquiry, const MatrixXd& columns, SessionEvide
   const MatrixXd scaled = scales.asDiagonal() * columns;
   evidence.circleSquares = residual.squaredNorm();
   evidence.circleRight = listed(scaled.transpose() * residual);
-  evidence.circleNormal = productsOf(scaled);
+  evidence.circleNormal = productsOf(*evidence.columns, scaled);
 }
 
-std::vector<double> influenceOf(const Inquiry& inquiry) {
-  std::vector<double> influence(columnCount(), 0);
+std::vector<double> influenceOf(const Inquiry& inquiry, const SharedColumns& shared) {
+  std::vector<double> influence(shared.count(), 0);
   const VectorXd perSigma = influencePerSigma(inquiry.base);
   const SharedProducts perReading(inquiry.leftover, perSigma);
   for (std::size_t i = 0; i < inquiry.candidates.size(); ++i) {
     const Component& component = inquiry.candidates[i];
     if (!component.isEffect() || component.response() == Response::AllOrNothing) continue;
-    for (const EffectColumns& own : effectColumns()) {
-      if (own.effect->id != component.id()) continue;
-      const VectorXd of = component.wholeProducts(perReading);
-      const Index count = std::min(of.size(), static_cast<Index>(own.effect->parameters.size()));
-      std::copy_n(of.begin(), count, influence.begin() + static_cast<std::ptrdiff_t>(own.first));
-    }
+    const EffectColumns* own = shared.of(component.id(), inquiry.base.measurement->own.get());
+    if (!own) continue;
+    const VectorXd of = component.wholeProducts(perReading);
+    const Index count = std::min(of.size(), static_cast<Index>(own->effect->parameters.size()));
+    std::copy_n(of.begin(), count, influence.begin() + static_cast<std::ptrdiff_t>(own->first));
   }
   return influence;
 }
@@ -215,58 +208,8 @@ Eigen::Map<const VectorXd> vectorOf(std::span<const double> list) {
 
 }  // namespace
 
-const std::vector<EffectColumns>& effectColumns() {
-  static const std::vector<EffectColumns> all = [] {
-    std::vector<EffectColumns> columns;
-    std::size_t first = 0;
-    for (const Effect* effect : soughtEffects()) {
-      const std::size_t count = effect->response == Response::Bent ? 5 : effect->parameters.size();
-      columns.push_back({effect, first, count});
-      first += count;
-    }
-    return columns;
-  }();
-  return all;
-}
-
-const std::vector<EffectColumns>& sharedColumns() {
-  static const std::vector<EffectColumns> all = [] {
-    std::vector<EffectColumns> columns = effectColumns();
-    std::size_t first = effectColumnCount();
-    for (const SessionPattern& pattern : sessionPatterns()) {
-      const auto count = static_cast<std::size_t>(pattern.columns);
-      columns.push_back({&pattern.effect, first, count, true, pattern.order});
-      first += count;
-    }
-    return columns;
-  }();
-  return all;
-}
-
-std::size_t columnCount() {
-  return sharedColumns().back().first + sharedColumns().back().count;
-}
-
-std::size_t productAt(std::size_t a, std::size_t b) {
-  static const std::size_t ofEffects = effectColumnCount();
-  struct Row {
-    std::size_t start, first;  ///< of the stored products; first column of the pattern
-  };
-  static const std::vector<Row> rows = [] {
-    std::vector<Row> all;
-    std::size_t start = 0;
-    for (const EffectColumns& columns : sharedColumns())
-      for (std::size_t i = 0; i < columns.count; ++i) {
-        all.push_back({start, columns.first});
-        start += columns.isPattern ? ofEffects + i + 1 : columns.first + i + 1;
-      }
-    return all;
-  }();
-  const std::size_t row = std::max(a, b), column = std::min(a, b);
-  return rows[row].start + (column < ofEffects ? column : ofEffects + column - rows[row].first);
-}
-
 Result<SessionEvidence, DiagnosisFault> evidenceOf(const Measurement& measurement,
+                                                   std::shared_ptr<const SharedColumns> shared,
                                                    const DiagnosisOptions& options,
                                                    const std::stop_token& stop) {
   for (const std::string& id : options.without)
@@ -277,14 +220,15 @@ Result<SessionEvidence, DiagnosisFault> evidenceOf(const Measurement& measuremen
   const Inquiry inquiry = inquire(*std::move(model), options, stop);
   if (stop.stop_requested()) return DiagnosisFault(Stopped{});
   if (const auto fault = undetermined(inquiry)) return DiagnosisFault(*fault);
-  const MatrixXd columns = columnsOf(inquiry);
+  const MatrixXd columns = columnsOf(inquiry, *shared);
   SessionEvidence evidence;
-  evidence.normal = productsOf(columns);
+  evidence.columns = std::move(shared);
+  evidence.normal = productsOf(*evidence.columns, columns);
   evidence.accounts = Accounts(inquiry, columns).likeliest();
   evidence.chiSquare = inquiry.leftover.chiSquare();
   evidence.degreesOfFreedom = inquiry.leftover.degreesOfFreedom();
   addCircleSums(inquiry, columns, evidence);
-  evidence.influence = influenceOf(inquiry);
+  evidence.influence = influenceOf(inquiry, *evidence.columns);
   const Answer answer = conclude(inquiry);
   evidence.causes = causesOf(inquiry, answer);
   evidence.verdict = verdictOf(answer, evidence.causes);

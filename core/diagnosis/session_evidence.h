@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <memory>
 #include <span>
 #include <stop_token>
 #include <string>
@@ -9,7 +10,7 @@
 #include "core/base/result.h"
 #include "core/diagnosis/result/diagnosis.h"
 #include "core/diagnosis/result/diagnosis_fault.h"
-#include "core/effects/catalogue.h"
+#include "core/diagnosis/shared_columns.h"
 #include "core/session/measurement.h"
 
 namespace alidade {
@@ -17,29 +18,9 @@ namespace alidade {
 // The evidence of one session about every catalogue effect, for a joint evaluation of several sessions. An
 // effect of the same size x in all of them has the normal equations Σ N x = Σ b.
 //
-// The columns are those of all effects, then those of the patterns (`session_patterns.h`), in the same order
-// for every session. A weight of 1 is a plausible size. N = CᵀC and b = Cᵀr, with the visible columns C and
-// the leftover r, both in σ of the readings (`Leftover`). The columns of undetectable effects and of effects
-// in the model are 0.
-
-/// The columns of one effect; if bent with second derivatives, (x, y, ½x², xy, ½y²).
-struct EffectColumns {
-  const Effect* effect;
-  std::size_t first, count;
-  bool isPattern = false;
-  int order = 0;  ///< for a pattern: periods in a turn; 0 if it is not harmonic
-};
-/// Columns of the catalogue's effects.
-const std::vector<EffectColumns>& effectColumns();
-/// Columns of the catalogue's effects, then of the patterns.
-const std::vector<EffectColumns>& sharedColumns();
-/// Number of `sharedColumns`.
-std::size_t columnCount();
-
-/// Returns the index of the product of two columns in `SessionEvidence::normal`. Each column has products
-/// with the catalogue's columns up to itself; a pattern's column then has those with its own pattern.
-/// Products of two different patterns are not stored.
-std::size_t productAt(std::size_t a, std::size_t b);
+// The columns are the same for every session (`SharedColumns`). N = CᵀC and b = Cᵀr, with the visible columns
+// C and the leftover r, both in σ of the readings (`Leftover`). The columns of undetectable effects, of
+// effects in the model and of own effects that the session does not have are 0.
 
 /// One account of the session's own causes: none, gross errors, a jump, larger noise, or another cause. Its
 /// columns A with plausible weights are eliminated, so that they do not distort the evidence for a shared
@@ -57,6 +38,7 @@ struct OwnAccount {
 };
 
 struct SessionEvidence {
+  std::shared_ptr<const SharedColumns> columns;
   std::vector<double> normal;        ///< N, indexed by `productAt`
   std::vector<OwnAccount> accounts;  ///< the first is empty
   double chiSquare = 0;              ///< of the leftover
@@ -75,6 +57,7 @@ struct SessionEvidence {
 
 /// Fails if no arc can be fitted, an identifier is unknown, or a stop was requested.
 Result<SessionEvidence, DiagnosisFault> evidenceOf(const Measurement& measurement,
+                                                   std::shared_ptr<const SharedColumns> columns,
                                                    const DiagnosisOptions& options = {},
                                                    const std::stop_token& stop = {});
 

@@ -18,6 +18,12 @@ namespace alidade {
 
 namespace {
 
+/// Of the catalogue, or one of the user's own.
+const Effect* effectIn(const BlindTrialOptions& options, const std::string& kind) {
+  const Effect* effect = effectById(kind);
+  return !effect && options.own ? options.own->find(kind) : effect;
+}
+
 bool isOfSlider(const Effect& effect) {
   return std::ranges::any_of(effect.parameters,
                              [](const EffectParameter& parameter) { return parameter.traits.needsSlider; });
@@ -29,6 +35,7 @@ class Draw {
   Draw(const BlindTrialOptions& options, const Protocol& protocol, std::uint64_t seed, RandomSource random)
       : m_options(options), m_protocol(protocol), m_seed(seed), m_random(random), m_truth(drawTruth(seed)) {
     m_truth.protocol = protocol.name;
+    m_truth.own = options.own;
   }
 
   Result<BlindTrial> trial(const std::string& kind) {
@@ -37,6 +44,8 @@ class Draw {
     Result<Session> session = simulate(m_protocol, m_truth, m_seed);
     if (!session) return session.problem();
     BlindTrial trial{*std::move(session), m_truth, sealed(std::to_string(m_seed), m_truth, visibility(kind))};
+    stateOwn(trial.session);
+    trial.seal.statesOwn = trial.seal.kind.starts_with(ownPrefix);
     trial.session.title = "Blind trial " + std::to_string(m_seed);
     return trial;
   }
@@ -58,7 +67,7 @@ class Draw {
     }
     if (kind == "unknown") return putUnknown();
     if (kind == "two_causes") return putTwo();
-    putEffect(*effectById(kind));
+    putEffect(*effectIn(m_options, kind));
   }
 
   double sign() { return m_random.uniform() < 0.5 ? -1 : 1; }
@@ -182,9 +191,9 @@ class Draw {
       m_truth.effects = {{effect.parameters.front().term, 1}};
       return;
     }
-    const double angle = m_random.uniform(0, 2 * std::numbers::pi);
+    const std::vector<double> direction = anyDirection(effect.parameters.size());
     const double target = m_random.uniform(m_options.leastVisible, m_options.mostVisible);
-    scale(target, m_options.mostPlausible, [&](double size) { setSize(effect, angle, size); });
+    scale(target, m_options.mostPlausible, [&](double size) { setSize(effect, direction, size); });
   }
 
   /// Calls `set` with sizes up to `most` until the truth is visible by `target` σ.
@@ -208,29 +217,43 @@ class Draw {
     set(size);
   }
 
-  void setSize(const Effect& effect, double angle, double size) {
+  /// A unit vector.
+  std::vector<double> anyDirection(std::size_t count) {
+    const double angle = m_random.uniform(0, 2 * std::numbers::pi);
+    if (count == 1) return {std::cos(angle) < 0 ? -1.0 : 1.0};
+    std::vector<double> direction{std::cos(angle), std::sin(angle)};
+    while (direction.size() < count) direction.push_back(m_random.normal());
+    double square = 0;
+    for (const double part : direction) square += part * part;
+    for (double& part : direction) part /= std::sqrt(square);
+    return direction;
+  }
+
+  void setSize(const Effect& effect, const std::vector<double>& direction, double size) {
     m_truth.effects.clear();
-    const auto& parameters = effect.parameters;
-    if (parameters.size() == 1) {
-      m_truth.effects = {
-          {parameters[0].term, (std::cos(angle) < 0 ? -size : size) * parameters[0].plausible}};
-      return;
-    }
-    m_truth.effects = {{parameters[0].term, size * std::cos(angle) * parameters[0].plausible},
-                       {parameters[1].term, size * std::sin(angle) * parameters[1].plausible}};
+    for (std::size_t i = 0; i < direction.size(); ++i)
+      m_truth.effects.push_back(
+          {effect.parameters[i].term, size * direction[i] * effect.parameters[i].plausible});
+  }
+
+  void stateOwn(Session& session) const {
+    if (!m_options.own) return;
+    for (const OwnEntry& entry : m_options.own->entries()) session.ownEffects.push_back(entry.source);
   }
 
   /// The visibility of the present truth, and the look-alikes of the effect `held`.
   std::optional<Visibility> shownAs(const std::string& held) const {
-    const Result<Session> perfect = simulateWithoutNoise(m_protocol, m_truth, m_seed);
-    if (!perfect) return std::nullopt;
-    const auto found = visibilityOf(*examine(*perfect).measurement, held);
+    Result<Session> simulated = simulateWithoutNoise(m_protocol, m_truth, m_seed);
+    if (!simulated) return std::nullopt;
+    Session perfect = *std::move(simulated);
+    stateOwn(perfect);
+    const auto found = visibilityOf(*examine(perfect).measurement, held);
     return found ? std::optional(*found) : std::nullopt;
   }
 
-  /// The visibility of a catalogued effect, or of a zero slip.
+  /// The visibility of an effect, or of a zero slip.
   std::optional<Visibility> visibility(const std::string& kind) const {
-    const bool isAlone = effectById(kind) || m_truth.zeroSlip;
+    const bool isAlone = effectIn(m_options, kind) || m_truth.zeroSlip;
     return isAlone && kind != relationId ? shownAs(kind) : std::nullopt;
   }
 };
@@ -261,12 +284,32 @@ bool separatesCauses(const Protocol& protocol) {
   return protocol.slider || protocol.faces != FacePlan::FaceOne;
 }
 
+/// All kinds, own effects last, each with the weight of one of the catalogue.
+std::vector<TrialKind> kindsWith(const OwnEffects* own) {
+  std::vector<TrialKind> kinds = trialKinds();
+  const double weight = kinds.back().weight;
+  if (own)
+    for (const OwnEntry& entry : own->entries()) kinds.push_back({entry.id, weight});
+  return kinds;
+}
+
+bool isOfSliderOnly(const Formula& formula) {
+  return std::ranges::all_of(formula.lines,
+                             [](const FormulaLine& line) { return line.carrier == FormCarrier::Slider; });
+}
+
+bool needsSlider(const BlindTrialOptions& options, const std::string& kind) {
+  if (const Effect* effect = effectById(kind)) return isOfSlider(*effect);
+  return options.own && std::ranges::any_of(options.own->entries(), [&](const OwnEntry& entry) {
+           return entry.id == kind && isOfSliderOnly(entry.formula);
+         });
+}
+
 /// The requested kinds that the protocol can show.
 std::vector<TrialKind> kindsOf(const BlindTrialOptions& options, const Protocol& protocol) {
   std::vector<TrialKind> kinds;
-  for (const TrialKind& kind : trialKinds()) {
-    const Effect* effect = effectById(kind.name);
-    if (effect && isOfSlider(*effect) && !protocol.slider) continue;
+  for (const TrialKind& kind : kindsWith(options.own.get())) {
+    if (needsSlider(options, kind.name) && !protocol.slider) continue;
     if (kind.name == "two_causes" && !separatesCauses(protocol)) continue;
     if (options.kinds.empty())
       kinds.push_back(kind);
@@ -323,8 +366,9 @@ Result<BlindTrial> drawBlindTrial(const BlindTrialOptions& options, std::uint64_
           ? &protocols[static_cast<std::size_t>(random.whole(0, static_cast<int>(protocols.size()) - 1))]
           : protocolByName(options.protocol);
   if (!protocol) return Problem{"there is no protocol " + quotation(options.protocol)};
+  const std::vector<TrialKind> all = kindsWith(options.own.get());
   for (const std::string& kind : options.kinds)
-    if (std::ranges::find(trialKinds(), kind, &TrialKind::name) == trialKinds().end())
+    if (std::ranges::find(all, kind, &TrialKind::name) == all.end())
       return Problem{"there is no kind of trial " + quotation(kind)};
   const std::vector<TrialKind> kinds = kindsOf(options, *protocol);
   if (kinds.empty()) return Problem{"protocol " + protocol->name + " shows none of the kinds asked for"};

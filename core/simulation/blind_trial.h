@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -24,7 +25,9 @@ struct BlindTrialOptions {
   double mostVisible = 25;   ///< σ of the readings
   double mostPlausible = 6;  ///< plausible sizes
   std::vector<std::string> kinds =
-      {};  ///< of `trialKinds()`, with equal probability; empty: all, with their weights
+      {};  ///< of `trialKinds()` and ids of `own`, with equal probability; empty: all, with their weights
+  /// Effects of the user's own, drawn as often as one of the catalogue. The session states all of them.
+  std::shared_ptr<const OwnEffects> own = {};
 };
 
 /// A kind of truth and its frequency.
@@ -33,7 +36,7 @@ struct TrialKind {
   double weight = 0;
 };
 
-/// Every kind that can be drawn; the weights add up to 1.
+/// Every kind that can be drawn without the user's own effects; the weights add up to 1.
 const std::vector<TrialKind>& trialKinds();
 
 struct BlindTrial {

@@ -27,6 +27,7 @@ struct SealedTruth {
   std::string id = {};
   std::string kind = {};                 ///< the only cause; or none, two_causes, several_causes, unknown_…
   std::vector<std::string> causes = {};  ///< ids of the simulated causes
+  bool statesOwn = false;                ///< the session states those of them that are the user's own effects
   std::string protocol = {};             ///< name of the plan of readings
   double intersection = 0;               ///< true Δd, mm
   std::optional<double> visible = {};    ///< of the one catalogued effect, σ of the readings

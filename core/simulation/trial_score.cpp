@@ -104,7 +104,7 @@ std::string_view nameOf(TrialClass trialClass) {
 TrialClass classOf(const SealedTruth& truth) {
   if (truth.kind == "none") return TrialClass::None;
   if (truth.kind == grossErrorId) return TrialClass::GrossError;
-  if (isOfNoCatalogue(truth.kind)) return TrialClass::Unknown;
+  if (isOfNoCatalogue(truth.kind) && !truth.statesOwn) return TrialClass::Unknown;
   if (truth.causes.size() > 1) return TrialClass::SeveralCauses;
   if (!truth.visible) return TrialClass::Other;
   if (*truth.visible < clearVisibility) return TrialClass::Faint;

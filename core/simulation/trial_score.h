@@ -18,7 +18,8 @@ namespace alidade {
 //                     and that group contains at most one that is not a look-alike
 //   gross_error exactly the readings that are wrong, and nothing else
 //   two_causes both, whatever else
-//   unknown the verdict is not-in-catalogue
+//   unknown the verdict is not-in-catalogue; an effect of the user's own counts as unknown if the session
+//           does not state it
 //   others the relation of the vertical circle, a jump, larger noise: it is the first cause
 //
 // A truth file without the visibility of the effect is scored as `others`.

@@ -25,7 +25,16 @@ Problem about(const std::string& id, const Problem& problem) {
 }
 
 bool canBeWithheld(const SealedTruth& truth) {
-  return truth.visible && *truth.visible >= clearVisibility && effectById(truth.kind);
+  return truth.visible && *truth.visible >= clearVisibility && (effectById(truth.kind) || truth.statesOwn);
+}
+
+/// Whether the session states each effect of the user's own that is among the causes, and there is one.
+bool statesOwn(const Session& session, const SealedTruth& truth) {
+  const auto isOwn = [](const std::string& id) { return id.starts_with(ownPrefix); };
+  const auto isStated = [&](const std::string& id) {
+    return !isOwn(id) || std::ranges::find(session.ownEffects, id, &ownId) != session.ownEffects.end();
+  };
+  return std::ranges::any_of(truth.causes, isOwn) && std::ranges::all_of(truth.causes, isStated);
 }
 
 Result<ScoredTrial> scored(const TrialCase& trial, bool withheld) {
@@ -105,11 +114,14 @@ Result<std::vector<ScoredTrial>> scoreStoredTrials(const TrialSeriesOptions& opt
   TrialSeriesOptions all = options;
   all.count = truths->size();
   return scoreTrials(all, [&](std::size_t i) -> Result<TrialCase> {
-    const SealedTruth& truth = (*truths)[i];
+    SealedTruth truth = (*truths)[i];
     const std::filesystem::path file = sessions / (truth.id + ".alidade");
-    const Result<Session> session = loadSession(file.string());
-    if (!session) return Problem{file.string() + ": " + session.problem().text()};
-    return TrialCase{*session, truth};
+    Result<Session> read = loadSession(file.string());
+    if (!read) return Problem{file.string() + ": " + read.problem().text()};
+    Session session = *std::move(read);
+    for (const OwnEffect& effect : options.own) takeOwnEffect(session, effect);
+    truth.statesOwn = statesOwn(session, truth);
+    return TrialCase{std::move(session), std::move(truth)};
   });
 }
 

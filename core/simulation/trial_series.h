@@ -30,8 +30,9 @@ struct TrialCase {
 
 struct TrialSeriesOptions {
   std::size_t count = 100;
-  bool withheld = false;  ///< also check each effect with itself removed from the catalogue
-  unsigned threads = 0;   ///< 0: as many as the machine has; the result is the same for any number
+  bool withheld = false;            ///< also check each effect with itself removed from the catalogue
+  std::vector<OwnEffect> own = {};  ///< that stored sessions take up, if they have their owner
+  unsigned threads = 0;             ///< 0: as many as the machine has; the result is the same for any number
   /// Called with the number of finished trials, from any thread, one call at a time.
   std::function<void(std::size_t)> progress = {};
 };

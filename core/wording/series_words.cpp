@@ -6,6 +6,7 @@
 #include "core/base/phrase.h"
 #include "core/base/quantity_text.h"
 #include "core/wording/copies.h"
+#include "core/wording/form_sentence.h"
 #include "core/wording/verdict.h"
 
 namespace alidade {
@@ -27,6 +28,16 @@ std::vector<std::string> named(const std::vector<std::string>& ids, const CauseN
   std::vector<std::string> names;
   for (const std::string& id : ids) names.push_back(name(id));
   return names;
+}
+
+/// "a, b and 3 more".
+std::string sessionsText(const std::vector<std::size_t>& sessions, const SeriesDiagnosis& series) {
+  constexpr std::size_t most = 5;
+  std::vector<std::string> names;
+  for (const std::size_t s : sessions)
+    if (names.size() < most) names.push_back(series.sessions[s].name);
+  if (sessions.size() > most) names.push_back(Phrase::of("%1 more", sessions.size() - most));
+  return listed(names, Phrase::of(" and "));
 }
 
 /// Whether the cause belongs to one session only.
@@ -112,7 +123,20 @@ std::string sentenceOf(const SeriesDiagnosis& series, const CauseNamer& name) {
                       Phrase::of("By itself %1 holds %2.", series.sessions[cause.sessions.front()].name,
                                  name(cause.cause.effect)));
   }
+  for (const OfferedEffect& offered : series.offered)
+    text = Phrase::of("%1 %2", text, sentenceOf(offered, series));
   return text;
+}
+
+std::string sentenceOf(const OfferedEffect& offered, const SeriesDiagnosis& series) {
+  const FormNumber& amplitude = offered.form.parameters.back();
+  const std::string u = displayText(amplitude.sigma, decimalsFor(amplitude.sigma, 2)) +
+                        (offered.form.form.isMillimetres() ? " mm" : "″"),
+                    owner = offered.effect.device.empty()
+                                ? Phrase::of("instrument %1", offered.effect.instrument)
+                                : Phrase::of("guideway %1", offered.effect.device);
+  return Phrase::of("Sessions of %1 show the same form, %2 (u %3): %4. It can be kept as an effect.", owner,
+                    textOf(offered.form), u, sessionsText(offered.sessions, series));
 }
 
 std::string sentenceOf(const SeriesAdvice& advice, const CauseNamer& name) {

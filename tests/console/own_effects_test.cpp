@@ -83,6 +83,50 @@ TEST(OwnEffects, AreTheCauseOfASeries) {
   EXPECT_EQ(series.at("causes").at(0).at("sessions").size(), 2u);
 }
 
+/// Three sessions of device G-7 with the wave in each.
+std::vector<std::string> wavySeries(const WavySession& first) {
+  std::vector<std::string> files{first.session};
+  for (const char* seed : {"2", "3"}) {
+    files.push_back(first.path((std::string(seed) + ".alidade").c_str()));
+    const ProgramRun run = alidadeCli({"simulate", "--out", files.back(), "--truth", first.path("u.json"),
+                                       "--seed", seed, "--protocol", "full", "--device-serial", "G-7",
+                                       "--effects", first.effect, "--effect", "own:wave=0.15,0.1"});
+    EXPECT_EQ(run.exitCode, 0) << run.err;
+  }
+  return files;
+}
+
+TEST(OwnEffects, AreOfferedByASeriesAndThenItsCause) {
+  const WavySession first;
+  std::vector<std::string> call = wavySeries(first);
+  const std::string kept = first.path("kept.alidade-effect");
+  std::vector<std::string> keeping = call;
+  keeping.insert(keeping.end(), {"--keep-form", kept});
+  const Json series = diagnosed(keeping).at("series");
+  ASSERT_EQ(series.at("offered_effects").size(), 1u);
+  const Json& offered = series.at("offered_effects").at(0);
+  EXPECT_EQ(offered.at("form"), "harmonic");
+  EXPECT_EQ(offered.at("parameters").at("order"), 7);
+  EXPECT_EQ(offered.at("sessions").size(), 3u);
+  EXPECT_EQ(offered.at("effect").at("owner"), Json({{"device", "G-7"}}));
+  EXPECT_THAT(series.at("sentence").get<std::string>(), HasSubstr("can be kept as an effect"));
+  keeping.insert(keeping.begin(), "diagnose");
+  const ProgramRun text = alidadeCli(keeping);
+  EXPECT_THAT(text.out, HasSubstr("--keep-form keeps it as own:radial_harmonic_7_of_s"));
+
+  call.insert(call.end(), {"--effects", kept});
+  const Json known = diagnosed(call).at("series");
+  EXPECT_EQ(known.at("verdict"), "single-cause");
+  EXPECT_EQ(known.at("causes").at(0).at("effect"), "own:radial_harmonic_7_of_s");
+  EXPECT_EQ(known.at("causes").at(0).at("owner"), "guideway");
+  EXPECT_EQ(known.at("offered_effects"), Json::array());
+  call.insert(call.begin(), "diagnose");
+  call.insert(call.end(), {"--keep-form", first.path("none.alidade-effect")});
+  const ProgramRun none = alidadeCli(call);
+  EXPECT_EQ(none.exitCode, 2);
+  EXPECT_THAT(none.err, HasSubstr("no three sessions"));
+}
+
 TEST(OwnEffects, AreKeptFromAForm) {
   const WavySession wavy;
   const std::string kept = wavy.path("kept.alidade-effect");

@@ -94,10 +94,11 @@ TEST_F(SchemaTest, IsMetByTheDiagnosesOfAllSamplesAndOfTheirSeries) {
   const TemporaryFolder series;
   for (const char* seed : {"1", "2", "3", "4"})
     alidadeCli({"simulate", "--protocol", "two-face", "--effect", "settling=40,0.2", "--seed", seed,
-                "--truth", m_folder.path().string() + "/truth.json", "--out",
+                "--instrument-serial", "T-1", "--truth", m_folder.path().string() + "/truth.json", "--out",
                 series.path().string() + "/" + seed + ".alidade"});
   const std::string unknown = answer({"diagnose", series.path().string(), "--json"});
   EXPECT_EQ(Json::parse(unknown)["series"]["shape"]["follows"], "orientation settling with time");
+  EXPECT_FALSE(Json::parse(unknown)["series"]["offered_effects"].empty());
   documents += unknown;
   const std::string referred = m_folder.file("referred.alidade", changedPaperSession([](Json& session) {
                                                session["acceptance"]["sigma_reference_mm"] = 0.02;

@@ -62,6 +62,48 @@ TEST(Trial, ScoresTrialsMadeElsewhere) {
   EXPECT_THAT(text.out, HasSubstr("look-alikes"));
 }
 
+constexpr const char* dent = R"json({
+  "format": "alidade-effect", "version": 1, "id": "dent", "owner": {"device": "G-7"},
+  "formula": "radial = A*bump(s, 83°, 8°)", "parameters": [{"name": "A", "plausible": 0.2, "unit": "mm"}]
+})json";
+
+// Of some 36 kinds, one of 60 drawn trials is the own effect with probability 0.8; the seed is one where it
+// is.
+TEST(Trial, DrawsOwnEffects) {
+  const TemporaryFolder folder;
+  const std::string effect = folder.file("dent.alidade-effect", dent);
+  const ProgramRun run = alidadeCli(
+      {"trial", "--count", "60", "--seed", "1", "--protocol", "full", "--effects", effect, "--json"});
+  ASSERT_EQ(run.exitCode, 0) << run.err;
+  const Json answer = Json::parse(run.out);
+  std::size_t drawn = 0;
+  for (const Json& trial : answer.at("trials")) drawn += trial.at("kind") == "own:dent" ? 1 : 0;
+  EXPECT_GT(drawn, 0u);
+  EXPECT_EQ(answer.at("kinds").at("own:dent").at("right").at("count"), drawn);
+  EXPECT_GT(answer.at("kinds").at("own:dent").at("right").at("hits"), 0);
+}
+
+// Sessions of another program that do not state the effect: known only where a file says it.
+TEST(Trial, ScoresStoredOwnEffects) {
+  const TemporaryFolder folder;
+  const std::string effect = folder.file("dent.alidade-effect", dent);
+  const auto path = [&](const char* name) { return (folder.path() / name).string(); };
+  const ProgramRun made =
+      alidadeCli({"simulate", "--out", path("s.alidade"), "--truth", path("truth.json"), "--protocol", "full",
+                  "--device-serial", "G-7", "--effects", effect, "--effect", "own:dent=0.3"});
+  ASSERT_EQ(made.exitCode, 0) << made.err;
+  const auto rightOf = [&](std::vector<std::string> more) {
+    std::vector<std::string> call{"trial", "--score", folder.path().string(), "--json"};
+    call.insert(call.end(), more.begin(), more.end());
+    const ProgramRun run = alidadeCli(call);
+    EXPECT_EQ(run.exitCode, 0) << run.err;
+    return Json::parse(run.out).at("right");
+  };
+  const Json once = {{"hits", 1}, {"count", 1}};
+  EXPECT_EQ(rightOf({}), Json({{"unknown", once}}));
+  EXPECT_EQ(rightOf({"--effects", effect}), Json({{"others", once}}));
+}
+
 TEST(Trial, RefusesInOneLine) {
   const auto refusal = [](std::vector<std::string> call) {
     call.insert(call.begin(), "trial");
@@ -73,6 +115,7 @@ TEST(Trial, RefusesInOneLine) {
   EXPECT_THAT(refusal({"--protocol", "by-ear"}), HasSubstr("by-ear"));
   EXPECT_THAT(refusal({"--count", "0"}), HasSubstr("--count"));
   EXPECT_THAT(refusal({"--score", stored, "--count", "5"}), HasSubstr("--count"));
+  EXPECT_THAT(refusal({"--series", "2", "--effects", "dent.alidade-effect"}), HasSubstr("--effects"));
   const TemporaryFolder folder;
   std::ofstream(folder.path() / "truth.json") << "{}";
   EXPECT_THAT(refusal({"--score", folder.path().string()}), HasSubstr("nothing to score"));

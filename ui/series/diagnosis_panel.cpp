@@ -2,6 +2,7 @@
 
 #include <QHeaderView>
 #include <QLabel>
+#include <QPushButton>
 #include <QSplitter>
 #include <QTableWidget>
 #include <QVBoxLayout>
@@ -49,6 +50,7 @@ DiagnosisPanel::DiagnosisPanel(QWidget* parent)
       m_sentence(wrappedLabel()),
       m_gap(wrappedLabel()),
       m_advice(wrappedLabel()),
+      m_offers(new QWidget),
       m_causes(table({tr("Cause"), tr("Owner"), tr("Size"), tr("Probability"), tr("In one session (σ)"),
                       tr("In all (σ)"), tr("Not told from")},
                      tr("What the sessions share"))),
@@ -59,9 +61,12 @@ DiagnosisPanel::DiagnosisPanel(QWidget* parent)
   auto* column = new QVBoxLayout(text);
   column->setContentsMargins(0, 0, 0, 0);
   column->addWidget(m_sentence);
+  column->addWidget(m_offers);
   column->addWidget(m_gap);
   column->addWidget(m_advice);
   column->addStretch();
+  auto* offers = new QVBoxLayout(m_offers);
+  offers->setContentsMargins(0, 0, 0, 0);
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(6, 6, 6, 6);
   layout->addWidget(scrolled(text), 1);
@@ -97,6 +102,7 @@ void DiagnosisPanel::setDiagnosis(const SharedSeriesDiagnosis& diagnosis, const 
   m_sessions->setRowCount(0);
   m_gap->clear();
   m_advice->clear();
+  showOffers();
   if (!m_diagnosis) {
     m_sentence->setText(reason.isEmpty() ? tr("No sessions yet.") : reason);
     return;
@@ -146,6 +152,21 @@ void DiagnosisPanel::showSessions() {
     m_sessions->setItem(row, 5, textCell(gapHeadline(member.diagnosis)));
   }
   m_sessions->resizeColumnsToContents();
+}
+
+void DiagnosisPanel::showOffers() {
+  qDeleteAll(m_offers->findChildren<QPushButton*>());
+  m_offers->setVisible(m_diagnosis && !m_diagnosis->offered.empty());
+  if (!m_diagnosis) return;
+  for (const OfferedEffect& offered : m_diagnosis->offered) {
+    auto* button = new QPushButton(tr("Keep “%1” as an Effect…").arg(visibleLine(offered.effect.name)));
+    button->setAutoDefault(false);
+    button->setToolTip(tr("Writes an effect of your own, for this device or instrument, into a file"));
+    connect(button, &QPushButton::clicked, this,
+            [this, effect = offered.effect] { emit keepWanted(effect); });
+    m_offers->layout()->addWidget(button);
+    m_offers->layout()->setAlignment(button, Qt::AlignLeft);
+  }
 }
 
 void DiagnosisPanel::showAdvice() {

@@ -29,15 +29,19 @@ class DiagnosisPanel : public QWidget {
  signals:
   /// A session was activated: its index in the diagnosed files.
   void sessionWanted(std::size_t file);
+  /// An offered effect is to be kept as a file.
+  void keepWanted(const alidade::OwnEffect& effect);
 
  private:
   QTableWidget* table(const QStringList& titles, const QString& name);
   void showCauses();
   void showSessions();
   void showAdvice();
+  void showOffers();
 
   SharedSeriesDiagnosis m_diagnosis;
   QLabel *m_sentence, *m_gap, *m_advice;
+  QWidget* m_offers;  ///< a button for each effect
   QTableWidget *m_causes, *m_sessions;
 };
 

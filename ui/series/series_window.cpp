@@ -92,6 +92,10 @@ SeriesWindow::SeriesWindow(Dialogs& dialogs, QWidget* parent)
           });
   connect(m_diagnosis, &DiagnosisPanel::sessionWanted, this,
           [this](std::size_t file) { emit sessionWanted(decoded(m_diagnosed[file])); });
+  connect(m_diagnosis, &DiagnosisPanel::keepWanted, this, [this](const OwnEffect& effect) {
+    write(tr("Keep as an effect"), qText(effect.id), QStringLiteral("alidade-effect"),
+          writeOwnEffect(effect));
+  });
   for (ChartFiles* files : findChildren<ChartFiles*>())
     connect(files, &ChartFiles::fileWanted, this, [this](const ChartFile& file) {
       write(tr("Save chart"), file.chart, file.suffix, file.bytes.toStdString());

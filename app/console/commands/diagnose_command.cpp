@@ -39,13 +39,21 @@ void takeRelation(const DiagnoseRequest& request, Measurement& measurement) {
         request.verticalAngle == "planar" ? VerticalAngleRelation::Planar : VerticalAngleRelation::Exact;
 }
 
+std::optional<Problem> keep(const OwnEffect& effect, const DiagnoseRequest& request) {
+  return writeOutputs({{"--keep-form", request.keepForm, writeOwnEffect(effect)}}, request.files);
+}
+
 /// Writes the first form as an effect of the user's own.
 std::optional<Problem> keepForm(const DiagnoseRequest& request, const Diagnosis& diagnosis,
                                 const Session& session) {
   if (diagnosis.forms.empty()) return Problem{"--keep-form: no form was found in these readings"};
-  return writeOutputs(
-      {{"--keep-form", request.keepForm, writeOwnEffect(ownEffectOf(diagnosis.forms.front(), session))}},
-      request.files);
+  return keep(ownEffectOf(diagnosis.forms.front(), session), request);
+}
+
+std::optional<Problem> keepOffered(const DiagnoseRequest& request, const SeriesDiagnosis& series) {
+  if (series.offered.empty())
+    return Problem{"--keep-form: no three sessions of one device or instrument show the same form"};
+  return keep(series.offered.front().effect, request);
 }
 
 /// The name of the series: its folder, or its number of files.
@@ -106,7 +114,7 @@ void addDiagnoseCommand(CLI::App& app, DiagnoseRequest& request) {
   addEffectsOption(*diagnose, request.effects);
   diagnose->add_option("--keep-form", request.keepForm,
                        "Write the first form found as an effect of this device or instrument "
-                       "(*.alidade-effect)");
+                       "(*.alidade-effect); of a series, the form that most sessions show, if three do");
   addBatchOptions(*diagnose, request.batch);
 }
 
@@ -180,6 +188,9 @@ int giveSeries(const DiagnoseRequest& request) {
     notify(inputName(paths[copy]), copyReason(inputName(paths[copy]), inputName(paths[first])));
   for (const auto& [index, fault] : outcome->unusable)
     exitCode = refuse(inputName(paths[index]), problemOf(fault).text());
+  if (!request.keepForm.empty())
+    if (const auto problem = keepOffered(request, outcome->diagnosis))
+      return refuse("alidade-cli", problem->text());
   const std::string name = seriesName(request.files, outcome->diagnosis.sessions.size());
   const int written = writeResult(request.batch.json ? seriesJson(name, outcome->diagnosis)
                                                      : seriesText(name, outcome->diagnosis));

@@ -4,6 +4,7 @@
 #include <cstdio>
 
 #include "app/console/commands/option_checks.h"
+#include "app/console/own_effect_files.h"
 #include "app/console/series_trial_text.h"
 #include "app/console/trial_text.h"
 #include "core/simulation/protocol.h"
@@ -19,9 +20,16 @@ void report(std::size_t done) {
 }
 
 Result<std::string> sessionTrials(const TrialRequest& request) {
-  const TrialSeriesOptions options{
-      .count = request.count, .withheld = request.withheld, .threads = request.threads, .progress = report};
-  const BlindTrialOptions draw{.protocol = request.protocol};
+  const Result<std::vector<OwnEffect>> own = ownEffectsIn(request.effects);
+  if (!own) return own.problem();
+  std::vector<Problem> problems;
+  const BlindTrialOptions draw{.protocol = request.protocol, .own = examineOwnEffects(*own, problems)};
+  if (!problems.empty()) return Problem{"--effects: " + problems.front().text()};
+  const TrialSeriesOptions options{.count = request.count,
+                                   .withheld = request.withheld,
+                                   .own = *own,
+                                   .threads = request.threads,
+                                   .progress = report};
   const Result<std::vector<ScoredTrial>> trials = request.folder.empty()
                                                       ? scoreDrawnTrials(options, draw, request.seed)
                                                       : scoreStoredTrials(options, request.folder);
@@ -68,6 +76,14 @@ void addTrialCommand(CLI::App& app, TrialRequest& request) {
       ->check([](const std::string& folder) {
         return folder.empty() ? "names no folder: give the one that holds truth.json and sessions/" : "";
       });
+  trial
+      ->add_option(
+          "--effects", request.effects,
+          "Effects of your own (*.alidade-effect, or a folder of them): drawn as often as one of the "
+          "catalogue, and known to the diagnosis; may be given several times")
+      ->take_all()
+      ->expected(1)
+      ->excludes(series);
   trial->add_flag(
       "--withheld", request.withheld,
       "Diagnose each effect a second time with itself taken from the catalogue: no wrong cause may "

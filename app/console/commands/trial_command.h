@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <string>
+#include <vector>
 
 #include "core/base/result.h"
 
@@ -17,15 +18,17 @@ struct TrialRequest {
   std::size_t count = 100;
   std::size_t series = 0;  ///< number of series of sessions; 0: single sessions
   std::uint64_t seed = 1;
-  std::string protocol;  ///< empty: drawn
-  std::string folder;    ///< folder of existing trials; empty: drawn here
+  std::string protocol;              ///< empty: drawn
+  std::string folder;                ///< folder of existing trials; empty: drawn here
+  std::vector<std::string> effects;  ///< files of own effects that are drawn, too
   bool withheld = false;
   unsigned threads = 0;
   bool json = false;
 };
 
-/// Adds `trial [--count N | --series N] [--seed N] [--protocol NAME] [--score DIR] [--withheld] [--threads N]
-/// [--json]`, which fills in `request`.
+/// Adds `trial [--count N | --series N] [--seed N] [--protocol NAME] [--score DIR] [--effects FILE]…
+/// [--withheld]
+/// [--threads N] [--json]`, which fills in `request`.
 void addTrialCommand(CLI::App& app, TrialRequest& request);
 
 /// The scores as text or JSON. Fails if a trial cannot be read or diagnosed.

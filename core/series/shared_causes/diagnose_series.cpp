@@ -12,6 +12,7 @@
 #include "core/diagnosis/diagnose.h"
 #include "core/diagnosis/session_evidence.h"
 #include "core/effects/cause_ids.h"
+#include "core/series/shared_causes/offered_effects.h"
 #include "core/series/shared_causes/series_conclusion.h"
 #include "core/session/readings_digest.h"
 
@@ -48,7 +49,7 @@ std::vector<SessionOwners> ownersOf(const std::vector<SeriesSession>& sessions,
   std::vector<SessionOwners> owners;
   std::vector<double> days;
   for (const std::size_t s : order) {
-    owners.push_back({sessions[s].instrument, sessions[s].guideway, 0});
+    owners.push_back({sessions[s].instrument, sessions[s].guideway, 0, sessions[s].measurement.own.get()});
     if (const auto day = dayOf(sessions[s].measuredOn)) days.push_back(*day);
   }
   const bool dated = days.size() == order.size() && days.back() > days.front();
@@ -78,6 +79,26 @@ void noteCopy(SeriesOutcome& outcome, const std::vector<SeriesSession>& sessions
   };
   outcome.copies.emplace_back(copy, first);
   outcome.diagnosis.copies.push_back({fileOf(copy), fileOf(first)});
+}
+
+/// The columns that count for these sessions. A session counts once.
+std::shared_ptr<const SharedColumns> columnsFor(const std::vector<SeriesSession>& sessions,
+                                                const std::vector<std::size_t>& firsts) {
+  std::vector<std::shared_ptr<const OwnEffects>> own;
+  for (std::size_t s = 0; s < sessions.size(); ++s)
+    if (firsts[s] == s) own.push_back(sessions[s].measurement.own);
+  return std::make_shared<const SharedColumns>(own);
+}
+
+/// Without the own effects that only other sessions have, which are unknown here.
+DiagnosisOptions optionsFor(DiagnosisOptions options, const SeriesSession& session,
+                            const std::vector<SeriesSession>& sessions) {
+  std::erase_if(options.without, [&](const std::string& id) {
+    return !isDiagnosable(id, session.measurement) &&
+           std::ranges::any_of(
+               sessions, [&](const SeriesSession& other) { return isDiagnosable(id, other.measurement); });
+  });
+  return options;
 }
 
 /// Reports progress, one call at a time.
@@ -115,8 +136,10 @@ Result<SeriesOutcome, DiagnosisFault> diagnoseSeries(const std::vector<SeriesSes
   Progress progress(options, sessions.size() * (options.withSessions ? 2 : 1));
   std::vector<std::optional<Result<SessionEvidence, DiagnosisFault>>> found(sessions.size());
   const std::vector<std::size_t> firsts = firstsOf(sessions);
+  const std::shared_ptr<const SharedColumns> columns = columnsFor(sessions, firsts);
   doEach(threads, sessions.size(), [&](std::size_t s) {
-    if (firsts[s] == s) found[s] = evidenceOf(sessions[s].measurement, alone, stop);
+    if (firsts[s] == s)
+      found[s] = evidenceOf(sessions[s].measurement, columns, optionsFor(alone, sessions[s], sessions), stop);
     progress.step();
   });
   if (stop.stop_requested()) return stopped;
@@ -170,11 +193,12 @@ Result<SeriesOutcome, DiagnosisFault> diagnoseSeries(const std::vector<SeriesSes
     if (!options.withSessions) return;
     Measurement measurement = session.measurement;
     measurement.known.insert(measurement.known.end(), member.shared.begin(), member.shared.end());
-    auto diagnosis = diagnose(measurement, alone, stop);
+    auto diagnosis = diagnose(measurement, optionsFor(alone, session, sessions), stop);
     if (diagnosis) member.diagnosis = *std::move(diagnosis);
     progress.step();
   });
   if (stop.stop_requested()) return stopped;
+  addOfferedEffects(outcome.diagnosis);
   for (const SeriesMember& member : outcome.diagnosis.sessions) {
     if (member.instrument.empty()) ++outcome.diagnosis.withoutInstrument;
     if (member.guideway.empty()) ++outcome.diagnosis.withoutGuideway;

@@ -25,13 +25,15 @@ CauseOwner ownerOf(const Effect& effect) {
   return CauseOwner::Time;
 }
 
-/// The sessions of each owner, in the order of their first session. A session without a serial has an owner
+using Sessions = std::vector<std::size_t>;
+using Groups = std::vector<std::pair<std::string, Sessions>>;
+
+/// Those of `sessions` by owner, in the order of their first session. A session without a serial has an owner
 /// of its own.
-std::vector<std::pair<std::string, std::vector<std::size_t>>> sessionsOf(
-    const std::vector<SessionOwners>& owners, CauseOwner kind) {
-  std::vector<std::pair<std::string, std::vector<std::size_t>>> groups;
+Groups groupsOf(const std::vector<SessionOwners>& owners, const Sessions& sessions, CauseOwner kind) {
+  Groups groups;
   std::map<std::string, std::size_t> known;
-  for (std::size_t s = 0; s < owners.size(); ++s) {
+  for (const std::size_t s : sessions) {
     const std::string& serial = kind == CauseOwner::Instrument ? owners[s].instrument : owners[s].guideway;
     const auto [place, isNew] = known.try_emplace(serial, groups.size());
     if (isNew || serial.empty()) {
@@ -43,25 +45,70 @@ std::vector<std::pair<std::string, std::vector<std::size_t>>> sessionsOf(
   return groups;
 }
 
-std::vector<std::size_t> everySession(std::size_t count) {
-  std::vector<std::size_t> all(count);
+Sessions everySession(std::size_t count) {
+  Sessions all(count);
   for (std::size_t s = 0; s < count; ++s) all[s] = s;
   return all;
 }
 
-void addPatternBlocks(std::vector<EffectBlock>& blocks, const std::vector<SessionOwners>& owners) {
+/// A row for each of `sessions`, 1 in the column of its group.
+MatrixXd membership(const Sessions& sessions, const Groups& groups) {
+  MatrixXd features = MatrixXd::Zero(std::ssize(sessions), std::ssize(groups));
+  for (std::size_t g = 0; g < groups.size(); ++g)
+    for (const std::size_t s : groups[g].second)
+      features(std::ranges::lower_bound(sessions, s) - sessions.begin(), static_cast<Index>(g)) = 1;
+  return features;
+}
+
+/// An effect in `sessions`, whose owners of its kind are `groups`.
+void addEffectBlocks(std::vector<EffectBlock>& blocks, const EffectColumns& columns, const Sessions& sessions,
+                     const Groups& groups) {
+  constexpr double differing = 0.01;  // odds that an effect which an owner should share has a size of its own
+                                      // in each session
+  const CauseOwner owner = ownerOf(*columns.effect);
+  const std::size_t numbers = columns.effect->parameters.size();
+  if (owner != CauseOwner::Time)
+    for (const auto& [serial, own] : groups)
+      blocks.push_back({.effect = &columns,
+                        .owner = owner,
+                        .sizes = SizesKind::One,
+                        .serial = serial,
+                        .sessions = own,
+                        .logPrior = std::log(effectOdds() / static_cast<double>(groups.size()))});
+  if (columns.effect->response != Response::Linear) return;
+  const bool isOfEach = owner == CauseOwner::Time || groups.size() == sessions.size();
+  if (!isOfEach && groups.size() > 1 && groups.size() * numbers <= mostSizes)
+    blocks.push_back({.effect = &columns,
+                      .owner = owner,
+                      .sizes = SizesKind::PerOwner,
+                      .sessions = sessions,
+                      .features = membership(sessions, groups),
+                      .logPrior = std::log(effectOdds())});
+  if (sessions.size() > 1 && sessions.size() * numbers <= mostSizes)
+    blocks.push_back({.effect = &columns,
+                      .owner = isOfEach ? owner : CauseOwner::Time,
+                      .sizes = SizesKind::PerSession,
+                      .sessions = sessions,
+                      .features = MatrixXd::Identity(std::ssize(sessions), std::ssize(sessions)),
+                      .logPrior = std::log(isOfEach ? effectOdds() : differing)});
+}
+
+void addPatternBlocks(std::vector<EffectBlock>& blocks, const SharedColumns& columns,
+                      const std::vector<SessionOwners>& owners) {
   constexpr double odds = 0.04;  // of any pattern, as in one session
   constexpr std::size_t fewest = 3;
   const std::size_t before = blocks.size();
-  for (std::size_t e = effectColumns().size(); e < sharedColumns().size(); ++e) {
-    const CauseOwner owner = ownerOf(*sharedColumns()[e].effect);
+  const Sessions every = everySession(owners.size());
+  for (const EffectColumns& pattern : columns.all()) {
+    if (!pattern.isPattern) continue;
+    const CauseOwner owner = ownerOf(*pattern.effect);
     if (owner == CauseOwner::Time) {
-      blocks.push_back({.effect = e, .owner = owner, .sessions = everySession(owners.size())});
+      blocks.push_back({.effect = &pattern, .owner = owner, .sessions = every});
       continue;
     }
-    for (const auto& [serial, sessions] : sessionsOf(owners, owner))
+    for (const auto& [serial, sessions] : groupsOf(owners, every, owner))
       if (!serial.empty() && sessions.size() >= fewest)
-        blocks.push_back({.effect = e, .owner = owner, .serial = serial, .sessions = sessions});
+        blocks.push_back({.effect = &pattern, .owner = owner, .serial = serial, .sessions = sessions});
   }
   for (std::size_t i = before; i < blocks.size(); ++i)
     blocks[i].logPrior = std::log(odds / static_cast<double>(blocks.size() - before));
@@ -73,52 +120,25 @@ double effectOdds() {
   return 0.04;
 }
 
-std::vector<EffectBlock> effectBlocks(const std::vector<SessionOwners>& owners,
+std::vector<EffectBlock> effectBlocks(const SharedColumns& columns, const std::vector<SessionOwners>& owners,
                                       const std::vector<std::string>& leftOut) {
-  constexpr double differing = 0.01;  // odds that an effect which an owner should share has a size of its own
-                                      // in each session
-  const auto ofInstruments = sessionsOf(owners, CauseOwner::Instrument),
-             ofGuideways = sessionsOf(owners, CauseOwner::Guideway);
+  const Sessions every = everySession(owners.size());
+  const Groups ofInstruments = groupsOf(owners, every, CauseOwner::Instrument),
+               ofGuideways = groupsOf(owners, every, CauseOwner::Guideway);
   std::vector<EffectBlock> blocks;
-  for (std::size_t e = 0; e < effectColumns().size(); ++e) {
-    const Effect& effect = *effectColumns()[e].effect;
-    if (std::ranges::find(leftOut, effect.id) != leftOut.end()) continue;
-    const CauseOwner owner = ownerOf(effect);
-    const auto& groups = owner == CauseOwner::Instrument ? ofInstruments : ofGuideways;
-    const std::size_t numbers = effect.parameters.size();
-    if (owner != CauseOwner::Time)
-      for (const auto& [serial, sessions] : groups)
-        blocks.push_back({.effect = e,
-                          .owner = owner,
-                          .sizes = SizesKind::One,
-                          .serial = serial,
-                          .sessions = sessions,
-                          .logPrior = std::log(effectOdds() / static_cast<double>(groups.size()))});
-    if (effect.response != Response::Linear) continue;
-    if (owner != CauseOwner::Time && groups.size() > 1 && groups.size() < owners.size() &&
-        groups.size() * numbers <= mostSizes) {
-      EffectBlock block{.effect = e,
-                        .owner = owner,
-                        .sizes = SizesKind::PerOwner,
-                        .sessions = everySession(owners.size()),
-                        .features = MatrixXd::Zero(std::ssize(owners), std::ssize(groups)),
-                        .logPrior = std::log(effectOdds())};
-      for (std::size_t g = 0; g < groups.size(); ++g)
-        for (const std::size_t s : groups[g].second)
-          block.features(static_cast<Index>(s), static_cast<Index>(g)) = 1;
-      blocks.push_back(std::move(block));
+  for (const EffectColumns& own : columns.effects()) {
+    if (std::ranges::find(leftOut, own.effect->id) != leftOut.end()) continue;
+    const CauseOwner owner = ownerOf(*own.effect);
+    if (!own.own) {
+      addEffectBlocks(blocks, own, every, owner == CauseOwner::Instrument ? ofInstruments : ofGuideways);
+      continue;
     }
-    if (owners.size() > 1 && owners.size() * numbers <= mostSizes)
-      blocks.push_back(
-          {.effect = e,
-           .owner = owner != CauseOwner::Time && groups.size() == owners.size() ? owner : CauseOwner::Time,
-           .sizes = SizesKind::PerSession,
-           .sessions = everySession(owners.size()),
-           .features = MatrixXd::Identity(std::ssize(owners), std::ssize(owners)),
-           .logPrior = std::log(owner == CauseOwner::Time || groups.size() == owners.size() ? effectOdds()
-                                                                                            : differing)});
+    Sessions having;
+    for (const std::size_t s : every)
+      if (columns.of(own.effect->id, owners[s].own) == &own) having.push_back(s);
+    addEffectBlocks(blocks, own, having, groupsOf(owners, having, owner));
   }
-  if (owners.size() > 1) addPatternBlocks(blocks, owners);
+  if (owners.size() > 1) addPatternBlocks(blocks, columns, owners);
   return blocks;
 }
 

@@ -14,6 +14,7 @@ namespace alidade {
 struct SessionOwners {
   std::string instrument, guideway;  ///< serials; empty: an owner of its own
   double time = 0;                   ///< 0…1 from the first session to the last
+  const OwnEffects* own = nullptr;   ///< of the user's own; null: none
 };
 
 /// The relation between the sizes of an effect in several sessions: in session s the size is Σⱼ Fₛⱼ zⱼ, where
@@ -27,7 +28,7 @@ enum class SizesKind {
 
 /// An effect, or an uncatalogued pattern, in the sessions of an owner.
 struct EffectBlock {
-  std::size_t effect = 0;  ///< index into `sharedColumns()`
+  const EffectColumns* effect = nullptr;
   CauseOwner owner = CauseOwner::Time;
   SizesKind sizes = SizesKind::One;
   std::string serial = {};                 ///< with One
@@ -35,7 +36,7 @@ struct EffectBlock {
   Eigen::MatrixXd features = {};           ///< F, a row for each session; empty: one column of ones
   double logPrior = 0;                     ///< natural log of the odds against no effect
 
-  const EffectColumns& columns() const { return sharedColumns()[effect]; }
+  const EffectColumns& columns() const { return *effect; }
   bool isPattern() const { return columns().isPattern; }
   Eigen::Index rank() const { return features.size() > 0 ? features.cols() : 1; }
   Eigen::RowVectorXd featuresOf(std::size_t index) const {
@@ -48,8 +49,9 @@ struct EffectBlock {
 };
 
 /// Every effect with every possible owner, and with a size for each owner or session if these are few; then
-/// every pattern whose owner has several sessions.
-std::vector<EffectBlock> effectBlocks(const std::vector<SessionOwners>& owners,
+/// every pattern whose owner has several sessions. An effect of the user's own is only in sessions that have
+/// it. The columns must outlive the blocks.
+std::vector<EffectBlock> effectBlocks(const SharedColumns& columns, const std::vector<SessionOwners>& owners,
                                       const std::vector<std::string>& leftOut);
 
 /// The block with a size that changes over time; absent (no sessions) if too few sessions would show it.

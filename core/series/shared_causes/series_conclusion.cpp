@@ -82,7 +82,7 @@ class Conclusion {
       : m_evidence(evidence),
         m_owners(owners),
         m_names(names),
-        m_blocks(effectBlocks(owners, leftOut)),
+        m_blocks(effectBlocks(*evidence.front().columns, owners, leftOut)),
         m_leftOut(leftOut),
         m_stop(stop),
         m_search(m_sums, m_blocks, m_stop) {
@@ -363,7 +363,6 @@ class Conclusion {
     return {};
   }
 
-  /// A cause of a session alone: also one of the user's own effects, which series do not search together.
   static bool isCause(const std::string& id) {
     return id.starts_with(ownPrefix) ||
            std::ranges::find(diagnosableEffects(), id) != diagnosableEffects().end();
@@ -491,7 +490,6 @@ class Conclusion {
       conclusion.ownChance[s] = something;
       for (const std::string& id : ids) {
         conclusion.own[s].push_back(id);
-        if (addToOwn(conclusion.diagnosis.causes, id, s, something)) continue;
         SharedCause cause;
         const auto same = std::ranges::find(m_evidence[s].causes, id, &Cause::effect);
         cause.cause = same != m_evidence[s].causes.end() ? *same : named(id);
@@ -500,27 +498,6 @@ class Conclusion {
         conclusion.diagnosis.causes.push_back(std::move(cause));
       }
     }
-  }
-
-  /// Of an effect of the user's own, in another session as well: one cause, with the mean of its sizes by
-  /// their weights. False if it is none, or the first.
-  bool addToOwn(std::vector<SharedCause>& causes, const std::string& id, std::size_t session,
-                double probability) const {
-    const auto known = std::ranges::find(causes, id, [](const SharedCause& one) { return one.cause.effect; });
-    const auto& its = m_evidence[session].causes;
-    const auto found = std::ranges::find(its, id, &Cause::effect);
-    if (!id.starts_with(ownPrefix) || known == causes.end()) return false;
-    known->sessions.push_back(session);
-    known->cause.probability = std::min(known->cause.probability, probability);
-    if (found == its.end()) return true;
-    for (std::size_t p = 0; p < std::min(known->cause.parameters.size(), found->parameters.size()); ++p) {
-      CauseParameter& mean = known->cause.parameters[p];
-      const CauseParameter& one = found->parameters[p];
-      const double before = std::pow(mean.sigma, -2), now = std::pow(one.sigma, -2);
-      mean.value += (one.value - mean.value) * now / (before + now);
-      mean.sigma = 1 / std::sqrt(before + now);
-    }
-    return true;
   }
 
   static DiagnosisVerdict verdictOf(const std::vector<SharedCause>& causes) {
@@ -542,7 +519,8 @@ class Conclusion {
     }
     for (const auto& [a, x] : shares) {
       squares -= 2 * x.dot(Eigen::Map<const VectorXd>(&m_evidence[s].circleRight[a->first], x.size()));
-      for (const auto& [b, y] : shares) squares += x.dot(blockOf(m_evidence[s].circleNormal, *a, *b) * y);
+      for (const auto& [b, y] : shares)
+        squares += x.dot(blockOf(*m_evidence[s].columns, m_evidence[s].circleNormal, *a, *b) * y);
     }
     return std::max(squares, 0.0);
   }

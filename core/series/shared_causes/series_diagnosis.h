@@ -9,6 +9,7 @@
 
 #include "core/diagnosis/result/diagnosis.h"
 #include "core/session/measurement.h"
+#include "core/session/own_effect.h"
 
 namespace alidade {
 
@@ -96,6 +97,13 @@ struct SharedPattern {
   double visibleTogether = 0;              ///< its trace in all of them, σ
 };
 
+/// A form that at least three sessions of its owner found, as an effect of the user's own.
+struct OfferedEffect {
+  FoundForm form;    ///< the mean of the sessions (`meanOf`)
+  OwnEffect effect;  ///< of the guideway, or of the instrument if it acts on circles
+  std::vector<std::size_t> sessions;
+};
+
 struct SeriesDiagnosis {
   DiagnosisVerdict verdict = DiagnosisVerdict::WithinNoise;
   GapSize gap, after;  ///< of all sessions, including the conditions between the positions of each
@@ -108,6 +116,7 @@ struct SeriesDiagnosis {
   std::vector<GapShare> where;        ///< by frame, session, instrument and guideway
   std::vector<UndetectableEffect> undetectable;
   std::vector<SeriesAdvice> advice;
+  std::vector<OfferedEffect> offered;                      ///< in most sessions first
   std::vector<SeriesMember> sessions;                      ///< in order of measurement
   std::size_t withoutInstrument = 0, withoutGuideway = 0;  ///< sessions without a serial
   std::vector<SeriesCopy> copies;                          ///< left out, in the order given

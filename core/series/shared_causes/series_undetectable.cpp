@@ -8,7 +8,7 @@ namespace alidade {
 
 void addUndetectable(SeriesDiagnosis& diagnosis, const SettledSeries& series) {
   constexpr double negligible = 1e-3;  // mm
-  for (const EffectColumns& columns : effectColumns()) {
+  for (const EffectColumns& columns : series.evidence.front().columns->effects()) {
     if (columns.effect->response == Response::AllOrNothing) continue;
     if (std::ranges::find(series.leftOut, columns.effect->id) != series.leftOut.end()) continue;
     const auto count = static_cast<Eigen::Index>(columns.effect->parameters.size());

@@ -7,11 +7,13 @@ namespace alidade {
 
 using Eigen::Index, Eigen::VectorXd;
 
-EffectMatrix blockOf(const std::vector<double>& products, const EffectColumns& a, const EffectColumns& b) {
+EffectMatrix blockOf(const SharedColumns& columns, const std::vector<double>& products,
+                     const EffectColumns& a, const EffectColumns& b) {
   EffectMatrix block(static_cast<Index>(a.count), static_cast<Index>(b.count));
   for (std::size_t i = 0; i < a.count; ++i)
     for (std::size_t j = 0; j < b.count; ++j)
-      block(static_cast<Index>(i), static_cast<Index>(j)) = products[productAt(a.first + i, b.first + j)];
+      block(static_cast<Index>(i), static_cast<Index>(j)) =
+          products[columns.productAt(a.first + i, b.first + j)];
   return block;
 }
 
@@ -22,7 +24,7 @@ double SessionSums::variance(std::size_t account) const {
 EffectMatrix SessionSums::normal(std::size_t account, const EffectColumns& a, const EffectColumns& b) const {
   EffectMatrix block = plainNormal(a, b);
   const OwnAccount& own = m_evidence->accounts[account];
-  const std::size_t columns = columnCount();
+  const std::size_t columns = m_evidence->columns->count();
   for (std::size_t d = 0; d < own.directions; ++d) {
     const Eigen::Map<const VectorXd> ofA(&own.taken[d * columns + a.first], block.rows()),
         ofB(&own.taken[d * columns + b.first], block.cols());
@@ -49,7 +51,7 @@ double SessionSums::logOdds(std::size_t account) const {
 }
 
 EffectMatrix SessionSums::plainNormal(const EffectColumns& a, const EffectColumns& b) const {
-  return blockOf(m_evidence->normal, a, b);
+  return blockOf(*m_evidence->columns, m_evidence->normal, a, b);
 }
 
 }  // namespace alidade

@@ -42,6 +42,7 @@ class SessionSums {
 };
 
 /// A block of the stored inner products (`productAt`).
-EffectMatrix blockOf(const std::vector<double>& products, const EffectColumns& a, const EffectColumns& b);
+EffectMatrix blockOf(const SharedColumns& columns, const std::vector<double>& products,
+                     const EffectColumns& a, const EffectColumns& b);
 
 }  // namespace alidade

@@ -93,6 +93,51 @@ TEST(BlindTrial, PutsTwoEffectsWhereTwoAreAskedFor) {
   }
 }
 
+std::shared_ptr<const OwnEffects> ownEffects() {
+  std::vector<Problem> problems;
+  auto own = examineOwnEffects(
+      {{.id = "dent",
+        .formula = "radial = A*bump(s, 83°, 8°)",
+        .parameters = {{.name = "A", .plausible = "0.2"}}},
+       {.id = "three",
+        .formula = "radial = A*cos(7*s)\nx = B*leg\nz = C*cos(5*s)",
+        .parameters = {{.name = "A", .plausible = "0.2"},
+                       {.name = "B", .plausible = "0.2"},
+                       {.name = "C", .plausible = "0.2"}}},
+       {.id = "scale", .formula = "slider = A*sin(3*s)", .parameters = {{.name = "A", .plausible = "20"}}}},
+      problems);
+  EXPECT_TRUE(problems.empty());
+  return own;
+}
+
+// An own effect is drawn with all its amplitudes and known to the session, which does not reveal the truth.
+TEST(BlindTrial, DrawsOwnEffects) {
+  for (const auto& [id, amplitudes] : {std::pair("own:dent", 1u), std::pair("own:three", 3u)}) {
+    const BlindTrialOptions options{
+        .protocol = "full", .leastVisible = 9, .mostVisible = 12, .kinds = {id}, .own = ownEffects()};
+    const BlindTrial trial = *drawBlindTrial(options, 3);
+    EXPECT_EQ(trial.seal.kind, id);
+    EXPECT_EQ(trial.truth.effects.size(), amplitudes);
+    EXPECT_EQ(trial.session.ownEffects.size(), 3u);
+    ASSERT_TRUE(trial.seal.visible);
+    EXPECT_GT(*trial.seal.visible, 8.9);  // to 0.2 %, the tolerance of the size search
+    EXPECT_LT(*trial.seal.visible, 12.1);
+    EXPECT_TRUE(trial.seal.statesOwn);
+  }
+}
+
+// As often as one effect of the catalogue: 4.5 σ of the count. The slider's only where the slider is read.
+TEST(BlindTrial, DrawsOwnEffectsAsOftenAsOthers) {
+  constexpr int count = 200;
+  const BlindTrialOptions options{.protocol = "paper", .own = ownEffects()};
+  std::map<std::string, int> drawn;
+  for (std::uint64_t seed = 1; seed <= count; ++seed) ++drawn[drawBlindTrial(options, seed)->seal.kind];
+  EXPECT_EQ(drawn.count("own:scale"), 0u);
+  const double expected = count * trialKinds().back().weight;
+  for (const char* id : {"own:dent", "own:three"})
+    EXPECT_NEAR(drawn[id], expected, 4.5 * std::sqrt(expected)) << id;
+}
+
 TEST(BlindTrial, RefusesWhatItDoesNotKnow) {
   EXPECT_THAT(drawBlindTrial({.protocol = "by-ear"}, 1).problem().text(), HasSubstr("by-ear"));
   EXPECT_THAT(drawBlindTrial({.protocol = "paper", .kinds = {"moonlight"}}, 1).problem().text(),

@@ -72,6 +72,27 @@ TEST(TrialSeries, IsRightWhereOnlyTheSurroundingsTell) {
   EXPECT_GE(rightOf("paper-slider", "unknown"), 6);
 }
 
+// Where the session states it an own effect must be named, where not it is of no catalogue.
+TEST(TrialSeries, AnOwnEffectCountsAsOneOfTheCatalogue) {
+  std::vector<Problem> problems;
+  const auto own = examineOwnEffects({{.id = "dent",
+                                       .formula = "radial = A*bump(s, 83°, 8°)",
+                                       .parameters = {{.name = "A", .plausible = "0.2"}}}},
+                                     problems);
+  const BlindTrialOptions draw{.protocol = "full", .leastVisible = 12, .kinds = {"own:dent"}, .own = own};
+  const auto trials = *scoreDrawnTrials({.count = 4, .withheld = true}, draw, 1);
+  for (const ScoredTrial& trial : trials) {
+    EXPECT_EQ(trial.score.trialClass, TrialClass::Unique);
+    EXPECT_TRUE(trial.score.right) << trial.truth.id << " taken for " << trial.score.answer;
+    EXPECT_EQ(trial.wrongWithout, false) << trial.truth.id;
+  }
+  EXPECT_EQ(summarise(trials).kinds.at("own:dent").right, (Tally{4, 4}));
+  const BlindTrial drawn = *drawBlindTrial(draw, 1);
+  SealedTruth unstated = drawn.seal;
+  unstated.statesOwn = false;
+  EXPECT_EQ(classOf(unstated), TrialClass::Unknown);
+}
+
 TEST(TrialSeries, NamesTheFileThatIsWrong) {
   EXPECT_THAT(scoreStoredTrials({}, "/no/such/folder").problem().text(),
               HasSubstr("/no/such/folder/truth.json: No such file or directory; a folder of trials holds"));

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <QLabel>
+#include <QPushButton>
 #include <QSignalSpy>
 #include <QTableWidget>
 
@@ -69,6 +70,30 @@ TEST(DiagnosisPanel, HandsOutTheSessionThatIsActivated) {
   QObject::connect(&panel, &DiagnosisPanel::sessionWanted, [&](std::size_t file) { wanted = file; });
   emit panel.sessions()->itemActivated(panel.sessions()->item(1, 0));
   EXPECT_EQ(wanted, 6u);
+}
+
+TEST(DiagnosisPanel, OffersWhatSessionsShowAsAnEffect) {
+  SeriesDiagnosis series = *trunnionOfTwo();
+  OfferedEffect offer;
+  offer.form = {.form = {.of = FormArgument::S, .order = 7},
+                .formula = "radial = A*cos(7*s) + B*sin(7*s)",
+                .coefficients = {{"A", 0.15, 0.004}, {"B", 0.1, 0.004}},
+                .parameters = {{"order", 7, 0}, {"amplitude_mm", 0.18, 0.003}}};
+  offer.effect = {.id = "wave", .name = "radial harmonic 7 of s", .device = "G-1"};
+  offer.sessions = {0, 1};
+  series.offered = {offer};
+  DiagnosisPanel panel;
+  panel.setDiagnosis(std::make_shared<const SeriesDiagnosis>(series));
+  EXPECT_TRUE(says(panel, QStringLiteral("Sessions of guideway G-1 show the same form")));
+  const auto buttons = panel.findChildren<QPushButton*>();
+  ASSERT_EQ(buttons.size(), 1);
+  EXPECT_TRUE(buttons.front()->text().contains(QStringLiteral("radial harmonic 7 of s")));
+  OwnEffect wanted;
+  QObject::connect(&panel, &DiagnosisPanel::keepWanted, [&](const OwnEffect& effect) { wanted = effect; });
+  buttons.front()->click();
+  EXPECT_EQ(wanted, offer.effect);
+  panel.setDiagnosis(trunnionOfTwo());
+  EXPECT_TRUE(panel.findChildren<QPushButton*>().isEmpty());
 }
 
 TEST(DiagnosisPanel, SaysWhyThereIsNone) {

@@ -201,6 +201,18 @@ TEST(SeriesWindow, WritesJsonCsvAndPdf) {
   EXPECT_FALSE(bench.window.exportJson());
 }
 
+TEST(SeriesWindow, WritesAnOfferedEffect) {
+  const QTemporaryDir folder;
+  SeriesBench bench;
+  bench.dialogs.exportPath = folder.filePath(QStringLiteral("dent.alidade-effect"));
+  const OwnEffect dent{
+      .id = "dent", .formula = "radial = A*bump(s, 83°, 4°)", .parameters = {{"A", "0.2", "mm"}}};
+  emit bench.window.diagnosis()->keepWanted(dent);
+  const Result<OwnEffect> written = loadOwnEffect(bench.dialogs.exportPath.toStdString());
+  ASSERT_TRUE(written) << written.problem().text();
+  EXPECT_EQ(written->formula, dent.formula);
+}
+
 TEST(SeriesWindow, OpensASessionInTheMainWindow) {
   OpenWindow window;
   window->sideWindows().showSeries();

@@ -16,14 +16,15 @@ namespace {
 
 SessionEvidence evidenceOfPerfect(const std::string& protocol, const Truth& truth) {
   const Session session = *simulateWithoutNoise(*protocolByName(protocol), truth, 1);
-  return *evidenceOf(*examine(session).measurement);
+  return *evidenceOf(*examine(session).measurement, std::make_shared<const SharedColumns>());
 }
 
 const EffectColumns& pattern(const std::string& follows, int order) {
-  for (const EffectColumns& columns : sharedColumns())
+  static const SharedColumns shared;
+  for (const EffectColumns& columns : shared.all())
     if (columns.isPattern && columns.effect->id == follows && columns.order == order) return columns;
   ADD_FAILURE() << follows << " " << order;
-  return sharedColumns().back();
+  return shared.all().back();
 }
 
 /// N w = b holds for the simulated weights, to a few percent of the length of b: the readings are
@@ -35,7 +36,8 @@ void expectToExplain(const SessionEvidence& evidence, const EffectColumns& colum
     const double right = evidence.accounts.front().right[columns.first + i];
     double explained = 0;
     for (std::size_t j = 0; j < columns.count; ++j)
-      explained += evidence.normal[productAt(columns.first + i, columns.first + j)] * weights[j];
+      explained +=
+          evidence.normal[evidence.columns->productAt(columns.first + i, columns.first + j)] * weights[j];
     length += right * right;
     missed += (right - explained) * (right - explained);
   }
@@ -74,16 +76,21 @@ TEST(SessionPatterns, AWarpOfHigherOrderTurnsWithTheGuideway) {
   expectToExplain(evidenceOfPerfect("full", truth), pattern("guideway out of its plane", 4), {0, 2});
 }
 
-// Products of every column with the catalogue's columns and with those of its own pattern have separate
+// Products of every column with the effects' columns and with those of its own pattern have separate
 // indices.
 TEST(SessionPatterns, EveryProductThatIsKeptHasItsPlace) {
+  std::vector<Problem> problems;
+  const auto own = examineOwnEffects(
+      {{.id = "dent", .formula = "radial = A*bump(s, 83°, 4°)", .parameters = {{"A", "1"}}}}, problems);
+  const SharedColumns shared({own, nullptr, own});
+  EXPECT_EQ(shared.effectCount(), SharedColumns().effectCount() + 1);
   std::vector<std::size_t> places;
-  for (std::size_t a = 0; a < columnCount(); ++a)
-    for (const EffectColumns& columns : sharedColumns()) {
+  for (std::size_t a = 0; a < shared.count(); ++a)
+    for (const EffectColumns& columns : shared.all()) {
       const bool isOwn = a >= columns.first && a < columns.first + columns.count;
       if (columns.isPattern && !isOwn) continue;
       for (std::size_t b = columns.first; b < columns.first + columns.count && b <= a; ++b)
-        places.push_back(productAt(a, b));
+        places.push_back(shared.productAt(a, b));
     }
   std::ranges::sort(places);
   EXPECT_EQ(std::ranges::adjacent_find(places), places.end());

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "core/session/own_effects.h"
 #include "core/simulation/protocol.h"
 #include "core/simulation/simulate.h"
 
@@ -24,6 +25,9 @@ struct Drawn {
   std::function<void(Truth&, std::size_t)> put = [](Truth&, std::size_t) {};
   std::function<std::string(std::size_t)> instrument = [](std::size_t) { return "T-1"; };
   std::function<std::string(std::size_t)> guideway = [](std::size_t s) { return "G-" + std::to_string(s); };
+  std::function<std::vector<OwnEffect>(std::size_t)> own = [](std::size_t) {
+    return std::vector<OwnEffect>();
+  };
 };
 
 std::vector<SeriesSession> drawn(const Drawn& how) {
@@ -31,8 +35,12 @@ std::vector<SeriesSession> drawn(const Drawn& how) {
   for (std::size_t s = 0; s < how.count; ++s) {
     const std::uint64_t seed = 1000 * how.seed + s;
     Truth truth = drawTruth(seed);
+    std::vector<Problem> problems;
+    truth.own = examineOwnEffects(how.own(s), problems);
+    EXPECT_THAT(problems, IsEmpty());
     how.put(truth, s);
     Session session = *simulate(*protocolByName(how.protocol), truth, seed);
+    session.ownEffects = how.own(s);
     session.instrument.serial = how.instrument(s);
     session.device.serial = how.guideway(s);
     session.measuredOn = "2026-01-" + std::string(s < 9 ? "0" : "") + std::to_string(s + 1);
@@ -159,6 +167,135 @@ Drawn ofOneGuideway(double amplitude) {
               },
           .instrument = [](std::size_t s) { return "T-" + std::to_string(s % 4); },
           .guideway = [](std::size_t) { return std::string("G-1"); }};
+}
+
+std::string sameGuideway(std::size_t) {
+  return "G-1";
+}
+
+std::vector<OwnEffect> ownEffect(const std::string& formula, const std::string& plausible) {
+  return {{.id = "own", .formula = formula, .parameters = {{.name = "A", .plausible = plausible}}}};
+}
+
+// Each session shows some 3 σ of it, as an effect of the catalogue in the tests above.
+TEST(DiagnoseSeries, NamesAnOwnEffectThatNoSessionShowsAlone) {
+  struct Case {
+    const char *formula, *plausible;
+    ErrorTerm term;
+    double size;
+    CauseOwner owner;
+    const char* serial;
+  };
+  for (const Case& its :
+       {Case{"radial = A*bump(s, 83°, 8°)", "0.2", ErrorTerm::OwnGuideway, 0.02, CauseOwner::Guideway, "G-1"},
+        Case{"horizontal = A*cos(5*alpha)", "10", ErrorTerm::OwnInstrument, 0.4, CauseOwner::Instrument,
+             "T-1"}}) {
+    const SeriesDiagnosis series =
+        answerTo(drawn({.count = 10,
+                        .put =
+                            [&](Truth& truth, std::size_t) {
+                              truth.effects = {{its.term, its.size}};
+                            },
+                        .guideway = sameGuideway,
+                        .own = [&](std::size_t) { return ownEffect(its.formula, its.plausible); }}));
+    ASSERT_EQ(series.causes.size(), 1u) << its.formula;
+    const SharedCause& cause = series.causes.front();
+    EXPECT_EQ(cause.cause.effect, "own:own");
+    EXPECT_EQ(cause.owner, its.owner);
+    EXPECT_EQ(cause.serial, its.serial);
+    EXPECT_EQ(cause.sessions.size(), 10u);
+    EXPECT_LT(cause.visibleInOne, 4) << its.formula << " " << cause.visibleInOne;
+    const CauseParameter& size = cause.cause.parameters.front();
+    EXPECT_NEAR(size.value, its.size, 3 * size.sigma) << its.formula;
+    EXPECT_LT(size.sigma, its.size / 4) << its.formula;
+    EXPECT_EQ(series.verdict, DiagnosisVerdict::SingleCause);
+    for (const SeriesMember& member : series.sessions) EXPECT_THAT(member.causesAlone, IsEmpty());
+  }
+}
+
+// Effects of two devices are kept from forms by the same name; each acts in the sessions of its own device.
+TEST(DiagnoseSeries, OwnEffectsOfOneNameAreNotMixedUp) {
+  const auto isFirst = [](std::size_t s) { return s % 2 == 0; };
+  const SeriesDiagnosis series = answerTo(
+      drawn({.count = 12,
+             .put =
+                 [&](Truth& truth, std::size_t s) {
+                   truth.effects = {{ErrorTerm::OwnGuideway, isFirst(s) ? 0.05 : -0.05}};
+                 },
+             .guideway = [&](std::size_t s) { return isFirst(s) ? "G-1" : "G-2"; },
+             .own =
+                 [&](std::size_t s) {
+                   return ownEffect(
+                       isFirst(s) ? "radial = A*bump(s, 50°, 8°)" : "radial = A*bump(s, 110°, 8°)", "0.2");
+                 }}));
+  ASSERT_EQ(series.causes.size(), 2u);
+  for (const SharedCause& cause : series.causes) {
+    EXPECT_EQ(cause.cause.effect, "own:own");
+    const bool isOfFirst = cause.serial == "G-1";
+    EXPECT_EQ(cause.sessions, isOfFirst ? (std::vector<std::size_t>{0, 2, 4, 6, 8, 10})
+                                        : (std::vector<std::size_t>{1, 3, 5, 7, 9, 11}));
+    const CauseParameter& size = cause.cause.parameters.front();
+    EXPECT_NEAR(size.value, isOfFirst ? 0.05 : -0.05, 3 * size.sigma);
+  }
+}
+
+// `without` of an effect that only some sessions have; one that no session has is refused.
+TEST(DiagnoseSeries, LeavesOutAnOwnEffectThatOnlySomeHave) {
+  const std::vector<SeriesSession> sessions =
+      drawn({.count = 3, .guideway = sameGuideway, .own = [](std::size_t s) {
+               return s == 1 ? ownEffect("radial = A*cos(7*s)", "0.2") : std::vector<OwnEffect>();
+             }});
+  EXPECT_EQ(answerTo(sessions, {.without = {"own:own"}, .withSessions = false}).sessions.size(), 3u);
+  EXPECT_FALSE(diagnoseSeries(sessions, {.without = {"own:other"}}));
+}
+
+/// Sessions of the guideway G-1 with a radius of its own at a place.
+SeriesDiagnosis dented(std::size_t count, const std::function<double(std::size_t)>& atDeg,
+                       double depth = 0.15) {
+  return answerTo(
+      drawn({.protocol = "full",
+             .count = count,
+             .put =
+                 [&](Truth& truth, std::size_t s) {
+                   truth.foreign = {
+                       .kind = ForeignEffect::Kind::LocalDent, .size = depth, .first = atDeg(s), .second = 8};
+                 },
+             .guideway = sameGuideway}),
+      {});
+}
+
+TEST(DiagnoseSeries, OffersAFormOfThreeSessionsAsAnEffect) {
+  const SeriesDiagnosis series = dented(4, [](std::size_t s) { return s == 2 ? 120.0 : 70.0; });
+  ASSERT_EQ(series.offered.size(), 1u);
+  const OfferedEffect& offered = series.offered.front();
+  EXPECT_THAT(offered.sessions, testing::ElementsAre(0, 1, 3));
+  EXPECT_EQ(offered.effect.device, "G-1");
+  EXPECT_EQ(offered.effect.instrument, "");
+  EXPECT_EQ(offered.effect.from, "found in 3 sessions, first in “no 0”");
+  EXPECT_FALSE(ownEffectProblem(offered.effect));
+  const auto number = [](const FoundForm& form, const std::string& name) {
+    return *std::ranges::find(form.parameters, name, &FormNumber::name);
+  };
+  // Within 3.3 u: exceeded by a thousandth of all draws. u is that of a mean of three.
+  const FormNumber at = number(offered.form, "at_deg"), depth = number(offered.form, "amplitude_mm");
+  EXPECT_NEAR(at.value, 70, 3.3 * at.sigma);
+  EXPECT_NEAR(std::abs(depth.value), 0.15, 3.3 * depth.sigma);
+  EXPECT_LT(at.sigma, number(series.sessions[0].diagnosis.forms.front(), "at_deg").sigma);
+  EXPECT_NEAR(offered.form.form.numbers[0], Angle::fromDegrees(at.value).radians(), 1e-12);
+  EXPECT_EQ(offered.form.formula, offered.effect.formula);
+}
+
+TEST(DiagnoseSeries, OffersNothingThatNoThreeSessionsShow) {
+  const SeriesDiagnosis two = dented(2, [](std::size_t) { return 70.0; }),
+                        different =
+                            dented(3, [](std::size_t s) { return 50.0 + 30.0 * static_cast<double>(s); }),
+                        clean = dented(
+                            3, [](std::size_t) { return 70.0; }, 0);
+  EXPECT_FALSE(two.sessions[0].diagnosis.forms.empty());
+  EXPECT_FALSE(different.sessions[0].diagnosis.forms.empty());
+  EXPECT_THAT(two.offered, IsEmpty());
+  EXPECT_THAT(different.offered, IsEmpty());
+  EXPECT_THAT(clean.offered, IsEmpty());
 }
 
 // A fifth harmonic of the radius is uncatalogued, and sessions share it with their guideway, whether or not a
