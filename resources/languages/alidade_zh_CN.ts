@@ -6364,6 +6364,18 @@ Includes every catalogued effect, limited by these readings or by its plausible 
         <source>many</source>
         <translation>很多</translation>
     </message>
+    <message>
+        <source>found in %1 sessions, first in %2</source>
+        <translation>在 %1 份测量记录中发现，最早见于%2</translation>
+    </message>
+    <message>
+        <source>%1 more</source>
+        <translation>另有 %1 份</translation>
+    </message>
+    <message>
+        <source>Sessions of %1 show the same form, %2 (u %3): %4. It can be kept as an effect.</source>
+        <translation>%1的多份测量记录显示同一形态：%2（u %3）：%4。可将其存为影响因素。</translation>
+    </message>
 </context>
 <context>
     <name>PlaceText</name>
@@ -9397,6 +9409,14 @@ and a plausible size of %1 (1σ)</source>
     <message>
         <source> or </source>
         <translation>或</translation>
+    </message>
+    <message>
+        <source>Keep “%1” as an Effect…</source>
+        <translation>将“%1”存为影响因素…</translation>
+    </message>
+    <message>
+        <source>Writes an effect of your own, for this device or instrument, into a file</source>
+        <translation>将自定义影响因素（属于该设备或仪器）写入文件</translation>
     </message>
 </context>
 <context>
@@ -12934,6 +12954,10 @@ sizes</source>
     <message>
         <source>Looking for what the sessions share…</source>
         <translation>正在查找各会话的共同之处…</translation>
+    </message>
+    <message>
+        <source>Keep as an effect</source>
+        <translation>存为影响因素</translation>
     </message>
 </context>
 <context>

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <atomic>
 #include <charconv>
+#include <chrono>
 #include <mutex>
 #include <numeric>
 #include <optional>
@@ -31,7 +32,10 @@ std::optional<double> dayOf(const std::string& date) {
     at = next;
     if (i < 2 && (at == end || *at++ != '-')) return std::nullopt;
   }
-  return 365.25 * number[0] + 30.4 * number[1] + number[2];
+  const std::chrono::year_month_day day{std::chrono::year(number[0]), std::chrono::month(unsigned(number[1])),
+                                        std::chrono::day(unsigned(number[2]))};
+  if (!day.ok()) return std::nullopt;
+  return std::chrono::sys_days(day).time_since_epoch().count();
 }
 
 /// The order of measurement if all sessions have a date; else the order given.

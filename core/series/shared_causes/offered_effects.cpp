@@ -24,6 +24,7 @@ const std::string& ownerOf(const SeriesMember& member, const Form& form) {
 
 /// Amplitude in its u.
 double sharpness(const FormInSession& found) {
+  if (found.form->parameters.empty()) return 0;
   const FormNumber& amplitude = found.form->parameters.back();
   return amplitude.sigma > 0 ? std::abs(amplitude.value) / amplitude.sigma : 0;
 }

@@ -178,7 +178,7 @@ std::vector<OwnEffect> ownEffect(const std::string& formula, const std::string& 
 }
 
 // Each session shows some 3 σ of it, as an effect of the catalogue in the tests above.
-TEST(DiagnoseSeries, NamesAnOwnEffectThatNoSessionShowsAlone) {
+TEST(DiagnoseSeries, NamesAnOwnEffectThatSessionsAloneHardlyShow) {
   struct Case {
     const char *formula, *plausible;
     ErrorTerm term;
@@ -209,7 +209,9 @@ TEST(DiagnoseSeries, NamesAnOwnEffectThatNoSessionShowsAlone) {
     EXPECT_NEAR(size.value, its.size, 3 * size.sigma) << its.formula;
     EXPECT_LT(size.sigma, its.size / 4) << its.formula;
     EXPECT_EQ(series.verdict, DiagnosisVerdict::SingleCause);
-    for (const SeriesMember& member : series.sessions) EXPECT_THAT(member.causesAlone, IsEmpty());
+    const auto alone = std::ranges::count_if(
+        series.sessions, [](const SeriesMember& member) { return !member.causesAlone.empty(); });
+    EXPECT_LE(alone, 2) << "of ten: what 3 σ show by chance";
   }
 }
 
