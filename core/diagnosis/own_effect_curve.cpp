@@ -55,20 +55,28 @@ std::vector<FormulaArguments> along(Variable variable, std::vector<FormulaArgume
   return all;
 }
 
+/// The one variable of all lines; null: they have several, or none.
+Variable variableOf(const Formula& formula) {
+  const std::vector<Variable>& first = formula.lines.front().variables;
+  const auto isOfFirst = [&](const FormulaLine& line) { return line.variables == first; };
+  return first.size() == 1 && std::ranges::all_of(formula.lines, isOfFirst) ? first.front() : nullptr;
+}
+
 }  // namespace
 
 std::vector<OwnCurve> curvesOf(const OwnEntry& entry, const Measurement& measurement, const SessionFit& fit) {
-  const FormulaEvaluator evaluator(entry.formula);
   const std::vector<FormulaArguments> places = placesOf(measurement, fit);
+  if (places.empty()) return {};
+  const Variable variable = variableOf(entry.formula);
+  const std::vector<FormulaArguments> at = variable ? along(variable, places) : places;
+  const FormulaEvaluator evaluator(entry.formula);
   std::vector<OwnCurve> curves;
-  for (std::size_t l = 0; l < entry.formula.lines.size() && !places.empty(); ++l) {
+  for (std::size_t l = 0; l < entry.formula.lines.size(); ++l) {
     const FormulaLine& line = entry.formula.lines[l];
     OwnCurve& curve = curves.emplace_back();
     curve.carrier = line.carrier;
-    const Variable variable = line.variables.size() == 1 ? line.variables.front() : nullptr;
     if (variable)
       curve.variable = std::ranges::find(formulaVariables, variable, &FormulaVariable::value)->name;
-    const std::vector<FormulaArguments> at = variable ? along(variable, places) : places;
     for (std::size_t i = 0; i < at.size(); ++i) {
       double sum = 0;
       for (const std::size_t amplitude : line.amplitudes)

@@ -12,7 +12,7 @@ namespace alidade {
 /// What a line of an own effect does to its carrier at plausible sizes.
 struct OwnCurve {
   FormCarrier carrier = FormCarrier::Radial;
-  std::string_view variable;  ///< of `formulaVariables`; empty: of none or of several
+  std::string_view variable;  ///< of `formulaVariables`, that of all lines; empty: they have none or several
   /// The variable (angles in degrees) and the displacement, mm or arcseconds. Without a single variable the
   /// first is the number of the sighting, from 1. In order of the first.
   std::vector<std::array<double, 2>> points = {};

@@ -79,7 +79,7 @@ TEST(OwnEffectDialog, DrawsASoundOneAndSaysWhyThereIsNoCurve) {
   ASSERT_EQ(chart->series().size(), 1);
   EXPECT_GT(qobject_cast<QXYSeries*>(chart->series()[0])->count(), 100);
   EXPECT_EQ(chart->axes(Qt::Horizontal)[0]->titleText(), QStringLiteral("s (°)"));
-  EXPECT_EQ(chart->axes(Qt::Vertical)[0]->titleText(), QStringLiteral("mm"));
+  EXPECT_EQ(chart->axes(Qt::Vertical)[0]->titleText(), QStringLiteral("radial (mm)"));
   form.type("radial = A*bump(s, 60°, 9°");
   EXPECT_TRUE(chart->series().isEmpty());
   EXPECT_FALSE(chart->title().isEmpty());

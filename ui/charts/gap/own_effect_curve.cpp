@@ -41,14 +41,15 @@ void OwnEffectCurve::setCurves(const std::vector<OwnCurve>& curves) {
   chart()->removeAllSeries();
   for (QAbstractAxis* axis : chart()->axes()) chart()->removeAxis(axis);
   chart()->setBackgroundBrush(style.background);
+  QStringList carriers;
   for (const OwnCurve& curve : curves) {
-    if (curve.points.empty() || curve.variable != curves.front().variable ||
-        unitOf(curve.carrier) != unitOf(curves.front().carrier))
-      continue;
+    if (curve.points.empty() || unitOf(curve.carrier) != unitOf(curves.front().carrier)) continue;
+    carriers.append(qText(std::string(nameOf(curve.carrier))));
     const bool isFew = curve.points.size() < fewPoints;
-    auto* series = isFew ? static_cast<QXYSeries*>(new QScatterSeries) : new QLineSeries;
+    QXYSeries* series = isFew ? static_cast<QXYSeries*>(new QScatterSeries) : new QLineSeries;
+    if (auto* dots = qobject_cast<QScatterSeries*>(series)) dots->setMarkerSize(8 * style.unit());
     for (const auto& [x, y] : curve.points) series->append(x, y);
-    series->setName(qText(std::string(nameOf(curve.carrier))));
+    series->setName(carriers.last());
     const QColor colour = chart()->series().isEmpty() ? style.upper : style.lower;
     series->setPen(QPen(colour, 2 * style.unit()));
     series->setBrush(colour);
@@ -61,8 +62,10 @@ void OwnEffectCurve::setCurves(const std::vector<OwnCurve>& curves) {
                                                 : QString());
   if (chart()->series().isEmpty()) return;
   chart()->createDefaultAxes();
-  const QStringList titles = {variableTitle(curves.front().variable),
-                              unitText(std::string(unitOf(curves.front().carrier)))};
+  const QStringList titles = {
+      variableTitle(curves.front().variable),
+      QStringLiteral("%1 (%2)").arg(carriers.join(QStringLiteral(", ")),
+                                    unitText(std::string(unitOf(curves.front().carrier))))};
   for (QAbstractAxis* axis : chart()->axes()) {
     axis->setTitleText(titles[axis->orientation() == Qt::Horizontal ? 0 : 1]);
     axis->setTitleBrush(style.mutedText);
@@ -71,7 +74,10 @@ void OwnEffectCurve::setCurves(const std::vector<OwnCurve>& curves) {
     axis->setLabelsFont(style.font);
     axis->setGridLineColor(style.grid);
     axis->setLinePenColor(style.frame);
-    qobject_cast<QValueAxis*>(axis)->applyNiceNumbers();
+    auto* values = qobject_cast<QValueAxis*>(axis);
+    const double beside = 0.05 * (values->max() - values->min());
+    values->setRange(values->min() - beside, values->max() + beside);
+    values->applyNiceNumbers();
   }
 }
 
