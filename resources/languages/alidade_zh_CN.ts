@@ -11527,6 +11527,10 @@ sizes</source>
         <source>A curve appears once the formula is sound.</source>
         <translation>公式正确后显示曲线。</translation>
     </message>
+    <message>
+        <source>size</source>
+        <translation>大小</translation>
+    </message>
 </context>
 <context>
     <name>alidade::ui::OwnEffectDialog</name>

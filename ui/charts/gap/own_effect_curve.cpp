@@ -23,6 +23,33 @@ QString variableTitle(std::string_view variable) {
   return isAngle ? name + QStringLiteral(" (°)") : name;
 }
 
+/// A line, or dots where no line joins the points.
+QXYSeries* seriesOf(const OwnCurve& curve, const QColor& colour, const PlotStyle& style) {
+  const bool isLine = !curve.variable.empty() && curve.points.size() >= fewPoints;
+  QXYSeries* series = isLine ? static_cast<QXYSeries*>(new QLineSeries) : new QScatterSeries;
+  for (const auto& [x, y] : curve.points) series->append(x, y);
+  series->setName(qText(std::string(nameOf(curve.carrier))));
+  series->setPen(isLine ? QPen(colour, 2 * style.unit()) : QPen(Qt::NoPen));
+  series->setBrush(colour);
+  if (auto* dots = qobject_cast<QScatterSeries*>(series))
+    dots->setMarkerSize((curve.points.size() < fewPoints ? 8 : 4) * style.unit());
+  return series;
+}
+
+/// `isOpen`: nothing may lie on the frame.
+void layOut(QValueAxis& axis, const QString& title, const PlotStyle& style, bool isOpen) {
+  axis.setTitleText(title);
+  axis.setTitleBrush(style.mutedText);
+  axis.setTitleFont(style.font);
+  axis.setLabelsBrush(style.text);
+  axis.setLabelsFont(style.font);
+  axis.setGridLineColor(style.grid);
+  axis.setLinePenColor(style.frame);
+  const double beside = isOpen ? 0.05 * (axis.max() - axis.min()) : 0;
+  axis.setRange(axis.min() - beside, axis.max() + beside);
+  axis.applyNiceNumbers();
+}
+
 }  // namespace
 
 OwnEffectCurve::OwnEffectCurve(QWidget* parent) : QChartView(new QChart, parent) {
@@ -41,20 +68,9 @@ void OwnEffectCurve::setCurves(const std::vector<OwnCurve>& curves) {
   chart()->removeAllSeries();
   for (QAbstractAxis* axis : chart()->axes()) chart()->removeAxis(axis);
   chart()->setBackgroundBrush(style.background);
-  QStringList carriers;
-  for (const OwnCurve& curve : curves) {
-    if (curve.points.empty() || unitOf(curve.carrier) != unitOf(curves.front().carrier)) continue;
-    carriers.append(qText(std::string(nameOf(curve.carrier))));
-    const bool isFew = curve.points.size() < fewPoints;
-    QXYSeries* series = isFew ? static_cast<QXYSeries*>(new QScatterSeries) : new QLineSeries;
-    if (auto* dots = qobject_cast<QScatterSeries*>(series)) dots->setMarkerSize(8 * style.unit());
-    for (const auto& [x, y] : curve.points) series->append(x, y);
-    series->setName(carriers.last());
-    const QColor colour = chart()->series().isEmpty() ? style.upper : style.lower;
-    series->setPen(QPen(colour, 2 * style.unit()));
-    series->setBrush(colour);
-    chart()->addSeries(series);
-  }
+  for (const OwnCurve& curve : curves)
+    if (!curve.points.empty() && unitOf(curve.carrier) == unitOf(curves.front().carrier))
+      chart()->addSeries(seriesOf(curve, chart()->series().isEmpty() ? style.upper : style.lower, style));
   chart()->legend()->setVisible(chart()->series().size() > 1);
   chart()->legend()->setLabelColor(style.text);
   chart()->setTitleBrush(style.mutedText);
@@ -62,23 +78,14 @@ void OwnEffectCurve::setCurves(const std::vector<OwnCurve>& curves) {
                                                 : QString());
   if (chart()->series().isEmpty()) return;
   chart()->createDefaultAxes();
-  const QStringList titles = {
-      variableTitle(curves.front().variable),
-      QStringLiteral("%1 (%2)").arg(carriers.join(QStringLiteral(", ")),
-                                    unitText(std::string(unitOf(curves.front().carrier))))};
-  for (QAbstractAxis* axis : chart()->axes()) {
-    axis->setTitleText(titles[axis->orientation() == Qt::Horizontal ? 0 : 1]);
-    axis->setTitleBrush(style.mutedText);
-    axis->setTitleFont(style.font);
-    axis->setLabelsBrush(style.text);
-    axis->setLabelsFont(style.font);
-    axis->setGridLineColor(style.grid);
-    axis->setLinePenColor(style.frame);
-    auto* values = qobject_cast<QValueAxis*>(axis);
-    const double beside = 0.05 * (values->max() - values->min());
-    values->setRange(values->min() - beside, values->max() + beside);
-    values->applyNiceNumbers();
-  }
+  const QList<QAbstractSeries*> all = chart()->series();
+  const bool isFew = curves.front().points.size() < fewPoints;
+  layOut(*qobject_cast<QValueAxis*>(chart()->axes(Qt::Horizontal)[0]), variableTitle(curves.front().variable),
+         style, isFew);
+  layOut(*qobject_cast<QValueAxis*>(chart()->axes(Qt::Vertical)[0]),
+         QStringLiteral("%1 (%2)").arg(all.size() == 1 ? all[0]->name() : tr("size"),
+                                       unitText(std::string(unitOf(curves.front().carrier)))),
+         style, true);
 }
 
 }  // namespace alidade::ui
