@@ -23,6 +23,12 @@ std::span<const FormNumber> shapeOf(const FoundForm& found) {
       .subspan(found.form.order > 0 ? 1 : 0, static_cast<std::size_t>(found.form.count()));
 }
 
+/// Whether the readings settle the shape.
+bool isSettled(const FoundForm& found) {
+  return std::ranges::all_of(shapeOf(found),
+                             [](const FormNumber& number) { return std::isfinite(number.sigma); });
+}
+
 bool hasLookAlike(const FoundForm& found, const Form& form, double share) {
   return std::ranges::any_of(found.indistinguishableFrom, [&](const FormLookAlike& other) {
     if (!other.effect.empty() || !isOfOneKind(other.form, form)) return false;
@@ -44,6 +50,7 @@ FormNumber meanNumber(const std::vector<const FoundForm*>& forms, const In& in) 
     weights += weight;
     sum += weight * number.value;
   }
+  if (!(weights > 0)) return mean;
   mean.value = sum / weights;
   for (const FoundForm* form : forms) square += std::pow((in(*form).value - mean.value) / in(*form).sigma, 2);
   const double freedom = std::max(static_cast<double>(forms.size()) - 1, 1.0);
@@ -59,7 +66,8 @@ bool isOfOneKind(const Form& a, const Form& b) {
 
 bool agrees(const FoundForm& form, const FoundForm& other) {
   constexpr double mostSigmas = 3, ofGrid = 0.2;
-  if (isOfOneKind(form.form, other.form)) {
+  if (!isSettled(form)) return false;
+  if (isOfOneKind(form.form, other.form) && isSettled(other)) {
     const auto isNear = [](const FormNumber& a, const FormNumber& b) {
       return std::abs(a.value - b.value) <= mostSigmas * std::hypot(a.sigma, b.sigma);
     };
@@ -73,7 +81,7 @@ FoundForm meanOf(const std::vector<const FoundForm*>& forms) {
   for (std::size_t i = 0; i < mean.coefficients.size(); ++i)
     mean.coefficients[i] =
         meanNumber(forms, [i](const FoundForm& form) -> const FormNumber& { return form.coefficients[i]; });
-  for (std::size_t i = 0; i < mean.parameters.size(); ++i)
+  for (std::size_t i = mean.form.order > 0 ? 1 : 0; i < mean.parameters.size(); ++i)  // an order has no mean
     mean.parameters[i] =
         meanNumber(forms, [i](const FoundForm& form) -> const FormNumber& { return form.parameters[i]; });
   for (std::size_t i = 0; i < shapeOf(mean).size(); ++i)
