@@ -12,7 +12,7 @@ without a display. Ends with ctest's exit code.
 
 By default it leaves out the tests labelled `long`, of which samples run: about ten minutes on two cores after
 run.sh. --all runs every test, so it adds fuzzing, thousands of states of a session, clang-tidy, sources each by
-itself and the package in a clean root; it also builds the benchmarks. That takes about 35 minutes on two cores from
+itself and the package in a clean root; it also builds the benchmarks. That takes about 45 minutes on two cores from
 nothing.
 
 Options go to ctest: `test.sh -R Angle` runs the tests with Angle in their name, `test.sh --all -N` lists all.
