@@ -19,8 +19,8 @@
 #include "ui/main_window.h"
 #include "ui/recovery/termination.h"
 #include "ui/settings/theme.h"
-#include "ui/settings/visible_log.h"
 #include "ui/settings/window_font.h"
+#include "ui/text/visible_log.h"
 #include "ui/text/visible_text.h"
 
 namespace {

@@ -18,18 +18,13 @@ awk '
                   "series/instrument_check series/history " \
                   "self_test", order)
     for (i = 1; i <= rooms; ++i) level["core/" order[i]] = i
-    rooms = split("language document text settings jobs answer_texts charts " \
-                  "charts/plotting charts/residuals charts/arc charts/gap charts/history commands panels/parts " \
+    rooms = split("language document settings text " \
+                  "charts/plotting charts/residuals charts/arc jobs charts/gap charts/history " \
+                  "commands panels/parts " \
                   "panels/gap recovery import report dialogs models panels/result forms panels/readings " \
                   "connection entry help instrument panels/journal panels/model panels/order " \
                   "panels/uncertainty panels/window self_test series start window", order)
     for (i = 1; i <= rooms; ++i) level["ui/" order[i]] = i
-    # Files on another floor than their room: texts of answers, and points of charts worked out in a job.
-    split("cause_text finding_text form_text headline next_reading_text trial_text verdict_text", answers)
-    for (i in answers) moved["ui/text/" answers[i]] = level["ui/answer_texts"]
-    split("plotting/round_numbers plotting/row_choice plotting/sighting_ref residuals/residual_choice " \
-          "residuals/residual_picture arc/arc_picture evaluation_pictures", pictures)
-    for (i in pictures) moved["ui/charts/" pictures[i]] = level["ui/jobs"]
     # Linear algebra headers, only for the sources of one floor.
     floor_of["core/adjustment/joint/arc_jets.h"] = "adjustment"
     floor_of["core/adjustment/joint/joint_problem.h"] = "adjustment"
@@ -44,11 +39,6 @@ awk '
     for (i in behind) inner["core/diagnosis/" behind[i]]
   }
   function folder_of(file) { sub(/\/[^\/]*$/, "", file); return file }
-  function level_of(file, name) {
-    name = file
-    sub(/\.(h|cpp)$/, "", name)
-    return name in moved ? moved[name] : level[folder_of(file)]
-  }
   # The only floor of core that may include the file; empty if any may.
   function owner(file) { return file in floor_of ? floor_of[file] : folder_of(file) in inner ? "diagnosis" : "" }
   function complain(why) { print FILENAME ":" FNR ": " why ": " $0 }
@@ -80,7 +70,7 @@ awk '
     if ((getline line < target) < 0) complain("not from the repository root")
     close(target)
     if (room == "core" && to[1] != "core") complain("core includes core only")
-    if (to[1] == room && place in level && level_of(target) > level_of(FILENAME)) complain("upwards")
+    if (to[1] == room && place in level && level[folder_of(target)] > level[place]) complain("upwards")
     if (room == "ui" && place != "ui" && folder_of(target) == "ui") complain("upwards")
     if (room == "ui" && to[1] == "app") complain("ui never includes app")
     if (folder == "console" && to[1] == "ui") complain("the console needs no window")

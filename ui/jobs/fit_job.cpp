@@ -2,10 +2,29 @@
 
 #include <utility>
 
-#include "ui/charts/evaluation_pictures.h"
+#include "core/base/threads.h"
+#include "ui/charts/arc/arc_picture.h"
+#include "ui/charts/plotting/evaluation_pictures.h"
+#include "ui/charts/residuals/residual_picture.h"
 #include "ui/jobs/failed_job.h"
 
 namespace alidade::ui {
+
+namespace {
+
+/// The evaluation with its pictures; without them if asked to stop.
+Evaluation drawn(Evaluation evaluation, const std::stop_token& stop) {
+  if (stop.stop_requested()) return evaluation;
+  auto pictures = std::make_shared<EvaluationPictures>();
+  const auto& measurement = evaluation.examined.measurement;
+  doAll(threadsFor(measurement ? measurement->rows : 0),
+        {[&] { pictures->arcs = arcPictureOf(evaluation); },
+         [&] { pictures->residuals = residualPictureOf(evaluation); }});
+  evaluation.pictures = std::move(pictures);
+  return evaluation;
+}
+
+}  // namespace
 
 FitJob::FitJob(QObject* parent)
     : QObject(parent),

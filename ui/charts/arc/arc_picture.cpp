@@ -5,6 +5,7 @@
 #include <string>
 
 #include "core/observation/zero_line.h"
+#include "ui/charts/plotting/evaluation_pictures.h"
 #include "ui/charts/plotting/round_numbers.h"
 
 namespace alidade::ui {
@@ -221,6 +222,11 @@ QRectF ArcPicture::extent() const {
   }
   for (const DrawnSighting& sighting : excluded) include(sighting.sighted.x, sighting.sighted.y);
   return QRectF(QPointF(left, bottom), QPointF(right, top));
+}
+
+std::shared_ptr<const ArcPicture> arcPictureOf(const Evaluation& evaluation) {
+  return evaluation.pictures ? evaluation.pictures->arcs
+                             : std::make_shared<const ArcPicture>(arcPicture(evaluation));
 }
 
 }  // namespace alidade::ui

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QRectF>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -76,5 +77,8 @@ struct ArcPicture {
 };
 
 ArcPicture arcPicture(const Evaluation& evaluation);
+
+/// The picture drawn along with the evaluation, or else a new one.
+std::shared_ptr<const ArcPicture> arcPictureOf(const Evaluation& evaluation);
 
 }  // namespace alidade::ui

@@ -5,7 +5,6 @@
 #include <limits>
 
 #include "core/exchange/csv_text.h"
-#include "ui/charts/evaluation_pictures.h"
 #include "ui/charts/plotting/clipping.h"
 #include "ui/charts/plotting/row_entries.h"
 #include "ui/text/position_text.h"

@@ -7,7 +7,6 @@
 #include <optional>
 
 #include "core/exchange/csv_text.h"
-#include "ui/charts/evaluation_pictures.h"
 #include "ui/charts/plotting/plot_style.h"
 #include "ui/charts/plotting/round_numbers.h"
 #include "ui/text/position_text.h"

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/observation/half_turn.h"
+#include "ui/charts/plotting/evaluation_pictures.h"
 
 namespace alidade::ui {
 namespace {
@@ -141,6 +142,11 @@ double ResidualPicture::largestResidual() const {
 double ResidualPicture::sigmaOf(CircleRead circle) const {
   if (circle == CircleRead::Slider) return sigmaSlider;
   return circle == CircleRead::Horizontal ? sigmaHorizontal : sigmaVertical;
+}
+
+std::shared_ptr<const ResidualPicture> residualPictureOf(const Evaluation& evaluation) {
+  return evaluation.pictures ? evaluation.pictures->residuals
+                             : std::make_shared<const ResidualPicture>(residualPicture(evaluation));
 }
 
 }  // namespace alidade::ui

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include "core/evaluation/evaluation.h"
@@ -41,5 +42,8 @@ struct ResidualPicture {
 };
 
 ResidualPicture residualPicture(const Evaluation& evaluation);
+
+/// The picture drawn along with the evaluation, or else a new one.
+std::shared_ptr<const ResidualPicture> residualPictureOf(const Evaluation& evaluation);
 
 }  // namespace alidade::ui

@@ -6,7 +6,6 @@
 #include <tuple>
 
 #include "core/exchange/csv_text.h"
-#include "ui/charts/evaluation_pictures.h"
 #include "ui/charts/plotting/clipping.h"
 #include "ui/charts/plotting/row_entries.h"
 #include "ui/text/position_text.h"

@@ -1,4 +1,4 @@
-#include "ui/settings/visible_log.h"
+#include "ui/text/visible_log.h"
 
 #include <QtGlobal>
 #include <cstdio>

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <memory>
+
+namespace alidade::ui {
+struct ArcPicture;
+struct ResidualPicture;
+}  // namespace alidade::ui
+
+namespace alidade {
+
+/// Drawn on the thread of the fit, so that the window only paints.
+struct EvaluationPictures {
+  std::shared_ptr<const ui::ArcPicture> arcs;
+  std::shared_ptr<const ui::ResidualPicture> residuals;
+};
+
+}  // namespace alidade
