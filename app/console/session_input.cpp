@@ -15,16 +15,9 @@ namespace alidade::console {
 
 namespace {
 
-Problem firstOf(const std::vector<Problem>& problems) {
-  Problem first = problems.front();
-  if (problems.size() > 1) first.what += " (and " + std::to_string(problems.size() - 1) + " more)";
-  return first;
-}
-
 Result<SessionInput> sessionInput(Session session, const std::string& file) {
   Examined examined = examine(session);
-  if (const auto problems = hindrances(session, examined.problems); !problems.empty())
-    return firstOf(problems);
+  if (auto problem = firstHindrance(session, examined.problems)) return *std::move(problem);
   for (const Problem& problem : examined.problems) notify(inputName(file), problem.text());
   const std::string name = nameOf(session, file);
   tellOwnEffects(inputName(file), *examined.measurement);
@@ -43,13 +36,6 @@ Result<Session> readSessionOf(const std::string& file) {
 std::string nameOf(const Session& session, const std::string& file) {
   return session.title.empty() ? wellFormed(std::filesystem::path(inputName(file)).filename().string())
                                : session.title;
-}
-
-Result<Measurement> measurementOf(const Session& session) {
-  Examined examined = examine(session);
-  if (const auto problems = hindrances(session, examined.problems); !problems.empty())
-    return firstOf(problems);
-  return std::move(examined.measurement).value();
 }
 
 Result<SessionInput> readSessionInput(const std::string& file, Session (*prepare)(Session),

@@ -23,9 +23,6 @@ Result<Session> readSessionOf(const std::string& file);
 /// Returns the session's title, or its file's name.
 std::string nameOf(const Session& session, const std::string& file);
 
-/// The measurement of a session; fails with its first problem.
-Result<Measurement> measurementOf(const Session& session);
-
 /// `prepare` changes the session before it is examined; `effects` are paths as in `addOwnEffects`. Fails with
 /// the session's first problem.
 Result<SessionInput> readSessionInput(const std::string& file, Session (*prepare)(Session) = nullptr,

@@ -1,7 +1,6 @@
 #include "core/answers/fit_answer.h"
 
 #include "core/answers/beforehand.h"
-#include "core/base/phrase.h"
 #include "core/session/hindrance.h"
 
 namespace alidade {
@@ -9,9 +8,7 @@ namespace alidade {
 namespace {
 
 std::optional<Problem> whyNone(const Evaluation& evaluation) {
-  std::vector<Problem> problems = hindrances(evaluation.session, evaluation.examined.problems);
-  if (problems.size() > 1) problems.front().what += " (and " + std::to_string(problems.size() - 1) + " more)";
-  if (!problems.empty()) return problems.front();
+  if (auto problem = firstHindrance(evaluation.session, evaluation.examined.problems)) return problem;
   if (!evaluation.failure.empty()) return Problem{evaluation.failure};
   if (!evaluation.searchFailure.empty()) return Problem{evaluation.searchFailure};
   return absence(evaluation.examined.measurement.value(), evaluation.fit.arcs.size(),

@@ -44,13 +44,11 @@ std::string reasonForNone(const Evaluation& evaluation) {
   if (fit.arcs.empty())
     return Phrase::of(
         "There is nothing to compare yet: type the distance L, the radius R0, a pointing zero and at least "
-        "three "
-        "readings of its arc.");
+        "three readings of its arc.");
   if (fit.joint.degreesOfFreedom <= 0)
     return Phrase::of(
         "These readings fix the arc and leave nothing over. Type further readings: each of them shows how "
-        "far the "
-        "model holds.");
+        "far the model holds.");
   return {};
 }
 

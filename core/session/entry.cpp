@@ -294,22 +294,24 @@ Result<RadiusModel> radiusModelEntry(const std::string& text) {
       Phrase::of("%1 is no way to take the radius: choose free, common or known", quotation(text))};
 }
 
-std::optional<Problem> dateProblem(const std::string& text) {
-  if (text.empty()) return std::nullopt;
-  const Problem problem{
-      Phrase::of("%1 is no date: type year-month-day, such as 2018-01-31", quotation(text))};
-  if (text.size() != 10 || text[4] != '-' || text[7] != '-') return problem;
+std::optional<std::chrono::sys_days> dayOf(const std::string& text) {
+  if (text.size() != 10 || text[4] != '-' || text[7] != '-') return std::nullopt;
   const auto part = [&text](std::size_t at, std::size_t length) -> std::optional<int> {
     const std::string digits = text.substr(at, length);
     if (!std::all_of(digits.begin(), digits.end(), isDigit)) return std::nullopt;
     return std::stoi(digits);
   };
   const auto year = part(0, 4), month = part(5, 2), day = part(8, 2);
-  if (!year || !month || !day) return problem;
+  if (!year || !month || !day) return std::nullopt;
   const std::chrono::year_month_day date{std::chrono::year(*year),
                                          std::chrono::month(static_cast<unsigned>(*month)),
                                          std::chrono::day(static_cast<unsigned>(*day))};
-  return date.ok() ? std::nullopt : std::optional(problem);
+  return date.ok() ? std::optional(std::chrono::sys_days(date)) : std::nullopt;
+}
+
+std::optional<Problem> dateProblem(const std::string& text) {
+  if (text.empty() || dayOf(text)) return std::nullopt;
+  return Problem{Phrase::of("%1 is no date: type year-month-day, such as 2018-01-31", quotation(text))};
 }
 
 std::optional<std::string> entryProblem(const Session& session, const std::string& field,

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <chrono>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -77,6 +78,9 @@ Result<ArcPlane> arcPlaneEntry(const std::string& text);
 Result<ZeroIs> zeroIsEntry(const std::string& text);
 Result<VerticalAngleRelation> verticalAngleEntry(const std::string& text);
 Result<RadiusModel> radiusModelEntry(const std::string& text);
+
+/// The day of a text such as "2018-01-31"; absent if it is no date.
+std::optional<std::chrono::sys_days> dayOf(const std::string& text);
 
 /// Returns the reason why `text` is not a date; an empty text is allowed.
 std::optional<Problem> dateProblem(const std::string& text);

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <iterator>
 
+#include "core/base/phrase.h"
+
 namespace alidade {
 
 namespace {
@@ -21,6 +23,14 @@ std::vector<Problem> hindrances(const Session& session, const std::vector<Proble
   std::ranges::copy_if(problems, std::back_inserter(hindering),
                        [&](const Problem& problem) { return hasNumberOn(session, problem.where.field); });
   return hindering;
+}
+
+std::optional<Problem> firstHindrance(const Session& session, const std::vector<Problem>& problems) {
+  const std::vector<Problem> hindering = hindrances(session, problems);
+  if (hindering.empty()) return std::nullopt;
+  Problem first = hindering.front();
+  if (hindering.size() > 1) first.what = Phrase::of("%1 (and %2 more)", first.what, hindering.size() - 1);
+  return first;
 }
 
 }  // namespace alidade

@@ -10,7 +10,7 @@ namespace alidade {
 
 /// The budget of Δd, measured, largest share first. Shares below `leastShare` of the variance are combined in
 /// one row, if there are at least two. Lengths are in mm, with one digit more than u needs. `coverage` is
-/// that of U, 0…1; `name` names the effects of the sentences.
+/// that of U, 0…1.
 Statement measuredBudget(const Diagnosis& diagnosis, double coverage);
 
 /// The budget of Δd, fit only: readings, model effects, known radius, pointing zeros and distance.

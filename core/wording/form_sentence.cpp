@@ -94,17 +94,15 @@ std::string turningText(const Form& form, const std::string& text) {
   return text;
 }
 
-std::string amplitudeText(double value, double sigma, bool isMillimetres) {
-  const std::string size =
-      displayText(std::abs(value), decimalsFor(sigma, 2)) + (isMillimetres ? " mm" : "″");
-  return (value < 0 ? " − " : " + ") + size + " · ";
+std::string amplitudeText(const FormNumber& amplitude, const Form& form) {
+  const std::string size = sizeText(std::abs(amplitude.value), amplitude.sigma, form);
+  return (amplitude.value < 0 ? " − " : " + ") + size + " · ";
 }
 
 /// The term of a free form: its kind and the size of its coefficients.
 std::string freeText(const FoundForm& found, const FormNumber& amplitude) {
-  const std::string size = displayText(std::abs(amplitude.value), decimalsFor(amplitude.sigma, 2)) +
-                           (found.form.isMillimetres() ? " mm" : "″");
-  return " + " + Phrase::of("%1 of %2", functionTexts(found.form).front(), size);
+  return " + " + Phrase::of("%1 of %2", functionTexts(found.form).front(),
+                            sizeText(std::abs(amplitude.value), amplitude.sigma, found.form));
 }
 
 /// The sum for one carrier, whose coefficients start at `first`.
@@ -115,8 +113,7 @@ std::string sumText(const FoundForm& found, std::size_t first) {
   }
   std::string text;
   for (const std::string& function : functionTexts(found.form)) {
-    const FormNumber& number = found.coefficients[first++];
-    text += amplitudeText(number.value, number.sigma, found.form.isMillimetres()) + function;
+    text += amplitudeText(found.coefficients[first++], found.form) + function;
   }
   return text;
 }
@@ -135,6 +132,10 @@ std::string percentText(double share) {
 }
 
 }  // namespace
+
+std::string sizeText(double value, double sigma, const Form& form) {
+  return displayText(value, decimalsFor(sigma, 2)) + (form.isMillimetres() ? " mm" : "″");
+}
 
 std::string textOf(const FoundForm& found) {
   const Form& form = found.form;

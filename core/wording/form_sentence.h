@@ -10,6 +10,9 @@ namespace alidade {
 /// "radius", "horizontal readings".
 std::string carrierText(const Form& form);
 
+/// "0.190 mm", "12″": an amplitude with two digits of `sigma`, both in mm or arcseconds.
+std::string sizeText(double value, double sigma, const Form& form);
+
 /// "radius + 0.19 mm · cos 7s − 0.19 mm · sin 7s, turning with the guideway".
 std::string textOf(const FoundForm& found);
 

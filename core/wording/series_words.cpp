@@ -130,8 +130,7 @@ std::string sentenceOf(const SeriesDiagnosis& series, const CauseNamer& name) {
 
 std::string sentenceOf(const OfferedEffect& offered, const SeriesDiagnosis& series) {
   const FormNumber& amplitude = offered.form.parameters.back();
-  const std::string u = displayText(amplitude.sigma, decimalsFor(amplitude.sigma, 2)) +
-                        (offered.form.form.isMillimetres() ? " mm" : "″"),
+  const std::string u = sizeText(amplitude.sigma, amplitude.sigma, offered.form.form),
                     owner = offered.effect.device.empty()
                                 ? Phrase::of("instrument %1", offered.effect.instrument)
                                 : Phrase::of("guideway %1", offered.effect.device);

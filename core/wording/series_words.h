@@ -17,10 +17,9 @@ std::string ownerText(const SharedCause& cause);
 std::string sentenceOf(const SeriesDiagnosis& series, const CauseNamer& name = byId);
 /// "Measure guideway G-1 with instrument T-2: tells A and B apart by 4.3 σ (sessions needed: 2)."
 std::string sentenceOf(const SeriesAdvice& advice, const CauseNamer& name = byId);
-/// Sessions without known owners, and sessions that do not share a cause of the others.
 /// The form with u and the sessions that show it.
 std::string sentenceOf(const OfferedEffect& offered, const SeriesDiagnosis& series);
-
+/// Sessions without known owners, and sessions that do not share a cause of the others.
 std::vector<Finding> findingsOf(const SeriesDiagnosis& series, const CauseNamer& name = byId);
 
 }  // namespace alidade

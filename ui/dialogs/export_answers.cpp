@@ -21,12 +21,7 @@ struct Fitted {
 
 Result<Fitted> fitted(const Session& session) {
   Examined examined = examine(session);
-  const std::vector<Problem> problems = hindrances(session, examined.problems);
-  if (!problems.empty()) {
-    Problem first = problems.front();
-    if (problems.size() > 1) first.what += " (and " + std::to_string(problems.size() - 1) + " more)";
-    return first;
-  }
+  if (auto problem = firstHindrance(session, examined.problems)) return *std::move(problem);
   Measurement measurement = std::move(examined.measurement).value();
   SessionFit fit = fitSession(measurement);
   if (auto problem = absence(measurement, fit.arcs.size(), fit.findings)) return *std::move(problem);

@@ -35,9 +35,7 @@ QString capitalised(QString text) {
 }
 
 QString unitText(const std::string& unit) {
-  if (unit == "arcsec") return QStringLiteral("″");
-  if (unit == "deg") return QStringLiteral("°");
-  return unit == "mm" ? QStringLiteral("mm") : QString();
+  return qText(signOf(unit)).trimmed();
 }
 
 QString withUnit(const QString& figure, const QString& unit) {

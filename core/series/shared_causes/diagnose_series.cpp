@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <atomic>
-#include <charconv>
-#include <chrono>
 #include <mutex>
 #include <numeric>
 #include <optional>
@@ -15,28 +13,12 @@
 #include "core/effects/cause_ids.h"
 #include "core/series/shared_causes/offered_effects.h"
 #include "core/series/shared_causes/series_conclusion.h"
+#include "core/session/entry.h"
 #include "core/session/readings_digest.h"
 
 namespace alidade {
 
 namespace {
-
-/// The date in days from a fixed origin; absent if it is invalid.
-std::optional<double> dayOf(const std::string& date) {
-  int number[3] = {0, 0, 0};
-  const char* at = date.data();
-  const char* const end = at + date.size();
-  for (int i = 0; i < 3; ++i) {
-    const auto [next, error] = std::from_chars(at, end, number[i]);
-    if (error != std::errc()) return std::nullopt;
-    at = next;
-    if (i < 2 && (at == end || *at++ != '-')) return std::nullopt;
-  }
-  const std::chrono::year_month_day day{std::chrono::year(number[0]), std::chrono::month(unsigned(number[1])),
-                                        std::chrono::day(unsigned(number[2]))};
-  if (!day.ok()) return std::nullopt;
-  return std::chrono::sys_days(day).time_since_epoch().count();
-}
 
 /// The order of measurement if all sessions have a date; else the order given.
 std::vector<std::size_t> inOrder(const std::vector<SeriesSession>& sessions,
@@ -54,7 +36,8 @@ std::vector<SessionOwners> ownersOf(const std::vector<SeriesSession>& sessions,
   std::vector<double> days;
   for (const std::size_t s : order) {
     owners.push_back({sessions[s].instrument, sessions[s].guideway, 0, sessions[s].measurement.own.get()});
-    if (const auto day = dayOf(sessions[s].measuredOn)) days.push_back(*day);
+    if (const auto day = dayOf(sessions[s].measuredOn))
+      days.push_back(static_cast<double>(day->time_since_epoch().count()));
   }
   const bool dated = days.size() == order.size() && days.back() > days.front();
   for (std::size_t i = 0; i < owners.size(); ++i)
