@@ -5,13 +5,12 @@
 #include <numbers>
 
 #include "core/observation/own_model.h"
-#include "core/terms/formula_text.h"
 
 namespace alidade {
 
 namespace {
 
-using Variable = double FormulaArguments::*;
+using Kind = FormulaVariable::Kind;
 
 /// The arguments at each sighting, in the order of the session.
 std::vector<FormulaArguments> placesOf(const Measurement& measurement, const SessionFit& fit) {
@@ -28,38 +27,51 @@ std::vector<FormulaArguments> placesOf(const Measurement& measurement, const Ses
   return places;
 }
 
-bool hasFewValues(Variable variable) {
-  constexpr Variable few[] = {&FormulaArguments::leg, &FormulaArguments::round, &FormulaArguments::face,
-                              &FormulaArguments::position};
-  return std::ranges::find(few, variable) != std::end(few);
+/// The one variable of all lines; null: they have several, or none.
+const FormulaVariable* variableOf(const Formula& formula) {
+  const auto& first = formula.lines.front().variables;
+  const auto isOfFirst = [&](const FormulaLine& line) { return line.variables == first; };
+  if (first.size() != 1 || !std::ranges::all_of(formula.lines, isOfFirst)) return nullptr;
+  return std::ranges::find(formulaVariables, first.front(), &FormulaVariable::value);
 }
 
-/// 1 for what is no angle.
-double unitsPerRadian(Variable variable) {
-  return variable == &FormulaArguments::t || hasFewValues(variable) ? 1 : 180 / std::numbers::pi;
-}
+struct At {
+  double x;
+  FormulaArguments arguments;
+};
 
-/// The places in order of the variable: its values, or many between its first and last.
-std::vector<FormulaArguments> along(Variable variable, std::vector<FormulaArguments> places) {
+/// The values of a counted variable, or many between the least and the largest.
+std::vector<At> along(const FormulaVariable& variable, const std::vector<FormulaArguments>& places) {
   constexpr int steps = 200;
-  std::ranges::sort(places, {}, variable);
-  if (hasFewValues(variable)) {
-    const auto isEqual = [&](const auto& one, const auto& other) { return one.*variable == other.*variable; };
-    places.erase(std::unique(places.begin(), places.end(), isEqual), places.end());
-    return places;
+  std::vector<double> values;
+  for (const FormulaArguments& place : places) values.push_back(place.*variable.value);
+  std::ranges::sort(values);
+  if (variable.kind == Kind::Counted) {
+    values.erase(std::unique(values.begin(), values.end()), values.end());
+  } else {
+    const double least = values.front(), largest = values.back();
+    values.clear();
+    for (int i = 0; i <= steps; ++i) values.push_back(std::lerp(least, largest, double(i) / steps));
   }
-  std::vector<FormulaArguments> all(steps + 1, places.front());
-  for (int i = 0; i <= steps; ++i)
-    all[static_cast<std::size_t>(i)].*variable =
-        std::lerp(places.front().*variable, places.back().*variable, static_cast<double>(i) / steps);
+  std::vector<At> all;
+  for (const double value : values) {
+    At& at = all.emplace_back();
+    at.x = variable.kind == Kind::Angle ? value * 180 / std::numbers::pi : value;
+    at.arguments.*variable.value = value;
+  }
   return all;
 }
 
-/// The one variable of all lines; null: they have several, or none.
-Variable variableOf(const Formula& formula) {
-  const std::vector<Variable>& first = formula.lines.front().variables;
-  const auto isOfFirst = [&](const FormulaLine& line) { return line.variables == first; };
-  return first.size() == 1 && std::ranges::all_of(formula.lines, isOfFirst) ? first.front() : nullptr;
+/// The sightings in order, every so many of very many.
+std::vector<At> inOrder(const std::vector<FormulaArguments>& places) {
+  constexpr std::size_t most = 1000;
+  std::vector<At> all;
+  for (std::size_t i = 0; i < places.size(); i += 1 + places.size() / most) {
+    At& at = all.emplace_back();
+    at.x = static_cast<double>(i + 1);
+    at.arguments = places[i];
+  }
+  return all;
 }
 
 }  // namespace
@@ -67,22 +79,20 @@ Variable variableOf(const Formula& formula) {
 std::vector<OwnCurve> curvesOf(const OwnEntry& entry, const Measurement& measurement, const SessionFit& fit) {
   const std::vector<FormulaArguments> places = placesOf(measurement, fit);
   if (places.empty()) return {};
-  const Variable variable = variableOf(entry.formula);
-  const std::vector<FormulaArguments> at = variable ? along(variable, places) : places;
+  const FormulaVariable* variable = variableOf(entry.formula);
+  const std::vector<At> all = variable ? along(*variable, places) : inOrder(places);
   const FormulaEvaluator evaluator(entry.formula);
   std::vector<OwnCurve> curves;
   for (std::size_t l = 0; l < entry.formula.lines.size(); ++l) {
     const FormulaLine& line = entry.formula.lines[l];
     OwnCurve& curve = curves.emplace_back();
     curve.carrier = line.carrier;
-    if (variable)
-      curve.variable = std::ranges::find(formulaVariables, variable, &FormulaVariable::value)->name;
-    for (std::size_t i = 0; i < at.size(); ++i) {
+    curve.variable = variable;
+    for (const At& at : all) {
       double sum = 0;
       for (const std::size_t amplitude : line.amplitudes)
-        sum += entry.effect.parameters[amplitude].plausible * evaluator.value(l, amplitude, at[i]);
-      const double x = variable ? at[i].*variable * unitsPerRadian(variable) : static_cast<double>(i + 1);
-      if (std::isfinite(sum)) curve.points.push_back({x, sum});
+        sum += entry.effect.parameters[amplitude].plausible * evaluator.value(l, amplitude, at.arguments);
+      if (std::isfinite(sum)) curve.points.push_back({at.x, sum});
     }
   }
   return curves;

@@ -24,23 +24,30 @@ inline constexpr FormulaFunction formulaFunctions[] = {
 
 /// A variable of expressions and what it is of.
 struct FormulaVariable {
+  enum class Kind {
+    Angle,   ///< rad
+    Share,   ///< 0…1
+    Counted  ///< has a few values
+  };
+
   std::string_view name;
   double FormulaArguments::*value;
   bool isOfZerosToo;  ///< also known of a pointing zero
+  Kind kind = Kind::Angle;
 };
 inline constexpr FormulaVariable formulaVariables[] = {
     {"s", &FormulaArguments::s, false},
-    {"t", &FormulaArguments::t, true},
+    {"t", &FormulaArguments::t, true, FormulaVariable::Kind::Share},
     {"a", &FormulaArguments::a, true},
     {"e", &FormulaArguments::e, true},
     {"horizontal_circle", &FormulaArguments::horizontalCircle, true},
     {"vertical_circle", &FormulaArguments::verticalCircle, true},
     {"alpha", &FormulaArguments::horizontalCircle, true},
     {"beta", &FormulaArguments::verticalCircle, true},
-    {"leg", &FormulaArguments::leg, false},
-    {"round", &FormulaArguments::round, false},
-    {"face", &FormulaArguments::face, true},
-    {"position", &FormulaArguments::position, false},
+    {"leg", &FormulaArguments::leg, false, FormulaVariable::Kind::Counted},
+    {"round", &FormulaArguments::round, false, FormulaVariable::Kind::Counted},
+    {"face", &FormulaArguments::face, true, FormulaVariable::Kind::Counted},
+    {"position", &FormulaArguments::position, false, FormulaVariable::Kind::Counted},
 };
 
 /// A name in an expression, and where it stands in the text.

@@ -1515,13 +1515,6 @@ Includes every catalogued effect, limited by these readings or by its plausible 
     </message>
 </context>
 <context>
-    <name>OwnEffectCurve</name>
-    <message>
-        <source>sighting of the session</source>
-        <translation>测量记录中的观测</translation>
-    </message>
-</context>
-<context>
     <name>Phrase</name>
     <message>
         <source>there are no readings to fit; enter those of the axis positions</source>
@@ -11530,6 +11523,10 @@ sizes</source>
     <message>
         <source>size</source>
         <translation>大小</translation>
+    </message>
+    <message>
+        <source>sighting of the session</source>
+        <translation>测量记录中的观测</translation>
     </message>
 </context>
 <context>

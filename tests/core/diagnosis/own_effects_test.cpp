@@ -232,7 +232,8 @@ TEST(OwnEffectCheck, DrawsWhatTheFormulaDoes) {
   };
   const auto bump = curves("radial = A*bump(s, 83°, 4°)", {"A"});
   ASSERT_EQ(bump.size(), 1u);
-  EXPECT_EQ(bump[0].variable, "s");
+  ASSERT_TRUE(bump[0].variable);
+  EXPECT_EQ(bump[0].variable->name, "s");
   ASSERT_GT(bump[0].points.size(), 100u);
   for (const auto& [s, y] : bump[0].points) EXPECT_NEAR(y, 0.2 * std::exp(-(s - 83) * (s - 83) / 32), 1e-9);
   EXPECT_LT(bump[0].points.front()[0], 83);
@@ -240,13 +241,14 @@ TEST(OwnEffectCheck, DrawsWhatTheFormulaDoes) {
 
   const auto legs = curves("horizontal = A*leg; vertical = B*leg", {"A", "B"});
   ASSERT_EQ(legs.size(), 2u);
-  EXPECT_EQ(legs[1].variable, "leg");
+  ASSERT_TRUE(legs[1].variable);
+  EXPECT_EQ(legs[1].variable->name, "leg");
   EXPECT_EQ(legs[1].points, (std::vector<std::array<double, 2>>{{-1, -0.2}, {1, 0.2}}));
 
   std::size_t sightings = 0;
   for (const ArcMeasurement& arc : measurement.arcs) sightings += arc.sightings.size();
   for (const OwnCurve& curve : curves("horizontal = A*leg; vertical = B*face*leg", {"A", "B"})) {
-    EXPECT_EQ(curve.variable, "") << "of several variables";
+    EXPECT_FALSE(curve.variable) << "of several variables";
     EXPECT_EQ(curve.points.size(), sightings);
   }
 }

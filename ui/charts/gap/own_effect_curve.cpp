@@ -13,26 +13,28 @@ namespace alidade::ui {
 
 namespace {
 
-constexpr std::size_t fewPoints = 12;  // leg, face, rounds: no line joins them
+using Kind = FormulaVariable::Kind;
 
-QString variableTitle(std::string_view variable) {
-  if (variable.empty()) return OwnEffectCurve::tr("sighting of the session");
-  const bool isAngle = variable != "t" && variable != "leg" && variable != "round" && variable != "face" &&
-                       variable != "position";
-  const QString name = qText(std::string(variable));
-  return isAngle ? name + QStringLiteral(" (°)") : name;
+QString variableTitle(const FormulaVariable* variable) {
+  if (!variable) return OwnEffectCurve::tr("sighting of the session");
+  const QString name = qText(std::string(variable->name));
+  return variable->kind == Kind::Angle ? name + QStringLiteral(" (°)") : name;
+}
+
+bool isCounted(const OwnCurve& curve) {
+  return curve.variable && curve.variable->kind == Kind::Counted;
 }
 
 /// A line, or dots where no line joins the points.
 QXYSeries* seriesOf(const OwnCurve& curve, const QColor& colour, const PlotStyle& style) {
-  const bool isLine = !curve.variable.empty() && curve.points.size() >= fewPoints;
+  const bool isLine = curve.variable && !isCounted(curve);
   QXYSeries* series = isLine ? static_cast<QXYSeries*>(new QLineSeries) : new QScatterSeries;
   for (const auto& [x, y] : curve.points) series->append(x, y);
   series->setName(qText(std::string(nameOf(curve.carrier))));
   series->setPen(isLine ? QPen(colour, 2 * style.unit()) : QPen(Qt::NoPen));
   series->setBrush(colour);
   if (auto* dots = qobject_cast<QScatterSeries*>(series))
-    dots->setMarkerSize((curve.points.size() < fewPoints ? 8 : 4) * style.unit());
+    dots->setMarkerSize((isCounted(curve) ? 8 : 4) * style.unit());
   return series;
 }
 
@@ -79,9 +81,8 @@ void OwnEffectCurve::setCurves(const std::vector<OwnCurve>& curves) {
   if (chart()->series().isEmpty()) return;
   chart()->createDefaultAxes();
   const QList<QAbstractSeries*> all = chart()->series();
-  const bool isFew = curves.front().points.size() < fewPoints;
   layOut(*qobject_cast<QValueAxis*>(chart()->axes(Qt::Horizontal)[0]), variableTitle(curves.front().variable),
-         style, isFew);
+         style, isCounted(curves.front()));
   layOut(*qobject_cast<QValueAxis*>(chart()->axes(Qt::Vertical)[0]),
          QStringLiteral("%1 (%2)").arg(all.size() == 1 ? all[0]->name() : tr("size"),
                                        unitText(std::string(unitOf(curves.front().carrier)))),
