@@ -29,8 +29,9 @@ std::vector<Finding> inWords(const std::vector<FitFinding>& findings, const std:
 }
 
 std::string inTurn(const std::string& first, const std::string& second) {
+  if (first.empty() || second.empty()) return first + second;
   //: two sentences, such as what was found and what to do about it
-  return second.empty() ? first : Phrase::of("%1 %2", first, second);
+  return Phrase::of("%1 %2", first, second);
 }
 
 }  // namespace alidade

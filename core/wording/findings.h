@@ -16,7 +16,7 @@ std::vector<Finding> inWords(const std::vector<FitFinding>& findings);
 /// The same, after a finding on the suspects, if any.
 std::vector<Finding> inWords(const std::vector<FitFinding>& findings, const std::vector<Suspect>& suspects);
 
-/// Joins two sentences; the second may be empty.
+/// Joins two sentences; either may be empty.
 std::string inTurn(const std::string& first, const std::string& second);
 
 /// The finding, and what to do about it.

@@ -9,6 +9,7 @@
 #include "core/base/quantity_text.h"
 #include "core/base/visible_text.h"
 #include "core/effects/catalogue.h"
+#include "core/wording/findings.h"
 #include "core/wording/verdict.h"
 
 namespace alidade {
@@ -83,9 +84,7 @@ std::string textOf(const KnownCheck& check, const CauseNamer& name) {
 
 std::string staleSentence(const Diagnosis& diagnosis, const CauseNamer& name) {
   std::string sentences;
-  const auto add = [&](const std::string& sentence) {
-    sentences = sentences.empty() ? sentence : Phrase::of("%1 %2", sentences, sentence);
-  };
+  const auto add = [&](const std::string& sentence) { sentences = inTurn(sentences, sentence); };
   for (const Cause& cause : diagnosis.causes) {
     if (const KnownCheck* check = cause.isStale ? farthest(diagnosis, cause.effect) : nullptr)
       add(staleText(*check, probabilityText(cause.probability), name));

@@ -6,6 +6,7 @@
 #include "core/base/phrase.h"
 #include "core/base/quantity_text.h"
 #include "core/wording/copies.h"
+#include "core/wording/findings.h"
 #include "core/wording/form_sentence.h"
 #include "core/wording/verdict.h"
 
@@ -123,8 +124,7 @@ std::string sentenceOf(const SeriesDiagnosis& series, const CauseNamer& name) {
                       Phrase::of("By itself %1 holds %2.", series.sessions[cause.sessions.front()].name,
                                  name(cause.cause.effect)));
   }
-  for (const OfferedEffect& offered : series.offered)
-    text = Phrase::of("%1 %2", text, sentenceOf(offered, series));
+  for (const OfferedEffect& offered : series.offered) text = inTurn(text, sentenceOf(offered, series));
   return text;
 }
 

@@ -28,5 +28,12 @@ TEST(Findings, NameTheSuspectsFirst) {
                                                         Field(&Finding::text, HasSubstr("y/L"))));
 }
 
+TEST(Findings, JoinSentencesWithOneBlankBetweenThem) {
+  EXPECT_EQ(inTurn("One.", "Two."), "One. Two.");
+  EXPECT_EQ(inTurn("", "Two."), "Two.");
+  EXPECT_EQ(inTurn("One.", ""), "One.");
+  EXPECT_EQ(inTurn("", ""), "");
+}
+
 }  // namespace
 }  // namespace alidade
