@@ -13,7 +13,7 @@ struct ParameterTraits {
   /// The order of a wave over the slider coordinate that turns with the guideway, of its radius or across its
   /// plane; 0: none.
   int radialOrder = 0, acrossOrder = 0;
-  /// Sighting a pointing zero again shows how far a circle has turned since: 1 of the circle.
+  /// Turns a circle away from its pointing zero, which sighting the zero again shows.
   bool turnsHorizontalZero = false, turnsVerticalZero = false;
   bool changesDistance = false;  ///< by opposite amounts in the two positions
 };

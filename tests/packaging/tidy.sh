@@ -45,7 +45,7 @@ still_passes() {
   [[ -z $(find "${files[@]}" .clang-tidy "$self" -newer "$stamp" -print -quit) ]]
 }
 
-# A local name may be one of another source of its room: it hides nothing in its own.
+# A room compiles its sources as one. A local name in one source may equal a name in another without hiding it.
 look_at() {
   clang-tidy-14 -p "$1" --quiet --extra-arg=-Wno-unknown-warning-option --extra-arg=-Wno-shadow "--checks=$2" "$4" \
     2> >(grep -v 'warnings\? generated' >&2) && touch -- "$3"

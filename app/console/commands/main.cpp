@@ -93,8 +93,8 @@ int giveDiagnosis(const DiagnoseRequest& request, std::string& subject) {
   return give(runDiagnose(request, request.files.front()), subject);
 }
 
-/// Adds a command to the app: `add` its options, and `give`, which runs once the call is parsed, what it
-/// answers.
+/// Adds a command to the app. `add` lets its options fill in a request. Once the call is parsed, `give`
+/// answers the request and returns the exit code.
 template <typename Request, typename Add, typename Give>
 void addCommand(CLI::App& app, int& exitCode, const Add& add, const Give& give) {
   const auto request = std::make_shared<Request>();
@@ -104,7 +104,7 @@ void addCommand(CLI::App& app, int& exitCode, const Add& add, const Give& give) 
   });
 }
 
-/// `subject` is the input while that is processed.
+/// Each command sets `subject` to the input that it processes.
 void addCommands(CLI::App& app, int& exitCode, std::string& subject) {
   const auto ofNothing = [&](const auto& run) {
     return [&, run](const auto& request) { return give(run(request), subject); };

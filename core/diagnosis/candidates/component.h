@@ -49,7 +49,7 @@ class Component {
   virtual bool isJump() const { return false; }
   /// The arc that a jump between its zero and its first visit moves as a whole.
   virtual std::optional<std::size_t> slippedArc() const { return std::nullopt; }
-  /// Whether this is a jump, at whatever moment. It has a moment, which the terms of a model lack.
+  /// Whether this is a jump. A jump has a moment, which the terms of a model lack.
   bool stepsOrientation() const { return isJump() || slippedArc().has_value(); }
   /// The rows on which a jump acts.
   virtual std::optional<JumpMoment> jumpMoment() const { return std::nullopt; }

@@ -231,7 +231,7 @@ VectorXd toUnit(const VectorXd& values) {
   return range > 0 ? VectorXd((values.array() - least) / range) : VectorXd::Zero(values.size());
 }
 
-/// The orders from `first` to `last` that no effect of the catalogue has but those left out.
+/// The orders from `first` to `last` that no effect of the catalogue has. Effects in `leftOut` do not count.
 std::vector<int> ordersBeside(int ParameterTraits::*order, int first, int last,
                               const std::vector<std::string>& leftOut) {
   std::vector<int> orders(static_cast<std::size_t>(last - first + 1));

@@ -49,7 +49,7 @@ std::vector<Explanation> restsOf(const Inquiry& inquiry, const Explanation& cert
   return {certain, calm};
 }
 
-/// With every effect besides at its plausible size, but for a constant: natural logarithm.
+/// The natural logarithm of the odds, up to a constant, with every effect at its plausible size besides.
 double logOddsBesideEffects(Accounts& accounts, const Explanation& explanation) {
   const auto alone = accounts.of(explanation, noEffect), beside = accounts.of(explanation, EffectScales{});
   return alone && beside ? explanation.logPosteriorOdds - alone->logOdds + beside->logOdds : impossible;
