@@ -15,6 +15,18 @@ sample() {
   "$cli" simulate --out "$folder/$name.alidade" --truth "$truth" --typing-step 1 --tolerance 0.5 "$@"
 }
 
+# The effect, without its format and version, at the end of the session.
+takes_up() {
+  local session=$folder/$1.alidade effect=$2
+  sed -i -e '$d' "$session"
+  sed -i -e '$s/$/,/' "$session"
+  {
+    printf '  "own_effects": [\n    {\n'
+    tail -n +4 -- "$effect" | sed 's/^/    /'
+    printf '  ]\n}\n'
+  } >>"$session"
+}
+
 sample trunnion-tilt --seed 1 --protocol two-face --points 9 --rounds 1 --intersection 0.4 \
   --effect trunnion_tilt=25 --title "A tilted trunnion axis" \
   --notes "Simulated: the trunnion axis is tilted by 25 arcseconds. Both faces were read, so nothing else looks like it."
@@ -30,6 +42,10 @@ sample unknown-form --seed 4 --protocol paper --points 17 --intersection 0.4 \
 sample dented-guideway --seed 9 --protocol full --points 17 --intersection 0.4 \
   --effect local_dent=-0.3,40,8 --title "A dented guideway" \
   --notes "Simulated: the guideway is dented by 0.3 mm at 40 degrees, 8 degrees wide. No effect of the catalogue does that."
+sample own-effect --seed 10 --protocol full --points 17 --intersection 0.4 \
+  --effects "$here/rail-joint.alidade-effect" --effect own:rail_joint=0.12 --title "An effect of one's own" \
+  --notes "Simulated: the two halves of the rail do not meet, by 0.12 mm at 105 degrees. No effect of the catalogue does that, but an effect of the user's own."
+takes_up own-effect "$here/rail-joint.alidade-effect"
 sample knocked-tripod --seed 5 --protocol there-and-back --points 9 --intersection 0.4 \
   --effect orientation_jump=0.7,60,-40 --title "A knocked tripod" \
   --notes "Simulated: after seven tenths of the readings somebody hit the tripod; both circles read differently from then on."

@@ -8070,6 +8070,14 @@ a clause as a sentence</extracomment>
         <source>A form of time: the first quarter is off, the rest is not</source>
         <translation>随时间的形式：前四分之一有偏移，其余没有</translation>
     </message>
+    <message>
+        <source>An effect of one&apos;s own</source>
+        <translation>自定义影响因素</translation>
+    </message>
+    <message>
+        <source>A joint of the rail, typed as a formula: the cause, with its size</source>
+        <translation>以公式输入的导轨接头：原因及其大小</translation>
+    </message>
 </context>
 <context>
     <name>SealSession</name>

@@ -38,7 +38,9 @@ const std::vector<Sample>& allSamples() {
       {"dented-guideway", QT_TRANSLATE_NOOP("Sample", "A dented guideway"),
        QT_TRANSLATE_NOOP("Sample", "The form of an effect of no catalogue, and where the model holds")},
       {"settling-tripod", QT_TRANSLATE_NOOP("Sample", "A settling tripod"),
-       QT_TRANSLATE_NOOP("Sample", "A form of time: the first quarter is off, the rest is not")}};
+       QT_TRANSLATE_NOOP("Sample", "A form of time: the first quarter is off, the rest is not")},
+      {"own-effect", QT_TRANSLATE_NOOP("Sample", "An effect of one's own"),
+       QT_TRANSLATE_NOOP("Sample", "A joint of the rail, typed as a formula: the cause, with its size")}};
   return samples;
 }
 

@@ -66,7 +66,7 @@ Epoch epochOf(const std::string& file, const Session& session, const Measurement
   epoch.intersection = diagnosis.measured->estimate;
   epoch.ofFit = *fit.intersection;
   for (const UncertaintyShare& share : diagnosis.measured->budget) {
-    const Effect* effect = effectById(share.effect);
+    const Effect* effect = effectById(share.effect, measurement);
     if (share.source == UncertaintySource::PlausibleSizes && effect &&
         (effect->source == ErrorSource::Instrument || effect->source == ErrorSource::Guideway))
       epoch.lasting.push_back({share.effect, effect->source, share.sigma});
