@@ -108,7 +108,9 @@ void WindowActions::createFileMenu(QToolBar& bar) {
   addTo(menu, nullptr, tr("&Print…"), QKeySequence::Print, this, [&files] { files.printReport(); });
   addTo(menu, nullptr, tr("Page Set&up…"), {}, this, [&files] { files.setUpPage(); });
   menu.addSeparator();
-  addTo(menu, nullptr, tr("&Close"), QKeySequence(tr("Ctrl+W")), this, [&files] { files.startNew(); });
+  addTo(menu, nullptr, tr("&Close"), QKeySequence(tr("Ctrl+W")), this, [this] {
+    if (m_window.files().startNew()) m_window.showStart();
+  });
   addTo(menu, nullptr, tr("&Quit"), QKeySequence(tr("Ctrl+Q")), this, [this] { m_window.close(); });
 }
 
@@ -150,6 +152,7 @@ void WindowActions::createEditMenu(QToolBar& bar) {
   QUndoStack& stack = m_window.document().undoStack();
   QAction* undo = addTo(menu, "undo", tr("&Undo"), QKeySequence::Undo, this, [this] { m_window.undo(); });
   QAction* redo = addTo(menu, "redo", tr("&Redo"), QKeySequence::Redo, this, [this] { m_window.redo(); });
+  redo->setShortcuts(redo->shortcuts() << QKeySequence(tr("Ctrl+Y")));
   undo->setEnabled(false);
   redo->setEnabled(false);
   connect(&stack, &QUndoStack::canUndoChanged, undo, &QAction::setEnabled);

@@ -1,5 +1,7 @@
 #include "app/console/fit_text.h"
 
+#include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <vector>
 
@@ -10,12 +12,11 @@
 #include "core/base/number_text.h"
 #include "core/base/quantity_text.h"
 #include "core/statement/budget.h"
-#include "core/wording/conditions.h"
+#include "core/statement/headline.h"
 #include "core/wording/diagnosis_sentence.h"
 #include "core/wording/findings.h"
 #include "core/wording/position_name.h"
 #include "core/wording/suspects.h"
-#include "core/wording/verdict.h"
 
 namespace alidade::console {
 
@@ -61,30 +62,39 @@ std::string coverageText(const Intersection& intersection) {
          " coverage, k = " + fixedText(intersection.coverageFactor, 3) + freedom + ")";
 }
 
-std::string intersectionText(const Measurement& measurement, const Intersection& intersection) {
+std::string intersectionText(const Intersection& intersection) {
   return "\nΔd, fit only = " + fixedText(intersection.value, 6) + " mm ± " +
          fixedText(intersection.expanded, 4) + " mm " + coverageText(intersection) +
          "\nCentres apart in the plane: |O1 - O2|/2 = " + fixedText(intersection.inPlane, 6) + " mm ± " +
-         fixedText(intersection.inPlaneExpanded, 4) + " mm\n" +
-         referenceLine(measurement, intersection.value);
+         fixedText(intersection.inPlaneExpanded, 4) + " mm\n";
 }
 
-std::string toleranceText(const Measurement& measurement) {
-  if (!measurement.tolerance) return "";
-  const bool isOfDistance = measurement.measurand == Measurand::Distance;
-  return (isOfDistance ? "; tolerance of the distance d " : "; tolerance ± ") +
-         shortestText(*measurement.tolerance) + " mm";
+std::string inCapitals(std::string text) {
+  std::ranges::transform(text, text.begin(),
+                         [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
+  return text;
+}
+
+/// The result and its verdict on one line, its place on the scale of the tolerance, then what to read with
+/// them.
+std::string headlineText(const Headline& headline, double coverage) {
+  constexpr int scaleWidth = 60;
+  std::string text = headline.nameAndFigure();
+  if (headline.isMeasured) text += " (" + percent(coverage) + " coverage)";
+  text += "   " + (headline.decided ? inCapitals(headline.verdict) : headline.verdict);
+  if (!headline.tolerance.empty()) text += "   " + headline.tolerance;
+  text += "\n";
+  if (headline.scale) text += scaleText(*headline.scale, scaleWidth) + "\n";
+  for (const Headline::Line& line : headline.lines)
+    text += (line.isWarning ? "! " : "  ") + paragraph(line.text + ".", 2);
+  return text + "\n";
 }
 
 std::string measuredText(const FitAnswer& answer) {
-  if (!answer.fit.intersection) return "";
-  const std::string tolerance = toleranceText(answer.measurement);
-  if (!answer.diagnosis) return "Δd, measured: no diagnosis was made" + tolerance + "\n";
-  const auto& measured = answer.diagnosis->measured;
-  if (!measured) return "Δd, measured: not determined by these readings" + tolerance + "\n";
-  return "Δd, measured = " + fixedText(measured->estimate.value, 4) + " mm ± " +
-         fixedText(measured->estimate.expanded, 4) + " mm (" + percent(answer.measurement.coverage) +
-         " coverage)" + tolerance + "\n";
+  if (!answer.found() || !answer.diagnosis->measured) return "";
+  const IntersectionEstimate& measured = answer.diagnosis->measured->estimate;
+  return "\nΔd, measured = " + fixedText(measured.value, 4) + " mm ± " + fixedText(measured.expanded, 4) +
+         " mm (" + percent(answer.measurement.coverage) + " coverage)";
 }
 
 /// Shown if the gap is more than noise.
@@ -93,13 +103,12 @@ std::string gapText(const FitAnswer& answer) {
   return "\n" + paragraph("Gap: " + sentenceOf(*answer.diagnosis) + " `alidade-cli diagnose` says more.");
 }
 
-std::string verdictText(const FitAnswer& answer) {
+/// "Verdict: accept. Δd = …".
+std::string basisText(const FitAnswer& answer, const Headline& headline) {
   const auto decision = decideAcceptance(answer.measurement, answer.fit, answer.found());
-  if (!decision) return answer.fit.intersection ? "Verdict: none, the session states no tolerance.\n" : "";
-  const char* basis = answer.diagnosis ? "Verdict: " : "Verdict, fit only: ";
-  return paragraph(basis + verdictName(decision->verdict) + ". " +
-                   inTurn(verdictSentence(answer.measurement, answer.fit, answer.found(), *decision),
-                          dependenceSentence(answer.dependences)));
+  if (!decision) return "Verdict: none. " + headline.sentence;
+  return (answer.diagnosis ? "Verdict: " : "Verdict, fit only: ") + verdictName(decision->verdict) + ". " +
+         headline.sentence;
 }
 
 std::vector<std::string> spreadRow(const std::string& name, const Spread& spread) {
@@ -221,8 +230,12 @@ std::string intersectionText(const Measurement& measurement, const PublishedSess
 std::string fitText(const FitAnswer& answer) {
   const Measurement& measurement = answer.measurement;
   const SessionFit& fit = answer.fit;
-  std::string text = heading(answer.session) + measuredText(answer) + verdictText(answer);
-  if (fit.intersection) text += intersectionText(measurement, *fit.intersection) + "\n";
+  std::string text = heading(answer.session);
+  if (fit.intersection) {
+    const Headline headline = headlineOf(measurement, fit, answer.found(), answer.dependences);
+    text += headlineText(headline, measurement.coverage) + paragraph(basisText(answer, headline)) +
+            measuredText(answer) + intersectionText(*fit.intersection) + "\n";
+  }
   text += "Rigorous fit: orthogonal least squares on the readings of both circles; x right, y up\n\n" +
           arcsText(fit) + gapText(answer);
   if (answer.diagnosis && answer.diagnosis->measured)

@@ -7,9 +7,9 @@
 #include "core/base/quantity_text.h"
 #include "core/certificate/quantity.h"
 #include "core/diagnosis/decision.h"
+#include "core/statement/headline.h"
 #include "core/wording/conditions.h"
 #include "core/wording/findings.h"
-#include "core/wording/verdict.h"
 
 namespace alidade {
 
@@ -58,9 +58,12 @@ std::string ruleText(const Measurement& measurement) {
 }
 
 /// The meaning of the schema's word here, or why there is none.
-std::string statementText(const FitAnswer& answer, const AcceptanceDecision& decision) {
-  std::string sentence = inTurn(verdictSentence(answer.measurement, answer.fit, answer.found(), decision),
-                                dependenceSentence(answer.dependences));
+std::string statementText(const FitAnswer& answer) {
+  const Headline headline = headlineOf(answer.measurement, answer.fit, answer.found(), answer.dependences);
+  const std::string condition = headline.line(Headline::Line::Kind::Gap);
+  const std::string sentence =
+      inTurn(condition.empty() ? headline.sentence : Phrase::of("%1. %2", condition, headline.sentence),
+             dependenceSentence(answer.dependences));
   const auto conformity = conformityOf(answer);
   if (!conformity) return Phrase::of("No statement of conformity. %1", sentence);
   if (*conformity == "conditionalPass")
@@ -121,7 +124,7 @@ void addConformity(const Element& metaData, const CertificateSource& source) {
   });
   own.value("norm", "JCGM 106:2012");
   own.value("norm", "ILAC-G8:09/2019");
-  own.say("declaration", [&] { return statementText(answer, *decision); });
+  own.say("declaration", [&] { return statementText(answer); });
   if (const auto conformity = conformityOf(answer)) own.value("conformity", std::string(*conformity));
   addNumbers(own, answer, *decision);
 }

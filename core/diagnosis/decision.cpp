@@ -92,6 +92,10 @@ std::vector<std::size_t> conditionsOf(const Measurement& measurement, const Diag
 
 }  // namespace
 
+bool hasGap(const Diagnosis& diagnosis) {
+  return diagnosis.verdict != DiagnosisVerdict::WithinNoise || isMisclosed(diagnosis);
+}
+
 bool isMoreThanNoise(const Diagnosis& diagnosis) {
   if (diagnosis.verdict == DiagnosisVerdict::WithinNoise) return false;
   return diagnosis.causes.size() != 1 || diagnosis.causes.front().effect != noiseId;

@@ -80,6 +80,9 @@ std::optional<AcceptanceDecision> decideVerdict(const Measurement& measurement, 
 /// Whether the probability of an unexplained gap exceeds `mostUnexplained`, so that the verdict is open.
 bool isUnexplained(const Diagnosis& diagnosis);
 
+/// Whether the session's model leaves a gap: residuals beyond the noise, or positions that do not close.
+bool hasGap(const Diagnosis& diagnosis);
+
 /// Whether the gap exceeds what larger noise alone explains.
 bool isMoreThanNoise(const Diagnosis& diagnosis);
 

@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "core/base/phrase.h"
-#include "core/diagnosis/decision.h"
 #include "core/diagnosis/diagnose.h"
 #include "core/effects/catalogue.h"
 #include "core/wording/diagnosis_fault.h"

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "core/diagnosis/decision.h"
 #include "core/diagnosis/result/diagnosis.h"
 #include "core/evaluation/evaluation.h"
 
@@ -39,9 +40,7 @@ struct Gap {
   /// The stage of the current session: the last one that is not proposed.
   const GapStage& asModelled() const;
   /// True for a gap that the session's model does not explain, in residuals or between the positions.
-  bool isOpen() const {
-    return diagnosis && (diagnosis->verdict != DiagnosisVerdict::WithinNoise || isMisclosed(*diagnosis));
-  }
+  bool isOpen() const { return diagnosis && hasGap(*diagnosis); }
   const Diagnosis* found() const { return diagnosis ? &*diagnosis : nullptr; }
   /// Δd, measured; null without a diagnosis, or if these readings do not determine Δd.
   const MeasuredIntersection* measured() const {

@@ -1166,54 +1166,6 @@ Sealed by:</source>
 <context>
     <name>GapText</name>
     <message>
-        <source>a jump of the orientation</source>
-        <translation>定向的突跳</translation>
-    </message>
-    <message>
-        <source>misread values</source>
-        <translation>误读值</translation>
-    </message>
-    <message>
-        <source>noise larger than stated</source>
-        <translation>大于声明的噪声</translation>
-    </message>
-    <message>
-        <source>the vertical angle relation</source>
-        <translation>竖直角关系式</translation>
-    </message>
-    <message>
-        <source>The positions do not close</source>
-        <translation>各轴位不闭合</translation>
-    </message>
-    <message>
-        <source>No gap: within the noise</source>
-        <translation>无差距：在噪声之内</translation>
-    </message>
-    <message>
-        <source>One cause: %1</source>
-        <translation>一个原因：%1</translation>
-    </message>
-    <message>
-        <source>One of %1 causes that look alike here</source>
-        <translation>此处难以区分的 %1 个原因之一</translation>
-    </message>
-    <message>
-        <source>%1 causes</source>
-        <translation>%1 个原因</translation>
-    </message>
-    <message>
-        <source>A gap of no known cause</source>
-        <translation>原因不明的差距</translation>
-    </message>
-    <message>
-        <source>An unknown cause beside %1</source>
-        <translation>除%1 外还有未知原因</translation>
-    </message>
-    <message>
-        <source>An unknown cause beside %1 known ones</source>
-        <translation>除 %1 个已知原因外还有未知原因</translation>
-    </message>
-    <message>
         <source> The model holds %1; without, the residuals are %2 instead of %3.</source>
         <translation>模型包含%1；若不包含，残差为 %2 而不是 %3。</translation>
     </message>
@@ -1270,74 +1222,6 @@ Sealed by:</source>
     <message>
         <source>+ what is known</source>
         <translation>+ 已知量值</translation>
-    </message>
-    <message>
-        <source>More causes than these readings can take apart</source>
-        <translation>原因多于这些读数所能区分的数目</translation>
-    </message>
-    <message>
-        <source>Undetectable here, yet a plausible size moves Δd by more than U: %1.</source>
-        <translation>在此无法检出，但合理大小使 Δd 移动超过 U：%1。</translation>
-    </message>
-    <message>
-        <source>Undetectable here, yet a plausible size moves Δd by more than U: %1; and %2 more.</source>
-        <translation>在此无法检出，但合理大小使 Δd 移动超过 U：%1；另有 %2 个。</translation>
-    </message>
-    <message>
-        <source>the form</source>
-        <translation>形式</translation>
-    </message>
-</context>
-<context>
-    <name>HeadlineText</name>
-    <message>
-        <source>%1: %2</source>
-        <extracomment>a name and what it is: &quot;Δd, measured: 1.30 ± 0.74 mm&quot;</extracomment>
-        <translation>%1：%2</translation>
-    </message>
-    <message>
-        <source>Δd, measured</source>
-        <translation>Δd，实测</translation>
-    </message>
-    <message>
-        <source>Δd, fit only</source>
-        <translation>Δd，仅拟合</translation>
-    </message>
-    <message>
-        <source>Tolerance of the distance d: %1 mm</source>
-        <translation>距离 d 的允差：%1 mm</translation>
-    </message>
-    <message>
-        <source>Tolerance ± %1 mm</source>
-        <translation>允差 ± %1 mm</translation>
-    </message>
-    <message>
-        <source>Δd = %1 mm, U = %2 mm</source>
-        <translation>Δd = %1 mm，U = %2 mm</translation>
-    </message>
-    <message>
-        <source>Reference %1, difference %2</source>
-        <translation>参考值 %1，差值 %2</translation>
-    </message>
-    <message>
-        <source>U at %1 % coverage (k = %2); u = %3</source>
-        <translation>U 的包含概率为 %1 %（k = %2）；u = %3</translation>
-    </message>
-    <message>
-        <source>%1 at %2 % coverage.
-Includes every catalogued effect, limited by these readings or by its plausible size. The page Budget lists what each contributes.
-%3</source>
-        <translation>%1，包含概率 %2 %。
-包含目录中的每个效应，其大小受这些读数或其合理大小约束。各效应的贡献见“预算”页。
-%3</translation>
-    </message>
-    <message>
-        <source>not determined by these readings</source>
-        <translation>这些读数不能确定</translation>
-    </message>
-    <message>
-        <source>no diagnosis was made</source>
-        <translation>未作诊断</translation>
     </message>
 </context>
 <context>
@@ -3689,6 +3573,9 @@ Includes every catalogued effect, limited by these readings or by its plausible 
     </message>
     <message>
         <source>%1: %2</source>
+        <extracomment>a name and what it is: &quot;Δd: not determined by these readings&quot;
+----------
+a sentence and what it rests on: &quot;… (72 %): the radii differ by 13 σ&quot;</extracomment>
         <translation>%1：%2</translation>
     </message>
     <message>
@@ -4069,6 +3956,7 @@ Includes every catalogued effect, limited by these readings or by its plausible 
     </message>
     <message>
         <source>%1 (%2)</source>
+        <extracomment>a cause and its probability: &quot;plane offset (72 %)&quot;</extracomment>
         <translation>%1（%2）</translation>
     </message>
     <message>
@@ -6369,6 +6257,258 @@ Includes every catalogued effect, limited by these readings or by its plausible 
         <source>Sessions of %1 show the same form, %2 (u %3): %4. It can be kept as an effect.</source>
         <translation>%1的多份测量记录显示同一形态：%2（u %3）：%4。可将其存为影响因素。</translation>
     </message>
+    <message>
+        <source>Accepted</source>
+        <translation>接受</translation>
+    </message>
+    <message>
+        <source>Rejected</source>
+        <translation>拒绝</translation>
+    </message>
+    <message>
+        <source>Undecided</source>
+        <translation>未定</translation>
+    </message>
+    <message>
+        <source>tolerance %1 mm</source>
+        <translation>允差 %1 mm</translation>
+    </message>
+    <message>
+        <source>tolerance ± %1 mm</source>
+        <translation>允差 ± %1 mm</translation>
+    </message>
+    <message>
+        <source>%1 ± %2 mm</source>
+        <translation>%1 ± %2 mm</translation>
+    </message>
+    <message>
+        <source>Δd = %1 mm, U = %2 mm</source>
+        <translation>Δd = %1 mm，U = %2 mm</translation>
+    </message>
+    <message>
+        <source>%1 at %2 % coverage.
+Includes every catalogued effect, limited by these readings or by its plausible size. The page Budget lists what each contributes.
+%3</source>
+        <translation>%1，包含概率 %2 %。
+包含目录中的每个效应，其大小受这些读数或其合理大小约束。各效应的贡献见“预算”页。
+%3</translation>
+    </message>
+    <message>
+        <source>Δd</source>
+        <translation>Δd</translation>
+    </message>
+    <message>
+        <source>Δd, fit only: %1</source>
+        <translation>Δd，仅拟合：%1</translation>
+    </message>
+    <message>
+        <source>U at %1 % coverage (k = %2); u = %3 mm</source>
+        <translation>包含概率 %1 % 的 U（k = %2）；u = %3 mm</translation>
+    </message>
+    <message>
+        <source>No verdict</source>
+        <translation>不作判定</translation>
+    </message>
+    <message>
+        <source>No tolerance stated, so nothing to decide against.</source>
+        <translation>未给出允差，因此无从判定。</translation>
+    </message>
+    <message>
+        <source>%1, fit only</source>
+        <translation>%1，仅拟合</translation>
+    </message>
+    <message>
+        <source>The intersection needs an arc at 0° and an arc at 180°; not both are there.</source>
+        <translation>相交度需要 0° 和 180° 各一个圆弧；两者并不齐全。</translation>
+    </message>
+    <message>
+        <source>No result</source>
+        <translation>没有结果</translation>
+    </message>
+    <message>
+        <source>No verdict: 1 entry could not be used</source>
+        <translation>不作判定：有 1 个输入项无法使用</translation>
+    </message>
+    <message>
+        <source>No verdict: %1 entries could not be used</source>
+        <translation>不作判定：有 %1 个输入项无法使用</translation>
+    </message>
+    <message>
+        <source>What cannot be used is listed with its place. Correct it or exclude its reading: what is stated here rests on the others alone.</source>
+        <translation>无法使用的项已连同位置列出。请改正或排除其读数：此处所述仅依据其余读数。</translation>
+    </message>
+    <message>
+        <source>%1 = %2</source>
+        <translation>%1 = %2</translation>
+    </message>
+    <message>
+        <source>Provisional: the diagnosis is running.</source>
+        <translation>暂定：诊断正在进行。</translation>
+    </message>
+    <message>
+        <source>Across the plane of the arc: Δz was not measured</source>
+        <translation>垂直于圆弧平面：Δz 未测量</translation>
+    </message>
+    <message>
+        <source>In the plane of the arc Δd = %1, across it Δz = %2</source>
+        <translation>圆弧平面内 Δd = %1，垂直于该平面 Δz = %2</translation>
+    </message>
+    <message>
+        <source>Across the plane of the arc: Δz = %1, not judged (the tolerance is of Δd)</source>
+        <translation>垂直于圆弧平面：Δz = %1，不作判定（允差针对 Δd）</translation>
+    </message>
+    <message>
+        <source>Across the plane of the arc: Δz = %1</source>
+        <translation>垂直于圆弧平面：Δz = %1</translation>
+    </message>
+    <message>
+        <source>Accepted on condition of %1</source>
+        <translation>接受，条件是 %1</translation>
+    </message>
+    <message>
+        <source>Rejected on condition of %1</source>
+        <translation>拒绝，条件是 %1</translation>
+    </message>
+    <message>
+        <source>Only if the tripod was not knocked %1: it would move Δd by ± %2 mm undetected</source>
+        <translation>前提是三脚架%1未被碰动：碰动会使 Δd 变化 ± %2 mm 而不被发现</translation>
+    </message>
+    <message>
+        <source>1 other</source>
+        <translation>另外 1 项</translation>
+    </message>
+    <message>
+        <source>Undetectable here, yet a plausible size moves Δd by more than U: %1</source>
+        <translation>在此无法检出，但合理大小使 Δd 移动超过 U：%1</translation>
+    </message>
+    <message>
+        <source>%1 mm (u %2 mm)</source>
+        <translation>%1 mm（u %2 mm）</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>Reference %1: difference %2</source>
+        <translation>参考值 %1：差值 %2</translation>
+    </message>
+    <message>
+        <source>Reference %1: difference %2, agrees (E_n %3)</source>
+        <translation>参考值 %1：差值 %2，一致（E_n %3）</translation>
+    </message>
+    <message>
+        <source>Reference %1: difference %2, disagrees (E_n %3)</source>
+        <translation>参考值 %1：差值 %2，不一致（E_n %3）</translation>
+    </message>
+    <message>
+        <source>a jump of the orientation</source>
+        <translation>定向的突跳</translation>
+    </message>
+    <message>
+        <source>misread values</source>
+        <translation>误读值</translation>
+    </message>
+    <message>
+        <source>noise larger than stated</source>
+        <translation>大于声明的噪声</translation>
+    </message>
+    <message>
+        <source>the form</source>
+        <translation>形式</translation>
+    </message>
+    <message>
+        <source>the vertical angle relation</source>
+        <translation>竖直角关系式</translation>
+    </message>
+    <message>
+        <source>the radii differ by %1 σ</source>
+        <translation>两个半径相差 %1 σ</translation>
+    </message>
+    <message>
+        <source>Δx differs by %1 σ</source>
+        <translation>Δx 相差 %1 σ</translation>
+    </message>
+    <message>
+        <source>R and R0 differ by %1 σ</source>
+        <translation>R 与 R0 相差 %1 σ</translation>
+    </message>
+    <message>
+        <source>Δd and the reference differ by %1 σ</source>
+        <translation>Δd 与参考值相差 %1 σ</translation>
+    </message>
+    <message>
+        <source>%1 is off by %2 σ</source>
+        <translation>%1 偏差 %2 σ</translation>
+    </message>
+    <message>
+        <source>A gap of no known cause</source>
+        <translation>原因不明的差距</translation>
+    </message>
+    <message>
+        <source>An unknown cause beside %1 known ones</source>
+        <translation>除 %1 个已知原因外还有未知原因</translation>
+    </message>
+    <message>
+        <source>An unknown cause beside %1</source>
+        <translation>除%1 外还有未知原因</translation>
+    </message>
+    <message>
+        <source>The positions do not close</source>
+        <translation>各轴位不闭合</translation>
+    </message>
+    <message>
+        <source>No gap: within the noise</source>
+        <translation>无差距：在噪声之内</translation>
+    </message>
+    <message>
+        <source>One cause: %1</source>
+        <translation>一个原因：%1</translation>
+    </message>
+    <message>
+        <source>One of %1 causes that look alike here</source>
+        <translation>此处难以区分的 %1 个原因之一</translation>
+    </message>
+    <message>
+        <source>More causes than these readings can take apart</source>
+        <translation>原因多于这些读数所能区分的数目</translation>
+    </message>
+    <message>
+        <source>%1 causes</source>
+        <translation>%1 个原因</translation>
+    </message>
+    <message>
+        <source>%1. %2</source>
+        <translation>%1。%2</translation>
+    </message>
+    <message>
+        <source>Model and readings disagree, and no catalogued effect explains it</source>
+        <translation>模型与读数不符，且没有目录中的效应可以解释</translation>
+    </message>
+    <message>
+        <source>Model and readings disagree by more causes than these readings can take apart</source>
+        <translation>模型与读数不符，其原因多于这些读数所能区分的</translation>
+    </message>
+    <message>
+        <source>The readings scatter more than stated, which U includes</source>
+        <translation>读数的离散大于给定值，U 已将其计入</translation>
+    </message>
+    <message>
+        <source>Model and readings disagree, best explained by %1</source>
+        <translation>模型与读数不符，最佳解释为%1</translation>
+    </message>
+    <message>
+        <source>the pointing zeros differ horizontally by %1 σ</source>
+        <translation>瞄准零位水平方向相差 %1 σ</translation>
+    </message>
+    <message>
+        <source>the pointing zeros differ vertically by %1 σ</source>
+        <translation>瞄准零位竖直方向相差 %1 σ</translation>
+    </message>
+    <message>
+        <source>an unknown cause</source>
+        <translation>一个未知原因</translation>
+    </message>
 </context>
 <context>
     <name>PlaceText</name>
@@ -7784,14 +7924,6 @@ a clause as a sentence</extracomment>
         <translation>Δd，仅拟合：k = %1，u = %2，ν = %3。</translation>
     </message>
     <message>
-        <source>Reference (never enters the fit): %1; Δd, measured, minus reference = %2</source>
-        <translation>参考值（从不进入拟合）：%1；Δd，实测减参考值 = %2</translation>
-    </message>
-    <message>
-        <source>Reference (never enters the fit): %1; Δd, fit only, minus reference = %2</source>
-        <translation>参考值（从不进入拟合）：%1；Δd，仅拟合减参考值 = %2</translation>
-    </message>
-    <message>
         <source>The intersection Δd = (y(O1) − y(O2))/2 is half the distance of the arc centres at 0° (O1) and 180° (O2) across the axis. The share of the readings in its uncertainty is scaled by their scatter (s0), pointing zeros and distance enter as stated; the expanded uncertainty U of Δd, fit only, is k times the combined standard uncertainty, k from Student&apos;s distribution with ν effective degrees of freedom. Δd, measured, includes every effect of the catalogue, known beforehand to 1σ of its plausible size, and its U also holds what else may explain the readings.</source>
         <translation>相交度 Δd = (y(O1) − y(O2))/2 是 0°（O1）和 180°（O2）两圆心在垂直于轴方向上距离的一半。读数对其不确定度的贡献按离散（s0）放大，瞄准零位和距离按给定值计入；Δd，仅拟合的扩展不确定度 U 为合成标准不确定度的 k 倍，k 取自有效自由度为 ν 的 t 分布。Δd，实测包含目录中的每个效应，事先已知至其合理大小的 1σ，其 U 还包含其他可能解释读数的原因。</translation>
     </message>
@@ -8359,57 +8491,6 @@ a clause as a sentence</extracomment>
     </message>
 </context>
 <context>
-    <name>VerdictWords</name>
-    <message>
-        <source>Accepted</source>
-        <translation>接受</translation>
-    </message>
-    <message>
-        <source>Rejected</source>
-        <translation>拒绝</translation>
-    </message>
-    <message>
-        <source>Undecided</source>
-        <translation>未定</translation>
-    </message>
-    <message>
-        <source>The intersection needs an arc at 0° and an arc at 180°; not both are there.</source>
-        <translation>相交度需要 0° 和 180° 各一个圆弧；两者并不齐全。</translation>
-    </message>
-    <message>
-        <source>No verdict: 1 entry could not be used</source>
-        <translation>不作判定：有 1 个输入项无法使用</translation>
-    </message>
-    <message>
-        <source>No verdict: %1 entries could not be used</source>
-        <translation>不作判定：有 %1 个输入项无法使用</translation>
-    </message>
-    <message>
-        <source>What cannot be used is listed with its place. Correct it or exclude its reading: what is stated here rests on the others alone.</source>
-        <translation>无法使用的项已连同位置列出。请改正或排除其读数：此处所述仅依据其余读数。</translation>
-    </message>
-    <message>
-        <source>No result</source>
-        <translation>没有结果</translation>
-    </message>
-    <message>
-        <source>No verdict</source>
-        <translation>不作判定</translation>
-    </message>
-    <message>
-        <source>No tolerance stated, so nothing to decide against.</source>
-        <translation>未给出允差，因此无从判定。</translation>
-    </message>
-    <message>
-        <source>Provisional: the diagnosis is running.</source>
-        <translation>暂定：诊断正在进行。</translation>
-    </message>
-    <message>
-        <source>%1, fit only</source>
-        <translation>%1，仅拟合</translation>
-    </message>
-</context>
-<context>
     <name>ZeroText</name>
     <message>
         <source>Mean of %1 sightings: α0 %2 ± %3, β0 %4 ± %5 (1σ)</source>
@@ -8433,14 +8514,6 @@ a clause as a sentence</extracomment>
 </context>
 <context>
     <name>alidade::ui::ArcPlot</name>
-    <message>
-        <source>Good: strokes point every way, O1 and O2 lie within the tolerance.</source>
-        <translation>良好：短线指向各个方向，O1 和 O2 在允差之内。</translation>
-    </message>
-    <message>
-        <source>Good: strokes point every way, O1 and O2 lie close to the axis.</source>
-        <translation>良好：短线指向各个方向，O1 和 O2 靠近轴。</translation>
-    </message>
     <message>
         <source>No usable readings yet.</source>
         <translation>尚无可用读数。</translation>
@@ -8468,6 +8541,14 @@ a clause as a sentence</extracomment>
     <message>
         <source>%1 sighted points, %2 fitted arcs, residuals drawn %3</source>
         <translation>%1 个照准点，%2 个拟合圆弧，残差绘制 %3</translation>
+    </message>
+    <message>
+        <source>Should be: strokes point every way, O1 and O2 lie within the tolerance.</source>
+        <translation>应为：短线指向各个方向，O1 和 O2 在允差之内。</translation>
+    </message>
+    <message>
+        <source>Should be: strokes point every way, O1 and O2 lie close to the axis.</source>
+        <translation>应为：短线指向各个方向，O1 和 O2 靠近轴。</translation>
     </message>
 </context>
 <context>
@@ -8505,8 +8586,8 @@ a clause as a sentence</extracomment>
         <translation>允差和判定</translation>
     </message>
     <message>
-        <source>Result of the fit only</source>
-        <translation>仅拟合的结果</translation>
+        <source>What to read with the verdict</source>
+        <translation>与结论一并阅读的内容</translation>
     </message>
 </context>
 <context>
@@ -9028,16 +9109,16 @@ and a plausible size of %1 (1σ)</source>
         <translation>%1 个点，最大 %2</translation>
     </message>
     <message>
-        <source>Good: level from round to round; a slope is a drift, a step something that moved.</source>
-        <translation>良好：各测回之间保持水平；倾斜表示漂移，阶跃表示有变动。</translation>
+        <source>Should be: level from round to round; a slope is a drift, a step something that moved.</source>
+        <translation>应为：各测回之间保持水平；倾斜表示漂移，阶跃表示有变动。</translation>
     </message>
     <message>
-        <source>Good: an even band about 0 in every round, and no target that keeps to one side.</source>
-        <translation>良好：每个测回都在 0 附近均匀分布，没有总偏向一侧的目标。</translation>
+        <source>Should be: an even band about 0 in every round, and no target that keeps to one side.</source>
+        <translation>应为：每个测回都在 0 附近均匀分布，没有总偏向一侧的目标。</translation>
     </message>
     <message>
-        <source>Good: level. What rises towards short distances is a line of sight off the axis, e/D.</source>
-        <translation>良好：保持水平。向短距离方向升高的是偏离轴的视线，e/D。</translation>
+        <source>Should be: level. What rises towards short distances is a line of sight off the axis, e/D.</source>
+        <translation>应为：保持水平。向短距离方向升高的是偏离轴的视线，e/D。</translation>
     </message>
 </context>
 <context>
@@ -9862,12 +9943,12 @@ and a plausible size of %1 (1σ)</source>
         <translation>，求解时不计入它 %1</translation>
     </message>
     <message>
-        <source>Good: hollow marks along the curve, filled ones an even band about 0.</source>
-        <translation>良好：空心标记沿曲线，实心标记成为 0 附近均匀的带。</translation>
-    </message>
-    <message>
         <source>round</source>
         <translation>测回</translation>
+    </message>
+    <message>
+        <source>Should be: hollow marks along the curve, filled ones an even band about 0.</source>
+        <translation>应为：空心标记沿曲线，实心标记成为 0 附近均匀的带。</translation>
     </message>
 </context>
 <context>
@@ -10289,6 +10370,17 @@ sizes</source>
     </message>
 </context>
 <context>
+    <name>alidade::ui::HeadlineLines</name>
+    <message>
+        <source>Before the last change: %1</source>
+        <translation>上次更改之前：%1</translation>
+    </message>
+    <message>
+        <source>Gap</source>
+        <translation>差距</translation>
+    </message>
+</context>
+<context>
     <name>alidade::ui::HelpWindow</name>
     <message>
         <source>Guide</source>
@@ -10448,8 +10540,8 @@ sizes</source>
         <translation>%1，%2 个值，%3 至 %4：%5</translation>
     </message>
     <message>
-        <source>Good: the values scatter about one level within ± 3 u, and the average stays within its limits.</source>
-        <translation>良好：各值在 ± 3 u 内围绕一个水平离散，平均保持在其界限内。</translation>
+        <source>Should be: the values scatter about one level within ± 3 u, and the average stays within its limits.</source>
+        <translation>应为：各值在 ± 3 u 内围绕一个水平离散，平均保持在其界限内。</translation>
     </message>
 </context>
 <context>
@@ -12608,20 +12700,20 @@ sizes</source>
         <translation>%1 个读数的残差，最大 %2</translation>
     </message>
     <message>
-        <source>Good: the same even band from the first row to the last; no drift, no step between rounds.</source>
-        <translation>良好：从第一行到最后一行为同样均匀的带；没有漂移，测回之间没有阶跃。</translation>
+        <source>Should be: the same even band from the first row to the last; no drift, no step between rounds.</source>
+        <translation>应为：从第一行到最后一行为同样均匀的带；没有漂移，测回之间没有阶跃。</translation>
     </message>
     <message>
-        <source>Good: the marks follow the line inside the band; one that leaves it at an end may be misread.</source>
-        <translation>良好：各点在带内沿直线分布；在一端离开直线者可能是误读。</translation>
+        <source>Should be: the marks follow the line inside the band; one that leaves it at an end may be misread.</source>
+        <translation>应为：各点在带内沿直线分布；在一端离开直线者可能是误读。</translation>
     </message>
     <message>
-        <source>Good: an even band about 0, two of three within ±1, hardly one beyond ±3; no wave, no slope.</source>
-        <translation>良好：围绕 0 的均匀带，三分之二在 ±1 之内，几乎没有超出 ±3 的；没有波动，没有倾斜。</translation>
+        <source>Should be: an even band about 0, two of three within ±1, hardly one beyond ±3; no wave, no slope.</source>
+        <translation>应为：围绕 0 的均匀带，三分之二在 ±1 之内，几乎没有超出 ±3 的；没有波动，没有倾斜。</translation>
     </message>
     <message>
-        <source>Good: an even band about 0, two of three within ±1σ, hardly one beyond ±3σ; no wave, no slope.</source>
-        <translation>良好：围绕 0 的均匀带，三分之二在 ±1σ 之内，几乎没有超出 ±3σ 的；没有波动，没有倾斜。</translation>
+        <source>Should be: an even band about 0, two of three within ±1σ, hardly one beyond ±3σ; no wave, no slope.</source>
+        <translation>应为：围绕 0 的均匀带，三分之二在 ±1σ 之内，几乎没有超出 ±3σ 的；没有波动，没有倾斜。</translation>
     </message>
 </context>
 <context>
@@ -12641,14 +12733,6 @@ sizes</source>
     <message>
         <source>As printed: y points down for zenith angles, ΔR is the last increment, θ are no tilts. The method takes tan e = y/L, which no theodolite reads; do not accept by it.</source>
         <translation>按所发表：对天顶距 y 向下，ΔR 为最后一次增量，θ 不是倾斜。该方法采用 tan e = y/L，没有经纬仪如此读数；请勿据此验收。</translation>
-    </message>
-    <message>
-        <source>Model and readings disagree: &lt;a href=&quot;gap&quot;&gt;%1&lt;/a&gt;</source>
-        <translation>模型与读数不符：&lt;a href=&quot;gap&quot;&gt;%1&lt;/a&gt;</translation>
-    </message>
-    <message>
-        <source>Before what was changed since: %1</source>
-        <translation>在此后的更改之前：%1</translation>
     </message>
     <message>
         <source>0°</source>
@@ -12761,6 +12845,10 @@ sizes</source>
     <message>
         <source>Δd with y up  mm</source>
         <translation>y 向上的 Δd  mm</translation>
+    </message>
+    <message>
+        <source>Details</source>
+        <translation>详细信息</translation>
     </message>
 </context>
 <context>
@@ -13186,6 +13274,17 @@ sizes</source>
     <message>
         <source>Correct point %1</source>
         <translation>改正测点 %1</translation>
+    </message>
+</context>
+<context>
+    <name>alidade::ui::ToleranceBar</name>
+    <message>
+        <source>Result on the scale of the tolerance</source>
+        <translation>结果在允差标尺上的位置</translation>
+    </message>
+    <message>
+        <source>%1, from %2 to %3 with its uncertainty; the limit is %4.</source>
+        <translation>%1，计入不确定度为 %2 至 %3；限值为 %4。</translation>
     </message>
 </context>
 <context>
@@ -13819,6 +13918,10 @@ sizes</source>
     <message>
         <source>&amp;Check This Installation…</source>
         <translation>检查本安装(&amp;C)…</translation>
+    </message>
+    <message>
+        <source>Ctrl+Y</source>
+        <translation>Ctrl+Y</translation>
     </message>
 </context>
 <context>

@@ -14,7 +14,7 @@ awk '
                   "diagnosis/result diagnosis/gap diagnosis/evidence diagnosis/candidates diagnosis/search " \
                   "diagnosis/observability diagnosis/forms diagnosis/conclusion diagnosis " \
                   "series/shared_causes guidance " \
-                  "wording statement evaluation answers certificate simulation " \
+                  "wording evaluation statement answers certificate simulation " \
                   "series/instrument_check series/history " \
                   "self_test", order)
     for (i = 1; i <= rooms; ++i) level["core/" order[i]] = i

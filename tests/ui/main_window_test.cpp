@@ -99,7 +99,7 @@ TEST(MainWindow, FitsAMeasurementTypedByKeyboardAlone) {
       EXPECT_EQ(readings[row].point, std::to_string(row + 1));
     }
   }
-  EXPECT_THAT(resultOf(open), HasSubstr("Δd, fit only: 1.31 ±"));
+  EXPECT_THAT(resultOf(open), HasSubstr("Δd, fit only = 1.31 ±"));
   typeInto(field(open, "acceptance.tolerance_mm"), QStringLiteral("2.5"));
   open.settle();
   EXPECT_THAT(resultOf(open), HasSubstr("Provisional: the diagnosis is running.\n"));
@@ -120,8 +120,7 @@ TEST(MainWindow, ShowsNoVerdictThatTheDiagnosisContradicts) {
   ASSERT_TRUE(waitFor([&] { return open->gapJob().isIdle(); }));
   EXPECT_THAT(resultOf(open), HasSubstr("Undecided\n"));
   const std::string shown = QString::fromStdString(resultOf(open)).simplified().toStdString();
-  EXPECT_THAT(shown,
-              testing::ContainsRegex("Δd, measured 0\\.4[0-9]+ ± 0\\.[01][0-9]+ mm Tolerance ± 0\\.43 mm"));
+  EXPECT_THAT(shown, testing::ContainsRegex("Δd = 0\\.4[0-9]+ ± 0\\.[01][0-9]+ mm"));
   EXPECT_THAT(shown, HasSubstr("Δd, fit only: 0.383 ± 0.038 mm"));
 }
 
@@ -172,7 +171,7 @@ TEST(MainWindow, GivesNoVerdictWithAnEntryThatCannotBeUsed) {
   ASSERT_TRUE(waitFor([&] { return open->gapJob().isIdle(); }));
   EXPECT_THAT(resultOf(open), HasSubstr("No verdict: 1 entry could not be used"));
   EXPECT_THAT(resultOf(open), Not(HasSubstr("Accepted")));
-  EXPECT_THAT(resultOf(open), HasSubstr("Δd, measured\n"));
+  EXPECT_THAT(resultOf(open), HasSubstr("Δd = "));
 }
 
 TEST(MainWindow, KeepsAWrongAngleOutOfTheFitAndFindsItBack) {

@@ -7,7 +7,7 @@
 #include <algorithm>
 
 #include "core/session/entry.h"
-#include "ui/settings/theme.h"
+#include "ui/text/entry_text.h"
 #include "ui/text/next_reading_text.h"
 #include "ui/text/position_text.h"
 #include "ui/text/quantity_text.h"
@@ -48,12 +48,12 @@ BenchDisplay::BenchDisplay(QWidget* parent)
       m_last(new QLabel),
       m_result(new QLabel),
       m_verdict(new QLabel),
-      m_fitOnly(new QLabel) {
+      m_below(new QLabel) {
   setWindowTitle(tr("Large Display"));
   setAttribute(Qt::WA_ShowWithoutActivating);
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(24, 16, 24, 16);
-  for (QLabel* label : {m_place, m_angles, m_last, m_result, m_verdict, m_fitOnly}) {
+  for (QLabel* label : {m_place, m_angles, m_last, m_result, m_verdict, m_below}) {
     label->setAlignment(Qt::AlignCenter);
     label->setTextInteractionFlags(Qt::NoTextInteraction);
     layout->addWidget(label, label == m_angles ? 2 : 1);
@@ -63,8 +63,8 @@ BenchDisplay::BenchDisplay(QWidget* parent)
   m_last->setAccessibleName(tr("Reading entered last"));
   m_result->setAccessibleName(tr("Result so far"));
   m_verdict->setAccessibleName(tr("Tolerance and verdict"));
-  m_fitOnly->setAccessibleName(tr("Result of the fit only"));
-  m_last->setWordWrap(true);
+  m_below->setAccessibleName(tr("What to read with the verdict"));
+  for (QLabel* sentence : {m_last, m_below}) sentence->setWordWrap(true);
   QFont bold = m_angles->font();
   bold.setBold(true);
   m_angles->setFont(bold);
@@ -109,13 +109,15 @@ void BenchDisplay::refresh() {
 }
 
 void BenchDisplay::showHeadline() {
-  m_result->setText(m_headline.nameAndFigure());
+  m_result->setText(qText(m_headline.nameAndFigure()));
   setColour(*m_result, m_headline.isProvisional ? stateColor(palette(), State::Quiet)
                                                 : palette().color(QPalette::WindowText));
-  m_verdict->setText(m_headline.toleranceAndVerdict());
-  setColour(*m_verdict, stateColor(palette(), stateOf(m_headline.verdict)));
-  m_fitOnly->setText(m_headline.fitOnly);
-  setColour(*m_fitOnly, stateColor(palette(), State::Quiet));
+  m_verdict->setText(qText(m_headline.verdictAndTolerance()));
+  setColour(*m_verdict, stateColor(palette(), stateOf(m_headline)));
+  const auto warning = std::ranges::find(m_headline.lines, true, &Headline::Line::isWarning);
+  const bool isWarned = warning != m_headline.lines.end();
+  m_below->setText(qText(isWarned ? warning->text : m_headline.fitOnly));
+  setColour(*m_below, stateColor(palette(), isWarned ? State::Open : State::Quiet));
 }
 
 void BenchDisplay::fitText() {
@@ -124,7 +126,7 @@ void BenchDisplay::fitText() {
   setHeightWithin(*m_angles, anglesShare * height(), width);
   setHeightWithin(*m_result, resultShare * height(), width);
   setHeightWithin(*m_verdict, verdictShare * height(), width);
-  setHeightWithin(*m_fitOnly, smallShare * height(), width);
+  setHeight(*m_below, smallShare * height());
   setHeight(*m_last, lastShare * height());
 }
 

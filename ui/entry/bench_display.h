@@ -3,14 +3,14 @@
 #include <QWidget>
 
 #include "ui/jobs/fit_job.h"
-#include "ui/text/headline.h"
+#include "ui/text/headline_state.h"
 
 class QLabel;
 
 namespace alidade::ui {
 
 /// A display for the tripod, in letters as large as the window allows: the next place with its expected
-/// angles, the last entry with any doubt, and the headline with Δd, fit only, in small type below. Never
+/// angles, the last entry with any doubt, and the headline with its first warning in small type below. Never
 /// takes the keyboard: typing goes to the main window.
 class BenchDisplay : public QWidget {
   Q_OBJECT
@@ -39,7 +39,7 @@ class BenchDisplay : public QWidget {
   std::size_t m_position = 0;
   QString m_doubt;
   Headline m_headline;
-  QLabel *m_place, *m_angles, *m_last, *m_result, *m_verdict, *m_fitOnly;
+  QLabel *m_place, *m_angles, *m_last, *m_result, *m_verdict, *m_below;
 };
 
 }  // namespace alidade::ui

@@ -7,7 +7,7 @@
 #include "core/base/place.h"
 #include "core/session/entry_to_come.h"
 #include "ui/jobs/fit_job.h"
-#include "ui/text/headline.h"
+#include "core/statement/headline.h"
 
 class QKeyEvent;
 class QWidget;

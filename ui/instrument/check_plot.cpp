@@ -207,13 +207,13 @@ QString CheckPlot::summary() const {
 QString CheckPlot::standard() const {
   switch (m_view) {
     case View::Course:
-      return tr("Good: level from round to round; a slope is a drift, a step something that moved.");
+      return tr("Should be: level from round to round; a slope is a drift, a step something that moved.");
     case View::Residuals:
-      return tr("Good: an even band about 0 in every round, and no target that keeps to one side.");
+      return tr("Should be: an even band about 0 in every round, and no target that keeps to one side.");
     case View::Distance:
       break;
   }
-  return tr("Good: level. What rises towards short distances is a line of sight off the axis, e/D.");
+  return tr("Should be: level. What rises towards short distances is a line of sight off the axis, e/D.");
 }
 
 std::string CheckPlot::csv() const {

@@ -1,11 +1,14 @@
 #include "ui/report/report_parts.h"
 
+#include <QPainter>
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
+#include "core/evaluation/findings.h"
 #include "core/statement/budget.h"
-#include "core/wording/across.h"
-#include "core/wording/conditions.h"
+#include "core/statement/headline.h"
+#include "ui/charts/plotting/tolerance_picture.h"
 #include "ui/report/report_statement.h"
 #include "ui/report/report_table.h"
 #include "ui/report/report_text.h"
@@ -13,8 +16,6 @@
 #include "ui/text/cause_text.h"
 #include "ui/text/effect_text.h"
 #include "ui/text/entry_text.h"
-#include "ui/text/finding_text.h"
-#include "ui/text/headline.h"
 #include "ui/text/position_text.h"
 #include "ui/text/quantity_text.h"
 
@@ -133,85 +134,103 @@ void addTwoFaces(ReportSheet& sheet, const TwoFaces& faces) {
     sheet.paragraph(Report::tr("Both faces, %1 visits: %2.").arg(visits, errors));
 }
 
-/// The part across the plane, unless the verdict includes it.
-QString acrossText(const Gap& gap) {
-  const MeasuredIntersection* measured = gap.measured();
-  if (!measured || verdictText(*gap.evaluation, gap.found()).tellsAcross) return {};
-  return qText(acrossSentence(*measured));
-}
-
-/// The reference, if given, compared with Δd, measured, if available.
-void addReference(ReportSheet& sheet, const Gap& gap) {
-  const Measurement& measurement = *gap.evaluation->examined.measurement;
-  const std::optional<double> reference = measurement.referenceIntersection;
-  if (!reference) return;
-  const std::optional<double> sigma = measurement.sigmaReference;
-  const MeasuredIntersection* measured = gap.measured();
-  const IntersectionEstimate found =
-      measured ? measured->estimate : estimateOf(*gap.evaluation->fit.intersection);
-  const QString given = plainNumberText(*reference) + QStringLiteral(" mm") +
-                        (sigma ? QStringLiteral(" (u %1 mm)").arg(plainNumberText(*sigma)) : QString());
-  const QString says =
-      measured ? Report::tr("Reference (never enters the fit): %1; Δd, measured, minus reference = %2")
-               : Report::tr("Reference (never enters the fit): %1; Δd, fit only, minus reference = %2");
-  sheet.paragraph(
-      says.arg(given, valueWithUncertainty(found.value - *reference, found.expanded, QStringLiteral("mm"))));
-}
-
-/// The rows on which the verdict depends; empty if there are none.
-QString dependencesLine(const Gap& gap) {
+/// The rows on which the verdict depends.
+std::vector<Dependence> dependencesOf(const Gap& gap) {
   const Evaluation& evaluation = *gap.evaluation;
   if (!evaluation.fit.intersection) return {};
   const Measurement& measurement = *evaluation.examined.measurement;
   const auto decision = decideAcceptance(measurement, evaluation.fit, gap.found());
-  if (!decision) return {};
-  return qText(dependenceSentence(dependencesOf(measurement, evaluation.fit, gap.found(), *decision)));
+  return decision ? alidade::dependencesOf(measurement, evaluation.fit, gap.found(), *decision)
+                  : std::vector<Dependence>();
 }
+
+/// The parts of the front page's frame, each with its height.
+class VerdictFrame {
+ public:
+  explicit VerdictFrame(ReportSheet& sheet) : m_sheet(sheet) {}
+
+  void add(const QString& text, const TextStyle& style) {
+    if (text.isEmpty()) return;
+    const QStringList lines = m_sheet.lines(text, style, inner);
+    m_parts.push_back({lines.size() * m_sheet.lineHeight(style) + gap, [this, lines, style](double top) {
+                         for (const QString& line : lines) {
+                           m_sheet.text(line, style, inset, top, inner);
+                           top += m_sheet.lineHeight(style);
+                         }
+                       }});
+  }
+  void add(const ToleranceScale& scale) {
+    constexpr double height = 8;
+    m_parts.push_back({height, [this, scale](double top) {
+                         const QRectF target = m_sheet.inDeviceUnits({inset, top, inner, height - 1});
+                         m_sheet.draw(
+                             [scale, target](QPainter& painter) { drawScale(painter, target, scale); });
+                       }});
+  }
+  void draw(double frameWidth) {
+    double height = inset;
+    for (const Part& part : m_parts) height += part.height;
+    m_sheet.skip(3.5);
+    m_sheet.keepTogether(height + 2);
+    const QRectF box(0, m_sheet.y(), ReportSheet::width, height);
+    m_sheet.fill(box, pale);
+    m_sheet.outline(box, frameWidth);
+    double top = m_sheet.y() + inset / 2;
+    for (const Part& part : m_parts) {
+      part.draw(top);
+      top += part.height;
+    }
+    m_sheet.skip(height + 1.5);
+  }
+  bool fits(const QString& text, const TextStyle& style) const {
+    return m_sheet.textWidth(text, style) <= inner;
+  }
+
+ private:
+  struct Part {
+    double height;
+    std::function<void(double top)> draw;
+  };
+  static constexpr double inset = 3, inner = ReportSheet::width - 2 * inset, gap = 0.4;
+
+  static void drawScale(QPainter& painter, const QRectF& target, const ToleranceScale& scale) {
+    QFont font = type::label.font();
+    font.setPixelSize(qRound(0.42 * target.height()));
+    paintToleranceScale(painter, target, scale,
+                        {.text = Qt::black,
+                         .frame = QColor(0x80, 0x80, 0x80),
+                         .size = QColor(0x90, 0x90, 0x90),
+                         .within = Qt::white,
+                         .beyond = QColor(0xd8, 0xd8, 0xd8),
+                         .font = font});
+  }
+
+  ReportSheet& m_sheet;
+  std::vector<Part> m_parts;
+};
 
 }  // namespace
 
 void addVerdict(ReportSheet& sheet, const Gap& gap) {
-  constexpr double inset = 3;
-  const Evaluation& evaluation = *gap.evaluation;
-  const Headline headline = headlineOf(gap);
-  const double inner = ReportSheet::width - 2 * inset;
-  struct Part {
-    QStringList lines;
-    TextStyle style;
-  };
-  std::vector<Part> parts;
-  const auto add = [&](const QString& text, const TextStyle& style) {
-    if (!text.isEmpty()) parts.push_back({sheet.lines(text, style, inner), style});
-  };
-  if (evaluation.fit.intersection) add(headline.nameAndFigure(), large);
-  if (sheet.textWidth(headline.toleranceAndVerdict(), large) <= inner) {
-    add(headline.toleranceAndVerdict(), large);
+  const bool hasResult = gap.evaluation->fit.intersection.has_value();
+  const Headline headline = headlineOf(gap, dependencesOf(gap));
+  VerdictFrame frame(sheet);
+  if (hasResult) frame.add(qText(headline.nameAndFigure()), large);
+  const QString verdict = qText(headline.verdictAndTolerance());
+  if (frame.fits(verdict, large)) {
+    frame.add(verdict, large);
   } else {
-    add(headline.tolerance, large);
-    add(headline.verdict.word, large);
+    frame.add(qText(headline.verdict), large);
+    frame.add(qText(headline.tolerance), large);
   }
-  add(headline.fitOnly, type::body);
-  add(headline.verdict.sentence, type::body);
-  add(dependencesLine(gap), type::body);
-  if (evaluation.fit.intersection) add(coverageLine(gap), type::label);
-  add(undetectableBeyondUText(gap), type::body);
-  add(findingsLine(gap), type::body.inBold());
-  double height = inset;
-  for (const Part& part : parts) height += part.lines.size() * sheet.lineHeight(part.style) + 0.4;
-  sheet.skip(3.5);
-  sheet.keepTogether(height + 2);
-  const QRectF box(0, sheet.y(), ReportSheet::width, height);
-  sheet.fill(box, pale);
-  sheet.outline(box, headline.verdict.verdict == Verdict::Accept ? 0.4 : 0.8);
-  double top = sheet.y() + inset / 2;
-  for (const Part& part : parts) {
-    for (const QString& line : part.lines) {
-      sheet.text(line, part.style, inset, top, inner);
-      top += sheet.lineHeight(part.style);
-    }
-    top += 0.4;
-  }
-  sheet.skip(height + 1.5);
+  if (headline.scale) frame.add(*headline.scale);
+  for (const Headline::Line& line : headline.lines)
+    frame.add(qText(line.text), line.isWarning ? type::body.inBold() : type::body);
+  frame.add(findingsLine(gap), type::body.inBold());
+  frame.add(qText(headline.sentence), type::label);
+  frame.add(qText(headline.fitOnly), type::label);
+  if (hasResult) frame.add(coverageLine(gap), type::label);
+  frame.draw(headline.decided == Verdict::Accept ? 0.4 : 0.8);
 }
 
 void addProblems(ReportSheet& sheet, const Evaluation& evaluation) {
@@ -258,8 +277,7 @@ void addResult(ReportSheet& sheet, const Gap& gap) {
       Report::tr("Half the distance of the centres in the plane, |O1 − O2|/2 = %1.")
           .arg(valueWithUncertainty(fit.intersection->inPlane, fit.intersection->inPlaneExpanded,
                                     QStringLiteral("mm")));
-  sheet.paragraph(Report::sentences({inPlane, acrossText(gap)}));
-  addReference(sheet, gap);
+  sheet.paragraph(inPlane);
 }
 
 void addUncertainty(ReportSheet& sheet, const Gap& gap) {

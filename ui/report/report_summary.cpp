@@ -9,7 +9,7 @@
 #include "ui/report/report_text.h"
 #include "ui/text/cause_text.h"
 #include "ui/text/entry_text.h"
-#include "ui/text/finding_text.h"
+#include "core/evaluation/findings.h"
 #include "ui/text/quantity_text.h"
 #include "ui/text/visible_text.h"
 

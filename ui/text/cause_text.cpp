@@ -7,8 +7,10 @@
 #include "core/diagnosis/decision.h"
 #include "core/effects/catalogue.h"
 #include "core/effects/cause_ids.h"
+#include "core/wording/cause_name.h"
 #include "core/wording/closures.h"
 #include "core/wording/diagnosis_sentence.h"
+#include "core/wording/gap_in_few_words.h"
 #include "ui/text/effect_text.h"
 #include "ui/text/entry_text.h"
 #include "ui/text/position_text.h"
@@ -25,16 +27,11 @@ struct GapText {
 }  // namespace
 
 QString causeName(const std::string& id) {
-  if (id == jumpId) return GapText::tr("a jump of the orientation");
-  if (id == grossErrorId) return GapText::tr("misread values");
-  if (id == noiseId) return GapText::tr("noise larger than stated");
-  if (id == formId) return GapText::tr("the form");
-  if (id == relationId) return GapText::tr("the vertical angle relation");
-  return effectName(id);
+  return qText(alidade::causeName(id));
 }
 
 std::string causeNameInCore(const std::string& id) {
-  return causeName(id).toStdString();
+  return alidade::causeName(id);
 }
 
 QString causeTitle(const std::string& id) {
@@ -73,26 +70,7 @@ Place placeOf(const ReadingDeviation& reading) {
 }
 
 QString gapHeadline(const Diagnosis& diagnosis) {
-  switch (diagnosis.verdict) {
-    case DiagnosisVerdict::WithinNoise:
-      return isMisclosed(diagnosis) ? GapText::tr("The positions do not close")
-                                    : GapText::tr("No gap: within the noise");
-    case DiagnosisVerdict::SingleCause:
-      return GapText::tr("One cause: %1").arg(causeName(diagnosis.causes.front().effect));
-    case DiagnosisVerdict::Ambiguous:
-      return GapText::tr("One of %1 causes that look alike here")
-          .arg(diagnosis.causes.front().indistinguishableFrom.size() + 1);
-    case DiagnosisVerdict::SeveralCauses:
-      if (diagnosis.hasMoreCausesThanSeparable)
-        return GapText::tr("More causes than these readings can take apart");
-      return GapText::tr("%1 causes").arg(diagnosis.causes.size());
-    case DiagnosisVerdict::NotInCatalogue:
-      break;
-  }
-  if (diagnosis.causes.empty()) return GapText::tr("A gap of no known cause");
-  return diagnosis.causes.size() == 1
-             ? GapText::tr("An unknown cause beside %1").arg(causeName(diagnosis.causes.front().effect))
-             : GapText::tr("An unknown cause beside %1 known ones").arg(diagnosis.causes.size());
+  return qText(gapInFewWords(diagnosis));
 }
 
 QString diagnosisText(const Diagnosis& diagnosis) {
@@ -148,33 +126,6 @@ QString undetectableText(const std::vector<UndetectableEffect>& effects) {
     texts.append(QStringLiteral("%1 ± %2").arg(causeName(effect.effect),
                                                lengthText(effect.influence, decimalsFor(effect.influence))));
   return texts.join(QStringLiteral("; "));
-}
-
-namespace {
-
-/// True if the verdict holds on a condition, which its sentence states.
-bool isConditional(const Gap& gap) {
-  const Evaluation& evaluation = *gap.evaluation;
-  if (!evaluation.examined.measurement) return false;
-  const auto decision = decideAcceptance(*evaluation.examined.measurement, evaluation.fit, gap.found());
-  return decision && !decision->conditions.empty();
-}
-
-}  // namespace
-
-QString undetectableBeyondUText(const Gap& gap) {
-  constexpr std::size_t mostNamed = 3;
-  std::vector<UndetectableEffect> effects = gap.undetectableBeyondU();
-  if (isConditional(gap))  // the verdict states it
-    std::erase_if(effects, [](const UndetectableEffect& effect) { return effect.effect == jumpId; });
-  if (effects.empty()) return {};
-  const std::size_t more = effects.size() - std::min(effects.size(), mostNamed);
-  effects.resize(effects.size() - more);
-  if (more == 0)
-    return GapText::tr("Undetectable here, yet a plausible size moves Δd by more than U: %1.")
-        .arg(undetectableText(effects));
-  return GapText::tr("Undetectable here, yet a plausible size moves Δd by more than U: %1; and %2 more.")
-      .arg(undetectableText(effects), QString::number(more));
 }
 
 QString plausibleText(const std::string& id) {

@@ -35,8 +35,6 @@ QString gapSentence(const Gap& gap);
 
 /// "plane tilt ± 0.12 mm; gravity sag ± 0.05 mm": the change of Δd by a plausible size of each.
 QString undetectableText(const std::vector<UndetectableEffect>& effects);
-/// The worst three undetectable effects that may move Δd by more than U; empty if there are none.
-QString undetectableBeyondUText(const Gap& gap);
 
 /// The model at this stage of the gap: "as modelled", "in the model: gravity sag", "+ collimation".
 QString stageText(const Gap& gap, const GapStage& stage);

@@ -61,6 +61,13 @@ QString valueWithUncertainty(double value, double uncertainty, const QString& un
   return numberText(value, decimals) + QStringLiteral(" ± ") + numberText(uncertainty, decimals) + tail;
 }
 
+QString unbroken(QString text) {
+  text.replace(QStringLiteral("± "), QStringLiteral("±") + QChar(QChar::Nbsp));
+  for (const QString& unit : {QStringLiteral("mm"), QStringLiteral("%")})
+    text.replace(u' ' + unit, QChar(QChar::Nbsp) + unit);
+  return text;
+}
+
 QString exaggerationText(double factor) {
   return QStringLiteral("× ") + plainNumberText(factor);
 }

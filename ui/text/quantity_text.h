@@ -40,6 +40,9 @@ QString valueWithUncertainty(double value, double uncertainty, const QString& un
 /// The same with this number of decimals.
 QString valueWithUncertainty(double value, double uncertainty, const QString& unit, int decimals);
 
+/// Keeps each figure with its sign and unit when the line wraps.
+QString unbroken(QString text);
+
 /// "× 500".
 QString exaggerationText(double factor);
 

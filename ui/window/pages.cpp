@@ -33,8 +33,6 @@ MadePage makeResult(const WindowParts& parts, ResultColumn& column) {
   QObject::connect(&parts.jobs.fit(), &FitJob::searched, panel,
                    [panel](const SharedEvaluation& searched) { panel->setSearched(*searched); });
   QObject::connect(&parts.jobs, &SessionJobs::headlineChanged, panel, &ResultPanel::setHeadline);
-  QObject::connect(&parts.jobs, &SessionJobs::gapChanged, panel,
-                   [panel](const SharedGap& gap) { panel->setGap(*gap); });
   QObject::connect(&parts.jobs, &SessionJobs::gapAged, panel, &ResultPanel::setGapStale);
   QObject::connect(&parts.jobs, &SessionJobs::gapCleared, panel, &ResultPanel::clearGap);
   QObject::connect(panel, &ResultPanel::gapActivated, &column, [&column] { column.showPage("gap"); });

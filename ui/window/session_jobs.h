@@ -4,7 +4,7 @@
 
 #include "ui/jobs/fit_job.h"
 #include "ui/jobs/gap_job.h"
-#include "ui/text/headline.h"
+#include "core/statement/headline.h"
 
 namespace alidade::ui {
 
@@ -32,7 +32,7 @@ class SessionJobs : public QObject {
   /// After each fit, and again after the search for misread readings.
   void suspectsChanged(const alidade::ui::SharedEvaluation& evaluation);
   void searchStopped();
-  void headlineChanged(const alidade::ui::Headline& headline);
+  void headlineChanged(const alidade::Headline& headline);
   void gapChanged(const alidade::ui::SharedGap& gap);
   void gapAged();     ///< the session changed: the gap shown is that of an earlier state
   void gapCleared();  ///< another session, not diagnosed yet

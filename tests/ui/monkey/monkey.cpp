@@ -14,7 +14,6 @@
 #include "ui/panels/result/result_panel.h"
 #include "ui/panels/window/job_status.h"
 #include "ui/panels/window/page_tabs.h"
-#include "ui/text/headline.h"
 #include "ui/text/session_difference.h"
 
 namespace alidade::ui {
@@ -198,7 +197,6 @@ void Monkey::lookAtResult() {
   const Evaluation evaluation = evaluateFit(session);
   alone.setEvaluation(evaluation);
   if (m_window->gapJob().isIdle() && m_gap && m_gap->evaluation->session == session) {
-    alone.setGap(*m_gap);
     alone.setHeadline(headlineOf(*m_gap));
   } else {
     alone.setHeadline(headlineOf(evaluation));

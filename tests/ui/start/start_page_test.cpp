@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <QAction>
 #include <QApplication>
 #include <QLineEdit>
 #include <QTest>
@@ -23,6 +24,30 @@ TEST(StartPage, LeadsToASampleAndIsGone) {
   EXPECT_FALSE(start->isVisible());
   EXPECT_FALSE(open->document().session().positions[0].readings.empty());
   EXPECT_TRUE(open->document().path().isEmpty()) << "the sample itself is never written over";
+}
+
+QAction* actionOf(OpenWindow& open, const QKeySequence& keys) {
+  for (QAction* action : open->findChildren<QAction*>())
+    if (action->shortcuts().contains(keys)) return action;
+  return nullptr;
+}
+
+TEST(StartPage, IsThereAgainOnceASessionIsClosed) {
+  OpenWindow open;
+  ASSERT_TRUE(open->files().open(samplePath(QStringLiteral("two-causes.alidade"))));
+  open.settle();
+  ASSERT_TRUE(actionOf(open, QKeySequence(QStringLiteral("Ctrl+W"))));
+  actionOf(open, QKeySequence(QStringLiteral("Ctrl+W")))->trigger();
+  const auto* start = open->findChild<StartPage*>();
+  ASSERT_TRUE(start && start->isVisible());
+  EXPECT_TRUE(open->document().path().isEmpty());
+}
+
+TEST(MainWindowActions, RedoHasBothUsualShortcuts) {
+  OpenWindow open;
+  const QAction* redo = actionOf(open, QKeySequence(QStringLiteral("Ctrl+Y")));
+  ASSERT_TRUE(redo);
+  EXPECT_EQ(redo, actionOf(open, QKeySequence(QStringLiteral("Ctrl+Shift+Z"))));
 }
 
 TEST(StartPage, EverySampleOpens) {

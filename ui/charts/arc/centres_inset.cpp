@@ -9,6 +9,7 @@
 
 #include "ui/charts/plotting/clipping.h"
 #include "ui/charts/plotting/round_numbers.h"
+#include "ui/text/entry_text.h"
 #include "ui/text/quantity_text.h"
 
 namespace alidade::ui {
@@ -333,21 +334,22 @@ CentresInset::TitleLine CentresInset::largeLine(const QString& text) const {
 /// The headline has two lines if these fit in large type, otherwise each part on its own line. It has none if
 /// a figure does not fit.
 QList<CentresInset::TitleLine> CentresInset::headlineLines() const {
-  if (m_headline.name.isEmpty()) return {};
+  if (m_headline.name.empty()) return {};
   const auto isLarge = [&](const TitleLine& line) {
     return line.font.pixelSize() > m_style.font.pixelSize();
   };
   Headline shown = m_headline;
-  if (shown.isProvisional) shown.verdict.word = InsetText::tr("Provisional");
-  const TitleLine first = largeLine(shown.nameAndFigure()), second = largeLine(shown.toleranceAndVerdict());
+  if (shown.isProvisional) shown.verdict = InsetText::tr("Provisional").toStdString();
+  const TitleLine first = largeLine(qText(shown.nameAndFigure())),
+                  second = largeLine(qText(shown.verdictAndTolerance()));
   if (isLarge(first) && isLarge(second)) return {first, second};
-  QList<TitleLine> lines{{shown.name, m_style.font, m_style.mutedText}};
-  for (const QString& part : {shown.figure, shown.tolerance}) {
-    if (part.isEmpty()) continue;
-    lines.append(largeLine(part));
-    if (lines.back().text != part) return {};  // a shortened figure would be wrong
-  }
-  lines.append(largeLine(shown.verdict.word));
+  const auto isShortened = [&](const std::string& part) {
+    return largeLine(qText(part)).text != qText(part);
+  };
+  if (isShortened(shown.figure) || isShortened(shown.tolerance)) return {};  // would be another figure
+  QList<TitleLine> lines{{qText(shown.name), m_style.font, m_style.mutedText}};
+  for (const std::string& part : {shown.figure, shown.verdict, shown.tolerance})
+    if (!part.empty()) lines.append(largeLine(qText(part)));
   return lines;
 }
 
@@ -357,7 +359,7 @@ void CentresInset::layOutTitles() {
   m_titles = headlineLines();
   const double left = m_square.height() - titlesHeight() - 2.5 * line;
   QStringList small;
-  if (left >= 6 * line) small.append(m_headline.fitOnly);
+  if (left >= 6 * line) small.append(qText(m_headline.fitOnly));
   if (left >= 8 * line) small.append(InsetText::tr("Centres of the fit, enlarged"));
   for (const QString& text : small)
     if (QFontMetricsF(m_style.font).horizontalAdvance(text) <= titleRoom())

@@ -4,9 +4,9 @@
 #include <QGraphicsItem>
 #include <optional>
 
+#include "core/statement/headline.h"
 #include "ui/charts/arc/arc_picture.h"
 #include "ui/charts/plotting/plot_style.h"
-#include "ui/text/headline.h"
 
 namespace alidade::ui {
 

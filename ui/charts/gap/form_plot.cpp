@@ -248,7 +248,7 @@ QString FormPlot::summary() const {
 }
 
 QString FormPlot::standard() const {
-  return tr("Good: hollow marks along the curve, filled ones an even band about 0.");
+  return tr("Should be: hollow marks along the curve, filled ones an even band about 0.");
 }
 
 std::string FormPlot::csv() const {

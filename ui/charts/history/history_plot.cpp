@@ -231,7 +231,7 @@ QString HistoryPlot::summary() const {
 
 QString HistoryPlot::standard() const {
   return tr(
-      "Good: the values scatter about one level within ± 3 u, and the average stays within its limits.");
+      "Should be: the values scatter about one level within ± 3 u, and the average stays within its limits.");
 }
 
 std::string HistoryPlot::csv() const {

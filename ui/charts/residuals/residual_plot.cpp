@@ -321,19 +321,22 @@ QString ResidualPlot::summary() const {
 QString ResidualPlot::standard() const {
   switch (m_choice.over) {
     case Over::Order:
-      return tr("Good: the same even band from the first row to the last; no drift, no step between rounds.");
+      return tr(
+          "Should be: the same even band from the first row to the last; no drift, no step between rounds.");
     case Over::Normal:
       return tr(
-          "Good: the marks follow the line inside the band; one that leaves it at an end may be misread.");
+          "Should be: the marks follow the line inside the band; one that leaves it at an end may be "
+          "misread.");
     case Over::Slider:
     case Over::Elevation:
     case Over::Azimuth:
       break;
   }
-  return m_choice.isStandardised ? tr("Good: an even band about 0, two of three within ±1, hardly one beyond "
-                                      "±3; no wave, no slope.")
-                                 : tr("Good: an even band about 0, two of three within ±1σ, hardly one "
-                                      "beyond ±3σ; no wave, no slope.");
+  return m_choice.isStandardised
+             ? tr("Should be: an even band about 0, two of three within ±1, hardly one beyond "
+                  "±3; no wave, no slope.")
+             : tr("Should be: an even band about 0, two of three within ±1σ, hardly one "
+                  "beyond ±3σ; no wave, no slope.");
 }
 
 std::string ResidualPlot::csv() const {

@@ -5,15 +5,16 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QScrollBar>
+#include <QToolButton>
 #include <QVBoxLayout>
 #include <algorithm>
 
 #include "ui/panels/parts/figure_grid.h"
+#include "ui/panels/parts/tolerance_bar.h"
 #include "ui/panels/result/axis_misfit.h"
 #include "ui/panels/result/findings_panel.h"
-#include "ui/settings/theme.h"
+#include "ui/panels/result/headline_lines.h"
 #include "ui/settings/window_font.h"
-#include "ui/text/cause_text.h"
 #include "ui/text/entry_text.h"
 #include "ui/text/position_text.h"
 #include "ui/text/quantity_text.h"
@@ -40,12 +41,9 @@ QString eachPosition(const SessionFit& fit, Figure figure) {
   return comesAgain ? text : QString();
 }
 
-/// Keeps a figure with its sign and unit when the line wraps.
-QString unbroken(QString text) {
-  text.replace(QStringLiteral("± "), QStringLiteral("±") + QChar(QChar::Nbsp));
-  for (const QString& unit : {QStringLiteral("mm"), QStringLiteral("%")})
-    text.replace(u' ' + unit, QChar(QChar::Nbsp) + unit);
-  return text;
+/// An accepted or rejected result has its reason in the fold; otherwise the reason is what the reader needs.
+bool isReasonFolded(const Headline& headline) {
+  return headline.decided && *headline.decided != Verdict::Undecided;
 }
 
 QString iconOf(const std::optional<Verdict>& verdict) {
@@ -57,25 +55,25 @@ QString iconOf(const std::optional<Verdict>& verdict) {
 ResultPanel::ResultPanel(QWidget* parent)
     : ScrollPage(tr("Result"), parent),
       m_head(new QWidget),
-      m_name(new QLabel),
       m_value(wrappedLabel()),
-      m_tolerance(wrappedLabel()),
-      m_fitOnly(wrappedLabel()),
-      m_missing(wrappedLabel()),
-      m_undetectable(wrappedLabel()),
       m_badgeIcon(new QLabel),
       m_badge(new QLabel),
-      m_sentence(wrappedLabel()),
-      m_gapHint(wrappedLabel()),
+      m_tolerance(wrappedLabel()),
+      m_bar(new ToleranceBar),
+      m_reason(wrappedLabel()),
+      m_lines(new HeadlineLines),
+      m_missing(wrappedLabel()),
+      m_more(new QToolButton),
+      m_details(wrappedLabel()),
       m_arcs(new FigureGrid(nullptr, FigureGrid::Captions::Wrapped)),
       m_compare(new QCheckBox(tr("&Compare with published method"))),
       m_comparison(new QWidget),
       m_published(new FigureGrid) {
   QFont bold = font();
   bold.setBold(true);
-  for (QLabel* large : {m_value, m_tolerance, m_badge}) large->setFont(bold);
+  for (QLabel* large : {m_value, m_badge}) large->setFont(bold);
   scaleFont(*m_value, 1.5);
-  for (QLabel* large : {m_tolerance, m_badge}) scaleFont(*large, 1.25);
+  scaleFont(*m_badge, 1.25);
   m_badge->setWordWrap(true);
 
   layOutHead();
@@ -97,12 +95,7 @@ ResultPanel::ResultPanel(QWidget* parent)
   layout->addWidget(m_comparison);
   layout->addStretch();
   m_comparison->hide();
-  m_gapHint->setTextFormat(Qt::RichText);
-  m_gapHint->setObjectName(QStringLiteral("gap hint"));
-  m_gapHint->setAlignment(Qt::AlignLeft | Qt::AlignTop);
-  m_gapHint->setTextInteractionFlags(Qt::LinksAccessibleByMouse | Qt::LinksAccessibleByKeyboard);
-  connect(m_gapHint, &QLabel::linkActivated, this, &ResultPanel::gapActivated);
-  clearGap();
+  connect(m_lines, &HeadlineLines::gapActivated, this, &ResultPanel::gapActivated);
   connect(m_compare, &QCheckBox::toggled, m_comparison, &QWidget::setVisible);
   layOutByFont(*this, [this] { settleWidth(); });
   setHeadline(headlineOf(Evaluation()));
@@ -112,14 +105,25 @@ ResultPanel::ResultPanel(QWidget* parent)
 void ResultPanel::layOutHead() {
   auto* layout = new QVBoxLayout(m_head);
   layout->setContentsMargins(0, 0, 0, 0);
-  for (QLabel* label : {m_name, m_value, m_tolerance}) layout->addWidget(label);
+  layout->addWidget(m_value);
   auto* badgeRow = new QHBoxLayout;
   badgeRow->addWidget(m_badgeIcon);
   badgeRow->addWidget(m_badge, 1);
   layout->addLayout(badgeRow);
-  for (QLabel* label : {m_sentence, m_missing, m_fitOnly, m_undetectable, m_gapHint})
-    layout->addWidget(label);
+  m_more->setText(tr("Details"));
+  m_more->setCheckable(true);
+  m_more->setAutoRaise(true);
+  m_more->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+  for (QWidget* part :
+       std::initializer_list<QWidget*>{m_tolerance, m_bar, m_reason, m_lines, m_missing, m_more, m_details})
+    layout->addWidget(part);
   layout->addStretch();
+  const auto fold = [this](bool isOpen) {
+    m_more->setArrowType(isOpen ? Qt::DownArrow : Qt::RightArrow);
+    m_details->setVisible(isOpen && !m_more->isHidden());
+  };
+  connect(m_more, &QToolButton::toggled, this, fold);
+  fold(false);
 }
 
 void ResultPanel::setComparisonShown(bool shown) {
@@ -127,42 +131,26 @@ void ResultPanel::setComparisonShown(bool shown) {
 }
 
 void ResultPanel::setHeadline(const Headline& headline) {
-  m_name->setText(headline.name);
-  m_value->setText(headline.figure);
-  m_value->setToolTip(headline.tip);
-  m_tolerance->setText(headline.tolerance);
-  m_tolerance->setVisible(!headline.tolerance.isEmpty());
   m_isProvisional = headline.isProvisional;
-  const bool hasResult = !headline.fitOnly.isEmpty();
-  showVerdict(hasResult ? headline.verdict : VerdictText{.word = tr("No result"), .sentence = {}});
-  showFitOnly(headline);
-}
-
-void ResultPanel::setGap(const Gap& gap) {
-  m_head->setMinimumHeight(0);
-  m_undetectable->setText(unbroken(undetectableBeyondUText(gap)));
-  m_undetectable->setVisible(!m_undetectable->text().isEmpty());
-  m_gapHeadline = gap.isOpen() ? gapHeadline(*gap.diagnosis) : QString();
-  m_gapHint->setVisible(!m_gapHeadline.isEmpty());
-  m_gapHint->setForegroundRole(QPalette::WindowText);
-  m_gapHint->setText(
-      tr("Model and readings disagree: <a href=\"gap\">%1</a>").arg(m_gapHeadline.toHtmlEscaped()));
+  if (!m_isProvisional) m_head->setMinimumHeight(0);
+  m_value->setText(qText(headline.nameAndFigure()));
+  m_value->setToolTip(qText(headline.tip));
+  m_tolerance->setText(qText(headline.tolerance));
+  m_tolerance->setVisible(!headline.tolerance.empty());
+  m_bar->setScale(headline.scale, m_isProvisional);
+  m_lines->setHeadline(headline);
+  showVerdict(headline);
+  showDetails(headline);
 }
 
 void ResultPanel::clearGap() {
   m_head->setMinimumHeight(0);
-  m_gapHeadline.clear();
-  m_gapHint->hide();
-  m_undetectable->hide();
+  m_lines->clear();
 }
 
-/// The contents below stay unchanged.
+/// The contents below stay where they are.
 void ResultPanel::setGapStale() {
   m_head->setMinimumHeight(m_head->height());
-  m_undetectable->hide();
-  if (m_gapHeadline.isEmpty()) return;
-  m_gapHint->setForegroundRole(QPalette::PlaceholderText);
-  m_gapHint->setText(tr("Before what was changed since: %1").arg(m_gapHeadline.toHtmlEscaped()));
 }
 
 void ResultPanel::setEvaluation(const Evaluation& evaluation) {
@@ -188,18 +176,23 @@ void ResultPanel::settleWidth() {
                                widthOf(wrapped, tr("Redundancy"), QStringLiteral("400.1234 (0.1234)")));
   const QMargins margins = widget()->layout()->contentsMargins();
   const int bar = verticalScrollBar()->sizeHint().width();
-  const int value = QFontMetrics(m_value->font()).horizontalAdvance(QStringLiteral("−2.167 ± 0.042 mm")) + 4;
+  const int value =
+      QFontMetrics(m_value->font()).horizontalAdvance(QStringLiteral("Δd = −2.167 ± 0.042 mm")) + 4;
   setMinimumWidth(std::max(value, figures) + margins.left() + margins.right() + bar + 2 * frameWidth());
 }
 
-/// The line below the reference, with its own U.
-void ResultPanel::showFitOnly(const Headline& headline) {
-  QStringList lines{headline.reference, headline.fitOnly, headline.fitOnlyDetails};
+void ResultPanel::showDetails(const Headline& headline) {
+  const bool isFolded = isReasonFolded(headline);
+  m_reason->setText(isFolded ? QString() : unbroken(qText(headline.sentence)));
+  m_reason->setVisible(!m_reason->text().isEmpty());
+  QStringList lines{qText(headline.fitOnly), qText(headline.fitOnlyDetails)};
+  if (isFolded) lines.prepend(qText(headline.sentence));
   lines.removeAll(QString());
   QString text = unbroken(lines.join(u'\n'));
   text.replace(QStringLiteral("u = "), QStringLiteral("u%1=%1").arg(QChar(QChar::Nbsp)));
-  m_fitOnly->setText(text);
-  m_fitOnly->setVisible(!lines.isEmpty());
+  m_details->setText(text);
+  m_more->setVisible(!lines.isEmpty());
+  m_details->setVisible(!lines.isEmpty() && m_more->isChecked());
 }
 
 QString ResultPanel::whatIsMissing(const Evaluation& evaluation) {
@@ -217,12 +210,10 @@ QString ResultPanel::whatIsMissing(const Evaluation& evaluation) {
       "at 0° and at 180°.");
 }
 
-void ResultPanel::showVerdict(const VerdictText& verdict) {
-  m_state = stateOf(verdict);
-  m_badge->setText(verdict.word);
-  m_sentence->setText(unbroken(verdict.sentence));
-  m_sentence->setVisible(!verdict.sentence.isEmpty());
-  if (const QString icon = iconOf(verdict.verdict); m_iconName != icon) {
+void ResultPanel::showVerdict(const Headline& headline) {
+  m_state = stateOf(headline);
+  m_badge->setText(headline.verdict.empty() ? tr("No result") : qText(headline.verdict));
+  if (const QString icon = iconOf(headline.decided); m_iconName != icon) {
     m_iconName = icon;
     m_badgeIcon->setPixmap(themeIcon(m_iconName).pixmap(24, 24));
   }
@@ -315,11 +306,7 @@ void ResultPanel::showComparison(const Evaluation& evaluation) {
 
 void ResultPanel::changeEvent(QEvent* event) {
   ScrollPage::changeEvent(event);
-  if (event->type() != QEvent::PaletteChange) return;
-  colorHeadline();
-  const QString hint = m_gapHint->text();
-  m_gapHint->clear();  // links take their colour when the text is set
-  m_gapHint->setText(hint);
+  if (event->type() == QEvent::PaletteChange) colorHeadline();
 }
 
 }  // namespace alidade::ui

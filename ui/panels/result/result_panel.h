@@ -2,18 +2,22 @@
 
 #include <optional>
 
-#include "core/evaluation/gap.h"
+#include "core/statement/headline.h"
 #include "ui/panels/parts/scroll_page.h"
-#include "ui/text/headline.h"
+#include "ui/text/headline_state.h"
 
 class QCheckBox;
-class QGridLayout;
 class QLabel;
+class QToolButton;
 
 namespace alidade::ui {
 
-/// The result at a glance: the headline in large type, Δd, fit only, below it in small type, then both arcs
-/// and, on request, the published method. Says what is missing if there is no result. All figures can be
+class HeadlineLines;
+class ToleranceBar;
+
+/// The result at a glance: the headline in large type with its place on the scale of the tolerance, what to
+/// read before the verdict is used, and a fold with the reason of the verdict and Δd, fit only; then both
+/// arcs and, on request, the published method. Says what is missing if there is no result. All figures can be
 /// selected and copied.
 class ResultPanel : public ScrollPage {
   Q_OBJECT
@@ -27,8 +31,6 @@ class ResultPanel : public ScrollPage {
   /// The same evaluation after the search; it may add the published method.
   void setSearched(const Evaluation& evaluation);
   void setComparisonShown(bool shown);
-  /// Shows undetectable effects, and a link if model and readings disagree.
-  void setGap(const Gap& gap);
   /// The session changed: the contents are marked as outdated.
   void setGapStale();
   /// Another session, not diagnosed yet.
@@ -42,8 +44,8 @@ class ResultPanel : public ScrollPage {
 
  private:
   void layOutHead();
-  void showVerdict(const VerdictText& verdict);
-  void showFitOnly(const Headline& headline);
+  void showVerdict(const Headline& headline);
+  void showDetails(const Headline& headline);
   void showArcs(const SessionFit& fit);
   void showComparison(const Evaluation& evaluation);
   void colorHeadline();
@@ -52,18 +54,18 @@ class ResultPanel : public ScrollPage {
 
   State m_state = State::Quiet;  ///< state of the verdict
   bool m_isProvisional = false;
-  QString m_iconName, m_gapHeadline;
+  QString m_iconName;
   QWidget* m_head;  ///< everything that changes with the diagnosis
-  QLabel* m_name;
   QLabel* m_value;
-  QLabel* m_tolerance;
-  QLabel* m_fitOnly;
-  QLabel* m_missing;       ///< what is missing for a result
-  QLabel* m_undetectable;  ///< undetectable effects that may move Δd by more than U
   QLabel* m_badgeIcon;
   QLabel* m_badge;
-  QLabel* m_sentence;
-  QLabel* m_gapHint;
+  QLabel* m_tolerance;
+  ToleranceBar* m_bar;
+  QLabel* m_reason;  ///< why there is no verdict, or why it is open
+  HeadlineLines* m_lines;
+  QLabel* m_missing;  ///< what is missing for a result
+  QToolButton* m_more;
+  QLabel* m_details;
   class FigureGrid* m_arcs;
   QCheckBox* m_compare;
   QWidget* m_comparison;

@@ -258,7 +258,7 @@ TYPED_TEST(PlotHands, TheCurrentPointStaysWithItsReading) {
 TYPED_TEST(PlotHands, SaysWhatAGoodOneLooksLike) {
   const auto* caption = this->chart.template findChild<Caption*>();
   ASSERT_TRUE(caption);
-  EXPECT_TRUE(caption->sentence().startsWith(QStringLiteral("Good: ")));
+  EXPECT_TRUE(caption->sentence().startsWith(QStringLiteral("Should be: ")));
   EXPECT_EQ(caption->accessibleName(), caption->sentence());
   EXPECT_EQ(caption->text(), caption->sentence());
   this->chart.resize(340, 280);
@@ -275,7 +275,7 @@ TEST(Caption, TakesTwoLinesAtMostAndOneWhereThereIsLittleRoom) {
   Caption caption(&around);
   around.show();
   caption.setSentence(
-      QStringLiteral("Good: an even band about 0, two of three within it, hardly one beyond."));
+      QStringLiteral("Should be: an even band about 0, two of three within it, hardly one beyond."));
   const auto lines = [&](int width) {
     caption.resize(width, caption.heightForWidth(width));
     return caption.text().count(u'\n') + 1;

@@ -3,10 +3,11 @@
 #include <gmock/gmock.h>
 
 #include <QLabel>
+#include <QToolButton>
 
 #include "core/session/session_file.h"
 #include "tests/ui/support.h"
-#include "ui/text/quantity_text.h"
+#include "ui/text/entry_text.h"
 
 namespace alidade::ui {
 namespace {
@@ -27,10 +28,7 @@ class Bench {
     QCoreApplication::processEvents();
   }
 
-  void assess(const Gap& gap) {
-    panel.setHeadline(headlineOf(gap));
-    panel.setGap(gap);
-  }
+  void assess(const Gap& gap) { panel.setHeadline(headlineOf(gap)); }
 
   QLabel* label(const QString& beginning) const {
     for (QLabel* label : panel.findChildren<QLabel*>())
@@ -53,35 +51,47 @@ class Bench {
   ResultPanel panel;
 };
 
-QString measuredText(const Gap& gap) {
-  const IntersectionEstimate& found = gap.measured()->estimate;
-  return valueWithUncertainty(found.value, found.expanded, QStringLiteral("mm"));
-}
-
 TEST(ResultPanel, HasTheMeasuredResultAloneInLargeType) {
   for (const char* sample : {"clean-session.alidade", "paper-table-1.alidade"}) {
     const Gap gap = gapOf(sample);
     const Bench bench(gap);
     const Headline headline = headlineOf(gap);
-    EXPECT_EQ(bench.textsFrom(1.5), QStringList{measuredText(gap)}) << sample;
-    EXPECT_EQ(bench.textsFrom(1.25),
-              QStringList({measuredText(gap), headline.tolerance, headline.verdict.word}));
-    const QLabel* name = bench.label(QStringLiteral("Δd, measured"));
-    const QLabel* fitOnly = bench.label(headline.reference.isEmpty() ? QStringLiteral("Δd, fit only: ")
-                                                                     : QStringLiteral("Reference "));
-    ASSERT_TRUE(name && fitOnly);
-    EXPECT_EQ(name->y(), 0) << "it comes first";
-    EXPECT_TRUE(fitOnly->text().contains(QStringLiteral("Δd, fit only: "))) << fitOnly->text().toStdString();
-    EXPECT_GT(fitOnly->y(), bench.label(headline.verdict.word)->y());
+    EXPECT_EQ(bench.textsFrom(1.5), QStringList{qText(headline.nameAndFigure())}) << sample;
+    EXPECT_EQ(bench.textsFrom(1.25), QStringList({qText(headline.nameAndFigure()), qText(headline.verdict)}));
+    const QLabel* tolerance = bench.label(qText(headline.tolerance));
+    ASSERT_TRUE(tolerance);
+    EXPECT_GT(tolerance->y(), bench.label(qText(headline.verdict))->y());
+    EXPECT_EQ(bench.label(QStringLiteral("Δd = "))->y(), 0) << "it comes first";
   }
+}
+
+TEST(ResultPanel, KeepsTheReasonOfAReachedVerdictAndTheFitOnlyInAFold) {
+  const Bench bench(gapOf("paper-table-1.alidade"));
+  const auto isShown = [&](const char* text) {
+    for (const QLabel* label : bench.panel.findChildren<QLabel*>())
+      if (label->isVisible() && label->text().contains(QString::fromUtf8(text))) return true;
+    return false;
+  };
+  EXPECT_FALSE(isShown("Δd, fit only: "));
+  EXPECT_TRUE(isShown("the radii differ by ")) << "read before the verdict is used";
+  bench.panel.findChild<QToolButton*>()->click();
+  EXPECT_TRUE(isShown("Δd, fit only: "));
+  EXPECT_TRUE(isShown("Probability of conformity"));
+}
+
+TEST(ResultPanel, ShowsTheReasonOfAnOpenVerdict) {
+  const Bench bench(gapOf("two-causes.alidade"));
+  const QLabel* reason = bench.label(QStringLiteral("Δd = 0.4"));
+  ASSERT_TRUE(reason);
+  EXPECT_TRUE(reason->isVisible());
 }
 
 TEST(ResultPanel, SaysInLargeTypeWhereThereIsNoMeasuredResult) {
   Gap gap = gapOf("clean-session.alidade");
   gap.diagnosis->measured.reset();
-  EXPECT_EQ(Bench(gap).textsFrom(1.5), QStringList{QStringLiteral("not determined by these readings")});
+  EXPECT_EQ(Bench(gap).textsFrom(1.5), QStringList{QStringLiteral("Δd: not determined by these readings")});
   EXPECT_EQ(Bench(noGap(gap.evaluation, "Stopped.")).textsFrom(1.5),
-            QStringList{QStringLiteral("no diagnosis was made")});
+            QStringList{QStringLiteral("Δd: no diagnosis was made")});
 }
 
 TEST(ResultPanel, ShowsAProvisionalFigureGreyAndWithoutAVerdict) {
@@ -93,9 +103,9 @@ TEST(ResultPanel, ShowsAProvisionalFigureGreyAndWithoutAVerdict) {
   const QColor good = stateColor(bench.panel.palette(), State::Good);
   const QColor quiet = stateColor(bench.panel.palette(), State::Quiet);
   EXPECT_EQ(colourOf(QStringLiteral("Accepted")), good);
-  EXPECT_NE(colourOf(QStringLiteral("1.07")), quiet);
+  EXPECT_NE(colourOf(QStringLiteral("Δd = 1.07")), quiet);
   bench.panel.setHeadline(headlineOf(*gap.evaluation));
-  EXPECT_EQ(colourOf(QStringLiteral("1.31")), quiet);
+  EXPECT_EQ(colourOf(QStringLiteral("Δd, fit only = 1.31")), quiet);
   EXPECT_EQ(colourOf(QStringLiteral("Provisional: the diagnosis is running.")), quiet);
   EXPECT_FALSE(bench.label(QStringLiteral("Accepted")));
 }

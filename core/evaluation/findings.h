@@ -5,9 +5,9 @@
 #include "core/base/finding.h"
 #include "core/evaluation/evaluation.h"
 
-namespace alidade::ui {
+namespace alidade {
 
 /// Findings about the fit, or reasons for its absence, in sentences; without the suspects.
 std::vector<Finding> findingsOf(const Evaluation& evaluation);
 
-}  // namespace alidade::ui
+}  // namespace alidade

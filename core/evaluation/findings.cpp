@@ -1,8 +1,8 @@
-#include "ui/text/finding_text.h"
+#include "core/evaluation/findings.h"
 
 #include "core/wording/findings.h"
 
-namespace alidade::ui {
+namespace alidade {
 
 std::vector<Finding> findingsOf(const Evaluation& evaluation) {
   std::vector<Finding> findings = inWords(evaluation.fit.findings);
@@ -13,4 +13,4 @@ std::vector<Finding> findingsOf(const Evaluation& evaluation) {
   return findings;
 }
 
-}  // namespace alidade::ui
+}  // namespace alidade

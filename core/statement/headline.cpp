@@ -1,0 +1,193 @@
+#include "core/statement/headline.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "core/base/phrase.h"
+#include "core/base/quantity_text.h"
+#include "core/diagnosis/decision.h"
+#include "core/evaluation/findings.h"
+#include "core/session/hindrance.h"
+#include "core/statement/headline_lines.h"
+#include "core/wording/across.h"
+#include "core/wording/verdict.h"
+
+namespace alidade {
+
+namespace {
+
+std::string wordOf(Verdict verdict) {
+  switch (verdict) {
+    case Verdict::Accept:
+      return Phrase::of("Accepted");
+    case Verdict::Reject:
+      return Phrase::of("Rejected");
+    case Verdict::Undecided:
+      break;
+  }
+  return Phrase::of("Undecided");
+}
+
+std::string toleranceText(const Measurement& measurement) {
+  if (!measurement.tolerance) return "";
+  const std::string size = displayShortest(*measurement.tolerance);
+  return measurement.measurand == Measurand::Distance ? Phrase::of("tolerance %1 mm", size)
+                                                      : Phrase::of("tolerance ± %1 mm", size);
+}
+
+/// "1.30 ± 0.74 mm", with enough digits for the reader to reach the same verdict.
+std::string figureText(const Measurement& measurement, double value, double expanded) {
+  const int decimals = measurement.tolerance ? decimalsToDecide(value, expanded, *measurement.tolerance)
+                                             : decimalsFor(expanded);
+  return Phrase::of("%1 ± %2 mm", displayText(value, decimals), displayText(expanded, decimals));
+}
+
+std::string exactly(double value, double expanded) {
+  return Phrase::of("Δd = %1 mm, U = %2 mm", displayText(value, 6), displayText(expanded, 6));
+}
+
+std::string measuredTip(const Measurement& measurement, const MeasuredIntersection& measured) {
+  return Phrase::of(
+      "%1 at %2 % coverage.\nIncludes every catalogued effect, limited by these readings or by its plausible "
+      "size. The "
+      "page Budget lists what each contributes.\n%3",
+      exactly(measured.estimate.value, measured.estimate.expanded),
+      displayShortest(100 * measurement.coverage), acrossSentence(measured));
+}
+
+/// The result in the first line, with its place on the scale of the tolerance.
+void setFigure(Headline& headline, const Measurement& measurement, const std::string& name, double value,
+               double expanded) {
+  headline.name = name;
+  headline.figure = figureText(measurement, value, expanded);
+  if (measurement.tolerance && std::isfinite(expanded))
+    headline.scale = ToleranceScale{std::abs(value), expanded, *measurement.tolerance};
+}
+
+/// Everything except figure, verdict and lines.
+Headline frameOf(const Measurement& measurement, const SessionFit& fit) {
+  Headline headline{.name = Phrase::of("Δd"), .figure = "—", .tolerance = toleranceText(measurement)};
+  if (!fit.intersection) return headline;
+  const Intersection& fitted = *fit.intersection;
+  headline.fitOnly = Phrase::of("Δd, fit only: %1", figureText(measurement, fitted.value, fitted.expanded));
+  headline.fitOnlyDetails =
+      Phrase::of("U at %1 % coverage (k = %2); u = %3 mm", displayShortest(fitted.coverage * 100),
+                 displayText(fitted.coverageFactor, 2), displayText(fitted.sigma, decimalsFor(fitted.sigma)));
+  return headline;
+}
+
+void setMeasured(Headline& headline, const Measurement& measurement, const MeasuredIntersection& measured) {
+  headline.isMeasured = true;
+  headline.tip = measuredTip(measurement, measured);
+  if (measurement.measurand == Measurand::Distance && measured.distance)
+    setFigure(headline, measurement, "d", measured.distance->value, measured.distance->expanded);
+  else
+    setFigure(headline, measurement, headline.name, measured.estimate.value, measured.estimate.expanded);
+}
+
+/// The verdict of a diagnosed fit, or of the fit only, which is no acceptance.
+void setVerdict(Headline& headline, const Measurement& measurement, const SessionFit& fit,
+                const Diagnosis* diagnosis, const std::optional<AcceptanceDecision>& decision) {
+  if (!decision) {
+    headline.verdict = Phrase::of("No verdict");
+    headline.sentence = Phrase::of("No tolerance stated, so nothing to decide against.");
+    return;
+  }
+  headline.verdict = wordOf(decision->verdict);
+  headline.sentence = verdictSentence(measurement, fit, diagnosis, *decision);
+  if (diagnosis)
+    headline.decided = decision->verdict;
+  else
+    headline.verdict = Phrase::of("%1, fit only", headline.verdict);
+}
+
+std::string reasonForNoResult(const Evaluation& evaluation) {
+  const std::vector<Finding> findings = findingsOf(evaluation);
+  const auto error = std::ranges::find(findings, Severity::Error, &Finding::severity);
+  if (error != findings.end()) return error->text;
+  return Phrase::of("The intersection needs an arc at 0° and an arc at 180°; not both are there.");
+}
+
+/// Replaces the verdict if entries are unusable or there is no result; returns whether it did.
+bool setHindrance(Headline& headline, const Evaluation& evaluation) {
+  const std::size_t unusable = hindrances(evaluation.session, evaluation.examined.problems).size();
+  if (unusable == 0 && evaluation.fit.intersection) return false;
+  headline.decided.reset();
+  if (unusable == 0) {
+    headline.verdict = Phrase::of("No result");
+    headline.sentence = reasonForNoResult(evaluation);
+    return true;
+  }
+  headline.verdict = unusable == 1 ? Phrase::of("No verdict: 1 entry could not be used")
+                                   : Phrase::of("No verdict: %1 entries could not be used", unusable);
+  headline.sentence = Phrase::of(
+      "What cannot be used is listed with its place. Correct it or exclude its reading: what is stated here "
+      "rests on "
+      "the others alone.");
+  return true;
+}
+
+Headline frameOf(const Evaluation& evaluation) {
+  if (evaluation.examined.measurement) return frameOf(*evaluation.examined.measurement, evaluation.fit);
+  return {.name = Phrase::of("Δd"), .figure = "—"};
+}
+
+}  // namespace
+
+std::string Headline::nameAndFigure() const {
+  //: a name and what it is: "Δd: not determined by these readings"
+  return fitOnly.empty() || !(isMeasured || isProvisional) ? Phrase::of("%1: %2", name, figure)
+                                                           : Phrase::of("%1 = %2", name, figure);
+}
+
+std::string Headline::verdictAndTolerance() const {
+  return tolerance.empty() ? verdict : verdict + " · " + tolerance;
+}
+
+std::string Headline::line(Line::Kind kind) const {
+  const auto found = std::ranges::find(lines, kind, &Line::kind);
+  return found == lines.end() ? "" : found->text;
+}
+
+Headline headlineOf(const Evaluation& evaluation) {
+  Headline headline = frameOf(evaluation);
+  const auto& fitted = evaluation.fit.intersection;
+  if (fitted) {
+    const Measurement& measurement = *evaluation.examined.measurement;
+    setFigure(headline, measurement, Phrase::of("Δd, fit only"), fitted->value, fitted->expanded);
+    headline.tip = exactly(fitted->value, fitted->expanded);
+    headline.isProvisional = true;
+    headline.lines = headlineLines(measurement, evaluation.fit, nullptr, nullptr, {});
+    headline.verdict = Phrase::of("Provisional: the diagnosis is running.");
+  }
+  setHindrance(headline, evaluation);
+  return headline;
+}
+
+Headline headlineOf(const Gap& gap, const std::vector<Dependence>& dependences) {
+  const Evaluation& evaluation = *gap.evaluation;
+  Headline headline = evaluation.fit.intersection ? headlineOf(*evaluation.examined.measurement,
+                                                               evaluation.fit, gap.found(), dependences)
+                                                  : frameOf(evaluation);
+  if (evaluation.fit.intersection && !gap.measured()) headline.tip = gap.reason;
+  setHindrance(headline, evaluation);
+  return headline;
+}
+
+Headline headlineOf(const Measurement& measurement, const SessionFit& fit, const Diagnosis* diagnosis,
+                    const std::vector<Dependence>& dependences) {
+  Headline headline = frameOf(measurement, fit);
+  if (!fit.intersection) return headline;
+  if (diagnosis && diagnosis->measured)
+    setMeasured(headline, measurement, *diagnosis->measured);
+  else
+    headline.figure =
+        diagnosis ? Phrase::of("not determined by these readings") : Phrase::of("no diagnosis was made");
+  const auto decision = decideAcceptance(measurement, fit, diagnosis);
+  setVerdict(headline, measurement, fit, diagnosis, decision);
+  headline.lines = headlineLines(measurement, fit, diagnosis, decision ? &*decision : nullptr, dependences);
+  return headline;
+}
+
+}  // namespace alidade

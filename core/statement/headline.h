@@ -1,0 +1,64 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/diagnosis/dependence.h"
+#include "core/evaluation/gap.h"
+#include "core/statement/tolerance_scale.h"
+
+namespace alidade {
+
+/// The one result of a session: console, window, inset, Large Display and report show these lines. The texts
+/// are in the language of the thread that made them.
+struct Headline {
+  /// A line of small type below the result.
+  struct Line {
+    enum class Kind {
+      Across,        ///< the part that the tolerance does not apply to
+      Gap,           ///< model and readings disagree: the condition of the verdict, or why it is open
+      Knock,         ///< the verdict holds unless the tripod was knocked
+      Row,           ///< the verdict depends on a single row
+      Undetectable,  ///< effects that these readings cannot show, of which a plausible size moves Δd by more
+                     ///< than U
+      Reference,     ///< Δd minus the reference, and whether they agree
+    };
+
+    Kind kind = Kind::Across;
+    std::string text;
+    bool isWarning = false;  ///< to be read before the verdict is used
+  };
+
+  std::string name;            ///< "Δd", "Δd, fit only" while provisional, "d" where the distance is judged
+  std::string figure;          ///< "1.30 ± 0.74 mm", or briefly why there is none
+  std::string tip = {};        ///< the figure to six decimals and what it includes; may be empty
+  std::string tolerance = {};  ///< "tolerance ± 2.5 mm"; empty if none is stated
+  std::string verdict = {};    ///< "Accepted", "No verdict", "Provisional: the diagnosis is running."
+  std::optional<Verdict> decided = {};       ///< absent: no verdict, or one of the fit only
+  std::optional<ToleranceScale> scale = {};  ///< absent without a tolerance, a figure or a finite U
+  std::vector<Line> lines = {};
+  std::string sentence = {};        ///< the basis of the verdict, or why there is none; may be empty
+  std::string fitOnly = {};         ///< "Δd, fit only: 1.31 ± 0.21 mm"; empty without Δd
+  std::string fitOnlyDetails = {};  ///< its coverage, k and u
+  bool isMeasured = false;          ///< the figure includes every catalogued effect
+  bool isProvisional = false;       ///< the diagnosis is running; the figure is that of the fit only
+
+  /// "Δd = 1.30 ± 0.74 mm"; "Δd: not determined by these readings".
+  std::string nameAndFigure() const;
+  /// "Accepted · tolerance ± 2.5 mm".
+  std::string verdictAndTolerance() const;
+  /// The text of the line of this kind; empty without it.
+  std::string line(Line::Kind kind) const;
+};
+
+/// The headline while the diagnosis of the evaluation is running.
+Headline headlineOf(const Evaluation& evaluation);
+/// The headline once the diagnosis has ended, with a result or without one. `dependences`: the single rows on
+/// which the verdict depends, if they were sought.
+Headline headlineOf(const Gap& gap, const std::vector<Dependence>& dependences = {});
+/// The same of parts that belong together. A null `diagnosis` means that none was made.
+Headline headlineOf(const Measurement& measurement, const SessionFit& fit, const Diagnosis* diagnosis,
+                    const std::vector<Dependence>& dependences = {});
+
+}  // namespace alidade

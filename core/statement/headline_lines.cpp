@@ -1,0 +1,166 @@
+#include "core/statement/headline_lines.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/list_text.h"
+#include "core/base/phrase.h"
+#include "core/base/quantity_text.h"
+#include "core/effects/cause_ids.h"
+#include "core/wording/across.h"
+#include "core/wording/cause_name.h"
+#include "core/wording/conditions.h"
+#include "core/wording/gap_in_few_words.h"
+
+namespace alidade {
+
+namespace {
+
+using Line = Headline::Line;
+
+std::string lengthText(double value, double expanded) {
+  const int decimals = decimalsFor(expanded);
+  return Phrase::of("%1 ± %2 mm", displayText(value, decimals), displayText(expanded, decimals));
+}
+
+/// The part that the tolerance does not apply to, or both parts of a distance.
+Line acrossLine(const Measurement& measurement, const MeasuredIntersection& measured) {
+  const bool isOfDistance = measurement.measurand == Measurand::Distance;
+  const IntersectionEstimate& inPlane = measured.estimate;
+  if (!measured.across)
+    return {.kind = Line::Kind::Across,
+            .text = Phrase::of("Across the plane of the arc: Δz was not measured"),
+            .isWarning = isOfDistance};
+  const std::string across = lengthText(measured.across->value, measured.across->expanded);
+  if (isOfDistance)
+    return {.kind = Line::Kind::Across,
+            .text = Phrase::of("In the plane of the arc Δd = %1, across it Δz = %2",
+                               lengthText(inPlane.value, inPlane.expanded), across)};
+  return {
+      .kind = Line::Kind::Across,
+      .text = measurement.tolerance
+                  ? Phrase::of("Across the plane of the arc: Δz = %1, not judged (the tolerance is of Δd)",
+                               across)
+                  : Phrase::of("Across the plane of the arc: Δz = %1", across),
+      .isWarning = liesOff(measured)};
+}
+
+/// Whether the verdict was reached, so that the causes are its condition.
+bool isReached(const AcceptanceDecision* decision) {
+  return decision && decision->verdict != Verdict::Undecided;
+}
+
+std::string withDetails(const std::string& text, const std::string& details) {
+  //: a sentence and what it rests on: "… (72 %): the radii differ by 13 σ"
+  return details.empty() ? text : Phrase::of("%1: %2", text, details);
+}
+
+std::string disagreementText(const Diagnosis& diagnosis) {
+  switch (diagnosis.verdict) {
+    case DiagnosisVerdict::WithinNoise:
+      return Phrase::of("The positions do not close");
+    case DiagnosisVerdict::NotInCatalogue:
+      return Phrase::of("Model and readings disagree, and no catalogued effect explains it");
+    case DiagnosisVerdict::SeveralCauses:
+      return Phrase::of("Model and readings disagree by more causes than these readings can take apart");
+    case DiagnosisVerdict::SingleCause:
+    case DiagnosisVerdict::Ambiguous:
+      break;
+  }
+  return Phrase::of("The readings scatter more than stated, which U includes");
+}
+
+std::string gapText(const Diagnosis& diagnosis, const AcceptanceDecision* decision) {
+  const std::string closures = failedClosures(diagnosis), causes = causesWithProbability(diagnosis);
+  if (causes.empty()) return withDetails(disagreementText(diagnosis), closures);
+  if (!isReached(decision))
+    return withDetails(Phrase::of("Model and readings disagree, best explained by %1", causes), closures);
+  return withDetails(decision->verdict == Verdict::Accept ? Phrase::of("Accepted on condition of %1", causes)
+                                                          : Phrase::of("Rejected on condition of %1", causes),
+                     closures);
+}
+
+std::string knockText(const Diagnosis& diagnosis, const AcceptanceDecision& decision) {
+  std::vector<std::string> moments;
+  double influence = 0;
+  for (const std::size_t i : decision.conditions) {
+    moments.push_back(momentText(diagnosis.undetectableJumps[i]));
+    influence = std::max(influence, diagnosis.undetectableJumps[i].influence);
+  }
+  return Phrase::of("Only if the tripod was not knocked %1: it would move Δd by ± %2 mm undetected",
+                    listed(moments, Phrase::of(" or ")), displayText(influence, decimalsFor(influence)));
+}
+
+/// The effects with an influence above U. A knock is left out if the verdict states it as a condition.
+std::string undetectableText(const Diagnosis& diagnosis, double expanded, bool isKnockStated) {
+  constexpr std::size_t mostNamed = 3;
+  std::vector<std::string> effects;
+  for (const UndetectableEffect& effect : diagnosis.undetectable)
+    if (effect.influence > expanded && !(isKnockStated && effect.effect == jumpId))
+      effects.push_back(Phrase::of("%1 ± %2 mm", causeName(effect.effect),
+                                   displayText(effect.influence, decimalsFor(effect.influence))));
+  if (effects.empty()) return "";
+  const std::size_t more = effects.size() - std::min(effects.size(), mostNamed);
+  effects.resize(effects.size() - more);
+  if (more > 0) effects.push_back(more == 1 ? Phrase::of("1 other") : Phrase::of("%1 others", more));
+  return Phrase::of("Undetectable here, yet a plausible size moves Δd by more than U: %1",
+                    listed(effects, Phrase::of(" and ")));
+}
+
+/// "2 mm", "2 mm (u 0.05 mm)".
+std::string referenceGiven(const Measurement& measurement) {
+  const std::string reference = displayShortest(*measurement.referenceIntersection);
+  return measurement.sigmaReference
+             ? Phrase::of("%1 mm (u %2 mm)", reference, displayShortest(*measurement.sigmaReference))
+             : Phrase::of("%1 mm", reference);
+}
+
+/// E_n = (Δd − reference)/√(U² + U_ref²) as in ISO 13528; U_ref is the U of the reference at the same
+/// coverage factor as the intersection's.
+Line referenceLine(const Measurement& measurement, const SessionFit& fit, const IntersectionEstimate& found) {
+  const double difference = found.value - *measurement.referenceIntersection;
+  const double own = fit.intersection->coverageFactor * measurement.sigmaReference.value_or(0);
+  const double expanded = std::hypot(found.expanded, own), score = std::abs(difference) / expanded;
+  const std::string size = lengthText(difference, expanded), given = referenceGiven(measurement);
+  Line line{.kind = Line::Kind::Reference};
+  if (!std::isfinite(score)) {
+    line.text = Phrase::of("Reference %1: difference %2", given, size);
+  } else if (score <= 1) {
+    line.text =
+        Phrase::of("Reference %1: difference %2, agrees (E_n %3)", given, size, displayText(score, 2));
+  } else {
+    line.text =
+        Phrase::of("Reference %1: difference %2, disagrees (E_n %3)", given, size, displayText(score, 2));
+    line.isWarning = true;
+  }
+  return line;
+}
+
+/// U of Δd, measured, or else of Δd, fit only.
+IntersectionEstimate estimateIn(const SessionFit& fit, const Diagnosis* diagnosis) {
+  return diagnosis && diagnosis->measured ? diagnosis->measured->estimate : estimateOf(*fit.intersection);
+}
+
+}  // namespace
+
+std::vector<Line> headlineLines(const Measurement& measurement, const SessionFit& fit,
+                                const Diagnosis* diagnosis, const AcceptanceDecision* decision,
+                                const std::vector<Dependence>& dependences) {
+  std::vector<Line> lines;
+  const auto warn = [&](Line::Kind kind, std::string text) {
+    if (!text.empty()) lines.push_back({.kind = kind, .text = std::move(text), .isWarning = true});
+  };
+  const bool isKnockStated = decision && !decision->conditions.empty();
+  if (diagnosis && diagnosis->measured) lines.push_back(acrossLine(measurement, *diagnosis->measured));
+  if (diagnosis && hasGap(*diagnosis)) warn(Line::Kind::Gap, gapText(*diagnosis, decision));
+  if (diagnosis && isKnockStated) warn(Line::Kind::Knock, knockText(*diagnosis, *decision));
+  warn(Line::Kind::Row, dependenceSentence(dependences));
+  if (diagnosis)
+    warn(Line::Kind::Undetectable,
+         undetectableText(*diagnosis, estimateIn(fit, diagnosis).expanded, isKnockStated));
+  if (measurement.referenceIntersection)
+    lines.push_back(referenceLine(measurement, fit, estimateIn(fit, diagnosis)));
+  return lines;
+}
+
+}  // namespace alidade

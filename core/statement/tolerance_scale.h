@@ -1,0 +1,24 @@
+#pragma once
+
+#include <string>
+
+namespace alidade {
+
+/// The result on a scale that begins at zero: the size of the value, its interval and the limit. Lengths in
+/// mm, ≥ 0.
+struct ToleranceScale {
+  double size = 0;       ///< |value|
+  double expanded = 0;   ///< U, finite
+  double tolerance = 1;  ///< > 0
+
+  double low() const { return size > expanded ? size - expanded : 0; }
+  double high() const { return size + expanded; }
+  /// The end of the scale, somewhat beyond limit and interval.
+  double end() const;
+};
+
+/// "0 |=====[==|--]------:----| 2.5 mm": `=` up to the size, brackets around the interval, a colon at the
+/// limit, which the figure states. `width` is the number of characters of the scale, at least 10.
+std::string scaleText(const ToleranceScale& scale, int width);
+
+}  // namespace alidade

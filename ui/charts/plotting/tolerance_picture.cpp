@@ -1,0 +1,95 @@
+#include "ui/charts/plotting/tolerance_picture.h"
+
+#include <QFontMetricsF>
+#include <QPainter>
+#include <algorithm>
+
+#include "ui/text/quantity_text.h"
+
+namespace alidade::ui {
+
+namespace {
+
+/// Share of the font's height that the ground takes, above its figures.
+constexpr double groundShare = 0.9;
+
+class ScalePainter {
+ public:
+  ScalePainter(QPainter& painter, const QRectF& area, const ToleranceScale& scale,
+               const ToleranceColours& colours)
+      : m_painter(painter),
+        m_scale(scale),
+        m_colours(colours),
+        m_metrics(colours.font),
+        m_ground(area.left() + 1, area.top() + 1, area.width() - 2, groundShare * m_metrics.height()),
+        m_line(m_metrics.height() / 12) {}
+
+  void paint() {
+    paintGround();
+    paintSize();
+    paintInterval();
+    paintLimit();
+  }
+
+ private:
+  double at(double length) const { return m_ground.left() + length / m_scale.end() * m_ground.width(); }
+  void fill(double from, double to, double share, const QColor& colour) {
+    const double height = share * m_ground.height();
+    m_painter.fillRect(QRectF(at(from), m_ground.center().y() - height / 2, at(to) - at(from), height),
+                       colour);
+  }
+  void upright(double length, double share, double width) {
+    const double half = share * m_ground.height() / 2, x = at(length), y = m_ground.center().y();
+    m_painter.setPen(QPen(m_colours.text, width, Qt::SolidLine, Qt::FlatCap));
+    m_painter.drawLine(QPointF(x, y - half), QPointF(x, y + half));
+  }
+
+  void paintGround() {
+    fill(0, m_scale.tolerance, 1, m_colours.within);
+    fill(m_scale.tolerance, m_scale.end(), 1, m_colours.beyond);
+    m_painter.setPen(QPen(m_colours.frame, m_line));
+    m_painter.drawRect(m_ground);
+  }
+  void paintSize() { fill(0, m_scale.size, 0.34, m_colours.size); }
+  void paintInterval() {
+    const double y = m_ground.center().y();
+    m_painter.setPen(QPen(m_colours.text, 1.5 * m_line, Qt::SolidLine, Qt::FlatCap));
+    m_painter.drawLine(QPointF(at(m_scale.low()), y), QPointF(at(m_scale.high()), y));
+    upright(m_scale.low(), 0.5, 1.5 * m_line);
+    upright(m_scale.high(), 0.5, 1.5 * m_line);
+    upright(m_scale.size, 0.7, 3 * m_line);
+  }
+  void paintLimit() {
+    upright(m_scale.tolerance, 1.25, 2 * m_line);
+    m_painter.setFont(m_colours.font);
+    m_painter.setPen(m_colours.text);
+    const double baseline = m_ground.bottom() + m_line + m_metrics.ascent();
+    m_painter.drawText(QPointF(m_ground.left(), baseline), QStringLiteral("0"));
+    const QString figure = plainNumberText(m_scale.tolerance) + QStringLiteral(" mm");
+    const double width = m_metrics.horizontalAdvance(figure);
+    const double left =
+        std::clamp(at(m_scale.tolerance) - width / 2, m_ground.left() + 2 * m_metrics.averageCharWidth(),
+                   m_ground.right() - width);
+    m_painter.drawText(QPointF(left, baseline), figure);
+  }
+
+  QPainter& m_painter;
+  const ToleranceScale& m_scale;
+  const ToleranceColours& m_colours;
+  QFontMetricsF m_metrics;
+  QRectF m_ground;
+  double m_line;
+};
+
+}  // namespace
+
+void paintToleranceScale(QPainter& painter, const QRectF& area, const ToleranceScale& scale,
+                         const ToleranceColours& colours) {
+  ScalePainter(painter, area, scale, colours).paint();
+}
+
+double heightOfToleranceScale(const QFont& font) {
+  return (groundShare + 1.15) * QFontMetricsF(font).height() + 2;
+}
+
+}  // namespace alidade::ui
