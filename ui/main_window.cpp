@@ -11,6 +11,7 @@
 #include <QUrl>
 #include <utility>
 
+#include "core/base/phrase.h"
 #include "core/base/version.h"
 #include "ui/commands/change_positions.h"
 #include "ui/connection/instrument_desk.h"
@@ -237,7 +238,7 @@ bool MainWindow::offerRecovery() {
 }
 
 void MainWindow::tellFailure(const QString& reason) {
-  const std::string told = ui::tellFailure({.job = QT_TRANSLATE_NOOP("Job", "window"),
+  const std::string told = ui::tellFailure({.job = PHRASE_LATER("Phrase", "window"),
                                             .reason = reason.toStdString(),
                                             .session = m_document.session()});
   m_dialogs->showProblem(tr("Something went wrong"), qText(told));

@@ -4,12 +4,12 @@
 #include <vector>
 
 #include "core/base/finding.h"
-#include "core/diagnosis/result/diagnosis.h"
+#include "core/evaluation/gap.h"
 
 namespace alidade::console {
 
-/// The diagnosis and the preceding findings as text for a terminal. `session` names it.
-std::string diagnosisText(const std::string& session, const Diagnosis& diagnosis,
-                          const std::vector<Finding>& findings);
+/// The whole diagnosis: verdict, stages, causes, known sizes, where the gap lies, closures, what to measure
+/// next, undetectable effects and findings. `gap` has a diagnosis.
+std::string diagnosisText(const std::string& session, const Gap& gap, const std::vector<Finding>& findings);
 
 }  // namespace alidade::console

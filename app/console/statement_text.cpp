@@ -1,5 +1,6 @@
 #include "app/console/statement_text.h"
 
+#include <sstream>
 #include <vector>
 
 #include "app/console/text_layout.h"
@@ -8,26 +9,49 @@ namespace alidade::console {
 
 namespace {
 
-/// The remarks stand at the end, since they are the longest.
-std::vector<std::string> inOrder(const Statement& statement, const std::vector<std::string>& cells) {
-  std::vector<std::string> row, remarks;
-  for (std::size_t i = 0; i < cells.size(); ++i)
-    (statement.columns[i].role == Statement::Column::Role::Remark ? remarks : row).push_back(cells[i]);
-  row.insert(row.end(), remarks.begin(), remarks.end());
-  return row;
+using Role = Statement::Column::Role;
+
+/// The columns of the table in the order of the text: the remarks stand at the end, since they are the
+/// longest.
+std::vector<std::size_t> orderOf(const std::vector<Statement::Column>& columns) {
+  std::vector<std::size_t> order, remarks;
+  for (std::size_t i = 0; i < columns.size(); ++i)
+    if (columns[i].role != Role::Text) (columns[i].role == Role::Remark ? remarks : order).push_back(i);
+  order.insert(order.end(), remarks.begin(), remarks.end());
+  return order;
+}
+
+std::string tableText(const Statement& statement) {
+  std::vector<std::vector<std::string>> rows{{statement.title}};
+  std::vector<bool> isLeft;
+  const std::vector<std::size_t> order = orderOf(statement.columns);
+  for (const std::size_t i : order) {
+    const Statement::Column& column = statement.columns[i];
+    if (i > 0) rows.front().push_back(column.title);
+    isLeft.push_back(column.role != Role::Figure);
+  }
+  for (const Statement::Row& row : statement.rows) {
+    rows.emplace_back();
+    for (const std::size_t i : order)
+      rows.back().push_back((i > 0 ? "" : row.isPart ? "    " : "  ") + row.cells[i]);
+  }
+  std::istringstream lines(alignedColumns(rows, isLeft));
+  std::string text, line;
+  std::getline(lines, line);
+  text = line + "\n";
+  for (const Statement::Row& row : statement.rows) {
+    std::getline(lines, line);
+    text += line + "\n";
+    for (const std::string& below : statement.textsBelow(row)) text += "    " + paragraph(below, 6);
+  }
+  return text;
 }
 
 }  // namespace
 
 std::string statementText(const Statement& statement) {
-  std::vector<std::string> head{statement.title};
-  for (std::size_t i = 1; i < statement.columns.size(); ++i) head.push_back(statement.columns[i].title);
-  std::vector<std::vector<std::string>> rows{inOrder(statement, head)};
-  for (const Statement::Row& row : statement.rows) {
-    rows.push_back(inOrder(statement, row.cells));
-    rows.back().front().insert(0, "  ");
-  }
-  std::string text = "\n" + alignedColumns(rows);
+  if (statement.rows.empty() && statement.sentences.empty()) return "";
+  std::string text = "\n" + (statement.rows.empty() ? statement.title + "\n" : tableText(statement));
   for (const std::string& sentence : statement.sentences) text += paragraph(sentence);
   return statement.note.empty() ? text : text + paragraph(statement.note);
 }

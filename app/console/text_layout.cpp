@@ -39,14 +39,16 @@ std::string heading(std::string_view name) {
   return visibleText(name) + "\n";
 }
 
-std::string alignedColumns(const std::vector<std::vector<std::string>>& rows) {
+std::string alignedColumns(const std::vector<std::vector<std::string>>& rows,
+                           const std::vector<bool>& isLeft) {
   const std::vector<std::size_t> widths = columnWidths(rows);
   std::string text;
   for (const auto& row : rows) {
     std::string line;
     for (std::size_t i = 0; i < row.size(); ++i) {
       const std::string blanks(widths[i] - displayWidth(row[i]), ' ');
-      line += i == 0 ? row[i] + blanks : "  " + blanks + row[i];
+      const bool left = i == 0 || (i < isLeft.size() && isLeft[i]);
+      line += (i == 0 ? "" : "  ") + (left ? row[i] + blanks : blanks + row[i]);
     }
     line.erase(line.find_last_not_of(' ') + 1);
     text += line + "\n";

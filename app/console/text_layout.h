@@ -10,9 +10,10 @@ namespace alidade::console {
 /// The heading of a result: a user's name for it, always on one line.
 std::string heading(std::string_view name);
 
-/// Cells in columns, two blanks apart: the first column flush left, the others flush right, each line ending
-/// in a newline. Widths are counted in code points; rows may differ in length.
-std::string alignedColumns(const std::vector<std::vector<std::string>>& rows);
+/// Cells in columns, two blanks apart: the first column and those that `isLeft` marks flush left, the others
+/// flush right, each line ending in a newline. Widths are counted in code points; rows may differ in length.
+std::string alignedColumns(const std::vector<std::vector<std::string>>& rows,
+                           const std::vector<bool>& isLeft = {});
 
 /// `text` with invisible characters escaped, broken at blanks into lines of at most `width` code points,
 /// ending in a newline. Lines after the first begin with `indent` blanks. A longer word gets a line of its

@@ -9,8 +9,8 @@ namespace {
 
 std::optional<Problem> whyNone(const Evaluation& evaluation) {
   if (auto problem = firstHindrance(evaluation.session, evaluation.examined.problems)) return problem;
-  if (!evaluation.failure.empty()) return Problem{evaluation.failure};
-  if (!evaluation.searchFailure.empty()) return Problem{evaluation.searchFailure};
+  if (evaluation.failure) return Problem{sentencesOf(*evaluation.failure)};
+  if (evaluation.searchFailure) return Problem{sentencesOf(*evaluation.searchFailure)};
   return absence(evaluation.examined.measurement.value(), evaluation.fit.arcs.size(),
                  evaluation.fit.findings);
 }

@@ -28,4 +28,17 @@ std::optional<std::string> failureOf(const std::function<void()>& work) {
   }
 }
 
+std::string sentencesOf(const FailedWork& failed) {
+  const std::string work = Phrase::of(failed.work.c_str());
+  return failed.isRecorded
+             ? Phrase::of(
+                   "The %1 failed: %2. Nothing typed is lost; save the session and go on. What is needed to "
+                   "report this is in %3.",
+                   work, failed.reason, failed.record)
+             : Phrase::of(
+                   "The %1 failed: %2. Nothing typed is lost; save the session and go on. What is needed to "
+                   "report this could not be written to %3.",
+                   work, failed.reason, failed.record);
+}
+
 }  // namespace alidade

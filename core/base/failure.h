@@ -15,4 +15,15 @@ std::string thrownReason();
 /// Runs `work` and catches its exception. Empty: it completed.
 std::optional<std::string> failureOf(const std::function<void()>& work);
 
+/// Work that an exception ended, with the record of what is needed to report it.
+struct FailedWork {
+  std::string work;         ///< "fit": a phrase, as in "The fit failed"
+  std::string reason;       ///< text of `thrownReason`
+  std::string record = {};  ///< path of the record, or of the folder where it could not be written
+  bool isRecorded = false;
+};
+
+/// What failed, why, that nothing typed is lost, and where the record is.
+std::string sentencesOf(const FailedWork& failed);
+
 }  // namespace alidade

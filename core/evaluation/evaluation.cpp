@@ -2,7 +2,6 @@
 
 #include <utility>
 
-#include "core/base/failure.h"
 #include "core/wording/journal.h"
 
 namespace alidade {
@@ -86,20 +85,20 @@ std::optional<Evaluation> copyWithSuspects(const Evaluation& fitted, const std::
   return evaluation;
 }
 
-Evaluation failedEvaluation(Session session, const std::string& failure) {
+Evaluation failedEvaluation(Session session, FailedWork failure) {
   Evaluation evaluation;
   evaluation.session = std::move(session);
   const bool isExamined = !failureOf([&] { evaluation.examined = examine(evaluation.session); });
   if (!isExamined) evaluation.examined.problems.clear();
   evaluation.examined.measurement.reset();
-  evaluation.failure = failure;
+  evaluation.failure = std::move(failure);
   evaluation.journal = journalSummary(evaluation.session);
   return evaluation;
 }
 
-Evaluation withoutSuspects(Evaluation evaluation, const std::string& failure) {
+Evaluation withoutSuspects(Evaluation evaluation, FailedWork failure) {
   evaluation.isSearched = true;
-  evaluation.searchFailure = failure;
+  evaluation.searchFailure = std::move(failure);
   evaluation.journal = journalSummary(evaluation.session);
   return evaluation;
 }

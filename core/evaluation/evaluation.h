@@ -9,6 +9,7 @@
 #include "core/adjustment/gross_errors/suspects.h"
 #include "core/adjustment/result/session_fit.h"
 #include "core/adjustment/result/two_faces.h"
+#include "core/base/failure.h"
 #include "core/evaluation/guide.h"
 #include "core/evaluation/next_reading.h"
 #include "core/session/measurement.h"
@@ -24,14 +25,14 @@ struct EvaluationPictures;
 struct Evaluation {
   Session session;
   Examined examined;
-  SessionFit fit;                    ///< valid if `examined.measurement` is present
-  PublishedSessionFit published;     ///< likewise; with very many rows only after `isSearched`
-  std::optional<TwoFaces> twoFaces;  ///< if visits were read in both faces
-  std::vector<Suspect> suspects;     ///< readings that look misread, the most certain first
-  bool isSearched = true;            ///< false: `suspects` and `journal` follow later
-  std::string journal = {};          ///< `journalSummary`, which may require writing the session
-  std::string failure = {};          ///< why a possible fit failed: sentences
-  std::string searchFailure = {};    ///< why the search for suspects failed: sentences
+  SessionFit fit;                                ///< valid if `examined.measurement` is present
+  PublishedSessionFit published;                 ///< likewise; with very many rows only after `isSearched`
+  std::optional<TwoFaces> twoFaces;              ///< if visits were read in both faces
+  std::vector<Suspect> suspects;                 ///< readings that look misread, the most certain first
+  bool isSearched = true;                        ///< false: `suspects` and `journal` follow later
+  std::string journal = {};                      ///< `journalSummary`, which may require writing the session
+  std::optional<FailedWork> failure = {};        ///< a possible fit failed
+  std::optional<FailedWork> searchFailure = {};  ///< the search for suspects failed
   std::vector<std::optional<NextReading>> next = {};        ///< for each position
   std::shared_ptr<const Guide> guide = {};                  ///< null if the session has no protocol
   std::shared_ptr<const EvaluationPictures> pictures = {};  ///< null if nobody drew them
@@ -51,9 +52,9 @@ Evaluation withSuspects(Evaluation evaluation, const std::stop_token& stop = {})
 /// A complete copy, made once the suspects are found; absent if asked to stop before.
 std::optional<Evaluation> copyWithSuspects(const Evaluation& fitted, const std::stop_token& stop);
 /// Replaces a failed fit: the session and the problems of its entries, without a fit.
-Evaluation failedEvaluation(Session session, const std::string& failure);
+Evaluation failedEvaluation(Session session, FailedWork failure);
 /// The fit without suspects, after their search failed.
-Evaluation withoutSuspects(Evaluation evaluation, const std::string& failure);
+Evaluation withoutSuspects(Evaluation evaluation, FailedWork failure);
 /// Runs both stages.
 Evaluation evaluate(Session session);
 

@@ -2,12 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <utility>
 
-#include "core/base/phrase.h"
 #include "core/diagnosis/diagnose.h"
 #include "core/effects/catalogue.h"
-#include "core/wording/diagnosis_fault.h"
 
 namespace alidade {
 
@@ -30,25 +29,19 @@ GapStage stageOf(const SessionFit& fit) {
   const auto square = [](const AdjustedReading& reading) { return reading.residual * reading.residual; };
   const double f = fit.joint.degreesOfFreedom;
   GapStage stage{.rms = rmsOf(fit.joint, square),
-                 .reducedChiSquare = f > 0 ? fit.joint.chiSquare / f : 0,
+                 .reducedChiSquare = f > 0 ? fit.joint.chiSquare / f : NAN,
                  .intersection = {}};
   if (fit.intersection) stage.intersection = estimateOf(*fit.intersection);
   return stage;
 }
 
-/// Empty if a diagnosis is possible.
-std::string reasonForNone(const Evaluation& evaluation) {
+/// Absent if a diagnosis is possible.
+std::optional<NoDiagnosis> reasonForNone(const Evaluation& evaluation) {
   const SessionFit& fit = evaluation.fit;
-  if (!evaluation.failure.empty()) return evaluation.failure;
-  if (fit.arcs.empty())
-    return Phrase::of(
-        "There is nothing to compare yet: type the distance L, the radius R0, a pointing zero and at least "
-        "three readings of its arc.");
-  if (fit.joint.degreesOfFreedom <= 0)
-    return Phrase::of(
-        "These readings fix the arc and leave nothing over. Type further readings: each of them shows how "
-        "far the model holds.");
-  return {};
+  if (evaluation.failure) return *evaluation.failure;
+  if (fit.arcs.empty()) return Absence::NothingToCompare;
+  if (fit.joint.degreesOfFreedom <= 0) return Absence::NothingLeftOver;
+  return std::nullopt;
 }
 
 /// The bare model, then with one more effect of the session at each stage.
@@ -108,26 +101,74 @@ std::vector<UndetectableEffect> Gap::noticeablyUndetectable() const {
   return effects;
 }
 
-Gap noGap(SharedEvaluation evaluation, std::string reason) {
+namespace {
+
+/// A piece of advice, what it tells relative to the best of its kind, and its effort in sessions.
+struct Offer {
+  const Advice* advice;
+  double tells, effort;
+
+  bool beats(const Offer& other) const {
+    return advice->ofUndetectable == other.advice->ofUndetectable && effort <= other.effort &&
+           tells >= other.tells && (effort < other.effort || tells > other.tells || advice < other.advice);
+  }
+};
+
+double toldBy(const Diagnosis& diagnosis, const Advice& advice) {
+  if (!advice.ofUndetectable) return std::round(20 * advice.oneLeft);  // a twentieth is no difference
+  double variance = 0;
+  for (const UndetectableEffect& effect : diagnosis.undetectable)
+    if (std::ranges::find(advice.separates, effect.effect) != advice.separates.end())
+      variance += effect.influence * effect.influence;
+  return std::sqrt(variance);
+}
+
+/// Keeps the cheapest, the one that tells most, and between them those that tell most for their effort.
+void keepFew(std::vector<Offer>& offers) {
+  constexpr std::size_t most = 3;
+  while (offers.size() > most) {
+    const auto worst = std::min_element(
+        offers.begin() + 1, offers.end() - 1,
+        [](const Offer& a, const Offer& b) { return a.tells * b.effort < b.tells * a.effort; });
+    offers.erase(worst);
+  }
+}
+
+}  // namespace
+
+std::vector<Advice> worthwhileAdvice(const Diagnosis& diagnosis) {
+  std::vector<Offer> all, frontier;
+  double best[2] = {0, 0};
+  for (const Advice& advice : diagnosis.advice) {
+    all.push_back({&advice, toldBy(diagnosis, advice), effortOf(advice.measures)});
+    double& most = best[advice.ofUndetectable ? 1 : 0];
+    most = std::max(most, all.back().tells);
+  }
+  for (Offer& offer : all)
+    if (const double most = best[offer.advice->ofUndetectable ? 1 : 0]; most > 0) offer.tells /= most;
+  std::ranges::copy_if(all, std::back_inserter(frontier), [&](const Offer& offer) {
+    return std::ranges::none_of(all, [&](const Offer& other) { return other.beats(offer); });
+  });
+  std::ranges::stable_sort(frontier, {},
+                           [](const Offer& offer) { return std::pair(offer.effort, offer.tells); });
+  keepFew(frontier);
+  std::vector<Advice> few;
+  for (const Offer& offer : frontier) few.push_back(*offer.advice);
+  return few;
+}
+
+Gap noGap(SharedEvaluation evaluation, NoDiagnosis reason) {
   return {.evaluation = std::move(evaluation), .diagnosis = {}, .reason = std::move(reason), .stages = {}};
 }
 
-Gap assessGap(const SharedEvaluation& evaluation, const std::stop_token& stop, bool withReference) {
-  Gap gap = noGap(evaluation, reasonForNone(*evaluation));
-  gap.isWithReference = withReference;
-  if (!gap.reason.empty()) return gap;
-  auto diagnosis = diagnose(*gap.evaluation->examined.measurement, gap.evaluation->fit,
-                            {.withReference = withReference, .withAttainable = true}, stop);
-  if (!diagnosis) {
-    gap.reason = problemOf(diagnosis.problem()).what;
-    return gap;
-  }
+Gap gapOf(SharedEvaluation evaluation, Diagnosis diagnosis, const std::stop_token& stop) {
+  Gap gap = noGap(std::move(evaluation), Absence::NotMade);
   gap.stages = modelledStages(*gap.evaluation, stop);
-  for (const GapStep& step : diagnosis->steps) {
-    const auto cause = std::ranges::find(diagnosis->causes, step.effect, &Cause::effect);
+  for (const GapStep& step : diagnosis.steps) {
+    const auto cause = std::ranges::find(diagnosis.causes, step.effect, &Cause::effect);
     gap.stages.push_back({.kind = GapStage::Kind::Proposed,
                           .effect = step.effect,
-                          .grossErrors = cause == diagnosis->causes.end() ? 0 : cause->readings.size(),
+                          .grossErrors = cause == diagnosis.causes.end() ? 0 : cause->readings.size(),
                           .rms = step.size.rms,
                           .reducedChiSquare = step.size.reducedChiSquare,
                           .intersection = step.intersection});
@@ -135,7 +176,17 @@ Gap assessGap(const SharedEvaluation& evaluation, const std::stop_token& stop, b
   gap.noiseRms = rmsOf(gap.evaluation->fit.joint, [](const AdjustedReading& reading) {
     return reading.redundancy * reading.sigma * reading.sigma;
   });
-  gap.diagnosis = *std::move(diagnosis);
+  gap.diagnosis = std::move(diagnosis);
+  return gap;
+}
+
+Gap assessGap(const SharedEvaluation& evaluation, const std::stop_token& stop, bool withReference) {
+  if (auto reason = reasonForNone(*evaluation)) return noGap(evaluation, *std::move(reason));
+  auto diagnosis = diagnose(*evaluation->examined.measurement, evaluation->fit,
+                            {.withReference = withReference, .withAttainable = true}, stop);
+  Gap gap =
+      diagnosis ? gapOf(evaluation, *std::move(diagnosis), stop) : noGap(evaluation, diagnosis.problem());
+  gap.isWithReference = withReference;
   return gap;
 }
 

@@ -4,10 +4,12 @@
 #include <optional>
 #include <stop_token>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "core/diagnosis/decision.h"
 #include "core/diagnosis/result/diagnosis.h"
+#include "core/diagnosis/result/diagnosis_fault.h"
 #include "core/evaluation/evaluation.h"
 
 namespace alidade {
@@ -28,11 +30,21 @@ struct GapStage {
   std::optional<IntersectionEstimate> intersection;
 };
 
+/// Why there is no diagnosis, if neither it nor the fit failed.
+enum class Absence {
+  NotMade,           ///< nobody wanted it
+  Stopped,           ///< on request
+  NothingToCompare,  ///< no arc could be fitted
+  NothingLeftOver,   ///< the readings determine the arcs without redundancy
+};
+
+using NoDiagnosis = std::variant<Absence, FailedWork, DiagnosisFault>;
+
 /// The gap between model and readings of one evaluation: a plain value shown alike by page and report.
 struct Gap {
   SharedEvaluation evaluation;
   std::optional<Diagnosis> diagnosis;
-  std::string reason;            ///< why there is no diagnosis: a sentence
+  NoDiagnosis reason = Absence::NotMade;  ///< without a diagnosis
   std::vector<GapStage> stages;  ///< with a diagnosis: from the bare model to the model with the causes
   double noiseRms = 0;           ///< rms expected from the stated noise, arcseconds
   bool isWithReference = false;  ///< requested: the causes are weighed with the reference
@@ -58,11 +70,18 @@ struct Gap {
   std::vector<UndetectableEffect> noticeablyUndetectable() const;
 };
 
+/// The advice to show to a person: two or three at most, none of which another one beats in both what it
+/// tells and its effort. What it tells is the probability of one answer, or the influence of the effects it
+/// reveals. In order of effort.
+std::vector<Advice> worthwhileAdvice(const Diagnosis& diagnosis);
+
+/// The gap of this evaluation with its diagnosis: computes the stages. Asked to stop, it returns with fewer.
+Gap gapOf(SharedEvaluation evaluation, Diagnosis diagnosis, const std::stop_token& stop = {});
 /// Diagnoses the evaluation, weighing the causes with the reference (`DiagnosisOptions::withReference`) if
 /// requested. Takes many times as long as a fit; asked to stop, it returns early without a diagnosis.
 Gap assessGap(const SharedEvaluation& evaluation, const std::stop_token& stop = {},
               bool withReference = false);
 /// A gap without a diagnosis, for this reason.
-Gap noGap(SharedEvaluation evaluation, std::string reason);
+Gap noGap(SharedEvaluation evaluation, NoDiagnosis reason);
 
 }  // namespace alidade

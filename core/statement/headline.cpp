@@ -9,6 +9,7 @@
 #include "core/diagnosis/decision.h"
 #include "core/evaluation/findings.h"
 #include "core/session/hindrance.h"
+#include "core/statement/gap.h"
 #include "core/statement/headline_lines.h"
 #include "core/wording/across.h"
 #include "core/wording/verdict.h"
@@ -170,7 +171,7 @@ Headline headlineOf(const Gap& gap, const std::vector<Dependence>& dependences) 
   Headline headline = evaluation.fit.intersection ? headlineOf(*evaluation.examined.measurement,
                                                                evaluation.fit, gap.found(), dependences)
                                                   : frameOf(evaluation);
-  if (evaluation.fit.intersection && !gap.measured()) headline.tip = gap.reason;
+  if (evaluation.fit.intersection && !gap.measured()) headline.tip = reasonForNone(gap);
   setHindrance(headline, evaluation);
   return headline;
 }

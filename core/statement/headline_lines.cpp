@@ -8,9 +8,8 @@
 #include "core/base/quantity_text.h"
 #include "core/effects/cause_ids.h"
 #include "core/wording/across.h"
-#include "core/wording/cause_name.h"
 #include "core/wording/conditions.h"
-#include "core/wording/gap_in_few_words.h"
+#include "core/wording/effect_name.h"
 
 namespace alidade {
 
@@ -122,7 +121,7 @@ Line referenceLine(const Measurement& measurement, const SessionFit& fit, const 
   const double own = fit.intersection->coverageFactor * measurement.sigmaReference.value_or(0);
   const double expanded = std::hypot(found.expanded, own), score = std::abs(difference) / expanded;
   const std::string size = lengthText(difference, expanded), given = referenceGiven(measurement);
-  Line line{.kind = Line::Kind::Reference};
+  Line line{.kind = Line::Kind::Reference, .text = {}};
   if (!std::isfinite(score)) {
     line.text = Phrase::of("Reference %1: difference %2", given, size);
   } else if (score <= 1) {

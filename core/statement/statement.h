@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -13,25 +14,36 @@ struct Statement {
       Name,    ///< what the row is about
       Word,    ///< a short word, such as a type
       Figure,  ///< a number with its unit
+      Bar,     ///< a quantity, with a bar of `Row::bar`
+      Text,    ///< words of any length, below the row
       Remark,  ///< a place without room for it shows it on demand
     };
 
     std::string id;     ///< for tests and other programs: "share"
     std::string title;  ///< may be empty
     Role role = Role::Figure;
+    std::string remark = {};  ///< explains the column; only a place that shows remarks on demand has it
   };
 
   struct Row {
     std::vector<std::string> cells;  ///< one for each column
     bool isTotal = false;            ///< a sum of the rows above
+    bool isPart = false;             ///< a detail of the last row that is none
+    bool isNotable = false;          ///< stands out, such as a closure that fails
+    std::string id = {};             ///< what actions on the row refer to: "trunnion_tilt"
+    std::string about = {};          ///< explains its name; shown on demand
+    std::optional<double> bar = {};  ///< 0…1, of the column with this role
   };
 
   std::string id;  ///< "budget_measured"
   std::string title;
-  std::vector<Column> columns;
+  std::vector<Column> columns;  ///< the first is a Name
   std::vector<Row> rows;
   std::vector<std::string> sentences = {};
   std::string note = {};  ///< explains the columns
+
+  /// The cells of a row with the role Text, each below the row: "cannot be told from: gravity sag".
+  std::vector<std::string> textsBelow(const Row& row) const;
 };
 
 }  // namespace alidade

@@ -12,7 +12,7 @@ namespace alidade {
 /// trunnion_tilt known to 0.21 mm." It names the easiest measures and the most effective one. Empty if the
 /// list is empty; `name` names the effects.
 std::string attainableSentence(const std::vector<AttainableUncertainty>& attainable,
-                               const CauseNamer& name = byId);
+                               const CauseNamer& name = causeName);
 
 /// Returns the entry with the fewest further measures, among equal ones that with the smallest U; null if no
 /// measure reduces U.

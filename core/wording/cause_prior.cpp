@@ -1,7 +1,8 @@
 #include "core/wording/cause_prior.h"
 
-#include "core/base/number_text.h"
+#include "core/base/quantity_text.h"
 #include "core/effects/catalogue.h"
+#include "core/wording/effect_name.h"
 
 namespace alidade {
 
@@ -9,8 +10,7 @@ std::string plausibleSizeText(const std::string& id) {
   const Effect* effect = effectById(id);
   if (!effect) return "";
   const EffectParameter& parameter = effect->parameters.front();
-  return shortestText(parameter.plausible) +
-         (parameter.unit.size() > 1 ? " " + std::string(parameter.unit) : "");
+  return displayShortest(parameter.plausible) + signOf(std::string(parameter.unit));
 }
 
 }  // namespace alidade

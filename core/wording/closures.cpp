@@ -5,6 +5,7 @@
 #include "core/base/list_text.h"
 #include "core/base/phrase.h"
 #include "core/base/quantity_text.h"
+#include "core/base/statistics.h"
 #include "core/wording/position_name.h"
 
 namespace alidade {
@@ -23,9 +24,8 @@ std::string nameInWords(const Closure::Repeated& repeated) {
 std::string nameOfZeros(const Closure& closure) {
   const Closure::Repeated later = closure.repeated.value_or(Closure::Repeated{180, 1, {}});
   const std::string position = positionName(later.axisDeg, later.time);
-  return closure.of == Closure::Of::ZeroAzimuth
-             ? Phrase::of("pointing zero of %1 less that of the first position, horizontally", position)
-             : Phrase::of("pointing zero of %1 less that of the first position, vertically", position);
+  return closure.of == Closure::Of::ZeroAzimuth ? Phrase::of("α0(%1) − first α0", position)
+                                                : Phrase::of("β0(%1) − first β0", position);
 }
 
 }  // namespace
@@ -53,6 +53,10 @@ std::string textOf(const Closure& closure) {
   const int decimals = decimalsFor(closure.sigma);
   return nameInWords(closure) + " = " + displayText(closure.value, decimals) + " mm (u " +
          displayText(closure.sigma, decimals) + "), " + displayText(closure.sigmas(), 1) + " σ";
+}
+
+double expandedOf(const Closure& closure, double coverage) {
+  return coverageFactor(coverage, DegreesOfFreedom::infinite()) * closure.sigma;
 }
 
 std::string misclosureSentence(const Diagnosis& diagnosis) {

@@ -12,6 +12,9 @@ std::string nameInWords(const Closure& closure);
 /// "R(180°) − R(0°) = 1.96 mm (u 0.28), 7.0 σ".
 std::string textOf(const Closure& closure);
 
+/// U of a misclosure at `coverage`, mm. Treats its σ as exactly known.
+double expandedOf(const Closure& closure, double coverage);
+
 /// Names the closures that fail even with the causes in the model, and the consequence; empty if none fails.
 std::string misclosureSentence(const Diagnosis& diagnosis);
 

@@ -5,7 +5,11 @@
 #include "core/base/list_text.h"
 #include "core/base/phrase.h"
 #include "core/base/quantity_text.h"
+#include "core/effects/cause_ids.h"
+#include "core/wording/closures.h"
+#include "core/wording/effect_name.h"
 #include "core/wording/position_name.h"
+#include "core/wording/verdict.h"
 
 namespace alidade {
 
@@ -42,6 +46,32 @@ std::string rowsText(const std::vector<Dependence>& dependences, Verdict without
   return Phrase::of("%1 without %2", verdictText(without), listed(rows, Phrase::of(" or ")));
 }
 
+std::string sigmasText(const Closure& closure) {
+  constexpr double many = 10;
+  return displayText(closure.sigmas(), closure.sigmas() < many ? 1 : 0);
+}
+
+std::string failureText(const Closure& closure) {
+  const std::string sigmas = sigmasText(closure);
+  switch (closure.of) {
+    case Closure::Of::Radius:
+      return Phrase::of("the radii differ by %1 σ", sigmas);
+    case Closure::Of::Centre:
+      return Phrase::of("Δx differs by %1 σ", sigmas);
+    case Closure::Of::NominalRadius:
+      return Phrase::of("R and R0 differ by %1 σ", sigmas);
+    case Closure::Of::Reference:
+      return Phrase::of("Δd and the reference differ by %1 σ", sigmas);
+    case Closure::Of::ZeroAzimuth:
+      return Phrase::of("the pointing zeros differ horizontally by %1 σ", sigmas);
+    case Closure::Of::ZeroElevation:
+      return Phrase::of("the pointing zeros differ vertically by %1 σ", sigmas);
+    case Closure::Of::Repeat:
+      break;
+  }
+  return Phrase::of("%1 is off by %2 σ", nameInWords(closure), sigmas);
+}
+
 }  // namespace
 
 std::string momentText(const UndetectableJump& jump) {
@@ -70,6 +100,32 @@ std::string dependenceSentence(const std::vector<Dependence>& dependences) {
   for (const Verdict without : {Verdict::Undecided, Verdict::Accept, Verdict::Reject})
     if (std::string rows = rowsText(dependences, without); !rows.empty()) parts.push_back(std::move(rows));
   return parts.empty() ? "" : Phrase::of("The verdict depends on a single row: %1.", listed(parts));
+}
+
+std::string causesWithProbability(const Diagnosis& diagnosis) {
+  constexpr std::size_t mostNamed = 3;
+  std::vector<const Cause*> causes;
+  for (const Cause& cause : diagnosis.causes)
+    if (cause.effect != noiseId) causes.push_back(&cause);
+  std::ranges::stable_sort(causes, std::ranges::greater(), &Cause::probability);
+  std::vector<std::string> names;
+  for (const Cause* cause : causes)
+    //: a cause and its probability: "plane offset (72 %)"
+    names.push_back(
+        Phrase::of("%1 (%2)", causeName(cause->effect), shortProbabilityText(cause->probability)));
+  const std::size_t more = names.size() - std::min(names.size(), mostNamed);
+  names.resize(names.size() - more);
+  if (more > 0) names.push_back(more == 1 ? Phrase::of("1 other") : Phrase::of("%1 others", more));
+  if (!names.empty() && diagnosis.verdict == DiagnosisVerdict::NotInCatalogue)
+    names.push_back(Phrase::of("an unknown cause"));
+  return listed(names, Phrase::of(" and "));
+}
+
+std::string failedClosures(const Diagnosis& diagnosis) {
+  std::vector<std::string> failures;
+  for (const ClosureStep& step : diagnosis.closures)
+    if (fails(step.before)) failures.push_back(failureText(step.before));
+  return listed(failures);
 }
 
 }  // namespace alidade

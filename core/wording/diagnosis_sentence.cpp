@@ -8,6 +8,7 @@
 #include "core/base/quantity_text.h"
 #include "core/effects/cause_ids.h"
 #include "core/wording/known_checks.h"
+#include "core/wording/position_name.h"
 
 namespace alidade {
 
@@ -99,8 +100,40 @@ std::string patternName(const GapShape& shape) {
   return Phrase::of(shape.follows.c_str());
 }
 
-std::string byId(const std::string& id) {
-  return id;
+std::string headlineOf(const Diagnosis& diagnosis) {
+  const std::vector<Cause>& causes = diagnosis.causes;
+  switch (diagnosis.verdict) {
+    case DiagnosisVerdict::WithinNoise:
+      return isMisclosed(diagnosis) ? Phrase::of("The positions do not close")
+                                    : Phrase::of("No gap: within the noise");
+    case DiagnosisVerdict::SingleCause:
+      return Phrase::of("One cause: %1", causeName(causes.front().effect));
+    case DiagnosisVerdict::Ambiguous:
+      return Phrase::of("One of %1 causes that look alike here",
+                        causes.front().indistinguishableFrom.size() + 1);
+    case DiagnosisVerdict::SeveralCauses:
+      return diagnosis.hasMoreCausesThanSeparable
+                 ? Phrase::of("More causes than these readings can take apart")
+                 : Phrase::of("%1 causes", causes.size());
+    case DiagnosisVerdict::NotInCatalogue:
+      break;
+  }
+  if (causes.empty()) return Phrase::of("A gap of no known cause");
+  return causes.size() == 1 ? Phrase::of("An unknown cause beside %1", causeName(causes.front().effect))
+                            : Phrase::of("An unknown cause beside %1 known ones", causes.size());
+}
+
+std::string readingName(const ReadingDeviation& reading) {
+  std::vector<std::string> where{positionName(reading.axisDeg, reading.time),
+                                 Phrase::of("point %1", reading.point), inWords(reading.kind)};
+  if (reading.round != 1) where.push_back(Phrase::of("round %1", reading.round));
+  if (reading.face != 1) where.push_back(Phrase::of("face %1", reading.face));
+  return listed(where);
+}
+
+std::string secondsWithSign(double arcseconds) {
+  const std::string text = displayText(arcseconds, 1) + "″";
+  return text.starts_with("0.0") || arcseconds < 0 ? text : "+" + text;
 }
 
 namespace {

@@ -2,9 +2,11 @@
 
 #include <algorithm>
 
+#include "core/base/list_text.h"
 #include "core/base/phrase.h"
 #include "core/base/visible_text.h"
 #include "core/effects/catalogue.h"
+#include "core/effects/cause_ids.h"
 #include "core/session/own_effects.h"
 
 namespace alidade {
@@ -14,6 +16,37 @@ std::string effectName(const std::string& id) {
   std::string name = visibleText(id.starts_with(ownPrefix) ? id.substr(ownPrefix.size()) : id);
   std::ranges::replace(name, '_', ' ');
   return name;
+}
+
+std::string causeName(const std::string& id) {
+  if (id == jumpId) return Phrase::of("a jump of the orientation");
+  if (id == grossErrorId) return Phrase::of("misread values");
+  if (id == noiseId) return Phrase::of("noise larger than stated");
+  if (id == formId) return Phrase::of("the form");
+  if (id == relationId) return Phrase::of("the vertical angle relation");
+  return effectName(id);
+}
+
+std::string causeTitle(const std::string& id) {
+  std::string name = causeName(id);
+  for (const std::string_view article : {"a ", "the "})
+    if (name.starts_with(article)) name.erase(0, article.size());
+  return withCapital(name);
+}
+
+std::string causeNames(const std::vector<std::string>& ids, const std::string& last) {
+  std::vector<std::string> names;
+  for (const std::string& id : ids) names.push_back(causeName(id));
+  return listed(names, last);
+}
+
+std::string byId(const std::string& id) {
+  return id;
+}
+
+std::string withCapital(std::string text) {
+  if (!text.empty() && text[0] >= 'a' && text[0] <= 'z') text[0] = static_cast<char>(text[0] - 'a' + 'A');
+  return text;
 }
 
 std::string signOf(const std::string& unit) {

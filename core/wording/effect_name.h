@@ -1,12 +1,30 @@
 #pragma once
 
+#include <functional>
 #include <string>
+#include <vector>
 
 namespace alidade {
 
 /// The common name of an effect from its identifier: "trunnion tilt". That of a user's own effect or an
 /// unknown one is its identifier without prefix and underscores, made visible.
 std::string effectName(const std::string& id);
+
+/// The name of anything a diagnosis may name, within a sentence: an effect, "a jump of the orientation",
+/// "misread values", "noise larger than stated".
+std::string causeName(const std::string& id);
+/// The same with a capital letter and without its article.
+std::string causeTitle(const std::string& id);
+/// The names of several; `last` separates the last two, blanks included: " or ".
+std::string causeNames(const std::vector<std::string>& ids, const std::string& last);
+
+/// Returns the name of a cause from its identifier.
+using CauseNamer = std::function<std::string(const std::string& id)>;
+/// Names a cause by its identifier, as in files.
+std::string byId(const std::string& id);
+
+/// "Gravity sag": a capital first letter, if it is an ASCII letter.
+std::string withCapital(std::string text);
 
 /// The sign of a unit of the catalogue, with the blank before it: "″", "°", " mm"; empty for others.
 std::string signOf(const std::string& unit);

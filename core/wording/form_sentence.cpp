@@ -118,15 +118,6 @@ std::string sumText(const FoundForm& found, std::size_t first) {
   return text;
 }
 
-/// The kind of a look-alike without its numbers.
-std::string kindText(const FormLookAlike& other, const CauseNamer& name) {
-  if (!other.effect.empty()) return name(other.effect);
-  std::string text = carrierText(other.form) + ", " + functionTexts(other.form).front();
-  return other.form.turnsWithFace && other.form.of != FormArgument::VerticalCircle
-             ? Phrase::of("%1 with the other sign in face 2", text)
-             : text;
-}
-
 std::string percentText(double share) {
   return displayText(100 * share, 0);
 }
@@ -145,21 +136,31 @@ std::string textOf(const FoundForm& found) {
                     sumText(found, found.coefficients.size() / 2));
 }
 
+std::string kindText(const Form& form) {
+  std::string text = carrierText(form) + ", " + functionTexts(form).front();
+  return form.turnsWithFace && form.of != FormArgument::VerticalCircle
+             ? Phrase::of("%1 with the other sign in face 2", text)
+             : text;
+}
+
 std::string formSentence(const FoundForm& found) {
   return Phrase::of("The form: %1 (probability %2).", textOf(found), shortProbabilityText(found.probability));
 }
 
-std::string lookAlikesSentence(const FoundForm& found, const CauseNamer& name) {
+std::string lookAlikesText(const FoundForm& found) {
   constexpr std::size_t most = 6;
   const std::size_t count = found.indistinguishableFrom.size();
-  if (count == 0) return {};
   std::vector<std::string> kinds;
-  // Lists effects of the catalogue first.
   for (const bool isEffect : {true, false})
     for (const FormLookAlike& other : found.indistinguishableFrom)
-      if (other.effect.empty() != isEffect && kinds.size() < most) kinds.push_back(kindText(other, name));
-  if (count <= most) return Phrase::of("These readings cannot tell it from: %1.", listed(kinds));
-  return Phrase::of("These readings cannot tell it from: %1, and %2 more.", listed(kinds), count - most);
+      if (other.effect.empty() != isEffect && kinds.size() < most)
+        kinds.push_back(isEffect ? causeName(other.effect) : kindText(other.form));
+  return count <= most ? listed(kinds) : Phrase::of("%1, and %2 more", listed(kinds), count - most);
+}
+
+std::string lookAlikesSentence(const FoundForm& found) {
+  if (found.indistinguishableFrom.empty()) return {};
+  return Phrase::of("These readings cannot tell it from: %1.", lookAlikesText(found));
 }
 
 std::string cleanRangeSentence(const FoundForm& found) {

@@ -16,11 +16,17 @@ std::string sizeText(double value, double sigma, const Form& form);
 /// "radius + 0.19 mm · cos 7s − 0.19 mm · sin 7s, turning with the guideway".
 std::string textOf(const FoundForm& found);
 
+/// "radius, cos 7s": its carrier and function without the amplitude.
+std::string kindText(const Form& form);
+
 /// "The form: … (probability 97 %)."
 std::string formSentence(const FoundForm& found);
 
+/// "vertical drift, radius, cos 2s, and 3 more": its look-alikes, effects of the catalogue first.
+std::string lookAlikesText(const FoundForm& found);
+
 /// "These readings cannot tell it from: …."; empty without look-alikes.
-std::string lookAlikesSentence(const FoundForm& found, const CauseNamer& name = byId);
+std::string lookAlikesSentence(const FoundForm& found);
 
 /// Where the model holds without the form. Empty of a harmonic, which goes on everywhere, and of two levels.
 std::string cleanRangeSentence(const FoundForm& found);

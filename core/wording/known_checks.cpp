@@ -74,14 +74,6 @@ const KnownCheck* farthest(const Diagnosis& diagnosis, const std::string& effect
 
 }  // namespace
 
-std::string textOf(const KnownCheck& check, const CauseNamer& name) {
-  const std::string number = numberText(check, name),
-                    known = sizeText(check.known, check.sigmaKnown, check.unit);
-  if (!check.isSeen) return Phrase::of("%1: known as %2; these readings do not show it", number, known);
-  return Phrase::of("%1: known as %2; these readings say %3", number, known,
-                    sizeText(check.value, check.sigma, check.unit));
-}
-
 std::string staleSentence(const Diagnosis& diagnosis, const CauseNamer& name) {
   std::string sentences;
   const auto add = [&](const std::string& sentence) { sentences = inTurn(sentences, sentence); };

@@ -9,12 +9,8 @@ namespace alidade {
 
 // The comparison of known sizes with the readings, in words. `name` names the effects.
 
-/// "collimation: known as 3.2 ± 0.5″; these readings say 3.0 ± 0.4″": 1σ each, without a full
-/// stop.
-std::string textOf(const KnownCheck& check, const CauseNamer& name = byId);
-
 /// One sentence for each effect whose known size is out of date, and for each cause that only known sizes
 /// distinguish from another. Empty without either.
-std::string staleSentence(const Diagnosis& diagnosis, const CauseNamer& name = byId);
+std::string staleSentence(const Diagnosis& diagnosis, const CauseNamer& name = causeName);
 
 }  // namespace alidade

@@ -67,14 +67,6 @@ Words wordsOf(const KnownRadiusContradicted& finding) {
       Phrase::of("Check R0, its σ and the distance, or let the radius be free.")};
 }
 
-Words wordsOf(const OffReference& finding) {
-  return {Phrase::of("Δd, fit only, differs from the reference %1 mm by %2 mm, more than its expanded "
-                     "uncertainty of %3 mm.",
-                     displayShortest(finding.reference), threeDecimals(finding.difference),
-                     threeDecimals(finding.expanded)),
-          Phrase::of("Nothing was fitted to the reference; find what separates the two.")};
-}
-
 Words wordsOf(const UnknownEffect& finding) {
   return {Phrase::of("The session's model names %1, which is no effect that can be estimated.",
                      quotation(finding.id)),

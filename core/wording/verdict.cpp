@@ -70,22 +70,21 @@ std::string agreement(const std::string& first, const std::string& second, Verdi
 }
 
 /// The largest contribution to U, and what to do about it.
-std::string wayOut(const Diagnosis& diagnosis, const CauseNamer& name) {
+std::string wayOut(const Diagnosis& diagnosis) {
   const UncertaintyShare& most = diagnosis.measured->budget.front();
   if (most.effect.empty() || most.from == UncertaintyShare::From::Diagnosis)
     return Phrase::of("Add to the model what was found, or measure what the diagnosis advises.");
   const AttainableUncertainty* easiest = easiestMeasured(diagnosis.attainable);
   return easiest
              ? Phrase::of("Most of U comes from %1 at its plausible size: with %2, U would be about %3 mm.",
-                          name(most.effect), textOf(easiest->measures),
+                          causeName(most.effect), textOf(easiest->measures),
                           displayText(easiest->expanded, decimalsFor(easiest->expanded)))
              : Phrase::of("Most of U comes from %1 at its plausible size: measure what shows it.",
-                          name(most.effect));
+                          causeName(most.effect));
 }
 
 std::string bothAccounts(const Measurement& measurement, const Intersection& modelled,
-                         const Diagnosis& diagnosis, const AcceptanceDecision& decision,
-                         const CauseNamer& name) {
+                         const Diagnosis& diagnosis, const AcceptanceDecision& decision) {
   const double tolerance = *measurement.tolerance;
   const std::string limit = limitText(tolerance);
   const std::string first = lengthText(modelled.value, modelled.expanded, tolerance);
@@ -100,7 +99,7 @@ std::string bothAccounts(const Measurement& measurement, const Intersection& mod
   if (decision.asModelled == decision.asFound) return agreement(first, second, decision.asModelled, limit);
   return Phrase::of("Δd = %1, all effects considered, is %2; Δd from the fit only, %3, is %4. %5", second,
                     standing(*decision.asFound, limit), first,
-                    standing(decision.asModelled, Phrase::of("it")), wayOut(diagnosis, name));
+                    standing(decision.asModelled, Phrase::of("it")), wayOut(diagnosis));
 }
 
 /// The distance from the axis as a whole, if both its parts are known.
@@ -128,11 +127,11 @@ std::string acrossText(const Measurement& measurement, const Diagnosis* diagnosi
 
 /// The accounts that the verdict is based on.
 std::string accountsText(const Measurement& measurement, const SessionFit& fit, const Diagnosis* diagnosis,
-                         const AcceptanceDecision& decision, const CauseNamer& name) {
+                         const AcceptanceDecision& decision) {
   if (measurement.measurand == Measurand::Distance && diagnosis && diagnosis->measured &&
       diagnosis->measured->distance)
     return distanceText(measurement, *diagnosis->measured, decision);
-  if (decision.showsBoth) return bothAccounts(measurement, *fit.intersection, *diagnosis, decision, name);
+  if (decision.showsBoth) return bothAccounts(measurement, *fit.intersection, *diagnosis, decision);
   return verdictSentence(fit.intersection->value, fit.intersection->expanded, *measurement.tolerance,
                          measurement.coverage);
 }
@@ -200,13 +199,13 @@ std::string shortProbabilityText(double probability) {
 }
 
 std::string verdictSentence(const Measurement& measurement, const SessionFit& fit, const Diagnosis* diagnosis,
-                            const AcceptanceDecision& decision, const CauseNamer& name) {
+                            const AcceptanceDecision& decision) {
   if (fit.lengthsInDoubt) return withheldBy(*fit.lengthsInDoubt);
   if (decision.obstacle == AcceptanceDecision::Obstacle::Coverage)
     return Phrase::of("There is no verdict at a coverage of %1 %: state acceptance.coverage as %2 or more.",
                       displayShortest(measurement.coverage * 100), displayShortest(leastCoverageOfVerdict));
   const std::string rests =
-      inTurn(accountsText(measurement, fit, diagnosis, decision, name), acrossText(measurement, diagnosis));
+      inTurn(accountsText(measurement, fit, diagnosis, decision), acrossText(measurement, diagnosis));
   if (decision.obstacle == AcceptanceDecision::Obstacle::AcrossUnknown)
     return Phrase::of(
         "The tolerance is of the distance from the axis as a whole, and how far the arc's centre lies "

@@ -11,9 +11,9 @@ namespace alidade {
 
 /// States the basis of the verdict, or why it is withheld, and the probability that |Δd| is within the
 /// tolerance. It gives both accounts of Δd if necessary. `fit`, `diagnosis` (may be null) and `decision`
-/// belong to `measurement`; `name` names the effects.
+/// belong to `measurement`.
 std::string verdictSentence(const Measurement& measurement, const SessionFit& fit, const Diagnosis* diagnosis,
-                            const AcceptanceDecision& decision, const CauseNamer& name = byId);
+                            const AcceptanceDecision& decision);
 
 /// Whether that sentence mentions the offset across the plane of the arc. It does not if the verdict is
 /// withheld or the offset is below its uncertainty.

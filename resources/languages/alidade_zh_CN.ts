@@ -1166,62 +1166,9 @@ Sealed by:</source>
 <context>
     <name>GapText</name>
     <message>
-        <source> The model holds %1; without, the residuals are %2 instead of %3.</source>
-        <translation>模型包含%1；若不包含，残差为 %2 而不是 %3。</translation>
-    </message>
-    <message>
-        <source>without the misread value</source>
-        <translation>去掉误读值</translation>
-    </message>
-    <message>
-        <source>without 1 misread value</source>
-        <translation>去掉 1 个误读值</translation>
-    </message>
-    <message>
-        <source>without %1 misread values</source>
-        <translation>去掉 %1 个误读值</translation>
-    </message>
-    <message>
-        <source>as modelled</source>
-        <translation>按模型</translation>
-    </message>
-    <message>
-        <source>without model effects</source>
-        <translation>不含模型效应</translation>
-    </message>
-    <message>
         <source>%1 %2</source>
         <extracomment>a number of an effect and its size: sag −0.298 mm (u 0.009)</extracomment>
         <translation>%1 %2</translation>
-    </message>
-    <message>
-        <source>point %1</source>
-        <translation>测点 %1</translation>
-    </message>
-    <message>
-        <source>round %1</source>
-        <translation>测回 %1</translation>
-    </message>
-    <message>
-        <source>face %1</source>
-        <translation>盘位 %1</translation>
-    </message>
-    <message>
-        <source>%1: off by %2</source>
-        <extracomment>a reading and its error: 0°, point 11, horizontal: off by +29.0″</extracomment>
-        <translation>%1：偏差 %2</translation>
-    </message>
-    <message>
-        <source> and </source>
-        <translation>和</translation>
-    </message>
-    <message>
-        <source>in the model: %1</source>
-        <translation>已在模型中：%1</translation>
-    </message>
-    <message>
-        <source>+ what is known</source>
-        <translation>+ 已知量值</translation>
     </message>
 </context>
 <context>
@@ -1300,57 +1247,6 @@ Sealed by:</source>
     <message>
         <source>Centres of the fit, enlarged</source>
         <translation>拟合的圆心，放大</translation>
-    </message>
-</context>
-<context>
-    <name>Job</name>
-    <message>
-        <source>export</source>
-        <translation>导出</translation>
-    </message>
-    <message>
-        <source>acceptance report</source>
-        <translation>验收报告</translation>
-    </message>
-    <message>
-        <source>reading of the files</source>
-        <translation>文件读取</translation>
-    </message>
-    <message>
-        <source>fit</source>
-        <translation>拟合</translation>
-    </message>
-    <message>
-        <source>search for misread readings</source>
-        <translation>误读读数的查找</translation>
-    </message>
-    <message>
-        <source>diagnosis</source>
-        <translation>诊断</translation>
-    </message>
-    <message>
-        <source>simulation</source>
-        <translation>模拟</translation>
-    </message>
-    <message>
-        <source>blind trial</source>
-        <translation>盲测</translation>
-    </message>
-    <message>
-        <source>window</source>
-        <translation>窗口</translation>
-    </message>
-    <message>
-        <source>instrument check</source>
-        <translation>仪器检查</translation>
-    </message>
-    <message>
-        <source>series</source>
-        <translation>系列</translation>
-    </message>
-    <message>
-        <source>outlook</source>
-        <translation>预估</translation>
     </message>
 </context>
 <context>
@@ -2913,6 +2809,7 @@ Sealed by:</source>
     </message>
     <message>
         <source>%1.</source>
+        <extracomment>what an effect is, as a sentence of its own</extracomment>
         <translation>%1。</translation>
     </message>
     <message>
@@ -3272,10 +3169,6 @@ Sealed by:</source>
         <translation>请检查 R0、其 σ 和距离，或让半径自由。</translation>
     </message>
     <message>
-        <source>Nothing was fitted to the reference; find what separates the two.</source>
-        <translation>没有任何量是按参考值拟合的；请找出两者差异的原因。</translation>
-    </message>
-    <message>
         <source>The session&apos;s model names %1, which is no effect that can be estimated.</source>
         <translation>会话的模型中有 %1，它不是可以估计的效应。</translation>
     </message>
@@ -3575,7 +3468,9 @@ Sealed by:</source>
         <source>%1: %2</source>
         <extracomment>a name and what it is: &quot;Δd: not determined by these readings&quot;
 ----------
-a sentence and what it rests on: &quot;… (72 %): the radii differ by 13 σ&quot;</extracomment>
+a sentence and what it rests on: &quot;… (72 %): the radii differ by 13 σ&quot;
+----------
+title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</extracomment>
         <translation>%1：%2</translation>
     </message>
     <message>
@@ -3877,14 +3772,6 @@ a sentence and what it rests on: &quot;… (72 %): the radii differ by 13 σ&quo
     <message>
         <source>By %1, %2 is %3; these readings say %4: what is known is stale, with a probability of %5.</source>
         <translation>据%1，%2为 %3；这些读数显示为 %4：已知内容已过时，概率为%5。</translation>
-    </message>
-    <message>
-        <source>%1: known as %2; these readings do not show it</source>
-        <translation>%1：已知为 %2；这些读数没有显示它</translation>
-    </message>
-    <message>
-        <source>%1: known as %2; these readings say %3</source>
-        <translation>%1：已知为 %2；这些读数显示为 %3</translation>
     </message>
     <message>
         <source>Were what is known of %1 stale, these readings could not tell it from %2.</source>
@@ -5640,14 +5527,6 @@ a sentence and what it rests on: &quot;… (72 %): the radii differ by 13 σ&quo
         <translation>%1 偏离水平方向 %2°，比能够瞄准圆弧的方向更陡：请检查度数和盘位</translation>
     </message>
     <message>
-        <source>pointing zero of %1 less that of the first position, horizontally</source>
-        <translation>%1 的瞄准零位减第一位置的瞄准零位（水平方向）</translation>
-    </message>
-    <message>
-        <source>pointing zero of %1 less that of the first position, vertically</source>
-        <translation>%1 的瞄准零位减第一位置的瞄准零位（竖直方向）</translation>
-    </message>
-    <message>
         <source>%1 (%2 periods in a turn)</source>
         <translation>%1（每周 %2 个周期）</translation>
     </message>
@@ -5747,10 +5626,6 @@ a sentence and what it rests on: &quot;… (72 %): the radii differ by 13 σ&quo
     <message>
         <source>Δd, fit only, and Δd, measured, are on different sides of the tolerance: look at the gap before you sight more.</source>
         <translation>仅拟合 Δd 与实测 Δd 分处允差两侧：继续照准前请先查看偏差。</translation>
-    </message>
-    <message>
-        <source>Δd, fit only, differs from the reference %1 mm by %2 mm, more than its expanded uncertainty of %3 mm.</source>
-        <translation>仅拟合 Δd 与参考值 %1 mm 相差 %2 mm，超过其扩展不确定度 %3 mm。</translation>
     </message>
     <message>
         <source>All readings of the vertical circle are multiples of %1: rounding alone scatters them by %2 (1σ), more than the stated %3.</source>
@@ -5955,10 +5830,6 @@ a sentence and what it rests on: &quot;… (72 %): the radii differ by 13 σ&quo
     <message>
         <source>These readings cannot tell it from: %1.</source>
         <translation>这些读数无法将其与下列区分：%1。</translation>
-    </message>
-    <message>
-        <source>These readings cannot tell it from: %1, and %2 more.</source>
-        <translation>这些读数无法将其与下列区分：%1，以及另外 %2 种。</translation>
     </message>
     <message>
         <source>On %1 readings that took no part in finding it the gap shrinks by %2 %, in all readings by %3 % (F test: p = %4).</source>
@@ -6258,6 +6129,433 @@ a sentence and what it rests on: &quot;… (72 %): the radii differ by 13 σ&quo
         <translation>%1的多份测量记录显示同一形态：%2（u %3）：%4。可将其存为影响因素。</translation>
     </message>
     <message>
+        <source>The %1 failed: %2. Nothing typed is lost; save the session and go on. What is needed to report this is in %3.</source>
+        <translation>%1失败：%2。录入的内容没有丢失；请保存会话后继续。报告此问题所需的信息在 %3。</translation>
+    </message>
+    <message>
+        <source>The %1 failed: %2. Nothing typed is lost; save the session and go on. What is needed to report this could not be written to %3.</source>
+        <translation>%1失败：%2。录入的内容没有丢失；请保存会话后继续。报告此问题所需的信息无法写入 %3。</translation>
+    </message>
+    <message>
+        <source>would show %1 by %2 σ or more</source>
+        <translation>能以 %2 σ 或更高的程度显示%1</translation>
+    </message>
+    <message>
+        <source>separates %1 by %2 σ or more</source>
+        <translation>能以 %2 σ 或更高的程度区分%1</translation>
+    </message>
+    <message>
+        <source>separates every two of %1 by %2 σ or more</source>
+        <translation>能以 %2 σ 或更高的程度两两区分%1</translation>
+    </message>
+    <message>
+        <source>%1; one answer is left with a probability of %2</source>
+        <translation>%1；只剩一个答案的概率为 %2</translation>
+    </message>
+    <message>
+        <source>What to measure next</source>
+        <translation>接下来测量什么</translation>
+    </message>
+    <message>
+        <source>Measure</source>
+        <translation>测量</translation>
+    </message>
+    <message>
+        <source>rows, about</source>
+        <translation>约需行数</translation>
+    </message>
+    <message>
+        <source>What it tells</source>
+        <translation>能说明什么</translation>
+    </message>
+    <message>
+        <source>No further reading of the usual kinds would tell more.</source>
+        <translation>常见种类的进一步读数不会说明更多。</translation>
+    </message>
+    <message>
+        <source>closes %1: %2 σ → %3 σ</source>
+        <translation>使 %1 闭合：%2 σ → %3 σ</translation>
+    </message>
+    <message>
+        <source>residuals %1″ → %2″</source>
+        <translation>残差 %1″ → %2″</translation>
+    </message>
+    <message>
+        <source>reduced χ² %1 → %2</source>
+        <translation>约化 χ² %1 → %2</translation>
+    </message>
+    <message>
+        <source>order</source>
+        <translation>阶数</translation>
+    </message>
+    <message>
+        <source>cycles</source>
+        <translation>周期数</translation>
+    </message>
+    <message>
+        <source>at</source>
+        <translation>位置</translation>
+    </message>
+    <message>
+        <source>width</source>
+        <translation>宽度</translation>
+    </message>
+    <message>
+        <source>before %1, row %2</source>
+        <extracomment>a position and a row of it: &quot;before 0°, row 35&quot;</extracomment>
+        <translation>在 %1 第 %2 行之前</translation>
+    </message>
+    <message>
+        <source>Form: %1</source>
+        <extracomment>what a form is carried by, and its function: &quot;Form: radius, cos 7s&quot;</extracomment>
+        <translation>形式：%1</translation>
+    </message>
+    <message>
+        <source>Pattern: %1</source>
+        <translation>规律：%1</translation>
+    </message>
+    <message>
+        <source>%1 % of the gap</source>
+        <translation>差距的 %1 %</translation>
+    </message>
+    <message>
+        <source>in the model</source>
+        <translation>已在模型中</translation>
+    </message>
+    <message>
+        <source>Probabilities: given the catalogue and how large its effects plausibly are.</source>
+        <translation>概率：以目录及其效应的合理大小为前提。</translation>
+    </message>
+    <message>
+        <source>Probabilities: given the catalogue and how large its effects plausibly are (1σ: %1).</source>
+        <extracomment>%1: effects with their sizes, &quot;collimation 30″, refraction 2″&quot;</extracomment>
+        <translation>概率：以目录及其效应的合理大小（1σ：%1）为前提。</translation>
+    </message>
+    <message>
+        <source>Causes</source>
+        <translation>原因</translation>
+    </message>
+    <message>
+        <source>Cause or form</source>
+        <translation>原因或形式</translation>
+    </message>
+    <message>
+        <source>size ± U</source>
+        <translation>大小 ± U</translation>
+    </message>
+    <message>
+        <source>probability</source>
+        <translation>概率</translation>
+    </message>
+    <message>
+        <source>closes or shrinks</source>
+        <translation>闭合或缩小</translation>
+    </message>
+    <message>
+        <source>cannot be told from</source>
+        <translation>无法区分于</translation>
+    </message>
+    <message>
+        <source>No effect of the catalogue makes this pattern, so nothing can be added to the model: look at what in the set-up has this shape.</source>
+        <translation>目录中没有效应会造成此规律，因此没有可加入模型的：请检查装置中什么具有这种形状。</translation>
+    </message>
+    <message>
+        <source>Form of the gap</source>
+        <translation>差距的形式</translation>
+    </message>
+    <message>
+        <source>A form tells what the readings do; it does not name what causes it.</source>
+        <translation>形式说明读数怎样变化，并不指明其原因。</translation>
+    </message>
+    <message>
+        <source>Half a turn of one rigid arc about an axis along x keeps its radius and leaves the centre&apos;s x alone; an arc measured again is where it was; R0 and the reference count where their σ is stated. U at %1 %.</source>
+        <translation>同一刚性圆弧绕 x 方向的轴转半圈，其半径不变，圆心的 x 不动；复测的圆弧仍在原处；声明了 σ 时，R0 和参考值也计入。U 的包含概率为 %1 %。</translation>
+    </message>
+    <message>
+        <source>Half a turn of one rigid arc about an axis along x keeps its radius and leaves the centre&apos;s x alone; R0 and the reference count where their σ is stated. U at %1 %.</source>
+        <translation>同一刚性圆弧绕 x 方向的轴转半圈，其半径不变，圆心的 x 不动；声明了 σ 时，R0 和参考值也计入。U 的包含概率为 %1 %。</translation>
+    </message>
+    <message>
+        <source>Both positions are needed to compare them.</source>
+        <translation>需要两个轴位才能比较。</translation>
+    </message>
+    <message>
+        <source>With the causes in the model they agree.</source>
+        <translation>原因计入模型后，它们一致。</translation>
+    </message>
+    <message>
+        <source>One rigid arc turned about a level axis: they agree.</source>
+        <translation>同一刚性圆弧绕水平轴转动：它们一致。</translation>
+    </message>
+    <message>
+        <source>Closures: what must agree</source>
+        <translation>闭合差：必须一致的量</translation>
+    </message>
+    <message>
+        <source>Closure</source>
+        <translation>闭合差</translation>
+    </message>
+    <message>
+        <source>as modelled ± U</source>
+        <translation>按模型 ± U</translation>
+    </message>
+    <message>
+        <source>size</source>
+        <translation>大小</translation>
+    </message>
+    <message>
+        <source>with the causes ± U</source>
+        <translation>计入原因 ± U</translation>
+    </message>
+    <message>
+        <source>Known beforehand of instrument and device</source>
+        <translation>关于仪器和设备的事先已知内容</translation>
+    </message>
+    <message>
+        <source>Number</source>
+        <translation>量</translation>
+    </message>
+    <message>
+        <source>these readings</source>
+        <translation>这些读数</translation>
+    </message>
+    <message>
+        <source>known from</source>
+        <translation>已知来源</translation>
+    </message>
+    <message>
+        <source>Each takes part in the uncertainty and in the search for causes with this value and u; that it holds no longer was given a chance of one in fifty beforehand. A dash: these readings do not show it.</source>
+        <translation>每一项以此值和 u 参与不确定度及原因的寻找；事先假定其不再成立的机会为五十分之一。短横表示这些读数没有显示它。</translation>
+    </message>
+    <message>
+        <source>What it would take to explain Δd − reference</source>
+        <translation>解释 Δd − 参考值所需的大小</translation>
+    </message>
+    <message>
+        <source>Effect</source>
+        <translation>效应</translation>
+    </message>
+    <message>
+        <source>leaves (σ)</source>
+        <translation>留痕 (σ)</translation>
+    </message>
+    <message>
+        <source>Each by itself, of the effects that these readings do not exclude at that size, the most plausible first; leaves: what it would leave in these readings.</source>
+        <translation>逐个考虑这些读数在该大小下未能排除的效应，最合理的在前；留痕：它会在这些读数中留下的痕迹。</translation>
+    </message>
+    <message>
+        <source>without the misread value</source>
+        <translation>去掉误读值</translation>
+    </message>
+    <message>
+        <source>without 1 misread value</source>
+        <translation>去掉 1 个误读值</translation>
+    </message>
+    <message>
+        <source>without %1 misread values</source>
+        <translation>去掉 %1 个误读值</translation>
+    </message>
+    <message>
+        <source>as modelled</source>
+        <translation>按模型</translation>
+    </message>
+    <message>
+        <source>without model effects</source>
+        <translation>不含模型效应</translation>
+    </message>
+    <message>
+        <source>+ what is known</source>
+        <translation>+ 已知量值</translation>
+    </message>
+    <message>
+        <source>in the model: %1</source>
+        <translation>已在模型中：%1</translation>
+    </message>
+    <message>
+        <source>Δd with the form is averaged over what looks like it; what causes it is not known.</source>
+        <translation>含此形式的 Δd 是对与其相似的形式取的平均；其原因未知。</translation>
+    </message>
+    <message>
+        <source>U holds what the pattern may move Δd by; what causes it is not known.</source>
+        <translation>U 包含该规律可能使 Δd 移动的量；其原因不明。</translation>
+    </message>
+    <message>
+        <source>Δd with the causes is averaged over all that may be the case, each as likely as it is; the first alone would state a U that is too small.</source>
+        <translation>计入原因的 Δd 对所有可能情况按其可能性取平均；只取第一个会使 U 偏小。</translation>
+    </message>
+    <message>
+        <source>The residuals shrink by %1 %, by %2 % on readings held out of the fit.</source>
+        <translation>残差减小 %1 %，在留出拟合之外的读数上减小 %2 %。</translation>
+    </message>
+    <message>
+        <source>The residuals shrink by %1 %; there are too few readings to hold any out of the fit.</source>
+        <translation>残差减小 %1 %；读数太少，无法留出任何读数。</translation>
+    </message>
+    <message>
+        <source>Before and after</source>
+        <translation>之前与之后</translation>
+    </message>
+    <message>
+        <source>Model</source>
+        <translation>模型</translation>
+    </message>
+    <message>
+        <source>rms ″</source>
+        <translation>均方根 ″</translation>
+    </message>
+    <message>
+        <source>measured</source>
+        <translation>实测</translation>
+    </message>
+    <message>
+        <source>The stated noise leaves residuals of %1″. Measured: with every catalogued effect, limited by these readings or by its plausible size.</source>
+        <translation>给定噪声所留下的残差为 %1″。实测：包含目录中的每个效应，其大小由这些读数或其合理大小限定。</translation>
+    </message>
+    <message>
+        <source>Undetectable here</source>
+        <translation>此处无法察觉</translation>
+    </message>
+    <message>
+        <source>moves Δd (mm)</source>
+        <translation>使 Δd 移动 (mm)</translation>
+    </message>
+    <message>
+        <source>No effect of plausible size could move Δd noticeably without leaving a trace.</source>
+        <translation>没有合理大小的效应能明显移动 Δd 而不留痕迹。</translation>
+    </message>
+    <message>
+        <source>Each at its plausible size, without a clear trace in these readings. U of Δd, fit only, does not include them; U of Δd, measured, includes what its budget lists.</source>
+        <translation>各取其合理大小，在这些读数中没有明显痕迹。仅拟合 Δd 的 U 不包含它们；实测 Δd 的 U 包含其不确定度预算所列各项。</translation>
+    </message>
+    <message>
+        <source>The model holds %1; without, the residuals are %2 instead of %3.</source>
+        <translation>模型包含%1；若不包含，残差为 %2 而不是 %3。</translation>
+    </message>
+    <message>
+        <source>The diagnosis was stopped. The next edit takes it up again.</source>
+        <translation>诊断已停止。下次编辑会重新开始。</translation>
+    </message>
+    <message>
+        <source>The positions do not close</source>
+        <translation>各轴位不闭合</translation>
+    </message>
+    <message>
+        <source>No gap: within the noise</source>
+        <translation>无差距：在噪声之内</translation>
+    </message>
+    <message>
+        <source>One cause: %1</source>
+        <translation>一个原因：%1</translation>
+    </message>
+    <message>
+        <source>One of %1 causes that look alike here</source>
+        <translation>此处难以区分的 %1 个原因之一</translation>
+    </message>
+    <message>
+        <source>More causes than these readings can take apart</source>
+        <translation>原因多于这些读数所能区分的数目</translation>
+    </message>
+    <message>
+        <source>%1 causes</source>
+        <translation>%1 个原因</translation>
+    </message>
+    <message>
+        <source>A gap of no known cause</source>
+        <translation>原因不明的差距</translation>
+    </message>
+    <message>
+        <source>An unknown cause beside %1</source>
+        <translation>除%1 外还有未知原因</translation>
+    </message>
+    <message>
+        <source>An unknown cause beside %1 known ones</source>
+        <translation>除 %1 个已知原因外还有未知原因</translation>
+    </message>
+    <message>
+        <source>a jump of the orientation</source>
+        <translation>定向的突跳</translation>
+    </message>
+    <message>
+        <source>misread values</source>
+        <translation>误读值</translation>
+    </message>
+    <message>
+        <source>noise larger than stated</source>
+        <translation>大于声明的噪声</translation>
+    </message>
+    <message>
+        <source>the form</source>
+        <translation>形式</translation>
+    </message>
+    <message>
+        <source>the vertical angle relation</source>
+        <translation>竖直角关系式</translation>
+    </message>
+    <message>
+        <source>%1, and %2 more</source>
+        <translation>%1，以及另外 %2 种</translation>
+    </message>
+    <message>
+        <source>export</source>
+        <translation>导出</translation>
+    </message>
+    <message>
+        <source>acceptance report</source>
+        <translation>验收报告</translation>
+    </message>
+    <message>
+        <source>reading of the files</source>
+        <translation>文件读取</translation>
+    </message>
+    <message>
+        <source>fit</source>
+        <translation>拟合</translation>
+    </message>
+    <message>
+        <source>search for misread readings</source>
+        <translation>误读读数的查找</translation>
+    </message>
+    <message>
+        <source>instrument check</source>
+        <translation>仪器检查</translation>
+    </message>
+    <message>
+        <source>outlook</source>
+        <translation>预估</translation>
+    </message>
+    <message>
+        <source>series</source>
+        <translation>系列</translation>
+    </message>
+    <message>
+        <source>simulation</source>
+        <translation>模拟</translation>
+    </message>
+    <message>
+        <source>blind trial</source>
+        <translation>盲测</translation>
+    </message>
+    <message>
+        <source>window</source>
+        <translation>窗口</translation>
+    </message>
+    <message>
+        <source>With one rigid arc in both positions: %1</source>
+        <translation>两个轴位按同一刚性圆弧计：%1</translation>
+    </message>
+    <message>
+        <source>α0(%1) − first α0</source>
+        <translation>α0(%1) − 首个 α0</translation>
+    </message>
+    <message>
+        <source>β0(%1) − first β0</source>
+        <translation>β0(%1) − 首个 β0</translation>
+    </message>
+    <message>
+        <source>%1. %2</source>
+        <translation>%1。%2</translation>
+    </message>
+    <message>
         <source>Accepted</source>
         <translation>接受</translation>
     </message>
@@ -6362,6 +6660,22 @@ Includes every catalogued effect, limited by these readings or by its plausible 
         <translation>垂直于圆弧平面：Δz = %1</translation>
     </message>
     <message>
+        <source>Model and readings disagree, and no catalogued effect explains it</source>
+        <translation>模型与读数不符，且没有目录中的效应可以解释</translation>
+    </message>
+    <message>
+        <source>Model and readings disagree by more causes than these readings can take apart</source>
+        <translation>模型与读数不符，其原因多于这些读数所能区分的</translation>
+    </message>
+    <message>
+        <source>The readings scatter more than stated, which U includes</source>
+        <translation>读数的离散大于给定值，U 已将其计入</translation>
+    </message>
+    <message>
+        <source>Model and readings disagree, best explained by %1</source>
+        <translation>模型与读数不符，最佳解释为%1</translation>
+    </message>
+    <message>
         <source>Accepted on condition of %1</source>
         <translation>接受，条件是 %1</translation>
     </message>
@@ -6402,26 +6716,6 @@ Includes every catalogued effect, limited by these readings or by its plausible 
         <translation>参考值 %1：差值 %2，不一致（E_n %3）</translation>
     </message>
     <message>
-        <source>a jump of the orientation</source>
-        <translation>定向的突跳</translation>
-    </message>
-    <message>
-        <source>misread values</source>
-        <translation>误读值</translation>
-    </message>
-    <message>
-        <source>noise larger than stated</source>
-        <translation>大于声明的噪声</translation>
-    </message>
-    <message>
-        <source>the form</source>
-        <translation>形式</translation>
-    </message>
-    <message>
-        <source>the vertical angle relation</source>
-        <translation>竖直角关系式</translation>
-    </message>
-    <message>
         <source>the radii differ by %1 σ</source>
         <translation>两个半径相差 %1 σ</translation>
     </message>
@@ -6438,72 +6732,16 @@ Includes every catalogued effect, limited by these readings or by its plausible 
         <translation>Δd 与参考值相差 %1 σ</translation>
     </message>
     <message>
-        <source>%1 is off by %2 σ</source>
-        <translation>%1 偏差 %2 σ</translation>
-    </message>
-    <message>
-        <source>A gap of no known cause</source>
-        <translation>原因不明的差距</translation>
-    </message>
-    <message>
-        <source>An unknown cause beside %1 known ones</source>
-        <translation>除 %1 个已知原因外还有未知原因</translation>
-    </message>
-    <message>
-        <source>An unknown cause beside %1</source>
-        <translation>除%1 外还有未知原因</translation>
-    </message>
-    <message>
-        <source>The positions do not close</source>
-        <translation>各轴位不闭合</translation>
-    </message>
-    <message>
-        <source>No gap: within the noise</source>
-        <translation>无差距：在噪声之内</translation>
-    </message>
-    <message>
-        <source>One cause: %1</source>
-        <translation>一个原因：%1</translation>
-    </message>
-    <message>
-        <source>One of %1 causes that look alike here</source>
-        <translation>此处难以区分的 %1 个原因之一</translation>
-    </message>
-    <message>
-        <source>More causes than these readings can take apart</source>
-        <translation>原因多于这些读数所能区分的数目</translation>
-    </message>
-    <message>
-        <source>%1 causes</source>
-        <translation>%1 个原因</translation>
-    </message>
-    <message>
-        <source>%1. %2</source>
-        <translation>%1。%2</translation>
-    </message>
-    <message>
-        <source>Model and readings disagree, and no catalogued effect explains it</source>
-        <translation>模型与读数不符，且没有目录中的效应可以解释</translation>
-    </message>
-    <message>
-        <source>Model and readings disagree by more causes than these readings can take apart</source>
-        <translation>模型与读数不符，其原因多于这些读数所能区分的</translation>
-    </message>
-    <message>
-        <source>The readings scatter more than stated, which U includes</source>
-        <translation>读数的离散大于给定值，U 已将其计入</translation>
-    </message>
-    <message>
-        <source>Model and readings disagree, best explained by %1</source>
-        <translation>模型与读数不符，最佳解释为%1</translation>
-    </message>
-    <message>
         <source>the pointing zeros differ horizontally by %1 σ</source>
         <translation>瞄准零位水平方向相差 %1 σ</translation>
     </message>
     <message>
         <source>the pointing zeros differ vertically by %1 σ</source>
         <translation>瞄准零位竖直方向相差 %1 σ</translation>
+    </message>
+    <message>
+        <source>%1 is off by %2 σ</source>
+        <translation>%1 偏差 %2 σ</translation>
     </message>
     <message>
         <source>an unknown cause</source>
@@ -7104,66 +7342,8 @@ as read</source>
         <translation>竖直度盘</translation>
     </message>
     <message>
-        <source>Model</source>
-        <translation>模型</translation>
-    </message>
-    <message>
         <source>rms</source>
         <translation>均方根</translation>
-    </message>
-    <message>
-        <source>measured: every effect at its plausible size</source>
-        <translation>实测：每个效应取其合理大小</translation>
-    </message>
-    <message>
-        <source>Probabilities: given the catalogue and how large its effects plausibly are.</source>
-        <translation>概率：以目录及其效应的合理大小为前提。</translation>
-    </message>
-    <message>
-        <source>Probabilities: given the catalogue and how large its effects plausibly are (1σ: %1).</source>
-        <extracomment>%1: effects with their sizes, &quot;collimation 30″, refraction 2″&quot;</extracomment>
-        <translation>概率：以目录及其效应的合理大小（1σ：%1）为前提。</translation>
-    </message>
-    <message>
-        <source>%1; probability %2.</source>
-        <extracomment>%1: a cause with its numbers</extracomment>
-        <translation>%1；概率 %2。</translation>
-    </message>
-    <message>
-        <source>Closure</source>
-        <translation>闭合差</translation>
-    </message>
-    <message>
-        <source>as modelled ± U</source>
-        <translation>按模型 ± U</translation>
-    </message>
-    <message>
-        <source>size</source>
-        <translation>大小</translation>
-    </message>
-    <message>
-        <source>with the causes ± U</source>
-        <translation>计入原因 ± U</translation>
-    </message>
-    <message>
-        <source>What it would take to explain Δd − reference</source>
-        <translation>解释 Δd − 参考值所需的大小</translation>
-    </message>
-    <message>
-        <source>Effect</source>
-        <translation>效应</translation>
-    </message>
-    <message>
-        <source>plausible sizes</source>
-        <translation>合理大小</translation>
-    </message>
-    <message>
-        <source>leaves (σ)</source>
-        <translation>留痕 (σ)</translation>
-    </message>
-    <message>
-        <source>Each by itself, of the effects that these readings do not exclude at that size; leaves: what it would leave in these readings.</source>
-        <translation>逐个考虑这些读数在该大小下未能排除的效应；留痕：它会在这些读数中留下的痕迹。</translation>
     </message>
     <message>
         <source>Gap between model and readings</source>
@@ -7179,26 +7359,6 @@ a clause as a sentence</extracomment>
     <message>
         <source>The figures of this report are those of the model as it is, but for what is said to be measured; nothing was added or left out because of the diagnosis. The verdict stands only where both accounts say so.</source>
         <translation>除注明为实测者外，本报告的数字均为按现有模型所得；没有因诊断而增加或略去任何内容。只有两种陈述都如此时，判定才成立。</translation>
-    </message>
-    <message>
-        <source>Closures: what must agree</source>
-        <translation>闭合差：必须一致的量</translation>
-    </message>
-    <message>
-        <source>Half a turn of one rigid arc about an axis along x keeps its radius and leaves the centre&apos;s x alone; an arc measured again is where it was; R0 and the reference count where their σ is stated. U at %1 %.</source>
-        <translation>同一刚性圆弧绕 x 方向的轴转半圈，其半径不变，圆心的 x 不动；复测的圆弧仍在原处；声明了 σ 时，R0 和参考值也计入。U 的包含概率为 %1 %。</translation>
-    </message>
-    <message>
-        <source>Half a turn of one rigid arc about an axis along x keeps its radius and leaves the centre&apos;s x alone; R0 and the reference count where their σ is stated. U at %1 %.</source>
-        <translation>同一刚性圆弧绕 x 方向的轴转半圈，其半径不变，圆心的 x 不动；声明了 σ 时，R0 和参考值也计入。U 的包含概率为 %1 %。</translation>
-    </message>
-    <message>
-        <source>Further readings would show some of them: %1.</source>
-        <translation>进一步的读数可显示其中一些：%1。</translation>
-    </message>
-    <message>
-        <source>What these readings would not show</source>
-        <translation>这些读数看不出的效应</translation>
     </message>
     <message>
         <source>Journal of changes</source>
@@ -7685,36 +7845,12 @@ a clause as a sentence</extracomment>
         <translation>；</translation>
     </message>
     <message>
-        <source>Number</source>
-        <translation>量</translation>
-    </message>
-    <message>
-        <source>known, 1σ</source>
-        <translation>已知，1σ</translation>
-    </message>
-    <message>
-        <source>these readings, 1σ</source>
-        <translation>这些读数，1σ</translation>
-    </message>
-    <message>
-        <source>known from</source>
-        <translation>已知来源</translation>
-    </message>
-    <message>
-        <source>Known beforehand of instrument and device</source>
-        <translation>关于仪器和设备的事先已知内容</translation>
-    </message>
-    <message>
         <source>Instrument record: %1.</source>
         <translation>仪器记录：%1。</translation>
     </message>
     <message>
         <source>Instrument record: %1 of %2.</source>
         <translation>仪器记录：%1，%2。</translation>
-    </message>
-    <message>
-        <source>Each takes part in the uncertainty and in the search for causes with this value and u; that it holds no longer was given a chance of one in fifty beforehand. A dash: these readings do not show it.</source>
-        <translation>每一项以此值和 u 参与不确定度及原因的寻找；事先假定其不再成立的机会为五十分之一。短横表示这些读数没有显示它。</translation>
     </message>
     <message>
         <source>Control chart. Bars: ± 2 u of what a value does not share with the others. Broken lines: mean ± 3 u of each value; dotted: three times the scatter that is seen by the moving range. EWMA: exponentially weighted average with λ = 0.2 and its exact limits. Over the year and its parts.</source>
@@ -7940,10 +8076,6 @@ a clause as a sentence</extracomment>
         <translation>实测 Δd 及其扩展不确定度；两次测量共有的部分互相抵消。</translation>
     </message>
     <message>
-        <source>The following effects are undetectable in these readings. U of Δd, fit only, does not include them; U of Δd, measured, includes what its budget lists. A plausible size of each would move Δd by: %1.</source>
-        <translation>下列影响在这些读数中无法检出。仅拟合 Δd 的 U 不包含它们；实测 Δd 的 U 包含其不确定度预算所列各项。各影响取合理大小时使 Δd 移动：%1。</translation>
-    </message>
-    <message>
         <source>Accepted: d + U ≤ %1, measured, and |Δd| + U ≤ %1, fit only; rejected: d − U &gt; %1; else undecided.</source>
         <translation>合格：实测 d + U ≤ %1 且仅拟合 |Δd| + U ≤ %1；不合格：d − U &gt; %1；否则待定。</translation>
     </message>
@@ -7978,14 +8110,6 @@ a clause as a sentence</extracomment>
     <message>
         <source>Grey: where the model holds.</source>
         <translation>灰色：模型成立之处。</translation>
-    </message>
-    <message>
-        <source>Form of the gap</source>
-        <translation>差距的形式</translation>
-    </message>
-    <message>
-        <source>A form tells what the readings do; it does not name what causes it.</source>
-        <translation>形式说明读数怎样变化，并不指明其原因。</translation>
     </message>
 </context>
 <context>
@@ -8343,14 +8467,6 @@ a clause as a sentence</extracomment>
     <message>
         <source>%1 entries differ</source>
         <translation>%1 处输入项不同</translation>
-    </message>
-    <message>
-        <source>The %1 failed: %2. Nothing typed is lost; save the session and go on. What is needed to report this could not be written to %3.</source>
-        <translation>%1失败：%2。录入的内容没有丢失；请保存会话后继续。报告此问题所需的信息无法写入 %3。</translation>
-    </message>
-    <message>
-        <source>The %1 failed: %2. Nothing typed is lost; save the session and go on. What is needed to report this is in %3.</source>
-        <translation>%1失败：%2。录入的内容没有丢失；请保存会话后继续。报告此问题所需的信息在 %3。</translation>
     </message>
 </context>
 <context>
@@ -8734,164 +8850,6 @@ a clause as a sentence</extracomment>
     <message>
         <source>How far a wrong radius takes the centre along, −1 to 1: on half an arc it decides the height</source>
         <translation>错误的半径会把圆心带动多少，−1 到 1：半个圆弧时它决定高度</translation>
-    </message>
-</context>
-<context>
-    <name>alidade::ui::CauseList</name>
-    <message>
-        <source>Probability that it is among the causes, given the catalogue</source>
-        <translation>给定目录时它在原因之列的概率</translation>
-    </message>
-    <message>
-        <source>It happened between a pointing zero and the first place after it, or that zero was misread; in which of the positions these readings do not tell. No model of a session holds a jump, so there is none to add: sight both zeros again and read the positions anew.</source>
-        <translation>它发生在瞄准零位与其后第一个位置之间，或者是该零位被误读；这些读数不能说明是在哪个轴位。会话的模型都不含突跳，因此没有可加入的：请重新照准两个零位并重新读取各轴位。</translation>
-    </message>
-    <message>
-        <source>It happened before %1. No model of a session holds a jump, so there is none to add: look after the stand, sight the pointing zero anew and read this position again.</source>
-        <translation>它发生在 %1 之前。会话的模型都不含突跳，因此没有可加入的：请检查支架，重新照准瞄准零位并再次读取该轴位。</translation>
-    </message>
-    <message>
-        <source> Or leave out the rows before the jump, if the pointing zero of the next position was not sighted after it.</source>
-        <translation>如果下一轴位的瞄准零位不是在突跳之后照准的，也可去掉突跳之前的行。</translation>
-    </message>
-    <message>
-        <source> Or leave out the rows from there on.</source>
-        <translation>也可去掉从该处起的行。</translation>
-    </message>
-    <message>
-        <source> Or leave out the rows from there on, if it was.</source>
-        <translation>若是如此，也可去掉从该处起的行。</translation>
-    </message>
-    <message>
-        <source> Or leave out the rows from there on, if the pointing zero of the next position was sighted after it.</source>
-        <translation>如果下一轴位的瞄准零位是在突跳之后照准的，也可去掉从该处起的行。</translation>
-    </message>
-    <message>
-        <source>These readings cannot tell it from %1.</source>
-        <translation>这些读数无法将它与%1 区分。</translation>
-    </message>
-    <message>
-        <source>Take exact vertical angles</source>
-        <translation>采用精确竖直角</translation>
-    </message>
-    <message>
-        <source>Take planar vertical angles</source>
-        <translation>采用平面竖直角</translation>
-    </message>
-    <message>
-        <source>Sets the relation of the vertical angle in the form of the measurement: no effect has to be estimated then</source>
-        <translation>在测量表单中设置竖直角的关系式：这样就不必估计效应</translation>
-    </message>
-    <message>
-        <source>Add to the model</source>
-        <translation>加入模型</translation>
-    </message>
-    <message>
-        <source>Estimates %1 along with the arcs; undone by Ctrl+Z</source>
-        <translation>将%1 与圆弧一并估计；可用 Ctrl+Z 撤销</translation>
-    </message>
-    <message>
-        <source>Add %1 to the model</source>
-        <translation>将%1 加入模型</translation>
-    </message>
-    <message>
-        <source>Add both</source>
-        <translation>两者都加入</translation>
-    </message>
-    <message>
-        <source>Add all %1</source>
-        <translation>%1 个都加入</translation>
-    </message>
-    <message>
-        <source>Estimates all that look alike here, each within its plausible size: U then covers whichever it is</source>
-        <translation>一并估计此处难以区分的所有原因，各在其合理大小之内：无论是哪一个，U 都涵盖</translation>
-    </message>
-    <message>
-        <source>Add both to the model</source>
-        <translation>将两者都加入模型</translation>
-    </message>
-    <message>
-        <source>Add all %1 to the model</source>
-        <translation>将 %1 个都加入模型</translation>
-    </message>
-    <message>
-        <source>Perhaps %1 right beside it, which would move Δd: read the position again before a row is left out.</source>
-        <translation>也许是紧邻的%1，它会使 Δd 移动：去掉任何行之前请再次读取该轴位。</translation>
-    </message>
-    <message>
-        <source>Go to the reading</source>
-        <translation>转到该读数</translation>
-    </message>
-    <message>
-        <source>Exclude the row</source>
-        <translation>排除该行</translation>
-    </message>
-    <message>
-        <source>Leaves the row out of the fit; what was typed stays</source>
-        <translation>将该行从拟合中去掉；录入的内容保留</translation>
-    </message>
-    <message>
-        <source>Exclude the rows before</source>
-        <translation>排除之前的行</translation>
-    </message>
-    <message>
-        <source>Exclude the rows from there on</source>
-        <translation>排除从该处起的行</translation>
-    </message>
-    <message>
-        <source>Leaves the rows out of the fit; what was typed stays</source>
-        <translation>将这些行从拟合中去掉；录入的内容保留</translation>
-    </message>
-    <message>
-        <source>Nothing to add to the model: U rests on the scatter of the readings already. If the instrument and the place are no better than this, state the larger σ.</source>
-        <translation>没有可加入模型的：U 已基于读数的离散。如果仪器和场地不过如此，请声明更大的 σ。</translation>
-    </message>
-    <message>
-        <source>%1 and %2</source>
-        <translation>%1 与 %2</translation>
-    </message>
-    <message>
-        <source>State σ = %1</source>
-        <translation>声明 σ = %1</translation>
-    </message>
-    <message>
-        <source>Sets σ of the horizontal and the vertical circle in the form of the instrument; σ of the pointing zero follows unless it was typed</source>
-        <translation>在仪器表单中设置水平和竖直度盘的 σ；瞄准零位的 σ 若未录入则随之改变</translation>
-    </message>
-    <message>
-        <source>Shape of the gap</source>
-        <translation>差距的形状</translation>
-    </message>
-    <message>
-        <source>It follows the pattern “%1”, which takes up %2 % of the gap. No effect of the catalogue makes it, so nothing can be added to the model: look at what in the set-up has this shape.</source>
-        <translation>它遵循规律“%1”，占差距的 %2 %。目录中没有效应会造成它，因此没有可加入模型的：请检查装置中什么具有这种形状。</translation>
-    </message>
-    <message>
-        <source>in the model</source>
-        <translation>已在模型中</translation>
-    </message>
-    <message>
-        <source>Take out of the model</source>
-        <translation>从模型中去掉</translation>
-    </message>
-    <message>
-        <source>Take %1 out of the model</source>
-        <translation>将%1 从模型中去掉</translation>
-    </message>
-    <message>
-        <source>Probability that it is among the causes, given the catalogue
-and a plausible size of %1 (1σ)</source>
-        <translation>给定目录和合理大小 %1（1σ）时，
-它在原因之列的概率</translation>
-    </message>
-    <message>
-        <source>%1.</source>
-        <extracomment>what an effect is, as a sentence of its own</extracomment>
-        <translation>%1。</translation>
-    </message>
-    <message>
-        <source> or </source>
-        <translation>或</translation>
     </message>
 </context>
 <context>
@@ -10086,44 +10044,12 @@ and a plausible size of %1 (1σ)</source>
 计入原因的 Δd 只依据读数，报告也是如此。</translation>
     </message>
     <message>
-        <source>What it would take to explain Δd − reference</source>
-        <translation>解释 Δd − 参考值所需的大小</translation>
-    </message>
-    <message>
-        <source>Causes</source>
-        <translation>原因</translation>
-    </message>
-    <message>
-        <source>Before and after</source>
-        <translation>之前与之后</translation>
-    </message>
-    <message>
-        <source>Good: the last bar ends at the broken line of the noise.</source>
-        <translation>良好：最后一条止于噪声虚线处。</translation>
-    </message>
-    <message>
         <source>Where it lies</source>
         <translation>所在之处</translation>
     </message>
     <message>
-        <source>Good: no part stands out; one that does is where to look.</source>
-        <translation>良好：没有突出的部分；突出之处即应检查之处。</translation>
-    </message>
-    <message>
         <source>What must agree</source>
         <translation>必须一致的量</translation>
-    </message>
-    <message>
-        <source>Good: every bar ends inside the grey band of ± U.</source>
-        <translation>良好：每一条都止于 ± U 灰带之内。</translation>
-    </message>
-    <message>
-        <source>What to measure next</source>
-        <translation>接下来测量什么</translation>
-    </message>
-    <message>
-        <source>What would go unseen</source>
-        <translation>什么看不出来</translation>
     </message>
     <message>
         <source>Effect</source>
@@ -10194,126 +10120,6 @@ and a plausible size of %1 (1σ)</source>
         <translation>一有读数即与模型比较。</translation>
     </message>
     <message>
-        <source>before</source>
-        <translation>之前</translation>
-    </message>
-    <message>
-        <source>Without the effects of the model</source>
-        <translation>不含模型效应</translation>
-    </message>
-    <message>
-        <source>as modelled</source>
-        <translation>按模型</translation>
-    </message>
-    <message>
-        <source>with the pattern</source>
-        <translation>计入规律</translation>
-    </message>
-    <message>
-        <source>U holds what it may move Δd by</source>
-        <translation>U 包含它可能使 Δd 移动的量</translation>
-    </message>
-    <message>
-        <source>with the causes</source>
-        <translation>计入原因</translation>
-    </message>
-    <message>
-        <source>Averaged over what else may be the case, each as likely as it is</source>
-        <translation>对其他可能情况按其可能性取平均</translation>
-    </message>
-    <message>
-        <source>measured</source>
-        <translation>实测</translation>
-    </message>
-    <message>
-        <source>Every effect of the catalogue takes part, as large as these readings and what is plausible leave it</source>
-        <translation>目录中的每个效应都参与，其大小为这些读数和合理范围所允许</translation>
-    </message>
-    <message>
-        <source>Δd ± U  mm</source>
-        <translation>Δd ± U  mm</translation>
-    </message>
-    <message>
-        <source>The residuals shrink by %1 %, by %2 % on readings held out of the fit.</source>
-        <translation>残差减小 %1 %，在留出拟合之外的读数上减小 %2 %。</translation>
-    </message>
-    <message>
-        <source>The residuals shrink by %1 %; there are too few readings to hold any out of the fit.</source>
-        <translation>残差减小 %1 %；读数太少，无法留出任何读数。</translation>
-    </message>
-    <message>
-        <source>U holds what the pattern may move Δd by; what causes it is not known.</source>
-        <translation>U 包含该规律可能使 Δd 移动的量；其原因不明。</translation>
-    </message>
-    <message>
-        <source>Δd with the causes is averaged over all that may be the case, each as likely as it is; the first alone would state a U that is too small.</source>
-        <translation>计入原因的 Δd 对所有可能情况按其可能性取平均；只取第一个会使 U 偏小。</translation>
-    </message>
-    <message>
-        <source>would show %1 by %2 σ or more</source>
-        <translation>能以 %2 σ 或更高的程度显示%1</translation>
-    </message>
-    <message>
-        <source>separates every two of %1 by %2 σ or more</source>
-        <translation>能以 %2 σ 或更高的程度两两区分%1</translation>
-    </message>
-    <message>
-        <source>; one answer is left with a probability of %1</source>
-        <translation>；只剩一种答案的概率为 %1</translation>
-    </message>
-    <message>
-        <source>No further reading of the usual kinds would tell more.</source>
-        <translation>常见种类的进一步读数不会说明更多。</translation>
-    </message>
-    <message>
-        <source>Both positions are needed to compare them.</source>
-        <translation>需要两个轴位才能比较。</translation>
-    </message>
-    <message>
-        <source>With the causes in the model they agree.</source>
-        <translation>原因计入模型后，它们一致。</translation>
-    </message>
-    <message>
-        <source>One rigid arc turned about a level axis: they agree.</source>
-        <translation>同一刚性圆弧绕水平轴转动：它们一致。</translation>
-    </message>
-    <message>
-        <source>size</source>
-        <translation>大小</translation>
-    </message>
-    <message>
-        <source>plausible
-sizes</source>
-        <translation>合理
-大小</translation>
-    </message>
-    <message>
-        <source>leaves
-σ</source>
-        <translation>留痕
-σ</translation>
-    </message>
-    <message>
-        <source>Each by itself, of the effects that these readings do not exclude at that size; the most plausible first.</source>
-        <translation>逐个考虑这些读数在该大小下未能排除的效应；最合理者在前。</translation>
-    </message>
-    <message>
-        <source>moves Δd  mm</source>
-        <translation>使 Δd 移动  mm</translation>
-    </message>
-    <message>
-        <source>leaves  σ</source>
-        <translation>留痕  σ</translation>
-    </message>
-    <message>
-        <source>No effect of plausible size could move Δd noticeably without leaving a trace.</source>
-        <translation>没有合理大小的效应能明显移动 Δd 而不留痕迹。</translation>
-    </message>
-    <message>
-        <source>At their plausible size, without a clear trace in these readings.</source>
-        <translation>在其合理大小下，在这些读数中没有明显痕迹。</translation>
-    </message>
-    <message>
         <source>A&amp;dd to the model</source>
         <translation>加入模型(&amp;D)</translation>
     </message>
@@ -10326,47 +10132,40 @@ sizes</source>
         <translation>%1：没有可加入模型的</translation>
     </message>
     <message>
-        <source> and </source>
-        <translation>和</translation>
-    </message>
-    <message>
         <source>Form</source>
         <translation>形式</translation>
     </message>
     <message>
-        <source>with the form</source>
-        <translation>含此形式</translation>
+        <source>Add the Ticked</source>
+        <translation>加入所勾选的</translation>
     </message>
     <message>
-        <source>Δd with the form is averaged over what looks like it; what causes it is not known.</source>
-        <translation>含此形式的 Δd 是对与其相似的形式取的平均；其原因未知。</translation>
-    </message>
-</context>
-<context>
-    <name>alidade::ui::GapWaterfall</name>
-    <message>
-        <source>The gap before and after each cause</source>
-        <translation>加入各原因前后的差距</translation>
+        <source>Estimates the ticked causes along with the arcs; undone by Ctrl+Z</source>
+        <translation>将所勾选的原因与圆弧一并估计；可用 Ctrl+Z 撤销</translation>
     </message>
     <message>
-        <source>what the stated noise leaves</source>
-        <translation>声明的噪声所留下的</translation>
+        <source>With Look-alikes</source>
+        <translation>连同相似原因</translation>
     </message>
     <message>
-        <source>%1: rms %2″, χ²/f %3, Δd = %4 mm</source>
-        <translation>%1：均方根 %2″，χ²/f %3，Δd = %4 mm</translation>
+        <source>Estimates the ticked causes and all that look alike here, each within its plausible size: U then covers whichever it is</source>
+        <translation>一并估计所勾选的原因及此处难以区分的所有原因，各在其合理大小之内：无论是哪一个，U 都涵盖</translation>
     </message>
     <message>
-        <source>rms ″</source>
-        <translation>均方根 ″</translation>
+        <source>Take Out of the Model</source>
+        <translation>从模型中去掉</translation>
     </message>
     <message>
-        <source>χ²/f</source>
-        <translation>χ²/f</translation>
+        <source>Leaves the ticked effects of the model out</source>
+        <translation>把所勾选的模型效应去掉</translation>
     </message>
     <message>
-        <source>what the stated noise leaves: %1</source>
-        <translation>声明的噪声所留下的：%1</translation>
+        <source>Should be: no part stands out; one that does is where to look.</source>
+        <translation>应为：没有突出的部分；突出之处即应检查之处。</translation>
+    </message>
+    <message>
+        <source>Should be: every bar ends inside the grey band of ± U.</source>
+        <translation>应为：每一条都止于 ± U 灰带之内。</translation>
     </message>
 </context>
 <context>
@@ -11435,10 +11234,6 @@ sizes</source>
         <translation>已停止：未查找误读。</translation>
     </message>
     <message>
-        <source>The diagnosis was stopped. The next edit takes it up again.</source>
-        <translation>诊断已停止。下次编辑会重新开始。</translation>
-    </message>
-    <message>
         <source>Forms of the session</source>
         <translation>会话表单</translation>
     </message>
@@ -12337,6 +12132,98 @@ sizes</source>
     <message>
         <source>Nothing checks the distance: see the last row.</source>
         <translation>距离没有任何检核：见最后一行。</translation>
+    </message>
+</context>
+<context>
+    <name>alidade::ui::RemedyList</name>
+    <message>
+        <source>It happened between a pointing zero and the first place after it, or that zero was misread; in which of the positions these readings do not tell. No model of a session holds a jump, so there is none to add: sight both zeros again and read the positions anew.</source>
+        <translation>它发生在瞄准零位与其后第一个位置之间，或者是该零位被误读；这些读数不能说明是在哪个轴位。会话的模型都不含突跳，因此没有可加入的：请重新照准两个零位并重新读取各轴位。</translation>
+    </message>
+    <message>
+        <source>It happened before %1. No model of a session holds a jump, so there is none to add: look after the stand, sight the pointing zero anew and read this position again.</source>
+        <translation>它发生在 %1 之前。会话的模型都不含突跳，因此没有可加入的：请检查支架，重新照准瞄准零位并再次读取该轴位。</translation>
+    </message>
+    <message>
+        <source> Or leave out the rows before the jump, if the pointing zero of the next position was not sighted after it.</source>
+        <translation>如果下一轴位的瞄准零位不是在突跳之后照准的，也可去掉突跳之前的行。</translation>
+    </message>
+    <message>
+        <source> Or leave out the rows from there on.</source>
+        <translation>也可去掉从该处起的行。</translation>
+    </message>
+    <message>
+        <source> Or leave out the rows from there on, if it was.</source>
+        <translation>若是如此，也可去掉从该处起的行。</translation>
+    </message>
+    <message>
+        <source> Or leave out the rows from there on, if the pointing zero of the next position was sighted after it.</source>
+        <translation>如果下一轴位的瞄准零位是在突跳之后照准的，也可去掉从该处起的行。</translation>
+    </message>
+    <message>
+        <source>Take exact vertical angles</source>
+        <translation>采用精确竖直角</translation>
+    </message>
+    <message>
+        <source>Take planar vertical angles</source>
+        <translation>采用平面竖直角</translation>
+    </message>
+    <message>
+        <source>Sets the relation of the vertical angle in the form of the measurement: no effect has to be estimated then</source>
+        <translation>在测量表单中设置竖直角的关系式：这样就不必估计效应</translation>
+    </message>
+    <message>
+        <source>Perhaps %1 right beside it, which would move Δd: read the position again before a row is left out.</source>
+        <translation>也许是紧邻的%1，它会使 Δd 移动：去掉任何行之前请再次读取该轴位。</translation>
+    </message>
+    <message>
+        <source> or </source>
+        <translation>或</translation>
+    </message>
+    <message>
+        <source>%1: off by %2</source>
+        <extracomment>a reading and its error: 0°, point 11, horizontal: off by +29.0″</extracomment>
+        <translation>%1：偏差 %2</translation>
+    </message>
+    <message>
+        <source>Go to the reading</source>
+        <translation>转到该读数</translation>
+    </message>
+    <message>
+        <source>Exclude the row</source>
+        <translation>排除该行</translation>
+    </message>
+    <message>
+        <source>Leaves the row out of the fit; what was typed stays</source>
+        <translation>将该行从拟合中去掉；录入的内容保留</translation>
+    </message>
+    <message>
+        <source>Exclude the rows before</source>
+        <translation>排除之前的行</translation>
+    </message>
+    <message>
+        <source>Exclude the rows from there on</source>
+        <translation>排除从该处起的行</translation>
+    </message>
+    <message>
+        <source>Leaves the rows out of the fit; what was typed stays</source>
+        <translation>将这些行从拟合中去掉；录入的内容保留</translation>
+    </message>
+    <message>
+        <source>Nothing to add to the model: U rests on the scatter of the readings already. If the instrument and the place are no better than this, state the larger σ.</source>
+        <translation>没有可加入模型的：U 已基于读数的离散。如果仪器和场地不过如此，请声明更大的 σ。</translation>
+    </message>
+    <message>
+        <source>%1 and %2</source>
+        <translation>%1 与 %2</translation>
+    </message>
+    <message>
+        <source>State σ = %1</source>
+        <translation>声明 σ = %1</translation>
+    </message>
+    <message>
+        <source>Sets σ of the horizontal and the vertical circle in the form of the instrument; σ of the pointing zero follows unless it was typed</source>
+        <translation>在仪器表单中设置水平和竖直度盘的 σ；瞄准零位的 σ 若未录入则随之改变</translation>
     </message>
 </context>
 <context>

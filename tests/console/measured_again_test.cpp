@@ -81,7 +81,7 @@ TEST_F(MeasuredAgain, SaysInTextWhichPositionIsMeant) {
   EXPECT_THAT(fit.out, HasSubstr("as at 0°"));
   EXPECT_THAT(fit.out, HasSubstr("0° again, point 5, horizontal"));
   EXPECT_THAT(diagnosis.out, HasSubstr("Δx(0° again) − Δx(0°)"));
-  EXPECT_THAT(diagnosis.out, HasSubstr("face 1 at 0° again, off by"));
+  EXPECT_THAT(diagnosis.out, HasSubstr("0° again, point 5, horizontal"));
 }
 
 }  // namespace

@@ -48,14 +48,18 @@ void tellFit(const Session& session, const FitAnswer& answer) {
 }
 
 /// Adds the diagnosis to the answer.
-void diagnoseIt(FitAnswer& answer) {
+void diagnoseIt(const Session& session, FitAnswer& answer) {
   auto diagnosis = diagnose(answer.measurement, answer.fit);
   if (!diagnosis) return test::expectSentence(problemOf(diagnosis.problem()).text());
   answer.diagnosis = *std::move(diagnosis);
   test::expectDiagnosis(*answer.diagnosis);
   const Result<std::vector<Finding>> findings = findingsBeforehand(answer.measurement, answer.fit);
   if (!findings) return test::expectSentence(findings.problem().text());
-  requireText(console::diagnosisText(name, *answer.diagnosis, *findings));
+  auto evaluation = std::make_shared<Evaluation>();
+  evaluation->session = session;
+  evaluation->examined.measurement = answer.measurement;
+  evaluation->fit = answer.fit;
+  requireText(console::diagnosisText(name, gapOf(std::move(evaluation), *answer.diagnosis), *findings));
   requireJson(diagnosisJson(name, *answer.diagnosis, *findings));
 }
 
@@ -115,7 +119,7 @@ void workThrough(const Session& session) {
   const SessionFit fit = fitSession(measurement);
   FitAnswer answer{name, measurement, fit, findSuspects(session, measurement, fit)};
   tellFit(session, answer);
-  diagnoseIt(answer);
+  diagnoseIt(session, answer);
   certify(session, answer);
   review(session);
 }

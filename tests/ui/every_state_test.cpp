@@ -7,6 +7,7 @@
 #include <QTest>
 
 #include "core/session/session_file.h"
+#include "core/statement/gap.h"
 #include "tests/support/guarded_memory.h"
 #include "tests/support/typing.h"
 #include "tests/ui/report/printed.h"
@@ -37,9 +38,9 @@ class Showing {
     ASSERT_TRUE(QTest::qWaitFor(isDone, 60000));
     ASSERT_TRUE(m_evaluation && m_gap);
     EXPECT_EQ(m_evaluation->session, session);
-    EXPECT_EQ(m_evaluation->failure, "");
-    EXPECT_TRUE(m_gap->diagnosis || !m_gap->reason.empty());
-    EXPECT_EQ(m_gap->reason.find("fault of the program"), std::string::npos) << m_gap->reason;
+    EXPECT_FALSE(m_evaluation->failure);
+    EXPECT_TRUE(m_gap->diagnosis || !reasonForNone(*m_gap).empty());
+    EXPECT_FALSE(std::holds_alternative<FailedWork>(m_gap->reason)) << reasonForNone(*m_gap);
     for (PageTabs* tabs : m_open->pageTabs())
       for (int page = 0; page < tabs->count(); ++page) {
         tabs->showPage(page);

@@ -12,10 +12,11 @@
 #include <initializer_list>
 
 #include "core/simulation/protocol.h"
-#include "ui/charts/gap/gap_waterfall.h"
+#include "core/statement/gap.h"
 #include "ui/dialogs/trial_list.h"
 #include "ui/panels/gap/gap_headline.h"
 #include "ui/panels/parts/figure_grid.h"
+#include "ui/panels/parts/statement_view.h"
 #include "ui/settings/theme.h"
 #include "ui/settings/window_font.h"
 #include "ui/text/entry_text.h"
@@ -84,12 +85,11 @@ QWidget* BlindTrialDialog::createAnswer() {
   m_title = panelHeading({});
   m_answer = new GapHeadline;
   layOutByFont(*m_answer, [this] { m_answer->setMinimumHeight(5 * fontMetrics().lineSpacing()); });
-  m_waterfall = new GapWaterfall;
+  m_stages = new StatementView;
   auto* answer = new QWidget;
   auto* layout = new QVBoxLayout(answer);
   layout->setContentsMargins(0, 0, 0, 0);
-  for (QWidget* part : std::initializer_list<QWidget*>{m_title, m_answer, m_waterfall})
-    layout->addWidget(part);
+  for (QWidget* part : std::initializer_list<QWidget*>{m_title, m_answer, m_stages}) layout->addWidget(part);
   layout->addStretch();
   return answer;
 }
@@ -211,8 +211,7 @@ void BlindTrialDialog::showTrial(const SharedTrial& trial) {
                       trial ? qText(trial->problem)
                             : tr("A session is simulated by the plan from a truth that nobody sees. The "
                                  "diagnosis knows the readings alone; then you open the seal."));
-  m_waterfall->setVisible(says);
-  if (says) m_waterfall->setGap(trial->gap);
+  m_stages->setStatement(says ? std::optional(gapStages(trial->gap)) : std::nullopt);
   showTruth();
   showWork();
 }

@@ -13,7 +13,7 @@ class QSpinBox;
 namespace alidade::ui {
 
 class GapHeadline;
-class GapWaterfall;
+class StatementView;
 class TrialList;
 
 /// Blind trials: draws a session from a plan and a sealed truth and diagnoses it. Opening the seal scores the
@@ -58,7 +58,7 @@ class BlindTrialDialog : public QDialog {
   QSpinBox *m_seed, *m_count;
   QLabel *m_title, *m_truth, *m_score;
   GapHeadline* m_answer;
-  GapWaterfall* m_waterfall;
+  StatementView* m_stages;
   TrialList* m_trials;
   QProgressBar* m_progress;
   QPushButton *m_draw, *m_open, *m_inWindow, *m_series;

@@ -75,7 +75,7 @@ bool ExportFlow::exportAnswer(const QString& title, const QString& what, const Q
         [session, name, answer](const std::stop_token&) { return answer(session, name); });
   });
   if (failure) {
-    m_dialogs.showProblem(title, qText(tellFailure({QT_TRANSLATE_NOOP("Job", "export"), *failure, session})));
+    m_dialogs.showProblem(title, qText(tellFailure({PHRASE_LATER("Phrase", "export"), *failure, session})));
     return false;
   }
   if (!made) return false;

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "core/base/failure.h"
+#include "core/base/phrase.h"
 #include "core/evaluation/evaluation.h"
 #include "core/session/hindrance.h"
 #include "ui/dialogs/dialogs.h"
@@ -47,7 +48,7 @@ bool ReportFlow::guarded(const QString& title, const std::function<bool()>& work
   if (failure)
     m_dialogs.showProblem(
         title,
-        qText(tellFailure({QT_TRANSLATE_NOOP("Job", "acceptance report"), *failure, m_document.session()})));
+        qText(tellFailure({PHRASE_LATER("Phrase", "acceptance report"), *failure, m_document.session()})));
   return isDone;
 }
 

@@ -253,8 +253,8 @@ void ImportPage::read() {
       },
       [](const std::string& reason) {
         return ImportReading{.import = {},
-                             .problem = tellFailure({.job = QT_TRANSLATE_NOOP("Job", "reading of the files"),
-                                                     .reason = reason})};
+                             .problem = tellFailure(
+                                 {.job = PHRASE_LATER("Phrase", "reading of the files"), .reason = reason})};
       });
 }
 

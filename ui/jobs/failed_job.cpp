@@ -1,6 +1,5 @@
 #include "ui/jobs/failed_job.h"
 
-#include <QCoreApplication>
 #include <QDateTime>
 #include <QDir>
 #include <QFile>
@@ -12,7 +11,6 @@
 #include <utility>
 
 #include "core/base/atomic_file.h"
-#include "core/base/failure.h"
 #include "core/base/version.h"
 #include "core/session/session_file.h"
 #include "ui/document/encoded_path.h"
@@ -24,10 +22,6 @@ namespace alidade::ui {
 namespace {
 
 constexpr int mostRecords = 50;
-
-struct Text {
-  Q_DECLARE_TR_FUNCTIONS(Text)
-};
 
 /// Inserts the session as its file text, since Qt's JSON preserves neither the key order nor all digits.
 QByteArray recordOf(const FailedJob& failed, const QDateTime& now) {
@@ -89,23 +83,19 @@ QString problemsFolder() {
   return QStandardPaths::writableLocation(QStandardPaths::AppDataLocation) + QStringLiteral("/problems");
 }
 
-std::string tellFailure(const FailedJob& failed) {
-  std::string told = "The " + failed.job + " failed: " + failed.reason + ".";
+FailedWork recorded(const FailedJob& failed) {
+  FailedWork work{.work = failed.job, .reason = failed.reason};
   failureOf([&] {
     const QString path = writtenOnce(failed);
-    const QString job = QCoreApplication::translate("Job", failed.job.c_str()), reason = qText(failed.reason);
-    told =
-        (path.isEmpty()
-             ? Text::tr(
-                   "The %1 failed: %2. Nothing typed is lost; save the session and go on. What is needed to "
-                   "report this could not be written to %3.")
-                   .arg(job, reason, QDir::toNativeSeparators(problemsFolder()))
-             : Text::tr(
-                   "The %1 failed: %2. Nothing typed is lost; save the session and go on. What is needed to "
-                   "report this is in %3.")
-                   .arg(job, reason, QDir::toNativeSeparators(path)))
-            .toStdString();
+    work.isRecorded = !path.isEmpty();
+    work.record = QDir::toNativeSeparators(work.isRecorded ? path : problemsFolder()).toStdString();
   });
+  return work;
+}
+
+std::string tellFailure(const FailedJob& failed) {
+  std::string told = "The " + failed.job + " failed: " + failed.reason + ".";
+  failureOf([&] { told = sentencesOf(recorded(failed)); });
   return told;
 }
 

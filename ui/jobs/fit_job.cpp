@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "core/base/phrase.h"
 #include "core/base/threads.h"
 #include "ui/charts/arc/arc_picture.h"
 #include "ui/charts/plotting/evaluation_pictures.h"
@@ -44,11 +45,10 @@ void FitJob::request(Session session) {
 
 void FitJob::fit(Session session) {
   const auto wanted = std::make_shared<const Session>(std::move(session));
-  m_fit.start(
-      [wanted](const std::stop_token& stop) { return drawn(evaluateFit(*wanted, stop), stop); },
-      [wanted](const std::string& reason) {
-        return failedEvaluation(*wanted, tellFailure({QT_TRANSLATE_NOOP("Job", "fit"), reason, *wanted}));
-      });
+  m_fit.start([wanted](const std::stop_token& stop) { return drawn(evaluateFit(*wanted, stop), stop); },
+              [wanted](const std::string& reason) {
+                return failedEvaluation(*wanted, recorded({PHRASE_LATER("Phrase", "fit"), reason, *wanted}));
+              });
 }
 
 void FitJob::finishFit(const SharedEvaluation& fitted) {
@@ -71,7 +71,7 @@ void FitJob::search() {
       [answer, fitted = m_fitted](const std::string& reason) {
         return answer(withoutSuspects(
             *fitted,
-            tellFailure({QT_TRANSLATE_NOOP("Job", "search for misread readings"), reason, fitted->session})));
+            recorded({PHRASE_LATER("Phrase", "search for misread readings"), reason, fitted->session})));
       });
 }
 

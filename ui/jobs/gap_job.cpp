@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "core/base/phrase.h"
 #include "ui/jobs/failed_job.h"
 
 namespace alidade::ui {
@@ -34,14 +35,12 @@ void GapJob::setWithReference(bool withReference) {
 
 void GapJob::start() {
   if (m_work.isAtWork() || !m_wanted) return;
-  m_work.start(
-      [evaluation = m_wanted, withReference = m_isWithReference](const std::stop_token& stop) {
-        return assessGap(evaluation, stop, withReference);
-      },
-      [evaluation = m_wanted](const std::string& reason) {
-        return noGap(evaluation,
-                     tellFailure({QT_TRANSLATE_NOOP("Job", "diagnosis"), reason, evaluation->session}));
-      });
+  m_work.start([evaluation = m_wanted, withReference = m_isWithReference](
+                   const std::stop_token& stop) { return assessGap(evaluation, stop, withReference); },
+               [evaluation = m_wanted](const std::string& reason) {
+                 return noGap(evaluation,
+                              recorded({PHRASE_LATER("Phrase", "diagnosis"), reason, evaluation->session}));
+               });
 }
 
 void GapJob::finish(const SharedGap& gap) {

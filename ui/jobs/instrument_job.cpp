@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "core/base/phrase.h"
 #include "core/series/instrument_check/check_findings.h"
 #include "core/series/instrument_check/checked_readings.h"
 #include "ui/jobs/failed_job.h"
@@ -54,7 +55,7 @@ void InstrumentJob::start(InstrumentQuestion question) {
   m_work.start([question = std::move(question)](const std::stop_token&) { return checkInstrument(question); },
                [](const std::string& reason) {
                  CheckedInstrument failed;
-                 failed.problem = tellFailure({QT_TRANSLATE_NOOP("Job", "instrument check"), reason});
+                 failed.problem = tellFailure({PHRASE_LATER("Phrase", "instrument check"), reason});
                  return failed;
                });
 }

@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "core/base/phrase.h"
 #include "core/evaluation/guide.h"
 #include "ui/jobs/failed_job.h"
 
@@ -41,7 +42,7 @@ void OutlookJob::start() {
       },
       [evaluation](const std::string& reason) {
         return OutlookOfSession{
-            evaluation, {}, tellFailure({QT_TRANSLATE_NOOP("Job", "outlook"), reason, evaluation->session})};
+            evaluation, {}, tellFailure({PHRASE_LATER("Phrase", "outlook"), reason, evaluation->session})};
       });
 }
 

@@ -107,7 +107,7 @@ void SeriesJob::start(const SharedSeries& known, const std::vector<std::string>&
       [known](const std::string& reason) {
         Series series = known ? *known : Series();
         series.sessions.push_back(
-            {{}, {}, tellFailure({QT_TRANSLATE_NOOP("Job", "series"), reason, std::nullopt, {}})});
+            {{}, {}, tellFailure({PHRASE_LATER("Phrase", "series"), reason, std::nullopt, {}})});
         return series;
       });
 }

@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "core/base/phrase.h"
 #include "ui/jobs/failed_job.h"
 
 namespace alidade::ui {
@@ -35,7 +36,7 @@ void SimulationJob::start(const SharedEvaluation& evaluation, std::size_t draws)
       [evaluation, seed = options.seed](const std::string& reason) {
         return BudgetCheck{
             evaluation, std::nullopt,
-            tellFailure({QT_TRANSLATE_NOOP("Job", "simulation"), reason, evaluation->session, seed})};
+            tellFailure({PHRASE_LATER("Phrase", "simulation"), reason, evaluation->session, seed})};
       });
 }
 

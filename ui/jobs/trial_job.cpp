@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "core/base/phrase.h"
+#include "core/statement/gap.h"
 #include "ui/jobs/failed_job.h"
 
 namespace alidade::ui {
@@ -16,8 +18,10 @@ DiagnosedTrial diagnoseTrial(const BlindTrialOptions& options, std::uint64_t see
   }
   done.trial = *std::move(drawn);
   done.gap = assessGap(std::make_shared<const Evaluation>(evaluateFit(done.trial.session)), stop);
-  done.problem = done.gap.reason;
-  if (done.gap.diagnosis) done.score = scoreTrial(done.trial.seal, *done.gap.diagnosis);
+  if (done.gap.diagnosis)
+    done.score = scoreTrial(done.trial.seal, *done.gap.diagnosis);
+  else
+    done.problem = reasonForNone(done.gap);
   return done;
 }
 
@@ -44,7 +48,7 @@ void TrialJob::next() {
       },
       [seed = m_seed](const std::string& reason) {
         DiagnosedTrial failed;
-        failed.problem = tellFailure({QT_TRANSLATE_NOOP("Job", "blind trial"), reason, std::nullopt, seed});
+        failed.problem = tellFailure({PHRASE_LATER("Phrase", "blind trial"), reason, std::nullopt, seed});
         return failed;
       });
 }

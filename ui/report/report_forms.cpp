@@ -2,10 +2,11 @@
 
 #include <memory>
 
+#include "core/statement/gap.h"
 #include "core/wording/form_sentence.h"
 #include "ui/charts/gap/form_plot.h"
 #include "ui/report/report_text.h"
-#include "ui/text/form_text.h"
+#include "ui/text/entry_text.h"
 
 namespace alidade::ui {
 
@@ -29,23 +30,23 @@ QString formCaption(const FormPlot& plot) {
 
 void addForms(ReportSheet& sheet, const Gap& gap) {
   if (!gap.diagnosis || gap.diagnosis->forms.empty()) return;
+  const Statement statement = gapForms(gap);
   const std::vector<FoundForm>& forms = gap.diagnosis->forms;
   constexpr double aroundPlot = 50;  // heading, sentences and caption
   sheet.keepTogether(plotHeight + aroundPlot);
-  sheet.heading(Report::tr("Form of the gap"));
+  sheet.heading(qText(statement.title));
   for (std::size_t i = 0; i < forms.size(); ++i) {
     if (i > 0) sheet.keepTogether(plotHeight + aroundPlot);
     sheet.paragraph(qText(formSentence(forms[i])));
-    if (const QString about = aboutForm(forms[i]); !about.isEmpty()) sheet.paragraph(about);
+    if (const std::string clean = cleanRangeSentence(forms[i]); !clean.empty()) sheet.paragraph(qText(clean));
     const auto plot = std::make_shared<FormPlot>();
     plot->setForm(gap, i);
     addPlot(sheet, plot, plotHeight);
     sheet.paragraph(formCaption(*plot), type::small);
   }
-  const QString shrink = qText(shrinkSentence(forms.front()));
-  if (!shrink.isEmpty()) sheet.paragraph(shrink);
-  sheet.paragraph(Report::tr("A form tells what the readings do; it does not name what causes it."),
-                  type::small);
+  if (const std::string shrink = shrinkSentence(forms.front()); !shrink.empty())
+    sheet.paragraph(qText(shrink));
+  sheet.paragraph(qText(statement.note), type::small);
 }
 
 }  // namespace alidade::ui

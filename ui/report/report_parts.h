@@ -42,8 +42,8 @@ void addUndetectable(ReportSheet& sheet, const Gap& gap);
 /// of it; the instrument record by name. Empty without known sizes.
 void addKnown(ReportSheet& sheet, const Gap& gap);
 
-/// The forms of an effect of no catalogue: each in a sentence with what looks like it, where the model holds,
-/// and its curve; then how far the gap shrinks. Empty if there is none.
+/// The forms of an effect of no catalogue: each in a sentence, with where the model holds and its curve.
+/// Empty if there is none.
 void addForms(ReportSheet& sheet, const Gap& gap);
 
 /// A plot as vectors over the whole width, `height` mm high.

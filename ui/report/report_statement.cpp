@@ -1,5 +1,7 @@
 #include "ui/report/report_statement.h"
 
+#include <algorithm>
+
 #include "ui/report/report_table.h"
 #include "ui/report/report_text.h"
 #include "ui/text/entry_text.h"
@@ -10,47 +12,93 @@ namespace {
 
 using Role = Statement::Column::Role;
 
-/// Widths in mm; remarks take what the others leave.
-double widthOf(Role role) {
-  constexpr double name = 62, word = 12, figure = 20;
-  if (role == Role::Name) return name;
-  return role == Role::Word ? word : figure;
+bool isLeft(Role role) {
+  return role != Role::Figure;
 }
 
+/// A text at the left is kept apart from a figure at the right before it.
 QString besideFigures(const std::string& text, Role role) {
-  return role == Role::Remark && !text.empty() ? QStringLiteral("  ") + qText(text) : qText(text);
+  return isLeft(role) && role != Role::Name && !text.empty() ? QStringLiteral("  ") + qText(text)
+                                                             : qText(text);
 }
 
-std::vector<ReportColumn> columnsOf(const Statement& statement) {
+/// What the cells and the longest word of the title need, mm.
+double neededWidth(const ReportSheet& sheet, const Statement& statement, std::size_t column) {
+  constexpr double gap = 2;
+  const Role role = statement.columns[column].role;
+  double width = 0;
+  for (const QString& word : qText(statement.columns[column].title).split(u' '))
+    width = std::max(width, sheet.textWidth(word, type::tableHead));
+  for (const Statement::Row& row : statement.rows)
+    width = std::max(width, sheet.textWidth(besideFigures(row.cells[column], role),
+                                            row.isTotal || row.isNotable ? type::body.inBold() : type::body));
+  return width + gap;
+}
+
+/// Figures have what they need; names at most a third of the page; remarks or bars, or else names, what is
+/// left; texts none, since they are below the rows.
+std::vector<double> widthsOf(const ReportSheet& sheet, const Statement& statement) {
+  constexpr double mostName = 62, leastFigure = 20, fewColumns = 6;
+  std::vector<double> widths;
   double rest = ReportSheet::width;
-  for (const Statement::Column& column : statement.columns)
-    if (column.role != Role::Remark) rest -= widthOf(column.role);
-  std::vector<ReportColumn> columns;
-  for (const Statement::Column& column : statement.columns) {
-    const bool isLeft = column.role == Role::Name || column.role == Role::Remark;
-    columns.push_back({besideFigures(column.title, column.role),
-                       column.role == Role::Remark ? rest : widthOf(column.role),
-                       isLeft ? Qt::AlignLeft : Qt::AlignRight});
+  std::size_t wide = 0;
+  for (std::size_t i = 0; i < statement.columns.size(); ++i) {
+    const Role role = statement.columns[i].role;
+    const bool takesRest = role == Role::Remark || role == Role::Bar;
+    double width = neededWidth(sheet, statement, i);
+    if (role == Role::Figure && statement.columns.size() <= fewColumns) width = std::max(width, leastFigure);
+    if (role == Role::Name)
+      width = statement.columns.size() <= fewColumns ? mostName : std::min(width, mostName);
+    if (takesRest) wide = i;
+    widths.push_back(takesRest || role == Role::Text ? 0 : width);
+    rest -= widths.back();
   }
+  widths[wide] += wide > 0 ? rest : std::min(rest, 0.0);
+  return widths;
+}
+
+std::vector<ReportColumn> columnsOf(const ReportSheet& sheet, const Statement& statement) {
+  const std::vector<double> widths = widthsOf(sheet, statement);
+  std::vector<ReportColumn> columns;
+  for (std::size_t i = 0; i < widths.size(); ++i) {
+    const Role role = statement.columns[i].role;
+    if (role == Role::Text) continue;
+    columns.push_back({besideFigures(statement.columns[i].title, role), widths[i],
+                       isLeft(role) ? Qt::AlignLeft : Qt::AlignRight});
+  }
+  // The texts below the rows have the whole width.
+  double rest = ReportSheet::width;
+  for (const ReportColumn& column : columns) rest -= column.width;
+  if (rest > 0) columns.push_back({QString(), rest});
   return columns;
+}
+
+void addTable(ReportSheet& sheet, const Statement& statement) {
+  ReportTable table(sheet, columnsOf(sheet, statement));
+  table.head();
+  for (const Statement::Row& row : statement.rows) {
+    std::vector<ReportCell> cells;
+    for (std::size_t i = 0; i < row.cells.size(); ++i) {
+      if (statement.columns[i].role == Role::Text) continue;
+      const QString text = besideFigures(row.cells[i], statement.columns[i].role);
+      cells.emplace_back(i == 0 && row.isPart ? QStringLiteral("    ") + text : text,
+                         row.isTotal || row.isNotable ? type::body.inBold() : type::body);
+    }
+    QStringList below;
+    for (const std::string& text : statement.textsBelow(row)) below.append(qText(text));
+    table.row(cells, below.join(u'\n'));
+  }
+  table.finish();
 }
 
 }  // namespace
 
 void addStatement(ReportSheet& sheet, const Statement& statement) {
+  if (statement.rows.empty() && statement.sentences.empty()) return;
   constexpr double rowHeight = 4.5;  // mm, about
   sheet.keepTogether(static_cast<double>(statement.rows.size() + 3) * rowHeight);
   sheet.heading(qText(statement.title));
-  ReportTable table(sheet, columnsOf(statement));
-  table.head();
-  for (const Statement::Row& row : statement.rows) {
-    std::vector<ReportCell> cells;
-    for (std::size_t i = 0; i < row.cells.size(); ++i)
-      cells.emplace_back(besideFigures(row.cells[i], statement.columns[i].role),
-                         row.isTotal ? type::body.inBold() : type::body);
-    table.row(cells);
-  }
-  table.finish();
+  if (!statement.rows.empty()) addTable(sheet, statement);
   QStringList sentences;
   for (const std::string& sentence : statement.sentences) sentences.append(qText(sentence));
   if (!statement.note.empty()) sentences.append(qText(statement.note));

@@ -122,7 +122,7 @@ void addFindings(ReportSheet& sheet, const Gap& gap) {
   if (!gap.isOpen()) return;
   const QString says =
       gap.isNoiseAlone()
-          ? gapSentence(gap)
+          ? qText(sentenceOf(*gap.diagnosis))
           : Report::tr("Model and readings disagree, see “Gap between model and readings”. %1.")
                 .arg(gapHeadline(*gap.diagnosis));
   sheet.keepTogether(sheet.lineHeight(type::detail));

@@ -1,5 +1,6 @@
 #include "ui/series/diagnosis_job.h"
 
+#include "core/base/phrase.h"
 #include "core/series/shared_causes/diagnose_series.h"
 #include "core/session/hindrance.h"
 #include "core/session/session_file.h"
@@ -61,7 +62,7 @@ void SeriesDiagnosisJob::begin(const std::vector<std::string>& files) {
       },
       [](const std::string& reason) {
         return SeriesAnswer{
-            {}, {}, tellFailure({QT_TRANSLATE_NOOP("Job", "series"), reason, std::nullopt, {}})};
+            {}, {}, tellFailure({PHRASE_LATER("Phrase", "series"), reason, std::nullopt, {}})};
       });
 }
 

@@ -1,6 +1,5 @@
 #include "ui/window/session_jobs.h"
 
-#include <QCoreApplication>
 #include <memory>
 #include <utility>
 
@@ -75,9 +74,7 @@ void SessionJobs::stop() {
   }
   if (m_gap.isIdle()) return;
   m_gap.cancel();
-  const QString why = QCoreApplication::translate(
-      "alidade::ui::MainWindow", "The diagnosis was stopped. The next edit takes it up again.");
-  showGap(std::make_shared<const Gap>(noGap(m_shown, why.toStdString())));
+  showGap(std::make_shared<const Gap>(noGap(m_shown, Absence::Stopped)));
 }
 
 }  // namespace alidade::ui

@@ -9,6 +9,7 @@
 namespace alidade::ui {
 
 class SessionDocument;
+struct SessionChange;
 
 /// Fits and diagnoses the current session after each change, and tells the window what is known of it.
 class SessionJobs : public QObject {

@@ -5,6 +5,7 @@
 #include <chrono>
 #include <filesystem>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <utility>
 
@@ -25,6 +26,7 @@
 #include "core/diagnosis/diagnose.h"
 #include "core/diagnosis/kept_form.h"
 #include "core/effects/cause_ids.h"
+#include "core/evaluation/gap.h"
 #include "core/series/shared_causes/diagnose_series.h"
 #include "core/wording/copies.h"
 #include "core/wording/diagnosis_fault.h"
@@ -122,7 +124,6 @@ Result<std::string> runDiagnose(const DiagnoseRequest& request, const std::strin
   Result<SessionInput> read = readSessionInput(file, request.instrument, request.effects);
   if (!read) return read.problem();
   SessionInput input = *std::move(read);
-  input.session.positions.clear();  // no longer needed, and as large as its rows
   Measurement& measurement = input.measurement;
   takeRelation(request, measurement);
   if (request.withReference && !measurement.sigmaReference)
@@ -130,17 +131,21 @@ Result<std::string> runDiagnose(const DiagnoseRequest& request, const std::strin
         "--with-reference: state acceptance.reference_intersection_mm and acceptance.sigma_reference_mm in "
         "the session, or leave it out",
         {.field = "acceptance.sigma_reference_mm"}};
-  const SessionFit fit = fitSession(measurement);
+  SessionFit fit = fitSession(measurement);
   const Result<std::vector<Finding>> findings = findingsBeforehand(measurement, fit);
   if (!findings) return findings.problem();
-  const auto diagnosis =
+  auto diagnosis =
       diagnose(measurement, fit,
                {.without = request.without, .withReference = request.withReference, .withAttainable = true});
   if (!diagnosis) return problemOf(diagnosis.problem());
   if (!request.keepForm.empty())
     if (auto problem = keepForm(request, *diagnosis, input.session)) return *std::move(problem);
-  return request.batch.json ? diagnosisJson(input.name, *diagnosis, *findings)
-                            : diagnosisText(input.name, *diagnosis, *findings);
+  if (request.batch.json) return diagnosisJson(input.name, *diagnosis, *findings);
+  auto evaluation = std::make_shared<Evaluation>();
+  evaluation->session = std::move(input.session);
+  evaluation->examined.measurement = std::move(measurement);
+  evaluation->fit = std::move(fit);
+  return diagnosisText(input.name, gapOf(std::move(evaluation), *std::move(diagnosis)), *findings);
 }
 
 int giveSeries(const DiagnoseRequest& request) {

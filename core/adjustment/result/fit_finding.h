@@ -129,9 +129,6 @@ struct CentresDiffer {
 struct KnownRadiusContradicted {
   double nominal = 0, pulledBy = 0, bound = 0;
 };
-struct OffReference {
-  double reference = 0, difference = 0, expanded = 0;
-};
 struct UnknownEffect {
   std::string id;
 };
@@ -171,7 +168,7 @@ struct FitFinding {
       setup_finding::ZerosDiffer, setup_finding::ReadingsRounded, setup_finding::ZeroMoved,
       setup_finding::ZeroFaceLeftOut, session_finding::ArcMissing, session_finding::Undetermined,
       session_finding::PositionMissing, session_finding::RadiiDiffer, session_finding::CentresDiffer,
-      session_finding::KnownRadiusContradicted, session_finding::OffReference, session_finding::UnknownEffect,
+      session_finding::KnownRadiusContradicted, session_finding::UnknownEffect,
       session_finding::KnownOfNothing, session_finding::CorrectionsDiffer, session_finding::TiltsUnused,
       session_finding::AxisMoved, session_finding::CompensatorOff, session_finding::PlanarRelation>;
 

@@ -69,16 +69,6 @@ void judgeKnownRadius(std::vector<FitFinding>& findings, const Measurement& meas
                       KnownRadiusContradicted{measurement.nominalRadius, away, bound}});
 }
 
-void judgeReference(std::vector<FitFinding>& findings, const Measurement& measurement,
-                    const SessionFit& fit) {
-  if (!fit.intersection || !measurement.referenceIntersection) return;
-  const double difference = fit.intersection->value - *measurement.referenceIntersection;
-  if (std::abs(difference) <= fit.intersection->expanded) return;
-  findings.push_back(
-      {Severity::Warning, fieldOf("acceptance.reference_intersection_mm"),
-       OffReference{*measurement.referenceIntersection, difference, fit.intersection->expanded}});
-}
-
 /// Reports why tilts and corrections of the rows cannot be fully used.
 void judgeCompensator(std::vector<FitFinding>& findings, const Measurement& measurement) {
   const CompensatorNotes notes = compensatorKnowledge(measurement).notes;
@@ -122,7 +112,6 @@ std::vector<FitFinding> sessionFindings(const Measurement& measurement, const Se
   judgeClosure<RadiiDiffer>(findings, fit, Unknown::Kind::Radius);
   judgeClosure<CentresDiffer>(findings, fit, Unknown::Kind::CentreX);
   judgeKnownRadius(findings, measurement, fit);
-  judgeReference(findings, measurement, fit);
   std::ranges::move(modelFindings(measurement), std::back_inserter(findings));
   return findings;
 }

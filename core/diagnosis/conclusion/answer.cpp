@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/diagnosis/conclusion/accounts.h"
+#include "core/diagnosis/conclusion/unexplained.h"
 #include "core/diagnosis/conclusion/with_forms.h"
 #include "core/diagnosis/evidence/gain.h"
 #include "core/diagnosis/gap/every_effect.h"
@@ -203,19 +204,18 @@ std::vector<GapStep> stepsOf(const Inquiry& inquiry, const Answer& answer) {
   const Explanation& whole = answer.explanation;
   const bool formed = hasForms(inquiry, answer);
   Explanation soFar;
+  const auto add = [&](std::string_view id, const GapModel& opened, const GapModel& measured) {
+    steps.push_back({std::string(id), sizeOf(opened), estimateOf(measured), everyClosureOf(opened)});
+  };
   const auto note = [&](std::string_view id) {
     const bool isLast = !formed && soFar.parts.size() == whole.parts.size() && soFar.noisy == whole.noisy;
     const GapModel& model = isLast ? answer.after : modelWith(inquiry, soFar);
     if (!model.fit->isDetermined()) return;
-    if (isLast) {
-      steps.push_back({std::string(id), sizeOf(answer.opened), estimateOf(answer.measured)});
-      return;
-    }
+    if (isLast) return add(id, answer.opened, answer.measured);
     const GapModel measured = measuredModel(inquiry, soFar, model);
-    steps.push_back({std::string(id), sizeOf(openedModelOf(measured, inquiry.own)), estimateOf(measured)});
+    add(id, openedModelOf(measured, inquiry.own), measured);
   };
-  if (isAnythingKnown(*inquiry.base.measurement))
-    steps.push_back({knownId, sizeOf(inquiry.expected), estimateOf(inquiry.expected)});
+  if (isAnythingKnown(*inquiry.base.measurement)) add(knownId, inquiry.expected, inquiry.expected);
   for (const Part& part : whole.parts)
     if (inquiry.of(part).grossErrorAt()) soFar.parts.push_back(part);
   if (!soFar.parts.empty() || !inquiry.largeGrossErrors.empty()) note(grossErrorId);
@@ -228,7 +228,7 @@ std::vector<GapStep> stepsOf(const Inquiry& inquiry, const Answer& answer) {
     soFar.noisy = true;
     note(noiseId);
   }
-  if (formed) steps.push_back({formId, sizeOf(answer.opened), estimateOf(answer.measured)});
+  if (formed) add(formId, answer.opened, answer.measured);
   return steps;
 }
 

@@ -182,38 +182,6 @@ Advice byMeasuringDistances(const Measurement& measurement, const std::vector<Po
       .largestApart({Measure::DistanceInBoth});
 }
 
-/// Returns the effort of the measures, in sessions.
-double effortOf(const std::vector<Measure>& measures) {
-  double sessions = 0, times = 1;
-  for (const Measure measure : measures) switch (measure) {
-      case Measure::ZeroSightedAgain:
-      case Measure::DistanceInBoth:
-        sessions += 0.1;
-        break;
-      case Measure::SliderReadings:
-        times *= 1.2;
-        break;
-      case Measure::At0Again:
-      case Measure::At180Again:
-        sessions += 0.5;
-        break;
-      case Measure::BothFaces:
-      case Measure::WayBack:
-        times *= 2;
-        break;
-      case Measure::MoreOfTheArc:
-        times *= 1.5;
-        break;
-      case Measure::ShiftedCircle:
-        sessions += 1.2;
-        break;
-      case Measure::SecondStandOff:
-        sessions += 2;
-        break;
-    }
-  return times > 1 ? sessions + times : sessions;
-}
-
 /// Sorts by the probability that one answer remains, rounded to a twentieth; then by effort.
 void rank(std::vector<Advice>& list) {
   const auto twentieths = [](const Advice& advice) { return std::lround(20 * advice.oneLeft); };

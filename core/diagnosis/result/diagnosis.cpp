@@ -46,6 +46,37 @@ bool isReadAnew(const std::vector<Measure>& measures) {
   return std::ranges::any_of(measures, isReadAnewFor);
 }
 
+double effortOf(const std::vector<Measure>& measures) {
+  double sessions = 0, times = 1;
+  for (const Measure measure : measures) switch (measure) {
+      case Measure::ZeroSightedAgain:
+      case Measure::DistanceInBoth:
+        sessions += 0.1;
+        break;
+      case Measure::SliderReadings:
+        times *= 1.2;
+        break;
+      case Measure::At0Again:
+      case Measure::At180Again:
+        sessions += 0.5;
+        break;
+      case Measure::BothFaces:
+      case Measure::WayBack:
+        times *= 2;
+        break;
+      case Measure::MoreOfTheArc:
+        times *= 1.5;
+        break;
+      case Measure::ShiftedCircle:
+        sessions += 1.2;
+        break;
+      case Measure::SecondStandOff:
+        sessions += 2;
+        break;
+    }
+  return times > 1 ? sessions + times : sessions;
+}
+
 bool isMisclosed(const Diagnosis& diagnosis) {
   return std::ranges::any_of(diagnosis.closures, &ClosureStep::isOpen);
 }

@@ -154,6 +154,7 @@ struct GapStep {
   std::string effect;  ///< the cause added
   GapSize size;        ///< the gap after this step
   std::optional<IntersectionEstimate> intersection;
+  std::vector<Closure> closures = {};  ///< of the session's own model after this step
 };
 
 /// A closure of the session's own model, and of the model with the causes.
@@ -218,6 +219,8 @@ struct Advice {
 
 /// Whether one of the measures requires a new session; otherwise the readings are added to this one.
 bool isReadAnew(const std::vector<Measure>& measures);
+/// The effort of the measures, in sessions like this one.
+double effortOf(const std::vector<Measure>& measures);
 
 /// The size of an effect that would explain the difference of Δd from the reference.
 struct Required {

@@ -32,7 +32,7 @@ MeasuredIntersection measuredAt(double value) {
 
 /// A gap within the noise, with this Δd.
 Gap gapWith(const SharedEvaluation& evaluation, double value) {
-  Gap gap = noGap(evaluation, {});
+  Gap gap = noGap(evaluation, Absence::NotMade);
   gap.diagnosis.emplace();
   gap.diagnosis->measured = measuredAt(value);
   return gap;
@@ -99,9 +99,9 @@ TEST(Headline, SaysPlainlyWhereThereIsNoMeasuredResult) {
   Gap gap = gapWith(evaluationOf(test::paperSession()), 1.3);
   gap.diagnosis->measured.reset();
   EXPECT_EQ(headlineOf(gap).nameAndFigure(), "Δd: not determined by these readings");
-  const Headline undiagnosed = headlineOf(noGap(gap.evaluation, "Stopped."));
+  const Headline undiagnosed = headlineOf(noGap(gap.evaluation, Absence::Stopped));
   EXPECT_EQ(undiagnosed.nameAndFigure(), "Δd: no diagnosis was made");
-  EXPECT_EQ(undiagnosed.tip, "Stopped.");
+  EXPECT_EQ(undiagnosed.tip, "The diagnosis was stopped. The next edit takes it up again.");
   EXPECT_EQ(undiagnosed.verdictAndTolerance(), "Accepted, fit only · tolerance ± 2.5 mm");
   EXPECT_EQ(undiagnosed.decided, std::nullopt) << "the result of the fit alone is no acceptance";
   EXPECT_EQ(undiagnosed.fitOnly, "Δd, fit only: 1.31 ± 0.21 mm");

@@ -16,7 +16,7 @@ TEST(AttainableSentence, NamesTheCheapestAndTheBest) {
                           {.measures = {Measure::SliderReadings}, .expanded = 0.2},
                           {.measures = {Measure::MoreOfTheArc}, .expanded = 0.21}}),
       "Sessions like this one come to U = 0.234 mm; with both faces to 0.180 mm, with slider readings to "
-      "0.200 mm, with slider readings and both faces to 0.071 mm; with plane_warp known to 0.150 mm.");
+      "0.200 mm, with slider readings and both faces to 0.071 mm; with plane warp known to 0.150 mm.");
   EXPECT_EQ(
       attainableSentence({{.expanded = 2},
                           {.measures = {Measure::SliderReadings}, .expanded = 1},

@@ -9,7 +9,7 @@ namespace {
 
 // The sizes are those of the catalogue.
 TEST(PlausibleSize, IsThatOfTheCatalogue) {
-  EXPECT_EQ(plausibleSizeText("trunnion_tilt"), "30 arcsec");
+  EXPECT_EQ(plausibleSizeText("trunnion_tilt"), "30″");
   EXPECT_EQ(plausibleSizeText("arc_lobing"), "0.05 mm");
   EXPECT_EQ(plausibleSizeText("slider_scale"), "0.0005");
   EXPECT_EQ(plausibleSizeText(std::string(jumpId)), "");

@@ -16,7 +16,6 @@
 #include "tests/ui/support.h"
 #include "ui/charts/gap/closure_bars.h"
 #include "ui/charts/gap/gap_map.h"
-#include "ui/charts/gap/gap_waterfall.h"
 #include "ui/charts/residuals/residual_chart.h"
 #include "ui/charts/residuals/residual_plot.h"
 #include "ui/commands/edit_readings.h"
@@ -174,7 +173,6 @@ TEST_F(Export, TablesOfTheGapAreThoseOfTheDiagnosis) {
   openSample(QStringLiteral("knocked-tripod.alidade"));
   ASSERT_TRUE(waitFor([&] { return open->gapJob().isIdle() && gap; }));
   const auto rowsOf = [](const std::string& csv) { return std::count(csv.begin(), csv.end(), '\n'); };
-  EXPECT_EQ(rowsOf(open->findChild<GapWaterfall*>()->numbers()), 2 + static_cast<long>(gap->stages.size()));
   EXPECT_EQ(rowsOf(open->findChild<ClosureBars*>()->numbers()),
             1 + static_cast<long>(gap->diagnosis->closures.size()));
   const std::string where = open->findChild<GapMap*>()->numbers();

@@ -15,6 +15,7 @@
 #include <stdexcept>
 
 #include "core/session/session_file.h"
+#include "core/statement/gap.h"
 #include "tests/ui/failing_memory.h"
 #include "tests/ui/support.h"
 #include "ui/commands/change_field.h"
@@ -139,7 +140,9 @@ TEST_F(FailedJobTest, OfTheSearchLeavesTheFitAndSaysSo) {
   ASSERT_TRUE(searched);
   EXPECT_TRUE(searched->isSearched);
   EXPECT_TRUE(searched->fit.intersection);
-  EXPECT_THAT(searched->searchFailure, HasSubstr("The search for misread readings failed: out of memory."));
+  ASSERT_TRUE(searched->searchFailure);
+  EXPECT_THAT(sentencesOf(*searched->searchFailure),
+              HasSubstr("The search for misread readings failed: out of memory."));
 }
 
 // Each job runs once first, so that its thread already exists.
@@ -159,7 +162,7 @@ TEST_F(FailedJobTest, OfTheDiagnosisIsTheReasonForNone) {
   ASSERT_EQ(gaps.size(), 3u);
   EXPECT_TRUE(gaps[0]->diagnosis);
   EXPECT_FALSE(gaps[1]->diagnosis);
-  EXPECT_THAT(gaps[1]->reason, HasSubstr("The diagnosis failed: out of memory."));
+  EXPECT_THAT(reasonForNone(*gaps[1]), HasSubstr("The diagnosis failed: out of memory."));
   EXPECT_TRUE(gaps[2]->diagnosis);
 }
 

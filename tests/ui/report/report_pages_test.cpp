@@ -115,7 +115,8 @@ void expectNothingLonely(const Session& session, const ReportOptions& options, c
   constexpr double top = 56.7, fifth = 252 * 72 / 25.4 / 5, line = 14;
   EXPECT_GE(end, top + fifth - line) << what << ", " << report.pageCount() << " pages";
   static const QRegularExpression heading(
-      QStringLiteral("^(Findings|Notes|Method|Arcs.*|Readings with.*|Closures:.*|Gap between.*|What these.*|"
+      QStringLiteral("^(Findings|Notes|Method|Arcs.*|Readings with.*|Closures:.*|Gap between.*|Undetectable "
+                     "here|What to measure.*|Before and after|Causes|Known.*|"
                      "What it would.*|Standard uncertainty of.*|Arc centres.*|Model effects)$"));
   for (int page = 0; page < report.pageCount(); ++page) {
     const QStringList lines = report.page(page).split(u'\n', Qt::SkipEmptyParts);
@@ -132,7 +133,7 @@ TEST(ReportPages, LeaveNothingLonelyWhateverTheSession) {
       const Session session = sessionOf(points, 1, notes);
       ReportOptions options;
       options.gap = std::make_shared<const Gap>(
-          noGap(std::make_shared<const Evaluation>(evaluate(session)), "Not diagnosed."));
+          noGap(std::make_shared<const Evaluation>(evaluate(session)), Absence::NotMade));
       const std::string what = std::to_string(points) + " points, " + std::to_string(notes) + " of notes";
       expectNothingLonely(session, options, what);
       options.paper.size = QPageSize::Letter;

@@ -7,9 +7,9 @@
 #include <limits>
 
 #include "core/exchange/csv_text.h"
+#include "core/statement/gap.h"
 #include "core/wording/closures.h"
 #include "ui/charts/plotting/plot_style.h"
-#include "ui/text/closure_text.h"
 #include "ui/text/entry_text.h"
 #include "ui/text/quantity_text.h"
 
@@ -66,9 +66,10 @@ std::string ClosureBars::numbers() const {
 void ClosureBars::setGap(const Gap& gap) {
   m_rows.clear();
   m_coverage = gap.evaluation->examined.measurement->coverage;
-  const auto valueOf = [&](const Closure& closure) {
-    return Value{.figures = closureText(closure, m_coverage),
-                 .sigmas = closureSigmasText(closure),
+  const Statement statement = gapClosures(gap);
+  const auto valueOf = [&](const Closure& closure, const std::vector<std::string>& cells, std::size_t first) {
+    return Value{.figures = qText(cells[first]),
+                 .sigmas = qText(cells[first + 1]),
                  .inU = closure.value / expandedOf(closure, m_coverage),
                  .closure = closure};
   };
@@ -76,12 +77,13 @@ void ClosureBars::setGap(const Gap& gap) {
     return value.figures + QStringLiteral(", ") + value.sigmas;
   };
   QStringList accessible;
-  for (const ClosureStep& step : gap.diagnosis->closures) {
-    Row row{
-        .name = qText(nameInWords(step.before)), .about = {}, .before = valueOf(step.before), .after = {}};
+  for (std::size_t i = 0; i < statement.rows.size(); ++i) {
+    const ClosureStep& step = gap.diagnosis->closures[i];
+    const std::vector<std::string>& cells = statement.rows[i].cells;
+    Row row{.name = qText(cells[0]), .about = {}, .before = valueOf(step.before, cells, 1), .after = {}};
     row.about = row.name + QStringLiteral(" = ") + accessibleOf(row.before);
     if (step.after && !gap.diagnosis->causes.empty()) {
-      row.after = valueOf(*step.after);
+      row.after = valueOf(*step.after, cells, 3);
       row.about += tr("; with the causes %1").arg(accessibleOf(*row.after));
     }
     accessible.append(row.about);

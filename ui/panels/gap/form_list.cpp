@@ -8,7 +8,6 @@
 #include "ui/charts/gap/form_chart.h"
 #include "ui/panels/parts/figure_grid.h"
 #include "ui/text/entry_text.h"
-#include "ui/text/form_text.h"
 
 namespace alidade::ui {
 
@@ -41,7 +40,7 @@ void FormList::setGap(const Gap& gap) {
     row.keep->setVisible(isThere && !forms[i].form.isFree());
     if (!isThere) continue;
     row.sentence->setText(qText(formSentence(forms[i])));
-    row.about->setText(aboutForm(forms[i]));
+    row.about->setText(qText(cleanRangeSentence(forms[i])));
     row.about->setVisible(!row.about->text().isEmpty());
     row.chart->setForm(gap, i);
   }

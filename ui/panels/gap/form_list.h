@@ -12,8 +12,8 @@ namespace alidade::ui {
 
 class FormChart;
 
-/// The forms of a gap: each in a sentence, with what looks like it, where the model holds, and its curve;
-/// then how far the gap shrinks.
+/// The forms of a gap: each in a sentence, with where the model holds and its curve; then how far the gap
+/// shrinks.
 class FormList : public QWidget {
   Q_OBJECT
 

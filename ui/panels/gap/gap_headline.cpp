@@ -4,9 +4,10 @@
 #include <QGridLayout>
 #include <QLabel>
 
+#include "core/statement/gap.h"
+#include "core/wording/findings.h"
 #include "ui/panels/parts/figure_grid.h"
 #include "ui/settings/window_font.h"
-#include "ui/text/cause_text.h"
 #include "ui/text/entry_text.h"
 
 namespace alidade::ui {
@@ -46,10 +47,13 @@ GapHeadline::GapHeadline(QWidget* parent)
 }
 
 void GapHeadline::setGap(const Gap& gap) {
-  if (!gap.diagnosis) return setText(tr("No diagnosis"), qText(gap.reason));
+  if (!gap.diagnosis) return setText(tr("No diagnosis"), qText(reasonForNone(gap)));
   const bool isUnknown = gap.diagnosis->verdict == DiagnosisVerdict::NotInCatalogue;
-  m_headline->setText(gapHeadline(*gap.diagnosis));
-  m_sentence->setText(gapSentence(gap));
+  const Statement verdict = gapVerdict(gap);
+  std::string sentences;
+  for (const std::string& sentence : verdict.sentences) sentences = inTurn(sentences, sentence);
+  m_headline->setText(qText(verdict.title));
+  m_sentence->setText(qText(sentences));
   setState(!gap.isOpen() ? State::Good : isUnknown ? State::Bad : State::Open);
 }
 

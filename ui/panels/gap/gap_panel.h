@@ -4,6 +4,7 @@
 #include "ui/jobs/gap_job.h"
 #include "ui/panels/parts/scroll_page.h"
 
+class QBoxLayout;
 class QCheckBox;
 class QGridLayout;
 class QLabel;
@@ -11,18 +12,17 @@ class QPushButton;
 
 namespace alidade::ui {
 
-class CauseList;
 class ClosureBars;
 class DataTable;
-class FigureGrid;
 class FormList;
 class GapHeadline;
 class GapMap;
-class GapWaterfall;
 class LeftoverStrips;
+class RemedyList;
+class StatementView;
 
-/// The gap between model and readings: verdict, causes, forms, how far it shrinks, its place, all candidates,
-/// what to measure next and undetectable effects. Only emits signals.
+/// The gap between model and readings: verdict, table of causes and forms with its actions, how far the gap
+/// shrinks, its place, what to measure next, undetectable effects and all candidates. Only emits signals.
 class GapPanel : public ScrollPage {
   Q_OBJECT
 
@@ -55,18 +55,20 @@ class GapPanel : public ScrollPage {
   void showEvent(QShowEvent* event) override;
 
  private:
+  QWidget* createCauses();
   QWidget* createCandidates();
+  QPushButton* addAction(const QString& text, const QString& name, const QString& toolTip);
   void arrange();
   void showVerdict();
-  void showEffectOnResult();
-  void showShrinkage();
+  void showActions();
   void showClosures();
   void showReference();
-  void showRequired();
-  void showNext();
-  void showUndetectable();
   void showCandidate();
   void addCandidate();
+  /// The ticked rows that are, or are not, effects of the model.
+  QStringList ticked(bool isOfModel) const;
+  /// The ticked causes with all that looks like them, as far as the model does not hold them.
+  QStringList tickedWithLookAlikes() const;
   /// The candidate in `row`; null if there is none.
   const Candidate* candidate(int row) const;
   bool isInModel(const std::string& id) const;
@@ -74,11 +76,12 @@ class GapPanel : public ScrollPage {
   SharedGap m_gap;
   QGridLayout* m_grid;
   GapHeadline* m_headline;
-  CauseList* m_causes;
+  StatementView* m_causes;
+  QBoxLayout* m_actions;
+  QPushButton *m_addTicked, *m_addLookAlikes, *m_remove;
+  RemedyList* m_remedies;
   FormList* m_forms;
-  GapWaterfall* m_waterfall;
-  FigureGrid* m_result;
-  QLabel* m_shrinkage;
+  StatementView* m_stages;
   GapMap* m_map;
   LeftoverStrips* m_leftOver;
   DataTable* m_candidates;
@@ -87,13 +90,9 @@ class GapPanel : public ScrollPage {
   QLabel* m_closuresNote;
   QCheckBox* m_withReference;
   QLabel* m_withReferenceNote;
-  FigureGrid* m_required;
-  QLabel* m_requiredNote;
-  QLabel* m_next;
-  FigureGrid* m_undetectable;
-  QLabel* m_undetectableNote;
-  QList<QWidget*> m_blocks;                                ///< in reading order
-  QWidget *m_formsBlock, *m_whereBlock, *m_requiredBlock;  ///< of `m_blocks`, not always shown
+  StatementView *m_required, *m_next, *m_undetectable, *m_known;
+  QList<QWidget*> m_blocks;                              ///< in reading order
+  QWidget *m_causesBlock, *m_formsBlock, *m_whereBlock;  ///< of `m_blocks`, not always shown
   bool m_returnsToReference = false;  ///< gives the keyboard back to the switch after the diagnosis
 };
 

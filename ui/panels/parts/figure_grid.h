@@ -1,11 +1,13 @@
 #pragma once
 
+#include <QLabel>
 #include <QStringList>
 #include <QVector>
 #include <QWidget>
+#include <optional>
 
+class QCheckBox;
 class QGridLayout;
-class QLabel;
 
 namespace alidade::ui {
 
@@ -19,6 +21,12 @@ class FigureGrid : public QWidget {
     QString caption;
     QStringList figures;
     QString toolTip = {};
+    QStringList below = {};  ///< texts below the row, over the whole width
+    bool isPart = false;     ///< a detail of the row above: indented
+    bool isBold = false;
+    std::optional<double> bar = {};  ///< 0…1, behind the figure of the column `barColumn`
+    QString tick = {};               ///< id of a row that can be ticked
+    bool isTicked = false;           ///< at first
   };
 
   enum class Captions {
@@ -28,13 +36,23 @@ class FigureGrid : public QWidget {
 
   explicit FigureGrid(QWidget* parent = nullptr, Captions captions = Captions::OnOneLine);
 
-  void setRows(const QStringList& titles, const QVector<Row>& rows);
+  /// `barColumn`: the figures at the left with bars behind them; −1: none.
+  void setRows(const QStringList& titles, const QVector<Row>& rows, int barColumn = -1);
+  /// The ids of the ticked rows, in order.
+  QStringList ticked() const;
+
+ signals:
+  void ticksChanged();
 
  private:
-  QLabel* label(int row, int column);
+  class Figure;
+
+  Figure* label(int row, int column);
+  void showTicks(const QVector<Row>& rows);
 
   QGridLayout* m_grid;
   Captions m_captions;
+  QVector<QCheckBox*> m_ticks;  ///< named by the ids of their rows
 };
 
 /// The bold line above a grid.

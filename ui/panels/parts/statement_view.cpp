@@ -2,6 +2,7 @@
 
 #include <QLabel>
 #include <QVBoxLayout>
+#include <utility>
 
 #include "ui/panels/parts/figure_grid.h"
 #include "ui/text/entry_text.h"
@@ -13,9 +14,16 @@ namespace {
 using Role = Statement::Column::Role;
 
 FigureGrid::Row gridRow(const Statement& statement, const Statement::Row& row) {
-  FigureGrid::Row shown{.caption = qText(row.cells.front()), .figures = {}};
+  FigureGrid::Row shown{.caption = qText(row.cells.front()),
+                        .figures = {},
+                        .toolTip = qText(row.about),
+                        .isPart = row.isPart,
+                        .isBold = row.isNotable,
+                        .bar = row.bar};
+  for (const std::string& text : statement.textsBelow(row)) shown.below.append(qText(text));
   for (std::size_t i = 1; i < row.cells.size(); ++i) {
     const Statement::Column& column = statement.columns[i];
+    if (column.role == Role::Text) continue;
     if (column.role != Role::Remark)
       shown.figures.append(qText(row.cells[i]));
     else if (row.isTotal || column.title.empty() || row.cells[i].empty())
@@ -32,29 +40,55 @@ StatementView::StatementView(QWidget* parent)
     : QWidget(parent),
       m_title(panelHeading({})),
       m_grid(new FigureGrid(nullptr, FigureGrid::Captions::Wrapped)),
+      m_sentences(wrappedLabel()),
       m_note(wrappedLabel()) {
+  m_title->setWordWrap(true);
   m_note->setForegroundRole(QPalette::PlaceholderText);
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins({});
-  for (QWidget* part : std::initializer_list<QWidget*>{m_title, m_grid, m_note}) layout->addWidget(part);
+  for (QWidget* part : std::initializer_list<QWidget*>{m_title, m_grid, m_sentences, m_note})
+    layout->addWidget(part);
+  connect(m_grid, &FigureGrid::ticksChanged, this, &StatementView::ticksChanged);
   hide();
+}
+
+void StatementView::setTicks(TickOf tickOf) {
+  m_tickOf = std::move(tickOf);
+}
+
+QStringList StatementView::ticked() const {
+  return m_grid->ticked();
 }
 
 void StatementView::setStatement(const std::optional<Statement>& statement) {
   setEnabled(true);
-  setVisible(statement.has_value());
-  if (!statement) return;
+  setVisible(statement && (!statement->rows.empty() || !statement->sentences.empty()));
+  if (isHidden()) return;
   m_title->setText(qText(statement->title));
-  QStringList titles, notes;
-  for (const Statement::Column& column : statement->columns)
-    if (column.role != Role::Remark && column.role != Role::Name) titles.append(qText(column.title));
+  QStringList titles, sentences;
+  int barColumn = -1;
+  for (const Statement::Column& column : statement->columns) {
+    if (column.role == Role::Remark || column.role == Role::Name || column.role == Role::Text) continue;
+    if (column.role == Role::Bar) barColumn = static_cast<int>(titles.size());
+    titles.append(qText(column.title));
+  }
   QVector<FigureGrid::Row> rows;
-  for (const Statement::Row& row : statement->rows) rows.append(gridRow(*statement, row));
-  m_grid->setRows(titles, rows);
-  if (!statement->note.empty()) notes.append(qText(statement->note));
-  for (const std::string& sentence : statement->sentences) notes.append(qText(sentence));
-  m_note->setText(notes.join(u'\n'));
-  m_note->setVisible(!notes.isEmpty());
+  for (const Statement::Row& row : statement->rows) {
+    rows.append(gridRow(*statement, row));
+    const auto tick = m_tickOf && !row.id.empty() ? m_tickOf(row.id) : std::nullopt;
+    if (!tick) continue;
+    rows.back().tick = qText(row.id);
+    rows.back().isTicked = *tick;
+  }
+  m_grid->setRows(titles, rows, barColumn);
+  for (const std::string& sentence : statement->sentences) sentences.append(qText(sentence));
+  m_title->setVisible(!statement->title.empty());
+  m_grid->setVisible(!rows.isEmpty());
+  for (const auto& [label, text] :
+       {std::pair(m_sentences, sentences.join(u'\n')), std::pair(m_note, qText(statement->note))}) {
+    label->setText(text);
+    label->setVisible(!text.isEmpty());
+  }
 }
 
 }  // namespace alidade::ui

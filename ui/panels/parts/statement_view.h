@@ -1,6 +1,8 @@
 #pragma once
 
+#include <QStringList>
 #include <QWidget>
+#include <functional>
 #include <optional>
 
 #include "core/statement/statement.h"
@@ -11,19 +13,30 @@ namespace alidade::ui {
 
 class FigureGrid;
 
-/// Shows a statement: its title, its table with remarks as tool tips, its note and sentences.
+/// Shows a statement: its title, its table with remarks as tool tips, its sentences and note. Rows with an id
+/// can be ticked, if wanted.
 class StatementView : public QWidget {
   Q_OBJECT
 
  public:
   explicit StatementView(QWidget* parent = nullptr);
 
-  /// Hidden without a statement.
+  /// Hidden without a statement, or if it tells nothing.
   void setStatement(const std::optional<Statement>& statement);
+  /// Whether the row with this id is ticked at first; absent: it has no tick. Holds for later statements.
+  using TickOf = std::function<std::optional<bool>(const std::string& id)>;
+  void setTicks(TickOf tickOf);
+  /// The ids of the ticked rows, in order.
+  QStringList ticked() const;
+
+ signals:
+  void ticksChanged();
 
  private:
   QLabel* m_title;
   FigureGrid* m_grid;
+  TickOf m_tickOf;
+  QLabel* m_sentences;
   QLabel* m_note;
 };
 

@@ -196,7 +196,7 @@ void ResultPanel::showDetails(const Headline& headline) {
 }
 
 QString ResultPanel::whatIsMissing(const Evaluation& evaluation) {
-  if (!evaluation.failure.empty()) return qText(evaluation.failure);
+  if (evaluation.failure) return qText(sentencesOf(*evaluation.failure));
   const auto& problems = evaluation.examined.problems;
   const bool wrong = std::any_of(problems.begin(), problems.end(), [&](const Problem& problem) {
     return !isMissing(evaluation.session, problem.where);

@@ -90,7 +90,7 @@ TEST(ResultPanel, SaysInLargeTypeWhereThereIsNoMeasuredResult) {
   Gap gap = gapOf("clean-session.alidade");
   gap.diagnosis->measured.reset();
   EXPECT_EQ(Bench(gap).textsFrom(1.5), QStringList{QStringLiteral("Δd: not determined by these readings")});
-  EXPECT_EQ(Bench(noGap(gap.evaluation, "Stopped.")).textsFrom(1.5),
+  EXPECT_EQ(Bench(noGap(gap.evaluation, Absence::Stopped)).textsFrom(1.5),
             QStringList{QStringLiteral("Δd: no diagnosis was made")});
 }
 

@@ -13,23 +13,17 @@ class QVBoxLayout;
 
 namespace alidade::ui {
 
-/// Every cause of a gap with its numbers and possible actions, and the effects already in the model. Only
-/// emits signals.
-class CauseList : public QWidget {
+/// What to do about causes that no effect of the model holds: misread values, a jump, larger noise; and the
+/// vertical angle relation, which is better set than estimated. Only emits signals; hidden without any.
+class RemedyList : public QWidget {
   Q_OBJECT
 
  public:
-  explicit CauseList(QWidget* parent = nullptr);
+  explicit RemedyList(QWidget* parent = nullptr);
 
   void setGap(const Gap& gap);
-  /// Has the gap a shape that no form tells better?
-  static bool tellsShape(const Diagnosis& diagnosis) { return diagnosis.shape && diagnosis.forms.empty(); }
 
  signals:
-  /// Asks to add these effects to the model.
-  void effectsWanted(const QStringList& ids);
-  /// Asks to remove the effect from the model.
-  void effectUnwanted(const QString& id);
   /// Set the session's vertical angle relation to `text`.
   void relationWanted(const QString& text);
   void placeActivated(const alidade::Place& place);
@@ -38,15 +32,10 @@ class CauseList : public QWidget {
   void noiseWanted(const alidade::StatedNoise& noise);
 
  private:
-  void addCause(const Gap& gap, const Cause& cause);
-  void addEffectOfModel(const Gap& gap, const std::string& id);
-  void addShape(const GapShape& shape);
-  void addTitle(const QString& text, const QString& figure, const QString& toolTip = {});
-  void addText(const QString& text, bool isQuiet = false);
+  void addText(const QString& text);
   /// Adds a button to the row of the cause being shown.
   QPushButton* addButton(const QString& text, const QString& name);
-  void addCatalogueButtons(const Gap& gap, const Cause& cause);
-  void addAllCauses(const std::vector<Cause>& causes);
+  void addRelation(const Gap& gap);
   void addGrossErrors(const Cause& cause);
   void addJump(const Gap& gap, const Cause& cause);
   void addRowsExclusion(const QString& text, const QString& name, const RowRange& rows);

@@ -1,0 +1,43 @@
+#pragma once
+
+#include "core/evaluation/gap.h"
+#include "core/statement/statement.h"
+
+namespace alidade {
+
+// The subjects of a gap, each in a file of its own. All need a diagnosis, but `gapKnown`. U is at the
+// coverage of the measurement. A statement without a subject is empty.
+
+/// Why the gap has no diagnosis, in sentences.
+std::string reasonForNone(const Gap& gap);
+
+/// The headline and the sentences of the diagnosis, without a table.
+Statement gapVerdict(const Gap& gap);
+
+/// The causes, the forms or the pattern, and the effects of the model: size ± U, probability, what each
+/// closes or by how much it shrinks the residuals, and its look-alikes. The id of a row is that of the cause;
+/// empty for forms, patterns and details.
+Statement gapCauses(const Gap& gap);
+
+/// Each form in a sentence, where the model holds without it, and how far the gap shrinks; no table.
+Statement gapForms(const Gap& gap);
+
+/// The residuals and Δd in each stage from the bare model to Δd, measured.
+Statement gapStages(const Gap& gap);
+
+/// The closures of the session's own model and with the causes; the failing ones are notable.
+Statement gapClosures(const Gap& gap);
+
+/// The size of each effect that would explain Δd − reference.
+Statement gapRequired(const Gap& gap);
+
+/// The undetectable effects that may move Δd noticeably.
+Statement gapUndetectable(const Gap& gap);
+
+/// The readings to take next: those that tell most for their effort (`worthwhile`), and attainable U.
+Statement gapAdvice(const Gap& gap);
+
+/// Known sizes, and what these readings say of them.
+Statement gapKnown(const Gap& gap);
+
+}  // namespace alidade

@@ -1,0 +1,37 @@
+#include "core/base/phrase.h"
+#include "core/base/quantity_text.h"
+#include "core/statement/gap.h"
+#include "core/wording/effect_name.h"
+
+namespace alidade {
+
+namespace {
+
+std::string influenceText(const UndetectableEffect& effect) {
+  return "± " + displayText(effect.influence, decimalsFor(effect.influence));
+}
+
+}  // namespace
+
+Statement gapUndetectable(const Gap& gap) {
+  Statement statement{.id = "undetectable",
+                      .title = Phrase::of("Undetectable here"),
+                      .columns = {{"effect", Phrase::of("Effect"), Statement::Column::Role::Name},
+                                  {"influence", Phrase::of("moves Δd (mm)")},
+                                  {"visible", Phrase::of("leaves (σ)")}},
+                      .rows = {}};
+  for (const UndetectableEffect& effect : gap.noticeablyUndetectable())
+    statement.rows.push_back(
+        {.cells = {causeTitle(effect.effect), influenceText(effect), displayText(effect.visibleSigma, 1)},
+         .id = effect.effect});
+  if (statement.rows.empty())
+    statement.sentences = {
+        Phrase::of("No effect of plausible size could move Δd noticeably without leaving a trace.")};
+  else
+    statement.note = Phrase::of(
+        "Each at its plausible size, without a clear trace in these readings. U of Δd, fit only, does not "
+        "include them; U of Δd, measured, includes what its budget lists.");
+  return statement;
+}
+
+}  // namespace alidade

@@ -1,0 +1,163 @@
+#include "ui/panels/gap/remedy_list.h"
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPushButton>
+
+#include "core/effects/cause_ids.h"
+#include "core/wording/diagnosis_sentence.h"
+#include "ui/panels/parts/figure_grid.h"
+#include "ui/text/accessible_place.h"
+#include "ui/text/cause_text.h"
+#include "ui/text/entry_text.h"
+
+namespace alidade::ui {
+
+namespace {
+
+/// Advice about a jump, and which rows may be excluded when. Rows for which the orientation of every pointing
+/// zero is still valid stay.
+QString jumpText(const Session& session, const Jump& jump) {
+  if (jump.isAtZero)
+    return RemedyList::tr(
+        "It happened between a pointing zero and the first place after it, or that zero was misread; in "
+        "which of the positions these readings do not tell. No model of a session holds a jump, so there is "
+        "none to add: sight both zeros again and read the positions anew.");
+  const QString row =
+      accessiblePlace(session, {.position = jump.place.position, .reading = jump.place.reading});
+  QString text = RemedyList::tr(
+                     "It happened before %1. No model of a session holds a jump, so there is none to add: "
+                     "look after the "
+                     "stand, sight the pointing zero anew and read this position again.")
+                     .arg(row);
+  if (jump.before)
+    text += RemedyList::tr(
+        " Or leave out the rows before the jump, if the pointing zero of the next position was not sighted "
+        "after it.");
+  if (jump.after && jump.isLast)
+    text += RemedyList::tr(" Or leave out the rows from there on.");
+  else if (jump.after)
+    text += jump.before
+                ? RemedyList::tr(" Or leave out the rows from there on, if it was.")
+                : RemedyList::tr(
+                      " Or leave out the rows from there on, if the pointing zero of the next position "
+                      "was sighted after it.");
+  return text;
+}
+
+}  // namespace
+
+RemedyList::RemedyList(QWidget* parent) : QWidget(parent), m_layout(new QVBoxLayout(this)) {
+  m_layout->setContentsMargins(0, 0, 0, 0);
+  m_layout->setSpacing(3);
+}
+
+void RemedyList::setGap(const Gap& gap) {
+  while (QLayoutItem* item = m_layout->takeAt(0)) {
+    delete item->widget();
+    delete item;
+  }
+  m_buttons = nullptr;
+  for (const Cause& cause : gap.diagnosis->causes) {
+    m_buttons = nullptr;
+    if (cause.effect == grossErrorId) addGrossErrors(cause);
+    if (cause.effect == jumpId) addJump(gap, cause);
+    if (cause.effect == noiseId) addNoise(gap, cause);
+    if (cause.effect == relationId) addRelation(gap);
+  }
+  setVisible(m_layout->count() > 0);
+}
+
+void RemedyList::addText(const QString& text) {
+  QLabel* label = wrappedLabel();
+  label->setText(text);
+  m_layout->addWidget(label);
+}
+
+QPushButton* RemedyList::addButton(const QString& text, const QString& name) {
+  if (!m_buttons) {
+    auto* row = new QWidget;
+    m_buttons = new QHBoxLayout(row);
+    m_buttons->setContentsMargins(0, 2, 0, 0);
+    m_buttons->addStretch();
+    m_layout->addWidget(row);
+  }
+  auto* button = new QPushButton(text);
+  button->setObjectName(name);
+  button->setAutoDefault(true);
+  m_buttons->insertWidget(m_buttons->count() - 1, button);
+  return button;
+}
+
+void RemedyList::addRelation(const Gap& gap) {
+  const bool isPlanar = gap.evaluation->examined.measurement->relation == VerticalAngleRelation::Planar;
+  QPushButton* relation =
+      addButton(isPlanar ? tr("Take exact vertical angles") : tr("Take planar vertical angles"),
+                QStringLiteral("relation"));
+  relation->setToolTip(
+      tr("Sets the relation of the vertical angle in the form of the measurement: no "
+         "effect has to be estimated then"));
+  connect(relation, &QPushButton::clicked, this, [this, isPlanar] {
+    emit relationWanted(isPlanar ? QStringLiteral("exact") : QStringLiteral("planar"));
+  });
+}
+
+void RemedyList::addGrossErrors(const Cause& cause) {
+  if (!cause.indistinguishableFrom.empty())
+    addText(
+        tr("Perhaps %1 right beside it, which would move Δd: read the position again before a row is left "
+           "out.")
+            .arg(causeNames(cause.indistinguishableFrom, tr(" or "))));
+  for (const ReadingDeviation& reading : cause.readings) {
+    m_buttons = nullptr;
+    //: a reading and its error: 0°, point 11, horizontal: off by +29.0″
+    addText(tr("%1: off by %2").arg(qText(readingName(reading)), qText(secondsWithSign(reading.size))));
+    const Place place{
+        .position = reading.position, .reading = reading.row, .field = std::string(nameOf(reading.kind))};
+    connect(addButton(tr("Go to the reading"), QStringLiteral("go to reading")), &QPushButton::clicked, this,
+            [this, place] { emit placeActivated(place); });
+    QPushButton* exclude = addButton(tr("Exclude the row"), QStringLiteral("exclude row"));
+    exclude->setToolTip(tr("Leaves the row out of the fit; what was typed stays"));
+    connect(exclude, &QPushButton::clicked, this, [this, place] { emit exclusionWanted(place); });
+  }
+}
+
+/// A jump has a time as well as a size, so no session model holds it.
+void RemedyList::addJump(const Gap& gap, const Cause& cause) {
+  const std::optional<Jump> jump = jumpOf(gap, cause);
+  if (!jump) return;
+  addText(jumpText(gap.evaluation->session, *jump));
+  connect(addButton(tr("Go to the reading"), QStringLiteral("go to jump")), &QPushButton::clicked, this,
+          [this, place = jump->place] { emit placeActivated(place); });
+  if (jump->before && jump->after) m_buttons = nullptr;  // three in a row are wider than the page
+  if (jump->before)
+    addRowsExclusion(tr("Exclude the rows before"), QStringLiteral("exclude before"), *jump->before);
+  if (jump->after)
+    addRowsExclusion(tr("Exclude the rows from there on"), QStringLiteral("exclude after"), *jump->after);
+}
+
+void RemedyList::addRowsExclusion(const QString& text, const QString& name, const RowRange& rows) {
+  QPushButton* exclude = addButton(text, name);
+  exclude->setToolTip(tr("Leaves the rows out of the fit; what was typed stays"));
+  connect(exclude, &QPushButton::clicked, this, [this, rows] { emit rowsExclusionWanted(rows); });
+}
+
+void RemedyList::addNoise(const Gap& gap, const Cause& cause) {
+  addText(
+      tr("Nothing to add to the model: U rests on the scatter of the readings already. If the instrument and "
+         "the place are no better than this, state the larger σ."));
+  const std::optional<StatedNoise> noise = scatterOf(gap, cause);
+  if (!noise) return;
+  const QString second = QChar(0x2033);
+  const QString both =
+      noise->horizontal == noise->vertical
+          ? qText(noise->horizontal) + second
+          : tr("%1 and %2").arg(qText(noise->horizontal) + second, qText(noise->vertical) + second);
+  QPushButton* state = addButton(tr("State σ = %1").arg(both), QStringLiteral("state noise"));
+  state->setToolTip(
+      tr("Sets σ of the horizontal and the vertical circle in the form of the instrument; σ of the pointing "
+         "zero follows unless it was typed"));
+  connect(state, &QPushButton::clicked, this, [this, noise = *noise] { emit noiseWanted(noise); });
+}
+
+}  // namespace alidade::ui
