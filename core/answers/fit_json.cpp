@@ -227,37 +227,45 @@ Json inputsJson(const Measurement& measurement, const SessionFit& fit) {
 }
 
 /// Adds the arrival in the notation of a session file.
-void takeArrival(const Arrival* arrival, const TakeMember& take) {
+void addArrival(Json& json, const Arrival* arrival) {
   if (!arrival) return;
-  if (!arrival->takenAt.empty()) take("taken_at", arrival->takenAt);
-  if (!arrival->returnCode.empty()) take("return_code", valueOf(arrival->returnCode, ValueKind::Number));
-  if (!arrival->instrumentSerial.empty()) take("instrument_serial", arrival->instrumentSerial);
+  if (!arrival->takenAt.empty()) json["taken_at"] = arrival->takenAt;
+  if (!arrival->returnCode.empty()) json["return_code"] = valueOf(arrival->returnCode, ValueKind::Number);
+  if (!arrival->instrumentSerial.empty()) json["instrument_serial"] = arrival->instrumentSerial;
 }
 
-LongList reliabilityList(const Measurement& measurement, const SessionFit& fit, const Detection& detection,
-                         const std::vector<Arrival>& arrivals) {
+/// Names the row's position, round and point.
+Json rowJson(int axisDeg, int time, const Sighting& sighting) {
+  Json json = {{"axis_deg", axisDeg}};
+  if (time > 1) json["time"] = time;
+  json["round"] = sighting.round;
+  json["point"] = sighting.point;
+  return json;
+}
+
+Json reliabilityJson(const Measurement& measurement, const SessionFit& fit, const Detection& detection,
+                     const std::vector<Arrival>& arrivals) {
   std::vector<const std::vector<Sighting>*> sightings;  // of each fitted arc
   for (const ArcFit& arc : fit.arcs)
     sightings.push_back(
         &std::ranges::find(measurement.arcs, arc.position, &ArcMeasurement::position)->sightings);
-  const auto members = [&fit, &arrivals, sightings, detection](std::size_t i, const TakeMember& take) {
-    const AdjustedReading& reading = fit.joint.readings[i];
+  Json list = Json::array();
+  for (const AdjustedReading& reading : fit.joint.readings) {
     const Sighting& sighting = (*sightings[reading.arc])[reading.sighting];
     const Reliability reliability = reliabilityOf(reading, detection);
-    take("axis_deg", fit.arcs[reading.arc].axisDeg);
-    if (fit.arcs[reading.arc].time > 1) take("time", fit.arcs[reading.arc].time);
-    take("round", sighting.round);
-    take("point", sighting.point);
-    take("face", sighting.face);
-    take("circle", nameOf(reading.kind));
-    take("residual_arcsec", Angle::fromRadians(reading.residual).arcseconds());
-    take("standardised_residual", reading.standardised(detection.scale));
-    take("redundancy", reading.redundancy);
-    take("minimal_detectable_bias_arcsec", reliability.minimalDetectableBias.arcseconds());
-    take("influence_mm", fit.intersection ? reliability.influence : undefined);
-    takeArrival(arrivalAt(arrivals, fit.arcs[reading.arc].position, sighting.row), take);
-  };
-  return {"/reliability", fit.joint.readings.size(), members};
+    const ArcFit& arc = fit.arcs[reading.arc];
+    Json json = rowJson(arc.axisDeg, arc.time, sighting);
+    json["face"] = sighting.face;
+    json["circle"] = nameOf(reading.kind);
+    json["residual_arcsec"] = Angle::fromRadians(reading.residual).arcseconds();
+    json["standardised_residual"] = reading.standardised(detection.scale);
+    json["redundancy"] = reading.redundancy;
+    json["minimal_detectable_bias_arcsec"] = reliability.minimalDetectableBias.arcseconds();
+    json["influence_mm"] = fit.intersection ? reliability.influence : undefined;
+    addArrival(json, arrivalAt(arrivals, arc.position, sighting.row));
+    list.push_back(std::move(json));
+  }
+  return list;
 }
 
 Json instrumentErrorJson(const InstrumentError& error) {
@@ -269,30 +277,27 @@ Json faceScatterJson(const FaceScatter& scatter) {
           {"degrees_of_freedom", scatter.degreesOfFreedom}};
 }
 
-LongList visitsList(const Measurement& measurement, const TwoFaces& faces) {
-  const auto members = [&](std::size_t i, const TakeMember& take) {
-    const FaceDifference& visit = faces.visits[i];
+Json visitsJson(const Measurement& measurement, const TwoFaces& faces) {
+  Json list = Json::array();
+  for (const FaceDifference& visit : faces.visits) {
     const ArcMeasurement& arc = measurement.arcs[visit.arc];
-    const Sighting& sighting = arc.sightings[visit.faceOne];
-    take("axis_deg", arc.axisDeg);
-    if (arc.time > 1) take("time", arc.time);
-    take("round", sighting.round);
-    take("point", sighting.point);
-    take("elevation_deg", visit.elevation.degrees());
-    take("double_collimation_arcsec", visit.doubleCollimation.arcseconds());
-    take("from_course_arcsec", visit.fromCourse.arcseconds());
-    take("index_arcsec", visit.index.arcseconds());
-  };
-  return {"/two_faces/visits", faces.visits.size(), members};
+    Json json = rowJson(arc.axisDeg, arc.time, arc.sightings[visit.faceOne]);
+    json["elevation_deg"] = visit.elevation.degrees();
+    json["double_collimation_arcsec"] = visit.doubleCollimation.arcseconds();
+    json["from_course_arcsec"] = visit.fromCourse.arcseconds();
+    json["index_arcsec"] = visit.index.arcseconds();
+    list.push_back(std::move(json));
+  }
+  return list;
 }
 
-Json twoFacesJson(const TwoFaces& faces) {
+Json twoFacesJson(const Measurement& measurement, const TwoFaces& faces) {
   Json document = {{"collimation", instrumentErrorJson(faces.collimation)}};
   if (faces.trunnionTilt) document["trunnion_tilt"] = instrumentErrorJson(*faces.trunnionTilt);
   document["vertical_index"] = instrumentErrorJson(faces.index);
   document["scatter"] = {{"horizontal", faceScatterJson(faces.horizontal)},
                          {"vertical", faceScatterJson(faces.vertical)}};
-  document["visits"] = Json::array();
+  document["visits"] = visitsJson(measurement, faces);
   return document;
 }
 
@@ -392,18 +397,14 @@ std::string fitJson(const FitAnswer& answer) {
   for (const EffectEstimate& estimate : fit.effects) document["effects"].push_back(effectJson(estimate));
   const Detection detection = detectionIn(fit.joint, fit.noise.factor);
   document["reading_test"] = readingTestJson(detection);
-  document["reliability"] = Json::array();
+  document["reliability"] = reliabilityJson(measurement, fit, detection, answer.arrivals);
   document["input_reliability"] = inputsJson(measurement, fit);
-  std::vector<LongList> lists{reliabilityList(measurement, fit, detection, answer.arrivals)};
-  const std::optional<TwoFaces> faces = compareFaces(measurement);
-  if (faces) {
-    document["two_faces"] = twoFacesJson(*faces);
-    lists.push_back(visitsList(measurement, *faces));
-  }
+  if (const std::optional<TwoFaces> faces = compareFaces(measurement))
+    document["two_faces"] = twoFacesJson(measurement, *faces);
   document["suspects"] = Json::array();
   for (const Suspect& suspect : answer.suspects) document["suspects"].push_back(suspectJson(suspect));
   document["findings"] = findingsJson(inWords(fit.findings, answer.suspects));
-  return answerText(std::move(document), lists);
+  return answerText(std::move(document));
 }
 
 std::string fitJson(const std::string& name, const Measurement& measurement, const PublishedSessionFit& fit) {

@@ -124,12 +124,7 @@ Json sessionJson(const SeriesMember& member) {
 }  // namespace
 
 std::string seriesJson(const std::string& name, const SeriesDiagnosis& series) {
-  Json json = {{"series", together(name, series)}, {"sessions", Json::array()}};
-  const LongList sessions{"/sessions", series.sessions.size(), [&](std::size_t i, const TakeMember& take) {
-                            const Json session = sessionJson(series.sessions[i]);
-                            for (const auto& [key, value] : session.items()) take(key.c_str(), value);
-                          }};
-  return answerText(std::move(json), {sessions});
+  return answerText({{"series", together(name, series)}, {"sessions", jsonOf(series.sessions, sessionJson)}});
 }
 
 }  // namespace alidade
