@@ -1,25 +1,23 @@
 #include "core/adjustment/monte_carlo/draw.h"
 
+#include <boost/random/chi_squared_distribution.hpp>
+#include <boost/random/normal_distribution.hpp>
 #include <cmath>
-
-#include "core/base/ziggurat.h"
+#include <cstdint>
 
 namespace alidade {
 
 namespace {
 
-/// χ² with `freedom` ≥ 1 degrees of freedom: twice a Gamma variable (Marsaglia and Tsang, "A simple method
-/// for generating gamma variables", 2000). A shape below 1 is raised above it.
-double drawChiSquare(RandomSource& random, double freedom) {
-  const bool raised = freedom < 2;
-  const double d = freedom / 2 + (raised ? 1 : 0) - 1.0 / 3, c = 1 / std::sqrt(9 * d);
-  while (true) {
-    const double x = zigguratNormal(random), root = 1 + c * x, v = root * root * root;
-    const double u = random.uniform();
-    if (v > 0 && std::log(u) < x * x / 2 + d - d * v + d * std::log(v))
-      return 2 * d * v * (raised ? std::pow(random.uniform(), 2 / freedom) : 1);
-  }
-}
+/// The numbers of a source for Boost's distributions, which are the same on every machine.
+struct Bits {
+  using result_type = std::uint64_t;  // NOLINT(readability-identifier-naming)
+
+  RandomSource& source;
+  static constexpr result_type min() { return 0; }
+  static constexpr result_type max() { return ~result_type(); }
+  result_type operator()() { return source.bits(); }
+};
 
 }  // namespace
 
@@ -44,7 +42,8 @@ DrawPlan::DrawPlan(const Measurement& fitted, const NoiseScale& noise)
 double DrawPlan::drawScale(RandomSource& random) const {
   const double freedom = m_noise.degreesOfFreedom;
   if (!std::isfinite(freedom)) return m_noise.factor;
-  return m_noise.factor / std::sqrt(drawChiSquare(random, freedom) / freedom);
+  Bits bits{random};
+  return m_noise.factor / std::sqrt(boost::random::chi_squared_distribution(freedom)(bits) / freedom);
 }
 
 void DrawPlan::drawInto(Draw& draw, std::uint64_t seed, std::uint64_t number) const {
@@ -52,7 +51,10 @@ void DrawPlan::drawInto(Draw& draw, std::uint64_t seed, std::uint64_t number) co
   draw.scale = drawScale(random);
   draw.zeroScale = m_zeroScatter > 0 ? draw.scale / m_zeroScatter : 1;
   draw.normals.resize(m_count);
-  fillWithNormals(random, draw.normals);
+  RandomSource rest = random;  // of this function alone, so that its state stays in registers
+  Bits bits{rest};
+  boost::random::normal_distribution normal;
+  for (double& value : draw.normals) value = normal(bits);
 }
 
 }  // namespace alidade
