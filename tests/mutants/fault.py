@@ -10,7 +10,7 @@ from code import lines_of_code, masked
 from rules import ORIGINAL, RULES
 
 TOPS = ("core", "ui")
-SUFFIXES = (".cpp", ".h", ".inc")
+SUFFIXES = (".cpp", ".h")
 
 # What is only looks is looked at and not tested.
 LOOKS = re.compile(r"""set(?:Contents)?Margins?\(|set\w*(?:Spacing|Stretch|Alignment|Width|Height|Size|SizePolicy|Pen|Brush

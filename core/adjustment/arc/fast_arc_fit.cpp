@@ -5,175 +5,29 @@
 #include <atomic>
 #include <cassert>
 #include <cmath>
-#include <numbers>
 #include <thread>
-#include <type_traits>
 
+#include "core/adjustment/arc/fast_arc_kernel.h"
 #include "core/base/random_source.h"
 
 namespace alidade {
 
 namespace {
 
-constexpr std::size_t width = 4;
-constexpr std::size_t sideBySide = 2;  // sets of lanes
-using Lanes = double __attribute__((vector_size(width * sizeof(double))));
+using namespace arc_kernel;
 
-constexpr double largestAngle = std::numbers::pi / 4;
-constexpr double largestResidual = 0.002;  // rad; the series below are exact to rounding up to this
-constexpr double untold = 6;               // bound on the remainder of an iteration, in units of its estimate
-constexpr double straight = 1e-10;         // variance across times along the chord, of R⁴; some 6° of arc
-constexpr double unlike = 0.01;            // largest difference between a part and all places in their
-                                           // remainder
-constexpr int mostIterations = 12;
-constexpr int mostSurveys = 2;  // if more are needed, residuals are too large for them
+constexpr double unlike = 0.01;  // largest difference between a part and all places in their remainder
+constexpr int mostSurveys = 2;   // if more are needed, residuals are too large for them
 constexpr std::size_t pilotPlaces = 16384;
-constexpr std::size_t share = 16;  // blocks of a sweep that are processed together
 
-/// A pair of readings, and what the last iteration found for it.
-struct alignas(sizeof(Lanes)) PlaceEquation {
-  Lanes tanA, tanE, secA;  ///< secA: with the exact relation only
-  Lanes y, perRise;        ///< of the plane point, and its derivative with respect to e
-  Lanes weight;            ///< rows of the visit, 0 for unused lanes; used if all lanes are of one arc
-  Lanes w, perA, perE;     ///< misclosure, and the residuals of a and e per unit of it
-  Lanes ux, uy;            ///< from the centre
-};
-
-/// A circle in units of L.
-template <typename T>
-struct Disc {
-  T x, y, square;  ///< R²
-};
-
-/// A step of the centre and of h.
-template <typename T>
-struct Step {
-  T x, y, half;
-};
-
-/// Σ weight · (products of ux, uy and 1).
-template <typename T>
-struct Information {
-  T one{}, x{}, y{}, xx{}, xy{}, yy{};
-};
-
-/// The information with the sums of the misclosure.
-template <typename T>
-struct Normals : Information<T> {
-  T w{}, xw{}, yw{}, ww{};
-};
-
-/// The normal equations from the condition linearised at adjusted readings.
-template <typename T>
-struct Sums : Normals<T> {
-  T xxw{}, xyw{};
-};
-
-/// The normal equations from the series about the readings; `third` measures its terms of third order.
-template <typename T>
-struct CloseSums : Normals<T> {
-  T third{};
-};
-
-struct Variances {
-  double horizontal, vertical;  // rad²
-};
-
-struct Setup {
-  Variances variances;
-  double distance;
-  bool exact;
-  double tolerance;
-};
-
-/// Inverse of the normal equations, and whether they are clearly nonsingular.
-template <typename T>
-struct Inverse {
-  T xx, xy, yy, xh, yh, hh;
-  T determinacy;
-};
-
-/// The state of the iteration. `remaining` bounds the remaining way, in units of R; `chance` is the part due
-/// to residuals; `lag`: distance of the points of linearisation from the right ones; `anisotropy`: how much a
-/// place's error depends on direction, 0…1.
-template <typename T>
-struct Progress {
-  Disc<T> disc;
-  Step<T> step{};
-  T perRootPlaces{}, anisotropy = T{} + 1, lag{}, chance{}, remaining = T{} + 1, chiSquare{};
-  Inverse<T> inverse;
-};
-
-/// Kåsa's circle through the places (see algebraic_circle.h).
-template <typename T>
-struct Moments {
-  T n{}, x{}, y{}, xx{}, xy{}, yy{}, xz{}, yz{};
-};
-
-/// Readings of one arc, four places per vector.
-struct Readings {
-  const double *a, *e, *rows;  ///< rows: null if all visits have one
-  std::size_t count;
-
-  std::size_t blocks() const { return (count + width - 1) / width; }
-};
-
-/// The results of a sweep over places.
-template <typename S>
-struct Found {
-  S sums;
-  double largestReading = 0, largestResidual = 0;
-};
-
-using Sweep = Found<Sums<double>>;
-using Survey = Found<CloseSums<double>>;
-
-/// The reported result: mm, mm².
-template <typename T>
-struct Conclusion {
-  T x, y, radius, xx, xy, yy, xr, yr, rr, chiSquare;
-  T sound;  ///< 0 if the fit is refused
-  int iterations;
-};
-
-template <typename T>
-struct alignas(sizeof(Lanes)) Outcome {
-  Progress<T> progress;
-  T largestReading{}, largestResidual{};
-  int iterations = 0;
-  double tolerance = usualTolerance;
-};
-
-// The same kernel for every processor, and for those with vector units of four doubles.
-namespace plain {
-#include "core/adjustment/arc/fast_arc_kernel.inc"
-}
-#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__)
-#define ALIDADE_HAS_WIDE_KERNEL
-#pragma GCC push_options
-#pragma GCC target("avx2,fma")
-namespace wide {
-#include "core/adjustment/arc/fast_arc_kernel.inc"
-}
-#pragma GCC pop_options
-#endif
-
-struct Kernel {
-  decltype(&plain::solveOne) solveOne = plain::solveOne;
-  decltype(&plain::solveMany) solveMany = plain::solveMany;
-  decltype(&plain::sweep) sweep = plain::sweep;
-  decltype(&plain::survey) survey = plain::survey;
-};
-
-const Kernel& kernel() {
+const ArcKernel& kernel() {
 #ifdef ALIDADE_HAS_WIDE_KERNEL
-  static const Kernel chosen = __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma")
-                                   ? Kernel{wide::solveOne, wide::solveMany, wide::sweep, wide::survey}
-                                   : Kernel{};
-#else
-  static const Kernel chosen;
-#endif
+  static const ArcKernel& chosen =
+      __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma") ? wideKernel : plainKernel;
   return chosen;
+#else
+  return plainKernel;
+#endif
 }
 
 Setup inside(const ArcSetup& setup, double tolerance = usualTolerance) {
@@ -216,7 +70,7 @@ std::optional<FastArcFit> fitKept(const ArcSetup& setup, const Readings& reading
   }
   Outcome<double> outcome;
   kernel().solveOne(places, readings, inside(setup), residuals, outcome);
-  return fitIn(plain::conclude(outcome, setup.distance));
+  return fitIn(concluded(outcome, setup.distance));
 }
 
 /// Randomly chosen blocks of places, one from each of as many equal stretches.
@@ -273,12 +127,12 @@ void mend(Progress<double>& progress, const CloseSums<double>& all, const CloseS
   Vector left;
   for (std::size_t i = 0; i < 3; ++i)
     left[i] = whole[i] - wholeChange[i] + all.one / before.one * (second[i] - first[i] + partChange[i]);
-  Step<double> rest = plain::times(progress.inverse, left[0], left[1], left[2]);
+  Step<double> rest = times(progress.inverse, left[0], left[1], left[2]);
   rest.half += step.x * rest.x + step.y * rest.y;  // the remaining residual after the step
   const double perSquare = 1 / progress.disc.square;
-  progress.disc = plain::moved(progress.disc, rest);
-  progress.inverse = plain::invert(atEnd(all, before, after), progress.disc.square);
-  progress.remaining = progress.chance + unlike * plain::extent(rest, std::sqrt(perSquare), perSquare);
+  progress.disc = moved(progress.disc, rest);
+  progress.inverse = invert(atEnd(all, before, after), progress.disc.square);
+  progress.remaining = progress.chance + unlike * extent(rest, std::sqrt(perSquare), perSquare);
 }
 
 bool isSettled(const Progress<double>& progress) {
@@ -305,8 +159,8 @@ std::optional<FastArcFit> fitStreamed(const ArcSetup& setup, const Readings& rea
     kernel().survey(readings, inner, progress.disc, all);
     if (all.largestResidual > largestResidual) return std::nullopt;  // the remaining way is far shorter
     kernel().survey(part.readings(), inner, progress.disc, before);
-    progress.anisotropy = plain::anisotropyOf(inner.variances, all.largestReading * all.largestReading);
-    plain::advance(progress, all.sums);
+    progress.anisotropy = anisotropyOf(inner.variances, all.largestReading * all.largestReading);
+    advance(progress, all.sums);
     kernel().survey(part.readings(), inner, progress.disc, after);
     mend(progress, all.sums, before.sums, after.sums);
     outcome.largestReading = all.largestReading;
@@ -314,11 +168,11 @@ std::optional<FastArcFit> fitStreamed(const ArcSetup& setup, const Readings& rea
   }
   for (Sweep sweep; !isSettled(progress) && outcome.iterations < mostIterations; ++outcome.iterations) {
     kernel().sweep(readings, inner, progress.disc, {}, sweep);
-    const double residual = plain::scatter(sweep.sums, 1 / progress.disc.square);
+    const double residual = scatter(sweep.sums, 1 / progress.disc.square);
     progress.lag = 0.5 * residual * residual * residual;  // distance of linearisation points after two steps
-    plain::advance(progress, sweep.sums);
+    advance(progress, sweep.sums);
   }
-  const auto fit = fitIn(plain::conclude(outcome, l));
+  const auto fit = fitIn(concluded(outcome, l));
   Sweep last;
   if (fit && !residuals.horizontal.empty()) kernel().sweep(readings, inner, progress.disc, residuals, last);
   return fit;

@@ -1,29 +1,12 @@
-// The arithmetic of fast_arc_fit.cpp. That file includes this one for each kind of processor, in a separate
-// namespace after the types used here. Four lanes hold four places of one arc, or one place of four arcs.
+#include "core/adjustment/arc/fast_arc_kernel.h"
 
-template <typename T>
-[[gnu::always_inline]] inline T larger(const T& p, const T& q) {
-  return p > q ? p : q;
-}
+#include <type_traits>
 
-template <typename T>
-[[gnu::always_inline]] inline T magnitude(const T& p) {
-  return p < 0 ? -p : p;
-}
+namespace alidade::arc_kernel {
 
-[[gnu::always_inline]] inline Lanes broadcast(double value) {
-  return Lanes{} + value;
-}
+namespace {
 
-[[gnu::always_inline]] inline double root(double x) {
-  return __builtin_sqrt(x);
-}
-
-[[gnu::always_inline]] inline Lanes root(const Lanes& x) {
-  Lanes result;
-  for (std::size_t i = 0; i < width; ++i) result[i] = __builtin_sqrt(x[i]);
-  return result;
-}
+constexpr std::size_t share = 16;  // blocks of a sweep that are processed together
 
 /// tan x = x + x·z·P/Q, z = x², |x| ≤ π/4, to 2e-16 of it. From S. Moshier's Cephes library.
 [[gnu::always_inline]] inline Lanes tangentP(const Lanes& z) {
@@ -210,129 +193,6 @@ template <bool exact>
   place.perE = f.e;
 }
 
-template <typename T>
-[[gnu::always_inline]] inline Inverse<T> invert(const Information<T>& sums, const T& square) {
-  const T inverse = 1 / sums.one;
-  const T x = sums.x * inverse, y = sums.y * inverse;
-  const T xx = sums.xx - sums.x * x, xy = sums.xy - sums.x * y, yy = sums.yy - sums.y * y;
-  const T determinant = xx * yy - xy * xy;
-  const T ratio = 1 / determinant;
-  Inverse<T> q;
-  q.xx = yy * ratio;
-  q.xy = -xy * ratio;
-  q.yy = xx * ratio;
-  q.xh = -(x * q.xx + y * q.xy);
-  q.yh = -(x * q.xy + y * q.yy);
-  q.hh = inverse - x * q.xh - y * q.yh;
-  q.determinacy = determinant * inverse * inverse / (square * square);
-  return q;
-}
-
-template <typename T>
-[[gnu::always_inline]] inline Step<T> times(const Inverse<T>& q, const T& x, const T& y, const T& half) {
-  return {q.xx * x + q.xy * y + q.xh * half, q.xy * x + q.yy * y + q.yh * half,
-          q.xh * x + q.yh * y + q.hh * half};
-}
-
-/// Returns the dependence of a place's errors on direction, for readings up to an angle of this square: 0 for
-/// equal errors; 1 is the maximum.
-template <typename T>
-[[gnu::always_inline]] inline T anisotropyOf(const Variances& variances, const T& square) {
-  const double ratio = variances.horizontal / variances.vertical;
-  const T unlike = larger(ratio, 1 / ratio) * (1 + 4 * square) - 1;
-  return unlike < 1 ? unlike : T{} + 1;
-}
-
-/// Returns an upper bound of the length of the step, in units of R.
-template <typename T>
-[[gnu::always_inline]] inline T extent(const Step<T>& step, const T& perRadius, const T& perSquare) {
-  return (magnitude(step.x) + magnitude(step.y)) * perRadius + magnitude(step.half) * perSquare;
-}
-
-template <typename T>
-[[gnu::always_inline]] inline Disc<T> moved(const Disc<T>& disc, const Step<T>& step) {
-  return {disc.x + step.x, disc.y + step.y, disc.square + 2 * step.half + step.x * step.x + step.y * step.y};
-}
-
-/// Root mean square distance of the places from the circle, in units of R.
-template <typename T>
-[[gnu::always_inline]] inline T scatter(const Normals<T>& sums, const T& perSquare) {
-  return root(sums.ww / sums.one) * perSquare;
-}
-
-/// The largest ratio of an error of the circle to the distances it causes at the places, in units of R.
-template <typename T>
-[[gnu::always_inline]] inline T gainOf(const Inverse<T>& q, const T& one, const T& square) {
-  return root((q.xx * square + q.yy * square + q.hh) * one);
-}
-
-/// One step with these derivatives. They belong to the circle before the step, so it overshoots by the square
-/// of its length. A factor removes most of that, and the rest depends on how far places moved. The other
-/// remainder is the third order of the residuals, of either sign: it shrinks the less a place's error depends
-/// on direction and grows with shorter arcs. Coefficients: chosen so that none of the million arcs of
-/// tests/bench/fast_agreement.cpp is more than 1e-9 mm off.
-template <typename T>
-[[gnu::always_inline]] inline void advance(Progress<T>& progress, const CloseSums<T>& sums) {
-  const T square = progress.disc.square, perSquare = 1 / square, perOne = 1 / sums.one;
-  const Inverse<T> q = invert(sums, square);
-  Step<T> step = times(q, sums.xw, sums.yw, sums.w);
-  const T way = sums.xw * step.x + sums.yw * step.y + sums.w * step.half;
-  progress.chiSquare = sums.ww - way;
-  const T stretch = 1 + 2 * perSquare * step.half;
-  step = {step.x * stretch, step.y * stretch, step.half * stretch};
-  const T gain = gainOf(q, sums.one, square);
-  const T nonlinear = gain * root(progress.chiSquare * perOne) * perSquare;
-  progress.chance = (0.07 + 0.12 * progress.anisotropy + 0.017 * gain) * gain * perSquare *
-                    root(sums.third * perOne) * (progress.perRootPlaces + 100 * nonlinear);
-  progress.remaining = gain * perSquare * (5 + 1.5 * gain) * way * perOne * perSquare + progress.chance;
-  progress.step = step;
-  progress.disc = moved(progress.disc, step);
-  progress.inverse = q;
-}
-
-/// One Newton step. Only the weight of the condition, and the rotation of its normal, are nonlinear in the
-/// centre. The term of the rotation, Σ weight · w (1 − n nᵀ), is subtracted from the step; its size bounds
-/// later steps.
-template <typename T>
-[[gnu::always_inline]] inline void advance(Progress<T>& progress, const Sums<T>& sums) {
-  const T square = progress.disc.square, perSquare = 1 / square, perRadius = root(perSquare);
-  const Inverse<T> q = invert(sums, square);
-  Step<T> step = times(q, sums.xw, sums.yw, sums.w);
-  progress.chiSquare = sums.ww - sums.xw * step.x - sums.yw * step.y - sums.w * step.half;
-  const T xx = sums.w - sums.xxw * perSquare, xy = -sums.xyw * perSquare, yy = sums.xxw * perSquare;
-  const Step<T> turn = times(q, xx * step.x + xy * step.y, xy * step.x + yy * step.y, T(step.x - step.x));
-  // A place linearised at a distance ε from the right one misses the circle by ε²/2R. Its normal is wrong by
-  // ε/R, which counts times its residual, of either sign. The geometry enlarges both. The step itself leaves
-  // a part of the subtracted rotation and a random part of the residuals.
-  const T residual = scatter(sums, perSquare);
-  const T gain = gainOf(q, sums.one, square);
-  const T stepLength = extent(step, perRadius, perSquare), off = stepLength + progress.lag;
-  const T nonlinear = gain * residual;  // 3e-4 for 2″ on the usual arc
-  const T chance = nonlinear * (stepLength + progress.lag) * (progress.perRootPlaces + 100 * nonlinear);
-  progress.remaining = untold * (extent(turn, perRadius, perSquare) + chance + gain * 0.5 * off * off);
-  progress.lag = (0.5 * off + residual) * off;
-  step = {step.x - turn.x, step.y - turn.y, step.half - turn.half};
-  progress.step = step;
-  progress.disc = moved(progress.disc, step);
-  progress.inverse = q;
-}
-
-[[gnu::always_inline]] inline Disc<Lanes> broadcast(const Disc<double>& disc) {
-  return {broadcast(disc.x), broadcast(disc.y), broadcast(disc.square)};
-}
-
-[[gnu::always_inline]] inline Step<Lanes> broadcast(const Step<double>& step) {
-  return {broadcast(step.x), broadcast(step.y), broadcast(step.half)};
-}
-
-[[gnu::always_inline]] inline const Disc<Lanes>& broadcast(const Disc<Lanes>& disc) {
-  return disc;
-}
-
-[[gnu::always_inline]] inline const Step<Lanes>& broadcast(const Step<Lanes>& step) {
-  return step;
-}
-
 [[gnu::always_inline]] inline double total(const Lanes& lanes) {
   double sum = 0;
   for (std::size_t i = 0; i < width; ++i) sum += lanes[i];
@@ -506,29 +366,6 @@ template <bool exact, std::size_t sets, typename T>
   }
 }
 
-/// Converts an outcome to units of the distance.
-template <typename T>
-[[gnu::always_inline]] inline Conclusion<T> concluded(const Outcome<T>& outcome, double distance) {
-  const auto& [disc, step, perRootPlaces, anisotropy, lag, chance, remaining, chiSquare, q] =
-      outcome.progress;
-  const T radius = root(disc.square), unit = T{} + distance * distance, mixed = unit / radius;
-  const auto isSound = (outcome.largestReading <= largestAngle) &
-                       (outcome.largestResidual <= largestResidual) & (remaining < outcome.tolerance) &
-                       (q.determinacy > straight) & (disc.square > 0);
-  return {disc.x * distance,
-          disc.y * distance,
-          radius * distance,
-          q.xx * unit,
-          q.xy * unit,
-          q.yy * unit,
-          q.xh * mixed,
-          q.yh * mixed,
-          q.hh * mixed / radius,
-          chiSquare,
-          isSound ? T{} + 1 : T{},
-          outcome.iterations};
-}
-
 [[gnu::always_inline]] inline void writeResiduals(const PlaceEquation& place, const Step<Lanes>& step,
                                                   std::size_t first, const ReadingResiduals& residuals) {
   const Lanes left = misclosure(place, step);
@@ -679,31 +516,35 @@ template <bool exact>
   result.largestResidual = root(greatest<double>(largest) * larger(variances.horizontal, variances.vertical));
 }
 
-// The entry points.
-
-inline void solveOne(PlaceEquation* places, const Readings& readings, const Setup& setup,
-                     const ReadingResiduals& residuals, Outcome<double>& outcome) {
+void solveOne(PlaceEquation* places, const Readings& readings, const Setup& setup,
+              const ReadingResiduals& residuals, Outcome<double>& outcome) {
   setup.exact ? solveOneWith<true>(places, readings, setup.variances, residuals, outcome)
               : solveOneWith<false>(places, readings, setup.variances, residuals, outcome);
 }
 
-inline void solveMany(PlaceEquation* places, const double* a, const double* e, std::size_t count,
-                      std::size_t fits, const Setup& setup, Conclusion<Lanes>* conclusions) {
+void solveMany(PlaceEquation* places, const double* a, const double* e, std::size_t count, std::size_t fits,
+               const Setup& setup, Conclusion<Lanes>* conclusions) {
   setup.exact ? solveManyWith<true>(places, a, e, count, fits, setup, conclusions)
               : solveManyWith<false>(places, a, e, count, fits, setup, conclusions);
 }
 
-inline void sweep(const Readings& readings, const Setup& setup, const Disc<double>& at,
-                  const ReadingResiduals& residuals, Sweep& result) {
+void sweep(const Readings& readings, const Setup& setup, const Disc<double>& at,
+           const ReadingResiduals& residuals, Sweep& result) {
   setup.exact ? sweepWith<true>(readings, setup.variances, at, residuals, result)
               : sweepWith<false>(readings, setup.variances, at, residuals, result);
 }
 
-inline Conclusion<double> conclude(const Outcome<double>& outcome, double distance) {
-  return concluded(outcome, distance);
-}
-
-inline void survey(const Readings& readings, const Setup& setup, const Disc<double>& at, Survey& result) {
+void survey(const Readings& readings, const Setup& setup, const Disc<double>& at, Survey& result) {
   setup.exact ? surveyWith<true>(readings, setup.variances, at, result)
               : surveyWith<false>(readings, setup.variances, at, result);
 }
+
+}  // namespace
+
+#ifdef __AVX2__
+const ArcKernel wideKernel = {solveOne, solveMany, sweep, survey};
+#else
+const ArcKernel plainKernel = {solveOne, solveMany, sweep, survey};
+#endif
+
+}  // namespace alidade::arc_kernel
