@@ -152,7 +152,7 @@ void WindowActions::createEditMenu(QToolBar& bar) {
   QUndoStack& stack = m_window.document().undoStack();
   QAction* undo = addTo(menu, "undo", tr("&Undo"), QKeySequence::Undo, this, [this] { m_window.undo(); });
   QAction* redo = addTo(menu, "redo", tr("&Redo"), QKeySequence::Redo, this, [this] { m_window.redo(); });
-  redo->setShortcuts(redo->shortcuts() << QKeySequence(tr("Ctrl+Y")));
+  redo->setShortcuts({QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_Z), QKeySequence(Qt::CTRL | Qt::Key_Y)});
   undo->setEnabled(false);
   redo->setEnabled(false);
   connect(&stack, &QUndoStack::canUndoChanged, undo, &QAction::setEnabled);

@@ -8,7 +8,6 @@
 #include "core/base/phrase.h"
 #include "core/base/quantity_text.h"
 #include "core/base/visible_text.h"
-#include "core/wording/effect_name.h"
 #include "core/wording/position_name.h"
 
 namespace alidade {
@@ -30,6 +29,11 @@ std::string fieldName(const std::string& field) {
   if (field == "vertical") return Phrase::of("vertical");
   if (field == "slider") return Phrase::of("slider");
   return field == "face" ? Phrase::of("face") : field;
+}
+
+std::string capitalised(std::string text) {
+  if (!text.empty() && text[0] >= 'a' && text[0] <= 'z') text[0] = static_cast<char>(text[0] - 'a' + 'A');
+  return text;
 }
 
 /// "0°, point 5, vertical"; with round and face unless they are 1.

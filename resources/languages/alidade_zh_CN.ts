@@ -10171,10 +10171,6 @@ a clause as a sentence</extracomment>
 <context>
     <name>alidade::ui::HeadlineLines</name>
     <message>
-        <source>Before the last change: %1</source>
-        <translation>上次更改之前：%1</translation>
-    </message>
-    <message>
         <source>Gap</source>
         <translation>差距</translation>
     </message>
@@ -13805,10 +13801,6 @@ a clause as a sentence</extracomment>
     <message>
         <source>&amp;Check This Installation…</source>
         <translation>检查本安装(&amp;C)…</translation>
-    </message>
-    <message>
-        <source>Ctrl+Y</source>
-        <translation>Ctrl+Y</translation>
     </message>
 </context>
 <context>

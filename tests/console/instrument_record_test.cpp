@@ -62,8 +62,8 @@ TEST(InstrumentOption, IsSaidInTextToo) {
   const TemporaryFolder folder;
   const std::string record = folder.file("t.alidade-instrument", recordOf(0).dump());
   const ProgramRun diagnosis = alidadeCli({"diagnose", tilted, "--instrument", record});
-  EXPECT_THAT(diagnosis.out, HasSubstr("Known beforehand\ntrunnion_tilt: known as"));
-  EXPECT_THAT(diagnosis.out, HasSubstr("that what is known of it holds no longer"));
+  EXPECT_THAT(diagnosis.out, HasSubstr("Known beforehand of instrument and device"));
+  EXPECT_THAT(diagnosis.out, HasSubstr("what is known is stale"));
   const ProgramRun fit = alidadeCli({"fit", tilted, "--instrument", record});
   EXPECT_EQ(fit.exitCode, 0) << fit.err;
   EXPECT_THAT(fit.out, HasSubstr("is stale"));

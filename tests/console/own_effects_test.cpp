@@ -61,12 +61,12 @@ TEST(OwnEffects, AreInFitPlanAndText) {
   const WavySession wavy;
   const ProgramRun fit = alidadeCli({"fit", wavy.session, "--effects", wavy.effect});
   EXPECT_EQ(fit.exitCode, 0) << fit.err;
-  EXPECT_THAT(fit.out, HasSubstr("own:wave"));
+  EXPECT_THAT(fit.out, HasSubstr("best explained by wave ("));
   const ProgramRun plan = alidadeCli({"plan", wavy.session, "--effects", wavy.effect, "--json"});
   EXPECT_EQ(plan.exitCode, 0) << plan.err;
   EXPECT_THAT(plan.out, HasSubstr("\"own:wave\""));
   const ProgramRun text = alidadeCli({"diagnose", wavy.session, "--effects", wavy.effect});
-  EXPECT_THAT(text.out, HasSubstr("own:wave"));
+  EXPECT_THAT(text.out, HasSubstr("One cause: wave"));
 }
 
 TEST(OwnEffects, AreTheCauseOfASeries) {

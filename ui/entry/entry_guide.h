@@ -6,8 +6,8 @@
 
 #include "core/base/place.h"
 #include "core/session/entry_to_come.h"
-#include "ui/jobs/fit_job.h"
 #include "core/statement/headline.h"
+#include "ui/jobs/fit_job.h"
 
 class QKeyEvent;
 class QWidget;

@@ -3,13 +3,13 @@
 #include <QPainter>
 #include <algorithm>
 
+#include "core/evaluation/findings.h"
 #include "core/wording/suspects.h"
 #include "ui/report/report_facts.h"
 #include "ui/report/report_parts.h"
 #include "ui/report/report_text.h"
 #include "ui/text/cause_text.h"
 #include "ui/text/entry_text.h"
-#include "core/evaluation/findings.h"
 #include "ui/text/quantity_text.h"
 #include "ui/text/visible_text.h"
 

@@ -2,9 +2,9 @@
 
 #include <QObject>
 
+#include "core/statement/headline.h"
 #include "ui/jobs/fit_job.h"
 #include "ui/jobs/gap_job.h"
-#include "core/statement/headline.h"
 
 namespace alidade::ui {
 

@@ -11,7 +11,7 @@
 namespace alidade {
 namespace {
 
-using Kind = Headline::Line::Kind;
+using LineKind = Headline::Line::Kind;
 using testing::ContainsRegex;
 using testing::HasSubstr;
 using testing::IsEmpty;
@@ -36,6 +36,13 @@ Gap gapWith(const SharedEvaluation& evaluation, double value) {
   gap.diagnosis.emplace();
   gap.diagnosis->measured = measuredAt(value);
   return gap;
+}
+
+Cause causeOf(const char* effect, double probability) {
+  Cause cause;
+  cause.effect = effect;
+  cause.probability = probability;
+  return cause;
 }
 
 Session withTolerance(const char* tolerance) {
@@ -130,11 +137,11 @@ TEST(Headline, SaysWhatToReadBeforeTheVerdictOfThePaperIsUsed) {
   const Headline headline = headlineOf(assessGap(sampleEvaluation("paper-table-1.alidade")));
   EXPECT_EQ(headline.decided, Verdict::Accept);
   EXPECT_THAT(
-      headline.line(Kind::Across),
+      headline.line(LineKind::Across),
       ContainsRegex("^Across the plane of the arc: Δz = −[56]\\.[0-9] ± [0-9.]+ mm, not judged \\(the "
                     "tolerance is of Δd\\)$"));
-  EXPECT_THAT(headline.line(Kind::Gap), ContainsRegex("the radii differ by 1[0-9] σ"));
-  EXPECT_THAT(headline.line(Kind::Reference),
+  EXPECT_THAT(headline.line(LineKind::Gap), ContainsRegex("the radii differ by 1[0-9] σ"));
+  EXPECT_THAT(headline.line(LineKind::Reference),
               ContainsRegex("^Reference 2 mm: difference −0\\.9[0-9] ± 0\\.9[0-9] "
                             "mm, (dis)?agrees \\(E_n [01]\\.[0-9]+\\)$"));
 }
@@ -144,7 +151,7 @@ TEST(Headline, JudgesTheReferenceByBothUncertainties) {
   Session session = test::paperSession();
   session.acceptance.referenceIntersectionMm = "2";
   const auto lineAt = [&](double value) {
-    return headlineOf(gapWith(evaluationOf(session), value)).line(Kind::Reference);
+    return headlineOf(gapWith(evaluationOf(session), value)).line(LineKind::Reference);
   };
   EXPECT_EQ(lineAt(1.9), "Reference 2 mm: difference −0.10 ± 0.20 mm, agrees (E_n 0.50)");
   EXPECT_EQ(lineAt(2.3), "Reference 2 mm: difference 0.30 ± 0.20 mm, disagrees (E_n 1.50)");
@@ -162,7 +169,7 @@ TEST(Headline, IsTheDistanceWhereTheToleranceIsOfIt) {
   const Headline headline = headlineOf(gap);
   EXPECT_EQ(headline.nameAndFigure(), "d = 5.00 ± 0.50 mm");
   EXPECT_EQ(headline.tolerance, "tolerance 8 mm");
-  EXPECT_EQ(headline.line(Kind::Across),
+  EXPECT_EQ(headline.line(LineKind::Across),
             "In the plane of the arc Δd = 3.00 ± 0.20 mm, across it Δz = 4.00 ± 0.60 mm");
   EXPECT_DOUBLE_EQ(headline.scale->size, 5);
 }
@@ -170,21 +177,19 @@ TEST(Headline, IsTheDistanceWhereTheToleranceIsOfIt) {
 TEST(Headline, NamesTheCausesAsConditionOfTheVerdict) {
   Gap gap = gapWith(evaluationOf(test::paperSession()), 1.3);
   gap.diagnosis->verdict = DiagnosisVerdict::SeveralCauses;
-  gap.diagnosis->causes = {{.effect = "axial_shift", .probability = 0.17},
-                           {.effect = "plane_offset", .probability = 0.72}};
+  gap.diagnosis->causes = {causeOf("axial_shift", 0.17), causeOf("plane_offset", 0.72)};
   Closure radii = closureOf(Closure::Of::Radius, 1.96, 0.15, 100);
   Closure centres = closureOf(Closure::Of::Centre, 0.7, 0.1, 100);
   gap.diagnosis->closures = {{.before = radii, .after = closureOf(Closure::Of::Radius, 0.01, 0.15, 100)},
                              {.before = centres, .after = closureOf(Closure::Of::Centre, 0.01, 0.1, 100)}};
-  EXPECT_EQ(headlineOf(gap).line(Kind::Gap),
+  EXPECT_EQ(headlineOf(gap).line(LineKind::Gap),
             "Accepted on condition of plane offset (72 %) and axial shift (17 %): the radii differ by 13 σ, "
-            "Δx differs "
-            "by 7.0 σ");
+            "Δx differs by 7.0 σ");
 }
 
 TEST(ToleranceScale, ShowsSizeIntervalAndLimitInCharacters) {
-  EXPECT_EQ(scaleText({1, 0.5, 2}, 23), "0 =====[=====|-----]----:--  2 mm");
-  EXPECT_EQ(scaleText({0.1, 0.5, 2}, 23), "0 [|----]--------------:--  2 mm") << "begins at zero";
+  EXPECT_EQ(scaleText({1, 0.5, 2}, 23), "0 =====[====|----]----:--  2 mm");
+  EXPECT_EQ(scaleText({0.1, 0.5, 2}, 23), "0 [|----]-------------:--  2 mm") << "begins at zero";
 }
 
 }  // namespace

@@ -86,7 +86,7 @@ TEST(VerdictSentence, PutsBothAccountsSideBySide) {
   diagnosis.measured->budget = {
       {.effect = "plane_warp", .from = UncertaintyShare::From::Default, .sigma = 0.1}};
   EXPECT_THAT(sentenceOf(measurement, fit, &diagnosis),
-              HasSubstr("Most of U comes from plane_warp at its plausible size: measure what shows it."));
+              HasSubstr("Most of U comes from plane warp at its plausible size: measure what shows it."));
   diagnosis.attainable = {{.expanded = 0.2},
                           {.known = "plane_warp", .expanded = 0.05},
                           {.measures = {Measure::BothFaces, Measure::WayBack}, .expanded = 0.1},

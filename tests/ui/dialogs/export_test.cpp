@@ -145,7 +145,7 @@ TEST_F(Export, ChartsOfTheWindowAreWritten) {
   openSample(QStringLiteral("knocked-tripod.alidade"));
   ASSERT_TRUE(waitFor([&] { return open->gapJob().isIdle(); }));
   const auto files = open->findChildren<ChartFiles*>();
-  ASSERT_EQ(files.size(), 9) << "arcs, residuals, four of the gap, and one for each form";
+  ASSERT_EQ(files.size(), 8) << "arcs, residuals, three of the gap, and one for each form";
   int number = 0;
   for (ChartFiles* chart : files) {
     auto* source = dynamic_cast<ChartSource*>(chart->parent());

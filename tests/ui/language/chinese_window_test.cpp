@@ -87,7 +87,7 @@ TEST_P(ChineseWindow, SaysNothingInEnglish) {
 INSTANTIATE_TEST_SUITE_P(Samples, ChineseWindow,
                          testing::Values("paper-table-1", "trunnion-tilt", "two-faces", "look-alikes",
                                          "misreading", "knocked-tripod", "two-causes", "unknown-form",
-                                         "dented-guideway", "settling-tripod", "own-effect", "noisy-readings",
+                                         "dented-guideway", "settling-tripod", "noisy-readings",
                                          "clean-session"));
 
 }  // namespace

@@ -89,9 +89,9 @@ GapPanel::GapPanel(QWidget* parent)
           [this](std::size_t form) { emit formWanted(m_gap->diagnosis->forms[form]); });
   m_causesBlock = createCauses();
   m_formsBlock = block(tr("Form"), {m_forms});
-  m_whereBlock =
-      block(tr("Where it lies"),
-            {m_map, standard(tr("Should be: no part stands out; one that does is where to look.")), m_leftOver});
+  m_whereBlock = block(
+      tr("Where it lies"),
+      {m_map, standard(tr("Should be: no part stands out; one that does is where to look.")), m_leftOver});
   m_blocks = {m_headline,
               m_causesBlock,
               m_formsBlock,

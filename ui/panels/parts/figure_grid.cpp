@@ -19,7 +19,7 @@ constexpr int gridRow(int row) {
 }
 
 void setBold(QWidget& widget, bool isBold) {
-  QFont font = widget.font();
+  QFont font;  // with nothing but its weight, so that size and family stay those of the grid
   font.setBold(isBold);
   widget.setFont(font);
 }

@@ -19,19 +19,7 @@ HeadlineLines::HeadlineLines(QWidget* parent) : QWidget(parent) {
 }
 
 void HeadlineLines::setHeadline(const Headline& headline) {
-  m_isProvisional = headline.isProvisional;
-  std::vector<Headline::Line> lines = headline.lines;
-  if (!m_isProvisional)
-    m_gap = headline.line(Headline::Line::Kind::Gap);
-  else if (!m_gap.empty())
-    lines.insert(lines.begin(), {.kind = Headline::Line::Kind::Gap,
-                                 .text = tr("Before the last change: %1").arg(qText(m_gap)).toStdString()});
-  show(lines);
-}
-
-void HeadlineLines::clear() {
-  m_gap.clear();
-  show({});
+  show(headline.lines);
 }
 
 HeadlineLines::Row& HeadlineLines::row(int index) {
@@ -59,18 +47,16 @@ void HeadlineLines::show(const std::vector<Headline::Line>& lines) {
     shown.icon->setVisible(line.isWarning);
     shown.icon->setPixmap(themeIcon(QStringLiteral("warning")).pixmap(16, 16));
     shown.text->setObjectName(isOfGap ? QStringLiteral("gap hint") : QString());
-    shown.text->setForegroundRole(isOfGap && m_isProvisional ? QPalette::PlaceholderText
-                                                             : QPalette::WindowText);
+    shown.text->clear();  // a link takes its colour when the text is set
     shown.text->setTextFormat(isOfGap ? Qt::RichText : Qt::PlainText);
     shown.text->setText(
-        isOfGap && !m_isProvisional
-            ? QStringLiteral("%1 &nbsp;<a href=\"gap\">%2</a>").arg(text.toHtmlEscaped(), tr("Gap"))
-        : isOfGap ? text.toHtmlEscaped()
-                  : text);
+        isOfGap ? QStringLiteral("%1 &nbsp;<a href=\"gap\">%2</a>").arg(text.toHtmlEscaped(), tr("Gap"))
+                : text);
     shown.whole->show();
   }
   for (auto i = static_cast<qsizetype>(lines.size()); i < m_rows.size(); ++i) {
     m_rows[i].text->clear();
+    m_rows[i].text->setObjectName({});
     m_rows[i].whole->hide();
   }
   setVisible(!lines.empty());
@@ -78,8 +64,7 @@ void HeadlineLines::show(const std::vector<Headline::Line>& lines) {
 
 void HeadlineLines::changeEvent(QEvent* event) {
   QWidget::changeEvent(event);
-  if (event->type() == QEvent::PaletteChange)
-    show(std::exchange(m_lines, {}));  // links keep their colour until set anew
+  if (event->type() == QEvent::PaletteChange) show(std::exchange(m_lines, {}));
 }
 
 }  // namespace alidade::ui

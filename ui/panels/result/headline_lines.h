@@ -17,10 +17,7 @@ class HeadlineLines : public QWidget {
  public:
   explicit HeadlineLines(QWidget* parent = nullptr);
 
-  /// While provisional, the line of the gap stays in grey as it was before the change.
   void setHeadline(const Headline& headline);
-  /// Another session: nothing stays of the one before.
-  void clear();
 
  signals:
   void gapActivated();
@@ -39,8 +36,6 @@ class HeadlineLines : public QWidget {
   void show(const std::vector<Headline::Line>& lines);
 
   std::vector<Headline::Line> m_lines;
-  std::string m_gap;  ///< text of the last final line of the gap
-  bool m_isProvisional = false;
   QList<Row> m_rows;
 };
 

@@ -145,7 +145,6 @@ void ResultPanel::setHeadline(const Headline& headline) {
 
 void ResultPanel::clearGap() {
   m_head->setMinimumHeight(0);
-  m_lines->clear();
 }
 
 /// The contents below stay where they are.
@@ -196,7 +195,7 @@ void ResultPanel::showDetails(const Headline& headline) {
 }
 
 QString ResultPanel::whatIsMissing(const Evaluation& evaluation) {
-  if (evaluation.failure) return qText(sentencesOf(*evaluation.failure));
+  if (evaluation.failure) return {};  // the headline says why
   const auto& problems = evaluation.examined.problems;
   const bool wrong = std::any_of(problems.begin(), problems.end(), [&](const Problem& problem) {
     return !isMissing(evaluation.session, problem.where);
