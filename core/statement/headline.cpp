@@ -159,7 +159,6 @@ Headline headlineOf(const Evaluation& evaluation) {
     setFigure(headline, measurement, Phrase::of("Δd, fit only"), fitted->value, fitted->expanded);
     headline.tip = exactly(fitted->value, fitted->expanded);
     headline.isProvisional = true;
-    headline.lines = headlineLines(measurement, evaluation.fit, nullptr, nullptr, {});
     headline.verdict = Phrase::of("Provisional: the diagnosis is running.");
   }
   setHindrance(headline, evaluation);

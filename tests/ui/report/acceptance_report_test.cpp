@@ -381,13 +381,14 @@ TEST(AcceptanceReport, PrintsWhatALaboratoryStates) {
     EXPECT_TRUE(report.page(page).contains(QStringLiteral("Alidade %1 · Acceptance report · No. 2026-117")
                                                .arg(QString::fromStdString(versionAndBuild()))))
         << page;
+  for (const char* signature : {"Operator: J. Doe, date", "Authorised by: R. Roe, date"})
+    EXPECT_TRUE(report.contains(signature)) << signature;
   const QString front = report.page(0).simplified();
   for (const char* text :
        {"Table I No. 2026-117", "Length Laboratory,", "Motion Simulators Ltd.,",
         "Rotatable arc guideway, serial A-7", "Theodolite T2, serial 31415", "K-2026-0815 of 2026-01-20",
         "national angle standard,", "steel tape 12, certificate L-88", "Hall 3, pillar 2", "2026-03-13",
         "Agreed by: the customer, order 4711 of 2026-02-02", "20.4 °C; no expansion of L and R0 is stated",
-        "Operator: J. Doe, date", "Authorised by: R. Roe, date",
         "The results relate only to the item measured."})
     EXPECT_TRUE(front.contains(QString::fromUtf8(text))) << text << "\n" << front.toStdString();
 }
