@@ -57,6 +57,18 @@ template <bool exact>
   return {ux * perTurn, uy * perRise};
 }
 
+/// Adds the weight of a place and its first and second moments.
+[[gnu::always_inline]] inline void addMoments(Information<Lanes>& sums, const Lanes& weight, const Lanes& x,
+                                              const Lanes& y) {
+  const Lanes weightedX = weight * x, weightedY = weight * y;
+  sums.one += weight;
+  sums.x += weightedX;
+  sums.y += weightedY;
+  sums.xx += weightedX * x;
+  sums.xy += weightedX * y;
+  sums.yy += weightedY * y;
+}
+
 /// Derivatives of half the sum of squares at a circle, from a series about the readings. With the gradient G
 /// of the misclosure f with respect to the readings in units of σ, p = 1/|G|², m = p f, and k, p times the
 /// second derivative of f along G:
@@ -92,25 +104,13 @@ template <bool exact, bool weighted>
   const Lanes footX = ux - inwards * dx, footY = uy - inwards * dy;
   const Lanes beyondX = footX - inwards * dx, beyondY = footY - inwards * dy;
   const Lanes pmk = p * mk, stiffness = weight * (p + 3 * pmk), precision = weight * (p + 2 * pmk);
-  const Lanes preciseX = precision * footX, preciseY = precision * footY;
-  const Lanes weightedX = stiffness * beyondX, weightedY = stiffness * beyondY;
   const Lanes weightedSquares = weight * squares;
-  sums.one += stiffness;
-  sums.x += weightedX;
-  sums.y += weightedY;
-  sums.xx += weightedX * beyondX;
-  sums.xy += weightedX * beyondY;
-  sums.yy += weightedY * beyondY;
+  addMoments(sums, stiffness, beyondX, beyondY);
   sums.w += force;
   sums.xw += force * footX;
   sums.yw += force * footY;
   sums.ww += weightedSquares + weightedSquares * (mk * (1 + 1.25 * mk));
-  information.one += precision;
-  information.x += preciseX;
-  information.y += preciseY;
-  information.xx += preciseX * footX;
-  information.xy += preciseX * footY;
-  information.yy += preciseY * footY;
+  addMoments(information, precision, footX, footY);
   const Lanes mkmk = mk * mk;
   sums.third += (weightedSquares * mkmk) * mkmk;
 }
@@ -127,13 +127,8 @@ template <bool weighted>
   place.perE = varianceE * inverse;
   const Lanes p = weighted ? place.weight * inverse : inverse;
   const Lanes x = place.ux, y = place.uy, w = place.w;
-  const Lanes px = p * x, py = p * y, pw = p * w, pwx = pw * x;
-  sums.one += p;
-  sums.x += px;
-  sums.y += py;
-  sums.xx += px * x;
-  sums.xy += px * y;
-  sums.yy += py * y;
+  const Lanes pw = p * w, pwx = pw * x;
+  addMoments(sums, p, x, y);
   sums.w += pw;
   sums.xw += pwx;
   sums.yw += pw * y;
