@@ -81,12 +81,16 @@ std::optional<double> Gap::expandedUncertainty() const {
   return diagnosis && diagnosis->before ? std::optional(diagnosis->before->expanded) : std::nullopt;
 }
 
+std::vector<UndetectableEffect> undetectableBeyond(const Diagnosis& diagnosis, double expanded) {
+  std::vector<UndetectableEffect> effects = diagnosis.undetectable;
+  std::erase_if(effects, [&](const UndetectableEffect& effect) { return effect.influence <= expanded; });
+  return effects;
+}
+
 std::vector<UndetectableEffect> Gap::undetectableBeyondU() const {
   const std::optional<double> expanded = expandedUncertainty();
   if (!expanded) return {};
-  std::vector<UndetectableEffect> effects = diagnosis->undetectable;
-  std::erase_if(effects, [&](const UndetectableEffect& e) { return e.influence <= *expanded; });
-  return effects;
+  return undetectableBeyond(*diagnosis, *expanded);
 }
 
 std::vector<UndetectableEffect> Gap::noticeablyUndetectable() const {

@@ -70,6 +70,9 @@ struct Gap {
   std::vector<UndetectableEffect> noticeablyUndetectable() const;
 };
 
+/// The undetectable effects of which a plausible size moves Δd by more than `expanded`, mm.
+std::vector<UndetectableEffect> undetectableBeyond(const Diagnosis& diagnosis, double expanded);
+
 /// The advice to show to a person: two or three at most, none of which another one beats in both what it
 /// tells and its effort. What it tells is the probability of one answer, or the influence of the effects it
 /// reveals. In order of effort.

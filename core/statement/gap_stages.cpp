@@ -6,6 +6,7 @@
 #include "core/statement/gap.h"
 #include "core/wording/beyond.h"
 #include "core/wording/effect_name.h"
+#include "core/wording/size_text.h"
 
 namespace alidade {
 
@@ -35,9 +36,7 @@ std::string nameOf(const Gap& gap, const GapStage& stage) {
 }
 
 std::string estimateText(const std::optional<IntersectionEstimate>& estimate) {
-  if (!estimate) return "—";
-  const int decimals = decimalsFor(estimate->expanded);
-  return displayText(estimate->value, decimals) + " ± " + displayText(estimate->expanded, decimals);
+  return estimate ? sizeWithExpanded(estimate->value, estimate->expanded, "") : "—";
 }
 
 Statement::Row rowOf(std::string name, double rms, double reducedChiSquare,

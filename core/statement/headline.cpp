@@ -110,28 +110,48 @@ std::string reasonForNoResult(const Evaluation& evaluation) {
   return Phrase::of("The intersection needs an arc at 0° and an arc at 180°; not both are there.");
 }
 
-/// Replaces the verdict if entries are unusable or there is no result; returns whether it did.
-bool setHindrance(Headline& headline, const Evaluation& evaluation) {
+/// Stands in place of a verdict.
+struct NoVerdict {
+  std::string word, sentence;
+};
+
+/// Absent if the evaluation may have a verdict.
+std::optional<NoVerdict> whyNoVerdict(const Evaluation& evaluation) {
   const std::size_t unusable = hindrances(evaluation.session, evaluation.examined.problems).size();
-  if (unusable == 0 && evaluation.fit.intersection) return false;
-  headline.decided.reset();
-  if (unusable == 0) {
-    headline.verdict = Phrase::of("No result");
-    headline.sentence = reasonForNoResult(evaluation);
-    return true;
-  }
-  headline.verdict = unusable == 1 ? Phrase::of("No verdict: 1 entry could not be used")
-                                   : Phrase::of("No verdict: %1 entries could not be used", unusable);
-  headline.sentence = Phrase::of(
-      "What cannot be used is listed with its place. Correct it or exclude its reading: what is stated here "
-      "rests on "
-      "the others alone.");
-  return true;
+  if (unusable > 0)
+    return NoVerdict{
+        unusable == 1 ? Phrase::of("No verdict: 1 entry could not be used")
+                      : Phrase::of("No verdict: %1 entries could not be used", unusable),
+        Phrase::of("What cannot be used is listed with its place. Correct it or exclude its reading: what is "
+                   "stated here rests on the others alone.")};
+  if (!evaluation.fit.intersection) return NoVerdict{Phrase::of("No result"), reasonForNoResult(evaluation)};
+  return std::nullopt;
+}
+
+void withhold(Headline& headline, const NoVerdict& none) {
+  headline.verdict = none.word;
+  headline.sentence = none.sentence;
 }
 
 Headline frameOf(const Evaluation& evaluation) {
   if (evaluation.examined.measurement) return frameOf(*evaluation.examined.measurement, evaluation.fit);
   return {.name = Phrase::of("Δd"), .figure = "—"};
+}
+
+/// The result of a diagnosed fit, or why there is none, with what to read with it. Without a decision no line
+/// speaks of a verdict.
+Headline resultOf(const Measurement& measurement, const SessionFit& fit, const Diagnosis* diagnosis,
+                  const std::optional<AcceptanceDecision>& decision,
+                  const std::vector<Dependence>& dependences) {
+  Headline headline = frameOf(measurement, fit);
+  if (!fit.intersection) return headline;
+  if (diagnosis && diagnosis->measured)
+    setMeasured(headline, measurement, *diagnosis->measured);
+  else
+    headline.figure =
+        diagnosis ? Phrase::of("not determined by these readings") : Phrase::of("no diagnosis was made");
+  headline.lines = headlineLines(measurement, fit, diagnosis, decision ? &*decision : nullptr, dependences);
+  return headline;
 }
 
 }  // namespace
@@ -161,32 +181,27 @@ Headline headlineOf(const Evaluation& evaluation) {
     headline.isProvisional = true;
     headline.verdict = Phrase::of("Provisional: the diagnosis is running.");
   }
-  setHindrance(headline, evaluation);
+  if (const auto none = whyNoVerdict(evaluation)) withhold(headline, *none);
   return headline;
 }
 
 Headline headlineOf(const Gap& gap, const std::vector<Dependence>& dependences) {
   const Evaluation& evaluation = *gap.evaluation;
-  Headline headline = evaluation.fit.intersection ? headlineOf(*evaluation.examined.measurement,
-                                                               evaluation.fit, gap.found(), dependences)
-                                                  : frameOf(evaluation);
-  if (evaluation.fit.intersection && !gap.measured()) headline.tip = reasonForNone(gap);
-  setHindrance(headline, evaluation);
+  const SessionFit& fit = evaluation.fit;
+  const std::optional<NoVerdict> none = whyNoVerdict(evaluation);
+  Headline headline = !fit.intersection ? frameOf(evaluation)
+                      : none            ? resultOf(*evaluation.examined.measurement, fit, gap.found(), {}, {})
+                             : headlineOf(*evaluation.examined.measurement, fit, gap.found(), dependences);
+  if (none) withhold(headline, *none);
+  if (fit.intersection && !gap.measured()) headline.tip = reasonForNone(gap);
   return headline;
 }
 
 Headline headlineOf(const Measurement& measurement, const SessionFit& fit, const Diagnosis* diagnosis,
                     const std::vector<Dependence>& dependences) {
-  Headline headline = frameOf(measurement, fit);
-  if (!fit.intersection) return headline;
-  if (diagnosis && diagnosis->measured)
-    setMeasured(headline, measurement, *diagnosis->measured);
-  else
-    headline.figure =
-        diagnosis ? Phrase::of("not determined by these readings") : Phrase::of("no diagnosis was made");
   const auto decision = decideAcceptance(measurement, fit, diagnosis);
-  setVerdict(headline, measurement, fit, diagnosis, decision);
-  headline.lines = headlineLines(measurement, fit, diagnosis, decision ? &*decision : nullptr, dependences);
+  Headline headline = resultOf(measurement, fit, diagnosis, decision, dependences);
+  if (fit.intersection) setVerdict(headline, measurement, fit, diagnosis, decision);
   return headline;
 }
 

@@ -1,7 +1,7 @@
 #include "core/statement/headline_lines.h"
 
-#include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "core/base/list_text.h"
 #include "core/base/phrase.h"
@@ -10,17 +10,13 @@
 #include "core/wording/across.h"
 #include "core/wording/conditions.h"
 #include "core/wording/effect_name.h"
+#include "core/wording/size_text.h"
 
 namespace alidade {
 
 namespace {
 
 using Line = Headline::Line;
-
-std::string lengthText(double value, double expanded) {
-  const int decimals = decimalsFor(expanded);
-  return Phrase::of("%1 ± %2 mm", displayText(value, decimals), displayText(expanded, decimals));
-}
 
 /// The part that the tolerance does not apply to, or both parts of a distance.
 Line acrossLine(const Measurement& measurement, const MeasuredIntersection& measured) {
@@ -30,11 +26,11 @@ Line acrossLine(const Measurement& measurement, const MeasuredIntersection& meas
     return {.kind = Line::Kind::Across,
             .text = Phrase::of("Across the plane of the arc: Δz was not measured"),
             .isWarning = isOfDistance};
-  const std::string across = lengthText(measured.across->value, measured.across->expanded);
+  const std::string across = sizeWithExpanded(measured.across->value, measured.across->expanded, "mm");
   if (isOfDistance)
     return {.kind = Line::Kind::Across,
             .text = Phrase::of("In the plane of the arc Δd = %1, across it Δz = %2",
-                               lengthText(inPlane.value, inPlane.expanded), across)};
+                               sizeWithExpanded(inPlane.value, inPlane.expanded, "mm"), across)};
   return {
       .kind = Line::Kind::Across,
       .text = measurement.tolerance
@@ -80,30 +76,21 @@ std::string gapText(const Diagnosis& diagnosis, const AcceptanceDecision* decisi
 }
 
 std::string knockText(const Diagnosis& diagnosis, const AcceptanceDecision& decision) {
-  std::vector<std::string> moments;
-  double influence = 0;
-  for (const std::size_t i : decision.conditions) {
-    moments.push_back(momentText(diagnosis.undetectableJumps[i]));
-    influence = std::max(influence, diagnosis.undetectableJumps[i].influence);
-  }
-  return Phrase::of("Only if the tripod was not knocked %1: it would move Δd by ± %2 mm undetected",
-                    listed(moments, Phrase::of(" or ")), displayText(influence, decimalsFor(influence)));
+  const auto [moments, influence] = knockOf(diagnosis, decision);
+  return Phrase::of("Only if the tripod was not knocked %1: it would move Δd by ± %2 mm undetected", moments,
+                    influence);
 }
 
 /// The effects with an influence above U. A knock is left out if the verdict states it as a condition.
 std::string undetectableText(const Diagnosis& diagnosis, double expanded, bool isKnockStated) {
-  constexpr std::size_t mostNamed = 3;
   std::vector<std::string> effects;
-  for (const UndetectableEffect& effect : diagnosis.undetectable)
-    if (effect.influence > expanded && !(isKnockStated && effect.effect == jumpId))
+  for (const UndetectableEffect& effect : undetectableBeyond(diagnosis, expanded))
+    if (!(isKnockStated && effect.effect == jumpId))
       effects.push_back(Phrase::of("%1 ± %2 mm", causeName(effect.effect),
                                    displayText(effect.influence, decimalsFor(effect.influence))));
   if (effects.empty()) return "";
-  const std::size_t more = effects.size() - std::min(effects.size(), mostNamed);
-  effects.resize(effects.size() - more);
-  if (more > 0) effects.push_back(more == 1 ? Phrase::of("1 other") : Phrase::of("%1 others", more));
   return Phrase::of("Undetectable here, yet a plausible size moves Δd by more than U: %1",
-                    listed(effects, Phrase::of(" and ")));
+                    listed(namedOrCounted(std::move(effects)), Phrase::of(" and ")));
 }
 
 /// "2 mm", "2 mm (u 0.05 mm)".
@@ -120,7 +107,7 @@ Line referenceLine(const Measurement& measurement, const SessionFit& fit, const 
   const double difference = found.value - *measurement.referenceIntersection;
   const double own = fit.intersection->coverageFactor * measurement.sigmaReference.value_or(0);
   const double expanded = std::hypot(found.expanded, own), score = std::abs(difference) / expanded;
-  const std::string size = lengthText(difference, expanded), given = referenceGiven(measurement);
+  const std::string size = sizeWithExpanded(difference, expanded, "mm"), given = referenceGiven(measurement);
   Line line{.kind = Line::Kind::Reference, .text = {}};
   if (!std::isfinite(score)) {
     line.text = Phrase::of("Reference %1: difference %2", given, size);

@@ -80,19 +80,24 @@ std::string momentText(const UndetectableJump& jump) {
                           : Phrase::of("during the readings at %1", position);
 }
 
-std::string conditionSentence(const Diagnosis* diagnosis, const AcceptanceDecision& decision) {
-  if (!diagnosis || decision.conditions.empty()) return "";
+ConditionalKnock knockOf(const Diagnosis& diagnosis, const AcceptanceDecision& decision) {
   std::vector<std::string> moments;
   double influence = 0;
   for (const std::size_t i : decision.conditions) {
-    moments.push_back(momentText(diagnosis->undetectableJumps[i]));
-    influence = std::max(influence, diagnosis->undetectableJumps[i].influence);
+    moments.push_back(momentText(diagnosis.undetectableJumps[i]));
+    influence = std::max(influence, diagnosis.undetectableJumps[i].influence);
   }
+  return {listed(moments, Phrase::of(" or ")), displayText(influence, decimalsFor(influence))};
+}
+
+std::string conditionSentence(const Diagnosis* diagnosis, const AcceptanceDecision& decision) {
+  if (!diagnosis || decision.conditions.empty()) return "";
+  const auto [moments, influence] = knockOf(*diagnosis, decision);
   return Phrase::of(
       "The verdict holds on the condition that the tripod was not knocked %1. These readings cannot show "
       "such a knock; one of plausible size moves Δd by ± %2 mm. The probability of conformity includes "
       "it.",
-      listed(moments, Phrase::of(" or ")), displayText(influence, decimalsFor(influence)));
+      moments, influence);
 }
 
 std::string dependenceSentence(const std::vector<Dependence>& dependences) {
@@ -102,8 +107,15 @@ std::string dependenceSentence(const std::vector<Dependence>& dependences) {
   return parts.empty() ? "" : Phrase::of("The verdict depends on a single row: %1.", listed(parts));
 }
 
-std::string causesWithProbability(const Diagnosis& diagnosis) {
+std::vector<std::string> namedOrCounted(std::vector<std::string> names) {
   constexpr std::size_t mostNamed = 3;
+  const std::size_t more = names.size() - std::min(names.size(), mostNamed);
+  names.resize(names.size() - more);
+  if (more > 0) names.push_back(more == 1 ? Phrase::of("1 other") : Phrase::of("%1 others", more));
+  return names;
+}
+
+std::string causesWithProbability(const Diagnosis& diagnosis) {
   std::vector<const Cause*> causes;
   for (const Cause& cause : diagnosis.causes)
     if (cause.effect != noiseId) causes.push_back(&cause);
@@ -113,9 +125,7 @@ std::string causesWithProbability(const Diagnosis& diagnosis) {
     //: a cause and its probability: "plane offset (72 %)"
     names.push_back(
         Phrase::of("%1 (%2)", causeName(cause->effect), shortProbabilityText(cause->probability)));
-  const std::size_t more = names.size() - std::min(names.size(), mostNamed);
-  names.resize(names.size() - more);
-  if (more > 0) names.push_back(more == 1 ? Phrase::of("1 other") : Phrase::of("%1 others", more));
+  names = namedOrCounted(std::move(names));
   if (!names.empty() && diagnosis.verdict == DiagnosisVerdict::NotInCatalogue)
     names.push_back(Phrase::of("an unknown cause"));
   return listed(names, Phrase::of(" and "));

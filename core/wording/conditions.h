@@ -13,12 +13,23 @@ namespace alidade {
 /// "between the pointing zero and the first sighting at 180°".
 std::string momentText(const UndetectableJump& jump);
 
+/// The knock on whose absence the verdict rests.
+struct ConditionalKnock {
+  std::string moments;    ///< when it may have happened: "during the readings at 0° or …"
+  std::string influence;  ///< the largest change of Δd by one of plausible size, in mm: "0.36"
+};
+/// `decision` was made with `diagnosis` and has conditions.
+ConditionalKnock knockOf(const Diagnosis& diagnosis, const AcceptanceDecision& decision);
+
 /// "The verdict holds on the condition that the tripod was not knocked …"; empty without conditions.
 /// `decision` was made with `diagnosis`.
 std::string conditionSentence(const Diagnosis* diagnosis, const AcceptanceDecision& decision);
 
 /// "The verdict depends on a single row: undecided without 180° point 14."; empty without dependences.
 std::string dependenceSentence(const std::vector<Dependence>& dependences);
+
+/// The first three names; the others are counted in one more: "2 others".
+std::vector<std::string> namedOrCounted(std::vector<std::string> names);
 
 /// The causes with their probabilities, the most probable first: "plane offset (72 %) and axial shift (17
 /// %)". Names at most three and counts the others. Larger noise is left out, since U includes it; an unknown

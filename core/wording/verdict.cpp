@@ -182,12 +182,6 @@ int decimalsToDecide(double value, double expanded, double tolerance) {
   return decimals;
 }
 
-bool tellsAcross(const Diagnosis* diagnosis, const AcceptanceDecision& decision) {
-  using enum AcceptanceDecision::Obstacle;
-  const bool isWithheld = decision.obstacle == Lengths || decision.obstacle == Coverage;
-  return !isWithheld && diagnosis && diagnosis->measured && liesOff(*diagnosis->measured);
-}
-
 std::string probabilityText(double probability) {
   return boundedText(probability, Phrase::of("more than 99.9 %"), Phrase::of("less than 0.1 %"), 1);
 }

@@ -15,10 +15,6 @@ namespace alidade {
 std::string verdictSentence(const Measurement& measurement, const SessionFit& fit, const Diagnosis* diagnosis,
                             const AcceptanceDecision& decision);
 
-/// Whether that sentence mentions the offset across the plane of the arc. It does not if the verdict is
-/// withheld or the offset is below its uncertainty.
-bool tellsAcross(const Diagnosis* diagnosis, const AcceptanceDecision& decision);
-
 /// "97.3 %", "more than 99.9 %" for a number in 0…1, within a sentence.
 std::string probabilityText(double probability);
 /// "97 %", "99.3 %", "> 99.9 %" for a table or a list.

@@ -119,7 +119,7 @@ TEST(MeasuredAgain, IsNoTroubleHalfTyped) {
   open.settle();
   measureAgain(open, 0);
   const std::string result = textsOf(*open->findChild<ResultPanel*>());
-  EXPECT_THAT(result, HasSubstr("Δd, fit only: ")) << "the new position is still empty";
+  EXPECT_THAT(result, HasSubstr("Δd, fit only = ")) << "the new position is still empty";
   typePosition(open, 2, whole.positions[2], 1);
   open.settle();
   EXPECT_THAT(textsOf(*open->findChild<ResultPanel*>()), HasSubstr("Sightings used\n17\n17\n"));

@@ -124,6 +124,7 @@ Result<std::string> runDiagnose(const DiagnoseRequest& request, const std::strin
   Result<SessionInput> read = readSessionInput(file, request.instrument, request.effects);
   if (!read) return read.problem();
   SessionInput input = *std::move(read);
+  if (request.batch.json) input.session.positions.clear();  // as large as its rows; only the text needs them
   Measurement& measurement = input.measurement;
   takeRelation(request, measurement);
   if (request.withReference && !measurement.sigmaReference)

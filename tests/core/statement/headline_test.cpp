@@ -132,6 +132,16 @@ TEST(Headline, SaysWhyThereIsNoVerdict) {
   EXPECT_EQ(headlineAt("two").decided, std::nullopt);
 }
 
+TEST(Headline, SpeaksOfNoVerdictWithAnEntryThatCannotBeUsed) {
+  Session session = withTolerance("2.5");
+  session.positions[0].readings[3].vertical = "86 71 00";
+  const Headline headline = headlineOf(assessGap(evaluationOf(session)));
+  EXPECT_EQ(headline.verdict, "No verdict: 1 entry could not be used");
+  EXPECT_TRUE(headline.isMeasured);
+  EXPECT_THAT(headline.line(LineKind::Gap), StartsWith("Model and readings disagree, best explained by "));
+  EXPECT_TRUE(headline.line(LineKind::Knock).empty() && headline.line(LineKind::Row).empty());
+}
+
 // The published table closes neither in R nor in Δx; the offset across the plane follows from the radii.
 TEST(Headline, SaysWhatToReadBeforeTheVerdictOfThePaperIsUsed) {
   const Headline headline = headlineOf(assessGap(sampleEvaluation("paper-table-1.alidade")));

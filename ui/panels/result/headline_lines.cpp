@@ -18,10 +18,6 @@ HeadlineLines::HeadlineLines(QWidget* parent) : QWidget(parent) {
   layout->setSpacing(3);
 }
 
-void HeadlineLines::setHeadline(const Headline& headline) {
-  show(headline.lines);
-}
-
 HeadlineLines::Row& HeadlineLines::row(int index) {
   while (index >= m_rows.size()) {
     Row row{.whole = new QWidget, .icon = new QLabel, .text = wrappedLabel()};
@@ -37,7 +33,7 @@ HeadlineLines::Row& HeadlineLines::row(int index) {
   return m_rows[index];
 }
 
-void HeadlineLines::show(const std::vector<Headline::Line>& lines) {
+void HeadlineLines::setLines(const std::vector<Headline::Line>& lines) {
   m_lines = lines;
   for (int i = 0; std::cmp_less(i, lines.size()); ++i) {
     const Headline::Line& line = lines[static_cast<std::size_t>(i)];
@@ -64,7 +60,7 @@ void HeadlineLines::show(const std::vector<Headline::Line>& lines) {
 
 void HeadlineLines::changeEvent(QEvent* event) {
   QWidget::changeEvent(event);
-  if (event->type() == QEvent::PaletteChange) show(std::exchange(m_lines, {}));
+  if (event->type() == QEvent::PaletteChange) setLines(std::exchange(m_lines, {}));
 }
 
 }  // namespace alidade::ui

@@ -17,7 +17,7 @@ class HeadlineLines : public QWidget {
  public:
   explicit HeadlineLines(QWidget* parent = nullptr);
 
-  void setHeadline(const Headline& headline);
+  void setLines(const std::vector<Headline::Line>& lines);
 
  signals:
   void gapActivated();
@@ -33,7 +33,6 @@ class HeadlineLines : public QWidget {
   };
 
   Row& row(int index);
-  void show(const std::vector<Headline::Line>& lines);
 
   std::vector<Headline::Line> m_lines;
   QList<Row> m_rows;

@@ -41,6 +41,11 @@ QString eachPosition(const SessionFit& fit, Figure figure) {
   return comesAgain ? text : QString();
 }
 
+/// Without a result the panel says what is missing instead.
+bool hasResult(const Headline& headline) {
+  return !headline.fitOnly.empty();
+}
+
 /// An accepted or rejected result has its reason in the fold; otherwise the reason is what the reader needs.
 bool isReasonFolded(const Headline& headline) {
   return headline.decided && *headline.decided != Verdict::Undecided;
@@ -138,7 +143,7 @@ void ResultPanel::setHeadline(const Headline& headline) {
   m_tolerance->setText(qText(headline.tolerance));
   m_tolerance->setVisible(!headline.tolerance.empty());
   m_bar->setScale(headline.scale, m_isProvisional);
-  m_lines->setHeadline(headline);
+  m_lines->setLines(headline.lines);
   showVerdict(headline);
   showDetails(headline);
 }
@@ -182,7 +187,7 @@ void ResultPanel::settleWidth() {
 
 void ResultPanel::showDetails(const Headline& headline) {
   const bool isFolded = isReasonFolded(headline);
-  m_reason->setText(isFolded ? QString() : unbroken(qText(headline.sentence)));
+  m_reason->setText(isFolded || !hasResult(headline) ? QString() : unbroken(qText(headline.sentence)));
   m_reason->setVisible(!m_reason->text().isEmpty());
   QStringList lines{qText(headline.fitOnly), qText(headline.fitOnlyDetails)};
   if (isFolded) lines.prepend(qText(headline.sentence));
@@ -195,7 +200,7 @@ void ResultPanel::showDetails(const Headline& headline) {
 }
 
 QString ResultPanel::whatIsMissing(const Evaluation& evaluation) {
-  if (evaluation.failure) return {};  // the headline says why
+  if (evaluation.failure) return qText(sentencesOf(*evaluation.failure));
   const auto& problems = evaluation.examined.problems;
   const bool wrong = std::any_of(problems.begin(), problems.end(), [&](const Problem& problem) {
     return !isMissing(evaluation.session, problem.where);
@@ -211,7 +216,7 @@ QString ResultPanel::whatIsMissing(const Evaluation& evaluation) {
 
 void ResultPanel::showVerdict(const Headline& headline) {
   m_state = stateOf(headline);
-  m_badge->setText(headline.verdict.empty() ? tr("No result") : qText(headline.verdict));
+  m_badge->setText(hasResult(headline) ? qText(headline.verdict) : tr("No result"));
   if (const QString icon = iconOf(headline.decided); m_iconName != icon) {
     m_iconName = icon;
     m_badgeIcon->setPixmap(themeIcon(m_iconName).pixmap(24, 24));
