@@ -13,7 +13,8 @@ class Plot;
 
 // The parts of a report, each in a file of its own.
 
-/// The headline in a frame, in large type; then Δd, fit only, and the sentence.
+/// The headline in a frame: the result in large type, its place on the scale of the tolerance, and what to
+/// read with it; then, in small type, the reason of the verdict and Δd, fit only.
 void addVerdict(ReportSheet& sheet, const Gap& gap);
 
 /// Every unusable entry, with a red bar at its left; empty if there are none.

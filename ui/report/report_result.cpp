@@ -159,8 +159,22 @@ class VerdictFrame {
                          }
                        }});
   }
+  /// On one line, the second at the right, if both fit there.
+  void addBeside(const QString& first, const QString& second, const TextStyle& style) {
+    constexpr double apart = 6;
+    if (first.isEmpty() ||
+        m_sheet.textWidth(first, style) + apart + m_sheet.textWidth(second, style) > inner) {
+      add(first, style);
+      add(second, style);
+      return;
+    }
+    m_parts.push_back({m_sheet.lineHeight(style) + gap, [this, first, second, style](double top) {
+                         m_sheet.text(first, style, inset, top, inner);
+                         m_sheet.text(second, style, inset, top, inner, Qt::AlignRight);
+                       }});
+  }
   void add(const ToleranceScale& scale) {
-    constexpr double height = 8;
+    constexpr double height = 7;
     m_parts.push_back({height, [this, scale](double top) {
                          const QRectF target = m_sheet.inDeviceUnits({inset, top, inner, height - 1});
                          m_sheet.draw(
@@ -215,13 +229,13 @@ void addVerdict(ReportSheet& sheet, const Gap& gap) {
   const bool hasResult = gap.evaluation->fit.intersection.has_value();
   const Headline headline = headlineOf(gap, dependencesOf(gap));
   VerdictFrame frame(sheet);
-  if (hasResult) frame.add(qText(headline.nameAndFigure()), large);
   const QString verdict = qText(headline.verdictAndTolerance());
-  if (frame.fits(verdict, large)) {
-    frame.add(verdict, large);
-  } else {
+  if (!frame.fits(verdict, large)) {
+    frame.add(hasResult ? qText(headline.nameAndFigure()) : QString(), large);
     frame.add(qText(headline.verdict), large);
     frame.add(qText(headline.tolerance), large);
+  } else {
+    frame.addBeside(hasResult ? qText(headline.nameAndFigure()) : QString(), verdict, large);
   }
   if (headline.scale) frame.add(*headline.scale);
   for (const Headline::Line& line : headline.lines)

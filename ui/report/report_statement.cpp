@@ -16,10 +16,9 @@ bool isLeft(Role role) {
   return role != Role::Figure;
 }
 
-/// A text at the left is kept apart from a figure at the right before it.
-QString besideFigures(const std::string& text, Role role) {
-  return isLeft(role) && role != Role::Name && !text.empty() ? QStringLiteral("  ") + qText(text)
-                                                             : qText(text);
+/// mm before a text at the left, which keep it apart from a figure at the right before it.
+double indentOf(Role role) {
+  return isLeft(role) && role != Role::Name ? 2.5 : 0;
 }
 
 /// What the cells and the longest word of the title need, mm.
@@ -30,15 +29,18 @@ double neededWidth(const ReportSheet& sheet, const Statement& statement, std::si
   for (const QString& word : qText(statement.columns[column].title).split(u' '))
     width = std::max(width, sheet.textWidth(word, type::tableHead));
   for (const Statement::Row& row : statement.rows)
-    width = std::max(width, sheet.textWidth(besideFigures(row.cells[column], role),
+    width = std::max(width, sheet.textWidth(qText(row.cells[column]),
                                             row.isTotal || row.isNotable ? type::body.inBold() : type::body));
-  return width + gap;
+  return width + gap + indentOf(role);
 }
 
-/// Figures have what they need; names at most a third of the page; remarks or bars, or else names, what is
-/// left; texts none, since they are below the rows.
+/// Figures have what they need; names a third of the page, or no more than they need beside a bar; remarks or
+/// bars what is left; names more without these; texts none, since they are below the rows.
 std::vector<double> widthsOf(const ReportSheet& sheet, const Statement& statement) {
   constexpr double mostName = 62, leastFigure = 20, fewColumns = 6;
+  const bool hasBar =
+      std::ranges::find(statement.columns, Role::Bar, &Statement::Column::role) != statement.columns.end();
+  const bool isNarrow = statement.columns.size() > fewColumns || hasBar;
   std::vector<double> widths;
   double rest = ReportSheet::width;
   std::size_t wide = 0;
@@ -47,13 +49,13 @@ std::vector<double> widthsOf(const ReportSheet& sheet, const Statement& statemen
     const bool takesRest = role == Role::Remark || role == Role::Bar;
     double width = neededWidth(sheet, statement, i);
     if (role == Role::Figure && statement.columns.size() <= fewColumns) width = std::max(width, leastFigure);
-    if (role == Role::Name)
-      width = statement.columns.size() <= fewColumns ? mostName : std::min(width, mostName);
+    if (role == Role::Name) width = isNarrow ? std::min(width, mostName) : mostName;
     if (takesRest) wide = i;
     widths.push_back(takesRest || role == Role::Text ? 0 : width);
     rest -= widths.back();
   }
-  widths[wide] += wide > 0 ? rest : std::min(rest, 0.0);
+  const double lacking = neededWidth(sheet, statement, 0) - widths[0];
+  widths[wide] += wide > 0 ? rest : std::min(rest, std::max(lacking, 0.0));
   return widths;
 }
 
@@ -63,8 +65,8 @@ std::vector<ReportColumn> columnsOf(const ReportSheet& sheet, const Statement& s
   for (std::size_t i = 0; i < widths.size(); ++i) {
     const Role role = statement.columns[i].role;
     if (role == Role::Text) continue;
-    columns.push_back({besideFigures(statement.columns[i].title, role), widths[i],
-                       isLeft(role) ? Qt::AlignLeft : Qt::AlignRight});
+    columns.push_back({qText(statement.columns[i].title), widths[i],
+                       isLeft(role) ? Qt::AlignLeft : Qt::AlignRight, indentOf(role)});
   }
   // The texts below the rows have the whole width.
   double rest = ReportSheet::width;
@@ -80,7 +82,7 @@ void addTable(ReportSheet& sheet, const Statement& statement) {
     std::vector<ReportCell> cells;
     for (std::size_t i = 0; i < row.cells.size(); ++i) {
       if (statement.columns[i].role == Role::Text) continue;
-      const QString text = besideFigures(row.cells[i], statement.columns[i].role);
+      const QString text = qText(row.cells[i]);
       cells.emplace_back(i == 0 && row.isPart ? QStringLiteral("    ") + text : text,
                          row.isTotal || row.isNotable ? type::body.inBold() : type::body);
     }

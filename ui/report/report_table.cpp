@@ -9,6 +9,10 @@ constexpr double cellGap =
     1.2;  // mm between the text of neighbouring columns and above and below a row's text / 2
 constexpr double above = 0.35;
 
+double textWidth(const ReportColumn& column) {
+  return column.width - column.indent - cellGap;
+}
+
 }  // namespace
 
 ReportTable::ReportTable(ReportSheet& sheet, std::vector<ReportColumn> columns)
@@ -34,7 +38,8 @@ void ReportTable::head() {
 void ReportTable::row(const std::vector<ReportCell>& cells, const QString& note) {
   std::vector<QStringList> lines;
   const double height = rowHeight(cells, lines);
-  const double indent = m_columns.front().width;
+  constexpr double mostIndent = 12;
+  const double indent = std::min(m_columns.front().width, mostIndent);
   const QStringList noteLines =
       note.isEmpty() ? QStringList() : m_sheet.lines(note, type::small, m_width - indent);
   const double noteLine = m_sheet.lineHeight(type::small);
@@ -63,7 +68,7 @@ void ReportTable::finish() {
 double ReportTable::rowHeight(const std::vector<ReportCell>& cells, std::vector<QStringList>& lines) const {
   double height = 0;
   for (std::size_t i = 0; i < cells.size(); ++i) {
-    lines.push_back(m_sheet.lines(cells[i].text, cells[i].style, m_columns[i].width - cellGap));
+    lines.push_back(m_sheet.lines(cells[i].text, cells[i].style, textWidth(m_columns[i])));
     height = std::max(height, lines.back().size() * m_sheet.lineHeight(cells[i].style));
   }
   return height + 2 * above;
@@ -75,8 +80,8 @@ void ReportTable::place(const std::vector<ReportCell>& cells, const std::vector<
     const bool right = m_columns[i].alignment & Qt::AlignRight;
     double top = m_sheet.y() + above;
     for (const QString& line : lines[i]) {
-      m_sheet.text(line, cells[i].style, left + (right ? cellGap : 0), top, m_columns[i].width - cellGap,
-                   m_columns[i].alignment);
+      m_sheet.text(line, cells[i].style, left + m_columns[i].indent + (right ? cellGap : 0), top,
+                   textWidth(m_columns[i]), m_columns[i].alignment);
       top += m_sheet.lineHeight(cells[i].style);
     }
     left += m_columns[i].width;

@@ -11,6 +11,7 @@ struct ReportColumn {
   QString title;      ///< may have several lines
   double width = 20;  ///< mm
   Qt::Alignment alignment = Qt::AlignLeft;
+  double indent = 0;  ///< mm before the text, within the width
 };
 
 struct ReportCell {
@@ -29,7 +30,8 @@ class ReportTable {
 
   /// Call once before the first row; new pages repeat it automatically.
   void head();
-  /// `note`, if any, follows in small type across the columns below the row.
+  /// `note`, if any, follows in small type across the columns below the row, indented by the first column,
+  /// but not much.
   void row(const std::vector<ReportCell>& cells, const QString& note = {});
   /// Draws a line under the last row; the cursor moves below it.
   void finish();
