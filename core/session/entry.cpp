@@ -1,11 +1,9 @@
 #include "core/session/entry.h"
 
 #include <algorithm>
-#include <array>
 #include <cassert>
 #include <chrono>
 #include <cmath>
-#include <limits>
 #include <sstream>
 
 #include "core/base/angle_text.h"
@@ -14,117 +12,17 @@
 #include "core/base/typed_text.h"
 #include "core/base/visible_text.h"
 #include "core/session/row_fields.h"
+#include "core/session/session_fields.h"
 
 namespace alidade {
 
 namespace {
 
-constexpr double infinite = std::numeric_limits<double>::infinity();
-constexpr double longestMm = 1e6;
-// The lower limit is finer than any circle; far below it, evidence and weights lose their digits.
-constexpr double leastSigmaArcsec = 0.001, largestSigmaArcsec = 3600;
-
-// A choice within 0.5″ to 1.5″, the assumed range of setting accuracies of compensators; not from a data
-// sheet. A session should state that of its instrument.
-constexpr double usualSigmaCompensator = 1;
 // Compensators work within some 4′; a tilt beyond this was typed in another unit.
 constexpr double largestTiltArcsec = 3600;
 
-// The line of sight passes the vertical axis within some tenths of a millimetre.
-constexpr double largestOffsetMm = 10;
-
 // Limits in any unit of the catalogue; far below, weights lose their digits.
 constexpr double leastKnownSigma = 1e-6, largestKnown = 1e6;
-
-enum class Bound { Included, Excluded };
-
-struct NumberRule {
-  std::string_view field;
-  double low;
-  Bound lowBound;
-  double high;  ///< always excluded
-  std::optional<double> fallback;
-  const char* refusal;              ///< of a number out of range, for `Phrase::of` with the number
-  const char* whenEmpty = nullptr;  ///< for `Phrase::of`; the field is then required
-};
-
-constexpr const char* noLength =
-    PHRASE_LATER("Phrase", "%1 is out of range: it must be above 0 and below 1000000 mm");
-constexpr const char* noSigmaOfLength =
-    PHRASE_LATER("Phrase", "%1 is out of range: it must be 0 or more and below 1000000 mm");
-constexpr const char* noExpansion = PHRASE_LATER(
-    "Phrase", "%1 is out of range: it must be from -1000 to below 1000, in millionths per kelvin");
-constexpr const char* noSigma =
-    PHRASE_LATER("Phrase", "%1 is out of range: it must be at least 0.001 and below 3600 arcseconds");
-
-constexpr std::array numberRules = {
-    NumberRule{"instrument.sigma_horizontal_arcsec", leastSigmaArcsec, Bound::Included, largestSigmaArcsec, 2,
-               noSigma},
-    NumberRule{"instrument.sigma_vertical_arcsec", leastSigmaArcsec, Bound::Included, largestSigmaArcsec, 2,
-               noSigma},
-    NumberRule{"instrument.sigma_zero_arcsec",
-               0,
-               Bound::Included,
-               largestSigmaArcsec,
-               {},
-               PHRASE_LATER("Phrase", "%1 is out of range: it must be 0 or more and below 3600 arcseconds")},
-    NumberRule{"instrument.sigma_slider_arcsec", leastSigmaArcsec, Bound::Included, largestSigmaArcsec, 5,
-               noSigma},
-    NumberRule{"instrument.sigma_compensator_arcsec", leastSigmaArcsec, Bound::Included, largestSigmaArcsec,
-               usualSigmaCompensator, noSigma},
-    NumberRule{"instrument.line_of_sight_mm",
-               -largestOffsetMm,
-               Bound::Excluded,
-               largestOffsetMm,
-               {},
-               PHRASE_LATER("Phrase", "%1 is out of range: it must be above -10 and below 10 mm")},
-    NumberRule{"instrument.sigma_line_of_sight_mm", 0, Bound::Included, largestOffsetMm, 0,
-               PHRASE_LATER("Phrase", "%1 is out of range: it must be 0 or more and below 10 mm")},
-    NumberRule{"instrument.line_of_sight_correlation", -1, Bound::Excluded, 1, 0,
-               PHRASE_LATER("Phrase", "%1 is out of range: it must be above -1 and below 1")},
-    NumberRule{"environment.temperature_c",
-               -273.15,
-               Bound::Included,
-               1000,
-               {},
-               PHRASE_LATER("Phrase", "%1 is out of range: it must be a temperature in °C")},
-    NumberRule{"environment.sigma_temperature_c", 0, Bound::Included, 1000, 0,
-               PHRASE_LATER("Phrase", "%1 is out of range: it must be 0 or more and below 1000 K")},
-    NumberRule{
-        "geometry.distance_mm",
-        0,
-        Bound::Excluded,
-        longestMm,
-        {},
-        noLength,
-        PHRASE_LATER("Phrase", "is empty: type the distance from the theodolite to the arc plane in mm")},
-    NumberRule{"geometry.sigma_distance_mm", 0, Bound::Included, longestMm, 0, noSigmaOfLength},
-    NumberRule{"geometry.radius_mm",
-               0,
-               Bound::Excluded,
-               longestMm,
-               {},
-               noLength,
-               PHRASE_LATER("Phrase", "is empty: type the nominal radius of the arc in mm")},
-    NumberRule{"geometry.sigma_radius_mm", 0, Bound::Included, longestMm, 0, noSigmaOfLength},
-    NumberRule{"geometry.distance_expansion_ppm_per_k", -1000, Bound::Included, 1000, 0, noExpansion},
-    NumberRule{"geometry.radius_expansion_ppm_per_k", -1000, Bound::Included, 1000, 0, noExpansion},
-    NumberRule{"acceptance.tolerance_mm", 0, Bound::Excluded, longestMm, {}, noLength},
-    NumberRule{"acceptance.coverage", 0, Bound::Excluded, 1, 0.95,
-               PHRASE_LATER("Phrase", "%1 is out of range: it must be between 0 and 1, such as 0.95")},
-    NumberRule{"acceptance.reference_intersection_mm",
-               -infinite,
-               Bound::Excluded,
-               infinite,
-               {},
-               PHRASE_LATER("Phrase", "%1 is out of range: it must be a length in mm")},
-    NumberRule{"acceptance.sigma_reference_mm", 0, Bound::Excluded, longestMm, {}, noLength},
-};
-
-const NumberRule* ruleFor(std::string_view field) {
-  const auto found = std::ranges::find(numberRules, field, &NumberRule::field);
-  return found == numberRules.end() ? nullptr : &*found;
-}
 
 bool isBlank(const std::string& text) {
   return text.empty() || (!isDigit(text.front()) && plainSigns(text).empty());
@@ -142,20 +40,24 @@ std::optional<std::string> sentence(const std::optional<Problem>& problem) {
 
 }  // namespace
 
-Result<std::optional<double>> numberEntry(std::string_view field, const std::string& text) {
-  const NumberRule* rule = ruleFor(field);
-  assert(rule);
+Result<std::optional<double>> numberEntry(const NumberRule& rule, const std::string& text) {
   if (isBlank(text)) {
-    if (rule->whenEmpty) return Problem{Phrase::of(rule->whenEmpty)};
-    return rule->fallback;
+    if (rule.whenEmpty) return Problem{Phrase::of(rule.whenEmpty)};
+    return rule.fallback;
   }
   const Result<double> value = parseNumber(text);
   if (!value) return value.problem();
-  const bool aboveLow = rule->lowBound == Bound::Included ? *value >= rule->low : *value > rule->low;
-  if (!aboveLow || !(*value < rule->high)) {
-    return Problem{Phrase::of(rule->refusal, quotation(text))};
+  const bool aboveLow = rule.lowBound == Bound::Included ? *value >= rule.low : *value > rule.low;
+  if (!aboveLow || !(*value < rule.high)) {
+    return Problem{Phrase::of(rule.refusal, quotation(text))};
   }
   return std::optional(*value);
+}
+
+Result<std::optional<double>> numberEntry(std::string_view field, const std::string& text) {
+  const SessionField* own = sessionFieldNamed(field);
+  assert(own && std::holds_alternative<NumberRule>(own->rule));
+  return numberEntry(std::get<NumberRule>(own->rule), text);
 }
 
 Result<double> knownValueEntry(const std::string& text) {
@@ -316,7 +218,7 @@ std::optional<Problem> dateProblem(const std::string& text) {
 
 std::optional<std::string> entryProblem(const Session& session, const std::string& field,
                                         const std::string& text) {
-  if (ruleFor(field)) return sentence(numberEntry(field, text));
+  if (const SessionField* own = sessionFieldNamed(field)) return sentence(entryProblem(*own, text));
   // If the kind of circle is unknown, the wider range of the elevation circle applies.
   const auto known = verticalCircleEntry(session.geometry.verticalCircle);
   const VerticalCircle circle = known ? *known : VerticalCircle::Elevation;
@@ -333,15 +235,7 @@ std::optional<std::string> entryProblem(const Session& session, const std::strin
   if (field.starts_with("pointing_zero.") && isFurtherCircle && !text.empty())
     return sentence(angleEntry(field.ends_with(".horizontal") ? horizontalRule : verticalRule, text, circle));
   if (field == "axis_deg") return sentence(axisEntry(text));
-  if (field == "instrument.angle_unit") return sentence(circleUnitEntry(text));
-  if (field == "geometry.vertical_circle") return sentence(verticalCircleEntry(text));
-  if (field == "geometry.pointing_zeros") return sentence(pointingZerosEntry(text));
-  if (field == "geometry.plane") return sentence(arcPlaneEntry(text));
-  if (field == "geometry.zero_is") return sentence(zeroIsEntry(text));
-  if (field == "acceptance.measurand") return sentence(measurandEntry(text));
-  if (field == "model.vertical_angle") return sentence(verticalAngleEntry(text));
-  if (field == "model.radius") return sentence(radiusModelEntry(text));
-  if (field == "measured_on" || field.ends_with(".date")) return sentence(dateProblem(text));
+  if (field.ends_with(".date")) return sentence(dateProblem(text));
   return std::nullopt;
 }
 

@@ -14,8 +14,24 @@ namespace alidade {
 
 // The rules for single entries: the valid texts of a field and the meaning of an empty one.
 
-/// A number in the unit of its field, in range. Empty text gives the field's default, or nothing if it has
-/// none. `field` is named as for `entryProblem`; it must be a number field.
+/// Any text.
+struct FreeText {};
+
+enum class Bound { Included, Excluded };
+
+/// A number in the unit of its field.
+struct NumberRule {
+  double low;
+  Bound lowBound;
+  double high;                      ///< always excluded
+  std::optional<double> fallback;   ///< value of an empty text; absent: none
+  const char* refusal;              ///< of a number out of range, for `Phrase::of` with the number
+  const char* whenEmpty = nullptr;  ///< for `Phrase::of`; the field is then required
+};
+
+/// The number, or the fallback for an empty text.
+Result<std::optional<double>> numberEntry(const NumberRule& rule, const std::string& text);
+/// The same by the rule of a field of the session; `field` must be a number field.
 Result<std::optional<double>> numberEntry(std::string_view field, const std::string& text);
 
 /// The known value of a parameter of an effect, in any unit; empty: 0.

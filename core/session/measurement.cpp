@@ -16,6 +16,7 @@
 #include "core/session/position_examiner.h"
 #include "core/session/problem_reporter.h"
 #include "core/session/row_order.h"
+#include "core/session/session_fields.h"
 
 namespace alidade {
 
@@ -57,8 +58,8 @@ class Examiner : private ProblemReporter {
   Examined examine() {
     checkDate("measured_on", m_session.measuredOn);
     examineInstrument();
-    const auto temperature = number("environment.temperature_c", m_session.environment.temperatureC);
-    const auto sigma = number("environment.sigma_temperature_c", m_session.environment.sigmaTemperatureC);
+    const auto temperature = number("environment.temperature_c");
+    const auto sigma = number("environment.sigma_temperature_c");
     examineGeometry();
     expand(temperature.value_or(std::nullopt), sigma && *sigma ? **sigma : 0);
     examineAcceptance();
@@ -91,8 +92,8 @@ class Examiner : private ProblemReporter {
  private:
   /// The entry's value; empty, with a problem reported, if it cannot be used. The inner optional is empty for
   /// an empty entry.
-  std::optional<std::optional<double>> number(const std::string& field, const std::string& text) {
-    return take(numberEntry(field, text), {.field = field});
+  std::optional<std::optional<double>> number(const char* field) {
+    return take(numberEntry(field, sessionFieldNamed(field)->get(m_session)), {.field = field});
   }
 
   void checkDate(const std::string& field, const std::string& text) {
@@ -100,21 +101,18 @@ class Examiner : private ProblemReporter {
   }
 
   /// A number that every measurement needs.
-  double vitalNumber(const std::string& field, const std::string& text) {
-    const auto value = number(field, text);
+  double vitalNumber(const char* field) {
+    const auto value = number(field);
     if (!value) m_usable = false;
     return value && *value ? **value : 0;
   }
 
   void examineInstrument() {
     const Instrument& instrument = m_session.instrument;
-    const auto sigma = [this](const char* field, const std::string& text) {
-      return Angle::fromArcseconds(vitalNumber(field, text));
-    };
-    m_measurement.sigmaHorizontal =
-        sigma("instrument.sigma_horizontal_arcsec", instrument.sigmaHorizontalArcsec);
-    m_measurement.sigmaVertical = sigma("instrument.sigma_vertical_arcsec", instrument.sigmaVerticalArcsec);
-    const auto zero = number("instrument.sigma_zero_arcsec", instrument.sigmaZeroArcsec);
+    const auto sigma = [this](const char* field) { return Angle::fromArcseconds(vitalNumber(field)); };
+    m_measurement.sigmaHorizontal = sigma("instrument.sigma_horizontal_arcsec");
+    m_measurement.sigmaVertical = sigma("instrument.sigma_vertical_arcsec");
+    const auto zero = number("instrument.sigma_zero_arcsec");
     if (!zero) m_usable = false;
     const bool stated = zero && *zero;
     const Angle sigmaZero = stated ? Angle::fromArcseconds(**zero) : Angle();
@@ -123,17 +121,16 @@ class Examiner : private ProblemReporter {
     m_measurement.sigmaZeroVertical = stated ? sigmaZero : m_measurement.sigmaVertical;
     const auto unit = take(circleUnitEntry(instrument.angleUnit), {.field = "instrument.angle_unit"});
     if (unit) m_measurement.angleUnit = *unit;
-    m_measurement.sigmaSlider = sigma("instrument.sigma_slider_arcsec", instrument.sigmaSliderArcsec);
-    m_measurement.sigmaCompensator =
-        sigma("instrument.sigma_compensator_arcsec", instrument.sigmaCompensatorArcsec);
+    m_measurement.sigmaSlider = sigma("instrument.sigma_slider_arcsec");
+    m_measurement.sigmaCompensator = sigma("instrument.sigma_compensator_arcsec");
   }
 
   void examineGeometry() {
     const Geometry& geometry = m_session.geometry;
-    m_measurement.distance = vitalNumber("geometry.distance_mm", geometry.distanceMm);
-    m_measurement.sigmaDistance = vitalNumber("geometry.sigma_distance_mm", geometry.sigmaDistanceMm);
-    m_measurement.nominalRadius = vitalNumber("geometry.radius_mm", geometry.radiusMm);
-    m_measurement.sigmaRadius = vitalNumber("geometry.sigma_radius_mm", geometry.sigmaRadiusMm);
+    m_measurement.distance = vitalNumber("geometry.distance_mm");
+    m_measurement.sigmaDistance = vitalNumber("geometry.sigma_distance_mm");
+    m_measurement.nominalRadius = vitalNumber("geometry.radius_mm");
+    m_measurement.sigmaRadius = vitalNumber("geometry.sigma_radius_mm");
     m_circle = take(verticalCircleEntry(geometry.verticalCircle), {.field = "geometry.vertical_circle"});
     if (m_circle) m_measurement.verticalCircle = *m_circle;
     m_usable = m_usable && m_circle;
@@ -153,11 +150,9 @@ class Examiner : private ProblemReporter {
 
   /// Converts the lengths from 20 °C, for which they are stated, to the temperature of the session.
   void expand(const std::optional<double>& temperature, double sigmaTemperature) {
-    const Geometry& geometry = m_session.geometry;
-    const auto toTemperature = [&](const char* field, const std::string& text, double& length,
-                                   double& sigma) {
+    const auto toTemperature = [&](const char* field, double& length, double& sigma) {
       constexpr double reference = 20, millionth = 1e-6;
-      const auto coefficient = number(field, text);
+      const auto coefficient = number(field);
       if (!coefficient) m_usable = false;
       if (!coefficient || **coefficient == 0) return 0.0;
       if (!temperature) {
@@ -173,21 +168,19 @@ class Examiner : private ProblemReporter {
       sigma = std::hypot(sigma, perKelvin * sigmaTemperature);
       return change;
     };
-    m_measurement.distanceExpansion =
-        toTemperature("geometry.distance_expansion_ppm_per_k", geometry.distanceExpansionPpmPerK,
-                      m_measurement.distance, m_measurement.sigmaDistance);
-    m_measurement.radiusExpansion =
-        toTemperature("geometry.radius_expansion_ppm_per_k", geometry.radiusExpansionPpmPerK,
-                      m_measurement.nominalRadius, m_measurement.sigmaRadius);
+    m_measurement.distanceExpansion = toTemperature("geometry.distance_expansion_ppm_per_k",
+                                                    m_measurement.distance, m_measurement.sigmaDistance);
+    m_measurement.radiusExpansion = toTemperature("geometry.radius_expansion_ppm_per_k",
+                                                  m_measurement.nominalRadius, m_measurement.sigmaRadius);
   }
 
   void examineAcceptance() {
     const Acceptance& acceptance = m_session.acceptance;
-    const auto tolerance = number("acceptance.tolerance_mm", acceptance.toleranceMm);
-    const auto coverage = number("acceptance.coverage", acceptance.coverage);
+    const auto tolerance = number("acceptance.tolerance_mm");
+    const auto coverage = number("acceptance.coverage");
     const auto measurand = take(measurandEntry(acceptance.measurand), {.field = "acceptance.measurand"});
-    const auto reference = number("acceptance.reference_intersection_mm", acceptance.referenceIntersectionMm);
-    const auto sigmaReference = number("acceptance.sigma_reference_mm", acceptance.sigmaReferenceMm);
+    const auto reference = number("acceptance.reference_intersection_mm");
+    const auto sigmaReference = number("acceptance.sigma_reference_mm");
     m_measurement.tolerance = coverage && measurand ? tolerance.value_or(std::nullopt) : std::nullopt;
     if (measurand) m_measurement.measurand = *measurand;
     if (coverage) m_measurement.coverage = coverage->value_or(m_measurement.coverage);
@@ -212,10 +205,9 @@ class Examiner : private ProblemReporter {
   /// Adds e/D at the distance of the slider to the collimation. The distance is known well enough: an error
   /// of 1 % changes e/D by a hundredth.
   void takeLineOfSight() {
-    const LineOfSight& entered = m_session.instrument.lineOfSight;
-    const auto offset = number("instrument.line_of_sight_mm", entered.offsetMm);
-    const auto sigma = number("instrument.sigma_line_of_sight_mm", entered.sigmaMm);
-    const auto correlation = number("instrument.line_of_sight_correlation", entered.correlation);
+    const auto offset = number("instrument.line_of_sight_mm");
+    const auto sigma = number("instrument.sigma_line_of_sight_mm");
+    const auto correlation = number("instrument.line_of_sight_correlation");
     const double distance = std::hypot(m_measurement.distance, m_measurement.nominalRadius);
     if (!offset || !sigma || !correlation || !(distance > 0)) return;
     for (KnownNumber& known : m_measurement.known)

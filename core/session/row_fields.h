@@ -31,7 +31,6 @@ inline constexpr AngleRule verticalRule{.low = 0, .lowOfElevation = -90, .high =
 inline constexpr AngleRule sliderRule{
     .low = -360, .lowOfElevation = -360, .high = 360, .isHighIncluded = true, .mayBeEmpty = true};
 
-struct FreeText {};
 /// Any number; it is kept as typed, as no calculation uses it.
 struct NumberText {};
 /// Arcseconds, by `tiltEntry`.

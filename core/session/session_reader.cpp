@@ -10,6 +10,7 @@
 #include "core/session/json_object_reader.h"
 #include "core/session/known_size_json.h"
 #include "core/session/row_fields.h"
+#include "core/session/session_fields.h"
 #include "core/session/value_text.h"
 
 namespace alidade {
@@ -35,81 +36,24 @@ constexpr JsonFormat sessionFormat = {
     PHRASE_LATER("Phrase", "choose a session file"),
     PHRASE_LATER("Phrase", "%1 is no version of a session file: it must be %2")};
 
-ReportEntries readReport(const ObjectReader& reader) {
-  return {.number = reader.text("number"),
-          .laboratory = reader.text("laboratory"),
-          .customer = reader.text("customer"),
-          .authorisedBy = reader.text("authorised_by"),
-          .ruleAgreedBy = reader.text("rule_agreed_by"),
-          .origin = reader.origin()};
+/// Reads the fields of one object of the file.
+void readFields(const ObjectReader& reader, std::string_view part, Session& session) {
+  for (const SessionField& field : sessionFields())
+    if (field.part() == part && (!field.remedy || reader.require(field.name(), field.remedy)))
+      field.at(session) = reader.value(field.name(), field.kind());
 }
 
-Device readDevice(const ObjectReader& reader) {
-  return {.name = reader.text("name"),
-          .serial = reader.text("serial"),
-          .known = readKnown(reader),
-          .origin = reader.origin({"known"})};
+/// Reads an object with single texts, and its origin without the values of `others`.
+ObjectReader readPart(const ObjectReader& document, const char* part, Session& session, JsonOrigin& origin,
+                      const std::vector<const char*>& others = {}) {
+  ObjectReader reader = document.object(part);
+  readFields(reader, part, session);
+  origin = reader.origin(others);
+  return reader;
 }
 
 NamedRecord readNamedRecord(const ObjectReader& reader) {
   return {.file = reader.text("file"), .date = reader.text("date"), .origin = reader.origin()};
-}
-
-Instrument readInstrument(const ObjectReader& reader) {
-  return {.name = reader.text("name"),
-          .serial = reader.text("serial"),
-          .certificate = reader.text("certificate"),
-          .traceability = reader.text("traceability"),
-          .angleUnit = reader.text("angle_unit"),
-          .sigmaHorizontalArcsec = reader.number("sigma_horizontal_arcsec"),
-          .sigmaVerticalArcsec = reader.number("sigma_vertical_arcsec"),
-          .sigmaZeroArcsec = reader.number("sigma_zero_arcsec"),
-          .sigmaSliderArcsec = reader.number("sigma_slider_arcsec"),
-          .sigmaCompensatorArcsec = reader.number("sigma_compensator_arcsec"),
-          .lineOfSight = readLineOfSight(reader),
-          .record = readNamedRecord(reader.object("record")),
-          .known = readKnown(reader),
-          .origin = reader.origin({"record", "known"})};
-}
-
-Environment readEnvironment(const ObjectReader& reader) {
-  return {.temperatureC = reader.number("temperature_c"),
-          .sigmaTemperatureC = reader.number("sigma_temperature_c"),
-          .origin = reader.origin()};
-}
-
-Geometry readGeometry(const ObjectReader& reader) {
-  return {.distanceMm = reader.requiredNumber(
-              "distance_mm",
-              PHRASE_LATER("Phrase", "add the distance from the theodolite to the arc plane in mm")),
-          .sigmaDistanceMm = reader.number("sigma_distance_mm"),
-          .radiusMm = reader.requiredNumber(
-              "radius_mm", PHRASE_LATER("Phrase", "add the nominal radius of the arc in mm")),
-          .sigmaRadiusMm = reader.number("sigma_radius_mm"),
-          .verticalCircle = reader.text("vertical_circle"),
-          .pointingZeros = reader.text("pointing_zeros"),
-          .plane = reader.text("plane"),
-          .zeroIs = reader.text("zero_is"),
-          .distanceFrom = reader.text("distance_from"),
-          .distanceExpansionPpmPerK = reader.number("distance_expansion_ppm_per_k"),
-          .radiusExpansionPpmPerK = reader.number("radius_expansion_ppm_per_k"),
-          .origin = reader.origin()};
-}
-
-Acceptance readAcceptance(const ObjectReader& reader) {
-  return {.toleranceMm = reader.number("tolerance_mm"),
-          .measurand = reader.text("measurand"),
-          .coverage = reader.number("coverage"),
-          .referenceIntersectionMm = reader.number("reference_intersection_mm"),
-          .sigmaReferenceMm = reader.number("sigma_reference_mm"),
-          .origin = reader.origin()};
-}
-
-Model readModel(const ObjectReader& reader) {
-  return {.verticalAngle = reader.text("vertical_angle"),
-          .radius = reader.text("radius"),
-          .effects = entriesOf(reader.list("effects")),
-          .origin = reader.origin()};
 }
 
 PointingZero readPointingZero(const ObjectReader& reader) {
@@ -174,20 +118,19 @@ Position readPosition(const Json& json, std::size_t index, RowsRead rows, std::o
 
 Session readDocument(const ObjectReader& reader, SessionRows& rows, std::optional<Problem>& problem) {
   Session session;
-  session.title = reader.text("title");
-  session.notes = reader.text("notes");
-  session.operatorName = reader.text("operator");
-  session.place = reader.text("place");
-  session.measuredOn = reader.text("measured_on");
-  session.report = readReport(reader.object("report"));
-  session.device = readDevice(reader.object("device"));
-  session.instrument = readInstrument(reader.object("instrument"));
-  session.environment = readEnvironment(reader.object("environment"));
-  if (reader.require("geometry", PHRASE_LATER("Phrase", "add the distance and the nominal radius"))) {
-    session.geometry = readGeometry(reader.object("geometry"));
-  }
-  session.acceptance = readAcceptance(reader.object("acceptance"));
-  session.model = readModel(reader.object("model"));
+  readFields(reader, "", session);
+  readPart(reader, "report", session, session.report.origin);
+  const ObjectReader device = readPart(reader, "device", session, session.device.origin, {"known"});
+  session.device.known = readKnown(device);
+  const ObjectReader instrument =
+      readPart(reader, "instrument", session, session.instrument.origin, {"record", "known"});
+  session.instrument.record = readNamedRecord(instrument.object("record"));
+  session.instrument.known = readKnown(instrument);
+  readPart(reader, "environment", session, session.environment.origin);
+  if (reader.require("geometry", PHRASE_LATER("Phrase", "add the distance and the nominal radius")))
+    readPart(reader, "geometry", session, session.geometry.origin);
+  readPart(reader, "acceptance", session, session.acceptance.origin);
+  session.model.effects = entriesOf(readPart(reader, "model", session, session.model.origin).list("effects"));
   session.ownEffects = readOwnEffects(reader);
   reader.require("positions",
                  PHRASE_LATER("Phrase", "add the list of the positions of the axis, which may be empty"));

@@ -5,6 +5,7 @@
 #include "core/session/json_object_writer.h"
 #include "core/session/known_size_json.h"
 #include "core/session/row_fields.h"
+#include "core/session/session_fields.h"
 #include "core/session/session_file.h"
 #include "core/session/value_text.h"
 
@@ -14,21 +15,25 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json reportJson(const ReportEntries& report) {
-  ObjectWriter writer(report.origin);
-  writer.text("number", report.number);
-  writer.text("laboratory", report.laboratory);
-  writer.text("customer", report.customer);
-  writer.text("authorised_by", report.authorisedBy);
-  writer.text("rule_agreed_by", report.ruleAgreedBy);
+/// Writes the fields of one object of the file.
+void writeFields(ObjectWriter& writer, std::string_view part, const Session& session) {
+  for (const SessionField& field : sessionFields())
+    if (field.part() == part)
+      writer.set(field.name(), field.get(session), field.kind(),
+                 field.remedy ? Presence::Required : Presence::Optional);
+}
+
+/// An object with single texts only.
+Json partJson(std::string_view part, const JsonOrigin& origin, const Session& session) {
+  ObjectWriter writer(origin);
+  writeFields(writer, part, session);
   return writer.take();
 }
 
-Json deviceJson(const Device& device) {
-  ObjectWriter writer(device.origin);
-  writer.text("name", device.name);
-  writer.text("serial", device.serial);
-  writer.part("known", knownJson(device.known));
+Json deviceJson(const Session& session) {
+  ObjectWriter writer(session.device.origin);
+  writeFields(writer, "device", session);
+  writer.part("known", knownJson(session.device.known));
   return writer.take();
 }
 
@@ -39,62 +44,18 @@ Json namedRecordJson(const NamedRecord& record) {
   return writer.take();
 }
 
-Json instrumentJson(const Instrument& instrument) {
-  ObjectWriter writer(instrument.origin);
-  writer.text("name", instrument.name);
-  writer.text("serial", instrument.serial);
-  writer.text("certificate", instrument.certificate);
-  writer.text("traceability", instrument.traceability);
-  writer.text("angle_unit", instrument.angleUnit);
-  writer.number("sigma_horizontal_arcsec", instrument.sigmaHorizontalArcsec);
-  writer.number("sigma_vertical_arcsec", instrument.sigmaVerticalArcsec);
-  writer.number("sigma_zero_arcsec", instrument.sigmaZeroArcsec);
-  writer.number("sigma_slider_arcsec", instrument.sigmaSliderArcsec);
-  writer.number("sigma_compensator_arcsec", instrument.sigmaCompensatorArcsec);
-  writeLineOfSight(writer, instrument.lineOfSight);
-  writer.part("record", namedRecordJson(instrument.record));
-  writer.part("known", knownJson(instrument.known));
+Json instrumentJson(const Session& session) {
+  ObjectWriter writer(session.instrument.origin);
+  writeFields(writer, "instrument", session);
+  writer.part("record", namedRecordJson(session.instrument.record));
+  writer.part("known", knownJson(session.instrument.known));
   return writer.take();
 }
 
-Json environmentJson(const Environment& environment) {
-  ObjectWriter writer(environment.origin);
-  writer.number("temperature_c", environment.temperatureC);
-  writer.number("sigma_temperature_c", environment.sigmaTemperatureC);
-  return writer.take();
-}
-
-Json geometryJson(const Geometry& geometry) {
-  ObjectWriter writer(geometry.origin);
-  writer.number("distance_mm", geometry.distanceMm, Presence::Required);
-  writer.number("sigma_distance_mm", geometry.sigmaDistanceMm);
-  writer.number("radius_mm", geometry.radiusMm, Presence::Required);
-  writer.number("sigma_radius_mm", geometry.sigmaRadiusMm);
-  writer.text("vertical_circle", geometry.verticalCircle);
-  writer.text("pointing_zeros", geometry.pointingZeros);
-  writer.text("plane", geometry.plane);
-  writer.text("zero_is", geometry.zeroIs);
-  writer.text("distance_from", geometry.distanceFrom);
-  writer.number("distance_expansion_ppm_per_k", geometry.distanceExpansionPpmPerK);
-  writer.number("radius_expansion_ppm_per_k", geometry.radiusExpansionPpmPerK);
-  return writer.take();
-}
-
-Json acceptanceJson(const Acceptance& acceptance) {
-  ObjectWriter writer(acceptance.origin);
-  writer.number("tolerance_mm", acceptance.toleranceMm);
-  writer.text("measurand", acceptance.measurand);
-  writer.number("coverage", acceptance.coverage);
-  writer.number("reference_intersection_mm", acceptance.referenceIntersectionMm);
-  writer.number("sigma_reference_mm", acceptance.sigmaReferenceMm);
-  return writer.take();
-}
-
-Json modelJson(const Model& model) {
-  ObjectWriter writer(model.origin);
-  writer.text("vertical_angle", model.verticalAngle);
-  writer.text("radius", model.radius);
-  writer.list("effects", model.effects);
+Json modelJson(const Session& session) {
+  ObjectWriter writer(session.model.origin);
+  writeFields(writer, "model", session);
+  writer.list("effects", session.model.effects);
   return writer.take();
 }
 
@@ -173,18 +134,14 @@ std::string writeSession(const Session& session) {
   ObjectWriter writer(session.origin);
   writer.constant("format", "alidade-session");
   writer.constant("version", 1);
-  writer.text("title", session.title);
-  writer.text("notes", session.notes);
-  writer.text("operator", session.operatorName);
-  writer.text("place", session.place);
-  writer.text("measured_on", session.measuredOn);
-  writer.part("report", reportJson(session.report));
-  writer.part("device", deviceJson(session.device));
-  writer.part("instrument", instrumentJson(session.instrument));
-  writer.part("environment", environmentJson(session.environment));
-  writer.part("geometry", geometryJson(session.geometry), Presence::Required);
-  writer.part("acceptance", acceptanceJson(session.acceptance));
-  writer.part("model", modelJson(session.model));
+  writeFields(writer, "", session);
+  writer.part("report", partJson("report", session.report.origin, session));
+  writer.part("device", deviceJson(session));
+  writer.part("instrument", instrumentJson(session));
+  writer.part("environment", partJson("environment", session.environment.origin, session));
+  writer.part("geometry", partJson("geometry", session.geometry.origin, session), Presence::Required);
+  writer.part("acceptance", partJson("acceptance", session.acceptance.origin, session));
+  writer.part("model", modelJson(session));
   writer.partIfAny("own_effects", ownEffectsJson(session.ownEffects));
   Json positions = Json::array();
   for (const Position& position : session.positions) positions.push_back(positionJson(position));

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -15,9 +16,9 @@ namespace alidade::ui {
 struct Field {
   std::string_view name;
   const char* noun;
-  const std::string& (*get)(const Session& session, std::size_t position);
-  std::string& (*at)(Session& session, std::size_t position);
-  bool isOfPosition;  ///< one per position
+  std::function<const std::string&(const Session& session, std::size_t position)> get;
+  std::function<std::string&(Session& session, std::size_t position)> at;
+  bool isOfPosition = true;  ///< one per position
 };
 
 /// Every field, in the order of the session file.

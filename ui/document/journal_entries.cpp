@@ -7,6 +7,7 @@
 
 #include "core/base/place.h"
 #include "core/session/journal_check.h"
+#include "core/session/session_fields.h"
 
 namespace alidade::ui {
 
@@ -109,10 +110,8 @@ std::vector<JournalEntry> reversed(const std::vector<JournalEntry>& entries) {
 }
 
 bool isOfMeasurement(const Place& field) {
-  constexpr std::array<std::string_view, 6> saidAbout = {"title", "notes",       "operator",
-                                                         "place", "measured_on", "report."};
-  return std::ranges::none_of(saidAbout,
-                              [&](std::string_view name) { return field.field.starts_with(name); });
+  const SessionField* own = sessionFieldNamed(field.field);
+  return !own || own->isOfMeasurement;
 }
 
 }  // namespace alidade::ui

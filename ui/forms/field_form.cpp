@@ -1,14 +1,26 @@
 #include "ui/forms/field_form.h"
 
+#include <QCoreApplication>
 #include <QGridLayout>
 #include <QLabel>
 
+#include "core/session/session_fields.h"
+#include "ui/forms/field_choice.h"
 #include "ui/forms/field_edit.h"
 #include "ui/settings/window_font.h"
 
 namespace alidade::ui {
 
-FieldForm::FieldForm(SessionDocument& document, const QVector<FormField>& fields, int columns,
+namespace {
+
+/// In the language of the window; empty without a text.
+QString shown(const char* english) {
+  return english ? QCoreApplication::translate("Forms", english) : QString();
+}
+
+}  // namespace
+
+FieldForm::FieldForm(SessionDocument& document, std::span<const std::string_view> fields, int columns,
                      QWidget* parent)
     : QWidget(parent) {
   auto* grid = new QGridLayout(this);
@@ -17,15 +29,16 @@ FieldForm::FieldForm(SessionDocument& document, const QVector<FormField>& fields
   grid->setVerticalSpacing(5);
   int cell = 0;
   const auto toNextRow = [&] { cell = (cell + columns - 1) / columns * columns; };
-  for (const FormField& field : fields) {
+  for (const std::string_view key : fields) {
+    const SessionField& field = *sessionFieldNamed(key);
     if (field.fillsRow) toNextRow();
     const int row = cell / columns, column = 4 * (cell % columns);
     QWidget* entry = addEntry(document, field);
-    auto* label = new QLabel(field.caption);
+    auto* label = new QLabel(shown(field.caption));
     label->setBuddy(entry);
     grid->addWidget(label, row, column);
     grid->addWidget(entry, row, column + 1, 1, field.fillsRow ? 4 * columns - 2 : 1);
-    if (!field.unit.isEmpty()) grid->addWidget(new QLabel(field.unit), row, column + 2);
+    if (field.unit) grid->addWidget(new QLabel(shown(field.unit)), row, column + 2);
     ++cell;
     if (field.fillsRow) toNextRow();
   }
@@ -35,26 +48,29 @@ FieldForm::FieldForm(SessionDocument& document, const QVector<FormField>& fields
   }
 }
 
-QWidget* FieldForm::addEntry(SessionDocument& document, const FormField& field) {
-  const Place place{.field = field.name};
-  const QString accessible = QString(field.caption).remove(QLatin1Char('&'));
+QWidget* FieldForm::addEntry(SessionDocument& document, const SessionField& field) {
+  const Place place{.field = std::string(field.key)};
+  const QString accessible = shown(field.caption).remove(QLatin1Char('&'));
   QWidget* entry = nullptr;
-  if (field.choices.isEmpty()) {
+  if (field.choices.empty()) {
     auto* line = new FieldEdit(document, place);
-    line->setPlaceholderText(field.placeholder);
-    line->setHint(field.hint);
+    line->setPlaceholderText(shown(field.whenEmpty));
+    line->setHint(shown(field.help));
     entry = line;
   } else {
-    auto* choice = new FieldChoice(document, place, field.choices);
-    choice->setHint(field.hint);
+    QVector<Choice> choices;
+    for (const WordChoice& choice : field.choices)
+      choices.append({QString::fromUtf8(choice.word), shown(choice.caption)});
+    auto* choice = new FieldChoice(document, place, choices);
+    choice->setHint(shown(field.help));
     choice->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     entry = choice;
   }
-  entry->setObjectName(QString::fromLatin1(field.name));
-  entry->setAccessibleName(field.unit.isEmpty() ? accessible
-                                                : QStringLiteral("%1 (%2)").arg(accessible, field.unit));
+  entry->setObjectName(QString::fromStdString(place.field));
+  entry->setAccessibleName(field.unit ? QStringLiteral("%1 (%2)").arg(accessible, shown(field.unit))
+                                      : accessible);
   layOutByFont(*entry,
-               [entry, width = field.choices.isEmpty() ? 60 : 84] { entry->setMinimumWidth(byFont(width)); });
+               [entry, width = field.choices.empty() ? 60 : 84] { entry->setMinimumWidth(byFont(width)); });
   return entry;
 }
 

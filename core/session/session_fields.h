@@ -1,0 +1,64 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <variant>
+
+#include "core/session/entry.h"
+#include "core/session/session.h"
+#include "core/session/value_text.h"
+
+namespace alidade {
+
+// The single texts of a session, defined once for all uses: the session file, the checks of entries, the
+// forms of the window, undo, the journal and the comparison of sessions. A new one takes a member in
+// session.h, a line in session_fields.cpp, and one in the schema of the session file.
+
+/// A text with a fixed set of values, or of a fixed form. Returns the reason why a text is invalid.
+using WordRule = std::optional<Problem> (*)(const std::string& text);
+
+/// One of the words of a field, with its label in the forms. An empty word means that nothing is stated.
+struct WordChoice {
+  const char *word, *caption;
+};
+
+/// The English texts are for the translation contexts "Field" (`noun`) and "Forms" (all others); null: none.
+struct SessionField {
+  std::string_view key;  ///< in the session file: "geometry.distance_mm"
+  const char* noun;      ///< in undo texts, in the journal, in lists of missing entries
+  std::variant<FreeText, NumberRule, WordRule> rule = FreeText();
+  const char* remedy = nullptr;     ///< if the field is missing in a file, for `Phrase::of`; null: optional
+  const char* caption = nullptr;    ///< in a form, with a mnemonic
+  const char* unit = nullptr;       ///< shown after the entry
+  const char* whenEmpty = nullptr;  ///< what an empty entry means
+  const char* help = nullptr;       ///< tool tip
+  std::span<const WordChoice> choices = {};  ///< a list instead of a line
+  bool fillsRow = false;                     ///< for long texts: a row of its own in a form
+  bool isOfMeasurement = true;    ///< false: says who, where and for whom, and never enters a result
+  bool isWantedOnReport = false;  ///< by ISO/IEC 17025:2017, 7.8.2, 7.8.4 and, for the decision rule, 7.8.6
+
+  const std::string& (*get)(const Session& session) = nullptr;
+  std::string& (*at)(Session& session) = nullptr;
+
+  /// The object of the session file that holds it, "geometry"; empty: the session itself.
+  std::string_view part() const { return key.substr(0, key.find('.') == key.npos ? 0 : key.find('.')); }
+  std::string_view name() const { return key.substr(key.find('.') + 1); }  ///< within its part
+  ValueKind kind() const {
+    return std::holds_alternative<NumberRule>(rule) ? ValueKind::Number : ValueKind::Text;
+  }
+};
+
+/// All fields in the order of the session file.
+std::span<const SessionField> sessionFields();
+
+/// Null if there is none.
+const SessionField* sessionFieldNamed(std::string_view key);
+
+/// Returns the reason why `text` is invalid in the field.
+std::optional<Problem> entryProblem(const SessionField& field, const std::string& text);
+
+// The fields of each form of the window, in order.
+extern const std::span<const std::string_view> measurementForm, instrumentForm, laboratoryForm, sessionForm;
+
+}  // namespace alidade
