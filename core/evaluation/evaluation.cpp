@@ -8,24 +8,17 @@ namespace alidade {
 
 namespace {
 
-/// With very many rows, an edit does not wait for the published method, which serves only for comparison.
-bool isPublishedLater(const Evaluation& evaluation) {
-  constexpr std::size_t many = 5000;
-  return evaluation.examined.measurement && evaluation.examined.measurement->rows >= many;
-}
-
 void fit(Evaluation& evaluation, const std::stop_token& stop) {
   const Measurement& measurement = *evaluation.examined.measurement;
   evaluation.fit = fitSession(measurement);
   if (stop.stop_requested()) return;
-  if (!isPublishedLater(evaluation)) evaluation.published = fitSessionAsPublished(measurement);
+  evaluation.published = fitSessionAsPublished(measurement);
   evaluation.twoFaces = compareFaces(measurement);
 }
 
 /// The results that the second stage adds to the fit.
 struct Searched {
   std::vector<Suspect> suspects;
-  PublishedSessionFit published;
   std::string journal;
 };
 
@@ -34,8 +27,6 @@ Searched search(const Evaluation& evaluation, const std::stop_token& stop) {
   const std::optional<Measurement>& measurement = evaluation.examined.measurement;
   if (!evaluation.fit.arcs.empty())
     found.suspects = findSuspects(evaluation.session, *measurement, evaluation.fit, {}, stop);
-  if (isPublishedLater(evaluation) && !stop.stop_requested())
-    found.published = fitSessionAsPublished(*measurement);
   if (!stop.stop_requested()) found.journal = journalSummary(evaluation.session);
   return found;
 }
@@ -43,16 +34,11 @@ Searched search(const Evaluation& evaluation, const std::stop_token& stop) {
 void take(Evaluation& evaluation, Searched found) {
   evaluation.isSearched = true;
   evaluation.suspects = std::move(found.suspects);
-  if (isPublishedLater(evaluation)) evaluation.published = std::move(found.published);
   evaluation.journal = std::move(found.journal);
   if (evaluation.guide && !evaluation.suspects.empty()) evaluation.guide = guideOf(evaluation);
 }
 
 }  // namespace
-
-bool isPublishedToCome(const Evaluation& evaluation) {
-  return !evaluation.isSearched && isPublishedLater(evaluation);
-}
 
 Evaluation evaluateFit(Session session, const std::stop_token& stop) {
   Evaluation evaluation;
@@ -62,8 +48,7 @@ Evaluation evaluateFit(Session session, const std::stop_token& stop) {
   if (stop.stop_requested()) return evaluation;
   if (evaluation.examined.measurement) fit(evaluation, stop);
   if (stop.stop_requested()) return evaluation;
-  evaluation.isSearched =
-      evaluation.fit.arcs.empty() && evaluation.session.journal.empty() && !isPublishedLater(evaluation);
+  evaluation.isSearched = evaluation.fit.arcs.empty() && evaluation.session.journal.empty();
   evaluation.guide = guideOf(evaluation);
   evaluation.next = nextReadings(
       evaluation.session, evaluation.examined.measurement ? &*evaluation.examined.measurement : nullptr,

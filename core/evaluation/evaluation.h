@@ -41,11 +41,8 @@ struct Evaluation {
 /// Views may keep it as long as they like.
 using SharedEvaluation = std::shared_ptr<const Evaluation>;
 
-/// True if the published method is not computed yet.
-bool isPublishedToCome(const Evaluation& evaluation);
-
-/// Everything except the suspects, whose search takes several times as long, the journal summary, and with
-/// very many rows the published method. Asked to stop, it returns early with less.
+/// Everything except the suspects, whose search takes several times as long, and the journal summary. Asked
+/// to stop, it returns early with less.
 Evaluation evaluateFit(Session session, const std::stop_token& stop = {});
 /// The complete evaluation, including these.
 Evaluation withSuspects(Evaluation evaluation, const std::stop_token& stop = {});

@@ -13,7 +13,6 @@
 #include "ui/commands/session_commands.h"
 #include "ui/dialogs/dialogs.h"
 #include "ui/dialogs/in_background.h"
-#include "ui/document/disposal.h"
 #include "ui/document/encoded_path.h"
 #include "ui/document/session_document.h"
 #include "ui/import/import_page.h"
@@ -109,8 +108,8 @@ bool FileFlow::importFrom(const Result<std::vector<ImportSource>>& sources, cons
     return false;
   }
   emit commitWanted();
-  auto decision =
-      m_dialogs.askImport({.sources = *sources, .session = sharedAside(Session(m_document.session()))});
+  auto decision = m_dialogs.askImport(
+      {.sources = *sources, .session = std::make_shared<const Session>(m_document.session())});
   if (!decision) return false;
   if (!(decision->isAdded || mayLeaveChanges()) || !mayDropRedo()) return false;
   const QString text = tr("Import %1").arg(name);

@@ -4,7 +4,6 @@
 #include <utility>
 
 #include "core/session/session_file.h"
-#include "ui/document/disposal.h"
 
 namespace alidade::ui {
 
@@ -84,7 +83,7 @@ void SessionDocument::edit(EditKey /*key*/, const SessionChange& change,
 
 void SessionDocument::replaceAll(Session session, const QString& path, bool isNew) {
   emit aboutToChange({});
-  sharedAside(std::exchange(m_session, std::move(session)));
+  m_session = std::move(session);
   m_undoStack.clear();
   m_files.restart(path);
   m_readPaths.clear();

@@ -11,7 +11,6 @@
 #include <utility>
 
 #include "core/base/failure.h"
-#include "ui/document/disposal.h"
 
 namespace alidade::ui {
 
@@ -48,12 +47,12 @@ class Background {
     m_stop = std::stop_source();
     m_instead = std::move(instead);
     m_outcome = std::make_shared<Outcome>();
-    m_watcher.setFuture(QtConcurrent::run(
-        &m_threads,
-        [work = std::optional(std::move(work)), stop = m_stop.get_token(), outcome = m_outcome]() mutable {
-          outcome->failure = failureOf([&] { outcome->value = sharedAside<Value>((*work)(stop)); });
-          work.reset();
-        }));
+    m_watcher.setFuture(QtConcurrent::run(&m_threads, [work = std::optional(std::move(work)),
+                                                       stop = m_stop.get_token(),
+                                                       outcome = m_outcome]() mutable {
+      outcome->failure = failureOf([&] { outcome->value = std::make_shared<const Value>((*work)(stop)); });
+      work.reset();
+    }));
     m_isAtWork = true;
   }
   void stop() { m_stop.request_stop(); }
@@ -69,7 +68,8 @@ class Background {
   Shared result() {
     const auto instead = std::exchange(m_instead, nullptr);
     Outcome outcome = std::move(*std::exchange(m_outcome, nullptr));
-    return outcome.failure ? sharedAside<Value>(instead(*outcome.failure)) : std::move(outcome.value);
+    return outcome.failure ? std::make_shared<const Value>(instead(*outcome.failure))
+                           : std::move(outcome.value);
   }
 
   QThreadPool m_threads;

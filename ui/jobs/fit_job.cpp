@@ -61,7 +61,7 @@ void FitJob::finishFit(const SharedEvaluation& fitted) {
 void FitJob::search() {
   if (m_search.isAtWork() || !m_fitted) return;
   const auto answer = [fitted = m_fitted](Evaluation searched) {
-    return Search{fitted, sharedAside(std::move(searched))};
+    return Search{fitted, std::make_shared<const Evaluation>(std::move(searched))};
   };
   m_search.start(
       [answer, fitted = m_fitted](const std::stop_token& stop) {

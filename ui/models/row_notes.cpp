@@ -1,6 +1,7 @@
 #include "ui/models/row_notes.h"
 
 #include <algorithm>
+#include <iterator>
 
 #include "core/wording/suspects.h"
 #include "ui/text/entry_text.h"
@@ -50,12 +51,12 @@ RowNotes::Index RowNotes::indexOf(const std::vector<Item>& items) const {
 }
 
 RowNotes::News RowNotes::setEvaluation(SharedEvaluation evaluation) {
-  const bool isMoved = m_rows.pieceCount() != 1 || !m_rows.origin(0)->isUntouched;
+  const bool isMoved = std::exchange(m_isMoved, false);
   const SharedEvaluation before = std::exchange(m_evaluation, std::move(evaluation));
   Index problems = indexOf(m_evaluation->examined.problems), suspects = indexOf(m_evaluation->suspects);
   problems.swap(m_problems);
   suspects.swap(m_suspects);
-  m_rows.reset();
+  restart();
   const Evaluation none{};
   const Evaluation& old = before ? *before : none;
   const bool saysNew =
@@ -68,27 +69,46 @@ RowNotes::News RowNotes::setEvaluation(SharedEvaluation evaluation) {
 }
 
 void RowNotes::replaceRows(std::size_t first, std::size_t removed, std::size_t inserted) {
-  m_rows.replace(first, removed, inserted);
+  if (removed == 0 && inserted == 0) return;
+  m_isMoved = true;
+  const std::size_t from = std::min(first, m_origins.size()),
+                    to = std::min(first + removed, m_origins.size());
+  const auto at = [this](std::size_t row) {
+    return std::next(m_origins.begin(), static_cast<std::ptrdiff_t>(row));
+  };
+  if (removed == inserted) {
+    for (auto origin = at(from); origin != at(to); ++origin)
+      if (*origin) (*origin)->isUntouched = false;
+  } else {
+    m_origins.insert(m_origins.erase(at(from), at(to)), inserted, std::nullopt);
+  }
+}
+
+/// Every row is the one of the same number in the evaluated session.
+void RowNotes::restart() {
+  const auto& positions = m_evaluation->session.positions;
+  m_origins.resize(m_position < positions.size() ? positions[m_position].readings.size() : 0);
+  for (std::size_t row = 0; row < m_origins.size(); ++row) m_origins[row] = Origin{row};
 }
 
 const SightingResidual* RowNotes::residual(std::size_t row) const {
   const ArcFit* fitted = arc();
-  const auto origin = m_rows.origin(row);
-  if (!fitted || !origin) return nullptr;
+  const std::optional<Origin> from = origin(row);
+  if (!fitted || !from) return nullptr;
   const auto& residuals = fitted->residuals;
   const auto found = std::lower_bound(
-      residuals.begin(), residuals.end(), origin->row,
+      residuals.begin(), residuals.end(), from->row,
       [](const SightingResidual& residual, std::size_t number) { return residual.row < number; });
-  return found != residuals.end() && found->row == origin->row ? &*found : nullptr;
+  return found != residuals.end() && found->row == from->row ? &*found : nullptr;
 }
 
 template <typename Item>
 const Item* RowNotes::find(const std::vector<Item>& items, const Index& index, std::size_t row,
                            ReadingColumn column) const {
-  const auto origin = m_rows.origin(row);
-  if (!origin || !origin->isUntouched) return nullptr;
-  auto found = std::lower_bound(index.begin(), index.end(), origin->row, isBefore);
-  for (; found != index.end() && found->first == origin->row; ++found)
+  const std::optional<Origin> from = origin(row);
+  if (!from || !from->isUntouched) return nullptr;
+  auto found = std::lower_bound(index.begin(), index.end(), from->row, isBefore);
+  for (; found != index.end() && found->first == from->row; ++found)
     if (readingColumn(items[found->second].where.field) == column) return &items[found->second];
   return nullptr;
 }

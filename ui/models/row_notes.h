@@ -8,12 +8,11 @@
 
 #include "ui/document/reading_column.h"
 #include "ui/jobs/fit_job.h"
-#include "ui/models/row_map.h"
 
 namespace alidade::ui {
 
-/// Notes of the newest evaluation on the rows of one position. Taking over an evaluation costs nothing per
-/// row. Edits since are tracked, so each row keeps its notes until the next evaluation.
+/// Notes of the newest evaluation on the rows of one position. Edits since are tracked, so each row keeps its
+/// notes until the next evaluation.
 class RowNotes {
  public:
   explicit RowNotes(std::size_t position) : m_position(position) {}
@@ -35,6 +34,7 @@ class RowNotes {
   /// Row and index of a problem or suspect, in the order of the rows.
   using Index = std::vector<std::pair<std::size_t, std::size_t>>;
 
+  void restart();
   template <typename Item>
   Index indexOf(const std::vector<Item>& items) const;
   template <typename Item>
@@ -42,10 +42,19 @@ class RowNotes {
                    ReadingColumn column) const;
   const ArcFit* arc() const { return m_evaluation ? m_evaluation->fit.arcOfPosition(m_position) : nullptr; }
 
+  struct Origin {
+    std::size_t row = 0;
+    bool isUntouched = true;  ///< false: edited since
+  };
+  std::optional<Origin> origin(std::size_t row) const {
+    return row < m_origins.size() ? m_origins[row] : std::nullopt;
+  }
+
   std::size_t m_position;
   SharedEvaluation m_evaluation;  ///< null before the first
   Index m_problems, m_suspects;
-  RowMap m_rows;
+  std::vector<std::optional<Origin>> m_origins;  ///< of each row, in the evaluated session; none: a new row
+  bool m_isMoved = false;                        ///< has any row changed since?
 };
 
 }  // namespace alidade::ui

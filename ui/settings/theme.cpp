@@ -13,7 +13,6 @@
 #include <QTabWidget>
 #include <QToolTip>
 
-#include "core/base/freed_memory.h"
 #include "core/base/version.h"
 
 void initializeAlidadeResources() {
@@ -149,7 +148,6 @@ class WorkstationStyle : public QProxyStyle {
 }  // namespace
 
 void setUpApplication(QApplication& application) {
-  keepFreedMemory();
   initializeAlidadeResources();
   QApplication::setOrganizationName(QStringLiteral("Alidade"));
   QApplication::setApplicationName(QStringLiteral("alidade"));

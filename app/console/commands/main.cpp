@@ -22,7 +22,6 @@
 #include "app/console/commands/trial_command.h"
 #include "app/console/session_files.h"
 #include "core/base/failure.h"
-#include "core/base/freed_memory.h"
 #include "core/base/given_arguments.h"
 #include "core/base/version.h"
 #include "core/base/visible_text.h"
@@ -162,7 +161,6 @@ int run(int argc, char** argv, std::string& subject) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  alidade::keepFreedMemory();
   std::signal(SIGXFSZ, SIG_IGN);  // exceeding the file size limit becomes an error message
   int exitCode = Failed;
   std::string subject = "alidade-cli";

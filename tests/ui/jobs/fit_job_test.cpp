@@ -175,25 +175,5 @@ TEST(FitJob, LeavesASessionToThoseWhoHoldOnToIt) {
   for (std::size_t i = 0; i < held.size(); ++i) EXPECT_EQ(held[i]->session, asShown[i]) << i;
 }
 
-/// The published method is for comparison only, so edits of very many rows do not wait for it.
-TEST(FitJob, FitsVeryManyRowsAsPublishedAfterTheRest) {
-  FitJob job;
-  SharedEvaluation fitted, searched;
-  QObject::connect(&job, &FitJob::evaluated, [&](const SharedEvaluation& one) { fitted = one; });
-  QObject::connect(&job, &FitJob::searched, [&](const SharedEvaluation& one) { searched = one; });
-  job.request(paperSession());
-  ASSERT_TRUE(waitFor([&] { return job.isIdle(); }));
-  EXPECT_EQ(fitted->published.arcs.size(), 2u) << "few rows: at once";
-  EXPECT_FALSE(isPublishedToCome(*fitted));
-  job.request(test::largeSession(6000));
-  ASSERT_TRUE(waitFor([&] { return job.isIdle(); }));
-  EXPECT_TRUE(fitted->published.arcs.empty());
-  EXPECT_TRUE(isPublishedToCome(*fitted));
-  EXPECT_FALSE(isPublishedToCome(*searched));
-  ASSERT_EQ(searched->published.arcs.size(), 2u);
-  EXPECT_EQ(searched->published.intersection,
-            fitSessionAsPublished(*searched->examined.measurement).intersection);
-}
-
 }  // namespace
 }  // namespace alidade::ui

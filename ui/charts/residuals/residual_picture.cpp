@@ -1,8 +1,6 @@
 #include "ui/charts/residuals/residual_picture.h"
 
 #include <algorithm>
-#include <bit>
-#include <boost/sort/spreadsort/integer_sort.hpp>
 #include <cmath>
 #include <cstdint>
 #include <vector>
@@ -71,42 +69,13 @@ void addSliders(ResidualPicture& picture, const Measurement& measurement, const 
   }
 }
 
-struct Sized {
-  double standardised;
-  std::uint32_t index;
-};
-
-/// The number's bits in an order-preserving form: Boost's sort of floating-point numbers takes differences of
-/// them that overflow.
-struct Digits {
-  std::uint64_t operator()(const Sized& sized, unsigned offset) const {
-    constexpr std::uint64_t sign = 1ULL << 63U;
-    const auto bits = std::bit_cast<std::uint64_t>(sized.standardised);
-    return ((bits & sign) != 0 ? ~bits : bits | sign) >> offset;
-  }
-};
-
 /// Equal ones stay in the order of the readings.
 void sortByStandardised(ResidualPicture& picture) {
-  std::vector<Sized> sizes;
-  sizes.reserve(picture.residuals.size());
-  for (std::uint32_t i = 0; i < picture.residuals.size(); ++i) {
-    const double standardised = picture.residuals[i].standardised;
-    if (std::isfinite(standardised)) sizes.push_back({standardised, i});
-  }
-  const auto isLess = [](const Sized& one, const Sized& other) {
-    if (one.standardised != other.standardised) return one.standardised < other.standardised;
-    return one.index < other.index;
-  };
-  boost::sort::spreadsort::integer_sort(sizes.begin(), sizes.end(), Digits(), isLess);
-  for (auto alike = sizes.begin(); alike != sizes.end();) {  // the sort leaves equal ones in arbitrary order
-    const auto end = std::find_if(alike, sizes.end(),
-                                  [&](const Sized& one) { return one.standardised != alike->standardised; });
-    std::sort(alike, end, isLess);
-    alike = end;
-  }
-  picture.byStandardised.reserve(sizes.size());
-  for (const Sized& sized : sizes) picture.byStandardised.push_back(sized.index);
+  const auto& residuals = picture.residuals;
+  for (std::uint32_t i = 0; i < residuals.size(); ++i)
+    if (std::isfinite(residuals[i].standardised)) picture.byStandardised.push_back(i);
+  std::ranges::stable_sort(picture.byStandardised, {},
+                           [&](std::uint32_t i) { return residuals[i].standardised; });
 }
 
 }  // namespace

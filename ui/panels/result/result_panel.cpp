@@ -282,7 +282,6 @@ void ResultPanel::showArcs(const SessionFit& fit) {
 
 void ResultPanel::showComparison(const Evaluation& evaluation) {
   const PublishedSessionFit& published = evaluation.published;
-  const QString none = isPublishedToCome(evaluation) ? QStringLiteral("…") : notStated();
   const auto figures = [&](double AsPrinted::*figure, int decimals) {
     QStringList texts;
     for (const int axisDeg : {0, 180}) {
@@ -292,13 +291,13 @@ void ResultPanel::showComparison(const Evaluation& evaluation) {
         sum += arc.asPrinted.*figure;
         ++count;
       }
-      texts.append(count > 0 ? numberText(sum / count, decimals) : none);
+      texts.append(count > 0 ? numberText(sum / count, decimals) : notStated());
     }
     return texts;
   };
   const QString printed =
-      published.intersectionAsPrinted ? numberText(*published.intersectionAsPrinted, 3) : none;
-  const QString yUp = published.intersection ? numberText(*published.intersection, 3) : none;
+      published.intersectionAsPrinted ? numberText(*published.intersectionAsPrinted, 3) : notStated();
+  const QString yUp = published.intersection ? numberText(*published.intersection, 3) : notStated();
   m_published->setRows({tr("0°"), tr("180°")}, {{tr("Δx  mm"), figures(&AsPrinted::x, 3)},
                                                 {tr("Δy  mm"), figures(&AsPrinted::y, 4)},
                                                 {tr("ΔR  mm"), figures(&AsPrinted::deltaRadius, 4)},
