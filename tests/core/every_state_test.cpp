@@ -15,7 +15,7 @@ namespace {
 
 using namespace alidade::test;
 
-/// Every second one of ten thousand states, since two that follow each other differ by one entry. Shards run
+/// Every second one of five thousand states, since two that follow each other differ by one entry. Shards run
 /// in parallel.
 class EveryState : public testing::TestWithParam<int> {};
 
@@ -40,7 +40,7 @@ TEST_P(EveryState, OfTypingHasAnAnswerOrASentence) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Sample, EveryState, testing::Values(0));
-INSTANTIATE_TEST_SUITE_P(Long, EveryState, testing::Range(1, 40));
+INSTANTIATE_TEST_SUITE_P(Long, EveryState, testing::Range(1, 20));
 
 class EveryGeometry : public testing::TestWithParam<int> {};
 
