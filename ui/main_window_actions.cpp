@@ -77,6 +77,8 @@ void WindowActions::createFileMenu(QToolBar& bar) {
   FileFlow& files = m_window.files();
   QMenu& menu = *m_window.menuBar()->addMenu(tr("&File"));
   bar.addAction(addTo(menu, "new", tr("&New"), QKeySequence::New, this, [&files] { files.startNew(); }));
+  addTo(menu, nullptr, tr("New &from This Session"), QKeySequence(tr("Ctrl+Shift+N")), this,
+        [&files] { files.startNext(); });
   bar.addAction(addTo(menu, "open", tr("&Open…"), QKeySequence::Open, this, [&files] { files.open(); }));
   QMenu* recent = menu.addMenu(tr("Open &Recent"));
   recent->setToolTipsVisible(true);

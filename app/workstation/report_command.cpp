@@ -55,7 +55,8 @@ int write(const ReportCommand& command) {
     return tellLacks(path, QStringLiteral("The report leaves out what the session leaves empty"),
                      ui::emptyReportFields(document.session()));
   }
-  options.gap = std::make_shared<const Gap>(assessGap(std::make_shared<const Evaluation>(evaluation)));
+  options.gap =
+      std::make_shared<const Gap>(withDependences(assessGap(std::make_shared<const Evaluation>(evaluation))));
   const auto written = ui::writeCertificate(source, command.certificate, options, command.entries);
   if (!written) return refuse(path, written.problem());
   return tellLacks(

@@ -25,7 +25,7 @@ Result<FitAnswer> fitAnswerOf(const Gap& gap, const std::string& name) {
   if (!evaluation.isSearched) answer.suspects = findSuspects(evaluation.session, measurement, evaluation.fit);
   answer.diagnosis = gap.diagnosis;
   answer.arrivals = arrivalsOf(evaluation.session);
-  answer.findDependences();
+  answer.dependences = *withDependences(gap).dependences;
   return answer;
 }
 

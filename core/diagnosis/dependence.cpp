@@ -99,7 +99,8 @@ std::vector<Influence> telling(std::vector<Influence> rows) {
 }  // namespace
 
 std::vector<Dependence> dependencesOf(const Measurement& measurement, const SessionFit& fit,
-                                      const Diagnosis* diagnosis, const AcceptanceDecision& decision) {
+                                      const Diagnosis* diagnosis, const AcceptanceDecision& decision,
+                                      const std::stop_token& stop) {
   using enum AcceptanceDecision::Obstacle;
   if (decision.obstacle == Lengths || decision.obstacle == Coverage) return {};
   std::vector<Influence> rows = influencesOf(measurement, fit);
@@ -108,6 +109,7 @@ std::vector<Dependence> dependencesOf(const Measurement& measurement, const Sess
   const Verdict linear = shifted(measurement, fit, diagnosis, 0);
   std::vector<Dependence> dependences;
   for (const Influence& row : rows) {
+    if (stop.stop_requested()) break;
     Verdict without = decision.verdict;
     if (isExact)
       without = verdictWithout(measurement, row, diagnosis != nullptr);

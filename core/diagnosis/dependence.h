@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <stop_token>
 #include <vector>
 
 #include "core/diagnosis/decision.h"
@@ -30,8 +31,10 @@ constexpr std::size_t mostLeftOut = 8;
 constexpr std::size_t mostRowsForLeavingOut = 500;
 
 /// Returns the rows in the order of the session. The arguments are those of `decideAcceptance`, which made
-/// `decision` from them. Empty if the verdict is withheld because of lengths or coverage.
+/// `decision` from them. Empty if the verdict is withheld because of lengths or coverage. Asked to stop, it
+/// returns early with fewer rows.
 std::vector<Dependence> dependencesOf(const Measurement& measurement, const SessionFit& fit,
-                                      const Diagnosis* diagnosis, const AcceptanceDecision& decision);
+                                      const Diagnosis* diagnosis, const AcceptanceDecision& decision,
+                                      const std::stop_token& stop = {});
 
 }  // namespace alidade

@@ -161,6 +161,19 @@ std::vector<Advice> worthwhileAdvice(const Diagnosis& diagnosis) {
   return few;
 }
 
+Gap withDependences(Gap gap, const std::stop_token& stop) {
+  if (gap.dependences) return gap;
+  std::vector<Dependence> rows;
+  const SessionFit& fit = gap.evaluation->fit;
+  if (fit.intersection) {
+    const Measurement& measurement = *gap.evaluation->examined.measurement;
+    if (const auto decision = decideAcceptance(measurement, fit, gap.found()))
+      rows = dependencesOf(measurement, fit, gap.found(), *decision, stop);
+  }
+  if (!stop.stop_requested()) gap.dependences = std::move(rows);
+  return gap;
+}
+
 Gap noGap(SharedEvaluation evaluation, NoDiagnosis reason) {
   return {.evaluation = std::move(evaluation), .diagnosis = {}, .reason = std::move(reason), .stages = {}};
 }

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/diagnosis/decision.h"
+#include "core/diagnosis/dependence.h"
 #include "core/diagnosis/result/diagnosis.h"
 #include "core/diagnosis/result/diagnosis_fault.h"
 #include "core/evaluation/evaluation.h"
@@ -48,6 +49,8 @@ struct Gap {
   std::vector<GapStage> stages;  ///< with a diagnosis: from the bare model to the model with the causes
   double noiseRms = 0;           ///< rms expected from the stated noise, arcseconds
   bool isWithReference = false;  ///< requested: the causes are weighed with the reference
+  /// The single rows on which the verdict depends; absent: not sought yet.
+  std::optional<std::vector<Dependence>> dependences = {};
 
   /// The stage of the current session: the last one that is not proposed.
   const GapStage& asModelled() const;
@@ -84,6 +87,9 @@ Gap gapOf(SharedEvaluation evaluation, Diagnosis diagnosis, const std::stop_toke
 /// requested. Takes many times as long as a fit; asked to stop, it returns early without a diagnosis.
 Gap assessGap(const SharedEvaluation& evaluation, const std::stop_token& stop = {},
               bool withReference = false);
+/// The gap with its `dependences`, sought if they were not. Takes several diagnoses; asked to stop, it
+/// returns early without them.
+Gap withDependences(Gap gap, const std::stop_token& stop = {});
 /// A gap without a diagnosis, for this reason.
 Gap noGap(SharedEvaluation evaluation, NoDiagnosis reason);
 

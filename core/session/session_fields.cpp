@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "core/base/number_text.h"
 #include "core/base/phrase.h"
 
 namespace alidade {
@@ -522,6 +523,14 @@ std::span<const SessionField> sessionFields() {
 const SessionField* sessionFieldNamed(std::string_view key) {
   const auto* const found = std::ranges::find(allSessionFields, key, &SessionField::key);
   return found == std::end(allSessionFields) ? nullptr : found;
+}
+
+std::string withoutUnit(const SessionField& field, const std::string& typed) {
+  const std::string unit = field.unit ? field.unit : "";
+  if (unit.empty() || field.kind() != ValueKind::Number || !typed.ends_with(unit)) return typed;
+  std::string number = typed.substr(0, typed.size() - unit.size());
+  number.erase(number.find_last_not_of(' ') + 1);
+  return parseNumber(number) ? number : typed;
 }
 
 std::optional<Problem> entryProblem(const SessionField& field, const std::string& text) {

@@ -55,6 +55,9 @@ std::span<const SessionField> sessionFields();
 /// Null if there is none.
 const SessionField* sessionFieldNamed(std::string_view key);
 
+/// A number typed with the unit of its field, "400 mm", without the unit. Other texts as typed.
+std::string withoutUnit(const SessionField& field, const std::string& typed);
+
 /// Returns the reason why `text` is invalid in the field.
 std::optional<Problem> entryProblem(const SessionField& field, const std::string& text);
 

@@ -185,13 +185,14 @@ Headline headlineOf(const Evaluation& evaluation) {
   return headline;
 }
 
-Headline headlineOf(const Gap& gap, const std::vector<Dependence>& dependences) {
+Headline headlineOf(const Gap& gap) {
   const Evaluation& evaluation = *gap.evaluation;
   const SessionFit& fit = evaluation.fit;
   const std::optional<NoVerdict> none = whyNoVerdict(evaluation);
   Headline headline = !fit.intersection ? frameOf(evaluation)
                       : none            ? resultOf(*evaluation.examined.measurement, fit, gap.found(), {}, {})
-                             : headlineOf(*evaluation.examined.measurement, fit, gap.found(), dependences);
+                                        : headlineOf(*evaluation.examined.measurement, fit, gap.found(),
+                                                     gap.dependences.value_or(std::vector<Dependence>()));
   if (none) withhold(headline, *none);
   if (fit.intersection && !gap.measured()) headline.tip = reasonForNone(gap);
   return headline;

@@ -54,9 +54,8 @@ struct Headline {
 
 /// The headline while the diagnosis of the evaluation is running.
 Headline headlineOf(const Evaluation& evaluation);
-/// The headline once the diagnosis has ended, with a result or without one. `dependences`: the single rows on
-/// which the verdict depends, if they were sought.
-Headline headlineOf(const Gap& gap, const std::vector<Dependence>& dependences = {});
+/// The headline once the diagnosis has ended, with a result or without one.
+Headline headlineOf(const Gap& gap);
 /// The same of parts that belong together. A null `diagnosis` means that none was made.
 Headline headlineOf(const Measurement& measurement, const SessionFit& fit, const Diagnosis* diagnosis,
                     const std::vector<Dependence>& dependences = {});

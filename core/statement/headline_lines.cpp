@@ -140,7 +140,7 @@ std::vector<Line> headlineLines(const Measurement& measurement, const SessionFit
   if (diagnosis && diagnosis->measured) lines.push_back(acrossLine(measurement, *diagnosis->measured));
   if (diagnosis && hasGap(*diagnosis)) warn(Line::Kind::Gap, gapText(*diagnosis, decision));
   if (diagnosis && isKnockStated) warn(Line::Kind::Knock, knockText(*diagnosis, *decision));
-  warn(Line::Kind::Row, dependenceSentence(dependences));
+  warn(Line::Kind::Row, dependenceText(dependences));
   if (diagnosis)
     warn(Line::Kind::Undetectable,
          undetectableText(*diagnosis, estimateIn(fit, diagnosis).expanded, isKnockStated));

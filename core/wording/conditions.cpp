@@ -100,11 +100,16 @@ std::string conditionSentence(const Diagnosis* diagnosis, const AcceptanceDecisi
       moments, influence);
 }
 
-std::string dependenceSentence(const std::vector<Dependence>& dependences) {
+std::string dependenceText(const std::vector<Dependence>& dependences) {
   std::vector<std::string> parts;
   for (const Verdict without : {Verdict::Undecided, Verdict::Accept, Verdict::Reject})
     if (std::string rows = rowsText(dependences, without); !rows.empty()) parts.push_back(std::move(rows));
-  return parts.empty() ? "" : Phrase::of("The verdict depends on a single row: %1.", listed(parts));
+  return parts.empty() ? "" : Phrase::of("The verdict depends on a single row: %1", listed(parts));
+}
+
+std::string dependenceSentence(const std::vector<Dependence>& dependences) {
+  const std::string text = dependenceText(dependences);
+  return text.empty() ? text : Phrase::of("%1.", text);
 }
 
 std::vector<std::string> namedOrCounted(std::vector<std::string> names) {

@@ -27,6 +27,8 @@ std::string conditionSentence(const Diagnosis* diagnosis, const AcceptanceDecisi
 
 /// "The verdict depends on a single row: undecided without 180° point 14."; empty without dependences.
 std::string dependenceSentence(const std::vector<Dependence>& dependences);
+/// The same without the full stop.
+std::string dependenceText(const std::vector<Dependence>& dependences);
 
 /// The first three names; the others are counted in one more: "2 others".
 std::vector<std::string> namedOrCounted(std::vector<std::string> names);

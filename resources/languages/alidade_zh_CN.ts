@@ -5611,10 +5611,6 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
         <translation>本结论成立的条件是：三脚架%1未受碰动。这些读数无法显示此类碰动；合理大小的碰动使 Δd 移动 ± %2 mm。合格概率已将其计入。</translation>
     </message>
     <message>
-        <source>The verdict depends on a single row: %1.</source>
-        <translation>结论取决于单行读数：%1。</translation>
-    </message>
-    <message>
         <source>There are more causes than these readings can take apart. With every effect of the catalogue at a plausible size, %1.</source>
         <extracomment>&quot;the residuals shrink from 12.0″ to 2.0″&quot;</extracomment>
         <translation>原因多于这些读数所能区分的数目。把目录中的所有效应按合理大小计入后，%1。</translation>
@@ -6747,6 +6743,10 @@ Includes every catalogued effect, limited by these readings or by its plausible 
         <source>an unknown cause</source>
         <translation>一个未知原因</translation>
     </message>
+    <message>
+        <source>The verdict depends on a single row: %1</source>
+        <translation>结论取决于单行读数：%1</translation>
+    </message>
 </context>
 <context>
     <name>PlaceText</name>
@@ -7831,10 +7831,6 @@ a clause as a sentence</extracomment>
         <translation>范围</translation>
     </message>
     <message>
-        <source>The results relate only to the item measured.</source>
-        <translation>结果仅与被测对象有关。</translation>
-    </message>
-    <message>
         <source>, </source>
         <extracomment>between the names of a list</extracomment>
         <translation>、</translation>
@@ -8110,6 +8106,14 @@ a clause as a sentence</extracomment>
     <message>
         <source>Grey: where the model holds.</source>
         <translation>灰色：模型成立之处。</translation>
+    </message>
+    <message>
+        <source>End of the report</source>
+        <translation>报告结束</translation>
+    </message>
+    <message>
+        <source>The results relate only to the item measured. Not to be reproduced except in full.</source>
+        <translation>结果仅与被测物有关。除完整复制外，不得复制本报告。</translation>
     </message>
 </context>
 <context>
@@ -13801,6 +13805,14 @@ a clause as a sentence</extracomment>
     <message>
         <source>&amp;Check This Installation…</source>
         <translation>检查本安装(&amp;C)…</translation>
+    </message>
+    <message>
+        <source>New &amp;from This Session</source>
+        <translation>以本会话新建(&amp;F)</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+N</source>
+        <translation>Ctrl+Shift+N</translation>
     </message>
 </context>
 <context>

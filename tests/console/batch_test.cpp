@@ -107,6 +107,32 @@ TEST(Batch, ReadsAPipeThatIsNamedByItself) {
   EXPECT_EQ(Json::parse(run.out)["session"], "through a pipe");
 }
 
+// Δd of the paper is 1.07 ± 0.94 mm.
+TEST(Batch, ExitsWithTheVerdictOnRequest) {
+  const TemporaryFolder folder;
+  const auto within = [&](const char* name, double tolerance) {
+    return folder.file(
+        name, changedPaperSession([&](Json& session) { session["acceptance"]["tolerance_mm"] = tolerance; }));
+  };
+  const std::string accepted = within("a.alidade", 2.5), rejected = within("r.alidade", 0.05),
+                    undecided = within("u.alidade", 1.5);
+  const std::string none = folder.file(
+      "n.alidade", changedPaperSession([](Json& session) { session["acceptance"].erase("tolerance_mm"); }));
+  const auto exitOf = [](std::vector<std::string> files) {
+    files.insert(files.begin(), {"fit", "--verdict-exit"});
+    return alidadeCli(files).exitCode;
+  };
+  EXPECT_EQ(exitOf({accepted}), 0);
+  EXPECT_EQ(exitOf({rejected}), 3);
+  EXPECT_EQ(exitOf({undecided}), 4);
+  EXPECT_EQ(exitOf({none}), 4);
+  EXPECT_EQ(exitOf({accepted, undecided}), 4);
+  EXPECT_EQ(exitOf({undecided, rejected, accepted}), 3);
+  EXPECT_EQ(exitOf({accepted, "/no/such.alidade"}), 2) << "an unusable file is no verdict";
+  EXPECT_EQ(alidadeCli({"fit", rejected}).exitCode, 0) << "only on request";
+  expectRefusal(alidadeCli({"fit", "--verdict-exit", "--method", "published", accepted}));
+}
+
 TEST(Batch, GoesOnBehindABadFile) {
   const TemporaryFolder folder;
   const std::string first = folder.file("1.alidade", titled("first")),

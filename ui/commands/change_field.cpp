@@ -4,6 +4,7 @@
 
 #include "core/evaluation/remedies.h"
 #include "core/session/day_text.h"
+#include "core/session/session_fields.h"
 #include "ui/commands/change_part.h"
 #include "ui/document/field.h"
 #include "ui/document/session_document.h"
@@ -17,11 +18,17 @@ QString undoText(const Place& place) {
   return QCoreApplication::translate("ChangeField", "Change %1").arg(noun);
 }
 
+/// A day in the session's form, a number without its unit.
+std::string completed(std::string_view field, const std::string& typed) {
+  if (field == "measured_on" || field.ends_with(".date")) return completedDay(typed);
+  const SessionField* own = sessionFieldNamed(field);
+  return own ? withoutUnit(*own, typed) : typed;
+}
+
 }  // namespace
 
 void changeField(SessionDocument& document, const Place& place, const std::string& typed) {
-  const bool isDay = place.field == "measured_on" || place.field.ends_with(".date");
-  const std::string text = isDay ? completedDay(typed) : typed;
+  const std::string text = completed(place.field, typed);
   const std::string before = fieldText(document.session(), place);
   if (before == text) return;
   const auto partOf = [field = fieldNamed(place.field), position = place.position.value_or(0)](

@@ -10,6 +10,7 @@
 
 #include "core/base/file_bytes.h"
 #include "core/base/file_target.h"
+#include "core/session/next_session.h"
 #include "ui/commands/session_commands.h"
 #include "ui/dialogs/dialogs.h"
 #include "ui/dialogs/in_background.h"
@@ -56,6 +57,10 @@ bool FileFlow::startNew() {
   if (!mayLeave()) return false;
   m_document.startNew();
   return true;
+}
+
+bool FileFlow::startNext() {
+  return startWith(nextSession(m_document.session()));
 }
 
 bool FileFlow::startWith(const Session& session) {

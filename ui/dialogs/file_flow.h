@@ -27,6 +27,7 @@ class FileFlow : public QObject {
 
   /// Each returns true on success, false if it failed (the user was told why) or was cancelled.
   bool startNew();
+  bool startNext();                        ///< a new session with what stays of this one (`nextSession`)
   bool startWith(const Session& session);  ///< as a new, unsaved session
   bool open();
   /// Opens a session, a report with an attached session, or a file of readings to import.

@@ -301,7 +301,7 @@ SharedGap ReportFlow::diagnosed(const QString& language) const {
             std::make_shared<const Evaluation>(withSuspects(evaluateFit(session, stop), stop));
         return stop.stop_requested()
                    ? Gap{.evaluation = evaluation, .diagnosis = {}, .reason = {}, .stages = {}}
-                   : assessGap(evaluation, stop);
+                   : withDependences(assessGap(evaluation, stop), stop);
       });
   return gap ? std::make_shared<const Gap>(*gap) : nullptr;
 }

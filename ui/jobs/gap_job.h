@@ -13,7 +13,8 @@ namespace alidade::ui {
 using SharedGap = std::shared_ptr<const Gap>;
 
 /// Diagnoses evaluations in the background, one at a time. Only the newest request is delivered; outdated
-/// ones are stopped. Starts at once while the page is watched, otherwise once edits pause.
+/// ones are stopped. Starts at once while the page is watched, otherwise once edits pause. A delivered gap is
+/// delivered once more when the rows on which its verdict depends are found.
 class GapJob : public QObject {
   Q_OBJECT
 
@@ -33,16 +34,20 @@ class GapJob : public QObject {
 
  signals:
   void assessed(const alidade::ui::SharedGap& gap);
+  void completed(const alidade::ui::SharedGap& gap);  ///< the same gap with its `dependences`
 
  private:
   void start();
   void finish(const SharedGap& gap);
+  void complete();
+  void dropCompletion();
 
   QTimer m_rest;
   SharedEvaluation m_wanted;  ///< null if nothing is requested
   bool m_isWatched = false;
   bool m_isWithReference = false;
-  Background<Gap> m_work;
+  SharedGap m_incomplete;  ///< delivered, its `dependences` not sought yet; or null
+  Background<Gap> m_work, m_completion;
 };
 
 }  // namespace alidade::ui

@@ -151,7 +151,8 @@ auto inLanguageOf(const ReportOptions& options, Work work) {
 /// Options with the gap, which is assessed if absent.
 ReportOptions withGap(ReportOptions options, const Evaluation& evaluation) {
   if (!options.gap)
-    options.gap = std::make_shared<const Gap>(assessGap(std::make_shared<const Evaluation>(evaluation)));
+    options.gap = std::make_shared<const Gap>(
+        withDependences(assessGap(std::make_shared<const Evaluation>(evaluation))));
   return options;
 }
 

@@ -134,16 +134,6 @@ void addTwoFaces(ReportSheet& sheet, const TwoFaces& faces) {
     sheet.paragraph(Report::tr("Both faces, %1 visits: %2.").arg(visits, errors));
 }
 
-/// The rows on which the verdict depends.
-std::vector<Dependence> dependencesOf(const Gap& gap) {
-  const Evaluation& evaluation = *gap.evaluation;
-  if (!evaluation.fit.intersection) return {};
-  const Measurement& measurement = *evaluation.examined.measurement;
-  const auto decision = decideAcceptance(measurement, evaluation.fit, gap.found());
-  return decision ? alidade::dependencesOf(measurement, evaluation.fit, gap.found(), *decision)
-                  : std::vector<Dependence>();
-}
-
 /// The parts of the front page's frame, each with its height.
 class VerdictFrame {
  public:
@@ -227,7 +217,7 @@ class VerdictFrame {
 
 void addVerdict(ReportSheet& sheet, const Gap& gap) {
   const bool hasResult = gap.evaluation->fit.intersection.has_value();
-  const Headline headline = headlineOf(gap, dependencesOf(gap));
+  const Headline headline = headlineOf(gap);
   VerdictFrame frame(sheet);
   const QString verdict = qText(headline.verdictAndTolerance());
   if (!frame.fits(verdict, large)) {

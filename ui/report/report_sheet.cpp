@@ -215,6 +215,8 @@ void ReportSheet::paintFrame(QPainter& painter, int page) {
   paintLine(painter, m_frame.date + QStringLiteral("   ") + pages, type::small, 0, first, width,
             Qt::AlignRight);
   paintLine(painter, m_frame.fingerprint, type::fine, 0, first + step, width, Qt::AlignLeft);
+  if (page + 1 == pageCount())
+    paintLine(painter, Report::tr("End of the report"), type::small, 0, first + step, width, Qt::AlignRight);
 }
 
 }  // namespace alidade::ui

@@ -209,7 +209,8 @@ void addTerms(ReportSheet& sheet, const Gap& gap, const ReportContents& contents
       {Report::tr("Changes"), changesText(evaluation, isPrinted(ReportPart::Journal, contents, gap))},
       {Report::tr("Temperature"), temperatureText(evaluation)},
       {Report::tr("Left out"), Report::list(leftOutTitles(contents, gap))},
-      {Report::tr("Scope"), Report::tr("The results relate only to the item measured.")}};
+      {Report::tr("Scope"), Report::tr("The results relate only to the item measured. Not to be reproduced "
+                                       "except in full.")}};
   sheet.keepTogether(labelledHeight(sheet, terms, ReportSheet::width));
   sheet.skip(placeLabelled(sheet, terms, 0, sheet.y(), ReportSheet::width) - sheet.y());
 }

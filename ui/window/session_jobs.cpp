@@ -13,6 +13,8 @@ void SessionJobs::start() {
   connect(&m_fit, &FitJob::evaluated, &m_gap, &GapJob::request);
   connect(&m_fit, &FitJob::searched, this, &SessionJobs::suspectsChanged);
   connect(&m_gap, &GapJob::assessed, this, &SessionJobs::showGap);
+  connect(&m_gap, &GapJob::completed, this,
+          [this](const SharedGap& gap) { emit headlineChanged(headlineOf(*gap)); });
   m_fit.request(m_document.session());
   emit begun();
 }

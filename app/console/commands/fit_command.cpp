@@ -31,7 +31,7 @@ std::string tableOf(const std::string& kind, const FitAnswer& answer) {
   return resultsCsv(answer);
 }
 
-Result<std::string> rigorousAnswer(const FitRequest& request, SessionInput input) {
+Result<std::string> rigorousAnswer(const FitRequest& request, SessionInput input, VerdictExit& verdicts) {
   const Measurement& measurement = input.measurement;
   const SessionFit fit = fitSession(measurement);
   if (auto problem = absence(measurement, fit.arcs.size(), fit.findings)) return *std::move(problem);
@@ -49,6 +49,7 @@ Result<std::string> rigorousAnswer(const FitRequest& request, SessionInput input
   if (request.diagnosis)
     if (Result<Diagnosis, DiagnosisFault> diagnosis = diagnose(measurement, fit, {.withAttainable = true}))
       answer.diagnosis = *std::move(diagnosis);
+  verdicts.take(decideAcceptance(measurement, fit, answer.found()));
   if (!request.csv.empty()) return tableOf(request.csv, answer);
   answer.findDependences();
   return request.batch.json ? fitJson(answer) : fitText(answer);
@@ -91,13 +92,18 @@ void addFitCommand(CLI::App& app, FitRequest& request) {
                   "Print a table (RFC 4180) instead: residuals of every reading, budget of every "
                   "uncertainty, or results")
       ->check(CLI::IsMember({"residuals", "budget", "results"}));
+  fit->add_flag("--verdict-exit", request.verdictExit,
+                "Exit with 0 if accepted, 3 if rejected, 4 if undecided or without a verdict; of several "
+                "sessions 3 if any is rejected, else 4 if any is undecided");
   addEffectsOption(*fit, request.effects);
   addBatchOptions(*fit, request.batch);
 }
 
-Result<std::string> runFit(const FitRequest& request, const std::string& file) {
+Result<std::string> runFit(const FitRequest& request, const std::string& file, VerdictExit& verdicts) {
   if (request.method == "published" && !request.monteCarlo.empty())
     return Problem{"the published method states no uncertainty to check: leave out --monte-carlo"};
+  if (request.method == "published" && request.verdictExit)
+    return Problem{"the published method gives no verdict: leave out --verdict-exit or --method"};
   if (!request.csv.empty() && request.batch.json)
     return Problem{"--csv and --json are two answers: leave out one of them"};
   if (!request.csv.empty() && request.method == "published")
@@ -107,7 +113,7 @@ Result<std::string> runFit(const FitRequest& request, const std::string& file) {
   Result<SessionInput> input = readSessionInput(file, request.instrument, request.effects);
   if (!input) return input.problem();
   return request.method == "published" ? publishedAnswer(request, input->name, input->measurement)
-                                       : rigorousAnswer(request, *std::move(input));
+                                       : rigorousAnswer(request, *std::move(input), verdicts);
 }
 
 }  // namespace alidade::console

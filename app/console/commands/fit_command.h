@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "app/console/batch.h"
+#include "app/console/verdict_exit.h"
 #include "core/base/result.h"
 
 namespace CLI {
@@ -26,17 +27,18 @@ struct FitRequest {
   std::vector<std::string> effects;  ///< files and folders of effects of the user's own
   std::string csv;                   ///< "residuals", "budget" or "results": a table instead; empty: none
   bool diagnosis = true;             ///< whether to diagnose the gap, which the verdict takes into account
+  bool verdictExit = false;          ///< whether the exit code tells the verdict
   BatchOptions batch = {};
 };
 
 /// Adds `fit FILE… [--method rigorous|published] [--risk P] [--monte-carlo N|auto [--seed S]]
 /// [--no-diagnosis] [--instrument RECORD] [--effects FILE|FOLDER]… [--csv residuals|budget|results]
-/// [--threads N] [--progress] [--json]`, which fills in `request`.
+/// [--verdict-exit] [--threads N] [--progress] [--json]`, which fills in `request`.
 void addFitCommand(CLI::App& app, FitRequest& request);
 
 /// The fit of one file as text or JSON. Fails if the session cannot be read or an arc cannot be fitted. Also
 /// fails if any entry is unusable; the first is named, the others are counted. A missing position is only a
-/// finding.
-Result<std::string> runFit(const FitRequest& request, const std::string& file);
+/// finding. `verdicts` takes the verdict.
+Result<std::string> runFit(const FitRequest& request, const std::string& file, VerdictExit& verdicts);
 
 }  // namespace alidade::console

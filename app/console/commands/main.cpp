@@ -75,12 +75,19 @@ int giveInstrument(const InstrumentRequest& request, std::string& subject) {
 }
 
 /// One file gets one result, several files or a folder one result each.
-int giveFit(const FitRequest& request, std::string& subject) {
+int giveFits(const FitRequest& request, std::string& subject, VerdictExit& verdicts) {
   if (namesMany(request.files))
     return answerEach(
-        request.files, [&](const std::string& file) { return runFit(request, file); }, request.batch);
+        request.files, [&](const std::string& file) { return runFit(request, file, verdicts); },
+        request.batch);
   subject = inputName(request.files.front());
-  return give(runFit(request, request.files.front()), subject);
+  return give(runFit(request, request.files.front(), verdicts), subject);
+}
+
+int giveFit(const FitRequest& request, std::string& subject) {
+  VerdictExit verdicts;
+  const int code = giveFits(request, subject, verdicts);
+  return code == Done && request.verdictExit ? verdicts.code() : code;
 }
 
 int giveDiagnosis(const DiagnoseRequest& request, std::string& subject) {
@@ -145,7 +152,7 @@ int run(int argc, char** argv, std::string& subject) {
   app.require_subcommand(1);
   int exitCode = Failed;
   addCommands(app, exitCode, subject);
-  app.footer("Exit codes: 0 done, 2 bad input or call, 1 anything else.");
+  app.footer("Exit codes: 0 done, 2 bad input or call, 1 anything else; 3 and 4 with `fit --verdict-exit`.");
   try {
     app.parse(argc, argv);
   } catch (const CLI::CallForHelp&) {

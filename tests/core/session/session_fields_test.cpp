@@ -71,6 +71,20 @@ TEST(SessionFields, OfAFormHaveACaption) {
     EXPECT_EQ(shown.contains(field.key), field.caption != nullptr) << field.key;
 }
 
+TEST(SessionFields, TakeANumberWithItsUnit) {
+  const auto text = [](const char* key, const char* typed) {
+    return withoutUnit(*sessionFieldNamed(key), typed);
+  };
+  EXPECT_EQ(text("geometry.radius_mm", "400 mm"), "400");
+  EXPECT_EQ(text("geometry.radius_mm", "400,50mm"), "400,50");
+  EXPECT_EQ(text("instrument.sigma_horizontal_arcsec", "2.0 ″"), "2.0");
+  EXPECT_EQ(text("environment.temperature_c", "-3.5 °C"), "-3.5");
+  EXPECT_EQ(text("geometry.radius_mm", "0.4 m"), "0.4 m") << "another unit is not this number";
+  EXPECT_EQ(text("geometry.radius_mm", "4OO mm"), "4OO mm") << "what is no number stays as typed";
+  EXPECT_EQ(text("geometry.radius_mm", "mm"), "mm");
+  EXPECT_EQ(text("title", "400 mm"), "400 mm") << "a text";
+}
+
 // The rules refuse nonsense where they know numbers and words.
 TEST(SessionFields, AreCheckedByTheirRules) {
   for (const SessionField& field : sessionFields())

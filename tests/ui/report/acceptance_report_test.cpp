@@ -402,7 +402,7 @@ TEST(AcceptanceReport, PrintsWhatALaboratoryStates) {
         "national angle standard,", "steel tape 12, certificate L-88", "Hall 3, pillar 2", "2026-03-13",
         "Agreed by: the customer, order 4711 of 2026-02-02", "20.4 °C; no expansion of L and R0 is stated",
         "Operator: J. Doe, date", "Authorised by: R. Roe, date",
-        "The results relate only to the item measured."})
+        "The results relate only to the item measured. Not to be reproduced except in full."})
     EXPECT_TRUE(front.contains(QString::fromUtf8(text))) << text << "\n" << front.toStdString();
 }
 
@@ -486,6 +486,7 @@ TEST(AcceptanceReport, CarriesNameFingerprintAndNumberOnEveryPage) {
         QStringLiteral("SHA-256 00112233445566778899aabbccddeeff0123456789abcdeffedcba9876543210")))
         << page;
     EXPECT_TRUE(text.contains(QStringLiteral("page %1 of 5").arg(page + 1))) << page;
+    EXPECT_EQ(text.contains(QStringLiteral("End of the report")), page == 4) << page;
     EXPECT_TRUE(text.contains(QStringLiteral("2026-03-14 15:09"))) << page;
   }
 }

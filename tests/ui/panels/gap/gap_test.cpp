@@ -13,6 +13,7 @@
 #include "core/effects/cause_ids.h"
 #include "core/session/session_file.h"
 #include "core/statement/gap.h"
+#include "core/statement/headline.h"
 #include "tests/ui/support.h"
 #include "ui/charts/gap/closure_bars.h"
 #include "ui/charts/gap/gap_map.h"
@@ -26,6 +27,7 @@
 #include "ui/panels/result/findings_panel.h"
 #include "ui/panels/window/page_tabs.h"
 #include "ui/text/cause_text.h"
+#include "ui/text/entry_text.h"
 #include "ui/text/quantity_text.h"
 
 namespace alidade::ui {
@@ -713,6 +715,29 @@ TEST(GapJob, WaitsForRestUnlessWatched) {
   job.setWatched(true);
   ASSERT_TRUE(waitFor([&] { return delivered == 1; }));
   EXPECT_TRUE(job.isIdle());
+}
+
+// The window must not show a verdict without the row that the report names beside it.
+TEST(GapJob, DeliversTheRowsOnWhichTheVerdictDepends) {
+  Session session = *loadSession(samplePath(QStringLiteral("clean-session.alidade")).toStdString());
+  session.acceptance.toleranceMm = "0.5";
+  GapJob job;
+  job.setWatched(true);
+  QStringList lines;
+  const auto note = [&](const SharedGap& gap) {
+    lines.append(qText(headlineOf(*gap).line(Headline::Line::Kind::Row)));
+  };
+  QObject::connect(&job, &GapJob::assessed, note);
+  QObject::connect(&job, &GapJob::completed, note);
+  job.request(std::make_shared<const Evaluation>(evaluateFit(session)));
+  ASSERT_TRUE(waitFor([&] { return lines.size() == 2; }));
+  EXPECT_EQ(lines, QStringList({QString(), QStringLiteral("The verdict depends on a single row: undecided "
+                                                          "without 0° point 3")}));
+  job.request(std::make_shared<const Evaluation>(evaluateFit(session)));
+  ASSERT_TRUE(waitFor([&] { return lines.size() == 3; }));
+  job.cancel();
+  QTest::qWait(1000);
+  EXPECT_EQ(lines.size(), 3) << "the session has changed since";
 }
 
 TEST(TrialJob, StartsAnewAfterAStop) {

@@ -1,0 +1,13 @@
+#pragma once
+
+#include "core/session/session.h"
+
+namespace alidade {
+
+/// A blank session for the next device, with what stays from one to the next: laboratory, customer, operator,
+/// place, instrument with its known sizes, set-up, acceptance, model and protocol. What is of one device or
+/// one measurement begins anew: title, notes, date, report number, serial, known sizes of the device, L, the
+/// reference, temperature, effects that its readings needed, and all readings.
+Session nextSession(const Session& session);
+
+}  // namespace alidade
