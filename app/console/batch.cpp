@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <chrono>
 #include <condition_variable>
+#include <initializer_list>
 #include <mutex>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -15,6 +16,7 @@
 #include "core/base/failure.h"
 #include "core/base/threads.h"
 #include "core/base/visible_text.h"
+#include "core/exchange/csv_text.h"
 
 namespace alidade::console {
 
@@ -37,6 +39,24 @@ std::string asLine(const std::string& file, const Answered& answered) {
   if (answered.reason) return begin + "\"error\": " + quoted(*answered.reason) + "}\n";
   const std::string line = onOneLine(answered.text);
   return begin + line.substr(1) + "\n";
+}
+
+std::string cellOf(const std::string& file) {
+  CsvText cell(std::initializer_list<std::string_view>{});
+  cell.typed(file).endRow();
+  return cell.text().substr(cell.text().find('\n') + 1);
+}
+
+/// The rows of a table with the file before each, and before the names in the first table.
+std::string asRows(const std::string& file, const std::string& table, bool isFirst) {
+  std::string cell = cellOf(file), rows;
+  cell.back() = ',';
+  for (std::size_t from = 0, end = 0; from < table.size(); from = end) {
+    end = table.find('\n', from) + 1;
+    if (from > 0) rows += cell;
+    if (from > 0 || isFirst) rows += (from > 0 ? "" : "file,") + table.substr(from, end - from);
+  }
+  return rows;
 }
 
 /// Prints progress to stderr from time to time during long work.
@@ -63,7 +83,7 @@ class Progress {
 class OrderedOutput {
  public:
   OrderedOutput(const std::vector<ListedFile>& files, const BatchOptions& options)
-      : m_files(files), m_json(options.json), m_waiting(kept), m_progress(files.size(), options.progress) {}
+      : m_files(files), m_options(options), m_waiting(kept), m_progress(files.size(), options.progress) {}
 
   /// Waits while the result would be too far ahead of the output. False: writing is no longer possible.
   bool awaitTurn(std::size_t index) {
@@ -94,7 +114,7 @@ class OrderedOutput {
   static constexpr std::size_t kept = 256;
 
   const std::vector<ListedFile>& m_files;
-  const bool m_json;
+  const BatchOptions m_options;
   std::mutex m_guard;
   std::condition_variable m_moved;
   std::vector<std::optional<Answered>> m_waiting;
@@ -109,8 +129,10 @@ class OrderedOutput {
       notify(inputName(file), *answered.reason);
     }
     std::string text;
-    if (m_json)
+    if (m_options.json)
       text = asLine(file, answered);
+    else if (!answered.reason && m_options.table)
+      text = asRows(file, answered.text, !std::exchange(m_hasText, true));
     else if (!answered.reason)
       text = (std::exchange(m_hasText, true) ? "\n" : "") + answered.text;
     if (!text.empty() && writeResult(text) != Done) m_broken = true;

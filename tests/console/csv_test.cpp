@@ -10,16 +10,20 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-std::vector<std::vector<std::string>> tableOf(const std::string& kind) {
-  const ProgramRun run = alidadeCli({"fit", paperSession, "--csv", kind});
-  EXPECT_EQ(run.exitCode, 0) << run.err;
-  CsvTable table(run.out);
+std::vector<std::vector<std::string>> rowsOf(const std::string& text) {
+  CsvTable table(text);
   std::vector<std::vector<std::string>> rows;
   while (const auto row = table.next()) {
     auto& cells = rows.emplace_back();
     for (const CsvCell& cell : row->cells) cells.push_back(cell.text);
   }
   return rows;
+}
+
+std::vector<std::vector<std::string>> tableOf(const std::string& kind) {
+  const ProgramRun run = alidadeCli({"fit", paperSession, "--csv", kind});
+  EXPECT_EQ(run.exitCode, 0) << run.err;
+  return rowsOf(run.out);
 }
 
 TEST(FitCsv, HoldsTheNumbersOfTheDocument) {
@@ -67,11 +71,30 @@ TEST(FitCsv, IsATableOfEachKind) {
   EXPECT_GT(tableOf("budget").size(), 8u);
 }
 
+// In the order of the files, whatever is in their names.
+TEST(FitCsv, IsOneTableOfTheResultsOfManyFiles) {
+  const TemporaryFolder folder;
+  const auto same = [](Json&) {};
+  const std::string first = folder.file("b, \"1\".alidade", changedPaperSession(same)),
+                    second = folder.file("a.alidade", changedPaperSession(same));
+  const ProgramRun run =
+      alidadeCli({"fit", first, folder.path() / "none.alidade", second, "--csv", "results"});
+  EXPECT_EQ(run.exitCode, 2) << "one is not there";
+  const auto rows = rowsOf(run.out);
+  const auto alone = tableOf("results");
+  ASSERT_EQ(rows.size(), 2 * alone.size() - 1);
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    std::vector<std::string> row = alone[i < alone.size() ? i : i - alone.size() + 1];
+    row.insert(row.begin(), i == 0 ? "file" : i < alone.size() ? first : second);
+    EXPECT_EQ(rows[i], row);
+  }
+}
+
 TEST(FitCsv, GoesWithNoOtherAnswer) {
   expectRefusal(alidadeCli({"fit", paperSession, "--csv", "results", "--json"}));
   expectRefusal(alidadeCli({"fit", paperSession, "--csv", "results", "--method", "published"}));
   expectRefusal(alidadeCli({"fit", paperSession, "--csv", "everything"}));
-  EXPECT_EQ(alidadeCli({"fit", paperSession, paperSession + "x", "--csv", "results"}).exitCode, 2);
+  EXPECT_EQ(alidadeCli({"fit", paperSession, paperSession + "x", "--csv", "budget"}).exitCode, 2);
 }
 
 }  // namespace

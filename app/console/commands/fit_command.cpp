@@ -90,7 +90,7 @@ void addFitCommand(CLI::App& app, FitRequest& request) {
                   "Take what this instrument record says (*.alidade-instrument), for this run");
   fit->add_option("--csv", request.csv,
                   "Print a table (RFC 4180) instead: residuals of every reading, budget of every "
-                  "uncertainty, or results")
+                  "uncertainty, or results, those of many files in one table")
       ->check(CLI::IsMember({"residuals", "budget", "results"}));
   fit->add_flag("--verdict-exit", request.verdictExit,
                 "Exit with 0 if accepted, 3 if rejected, 4 if undecided or without a verdict; of several "
@@ -108,8 +108,8 @@ Result<std::string> runFit(const FitRequest& request, const std::string& file, V
     return Problem{"--csv and --json are two answers: leave out one of them"};
   if (!request.csv.empty() && request.method == "published")
     return Problem{"the published method has no tables: leave out --csv or --method"};
-  if (!request.csv.empty() && namesMany(request.files))
-    return Problem{"--csv prints the table of one session: name one file"};
+  if (!request.csv.empty() && request.csv != "results" && namesMany(request.files))
+    return Problem{"--csv " + request.csv + " prints the table of one session: name one file"};
   Result<SessionInput> input = readSessionInput(file, request.instrument, request.effects);
   if (!input) return input.problem();
   return request.method == "published" ? publishedAnswer(request, input->name, input->measurement)

@@ -76,12 +76,14 @@ int giveInstrument(const InstrumentRequest& request, std::string& subject) {
 
 /// One file gets one result, several files or a folder one result each.
 int giveFits(const FitRequest& request, std::string& subject, VerdictExit& verdicts) {
-  if (namesMany(request.files))
-    return answerEach(
-        request.files, [&](const std::string& file) { return runFit(request, file, verdicts); },
-        request.batch);
-  subject = inputName(request.files.front());
-  return give(runFit(request, request.files.front(), verdicts), subject);
+  const auto answer = [&](const std::string& file) { return runFit(request, file, verdicts); };
+  if (!namesMany(request.files)) {
+    subject = inputName(request.files.front());
+    return give(answer(request.files.front()), subject);
+  }
+  BatchOptions batch = request.batch;
+  batch.table = !request.csv.empty();
+  return answerEach(request.files, answer, batch);
 }
 
 int giveFit(const FitRequest& request, std::string& subject) {
