@@ -13,6 +13,7 @@
 #include <QToolTip>
 #include <QVBoxLayout>
 #include <cmath>
+#include <limits>
 
 #include "ui/charts/plotting/caption.h"
 #include "ui/charts/plotting/plot.h"
@@ -163,6 +164,8 @@ bool PlotWidget::eventFilter(QObject* watched, QEvent* event) {
     case QEvent::Resize:
       m_plot->arrange(static_cast<QResizeEvent*>(event)->size());
       break;
+    case QEvent::ToolTip:
+      return true;  // the scene, which knows no tips of marks, would hide the one shown
     case QEvent::MouseMove:
       drag(*static_cast<QMouseEvent*>(event));
       break;
@@ -236,7 +239,8 @@ void PlotWidget::hover(const QPoint& place, const QPoint& globalPlace) {
   const Mark* mark = m_plot->markAt(m_view->mapToScene(place));
   m_view->viewport()->setCursor(mark ? Qt::PointingHandCursor : Qt::ArrowCursor);
   if (mark) {
-    QToolTip::showText(globalPlace, m_plot->describe(*mark), m_view->viewport());
+    constexpr int untilTheMouseMoves = std::numeric_limits<int>::max();
+    QToolTip::showText(globalPlace, m_plot->describe(*mark), m_view->viewport(), {}, untilTheMouseMoves);
   } else {
     QToolTip::hideText();
   }

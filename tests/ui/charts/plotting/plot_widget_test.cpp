@@ -4,8 +4,10 @@
 
 #include <QElapsedTimer>
 #include <QGraphicsView>
+#include <QHelpEvent>
 #include <QSignalSpy>
 #include <QTest>
+#include <QToolTip>
 
 #include "core/base/angle_text.h"
 #include "core/evaluation/evaluation.h"
@@ -62,6 +64,26 @@ TYPED_TEST(PlotWidgetTest, HandsOnAClickOnAPoint) {
   EXPECT_EQ(activated[0][1].template value<std::size_t>(), mark.ref.row);
   QTest::mouseClick(viewportOf(chart), Qt::LeftButton, {}, QPoint(3, 3));
   EXPECT_EQ(activated.count(), 1);
+}
+
+// A resting mouse asks for the tip of the scene, 0.7 s after the chart has shown its own.
+TYPED_TEST(PlotWidgetTest, KeepsTheTipOfAPointWhileTheMouseRests) {
+  TypeParam chart;
+  chart.resize(700, 500);
+  chart.setEvaluation(evaluate(paperSession()));
+  chart.show();
+  const Mark mark = chart.plot()->markers().marks().back();
+  const QPoint at = chart.plot()->sceneFromAxes().map(mark.at).toPoint();
+  QWidget* viewport = viewportOf(chart);
+  QTest::mouseMove(viewport, at);
+  ASSERT_TRUE(waitFor([] { return QToolTip::isVisible(); }));
+  EXPECT_EQ(QToolTip::text(), chart.plot()->describe(mark));
+  QHelpEvent rests(QEvent::ToolTip, at, viewport->mapToGlobal(at));
+  QCoreApplication::sendEvent(viewport, &rests);
+  QTest::qWait(500);  // a tip that is hidden stays for 300 ms
+  EXPECT_TRUE(QToolTip::isVisible());
+  QTest::mouseMove(viewport, QPoint(3, 3));
+  EXPECT_TRUE(waitFor([] { return !QToolTip::isVisible(); })) << "there is no point";
 }
 
 TYPED_TEST(PlotWidgetTest, EnlargesTheHighlightedRow) {
