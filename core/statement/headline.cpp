@@ -80,6 +80,13 @@ Headline frameOf(const Measurement& measurement, const SessionFit& fit) {
 
 void setMeasured(Headline& headline, const Measurement& measurement, const MeasuredIntersection& measured) {
   headline.isMeasured = true;
+  if (measured.across)
+    headline.offset = CentreOffset{.inPlane = measured.estimate.value,
+                                   .inPlaneExpanded = measured.estimate.expanded,
+                                   .across = measured.across->value,
+                                   .acrossExpanded = measured.across->expanded,
+                                   .tolerance = measurement.tolerance,
+                                   .isOfDistance = measurement.measurand == Measurand::Distance};
   headline.tip = measuredTip(measurement, measured);
   if (measurement.measurand == Measurand::Distance && measured.distance)
     setFigure(headline, measurement, "d", measured.distance->value, measured.distance->expanded);

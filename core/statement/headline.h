@@ -10,6 +10,14 @@
 
 namespace alidade {
 
+/// Where the arc's centre lies about the axis of rotation with the axis at 0°, mm; at 180° it lies opposite.
+struct CentreOffset {
+  double inPlane = 0, inPlaneExpanded = 0;  ///< Δd, measured, up
+  double across = 0, acrossExpanded = 0;    ///< Δz, towards the theodolite
+  std::optional<double> tolerance = {};
+  bool isOfDistance = false;  ///< the tolerance is of the distance from the axis, not of Δd
+};
+
 /// The one result of a session: console, window, inset, Large Display and report show these lines. The texts
 /// are in the language of the thread that made them.
 struct Headline {
@@ -37,6 +45,7 @@ struct Headline {
   std::string verdict = {};    ///< "Accepted", "No verdict", "Provisional: the diagnosis is running."
   std::optional<Verdict> decided = {};       ///< absent: no verdict, or one of the fit only
   std::optional<ToleranceScale> scale = {};  ///< absent without a tolerance, a figure or a finite U
+  std::optional<CentreOffset> offset = {};   ///< absent if Δz was not measured
   std::vector<Line> lines = {};
   std::string sentence = {};        ///< the basis of the verdict, or why there is none; may be empty
   std::string fitOnly = {};         ///< "Δd, fit only: 1.31 ± 0.21 mm"; empty without Δd

@@ -8115,6 +8115,10 @@ a clause as a sentence</extracomment>
         <source>The results relate only to the item measured. Not to be reproduced except in full.</source>
         <translation>结果仅与被测物有关。除完整复制外，不得复制本报告。</translation>
     </message>
+    <message>
+        <source>In the corner: the arc&apos;s centre seen along the axis, Δd up and Δz towards the theodolite, at 0° with U, at 180° opposite.</source>
+        <translation>角上：沿转轴观察的弧心，Δd 向上，Δz 朝向经纬仪，0° 处附 U，180° 处在对侧。</translation>
+    </message>
 </context>
 <context>
     <name>ReportPart</name>
@@ -8375,6 +8379,18 @@ a clause as a sentence</extracomment>
     <message>
         <source>O1 and O2 refer to the theodolite: compare them only between set-ups on the same pillar.</source>
         <translation>O1 与 O2 以经纬仪为基准：只能在同一观测墩的各次设站之间比较。</translation>
+    </message>
+</context>
+<context>
+    <name>SideViewText</name>
+    <message>
+        <source>Along the axis</source>
+        <translation>沿转轴观察</translation>
+    </message>
+    <message>
+        <source>Δz →</source>
+        <extracomment>an arrow to the side where the theodolite stands</extracomment>
+        <translation>Δz →</translation>
     </message>
 </context>
 <context>

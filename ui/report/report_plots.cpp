@@ -38,7 +38,8 @@ QStringList insetSentences(const DrawnIntersection& intersection) {
   return sentences;
 }
 
-QString arcCaption(const ArcPicture& picture) {
+QString arcCaption(const ArcPlot& plot) {
+  const ArcPicture& picture = plot.picture();
   if (picture.arcs.empty())
     return Report::tr("Figure 1. Sighted points in the arc plane; no arc was fitted.");
   QStringList sentences{
@@ -51,6 +52,10 @@ QString arcCaption(const ArcPicture& picture) {
       Report::tr("The strokes are the residuals, from the adjusted point on the arc, drawn %1.")
           .arg(exaggerationText(picture.exaggeration)));
   if (picture.intersection) sentences += insetSentences(*picture.intersection);
+  if (plot.sideView().scale() > 0)
+    sentences.append(
+        Report::tr("In the corner: the arc's centre seen along the axis, Δd up and Δz towards the "
+                   "theodolite, at 0° with U, at 180° opposite."));
   return Report::sentences(sentences);
 }
 
@@ -100,7 +105,7 @@ void addPlots(ReportSheet& sheet, const Gap& gap, bool hasArcs, bool hasResidual
     arcs->setHeadline(headlineOf(gap));
     arcs->setEvaluation(*gap.evaluation);
     addPlot(sheet, arcs, arcsHeight);
-    sheet.paragraph(arcCaption(arcs->picture()), type::small);
+    sheet.paragraph(arcCaption(*arcs), type::small);
   }
   if (!hasResiduals) return;
   if (hasArcs) {

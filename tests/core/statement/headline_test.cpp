@@ -151,6 +151,9 @@ TEST(Headline, SaysWhatToReadBeforeTheVerdictOfThePaperIsUsed) {
       ContainsRegex("^Across the plane of the arc: Δz = −[56]\\.[0-9] ± [0-9.]+ mm, not judged \\(the "
                     "tolerance is of Δd\\)$"));
   EXPECT_THAT(headline.line(LineKind::Gap), ContainsRegex("the radii differ by 1[0-9] σ"));
+  ASSERT_TRUE(headline.offset);
+  EXPECT_NEAR(headline.offset->across, -5.9, 0.1) << "the radii differ by 1.96 mm: Δz = ΔR/2 · L/R";
+  EXPECT_EQ(headline.offset->tolerance, 2.5);
   EXPECT_THAT(headline.line(LineKind::Reference),
               ContainsRegex("^Reference 2 mm: difference −0\\.9[0-9] ± 0\\.9[0-9] "
                             "mm, (dis)?agrees \\(E_n [01]\\.[0-9]+\\)$"));

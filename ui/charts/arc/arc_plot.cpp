@@ -44,10 +44,12 @@ QList<QPointF> polyline(const DrawnArc& arc, double sagitta) {
 
 }  // namespace
 
-ArcPlot::ArcPlot(QObject* parent) : Plot(parent), m_inset(new CentresInset(chart())) {
+ArcPlot::ArcPlot(QObject* parent)
+    : Plot(parent), m_inset(new CentresInset(chart())), m_side(new SideView(chart())) {
   for (auto& pieces : m_arcs)
     for (QLineSeries*& piece : pieces) addSeries(piece = new QLineSeries);
   m_inset->setZValue(90);
+  m_side->setZValue(90);
 }
 
 /// One title serves for both if there is little room.
@@ -55,6 +57,11 @@ void ArcPlot::adaptTo(const QSizeF& size) {
   const bool isNarrow = size.width() < 300 * style().unit();
   setTitles(isNarrow ? QStringLiteral("x, y (mm)") : QStringLiteral("x (mm)"),
             isNarrow ? QString() : QStringLiteral("y (mm)"));
+}
+
+void ArcPlot::setHeadline(const Headline& headline) {
+  m_inset->setHeadline(headline);
+  m_side->setOffset(headline.offset);
 }
 
 void ArcPlot::setEvaluation(const Evaluation& evaluation) {
@@ -165,6 +172,7 @@ void ArcPlot::applyStyle() {
   markerLayer().setMarkers(std::move(markers));
   markerLayer().setPens({QPen(style().upper, 1.4 * unit), QPen(style().lower, 1.4 * unit)});
   m_inset->setStyle(style());
+  m_side->setStyle(style());
   showLegend();
 }
 
@@ -181,6 +189,28 @@ QRectF ArcPlot::axisRange(const QSizeF& plotArea) const {
 void ArcPlot::placeExtras() {
   showArcs();
   if (m_picture->intersection) placeInset();
+  placeSideView();
+}
+
+/// The largest square in the lower right corner that keeps clear of points, residuals and arcs; at most a
+/// third of the height.
+void ArcPlot::placeSideView() {
+  const QRectF area = plotArea();
+  double side = area.height() / 3;
+  const auto keepClearOf = [&](const QPointF& point) {
+    side = std::min(side, std::max(area.right() - point.x(), area.bottom() - point.y()));
+  };
+  for (const DrawnSighting& sighting : m_picture->sightings)
+    for (const PlanePoint<double>& end : {sighting.sighted, m_picture->residualEnd(sighting)})
+      keepClearOf(sceneFromAxes().map(QPointF(end.x, end.y)));
+  for (const auto& pieces : m_arcs)
+    for (const QLineSeries* piece : pieces)
+      for (const QPointF& point : piece->points()) keepClearOf(sceneFromAxes().map(point));
+  const double margin = 4 * style().unit();
+  side = std::max(0.0, side - 2 * margin);
+  m_side->setSquare(m_picture->intersection
+                        ? QRectF(area.right() - margin - side, area.bottom() - margin - side, side, side)
+                        : QRectF());
 }
 
 void ArcPlot::placeInset() {

@@ -6,6 +6,7 @@
 
 #include "ui/charts/arc/arc_picture.h"
 #include "ui/charts/arc/centres_inset.h"
+#include "ui/charts/arc/side_view.h"
 #include "ui/charts/plotting/plot.h"
 
 namespace alidade::ui {
@@ -20,8 +21,8 @@ class ArcPlot : public Plot {
   explicit ArcPlot(QObject* parent = nullptr);
 
   void setEvaluation(const Evaluation& evaluation) override;
-  /// The headline of the same evaluation, for the inset.
-  void setHeadline(const Headline& headline) { m_inset->setHeadline(headline); }
+  /// The headline of the same evaluation, for the inset and the view along the axis.
+  void setHeadline(const Headline& headline);
   QString describe(const Mark& mark) const override;
   QString summary() const override;
   QString standard() const override;
@@ -31,6 +32,7 @@ class ArcPlot : public Plot {
 
   const ArcPicture& picture() const { return *m_picture; }
   const CentresInset& inset() const { return *m_inset; }
+  const SideView& sideView() const { return *m_side; }
 
  protected:
   void applyStyle() override;
@@ -46,6 +48,7 @@ class ArcPlot : public Plot {
   void drawMarks();
   void showLegend();
   void placeInset();
+  void placeSideView();
   bool isDrawn(const DrawnSighting& sighting) const { return m_drawn.takes(sighting.round, sighting.face); }
   QPointF shiftOf(const DrawnSighting& sighting) const;
   const DrawnSighting* sightingOf(const Mark& mark) const;
@@ -58,6 +61,7 @@ class ArcPlot : public Plot {
   double m_unit = 0;  // unit of the style, which sets the shift of marks
   std::array<std::array<QLineSeries*, mostPieces>, 2> m_arcs;  // axis at 0°, at 180°; owned by the chart
   CentresInset* m_inset;                                       // owned by the chart
+  SideView* m_side;                                            // owned by the chart
 };
 
 }  // namespace alidade::ui

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <QGraphicsItem>
+#include <optional>
+
+#include "core/statement/headline.h"
+#include "ui/charts/plotting/plot_style.h"
+
+namespace alidade::ui {
+
+/// The arc's centre seen along the axis of rotation, Δd up and Δz towards the theodolite: with the axis at 0°
+/// with U both ways, at 180° opposite, the axis as a cross, and the tolerance: a band of Δd, or a circle of
+/// the distance. One scale both ways, shown by a bar in mm.
+class SideView : public QGraphicsItem {
+ public:
+  using QGraphicsItem::QGraphicsItem;
+
+  void setStyle(const PlotStyle& style);
+  void setOffset(const std::optional<CentreOffset>& offset);
+  /// The available square, in the parent's units. A square too small for the picture shows nothing.
+  void setSquare(const QRectF& square);
+
+  /// Scene units per millimetre; 0 if nothing is drawn.
+  double scale() const { return m_scale; }
+  /// The place of the centre at 0° in the parent's units.
+  QPointF centre() const;
+
+  QRectF boundingRect() const override { return m_square; }
+  void paint(QPainter* painter, const QStyleOptionGraphicsItem* option, QWidget* widget) override;
+
+ private:
+  void updateScale();
+  double line() const;  ///< height of a line of text
+  void paintTolerance(QPainter& painter) const;
+  void paintAxis(QPainter& painter) const;
+  void paintCentres(QPainter& painter) const;
+  void paintTexts(QPainter& painter) const;
+
+  PlotStyle m_style;
+  std::optional<CentreOffset> m_offset;
+  QRectF m_square, m_picture;
+  double m_scale = 0;
+};
+
+}  // namespace alidade::ui
