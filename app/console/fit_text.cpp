@@ -11,9 +11,11 @@
 #include "app/console/two_faces_text.h"
 #include "core/base/number_text.h"
 #include "core/base/quantity_text.h"
+#include "core/effects/catalogue.h"
 #include "core/statement/budget.h"
 #include "core/statement/headline.h"
 #include "core/wording/diagnosis_sentence.h"
+#include "core/wording/effect_name.h"
 #include "core/wording/findings.h"
 #include "core/wording/position_name.h"
 #include "core/wording/suspects.h"
@@ -169,7 +171,7 @@ std::string effectsText(const std::vector<EffectEstimate>& effects) {
   if (effects.empty()) return "";
   Rows rows = {{"Effects estimated along", "value", "u", "unit"}};
   for (const EffectEstimate& estimate : effects)
-    rows.push_back({"  " + estimate.effect + ", " + estimate.name,
+    rows.push_back({"  " + causeName(estimate.effect) + ", " + parameterName(estimate.name),
                     fixedText(estimate.value, decimalsFor(estimate.sigma)),
                     fixedText(estimate.sigma, decimalsFor(estimate.sigma)), estimate.unit});
   return "\n" + alignedColumns(rows);

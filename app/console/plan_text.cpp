@@ -13,6 +13,7 @@
 #include "core/effects/catalogue.h"
 #include "core/wording/attainable.h"
 #include "core/wording/cause_prior.h"
+#include "core/wording/effect_name.h"
 #include "core/wording/measure.h"
 
 namespace alidade::console {
@@ -36,7 +37,7 @@ std::string influenceText(const PlanReview& review, const PlannedEffect& effect)
 std::string effectsText(const PlanReview& review) {
   Rows rows{{"  effect", "plausible", "shows by (σ)", "moves Δd by (mm)", ""}};
   for (const PlannedEffect& effect : review.effects)
-    rows.push_back({"  " + effect.effect, plausibleSizeText(effect.effect), visibilityText(effect),
+    rows.push_back({"  " + causeName(effect.effect), plausibleSizeText(effect.effect), visibilityText(effect),
                     influenceText(review, effect), effect.undetectable ? "unseen" : ""});
   return "\nEffects of plausible size\n" + alignedColumns(rows);
 }
@@ -45,9 +46,9 @@ std::string lookAlikesText(const PlanReview& review) {
   std::string text;
   for (const PlannedEffect& effect : review.effects) {
     if (effect.lookAlikes.empty()) continue;
-    std::vector<std::string> ids;
-    for (const LookAlike& other : effect.lookAlikes) ids.push_back(other.effect);
-    text += paragraph("  " + effect.effect + ": " + listed(ids), 4);
+    std::vector<std::string> names;
+    for (const LookAlike& other : effect.lookAlikes) names.push_back(causeName(other.effect));
+    text += paragraph("  " + causeName(effect.effect) + ": " + listed(names), 4);
   }
   return text.empty() ? "\nWhat shows can be told apart.\n"
                       : "\nWhat shows but could not be told from others\n" + text;
@@ -58,11 +59,12 @@ std::string adviceText(const PlanReview& review) {
   std::string text = "\nWhat to add\n";
   for (const PlanAdvice& advice : review.advice) {
     std::string line = "  " + howTo(advice.measures) + ":";
-    if (!advice.reveals.empty()) line += " shows " + listed(advice.reveals) + ";";
+    if (!advice.reveals.empty()) line += " shows " + causeNames(advice.reveals, " and ") + ";";
     if (!advice.separates.empty()) {
       line += " tells";
       for (std::size_t i = 0; i < advice.separates.size(); ++i)
-        line += (i == 0 ? " " : ", ") + advice.separates[i].first + " from " + advice.separates[i].second;
+        line += (i == 0 ? " " : ", ") + causeName(advice.separates[i].first) + " from " +
+                causeName(advice.separates[i].second);
       line += ";";
     }
     line.back() = '.';

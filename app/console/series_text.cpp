@@ -9,7 +9,9 @@
 #include "core/base/list_text.h"
 #include "core/base/number_text.h"
 #include "core/base/quantity_text.h"
+#include "core/effects/catalogue.h"
 #include "core/session/own_effects.h"
+#include "core/wording/effect_name.h"
 #include "core/wording/series_words.h"
 #include "core/wording/verdict.h"
 
@@ -25,7 +27,7 @@ std::string sizesText(const std::vector<CauseParameter>& parameters) {
   std::vector<std::string> sizes;
   for (const CauseParameter& parameter : parameters) {
     const int decimals = decimalsFor(parameter.sigma, 0);
-    sizes.push_back(parameter.name + " " + fixedText(parameter.value, decimals) +
+    sizes.push_back(parameterName(parameter.name) + " " + fixedText(parameter.value, decimals) +
                     (parameter.unit.size() > 1 ? " " + parameter.unit : "") + " (u " +
                     fixedText(parameter.sigma, decimals) + ")");
   }
@@ -33,8 +35,8 @@ std::string sizesText(const std::vector<CauseParameter>& parameters) {
 }
 
 std::string causeText(const SharedCause& cause, const SeriesDiagnosis& series) {
-  std::string text = "\nCause: " + cause.cause.effect + ", " + ownerText(cause) + ", probability " +
-                     shortProbabilityText(cause.cause.probability) + "\n";
+  std::string text = "\nCause: " + causeName(cause.cause.effect) + ", " + ownerText(cause) +
+                     ", probability " + shortProbabilityText(cause.cause.probability) + "\n";
   if (!cause.cause.parameters.empty()) text += "  " + sizesText(cause.cause.parameters) + "\n";
   if (cause.visibleTogether > 0)
     text += "  shows by " + fixedText(cause.visibleInOne, 1) + " σ in a session, by " +
@@ -50,8 +52,9 @@ std::string causeText(const SharedCause& cause, const SeriesDiagnosis& series) {
       if (&size - cause.sizes.data() + 1 == static_cast<std::ptrdiff_t>(mostRows)) break;
     }
   if (!cause.cause.indistinguishableFrom.empty())
-    text += paragraph(
-        "  These sessions cannot tell it from: " + listed(cause.cause.indistinguishableFrom) + ".", 2);
+    text += paragraph("  These sessions cannot tell it from: " +
+                          causeNames(cause.cause.indistinguishableFrom, " or ") + ".",
+                      2);
   return text;
 }
 
@@ -67,9 +70,9 @@ std::string patternText(const SharedPattern& pattern) {
 }
 
 std::string causesOf(const std::vector<Cause>& causes) {
-  std::vector<std::string> ids;
-  for (const Cause& cause : causes) ids.push_back(cause.effect);
-  return ids.empty() ? "" : " (" + listed(ids) + ")";
+  std::vector<std::string> names;
+  for (const Cause& cause : causes) names.push_back(causeName(cause.effect));
+  return names.empty() ? "" : " (" + listed(names) + ")";
 }
 
 std::string sessionsText(const SeriesDiagnosis& series) {
@@ -126,7 +129,8 @@ std::string undetectableText(const SeriesDiagnosis& series) {
   if (series.undetectable.empty()) return "";
   Rows rows{{"  effect", "moves Δd by (mm)", "leaves (σ)"}};
   for (const UndetectableEffect& effect : series.undetectable)
-    rows.push_back({"  " + effect.effect, fixedText(effect.influence, 4), fixedText(effect.visibleSigma, 1)});
+    rows.push_back(
+        {"  " + causeName(effect.effect), fixedText(effect.influence, 4), fixedText(effect.visibleSigma, 1)});
   return "\nUnseen by all sessions together: what a plausible size of these would do\n" +
          alignedColumns(rows);
 }

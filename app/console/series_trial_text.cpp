@@ -6,6 +6,7 @@
 #include "core/answers/json_text.h"
 #include "core/base/number_text.h"
 #include "core/simulation/trial_summary.h"
+#include "core/wording/effect_name.h"
 
 namespace alidade::console {
 
@@ -70,11 +71,11 @@ std::string seriesTrialText(const std::vector<ScoredSeries>& series) {
                       scoreRow("named by a session alone", summary.alone)});
   for (const ScoredSeries& one : series)
     if (one.seal.kind == "none" ? one.isAlarm : !one.isNamed || !one.isOwnerRight)
-      text += paragraph("  " + one.seal.id + " (" + one.seal.protocol + "): " + one.seal.kind + " of the " +
-                            std::string(nameOf(one.seal.owner)) +
+      text += paragraph("  " + one.seal.id + " (" + one.seal.protocol + "): " + causeName(one.seal.kind) +
+                            " of the " + std::string(nameOf(one.seal.owner)) +
                             (one.seal.visible ? ", " + fixedText(*one.seal.visible, 1) + " σ together" : "") +
-                            (one.seal.spoiled ? ", spoiled by " + one.seal.spoiledBy : "") + ", taken for " +
-                            one.answer,
+                            (one.seal.spoiled ? ", spoiled by " + causeName(one.seal.spoiledBy) : "") +
+                            ", taken for " + causeName(one.answer),
                         4);
   return text;
 }

@@ -7,6 +7,7 @@
 #include "core/answers/json_text.h"
 #include "core/base/number_text.h"
 #include "core/base/quantity_text.h"
+#include "core/wording/effect_name.h"
 
 namespace alidade::console {
 
@@ -60,8 +61,9 @@ std::string detectionText(const TrialSummary& summary) {
 std::string confusionText(const TrialSummary& summary) {
   std::string text = "\nTruth: what was answered\n";
   for (const auto& [kind, answers] : summary.confusion) {
-    std::string line = "  " + kind + ":";
-    for (const auto& [answer, count] : answers) line += " " + answer + " " + std::to_string(count) + ";";
+    std::string line = "  " + causeName(kind) + ":";
+    for (const auto& [answer, count] : answers)
+      line += " " + causeName(answer) + " " + std::to_string(count) + ";";
     line.pop_back();
     text += paragraph(line, 4);
   }
@@ -76,8 +78,8 @@ std::string countText(const Tally& tally) {
 std::string kindsText(const TrialSummary& summary) {
   Rows rows{{"  kind", "right", "named", "quiet", "after covers Δd", "measured covers Δd"}};
   for (const auto& [kind, tally] : summary.kinds)
-    rows.push_back({"  " + kind, countText(tally.right), countText(tally.named), countText(tally.quiet),
-                    countText(tally.after), countText(tally.measured)});
+    rows.push_back({"  " + causeName(kind), countText(tally.right), countText(tally.named),
+                    countText(tally.quiet), countText(tally.after), countText(tally.measured)});
   return "\nBy kind of truth\n" + alignedColumns(rows);
 }
 
@@ -88,10 +90,11 @@ std::string missedText(const std::vector<ScoredTrial>& trials) {
   std::size_t missed = 0;
   for (const ScoredTrial& trial : trials) {
     if (trial.score.right || ++missed > most) continue;
-    text += paragraph("  " + trial.truth.id + " (" + trial.truth.protocol + "): " + trial.truth.kind +
-                          (trial.truth.visible ? ", " + fixedText(*trial.truth.visible, 1) + " σ" : "") +
-                          ", taken for " + trial.score.answer,
-                      4);
+    text +=
+        paragraph("  " + trial.truth.id + " (" + trial.truth.protocol + "): " + causeName(trial.truth.kind) +
+                      (trial.truth.visible ? ", " + fixedText(*trial.truth.visible, 1) + " σ" : "") +
+                      ", taken for " + causeName(trial.score.answer),
+                  4);
   }
   if (missed > most) text += "  and " + std::to_string(missed - most) + " more\n";
   return missed > 0 ? "\nMissed\n" + text : "";

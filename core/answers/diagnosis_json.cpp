@@ -117,7 +117,7 @@ Json diagnosisDocument(const std::string& session, const Diagnosis& diagnosis,
   Json json;
   json["session"] = session;
   json["verdict"] = nameOf(diagnosis.verdict);
-  json["sentence"] = sentenceOf(diagnosis, byId);
+  json["sentence"] = sentenceOf(diagnosis);
   if (diagnosis.hasMoreCausesThanSeparable) json["more_causes_than_separable"] = true;
   json["gap"] = sizeJson(diagnosis.gap);
   json["after"] = sizeJson(diagnosis.after);

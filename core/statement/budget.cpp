@@ -86,7 +86,7 @@ Statement measuredBudget(const Diagnosis& diagnosis, double coverage) {
       Phrase::of("Δd, measured, includes every catalogued effect, limited by these readings or by its "
                  "plausible size."),
       acrossSentence(measured)};
-  if (std::string attainable = attainableSentence(diagnosis.attainable, effectName); !attainable.empty())
+  if (std::string attainable = attainableSentence(diagnosis.attainable); !attainable.empty())
     statement.sentences.push_back(std::move(attainable));
   statement.note = Phrase::of(
       "1σ: how large each effect may plausibly be; share: of the variance. A: by the scatter of these "

@@ -6,6 +6,7 @@
 #include "core/base/quantity_text.h"
 #include "core/statement/gap.h"
 #include "core/wording/attainable.h"
+#include "core/wording/effect_name.h"
 #include "core/wording/measure.h"
 #include "core/wording/verdict.h"
 

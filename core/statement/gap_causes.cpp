@@ -11,6 +11,7 @@
 #include "core/wording/cause_prior.h"
 #include "core/wording/closures.h"
 #include "core/wording/diagnosis_sentence.h"
+#include "core/wording/effect_name.h"
 #include "core/wording/form_sentence.h"
 #include "core/wording/position_name.h"
 #include "core/wording/size_text.h"

@@ -4,6 +4,7 @@
 #include "core/wording/closures.h"
 #include "core/wording/diagnosis_fault.h"
 #include "core/wording/diagnosis_sentence.h"
+#include "core/wording/effect_name.h"
 
 namespace alidade {
 

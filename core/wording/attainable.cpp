@@ -7,6 +7,7 @@
 #include "core/base/list_text.h"
 #include "core/base/phrase.h"
 #include "core/base/quantity_text.h"
+#include "core/wording/effect_name.h"
 #include "core/wording/measure.h"
 
 namespace alidade {
@@ -35,7 +36,7 @@ std::vector<AttainableUncertainty> fewOf(std::vector<AttainableUncertainty> list
 
 }  // namespace
 
-std::string attainableSentence(const std::vector<AttainableUncertainty>& attainable, const CauseNamer& name) {
+std::string attainableSentence(const std::vector<AttainableUncertainty>& attainable) {
   if (attainable.empty()) return "";
   const double least = std::ranges::min(attainable, {}, &AttainableUncertainty::expanded).expanded;
   const auto lengthText = [decimals = decimalsFor(least)](double expanded) {
@@ -49,9 +50,10 @@ std::string attainableSentence(const std::vector<AttainableUncertainty>& attaina
   for (const std::vector<AttainableUncertainty>& list : {fewOf(measured), fewOf(known)}) {
     std::vector<std::string> texts;
     for (const AttainableUncertainty& one : list)
-      texts.push_back(one.known.empty()
-                          ? Phrase::of("with %1 to %2", textOf(one.measures), lengthText(one.expanded))
-                          : Phrase::of("with %1 known to %2", name(one.known), lengthText(one.expanded)));
+      texts.push_back(
+          one.known.empty()
+              ? Phrase::of("with %1 to %2", textOf(one.measures), lengthText(one.expanded))
+              : Phrase::of("with %1 known to %2", causeName(one.known), lengthText(one.expanded)));
     if (!texts.empty()) text = Phrase::of("%1; %2", text, listed(texts));
   }
   return Phrase::of("%1.", text);

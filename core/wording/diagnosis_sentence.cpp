@@ -7,6 +7,7 @@
 #include "core/base/phrase.h"
 #include "core/base/quantity_text.h"
 #include "core/effects/cause_ids.h"
+#include "core/wording/effect_name.h"
 #include "core/wording/known_checks.h"
 #include "core/wording/position_name.h"
 
@@ -63,20 +64,14 @@ std::string shrunk(const Diagnosis& diagnosis) {
                                       : Phrase::of("With them in the model %1.", effect);
 }
 
-std::string named(const std::vector<std::string>& ids, std::string_view last, const CauseNamer& name) {
-  std::vector<std::string> names;
-  for (const std::string& id : ids) names.push_back(name(id));
-  return listed(names, last);
-}
-
-std::string causesNamed(const Diagnosis& diagnosis, const CauseNamer& name) {
+std::string causesNamed(const Diagnosis& diagnosis) {
   std::vector<std::string> ids;
   for (const Cause& cause : diagnosis.causes) ids.push_back(cause.effect);
-  return named(ids, Phrase::of(" and "), name);
+  return causeNames(ids, Phrase::of(" and "));
 }
 
-std::string unexplained(const Diagnosis& diagnosis, const CauseNamer& name) {
-  const std::string causes = causesNamed(diagnosis, name);
+std::string unexplained(const Diagnosis& diagnosis) {
+  const std::string causes = causesNamed(diagnosis);
   if (!diagnosis.shape || !diagnosis.forms.empty())
     return causes.empty()
                ? Phrase::of("The gap is real, and no effect of the catalogue explains it.")
@@ -144,7 +139,7 @@ bool isAsKnown(const Diagnosis& diagnosis) {
   return !diagnosis.known.empty() && diagnosis.after.rms < noticeably * diagnosis.gap.rms;
 }
 
-std::string asKnown(const Diagnosis& diagnosis, const CauseNamer& name) {
+std::string asKnown(const Diagnosis& diagnosis) {
   std::vector<std::string> ids;
   for (const KnownCheck& check : diagnosis.known)
     if (std::ranges::find(ids, check.effect) == ids.end()) ids.push_back(check.effect);
@@ -152,20 +147,20 @@ std::string asKnown(const Diagnosis& diagnosis, const CauseNamer& name) {
   return Phrase::of(
       "What is known beforehand (%1) accounts for the gap: with it %2, and what is left is within the stated "
       "noise.",
-      named(ids, Phrase::of(" and "), name), change(diagnosis.gap, diagnosis.after));
+      causeNames(ids, Phrase::of(" and ")), change(diagnosis.gap, diagnosis.after));
 }
 
-std::string moreThanSeparable(const Diagnosis& diagnosis, const CauseNamer& name) {
+std::string moreThanSeparable(const Diagnosis& diagnosis) {
   //: "the residuals shrink from 12.0″ to 2.0″"
   const std::string sentence = Phrase::of(
       "There are more causes than these readings can take apart. With every effect of the catalogue at a "
       "plausible size, %1.",
       change(diagnosis.gap, diagnosis.after));
   if (diagnosis.causes.empty()) return sentence;
-  return Phrase::of("%1 Only this is certain: %2.", sentence, causesNamed(diagnosis, name));
+  return Phrase::of("%1 Only this is certain: %2.", sentence, causesNamed(diagnosis));
 }
 
-std::string verdictSentenceOf(const Diagnosis& diagnosis, const CauseNamer& name) {
+std::string verdictSentenceOf(const Diagnosis& diagnosis) {
   switch (diagnosis.verdict) {
     case DiagnosisVerdict::WithinNoise:
       if (std::isnan(diagnosis.gap.pValue))
@@ -173,31 +168,30 @@ std::string verdictSentenceOf(const Diagnosis& diagnosis, const CauseNamer& name
             "Nothing checks the model: these readings just fix the circles and leave nothing over. Sight "
             "more "
             "places.");
-      if (isAsKnown(diagnosis)) return asKnown(diagnosis, name);
+      if (isAsKnown(diagnosis)) return asKnown(diagnosis);
       return Phrase::of(
           "The readings agree with the model within their stated noise: there is no gap to explain.");
     case DiagnosisVerdict::SingleCause:
-      return Phrase::of("The gap is best explained by %1. %2", causesNamed(diagnosis, name),
-                        shrunk(diagnosis));
+      return Phrase::of("The gap is best explained by %1. %2", causesNamed(diagnosis), shrunk(diagnosis));
     case DiagnosisVerdict::Ambiguous:
       return Phrase::of(
           "The gap is best explained by %1 or by what these readings cannot tell from it: %2. %3",
-          causesNamed(diagnosis, name),
-          named(diagnosis.causes.front().indistinguishableFrom, Phrase::of(" or "), name), shrunk(diagnosis));
+          causesNamed(diagnosis),
+          causeNames(diagnosis.causes.front().indistinguishableFrom, Phrase::of(" or ")), shrunk(diagnosis));
     case DiagnosisVerdict::SeveralCauses:
-      if (diagnosis.hasMoreCausesThanSeparable) return moreThanSeparable(diagnosis, name);
+      if (diagnosis.hasMoreCausesThanSeparable) return moreThanSeparable(diagnosis);
       return Phrase::of("The gap is best explained by several causes together: %1. %2",
-                        causesNamed(diagnosis, name), shrunk(diagnosis));
+                        causesNamed(diagnosis), shrunk(diagnosis));
     case DiagnosisVerdict::NotInCatalogue:
-      return unexplained(diagnosis, name);
+      return unexplained(diagnosis);
   }
   return {};
 }
 
 }  // namespace
 
-std::string sentenceOf(const Diagnosis& diagnosis, const CauseNamer& name) {
-  const std::string verdict = verdictSentenceOf(diagnosis, name), stale = staleSentence(diagnosis, name);
+std::string sentenceOf(const Diagnosis& diagnosis) {
+  const std::string verdict = verdictSentenceOf(diagnosis), stale = staleSentence(diagnosis);
   return stale.empty() ? verdict : Phrase::of("%1 %2", verdict, stale);
 }
 

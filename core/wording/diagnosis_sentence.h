@@ -3,7 +3,6 @@
 #include <string>
 
 #include "core/diagnosis/result/diagnosis.h"
-#include "core/wording/effect_name.h"
 
 namespace alidade {
 
@@ -14,7 +13,7 @@ std::string patternName(const GapShape& shape);
 std::string headlineOf(const Diagnosis& diagnosis);
 
 /// The verdict in whole sentences; `name` gives the causes' names within a sentence.
-std::string sentenceOf(const Diagnosis& diagnosis, const CauseNamer& name = causeName);
+std::string sentenceOf(const Diagnosis& diagnosis);
 
 /// "0°, point 11, horizontal", with round and face unless they are 1.
 std::string readingName(const ReadingDeviation& reading);

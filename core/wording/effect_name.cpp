@@ -40,10 +40,6 @@ std::string causeNames(const std::vector<std::string>& ids, const std::string& l
   return listed(names, last);
 }
 
-std::string byId(const std::string& id) {
-  return id;
-}
-
 std::string withCapital(std::string text) {
   if (!text.empty() && text[0] >= 'a' && text[0] <= 'z') text[0] = static_cast<char>(text[0] - 'a' + 'A');
   return text;

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <functional>
 #include <string>
 #include <vector>
 
@@ -17,11 +16,6 @@ std::string causeName(const std::string& id);
 std::string causeTitle(const std::string& id);
 /// The names of several; `last` separates the last two, blanks included: " or ".
 std::string causeNames(const std::vector<std::string>& ids, const std::string& last);
-
-/// Returns the name of a cause from its identifier.
-using CauseNamer = std::function<std::string(const std::string& id)>;
-/// Names a cause by its identifier, as in files.
-std::string byId(const std::string& id);
 
 /// "Gravity sag": a capital first letter, if it is an ASCII letter.
 std::string withCapital(std::string text);

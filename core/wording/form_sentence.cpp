@@ -9,6 +9,7 @@
 #include "core/base/list_text.h"
 #include "core/base/phrase.h"
 #include "core/base/quantity_text.h"
+#include "core/wording/effect_name.h"
 #include "core/wording/verdict.h"
 
 namespace alidade {

@@ -101,7 +101,7 @@ std::string limitSentence(const Outlook& outlook, Account account, const Lengths
 }
 
 /// The sentence if none of the numbers of rounds suffices.
-std::string notEnough(const Outlook& outlook, Account account, const Lengths& text, const CauseNamer& name) {
+std::string notEnough(const Outlook& outlook, Account account, const Lengths& text) {
   const RoundsAhead& most = outlook.ahead.back();
   const std::string needed = text(account.of(*outlook.needed));
   std::vector<std::string> sentences;
@@ -112,7 +112,7 @@ std::string notEnough(const Outlook& outlook, Account account, const Lengths& te
   else
     sentences.push_back(Phrase::of("Even %1 rounds more leave U at %2 mm; the verdict needs %3 mm.",
                                    most.rounds, text(account.of(most.expanded)), needed));
-  sentences.push_back(attainableSentence(outlook.instead, name));
+  sentences.push_back(attainableSentence(outlook.instead));
   return joined(sentences);
 }
 
@@ -121,7 +121,7 @@ std::string verdictName(bool isWithin) {
 }
 
 std::string whetherEnough(const Outlook& outlook, const ProtocolProgress& progress, Account account,
-                          const Lengths& text, const CauseNamer& name) {
+                          const Lengths& text) {
   if (outlook.isTorn)
     return Phrase::of(
         "Δd, fit only, and Δd, measured, are on different sides of the tolerance: look at the gap before you "
@@ -132,7 +132,7 @@ std::string whetherEnough(const Outlook& outlook, const ProtocolProgress& progre
     return Phrase::of("It is enough: U = %1 mm, and the verdict, %2, needs %3 mm.", text(*from),
                       verdictName(outlook.isWithin), needed);
   const auto rounds = outlook.roundsNeeded();
-  if (!rounds) return notEnough(outlook, account, text, name);
+  if (!rounds) return notEnough(outlook, account, text);
   const auto enough = std::ranges::find(outlook.ahead, *rounds, &RoundsAhead::rounds);
   const std::string to = text(account.of(enough->expanded)), start = text(from.value_or(NAN));
   if (*rounds == 0)
@@ -237,8 +237,7 @@ std::string repeatsFirst(const std::vector<Repeat>& repeats) {
   return isAny ? Phrase::of("What is to be taken again comes first: it makes U larger than it will be.") : "";
 }
 
-std::string outlookSentences(const Outlook& outlook, const ProtocolProgress& progress,
-                             const CauseNamer& name) {
+std::string outlookSentences(const Outlook& outlook, const ProtocolProgress& progress) {
   if (outlook.ahead.empty())
     return Phrase::of(
         "When it is enough is told as soon as a pointing zero is there, and both positions are in "
@@ -247,7 +246,7 @@ std::string outlookSentences(const Outlook& outlook, const ProtocolProgress& pro
   const Lengths text(outlook, account);
   std::vector<std::string> sentences;
   if (outlook.needed) {
-    sentences.push_back(whetherEnough(outlook, progress, account, text, name));
+    sentences.push_back(whetherEnough(outlook, progress, account, text));
   } else {
     sentences.push_back(withoutNeed(outlook, progress, account, text));
     sentences.push_back(limitSentence(outlook, account, text));

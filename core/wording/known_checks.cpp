@@ -9,6 +9,7 @@
 #include "core/base/quantity_text.h"
 #include "core/base/visible_text.h"
 #include "core/effects/catalogue.h"
+#include "core/wording/effect_name.h"
 #include "core/wording/findings.h"
 #include "core/wording/verdict.h"
 
@@ -26,22 +27,22 @@ std::string sizeText(double value, double sigma, const std::string& unit) {
   return unit.size() < 2 ? numbers : numbers + ' ' + unit;
 }
 
-std::string numberText(const KnownCheck& check, const CauseNamer& name) {
+std::string numberText(const KnownCheck& check) {
   const Effect* effect = effectById(check.effect);
-  if (!effect || effect->parameters.size() < 2) return name(check.effect);
+  if (!effect || effect->parameters.size() < 2) return causeName(check.effect);
   //: an effect and which of its numbers: "plane tilt, tilt about x"
-  return Phrase::of("%1, %2", name(check.effect), parameterName(check.name));
+  return Phrase::of("%1, %2", causeName(check.effect), parameterName(check.name));
 }
 
 std::string sourceText(const KnownCheck& check) {
   return check.from.empty() ? Phrase::of("what is known beforehand") : visibleText(check.from);
 }
 
-std::string staleText(const KnownCheck& check, const std::string& probability, const CauseNamer& name) {
+std::string staleText(const KnownCheck& check, const std::string& probability) {
   return Phrase::of(
       //: where it is known from, effect, size known, size by the readings, probability: "more than 99.9 %"
       "By %1, %2 is %3; these readings say %4: what is known is stale, with a probability of %5.",
-      sourceText(check), numberText(check, name), sizeText(check.known, check.sigmaKnown, check.unit),
+      sourceText(check), numberText(check), sizeText(check.known, check.sigmaKnown, check.unit),
       sizeText(check.value, check.sigma, check.unit), probability);
 }
 
@@ -74,24 +75,24 @@ const KnownCheck* farthest(const Diagnosis& diagnosis, const std::string& effect
 
 }  // namespace
 
-std::string staleSentence(const Diagnosis& diagnosis, const CauseNamer& name) {
+std::string staleSentence(const Diagnosis& diagnosis) {
   std::string sentences;
   const auto add = [&](const std::string& sentence) { sentences = inTurn(sentences, sentence); };
   for (const Cause& cause : diagnosis.causes) {
     if (const KnownCheck* check = cause.isStale ? farthest(diagnosis, cause.effect) : nullptr)
-      add(staleText(*check, probabilityText(cause.probability), name));
+      add(staleText(*check, probabilityText(cause.probability)));
     if (cause.isStale && isOtherWayRound(diagnosis, cause.effect))
       add(Phrase::of(
           "With the other sign they would agree: look up which way the instrument counts its tilts."));
     std::vector<std::string> others;
     for (const auto& ids : {cause.unlessStale, cause.indistinguishableFrom})
       for (const std::string& id : ids)
-        if (isKnown(diagnosis, id) && !cause.isStale) others.push_back(name(id));
+        if (isKnown(diagnosis, id) && !cause.isStale) others.push_back(causeName(id));
     if (others.empty()) continue;
     add(Phrase::of(
         //: causes, and a cause: these readings show them alike
         "Were what is known of %1 stale, these readings could not tell it from %2.",
-        listed(others, Phrase::of(" or ")), name(cause.effect)));
+        listed(others, Phrase::of(" or ")), causeName(cause.effect)));
   }
   return sentences;
 }

@@ -11,6 +11,6 @@ namespace alidade {
 
 /// One sentence for each effect whose known size is out of date, and for each cause that only known sizes
 /// distinguish from another. Empty without either.
-std::string staleSentence(const Diagnosis& diagnosis, const CauseNamer& name = causeName);
+std::string staleSentence(const Diagnosis& diagnosis);
 
 }  // namespace alidade

@@ -6,6 +6,7 @@
 #include "core/base/phrase.h"
 #include "core/base/quantity_text.h"
 #include "core/wording/copies.h"
+#include "core/wording/effect_name.h"
 #include "core/wording/findings.h"
 #include "core/wording/form_sentence.h"
 #include "core/wording/verdict.h"
@@ -14,8 +15,8 @@ namespace alidade {
 
 namespace {
 
-std::string ofOwner(const SharedCause& cause, const CauseNamer& name) {
-  const std::string effect = name(cause.cause.effect);
+std::string ofOwner(const SharedCause& cause) {
+  const std::string effect = causeName(cause.cause.effect);
   if (cause.owner == CauseOwner::Instrument && !cause.serial.empty())
     return Phrase::of("%1 of instrument %2", effect, cause.serial);
   if (cause.owner == CauseOwner::Guideway && !cause.serial.empty())
@@ -23,12 +24,6 @@ std::string ofOwner(const SharedCause& cause, const CauseNamer& name) {
   if (cause.owner == CauseOwner::Time && !cause.sizes.empty())
     return Phrase::of("%1, of a size of its own in each session", effect);
   return effect;
-}
-
-std::vector<std::string> named(const std::vector<std::string>& ids, const CauseNamer& name) {
-  std::vector<std::string> names;
-  for (const std::string& id : ids) names.push_back(name(id));
-  return names;
 }
 
 /// "a, b and 3 more".
@@ -69,10 +64,10 @@ std::string unknownText(const SeriesDiagnosis& series, const std::vector<std::st
              : Phrase::of("%1 Beside it they share %2.", text, listed(shared, Phrase::of(" and ")));
 }
 
-std::string together(const SeriesDiagnosis& series, const CauseNamer& name) {
+std::string together(const SeriesDiagnosis& series) {
   std::vector<std::string> shared;
   for (const SharedCause& cause : series.causes)
-    if (!isOfOne(cause)) shared.push_back(ofOwner(cause, name));
+    if (!isOfOne(cause)) shared.push_back(ofOwner(cause));
   if (series.pattern) return unknownText(series, shared);
   if (shared.empty())
     return Phrase::of("The sessions (%1) share no effect that shows beyond their stated noise.",
@@ -82,14 +77,14 @@ std::string together(const SeriesDiagnosis& series, const CauseNamer& name) {
   for (const SharedCause& cause : series.causes) {
     if (isOfOne(cause)) continue;
     if (cause.isDrifting)
-      text =
-          Phrase::of("%1 %2", text,
-                     Phrase::of("The size of %1 changes from session to session.", name(cause.cause.effect)));
+      text = Phrase::of(
+          "%1 %2", text,
+          Phrase::of("The size of %1 changes from session to session.", causeName(cause.cause.effect)));
     const auto& alike = cause.cause.indistinguishableFrom;
     if (alike.empty()) continue;
     text = Phrase::of("%1 %2", text,
-                      Phrase::of("They cannot tell %1 from %2.", name(cause.cause.effect),
-                                 listed(named(alike, name), Phrase::of(" or "))));
+                      Phrase::of("They cannot tell %1 from %2.", causeName(cause.cause.effect),
+                                 causeNames(alike, Phrase::of(" or "))));
   }
   if (series.unknownChance >= 0.01)
     text = Phrase::of("%1 %2", text,
@@ -114,15 +109,15 @@ std::string ownerText(const SharedCause& cause) {
   return cause.sizes.empty() ? Phrase::of("the session by itself") : Phrase::of("each session by itself");
 }
 
-std::string sentenceOf(const SeriesDiagnosis& series, const CauseNamer& name) {
+std::string sentenceOf(const SeriesDiagnosis& series) {
   constexpr std::size_t most = 5;
-  std::string text = together(series, name);
+  std::string text = together(series);
   std::size_t told = 0;
   for (const SharedCause& cause : series.causes) {
     if (!isOfOne(cause) || ++told > most) continue;
     text = Phrase::of("%1 %2", text,
                       Phrase::of("By itself %1 holds %2.", series.sessions[cause.sessions.front()].name,
-                                 name(cause.cause.effect)));
+                                 causeName(cause.cause.effect)));
   }
   for (const OfferedEffect& offered : series.offered) text = inTurn(text, sentenceOf(offered, series));
   return text;
@@ -138,9 +133,9 @@ std::string sentenceOf(const OfferedEffect& offered, const SeriesDiagnosis& seri
                     textOf(offered.form), u, sessionsText(offered.sessions, series));
 }
 
-std::string sentenceOf(const SeriesAdvice& advice, const CauseNamer& name) {
+std::string sentenceOf(const SeriesAdvice& advice) {
   const std::string sigmas = displayText(advice.bySigma, 1);
-  const std::string them = listed(named(advice.separates, name), Phrase::of(" and "));
+  const std::string them = causeNames(advice.separates, Phrase::of(" and "));
   const auto orAnother = [](const std::string& serial) { return serial.empty() ? std::string("?") : serial; };
   switch (advice.what) {
     case SeriesAdvice::What::OtherInstrument:
@@ -174,7 +169,7 @@ std::string sentenceOf(const SeriesAdvice& advice, const CauseNamer& name) {
   return {};
 }
 
-std::vector<Finding> findingsOf(const SeriesDiagnosis& series, const CauseNamer& name) {
+std::vector<Finding> findingsOf(const SeriesDiagnosis& series) {
   std::vector<Finding> findings;
   const auto add = [&](std::string text, std::string remedy) {
     findings.push_back({.severity = Severity::Warning, .text = std::move(text), .remedy = std::move(remedy)});
@@ -196,7 +191,7 @@ std::vector<Finding> findingsOf(const SeriesDiagnosis& series, const CauseNamer&
     for (const std::size_t s : cause.apart) apart.push_back(series.sessions[s].name);
     if (!apart.empty())
       add(Phrase::of("%1 does not share %2 with the others: there its size is another.",
-                     listed(apart, Phrase::of(" and ")), ofOwner(cause, name)),
+                     listed(apart, Phrase::of(" and ")), ofOwner(cause)),
           Phrase::of("See what was different in that session."));
   }
   return findings;

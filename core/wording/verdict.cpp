@@ -9,6 +9,7 @@
 #include "core/wording/attainable.h"
 #include "core/wording/closures.h"
 #include "core/wording/conditions.h"
+#include "core/wording/effect_name.h"
 #include "core/wording/findings.h"
 #include "core/wording/measure.h"
 #include "core/wording/position_name.h"

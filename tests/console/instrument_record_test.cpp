@@ -46,7 +46,7 @@ TEST(InstrumentOption, TakesTheRecordForThisRun) {
               3 * known.at("readings").at("sigma").get<double>());
   EXPECT_LT(known.at("stale_probability").get<double>(), 0.02);
   EXPECT_THAT(answer.at("sentence").get<std::string>(),
-              HasSubstr("What is known beforehand (trunnion_tilt)"));
+              HasSubstr("What is known beforehand (trunnion tilt)"));
 }
 
 TEST(InstrumentOption, FindsAStaleRecordOut) {

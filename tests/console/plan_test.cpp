@@ -56,7 +56,7 @@ TEST(Plan, ReviewsAPlanThatHasNotBeenRead) {
 TEST(Plan, SaysItInWordsToo) {
   const ProgramRun run = alidadeCli({"plan", paperSession});
   EXPECT_EQ(run.exitCode, 0) << run.err;
-  EXPECT_THAT(run.out, HasSubstr("vertical_drift"));
+  EXPECT_THAT(run.out, HasSubstr("vertical drift"));
   EXPECT_THAT(run.out, HasSubstr("unseen"));
   EXPECT_THAT(run.out, HasSubstr("the way back (read anew): shows"));
   EXPECT_THAT(run.out, HasSubstr("\nSessions like this one come to U = "));

@@ -17,7 +17,7 @@ const std::string storedSeries = ALIDADE_REFERENCE_DIR "/series";
 TEST(Series, SaysWhatAFolderShares) {
   const ProgramRun run = alidadeCli({"diagnose", storedSeries + "/series-06"});
   EXPECT_EQ(run.exitCode, 0) << run.err;
-  EXPECT_THAT(run.out, HasSubstr("trunnion_tilt of instrument T-1"));
+  EXPECT_THAT(run.out, HasSubstr("trunnion tilt of instrument T-1"));
   EXPECT_THAT(run.out, HasSubstr("in the light of the series"));
   EXPECT_EQ(run.err, "");
 }

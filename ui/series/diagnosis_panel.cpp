@@ -107,7 +107,7 @@ void DiagnosisPanel::setDiagnosis(const SharedSeriesDiagnosis& diagnosis, const 
     m_sentence->setText(reason.isEmpty() ? tr("No sessions yet.") : reason);
     return;
   }
-  m_sentence->setText(visibleLine(sentenceOf(*m_diagnosis, alidade::causeName)));
+  m_sentence->setText(visibleLine(sentenceOf(*m_diagnosis)));
   if (!m_diagnosis->causes.empty() && !std::isnan(m_diagnosis->after.reducedChiSquare))
     m_gap->setText(tr("Reduced χ² of all sessions goes from %1 to %2; sessions held out shrink by %3 %.")
                        .arg(qText(displayText(m_diagnosis->gap.reducedChiSquare, 2)),
@@ -171,9 +171,8 @@ void DiagnosisPanel::showOffers() {
 
 void DiagnosisPanel::showAdvice() {
   QStringList lines;
-  for (const SeriesAdvice& advice : m_diagnosis->advice)
-    lines << visibleLine(sentenceOf(advice, alidade::causeName));
-  for (const Finding& finding : findingsOf(*m_diagnosis, alidade::causeName))
+  for (const SeriesAdvice& advice : m_diagnosis->advice) lines << visibleLine(sentenceOf(advice));
+  for (const Finding& finding : findingsOf(*m_diagnosis))
     lines << visibleLine(finding.text + " " + finding.remedy);
   m_advice->setText(lines.join(QLatin1Char('\n')));
 }

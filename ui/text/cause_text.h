@@ -4,6 +4,7 @@
 
 #include "core/statement/gap.h"
 #include "core/wording/diagnosis_sentence.h"
+#include "core/wording/effect_name.h"
 #include "ui/text/entry_text.h"
 
 namespace alidade::ui {

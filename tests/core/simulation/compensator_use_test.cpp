@@ -114,17 +114,16 @@ TEST(CompensatorUse, TheOtherSignIsFoundOut) {
   Truth opposite = truth;
   for (TrueSize& size : opposite.effects) size.value = -size.value;
   stateCompensator(session, opposite, CompensatorUse::Measured, ofCompensator, 3);
-  const auto asItIs = [](const std::string& id) { return id; };
   const Diagnosis either = diagnosisOf(session);
   ASSERT_EQ(either.causes.size(), 1U);
   EXPECT_EQ(either.causes[0].effect, "arm_sag");
   EXPECT_THAT(either.causes[0].indistinguishableFrom, testing::Contains("vertical_axis_tilt"));
-  EXPECT_THAT(staleSentence(either, asItIs), HasSubstr("Were what is known of vertical_axis_tilt stale"));
+  EXPECT_THAT(staleSentence(either), HasSubstr("Were what is known of vertical axis tilt stale"));
   const Diagnosis diagnosis = diagnosisOf(session, {.without = {"arm_sag"}});
   ASSERT_EQ(diagnosis.causes.size(), 1U);
   EXPECT_EQ(diagnosis.causes[0].effect, "vertical_axis_tilt");
   EXPECT_TRUE(diagnosis.causes[0].isStale);
-  EXPECT_THAT(staleSentence(diagnosis, asItIs), HasSubstr("other sign"));
+  EXPECT_THAT(staleSentence(diagnosis), HasSubstr("other sign"));
 }
 
 }  // namespace

@@ -31,10 +31,6 @@ namespace alidade::ui {
 
 namespace {
 
-std::string effectNamed(const std::string& id) {
-  return effectName(id).toStdString();
-}
-
 QLabel* textLabel(const QString& name) {
   auto* label = new QLabel;
   label->setObjectName(name);
@@ -267,10 +263,9 @@ void OrderPanel::showNext() {
 
 void OrderPanel::showOutlook(const SharedOutlook& outlook) {
   if (outlook->evaluation != m_evaluation) return;
-  const QString text =
-      outlook->failure.empty()
-          ? qText(outlookSentences(outlook->outlook, m_evaluation->guide->progress, effectNamed))
-          : qText(outlook->failure);
+  const QString text = outlook->failure.empty()
+                           ? qText(outlookSentences(outlook->outlook, m_evaluation->guide->progress))
+                           : qText(outlook->failure);
   const QString first = qText(repeatsFirst(m_evaluation->guide->repeats));
   m_outlook->setText(first.isEmpty() ? text : tr("%1 %2").arg(first, text));
 }
