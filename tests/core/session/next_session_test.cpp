@@ -22,7 +22,7 @@ Session fullSession() {
   session.ownEffects.emplace_back();
   session.journal.emplace_back();
   session.positions[0].zero.horizontal = "1";
-  session.positions[0].readings.push_back({.horizontal = "1"});
+  session.positions[0].readings.emplace_back().horizontal = "1";
   return session;
 }
 
