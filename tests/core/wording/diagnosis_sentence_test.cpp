@@ -62,20 +62,18 @@ TEST(DiagnosisSentence, SaysThatThePositionsCloseWhereTheyDidNotBefore) {
   EXPECT_THAT(sentence(2.1, {.before = closed, .after = closed}), EndsWith(std::string("model ") + shrinks));
 }
 
-TEST(DiagnosisSentence, CallsEachCauseAsItIsAskedTo) {
+TEST(DiagnosisSentence, CallsEachCauseByItsName) {
   Diagnosis diagnosis = withOneCause(2.9, 2.1);
   diagnosis.verdict = DiagnosisVerdict::Ambiguous;
-  diagnosis.causes[0].indistinguishableFrom = {"collimation_drift", "noise"};
-  const auto name = [](const std::string& id) { return "<" + id + ">"; };
-  EXPECT_THAT(
-      sentenceOf(diagnosis, name),
-      HasSubstr("by <collimation> or by what these readings cannot tell from it: <collimation_drift> or "
-                "<noise>."));
+  diagnosis.causes[0].indistinguishableFrom = {"trunnion_tilt", "orientation_jump"};
+  EXPECT_THAT(sentenceOf(diagnosis),
+              HasSubstr("by collimation or by what these readings cannot tell from it: trunnion tilt or "
+                        "a jump of the orientation."));
   diagnosis.verdict = DiagnosisVerdict::NotInCatalogue;
   diagnosis.shape = GapShape{.follows = "collimation along the way", .share = 0.5};
   EXPECT_EQ(
-      sentenceOf(diagnosis, name),
-      "Beside <collimation> the gap is real, and no effect of the catalogue explains the rest; it follows "
+      sentenceOf(diagnosis),
+      "Beside collimation the gap is real, and no effect of the catalogue explains the rest; it follows "
       "the pattern “collimation along the way”.");
 }
 
