@@ -16,6 +16,10 @@ struct SideViewText {
   Q_DECLARE_TR_FUNCTIONS(SideViewText)
 };
 
+QString title() {
+  return SideViewText::tr("Along the axis");
+}
+
 }  // namespace
 
 void SideView::setStyle(const PlotStyle& style) {
@@ -34,6 +38,10 @@ void SideView::setSquare(const QRectF& square) {
   updateScale();
 }
 
+bool SideView::hasTitle() const {
+  return m_square.width() >= QFontMetricsF(m_style.font).horizontalAdvance(title()) + line();
+}
+
 double SideView::line() const {
   return QFontMetricsF(m_style.font).height();
 }
@@ -43,9 +51,10 @@ void SideView::updateScale() {
   m_scale = 0;
   update();
   if (!m_offset || m_style.font.pixelSize() <= 0) return;
-  constexpr double fewestLines = 8, mostOfTolerance = 3;
-  if (std::min(m_square.width(), m_square.height()) < fewestLines * line()) return;
-  m_picture = m_square.adjusted(0.4 * line(), 1.3 * line(), -0.4 * line(), -1.5 * line());
+  constexpr double fewestLines = 4, mostOfTolerance = 3;
+  if (m_square.width() < fewestLines * line()) return;
+  m_picture =
+      m_square.adjusted(0.4 * line(), (hasTitle() ? 1.3 : 0.3) * line(), -0.4 * line(), -1.3 * line());
   const auto finite = [](double length) { return std::isfinite(length) ? length : 0; };
   const double up = std::abs(m_offset->inPlane) + finite(m_offset->inPlaneExpanded);
   const double across = std::abs(m_offset->across) + finite(m_offset->acrossExpanded);
@@ -114,8 +123,7 @@ void SideView::paintTexts(QPainter& painter) const {
         QPointF(side == Qt::AlignRight ? right - metrics.horizontalAdvance(shown) : from, baseline), shown);
   };
   painter.setPen(m_style.mutedText);
-  write(SideViewText::tr("Along the axis"), left, m_square.top() + 0.2 * line() + metrics.ascent(),
-        Qt::AlignLeft);
+  if (hasTitle()) write(title(), left, m_square.top() + 0.2 * line() + metrics.ascent(), Qt::AlignLeft);
   const double length = roundDown125(m_square.width() * 0.3 / m_scale);
   const double baseline = m_square.bottom() - 0.4 * line(), bar = baseline - 0.4 * metrics.ascent();
   const double end = left + length * m_scale;
@@ -124,6 +132,7 @@ void SideView::paintTexts(QPainter& painter) const {
   //: an arrow to the side where the theodolite stands
   const QString side = SideViewText::tr("Δz →");
   if (behind + metrics.horizontalAdvance(side) <= right) write(side, behind, baseline, Qt::AlignRight);
+  if (behind - 0.6 * line() > right) return;  // a shortened figure would be another one
   painter.setPen(QPen(m_style.text, 1.2 * m_style.unit()));
   painter.drawLine(QPointF(left, bar), QPointF(end, bar));
   write(figure, end + 0.4 * line(), baseline, Qt::AlignLeft);

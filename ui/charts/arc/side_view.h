@@ -17,7 +17,7 @@ class SideView : public QGraphicsItem {
 
   void setStyle(const PlotStyle& style);
   void setOffset(const std::optional<CentreOffset>& offset);
-  /// The available square, in the parent's units. A square too small for the picture shows nothing.
+  /// The available square, in the parent's units. Without room for its title the picture has none.
   void setSquare(const QRectF& square);
 
   /// Scene units per millimetre; 0 if nothing is drawn.
@@ -31,6 +31,7 @@ class SideView : public QGraphicsItem {
  private:
   void updateScale();
   double line() const;  ///< height of a line of text
+  bool hasTitle() const;
   void paintTolerance(QPainter& painter) const;
   void paintAxis(QPainter& painter) const;
   void paintCentres(QPainter& painter) const;
