@@ -157,7 +157,7 @@ QString methodText(const Evaluation& evaluation) {
   return Report::sentences(sentences);
 }
 
-constexpr double signatureSpace = 8, signatureHeight = signatureSpace + 5;
+constexpr double signatureSpace = 7, signatureHeight = signatureSpace + 5;
 
 /// The text below a signature line; `named` if the session states the name.
 QString signatureText(const QString& unnamed, const QString& named, const std::string& name) {
