@@ -8052,10 +8052,6 @@ a clause as a sentence</extracomment>
         <translation>Δd，实测：u = %1，ν = %2。</translation>
     </message>
     <message>
-        <source>Δd, fit only: k = %1, u = %2, ν = %3.</source>
-        <translation>Δd，仅拟合：k = %1，u = %2，ν = %3。</translation>
-    </message>
-    <message>
         <source>The intersection Δd = (y(O1) − y(O2))/2 is half the distance of the arc centres at 0° (O1) and 180° (O2) across the axis. The share of the readings in its uncertainty is scaled by their scatter (s0), pointing zeros and distance enter as stated; the expanded uncertainty U of Δd, fit only, is k times the combined standard uncertainty, k from Student&apos;s distribution with ν effective degrees of freedom. Δd, measured, includes every effect of the catalogue, known beforehand to 1σ of its plausible size, and its U also holds what else may explain the readings.</source>
         <translation>相交度 Δd = (y(O1) − y(O2))/2 是 0°（O1）和 180°（O2）两圆心在垂直于轴方向上距离的一半。读数对其不确定度的贡献按离散（s0）放大，瞄准零位和距离按给定值计入；Δd，仅拟合的扩展不确定度 U 为合成标准不确定度的 k 倍，k 取自有效自由度为 ν 的 t 分布。Δd，实测包含目录中的每个效应，事先已知至其合理大小的 1σ，其 U 还包含其他可能解释读数的原因。</translation>
     </message>
@@ -8118,6 +8114,11 @@ a clause as a sentence</extracomment>
     <message>
         <source>In the corner: the arc&apos;s centre seen along the axis, Δd up and Δz towards the theodolite, at 0° with U, at 180° opposite.</source>
         <translation>角上：沿转轴观察的弧心，Δd 向上，Δz 朝向经纬仪，0° 处附 U，180° 处在对侧。</translation>
+    </message>
+    <message>
+        <source>%1, k = %2, u = %3, ν = %4.</source>
+        <extracomment>%1: &quot;Δd, fit only: 1.31 ± 0.21 mm&quot;</extracomment>
+        <translation>%1，k = %2，u = %3，ν = %4。</translation>
     </message>
 </context>
 <context>

@@ -30,7 +30,7 @@ QString percent(double share) {
   return plainNumberText(std::round(share * 1e6) / 1e4) + QStringLiteral(" %");
 }
 
-QString coverageLine(const Gap& gap) {
+QString coverageLine(const Gap& gap, const Headline& headline) {
   const Intersection& fitted = *gap.evaluation->fit.intersection;
   const auto u = [](double sigma) { return lengthText(sigma, decimalsFor(sigma)); };
   QStringList sentences{Report::tr("U: coverage %1.").arg(percent(fitted.coverage))};
@@ -38,8 +38,9 @@ QString coverageLine(const Gap& gap) {
     sentences.append(Report::tr("Δd, measured: u = %1, ν = %2.")
                          .arg(u(measured->estimate.sigma),
                               qText(degreesOfFreedomText(measured->estimate.degreesOfFreedom))));
-  sentences.append(Report::tr("Δd, fit only: k = %1, u = %2, ν = %3.")
-                       .arg(numberText(fitted.coverageFactor, 2), u(fitted.sigma),
+  //: %1: "Δd, fit only: 1.31 ± 0.21 mm"
+  sentences.append(Report::tr("%1, k = %2, u = %3, ν = %4.")
+                       .arg(qText(headline.fitOnly), numberText(fitted.coverageFactor, 2), u(fitted.sigma),
                             qText(degreesOfFreedomText(fitted.effectiveDegreesOfFreedom))));
   return Report::sentences(sentences);
 }
@@ -232,8 +233,7 @@ void addVerdict(ReportSheet& sheet, const Gap& gap) {
     frame.add(qText(line.text), line.isWarning ? type::body.inBold() : type::body);
   frame.add(findingsLine(gap), type::body.inBold());
   frame.add(qText(headline.sentence), type::label);
-  frame.add(qText(headline.fitOnly), type::label);
-  if (hasResult) frame.add(coverageLine(gap), type::label);
+  if (hasResult) frame.add(coverageLine(gap, headline), type::label);
   frame.draw(headline.decided == Verdict::Accept ? 0.4 : 0.8);
 }
 
