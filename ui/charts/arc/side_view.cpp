@@ -116,26 +116,23 @@ void SideView::paintCentres(QPainter& painter) const {
 
 void SideView::paintTexts(QPainter& painter) const {
   const QFontMetricsF metrics(m_style.font);
-  const double left = m_square.left() + 0.4 * line(), right = m_square.right() - 0.4 * line();
-  const auto write = [&](const QString& text, double from, double baseline, Qt::AlignmentFlag side) {
-    const QString shown = metrics.elidedText(text, Qt::ElideRight, right - from);
-    painter.drawText(
-        QPointF(side == Qt::AlignRight ? right - metrics.horizontalAdvance(shown) : from, baseline), shown);
-  };
+  const double gap = 0.4 * line(), left = m_square.left() + gap, right = m_square.right() - gap;
+  const double baseline = m_square.bottom() - gap;
   painter.setPen(m_style.mutedText);
-  if (hasTitle()) write(title(), left, m_square.top() + 0.2 * line() + metrics.ascent(), Qt::AlignLeft);
-  const double length = roundDown125(m_square.width() * 0.3 / m_scale);
-  const double baseline = m_square.bottom() - 0.4 * line(), bar = baseline - 0.4 * metrics.ascent();
-  const double end = left + length * m_scale;
+  if (hasTitle()) painter.drawText(QPointF(left, m_square.top() + 0.2 * line() + metrics.ascent()), title());
+  const double length = roundDown125(m_square.width() * 0.3 / m_scale), end = left + length * m_scale;
   const QString figure = plainNumberText(length) + QStringLiteral(" mm");
-  const double behind = end + 0.4 * line() + metrics.horizontalAdvance(figure) + 0.6 * line();
+  const double behind = end + gap + metrics.horizontalAdvance(figure);
+  const bool hasBar = behind <= right;  // a shortened figure would be another one
   //: an arrow to the side where the theodolite stands
   const QString side = SideViewText::tr("Δz →");
-  if (behind + metrics.horizontalAdvance(side) <= right) write(side, behind, baseline, Qt::AlignRight);
-  if (behind - 0.6 * line() > right) return;  // a shortened figure would be another one
+  const double ofSide = right - metrics.horizontalAdvance(side);
+  if (!hasBar || behind + gap <= ofSide) painter.drawText(QPointF(ofSide, baseline), side);
+  if (!hasBar) return;
+  const double bar = baseline - gap;
   painter.setPen(QPen(m_style.text, 1.2 * m_style.unit()));
   painter.drawLine(QPointF(left, bar), QPointF(end, bar));
-  write(figure, end + 0.4 * line(), baseline, Qt::AlignLeft);
+  painter.drawText(QPointF(end + gap, baseline), figure);
 }
 
 }  // namespace alidade::ui
