@@ -46,4 +46,8 @@ struct Statement {
   std::vector<std::string> textsBelow(const Row& row) const;
 };
 
+/// The same with a row for each column and a column for each row, for a narrow place. Details become remarks:
+/// "0°: 17; 0° again: 16". `statement` has columns of names and figures only.
+Statement transposed(const Statement& statement);
+
 }  // namespace alidade

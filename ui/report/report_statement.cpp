@@ -35,14 +35,15 @@ double neededWidth(const ReportSheet& sheet, const Statement& statement, std::si
 }
 
 /// Figures have what they need; names a third of the page, or no more than they need beside a bar; remarks or
-/// bars what is left; names more without these; texts none, since they are below the rows.
+/// bars what is left; names more without these; texts none, since they are below the rows. The widest names
+/// and words are cut until all fit on the page.
 std::vector<double> widthsOf(const ReportSheet& sheet, const Statement& statement) {
-  constexpr double mostName = 62, leastFigure = 20, fewColumns = 6;
+  constexpr double mostName = 62, leastFigure = 20, fewColumns = 6, mostRemark = 40, leastText = 12;
   const bool hasBar =
       std::ranges::find(statement.columns, Role::Bar, &Statement::Column::role) != statement.columns.end();
   const bool isNarrow = statement.columns.size() > fewColumns || hasBar;
   std::vector<double> widths;
-  double rest = ReportSheet::width;
+  double rest = ReportSheet::width, wideNeeded = 0;
   std::size_t wide = 0;
   for (std::size_t i = 0; i < statement.columns.size(); ++i) {
     const Role role = statement.columns[i].role;
@@ -50,12 +51,21 @@ std::vector<double> widthsOf(const ReportSheet& sheet, const Statement& statemen
     double width = neededWidth(sheet, statement, i);
     if (role == Role::Figure && statement.columns.size() <= fewColumns) width = std::max(width, leastFigure);
     if (role == Role::Name) width = isNarrow ? std::min(width, mostName) : mostName;
-    if (takesRest) wide = i;
+    if (takesRest) {
+      wide = i;
+      wideNeeded = std::min(width, mostRemark);
+    }
     widths.push_back(takesRest || role == Role::Text ? 0 : width);
     rest -= widths.back();
   }
+  for (double most = ReportSheet::width; rest < wideNeeded && most > leastText; --most)
+    for (std::size_t i = 0; i < widths.size(); ++i)
+      if (isLeft(statement.columns[i].role) && widths[i] > most) {
+        rest += widths[i] - most;
+        widths[i] = most;
+      }
   const double lacking = neededWidth(sheet, statement, 0) - widths[0];
-  widths[wide] += wide > 0 ? rest : std::min(rest, std::max(lacking, 0.0));
+  widths[wide] += wide > 0 ? rest : std::min(std::max(rest, 0.0), std::max(lacking, 0.0));
   return widths;
 }
 

@@ -53,13 +53,13 @@ class DataTable : public QTableView {
   void rowActivated(int row);  ///< by click or Enter
 
  protected:
+  /// Sets the widths of the columns by their samples. Called again for another font.
+  virtual void fitCells();
   void paintEvent(QPaintEvent* event) override;
   void keyPressEvent(QKeyEvent* event) override;
   bool viewportEvent(QEvent* event) override;
 
  private:
-  void fitCells();
-
   DataModel m_model;
   QString m_placeholder;
 };
