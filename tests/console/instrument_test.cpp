@@ -49,7 +49,7 @@ TEST(InstrumentCommand, TellsPeople) {
   const ProgramRun run = alidadeCli({"instrument", sample});
   ASSERT_EQ(run.exitCode, 0) << run.err;
   for (const char* text :
-       {"SIMULATED, 123456", "ISO 17123-3", "pooled", "P1, by round and by target", "goes with 1/D"})
+       {"SIMULATED, 123456", "ISO 17123-3", "pooled", "P1, by round", "P1, by target", "goes with 1/D"})
     EXPECT_THAT(run.out, HasSubstr(text));
 }
 

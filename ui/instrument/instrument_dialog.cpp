@@ -12,15 +12,16 @@
 #include <QVBoxLayout>
 
 #include "core/series/instrument_check/check_record.h"
+#include "core/series/instrument_check/check_statement.h"
 #include "core/series/instrument_check/instrument_json.h"
 #include "core/session/entry.h"
 #include "ui/dialogs/dialogs.h"
 #include "ui/dialogs/written_file.h"
 #include "ui/instrument/check_chart.h"
 #include "ui/instrument/check_input.h"
-#include "ui/instrument/check_table.h"
 #include "ui/panels/parts/dialog_parts.h"
 #include "ui/panels/parts/figure_grid.h"
+#include "ui/panels/parts/statement_table.h"
 #include "ui/settings/theme.h"
 #include "ui/text/effect_text.h"
 #include "ui/text/entry_text.h"
@@ -47,7 +48,9 @@ InstrumentDialog::InstrumentDialog(Dialogs& dialogs, QWidget* parent)
 }
 
 QWidget* InstrumentDialog::createResult() {
-  m_table = new CheckTable;
+  m_table = new StatementTable(stationsTable({}));
+  m_table->setAccessibleName(tr("Result by station"));
+  m_table->setPlaceholder(tr("Open files, or type rounds in two faces to several targets."));
   m_said = wrappedLabel();
   m_said->setAlignment(Qt::AlignTop | Qt::AlignLeft);
   m_said->setContentsMargins(2, 2, 6, 2);
@@ -120,7 +123,7 @@ void InstrumentDialog::take(const SharedInstrument& answer) {
                "series and after a transport. Three rounds to four targets spread around the horizon, one of "
                "them steep, at distances like those of the work.")
           : sentences.join(QStringLiteral("\n\n")));
-  m_table->setCheck(answer);
+  m_table->setStatement(stationsTable(answer->check.value_or(InstrumentCheck())));
   m_chart->setCheck(answer);
   m_json->setEnabled(answer->check.has_value());
   m_csv->setEnabled(answer->check.has_value());

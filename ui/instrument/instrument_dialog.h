@@ -12,7 +12,7 @@ namespace alidade::ui {
 
 class CheckChart;
 class CheckInput;
-class CheckTable;
+class StatementTable;
 class Dialogs;
 
 /// The field check of an instrument according to ISO 17123-3: input above, results below, updated while
@@ -47,7 +47,7 @@ class InstrumentDialog : public QDialog {
   InstrumentJob m_job;
   SharedInstrument m_answer;
   CheckInput* m_input;
-  CheckTable* m_table;
+  StatementTable* m_table;
   CheckChart* m_chart;
   QComboBox* m_view;
   QLabel *m_problem, *m_said;
