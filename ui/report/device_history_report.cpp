@@ -2,37 +2,24 @@
 
 #include <QPagedPaintDevice>
 #include <QPainter>
-#include <cmath>
 
 #include "core/base/atomic_file.h"
 #include "core/base/version.h"
 #include "core/series/history/history_json.h"
 #include "core/series/history/history_sentences.h"
+#include "core/series/history/history_statement.h"
 #include "ui/charts/history/history_plot.h"
 #include "ui/document/encoded_path.h"
 #include "ui/report/painted_pdf.h"
 #include "ui/report/pdf_archive.h"
 #include "ui/report/report_sheet.h"
-#include "ui/report/report_table.h"
+#include "ui/report/report_statement.h"
 #include "ui/report/report_text.h"
-#include "ui/text/quantity_text.h"
-#include "ui/text/series_text.h"
 #include "ui/text/visible_text.h"
 
 namespace alidade::ui {
 
 namespace {
-
-constexpr auto atRight = Qt::AlignRight;
-constexpr double gapColumn = 4;  // mm, between a right-aligned column and a left-aligned one
-
-QString chanceCell(double chance) {
-  return chance < 0.0005 ? QStringLiteral("< 0.001") : numberText(chance, 3);
-}
-
-void addSentences(ReportSheet& sheet, const QStringList& lines) {
-  sheet.paragraph(Report::sentences(lines));
-}
 
 void addHistoryChart(ReportSheet& sheet, const QuantityHistory& quantity) {
   constexpr double height = 92, unitsPerMillimetre = 96 / 25.4;
@@ -55,105 +42,14 @@ void addHistoryChart(ReportSheet& sheet, const QuantityHistory& quantity) {
       type::small);
 }
 
-void addSessions(ReportSheet& sheet, const DeviceHistory& device) {
-  sheet.heading(Report::tr("Sessions"));
-  ReportTable table(sheet, {{Report::tr("Date"), 22},
-                            {Report::tr("Session"), 60},
-                            {Report::tr("Instrument"), 34},
-                            {QStringLiteral("Δd ± U (mm)"), 30, atRight},
-                            {QString(), gapColumn},
-                            {Report::tr("Verdict"), 20}});
-  table.head();
-  for (const Epoch& epoch : device.epochs) {
-    const QString instrument =
-        visibleLine(epoch.instrumentSerial.empty() ? epoch.instrument : epoch.instrumentSerial);
-    table.row({visibleLine(epoch.date), visibleLine(epoch.title), orNotStated(instrument),
-               valueWithUncertainty(epoch.intersection.value, epoch.intersection.expanded, {}), QString(),
-               orNotStated(ui::verdictText(epoch))});
-  }
-  table.finish();
-  sheet.skip(1);
-  addSentences(sheet, {qText(sharedSentence(device))});
-}
-
-QString courseCell(const History& history) {
-  if (!history.stable) return Report::tr("one value");
-  if (*history.stable) return Report::tr("stable");
-  return history.course == Course::Constant ? Report::tr("scatters") : qText(courseName(history.course));
-}
-
-void addQuantities(ReportSheet& sheet, const DeviceHistory& device) {
-  sheet.heading(Report::tr("Quantities"));
-  ReportTable table(sheet, {{Report::tr("Quantity"), 44},
-                            {Report::tr("Values"), 14, atRight},
-                            {Report::tr("Weighted mean"), 50, atRight},
-                            {QStringLiteral("χ²"), 16, atRight},
-                            {QStringLiteral("p"), 16, atRight},
-                            {QString(), gapColumn},
-                            {Report::tr("Course"), 26}});
-  table.head();
-  for (const QuantityHistory& quantity : device.quantities) {
-    const History& history = quantity.history;
-    const HistoryNumbers numbers(history, quantity.unit);
-    table.row({qText(quantityName(quantity.id)), QString::number(history.values.size()),
-               qText(numbers.withUncertainty(history.mean.value, history.mean.u)),
-               history.chance ? numberText(history.chiSquare, 1) : notStated(),
-               history.chance ? chanceCell(*history.chance) : notStated(), QString(), courseCell(history)});
-  }
-  table.finish();
-  sheet.skip(1);
-  addSentences(sheet,
-               {Report::tr("Standard uncertainties; all but that of Δd, measured, by the readings alone."),
-                Report::tr("O1 and O2 refer to the theodolite: compare them only between set-ups on the same "
-                           "pillar.")});
-}
-
-void addCongruences(ReportSheet& sheet, const DeviceHistory& device) {
-  if (device.congruences.empty()) return;
-  sheet.heading(Report::tr("Sessions compared"));
-  ReportTable table(sheet, {{Report::tr("From"), 24},
-                            {Report::tr("To"), 24},
-                            {Report::tr("Δd changes by (mm)"), 36, atRight},
-                            {QStringLiteral("p"), 16, atRight},
-                            {Report::tr("Device: T of m"), 26, atRight},
-                            {QStringLiteral("p"), 16, atRight},
-                            {QString(), gapColumn},
-                            {QString(), 24}});
-  table.head();
-  for (const Congruence& congruence : device.congruences) {
-    const bool isNext = congruence.second == congruence.first + 1;
-    if (!isNext && (congruence.first != 0 || congruence.second + 1 != device.epochs.size())) continue;
-    const auto& test = congruence.device;
-    table.row({visibleLine(device.epochs[congruence.first].date),
-               visibleLine(device.epochs[congruence.second].date),
-               valueWithUncertainty(congruence.difference, congruence.expanded, {}),
-               chanceCell(congruence.chance),
-               test ? Report::tr("%1 of %2").arg(numberText(test->statistic, 1)).arg(test->ids.size())
-                    : notStated(),
-               test ? chanceCell(test->chance) : notStated(), QString(),
-               congruence.hasChanged                ? Report::tr("changed")
-               : test && test->chance < leastChance ? Report::tr("differs")
-                                                    : QString()});
-  }
-  table.finish();
-  sheet.skip(1);
-  addSentences(
-      sheet,
-      {Report::tr("Each session with the next, and the first with the last."),
-       Report::tr("Δd, measured, with its expanded uncertainty; what both sessions share cancels."),
-       Report::tr(
-           "Device: (O1 − O2)/2 and the radii by the readings alone, T = dᵀC⁻¹d with the full covariance "
-           "of both fits.")});
-}
-
 void layOut(ReportSheet& sheet, const DeviceHistory& device) {
   sheet.text(Report::tr("Device history"), type::title, 0, sheet.y(), ReportSheet::width);
   sheet.skip(sheet.lineHeight(type::title) + 0.5);
-  sheet.paragraph(shortLine(deviceText(device), 300), type::subtitle);
+  sheet.paragraph(shortLine(qText(deviceName(device)), 300), type::subtitle);
   sheet.skip(2);
   addDeviceHistory(sheet, device);
-  addQuantities(sheet, device);
-  addCongruences(sheet, device);
+  addStatement(sheet, quantityTable(device));
+  addStatement(sheet, congruenceTable(device));
   sheet.balance();
 }
 
@@ -163,7 +59,7 @@ QString spanText(const DeviceHistory& device) {
 }
 
 std::string jsonOf(const DeviceHistory& device) {
-  return historyJson(deviceText(device).toStdString(), DeviceHistories{{device}, {}}, {});
+  return historyJson(deviceName(device), DeviceHistories{{device}, {}}, {});
 }
 
 }  // namespace
@@ -174,10 +70,10 @@ void addDeviceHistory(ReportSheet& sheet, const DeviceHistory& device) {
   QStringList lines;
   for (const std::string& sentence : historySentences(intersection.history, intersection.unit))
     lines.append(visibleLine(sentence));
-  addSentences(sheet, lines);
+  sheet.paragraph(Report::sentences(lines));
   sheet.skip(2);
   addHistoryChart(sheet, intersection);
-  addSessions(sheet, device);
+  addStatement(sheet, sessionTable(device));
 }
 
 Result<QString> writeDeviceHistory(const DeviceHistory& device, const QString& outPath,
@@ -187,7 +83,7 @@ Result<QString> writeDeviceHistory(const DeviceHistory& device, const QString& o
     ReportSheet sheet(
         pages,
         {.product = Report::tr("Alidade %1 · Device history").arg(qText(versionAndBuild())),
-         .session = deviceText(device),
+         .session = qText(deviceName(device)),
          .fileName = Report::tr("Sessions: %1, %2").arg(device.epochs.size()).arg(spanText(device)),
          .fingerprint = {},
          .date = date.toString(QStringLiteral("yyyy-MM-dd HH:mm"))},
@@ -200,7 +96,7 @@ Result<QString> writeDeviceHistory(const DeviceHistory& device, const QString& o
     return Problem{Report::tr("%1 cannot be written: painting failed").arg(outPath).toStdString()};
   const std::string pdf =
       archivedPdf(*painted,
-                  {.title = Report::tr("Device history: %1").arg(shortLine(deviceText(device), 300)),
+                  {.title = Report::tr("Device history: %1").arg(shortLine(qText(deviceName(device)), 300)),
                    .author = {},
                    .creator = qText("Alidade " + versionAndBuild()),
                    .date = date},

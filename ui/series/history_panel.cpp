@@ -8,15 +8,25 @@
 #include <algorithm>
 
 #include "core/series/history/history_sentences.h"
+#include "core/series/history/history_statement.h"
 #include "core/wording/findings.h"
 #include "ui/panels/parts/figure_grid.h"
 #include "ui/panels/parts/frames.h"
 #include "ui/series/history_chart.h"
 #include "ui/text/entry_text.h"
-#include "ui/text/series_text.h"
 #include "ui/text/visible_text.h"
 
 namespace alidade::ui {
+
+namespace {
+
+QString paragraphs(const std::vector<std::string>& sentences) {
+  QStringList lines;
+  for (const std::string& sentence : sentences) lines.append(visibleLine(sentence));
+  return lines.join(QStringLiteral("\n\n"));
+}
+
+}  // namespace
 
 HistoryPanel::HistoryPanel(QWidget* parent)
     : QWidget(parent), m_devices(new QComboBox), m_quantities(new QComboBox), m_chart(new HistoryChart) {
@@ -97,7 +107,7 @@ void HistoryPanel::showDevices() {
   const QString kept = m_devices->currentText();
   m_devices->clear();
   if (m_series)
-    for (const DeviceHistory& one : m_series->devices) m_devices->addItem(menuText(deviceText(one)));
+    for (const DeviceHistory& one : m_series->devices) m_devices->addItem(menuText(qText(deviceName(one))));
   m_devices->setCurrentIndex(std::max(m_devices->findText(kept), m_devices->count() > 0 ? 0 : -1));
   for (QWidget* part : std::initializer_list<QWidget*>{m_devicesLabel, m_devices})
     part->setVisible(m_devices->count() > 1);
@@ -123,7 +133,7 @@ void HistoryPanel::showHistory() {
     m_says->setText(tr("Nothing yet: the history of a device begins with its second session."));
   } else {
     m_chart->setHistory(shown->history, qText(quantityName(shown->id)), shown->unit);
-    m_says->setText(historyLines(*device(), *shown).join(QStringLiteral("\n\n")));
+    m_says->setText(paragraphs(quantitySentences(*device(), *shown)));
   }
   compare(m_compared);
 }
@@ -142,11 +152,8 @@ void HistoryPanel::compare(const std::vector<std::string>& files) {
                                    "has changed between them."));
     return;
   }
-  QStringList lines;
-  for (const std::string& sentence :
-       congruenceSentences(shown->epochs, congruenceOf(shown->epochs, epochs[0], epochs[1])))
-    lines.append(visibleLine(sentence));
-  m_congruence->setText(lines.join(QStringLiteral("\n\n")));
+  m_congruence->setText(
+      paragraphs(congruenceSentences(shown->epochs, congruenceOf(shown->epochs, epochs[0], epochs[1]))));
 }
 
 /// Some quantities lack a value for some sessions.

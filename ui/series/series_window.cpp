@@ -18,6 +18,7 @@
 
 #include "core/base/failure.h"
 #include "core/series/history/history_json.h"
+#include "core/series/history/history_statement.h"
 #include "ui/dialogs/dialogs.h"
 #include "ui/dialogs/written_file.h"
 #include "ui/document/encoded_path.h"
@@ -27,7 +28,6 @@
 #include "ui/series/history_chart.h"
 #include "ui/series/history_panel.h"
 #include "ui/text/entry_text.h"
-#include "ui/text/series_text.h"
 #include "ui/text/visible_text.h"
 
 namespace alidade::ui {
@@ -268,8 +268,9 @@ void SeriesWindow::showSessions() {
     set(Title, cell(epoch ? visibleLine(epoch->title) : visibleLine(QFileInfo(path).fileName())));
     set(Instrument, cell(epoch ? named(epoch->instrument, epoch->instrumentSerial) : none));
     set(DeviceName, cell(epoch ? named(epoch->device, epoch->deviceSerial) : none));
-    set(Intersection, cell(epoch ? ui::intersectionText(*epoch) : none, Qt::AlignRight | Qt::AlignVCenter));
-    set(VerdictColumn, cell(epoch ? ui::verdictText(*epoch) : none));
+    set(Intersection,
+        cell(epoch ? qText(intersectionText(*epoch)) : none, Qt::AlignRight | Qt::AlignVCenter));
+    set(VerdictColumn, cell(epoch ? qText(verdictWord(*epoch)) : none));
     set(Trouble, cell(visibleLine(session.trouble)));
     m_table->item(row, Date)->setData(Qt::UserRole, path);
   }
@@ -331,7 +332,7 @@ bool SeriesWindow::exportJson() {
   for (const SeriesSession& session : m_series->sessions)
     if (!session.trouble.empty()) remarks.push_back(session.path + ": " + session.trouble);
   return write(tr("Export history"), QStringLiteral("history"), QStringLiteral("json"),
-               historyJson(deviceText(*m_history->device()).toStdString(), histories, remarks));
+               historyJson(deviceName(*m_history->device()), histories, remarks));
 }
 
 bool SeriesWindow::exportCsv() {

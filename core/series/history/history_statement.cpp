@@ -1,0 +1,206 @@
+#include "core/series/history/history_statement.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "core/base/list_text.h"
+#include "core/base/phrase.h"
+#include "core/base/quantity_text.h"
+#include "core/base/visible_text.h"
+#include "core/series/history/history_sentences.h"
+
+namespace alidade {
+
+namespace {
+
+using Role = Statement::Column::Role;
+using Cells = std::vector<std::string>;
+
+std::string withUnit(const std::string& title, const std::string& unit) {
+  return unit.empty() ? title : title + " (" + unit + ")";
+}
+
+std::string chanceCell(double chance) {
+  return chance < 0.0005 ? "< 0.001" : displayText(chance, 3);
+}
+
+std::string marksOf(const History& history, std::size_t index) {
+  Cells marks;
+  const ControlChart::Point& point = history.chart.points[index];
+  if (std::ranges::any_of(history.steps, [&](const HistoryStep& step) { return step.first == index; }))
+    marks.push_back(Phrase::of("step"));
+  if (history.oddValue == index) marks.push_back(Phrase::of("stands apart"));
+  if (point.isOut) marks.push_back(Phrase::of("outside 3 u"));
+  if (point.isEwmaOut) marks.push_back(Phrase::of("average outside"));
+  return listed(marks);
+}
+
+std::string limitsSentence(const History& history, const HistoryNumbers& numbers) {
+  return Phrase::of("Control limits: the mean %1 ± 3 u of each value; by the moving range that is seen ± %2.",
+                    numbers.withUnit(history.mean.value),
+                    numbers.withUnit(limitSigmas * history.chart.seenSigma));
+}
+
+std::string courseText(const History& history) {
+  if (!history.stable) return Phrase::of("one value");
+  if (*history.stable) return Phrase::of("stable");
+  return history.course == Course::Constant ? Phrase::of("scatters") : courseName(history.course);
+}
+
+std::string changeText(const Congruence& congruence) {
+  if (congruence.hasChanged) return Phrase::of("changed");
+  return congruence.device && congruence.device->chance < leastChance ? Phrase::of("differs") : "";
+}
+
+/// The O1 and O2 of sessions on different pillars cannot be compared.
+std::string pillarSentence() {
+  return Phrase::of(
+      "O1 and O2 refer to the theodolite: compare them only between set-ups on the same pillar.");
+}
+
+}  // namespace
+
+Statement valueTable(const History& history, const std::string& unit) {
+  const HistoryNumbers numbers(history, unit);
+  const bool isApart =
+      std::ranges::any_of(history.values, [](const DatedValue& value) { return value.apart != value.u; });
+  Statement statement{.id = "history",
+                      .title = Phrase::of("Values"),
+                      .columns = {{"date", Phrase::of("Date"), Role::Name},
+                                  {"value", withUnit(Phrase::of("value"), numbers.heading())},
+                                  {"u", "u"}},
+                      .rows = {},
+                      .sentences = historySentences(history, unit)};
+  if (isApart) statement.columns.push_back({"apart", Phrase::of("u apart")});
+  statement.columns.insert(
+      statement.columns.end(),
+      {{"ewma", "EWMA"}, {"limit", Phrase::of("± limit")}, {"remark", "", Role::Remark}});
+  for (std::size_t i = 0; i < history.values.size(); ++i) {
+    const DatedValue& value = history.values[i];
+    const ControlChart::Point& point = history.chart.points[i];
+    Cells cells{visibleText(value.date), numbers.number(value.value), numbers.number(value.u)};
+    if (isApart) cells.push_back(numbers.number(value.apart));
+    cells.insert(cells.end(),
+                 {numbers.number(point.ewma), numbers.number(point.ewmaLimit), marksOf(history, i)});
+    statement.rows.push_back({std::move(cells)});
+  }
+  if (history.values.size() > 1)
+    statement.sentences.insert(statement.sentences.begin(), limitsSentence(history, numbers));
+  return statement;
+}
+
+Statement sessionTable(const DeviceHistory& device) {
+  Statement statement{.id = "sessions",
+                      .title = Phrase::of("Sessions"),
+                      .columns = {{"date", Phrase::of("Date"), Role::Name},
+                                  {"session", Phrase::of("Session"), Role::Remark},
+                                  {"instrument", Phrase::of("Instrument"), Role::Word},
+                                  {"intersection", "Δd ± U"},
+                                  {"verdict", Phrase::of("Verdict"), Role::Word}},
+                      .rows = {},
+                      .sentences = {sharedSentence(device)}};
+  for (const Epoch& epoch : device.epochs) {
+    const std::string& instrument =
+        epoch.instrumentSerial.empty() ? epoch.instrument : epoch.instrumentSerial;
+    const std::string verdict = verdictWord(epoch);
+    statement.rows.push_back({{visibleText(epoch.date), visibleText(epoch.title),
+                               instrument.empty() ? "—" : visibleText(instrument), intersectionText(epoch),
+                               verdict.empty() ? "—" : verdict}});
+  }
+  return statement;
+}
+
+Statement quantityTable(const DeviceHistory& device) {
+  Statement statement{
+      .id = "quantities",
+      .title = Phrase::of("Quantities"),
+      .columns = {{"quantity", Phrase::of("Quantity"), Role::Name},
+                  {"values", Phrase::of("Values")},
+                  {"mean", Phrase::of("Weighted mean")},
+                  {"chi_square", "χ²"},
+                  {"p", "p"},
+                  {"trend", Phrase::of("Trend")},
+                  {"course", Phrase::of("Course"), Role::Word}},
+      .rows = {},
+      .sentences = {pillarSentence()},
+      .note = Phrase::of("Standard uncertainties; all but that of Δd, measured, by the readings alone.")};
+  for (const QuantityHistory& quantity : device.quantities) {
+    const History& history = quantity.history;
+    const HistoryNumbers numbers(history, quantity.unit);
+    const auto& trend = history.trend;
+    statement.rows.push_back(
+        {{quantityName(quantity.id), std::to_string(history.values.size()),
+          numbers.withUncertainty(history.mean.value, history.mean.u),
+          history.chance ? displayText(history.chiSquare, 1) : "—",
+          history.chance ? chanceCell(*history.chance) : "—",
+          trend ? numbers.ratePerYear(trend->perYear, trend->u) : "—", courseText(history)}});
+  }
+  return statement;
+}
+
+Statement congruenceTable(const DeviceHistory& device) {
+  Statement statement{
+      .id = "congruences",
+      .title = Phrase::of("Sessions compared"),
+      .columns = {{"from", Phrase::of("From"), Role::Name},
+                  {"to", Phrase::of("To"), Role::Word},
+                  {"difference", Phrase::of("Δd changes by")},
+                  {"p", "p"},
+                  {"device", Phrase::of("Device: T of m")},
+                  {"p_device", "p"},
+                  {"change", "", Role::Word}},
+      .rows = {},
+      .note =
+          Phrase::of("Each session with the next, and the first with the last. Δd, measured, with its "
+                     "expanded uncertainty; what both sessions share cancels. Device: (O1 − O2)/2 and the "
+                     "radii by the readings alone, T = dᵀC⁻¹d with the full covariance of both fits.")};
+  for (const Congruence& congruence : device.congruences) {
+    const bool isNext = congruence.second == congruence.first + 1;
+    if (!isNext && (congruence.first != 0 || congruence.second + 1 != device.epochs.size())) continue;
+    const auto& test = congruence.device;
+    statement.rows.push_back(
+        {{visibleText(device.epochs[congruence.first].date),
+          visibleText(device.epochs[congruence.second].date),
+          lengthWithUncertainty(congruence.difference, congruence.expanded, decimalsFor(congruence.expanded)),
+          chanceCell(congruence.chance),
+          test ? Phrase::of("%1 of %2", displayText(test->statistic, 1), test->ids.size()) : "—",
+          test ? chanceCell(test->chance) : "—", changeText(congruence)}});
+  }
+  if (statement.rows.empty()) statement.note.clear();
+  return statement;
+}
+
+std::vector<std::string> quantitySentences(const DeviceHistory& device, const QuantityHistory& quantity) {
+  std::vector<std::string> sentences = historySentences(quantity.history, quantity.unit);
+  if (quantity.id == "intersection") sentences.push_back(sharedSentence(device));
+  if (quantity.id.starts_with("o1_") || quantity.id.starts_with("o2_")) sentences.push_back(pillarSentence());
+  return sentences;
+}
+
+std::string deviceName(const DeviceHistory& device) {
+  const std::string name = visibleText(device.name), serial = visibleText(device.serial);
+  if (name.empty() && serial.empty()) return Phrase::of("device without a name");
+  if (serial.empty()) return name;
+  return name.empty() ? Phrase::of("serial number %1", serial)
+                      : Phrase::of("%1, serial number %2", name, serial);
+}
+
+std::string verdictWord(const Epoch& epoch) {
+  if (!epoch.verdict) return "";
+  switch (*epoch.verdict) {
+    case Verdict::Accept:
+      return Phrase::of("accept");
+    case Verdict::Reject:
+      return Phrase::of("reject");
+    case Verdict::Undecided:
+      break;
+  }
+  return Phrase::of("undecided");
+}
+
+std::string intersectionText(const Epoch& epoch) {
+  const IntersectionEstimate& found = epoch.intersection;
+  return lengthWithUncertainty(found.value, found.expanded, decimalsFor(found.expanded));
+}
+
+}  // namespace alidade
