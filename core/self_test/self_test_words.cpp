@@ -5,6 +5,7 @@
 #include <cstdio>
 
 #include "core/base/phrase.h"
+#include "core/base/visible_text.h"
 
 namespace alidade {
 
@@ -54,6 +55,28 @@ std::vector<CheckSection> sectionsOf(const SelfTest& test) {
     section.lines.push_back({&check, index});
   }
   return sections;
+}
+
+Statement sectionTable(const CheckSection& section) {
+  const auto mark = [](std::size_t reason) { return "[" + std::to_string(reason + 1) + "]"; };
+  Statement statement{.id = "self_test",
+                      .title = titleOf(section.group),
+                      .columns = {{"line", Phrase::of("Line"), Statement::Column::Role::Name},
+                                  {"expected", Phrase::of("Expected")},
+                                  {"found", Phrase::of("Found")},
+                                  {"deviation", Phrase::of("Deviation")},
+                                  {"tolerance", Phrase::of("At most")}},
+                      .rows = {}};
+  for (const auto& [check, reason] : section.lines) {
+    const std::string most = shareText(check->tolerance);
+    statement.rows.push_back(
+        {{visibleText(check->name), outcomeText(check->outcome), visibleText(check->expected),
+          visibleText(check->found), shareText(check->deviation),
+          (most.empty() ? "" : most + " ") + mark(reason)}});
+  }
+  for (std::size_t i = 0; i < section.reasons.size(); ++i)
+    statement.sentences.push_back(mark(i) + " " + section.reasons[i]);
+  return statement;
 }
 
 std::string shareText(const std::optional<double>& share) {

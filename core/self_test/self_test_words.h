@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/self_test/self_test.h"
+#include "core/statement/statement.h"
 
 namespace alidade {
 
@@ -29,6 +30,10 @@ struct CheckSection {
 
 /// Returns the sections in the order of the groups; the lines stay those of `test`.
 std::vector<CheckSection> sectionsOf(const SelfTest& test);
+
+/// The lines of a section with expected and found number, relative deviation and tolerance; the sentences
+/// give the reasons of the tolerances, "[1] …".
+Statement sectionTable(const CheckSection& section);
 
 /// A relative deviation or tolerance with two digits: "1.3e-12"; 0 as "0", absent as an empty text.
 std::string shareText(const std::optional<double>& share);

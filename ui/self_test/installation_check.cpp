@@ -11,7 +11,7 @@
 #include "ui/report/painted_pdf.h"
 #include "ui/report/pdf_archive.h"
 #include "ui/report/report_sheet.h"
-#include "ui/report/report_table.h"
+#include "ui/report/report_statement.h"
 #include "ui/report/report_text.h"
 #include "ui/self_test/window_checks.h"
 #include "ui/text/visible_text.h"
@@ -19,38 +19,6 @@
 namespace alidade::ui {
 
 namespace {
-
-QString reasonMark(std::size_t reason) {
-  return QStringLiteral("[%1]").arg(reason + 1);
-}
-
-void addSection(ReportSheet& sheet, const CheckSection& section) {
-  constexpr auto right = Qt::AlignRight;
-  sheet.heading(qText(titleOf(section.group)));
-  ReportTable table(sheet, {{QString(), 13},
-                            {Report::tr("Line"), 43},
-                            {Report::tr("Expected"), 52, right},
-                            {Report::tr("Found"), 29, right},
-                            {Report::tr("Deviation"), 16, right},
-                            {Report::tr("At most"), 17, right}});
-  table.head();
-  for (const auto& [check, reason] : section.lines) {
-    const bool isFailed = check->outcome == SelfCheck::Outcome::Failed;
-    const TextStyle word = isFailed ? type::small.inBold() : type::small;
-    const QString most = qText(shareText(check->tolerance));
-    table.row({{qText(outcomeText(check->outcome)), word},
-               {visibleLine(check->name), word},
-               {visibleLine(check->expected), type::fine},
-               {visibleLine(check->found), type::fine},
-               {qText(shareText(check->deviation)), type::fine},
-               {(most.isEmpty() ? QString() : most + u' ') + reasonMark(reason), type::fine}});
-  }
-  table.finish();
-  sheet.skip(1);
-  for (std::size_t i = 0; i < section.reasons.size(); ++i)
-    sheet.paragraph(reasonMark(i) + u' ' + qText(section.reasons[i]), type::small);
-  sheet.skip(2);
-}
 
 void layOut(ReportSheet& sheet, const InstallationCheck& check) {
   sheet.text(Report::tr("Check of this installation"), type::title, 0, sheet.y(), ReportSheet::width);
@@ -63,7 +31,7 @@ void layOut(ReportSheet& sheet, const InstallationCheck& check) {
   sheet.paragraph(Report::sentences(
       {Report::tr("Every number is compared with one that was worked out without this program."),
        Report::tr("Deviations and tolerances are relative to the expected number.")}));
-  for (const CheckSection& section : sectionsOf(check.test)) addSection(sheet, section);
+  for (const CheckSection& section : sectionsOf(check.test)) addStatement(sheet, sectionTable(section));
   sheet.balance();
 }
 
