@@ -1,11 +1,11 @@
 #include "app/console/journal_text.h"
 
 #include <nlohmann/json.hpp>
-#include <vector>
 
+#include "app/console/statement_text.h"
 #include "app/console/text_layout.h"
 #include "core/answers/json_text.h"
-#include "core/base/visible_text.h"
+#include "core/statement/journal.h"
 #include "core/wording/journal.h"
 
 namespace alidade::console {
@@ -27,23 +27,16 @@ const char* stateName(CheckedSeal::State state) {
 }  // namespace
 
 std::string journalText(const std::string& name, const Session& session, const JournalCheck& check) {
-  std::string text = heading(name);
-  const std::string summary = journalSummary(session, check);
-  if (session.journal.empty())
-    return text + (summary.empty() ? "No entry was changed after it was recorded.\n" : paragraph(summary));
-  for (const JournalEntry& entry : session.journal) {
-    std::string line = timeText(entry.at) + " UTC " + (entry.place.empty() ? "the session" : entry.place);
-    if (!entry.point.empty()) line += " (point " + entry.point + ")";
-    if (entry.why == journal_reasons::imported)
-      line += ": imported from " + visibleText(entry.to);
-    else if (entry.why == journal_reasons::sealed)
-      line += ": sealed as revision " + visibleText(entry.from) + ", SHA-256 " + visibleText(entry.to);
-    else
-      line += ": " + quotation(entry.from) + " became " + quotation(entry.to) + ", " + reasonText(entry);
-    if (!entry.by.empty()) line += ", " + entry.by;
-    text += paragraph(line, 2);
-  }
-  return text + "\n" + paragraph(summary.empty() ? "The journal is whole." : summary);
+  std::string summary = journalSummary(session, check);
+  if (summary.empty())
+    summary =
+        session.journal.empty() ? "No entry was changed after it was recorded." : "The journal is whole.";
+  if (session.journal.empty()) return heading(name) + paragraph(summary);
+  const auto placeOf = [](const JournalEntry& entry) {
+    const std::string place = entry.place.empty() ? "the session" : entry.place;
+    return entry.point.empty() ? place : place + " (point " + entry.point + ")";
+  };
+  return heading(name) + statementText(journalTable(session.journal, summary, placeOf));
 }
 
 std::string journalJson(const std::string& name, const Session& session, const JournalCheck& check) {

@@ -12,6 +12,7 @@ namespace alidade::test {
 namespace {
 
 using Json = nlohmann::ordered_json;
+using testing::ContainsRegex;
 using testing::HasSubstr;
 
 std::string sealedSession() {
@@ -37,13 +38,11 @@ ProgramRun journalOf(const std::string& session, const std::vector<std::string>&
 TEST(JournalCommand, ListsTheChangesAndTheSeal) {
   const ProgramRun run = journalOf(sealedSession());
   EXPECT_EQ(run.exitCode, 0) << run.err;
-  EXPECT_THAT(run.out, HasSubstr("2026-03-14 15:09 UTC positions[0].readings[4].vertical (point 5): "
-                                 "“82°30'39\"” became"));
-  EXPECT_THAT(run.out, HasSubstr("suggestion accepted, J. Doe\\u001b[31m"));
+  EXPECT_THAT(run.out, ContainsRegex("2026-03-14 15:09 +positions.0..readings.4..vertical \\(point 5\\) +"
+                                     "suggestion accepted +J. Doe.u001b.31m +82°30'39\" +82°40'39\"\n"));
   EXPECT_THAT(run.out, HasSubstr("Sealed 2026-03-15 08:00 UTC by R. Roe and unchanged since."));
   const std::string digest = sealOf(readSession(sealedSession())->journal)->digest;
-  EXPECT_THAT(run.out, HasSubstr("sealed as revision 0, SHA-256")) << "whole, to be quoted";
-  EXPECT_THAT(run.out, HasSubstr(digest));
+  EXPECT_THAT(run.out, HasSubstr(digest)) << "whole, to be quoted";
   const Json json = Json::parse(journalOf(sealedSession(), {"--json"}).out);
   EXPECT_EQ(json["whole"], true);
   EXPECT_EQ(json["sealed"]["unchanged"], true);

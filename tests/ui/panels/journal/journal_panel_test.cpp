@@ -104,7 +104,7 @@ TEST(JournalPage, IsPrinted) {
   const std::string first = paperSession().positions[0].readings[3].vertical;
   EXPECT_TRUE(printed.contains(("vertical reading first entered as " + first).c_str()));
   EXPECT_TRUE(printed.contains("Journal of changes"));
-  EXPECT_TRUE(printed.contains((first + " 83 50 35 retyped").c_str()));
+  EXPECT_TRUE(printed.contains(("retyped " + first + " 83 50 35").c_str()));
 }
 
 }  // namespace
