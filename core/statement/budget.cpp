@@ -6,10 +6,10 @@
 #include "core/base/phrase.h"
 #include "core/base/quantity_text.h"
 #include "core/base/visible_text.h"
-#include "core/wording/across.h"
 #include "core/wording/attainable.h"
 #include "core/wording/budget.h"
 #include "core/wording/effect_name.h"
+#include "core/wording/findings.h"
 
 namespace alidade {
 
@@ -17,10 +17,6 @@ namespace {
 
 using Role = Statement::Column::Role;
 using Cells = std::vector<std::string>;
-
-std::string percentText(double share) {
-  return displayShortest(std::round(share * 1e6) / 1e4) + " %";
-}
 
 std::string nameOf(const UncertaintyShare& share) {
   return share.effect.empty() ? textOf(share) : effectName(share.effect);
@@ -78,14 +74,13 @@ Statement measuredBudget(const Diagnosis& diagnosis, double coverage) {
   const ShareRows table{found.sigma};
   statement.rows.push_back({table.cells(Phrase::of("combined, u"), found.sigma), true});
   statement.rows.push_back({{Phrase::of("expanded, U"), "", "",
-                             Phrase::of("%1 coverage, %2 degrees of freedom", percentText(coverage),
+                             Phrase::of("%1 coverage, %2 degrees of freedom", coverageText(coverage),
                                         degreesOfFreedomText(found.degreesOfFreedom)),
                              displayText(found.expanded, table.decimals), ""},
                             true});
   statement.sentences = {
       Phrase::of("Δd, measured, includes every catalogued effect, limited by these readings or by its "
-                 "plausible size."),
-      acrossSentence(measured)};
+                 "plausible size.")};
   if (std::string attainable = attainableSentence(diagnosis.attainable); !attainable.empty())
     statement.sentences.push_back(std::move(attainable));
   statement.note = Phrase::of(
@@ -111,15 +106,75 @@ Statement fitBudget(const Intersection& intersection) {
     statement.rows.push_back({cells(textOf(entry.source), entry.sigma)});
   statement.rows.push_back({cells(Phrase::of("combined, u"), sigma), true});
   statement.rows.push_back({{Phrase::of("expanded, U"),
-                             Phrase::of("%1 coverage, k = %2", percentText(intersection.coverage),
+                             Phrase::of("%1 coverage, k = %2", coverageText(intersection.coverage),
                                         displayText(intersection.coverageFactor, 2)),
                              displayText(intersection.expanded, decimals), ""},
                             true});
   return statement;
 }
 
+Statement centreBudget(const SessionFit& fit) {
+  Statement statement{.id = "budget_centres",
+                      .title = Phrase::of("Standard uncertainty of the centres (mm)"),
+                      .columns = {{"source", Phrase::of("Source"), Role::Name}},
+                      .rows = {}};
+  const auto addColumn = [&](const std::string& title, const std::vector<BudgetEntry>& budget,
+                             double withRadius) {
+    statement.columns.push_back({title, title});
+    statement.rows.resize(budget.size() + 2);
+    for (std::size_t i = 0; i < budget.size(); ++i) {
+      Cells& cells = statement.rows[i].cells;
+      if (cells.empty()) cells.push_back(textOf(budget[i].source));
+      cells.push_back(displayText(budget[i].sigma, 4));
+    }
+    statement.rows[budget.size()].cells.push_back(displayText(combined(budget), 4));
+    statement.rows.back().cells.push_back(displayText(withRadius, 2));
+  };
+  for (std::size_t arc = 0; arc < fit.budgets.size(); ++arc) {
+    const int axisDeg = fit.arcs[arc].axisDeg;
+    if (&fit.arcs[arc] != fit.arcAt(axisDeg)) continue;  // a repeat has the same centre
+    const std::string axis = " " + std::to_string(axisDeg) + "°";
+    addColumn("Δx" + axis, fit.budgets[arc].x, fit.sigmas[arc].radiusX);
+    addColumn("Δy" + axis, fit.budgets[arc].y, fit.sigmas[arc].radiusY);
+  }
+  if (statement.rows.empty()) return statement;
+  Statement::Row& whole = statement.rows[statement.rows.size() - 2];
+  whole.cells.insert(whole.cells.begin(), Phrase::of("combined, u"));
+  whole.isTotal = true;
+  Cells& last = statement.rows.back().cells;
+  last.insert(last.begin(), Phrase::of("correlation with R"));
+  statement.sentences = {
+      std::isinf(fit.noise.degreesOfFreedom)
+          ? Phrase::of("All parts rest on the stated noise.")
+          : Phrase::of("What comes from the readings is scaled by their scatter, %1 times the stated noise. "
+                       "Pointing zeros and distance enter as stated.",
+                       displayText(fit.noise.factor, 2))};
+  statement.note = Phrase::of(
+      "Correlation with R: how far a wrong radius takes the centre along, −1 to 1; on half an arc it decides "
+      "the height.");
+  return statement;
+}
+
+std::string coverageSentences(const SessionFit& fit, const Diagnosis* diagnosis, const std::string& fitOnly) {
+  const Intersection& fitted = *fit.intersection;
+  const auto u = [](double sigma) { return displayText(sigma, decimalsFor(sigma)) + " mm"; };
+  std::string sentences = Phrase::of("U: coverage %1.", coverageText(fitted.coverage));
+  if (diagnosis && diagnosis->measured) {
+    const IntersectionEstimate& found = diagnosis->measured->estimate;
+    sentences = inTurn(sentences, Phrase::of("Δd, measured: u = %1, ν = %2.", u(found.sigma),
+                                             degreesOfFreedomText(found.degreesOfFreedom)));
+  }
+  return inTurn(sentences,
+                Phrase::of("%1, k = %2, u = %3, ν = %4.", fitOnly, displayText(fitted.coverageFactor, 2),
+                           u(fitted.sigma), degreesOfFreedomText(fitted.effectiveDegreesOfFreedom)));
+}
+
 std::string varianceShare(double part, double whole) {
   return whole > 0 ? displayText(100 * part * part / (whole * whole), 1) + " %" : "—";
+}
+
+std::string coverageText(double share) {
+  return displayShortest(std::round(share * 1e6) / 1e4) + " %";
 }
 
 std::string degreesOfFreedomText(double degrees) {

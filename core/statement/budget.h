@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "core/adjustment/result/intersection.h"
+#include "core/adjustment/result/session_fit.h"
 #include "core/diagnosis/result/diagnosis.h"
 #include "core/statement/statement.h"
 
@@ -16,11 +16,23 @@ Statement measuredBudget(const Diagnosis& diagnosis, double coverage);
 /// The budget of Δd, fit only: readings, model effects, known radius, pointing zeros and distance.
 Statement fitBudget(const Intersection& intersection);
 
+/// The budget of the centre of each arc: the same sources, and the correlation with the radius. Without rows
+/// if no arc was fitted.
+Statement centreBudget(const SessionFit& fit);
+
+/// What U is made of, for a reader of the result alone: its coverage, then u and ν of Δd, measured, and of
+/// Δd, fit only, which `fitOnly` states. `fit` has an intersection; a null `diagnosis` means that none was
+/// made.
+std::string coverageSentences(const SessionFit& fit, const Diagnosis* diagnosis, const std::string& fitOnly);
+
 /// One percent: a smaller part of the variance changes u by less than half a percent.
 constexpr double leastShare = 0.01;
 
 /// A share of the variance: "63.1 %"; an em dash if `whole` is not positive.
 std::string varianceShare(double part, double whole);
+
+/// "95 %", "99.73 %": a probability.
+std::string coverageText(double coverage);
 
 /// "7.2", "12", "many" above ten thousand, "∞".
 std::string degreesOfFreedomText(double degrees);

@@ -36,6 +36,7 @@ Statement transposed(const Statement& statement) {
                    .rows = {},
                    .sentences = statement.sentences,
                    .note = statement.note};
+  if (statement.rows.empty()) return turned;
   for (std::size_t i = 1; i < statement.columns.size(); ++i)
     turned.rows.push_back({{statement.columns[i].title}});
   for (const Statement::Row& row : statement.rows) {

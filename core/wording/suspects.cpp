@@ -36,7 +36,8 @@ std::string capitalised(std::string text) {
   return text;
 }
 
-/// "0°, point 5, vertical"; with round and face unless they are 1.
+}  // namespace
+
 std::string nameOf(const Suspect& suspect) {
   std::vector<std::string> parts{positionName(suspect.axisDeg, suspect.time),
                                  Phrase::of("point %1", suspect.point)};
@@ -45,8 +46,6 @@ std::string nameOf(const Suspect& suspect) {
   parts.push_back(fieldName(suspect.where.field));
   return listed(parts);
 }
-
-}  // namespace
 
 std::string slipName(EntrySlip slip) {
   switch (slip) {
@@ -86,18 +85,24 @@ std::string sentenceOf(const Proposal& proposal) {
                     signedSize(proposal.residual));
 }
 
+std::string faultOf(const Suspect& suspect) {
+  if (suspect.where.field == "face") return Phrase::of("the other face");
+  return std::isfinite(suspect.size.radians()) ? Phrase::of("off by %1", signedSize(suspect.size))
+                                               : Phrase::of("no angle");
+}
+
+std::string intentionOf(const Suspect& suspect) {
+  if (suspect.isMasked) return Phrase::of("More than one reading may be wrong here: read it again.");
+  return suspect.proposals.empty() ? Phrase::of("No single slip explains it: read it again.")
+                                   : sentenceOf(suspect.proposals.front());
+}
+
 std::string sentenceOf(const Suspect& suspect) {
-  const std::string fault = suspect.where.field == "face" ? Phrase::of("the other face")
-                            : std::isfinite(suspect.size.radians())
-                                ? Phrase::of("off by %1", signedSize(suspect.size))
-                                : Phrase::of("no angle");
-  if (suspect.isMasked)
-    return Phrase::of("%1: %2. More than one reading may be wrong here: read it again.", nameOf(suspect),
-                      fault);
-  return suspect.proposals.empty()
-             ? Phrase::of("%1: %2. No single slip explains it: read it again.", nameOf(suspect), fault)
-             : Phrase::of("%1: %2. Probably meant: %3", nameOf(suspect), fault,
-                          sentenceOf(suspect.proposals.front()));
+  const std::string intention = intentionOf(suspect);
+  //: the name of a reading, how wrong it is, and what was probably meant or has to be done
+  return suspect.isMasked || suspect.proposals.empty()
+             ? Phrase::of("%1: %2. %3", nameOf(suspect), faultOf(suspect), intention)
+             : Phrase::of("%1: %2. Probably meant: %3", nameOf(suspect), faultOf(suspect), intention);
 }
 
 std::optional<Finding> suspectsFinding(const std::vector<Suspect>& suspects) {

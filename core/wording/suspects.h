@@ -17,6 +17,13 @@ std::string slipName(EntrySlip slip);
 /// Horizontal 341°52'24" → 341°25'24": two digits swapped; residual then +1.2″.
 std::string sentenceOf(const Proposal& proposal);
 
+/// "0°, point 5, vertical"; with round and face unless they are 1.
+std::string nameOf(const Suspect& suspect);
+/// "off by +59.8″", "the other face", "no angle".
+std::string faultOf(const Suspect& suspect);
+/// The most probable intention, or that the reading has to be read again.
+std::string intentionOf(const Suspect& suspect);
+
 /// Names the reading, its deviation, and the probable intention.
 std::string sentenceOf(const Suspect& suspect);
 

@@ -1,5 +1,6 @@
 #include <gmock/gmock.h>
 
+#include <algorithm>
 #include <regex>
 
 #include "tests/console/console.h"
@@ -18,13 +19,22 @@ std::string textOf(const std::string& file, const std::string& method = "rigorou
   return run.out;
 }
 
+/// The letters of a UTF-8 text.
+std::size_t lettersIn(const std::string& text) {
+  return static_cast<std::size_t>(std::ranges::count_if(text, [](char c) { return (c & 0xC0) != 0x80; }));
+}
+
 TEST(FitText, TellsCentresRadiiAndIntersectionOfThePapersReadings) {
   const std::string text = textOf(paperSession);
-  EXPECT_THAT(text, ContainsRegex("O1, axis 0° +-0\\.834465 +1\\.035996 +401\\.954078 +17 +14"));
-  EXPECT_THAT(text, ContainsRegex("O2, axis 180° +-1\\.482783 +-1\\.579641 +403\\.913821 +17 +14"));
-  EXPECT_THAT(text, ContainsRegex("Δd, fit only = 1\\.307818 mm ± 0\\.2[0-9]+ mm \\(95 % coverage"));
+  EXPECT_THAT(
+      text,
+      ContainsRegex("O1 at 0° +−0\\.834 \\(0\\.063\\) +1\\.036 \\(0\\.[0-9]+\\) +401\\.954 .* 17 .* 14\n"));
   EXPECT_THAT(text,
-              ContainsRegex("Correlation of the radius with x and y: at 0° 0\\.00 and -0\\.48; at 180°"));
+              ContainsRegex(
+                  "O2 at 180° +−1\\.483 \\(0\\.063\\) +−1\\.580 \\(0\\.[0-9]+\\) +403\\.914 .* 17 .* 14\n"));
+  EXPECT_THAT(text, HasSubstr("Δd, fit only: 1.31 ± 0.21 mm."));
+  EXPECT_THAT(text, ContainsRegex("Δd, fit only: k = 2\\.[0-9]+, u = 0\\.10[0-9]* mm, ν = "));
+  EXPECT_THAT(text, ContainsRegex("correlation with R +0\\.00 +−0\\.48"));
   EXPECT_THAT(
       text, ContainsRegex(
                 "Verdict: accept\\. Δd = 1\\.[0-9]+ mm ± 0\\.[0-9]+ mm \\(95 % coverage\\), all effects\\s"));
@@ -37,7 +47,7 @@ TEST(FitText, TellsTheMeasuredResultFirstAndThatOfTheFitBelow) {
   EXPECT_THAT(two, ContainsRegex("^[^\n]+\nΔd = 0\\.4[0-9]* ± 0\\.[01][0-9]* mm \\(95 % coverage\\)   "
                                  "UNDECIDED   tolerance ± 0\\.5 mm\n0 =+\\[[^\n]+:[^\n]*  0\\.5 mm\n"))
       << "right below the name of the session";
-  EXPECT_THAT(two, ContainsRegex("\nΔd, fit only = 0\\.38[0-9]* mm ± 0\\.0[0-9]+ mm "));
+  EXPECT_THAT(two, ContainsRegex("\nΔd, fit only: 0\\.38[0-9]* ± 0\\.0[0-9]+ mm\\.\n"));
   EXPECT_THAT(two, ContainsRegex("  arc ellipticity +0\\.05 mm +B +0\\.01[0-9]* +[0-9.]+ % +default"));
   EXPECT_THAT(two, HasSubstr("\nGap: The gap is best explained by several causes together: "));
   EXPECT_THAT(textOf(ALIDADE_SAMPLES_DIR "/noisy-readings.alidade"), Not(HasSubstr("\nGap: ")))
@@ -55,25 +65,24 @@ TEST(FitText, GivesTheBudgetAndTheFindings) {
   EXPECT_THAT(text, ContainsRegex("  pointing zeros +0\\.0"));
   EXPECT_THAT(text, ContainsRegex("  distance +0\\.0"));
   EXPECT_THAT(text, HasSubstr("\nFindings\n"));
-  EXPECT_THAT(text, HasSubstr("Readings scatter 6.91 times as much as stated"));
+  EXPECT_THAT(text, HasSubstr("scaled by their scatter, 6.91 times the stated noise"));
 }
 
 TEST(FitText, ShowsThePublishedMethodAsItWasPrinted) {
   const std::string text = textOf(paperSession, "published");
-  EXPECT_THAT(text, ContainsRegex("O1, axis 0° +-0\\.0091 +-0\\.97[12][0-9] +1\\.8143 +0\\.0283"));
-  EXPECT_THAT(text, ContainsRegex("O2, axis 180° +-0\\.0318 +-1\\.49[12][0-9] +-2\\.0538 +-0\\.0360"));
-  EXPECT_THAT(text, HasSubstr("in the paper's signs 1.934"));
+  EXPECT_THAT(text, ContainsRegex("O1 at 0° +−0\\.97[12][0-9] +1\\.8143 +−0\\.0091 +0\\.0283"));
+  EXPECT_THAT(text, ContainsRegex("O2 at 180° +−1\\.49[12][0-9] +−2\\.0538 +−0\\.0318 +−0\\.0360"));
+  EXPECT_THAT(text, HasSubstr("Δd as printed = 1.934"));
   EXPECT_THAT(text, HasSubstr("states no uncertainty"));
   EXPECT_THAT(text, Not(HasSubstr("Verdict")));
 }
 
 TEST(FitText, LinesUpItsColumns) {
   const std::string text = textOf(paperSession);
-  const std::regex decimals("(O[12], axis.*)\\.[0-9]{6} ");
+  const std::regex rows("\n  (O[12] at [0-9]+° .*)");
   std::vector<std::size_t> ends;
-  for (std::sregex_iterator row(text.begin(), text.end(), decimals), none; row != none; ++row) {
-    ends.push_back(static_cast<std::size_t>(row->length()));
-  }
+  for (std::sregex_iterator row(text.begin(), text.end(), rows), none; row != none; ++row)
+    ends.push_back(lettersIn((*row)[1].str()));
   ASSERT_EQ(ends.size(), 2u);
   EXPECT_EQ(ends[0], ends[1]);
 }
@@ -84,7 +93,6 @@ TEST(FitText, SaysThatNoVerdictIsDrawnWithoutATolerance) {
       folder.file("s.alidade",
                   changedPaperSession([](nlohmann::ordered_json& session) { session.erase("acceptance"); })));
   EXPECT_THAT(text, HasSubstr("Verdict: none. No tolerance stated"));
-  EXPECT_THAT(text, Not(HasSubstr("was set to")));
 }
 
 TEST(FitText, TellsOneArcWithoutAnIntersection) {
@@ -92,18 +100,17 @@ TEST(FitText, TellsOneArcWithoutAnIntersection) {
   const std::string text = textOf(folder.file(
       "s.alidade",
       changedPaperSession([](nlohmann::ordered_json& session) { session["positions"].erase(0); })));
-  EXPECT_THAT(text, HasSubstr("O2, axis 180°"));
-  EXPECT_THAT(text, Not(HasSubstr("O1, axis")));
-  EXPECT_THAT(text, Not(HasSubstr("Δd, ")));
+  EXPECT_THAT(text, HasSubstr("O2 at 180°"));
+  EXPECT_THAT(text, Not(HasSubstr("O1 at")));
+  EXPECT_THAT(text, Not(HasSubstr("Δd, fit only")));
   EXPECT_THAT(text, HasSubstr("0°, so no intersection."));
 }
 
 TEST(FitText, GivesTheTwoFaceTableWhereThereAreTwoFaces) {
   EXPECT_THAT(textOf(paperSession), Not(HasSubstr("Both faces")));
   const std::string text = textOf(std::string(ALIDADE_REFERENCE_DIR) + "/trials/sessions/241926.alidade");
-  EXPECT_THAT(text, ContainsRegex("Both faces +round +point +elevation"));
-  EXPECT_THAT(text, ContainsRegex("collimation c +-[0-9.]+ +0\\.[0-9]+"));
-  EXPECT_THAT(text, ContainsRegex("2c scatters [0-9.]+ times as much as stated"));
+  EXPECT_THAT(text, ContainsRegex("Both faces +Round +Point +Elevation"));
+  EXPECT_THAT(text, ContainsRegex("collimation c +−[0-9.]+ \\(0\\.[0-9]+\\) +× [0-9.]+"));
 }
 
 }  // namespace

@@ -77,8 +77,8 @@ TEST_F(MeasuredAgain, ClosesByWhatTheRepeatsAgreeOn) {
 TEST_F(MeasuredAgain, SaysInTextWhichPositionIsMeant) {
   const std::string file = simulated({"gross_error=0,1,5,1,120,0,2"});
   const ProgramRun fit = alidadeCli({"fit", file}), diagnosis = alidadeCli({"diagnose", file});
-  EXPECT_THAT(fit.out, HasSubstr("O1, axis 0° again"));
-  EXPECT_THAT(fit.out, HasSubstr("as at 0°"));
+  EXPECT_THAT(fit.out, HasSubstr("    0° again "));
+  EXPECT_THAT(fit.out, HasSubstr("share one centre and one radius."));
   EXPECT_THAT(fit.out, HasSubstr("0° again, point 5, horizontal"));
   EXPECT_THAT(diagnosis.out, HasSubstr("Δx(0° again) − Δx(0°)"));
   EXPECT_THAT(diagnosis.out, HasSubstr("0° again, point 5, horizontal"));

@@ -43,7 +43,7 @@ void tellFit(const Session& session, const FitAnswer& answer) {
   requireText(console::fitText(answer));
   requireJson(fitJson(answer));
   const PublishedSessionFit published = fitSessionAsPublished(answer.measurement);
-  requireText(console::fitText(name, answer.measurement, published));
+  requireText(console::fitText(name, published));
   requireJson(fitJson(name, answer.measurement, published));
 }
 

@@ -225,7 +225,7 @@ TEST(MainWindow, TellsThePublishedFiguresOnRequest) {
   EXPECT_THAT(resultOf(open), Not(HasSubstr("1.934")));
   open->findChild<ResultPanel*>()->setComparisonShown(true);
   const std::string shown = resultOf(open);
-  for (const char* printed : {"−0.0091", "−0.0318", "−0.972", "−1.492", "1.8143", "−2.0538", "1.934"}) {
+  for (const char* printed : {"−0.0091", "−0.0318", "−0.9719", "−1.4923", "1.8143", "−2.0538", "1.934"}) {
     EXPECT_THAT(shown, HasSubstr(printed));
   }
 }

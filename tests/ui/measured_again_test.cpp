@@ -122,7 +122,7 @@ TEST(MeasuredAgain, IsNoTroubleHalfTyped) {
   EXPECT_THAT(result, HasSubstr("Δd, fit only = ")) << "the new position is still empty";
   typePosition(open, 2, whole.positions[2], 1);
   open.settle();
-  EXPECT_THAT(textsOf(*open->findChild<ResultPanel*>()), HasSubstr("Sightings used\n17\n17\n"));
+  EXPECT_THAT(textsOf(*open->findChild<ResultPanel*>()), HasSubstr("Sightings\n17\n17\n"));
   auto& table = *open->findChild<PositionTabs*>()->table(2);
   table.selectCell(1, ReadingColumn::Horizontal);
   table.setFocus();
@@ -145,10 +145,10 @@ TEST(MeasuredAgain, IsCountedAmongTheFiguresOfItsAxis) {
   open->document().startWith(sessionTakenAt({0, 180, 0, 0}));
   open.settle();
   const auto* page = open->findChild<ResultPanel*>();
-  EXPECT_THAT(textsOf(*page), HasSubstr("Sightings used\n51\n17\n"));
+  EXPECT_THAT(textsOf(*page), HasSubstr("Sightings\n51\n17\n"));
   QStringList tips;
   for (const QLabel* label : page->findChildren<QLabel*>()) tips.append(label->toolTip());
-  EXPECT_TRUE(tips.contains(QStringLiteral("0°: 17\n180°: 17\n0° again: 17\n0° again (3): 17")))
+  EXPECT_TRUE(tips.contains(QStringLiteral("0°: 17\n0° again: 17\n0° again (3): 17")))
       << tips.join(u'|').toStdString();
 }
 
@@ -164,7 +164,7 @@ TEST(MeasuredAgain, HasTheMeanOfWhatThePublishedMethodFinds) {
   const auto y = [&](std::size_t arc) { return published.arcs[arc].asPrinted.y; };
   ASSERT_EQ(published.arcs[1].arc.axisDeg, 180);
   const QString shown =
-      QStringLiteral("Δy  mm\n%1\n%2\n").arg(numberText((y(0) + y(2)) / 2, 4), numberText(y(1), 4));
+      QStringLiteral("Δy (mm)\n%1\n%2\n").arg(numberText((y(0) + y(2)) / 2, 4), numberText(y(1), 4));
   EXPECT_THAT(textsOf(*page), HasSubstr(shown.toStdString()));
   EXPECT_NEAR(*published.intersectionAsPrinted, ((y(0) + y(2)) / 2 - y(1)) / 2, 1e-12);
 }

@@ -9,6 +9,7 @@
 #include "core/base/atomic_file.h"
 #include "core/base/version.h"
 #include "core/session/session_file.h"
+#include "core/statement/monte_carlo.h"
 #include "ui/document/encoded_path.h"
 #include "ui/language/languages.h"
 #include "ui/report/attached_session.h"
@@ -18,10 +19,10 @@
 #include "ui/report/report_parts.h"
 #include "ui/report/report_results.h"
 #include "ui/report/report_sheet.h"
+#include "ui/report/report_statement.h"
 #include "ui/report/report_summary.h"
 #include "ui/report/report_text.h"
 #include "ui/text/entry_text.h"
-#include "ui/text/simulation_text.h"
 #include "ui/text/visible_text.h"
 
 namespace alidade::ui {
@@ -72,7 +73,7 @@ void layOut(ReportSheet& sheet, const Gap& gap, const ReportOptions& options) {
   if (prints(ReportPart::Budget)) {
     addUncertainty(sheet, gap);
     if (options.simulated && options.simulated->intersection)
-      sheet.paragraph(simulationParagraph(*options.simulated));
+      addStatement(sheet, monteCarloCheck(*options.simulated, &*evaluation.fit.intersection));
   }
   addKnown(sheet, gap);
   if (prints(ReportPart::Gap)) {

@@ -1,6 +1,7 @@
 #include "ui/report/report_statement.h"
 
 #include <algorithm>
+#include <numeric>
 
 #include "ui/report/report_table.h"
 #include "ui/report/report_text.h"
@@ -21,17 +22,35 @@ double indentOf(Role role) {
   return isLeft(role) && role != Role::Name ? 2.5 : 0;
 }
 
-/// What the cells and the longest word of the title need, mm.
-double neededWidth(const ReportSheet& sheet, const Statement& statement, std::size_t column) {
+QString cellText(const Statement::Row& row, std::size_t column) {
+  const QString text = qText(row.cells[column]);
+  return column == 0 && row.isPart ? QStringLiteral("    ") + text : text;
+}
+
+/// What the cells of a column, and its title or the longest word of that, need, mm.
+double neededWidth(const ReportSheet& sheet, const Statement& statement, std::size_t column,
+                   bool isTitleWhole) {
   constexpr double gap = 2;
-  const Role role = statement.columns[column].role;
-  double width = 0;
-  for (const QString& word : qText(statement.columns[column].title).split(u' '))
+  const QString title = qText(statement.columns[column].title);
+  double width = isTitleWhole ? sheet.textWidth(title, type::tableHead) : 0;
+  for (const QString& word : title.split(u' '))
     width = std::max(width, sheet.textWidth(word, type::tableHead));
   for (const Statement::Row& row : statement.rows)
-    width = std::max(width, sheet.textWidth(qText(row.cells[column]),
+    width = std::max(width, sheet.textWidth(cellText(row, column),
                                             row.isTotal || row.isNotable ? type::body.inBold() : type::body));
-  return width + gap + indentOf(role);
+  return width + gap + indentOf(statement.columns[column].role);
+}
+
+/// What each column needs; titles stay on one line where the page is wide enough.
+std::vector<double> neededWidths(const ReportSheet& sheet, const Statement& statement) {
+  std::vector<double> widths;
+  for (const bool isTitleWhole : {true, false}) {
+    widths.clear();
+    for (std::size_t i = 0; i < statement.columns.size(); ++i)
+      widths.push_back(neededWidth(sheet, statement, i, isTitleWhole));
+    if (std::accumulate(widths.begin(), widths.end(), 0.0) <= ReportSheet::width) break;
+  }
+  return widths;
 }
 
 /// Figures have what they need; names a third of the page, or no more than they need beside a bar; remarks or
@@ -42,13 +61,14 @@ std::vector<double> widthsOf(const ReportSheet& sheet, const Statement& statemen
   const bool hasBar =
       std::ranges::find(statement.columns, Role::Bar, &Statement::Column::role) != statement.columns.end();
   const bool isNarrow = statement.columns.size() > fewColumns || hasBar;
+  const std::vector<double> needed = neededWidths(sheet, statement);
   std::vector<double> widths;
   double rest = ReportSheet::width, wideNeeded = 0;
   std::size_t wide = 0;
   for (std::size_t i = 0; i < statement.columns.size(); ++i) {
     const Role role = statement.columns[i].role;
     const bool takesRest = role == Role::Remark || role == Role::Bar;
-    double width = neededWidth(sheet, statement, i);
+    double width = needed[i];
     if (role == Role::Figure && statement.columns.size() <= fewColumns) width = std::max(width, leastFigure);
     if (role == Role::Name) width = isNarrow ? std::min(width, mostName) : mostName;
     if (takesRest) {
@@ -58,13 +78,13 @@ std::vector<double> widthsOf(const ReportSheet& sheet, const Statement& statemen
     widths.push_back(takesRest || role == Role::Text ? 0 : width);
     rest -= widths.back();
   }
-  for (double most = ReportSheet::width; rest < wideNeeded && most > leastText; --most)
+  for (double cut = ReportSheet::width; rest < wideNeeded && cut > leastText; --cut)
     for (std::size_t i = 0; i < widths.size(); ++i)
-      if (isLeft(statement.columns[i].role) && widths[i] > most) {
-        rest += widths[i] - most;
-        widths[i] = most;
+      if (isLeft(statement.columns[i].role) && widths[i] > cut) {
+        rest += widths[i] - cut;
+        widths[i] = cut;
       }
-  const double lacking = neededWidth(sheet, statement, 0) - widths[0];
+  const double lacking = needed[0] - widths[0];
   widths[wide] += wide > 0 ? rest : std::min(std::max(rest, 0.0), std::max(lacking, 0.0));
   return widths;
 }
@@ -92,9 +112,7 @@ void addTable(ReportSheet& sheet, const Statement& statement) {
     std::vector<ReportCell> cells;
     for (std::size_t i = 0; i < row.cells.size(); ++i) {
       if (statement.columns[i].role == Role::Text) continue;
-      const QString text = qText(row.cells[i]);
-      cells.emplace_back(i == 0 && row.isPart ? QStringLiteral("    ") + text : text,
-                         row.isTotal || row.isNotable ? type::body.inBold() : type::body);
+      cells.emplace_back(cellText(row, i), row.isTotal || row.isNotable ? type::body.inBold() : type::body);
     }
     QStringList below;
     for (const std::string& text : statement.textsBelow(row)) below.append(qText(text));

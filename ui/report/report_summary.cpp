@@ -4,9 +4,11 @@
 #include <algorithm>
 
 #include "core/evaluation/findings.h"
+#include "core/statement/suspects.h"
 #include "core/wording/suspects.h"
 #include "ui/report/report_facts.h"
 #include "ui/report/report_parts.h"
+#include "ui/report/report_statement.h"
 #include "ui/report/report_text.h"
 #include "ui/text/cause_text.h"
 #include "ui/text/entry_text.h"
@@ -82,17 +84,6 @@ double findingsIndent(const ReportSheet& sheet) {
   return indent;
 }
 
-constexpr std::size_t mostSuspects = 10;
-
-/// The readings that look misread, and their probable intended values.
-void addSuspects(ReportSheet& sheet, const std::vector<Suspect>& suspects, const TextStyle& style,
-                 double indent) {
-  for (std::size_t i = 0; i < std::min(suspects.size(), mostSuspects); ++i)
-    sheet.paragraph(QStringLiteral("– ") + qText(sentenceOf(suspects[i])), style, indent);
-  if (suspects.size() > mostSuspects)
-    sheet.paragraph(Report::tr("– and %1 more.").arg(suspects.size() - mostSuspects), style, indent);
-}
-
 void addFindings(ReportSheet& sheet, const Gap& gap) {
   const Evaluation& evaluation = *gap.evaluation;
   const auto misread = suspectsFinding(evaluation.suspects);
@@ -111,10 +102,7 @@ void addFindings(ReportSheet& sheet, const Gap& gap) {
     const QString remedy = qText(finding.remedy);
     sheet.paragraph(Report::sentences({qText(finding.text), remedy}), type::detail, indent);
   };
-  if (misread) {
-    add(*misread);
-    addSuspects(sheet, evaluation.suspects, type::detail, indent);
-  }
+  if (misread) add(*misread);
   for (const Finding& finding : findings) {
     if (&finding != &findings.front()) sheet.mayBreak();
     add(finding);
@@ -182,6 +170,7 @@ FrontPage addSummary(ReportSheet& sheet, const Gap& gap, const ReportOptions& op
   addProblems(sheet, evaluation);
   addResult(sheet, gap);
   addFindings(sheet, gap);
+  addStatement(sheet, suspectTable(evaluation.suspects));
   if (!evaluation.session.notes.empty()) {
     sheet.heading(Report::tr("Notes"));
     sheet.paragraph(QString::fromStdString(evaluation.session.notes));

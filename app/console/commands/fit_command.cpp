@@ -59,7 +59,7 @@ Result<std::string> publishedAnswer(const FitRequest& request, const std::string
                                     const Measurement& measurement) {
   const PublishedSessionFit fit = fitSessionAsPublished(measurement);
   if (auto problem = absence(measurement, fit.arcs.size(), fit.findings)) return *std::move(problem);
-  return request.batch.json ? fitJson(name, measurement, fit) : fitText(name, measurement, fit);
+  return request.batch.json ? fitJson(name, measurement, fit) : fitText(name, fit);
 }
 
 }  // namespace

@@ -2,28 +2,16 @@
 
 #include <QVBoxLayout>
 
+#include "core/statement/two_faces.h"
 #include "ui/panels/parts/data_table.h"
-#include "ui/panels/parts/figure_grid.h"
-#include "ui/text/effect_text.h"
+#include "ui/panels/parts/statement_view.h"
 #include "ui/text/position_text.h"
 #include "ui/text/quantity_text.h"
 
 namespace alidade::ui {
 
-namespace {
-
-QString errorText(const InstrumentError& error) {
-  return withStandardUncertainty(error.value.arcseconds(), error.sigma.arcseconds(), QStringLiteral("″"));
-}
-
-QString scatterText(const FaceScatter& scatter) {
-  return scatter.degreesOfFreedom > 0 ? QStringLiteral("× ") + numberText(scatter.ratio(), 2) : notStated();
-}
-
-}  // namespace
-
 TwoFacesPanel::TwoFacesPanel(QWidget* parent)
-    : QWidget(parent), m_errors(new FigureGrid), m_table(createTable()) {
+    : QWidget(parent), m_errors(new StatementView), m_table(createTable()) {
   m_table->setAccessibleName(tr("Two-face table"));
   setFocusProxy(m_table);
   auto* layout = new QVBoxLayout(this);
@@ -62,7 +50,8 @@ DataTable* TwoFacesPanel::createTable() {
 
 void TwoFacesPanel::setEvaluation(const Evaluation& evaluation) {
   m_rows.clear();
-  m_errors->setVisible(evaluation.twoFaces.has_value());
+  m_errors->setStatement(
+      evaluation.twoFaces ? std::optional(transposed(instrumentErrors(*evaluation.twoFaces))) : std::nullopt);
   if (evaluation.twoFaces) {
     for (const FaceDifference& difference : evaluation.twoFaces->visits) {
       const ArcMeasurement& arc = evaluation.examined.measurement->arcs[difference.arc];
@@ -70,22 +59,8 @@ void TwoFacesPanel::setEvaluation(const Evaluation& evaluation) {
       m_rows.push_back(
           {arc.position, sighting.row, arc.axisDeg, arc.time, sighting.round, sighting.point, difference});
     }
-    showErrors(*evaluation.twoFaces);
   }
   m_table->setRows(static_cast<int>(m_rows.size()));
-}
-
-void TwoFacesPanel::showErrors(const TwoFaces& faces) {
-  m_errors->setRows(
-      {tr("Collimation c"), tr("Trunnion tilt i"), tr("Vertical index j")},
-      {{tr("From both faces"),
-        {errorText(faces.collimation), faces.trunnionTilt ? errorText(*faces.trunnionTilt) : notStated(),
-         errorText(faces.index)},
-        tr("With standard uncertainty; signs of face 1. A trunnion tilt needs three visits at different "
-           "elevations")},
-       {tr("Scatter against the stated σ"),
-        {scatterText(faces.horizontal), scatterText(faces.horizontal), scatterText(faces.vertical)},
-        tr("About × 1 where the differences of the faces scatter as stated")}});
 }
 
 }  // namespace alidade::ui

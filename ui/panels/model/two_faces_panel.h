@@ -8,7 +8,7 @@
 namespace alidade::ui {
 
 class DataTable;
-class FigureGrid;
+class StatementView;
 
 /// The two-face table: collimation, trunnion tilt and index from the differences of the faces, then every
 /// visit read in both.
@@ -32,10 +32,9 @@ class TwoFacesPanel : public QWidget {
 
   const Row& row(int index) const { return m_rows[static_cast<std::size_t>(index)]; }
   DataTable* createTable();
-  void showErrors(const TwoFaces& faces);
 
   std::vector<Row> m_rows;
-  FigureGrid* m_errors;
+  StatementView* m_errors;
   DataTable* m_table;
 };
 

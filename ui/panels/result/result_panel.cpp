@@ -9,37 +9,19 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "core/statement/arcs.h"
 #include "ui/panels/parts/figure_grid.h"
+#include "ui/panels/parts/statement_view.h"
 #include "ui/panels/parts/tolerance_bar.h"
-#include "ui/panels/result/axis_misfit.h"
 #include "ui/panels/result/findings_panel.h"
 #include "ui/panels/result/headline_lines.h"
 #include "ui/settings/window_font.h"
 #include "ui/text/entry_text.h"
-#include "ui/text/position_text.h"
 #include "ui/text/quantity_text.h"
 
 namespace alidade::ui {
 
 namespace {
-
-/// The value with u in brackets, as the captions say; to a tenth of a micrometre.
-QString figureAndU(double value, double u) {
-  const int decimals = std::min(decimalsFor(u), 4);
-  return QStringLiteral("%1 (%2)").arg(numberText(value, decimals), numberText(u, decimals));
-}
-
-/// A tool tip with a line for each repeat of an axis angle.
-template <typename Figure>
-QString eachPosition(const SessionFit& fit, Figure figure) {
-  QString text;
-  bool comesAgain = false;
-  for (const ArcFit& arc : fit.arcs) {
-    comesAgain = comesAgain || arc.time > 1;
-    text += u'\n' + positionText(arc.axisDeg, arc.time) + QStringLiteral(": ") + figure(arc);
-  }
-  return comesAgain ? text : QString();
-}
 
 /// Without a result the panel says what is missing instead.
 bool hasResult(const Headline& headline) {
@@ -70,10 +52,10 @@ ResultPanel::ResultPanel(QWidget* parent)
       m_missing(wrappedLabel()),
       m_more(new QToolButton),
       m_details(wrappedLabel()),
-      m_arcs(new FigureGrid(nullptr, FigureGrid::Captions::Wrapped)),
+      m_arcs(new StatementView),
       m_compare(new QCheckBox(tr("&Compare with published method"))),
       m_comparison(new QWidget),
-      m_published(new FigureGrid) {
+      m_published(new StatementView) {
   QFont bold = font();
   bold.setBold(true);
   for (QLabel* large : {m_value, m_badge}) large->setFont(bold);
@@ -84,19 +66,12 @@ ResultPanel::ResultPanel(QWidget* parent)
   layOutHead();
   QVBoxLayout* layout = column();
   layout->addWidget(m_head);
-  layout->addWidget(panelHeading(tr("Arcs")));
   layout->addWidget(m_arcs);
   layout->addSpacing(8);
   layout->addWidget(m_compare);
   auto* comparison = new QVBoxLayout(m_comparison);
   comparison->setContentsMargins(0, 0, 0, 0);
-  auto* caution = wrappedLabel();
-  caution->setText(
-      tr("As printed: y points down for zenith angles, ΔR is the last increment, θ are no tilts. "
-         "The method takes tan e = y/L, which no theodolite reads; do not accept by it."));
-  caution->setForegroundRole(QPalette::PlaceholderText);
   comparison->addWidget(m_published);
-  comparison->addWidget(caution);
   layout->addWidget(m_comparison);
   layout->addStretch();
   m_comparison->hide();
@@ -160,12 +135,12 @@ void ResultPanel::setGapStale() {
 void ResultPanel::setEvaluation(const Evaluation& evaluation) {
   m_missing->setText(evaluation.fit.intersection ? QString() : whatIsMissing(evaluation));
   m_missing->setVisible(!evaluation.fit.intersection);
-  showArcs(evaluation.fit);
-  showComparison(evaluation);
+  m_arcs->setStatement(transposed(arcTable(evaluation.fit)));
+  setSearched(evaluation);
 }
 
 void ResultPanel::setSearched(const Evaluation& evaluation) {
-  showComparison(evaluation);
+  m_published->setStatement(transposed(publishedTable(evaluation.published)));
 }
 
 /// Wide enough for figures of usual size and for the longest with wrapped captions. Set once, so that edits
@@ -234,77 +209,6 @@ void ResultPanel::colorHeadline() {
   colour(m_badge, stateColor(palette(), m_state));
   colour(m_value,
          m_isProvisional ? stateColor(palette(), State::Quiet) : palette().color(QPalette::WindowText));
-}
-
-void ResultPanel::showArcs(const SessionFit& fit) {
-  const ArcFit* arcs[] = {fit.arcAt(0), fit.arcAt(180)};
-  const auto figures = [&](auto&& figure) {
-    QStringList texts;
-    for (const ArcFit* arc : arcs) {
-      const auto i = static_cast<std::size_t>(arc ? arc - fit.arcs.data() : 0);
-      texts.append(arc ? figure(*arc, i < fit.sigmas.size() ? fit.sigmas[i] : ArcSigma{}) : notStated());
-    }
-    return texts;
-  };
-  const auto misfits = [&](auto&& figure) {
-    return figures([&](const ArcFit& arc, const ArcSigma&) { return figure(misfitAt(fit, arc.axisDeg)); });
-  };
-  const QVector<FigureGrid::Row> rows = {
-      {tr("Δx (u)  mm"),
-       figures([](const ArcFit& a, const ArcSigma& s) { return figureAndU(a.circle.x, s.x); }),
-       tr("Centre of the arc, right positive, with its standard uncertainty")},
-      {tr("Δy (u)  mm"),
-       figures([](const ArcFit& a, const ArcSigma& s) { return figureAndU(a.circle.y, s.y); }),
-       tr("Centre of the arc, up positive, with its standard uncertainty")},
-      {tr("R (u)  mm"),
-       figures([](const ArcFit& a, const ArcSigma& s) { return figureAndU(a.circle.radius, s.radius); }),
-       tr("Fitted radius with its standard uncertainty")},
-      {tr("Residual rms  ″"), misfits([](const AxisMisfit& m) { return numberText(m.residualRms, 2); }),
-       tr("Root mean square of the residuals of all readings of the arc") +
-           eachPosition(fit, [](const ArcFit& a) { return numberText(a.residualRms, 2); })},
-      {tr("Reduced χ²"), misfits([](const AxisMisfit& m) {
-         return m.degreesOfFreedom > 0 ? numberText(m.reducedChiSquare(), 2) : notStated();
-       }),
-       tr("About 1 where the readings scatter as stated")},
-      {tr("Sightings used"), misfits([](const AxisMisfit& m) { return QString::number(m.sightings); }),
-       eachPosition(fit, [](const ArcFit& a) { return QString::number(a.residuals.size()); }).trimmed()},
-      {tr("Redundancy"),
-       misfits([](const AxisMisfit& m) { return QString::number(m.degreesOfFreedom); }),
-       {}},
-      {tr("|O1 − O2|/2 (u)  mm"),
-       {{},
-        fit.intersection ? figureAndU(fit.intersection->inPlane, fit.intersection->inPlaneSigma)
-                         : notStated()},
-       tr("Half the distance of the centres in the plane of the arc, with its standard uncertainty")},
-  };
-  m_arcs->setRows({tr("0°"), tr("180°")}, rows);
-}
-
-void ResultPanel::showComparison(const Evaluation& evaluation) {
-  const PublishedSessionFit& published = evaluation.published;
-  const auto figures = [&](double AsPrinted::*figure, int decimals) {
-    QStringList texts;
-    for (const int axisDeg : {0, 180}) {
-      double sum = 0, count = 0;  // the mean over repeats, as Δd uses
-      for (const PublishedFit& arc : published.arcs) {
-        if (arc.arc.axisDeg != axisDeg) continue;
-        sum += arc.asPrinted.*figure;
-        ++count;
-      }
-      texts.append(count > 0 ? numberText(sum / count, decimals) : notStated());
-    }
-    return texts;
-  };
-  const QString printed =
-      published.intersectionAsPrinted ? numberText(*published.intersectionAsPrinted, 3) : notStated();
-  const QString yUp = published.intersection ? numberText(*published.intersection, 3) : notStated();
-  m_published->setRows({tr("0°"), tr("180°")}, {{tr("Δx  mm"), figures(&AsPrinted::x, 3)},
-                                                {tr("Δy  mm"), figures(&AsPrinted::y, 4)},
-                                                {tr("ΔR  mm"), figures(&AsPrinted::deltaRadius, 4)},
-                                                {tr("Δθx  rad"), figures(&AsPrinted::thetaX, 5)},
-                                                {tr("Δθy  rad"), figures(&AsPrinted::thetaY, 5)},
-                                                {tr("Δd as printed  mm"), {{}, printed}},
-                                                {tr("Δd with y up  mm"), {{}, yUp}}});
 }
 
 void ResultPanel::changeEvent(QEvent* event) {

@@ -13,6 +13,7 @@ class QToolButton;
 namespace alidade::ui {
 
 class HeadlineLines;
+class StatementView;
 class ToleranceBar;
 
 /// The result at a glance: the headline in large type with its place on the scale of the tolerance, what to
@@ -46,8 +47,6 @@ class ResultPanel : public ScrollPage {
   void layOutHead();
   void showVerdict(const Headline& headline);
   void showDetails(const Headline& headline);
-  void showArcs(const SessionFit& fit);
-  void showComparison(const Evaluation& evaluation);
   void colorHeadline();
   void settleWidth();
   static QString whatIsMissing(const Evaluation& evaluation);
@@ -66,10 +65,10 @@ class ResultPanel : public ScrollPage {
   QLabel* m_missing;  ///< what is missing for a result
   QToolButton* m_more;
   QLabel* m_details;
-  class FigureGrid* m_arcs;
+  StatementView* m_arcs;
   QCheckBox* m_compare;
   QWidget* m_comparison;
-  class FigureGrid* m_published;
+  StatementView* m_published;
 };
 
 }  // namespace alidade::ui

@@ -8,7 +8,6 @@ class QLabel;
 
 namespace alidade::ui {
 
-class FigureGrid;
 class SessionDocument;
 class SimulationBox;
 class StatementView;
@@ -36,13 +35,10 @@ class BudgetPanel : public ScrollPage {
   void checked(const alidade::ui::SharedBudgetCheck& check);
 
  private:
-  void showCentres(const SessionFit& fit);
-
   StatementView* m_measured;
   StatementView* m_intersection;
   SimulationBox* m_simulation;
-  QLabel* m_centresTitle;
-  FigureGrid* m_centres;
+  StatementView* m_centres;
   QLabel* m_note;
 };
 

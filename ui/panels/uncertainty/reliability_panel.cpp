@@ -7,6 +7,7 @@
 #include <functional>
 #include <limits>
 
+#include "core/statement/reliability.h"
 #include "ui/panels/parts/data_table.h"
 #include "ui/text/position_text.h"
 #include "ui/text/quantity_text.h"
@@ -126,9 +127,15 @@ void ReliabilityPanel::setEvaluation(const SharedEvaluation& evaluation) {
   const SessionFit& fit = evaluation->fit;
   m_detection = detectionIn(fit.joint, fit.noise.factor);
   m_inputs.clear();
-  if (!fit.arcs.empty()) m_inputs = reliabilityOfInputs(*evaluation->examined.measurement, fit);
-  m_summary->setText(summary());
-  m_summary->setVisible(!readings().empty());
+  QStringList sentences;
+  if (!fit.arcs.empty()) {
+    const Measurement& measurement = *evaluation->examined.measurement;
+    m_inputs = reliabilityOfInputs(measurement, fit);
+    for (const std::string& sentence : reliabilityTable(measurement, fit).sentences)
+      sentences.append(qText(sentence));
+  }
+  m_summary->setText(sentences.join(u' '));
+  m_summary->setVisible(!sentences.isEmpty());
   m_table->setRows(static_cast<int>(readings().size() + m_inputs.size()));
   showCurrent();
 }
@@ -164,48 +171,6 @@ Reliability ReliabilityPanel::reliability(const AdjustedReading& adjusted) const
   Reliability reliability = reliabilityOf(adjusted, m_detection);
   if (!m_evaluation->fit.intersection) reliability.influence = std::numeric_limits<double>::quiet_NaN();
   return reliability;
-}
-
-QString ReliabilityPanel::summary() const {
-  return summaryOfReadings() + u' ' + summaryOfInputs();
-}
-
-/// The reading whose undetected error would change Δd most.
-QString ReliabilityPanel::summaryOfReadings() const {
-  if (!std::isfinite(m_detection.shift))
-    return tr("Too few readings: none is checked well enough by the others to tell that it is misread.");
-  const auto isUnchecked = [](const AdjustedReading& adjusted) { return !adjusted.isChecked(); };
-  if (const auto unchecked = std::count_if(readings().begin(), readings().end(), isUnchecked); unchecked > 0)
-    return tr("%1 of %2 readings are checked by no other: an error in them would not show.")
-        .arg(unchecked)
-        .arg(readings().size());
-  const AdjustedReading* worst = nullptr;
-  double most = 0;
-  for (const AdjustedReading& adjusted : readings()) {
-    const double influence = std::abs(reliability(adjusted).influence);
-    if (!(influence > most)) continue;
-    most = influence;
-    worst = &adjusted;
-  }
-  if (!worst) return tr("Every reading is checked.");
-  const Row row = rowOf(*worst);
-  return tr("Every reading is checked. The dearest unfound error: %1, point %2, %3, up to %4, moves Δd by "
-            "%5.")
-      .arg(positionText(row.axisDeg, row.time))
-      .arg(row.point)
-      .arg(circleText(row.adjusted.kind), arcsecText(row.reliability.minimalDetectableBias.arcseconds(), 0),
-           lengthText(std::abs(row.reliability.influence), 3));
-}
-
-QString ReliabilityPanel::summaryOfInputs() const {
-  const auto isUnchecked = [this](auto isMeant) {
-    return std::any_of(m_inputs.begin(), m_inputs.end(), [&](const InputReliability& input) {
-      return isMeant(input.input) && !(input.redundancy > 0);
-    });
-  };
-  const bool zeros = isUnchecked([](const Unknown& input) { return input.isPointingZero(); });
-  return zeros ? tr("Nothing checks the pointing zeros and the distance: see the last rows.")
-               : tr("Nothing checks the distance: see the last row.");
 }
 
 void ReliabilityPanel::setCurrentReading(std::size_t position, std::size_t row) {

@@ -50,9 +50,6 @@ class ReliabilityPanel : public QWidget {
   const InputReliability* input(int index) const;
   DataTable* createTable();
   void showCurrent();
-  QString summary() const;
-  QString summaryOfReadings() const;
-  QString summaryOfInputs() const;
 
   SharedEvaluation m_evaluation;  ///< never null
   Detection m_detection;

@@ -9,11 +9,11 @@
 #include <algorithm>
 #include <initializer_list>
 
+#include "core/statement/monte_carlo.h"
 #include "ui/document/session_document.h"
 #include "ui/panels/parts/figure_grid.h"
+#include "ui/panels/parts/statement_view.h"
 #include "ui/text/entry_text.h"
-#include "ui/text/quantity_text.h"
-#include "ui/text/simulation_text.h"
 
 namespace alidade::ui {
 
@@ -29,7 +29,7 @@ SimulationBox::SimulationBox(const SessionDocument& document, QWidget* parent)
       m_draws(new QSpinBox),
       m_run(new QPushButton),
       m_progress(new QProgressBar),
-      m_figures(new FigureGrid),
+      m_answer(new StatementView),
       m_note(wrappedLabel()) {
   createControls();
   auto* row = new QHBoxLayout;
@@ -40,12 +40,12 @@ SimulationBox::SimulationBox(const SessionDocument& document, QWidget* parent)
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->setSpacing(5);
-  m_note->setTextFormat(Qt::RichText);
+  m_note->setForegroundRole(QPalette::PlaceholderText);
   layout->addWidget(panelHeading(tr("Check by simulation")));
   layout->addLayout(row);
   layout->addWidget(m_progress);
-  layout->addWidget(m_figures);
   layout->addWidget(m_note);
+  layout->addWidget(m_answer);
   connect(m_run, &QPushButton::clicked, this, &SimulationBox::toggle);
   connect(&m_job, &SimulationJob::finished, this, &SimulationBox::take);
   connect(&m_watch, &QTimer::timeout, this,
@@ -55,7 +55,7 @@ SimulationBox::SimulationBox(const SessionDocument& document, QWidget* parent)
 }
 
 void SimulationBox::createControls() {
-  m_draws->setRange(0, mostDraws);
+  m_draws->setRange(0, static_cast<int>(mostDrawsLeftOpen));
   m_draws->setSpecialValueText(tr("as many as it takes"));
   m_draws->setSingleStep(100000);
   m_draws->setToolTip(
@@ -135,32 +135,16 @@ void SimulationBox::showWork() {
 }
 
 void SimulationBox::showCheck() {
-  const bool isAnswered = !isWanted() && m_check && m_evaluation && m_evaluation->fit.intersection &&
-                          m_check->isOf(m_evaluation->session);
-  m_figures->setVisible(isAnswered);
-  m_note->setVisible(!isWanted());
-  m_note->setForegroundRole(isAnswered ? QPalette::WindowText : QPalette::PlaceholderText);
-  if (!isAnswered)
-    return m_note->setText(m_remark.isEmpty() ? tr("Does the propagated uncertainty hold? Not checked yet.")
-                                              : m_remark.toHtmlEscaped());
-  const Intersection& linear = *m_evaluation->fit.intersection;
-  const MonteCarlo& simulated = *m_check->simulated;
-  const Spread& spread = *simulated.intersection;
-  const auto row = [](const QString& caption, double propagated, double drawn, const QString& toolTip = {}) {
-    return FigureGrid::Row{caption, {numberText(propagated, 4), numberText(drawn, 4)}, toolTip};
-  };
-  m_figures->setRows(
-      {tr("propagated"), tr("simulated")},
-      {row(tr("Δd  mm"), linear.value, spread.mean, tr("Simulated: the mean of the draws")),
-       row(tr("u  mm"), linear.sigma, spread.sigma,
-           tr("Where the noise is known by the scatter alone, the draws spread a little more; U has it in "
-              "k")),
-       row(tr("%1 % from  mm").arg(plainNumberText(100 * simulated.coverage)), linear.value - linear.expanded,
-           spread.low, tr("Propagated: Δd − U. Simulated: as many draws lie below as above the other end")),
-       row(tr("to  mm"), linear.value + linear.expanded, spread.high)});
-  const QString remark = m_remark.isEmpty() ? QString() : m_remark.toHtmlEscaped() + u' ';
-  m_note->setText(remark + QStringLiteral("<b>%1</b> ").arg(agreementWord(simulated).toHtmlEscaped()) +
-                  agreementSentence(simulated).toHtmlEscaped());
+  const auto& linear = m_evaluation ? m_evaluation->fit.intersection : std::nullopt;
+  const bool isAnswered = !isWanted() && m_check && linear && m_check->isOf(m_evaluation->session);
+  std::optional<Statement> statement;
+  if (isAnswered) statement = monteCarloCheck(*m_check->simulated, &*linear);
+  if (statement) statement->title.clear();
+  m_answer->setStatement(statement);
+  m_note->setText(!m_remark.isEmpty() || isAnswered
+                      ? m_remark
+                      : tr("Does the propagated uncertainty hold? Not checked yet."));
+  m_note->setVisible(!isWanted() && !m_note->text().isEmpty());
 }
 
 }  // namespace alidade::ui

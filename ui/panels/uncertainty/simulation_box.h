@@ -12,7 +12,7 @@ class QSpinBox;
 
 namespace alidade::ui {
 
-class FigureGrid;
+class StatementView;
 class SessionDocument;
 
 /// Checks the propagated uncertainty of Δd by Monte Carlo: number of draws, run or stop, and both results
@@ -51,7 +51,7 @@ class SimulationBox : public QWidget {
   QSpinBox* m_draws;
   QPushButton* m_run;
   QProgressBar* m_progress;
-  FigureGrid* m_figures;
+  StatementView* m_answer;
   QLabel* m_note;
 };
 

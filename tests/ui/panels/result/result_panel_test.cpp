@@ -113,7 +113,7 @@ TEST(ResultPanel, ShowsAProvisionalFigureGreyAndWithoutAVerdict) {
 TEST(ResultPanel, StaysWhereItIsWhileTheDiagnosisIsRunning) {
   const Gap gap = gapOf("paper-table-1.alidade");
   Bench bench(gap);
-  QLabel* arcs = bench.label(QStringLiteral("Arcs"));
+  QLabel* arcs = bench.label(QStringLiteral("Arc centres"));
   const int y = arcs->y();
   bench.panel.setGapStale();
   bench.panel.setHeadline(headlineOf(*gap.evaluation));

@@ -226,10 +226,14 @@ TEST(TwoFacesPage, IsThereWhereThereAreTwoFaces) {
   const auto faces = compareFaces(*examine(open->document().session()).measurement);
   ASSERT_TRUE(faces);
   const std::string errors = shownBy(page);
-  for (const InstrumentError& error : {faces->collimation, *faces->trunnionTilt, faces->index})
-    EXPECT_THAT(errors, HasSubstr(withStandardUncertainty(error.value.arcseconds(), error.sigma.arcseconds(),
-                                                          QStringLiteral("″"))
-                                      .toStdString()));
+  for (const InstrumentError& error : {faces->collimation, *faces->trunnionTilt, faces->index}) {
+    const double u = error.sigma.arcseconds();
+    const int decimals = decimalsFor(u);
+    EXPECT_THAT(errors,
+                HasSubstr(QStringLiteral("\n%1 (%2)\n")
+                              .arg(numberText(error.value.arcseconds(), decimals), numberText(u, decimals))
+                              .toStdString()));
+  }
   EXPECT_THAT(errors, HasSubstr("× " + numberText(faces->vertical.ratio(), 2).toStdString() + "\n"));
   const auto* table = page->findChild<DataTable*>();
   ASSERT_EQ(table->model()->rowCount(), static_cast<int>(faces->visits.size()));

@@ -4,7 +4,7 @@
 
 #include "core/adjustment/result/session_fit.h"
 
-namespace alidade::ui {
+namespace alidade {
 
 /// The joint residuals of the arcs at one axis angle, which share centre and radius; like `ArcFit` for one
 /// arc.
@@ -19,4 +19,4 @@ struct AxisMisfit {
 
 AxisMisfit misfitAt(const SessionFit& fit, int axisDeg);
 
-}  // namespace alidade::ui
+}  // namespace alidade

@@ -1,9 +1,9 @@
-#include "ui/panels/result/axis_misfit.h"
+#include "core/adjustment/result/axis_misfit.h"
 
 #include <algorithm>
 #include <cmath>
 
-namespace alidade::ui {
+namespace alidade {
 
 AxisMisfit misfitAt(const SessionFit& fit, int axisDeg) {
   AxisMisfit misfit;
@@ -29,4 +29,4 @@ AxisMisfit misfitAt(const SessionFit& fit, int axisDeg) {
   return misfit;
 }
 
-}  // namespace alidade::ui
+}  // namespace alidade

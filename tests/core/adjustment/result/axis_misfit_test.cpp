@@ -1,17 +1,17 @@
-#include "ui/panels/result/axis_misfit.h"
+#include "core/adjustment/result/axis_misfit.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "core/evaluation/evaluation.h"
-#include "tests/ui/support.h"
+#include "core/adjustment/result/session_fit.h"
+#include "tests/support/paper_table.h"
 
-namespace alidade::ui {
+namespace alidade {
 namespace {
 
 TEST(AxisMisfit, IsThatOfItsArcWhereThereIsOne) {
-  const SessionFit fit = evaluate(paperSession()).fit;
+  const SessionFit fit = fitSession(test::paperMeasurement());
   for (const int axisDeg : {0, 180}) {
     const AxisMisfit misfit = misfitAt(fit, axisDeg);
     const ArcFit& arc = *fit.arcAt(axisDeg);
@@ -25,7 +25,9 @@ TEST(AxisMisfit, IsThatOfItsArcWhereThereIsOne) {
 
 /// Each sighting has two readings and one place; both arcs at 0° share centre and radius, three numbers.
 TEST(AxisMisfit, CountsWhatTheArcsOfAnAxisShareOnce) {
-  const SessionFit fit = evaluate(sessionTakenAt({0, 180, 0})).fit;
+  Session session = test::paperSession();
+  session.positions.push_back(session.positions.front());
+  const SessionFit fit = fitSession(*examine(session).measurement);
   const AxisMisfit upper = misfitAt(fit, 0), lower = misfitAt(fit, 180);
   EXPECT_EQ(upper.sightings, 34u);
   EXPECT_EQ(upper.degreesOfFreedom, 34 - 3);
@@ -41,4 +43,4 @@ TEST(AxisMisfit, CountsWhatTheArcsOfAnAxisShareOnce) {
 }
 
 }  // namespace
-}  // namespace alidade::ui
+}  // namespace alidade

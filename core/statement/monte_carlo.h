@@ -1,0 +1,21 @@
+#pragma once
+
+#include <string>
+
+#include "core/adjustment/monte_carlo/monte_carlo.h"
+#include "core/adjustment/result/intersection.h"
+#include "core/statement/statement.h"
+
+namespace alidade {
+
+/// Δd, fit only, as propagated and as drawn, then the centres as drawn: mean, u and the ends of the interval,
+/// in mm. `linear` is null without an intersection.
+Statement monteCarloCheck(const MonteCarlo& check, const Intersection* linear);
+
+/// Whether propagated and simulated uncertainty agree: "Agrees."
+std::string agreementWord(const MonteCarlo& check);
+
+/// The difference of the interval ends, the tolerance, and the consequence.
+std::string agreementSentence(const MonteCarlo& check);
+
+}  // namespace alidade

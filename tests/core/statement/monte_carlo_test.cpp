@@ -1,0 +1,56 @@
+#include "core/statement/monte_carlo.h"
+
+#include <gmock/gmock.h>
+
+#include <cmath>
+
+namespace alidade {
+namespace {
+
+using testing::HasSubstr;
+
+/// A thousand draws and a tolerance of 0.005 mm.
+MonteCarlo differing(double low, LinearPropagation linear) {
+  MonteCarlo check;
+  check.draws = 1000;
+  check.tolerance = 0.005;
+  check.lowDifference = low;
+  check.highDifference = 0.002;
+  check.endpointSigma = 0.004;
+  check.linear = linear;
+  return check;
+}
+
+TEST(MonteCarloStatement, SaysWhatFollows) {
+  MonteCarlo check = differing(0.031, LinearPropagation::Refuted);
+  EXPECT_EQ(agreementSentence(check),
+            "The ends of Δd ± U differ from those simulated by 0.0310 and 0.0020 mm; the tolerance is 0.0050 "
+            "mm. Rely on the simulated interval.");
+  check.failed = 1;
+  EXPECT_THAT(agreementSentence(check), HasSubstr("Draws without a result, left out: 1."));
+}
+
+TEST(MonteCarloStatement, SaysHowManyDrawsWouldTell) {
+  MonteCarlo check = differing(0.003, LinearPropagation::Undecided);
+  EXPECT_EQ(agreementWord(check), "No disagreement, but too few draws to be sure.");
+  EXPECT_THAT(agreementSentence(check),
+              HasSubstr("an end is uncertain by 0.0040 mm: about 6000 draws would tell."))
+      << "1000 · (3 · 0.004/0.005)²";
+  check.lowDifference = 0.0091;
+  EXPECT_EQ(agreementWord(check), "Too few draws to tell.");
+  EXPECT_THAT(agreementSentence(check), HasSubstr(": about 9000 draws would tell."))
+      << "1000 · (3 · 0.004/(0.0091 − 0.005))²";
+  check.lowDifference = 0.016;
+  EXPECT_THAT(agreementSentence(check), HasSubstr(": about 6000 draws would tell."))
+      << "the tolerance is the smaller room";
+  check.lowDifference = check.tolerance;
+  EXPECT_EQ(agreementWord(check), "No disagreement, but too few draws to be sure.");
+  EXPECT_THAT(agreementSentence(check), HasSubstr(": about 6000 draws would tell."))
+      << "at the tolerance is within it";
+  check.lowDifference = std::nextafter(check.tolerance, 1);
+  EXPECT_THAT(agreementSentence(check),
+              HasSubstr("; it would take more draws than can be asked for here to tell."));
+}
+
+}  // namespace
+}  // namespace alidade
