@@ -70,9 +70,10 @@ Statement sectionTable(const CheckSection& section) {
   for (const auto& [check, reason] : section.lines) {
     const std::string most = shareText(check->tolerance);
     statement.rows.push_back(
-        {{visibleText(check->name), outcomeText(check->outcome), visibleText(check->expected),
-          visibleText(check->found), shareText(check->deviation),
-          (most.empty() ? "" : most + " ") + mark(reason)}});
+        {.cells = {outcomeText(check->outcome) + "  " + visibleText(check->name),
+                   visibleText(check->expected), visibleText(check->found), shareText(check->deviation),
+                   (most.empty() ? "" : most + " ") + mark(reason)},
+         .isNotable = check->outcome == SelfCheck::Outcome::Failed});
   }
   for (std::size_t i = 0; i < section.reasons.size(); ++i)
     statement.sentences.push_back(mark(i) + " " + section.reasons[i]);

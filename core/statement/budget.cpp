@@ -6,6 +6,7 @@
 #include "core/base/phrase.h"
 #include "core/base/quantity_text.h"
 #include "core/base/visible_text.h"
+#include "core/wording/across.h"
 #include "core/wording/attainable.h"
 #include "core/wording/budget.h"
 #include "core/wording/effect_name.h"
@@ -80,7 +81,8 @@ Statement measuredBudget(const Diagnosis& diagnosis, double coverage) {
                             true});
   statement.sentences = {
       Phrase::of("Δd, measured, includes every catalogued effect, limited by these readings or by its "
-                 "plausible size.")};
+                 "plausible size."),
+      acrossSentence(measured)};
   if (std::string attainable = attainableSentence(diagnosis.attainable); !attainable.empty())
     statement.sentences.push_back(std::move(attainable));
   statement.note = Phrase::of(

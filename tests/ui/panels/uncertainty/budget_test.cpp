@@ -4,6 +4,7 @@
 
 #include "core/evaluation/gap.h"
 #include "core/statement/budget.h"
+#include "core/wording/across.h"
 #include "tests/ui/support.h"
 #include "ui/document/session_document.h"
 #include "ui/main_window.h"
@@ -60,6 +61,7 @@ TEST(BudgetOfTheMeasurement, StandsAboveThatOfTheFitAlone) {
         if (budget.columns[i].role != Statement::Column::Role::Remark) cells += row.cells[i] + '\n';
       EXPECT_THAT(shown, HasSubstr(cells)) << "tool tips tell the remarks";
     }
+  EXPECT_THAT(shown, HasSubstr(acrossSentence(*gap.measured())));
   EXPECT_THAT(shown, HasSubstr("Sessions like this one come to U = "));
   EXPECT_THAT(shown, Not(HasSubstr("_"))) << "names, not ids";
   EXPECT_LT(shown.find(asMeasured), shown.find("Standard uncertainty of Δd, fit only\n"));
