@@ -3361,10 +3361,6 @@ Sealed by:</source>
         <translation>不是角度</translation>
     </message>
     <message>
-        <source>%1: %2. No single slip explains it: read it again.</source>
-        <translation>%1：%2。没有单一的笔误能解释：请重新读取。</translation>
-    </message>
-    <message>
         <source>%1: %2. Probably meant: %3</source>
         <translation>%1：%2。可能应为：%3</translation>
     </message>
@@ -5031,10 +5027,6 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
     <message>
         <source>Entry %1 is earlier than the one before it: the clock was set back, or its time was changed.</source>
         <translation>第 %1 条早于其前一条：时钟曾被回拨，或其时间被更改。</translation>
-    </message>
-    <message>
-        <source>%1: %2. More than one reading may be wrong here: read it again.</source>
-        <translation>%1：%2。此处可能不止一个读数有误：请重新读取。</translation>
     </message>
     <message>
         <source>is no record of what was half typed</source>
@@ -6747,6 +6739,652 @@ Includes every catalogued effect, limited by these readings or by its plausible 
         <source>The verdict depends on a single row: %1</source>
         <translation>结论取决于单行读数：%1</translation>
     </message>
+    <message>
+        <source>Line</source>
+        <translation>行</translation>
+    </message>
+    <message>
+        <source>Expected</source>
+        <translation>期望值</translation>
+    </message>
+    <message>
+        <source>Found</source>
+        <translation>所得值</translation>
+    </message>
+    <message>
+        <source>Deviation</source>
+        <translation>偏差</translation>
+    </message>
+    <message>
+        <source>At most</source>
+        <translation>最多</translation>
+    </message>
+    <message>
+        <source>step</source>
+        <translation>阶跃</translation>
+    </message>
+    <message>
+        <source>stands apart</source>
+        <translation>离群</translation>
+    </message>
+    <message>
+        <source>outside 3 u</source>
+        <translation>超出 3 u</translation>
+    </message>
+    <message>
+        <source>average outside</source>
+        <translation>均值超出</translation>
+    </message>
+    <message>
+        <source>Control limits: the mean %1 ± 3 u of each value; by the moving range that is seen ± %2.</source>
+        <translation>控制限：均值 %1 ± 各值的 3 u；按观测到的移动极差为 ± %2。</translation>
+    </message>
+    <message>
+        <source>one value</source>
+        <translation>一个值</translation>
+    </message>
+    <message>
+        <source>stable</source>
+        <translation>稳定</translation>
+    </message>
+    <message>
+        <source>scatters</source>
+        <translation>离散</translation>
+    </message>
+    <message>
+        <source>changed</source>
+        <translation>已改变</translation>
+    </message>
+    <message>
+        <source>differs</source>
+        <translation>不同</translation>
+    </message>
+    <message>
+        <source>O1 and O2 refer to the theodolite: compare them only between set-ups on the same pillar.</source>
+        <translation>O1 与 O2 以经纬仪为基准：只能在同一观测墩的各次设站之间比较。</translation>
+    </message>
+    <message>
+        <source>Values</source>
+        <translation>值数</translation>
+    </message>
+    <message>
+        <source>Date</source>
+        <translation>日期</translation>
+    </message>
+    <message>
+        <source>value</source>
+        <translation>值</translation>
+    </message>
+    <message>
+        <source>u apart</source>
+        <translation>独立 u</translation>
+    </message>
+    <message>
+        <source>± limit</source>
+        <translation>± 限值</translation>
+    </message>
+    <message>
+        <source>Sessions</source>
+        <translation>会话</translation>
+    </message>
+    <message>
+        <source>Session</source>
+        <translation>会话</translation>
+    </message>
+    <message>
+        <source>Instrument</source>
+        <translation>仪器</translation>
+    </message>
+    <message>
+        <source>Verdict</source>
+        <translation>判定</translation>
+    </message>
+    <message>
+        <source>Quantities</source>
+        <translation>各量</translation>
+    </message>
+    <message>
+        <source>Quantity</source>
+        <translation>量</translation>
+    </message>
+    <message>
+        <source>Weighted mean</source>
+        <translation>加权均值</translation>
+    </message>
+    <message>
+        <source>Trend</source>
+        <translation>趋势</translation>
+    </message>
+    <message>
+        <source>Course</source>
+        <translation>走势</translation>
+    </message>
+    <message>
+        <source>Standard uncertainties; all but that of Δd, measured, by the readings alone.</source>
+        <translation>标准不确定度；除实测 Δd 外，均仅由读数得出。</translation>
+    </message>
+    <message>
+        <source>Sessions compared</source>
+        <translation>会话比较</translation>
+    </message>
+    <message>
+        <source>From</source>
+        <translation>由</translation>
+    </message>
+    <message>
+        <source>To</source>
+        <translation>变为</translation>
+    </message>
+    <message>
+        <source>Δd changes by</source>
+        <translation>Δd 变化</translation>
+    </message>
+    <message>
+        <source>Device: T of m</source>
+        <translation>设备：T（m 个数）</translation>
+    </message>
+    <message>
+        <source>Each session with the next, and the first with the last. Δd, measured, with its expanded uncertainty; what both sessions share cancels. Device: (O1 − O2)/2 and the radii by the readings alone, T = dᵀC⁻¹d with the full covariance of both fits.</source>
+        <translation>每次测量与下一次、第一次与最后一次相比。Δd（实测）及其扩展不确定度；两次测量共有的部分相消。装置：仅由读数得出的 (O1 − O2)/2 和半径，T = dᵀC⁻¹d，采用两次拟合的完整协方差。</translation>
+    </message>
+    <message>
+        <source>device without a name</source>
+        <translation>未命名的设备</translation>
+    </message>
+    <message>
+        <source>serial number %1</source>
+        <translation>序列号 %1</translation>
+    </message>
+    <message>
+        <source>%1, serial number %2</source>
+        <translation>%1，序列号 %2</translation>
+    </message>
+    <message>
+        <source>accept</source>
+        <translation>接受</translation>
+    </message>
+    <message>
+        <source>reject</source>
+        <translation>拒绝</translation>
+    </message>
+    <message>
+        <source>all, pooled</source>
+        <translation>全部合并</translation>
+    </message>
+    <message>
+        <source>%1, by round</source>
+        <translation>%1，按测回</translation>
+    </message>
+    <message>
+        <source>Round</source>
+        <translation>测回</translation>
+    </message>
+    <message>
+        <source>Collimation</source>
+        <translation>视准误差</translation>
+    </message>
+    <message>
+        <source>Index</source>
+        <translation>指标差</translation>
+    </message>
+    <message>
+        <source>Orientation</source>
+        <translation>定向</translation>
+    </message>
+    <message>
+        <source>%1, by target</source>
+        <translation>%1，按目标</translation>
+    </message>
+    <message>
+        <source>Target</source>
+        <translation>目标</translation>
+    </message>
+    <message>
+        <source>Elevation</source>
+        <translation>高度角</translation>
+    </message>
+    <message>
+        <source>Distance</source>
+        <translation>距离</translation>
+    </message>
+    <message>
+        <source>Of a direction observed once in both faces, with its degrees of freedom</source>
+        <translation>双面各观测一次的方向，及其自由度</translation>
+    </message>
+    <message>
+        <source>Of a zenith angle observed once in both faces, with its degrees of freedom</source>
+        <translation>双面各观测一次的天顶距，及其自由度</translation>
+    </message>
+    <message>
+        <source>Field check after ISO 17123-3</source>
+        <translation>按 ISO 17123-3 的现场检验</translation>
+    </message>
+    <message>
+        <source>Station</source>
+        <translation>测站</translation>
+    </message>
+    <message>
+        <source>Evaluated one by one; the last row holds all of them</source>
+        <translation>逐个评定；最后一行为全部</translation>
+    </message>
+    <message>
+        <source>Rounds</source>
+        <translation>测回</translation>
+    </message>
+    <message>
+        <source>Complete rounds × targets</source>
+        <translation>完整测回数 × 目标数</translation>
+    </message>
+    <message>
+        <source>s direction (ν)</source>
+        <translation>方向 s (ν)</translation>
+    </message>
+    <message>
+        <source>s zenith (ν)</source>
+        <translation>天顶距 s (ν)</translation>
+    </message>
+    <message>
+        <source>c as of face 1, ± its standard uncertainty</source>
+        <translation>以盘位 1 为准的 c，± 其标准不确定度</translation>
+    </message>
+    <message>
+        <source>Of the vertical circle as of face 1, ± its standard uncertainty</source>
+        <translation>以盘位 1 为准的竖直度盘指标差，± 其标准不确定度</translation>
+    </message>
+    <message>
+        <source>Trunnion tilt</source>
+        <translation>横轴倾斜</translation>
+    </message>
+    <message>
+        <source>i, estimated together with the collimation, from targets at several elevations</source>
+        <translation>i，由不同高度角的目标与视准误差一并估计</translation>
+    </message>
+    <message>
+        <source>Line of sight</source>
+        <translation>视线</translation>
+    </message>
+    <message>
+        <source>e, by which it passes the axis, from targets at several distances</source>
+        <translation>视线偏离轴的量 e，由不同距离的目标得出</translation>
+    </message>
+    <message>
+        <source>Rounds × targets; s: of a direction or a zenith angle observed once in both faces, ν: degrees of freedom. Collimation and index as of face 1; line of sight: its distance from the axis; each ± its standard uncertainty.</source>
+        <translation>测回 × 目标；s：双盘位观测一次的方向或天顶距，ν：自由度。照准差和指标差按盘左；视准线：到轴的距离；均 ± 标准不确定度。</translation>
+    </message>
+    <message>
+        <source>%1 at %2</source>
+        <extracomment>an arc and the position of its axis</extracomment>
+        <translation>%1，%2</translation>
+    </message>
+    <message>
+        <source>Arc centres and radii</source>
+        <translation>圆心和半径</translation>
+    </message>
+    <message>
+        <source>Δx (u), mm</source>
+        <translation>Δx (u)，mm</translation>
+    </message>
+    <message>
+        <source>Centre of the arc, right positive, with its standard uncertainty</source>
+        <translation>圆弧圆心，向右为正，及其标准不确定度</translation>
+    </message>
+    <message>
+        <source>Δy (u), mm</source>
+        <translation>Δy (u)，mm</translation>
+    </message>
+    <message>
+        <source>Centre of the arc, up positive, with its standard uncertainty</source>
+        <translation>圆弧圆心，向上为正，及其标准不确定度</translation>
+    </message>
+    <message>
+        <source>R (u), mm</source>
+        <translation>R (u)，mm</translation>
+    </message>
+    <message>
+        <source>Fitted radius with its standard uncertainty</source>
+        <translation>拟合半径及其标准不确定度</translation>
+    </message>
+    <message>
+        <source>Sightings</source>
+        <translation>照准数</translation>
+    </message>
+    <message>
+        <source>rms, ″</source>
+        <translation>均方根，″</translation>
+    </message>
+    <message>
+        <source>Root mean square of the residuals of all readings of the arc</source>
+        <translation>圆弧所有读数残差的均方根</translation>
+    </message>
+    <message>
+        <source>Reduced χ²</source>
+        <translation>约化 χ²</translation>
+    </message>
+    <message>
+        <source>About 1 where the readings scatter as stated</source>
+        <translation>读数按声明离散时约为 1</translation>
+    </message>
+    <message>
+        <source>Redundancy</source>
+        <translation>多余观测分量</translation>
+    </message>
+    <message>
+        <source>Centres apart in the plane: |O1 − O2|/2 = %1.</source>
+        <translation>平面内两圆心距离的一半：|O1 − O2|/2 = %1。</translation>
+    </message>
+    <message>
+        <source>x right, y up; u: standard, scaled by s0 = %1; rms: of all residuals.</source>
+        <translation>x 向右，y 向上；u：标准不确定度，按 s0 = %1 缩放；均方根：全部残差。</translation>
+    </message>
+    <message>
+        <source>Positions at the same axis angle share one centre and one radius.</source>
+        <translation>轴角相同的位置共用一个圆心和一个半径。</translation>
+    </message>
+    <message>
+        <source>Published method, as printed</source>
+        <translation>已发表的方法，按所发表</translation>
+    </message>
+    <message>
+        <source>Δd as printed = %1 mm; with y up %2 mm; |O1 − O2|/2 = %3 mm.</source>
+        <translation>按所发表的 Δd = %1 mm；y 向上时为 %2 mm；|O1 − O2|/2 = %3 mm。</translation>
+    </message>
+    <message>
+        <source>As printed: y points down for zenith angles, ΔR is the last increment, θ are no tilts. The method states no uncertainty and takes tan e = y/L, which no theodolite reads; do not accept by it.</source>
+        <translation>按所发表：对天顶距 y 向下，ΔR 为最后一次增量，θ 不是倾斜。该方法不给出不确定度，并采用 tan e = y/L，没有经纬仪如此读数；请勿据此验收。</translation>
+    </message>
+    <message>
+        <source>Model effects</source>
+        <translation>模型效应</translation>
+    </message>
+    <message>
+        <source>Estimated along with the arcs</source>
+        <translation>与圆弧一并估计</translation>
+    </message>
+    <message>
+        <source>Standard uncertainty of the centres (mm)</source>
+        <translation>圆心的标准不确定度（mm）</translation>
+    </message>
+    <message>
+        <source>correlation with R</source>
+        <translation>与 R 的相关</translation>
+    </message>
+    <message>
+        <source>All parts rest on the stated noise.</source>
+        <translation>所有部分都基于声明的噪声。</translation>
+    </message>
+    <message>
+        <source>What comes from the readings is scaled by their scatter, %1 times the stated noise. Pointing zeros and distance enter as stated.</source>
+        <translation>来自读数的部分按其离散放大，为声明噪声的 %1 倍。瞄准零位和距离按声明计入。</translation>
+    </message>
+    <message>
+        <source>Correlation with R: how far a wrong radius takes the centre along, −1 to 1; on half an arc it decides the height.</source>
+        <translation>与 R 的相关系数：半径有误时圆心随之移动的程度，−1 至 1；在半个圆弧上它决定高度。</translation>
+    </message>
+    <message>
+        <source>U: coverage %1.</source>
+        <translation>U：包含概率 %1。</translation>
+    </message>
+    <message>
+        <source>Δd, measured: u = %1, ν = %2.</source>
+        <translation>Δd，实测：u = %1，ν = %2。</translation>
+    </message>
+    <message>
+        <source>%1, k = %2, u = %3, ν = %4.</source>
+        <translation>%1，k = %2，u = %3，ν = %4。</translation>
+    </message>
+    <message>
+        <source>Journal of changes</source>
+        <translation>更改日志</translation>
+    </message>
+    <message>
+        <source>When (UTC)</source>
+        <translation>时间 (UTC)</translation>
+    </message>
+    <message>
+        <source>What</source>
+        <translation>内容</translation>
+    </message>
+    <message>
+        <source>Why</source>
+        <translation>原因</translation>
+    </message>
+    <message>
+        <source>Who</source>
+        <translation>操作者</translation>
+    </message>
+    <message>
+        <source>1 earlier entry is in the session file.</source>
+        <translation>会话文件中还有 1 条更早的记录。</translation>
+    </message>
+    <message>
+        <source>%1 earlier entries are in the session file.</source>
+        <translation>会话文件中还有 %1 条更早的记录。</translation>
+    </message>
+    <message>
+        <source>By chance alone an end is uncertain by %1: about %2 draws would tell.</source>
+        <translation>仅凭偶然，一个端点的不确定度就有 %1：约需 %2 次抽样才能判断。</translation>
+    </message>
+    <message>
+        <source>By chance alone an end is uncertain by %1; it would take more draws than can be asked for here to tell.</source>
+        <translation>仅凭偶然，一个端点的不确定度就有 %1；所需抽样次数超过此处可设的上限，无法判断。</translation>
+    </message>
+    <message>
+        <source>Monte Carlo check of Δd, fit only</source>
+        <translation>Δd（仅拟合）的蒙特卡洛检验</translation>
+    </message>
+    <message>
+        <source>mean (mm)</source>
+        <translation>均值（mm）</translation>
+    </message>
+    <message>
+        <source>%1 from</source>
+        <translation>%1 区间自</translation>
+    </message>
+    <message>
+        <source>to (mm)</source>
+        <translation>至（mm）</translation>
+    </message>
+    <message>
+        <source>Δd, propagated</source>
+        <translation>Δd，传播</translation>
+    </message>
+    <message>
+        <source>Δd, simulated</source>
+        <translation>Δd，模拟</translation>
+    </message>
+    <message>
+        <source>JCGM 101: %1 draws of all readings, seed %2; the centres as simulated.</source>
+        <translation>JCGM 101：对全部读数抽样 %1 次，种子 %2；圆心为模拟值。</translation>
+    </message>
+    <message>
+        <source>Agrees.</source>
+        <translation>一致。</translation>
+    </message>
+    <message>
+        <source>Does not agree.</source>
+        <translation>不一致。</translation>
+    </message>
+    <message>
+        <source>Too few draws to tell.</source>
+        <translation>抽样次数太少，无法判断。</translation>
+    </message>
+    <message>
+        <source>No disagreement, but too few draws to be sure.</source>
+        <translation>没有不一致，但抽样次数太少，不能确定。</translation>
+    </message>
+    <message>
+        <source>The ends of Δd ± U differ from those simulated by %1 and %2; the tolerance is %3.</source>
+        <translation>Δd ± U 的端点与模拟值相差 %1 和 %2；容许差为 %3。</translation>
+    </message>
+    <message>
+        <source>Rely on the simulated interval.</source>
+        <translation>请采用模拟区间。</translation>
+    </message>
+    <message>
+        <source>Draws without a result, left out: %1.</source>
+        <translation>没有结果而略去的抽样：%1。</translation>
+    </message>
+    <message>
+        <source>horizontal zero</source>
+        <translation>水平零位</translation>
+    </message>
+    <message>
+        <source>vertical zero</source>
+        <translation>竖直零位</translation>
+    </message>
+    <message>
+        <source>%1 per mm</source>
+        <translation>每 mm %1</translation>
+    </message>
+    <message>
+        <source>%1 per ″</source>
+        <translation>每 ″ %1</translation>
+    </message>
+    <message>
+        <source>Too few readings: none is checked well enough by the others to tell that it is misread.</source>
+        <translation>读数太少：没有一个读数被其他读数充分检核到能判断误读。</translation>
+    </message>
+    <message>
+        <source>%1 of %2 readings are checked by no other: an error in them would not show.</source>
+        <translation>%2 个读数中有 %1 个没有其他读数检核：其中的误差不会显现。</translation>
+    </message>
+    <message>
+        <source>Every reading is checked.</source>
+        <translation>每个读数都有检核。</translation>
+    </message>
+    <message>
+        <source>Every reading is checked. The largest effect of an undetected error: %1, up to %2″, moves Δd by %3 mm.</source>
+        <translation>每个读数都有检核。未被发现的误差影响最大者：%1，不超过 %2″，使 Δd 变动 %3 mm。</translation>
+    </message>
+    <message>
+        <source>Nothing checks the pointing zeros and the distance.</source>
+        <translation>瞄准零位和距离没有检核。</translation>
+    </message>
+    <message>
+        <source>Nothing checks the distance.</source>
+        <translation>距离没有检核。</translation>
+    </message>
+    <message>
+        <source>Reliability</source>
+        <translation>可靠性</translation>
+    </message>
+    <message>
+        <source>residual ″</source>
+        <translation>残差 ″</translation>
+    </message>
+    <message>
+        <source>redundancy</source>
+        <translation>多余观测分量</translation>
+    </message>
+    <message>
+        <source>detectable ″</source>
+        <translation>可检测 ″</translation>
+    </message>
+    <message>
+        <source>moves Δd by mm</source>
+        <translation>使 Δd 变动 mm</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>无</translation>
+    </message>
+    <message>
+        <source>w: standardised residual; redundancy: share of an error that shows in the residual; detectable: the smallest error that the search for misread readings finds with 80 % chance; Δd moves by such an error.</source>
+        <translation>w：标准化残差；多余观测分量：误差显现于残差的份额；可检测：误读搜索以 80 % 的概率发现的最小误差；Δd 的变动由此误差引起。</translation>
+    </message>
+    <message>
+        <source>Readings that look misread</source>
+        <translation>像是误读的读数</translation>
+    </message>
+    <message>
+        <source>deviation</source>
+        <translation>偏差</translation>
+    </message>
+    <message>
+        <source>probably meant</source>
+        <translation>本意可能是</translation>
+    </message>
+    <message>
+        <source>or</source>
+        <translation>或</translation>
+    </message>
+    <message>
+        <source>And %1 more.</source>
+        <translation>另有 %1 个。</translation>
+    </message>
+    <message>
+        <source>From both faces</source>
+        <translation>由两盘位得出</translation>
+    </message>
+    <message>
+        <source>value (u), ″</source>
+        <translation>值 (u)，″</translation>
+    </message>
+    <message>
+        <source>With standard uncertainty; signs of face 1. A trunnion tilt needs three visits at different elevations</source>
+        <translation>附标准不确定度；符号按盘左。横轴倾斜需要在不同高度角的三次停靠</translation>
+    </message>
+    <message>
+        <source>scatter against the stated σ</source>
+        <translation>离散与给定 σ 之比</translation>
+    </message>
+    <message>
+        <source>About × 1 where the differences of the faces scatter as stated</source>
+        <translation>两盘位之差按声明离散时约为 × 1</translation>
+    </message>
+    <message>
+        <source>collimation c</source>
+        <translation>视准误差 c</translation>
+    </message>
+    <message>
+        <source>trunnion tilt i</source>
+        <translation>横轴误差 i</translation>
+    </message>
+    <message>
+        <source>vertical index j</source>
+        <translation>竖盘指标差 j</translation>
+    </message>
+    <message>
+        <source>Signs of face 1. Visits read in both faces: %1.</source>
+        <translation>符号按盘左。双盘位停靠次数：%1。</translation>
+    </message>
+    <message>
+        <source>Both faces</source>
+        <translation>双盘位</translation>
+    </message>
+    <message>
+        <source>Axis</source>
+        <translation>轴位</translation>
+    </message>
+    <message>
+        <source>Point</source>
+        <translation>测点</translation>
+    </message>
+    <message>
+        <source>Elevation °</source>
+        <translation>高度角 °</translation>
+    </message>
+    <message>
+        <source>Off its course ″</source>
+        <translation>偏离走势 ″</translation>
+    </message>
+    <message>
+        <source>Index ″</source>
+        <translation>指标差 ″</translation>
+    </message>
+    <message>
+        <source>More than one reading may be wrong here: read it again.</source>
+        <translation>此处可能不止一个读数有误：请重新读取。</translation>
+    </message>
+    <message>
+        <source>No single slip explains it: read it again.</source>
+        <translation>没有单一的笔误能解释：请重新读取。</translation>
+    </message>
+    <message>
+        <source>%1: %2. %3</source>
+        <extracomment>the name of a reading, how wrong it is, and what was probably meant or has to be done</extracomment>
+        <translation>%1：%2。%3</translation>
+    </message>
 </context>
 <context>
     <name>PlaceText</name>
@@ -7342,10 +7980,6 @@ as read</source>
         <translation>竖直度盘</translation>
     </message>
     <message>
-        <source>rms</source>
-        <translation>均方根</translation>
-    </message>
-    <message>
         <source>Gap between model and readings</source>
         <translation>模型与读数的差距</translation>
     </message>
@@ -7359,43 +7993,6 @@ a clause as a sentence</extracomment>
     <message>
         <source>The figures of this report are those of the model as it is, but for what is said to be measured; nothing was added or left out because of the diagnosis. The verdict stands only where both accounts say so.</source>
         <translation>除注明为实测者外，本报告的数字均为按现有模型所得；没有因诊断而增加或略去任何内容。只有两种陈述都如此时，判定才成立。</translation>
-    </message>
-    <message>
-        <source>Journal of changes</source>
-        <translation>更改日志</translation>
-    </message>
-    <message>
-        <source>When (UTC)</source>
-        <extracomment>heads of the journal: when, what, from which text, to which, why and by whom it was changed</extracomment>
-        <translation>时间 (UTC)</translation>
-    </message>
-    <message>
-        <source>What</source>
-        <translation>内容</translation>
-    </message>
-    <message>
-        <source>From</source>
-        <translation>由</translation>
-    </message>
-    <message>
-        <source>To</source>
-        <translation>变为</translation>
-    </message>
-    <message>
-        <source>Why</source>
-        <translation>原因</translation>
-    </message>
-    <message>
-        <source>Who</source>
-        <translation>操作者</translation>
-    </message>
-    <message>
-        <source>1 earlier entry is in the session file.</source>
-        <translation>会话文件中还有 1 条更早的记录。</translation>
-    </message>
-    <message>
-        <source>%1 earlier entries are in the session file.</source>
-        <translation>会话文件中还有 %1 条更早的记录。</translation>
     </message>
     <message>
         <source>the logo “%1” cannot be used: there is no such file</source>
@@ -7534,10 +8131,6 @@ a clause as a sentence</extracomment>
         <translation>轴位 %1 中更改、排除或无法使用的读数</translation>
     </message>
     <message>
-        <source>U: coverage %1.</source>
-        <translation>U：包含概率 %1。</translation>
-    </message>
-    <message>
         <source>%1: %2</source>
         <extracomment>a place, and what is wrong there</extracomment>
         <translation>%1：%2</translation>
@@ -7551,52 +8144,6 @@ a clause as a sentence</extracomment>
         <translation>%1 条提示：见下文。</translation>
     </message>
     <message>
-        <source>Arc</source>
-        <translation>圆弧</translation>
-    </message>
-    <message>
-        <source>%1 at %2</source>
-        <extracomment>an arc and the position of its axis: &quot;O1 at 0°&quot;</extracomment>
-        <translation>%1，%2</translation>
-    </message>
-    <message>
-        <source>Model effects</source>
-        <translation>模型效应</translation>
-    </message>
-    <message>
-        <source>Estimated along with the arcs</source>
-        <translation>与圆弧一并估计</translation>
-    </message>
-    <message>
-        <source>value</source>
-        <translation>值</translation>
-    </message>
-    <message>
-        <source>unit</source>
-        <translation>单位</translation>
-    </message>
-    <message>
-        <source>collimation c = %1</source>
-        <translation>视准误差 c = %1</translation>
-    </message>
-    <message>
-        <source>trunnion tilt i = %1</source>
-        <translation>横轴倾斜 i = %1</translation>
-    </message>
-    <message>
-        <source>vertical index j = %1</source>
-        <translation>竖盘指标差 j = %1</translation>
-    </message>
-    <message>
-        <source>Both faces, %1 visits: %2; scatter against the stated σ: horizontal × %3, vertical × %4.</source>
-        <translation>双盘位，%1 次停靠：%2；离散与声明的 σ 之比：水平 × %3，竖直 × %4。</translation>
-    </message>
-    <message>
-        <source>Both faces, %1 visits: %2.</source>
-        <extracomment>%2: errors of the instrument, &quot;collimation c = −3.2″ (u 0.4)&quot;</extracomment>
-        <translation>双盘位，%1 次停靠：%2。</translation>
-    </message>
-    <message>
         <source>Entries that could not be used</source>
         <translation>无法使用的输入项</translation>
     </message>
@@ -7607,18 +8154,6 @@ a clause as a sentence</extracomment>
     <message>
         <source>No arc could be fitted.</source>
         <translation>没有拟合出圆弧。</translation>
-    </message>
-    <message>
-        <source>Lengths in mm; u: standard uncertainty, scaled by s0 = %1; n: sightings; rms: of all residuals; χ²/f: with the stated σ; f: redundancy.</source>
-        <translation>长度以 mm 为单位；u：标准不确定度，按 s0 = %1 放大；n：照准数；rms：所有残差的均方根；χ²/f：按声明的 σ；f：多余观测数。</translation>
-    </message>
-    <message>
-        <source>Positions at the same axis have one centre and radius, which their f leave out.</source>
-        <translation>同一轴角的各轴位共有一个圆心和半径，其 f 未计入。</translation>
-    </message>
-    <message>
-        <source>Half the distance of the centres in the plane, |O1 − O2|/2 = %1.</source>
-        <translation>平面内两圆心距离的一半，|O1 − O2|/2 = %1。</translation>
     </message>
     <message>
         <source>page %1 of %2</source>
@@ -7649,10 +8184,6 @@ a clause as a sentence</extracomment>
     <message>
         <source>Error</source>
         <translation>错误</translation>
-    </message>
-    <message>
-        <source>– and %1 more.</source>
-        <translation>– 以及另外 %1 条。</translation>
     </message>
     <message>
         <source>Findings</source>
@@ -7853,86 +8384,6 @@ a clause as a sentence</extracomment>
         <translation>控制图。误差棒：不与其他值共有部分的 ± 2 u。虚线：均值 ± 各值的 3 u；点线：由移动极差所见离散的三倍。EWMA：λ = 0.2 的指数加权平均及其精确界限。横轴为年份及其小数。</translation>
     </message>
     <message>
-        <source>Sessions</source>
-        <translation>会话</translation>
-    </message>
-    <message>
-        <source>Date</source>
-        <translation>日期</translation>
-    </message>
-    <message>
-        <source>Session</source>
-        <translation>会话</translation>
-    </message>
-    <message>
-        <source>Verdict</source>
-        <translation>判定</translation>
-    </message>
-    <message>
-        <source>one value</source>
-        <translation>一个值</translation>
-    </message>
-    <message>
-        <source>stable</source>
-        <translation>稳定</translation>
-    </message>
-    <message>
-        <source>scatters</source>
-        <translation>离散</translation>
-    </message>
-    <message>
-        <source>Quantities</source>
-        <translation>各量</translation>
-    </message>
-    <message>
-        <source>Quantity</source>
-        <translation>量</translation>
-    </message>
-    <message>
-        <source>Values</source>
-        <translation>值数</translation>
-    </message>
-    <message>
-        <source>Weighted mean</source>
-        <translation>加权均值</translation>
-    </message>
-    <message>
-        <source>Course</source>
-        <translation>走势</translation>
-    </message>
-    <message>
-        <source>Sessions compared</source>
-        <translation>会话比较</translation>
-    </message>
-    <message>
-        <source>Δd changes by (mm)</source>
-        <translation>Δd 的变化 (mm)</translation>
-    </message>
-    <message>
-        <source>Device: T of m</source>
-        <translation>设备：T（m 个数）</translation>
-    </message>
-    <message>
-        <source>%1 of %2</source>
-        <translation>%1（%2）</translation>
-    </message>
-    <message>
-        <source>changed</source>
-        <translation>已改变</translation>
-    </message>
-    <message>
-        <source>differs</source>
-        <translation>不同</translation>
-    </message>
-    <message>
-        <source>Each session with the next, and the first with the last.</source>
-        <translation>每次会话与下一次比较，第一次与最后一次比较。</translation>
-    </message>
-    <message>
-        <source>Device: (O1 − O2)/2 and the radii by the readings alone, T = dᵀC⁻¹d with the full covariance of both fits.</source>
-        <translation>设备：仅按读数的 (O1 − O2)/2 和半径，T = dᵀC⁻¹d，含两次拟合的完整协方差。</translation>
-    </message>
-    <message>
         <source>Device history</source>
         <translation>设备历史</translation>
     </message>
@@ -7976,26 +8427,6 @@ a clause as a sentence</extracomment>
         <source>corrected by the instrument: %1</source>
         <extracomment>%1: words such as &quot;inclination collimation&quot;, or &quot;none&quot;</extracomment>
         <translation>仪器已改正：%1</translation>
-    </message>
-    <message>
-        <source>Line</source>
-        <translation>行</translation>
-    </message>
-    <message>
-        <source>Expected</source>
-        <translation>期望值</translation>
-    </message>
-    <message>
-        <source>Found</source>
-        <translation>所得值</translation>
-    </message>
-    <message>
-        <source>Deviation</source>
-        <translation>偏差</translation>
-    </message>
-    <message>
-        <source>At most</source>
-        <translation>最多</translation>
     </message>
     <message>
         <source>Check of this installation</source>
@@ -8048,24 +8479,8 @@ a clause as a sentence</extracomment>
         <translation>插图：拟合的圆心 O1 和 O2，轴在其正中；粗线为 Δd，仅拟合，其端部的误差棒为其扩展不确定度 U，椭圆以 %1 % 包含圆心。</translation>
     </message>
     <message>
-        <source>Δd, measured: u = %1, ν = %2.</source>
-        <translation>Δd，实测：u = %1，ν = %2。</translation>
-    </message>
-    <message>
         <source>The intersection Δd = (y(O1) − y(O2))/2 is half the distance of the arc centres at 0° (O1) and 180° (O2) across the axis. The share of the readings in its uncertainty is scaled by their scatter (s0), pointing zeros and distance enter as stated; the expanded uncertainty U of Δd, fit only, is k times the combined standard uncertainty, k from Student&apos;s distribution with ν effective degrees of freedom. Δd, measured, includes every effect of the catalogue, known beforehand to 1σ of its plausible size, and its U also holds what else may explain the readings.</source>
         <translation>相交度 Δd = (y(O1) − y(O2))/2 是 0°（O1）和 180°（O2）两圆心在垂直于轴方向上距离的一半。读数对其不确定度的贡献按离散（s0）放大，瞄准零位和距离按给定值计入；Δd，仅拟合的扩展不确定度 U 为合成标准不确定度的 k 倍，k 取自有效自由度为 ν 的 t 分布。Δd，实测包含目录中的每个效应，事先已知至其合理大小的 1σ，其 U 还包含其他可能解释读数的原因。</translation>
-    </message>
-    <message>
-        <source>Standard uncertainties; all but that of Δd, measured, by the readings alone.</source>
-        <translation>标准不确定度；除实测 Δd 外，均仅由读数得出。</translation>
-    </message>
-    <message>
-        <source>O1 and O2 refer to the theodolite: compare them only between set-ups on the same pillar.</source>
-        <translation>O1 与 O2 以经纬仪为基准：只能在同一观测墩的各次设站之间比较。</translation>
-    </message>
-    <message>
-        <source>Δd, measured, with its expanded uncertainty; what both sessions share cancels.</source>
-        <translation>实测 Δd 及其扩展不确定度；两次测量共有的部分互相抵消。</translation>
     </message>
     <message>
         <source>Accepted: d + U ≤ %1, measured, and |Δd| + U ≤ %1, fit only; rejected: d − U &gt; %1; else undecided.</source>
@@ -8114,11 +8529,6 @@ a clause as a sentence</extracomment>
     <message>
         <source>In the corner: the arc&apos;s centre seen along the axis, Δd up and Δz towards the theodolite, at 0° with U, at 180° opposite.</source>
         <translation>角上：沿转轴观察的弧心，Δd 向上，Δz 朝向经纬仪，0° 处附 U，180° 处在对侧。</translation>
-    </message>
-    <message>
-        <source>%1, k = %2, u = %3, ν = %4.</source>
-        <extracomment>%1: &quot;Δd, fit only: 1.31 ± 0.21 mm&quot;</extracomment>
-        <translation>%1，k = %2，u = %3，ν = %4。</translation>
     </message>
 </context>
 <context>
@@ -8352,37 +8762,6 @@ a clause as a sentence</extracomment>
     </message>
 </context>
 <context>
-    <name>SeriesTexts</name>
-    <message>
-        <source>device without a name</source>
-        <translation>未命名的设备</translation>
-    </message>
-    <message>
-        <source>serial number %1</source>
-        <translation>序列号 %1</translation>
-    </message>
-    <message>
-        <source>%1, serial number %2</source>
-        <translation>%1，序列号 %2</translation>
-    </message>
-    <message>
-        <source>accept</source>
-        <translation>接受</translation>
-    </message>
-    <message>
-        <source>reject</source>
-        <translation>拒绝</translation>
-    </message>
-    <message>
-        <source>undecided</source>
-        <translation>未定</translation>
-    </message>
-    <message>
-        <source>O1 and O2 refer to the theodolite: compare them only between set-ups on the same pillar.</source>
-        <translation>O1 与 O2 以经纬仪为基准：只能在同一观测墩的各次设站之间比较。</translation>
-    </message>
-</context>
-<context>
     <name>SideViewText</name>
     <message>
         <source>Along the axis</source>
@@ -8392,53 +8771,6 @@ a clause as a sentence</extracomment>
         <source>Δz →</source>
         <extracomment>an arrow to the side where the theodolite stands</extracomment>
         <translation>Δz →</translation>
-    </message>
-</context>
-<context>
-    <name>SimulationText</name>
-    <message>
-        <source> By chance alone an end is uncertain by %1</source>
-        <translation>仅凭偶然，一个端点的不确定度就有 %1</translation>
-    </message>
-    <message>
-        <source>: about %1 draws would tell.</source>
-        <translation>：约需 %1 次抽样才能判断。</translation>
-    </message>
-    <message>
-        <source>; it would take more draws than can be asked for here to tell.</source>
-        <translation>；所需抽样次数超过此处可设的上限，无法判断。</translation>
-    </message>
-    <message>
-        <source>Agrees.</source>
-        <translation>一致。</translation>
-    </message>
-    <message>
-        <source>Does not agree.</source>
-        <translation>不一致。</translation>
-    </message>
-    <message>
-        <source>Too few draws to tell.</source>
-        <translation>抽样次数太少，无法判断。</translation>
-    </message>
-    <message>
-        <source>No disagreement, but too few draws to be sure.</source>
-        <translation>没有不一致，但抽样次数太少，不能确定。</translation>
-    </message>
-    <message>
-        <source>The ends of Δd ± U differ from those simulated by %1 and %2; the tolerance is %3.</source>
-        <translation>Δd ± U 的端点与模拟值相差 %1 和 %2；容许差为 %3。</translation>
-    </message>
-    <message>
-        <source> Rely on the simulated interval.</source>
-        <translation>请采用模拟区间。</translation>
-    </message>
-    <message>
-        <source> Draws without a result, left out: %1.</source>
-        <translation>没有结果而略去的抽样：%1。</translation>
-    </message>
-    <message>
-        <source>Monte Carlo (JCGM 101, %1 draws) of Δd, fit only: Δd = %2, u = %3, %4 % from %5 to %6. %7 %8</source>
-        <translation>蒙特卡洛法（JCGM 101，%1 次抽样），仅拟合：Δd = %2，u = %3，%4 % 区间为 %5 至 %6。%7 %8</translation>
     </message>
 </context>
 <context>
@@ -8845,32 +9177,8 @@ a clause as a sentence</extracomment>
         <translation>预算</translation>
     </message>
     <message>
-        <source>Standard uncertainty of the centres  mm</source>
-        <translation>圆心的标准不确定度  mm</translation>
-    </message>
-    <message>
-        <source>What comes from the readings is scaled by their scatter, %1 times the stated noise. Pointing zeros and distance enter as stated.</source>
-        <translation>来自读数的部分按其离散放大，为声明噪声的 %1 倍。瞄准零位和距离按声明计入。</translation>
-    </message>
-    <message>
-        <source>All parts rest on the stated noise.</source>
-        <translation>所有部分都基于声明的噪声。</translation>
-    </message>
-    <message>
         <source>No arc is fitted yet, so there is nothing to account for.</source>
         <translation>尚未拟合出圆弧，因此没有可列的内容。</translation>
-    </message>
-    <message>
-        <source>combined, u</source>
-        <translation>合成，u</translation>
-    </message>
-    <message>
-        <source>correlation with R</source>
-        <translation>与 R 的相关</translation>
-    </message>
-    <message>
-        <source>How far a wrong radius takes the centre along, −1 to 1: on half an arc it decides the height</source>
-        <translation>错误的半径会把圆心带动多少，−1 到 1：半个圆弧时它决定高度</translation>
     </message>
 </context>
 <context>
@@ -9172,85 +9480,6 @@ a clause as a sentence</extracomment>
     <message>
         <source>The clipboard was not pasted: %1.</source>
         <translation>剪贴板内容未粘贴：%1。</translation>
-    </message>
-</context>
-<context>
-    <name>alidade::ui::CheckTable</name>
-    <message>
-        <source>Station</source>
-        <translation>测站</translation>
-    </message>
-    <message>
-        <source>Evaluated one by one; the last row holds all of them</source>
-        <translation>逐个评定；最后一行为全部</translation>
-    </message>
-    <message>
-        <source>all, pooled</source>
-        <translation>全部合并</translation>
-    </message>
-    <message>
-        <source>Rounds</source>
-        <translation>测回</translation>
-    </message>
-    <message>
-        <source>Complete rounds × targets</source>
-        <translation>完整测回数 × 目标数</translation>
-    </message>
-    <message>
-        <source>s direction (ν)</source>
-        <translation>方向 s (ν)</translation>
-    </message>
-    <message>
-        <source>Of a direction observed once in both faces, with its degrees of freedom</source>
-        <translation>双面各观测一次的方向，及其自由度</translation>
-    </message>
-    <message>
-        <source>s zenith (ν)</source>
-        <translation>天顶距 s (ν)</translation>
-    </message>
-    <message>
-        <source>Of a zenith angle observed once in both faces, with its degrees of freedom</source>
-        <translation>双面各观测一次的天顶距，及其自由度</translation>
-    </message>
-    <message>
-        <source>Collimation</source>
-        <translation>视准误差</translation>
-    </message>
-    <message>
-        <source>c as of face 1, ± its standard uncertainty</source>
-        <translation>以盘位 1 为准的 c，± 其标准不确定度</translation>
-    </message>
-    <message>
-        <source>Index</source>
-        <translation>指标差</translation>
-    </message>
-    <message>
-        <source>Of the vertical circle as of face 1, ± its standard uncertainty</source>
-        <translation>以盘位 1 为准的竖直度盘指标差，± 其标准不确定度</translation>
-    </message>
-    <message>
-        <source>Trunnion tilt</source>
-        <translation>横轴倾斜</translation>
-    </message>
-    <message>
-        <source>i, estimated together with the collimation, from targets at several elevations</source>
-        <translation>i，由不同高度角的目标与视准误差一并估计</translation>
-    </message>
-    <message>
-        <source>Line of sight</source>
-        <translation>视线</translation>
-    </message>
-    <message>
-        <source>e, by which it passes the axis, from targets at several distances</source>
-        <translation>视线偏离轴的量 e，由不同距离的目标得出</translation>
-    </message>
-    <message>
-        <source>Result by station</source>
-        <translation>各测站的结果</translation>
-    </message>
-    <message>
-        <source>Open files, or type rounds in two faces to several targets.</source>
-        <translation>请打开文件，或录入对多个目标的双面测回。</translation>
     </message>
 </context>
 <context>
@@ -10887,6 +11116,14 @@ a clause as a sentence</extracomment>
         <source>Collimation, index, tilt, offset of the line of sight and σ of the circles, for sessions to take</source>
         <translation>照准差、指标差、横轴误差、视线偏距与度盘的 σ，供测量记录采用</translation>
     </message>
+    <message>
+        <source>Result by station</source>
+        <translation>各测站的结果</translation>
+    </message>
+    <message>
+        <source>Open files, or type rounds in two faces to several targets.</source>
+        <translation>请打开文件，或录入对多个目标的双面测回。</translation>
+    </message>
 </context>
 <context>
     <name>alidade::ui::InstrumentFlow</name>
@@ -12126,30 +12363,6 @@ a clause as a sentence</extracomment>
         <source>What an error of that size, unfound, does to the intersection; of what was entered once, an error of one unit</source>
         <translation>该大小的误差未被发现时对相交度的影响；对只录入一次的内容，则为一个单位的误差</translation>
     </message>
-    <message>
-        <source>Too few readings: none is checked well enough by the others to tell that it is misread.</source>
-        <translation>读数太少：没有一个读数被其他读数充分检核到能判断误读。</translation>
-    </message>
-    <message>
-        <source>%1 of %2 readings are checked by no other: an error in them would not show.</source>
-        <translation>%2 个读数中有 %1 个没有其他读数检核：其中的误差不会显现。</translation>
-    </message>
-    <message>
-        <source>Every reading is checked.</source>
-        <translation>每个读数都有检核。</translation>
-    </message>
-    <message>
-        <source>Every reading is checked. The dearest unfound error: %1, point %2, %3, up to %4, moves Δd by %5.</source>
-        <translation>每个读数都有检核。代价最大的未发现误差：%1，测点 %2，%3，可达 %4，使 Δd 移动 %5。</translation>
-    </message>
-    <message>
-        <source>Nothing checks the pointing zeros and the distance: see the last rows.</source>
-        <translation>瞄准零位和距离没有任何检核：见最后几行。</translation>
-    </message>
-    <message>
-        <source>Nothing checks the distance: see the last row.</source>
-        <translation>距离没有任何检核：见最后一行。</translation>
-    </message>
 </context>
 <context>
     <name>alidade::ui::RemedyList</name>
@@ -12631,14 +12844,6 @@ a clause as a sentence</extracomment>
         <translation>与已发表的方法比较(&amp;C)</translation>
     </message>
     <message>
-        <source>Arcs</source>
-        <translation>圆弧</translation>
-    </message>
-    <message>
-        <source>As printed: y points down for zenith angles, ΔR is the last increment, θ are no tilts. The method takes tan e = y/L, which no theodolite reads; do not accept by it.</source>
-        <translation>按所发表：对天顶距 y 向下，ΔR 为最后一次增量，θ 不是倾斜。该方法采用 tan e = y/L，没有经纬仪如此读数；请勿据此验收。</translation>
-    </message>
-    <message>
         <source>0°</source>
         <translation>0°</translation>
     </message>
@@ -12669,86 +12874,6 @@ a clause as a sentence</extracomment>
     <message>
         <source>No result</source>
         <translation>没有结果</translation>
-    </message>
-    <message>
-        <source>Δx (u)  mm</source>
-        <translation>Δx (u)  mm</translation>
-    </message>
-    <message>
-        <source>Centre of the arc, right positive, with its standard uncertainty</source>
-        <translation>圆弧圆心，向右为正，及其标准不确定度</translation>
-    </message>
-    <message>
-        <source>Δy (u)  mm</source>
-        <translation>Δy (u)  mm</translation>
-    </message>
-    <message>
-        <source>Centre of the arc, up positive, with its standard uncertainty</source>
-        <translation>圆弧圆心，向上为正，及其标准不确定度</translation>
-    </message>
-    <message>
-        <source>R (u)  mm</source>
-        <translation>R (u)  mm</translation>
-    </message>
-    <message>
-        <source>Fitted radius with its standard uncertainty</source>
-        <translation>拟合半径及其标准不确定度</translation>
-    </message>
-    <message>
-        <source>Residual rms  ″</source>
-        <translation>残差均方根  ″</translation>
-    </message>
-    <message>
-        <source>Root mean square of the residuals of all readings of the arc</source>
-        <translation>圆弧所有读数残差的均方根</translation>
-    </message>
-    <message>
-        <source>Reduced χ²</source>
-        <translation>约化 χ²</translation>
-    </message>
-    <message>
-        <source>About 1 where the readings scatter as stated</source>
-        <translation>读数按声明离散时约为 1</translation>
-    </message>
-    <message>
-        <source>Sightings used</source>
-        <translation>使用的照准数</translation>
-    </message>
-    <message>
-        <source>|O1 − O2|/2 (u)  mm</source>
-        <translation>|O1 − O2|/2 (u)  mm</translation>
-    </message>
-    <message>
-        <source>Half the distance of the centres in the plane of the arc, with its standard uncertainty</source>
-        <translation>圆弧平面内两圆心距离的一半，及其标准不确定度</translation>
-    </message>
-    <message>
-        <source>Δx  mm</source>
-        <translation>Δx  mm</translation>
-    </message>
-    <message>
-        <source>Δy  mm</source>
-        <translation>Δy  mm</translation>
-    </message>
-    <message>
-        <source>ΔR  mm</source>
-        <translation>ΔR  mm</translation>
-    </message>
-    <message>
-        <source>Δθx  rad</source>
-        <translation>Δθx  rad</translation>
-    </message>
-    <message>
-        <source>Δθy  rad</source>
-        <translation>Δθy  rad</translation>
-    </message>
-    <message>
-        <source>Δd as printed  mm</source>
-        <translation>按所发表的 Δd  mm</translation>
-    </message>
-    <message>
-        <source>Δd with y up  mm</source>
-        <translation>y 向上的 Δd  mm</translation>
     </message>
     <message>
         <source>Details</source>
@@ -13017,42 +13142,6 @@ a clause as a sentence</extracomment>
     <message>
         <source>Does the propagated uncertainty hold? Not checked yet.</source>
         <translation>传播的不确定度是否成立？尚未检验。</translation>
-    </message>
-    <message>
-        <source>propagated</source>
-        <translation>传播</translation>
-    </message>
-    <message>
-        <source>simulated</source>
-        <translation>模拟</translation>
-    </message>
-    <message>
-        <source>Δd  mm</source>
-        <translation>Δd  mm</translation>
-    </message>
-    <message>
-        <source>Simulated: the mean of the draws</source>
-        <translation>模拟：各次抽样的平均值</translation>
-    </message>
-    <message>
-        <source>u  mm</source>
-        <translation>u  mm</translation>
-    </message>
-    <message>
-        <source>Where the noise is known by the scatter alone, the draws spread a little more; U has it in k</source>
-        <translation>噪声仅由离散得知时，抽样的散布略大；U 已在 k 中计入</translation>
-    </message>
-    <message>
-        <source>%1 % from  mm</source>
-        <translation>%1 % 起于  mm</translation>
-    </message>
-    <message>
-        <source>Propagated: Δd − U. Simulated: as many draws lie below as above the other end</source>
-        <translation>传播：Δd − U。模拟：低于此端与高于另一端的抽样数相同</translation>
-    </message>
-    <message>
-        <source>to  mm</source>
-        <translation>止于  mm</translation>
     </message>
 </context>
 <context>
@@ -13339,34 +13428,6 @@ a clause as a sentence</extracomment>
     <message>
         <source>What the vertical circle reads too much in both faces: half of β1 + β2 over the full sum</source>
         <translation>竖直度盘在两盘位多读的量：β1 + β2 超出整圆部分的一半</translation>
-    </message>
-    <message>
-        <source>Collimation c</source>
-        <translation>视准误差 c</translation>
-    </message>
-    <message>
-        <source>Trunnion tilt i</source>
-        <translation>横轴倾斜 i</translation>
-    </message>
-    <message>
-        <source>Vertical index j</source>
-        <translation>竖盘指标差 j</translation>
-    </message>
-    <message>
-        <source>From both faces</source>
-        <translation>由两盘位得出</translation>
-    </message>
-    <message>
-        <source>With standard uncertainty; signs of face 1. A trunnion tilt needs three visits at different elevations</source>
-        <translation>附标准不确定度；符号按盘左。横轴倾斜需要在不同高度角的三次停靠</translation>
-    </message>
-    <message>
-        <source>Scatter against the stated σ</source>
-        <translation>离散与声明的 σ 之比</translation>
-    </message>
-    <message>
-        <source>About × 1 where the differences of the faces scatter as stated</source>
-        <translation>两盘位之差按声明离散时约为 × 1</translation>
     </message>
 </context>
 <context>
