@@ -12,8 +12,8 @@ fail() {
   exit 1
 }
 
-fit=$(alidade-cli fit "$samples/paper-table-1.alidade")
-[[ $fit == *'Δd, fit only = 1.3078'* ]] || fail "the fit of the paper's measurement does not give 1.3078 mm: $fit"
+fit=$(alidade-cli fit --json "$samples/paper-table-1.alidade")
+[[ $fit == *'"value_mm": 1.3078'* ]] || fail "the fit of the paper's measurement does not give 1.3078 mm: $fit"
 alidade-cli self-test >check || fail "the self-test fails: $(grep '^failed' check)"
 [[ $(tail -n 1 check) == 'This installation passes: '* ]] || fail "the self-test ends with $(tail -n 1 check)"
 grep -q '^passed  alidade/samples/two-faces.alidade ' check || fail "the self-test does not see what is installed"
