@@ -1,0 +1,151 @@
+#include "core/diagnosis/next_sighting.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "core/base/statistics.h"
+#include "core/diagnosis/next_sighting/all_possible.h"
+#include "core/diagnosis/next_sighting/weighed.h"
+
+namespace alidade {
+
+namespace {
+
+/// What may be the case with a probability that matters.
+std::vector<Weighed> likely(const std::vector<Weighed>& all) {
+  constexpr std::size_t most = 14;
+  constexpr double least = 5e-4;
+  std::vector<Weighed> list;
+  for (const Weighed& weighed : all)
+    if (list.size() < most && weighed.probability >= least) list.push_back(weighed);
+  return list;
+}
+
+NextSighting rankedSighting(const PossibleSighting& possible, const Measurement& measurement) {
+  NextSighting next;
+  next.axisDeg = measurement.arcs[possible.arc].axisDeg;
+  next.point = possible.point;
+  next.face = possible.face;
+  next.round = possible.round;
+  next.turnsAxis = possible.turnsAxis;
+  next.minutes = possible.minutes;
+  return next;
+}
+
+/// Adds what a sighting tells of the causes.
+void addCauses(NextSighting& next, const std::vector<Weighed>& causes,
+               const WeighedCauses::Predictor& predictor) {
+  std::vector<Prediction> predictions;
+  for (const Weighed& cause : causes) predictions.push_back(predictor.under(cause));
+  double most = 0;
+  for (std::size_t i = 0; i < causes.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j) {
+      const double worth = std::sqrt(causes[i].probability * causes[j].probability) *
+                           (1 - overlapOf(predictions[i], predictions[j]));
+      next.ofCauses += worth;
+      if (worth <= most) continue;
+      most = worth;
+      next.one = causes[j].cause;
+      next.other = causes[i].cause;
+    }
+}
+
+std::vector<NextSighting> ranked(const PossibleSightings& session, const SightingEquations& equations,
+                                 const WeighedCauses& causes, const IntersectionSoFar& every) {
+  const std::vector<Weighed> some = likely(causes.all());
+  std::vector<NextSighting> list;
+  for (std::size_t i = 0; i < session.possible.size(); ++i) {
+    NextSighting next = rankedSighting(session.possible[i], session.measurement);
+    const SightingRows& rows = equations.possible[i];
+    addCauses(next, some, WeighedCauses::Predictor(causes, rows));
+    next.ofUncertainty = every.tells(rows);
+    list.push_back(std::move(next));
+  }
+  std::ranges::stable_sort(list, std::greater{}, &NextSighting::perMinute);
+  return list;
+}
+
+/// Half the width of the range that contains Δd at all times together with probability 1 − α: a normal
+/// mixture of prior width 1 mm.
+double halfWidthAtAllTimes(double sigma, double alpha) {
+  constexpr double prior = 1;  // mm
+  const double ratio = sigma * sigma / (prior * prior);
+  return sigma * std::sqrt((1 + ratio) * (std::log1p(1 / ratio) - 2 * std::log(alpha)));
+}
+
+bool isVerdictCertain(const Measurement& measurement, const SessionSoFar& state) {
+  if (!measurement.tolerance || !state.intersection) return false;
+  const double size = std::abs(*state.intersection);
+  return size + state.halfWidth < *measurement.tolerance || size - state.halfWidth > *measurement.tolerance;
+}
+
+/// Fills in the group of the most probable cause if the evidence against nothing suffices, the group holds
+/// almost all of the probability, and the cause leaves no more than noise.
+void name(SessionSoFar& state, const WeighedCauses& causes, const SightingEquations& equations,
+          const EnoughOptions& options) {
+  constexpr double noMore = 1e-3;
+  const Weighed& first = causes.all().front();
+  if (first.cause.empty() || state.logEvidence < -std::log(options.alpha)) return;
+  std::vector<std::string> group = inseparableFrom(first, equations);
+  double probability = 0;
+  for (const WeighedCause& cause : state.causes)
+    if (std::ranges::find(group, cause.cause) != group.end()) probability += cause.probability;
+  const auto tail = chiSquareUpperTail(
+      causes.chiSquareAfter(first),
+      DegreesOfFreedom(static_cast<double>(causes.degreesOfFreedom() - first.weights.size())));
+  if (probability >= options.certain && tail.value_or(1) > noMore) state.named = std::move(group);
+}
+
+bool isAnyWorthIt(const SessionSoFar& state, const EnoughOptions& options) {
+  return !options.ranks || std::ranges::any_of(state.ranked, [&](const NextSighting& next) {
+    return next.ofCauses + next.ofUncertainty > options.leastWorth;
+  });
+}
+
+Enough enoughOf(const SessionSoFar& state, const Measurement& measurement, const EnoughOptions& options) {
+  if (!state.named.empty()) return Enough::Named;
+  if (isVerdictCertain(measurement, state)) return Enough::VerdictCertain;
+  const double k = coverageFactor(measurement.coverage, DegreesOfFreedom::infinite());
+  if (options.uncertainty && state.sigma && k * *state.sigma <= *options.uncertainty)
+    return Enough::UncertaintyReached;
+  return isAnyWorthIt(state, options) ? Enough::No : Enough::WillNotHelp;
+}
+
+}  // namespace
+
+std::optional<SessionSoFar> sessionSoFar(const Measurement& measurement, const SightingPlan& plan,
+                                         const EnoughOptions& options) {
+  if (measurement.arcs.empty() || plan.places.empty()) return std::nullopt;
+  PossibleSightings session;
+  const SightingEquations equations = sightingEquations(measurement, plan, session);
+  const WeighedCauses causes(equations);
+  const IntersectionSoFar every(equations);
+  SessionSoFar state;
+  state.logEvidence = causes.logEvidence();
+  for (const Weighed& cause : causes.all())
+    state.causes.push_back({std::string(cause.cause), cause.probability});
+  if (hasBothAxes(measurement)) {
+    state.intersection = every.value();
+    state.sigma = every.sigma();
+    state.halfWidth = halfWidthAtAllTimes(every.sigma(), 1 - measurement.coverage);
+  }
+  if (!std::isfinite(state.logEvidence)) return std::nullopt;
+  name(state, causes, equations, options);
+  if (options.ranks) state.ranked = ranked(session, equations, causes, every);
+  state.enough = enoughOf(state, measurement, options);
+  return state;
+}
+
+std::vector<NextSighting> alternativesOf(const SessionSoFar& state) {
+  constexpr double nearly = 0.9;
+  constexpr std::size_t most = 2;
+  std::vector<NextSighting> list;
+  for (const NextSighting& next : state.ranked)
+    if (&next != &state.ranked.front() && list.size() < most &&
+        next.perMinute() >= nearly * state.ranked.front().perMinute())
+      list.push_back(next);
+  return list;
+}
+
+}  // namespace alidade

@@ -1,0 +1,75 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/diagnosis/result/sighting_plan.h"
+#include "core/session/measurement.h"
+
+namespace alidade {
+
+// The sighting that tells most for its minutes, and whether the sightings so far are enough.
+//
+// What may be the case: nothing, one effect of the catalogue, a jump, a wrong zero, a misread value, larger
+// noise. Each predicts the next reading by a normal distribution, given the readings so far and all unknowns.
+// A sighting is worth Σ √(wᵢ wⱼ) (1 − BCᵢⱼ) over pairs of these, plus −ln(U after/U before) of Δd. w are the
+// probabilities, BC is the Bhattacharyya coefficient of the two predictions.
+//
+// The statements may be looked at after every reading. The evidence against nothing is a Bayes factor with
+// fixed prior widths, on readings without the part that the unknowns can take. It is a nonnegative martingale
+// if nothing is the case and the stated σ are right, so it ever exceeds 1/α with a probability of at most α
+// (Ville 1939). U depends on which readings were taken but not on their values, so stopping at a U leaves its
+// coverage unchanged. The range of Δd for a verdict widens U by a normal mixture (Robbins 1970).
+
+/// A sighting that could be next, or several parts of it: a turn to the other position includes its zero.
+struct NextSighting {
+  int axisDeg = 0, point = 0, face = 1, round = 1;
+  bool turnsAxis = false;
+  double minutes = 0;
+  double ofCauses = 0;       ///< Σ √(wᵢ wⱼ)(1 − BCᵢⱼ)
+  double ofUncertainty = 0;  ///< −ln(U after/U before)
+  std::string one, other;    ///< the two that it separates most; empty: nothing
+
+  double perMinute() const { return (ofCauses + ofUncertainty) / minutes; }
+};
+
+/// One of what may be the case; no cause for nothing.
+struct WeighedCause {
+  std::string cause;
+  double probability = 0;
+};
+
+/// Why no further sighting is needed.
+enum class Enough { No, Named, UncertaintyReached, VerdictCertain, WillNotHelp };
+
+/// The state of a session after its last sighting.
+struct SessionSoFar {
+  Enough enough = Enough::No;
+  double logEvidence = 0;            ///< ln E against nothing
+  std::vector<WeighedCause> causes;  ///< the most probable first, nothing included
+  /// The most probable cause and those that no sighting of the plan separates from it, if named.
+  std::vector<std::string> named;
+  std::optional<double> intersection, sigma;  ///< of Δd with every effect possible, mm
+  double halfWidth = 0;                       ///< of the range of Δd that holds at all times together, mm
+  std::vector<NextSighting> ranked;           ///< the most worth per minute first
+};
+
+struct EnoughOptions {
+  double alpha = 0.01;                ///< probability of ever naming a cause where there is nothing
+  double certain = 0.95;              ///< probability of the named group
+  std::optional<double> uncertainty;  ///< wanted U of Δd, mm
+  double leastWorth = 0.004;          ///< below it in every sighting, more will not help
+  bool ranks = true;                  ///< else no sighting is ranked, which is faster
+};
+
+/// The state of a session with at least one sighting. Absent if its readings determine nothing. Jumps and
+/// gross errors are sought among the sightings so far.
+std::optional<SessionSoFar> sessionSoFar(const Measurement& measurement, const SightingPlan& plan,
+                                         const EnoughOptions& options = {});
+
+/// The ranked sightings of nearly the same worth as the first, at most two.
+std::vector<NextSighting> alternativesOf(const SessionSoFar& state);
+
+}  // namespace alidade

@@ -1,0 +1,89 @@
+#include "core/diagnosis/next_sighting/all_possible.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/diagnosis/observability/look_alikes.h"
+
+namespace alidade {
+
+using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
+
+MatrixXd IntersectionSoFar::sideBySide(const SightingRows& rows, Index effectColumns) {
+  MatrixXd all(rows.rows(), rows.unknowns.cols() + effectColumns);
+  all << rows.unknowns, rows.causes.leftCols(effectColumns);
+  return all;
+}
+
+IntersectionSoFar::IntersectionSoFar(const SightingEquations& equations)
+    : m_effectColumns(equations.effectColumns) {
+  const MatrixXd rows = sideBySide(equations.taken, m_effectColumns);
+  const Index unknowns = equations.priorWeights.size();
+  VectorXd weights = VectorXd::Ones(rows.cols()), intersection = VectorXd::Zero(rows.cols()),
+           right = rows.transpose() * equations.residual;
+  weights.head(unknowns) = equations.priorWeights;
+  intersection.head(unknowns) = equations.intersection;
+  right.head(unknowns) += equations.priorWeights.cwiseProduct(equations.priorResiduals);
+  MatrixXd normal = rows.transpose() * rows;
+  normal.diagonal() += weights.cwiseAbs2();
+  m_normal.compute(normal);
+  m_gain = m_normal.solve(intersection);
+  m_value = equations.intersectionAt + m_gain.dot(right);
+  m_variance = m_gain.dot(intersection);
+}
+
+double IntersectionSoFar::tells(const SightingRows& rows) const {
+  const MatrixXd all = sideBySide(rows, m_effectColumns);
+  const MatrixXd half = m_normal.matrixL().solve(all.transpose());
+  MatrixXd covariance = half.transpose() * half;
+  covariance.diagonal().array() += 1;
+  const VectorXd shift = covariance.llt().matrixL().solve(all * m_gain);
+  return -std::log1p(-std::min(shift.squaredNorm() / m_variance, 1 - 1e-12)) / 2;
+}
+
+namespace {
+
+/// Gram matrix of all columns of effects in all sightings, taken and possible, with the unknowns eliminated.
+MatrixXd gramOfAll(const SightingEquations& equations) {
+  const Index effects = equations.effectColumns;
+  MatrixXd normal = equations.priorWeights.cwiseAbs2().asDiagonal();
+  MatrixXd mixed = MatrixXd::Zero(normal.rows(), effects), gram = MatrixXd::Zero(effects, effects);
+  const auto add = [&](const SightingRows& rows) {
+    const auto own = rows.causes.leftCols(effects);
+    normal += rows.unknowns.transpose() * rows.unknowns;
+    mixed += rows.unknowns.transpose() * own;
+    gram += own.transpose() * own;
+  };
+  add(equations.taken);
+  for (const SightingRows& rows : equations.possible) add(rows);
+  const MatrixXd gone = normal.llt().matrixL().solve(mixed);
+  return gram - gone.transpose() * gone;
+}
+
+}  // namespace
+
+std::vector<std::string> inseparableFrom(const Weighed& cause, const SightingEquations& equations) {
+  std::vector<std::string> group{std::string(cause.cause)};
+  const Index count = cause.weights.size();
+  if (cause.first >= equations.effectColumns || count == 0) return group;
+  const MatrixXd gram = gramOfAll(equations);
+  const VectorXd trace = gram.middleCols(cause.first, count) * cause.weights;
+  const double square = cause.weights.dot(trace.segment(cause.first, count));
+  for (const MayBe& other : equations.mayBe) {
+    if (other.first == cause.first || other.first >= equations.effectColumns) continue;
+    MatrixXd own = gram.block(other.first, other.first, other.count, other.count);
+    const VectorXd right = trace.segment(other.first, other.count);
+    constexpr double invisible = 1e-6;
+    own.diagonal().array() += invisible;
+    if (other.isBent) {
+      if (differenceFromBent(own, right, square) < hardlyDifferent) group.emplace_back(other.cause);
+      continue;
+    }
+    const double left =
+        other.widths ? square - right.dot(own.ldlt().solve(right)) : square - 2 * right[0] + own(0, 0);
+    if (left < hardlyDifferent * hardlyDifferent) group.emplace_back(other.cause);
+  }
+  return group;
+}
+
+}  // namespace alidade

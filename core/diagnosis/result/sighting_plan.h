@@ -1,0 +1,35 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "core/base/angle.h"
+
+namespace alidade {
+
+/// Minutes of the parts of a visit: working values for one observer, to be replaced by one's own.
+struct SightingMinutes {
+  double turningAxis = 6;          ///< the guideway turned to the other position and clamped
+  double plungingTelescope = 0.5;  ///< to the other face
+  double drivingSlider = 0.7;      ///< to another place
+};
+
+/// Pointing and reading both circles, minutes.
+inline constexpr double minutesOfPointing = 0.6;
+
+/// A place of the slider, its coordinate as planned.
+struct SightingPlace {
+  int point = 0;
+  Angle s;
+};
+
+/// The sightings among which the next is chosen: every place in either face, in either position.
+struct SightingPlan {
+  std::vector<SightingPlace> places;
+  std::vector<int> faces = {1, 2};
+  bool readsSlider = false;
+  std::size_t rows = 1;  ///< of the whole session as planned; a drift is stated for its duration
+  SightingMinutes minutes = {};
+};
+
+}  // namespace alidade
