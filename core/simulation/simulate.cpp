@@ -3,40 +3,14 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/base/angle_text.h"
 #include "core/base/number_text.h"
 #include "core/base/random_source.h"
 #include "core/observation/half_turn.h"
+#include "core/simulation/typed_angle.h"
 
 namespace alidade {
 
 namespace {
-
-Angle fullTurn() {
-  return Angle::fromDegrees(360);
-}
-
-/// Decimals that show multiples of `step`: 1 for 0.1″, 0 for 5″.
-int decimalsOf(double step) {
-  int decimals = 0;
-  for (double scaled = step; decimals < 9 && std::abs(scaled - std::round(scaled)) > 1e-6 * scaled;
-       scaled *= 10)
-    ++decimals;
-  return decimals;
-}
-
-/// A reading as an observer writes it: rounded to the step.
-std::string typed(Angle angle, const Angle& step) {
-  const double steps = std::round(angle.radians() / step.radians());
-  return formatDms(step * steps, decimalsOf(step.arcseconds()), AngleSigns::Typewriter);
-}
-
-/// A circle reading: rounded, then from 0° to below 360°.
-std::string typedOnCircle(Angle angle, const Angle& step) {
-  const double steps = std::round(wrapped(angle, Angle::fromDegrees(180)).radians() / step.radians());
-  const double stepsOfTurn = std::round(fullTurn().radians() / step.radians());
-  return typed(step * (steps < stepsOfTurn ? steps : 0), step);
-}
 
 std::string rowName(const TrueGrossError& m) {
   return "axis " + std::to_string(m.axisDeg) + "°" + (m.time > 1 ? ", time " + std::to_string(m.time) : "") +
@@ -147,7 +121,7 @@ class Simulator {
 
   void moveSlider(const PerfectReadings& perfect, const PlannedRow& row) {
     m_place = plannedPlace(m_protocol, row.point) + m_truth.placeSpread * m_random.normal();
-    m_slider = typed(perfect.slider(m_place, moment(row)) + noise(m_truth.sigmaSlider), m_step);
+    m_slider = typedAngle(perfect.slider(m_place, moment(row)) + noise(m_truth.sigmaSlider), m_step);
   }
 
   Reading reading(const PerfectReadings& perfect, int axisDeg, const PlannedRow& row) {

@@ -1,0 +1,212 @@
+#include "core/simulation/adaptive_trial.h"
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <mutex>
+#include <optional>
+#include <thread>
+#include <utility>
+
+#include "core/base/threads.h"
+#include "core/diagnosis/diagnose.h"
+#include "core/effects/catalogue.h"
+#include "core/simulation/trial_score.h"
+#include "core/simulation/watched_session.h"
+
+namespace alidade {
+
+namespace {
+
+bool isAmong(const std::vector<std::string>& ids, const std::string& id) {
+  return std::ranges::find(ids, id) != ids.end();
+}
+
+/// Right: the truth is named, or one that even the whole protocol cannot tell from it; a faint one may be
+/// missed.
+bool isNamedRightly(const std::vector<std::string>& named, const SealedTruth& truth) {
+  if (named.empty() && classOf(truth) == TrialClass::Faint) return true;
+  return !named.empty() && (isAmong(named, truth.kind) || isAmong(truth.lookAlikes, named.front()));
+}
+
+struct Step {
+  int axisDeg = 0, round = 1, point = 1, face = 1;
+};
+
+std::vector<Step> stepsOf(const Protocol& protocol) {
+  std::vector<Step> steps;
+  for (const int axisDeg : protocol.axes)
+    for (const PlannedRow& row : plannedRows(protocol))
+      steps.push_back({axisDeg, row.round, row.point, row.face});
+  return steps;
+}
+
+/// Reads one session.
+class Run {
+ public:
+  Run(const Protocol& protocol, const Truth& truth, std::uint64_t seed, const EnoughOptions& enough)
+      : m_protocol(protocol),
+        m_plan(sightingPlanOf(protocol)),
+        m_enough(enough),
+        m_session(protocol, truth, seed) {}
+
+  WatchedRun inOrder(bool isWatchedToTheEnd = false) {
+    m_enough.ranks = false;
+    for (const Step& step : stepsOf(m_protocol)) {
+      take(step, minutesOf(step));
+      if (!look()) continue;
+      if (!isWatchedToTheEnd && m_state->enough == Enough::Named) break;
+    }
+    return std::move(m_run);
+  }
+
+  WatchedRun byWorth(bool isWatchedToTheEnd = false) {
+    const Step first = stepsOf(m_protocol).front();
+    take(first, minutesOf(first));
+    while (m_session.sightings() < m_plan.rows) {
+      if (!look() || m_state->ranked.empty()) break;
+      if (!isWatchedToTheEnd && m_state->enough == Enough::Named && close(first)) break;
+      if (!isWatchedToTheEnd && m_state->enough == Enough::WillNotHelp) break;
+      const NextSighting& next = m_state->ranked.front();
+      take({next.axisDeg, next.round, next.point, next.face}, next.minutes);
+    }
+    return std::move(m_run);
+  }
+
+  double slowest() const { return m_slowest; }
+
+ private:
+  const Protocol& m_protocol;
+  SightingPlan m_plan;
+  EnoughOptions m_enough;
+  WatchedSession m_session;
+  WatchedRun m_run;
+  std::optional<SessionSoFar> m_state;
+  std::optional<Step> m_last;
+  bool m_isClosed = false;
+  double m_slowest = 0;
+
+  double minutesOf(const Step& step) const {
+    const bool turns = !m_last || m_last->axisDeg != step.axisDeg;
+    const SightingMinutes& minutes = m_plan.minutes;
+    double sum = minutesOfPointing;
+    if (turns) sum += minutesOfPointing + (m_last ? minutes.turningAxis : 0);
+    if (m_last && m_last->face != step.face) sum += minutes.plungingTelescope;
+    if (turns || m_last->point != step.point) sum += minutes.drivingSlider;
+    return sum;
+  }
+
+  void take(const Step& step, double minutes) {
+    m_session.sight(step.axisDeg, step.round, step.point, step.face);
+    m_run.minutes += minutes;
+    ++m_run.sightings;
+    m_last = step;
+  }
+
+  /// Returns false if the readings determine nothing yet.
+  bool look() {
+    const std::optional<Measurement> measurement = m_session.measurement();
+    if (!measurement) return false;
+    const auto start = std::chrono::steady_clock::now();
+    m_state = sessionSoFar(*measurement, m_plan, m_enough);
+    const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
+    m_slowest = std::max(m_slowest, took.count());
+    if (!m_state) return false;
+    m_run.most = std::max(m_run.most, m_state->logEvidence);
+    if (!m_state->named.empty()) m_run.named = m_state->named;
+    return true;
+  }
+
+  /// Before the end: an early place once more and the zero, so that an effect of time shows. Returns whether
+  /// a cause is still named.
+  bool close(const Step& first) {
+    if (std::exchange(m_isClosed, true)) return true;
+    const auto again = std::ranges::find_if(m_state->ranked, [&](const NextSighting& next) {
+      return !next.turnsAxis && next.point == first.point && next.face == m_last->face;
+    });
+    if (again != m_state->ranked.end()) {
+      const NextSighting next = *again;
+      take({next.axisDeg, next.round, next.point, next.face}, next.minutes);
+    }
+    m_session.sightZero();
+    ++m_run.sightings;
+    m_run.minutes += minutesOfPointing;
+    m_run.named.clear();
+    return look() && m_state->enough == Enough::Named;
+  }
+};
+
+Result<AdaptiveTrial> trialOf(const AdaptiveTrialOptions& options, const BlindTrialOptions& draw,
+                              std::uint64_t seed, double& slowest) {
+  const auto drawn = drawBlindTrial(draw, seed);
+  if (!drawn) return drawn.problem();
+  const Protocol& protocol = *protocolByName(draw.protocol);
+  AdaptiveTrial trial{.truth = drawn->seal};
+  trial.rows = stepsOf(protocol).size();
+  Run ordered(protocol, drawn->truth, seed, options.enough),
+      chosen(protocol, drawn->truth, seed, options.enough);
+  trial.ofProtocol = ordered.inOrder();
+  trial.byWorth = chosen.byWorth();
+  slowest = std::max(slowest, chosen.slowest());
+  for (WatchedRun* run : {&trial.ofProtocol, &trial.byWorth})
+    run->isRight = isNamedRightly(run->named, trial.truth);
+  if (const auto measurement = examine(drawn->session).measurement)
+    if (const auto diagnosis = diagnose(*measurement))
+      trial.isRightInFull = scoreTrial(drawn->seal, *diagnosis).right;
+  return trial;
+}
+
+}  // namespace
+
+SightingPlan sightingPlanOf(const Protocol& protocol) {
+  SightingPlan plan{.places = {}};
+  for (int point = 1; point <= protocol.points; ++point)
+    plan.places.push_back({point, plannedPlace(protocol, point)});
+  if (protocol.faces == FacePlan::FaceOne) plan.faces = {1};
+  plan.readsSlider = protocol.slider;
+  plan.rows = stepsOf(protocol).size();
+  return plan;
+}
+
+Result<AdaptiveTrials> adaptiveTrials(const AdaptiveTrialOptions& options, const BlindTrialOptions& draw,
+                                      std::uint64_t seed) {
+  const Protocol* protocol = protocolByName(draw.protocol);
+  if (!protocol) return Problem{"give the protocol whose order is compared"};
+  if (protocol->circleShift != Angle()) return Problem{"a protocol that turns the circle has a fixed order"};
+  BlindTrialOptions one = draw, none = draw;
+  none.kinds = {"none"};
+  if (one.kinds.empty())
+    for (const Effect* effect : soughtEffects()) one.kinds.emplace_back(effect->id);
+  const std::size_t all = options.count + options.clean;
+  std::vector<std::optional<Result<AdaptiveTrial>>> withCause(options.count);
+  AdaptiveTrials trials;
+  trials.clean.resize(options.clean);
+  std::atomic<std::size_t> next = 0;
+  std::mutex reporting;
+  std::size_t done = 0;
+  const auto work = [&] {
+    for (std::size_t i; (i = next.fetch_add(1)) < all;) {
+      double slowest = 0;
+      if (i < options.count) {
+        withCause[i] = trialOf(options, one, seed + i, slowest);
+      } else if (const auto drawn = drawBlindTrial(none, seed + i)) {
+        Run run(*protocol, drawn->truth, seed + i, options.enough);
+        trials.clean[i - options.count] = run.byWorth(true);
+        slowest = run.slowest();
+      }
+      const std::scoped_lock lock(reporting);
+      trials.slowest = std::max(trials.slowest, slowest);
+      if (options.progress) options.progress(++done);
+    }
+  };
+  const std::size_t threads =
+      options.threads > 0 ? options.threads : std::max(1u, std::thread::hardware_concurrency());
+  inThreads(std::clamp<std::size_t>(all, 1, threads), work);
+  for (auto& trial : withCause) {
+    if (!*trial) return trial->problem();
+    trials.withCause.push_back(**std::move(trial));
+  }
+  return trials;
+}
+
+}  // namespace alidade

@@ -1,0 +1,58 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "core/base/result.h"
+#include "core/diagnosis/next_sighting.h"
+#include "core/simulation/blind_trial.h"
+#include "core/simulation/protocol.h"
+
+namespace alidade {
+
+// Blind trials of the next sighting: the same drawn truth is read in the order of its protocol and by the
+// sightings that tell most, until a cause is named.
+
+enum class SightingOrder { OfProtocol, ByWorth };
+
+struct AdaptiveTrialOptions {
+  std::size_t count = 100;  ///< truths with one cause
+  std::size_t clean = 0;    ///< truths without any, watched after every sighting of a whole session
+  EnoughOptions enough = {};
+  unsigned threads = 0;  ///< 0: as many as the machine has; the result is the same for any number
+  std::function<void(std::size_t)> progress = {};
+};
+
+/// One session, read until enough or to the length of the protocol.
+struct WatchedRun {
+  std::vector<std::string> named;  ///< as `SessionSoFar::named`; empty: nothing
+  bool isRight = false;            ///< the truth is among them, and no stranger stands first
+  std::size_t sightings = 0;       ///< of places and closing zeros
+  double minutes = 0;
+  double most = 0;  ///< the largest ln E
+};
+
+struct AdaptiveTrial {
+  SealedTruth truth;
+  WatchedRun ofProtocol = {}, byWorth = {};
+  bool isRightInFull = false;  ///< the diagnosis of the whole protocol is right
+  std::size_t rows = 0;        ///< of the whole protocol
+};
+
+struct AdaptiveTrials {
+  std::vector<AdaptiveTrial> withCause;
+  std::vector<WatchedRun> clean;
+  double slowest = 0;  ///< the longest time for one next sighting, s
+};
+
+/// The plan of a protocol: its places, and both faces if it uses them.
+SightingPlan sightingPlanOf(const Protocol& protocol);
+
+/// Trial i has the seed `seed` + i. Fails if the protocol is unknown or turns its circle.
+Result<AdaptiveTrials> adaptiveTrials(const AdaptiveTrialOptions& options, const BlindTrialOptions& draw,
+                                      std::uint64_t seed);
+
+}  // namespace alidade

@@ -1,0 +1,89 @@
+#include "core/diagnosis/next_sighting.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "core/simulation/adaptive_trial.h"
+#include "core/simulation/watched_session.h"
+
+namespace alidade {
+namespace {
+
+const Protocol& twoFace() {
+  return *protocolByName("two-face");
+}
+
+/// A session in face 1 at every place of both positions.
+WatchedSession readInFaceOne(const Truth& truth) {
+  WatchedSession session(twoFace(), truth, 7);
+  for (const int axisDeg : {0, 180})
+    for (int point = 1; point <= twoFace().points; ++point) session.sight(axisDeg, 1, point, 1);
+  return session;
+}
+
+Truth withEffect(ErrorTerm term, double value) {
+  Truth truth = drawTruth(7);
+  truth.effects = {{term, value}};
+  return truth;
+}
+
+TEST(NextSighting, IsInTheOtherFaceIfOnlyThatTellsTheCollimation) {
+  const Truth truth = withEffect(ErrorTerm::Collimation, 12);
+  const auto state = sessionSoFar(*readInFaceOne(truth).measurement(), sightingPlanOf(twoFace()));
+  ASSERT_TRUE(state && !state->ranked.empty());
+  EXPECT_EQ(state->ranked.front().face, 2);
+  EXPECT_TRUE(state->named.empty());
+}
+
+TEST(NextSighting, CostsATurnOfTheAxisAndItsZero) {
+  SightingPlan plan = sightingPlanOf(twoFace());
+  plan.minutes = {.turningAxis = 100, .plungingTelescope = 10, .drivingSlider = 1};
+  const auto state = sessionSoFar(*readInFaceOne(drawTruth(7)).measurement(), plan);
+  ASSERT_TRUE(state);
+  for (const NextSighting& next : state->ranked) {
+    const bool isThere = !next.turnsAxis && next.point == twoFace().points;
+    EXPECT_NEAR(next.minutes,
+                minutesOfPointing + (next.turnsAxis ? 100 + minutesOfPointing : 0) +
+                    (next.face == 2 ? 10 : 0) + (isThere ? 0 : 1),
+                1e-9);
+    EXPECT_EQ(next.turnsAxis, next.axisDeg == 0);
+  }
+}
+
+TEST(NextSighting, NamesTheCauseThatIsThere) {
+  const Truth truth = withEffect(ErrorTerm::VerticalIndex, 15);
+  WatchedSession session = readInFaceOne(truth);
+  for (int point = twoFace().points; point >= 1; --point) session.sight(180, 2, point, 2);
+  const auto state = sessionSoFar(*session.measurement(), sightingPlanOf(twoFace()));
+  ASSERT_TRUE(state);
+  EXPECT_EQ(state->enough, Enough::Named);
+  EXPECT_THAT(state->named, testing::Contains("vertical_index"));
+}
+
+TEST(NextSighting, StopsAtTheUncertaintyWanted) {
+  const WatchedSession session = readInFaceOne(drawTruth(7));
+  const SightingPlan plan = sightingPlanOf(twoFace());
+  const auto state = sessionSoFar(*session.measurement(), plan);
+  ASSERT_TRUE(state && state->sigma);
+  EXPECT_TRUE(state->named.empty());
+  const double expanded = 1.96 * *state->sigma;
+  EXPECT_EQ(sessionSoFar(*session.measurement(), plan, {.uncertainty = 1.01 * expanded})->enough,
+            Enough::UncertaintyReached);
+  EXPECT_EQ(sessionSoFar(*session.measurement(), plan, {.uncertainty = 0.99 * expanded})->enough, Enough::No);
+}
+
+TEST(NextSighting, IsCertainOfAVerdictOnlyBeyondTheRangeOfAllTimes) {
+  const auto decided = [](double tolerance) {
+    Measurement measurement = *readInFaceOne(drawTruth(7)).measurement();
+    measurement.tolerance = tolerance;
+    return *sessionSoFar(measurement, sightingPlanOf(twoFace()));
+  };
+  const SessionSoFar state = decided(1);
+  const double size = std::abs(*state.intersection);
+  EXPECT_GT(state.halfWidth, 1.96 * *state.sigma);
+  EXPECT_EQ(decided(size + 1.01 * state.halfWidth).enough, Enough::VerdictCertain);
+  EXPECT_NE(decided(size + 0.99 * state.halfWidth).enough, Enough::VerdictCertain);
+}
+
+}  // namespace
+}  // namespace alidade
