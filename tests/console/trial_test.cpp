@@ -125,5 +125,27 @@ TEST(Trial, RefusesInOneLine) {
   EXPECT_THAT(refusal({"--score", folder.path().string()}), HasSubstr("intersection_mm"));
 }
 
+TEST(Trial, ReadsByWhatEachSightingTells) {
+  const std::vector<std::string> call{"trial",   "--adaptive", "--protocol", "two-face",
+                                      "--count", "2",          "--clean",    "1",
+                                      "--seed",  "1",          "--json",     "--threads"};
+  const auto on = [&](const char* threads) {
+    std::vector<std::string> all = call;
+    all.emplace_back(threads);
+    return alidadeCli(all);
+  };
+  const ProgramRun run = on("1");
+  ASSERT_EQ(run.exitCode, 0) << run.err;
+  EXPECT_EQ(on("2").out, run.out);
+  const Json answer = Json::parse(run.out);
+  ASSERT_EQ(answer.at("trials").size(), 2u);
+  EXPECT_EQ(answer.at("trials").at(0).at("rows"), 136);
+  EXPECT_LT(answer.at("trials").at(0).at("by_worth").at("sightings"), 68);
+  ASSERT_EQ(answer.at("clean").size(), 1u);
+  EXPECT_EQ(answer.at("clean").at(0).at("sightings"), 136);
+  EXPECT_EQ(answer.at("clean").at(0).at("named"), Json::array());
+  EXPECT_NE(alidadeCli({"trial", "--adaptive"}).exitCode, 0);
+}
+
 }  // namespace
 }  // namespace alidade::test

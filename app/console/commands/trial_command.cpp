@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <cstdio>
 
+#include "app/console/adaptive_trial_text.h"
 #include "app/console/commands/option_checks.h"
 #include "app/console/own_effect_files.h"
 #include "app/console/series_trial_text.h"
@@ -17,6 +18,14 @@ namespace {
 void report(std::size_t done) {
   constexpr std::size_t every = 100;
   if (done % every == 0) std::fprintf(stderr, "alidade-cli: %zu trials done\n", done);
+}
+
+Result<std::string> adaptiveTrialsOf(const TrialRequest& request) {
+  const AdaptiveTrialOptions options{
+      .count = request.count, .clean = request.clean, .threads = request.threads, .progress = report};
+  const auto trials = adaptiveTrials(options, {.protocol = request.protocol}, request.seed);
+  if (!trials) return trials.problem();
+  return request.json ? adaptiveTrialJson(*trials) : adaptiveTrialText(*trials);
 }
 
 Result<std::string> sessionTrials(const TrialRequest& request) {
@@ -76,18 +85,35 @@ void addTrialCommand(CLI::App& app, TrialRequest& request) {
       ->check([](const std::string& folder) {
         return folder.empty() ? "names no folder: give the one that holds truth.json and sessions/" : "";
       });
-  trial
-      ->add_option(
-          "--effects", request.effects,
-          "Effects of your own (*.alidade-effect, or a folder of them): drawn as often as one of the "
-          "catalogue, and known to the diagnosis; may be given several times")
-      ->take_all()
-      ->expected(1)
-      ->excludes(series);
-  trial->add_flag(
+  CLI::Option* effects =
+      trial
+          ->add_option(
+              "--effects", request.effects,
+              "Effects of your own (*.alidade-effect, or a folder of them): drawn as often as one of the "
+              "catalogue, and known to the diagnosis; may be given several times")
+          ->take_all()
+          ->expected(1)
+          ->excludes(series);
+  CLI::Option* withheld = trial->add_flag(
       "--withheld", request.withheld,
       "Diagnose each effect a second time with itself taken from the catalogue: no wrong cause may "
       "be blamed");
+  CLI::Option* adaptive =
+      trial
+          ->add_flag(
+              "--adaptive", request.adaptive,
+              "Read each truth, one effect, twice until a cause is named: in the order of the protocol, and "
+              "each time the sighting that tells most for its minutes")
+          ->needs(protocol)
+          ->excludes(series)
+          ->excludes(effects)
+          ->excludes(withheld);
+  trial
+      ->add_option(
+          "--clean", request.clean,
+          "With --adaptive also this many sessions with nothing to name, watched after every sighting")
+      ->check(wholeFrom(1, mostTrials))
+      ->needs(adaptive);
   trial->add_option("--threads", request.threads, "Threads to use; 0: all. The result does not depend on it")
       ->check(wholeFrom(0, mostThreads))
       ->capture_default_str();
@@ -107,7 +133,7 @@ Result<std::string> runTrial(const TrialRequest& request) {
     return request.json ? "{\"sessions\": " + *sessions + ", \"series\": " + text + "}\n"
                         : *sessions + "\n" + text;
   }
-  return sessionTrials(request);
+  return request.adaptive ? adaptiveTrialsOf(request) : sessionTrials(request);
 }
 
 }  // namespace alidade::console

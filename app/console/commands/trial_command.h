@@ -22,12 +22,14 @@ struct TrialRequest {
   std::string folder;                ///< folder of existing trials; empty: drawn here
   std::vector<std::string> effects;  ///< files of own effects that are drawn, too
   bool withheld = false;
+  bool adaptive = false;  ///< sightings by what they tell, compared with the order of the protocol
+  std::size_t clean = 0;  ///< of these, sessions with nothing to name
   unsigned threads = 0;
   bool json = false;
 };
 
 /// Adds `trial [--count N | --series N] [--seed N] [--protocol NAME] [--score DIR] [--effects FILE]…
-/// [--withheld]
+/// [--withheld] [--adaptive [--clean N]]
 /// [--threads N] [--json]`, which fills in `request`.
 void addTrialCommand(CLI::App& app, TrialRequest& request);
 
