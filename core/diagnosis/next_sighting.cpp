@@ -52,13 +52,14 @@ void addCauses(NextSighting& next, const std::vector<Weighed>& causes,
 }
 
 std::vector<NextSighting> ranked(const PossibleSightings& session, const SightingEquations& equations,
-                                 const WeighedCauses& causes, const IntersectionSoFar& every) {
+                                 const WeighedCauses& causes, const IntersectionSoFar& every,
+                                 bool isOfUncertaintyAlone) {
   const std::vector<Weighed> some = likely(causes.all());
   std::vector<NextSighting> list;
   for (std::size_t i = 0; i < session.possible.size(); ++i) {
     NextSighting next = rankedSighting(session.possible[i], session.measurement);
     const SightingRows& rows = equations.possible[i];
-    addCauses(next, some, WeighedCauses::Predictor(causes, rows));
+    if (!isOfUncertaintyAlone) addCauses(next, some, WeighedCauses::Predictor(causes, rows));
     next.ofUncertainty = every.tells(rows);
     list.push_back(std::move(next));
   }
@@ -132,7 +133,8 @@ std::optional<SessionSoFar> sessionSoFar(const Measurement& measurement, const S
   }
   if (!std::isfinite(state.logEvidence)) return std::nullopt;
   name(state, causes, equations, options);
-  if (options.ranks) state.ranked = ranked(session, equations, causes, every);
+  if (options.ranks)
+    state.ranked = ranked(session, equations, causes, every, options.uncertainty.has_value());
   state.enough = enoughOf(state, measurement, options);
   return state;
 }

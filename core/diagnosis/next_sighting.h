@@ -59,7 +59,7 @@ struct SessionSoFar {
 struct EnoughOptions {
   double alpha = 0.01;                ///< probability of ever naming a cause where there is nothing
   double certain = 0.95;              ///< probability of the named group
-  std::optional<double> uncertainty;  ///< wanted U of Δd, mm
+  std::optional<double> uncertainty;  ///< wanted U of Δd, mm; sightings are then ranked by it alone
   double leastWorth = 0.004;          ///< below it in every sighting, more will not help
   bool ranks = true;                  ///< else no sighting is ranked, which is faster
 };

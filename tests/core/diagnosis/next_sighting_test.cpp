@@ -3,6 +3,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "core/simulation/adaptive_trial.h"
 #include "core/simulation/watched_session.h"
 
@@ -98,6 +101,15 @@ TEST(NextSighting, HasAlternativesOfNearlyTheSameWorth) {
   EXPECT_DOUBLE_EQ(found[0].perMinute(), 0.95);
   EXPECT_DOUBLE_EQ(found[1].perMinute(), 0.92);
   EXPECT_TRUE(alternativesOf(SessionSoFar()).empty());
+}
+
+TEST(NextSighting, IsRankedByTheUncertaintyAloneIfThatIsWanted) {
+  const auto state = sessionSoFar(*readInFaceOne(drawTruth(7)).measurement(), sightingPlanOf(twoFace()),
+                                  {.uncertainty = 0.01});
+  ASSERT_TRUE(state && !state->ranked.empty());
+  double most = 0;
+  for (const NextSighting& next : state->ranked) most = std::max(most, next.ofUncertainty / next.minutes);
+  EXPECT_DOUBLE_EQ(state->ranked.front().perMinute(), most);
 }
 
 }  // namespace
