@@ -7,6 +7,7 @@
 #include "app/console/text_layout.h"
 #include "core/answers/json_text.h"
 #include "core/base/number_text.h"
+#include "core/wording/effect_name.h"
 
 namespace alidade::console {
 
@@ -42,7 +43,7 @@ struct OfKind {
 std::vector<std::string> kindRow(const std::string& kind, const OfKind& of) {
   const auto mean = [&](double sum) { return fixedText(sum / static_cast<double>(of.count), 1); };
   const auto right = [&](std::size_t hits) { return std::to_string(hits) + "/" + std::to_string(of.count); };
-  return {"  " + kind,
+  return {"  " + causeName(kind),
           right(of.rightInFull),
           mean(static_cast<double>(of.rows)),
           right(of.ofProtocol.right),
