@@ -41,8 +41,6 @@ QString findingsLine(const Gap& gap) {
                       : Report::tr("%1 findings: see below.").arg(serious);
 }
 
-}
-
 /// The parts of the front page's frame, each with its height.
 class VerdictFrame {
  public:
