@@ -10,7 +10,6 @@
 #include "core/diagnosis/conclusion/afterwards.h"
 #include "core/diagnosis/evidence/gain.h"
 #include "core/diagnosis/forms/form_component.h"
-#include "core/diagnosis/forms/form_readings.h"
 #include "core/diagnosis/gap/gap_size.h"
 #include "core/diagnosis/search/explained_model.h"
 #include "core/effects/cause_ids.h"
@@ -32,14 +31,6 @@ std::vector<Combination> combinationsOf(const FoundForms& found) {
       all.back()[f] = &found.likely[f][i];
     }
   return all;
-}
-
-/// Whether these readings have the places that the forms were found with. A number for each place was found
-/// with the arc angles of a fuller model; those of this one may part or join two places that are close.
-bool areOf(const FormReadings& readings, const Combination& forms) {
-  return std::ranges::all_of(forms, [&](const WeighedForm* form) {
-    return columnsOf(readings, form->form) == form->amplitudes.size();
-  });
 }
 
 /// Natural, odds against nothing: of the forms, each with the range of its shape numbers.
@@ -140,9 +131,7 @@ GapModel without(GapModel model, const Inquiry& inquiry, const Eigen::VectorXd& 
 void takeUpForms(Inquiry& inquiry, Answer& answer, const FoundForms& found) {
   if (found.forms.empty()) return;
   const FormReadings readings = formReadings(inquiry.leftover, *inquiry.base.measurement, *inquiry.base.fit);
-  std::vector<Combination> combinations = combinationsOf(found);
-  std::erase_if(combinations, [&](const Combination& forms) { return !areOf(readings, forms); });
-  if (combinations.empty()) return;
+  const std::vector<Combination> combinations = combinationsOf(found);
   std::vector<FormComponent> components;
   components.reserve(combinations.size());
   std::vector<std::pair<Part, double>> parts;

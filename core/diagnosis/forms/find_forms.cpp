@@ -39,7 +39,7 @@ FoundForms findForms(FormSystem& system, const FormReadings& readings,
     const std::vector<WeighedForm> all = weighForms(system, readings, families, stop);
     if (all.empty() || !choice.isNamed(all)) break;
     const WeighedForm& first = all.front();
-    FoundForm& form = found.forms.emplace_back(foundForm(readings, first, all));
+    FoundForm& form = found.forms.emplace_back(foundForm(first, all));
     for (const Form& other : lookAlikesOfFirst(system, readings, all))
       form.indistinguishableFrom.push_back({other});
     addCleanRange(form, readings);

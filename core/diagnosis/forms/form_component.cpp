@@ -37,7 +37,7 @@ const std::vector<Width>& FormComponent::widths() const {
 }
 
 void FormComponent::add(const FormReadings& readings, const WeighedForm& weighed) {
-  const MatrixXd own = formColumns(readings, weighed.form);
+  const MatrixXd own = formColumns(readings, weighed.form, weighed.places);
   const double unit = formUnit(weighed.form.carrier) * weighed.width;
   const auto append = [&](const MatrixXd& columns, const VectorXd& weights) {
     const Index before = m_columns.cols(), all = before + columns.cols();
@@ -54,7 +54,7 @@ void FormComponent::add(const FormReadings& readings, const WeighedForm& weighed
     Eigen::Array2d there = at;
     there[i] += weighed.sigmas[i];
     setShapeCoordinates(moved, there);
-    append((formColumns(readings, moved) - own) * weighed.amplitudes, VectorXd::Zero(1));
+    append((formColumns(readings, moved, weighed.places) - own) * weighed.amplitudes, VectorXd::Zero(1));
   }
 }
 

@@ -175,8 +175,7 @@ Index functionsOf(const FormReadings& readings, const Form& form) {
   return form.function == FormFunction::Harmonic ? 2 : 1;
 }
 
-MatrixXd freeValues(const FormReadings& readings, const Form& form, const VectorXd& x) {
-  const std::vector<double> places = placesOf(readings, form);
+MatrixXd freeValues(const Form& form, const std::vector<double>& places, const VectorXd& x) {
   MatrixXd values(x.size(), std::ssize(places));
   for (Index i = 0; i < x.size(); ++i) values.row(i) = freeFunctions(form, places, x[i]).transpose();
   return values;
@@ -230,9 +229,13 @@ Index columnsOf(const FormReadings& readings, const Form& form) {
 }
 
 MatrixXd formColumns(const FormReadings& readings, const Form& form) {
+  return formColumns(readings, form, form.isFree() ? placesOf(readings, form) : std::vector<double>());
+}
+
+MatrixXd formColumns(const FormReadings& readings, const Form& form, const std::vector<double>& places) {
   const VectorXd& zero = readings.zeros[static_cast<std::size_t>(form.of)];
   const auto valuesAt = [&](const VectorXd& x) {
-    return form.isFree() ? freeValues(readings, form, x) : plainValues(readings, form, x);
+    return form.isFree() ? freeValues(form, places, x) : plainValues(readings, form, x);
   };
   MatrixXd values = valuesAt(readings.of(form.of));
   if (form.turnsWithFace) values = readings.face.asDiagonal() * values;

@@ -38,6 +38,9 @@ FormReadings formReadings(const Leftover& leftover, const Measurement& measureme
 /// The columns of a form over the readings, whitened, for amplitudes of 1 mm or 1″. Of the orientation first
 /// those of the horizontal circle.
 Eigen::MatrixXd formColumns(const FormReadings& readings, const Form& form);
+/// The same of a free form at these places: those that it was found with in other readings.
+Eigen::MatrixXd formColumns(const FormReadings& readings, const Form& form,
+                            const std::vector<double>& places);
 /// How many columns a form has.
 Eigen::Index columnsOf(const FormReadings& readings, const Form& form);
 /// Of a form with a number for each place the places, of which those that agree to 0.1° are one; of a walk

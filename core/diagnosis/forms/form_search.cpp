@@ -219,6 +219,7 @@ class Weighing {
 
   void setAmplitudes(WeighedForm& weighed, Index count) const {
     weighed.amplitudes = amplitudesAt(weighed, weighed.form, &weighed.covariance);
+    if (weighed.form.isFree()) weighed.places = placesOf(m_readings, weighed.form);
     const Eigen::Array2d at = shapeCoordinates(weighed.form);
     for (Index i = 0; i < count; ++i) {
       if (!std::isfinite(weighed.sigmas[i])) continue;

@@ -59,6 +59,7 @@ struct WeighedForm {
   Eigen::Array2d sigmas{};          ///< standard uncertainty of `shapeCoordinates`
   Eigen::VectorXd amplitudes = {};  ///< mm or arcseconds
   Eigen::MatrixXd covariance = {};  ///< of these, the shape as uncertain as it is
+  std::vector<double> places = {};  ///< of a free form: of its amplitudes, in the unit of the argument
 
   double logPosterior() const { return logPrior + logAveraged; }
 };

@@ -140,12 +140,11 @@ std::string formulaOf(const Form& form) {
   return "horizontal = " + termsText(form, 'A') + ", vertical = " + termsText(form, letterAfter(form, 'A'));
 }
 
-FoundForm foundForm(const FormReadings& readings, const WeighedForm& weighed,
-                    const std::vector<WeighedForm>& all) {
+FoundForm foundForm(const WeighedForm& weighed, const std::vector<WeighedForm>& all) {
   const Form& form = weighed.form;
   FoundForm found{.form = form, .formula = formulaOf(form)};
+  found.places = weighed.places;
   const Index count = weighed.amplitudes.size();
-  if (form.isFree()) found.places = placesOf(readings, form);
   const std::vector<std::string> names = coefficientNames(found, count);
   for (Index i = 0; i < count; ++i)
     found.coefficients.push_back(

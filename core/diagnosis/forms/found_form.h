@@ -7,8 +7,7 @@ namespace alidade {
 
 /// The result of a form: formula, coefficients and parameters. `all`: the posterior of every family, for the
 /// uncertainty of an order.
-FoundForm foundForm(const FormReadings& readings, const WeighedForm& weighed,
-                    const std::vector<WeighedForm>& all);
+FoundForm foundForm(const WeighedForm& weighed, const std::vector<WeighedForm>& all);
 
 /// "radial = A*cos(7*s) + B*sin(7*s)".
 std::string formulaOf(const Form& form);

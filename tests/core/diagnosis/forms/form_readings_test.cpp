@@ -66,6 +66,23 @@ Truth truthWith(const ForeignEffect& effect) {
   return truth;
 }
 
+// A fit that moves two places together must not take a column from amplitudes found before.
+TEST(FormColumns, AreOfThePlacesThatAFreeFormWasFoundWith) {
+  const Unspoilt session(drawTruth(7));
+  const Form form{.carrier = FormCarrier::Radial, .function = FormFunction::PerPlace, .of = FormArgument::S};
+  const std::vector<double> places = placesOf(session.readings, form);
+  ASSERT_GT(places.size(), 2u);
+  FormReadings moved = session.readings;
+  for (double& s : moved.arguments[static_cast<std::size_t>(FormArgument::S)])
+    if (std::abs(s - places[1]) < 0.05 * radian) s = places[0] + 0.06 * radian;
+  ASSERT_EQ(placesOf(moved, form).size() + 1, places.size());
+  const Eigen::MatrixXd columns = formColumns(moved, form, places);
+  EXPECT_EQ(columns.cols(), std::ssize(places));
+  EXPECT_GT(columns.col(0).norm(), formColumns(session.readings, form).col(0).norm());
+  EXPECT_EQ(columns.col(1).norm(), 0) << "nothing is there any more";
+  EXPECT_EQ(formColumns(session.readings, form, places), formColumns(session.readings, form));
+}
+
 // The simulator's forward model read with and without the effect: differences against the derivatives.
 TEST(FormColumns, AreWhatTheForwardModelReads) {
   const Truth truth = drawTruth(7);
