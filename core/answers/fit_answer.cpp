@@ -25,7 +25,8 @@ Result<FitAnswer> fitAnswerOf(const Gap& gap, const std::string& name) {
   if (!evaluation.isSearched) answer.suspects = findSuspects(evaluation.session, measurement, evaluation.fit);
   answer.diagnosis = gap.diagnosis;
   answer.arrivals = arrivalsOf(evaluation.session);
-  answer.dependences = *withDependences(gap).dependences;
+  answer.dependences =
+      gap.dependences ? *gap.dependences : dependencesOf(measurement, answer.fit, gap.found());
   return answer;
 }
 

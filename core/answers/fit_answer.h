@@ -29,11 +29,6 @@ struct FitAnswer {
   std::vector<Arrival> arrivals = {};  ///< of the rows of the session
 
   const Diagnosis* found() const { return diagnosis ? &*diagnosis : nullptr; }
-  /// Fills `dependences`. Call it last, because it takes several diagnoses.
-  void findDependences() {
-    if (const auto decision = decideAcceptance(measurement, fit, found()))
-      dependences = dependencesOf(measurement, fit, found(), *decision);
-  }
 };
 
 /// The answer of a diagnosed evaluation, in the language of the thread. `gap` and `name` must outlive it.

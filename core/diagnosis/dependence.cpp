@@ -121,4 +121,10 @@ std::vector<Dependence> dependencesOf(const Measurement& measurement, const Sess
   return dependences;
 }
 
+std::vector<Dependence> dependencesOf(const Measurement& measurement, const SessionFit& fit,
+                                      const Diagnosis* diagnosis, const std::stop_token& stop) {
+  const auto decision = decideAcceptance(measurement, fit, diagnosis);
+  return decision ? dependencesOf(measurement, fit, diagnosis, *decision, stop) : std::vector<Dependence>();
+}
+
 }  // namespace alidade

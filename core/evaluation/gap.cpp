@@ -164,12 +164,8 @@ std::vector<Advice> worthwhileAdvice(const Diagnosis& diagnosis) {
 Gap withDependences(Gap gap, const std::stop_token& stop) {
   if (gap.dependences) return gap;
   std::vector<Dependence> rows;
-  const SessionFit& fit = gap.evaluation->fit;
-  if (fit.intersection) {
-    const Measurement& measurement = *gap.evaluation->examined.measurement;
-    if (const auto decision = decideAcceptance(measurement, fit, gap.found()))
-      rows = dependencesOf(measurement, fit, gap.found(), *decision, stop);
-  }
+  if (const SessionFit& fit = gap.evaluation->fit; fit.intersection)
+    rows = dependencesOf(*gap.evaluation->examined.measurement, fit, gap.found(), stop);
   if (!stop.stop_requested()) gap.dependences = std::move(rows);
   return gap;
 }

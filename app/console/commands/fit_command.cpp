@@ -49,9 +49,9 @@ Result<std::string> rigorousAnswer(const FitRequest& request, SessionInput input
   if (request.diagnosis)
     if (Result<Diagnosis, DiagnosisFault> diagnosis = diagnose(measurement, fit, {.withAttainable = true}))
       answer.diagnosis = *std::move(diagnosis);
-  verdicts.take(decideAcceptance(measurement, fit, answer.found()));
+  if (request.verdictExit) verdicts.take(decideAcceptance(measurement, fit, answer.found()));
   if (!request.csv.empty()) return tableOf(request.csv, answer);
-  answer.findDependences();
+  answer.dependences = dependencesOf(measurement, fit, answer.found());
   return request.batch.json ? fitJson(answer) : fitText(answer);
 }
 
