@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
+#include <functional>
 
 #include "core/base/statistics.h"
 #include "core/diagnosis/next_sighting/all_possible.h"

@@ -316,6 +316,11 @@ const Effect* effectOf(ErrorTerm term, const Measurement& measurement) {
   return measurement.own ? measurement.own->find(term) : nullptr;
 }
 
+bool needsSlider(const Effect& effect) {
+  return std::ranges::any_of(effect.parameters,
+                             [](const EffectParameter& parameter) { return parameter.traits.needsSlider; });
+}
+
 double modelUnitsPer(std::string_view unit) {
   if (unit == "arcsec") return Angle::fromArcseconds(1).radians();
   if (unit == "deg") return Angle::fromDegrees(1).radians();

@@ -30,6 +30,9 @@ std::vector<const Effect*> effectsOf(const Measurement& measurement);
 const Effect* effectById(std::string_view id, const Measurement& measurement);
 const Effect* effectOf(ErrorTerm term, const Measurement& measurement);
 
+/// Whether nothing follows from one of its sizes without slider readings.
+bool needsSlider(const Effect& effect);
+
 /// The factor from `unit` to the model's own unit: radians, mm or 1.
 double modelUnitsPer(std::string_view unit);
 

@@ -1,7 +1,6 @@
 #include "core/simulation/adaptive_trial.h"
 
 #include <algorithm>
-#include <atomic>
 #include <chrono>
 #include <mutex>
 #include <optional>
@@ -87,13 +86,11 @@ class Run {
   double m_slowest = 0;
 
   double minutesOf(const Step& step) const {
-    const bool turns = !m_last || m_last->axisDeg != step.axisDeg;
-    const SightingMinutes& minutes = m_plan.minutes;
-    double sum = minutesOfPointing;
-    if (turns) sum += minutesOfPointing + (m_last ? minutes.turningAxis : 0);
-    if (m_last && m_last->face != step.face) sum += minutes.plungingTelescope;
-    if (turns || m_last->point != step.point) sum += minutes.drivingSlider;
-    return sum;
+    const bool begins = !m_last || m_last->axisDeg != step.axisDeg;
+    return alidade::minutesOf(m_plan.minutes, {.turnsAxis = m_last && begins,
+                                               .sightsZero = begins,
+                                               .plungesTelescope = m_last && m_last->face != step.face,
+                                               .drivesSlider = begins || m_last->point != step.point});
   }
 
   void take(const Step& step, double minutes) {
@@ -181,27 +178,23 @@ Result<AdaptiveTrials> adaptiveTrials(const AdaptiveTrialOptions& options, const
   std::vector<std::optional<Result<AdaptiveTrial>>> withCause(options.count);
   AdaptiveTrials trials;
   trials.clean.resize(options.clean);
-  std::atomic<std::size_t> next = 0;
   std::mutex reporting;
   std::size_t done = 0;
-  const auto work = [&] {
-    for (std::size_t i; (i = next.fetch_add(1)) < all;) {
-      double slowest = 0;
-      if (i < options.count) {
-        withCause[i] = trialOf(options, one, seed + i, slowest);
-      } else if (const auto drawn = drawBlindTrial(none, seed + i)) {
-        Run run(*protocol, drawn->truth, seed + i, options.enough);
-        trials.clean[i - options.count] = run.byWorth(true);
-        slowest = run.slowest();
-      }
-      const std::scoped_lock lock(reporting);
-      trials.slowest = std::max(trials.slowest, slowest);
-      if (options.progress) options.progress(++done);
-    }
-  };
   const std::size_t threads =
       options.threads > 0 ? options.threads : std::max(1u, std::thread::hardware_concurrency());
-  inThreads(std::clamp<std::size_t>(all, 1, threads), work);
+  doEach(std::clamp<std::size_t>(all, 1, threads), all, [&](std::size_t i) {
+    double slowest = 0;
+    if (i < options.count) {
+      withCause[i] = trialOf(options, one, seed + i, slowest);
+    } else if (const auto drawn = drawBlindTrial(none, seed + i)) {
+      Run run(*protocol, drawn->truth, seed + i, options.enough);
+      trials.clean[i - options.count] = run.byWorth(true);
+      slowest = run.slowest();
+    }
+    const std::scoped_lock lock(reporting);
+    trials.slowest = std::max(trials.slowest, slowest);
+    if (options.progress) options.progress(++done);
+  });
   for (auto& trial : withCause) {
     if (!*trial) return trial->problem();
     trials.withCause.push_back(**std::move(trial));

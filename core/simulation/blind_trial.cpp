@@ -24,11 +24,6 @@ const Effect* effectIn(const BlindTrialOptions& options, const std::string& kind
   return !effect && options.own ? options.own->find(kind) : effect;
 }
 
-bool isOfSlider(const Effect& effect) {
-  return std::ranges::any_of(effect.parameters,
-                             [](const EffectParameter& parameter) { return parameter.traits.needsSlider; });
-}
-
 /// Draws one trial, step by step.
 class Draw {
  public:
@@ -180,7 +175,7 @@ class Draw {
     while (true) {
       const Effect& effect =
           *effects[static_cast<std::size_t>(m_random.whole(0, static_cast<int>(effects.size()) - 1))];
-      if (effect.response != Response::AllOrNothing && (m_protocol.slider || !isOfSlider(effect)))
+      if (effect.response != Response::AllOrNothing && (m_protocol.slider || !needsSlider(effect)))
         return effect;
     }
   }
@@ -299,7 +294,7 @@ bool isOfSliderOnly(const Formula& formula) {
 }
 
 bool needsSlider(const BlindTrialOptions& options, const std::string& kind) {
-  if (const Effect* effect = effectById(kind)) return isOfSlider(*effect);
+  if (const Effect* effect = effectById(kind)) return needsSlider(*effect);
   return options.own && std::ranges::any_of(options.own->entries(), [&](const OwnEntry& entry) {
            return entry.id == kind && isOfSliderOnly(entry.formula);
          });

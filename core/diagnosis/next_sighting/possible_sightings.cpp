@@ -94,12 +94,11 @@ PossibleSightings possibleSightings(const Measurement& taken, const SightingPlan
         next.face = face;
         next.round = roundOf(before, turns || !found ? nullptr : &last, place.point, face);
         if (plan.readsSlider) next.slider = place.s;
-        const SightingMinutes& minutes = plan.minutes;
-        session.possible.push_back({arc, next.point, face, next.round, turns,
-                                    minutesOfPointing +
-                                        (turns ? minutes.turningAxis + minutesOfPointing : 0) +
-                                        (face != last.face ? minutes.plungingTelescope : 0) +
-                                        (turns || next.point != last.point ? minutes.drivingSlider : 0)});
+        const double minutes = minutesOf(plan.minutes, {.turnsAxis = turns,
+                                                        .sightsZero = turns,
+                                                        .plungesTelescope = face != last.face,
+                                                        .drivesSlider = turns || next.point != last.point});
+        session.possible.push_back({arc, next.point, face, next.round, turns, minutes});
         all.arcs[arc].sightings.push_back(next);
       }
   }

@@ -36,11 +36,6 @@ double widePrior(Unknown::Kind kind) {
   }
 }
 
-bool needsSlider(const Effect& effect) {
-  return std::ranges::any_of(effect.parameters,
-                             [](const EffectParameter& parameter) { return parameter.traits.needsSlider; });
-}
-
 bool isBent(const Effect& effect) {
   return effect.response == Response::Bent && effect.parameters.size() == 2;
 }
@@ -287,11 +282,8 @@ Eigen::MatrixX3d secondDerivatives(const PossibleSightings& session, const std::
 
 /// Moves the circles by the unknowns that fit the sightings taken. Returns by how much, mm.
 double improve(std::vector<Circle>& circles, const Linearised& all, const SightingEquations& equations) {
-  MatrixXd normal = equations.taken.unknowns.transpose() * equations.taken.unknowns;
-  normal.diagonal() += equations.priorWeights.cwiseAbs2();
-  const VectorXd right = equations.taken.unknowns.transpose() * equations.residual +
-                         equations.priorWeights.cwiseProduct(equations.priorResiduals);
-  const VectorXd step = normal.ldlt().solve(right);
+  const NormalEquations normal = normalEquationsOf(equations);
+  const VectorXd step = normal.matrix.ldlt().solve(normal.right);
   double most = 0;
   for (Index i = 0; const std::size_t u : all.uncertainUnknowns()) {
     const Unknown& unknown = all.unknowns[u];
@@ -309,6 +301,14 @@ double improve(std::vector<Circle>& circles, const Linearised& all, const Sighti
 }
 
 }  // namespace
+
+NormalEquations normalEquationsOf(const SightingEquations& equations) {
+  const MatrixXd& unknowns = equations.taken.unknowns;
+  MatrixXd matrix = unknowns.transpose() * unknowns;
+  matrix.diagonal() += equations.priorWeights.cwiseAbs2();
+  return {std::move(matrix), unknowns.transpose() * equations.residual +
+                                 equations.priorWeights.cwiseProduct(equations.priorResiduals)};
+}
 
 MatrixXd withoutArcAngle(const MatrixXd& rows, const VectorXd& along) {
   if (along.squaredNorm() == 0) return rows;

@@ -45,6 +45,13 @@ struct SightingEquations {
 SightingEquations sightingEquations(const Measurement& taken, const SightingPlan& plan,
                                     PossibleSightings& session);
 
+/// Of the unknowns by the sightings taken and the priors.
+struct NormalEquations {
+  Eigen::MatrixXd matrix;
+  Eigen::VectorXd right;
+};
+NormalEquations normalEquationsOf(const SightingEquations& equations);
+
 /// The equations that an arc angle leaves of the rows of one visit: an orthonormal basis of the complement of
 /// `along`. All rows if `along` is zero.
 Eigen::MatrixXd withoutArcAngle(const Eigen::MatrixXd& rows, const Eigen::VectorXd& along);

@@ -1,11 +1,11 @@
 #include "core/diagnosis/next_sighting/weighed.h"
 
+#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <map>
 #include <utility>
-
-#include <Eigen/LU>
 
 #include "core/diagnosis/evidence/bent_fit.h"
 #include "core/diagnosis/evidence/gain.h"
@@ -61,12 +61,10 @@ class ByCause {
 
 WeighedCauses::WeighedCauses(const SightingEquations& equations) : m_equations(equations) {
   const MatrixXd& unknowns = equations.taken.unknowns;
-  MatrixXd normal = unknowns.transpose() * unknowns;
-  normal.diagonal() += equations.priorWeights.cwiseAbs2();
-  m_unknowns.compute(normal);
+  const NormalEquations normal = normalEquationsOf(equations);
+  m_unknowns.compute(normal.matrix);
   m_eliminated = m_unknowns.matrixL().solve(unknowns.transpose() * equations.taken.causes);
-  m_right = m_unknowns.matrixL().solve(unknowns.transpose() * equations.residual +
-                                       equations.priorWeights.cwiseProduct(equations.priorResiduals));
+  m_right = m_unknowns.matrixL().solve(normal.right);
   m_chiSquare = std::max(
       0.0, equations.residual.squaredNorm() + equations.priorResiduals.squaredNorm() - m_right.squaredNorm());
   // The equations that the unknowns leave: the trace of R.

@@ -17,6 +17,19 @@ struct SightingMinutes {
 /// Pointing and reading both circles, minutes.
 inline constexpr double minutesOfPointing = 0.6;
 
+/// What a sighting requires besides pointing at its place.
+struct SightingMoves {
+  bool turnsAxis = false, sightsZero = false, plungesTelescope = false, drivesSlider = false;
+};
+
+/// Minutes of a sighting.
+inline double minutesOf(const SightingMinutes& minutes, const SightingMoves& moves) {
+  return minutesOfPointing +
+         ((moves.turnsAxis ? minutes.turningAxis : 0) + (moves.sightsZero ? minutesOfPointing : 0)) +
+         (moves.plungesTelescope ? minutes.plungingTelescope : 0) +
+         (moves.drivesSlider ? minutes.drivingSlider : 0);
+}
+
 /// A place of the slider, its coordinate as planned.
 struct SightingPlace {
   int point = 0;
