@@ -24,18 +24,6 @@ struct Rated {
   Reliability reliability;
 };
 
-std::string circleName(ReadingKind kind) {
-  switch (kind) {
-    case ReadingKind::Horizontal:
-      return Phrase::of("horizontal");
-    case ReadingKind::Vertical:
-      return Phrase::of("vertical");
-    case ReadingKind::Slider:
-      break;
-  }
-  return Phrase::of("slider");
-}
-
 std::string nameOf(const Measurement& measurement, const SessionFit& fit, const AdjustedReading& adjusted) {
   const std::size_t position = fit.arcs[adjusted.arc].position;
   const ArcMeasurement& arc = *std::ranges::find(measurement.arcs, position, &ArcMeasurement::position);
@@ -43,7 +31,7 @@ std::string nameOf(const Measurement& measurement, const SessionFit& fit, const 
   std::vector<std::string> parts{positionName(arc.axisDeg, arc.time), Phrase::of("point %1", sighting.point)};
   if (sighting.round != 1) parts.push_back(Phrase::of("round %1", sighting.round));
   if (sighting.face != 1) parts.push_back(Phrase::of("face %1", sighting.face));
-  parts.push_back(circleName(adjusted.kind));
+  parts.push_back(inWords(adjusted.kind));
   return listed(parts);
 }
 

@@ -17,7 +17,7 @@ class SideView : public QGraphicsItem {
 
   void setStyle(const PlotStyle& style);
   void setOffset(const std::optional<CentreOffset>& offset);
-  /// The available square, in the parent's units. Without room for its title the picture has none.
+  /// The available square, in the parent's units. A picture without room for its title has none.
   void setSquare(const QRectF& square);
 
   /// Scene units per millimetre; 0 if nothing is drawn.
