@@ -12658,30 +12658,6 @@ a clause as a sentence</extracomment>
         <translation>残差</translation>
     </message>
     <message>
-        <source>Over the Slider Coordinate &amp;s</source>
-        <translation>按滑块坐标 s(&amp;S)</translation>
-    </message>
-    <message>
-        <source>Over &amp;Time, in the Order Read</source>
-        <translation>按时间（读取顺序）(&amp;T)</translation>
-    </message>
-    <message>
-        <source>Over the &amp;Elevation</source>
-        <translation>按高度角(&amp;E)</translation>
-    </message>
-    <message>
-        <source>Over the &amp;Azimuth</source>
-        <translation>按方位角(&amp;A)</translation>
-    </message>
-    <message>
-        <source>Normal &amp;Quantiles</source>
-        <translation>正态分位数(&amp;Q)</translation>
-    </message>
-    <message>
-        <source>&amp;Draw</source>
-        <translation>绘制(&amp;D)</translation>
-    </message>
-    <message>
         <source>&amp;Unit</source>
         <translation>单位(&amp;U)</translation>
     </message>
@@ -12711,6 +12687,53 @@ a clause as a sentence</extracomment>
     </message>
 </context>
 <context>
+    <name>alidade::ui::ResidualPage</name>
+    <message>
+        <source>automatic</source>
+        <translation>自动</translation>
+    </message>
+    <message>
+        <source>The range of the residuals shown. Leave it empty for a range with room for all</source>
+        <translation>所显示残差的范围。留空则容纳全部残差</translation>
+    </message>
+    <message>
+        <source>Range of the residuals, ±</source>
+        <translation>残差的范围 ±</translation>
+    </message>
+    <message>
+        <source>Sho&amp;w ±</source>
+        <translation>显示(&amp;W) ±</translation>
+    </message>
+    <message>
+        <source>Over the slider coordinate s</source>
+        <translation>按滑块坐标 s</translation>
+    </message>
+    <message>
+        <source>In the order of reading</source>
+        <translation>按读数顺序</translation>
+    </message>
+    <message>
+        <source>Over the elevation e</source>
+        <translation>按高度角 e</translation>
+    </message>
+    <message>
+        <source>Over the azimuth a</source>
+        <translation>按方位角 a</translation>
+    </message>
+    <message>
+        <source>Histogram</source>
+        <translation>直方图</translation>
+    </message>
+    <message>
+        <source>Normal Q–Q plot</source>
+        <translation>正态 Q–Q 图</translation>
+    </message>
+    <message>
+        <source>Kind of the chart</source>
+        <translation>图的种类</translation>
+    </message>
+</context>
+<context>
     <name>alidade::ui::ResidualPlot</name>
     <message>
         <source>row in the order read (time)</source>
@@ -12731,10 +12754,6 @@ a clause as a sentence</extracomment>
     <message>
         <source>slider coordinate s (°): φ at 0°, −φ at 180°</source>
         <translation>滑块坐标 s (°)：0° 时为 φ，180° 时为 −φ</translation>
-    </message>
-    <message>
-        <source>standardised residual w</source>
-        <translation>标准化残差 w</translation>
     </message>
     <message>
         <source>residual (″)</source>
@@ -12831,6 +12850,48 @@ a clause as a sentence</extracomment>
     <message>
         <source>Should be: an even band about 0, two of three within ±1σ, hardly one beyond ±3σ; no wave, no slope.</source>
         <translation>应为：围绕 0 的均匀带，三分之二在 ±1σ 之内，几乎没有超出 ±3σ 的；没有波动，没有倾斜。</translation>
+    </message>
+    <message>
+        <source>standardised w</source>
+        <translation>标准化残差 w</translation>
+    </message>
+    <message>
+        <source>number of residuals</source>
+        <translation>残差个数</translation>
+    </message>
+    <message>
+        <source>not drawn: %1 beyond ±%2</source>
+        <extracomment>%1: number of residuals, %2: range, such as 10″</extracomment>
+        <translation>未画出：±%2 以外的 %1 个</translation>
+    </message>
+    <message>
+        <source>number in classes of %1</source>
+        <translation>区间宽 %1 内的个数</translation>
+    </message>
+    <message>
+        <source>%1 %2</source>
+        <extracomment>one or several circles, and their σ</extracomment>
+        <translation>%1 %2</translation>
+    </message>
+    <message>
+        <source>expected of normal values, σ = 1</source>
+        <translation>正态值的期望个数，σ = 1</translation>
+    </message>
+    <message>
+        <source>expected of the stated σ = %1</source>
+        <translation>按给定 σ = %1 的期望个数</translation>
+    </message>
+    <message>
+        <source>class from %1 to %2: %3 residuals, expected %4</source>
+        <translation>区间 %1 至 %2：残差 %3 个，期望 %4 个</translation>
+    </message>
+    <message>
+        <source>Histogram of %1 residuals in classes of %2, at most %3 in one</source>
+        <translation>%1 个残差的直方图，区间宽 %2，每区间至多 %3 个</translation>
+    </message>
+    <message>
+        <source>Should be: the bars follow the curve; wider, the stated noise is too small; two humps or a long tail show a gap or a misreading.</source>
+        <translation>应当如此：各柱沿着曲线；若更宽，则给定的噪声过小；双峰或长尾表明有差距或误读。</translation>
     </message>
 </context>
 <context>

@@ -5,6 +5,7 @@
 
 #include "core/session/own_effects.h"
 #include "ui/charts/residuals/residual_chart.h"
+#include "ui/charts/residuals/residual_page.h"
 #include "ui/commands/change_effects.h"
 #include "ui/dialogs/dialogs.h"
 #include "ui/dialogs/file_flow.h"
@@ -66,10 +67,10 @@ MadePage makeEffects(const WindowParts& parts, ResultColumn& column) {
 }
 
 MadePage makeResiduals(const WindowParts& parts, ResultColumn&) {
-  auto* chart = new ResidualChart;
-  chart->setMinimumSize(240, 130);
-  QObject::connect(&parts.positions, &PositionTabs::rowEntered, chart, &ResidualChart::setHighlighted);
-  return {chart, showIn(chart)};
+  auto* page = new ResidualPage;
+  QObject::connect(&parts.positions, &PositionTabs::rowEntered, page->chart(),
+                   &ResidualChart::setHighlighted);
+  return {page, showIn(page->chart())};
 }
 
 MadePage makeOrder(const WindowParts& parts, ResultColumn& column) {

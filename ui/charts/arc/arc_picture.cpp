@@ -4,9 +4,9 @@
 #include <cmath>
 #include <string>
 
+#include "core/base/round_numbers.h"
 #include "core/observation/zero_line.h"
 #include "ui/charts/plotting/evaluation_pictures.h"
-#include "ui/charts/plotting/round_numbers.h"
 
 namespace alidade::ui {
 namespace {

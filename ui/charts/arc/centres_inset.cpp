@@ -7,8 +7,8 @@
 #include <array>
 #include <cmath>
 
+#include "core/base/round_numbers.h"
 #include "ui/charts/plotting/clipping.h"
-#include "ui/charts/plotting/round_numbers.h"
 #include "ui/text/entry_text.h"
 #include "ui/text/quantity_text.h"
 

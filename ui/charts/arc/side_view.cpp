@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ui/charts/plotting/round_numbers.h"
+#include "core/base/round_numbers.h"
 #include "ui/text/quantity_text.h"
 
 namespace alidade::ui {

@@ -6,9 +6,9 @@
 #include <map>
 #include <optional>
 
+#include "core/base/round_numbers.h"
 #include "core/exchange/csv_text.h"
 #include "ui/charts/plotting/plot_style.h"
-#include "ui/charts/plotting/round_numbers.h"
 #include "ui/text/position_text.h"
 #include "ui/text/quantity_text.h"
 

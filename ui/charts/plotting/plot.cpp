@@ -9,13 +9,15 @@
 #include <numeric>
 #include <tuple>
 
-#include "ui/charts/plotting/round_numbers.h"
+#include "core/base/round_numbers.h"
 #include "ui/text/quantity_text.h"
 
 namespace alidade::ui {
 namespace {
 
 constexpr double linesForTitles = 8;  // lines of text below the legend; with fewer the axes need all the room
+constexpr double aboveZero = 1e-9;    // of ticks, as a share of their step
+constexpr double leastLabels = 3;     // of an axis
 constexpr double markReach = 9;       // reach of a click, in scene units
 
 /// Writes −12.5: a real minus sign and a decimal point, which no English locale combines.
@@ -23,6 +25,22 @@ QLocale axisLocale() {
   QLocale locale(QLocale::Romansh, QLocale::Switzerland);
   locale.setNumberOptions(QLocale::OmitGroupSeparator);
   return locale;
+}
+
+/// The next finer of … 0.5, 1, 2, 4, 5, 10 …: about zero, one of these has exactly three multiples.
+double finerStep(double step) {
+  const double below = roundDown125(0.9 * step);
+  return below < 0.45 * step ? 2 * below : below;  // 4 after 5
+}
+
+/// `step`, or the largest finer one with three multiples in the range.
+double stepOfLabels(double step, double low, double high) {
+  constexpr double slack = 1e-9;
+  const auto labels = [&](double of) {
+    return std::floor(high / of + slack) - std::ceil(low / of - slack) + 1;
+  };
+  while (labels(step) < leastLabels) step = finerStep(step);
+  return step;
 }
 
 }  // namespace
@@ -207,9 +225,11 @@ void Plot::rearrange() {
   const double pad = QFontMetricsF(m_style.font).height() * 0.5;
   m_scene.setSceneRect(QRectF({}, m_size));
   m_legend->setPos(pad, pad);
-  const double legendHeight = m_legend->layOut(m_size.width() - 2 * pad, m_corner);
+  double legendHeight = m_legend->layOut(m_size.width() - 2 * pad, m_corner);
   const bool hasTitles =
       m_size.height() - legendHeight - 2 * pad >= linesForTitles * QFontMetricsF(m_style.font).height();
+  m_legend->setVisible(hasTitles);
+  if (!hasTitles) legendHeight = 0;
   for (QValueAxis* axis : {m_x, m_y})
     if (axis->isTitleVisible() != hasTitles) axis->setTitleVisible(hasTitles);
   m_chart->setMargins(QMarginsF(pad, pad + legendHeight, pad, pad).toMargins());
@@ -247,11 +267,18 @@ void Plot::applyRange(const QRectF& range) {
   const double ySpacing = metrics.height() * 2.6;
   double xStep = stepFor(std::min(decimalsOfStep(stepFor(0)), 9));
   double yStep = roundUp125(range.height() * ySpacing / m_plotArea.height());
-  if (hasEqualScales()) xStep = yStep = std::max(xStep, yStep);
+  if (!isZoomed()) yStep = std::max(yStep, leastYStep());
+  if (hasEqualScales()) {
+    xStep = yStep = std::max(xStep, yStep);
+  } else {
+    xStep = stepOfLabels(xStep, range.left(), range.right());
+    yStep = stepOfLabels(yStep, range.top(), range.bottom());
+  }
   applyTicks(m_x, xStep);
   applyTicks(m_y, yStep);
-  m_x->setRange(range.left(), range.right());
-  m_y->setRange(range.top(), range.bottom());
+  // So that a tick at the end of a range is inside, as `applyTicks` moves it.
+  m_x->setRange(range.left(), range.right() + 2 * aboveZero * xStep);
+  m_y->setRange(range.top(), range.bottom() + 2 * aboveZero * yStep);
   m_markers->setFrame(m_plotArea, m_sceneFromAxes);
 }
 
@@ -263,7 +290,6 @@ void Plot::applyTicks(QValueAxis* axis, double step) const {
   if (step < axis->tickInterval()) axis->setRange(-step, step);
   axis->setTickInterval(step);
   // Ticks are added up: three steps of 0.1 from −0.3 on end below 0, which would be written −0.0.
-  constexpr double aboveZero = 1e-9;
   axis->setTickAnchor(aboveZero * step);
 }
 

@@ -82,6 +82,8 @@ class Plot : public QObject {
   virtual QRectF axisRange(const QSizeF& plotArea) const = 0;
   /// True if a millimetre has the same length in x and y, with equal ticks.
   virtual bool hasEqualScales() const { return false; }
+  /// The least distance of ticks of y in a plot that shows everything; 0: any.
+  virtual double leastYStep() const { return 0; }
   /// Called before the layout in this size, in scene units.
   virtual void adaptTo(const QSizeF&) {}
   /// Called when the frame is known, to place items that depend on it.

@@ -21,24 +21,13 @@ void ResidualChart::choose(const ResidualChoice& choice) {
   keep(choice);
   m_plot->setChoice(choice);
   tell();
+  emit chosen();
 }
 
 void ResidualChart::addChoices(QMenu& menu) {
   using Over = ResidualChoice::Over;
   menu.addSeparator();
   const ResidualChoice& now = m_plot->choice();
-  const std::pair<Over, QString> overs[] = {{Over::Slider, tr("Over the Slider Coordinate &s")},
-                                            {Over::Order, tr("Over &Time, in the Order Read")},
-                                            {Over::Elevation, tr("Over the &Elevation")},
-                                            {Over::Azimuth, tr("Over the &Azimuth")},
-                                            {Over::Normal, tr("Normal &Quantiles")}};
-  QMenu& over = *menu.addMenu(tr("&Draw"));
-  for (const auto& [which, text] : overs)
-    addChoice(over, text, now.over == which, [this, now, over = which] {
-      ResidualChoice choice = now;
-      choice.over = over;
-      choose(choice);
-    });
   QMenu& unit = *menu.addMenu(tr("&Unit"));
   unit.setEnabled(now.over != Over::Normal);
   for (const bool isStandardised : {false, true})

@@ -7,8 +7,8 @@ namespace alidade::ui {
 
 class ResidualPlot;
 
-/// The residuals of the readings on the screen; a menu chooses which are drawn, and the user's settings keep
-/// the choice.
+/// The residuals of the readings on the screen; a menu chooses which are drawn. The user's settings keep the
+/// choice.
 class ResidualChart : public PlotWidget {
   Q_OBJECT
 
@@ -20,6 +20,9 @@ class ResidualChart : public PlotWidget {
   void choose(const ResidualChoice& choice);
 
   QString fileName() const override { return QStringLiteral("residuals"); }
+
+ signals:
+  void chosen();
 
  protected:
   void addChoices(QMenu& menu) override;

@@ -2,6 +2,8 @@
 
 #include <QCoreApplication>
 #include <QSettings>
+#include <QVariantList>
+#include <cmath>
 
 namespace alidade::ui {
 namespace {
@@ -32,10 +34,16 @@ const char* nameOf(CircleRead circle) {
   return circle == CircleRead::Horizontal ? "horizontal" : "vertical";
 }
 
+ResidualChoice::Axis ResidualChoice::axis() const {
+  if (over == Over::Normal) return Axis::Normal;
+  if (over == Over::Count) return isStandardised ? Axis::StandardisedClasses : Axis::Classes;
+  return isStandardised ? Axis::Standardised : Axis::Arcsec;
+}
+
 ResidualChoice keptResidualChoice() {
   const QSettings settings;
   ResidualChoice choice;
-  const int last = static_cast<int>(ResidualChoice::Over::Normal);
+  const int last = static_cast<int>(ResidualChoice::Over::Count);
   const int over = settings.value(key("over"), 0).toInt();
   choice.over = static_cast<ResidualChoice::Over>(over >= 0 && over <= last ? over : 0);
   choice.isStandardised = settings.value(key("standardised"), false).toBool();
@@ -43,6 +51,11 @@ ResidualChoice keptResidualChoice() {
   choice.horizontal = settings.value(key("horizontal"), true).toBool();
   choice.vertical = settings.value(key("vertical"), true).toBool();
   choice.slider = settings.value(key("slider"), false).toBool();
+  const QVariantList reaches = settings.value(key("reaches")).toList();
+  for (std::size_t i = 0; i < choice.reaches.size(); ++i) {
+    const double reach = reaches.value(static_cast<qsizetype>(i)).toDouble();
+    choice.reaches[i] = reach > 0 && std::isfinite(reach) ? reach : 0;
+  }
   return choice;
 }
 
@@ -55,6 +68,7 @@ void keep(const ResidualChoice& choice) {
   settings.setValue(key("horizontal"), choice.horizontal);
   settings.setValue(key("vertical"), choice.vertical);
   settings.setValue(key("slider"), choice.slider);
+  settings.setValue(key("reaches"), QVariantList(choice.reaches.begin(), choice.reaches.end()));
 }
 
 }  // namespace alidade::ui

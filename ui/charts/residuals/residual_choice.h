@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+
 #include "ui/charts/plotting/row_choice.h"
 
 namespace alidade::ui {
@@ -18,12 +20,17 @@ struct ResidualChoice {
     Elevation,  ///< e, from the pointing zero
     Azimuth,    ///< a, from the pointing zero
     Normal,     ///< the normal quantile of their rank, standardised
+    Count,      ///< a histogram: their number in classes of the residual
   };
+  /// The axes of residuals whose range is set by hand, each for itself.
+  enum class Axis { Arcsec, Standardised, Normal, Classes, StandardisedClasses };
 
   Over over = Over::Slider;
   bool isStandardised = false;
   RowChoice rows = {};
   bool horizontal = true, vertical = true, slider = false;
+  /// By `Axis`: the range shown is ± this, in arcseconds or standardised; 0: as large as its contents need.
+  std::array<double, 5> reaches = {};
 
   bool operator==(const ResidualChoice&) const = default;
   bool takes(CircleRead circle) const {
@@ -31,6 +38,9 @@ struct ResidualChoice {
   }
   /// True if residuals in units of their own scatter, w, are drawn.
   bool showsStandardised() const { return isStandardised || over == Over::Normal; }
+  Axis axis() const;
+  double reach() const { return reaches[static_cast<std::size_t>(axis())]; }
+  void setReach(double reach) { reaches[static_cast<std::size_t>(axis())] = reach; }
 };
 
 /// The choice kept in the user's settings; missing parts have their defaults.

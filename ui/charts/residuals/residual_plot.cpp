@@ -27,12 +27,19 @@ QList<QPointF> inside(const QList<QPointF>& points, const QRectF& range) {
   return pieces.isEmpty() ? QList<QPointF>() : pieces.first();
 }
 
+/// A curve from left to right, cut at the left and right of the range and kept at its top and bottom.
+QList<QPointF> heldIn(const QList<QPointF>& curve, const QRectF& range) {
+  QList<QPointF> points = inside(curve, {range.left(), -1e9, range.width(), 2e9});
+  for (QPointF& point : points) point.setY(std::clamp(point.y(), range.top(), range.bottom()));
+  return points;
+}
+
 }  // namespace
 
 ResidualPlot::ResidualPlot(QObject* parent)
     : Plot(parent),
       m_bands{addNoiseBand(), addNoiseBand(), addNoiseBand()},
-      m_normal(addNoiseBand()),
+      m_area(addNoiseBand()),
       m_line(new QLineSeries) {
   addSeries(m_line);
   showTitles();
@@ -72,54 +79,65 @@ void ResidualPlot::showTitles() {
       case Over::Normal:
         return tr("normal quantile");
       case Over::Slider:
+      case Over::Count:
         break;
     }
     return tr("slider coordinate s (°): φ at 0°, −φ at 180°");
   };
-  setTitles(x(), m_choice.showsStandardised() ? tr("standardised residual w") : tr("residual (″)"));
+  const QString residual = m_choice.showsStandardised() ? tr("standardised w") : tr("residual (″)");
+  if (isOver(Over::Count)) return setTitles(residual, tr("number of residuals"));
+  setTitles(x(), residual);
 }
 
 void ResidualPlot::draw() {
   m_drawn = m_choice;
   m_drawn.rows = m_choice.rows.among(m_picture->kinds);
-  m_slots =
-      isOver(Over::Order) || isOver(Over::Normal) ? RowSlots() : RowSlots(m_picture->kinds, m_drawn.rows);
+  const bool isSpread = !isOver(Over::Order) && !isOver(Over::Normal) && !isOver(Over::Count);
+  m_slots = isSpread ? RowSlots(m_picture->kinds, m_drawn.rows) : RowSlots();
+  m_points = residualPoints(*m_picture, m_drawn);
   m_kinds = {};
-  const std::vector<ResidualPoint> points = residualPoints(*m_picture, m_drawn);
+  for (const ResidualPoint& point : m_points) m_kinds.take(m_picture->residuals[point.index]);
+  m_unchecked = m_drawn.showsStandardised() ? countUnchecked() : 0;
+  m_envelope = isOver(Over::Normal) ? normalEnvelope(m_points.size()) : NormalEnvelope();
+  setMessage(m_picture->isEmpty() ? tr("No arc fitted yet: no residuals.")
+             : m_points.empty()   ? tr("Nothing of what is chosen to be drawn was read.")
+                                  : QString());
+  reckonNoise();
+  const double reach = reckonReach();
+  m_classes = isOver(Over::Count) ? stackInClasses(m_points, *m_picture, m_drawn, reach) : ResidualClasses();
+  showMarks(marksWithin(reach));
+  reckonExtent(reach);
+  applyStyle();
+  rearrange();
+}
+
+std::size_t ResidualPlot::countUnchecked() const {
+  return static_cast<std::size_t>(std::ranges::count_if(m_picture->residuals, [&](const DrawnResidual& one) {
+    return m_drawn.takes(one.circle) && m_drawn.rows.takes(one.round, one.face) &&
+           !std::isfinite(one.standardised);
+  }));
+}
+
+std::vector<Mark> ResidualPlot::marksWithin(double reach) {
   std::vector<Mark> marks;
-  marks.reserve(points.size());
+  marks.reserve(m_points.size());
   const double unit = m_unit = style().unit();
-  for (const ResidualPoint& point : points) {
+  for (const ResidualPoint& point : m_points) {
     const DrawnResidual& residual = m_picture->residuals[point.index];
+    if (isOver(Over::Count) ? point.at.y() == 0 : std::abs(point.at.y()) > reach) continue;
     marks.push_back({point.at,
                      m_kinds.take(residual),
                      residual.ref,
                      point.index,
                      {unit * m_slots.shift(residual.round, residual.face), 0}});
   }
-  m_unchecked =
-      m_drawn.showsStandardised()
-          ? static_cast<std::size_t>(std::ranges::count_if(m_picture->residuals,
-                                                           [&](const DrawnResidual& one) {
-                                                             return m_drawn.takes(one.circle) &&
-                                                                    m_drawn.rows.takes(one.round, one.face) &&
-                                                                    !std::isfinite(one.standardised);
-                                                           }))
-          : 0;
-  m_envelope = isOver(Over::Normal) ? normalEnvelope(marks.size()) : NormalEnvelope();
-  setMessage(m_picture->isEmpty() ? tr("No arc fitted yet: no residuals.")
-             : marks.empty()      ? tr("Nothing of what is chosen to be drawn was read.")
-                                  : QString());
-  showMarks(std::move(marks));
-  reckonNoise();
-  reckonExtent();
-  applyStyle();
-  rearrange();
+  m_beyond = m_points.size() - marks.size();
+  return marks;
 }
 
 void ResidualPlot::reckonNoise() {
   m_noise.clear();
-  if (markers().marks().empty() || isOver(Over::Normal)) return;
+  if (m_points.empty() || isOver(Over::Normal)) return;
   if (m_drawn.isStandardised) {
     m_noise.push_back({1, {}});
     return;
@@ -141,18 +159,36 @@ void ResidualPlot::reckonNoise() {
   std::ranges::stable_sort(m_noise, std::greater(), &StatedNoise::sigma);
 }
 
-void ResidualPlot::reckonExtent() {
-  const auto& marks = markers().marks();
-  double left = std::numeric_limits<double>::infinity(), right = -left, largest = 0;
-  for (const Mark& mark : marks) {
-    left = std::min(left, mark.at.x());
-    right = std::max(right, mark.at.x());
-    largest = std::max(largest, std::abs(mark.at.y()));
+/// The largest residual shown: set by hand, or with room for all.
+double ResidualPlot::reckonReach() const {
+  if (m_drawn.reach() > 0) return m_drawn.reach();
+  double reach = 0;
+  for (const ResidualPoint& point : m_points)
+    reach = std::max(reach, std::abs(isOver(Over::Count) ? point.at.x() : point.at.y()));
+  for (const StatedNoise& noise : m_noise) reach = std::max(reach, 3 * noise.sigma);
+  for (const QPointF& point : m_envelope.upper) reach = std::max(reach, std::abs(point.y()));
+  reach *= isOver(Over::Count) ? 1 : 1.12;
+  return reach > 0 && std::isfinite(reach) ? reach : 10;
+}
+
+void ResidualPlot::reckonExtent(double reach) {
+  if (isOver(Over::Count)) {
+    const Histogram& histogram = m_classes.histogram;
+    auto highest = static_cast<double>(histogram.largestCount());
+    for (const QPointF& point : m_classes.curve) highest = std::max(highest, point.y());
+    constexpr double least = 2.2;  // leaves room for 0, 1 and 2
+    m_extent = QRectF(histogram.first, 0, histogram.end() - histogram.first, std::max(1.12 * highest, least));
+    return;
+  }
+  double left = std::numeric_limits<double>::infinity(), right = -left;
+  for (const ResidualPoint& point : m_points) {
+    left = std::min(left, point.at.x());
+    right = std::max(right, point.at.x());
   }
   if (isOver(Over::Slider)) {
     left = std::min(0.0, left - 5);
     right = std::max(180.0, right + 5);
-  } else if (marks.empty()) {
+  } else if (m_points.empty()) {
     left = 0;
     right = 1;
   } else {
@@ -160,19 +196,15 @@ void ResidualPlot::reckonExtent() {
     left -= beside;
     right += beside;
   }
-  double reach = largest;
-  for (const StatedNoise& noise : m_noise) reach = std::max(reach, 3 * noise.sigma);
-  for (const QPointF& point : m_envelope.upper) reach = std::max(reach, std::abs(point.y()));
-  reach *= 1.12;
-  if (!(reach > 0) || !std::isfinite(reach)) reach = 10;
   m_extent = QRectF(left, -reach, right - left, 2 * reach);
 }
 
 void ResidualPlot::showLegend() {
   std::vector<LegendEntry> entries;
-  if (!markers().marks().empty()) {
+  if (!m_points.empty()) {
     entries = kindEntries();
-    for (LegendEntry& entry : noiseEntries()) entries.push_back(std::move(entry));
+    for (LegendEntry& entry : isOver(Over::Count) ? classEntries() : noiseEntries())
+      entries.push_back(std::move(entry));
   }
   legendItem().setEntries(std::move(entries));
 }
@@ -193,6 +225,37 @@ std::vector<LegendEntry> ResidualPlot::kindEntries() const {
   for (LegendEntry& entry : rowEntries(style(), m_picture->kinds, m_drawn.rows, m_slots.areApart()))
     entries.push_back(std::move(entry));
   if (m_unchecked > 0) entries.push_back({{}, tr("not drawn: %1 that nothing checks").arg(m_unchecked)});
+  if (m_beyond > 0)
+    entries.push_back({{},
+                       //: %1: number of residuals, %2: range, such as 10″
+                       tr("not drawn: %1 beyond ±%2")
+                           .arg(m_beyond)
+                           .arg(unitText(plainNumberText(isOver(Over::Count) ? m_classes.histogram.end()
+                                                                             : m_drawn.reach())))});
+  return entries;
+}
+
+QString ResidualPlot::unitText(const QString& number) const {
+  return m_drawn.showsStandardised() ? number : number + QChar(0x2033);
+}
+
+std::vector<LegendEntry> ResidualPlot::classEntries() const {
+  std::vector<LegendEntry> entries;
+  entries.push_back(
+      {style().band,
+       tr("number in classes of %1").arg(unitText(plainNumberText(m_classes.histogram.width)))});
+  if (m_classes.curve.isEmpty()) return entries;
+  QStringList sigmas;
+  for (const StatedNoise& noise : m_noise) {
+    const QString sigma = unitText(plainNumberText(noise.sigma));
+    sigmas.append(m_noise.size() == 1 ? sigma
+                                      //: one or several circles, and their σ
+                                      : tr("%1 %2").arg(noise.circles.join(QStringLiteral(", ")), sigma));
+  }
+  entries.push_back({QPen(style().text, 1.4 * style().unit()),
+                     m_drawn.isStandardised
+                         ? tr("expected of normal values, σ = 1")
+                         : tr("expected of the stated σ = %1").arg(sigmas.join(QStringLiteral(", ")))});
   return entries;
 }
 
@@ -236,9 +299,10 @@ void ResidualPlot::applyStyle() {
       limit->setPen(QPen(style().limit, 1.2 * unit, limitStyles[i]));
     }
   }
-  m_normal.area->setPen(Qt::NoPen);
-  m_normal.area->setBrush(style().band);
-  m_line->setPen(QPen(style().frame, 0.8 * unit));
+  const bool isCount = isOver(Over::Count);
+  m_area.area->setPen(isCount ? QPen(style().frame, 0.8 * unit) : QPen(Qt::NoPen));
+  m_area.area->setBrush(style().band);
+  m_line->setPen(isCount ? QPen(style().text, 1.4 * unit) : QPen(style().frame, 0.8 * unit));
   std::vector<Marker> drawn;
   for (const ResidualKind& kind : m_kinds.all()) drawn.push_back(kind.marker(style()));
   markerLayer().setMarkers(std::move(drawn));
@@ -253,14 +317,19 @@ void ResidualPlot::placeExtras() {
   const QRectF range = sceneFromAxes().inverted().mapRect(plotArea());
   const std::size_t first = mostBands - m_noise.size();
   for (std::size_t i = 0; i < mostBands; ++i)
-    showNoise(m_bands[i], i < first ? 0 : m_noise[i - first].sigma, range);
-  showEnvelope(range);
-  const bool isNormal = isOver(Over::Normal);
+    showNoise(m_bands[i], i < first || isOver(Over::Count) ? 0 : m_noise[i - first].sigma, range);
+  showArea(range);
+  showLine(range);
+}
+
+void ResidualPlot::showLine(const QRectF& range) {
   const double reach = std::max(std::abs(range.left()), std::abs(range.right()));
-  m_line->replace(inside(isNormal ? QList<QPointF>{{-reach, -reach}, {reach, reach}}
-                                  : QList<QPointF>{{range.left(), 0}, {range.right(), 0}},
-                         range));
-  m_line->setVisible(!markers().marks().empty());
+  m_line->replace(isOver(Over::Count)
+                      ? heldIn(m_classes.curve, range)
+                      : inside(isOver(Over::Normal) ? QList<QPointF>{{-reach, -reach}, {reach, reach}}
+                                                    : QList<QPointF>{{range.left(), 0}, {range.right(), 0}},
+                               range));
+  m_line->setVisible(!m_points.empty());
 }
 
 /// `sigma`: 0 for none.
@@ -277,17 +346,16 @@ void ResidualPlot::showNoise(const NoiseBand& band, double sigma, const QRectF& 
   band.lowerLimit->setVisible(sigma > 0 && -3 * sigma >= range.top());
 }
 
-void ResidualPlot::showEnvelope(const QRectF& range) {
-  const auto cut = [&](const QList<QPointF>& curve) {
-    QList<QPointF> points = inside(curve, {range.left(), -1e9, range.width(), 2e9});
-    for (QPointF& point : points) point.setY(std::clamp(point.y(), range.top(), range.bottom()));
-    return points;
-  };
-  m_normal.top->replace(cut(m_envelope.upper));
-  m_normal.bottom->replace(cut(m_envelope.lower));
-  m_normal.area->setVisible(m_normal.top->count() > 1 && m_normal.bottom->count() > 1);
-  m_normal.upperLimit->setVisible(false);
-  m_normal.lowerLimit->setVisible(false);
+void ResidualPlot::showArea(const QRectF& range) {
+  const QList<QPointF>& upper = isOver(Over::Count) ? m_classes.outline : m_envelope.upper;
+  const QList<QPointF> top = heldIn(upper, range);
+  m_area.top->replace(top);
+  m_area.bottom->replace(isOver(Over::Count) && !top.isEmpty()
+                             ? QList<QPointF>{{top.first().x(), range.top()}, {top.last().x(), range.top()}}
+                             : heldIn(m_envelope.lower, range));
+  m_area.area->setVisible(m_area.top->count() > 1 && m_area.bottom->count() > 1);
+  m_area.upperLimit->setVisible(false);
+  m_area.lowerLimit->setVisible(false);
 }
 
 QString ResidualPlot::describe(const Mark& mark) const {
@@ -302,19 +370,31 @@ QString ResidualPlot::describe(const Mark& mark) const {
   if (isOver(Over::Order)) text += tr(", row %1 read").arg(residual.order);
   if (isOver(Over::Elevation)) text += tr(" at e = %1°").arg(numberText(residual.elevation, 3));
   if (isOver(Over::Azimuth)) text += tr(" at a = %1°").arg(numberText(residual.azimuth, 3));
-  if (isOver(Over::Slider) || isOver(Over::Normal))
+  if (isOver(Over::Slider) || isOver(Over::Normal) || isOver(Over::Count))
     text += tr(" at s = %1°").arg(numberText(residual.slider, 2));
   text += tr(", standardised w = %1").arg(signedNumberText(residual.standardised, 2));
   if (isOver(Over::Normal)) text += tr(", normal quantile %1").arg(signedNumberText(mark.at.x(), 2));
+  const auto in = isOver(Over::Count) ? m_classes.histogram.classOf(mark.at.x()) : std::nullopt;
+  if (in)
+    text += u'\n' + tr("class from %1 to %2: %3 residuals, expected %4")
+                        .arg(unitText(plainNumberText(m_classes.histogram.lower(*in))),
+                             unitText(plainNumberText(m_classes.histogram.lower(*in + 1))))
+                        .arg(m_classes.histogram.counts[*in])
+                        .arg(numberText(m_classes.expected(*in), 1));
   return text;
 }
 
 QString ResidualPlot::summary() const {
   if (!message().isEmpty()) return message();
+  if (isOver(Over::Count))
+    return tr("Histogram of %1 residuals in classes of %2, at most %3 in one")
+        .arg(m_points.size())
+        .arg(unitText(plainNumberText(m_classes.histogram.width)))
+        .arg(m_classes.histogram.largestCount());
   double largest = 0;
-  for (const Mark& mark : markers().marks()) largest = std::max(largest, std::abs(mark.at.y()));
+  for (const ResidualPoint& point : m_points) largest = std::max(largest, std::abs(point.at.y()));
   return tr("Residuals of %1 readings, at most %2")
-      .arg(markers().marks().size())
+      .arg(m_points.size())
       .arg(m_choice.showsStandardised() ? numberText(largest, 2) : arcsecText(largest));
 }
 
@@ -327,6 +407,10 @@ QString ResidualPlot::standard() const {
       return tr(
           "Should be: the marks follow the line inside the band; one that leaves it at an end may be "
           "misread.");
+    case Over::Count:
+      return tr(
+          "Should be: the bars follow the curve; wider, the stated noise is too small; two humps or a long "
+          "tail show a gap or a misreading.");
     case Over::Slider:
     case Over::Elevation:
     case Over::Azimuth:
@@ -339,7 +423,19 @@ QString ResidualPlot::standard() const {
                   "beyond ±3σ; no wave, no slope.");
 }
 
+std::string ResidualPlot::classesCsv() const {
+  const std::string unit = m_drawn.showsStandardised() ? "" : "_arcsec";
+  CsvText csv{"lower" + unit, "upper" + unit, "count", "expected"};
+  const Histogram& histogram = m_classes.histogram;
+  for (std::size_t i = 0; i < histogram.counts.size(); ++i) {
+    csv.number(histogram.lower(i)).number(histogram.lower(i + 1));
+    csv.count(static_cast<long long>(histogram.counts[i])).number(m_classes.expected(i)).endRow();
+  }
+  return csv.text();
+}
+
 std::string ResidualPlot::csv() const {
+  if (isOver(Over::Count)) return classesCsv();
   const bool isNormal = isOver(Over::Normal);
   CsvText csv{"axis_deg",
               "turn",
@@ -354,13 +450,13 @@ std::string ResidualPlot::csv() const {
               "residual_arcsec",
               "standardised_residual",
               isNormal ? "normal_quantile" : "sigma_arcsec"};
-  for (const Mark& mark : markers().marks()) {
-    const DrawnResidual& residual = m_picture->residuals[mark.index];
+  for (const ResidualPoint& point : m_points) {
+    const DrawnResidual& residual = m_picture->residuals[point.index];
     csv.count(residual.axisDeg).count(residual.time).count(residual.point).count(residual.round);
     csv.count(residual.face).word(nameOf(residual.circle)).count(static_cast<long long>(residual.order));
     csv.number(residual.slider).number(residual.elevation).number(residual.azimuth);
     csv.number(residual.arcsec).number(residual.standardised);
-    csv.number(isNormal ? mark.at.x() : m_picture->sigmaOf(residual.circle)).endRow();
+    csv.number(isNormal ? point.at.x() : m_picture->sigmaOf(residual.circle)).endRow();
   }
   return csv.text();
 }

@@ -12,10 +12,10 @@
 
 namespace alidade::ui {
 
-/// The chosen residuals, in arcseconds or standardised, along the arc, in the order read, over an angle, or
-/// over their normal quantiles. Limits: ±1σ (band) and ±3σ (dashed) of the stated noise or of 1, or the
-/// envelope of normal values. Rounds and faces are side by side. Kinds of readings stay distinguishable in
-/// grey (ResidualKind).
+/// The chosen residuals, in arcseconds or standardised, along the arc, in the order read, over an angle, over
+/// their normal quantiles, or stacked in a histogram. Limits: ±1σ (band) and ±3σ (dashed) of the stated noise
+/// or of 1, the envelope of normal values, or the curve of their expected numbers. Rounds and faces are side
+/// by side. Kinds of readings stay distinguishable in grey (ResidualKind).
 class ResidualPlot : public Plot {
   Q_OBJECT
 
@@ -35,6 +35,7 @@ class ResidualPlot : public Plot {
  protected:
   void applyStyle() override;
   QRectF axisRange(const QSizeF& plotArea) const override;
+  double leastYStep() const override { return isOver(ResidualChoice::Over::Count) ? 1 : 0; }
   void placeExtras() override;
 
  private:
@@ -53,14 +54,21 @@ class ResidualPlot : public Plot {
 
   NoiseBand addNoiseBand();
   void showNoise(const NoiseBand& band, double sigma, const QRectF& range);
-  void showEnvelope(const QRectF& range);
+  void showArea(const QRectF& range);
+  void showLine(const QRectF& range);
   void draw();
-  void reckonExtent();
+  std::vector<Mark> marksWithin(double reach);
+  std::size_t countUnchecked() const;
+  double reckonReach() const;
+  void reckonExtent(double reach);
   void reckonNoise();
   void showTitles();
   void showLegend();
   std::vector<LegendEntry> kindEntries() const;
   std::vector<LegendEntry> noiseEntries() const;
+  std::vector<LegendEntry> classEntries() const;
+  QString unitText(const QString& number) const;
+  std::string classesCsv() const;
   bool isOver(ResidualChoice::Over over) const { return m_choice.over == over; }
 
   std::shared_ptr<const ResidualPicture> m_picture = std::make_shared<const ResidualPicture>();
@@ -68,15 +76,18 @@ class ResidualPlot : public Plot {
   ResidualChoice m_drawn;  ///< the part available in the picture
   ResidualKinds m_kinds;
   RowSlots m_slots;
-  double m_unit = 0;  // unit of the style, which sets the shift of marks
+  std::vector<ResidualPoint> m_points;  ///< also those beyond a range set by hand
+  ResidualClasses m_classes;            ///< of a histogram
+  double m_unit = 0;                    // unit of the style, which sets the shift of marks
   NormalEnvelope m_envelope;
   std::vector<StatedNoise> m_noise;  // the largest σ first
   std::size_t m_unchecked = 0;       // chosen, but without a standardised residual
+  std::size_t m_beyond = 0;          // points beyond a range set by hand
   QRectF m_extent{0, -10, 180, 20};  // extent of what is drawn
   std::array<NoiseBand, mostBands>
       m_bands;          // the largest σ first, so that smaller ones are drawn over it; owned by the chart
-  NoiseBand m_normal;   // envelope of normal values; likewise
-  QLineSeries* m_line;  // zero, or the normal line
+  NoiseBand m_area;     // envelope of normal values, or bars; likewise
+  QLineSeries* m_line;  // zero, the normal line, or the curve of expected numbers
 };
 
 }  // namespace alidade::ui

@@ -18,6 +18,7 @@ double abscissa(const DrawnResidual& residual, ResidualChoice::Over over) {
       return residual.azimuth;
     case ResidualChoice::Over::Slider:
     case ResidualChoice::Over::Normal:
+    case ResidualChoice::Over::Count:
       break;
   }
   return residual.slider;
@@ -36,7 +37,56 @@ std::vector<ResidualPoint> rankedPoints(const ResidualPicture& picture, const Re
   return points;
 }
 
+/// The noise that the chosen residuals should have.
+std::vector<NormalValues> statedNoise(const std::vector<ResidualPoint>& points,
+                                      const ResidualPicture& picture, const ResidualChoice& choice) {
+  if (choice.isStandardised) return {{points.size(), 1}};
+  std::vector<NormalValues> normal;
+  for (const CircleRead circle : {CircleRead::Horizontal, CircleRead::Vertical, CircleRead::Slider}) {
+    const auto count = std::ranges::count_if(
+        points, [&](const ResidualPoint& point) { return picture.residuals[point.index].circle == circle; });
+    if (count > 0 && picture.sigmaOf(circle) > 0)
+      normal.push_back({static_cast<std::size_t>(count), picture.sigmaOf(circle)});
+  }
+  return normal;
+}
+
+void drawClasses(ResidualClasses& classes) {
+  const Histogram& histogram = classes.histogram;
+  for (std::size_t i = 0; i < histogram.counts.size(); ++i)
+    for (const double x : {histogram.lower(i), histogram.lower(i + 1)})
+      classes.outline.append({x, static_cast<double>(histogram.counts[i])});
+  if (classes.normal.empty()) return;
+  constexpr int pieces = 240;
+  const double half = histogram.width / 2;
+  for (int i = 0; i <= pieces; ++i) {
+    const double x = histogram.first + (histogram.end() - histogram.first) * i / pieces;
+    classes.curve.append({x, expectedBetween(classes.normal, x - half, x + half)});
+  }
+}
+
 }  // namespace
+
+double ResidualClasses::expected(std::size_t index) const {
+  return expectedBetween(normal, histogram.lower(index), histogram.lower(index + 1));
+}
+
+ResidualClasses stackInClasses(std::vector<ResidualPoint>& points, const ResidualPicture& picture,
+                               const ResidualChoice& choice, double reach) {
+  std::vector<double> values;
+  values.reserve(points.size());
+  for (const ResidualPoint& point : points) values.push_back(point.at.x());
+  ResidualClasses classes;
+  classes.histogram = histogram(values, reach);
+  classes.normal = statedNoise(points, picture, choice);
+  std::vector<std::size_t> below(classes.histogram.counts.size());
+  for (ResidualPoint& point : points)
+    if (const auto in = classes.histogram.classOf(point.at.x()))
+      point.at = {classes.histogram.lower(*in) + classes.histogram.width / 2,
+                  static_cast<double>(below[*in]++) + 0.5};
+  drawClasses(classes);
+  return classes;
+}
 
 std::vector<ResidualPoint> residualPoints(const ResidualPicture& picture, const ResidualChoice& choice) {
   if (choice.over == ResidualChoice::Over::Normal) return rankedPoints(picture, choice);
@@ -45,8 +95,9 @@ std::vector<ResidualPoint> residualPoints(const ResidualPicture& picture, const 
   for (std::uint32_t i = 0; i < picture.residuals.size(); ++i) {
     const DrawnResidual& residual = picture.residuals[i];
     const double value = choice.isStandardised ? residual.standardised : residual.arcsec;
-    if (isTaken(residual, choice) && std::isfinite(value))
-      points.push_back({{abscissa(residual, choice.over), value}, i});
+    if (!isTaken(residual, choice) || !std::isfinite(value)) continue;
+    const bool isCounted = choice.over == ResidualChoice::Over::Count;
+    points.push_back({isCounted ? QPointF(value, 0) : QPointF(abscissa(residual, choice.over), value), i});
   }
   return points;
 }

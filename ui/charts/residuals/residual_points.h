@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "core/base/histogram.h"
 #include "ui/charts/residuals/residual_picture.h"
 
 namespace alidade::ui {
@@ -15,9 +16,24 @@ struct ResidualPoint {
   std::uint32_t index = 0;  ///< index into the picture's residuals
 };
 
-/// The chosen residuals that have a place: an unchecked reading has no standardised residual. `choice.rows`:
-/// among the picture's kinds.
+/// The chosen residuals that have a place: an unchecked reading has no standardised residual. Those of a
+/// histogram are at y = 0. `choice.rows`: among the picture's kinds.
 std::vector<ResidualPoint> residualPoints(const ResidualPicture& picture, const ResidualChoice& choice);
+
+/// The histogram of residuals, as drawn.
+struct ResidualClasses {
+  Histogram histogram;
+  std::vector<NormalValues> normal;  ///< the stated noise: one for each circle
+  QList<QPointF> outline;            ///< of the bars, from left to right
+  QList<QPointF> curve;  ///< at x the expected number of normal values in a class whose middle is x
+
+  double expected(std::size_t index) const;
+};
+
+/// Counts residuals of `choice` in classes over ±`reach` and places each in the bar of its class, above those
+/// counted before; one that is in no class stays at y = 0.
+ResidualClasses stackInClasses(std::vector<ResidualPoint>& points, const ResidualPicture& picture,
+                               const ResidualChoice& choice, double reach);
 
 /// The range of 95 of 100 values of each rank if `count` of them are normal: below at the left of x, above.
 struct NormalEnvelope {

@@ -133,6 +133,26 @@ TEST(ResidualChoice, DrawsThemOverTheirNormalQuantiles) {
   EXPECT_TRUE(normalEnvelope(1).lower.isEmpty());
 }
 
+// Blom's scores of ten values, Φ⁻¹((i − 3/8)/(n + 1/4)), as tables print them.
+TEST(ResidualChoice, DrawsTenValuesOverBlomsScores) {
+  const double values[] = {0.4, -1.9, 2.2, -0.3, 0.1, 1.1, -0.8, 0.7, -1.2, 0.2};
+  const std::map<double, double> scores{{-1.9, -1.5466}, {-1.2, -1.0005}, {-0.8, -0.6554}, {-0.3, -0.3755},
+                                        {0.1, -0.1226},  {0.2, 0.1226},   {0.4, 0.3755},   {0.7, 0.6554},
+                                        {1.1, 1.0005},   {2.2, 1.5466}};
+  ResidualPicture picture;
+  for (std::uint32_t i = 0; i < 10; ++i) {
+    picture.residuals.push_back({.ref = {0, i}, .standardised = values[i]});
+    picture.byStandardised.push_back(i);
+  }
+  std::ranges::sort(picture.byStandardised, {}, [&](std::uint32_t i) { return values[i]; });
+  const auto points = residualPoints(picture, {.over = Over::Normal});
+  ASSERT_EQ(points.size(), 10u);
+  for (const ResidualPoint& point : points) {
+    EXPECT_EQ(point.at.y(), values[point.index]);
+    EXPECT_NEAR(point.at.x(), scores.at(point.at.y()), 5e-5);
+  }
+}
+
 /// The height of a curve at `x`.
 double on(const QList<QPointF>& curve, double x) {
   qsizetype i = 1;
@@ -192,7 +212,8 @@ TEST(ResidualChoice, IsKeptForTheNextWindow) {
                               .isStandardised = true,
                               .rows = {.round = 2, .face = 1},
                               .vertical = false,
-                              .slider = true};
+                              .slider = true,
+                              .reaches = {0, 4, 0, 12.5, 0}};
   {
     ResidualChart chart;
     chart.choose(choice);
@@ -201,7 +222,9 @@ TEST(ResidualChoice, IsKeptForTheNextWindow) {
   EXPECT_EQ(keptResidualChoice(), choice);
   EXPECT_EQ(ResidualChart().plot()->choice(), choice);
   QSettings().setValue(QStringLiteral("charts/residuals/over"), 77);
+  QSettings().setValue(QStringLiteral("charts/residuals/reaches"), QVariantList{-3, QStringLiteral("wide")});
   EXPECT_EQ(keptResidualChoice().over, Over::Slider) << "what means nothing is as usual";
+  EXPECT_EQ(keptResidualChoice().reaches, ResidualChoice().reaches);
   QSettings().remove(QStringLiteral("charts"));
 }
 
@@ -224,8 +247,6 @@ TEST(ResidualChoice, IsMadeInTheMenu) {
     ASSERT_TRUE(action->isEnabled()) << text.toStdString();
     action->trigger();
   };
-  trigger(QStringLiteral("Over Time, in the Order Read"));
-  EXPECT_EQ(chart.plot()->choice().over, Over::Order);
   trigger(QStringLiteral("Standardised"));
   EXPECT_TRUE(chart.plot()->choice().isStandardised);
   trigger(QStringLiteral("Round 2"));

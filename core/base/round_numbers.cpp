@@ -1,9 +1,9 @@
-#include "ui/charts/plotting/round_numbers.h"
+#include "core/base/round_numbers.h"
 
 #include <algorithm>
 #include <cmath>
 
-namespace alidade::ui {
+namespace alidade {
 namespace {
 
 // Makes 4.9999999999 count as 5.
@@ -27,4 +27,4 @@ int decimalsOfStep(double step) {
   return std::max(0, -static_cast<int>(std::floor(std::log10(step) + slack)));
 }
 
-}  // namespace alidade::ui
+}  // namespace alidade

@@ -1,8 +1,8 @@
-#include "ui/charts/plotting/round_numbers.h"
+#include "core/base/round_numbers.h"
 
 #include <gtest/gtest.h>
 
-namespace alidade::ui {
+namespace alidade::test {
 namespace {
 
 TEST(RoundNumbers, StepsAreOneTwoFive) {
@@ -30,4 +30,4 @@ TEST(RoundNumbers, KnowsTheDecimalsOfAStep) {
 }
 
 }  // namespace
-}  // namespace alidade::ui
+}  // namespace alidade::test

@@ -1,6 +1,6 @@
 #pragma once
 
-namespace alidade::ui {
+namespace alidade {
 
 /// The largest of … 0.1, 0.2, 0.5, 1, 2, 5, 10 … that is not above `value` (> 0, finite).
 double roundDown125(double value);
@@ -11,4 +11,4 @@ double roundUp125(double value);
 /// Decimals needed to write multiples of a 1-2-5 step: 0 for 5, 1 for 0.2.
 int decimalsOfStep(double step);
 
-}  // namespace alidade::ui
+}  // namespace alidade

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <QWidget>
+
+class QComboBox;
+class QLabel;
+class QLineEdit;
+
+namespace alidade::ui {
+
+class ResidualChart;
+
+/// The chart of the residuals below a row that chooses its kind and the range of its residuals.
+class ResidualPage : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit ResidualPage(QWidget* parent = nullptr);
+
+  ResidualChart* chart() const { return m_chart; }
+
+ private:
+  void addKinds();
+  void takeReach();
+  void showChoice();
+
+  ResidualChart* m_chart;
+  QComboBox* m_kind;
+  QLineEdit* m_reach;
+  QLabel* m_unit;
+};
+
+}  // namespace alidade::ui
