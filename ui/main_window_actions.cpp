@@ -260,8 +260,7 @@ void WindowActions::addPositionActions(QMenu& menu) {
     connect(&document, &SessionDocument::changed, action, offer);
     offer();
   }
-  QAction* remove =
-      addTo(menu, nullptr, tr("Delete Position"), {}, this, [this] { m_window.entries().removePosition(); });
+  QAction* remove = addTo(menu, nullptr, tr("Delete Position"), {}, this, [this] { removePosition(); });
   QAction* move = addTo(menu, nullptr, {}, {}, this, [this] { m_window.entries().moveReadings(); });
   m_tableActions << move;
   connect(&menu, &QMenu::aboutToShow, this, [this, &document, remove, move] {
@@ -283,6 +282,18 @@ void WindowActions::addPositionActions(QMenu& menu) {
 
 void WindowActions::attachTo(ReadingsTable* table) const {
   table->addActions(m_tableActions);
+/// Asks before it removes a position with typed sightings.
+void WindowActions::removePosition() {
+  m_window.commitPending();
+  const Session& session = m_window.document().session();
+  const PositionTabs& tabs = m_window.entries().positions();
+  if (!tabs.currentTable()) return;
+  const auto at = static_cast<std::size_t>(tabs.currentIndex());
+  const std::size_t typed = typedSightings(session.positions.at(at));
+  if (typed == 0 || m_dialogs.askDeletePosition(positionText(session, at), typed))
+    ui::removePosition(m_window.document(), at);
+}
+
   table->setContextMenuPolicy(Qt::ActionsContextMenu);
 }
 

@@ -35,6 +35,7 @@ class WindowActions : public QObject {
   void createEditMenu(QToolBar& bar);
   void addEntryActions(QMenu& menu);
   void addPositionActions(QMenu& menu);
+  void removePosition();
   void addSuspectActions(QMenu& menu);
   void createViewMenu();
   void addUnitActions(QMenu& menu);

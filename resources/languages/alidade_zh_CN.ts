@@ -406,6 +406,31 @@ Sealed by:</source>
         <source>Measurement protocols (*.alidade-protocol);;All files (*)</source>
         <translation>测量方案 (*.alidade-protocol);;所有文件 (*)</translation>
     </message>
+    <message>
+        <source>Delete position</source>
+        <translation>删除轴位</translation>
+    </message>
+    <message>
+        <source>Delete the position %1?</source>
+        <extracomment>%1: &quot;0°&quot;, &quot;180° again&quot;</extracomment>
+        <translation>删除轴位 %1？</translation>
+    </message>
+    <message>
+        <source>Its one typed sighting is deleted with it.</source>
+        <translation>其中已录入的 1 次照准将一并删除。</translation>
+    </message>
+    <message>
+        <source>Its %1 typed sightings are deleted with it.</source>
+        <translation>其中已录入的 %1 次照准将一并删除。</translation>
+    </message>
+    <message>
+        <source>Edit › Undo brings them back.</source>
+        <translation>“编辑 › 撤销”可将其恢复。</translation>
+    </message>
+    <message>
+        <source>&amp;Delete</source>
+        <translation>删除(&amp;D)</translation>
+    </message>
 </context>
 <context>
     <name>DifferenceText</name>

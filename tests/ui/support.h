@@ -32,6 +32,8 @@ class ScriptedDialogs : public Dialogs {
   int importsAsked = 0;
   int saveQuestions = 0;
   bool discardOther = false;
+  bool deletePosition = true;
+  QStringList deletionsAsked;
   QStringList othersAsked;  ///< sessions whose loss by undo or redo was asked about
   bool exportAnyway = false;
   QList<int> unusableEntries;  ///< counts from each question before a report
@@ -74,6 +76,10 @@ class ScriptedDialogs : public Dialogs {
   bool askDiscardOther(const QString& name, Way way) override {
     othersAsked.append(QLatin1String(way == Way::Undo ? "undo to " : "redo to ") + name);
     return discardOther;
+  }
+  bool askDeletePosition(const QString& name, std::size_t sightings) override {
+    deletionsAsked.append(QStringLiteral("%1: %2").arg(name).arg(sightings));
+    return deletePosition;
   }
   QString askOpenPath(const QString&) override { return openPath; }
   QStringList askImportPaths(const QString&) override {

@@ -76,6 +76,18 @@ void addPosition(SessionDocument& document, int axisDeg) {
   document.push(new AddPosition(document, axisDeg));
 }
 
+std::size_t typedSightings(const Position& position) {
+  const auto isTyped = [](const auto& sighting) {
+    return !sighting.horizontal.empty() || !sighting.vertical.empty();
+  };
+  auto typed = std::ranges::count_if(position.readings,
+                                     [&](const Reading& row) { return isTyped(row) || !row.slider.empty(); });
+  if (isTyped(position.zero)) ++typed;
+  for (const ZeroSlot& slot : furtherZeros)
+    if (isTyped(position.zero.*slot.sighting)) ++typed;
+  return static_cast<std::size_t>(typed);
+}
+
 RemovePosition::RemovePosition(SessionDocument& document, std::size_t index)
     : JournalledCommand(document, QCoreApplication::translate("RemovePosition", "Delete position %1")
                                       .arg(positionText(document.session(), index))),

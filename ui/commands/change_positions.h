@@ -41,6 +41,9 @@ QString addPositionText(const Session& session, int axisDeg);
 /// Does nothing if it may not be added.
 void addPosition(SessionDocument& document, int axisDeg);
 
+/// The number of typed sightings of a position: rows with an angle, and pointing zeros.
+std::size_t typedSightings(const Position& position);
+
 /// Removes a position with its pointing zero and all its readings.
 class RemovePosition : public JournalledCommand {
  public:

@@ -92,6 +92,23 @@ bool Dialogs::askDiscardOther(const QString& name, Way way) {
 }
 
 QString Dialogs::askOpenPath(const QString& folder) {
+bool Dialogs::askDeletePosition(const QString& name, std::size_t sightings) {
+  const QString title = DialogsText::tr("Delete position");
+  QMessageBox box(QMessageBox::Question, title,
+                  //: %1: "0°", "180° again"
+                  DialogsText::tr("Delete the position %1?").arg(shortLine(name, longestName)),
+                  QMessageBox::Cancel, over());
+  box.setInformativeText(
+      (sightings == 1 ? DialogsText::tr("Its one typed sighting is deleted with it.")
+                      : DialogsText::tr("Its %1 typed sightings are deleted with it.").arg(sightings)) +
+      u' ' + DialogsText::tr("Edit › Undo brings them back."));
+  const QPushButton* remove = box.addButton(DialogsText::tr("&Delete"), QMessageBox::AcceptRole);
+  box.setDefaultButton(QMessageBox::Cancel);
+  makeSafeButton(*qobject_cast<QPushButton*>(box.button(QMessageBox::Cancel)));
+  box.exec();
+  return box.clickedButton() == remove;
+}
+
   return QFileDialog::getOpenFileName(
       m_parent, DialogsText::tr("Open session"), folder,
       DialogsText::tr("Sessions and reports (*.alidade *.pdf);;Sessions (*.alidade);;"

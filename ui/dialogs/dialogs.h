@@ -42,6 +42,8 @@ class Dialogs {
   /// Asks whether undo or redo may discard the changes of another session. `name` is empty if it was never
   /// saved.
   virtual bool askDiscardOther(const QString& name, Way way);
+  /// Asks whether to delete the position called `name` with its typed sightings.
+  virtual bool askDeletePosition(const QString& name, std::size_t sightings);
   /// Empty: cancelled.
   virtual QString askOpenPath(const QString& folder);
   virtual QStringList askImportPaths(const QString& folder);

@@ -178,12 +178,6 @@ void EntryColumn::revealReading(const Place& place, bool takeFocus) {
   if (takeFocus) m_positions->currentTable()->setFocus();
 }
 
-void EntryColumn::removePosition() {
-  emit commitWanted();
-  const int position = m_positions->currentIndex();
-  if (m_positions->currentTable()) ui::removePosition(m_document, static_cast<std::size_t>(position));
-}
-
 void EntryColumn::moveReadings() {
   emit commitWanted();
   const ReadingsTable* table = m_positions->currentTable();

@@ -31,8 +31,6 @@ class EntryColumn : public QObject {
   void commit();
   /// Leads to the entry of a reading or field.
   void reveal(const Place& place, bool takeFocus);
-  /// Removes the position in front.
-  void removePosition();
   /// Moves the selected readings to the next position.
   void moveReadings();
 

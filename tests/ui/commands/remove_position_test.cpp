@@ -2,8 +2,14 @@
 
 #include <gtest/gtest.h>
 
+#include <QAction>
+#include <QMenuBar>
+
 #include "tests/ui/support.h"
+#include "ui/commands/edit_readings.h"
 #include "ui/document/session_document.h"
+#include "ui/main_window.h"
+#include "ui/panels/readings/position_tabs.h"
 
 namespace alidade::ui {
 namespace {
@@ -22,6 +28,57 @@ TEST(RemovePosition, TakesAsManyRowsAsThereAreAndBringsThemBack) {
     document.undoStack().redo();
     EXPECT_EQ(document.session().positions.size(), 1u) << rows;
   }
+}
+
+/// The menu entry that deletes the position in front.
+QAction* deletion(OpenWindow& open) {
+  for (QAction* top : open->menuBar()->actions())
+    for (QAction* action : top->menu()->actions()) {
+      emit top->menu()->aboutToShow();
+      if (action->text().startsWith(QStringLiteral("Delete Position"))) return action;
+    }
+  return nullptr;
+}
+
+TEST(RemovePosition, AsksBeforeTypedSightingsAreLost) {
+  OpenWindow open;
+  open->document().startWith(paperSession());
+  open.settle();
+  open->hideStart();
+  open->findChild<PositionTabs*>()->setCurrentIndex(1);
+  ASSERT_TRUE(deletion(open));
+  open.dialogs->deletePosition = false;
+  deletion(open)->trigger();
+  EXPECT_EQ(open.dialogs->deletionsAsked, QStringList(QStringLiteral("180°: 18"))) << "17 rows and the zero";
+  EXPECT_EQ(open->document().session().positions.size(), 2u);
+  open.dialogs->deletePosition = true;
+  deletion(open)->trigger();
+  EXPECT_EQ(open->document().session().positions.size(), 1u);
+  open->document().undoStack().undo();
+  EXPECT_EQ(open->document().session().positions, paperSession().positions);
+}
+
+TEST(RemovePosition, AsksNothingOfAnEmptyPosition) {
+  OpenWindow open;
+  open->document().startNew();
+  open->hideStart();
+  ReadingsEditor(open->document(), 0).insertBlank(0);
+  ASSERT_TRUE(deletion(open));
+  deletion(open)->trigger();
+  EXPECT_TRUE(open.dialogs->deletionsAsked.isEmpty());
+  EXPECT_EQ(open->document().session().positions.size(), 1u);
+}
+
+TEST(RemovePosition, CountsWhatIsTyped) {
+  Position position;
+  position.readings.resize(3);
+  position.readings[0].point = "1";
+  EXPECT_EQ(typedSightings(position), 0u) << "a row laid out, but not read";
+  position.readings[1].slider = "10";
+  position.readings[2].vertical = "88°";
+  position.zero.horizontal = "0";
+  position.zero.after.vertical = "90";
+  EXPECT_EQ(typedSightings(position), 4u);
 }
 
 }  // namespace

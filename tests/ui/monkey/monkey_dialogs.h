@@ -18,6 +18,7 @@ class MonkeyDialogs : public ScriptedDialogs {
         std::array{SaveAnswer::Save, SaveAnswer::Discard, SaveAnswer::Discard, SaveAnswer::Cancel});
   }
   bool askDiscardOther(const QString&, Way) override { return !m_chance.oneIn(3); }
+  bool askDeletePosition(const QString&, std::size_t) override { return !m_chance.oneIn(3); }
   QString askOpenPath(const QString&) override {
     return present(m_chance.oneIn(6) ? QStringLiteral("*.pdf") : QStringLiteral("*.alidade"));
   }
