@@ -23,12 +23,10 @@
 #include "ui/entry/readings_finder.h"
 #include "ui/help/help_topics.h"
 #include "ui/help/help_window.h"
-#include "ui/language/languages.h"
 #include "ui/main_window.h"
 #include "ui/panels/readings/position_tabs.h"
 #include "ui/panels/readings/readings_table.h"
 #include "ui/panels/readings/suspect_bar.h"
-#include "ui/settings/entry_tone.h"
 #include "ui/settings/recent_files.h"
 #include "ui/settings/theme.h"
 #include "ui/settings/window_font.h"
@@ -108,7 +106,6 @@ void WindowActions::createFileMenu(QToolBar& bar) {
   addExportMenu(menu);
   addTo(menu, nullptr, tr("Print Previe&w…"), {}, this, [&files] { files.previewReport(); });
   addTo(menu, nullptr, tr("&Print…"), QKeySequence::Print, this, [&files] { files.printReport(); });
-  addTo(menu, nullptr, tr("Page Set&up…"), {}, this, [&files] { files.setUpPage(); });
   menu.addSeparator();
   addTo(menu, nullptr, tr("&Close"), QKeySequence(tr("Ctrl+W")), this, [this] {
     if (m_window.files().startNew()) m_window.showStart();
@@ -203,6 +200,11 @@ void WindowActions::createEditMenu(QToolBar& bar) {
   menu.addSeparator();
   addEntryActions(menu);
   addPositionActions(menu);
+  menu.addSeparator();
+  addTo(menu, nullptr, tr("Pr&eferences…"), QKeySequence(tr("Ctrl+,")), this, [this] {
+    m_window.commitPending();
+    m_dialogs.askPreferences();
+  });
   bar.addActions({undo, redo});
   bar.addSeparator();
   bar.addActions({insert, remove, exclude});
@@ -280,8 +282,6 @@ void WindowActions::addPositionActions(QMenu& menu) {
   move->setText(tr("Move Readings"));
 }
 
-void WindowActions::attachTo(ReadingsTable* table) const {
-  table->addActions(m_tableActions);
 /// Asks before it removes a position with typed sightings.
 void WindowActions::removePosition() {
   m_window.commitPending();
@@ -294,6 +294,8 @@ void WindowActions::removePosition() {
     ui::removePosition(m_window.document(), at);
 }
 
+void WindowActions::attachTo(ReadingsTable* table) const {
+  table->addActions(m_tableActions);
   table->setContextMenuPolicy(Qt::ActionsContextMenu);
 }
 
@@ -346,61 +348,11 @@ void WindowActions::createViewMenu() {
   menu.addSeparator();
   addTo(menu, nullptr, tr("Large D&isplay"), QKeySequence(Qt::Key_F9), this,
         [this] { m_window.entry().setLargeDisplayShown(true); });
-  QAction* tone = addTo(menu, nullptr, tr("&Tone for Unexpected Readings"), {}, this, [] {});
-  tone->setCheckable(true);
-  tone->setChecked(hasTone());
-  connect(tone, &QAction::toggled, this, [](bool sounds) { setTone(sounds); });
   menu.addSeparator();
-  auto* themes = new QActionGroup(this);
-  const std::pair<QString, Theme> choices[] = {
-      {tr("S&ystem Colours"), Theme::System}, {tr("&Light"), Theme::Light}, {tr("&Dark"), Theme::Dark}};
-  for (const auto& [text, theme] : choices) {
-    QAction* action = themes->addAction(text);
-    action->setCheckable(true);
-    action->setChecked(theme == rememberedTheme());
-    connect(action, &QAction::triggered, this, [which = theme] { applyTheme(which); });
-  }
-  menu.addActions(themes->actions());
-  addFontActions(menu);
-  addLanguageActions(menu);
-}
-
-/// The font of the window; that of the report is unaffected.
-void WindowActions::addFontActions(QMenu& menu) {
-  QMenu& fonts = *menu.addMenu(tr("F&ont"));
-  QAction* desktop = addTo(fonts, nullptr, tr("As the &Desktop"), {}, this, [] { applyFont({}); });
-  desktop->setCheckable(true);
-  fonts.addSeparator();
-  addTo(fonts, nullptr, tr("&Larger"), QKeySequence(tr("Ctrl+Alt++")), this,
+  addTo(menu, nullptr, tr("&Larger Font"), QKeySequence(tr("Ctrl+Alt++")), this,
         [] { applyFont(resized(rememberedFont(), 1)); });
-  addTo(fonts, nullptr, tr("&Smaller"), QKeySequence(tr("Ctrl+Alt+-")), this,
+  addTo(menu, nullptr, tr("S&maller Font"), QKeySequence(tr("Ctrl+Alt+-")), this,
         [] { applyFont(resized(rememberedFont(), -1)); });
-  fonts.addSeparator();
-  addTo(fonts, nullptr, tr("&Choose…"), {}, this, [this] {
-    if (const auto chosen = m_dialogs.askFont(QApplication::font()))
-      applyFont({chosen->family(), chosen->pointSizeF()});
-  });
-  connect(&fonts, &QMenu::aboutToShow, this,
-          [desktop] { desktop->setChecked(rememberedFont() == FontChoice()); });
-}
-
-/// Each name is in its own language, for users who cannot read the current one.
-void WindowActions::addLanguageActions(QMenu& menu) {
-  QMenu* languages = menu.addMenu(tr("Langua&ge"));
-  auto* group = new QActionGroup(this);
-  const auto add = [&](const QString& text, const QString& id) {
-    QAction* action = group->addAction(text);
-    action->setCheckable(true);
-    action->setChecked(rememberedLanguage() == id);
-    connect(action, &QAction::triggered, this, [this, id] {
-      rememberLanguage(id);
-      const LanguageScope scope(languageOr(id));
-      m_window.statusBar()->showMessage(tr("The language changes when Alidade is started again."), 15000);
-    });
-  };
-  add(tr("As the &Desktop"), {});
-  for (const LanguageInfo& language : allLanguages()) add(language.name, language.id);
-  languages->addActions(group->actions());
 }
 
 /// The unit of the instrument: for typed bare numbers and shown angles.

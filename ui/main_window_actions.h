@@ -39,8 +39,6 @@ class WindowActions : public QObject {
   void addSuspectActions(QMenu& menu);
   void createViewMenu();
   void addUnitActions(QMenu& menu);
-  void addFontActions(QMenu& menu);
-  void addLanguageActions(QMenu& menu);
   void addPageActions(QMenu& menu);
   void addEnlargeAction(QMenu& menu);
   void createInstrumentMenu();

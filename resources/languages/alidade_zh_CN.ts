@@ -11447,6 +11447,29 @@ a clause as a sentence</extracomment>
     </message>
 </context>
 <context>
+    <name>alidade::ui::LogoForm</name>
+    <message>
+        <source>Logo of the laboratory</source>
+        <translation>实验室徽标</translation>
+    </message>
+    <message>
+        <source>C&amp;hoose…</source>
+        <translation>选择(&amp;H)…</translation>
+    </message>
+    <message>
+        <source>&amp;Without</source>
+        <translation>不用(&amp;W)</translation>
+    </message>
+    <message>
+        <source>Pictures (*.png *.svg *.jpg *.jpeg *.bmp *.gif *.webp);;All files (*)</source>
+        <translation>图片 (*.png *.svg *.jpg *.jpeg *.bmp *.gif *.webp);;所有文件 (*)</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>无</translation>
+    </message>
+</context>
+<context>
     <name>alidade::ui::MainWindow</name>
     <message>
         <source>&amp;Measurement</source>
@@ -11862,6 +11885,101 @@ a clause as a sentence</extracomment>
     <message>
         <source>To its readings with Alt+%1</source>
         <translation>按 Alt+%1 转到其读数</translation>
+    </message>
+</context>
+<context>
+    <name>alidade::ui::PreferencesDialog</name>
+    <message>
+        <source>Preferences</source>
+        <translation>首选项</translation>
+    </message>
+    <message>
+        <source>&amp;Window</source>
+        <translation>窗口(&amp;W)</translation>
+    </message>
+    <message>
+        <source>New &amp;Sessions</source>
+        <translation>新会话(&amp;S)</translation>
+    </message>
+    <message>
+        <source>&amp;Report</source>
+        <translation>报告(&amp;R)</translation>
+    </message>
+    <message>
+        <source>As the desktop</source>
+        <translation>与桌面一致</translation>
+    </message>
+    <message>
+        <source>&amp;Language</source>
+        <translation>语言(&amp;L)</translation>
+    </message>
+    <message>
+        <source>Another language is spoken once Alidade is started again.</source>
+        <translation>更换的语言在重新启动 Alidade 后生效。</translation>
+    </message>
+    <message>
+        <source>Font</source>
+        <translation>字体</translation>
+    </message>
+    <message>
+        <source>Light</source>
+        <translation>浅色</translation>
+    </message>
+    <message>
+        <source>Dark</source>
+        <translation>深色</translation>
+    </message>
+    <message>
+        <source>&amp;Colours</source>
+        <translation>颜色(&amp;C)</translation>
+    </message>
+    <message>
+        <source>&amp;Tone for unexpected readings</source>
+        <translation>意外读数提示音(&amp;T)</translation>
+    </message>
+    <message>
+        <source>C&amp;hoose…</source>
+        <translation>选择(&amp;H)…</translation>
+    </message>
+    <message>
+        <source>As the &amp;Desktop</source>
+        <translation>与桌面相同(&amp;D)</translation>
+    </message>
+    <message>
+        <source>%1, %2 pt</source>
+        <translation>%1，%2 磅</translation>
+    </message>
+    <message>
+        <source>New sessions start with these entries. Open sessions keep theirs.</source>
+        <translation>新会话以这些内容开始；已打开的会话保持原样。</translation>
+    </message>
+    <message>
+        <source>&amp;Load…</source>
+        <translation>载入(&amp;L)…</translation>
+    </message>
+    <message>
+        <source>&amp;None</source>
+        <translation>无(&amp;N)</translation>
+    </message>
+    <message>
+        <source>Protocol: %1, %2 sightings</source>
+        <translation>方案：%1，%2 次照准</translation>
+    </message>
+    <message>
+        <source>Protocol: none</source>
+        <translation>方案：无</translation>
+    </message>
+    <message>
+        <source>Like the window</source>
+        <translation>与窗口相同</translation>
+    </message>
+    <message>
+        <source>L&amp;anguage</source>
+        <translation>语言(&amp;A)</translation>
+    </message>
+    <message>
+        <source>The report is printed upright; wide margins print it smaller.</source>
+        <translation>报告按纵向打印；页边距大则印得较小。</translation>
     </message>
 </context>
 <context>
@@ -12522,26 +12640,6 @@ a clause as a sentence</extracomment>
     <message>
         <source>Page</source>
         <translation>页面</translation>
-    </message>
-    <message>
-        <source>Logo of the laboratory</source>
-        <translation>实验室徽标</translation>
-    </message>
-    <message>
-        <source>C&amp;hoose…</source>
-        <translation>选择(&amp;H)…</translation>
-    </message>
-    <message>
-        <source>&amp;Without</source>
-        <translation>不用(&amp;W)</translation>
-    </message>
-    <message>
-        <source>Pictures (*.png *.svg *.jpg *.jpeg *.bmp *.gif *.webp);;All files (*)</source>
-        <translation>图片 (*.png *.svg *.jpg *.jpeg *.bmp *.gif *.webp);;所有文件 (*)</translation>
-    </message>
-    <message>
-        <source>None</source>
-        <translation>无</translation>
     </message>
     <message>
         <source>&amp;Export…</source>
@@ -13595,10 +13693,6 @@ a clause as a sentence</extracomment>
         <translation>打印(&amp;P)…</translation>
     </message>
     <message>
-        <source>Page Set&amp;up…</source>
-        <translation>页面设置(&amp;U)…</translation>
-    </message>
-    <message>
         <source>&amp;Close</source>
         <translation>关闭(&amp;C)</translation>
     </message>
@@ -13803,22 +13897,6 @@ a clause as a sentence</extracomment>
         <translation>会话使用的列始终显示</translation>
     </message>
     <message>
-        <source>&amp;Tone for Unexpected Readings</source>
-        <translation>意外读数提示音(&amp;T)</translation>
-    </message>
-    <message>
-        <source>S&amp;ystem Colours</source>
-        <translation>系统颜色(&amp;Y)</translation>
-    </message>
-    <message>
-        <source>&amp;Light</source>
-        <translation>浅色(&amp;L)</translation>
-    </message>
-    <message>
-        <source>&amp;Dark</source>
-        <translation>深色(&amp;D)</translation>
-    </message>
-    <message>
         <source>A&amp;ngles in</source>
         <translation>角度单位(&amp;N)</translation>
     </message>
@@ -13899,40 +13977,12 @@ a clause as a sentence</extracomment>
         <translation>大字显示(&amp;I)</translation>
     </message>
     <message>
-        <source>Langua&amp;ge</source>
-        <translation>语言(&amp;G)</translation>
-    </message>
-    <message>
-        <source>The language changes when Alidade is started again.</source>
-        <translation>语言在 Alidade 下次启动时更改。</translation>
-    </message>
-    <message>
-        <source>As the &amp;Desktop</source>
-        <translation>与桌面相同(&amp;D)</translation>
-    </message>
-    <message>
-        <source>F&amp;ont</source>
-        <translation>字体(&amp;O)</translation>
-    </message>
-    <message>
-        <source>&amp;Larger</source>
-        <translation>更大(&amp;L)</translation>
-    </message>
-    <message>
         <source>Ctrl+Alt++</source>
         <translation>Ctrl+Alt++</translation>
     </message>
     <message>
-        <source>&amp;Smaller</source>
-        <translation>更小(&amp;S)</translation>
-    </message>
-    <message>
         <source>Ctrl+Alt+-</source>
         <translation>Ctrl+Alt+-</translation>
-    </message>
-    <message>
-        <source>&amp;Choose…</source>
-        <translation>选择(&amp;C)…</translation>
     </message>
     <message>
         <source>&amp;Instrument Check…</source>
@@ -13977,6 +14027,22 @@ a clause as a sentence</extracomment>
     <message>
         <source>Ctrl+Shift+N</source>
         <translation>Ctrl+Shift+N</translation>
+    </message>
+    <message>
+        <source>Pr&amp;eferences…</source>
+        <translation>首选项(&amp;E)…</translation>
+    </message>
+    <message>
+        <source>Ctrl+,</source>
+        <translation>Ctrl+,</translation>
+    </message>
+    <message>
+        <source>&amp;Larger Font</source>
+        <translation>放大字体(&amp;L)</translation>
+    </message>
+    <message>
+        <source>S&amp;maller Font</source>
+        <translation>缩小字体(&amp;M)</translation>
     </message>
 </context>
 <context>

@@ -21,7 +21,7 @@ awk '
     rooms = split("language document settings text " \
                   "charts/plotting charts/residuals charts/arc jobs charts/gap charts/history " \
                   "commands panels/parts " \
-                  "panels/gap recovery import report dialogs models panels/result forms panels/readings " \
+                  "panels/gap recovery import report models forms dialogs panels/result panels/readings " \
                   "connection entry help instrument panels/journal panels/model panels/order " \
                   "panels/uncertainty panels/window self_test series start window", order)
     for (i = 1; i <= rooms; ++i) level["ui/" order[i]] = i

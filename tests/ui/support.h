@@ -121,6 +121,7 @@ class ScriptedDialogs : public Dialogs {
     sealSuggested = suggestion;
     return sealedBy;
   }
+  bool askPreferences() override { return false; }
   std::optional<QFont> askFont(const QFont&) override { return font; }
   void showProblem(const QString&, const QString& text) override { problems.append(text); }
 

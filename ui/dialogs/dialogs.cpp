@@ -13,6 +13,7 @@
 
 #include "ui/dialogs/own_effect_dialog.h"
 #include "ui/dialogs/paper_form.h"
+#include "ui/dialogs/preferences_dialog.h"
 #include "ui/dialogs/protocol_dialog.h"
 #include "ui/import/import_page.h"
 #include "ui/panels/parts/dialog_parts.h"
@@ -91,7 +92,6 @@ bool Dialogs::askDiscardOther(const QString& name, Way way) {
   return box.exec() == QMessageBox::Discard;
 }
 
-QString Dialogs::askOpenPath(const QString& folder) {
 bool Dialogs::askDeletePosition(const QString& name, std::size_t sightings) {
   const QString title = DialogsText::tr("Delete position");
   QMessageBox box(QMessageBox::Question, title,
@@ -109,6 +109,7 @@ bool Dialogs::askDeletePosition(const QString& name, std::size_t sightings) {
   return box.clickedButton() == remove;
 }
 
+QString Dialogs::askOpenPath(const QString& folder) {
   return QFileDialog::getOpenFileName(
       m_parent, DialogsText::tr("Open session"), folder,
       DialogsText::tr("Sessions and reports (*.alidade *.pdf);;Sessions (*.alidade);;"
@@ -240,6 +241,10 @@ void Dialogs::showProblem(const QString& title, const QString& text) {
 
 std::unique_ptr<Busy> Dialogs::busy(const QString& doing, Busy::Way way) {
   return std::make_unique<Busy>(m_parent, doing, way);
+}
+
+bool Dialogs::askPreferences() {
+  return PreferencesDialog(*this, m_parent).exec() == QDialog::Accepted;
 }
 
 std::optional<QFont> Dialogs::askFont(const QFont& now) {

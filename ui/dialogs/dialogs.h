@@ -77,6 +77,8 @@ class Dialogs {
   virtual bool askOpenElsewhere(const QString& name, const QString& holder);
   virtual ChangedFileAnswer askChangedFile(const ChangedFile& file);
   virtual RecoveryAnswer askRecovery(const QList<RecoveryOffer>& offers);
+  /// Edits and keeps the settings of the program; false: cancelled.
+  virtual bool askPreferences();
   /// Asks for the font of the window; absent: cancelled.
   virtual std::optional<QFont> askFont(const QFont& now);
   virtual void showProblem(const QString& title, const QString& text);

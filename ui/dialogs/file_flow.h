@@ -47,7 +47,6 @@ class FileFlow : public QObject {
   bool exportCertificate();
   bool printReport();
   bool previewReport();
-  void setUpPage() { m_reports.setUpPage(); }
   /// Shows the differences after another program changed the session's file, and does what the user chooses.
   void settleChange();
   /// The folder in which windows register their open files for each other.

@@ -13,11 +13,10 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "ui/dialogs/logo_form.h"
 #include "ui/dialogs/paper_form.h"
-#include "ui/language/languages.h"
 #include "ui/panels/parts/dialog_parts.h"
 #include "ui/recovery/form_draft.h"
-#include "ui/report/report_logo.h"
 #include "ui/settings/theme.h"
 #include "ui/settings/window_font.h"
 #include "ui/text/visible_text.h"
@@ -25,8 +24,6 @@
 namespace alidade::ui {
 
 namespace {
-
-constexpr QSize logoSize(170, 44);  // pixels
 
 bool holds(const std::vector<ReportPart>& parts, ReportPart part) {
   return std::ranges::find(parts, part) != parts.end();
@@ -127,48 +124,14 @@ QWidget* ReportDialog::createSheet() {
   m_paper = new PaperForm(m_question.choice.paper);
   auto* pageLayout = new QVBoxLayout(page);
   pageLayout->addWidget(m_paper);
-  addLanguage();
+  m_language = createLanguageChoice(tr("Like the window"), m_question.choice.language);
+  m_paper->addRow(new QLabel(tr("&Language")), m_language);
   layout->addWidget(page);
-  layout->addWidget(createLogo());
+  m_logo = new LogoForm(m_question.choice.logoPath);
+  layout->addWidget(m_logo);
   layout->addWidget(createHistory());
   layout->addStretch();
   return side;
-}
-
-/// Each language is listed under its own name.
-void ReportDialog::addLanguage() {
-  m_language = new QComboBox;
-  m_language->setObjectName(QStringLiteral("language"));
-  m_language->addItem(tr("Like the window"), QString());
-  for (const LanguageInfo& language : allLanguages()) m_language->addItem(language.name, language.id);
-  m_language->setCurrentIndex(std::max(0, m_language->findData(m_question.choice.language)));
-  m_paper->addRow(new QLabel(tr("&Language")), m_language);
-}
-
-QWidget* ReportDialog::createLogo() {
-  auto* group = new QGroupBox(tr("Logo of the laboratory"));
-  m_logo = new QLabel;
-  m_logo->setMinimumSize(logoSize);
-  m_logo->setAlignment(Qt::AlignCenter);
-  m_logoName = createPlainLabel({});
-  auto* choose = new QPushButton(tr("C&hoose…"));
-  choose->setAutoDefault(false);
-  auto* none = new QPushButton(tr("&Without"));
-  none->setAutoDefault(false);
-  none->setObjectName(QStringLiteral("no logo"));
-  m_noLogo = none;
-  connect(choose, &QPushButton::clicked, this, &ReportDialog::chooseLogo);
-  connect(none, &QPushButton::clicked, this, [this] { setLogo({}); });
-  auto* buttons = new QHBoxLayout;
-  buttons->addWidget(choose);
-  buttons->addWidget(none);
-  buttons->addStretch();
-  auto* layout = new QVBoxLayout(group);
-  layout->addWidget(m_logo);
-  layout->addWidget(m_logoName);
-  layout->addLayout(buttons);
-  setLogo(m_question.choice.logoPath);
-  return group;
 }
 
 QWidget* ReportDialog::createHistory() {
@@ -206,32 +169,6 @@ void ReportDialog::setSeriesFolder(const QString& folder) {
   m_seriesName->setToolTip(tipText(folder));
 }
 
-void ReportDialog::chooseLogo() {
-  const QString path = QFileDialog::getOpenFileName(
-      this, tr("Logo of the laboratory"), QFileInfo(m_logoPath).absolutePath(),
-      tr("Pictures (*.png *.svg *.jpg *.jpeg *.bmp *.gif *.webp);;All files (*)"));
-  if (!path.isEmpty()) setLogo(path);
-}
-
-/// Shows the logo as printed: on white.
-void ReportDialog::setLogo(const QString& path) {
-  m_logoPath = path;
-  m_noLogo->setEnabled(!path.isEmpty());
-  m_logo->clear();
-  m_logo->setStyleSheet({});
-  if (path.isEmpty()) {
-    m_logoName->setText(tr("None"));
-    return;
-  }
-  const Result<QImage> logo = readLogo(path);
-  m_logoName->setText(logo ? shortLine(QFileInfo(path).fileName(), 40)
-                           : visibleLine(logo.problem().what) + u'.');
-  if (!logo) return;
-  m_logo->setStyleSheet(QStringLiteral("background: white;"));
-  m_logo->setPixmap(
-      QPixmap::fromImage(logo->scaled(logoSize, Qt::KeepAspectRatio, Qt::SmoothTransformation)));
-}
-
 QWidget* ReportDialog::createButtons() {
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel,
                                        this);  // a parent dialog would make one button the default
@@ -252,7 +189,7 @@ ReportChoice ReportDialog::choice() const {
     box->isChecked() ? (void)choice.contents.leftOut.erase(part) : (void)choice.contents.leftOut.insert(part);
   }
   choice.paper = m_paper->paper();
-  choice.logoPath = m_logoPath;
+  choice.logoPath = m_logo->path();
   choice.seriesFolder = m_seriesFolder;
   choice.language = m_language->currentData().toString();
   choice.hasSession = m_session->isChecked();

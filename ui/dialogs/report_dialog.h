@@ -13,6 +13,7 @@ class QLabel;
 
 namespace alidade::ui {
 
+class LogoForm;
 class PaperForm;
 
 /// Everything to know and decide before a report is written or printed.
@@ -40,23 +41,17 @@ class ReportDialog : public QDialog {
   QWidget* createContents();
   QWidget* createSheet();
   QWidget* createLacks();
-  void addLanguage();
-  QWidget* createLogo();
   QWidget* createButtons();
   void keepDraft();
   QWidget* createHistory();
   void setSeriesFolder(const QString& folder);
-  void chooseLogo();
-  void setLogo(const QString& path);
 
   ReportQuestion m_question;
   std::map<ReportPart, QCheckBox*> m_parts;
   QCheckBox* m_session = nullptr;
   PaperForm* m_paper = nullptr;
   QComboBox* m_language = nullptr;
-  QLabel *m_logo = nullptr, *m_logoName = nullptr;
-  QWidget* m_noLogo = nullptr;  ///< the button that removes the logo
-  QString m_logoPath;
+  LogoForm* m_logo = nullptr;
   QLabel* m_seriesName = nullptr;
   QWidget* m_noSeries = nullptr;  ///< the button that leaves out the history
   QString m_seriesFolder;

@@ -87,11 +87,6 @@ ReportSource ReportFlow::source() const {
   return source;
 }
 
-void ReportFlow::setUpPage() {
-  ReportChoice choice = rememberedReportChoice();
-  if (m_dialogs.askPaper(choice.paper)) rememberReportChoice(choice);
-}
-
 std::optional<ReportChoice> ReportFlow::ask(const Gap& gap, ReportQuestion::Way way,
                                             const std::optional<QStringList>& lacks) {
   const Evaluation& evaluation = *gap.evaluation;

@@ -30,7 +30,6 @@ class ReportFlow : public QObject {
   bool exportCertificate(const QString& suggestion);
   bool print();
   bool preview(const QString& suggestion);
-  void setUpPage();  ///< for later reports
   /// Stores a check of the uncertainty, for reports of its session.
   void setBudgetCheck(const SharedBudgetCheck& check) { m_check = check; }
 

@@ -15,6 +15,7 @@
 #include "ui/dialogs/file_flow.h"
 #include "ui/document/encoded_path.h"
 #include "ui/document/session_document.h"
+#include "ui/document/session_template.h"
 #include "ui/recovery/drafts.h"
 #include "ui/recovery/half_typed_record.h"
 #include "ui/settings/theme.h"
@@ -31,7 +32,7 @@ Result<std::string> bytesOf(const QString& path) {
 
 /// The session that a record is compared with: its file, or a new session if it has none.
 struct Beside {
-  Session session = blankSession();
+  Session session = templateSession();
   QString told;  ///< state of the file
 };
 

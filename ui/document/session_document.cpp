@@ -4,10 +4,11 @@
 #include <utility>
 
 #include "core/session/session_file.h"
+#include "ui/document/session_template.h"
 
 namespace alidade::ui {
 
-SessionDocument::SessionDocument(QObject* parent) : QObject(parent), m_session(blankSession()) {
+SessionDocument::SessionDocument(QObject* parent) : QObject(parent), m_session(templateSession()) {
   connect(&m_undoStack, &QUndoStack::indexChanged, this, &SessionDocument::identityChanged);
 }
 
@@ -35,7 +36,7 @@ void SessionDocument::beginTogether(const QString& undoText) {
 }
 
 void SessionDocument::startNew() {
-  replaceAll(blankSession(), {}, true);
+  replaceAll(templateSession(), {}, true);
 }
 
 void SessionDocument::startWith(Session session) {

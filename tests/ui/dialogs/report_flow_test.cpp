@@ -115,14 +115,6 @@ TEST_F(ReportFlowTest, GoesFromThePreviewToContentsPageAndPrinter) {
   EXPECT_TRUE(QFile::exists(in("printed.pdf")));
 }
 
-TEST_F(ReportFlowTest, SetsUpThePageForReportsToCome) {
-  open->files().setUpPage();
-  EXPECT_EQ(rememberedReportChoice(), ReportChoice()) << "cancelled";
-  open.dialogs->paper = ReportPaper{QPageSize::Letter, {15, 16, 17, 18}};
-  open->files().setUpPage();
-  EXPECT_EQ(rememberedReportChoice().paper, *open.dialogs->paper);
-}
-
 TEST_F(ReportFlowTest, NothingIsPrintedOrWrittenWhereItIsCancelled) {
   open.dialogs->writeAnyway = false;
   open.dialogs->reportPath = in("report.pdf");

@@ -1,8 +1,12 @@
 #include "ui/panels/parts/dialog_parts.h"
 
+#include <QComboBox>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
+#include <algorithm>
+
+#include "ui/language/languages.h"
 
 namespace alidade::ui {
 
@@ -34,6 +38,15 @@ QLabel* createPlainLabel(const QString& text) {
   label->setTextFormat(Qt::PlainText);
   label->setWordWrap(true);
   return label;
+}
+
+QComboBox* createLanguageChoice(const QString& other, const QString& chosen) {
+  auto* choice = new QComboBox;
+  choice->setObjectName(QStringLiteral("language"));
+  choice->addItem(other, QString());
+  for (const LanguageInfo& language : allLanguages()) choice->addItem(language.name, language.id);
+  choice->setCurrentIndex(std::max(0, choice->findData(chosen)));
+  return choice;
 }
 
 }  // namespace alidade::ui

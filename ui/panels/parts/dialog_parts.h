@@ -2,6 +2,7 @@
 
 #include <QWidget>
 
+class QComboBox;
 class QHBoxLayout;
 class QLabel;
 class QPushButton;
@@ -28,5 +29,9 @@ void makeSafeButton(QPushButton& button);
 
 /// A wrapping label that shows its text without interpreting markup.
 QLabel* createPlainLabel(const QString& text);
+
+/// A list of the program's languages, each under its own name, below `other` for none of them; `chosen` is an
+/// id of a `LanguageInfo` or empty.
+QComboBox* createLanguageChoice(const QString& other, const QString& chosen);
 
 }  // namespace alidade::ui
