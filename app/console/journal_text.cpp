@@ -36,7 +36,7 @@ std::string journalText(const std::string& name, const Session& session, const J
     const std::string place = entry.place.empty() ? "the session" : entry.place;
     return entry.point.empty() ? place : place + " (point " + entry.point + ")";
   };
-  return heading(name) + statementText(journalTable(session.journal, summary, placeOf));
+  return heading(name) + statementText(journalTable(session, summary, placeOf));
 }
 
 std::string journalJson(const std::string& name, const Session& session, const JournalCheck& check) {

@@ -14,17 +14,17 @@ using Role = Statement::Column::Role;
 
 constexpr std::size_t longestText = 64, longestOrigin = 1000;
 
-Statement::Row rowOf(const JournalEntry& entry, const JournalPlaceNamer& nameOf) {
+Statement::Row rowOf(const JournalEntry& entry, const Session& session, const JournalPlaceNamer& nameOf) {
   const bool isImport = entry.why == journal_reasons::imported;
-  return {{visibleText(timeText(entry.at)), visibleText(nameOf(entry)), visibleText(reasonText(entry)),
-           shortened(entry.by, longestText), shortened(entry.from, longestText),
-           shortened(entry.to, isImport ? longestOrigin : longestText)}};
+  return {{visibleText(timeText(entry.at)), visibleText(nameOf(entry)),
+           shortened(reasonText(entry, session), longestText), shortened(entry.by, longestText),
+           shortened(entry.from, longestText), shortened(entry.to, isImport ? longestOrigin : longestText)}};
 }
 
 }  // namespace
 
-Statement journalTable(const std::vector<JournalEntry>& journal, const std::string& summary,
-                       const JournalPlaceNamer& nameOf, std::size_t most) {
+Statement journalTable(const Session& session, const std::string& summary, const JournalPlaceNamer& nameOf,
+                       std::size_t most) {
   Statement statement{.id = "journal",
                       .title = Phrase::of("Journal of changes"),
                       .columns = {{"when", Phrase::of("When (UTC)"), Role::Name},
@@ -34,8 +34,10 @@ Statement journalTable(const std::vector<JournalEntry>& journal, const std::stri
                                   {"from", Phrase::of("From"), Role::Word},
                                   {"to", Phrase::of("To"), Role::Remark}},
                       .rows = {}};
+  const std::vector<JournalEntry>& journal = session.journal;
   const std::size_t left = journal.size() - std::min(journal.size(), most);
-  for (std::size_t i = left; i < journal.size(); ++i) statement.rows.push_back(rowOf(journal[i], nameOf));
+  for (std::size_t i = left; i < journal.size(); ++i)
+    statement.rows.push_back(rowOf(journal[i], session, nameOf));
   if (!summary.empty()) statement.sentences.push_back(visibleText(summary));
   if (left > 0)
     statement.note = left == 1 ? Phrase::of("1 earlier entry is in the session file.")

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "core/session/journal.h"
+#include "core/session/session.h"
 #include "core/statement/statement.h"
 
 namespace alidade {
@@ -14,10 +14,10 @@ namespace alidade {
 /// Names the place of an entry.
 using JournalPlaceNamer = std::function<std::string(const JournalEntry&)>;
 
-/// The recorded changes, oldest first, but only the last `most`; `summary` (`journalSummary`) as a sentence.
+/// The recorded changes of a session, oldest first, but only the last `most`; `summary` (`journalSummary`) as
+/// a sentence.
 /// Texts are cut to the length of a digest; the origin of an import is longer.
-Statement journalTable(const std::vector<JournalEntry>& journal, const std::string& summary,
-                       const JournalPlaceNamer& nameOf,
+Statement journalTable(const Session& session, const std::string& summary, const JournalPlaceNamer& nameOf,
                        std::size_t most = std::numeric_limits<std::size_t>::max());
 
 }  // namespace alidade

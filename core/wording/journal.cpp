@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/base/phrase.h"
+#include "core/base/place.h"
 
 namespace alidade {
 
@@ -24,6 +25,19 @@ constexpr std::array reasons{
     std::pair{journal_reasons::imported, PHRASE_LATER("Phrase", "imported")},
     std::pair{journal_reasons::undone, PHRASE_LATER("Phrase", "undone")},
     std::pair{journal_reasons::sealed, PHRASE_LATER("Phrase", "sealed")}};
+
+/// The note of the excluded row that an entry is about; null if it has none.
+const std::string* noteOf(const JournalEntry& entry, const Session& session) {
+  for (std::size_t position = 0; position < session.positions.size(); ++position) {
+    if (!entry.place.starts_with(Place{.position = position}.path() + ".readings[")) continue;
+    const std::vector<Reading>& rows = session.positions[position].readings;
+    const auto row = std::ranges::find_if(rows, [&](const Reading& one) {
+      return one.excluded && one.point == entry.point && one.round == entry.round && one.face == entry.face;
+    });
+    return row == rows.end() || row->note.empty() ? nullptr : &row->note;
+  }
+  return nullptr;
+}
 
 std::string sealName(const Seal& seal) {
   return seal.revision == 0
@@ -71,9 +85,12 @@ std::string timeText(const std::string& at) {
   return isTime ? at.substr(0, 10) + ' ' + at.substr(11, 5) : at;
 }
 
-std::string reasonText(const JournalEntry& entry) {
+std::string reasonText(const JournalEntry& entry, const Session& session) {
   const auto found = std::ranges::find_if(reasons, [&](const auto& own) { return entry.why == own.first; });
-  return found == reasons.end() ? entry.why : Phrase::of(found->second);
+  if (found == reasons.end()) return entry.why;
+  const std::string text = Phrase::of(found->second);
+  const std::string* note = entry.why == journal_reasons::excluded ? noteOf(entry, session) : nullptr;
+  return note ? Phrase::of("%1: %2", text, *note) : text;
 }
 
 std::string contradictionText(const JournalContradiction& one) {

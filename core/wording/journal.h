@@ -10,8 +10,9 @@ namespace alidade {
 /// "2026-03-14 15:09", in UTC; unchanged if the text is not a time.
 std::string timeText(const std::string& at);
 
-/// "suggestion accepted"; unchanged if the reason is unknown to this program.
-std::string reasonText(const JournalEntry& entry);
+/// "suggestion accepted"; unchanged if the reason is unknown to this program. An exclusion has the note of
+/// its row in the session: "excluded: tripod touched".
+std::string reasonText(const JournalEntry& entry, const Session& session);
 
 /// The contradiction between the journal or a seal and the file, as a sentence.
 std::string contradictionText(const JournalContradiction& one);

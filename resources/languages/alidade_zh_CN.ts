@@ -7830,6 +7830,10 @@ as read</source>
         <source>Paste</source>
         <translation>粘贴</translation>
     </message>
+    <message>
+        <source>State why excluded</source>
+        <translation>说明排除原因</translation>
+    </message>
 </context>
 <context>
     <name>RemovePosition</name>
@@ -12320,6 +12324,21 @@ a clause as a sentence</extracomment>
     <message>
         <source>The clipboard was not pasted: %1.</source>
         <translation>剪贴板内容未粘贴：%1。</translation>
+    </message>
+</context>
+<context>
+    <name>alidade::ui::ReasonLine</name>
+    <message>
+        <source>Reason for the exclusion</source>
+        <translation>排除的原因</translation>
+    </message>
+    <message>
+        <source>Why is row %1 excluded? (Enter: no reason)</source>
+        <translation>为何排除第 %1 行？（Enter：不说明）</translation>
+    </message>
+    <message>
+        <source>Why are these %1 rows excluded? (Enter: no reason)</source>
+        <translation>为何排除这 %1 行？（Enter：不说明）</translation>
     </message>
 </context>
 <context>

@@ -109,6 +109,16 @@ void ReadingsEditor::setExcluded(const std::vector<std::size_t>& rows, bool excl
              excluded ? journal_reasons::excluded : journal_reasons::usedAgain);
 }
 
+void ReadingsEditor::addReason(const std::vector<std::size_t>& rows, const std::string& reason) {
+  std::vector<NewText> texts;
+  for (const std::size_t row : rows) {
+    if (row >= readings().size() || !readings()[row].excluded) continue;
+    const std::string& note = readings()[row].note;
+    texts.push_back({row, ReadingColumn::Note, note.empty() ? reason : note + "; " + reason});
+  }
+  enterTexts(texts, tr("State why excluded"), journal_reasons::excluded);
+}
+
 void ReadingsEditor::clear(const std::vector<ReadingCell>& cells, bool cut) {
   patchReadings(m_document, m_position, ReadingsPatch::clearing(readings(), cells),
                 cut ? tr("Cut") : tr("Clear"), journal_reasons::cleared);

@@ -174,7 +174,7 @@ QString ReadingsModel::changeTip(int row, ReadingColumn column) const {
   const QString text = tr("First entered as %1").arg(tipText(qText(*first)));
   const Session& session = m_document.session();
   const JournalEntry* entry = lastChange(session, m_position, static_cast<std::size_t>(row), *field);
-  return entry ? text + QStringLiteral("; ") + changeText(*entry) : text;
+  return entry ? text + QStringLiteral("; ") + changeText(*entry, m_document.session()) : text;
 }
 
 QString ReadingsModel::toolTip(int row, ReadingColumn column) const {
@@ -237,7 +237,9 @@ bool ReadingsModel::setData(const QModelIndex& index, const QVariant& value, int
   const auto row = static_cast<std::size_t>(index.row());
   ReadingsEditor editor(m_document, m_position);
   if (column == ReadingColumn::Used && role == Qt::CheckStateRole) {
-    editor.setExcluded({row}, value.toInt() == Qt::Unchecked);
+    const bool excludes = value.toInt() == Qt::Unchecked;
+    editor.setExcluded({row}, excludes);
+    if (excludes) emit excludedByClick(row);
     return true;
   }
   if (role != Qt::EditRole || !readingText(column)) return false;

@@ -65,6 +65,9 @@ class ReadingsModel : public QAbstractTableModel {
   /// The text copied from a cell with a reading: as typed; for residuals as shown.
   QString copiedText(int row, ReadingColumn column) const;
 
+ signals:
+  void excludedByClick(std::size_t row);
+
  private:
   const std::vector<Reading>& readings() const;
   const Reading& reading(int row) const { return readings()[static_cast<std::size_t>(row)]; }

@@ -8,7 +8,7 @@ namespace alidade::ui {
 void addJournal(ReportSheet& sheet, const Evaluation& evaluation) {
   constexpr std::size_t mostEntries = 200;
   const auto placeOf = [](const JournalEntry& entry) { return journalPlace(entry).toStdString(); };
-  addStatement(sheet, journalTable(evaluation.session.journal, evaluation.journal, placeOf, mostEntries));
+  addStatement(sheet, journalTable(evaluation.session, evaluation.journal, placeOf, mostEntries));
 }
 
 }  // namespace alidade::ui

@@ -44,8 +44,8 @@ QString journalPlace(const JournalEntry& entry) {
   return parts.join(QStringLiteral(", "));
 }
 
-QString changeText(const JournalEntry& entry) {
-  QStringList parts{visibleLine(reasonText(entry))};
+QString changeText(const JournalEntry& entry, const Session& session) {
+  QStringList parts{visibleLine(reasonText(entry, session))};
   if (!entry.by.empty()) parts.append(shortLine(entry.by, 60));
   parts.append(visibleLine(timeText(entry.at)) + QStringLiteral(" UTC"));
   return parts.join(QStringLiteral(", "));

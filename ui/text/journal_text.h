@@ -13,7 +13,7 @@ namespace alidade::ui {
 QString journalPlace(const JournalEntry& entry);
 
 /// "suggestion accepted, J. Doe, 2026-03-14 15:09 UTC".
-QString changeText(const JournalEntry& entry);
+QString changeText(const JournalEntry& entry, const Session& session);
 
 /// The newest entry about this cell as it is now; null if there is none.
 const JournalEntry* lastChange(const Session& session, std::size_t position, std::size_t row,

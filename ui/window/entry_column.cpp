@@ -122,6 +122,7 @@ void EntryColumn::connectSuspects(SessionJobs& jobs) {
     emit commitWanted();
     ReadingsEditor(m_document, *place.position).setExcluded({*place.reading}, true);
     emit revealWanted(place, true);
+    m_positions->table(*place.position)->askReason({*place.reading});
   });
 }
 
@@ -148,7 +149,10 @@ void EntryColumn::markForms() {
 }
 
 void EntryColumn::commit() {
-  if (ReadingsTable* table = m_positions->currentTable()) table->commitOpenEditor();
+  if (ReadingsTable* table = m_positions->currentTable()) {
+    table->commitOpenEditor();
+    table->commitReason();
+  }
   for (FieldBinding* binding : m_widget->findChildren<FieldBinding*>()) emit binding->commitWanted();
 }
 

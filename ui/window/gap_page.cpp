@@ -6,6 +6,8 @@
 #include "ui/commands/edit_readings.h"
 #include "ui/document/session_document.h"
 #include "ui/panels/gap/gap_panel.h"
+#include "ui/panels/readings/position_tabs.h"
+#include "ui/panels/readings/readings_table.h"
 #include "ui/settings/theme.h"
 #include "ui/window/pages.h"
 #include "ui/window/result_column.h"
@@ -62,13 +64,14 @@ void letEditModel(GapPanel* panel, SessionDocument& document, ResultColumn& colu
   });
 }
 
-void letExclude(GapPanel* panel, SessionDocument& document, ResultColumn& column) {
-  QObject::connect(panel, &GapPanel::exclusionWanted, panel, [&document, &column](const Place& place) {
+void letExclude(GapPanel* panel, const WindowParts& parts, ResultColumn& column) {
+  QObject::connect(panel, &GapPanel::exclusionWanted, panel, [parts, &column](const Place& place) {
     emit column.commitWanted();
-    ReadingsEditor(document, *place.position).setExcluded({*place.reading}, true);
+    ReadingsEditor(parts.document, *place.position).setExcluded({*place.reading}, true);
     emit column.revealWanted(place, true);
+    parts.positions.table(*place.position)->askReason({*place.reading});
   });
-  letEdit(panel, &GapPanel::rowsExclusionWanted, column, [&document](const RowRange& range) {
+  letEdit(panel, &GapPanel::rowsExclusionWanted, column, [&document = parts.document](const RowRange& range) {
     std::vector<std::size_t> rows(range.count);
     std::iota(rows.begin(), rows.end(), range.first);
     ReadingsEditor(document, range.position).setExcluded(rows, true);
@@ -81,7 +84,7 @@ MadePage makeGapPage(const WindowParts& parts, ResultColumn& column) {
   auto* panel = new GapPanel;
   showGapsIn(panel, parts.jobs, column);
   letEditModel(panel, parts.document, column);
-  letExclude(panel, parts.document, column);
+  letExclude(panel, parts, column);
   letEdit(panel, &GapPanel::referenceWanted, column,
           [&jobs = parts.jobs](bool wanted) { jobs.setWithReference(wanted); });
   QObject::connect(panel, &GapPanel::placeActivated, &column,

@@ -55,7 +55,7 @@ DataTable* JournalPanel::createTable() {
       {tr("Why"),
        {},
        tr("suggestion accepted"),
-       [this](int row) { return visibleLine(reasonText(entry(row))); },
+       [this](int row) { return shortLine(reasonText(entry(row), m_evaluation->session), longestCell); },
        left},
       {tr("Who"), tr("The operator, as the session had it then"), QStringLiteral("J. Doe-Weatherby"),
        text(&JournalEntry::by), left},

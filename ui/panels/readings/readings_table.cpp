@@ -11,6 +11,7 @@
 
 #include "ui/document/session_document.h"
 #include "ui/panels/readings/reading_delegate.h"
+#include "ui/panels/readings/reason_line.h"
 #include "ui/settings/window_font.h"
 #include "ui/text/visible_text.h"
 
@@ -29,7 +30,10 @@ ReadingColumn columnOf(const QModelIndex& index) {
 }  // namespace
 
 ReadingsTable::ReadingsTable(SessionDocument& document, std::size_t position, QWidget* parent)
-    : EntryTable(new ReadingDelegate, parent), m_model(document, position), m_editor(document, position) {
+    : EntryTable(new ReadingDelegate, parent),
+      m_model(document, position),
+      m_editor(document, position),
+      m_reason(new ReasonLine(*this)) {
   setModel(&m_model);
   setAccessibleName(tr("Readings"));
   connect(&document, &SessionDocument::changed, this, &ReadingsTable::showColumnsUsedBy);
@@ -39,8 +43,23 @@ ReadingsTable::ReadingsTable(SessionDocument& document, std::size_t position, QW
                                      editor->text() != cell.data(Qt::EditRole).toString());
           });
   connect(this, &EntryTable::typingEnded, &document.halfTyped(), &HalfTyped::clear);
+  connect(
+      &m_model, &ReadingsModel::excludedByClick, this, [this](std::size_t row) { askReason({row}); },
+      Qt::QueuedConnection);
+  connect(m_reason, &ReasonLine::given, this,
+          [this](const std::vector<std::size_t>& rows, const QString& reason) {
+            m_editor.addReason(rows, reason.toStdString());
+          });
   layOutColumns();
   showUsedColumns();
+}
+
+void ReadingsTable::askReason(const std::vector<std::size_t>& rows) {
+  m_reason->ask(rows);
+}
+
+void ReadingsTable::commitReason() {
+  m_reason->finish();
 }
 
 HalfTypedText ReadingsTable::halfTyped(const QLineEdit& editor, const QModelIndex& cell) const {
@@ -304,7 +323,9 @@ void ReadingsTable::toggleExcluded() {
   const std::vector<std::size_t> rows = selectedRows();
   if (rows.empty()) return;
   const QModelIndex first = m_model.index(static_cast<int>(rows.front()), 0);
-  m_editor.setExcluded(rows, !first.data(ReadingsModel::ExcludedRole).toBool());
+  const bool excludes = !first.data(ReadingsModel::ExcludedRole).toBool();
+  m_editor.setExcluded(rows, excludes);
+  if (excludes) askReason(rows);
 }
 
 }  // namespace alidade::ui

@@ -9,6 +9,8 @@
 
 namespace alidade::ui {
 
+class ReasonLine;
+
 /// The readings of one position, for entry at the bench: Enter and Tab move from horizontal to vertical to
 /// the next row. Blocks are copied to and pasted from spreadsheets.
 class ReadingsTable : public EntryTable {
@@ -32,6 +34,10 @@ class ReadingsTable : public EntryTable {
   void insertAbove();
   void layOut(FurtherRows which);
   void deleteSelected();
+  /// Asks in place for the reason of excluded rows (ascending), which becomes their note.
+  void askReason(const std::vector<std::size_t>& rows);
+  /// Keeps a reason that is being typed.
+  void commitReason();
   void toggleExcluded();  ///< includes the selected rows if the first is excluded, otherwise excludes them
 
  signals:
@@ -58,6 +64,7 @@ class ReadingsTable : public EntryTable {
 
   ReadingsModel m_model;
   ReadingsEditor m_editor;
+  ReasonLine* m_reason;
   std::vector<ReadingColumn> m_wanted;  ///< optional columns chosen by the user
   bool m_isFitting = false;             ///< the table itself is setting widths
   bool m_isFitted = true;               ///< false once the user sets a width
