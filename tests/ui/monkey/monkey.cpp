@@ -1,10 +1,11 @@
 #include "tests/ui/monkey/monkey.h"
 
+#include <QAbstractButton>
 #include <QApplication>
-#include <QCheckBox>
 #include <QElapsedTimer>
 #include <QLabel>
 #include <QTest>
+#include <algorithm>
 
 #include "core/session/session_file.h"
 #include "tests/ui/monkey/monkey_dialogs.h"
@@ -54,6 +55,14 @@ QStringList saidBy(const ResultPanel& panel) {
     if (label->isVisibleTo(&panel) && label->objectName() != QStringLiteral("gap hint"))
       texts.append(label->text());
   return texts;
+}
+
+/// Opens of a panel what is open in another: details, comparison.
+void foldAs(const ResultPanel& other, ResultPanel& panel) {
+  const auto buttons = panel.findChildren<QAbstractButton*>();
+  const auto others = other.findChildren<QAbstractButton*>();
+  for (qsizetype i = 0; i < std::min(buttons.size(), others.size()); ++i)
+    buttons[i]->setChecked(others[i]->isChecked());
 }
 
 }  // namespace
@@ -202,8 +211,7 @@ void Monkey::lookAtResult() {
     alone.setHeadline(headlineOf(evaluation));
   }
   const auto* shown = m_window->findChild<ResultPanel*>();
-  alone.setComparisonShown(!shown->findChildren<QCheckBox*>().isEmpty() &&
-                           shown->findChildren<QCheckBox*>().first()->isChecked());
+  foldAs(*shown, alone);
   if (saidBy(alone) != saidBy(*shown))
     complain(QStringLiteral("the result is said to be\n%1\nbut is\n%2")
                  .arg(saidBy(*shown).join(u'|'), saidBy(alone).join(u'|')));
