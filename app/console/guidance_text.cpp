@@ -4,9 +4,11 @@
 #include <cmath>
 #include <vector>
 
+#include "app/console/statement_text.h"
 #include "app/console/text_layout.h"
 #include "core/base/list_text.h"
 #include "core/base/visible_text.h"
+#include "core/statement/sighting_choice.h"
 #include "core/wording/guidance.h"
 #include "core/wording/position_name.h"
 
@@ -75,7 +77,9 @@ std::string guidanceText(const std::string& session, const Guidance& guidance, C
   text += paragraph("Protocol " +
                     (guidance.protocol.name.empty() ? "of its own" : quotation(guidance.protocol.name)) +
                     ". " + progressSentences(guidance.progress));
-  return text + nextText(guidance, unit) + leftText(guidance, unit) + repeatsText(guidance) + "\n" +
+  const std::string choice =
+      guidance.choice ? statementText(sightingChoiceStatement(*guidance.choice, guidance.progress)) : "";
+  return text + nextText(guidance, unit) + choice + leftText(guidance, unit) + repeatsText(guidance) + "\n" +
          paragraph(joinedSentences(repeatsFirst(guidance.repeats),
                                    outlookSentences(guidance.outlook, guidance.progress)));
 }

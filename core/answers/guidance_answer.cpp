@@ -19,6 +19,9 @@ Guidance guidanceOf(const Session& session, SightingProtocol protocol) {
   if (!examined.measurement) return guidance;
   const Measurement& measurement = *examined.measurement;
   const SessionFit fit = fitSession(measurement);
+  if (guidance.protocol.isByWorth)
+    guidance.choice = chooseSighting(measurement, guidance.protocol, guidance.progress);
+  if (guidance.choice) guidance.progress = progressOf(session, guidance.protocol, guidance.choice->next);
   guidance.expected = forecast(measurement, fit, guidance.protocol, guidance.progress);
   const std::vector<Suspect> suspects =
       fit.arcs.empty() ? std::vector<Suspect>() : findSuspects(session, measurement, fit);

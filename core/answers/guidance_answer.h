@@ -6,6 +6,7 @@
 #include "core/adjustment/result/expected_reading.h"
 #include "core/guidance/outlook.h"
 #include "core/guidance/repeats.h"
+#include "core/guidance/sighting_choice.h"
 #include "core/session/protocol_progress.h"
 #include "core/session/session.h"
 
@@ -16,6 +17,7 @@ struct Guidance {
   SightingProtocol protocol;
   ProtocolProgress progress;
   std::vector<std::optional<ExpectedReading>> expected;  ///< for each sighting
+  std::optional<SightingChoice> choice = {};             ///< in a protocol by worth
   std::vector<Repeat> repeats;
   Outlook outlook;
 };

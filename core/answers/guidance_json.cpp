@@ -5,6 +5,7 @@
 
 #include "core/answers/attainable_json.h"
 #include "core/answers/json_text.h"
+#include "core/statement/sighting_choice.h"
 #include "core/wording/guidance.h"
 
 namespace alidade {
@@ -52,6 +53,53 @@ Json sightingJson(const PlannedSighting& planned) {
     json["round"] = planned.round;
   }
   json["face"] = planned.face;
+  return json;
+}
+
+const char* idOf(Enough enough) {
+  switch (enough) {
+    case Enough::No:
+      return "not-yet";
+    case Enough::Named:
+      return "named";
+    case Enough::UncertaintyReached:
+      return "uncertainty-reached";
+    case Enough::VerdictCertain:
+      return "verdict-certain";
+    case Enough::WillNotHelp:
+      return "will-not-help";
+  }
+  return "";
+}
+
+const char* idOf(SightingChoice::Reason reason) {
+  switch (reason) {
+    case SightingChoice::Reason::TellsMost:
+      return "tells-most";
+    case SightingChoice::Reason::EarlyPlace:
+      return "early-place";
+    case SightingChoice::Reason::ClosingZero:
+      return "closing-zero";
+  }
+  return "";
+}
+
+Json choiceJson(const SightingChoice& choice, const ProtocolProgress& progress) {
+  Json alternatives = Json::array(), causes = Json::array();
+  for (const std::size_t index : choice.alternatives)
+    alternatives.push_back(sightingJson(progress.sightings[index].planned));
+  for (const WeighedCause& cause : choice.soFar.causes)
+    causes.push_back(
+        {{"cause", cause.cause.empty() ? Json() : Json(cause.cause)}, {"probability", cause.probability}});
+  Json json = {{"reason", idOf(choice.reason)}, {"minutes", choice.worth.minutes}};
+  json["worth_of_causes"] = choice.worth.ofCauses;
+  json["worth_of_uncertainty"] = choice.worth.ofUncertainty;
+  json["alternatives"] = std::move(alternatives);
+  json["enough"] = idOf(choice.soFar.enough);
+  json["log_evidence"] = choice.soFar.logEvidence;
+  json["named"] = choice.soFar.named;
+  json["causes"] = std::move(causes);
+  json["sentence"] = enoughSentence(choice.soFar);
   return json;
 }
 
@@ -126,6 +174,7 @@ std::string guidanceJson(const std::string& session, const Guidance& guidance) {
   json["next"] = progress.next ? withExpected(sightingJson(progress.sightings[*progress.next].planned),
                                               guidance.expected[*progress.next])
                                : Json();
+  if (guidance.choice) json["choice"] = choiceJson(*guidance.choice, progress);
   json["repeat"] = std::move(repeats);
   json["outlook"] = outlookJson(guidance);
   json["sightings"] = std::move(sightings);

@@ -75,8 +75,13 @@ double halfWidthAtAllTimes(double sigma, double alpha) {
   return sigma * std::sqrt((1 + ratio) * (std::log1p(1 / ratio) - 2 * std::log(alpha)));
 }
 
+bool isEvident(const SessionSoFar& state) {
+  return state.logEvidence >= state.logEvidenceNeeded;
+}
+
+/// Not while there is evidence of what has no name yet: it may be noise larger than stated.
 bool isVerdictCertain(const Measurement& measurement, const SessionSoFar& state) {
-  if (!measurement.tolerance || !state.intersection) return false;
+  if (!measurement.tolerance || !state.intersection || isEvident(state)) return false;
   const double size = std::abs(*state.intersection);
   return size + state.halfWidth < *measurement.tolerance || size - state.halfWidth > *measurement.tolerance;
 }
@@ -87,7 +92,7 @@ void name(SessionSoFar& state, const WeighedCauses& causes, const SightingEquati
           const EnoughOptions& options) {
   constexpr double noMore = 1e-3;
   const Weighed& first = causes.all().front();
-  if (first.cause.empty() || state.logEvidence < -std::log(options.alpha)) return;
+  if (first.cause.empty() || !isEvident(state)) return;
   std::vector<std::string> group = inseparableFrom(first, equations);
   double probability = 0;
   for (const WeighedCause& cause : state.causes)
@@ -124,6 +129,7 @@ std::optional<SessionSoFar> sessionSoFar(const Measurement& measurement, const S
   const IntersectionSoFar every(equations);
   SessionSoFar state;
   state.logEvidence = causes.logEvidence();
+  state.logEvidenceNeeded = -std::log(options.alpha);
   for (const Weighed& cause : causes.all())
     state.causes.push_back({std::string(cause.cause), cause.probability});
   if (hasBothAxes(measurement)) {
@@ -136,18 +142,9 @@ std::optional<SessionSoFar> sessionSoFar(const Measurement& measurement, const S
   if (options.ranks)
     state.ranked = ranked(session, equations, causes, every, options.uncertainty.has_value());
   state.enough = enoughOf(state, measurement, options);
+  state.isWithin =
+      measurement.tolerance && state.intersection && std::abs(*state.intersection) <= *measurement.tolerance;
   return state;
-}
-
-std::vector<NextSighting> alternativesOf(const SessionSoFar& state) {
-  constexpr double nearly = 0.9;
-  constexpr std::size_t most = 2;
-  std::vector<NextSighting> list;
-  for (const NextSighting& next : state.ranked)
-    if (&next != &state.ranked.front() && list.size() < most &&
-        next.perMinute() >= nearly * state.ranked.front().perMinute())
-      list.push_back(next);
-  return list;
 }
 
 }  // namespace alidade

@@ -48,11 +48,13 @@ enum class Enough { No, Named, UncertaintyReached, VerdictCertain, WillNotHelp }
 struct SessionSoFar {
   Enough enough = Enough::No;
   double logEvidence = 0;            ///< ln E against nothing
+  double logEvidenceNeeded = 0;      ///< ln 1/α: from here on there is something
   std::vector<WeighedCause> causes;  ///< the most probable first, nothing included
   /// The most probable cause and those that no sighting of the plan separates from it, if named.
   std::vector<std::string> named;
   std::optional<double> intersection, sigma;  ///< of Δd with every effect possible, mm
   double halfWidth = 0;                       ///< of the range of Δd that holds at all times together, mm
+  bool isWithin = false;                      ///< the tolerance, if the verdict is certain
   std::vector<NextSighting> ranked;           ///< the most worth per minute first
 };
 
@@ -68,8 +70,5 @@ struct EnoughOptions {
 /// gross errors are sought among the sightings so far.
 std::optional<SessionSoFar> sessionSoFar(const Measurement& measurement, const SightingPlan& plan,
                                          const EnoughOptions& options = {});
-
-/// The ranked sightings of nearly the same worth as the first, at most two.
-std::vector<NextSighting> alternativesOf(const SessionSoFar& state);
 
 }  // namespace alidade

@@ -8,6 +8,7 @@
 
 #include "core/adjustment/result/expected_reading.h"
 #include "core/guidance/repeats.h"
+#include "core/guidance/sighting_choice.h"
 #include "core/session/protocol_progress.h"
 
 namespace alidade {
@@ -19,6 +20,7 @@ struct Guide {
   SightingProtocol protocol;
   ProtocolProgress progress;
   std::vector<std::optional<ExpectedReading>> expected;  ///< for each sighting
+  std::optional<SightingChoice> choice = {};             ///< in a protocol by worth
   std::vector<Repeat> repeats;                           ///< including misread-looking ones after the search
   std::string problem = {};  ///< why the protocol cannot be followed; everything else is then empty
 };

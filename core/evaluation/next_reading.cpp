@@ -23,9 +23,10 @@ std::optional<NextReading> nextOf(const Session& session, std::size_t position, 
   const bool isInTable = open != rows.end();
   const bool isLed = guide && guide->problem.empty();
   if (!isInTable && isLed && !nextPlaceIn(guide->progress, position)) return {};
+  const auto chosen = isLed && guide->choice ? std::optional(guide->choice->next) : std::nullopt;
   if (!isInTable && !isLed && hasAllOfAnother(session, position)) return {};
   return NextReading{static_cast<std::size_t>(open - rows.begin()),
-                     isInTable ? *open : followingReading(session, position)};
+                     isInTable ? *open : followingReading(session, position, chosen)};
 }
 
 std::optional<SightingToCome> sightingOf(const NextReading& next, std::size_t position) {

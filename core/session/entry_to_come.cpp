@@ -102,10 +102,11 @@ std::optional<EntryToCome> entryToCome(const Session& session, std::size_t here,
   return std::nullopt;
 }
 
-std::optional<EntryToCome> entryToComeOf(const Session& session, std::size_t here) {
+std::optional<EntryToCome> entryToComeOf(const Session& session, std::size_t here,
+                                         std::optional<std::size_t> chosen) {
   const auto protocol = protocolOf(session);
   if (!protocol || !*protocol) return entryToCome(session, here);
-  const ProtocolProgress progress = progressOf(session, **protocol);
+  const ProtocolProgress progress = progressOf(session, **protocol, chosen);
   return entryToCome(session, here, &progress);
 }
 

@@ -26,8 +26,9 @@ struct EntryToCome {
 std::optional<EntryToCome> entryToCome(const Session& session, std::size_t here,
                                        const ProtocolProgress* progress = nullptr);
 
-/// The next entry, with the progress in the session's protocol.
-std::optional<EntryToCome> entryToComeOf(const Session& session, std::size_t here);
+/// The next entry, with the progress in the session's protocol. `chosen` as in `progressOf`.
+std::optional<EntryToCome> entryToComeOf(const Session& session, std::size_t here,
+                                         std::optional<std::size_t> chosen = {});
 
 /// Is only one of the two circles typed?
 bool isHalfFilled(const Reading& row);

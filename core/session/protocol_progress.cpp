@@ -85,7 +85,8 @@ bool isSighted(const PointingZero& zero, const PlannedSighting& planned) {
 /// Follows the progress of a session in its protocol.
 class Follower {
  public:
-  Follower(const Session& session, const SightingProtocol& protocol) : m_session(session) {
+  Follower(const Session& session, const SightingProtocol& protocol, std::optional<std::size_t> chosen)
+      : m_session(session), m_isByWorth(protocol.isByWorth), m_chosen(chosen) {
     const auto positions = positionsOf(session);
     for (const PlannedSighting& planned : sightingsInOrder(protocol)) {
       FollowedSighting followed{planned};
@@ -98,10 +99,10 @@ class Follower {
   ProtocolProgress follow() {
     for (const Position& position : m_session.positions) m_rows.push_back(rowsOf(position));
     for (FollowedSighting& followed : m_progress.sightings) look(followed);
-    markOutOfTurn();
+    if (!m_isByWorth) markOutOfTurn();
     m_progress.next = next();
     if (m_progress.next) m_progress.sightings[*m_progress.next].state = SightingState::Next;
-    markMissed();
+    if (!m_isByWorth) markMissed();
     countBeside();
     return std::move(m_progress);
   }
@@ -205,6 +206,8 @@ class Follower {
     for (std::size_t i = 0; i < count; ++i)
       if (isHalfFilled(m_progress.sightings[i])) return i;
     if (const auto zero = missingZero()) return zero;
+    if (m_isByWorth && m_chosen && *m_chosen < count && !isThere(m_progress.sightings[*m_chosen]))
+      return m_chosen;
     std::optional<std::size_t> begun;
     for (std::size_t i = 0; i < count; ++i)
       if (isThere(m_progress.sightings[i])) begun = m_progress.sightings[i].planned.protocolPosition;
@@ -253,6 +256,8 @@ class Follower {
   }
 
   const Session& m_session;
+  const bool m_isByWorth;
+  const std::optional<std::size_t> m_chosen;
   std::vector<std::map<RowKey, RowState>> m_rows;
   ProtocolProgress m_progress;
 };
@@ -294,8 +299,9 @@ std::vector<PlannedSighting> sightingsInOrder(const SightingProtocol& protocol) 
   return sightings;
 }
 
-ProtocolProgress progressOf(const Session& session, const SightingProtocol& protocol) {
-  return Follower(session, protocol).follow();
+ProtocolProgress progressOf(const Session& session, const SightingProtocol& protocol,
+                            std::optional<std::size_t> chosen) {
+  return Follower(session, protocol, chosen).follow();
 }
 
 std::optional<std::size_t> nextPlaceIn(const ProtocolProgress& progress, std::size_t position) {

@@ -60,7 +60,10 @@ struct ProtocolProgress {
 /// The next sighting is a half-filled row, then the first zero of a position with readings but no zero.
 /// Otherwise, in the current position, it is the first untaken one after the last taken, then a skipped one;
 /// then the first of all. The current position is the last with any entry, until it is complete.
-ProtocolProgress progressOf(const Session& session, const SightingProtocol& protocol);
+/// In a protocol by worth, `chosen` (an index into its sightings) comes before the order as soon as nothing
+/// is half-filled and no zero is missing; there none is passed over or out of turn.
+ProtocolProgress progressOf(const Session& session, const SightingProtocol& protocol,
+                            std::optional<std::size_t> chosen = {});
 
 /// The place of one position to sight next; absent if none remains there.
 std::optional<std::size_t> nextPlaceIn(const ProtocolProgress& progress, std::size_t position);

@@ -136,10 +136,11 @@ std::optional<Reading> asInPairs(const std::vector<Reading>& rows) {
 }
 
 /// The next row in the session's protocol, while the position is incomplete.
-std::optional<Reading> asInTheProtocol(const Session& session, std::size_t position) {
+std::optional<Reading> asInTheProtocol(const Session& session, std::size_t position,
+                                       std::optional<std::size_t> chosen) {
   const auto protocol = protocolOf(session);
   if (!protocol || !*protocol) return {};
-  const ProtocolProgress progress = progressOf(session, **protocol);
+  const ProtocolProgress progress = progressOf(session, **protocol, chosen);
   const auto next = nextPlaceIn(progress, position);
   if (!next) return {};
   Reading row = rowFor(progress.sightings[*next].planned);
@@ -156,9 +157,9 @@ std::size_t lastStretch(const std::vector<Reading>& rows) {
   return stretchBefore(rows, rows.size());
 }
 
-Reading followingReading(const Session& session, std::size_t position) {
+Reading followingReading(const Session& session, std::size_t position, std::optional<std::size_t> chosen) {
   const std::vector<Reading>& rows = session.positions.at(position).readings;
-  if (const auto planned = asInTheProtocol(session, position)) return *planned;
+  if (const auto planned = asInTheProtocol(session, position, chosen)) return *planned;
   if (const Reading* other = asInAnotherPosition(session, position)) return keysOf(*other);
   if (const auto paired = asInPairs(rows)) return *paired;
   Reading next = rows.empty() ? Reading() : keysOf(rows.back());

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 #include "core/session/session.h"
@@ -13,8 +14,9 @@ namespace alidade {
 /// The next row of a position, with only point, round and face. It follows, in this order: the session's
 /// protocol (`protocol_progress.h`), until complete; another position that begins with the same rows; pairs
 /// of faces at each place, if the last places have them; the stretch before, in its order or reversed; the
-/// direction of the last two points (point 1 of an empty position).
-Reading followingReading(const Session& session, std::size_t position);
+/// direction of the last two points (point 1 of an empty position). `chosen` as in `progressOf`.
+Reading followingReading(const Session& session, std::size_t position,
+                         std::optional<std::size_t> chosen = {});
 
 /// The ways to prepare further rows before they are read.
 enum class FurtherRows {

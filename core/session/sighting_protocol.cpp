@@ -26,6 +26,8 @@ constexpr JsonFormat protocolFormat = {
     PHRASE_LATER("Phrase", "choose a measurement protocol"),
     PHRASE_LATER("Phrase", "%1 is no version of a measurement protocol: it must be %2")};
 
+constexpr const char *orderListed = "listed", *orderByWorth = "by_worth";
+
 constexpr AngleRule turnRule{
     .low = -360, .lowOfElevation = -360, .high = 360, .isHighIncluded = true, .mayBeEmpty = true};
 
@@ -42,6 +44,7 @@ class ProtocolReader {
     protocol.name = m_reader.text("name");
     protocol.description = m_reader.text("description");
     protocol.readsSlider = m_reader.flag("read_slider");
+    protocol.isByWorth = isByWorth();
     protocol.places = places(m_reader);
     m_reader.require("positions",
                      PHRASE_LATER("Phrase", "add the list of the positions of the axis, in their order"));
@@ -63,6 +66,15 @@ class ProtocolReader {
   }
 
  private:
+  bool isByWorth() const {
+    const std::string order = m_reader.text("order");
+    if (!order.empty() && order != orderListed && order != orderByWorth)
+      m_reader.report(Phrase::of("%1 is no order of sightings: write %2 or %3", quotation(order), orderListed,
+                                 orderByWorth),
+                      m_reader.placeOf("order"));
+    return order == orderByWorth;
+  }
+
   std::vector<ProtocolPlace> places(const ObjectReader& reader) {
     std::vector<ProtocolPlace> places;
     std::set<int> points;
@@ -225,6 +237,7 @@ void write(ObjectWriter& writer, const SightingProtocol& protocol) {
   writer.text("name", protocol.name);
   writer.text("description", protocol.description);
   writer.flag("read_slider", protocol.readsSlider);
+  writer.text("order", protocol.isByWorth ? orderByWorth : "");
   writer.partIfAny("places", placesJson(protocol.places));
   writer.part("positions", positionsJson(protocol.positions), Presence::Required);
 }
@@ -251,6 +264,24 @@ std::size_t sightingCount(const SightingProtocol& protocol) {
       count += protocol.placesOf(position).size() * std::min<std::size_t>(2, round.faces.size());
   }
   return count;
+}
+
+SightingProtocol openOrder(SightingProtocol protocol) {
+  if (protocol.isByWorth) return protocol;
+  protocol.isByWorth = true;
+  const std::vector<ProtocolPosition> once = protocol.positions;
+  protocol.positions.insert(protocol.positions.end(), once.begin(), once.end());
+  if (sightingCount(protocol) > mostSightings) protocol.positions = once;
+  return protocol;
+}
+
+SightingProtocol listedOrder(SightingProtocol protocol) {
+  if (!protocol.isByWorth) return protocol;
+  protocol.isByWorth = false;
+  const auto half = protocol.positions.begin() + std::ssize(protocol.positions) / 2;
+  if (std::equal(protocol.positions.begin(), half, half, protocol.positions.end()))
+    protocol.positions.erase(half, protocol.positions.end());
+  return protocol;
 }
 
 Result<SightingProtocol> readProtocol(std::string_view text) {

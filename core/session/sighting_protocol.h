@@ -64,6 +64,9 @@ struct ProtocolPosition {
 struct SightingProtocol {
   std::string name = {}, description = {};
   bool readsSlider = false;  ///< the slider is read at each place
+  /// Within a position, the next sighting is the one that tells most for its minutes, and the axis is turned
+  /// when that tells more; otherwise the sightings stand in their order.
+  bool isByWorth = false;
   std::vector<ProtocolPlace> places = {};
   std::vector<ProtocolPosition> positions = {};
   JsonOrigin origin = {};
@@ -77,6 +80,11 @@ struct SightingProtocol {
 
 /// Limit of sightings in a protocol: more than anyone takes by hand.
 inline constexpr std::size_t mostSightings = 10'000;
+
+/// The protocol by worth: every position also a second time, so that the axis may be turned back.
+SightingProtocol openOrder(SightingProtocol protocol);
+/// The protocol in its order again, without what `openOrder` added.
+SightingProtocol listedOrder(SightingProtocol protocol);
 
 /// The number of sightings of places and of pointing zeros.
 std::size_t sightingCount(const SightingProtocol& protocol);

@@ -83,6 +83,7 @@ class Run {
   std::optional<SessionSoFar> m_state;
   std::optional<Step> m_last;
   bool m_isClosed = false;
+  std::size_t m_turns = 0;
   double m_slowest = 0;
 
   double minutesOf(const Step& step) const {
@@ -94,6 +95,8 @@ class Run {
   }
 
   void take(const Step& step, double minutes) {
+    if (m_last && m_last->axisDeg != step.axisDeg) ++m_turns;
+    m_plan.canTurnAxis = m_turns + 1 < 2 * m_protocol.axes.size();  // as in `openOrder`
     m_session.sight(step.axisDeg, step.round, step.point, step.face);
     m_run.minutes += minutes;
     ++m_run.sightings;

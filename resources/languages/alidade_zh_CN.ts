@@ -7410,6 +7410,74 @@ Includes every catalogued effect, limited by these readings or by its plausible 
         <extracomment>the name of a reading, how wrong it is, and what was probably meant or has to be done</extracomment>
         <translation>%1：%2。%3</translation>
     </message>
+    <message>
+        <source>%1 is no order of sightings: write %2 or %3</source>
+        <translation>%1 不是照准顺序：请写 %2 或 %3</translation>
+    </message>
+    <message>
+        <source>no cause</source>
+        <translation>无原因</translation>
+    </message>
+    <message>
+        <source>Before the end %1: an effect of time shows only if an early place is sighted again.</source>
+        <translation>结束前照准 %1：只有再次照准较早的位置，随时间变化的影响才会显现。</translation>
+    </message>
+    <message>
+        <source>Before the end %1: an effect of time shows only if the zero is sighted again.</source>
+        <translation>结束前照准 %1：只有再次照准瞄准零位，随时间变化的影响才会显现。</translation>
+    </message>
+    <message>
+        <source>%1 tells most for its %2 min: whether it is %3 or %4.</source>
+        <translation>%1 在所需的 %2 min 内给出的信息最多：可区分%3与%4。</translation>
+    </message>
+    <message>
+        <source>%1 tells most for its %2 min: it reduces U by %3.</source>
+        <translation>%1 在所需的 %2 min 内给出的信息最多：可使 U 减小 %3。</translation>
+    </message>
+    <message>
+        <source>Nearly as much: %1.</source>
+        <translation>信息量相近的还有：%1。</translation>
+    </message>
+    <message>
+        <source>more than 1 000 000</source>
+        <translation>1 000 000 以上</translation>
+    </message>
+    <message>
+        <source>Not looked for, as this protocol cannot show it: %1.</source>
+        <translation>本测量方案无法显现、因而未作查找的：%1。</translation>
+    </message>
+    <message>
+        <source>Enough: the cause is named, %1 (%2); the evidence against no cause is %3 to 1.</source>
+        <translation>已足够：原因已判明，为%1（%2）；相对“无原因”的证据比为 %3 : 1。</translation>
+    </message>
+    <message>
+        <source>Enough: the U that was wanted is reached.</source>
+        <translation>已足够：已达到所要求的 U。</translation>
+    </message>
+    <message>
+        <source>Enough for a verdict: whatever effect is there, Δd is within the tolerance.</source>
+        <translation>已足以判定：无论存在何种影响，Δd 都在允差之内。</translation>
+    </message>
+    <message>
+        <source>Enough for a verdict: whatever effect is there, Δd is beyond the tolerance.</source>
+        <translation>已足以判定：无论存在何种影响，Δd 都超出允差。</translation>
+    </message>
+    <message>
+        <source>More of these sightings will not help: none tells causes apart or reduces U.</source>
+        <translation>继续这样照准已无帮助：既不能区分各种原因，也不能减小 U。</translation>
+    </message>
+    <message>
+        <source>Not enough yet: the evidence against no cause is %1 to 1; %2 to 1 is needed.</source>
+        <translation>尚不足够：相对“无原因”的证据比为 %1 : 1，需要 %2 : 1。</translation>
+    </message>
+    <message>
+        <source>Not enough yet: the evidence against no cause is %1 to 1, but no cause stands out.</source>
+        <translation>尚不足够：相对“无原因”的证据比为 %1 : 1，但没有哪个原因突出。</translation>
+    </message>
+    <message>
+        <source>What may be the case</source>
+        <translation>可能的情况</translation>
+    </message>
 </context>
 <context>
     <name>PlaceText</name>
@@ -11709,6 +11777,14 @@ a clause as a sentence</extracomment>
     <message>
         <source>None</source>
         <translation>无</translation>
+    </message>
+    <message>
+        <source>Next: What Tells Most</source>
+        <translation>下一步：信息最多者</translation>
+    </message>
+    <message>
+        <source>The next sighting is the one that tells most for its minutes, instead of the first left</source>
+        <translation>下一次照准取单位时间信息最多者，而不是剩余的第一个</translation>
     </message>
 </context>
 <context>

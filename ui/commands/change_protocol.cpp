@@ -17,7 +17,8 @@ std::string saidOf(const std::string& text) {
   alone.protocol = text;
   const auto protocol = protocolOf(alone);
   if (!protocol || !*protocol) return text.empty() ? "" : "unreadable";
-  const std::string count = std::to_string(sightingCount(**protocol)) + " sightings";
+  const std::string count = std::to_string(sightingCount(**protocol)) + " sightings" +
+                            ((*protocol)->isByWorth ? ", by what each tells" : "");
   return (*protocol)->name.empty() ? count : (*protocol)->name + ", " + count;
 }
 

@@ -64,7 +64,7 @@ void ReadingsEditor::setCell(const ReadingCell& cell, const std::string& typed) 
       isAngle(cell.column) ? completedAngle(typed, circleUnitOf(m_document.session())) : typed;
   if (cell.row >= readings().size()) {
     if (text.empty()) return;
-    Reading reading = followingReading(m_document.session(), m_position);
+    Reading reading = followingReading(m_document.session(), m_position, m_document.chosenSighting());
     reading.*readingText(cell.column) = text;
     replaceReadings(m_document, m_position, readings().size(), 0, {reading},
                     tr("Add point %1").arg(qText(reading.point)), journal_reasons::inserted);

@@ -91,10 +91,11 @@ std::optional<Landing> furtherZero(const Session& session, std::size_t position,
 }
 
 /// The row with the reading: the existing row, or the next one.
-Reading landedRow(const Session& session, const Landing& landing, const InstrumentReading& reading) {
-  const std::vector<Reading>& rows = session.positions[landing.position()].readings;
-  Reading row =
-      *landing.row < rows.size() ? rows[*landing.row] : followingReading(session, landing.position());
+Reading landedRow(const SessionDocument& document, const Landing& landing, const InstrumentReading& reading) {
+  const std::vector<Reading>& rows = document.session().positions[landing.position()].readings;
+  Reading row = *landing.row < rows.size()
+                    ? rows[*landing.row]
+                    : followingReading(document.session(), landing.position(), document.chosenSighting());
   row.horizontal = reading.horizontal;
   row.vertical = reading.vertical;
   row.tiltCrossArcsec = reading.tiltCrossArcsec;
@@ -157,7 +158,7 @@ void land(SessionDocument& document, const Landing& landing, const InstrumentRea
   if (landing.position() >= session.positions.size()) return;
   if (!landing.row) return landInZero(document, landing, reading);
   const std::vector<Reading>& rows = session.positions[landing.position()].readings;
-  const Reading row = landedRow(session, landing, reading);
+  const Reading row = landedRow(document, landing, reading);
   const QString text = ReadingLanding::tr("Take point %1 from the instrument").arg(qText(row.point));
   if (*landing.row >= rows.size())
     return replaceReadings(document, landing.position(), rows.size(), 0, {row}, text,

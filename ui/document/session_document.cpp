@@ -78,13 +78,20 @@ void SessionDocument::markSaved(const QString& path, const QByteArray& sha256) {
 void SessionDocument::edit(EditKey /*key*/, const SessionChange& change,
                            const std::function<void(Session&)>& write) {
   emit aboutToChange(change);
+  const std::string protocol = m_session.protocol;
   write(m_session);
+  if (m_session.protocol != protocol) m_chosenSighting.reset();
   emit changed(change);
+}
+
+void SessionDocument::setChosenSighting(std::optional<std::size_t> chosen) {
+  if (std::exchange(m_chosenSighting, chosen) != chosen) emit chosenSightingChanged();
 }
 
 void SessionDocument::replaceAll(Session session, const QString& path, bool isNew) {
   emit aboutToChange({});
   m_session = std::move(session);
+  m_chosenSighting.reset();
   m_undoStack.clear();
   m_files.restart(path);
   m_readPaths.clear();

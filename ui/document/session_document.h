@@ -4,6 +4,7 @@
 #include <QObject>
 #include <QString>
 #include <QUndoStack>
+#include <cstddef>
 #include <functional>
 #include <optional>
 
@@ -40,6 +41,9 @@ class SessionDocument : public QObject {
   QString path() const { return m_files.path(m_undoStack.index()); }
   /// The files of all sessions that undo and redo lead to.
   QStringList paths() const { return m_files.paths(); }
+  /// In a protocol by worth the sighting that tells most, as in `progressOf`; absent until it is known.
+  std::optional<std::size_t> chosenSighting() const { return m_chosenSighting; }
+  void setChosenSighting(std::optional<std::size_t> chosen);
   /// Files from which its parts were read: readings, instrument, protocol.
   QStringList readPaths() const { return m_readPaths; }
   void noteRead(const QStringList& paths) { m_readPaths += paths; }
@@ -84,6 +88,7 @@ class SessionDocument : public QObject {
   void aboutToChange(const alidade::ui::SessionChange& change);
   void changed(const alidade::ui::SessionChange& change);
   void identityChanged();  ///< path or modified state
+  void chosenSightingChanged();
 
  private:
   void replaceAll(Session session, const QString& path, bool isNew);
@@ -94,6 +99,7 @@ class SessionDocument : public QObject {
   JournalKeeper m_journal{m_session};
   SessionFiles m_files;
   QStringList m_readPaths;
+  std::optional<std::size_t> m_chosenSighting;
   QHash<QString, QByteArray> m_knownSha256;  ///< by path
 };
 

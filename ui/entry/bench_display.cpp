@@ -6,7 +6,9 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "core/evaluation/guide.h"
 #include "core/session/entry.h"
+#include "core/statement/sighting_choice.h"
 #include "ui/text/entry_text.h"
 #include "ui/text/next_reading_text.h"
 #include "ui/text/position_text.h"
@@ -102,8 +104,11 @@ void BenchDisplay::refresh() {
   m_angles->setText(expected ? tr("%1   %2").arg(coarseAngleText(expected->horizontal, unit),
                                                  coarseAngleText(expected->vertical, unit))
                              : notStated());
-  m_last->setText(m_doubt);
-  setColour(*m_last, stateColor(palette(), State::Bad));
+  const Guide* guide = m_evaluation->guide.get();
+  const bool isEnough =
+      m_doubt.isEmpty() && guide && guide->choice && guide->choice->soFar.enough != Enough::No;
+  m_last->setText(isEnough ? qText(enoughSentence(guide->choice->soFar)) : m_doubt);
+  setColour(*m_last, stateColor(palette(), isEnough ? State::Quiet : State::Bad));
   showHeadline();
   fitText();
 }

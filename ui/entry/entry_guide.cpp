@@ -57,7 +57,7 @@ void EntryGuide::goToNextEntry() {
       return emit revealWanted(place);
   if (!m_positions.currentTable()) return;
   const auto here = static_cast<std::size_t>(m_positions.currentIndex());
-  const auto next = entryToComeOf(m_document.session(), here);
+  const auto next = entryToComeOf(m_document.session(), here, m_document.chosenSighting());
   if (!next) return goToNextEntryOf(here);
   const auto missing = isLed(m_document.session()) ? std::nullopt : zeroBefore(*next);
   missing ? goToNextEntryOf(*missing) : goTo(*next);
@@ -108,7 +108,7 @@ void EntryGuide::goOn() {
   const Session& session = m_document.session();
   const auto protocol = protocolOf(session);
   if (!protocol || !*protocol) return;
-  const ProtocolProgress progress = progressOf(session, **protocol);
+  const ProtocolProgress progress = progressOf(session, **protocol, m_document.chosenSighting());
   const auto here = static_cast<std::size_t>(std::max(0, m_positions.currentIndex()));
   if (!progress.next || !progress.sightings[*progress.next].position) return;
   const FollowedSighting& next = progress.sightings[*progress.next];

@@ -38,6 +38,9 @@ ReadingsModel::ReadingsModel(SessionDocument& document, std::size_t position, QO
     : QAbstractTableModel(parent), m_document(document), m_position(position), m_notes(position) {
   connect(&document, &SessionDocument::aboutToChange, this, &ReadingsModel::beginChange);
   connect(&document, &SessionDocument::changed, this, &ReadingsModel::endChange);
+  connect(&document, &SessionDocument::chosenSightingChanged, this, [this] {
+    emit dataChanged(index(readingCount(), 0), index(readingCount(), readingColumnCount - 1));
+  });
   followAngles(document.session());
 }
 
@@ -108,7 +111,8 @@ QVariant ReadingsModel::pendingRowData(ReadingColumn column, int role) const {
   if (role == Qt::AccessibleTextRole && column != ReadingColumn::Point)
     return tr("%1: to be added").arg(titleOf(column));
   if (role == Qt::DisplayRole && column == ReadingColumn::Point) {
-    return shortLine(followingReading(m_document.session(), m_position).point, longestCell);
+    const Reading next = followingReading(m_document.session(), m_position, m_document.chosenSighting());
+    return shortLine(next.point, longestCell);
   }
   if (role == Qt::ToolTipRole) return tr("Type here to add a reading");
   return {};

@@ -1,8 +1,10 @@
 #include "ui/window/session_jobs.h"
 
 #include <memory>
+#include <optional>
 #include <utility>
 
+#include "core/evaluation/guide.h"
 #include "ui/document/session_document.h"
 
 namespace alidade::ui {
@@ -33,6 +35,8 @@ void SessionJobs::follow(const SessionChange& change) {
 
 void SessionJobs::show(const SharedEvaluation& evaluation) {
   m_shown = evaluation;
+  const Guide* guide = evaluation->guide.get();
+  m_document.setChosenSighting(guide && guide->choice ? std::optional(guide->choice->next) : std::nullopt);
   emit suspectsChanged(evaluation);
   emit evaluated(evaluation);
   showProvisional();

@@ -24,6 +24,7 @@ namespace {
 
 constexpr const char* fromRows = "rows";
 constexpr const char* fromPlan = "plan";
+constexpr const char *orderListed = "listed", *orderByWorth = "by-worth";
 
 std::string templateNames() {
   std::vector<std::string> names;
@@ -97,6 +98,11 @@ void addProtocolCommand(CLI::App& app, ProtocolRequest& request) {
       "--template", request.protocol,
       "Follow this protocol, whatever the session says: a file (*.alidade-protocol), a name (" +
           templateNames() + "), rows (as the session has them) or plan (as plan advises)");
+  protocol
+      ->add_option("--order", request.order,
+                   "The next sighting: listed (in the order of the protocol) or by-worth (the one that tells "
+                   "most for its minutes)")
+      ->check(CLI::IsMember({orderListed, orderByWorth}));
   protocol->add_option("--out", request.saveSession,
                        "Write the session with the protocol in it to this file");
   protocol->add_option("--save-template", request.saveTemplate,
@@ -107,18 +113,21 @@ void addProtocolCommand(CLI::App& app, ProtocolRequest& request) {
 Result<std::string> runProtocol(const ProtocolRequest& request) {
   const Result<Session> session = readSessionOf(request.file);
   if (!session) return session.problem();
-  const Result<SightingProtocol> protocol = wantedProtocol(request, *session);
-  if (!protocol) return protocol.problem();
+  Result<SightingProtocol> wanted = wantedProtocol(request, *session);
+  if (!wanted) return wanted.problem();
+  SightingProtocol protocol = *std::move(wanted);
+  if (request.order == orderByWorth) protocol = openOrder(std::move(protocol));
+  if (request.order == orderListed) protocol = listedOrder(std::move(protocol));
   std::vector<OutputFile> outputs;
   if (!request.saveSession.empty()) {
     Session following = *session;
-    following.protocol = protocolText(*protocol);
+    following.protocol = protocolText(protocol);
     outputs.push_back({"--out", request.saveSession, writeSession(following)});
   }
   if (!request.saveTemplate.empty())
-    outputs.push_back({"--save-template", request.saveTemplate, writeProtocol(*protocol)});
+    outputs.push_back({"--save-template", request.saveTemplate, writeProtocol(protocol)});
   if (auto problem = writeOutputs(outputs, {request.file, templateFile(request)})) return *std::move(problem);
-  const Guidance guidance = guidanceOf(*session, *protocol);
+  const Guidance guidance = guidanceOf(*session, protocol);
   const std::string name = nameOf(*session, request.file);
   return request.json ? guidanceJson(name, guidance) : guidanceText(name, guidance, circleUnitOf(*session));
 }

@@ -14,11 +14,12 @@ namespace alidade::console {
 struct ProtocolRequest {
   std::string file;                       ///< a path, or - for standard input
   std::string protocol;                   ///< a name, or a file; empty: the session's protocol
+  std::string order;                      ///< "listed" or "by-worth"; empty: as the protocol says
   std::string saveSession, saveTemplate;  ///< paths; empty: not requested
   bool json = false;
 };
 
-/// Adds `protocol FILE [--template NAME|FILE] [--json]`, which fills in `request`.
+/// Adds `protocol FILE [--template NAME|FILE] [--order ORDER] [--json]`, which fills in `request`.
 void addProtocolCommand(CLI::App& app, ProtocolRequest& request);
 
 /// The next and remaining sightings, those to repeat, and when it is enough. Fails if session or protocol is

@@ -88,6 +88,7 @@ PossibleSightings possibleSightings(const Measurement& taken, const SightingPlan
   for (const std::size_t arc : {current, session.newArc}) {
     const ArcMeasurement before = all.arcs[arc];
     const bool turns = arc == session.newArc;
+    if (turns && !plan.canTurnAxis) continue;
     for (const SightingPlace& place : plan.places)
       for (const int face : plan.faces) {
         next.point = place.point;

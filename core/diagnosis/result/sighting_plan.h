@@ -42,6 +42,7 @@ struct SightingPlan {
   std::vector<int> faces = {1, 2};
   bool readsSlider = false;
   std::size_t rows = 1;  ///< of the whole session as planned; a drift is stated for its duration
+  bool canTurnAxis = true;
   SightingMinutes minutes = {};
 };
 

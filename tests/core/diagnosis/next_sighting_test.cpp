@@ -88,21 +88,6 @@ TEST(NextSighting, IsCertainOfAVerdictOnlyBeyondTheRangeOfAllTimes) {
   EXPECT_NE(decided(size + 0.99 * state.halfWidth).enough, Enough::VerdictCertain);
 }
 
-TEST(NextSighting, HasAlternativesOfNearlyTheSameWorth) {
-  SessionSoFar state;
-  for (const double worth : {1.0, 0.95, 0.92, 0.91, 0.5}) {
-    NextSighting next;
-    next.minutes = 2;
-    next.ofCauses = 2 * worth;
-    state.ranked.push_back(next);
-  }
-  const std::vector<NextSighting> found = alternativesOf(state);
-  ASSERT_EQ(found.size(), 2u);
-  EXPECT_DOUBLE_EQ(found[0].perMinute(), 0.95);
-  EXPECT_DOUBLE_EQ(found[1].perMinute(), 0.92);
-  EXPECT_TRUE(alternativesOf(SessionSoFar()).empty());
-}
-
 TEST(NextSighting, IsRankedByTheUncertaintyAloneIfThatIsWanted) {
   const auto state = sessionSoFar(*readInFaceOne(drawTruth(7)).measurement(), sightingPlanOf(twoFace()),
                                   {.uncertainty = 0.01});

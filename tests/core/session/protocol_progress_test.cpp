@@ -44,6 +44,37 @@ TEST(SightingsInOrder, ReadBothFacesWhereTheSliderStands) {
             "0: z1 1.1.2 1.1.1 2.1.2 2.1.1 3.1.2 3.1.1 | 180: z1 1.1.2 1.1.1 2.1.2 2.1.1 3.1.2 3.1.1 ");
 }
 
+TEST(ProtocolByWorth, IsLedByTheSightingChosenAndPassesNoneOver) {
+  SightingProtocol protocol = threePlaces({{}});
+  protocol.isByWorth = true;
+  Session session;
+  session.positions = {{.axisDeg = "0", .zero = {}, .readings = {}, .origin = {}},
+                       {.axisDeg = "180", .zero = {}, .readings = {}, .origin = {}}};
+  PointingZero& zero = session.positions[0].zero;
+  zero.horizontal = zero.vertical = "90";
+  const auto row = [](const char* point) {
+    Reading reading;
+    reading.point = point;
+    reading.horizontal = reading.vertical = "90";
+    return reading;
+  };
+  session.positions[0].readings = {row("3"), row("1")};
+  constexpr std::size_t second = 2, turned = 4;
+  const ProtocolProgress progress = progressOf(session, protocol, second);
+  EXPECT_EQ(progress.next, second);
+  EXPECT_EQ(progress.missed + progress.outOfTurn, 0u);
+  EXPECT_EQ(followingReading(session, 0, second).point, "2");
+  EXPECT_EQ(progressOf(session, protocol, turned).next, turned);
+  session.positions[0].readings.push_back(row("2"));
+  EXPECT_NE(progressOf(session, protocol, second).next, second) << "it is there now";
+  zero = {};
+  EXPECT_EQ(progressOf(session, protocol, turned).next, 0u) << "the zero is missing";
+  zero.horizontal = zero.vertical = "90";
+  session.positions[0].readings.pop_back();
+  protocol.isByWorth = false;
+  EXPECT_EQ(progressOf(session, protocol, turned).next, second) << "in its order";
+}
+
 TEST(SightingsInOrder, TurnTheTelescopeOverOnceAtEachPlace) {
   EXPECT_EQ(orderOf(threePlaces({{false, {1, 2, 2, 1}}, {true, {2}}})).substr(0, 63),
             "0: z1 1.1.1 1.1.2 2.1.2 2.1.1 3.1.1 3.1.2 3.2.2 2.2.2 1.2.2 | 1");

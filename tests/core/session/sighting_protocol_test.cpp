@@ -51,6 +51,21 @@ TEST(SightingProtocol, KeepsEveryTextAndNumber) {
   EXPECT_EQ(protocol.placesOf(protocol.positions[1]).size(), 1u);
 }
 
+TEST(SightingProtocol, MayBeByWorth) {
+  Json json = completeProtocol();
+  EXPECT_FALSE(readProtocol(json.dump())->isByWorth);
+  json["order"] = "listed";
+  EXPECT_FALSE(readProtocol(json.dump())->isByWorth);
+  json["order"] = "by_worth";
+  const SightingProtocol protocol = *readProtocol(json.dump());
+  EXPECT_TRUE(protocol.isByWorth);
+  EXPECT_EQ(Json::parse(writeProtocol(protocol)).at("order"), "by_worth");
+  const SightingProtocol listed = *readProtocol(completeProtocol().dump());
+  EXPECT_EQ(openOrder(listed).positions.size(), 2 * listed.positions.size());
+  EXPECT_EQ(listedOrder(openOrder(listed)), listed);
+  EXPECT_THAT(sayingOfProtocolWith("/order", "any"), HasSubstr("write listed or by_worth"));
+}
+
 TEST(SightingProtocol, LosesNothingOfUnknownKeysAtEveryLevel) {
   Json json = completeProtocol();
   for (const char* level : {"", "/places/1", "/positions/0", "/positions/0/zeros", "/positions/0/rounds/1",

@@ -9,12 +9,15 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 #include <algorithm>
+#include <initializer_list>
+#include <optional>
 #include <utility>
 
 #include "core/evaluation/guide.h"
 #include "core/guidance/advised_protocol.h"
 #include "core/session/entry.h"
 #include "core/simulation/protocol_template.h"
+#include "core/statement/sighting_choice.h"
 #include "core/wording/guidance.h"
 #include "core/wording/measure.h"
 #include "core/wording/position_name.h"
@@ -22,6 +25,7 @@
 #include "ui/document/session_document.h"
 #include "ui/jobs/simulation_job.h"
 #include "ui/panels/parts/data_table.h"
+#include "ui/panels/parts/statement_view.h"
 #include "ui/text/effect_text.h"
 #include "ui/text/entry_text.h"
 #include "ui/text/next_reading_text.h"
@@ -68,6 +72,7 @@ OrderPanel::OrderPanel(SessionDocument& document, QWidget* parent)
       m_state(textLabel(QStringLiteral("order state"))),
       m_outlook(textLabel(QStringLiteral("order outlook"))),
       m_repeats(textLabel(QStringLiteral("order repeats"))),
+      m_choiceMade(new StatementView),
       m_table(createTable()) {
   m_table->setAccessibleName(tr("Sightings of the protocol"));
   m_table->setPlaceholder(tr("The session follows no protocol. Choose one by “Protocol”."));
@@ -104,7 +109,9 @@ QWidget* OrderPanel::createSummary() {
   top->addWidget(m_choice);
   top->addWidget(m_progress, 1);
   column->addLayout(top);
-  for (QLabel* label : {m_next, m_expected, m_state, m_outlook, m_repeats}) column->addWidget(label);
+  for (QWidget* part :
+       std::initializer_list<QWidget*>{m_next, m_expected, m_choiceMade, m_state, m_outlook, m_repeats})
+    column->addWidget(part);
   column->addStretch(1);
   auto* scroll = new QScrollArea;
   scroll->setAccessibleName(tr("Progress of the protocol"));
@@ -239,6 +246,9 @@ void OrderPanel::showSummary() {
   } else {
     m_choice->setText(tr("Protocol"));
   }
+  m_choiceMade->setStatement(isLed && guide->choice
+                                 ? std::optional(sightingChoiceStatement(*guide->choice, guide->progress))
+                                 : std::nullopt);
   m_repeats->setText(repeats.join(u'\n'));
   m_repeats->setVisible(!repeats.isEmpty());
   showNext();
@@ -292,6 +302,17 @@ void OrderPanel::fillMenu() {
   advised->setEnabled(isAdvised);
   if (isAdvised) connect(advised, &QAction::triggered, this, [this, both] { follow(both); });
   m_menu->addSeparator();
+  const Guide* guide = guideThatLeads();
+  QAction* byWorth = m_menu->addAction(tr("Next: What Tells Most"));
+  byWorth->setToolTip(
+      tr("The next sighting is the one that tells most for its minutes, instead of the first left"));
+  byWorth->setCheckable(true);
+  byWorth->setEnabled(guide);
+  byWorth->setChecked(guide && guide->protocol.isByWorth);
+  connect(byWorth, &QAction::triggered, this, [this](bool isChecked) {
+    const SightingProtocol& protocol = m_evaluation->guide->protocol;
+    follow(isChecked ? openOrder(protocol) : listedOrder(protocol));
+  });
   connect(m_menu->addAction(tr("Edit…")), &QAction::triggered, this, &OrderPanel::editWanted);
   connect(m_menu->addAction(tr("From a File…")), &QAction::triggered, this, &OrderPanel::loadWanted);
   const bool isFollowing = !m_document.session().protocol.empty();

@@ -15,6 +15,7 @@ namespace alidade::ui {
 
 class DataTable;
 class SessionDocument;
+class StatementView;
 
 /// The session's protocol: the next sighting with its expected readings, the remaining ones, what to take
 /// again and why, when it is enough, and all sightings in order. Also chooses another protocol.
@@ -71,6 +72,7 @@ class OrderPanel : public QWidget {
   QMenu* m_menu;
   QProgressBar* m_progress;
   QLabel *m_next, *m_expected, *m_state, *m_outlook, *m_repeats;
+  StatementView* m_choiceMade;  ///< in a protocol by worth
   DataTable* m_table;
   ListedNext m_listedNext;  ///< the sighting last scrolled to
 };

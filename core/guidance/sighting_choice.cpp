@@ -1,0 +1,163 @@
+#include "core/guidance/sighting_choice.h"
+
+#include <algorithm>
+#include <set>
+#include <utility>
+
+#include "core/guidance/forecast.h"
+
+namespace alidade {
+
+namespace {
+
+using Index = std::optional<std::size_t>;
+
+bool isThere(const FollowedSighting& followed) {
+  return followed.state == SightingState::Taken || followed.state == SightingState::Excluded;
+}
+
+/// What is left of a protocol, seen from the position of the last reading.
+class Remaining {
+ public:
+  Remaining(const SightingProtocol& protocol, const ProtocolProgress& progress, std::size_t ofLastReading)
+      : m_protocol(protocol), m_progress(progress) {
+    Index begun;
+    for (const FollowedSighting& followed : all()) {
+      if (followed.position == ofLastReading) m_here = followed.planned.protocolPosition;
+      if (isThere(followed)) begun = followed.planned.protocolPosition;
+    }
+    if (!m_here || !begun) return;
+    m_isTurned = *begun != *m_here;
+    if (m_isTurned) m_other = begun;
+    for (std::size_t p = 0; p < protocol.positions.size() && !m_other; ++p)
+      if (isOtherAxis(p) && !isBegun(p)) m_other = p;
+    if (m_isTurned && !isOtherAxis(*begun)) m_here.reset();
+  }
+
+  /// False if the protocol has no position of the last reading, or continues at its axis in another one.
+  bool isKnown() const { return m_here.has_value(); }
+  std::size_t here() const { return *m_here; }  ///< index into the protocol's positions
+  bool isTurned() const { return m_isTurned; }  ///< the other position has a zero, and no reading yet
+  std::size_t current() const { return m_isTurned ? *m_other : *m_here; }
+
+  template <typename Wanted>
+  Index firstLeft(std::size_t position, Wanted isWanted) const {
+    for (std::size_t i = 0; i < all().size(); ++i)
+      if (all()[i].planned.protocolPosition == position && !isThere(all()[i]) && isWanted(all()[i].planned))
+        return i;
+    return {};
+  }
+
+  Index zero(std::size_t position, bool isAfter) const {
+    return firstLeft(position, [=](const PlannedSighting& planned) {
+      return planned.isZero && planned.isAfter == isAfter;
+    });
+  }
+
+  Index place(std::size_t position, int point, int face) const {
+    return firstLeft(position, [=](const PlannedSighting& planned) {
+      return !planned.isZero && planned.point == point && planned.face == face;
+    });
+  }
+
+  /// Index of a sighting that could be next; absent if the protocol has none such left.
+  Index indexOf(const NextSighting& next) const {
+    if (!next.turnsAxis) return m_isTurned ? Index() : place(*m_here, next.point, next.face);
+    if (!m_other || !place(*m_other, next.point, next.face)) return {};
+    const Index zeroBefore = zero(*m_other, false);
+    return zeroBefore ? zeroBefore : place(*m_other, next.point, next.face);
+  }
+
+  /// The places of the current and the next position at the other axis, with every face of theirs.
+  SightingPlan plan(std::size_t position) const {
+    SightingPlan plan{.places = {}, .faces = {}};
+    std::set<int> faces, points;
+    plan.rows = 0;
+    for (const FollowedSighting& followed : all()) {
+      if (followed.planned.isZero) continue;
+      ++plan.rows;
+      faces.insert(followed.planned.face);
+      points.insert(followed.planned.point);
+    }
+    plan.faces.assign(faces.begin(), faces.end());
+    std::vector<std::size_t> own(m_protocol.positions.size(), position);
+    for (const auto& [place, radians] : nominalPlaces(m_protocol, own))
+      if (points.erase(place.second) > 0) plan.places.push_back({place.second, Angle::fromRadians(radians)});
+    plan.readsSlider = m_protocol.readsSlider;
+    plan.canTurnAxis = m_other.has_value();
+    return plan;
+  }
+
+ private:
+  const SightingProtocol& m_protocol;
+  const ProtocolProgress& m_progress;
+  Index m_here, m_other;  ///< the position of the last reading, and the next at the other axis
+  bool m_isTurned = false;
+
+  const std::vector<FollowedSighting>& all() const { return m_progress.sightings; }
+  bool isOtherAxis(std::size_t position) const {
+    return m_protocol.positions[position].axisDeg != m_protocol.positions[*m_here].axisDeg;
+  }
+  bool isBegun(std::size_t position) const {
+    return std::ranges::any_of(all(), [&](const FollowedSighting& followed) {
+      return followed.planned.protocolPosition == position && isThere(followed);
+    });
+  }
+};
+
+/// Of the position of the last reading: its first place once more, then its closing zero, until both are
+/// there.
+void close(SightingChoice& choice, const Remaining& left, const ArcMeasurement& arc) {
+  const Sighting& first = arc.sightings.front();
+  const auto isAgain = [&](const Sighting& sighting) {
+    return sighting.point == first.point && sighting.round != first.round;
+  };
+  const Index again =
+      std::ranges::any_of(arc.sightings, isAgain)
+          ? Index()
+          : left.firstLeft(left.here(), [&](const PlannedSighting& planned) {
+              return !planned.isZero && planned.point == first.point && planned.round != first.round;
+            });
+  const Index zero = left.zero(left.here(), true);
+  if (again || zero) choice.next = again ? *again : *zero;
+  if (again || zero)
+    choice.reason = again ? SightingChoice::Reason::EarlyPlace : SightingChoice::Reason::ClosingZero;
+}
+
+}  // namespace
+
+std::optional<SightingChoice> chooseSighting(const Measurement& measurement, const SightingProtocol& protocol,
+                                             const ProtocolProgress& progress, const EnoughOptions& options) {
+  if (measurement.rows > mostForChoice) return std::nullopt;
+  const ArcMeasurement* last = nullptr;
+  for (const ArcMeasurement& arc : measurement.arcs)
+    if (!arc.sightings.empty() && (!last || arc.sightings.back().order > last->sightings.back().order))
+      last = &arc;
+  if (!last) return std::nullopt;
+  const Remaining left(protocol, progress, last->position);
+  if (!left.isKnown() || left.zero(left.current(), false)) return std::nullopt;
+  auto state = sessionSoFar(measurement, left.plan(last->position), options);
+  if (!state) return std::nullopt;
+  SightingChoice choice;
+  bool isFirst = true;
+  constexpr double nearly = 0.9;
+  constexpr std::size_t most = 2;
+  for (const NextSighting& next : state->ranked) {
+    const Index index = left.indexOf(next);
+    if (!index) continue;
+    if (std::exchange(isFirst, false)) {
+      choice.next = *index;
+      choice.worth = next;
+    } else if (choice.alternatives.size() < most && next.perMinute() >= nearly * choice.worth.perMinute() &&
+               *index != choice.next &&
+               std::ranges::find(choice.alternatives, *index) == choice.alternatives.end()) {
+      choice.alternatives.push_back(*index);
+    }
+  }
+  if (isFirst) return std::nullopt;
+  if (state->enough != Enough::No && !left.isTurned()) close(choice, left, *last);
+  choice.soFar = *std::move(state);
+  return choice;
+}
+
+}  // namespace alidade

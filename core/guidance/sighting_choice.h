@@ -1,0 +1,39 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "core/diagnosis/next_sighting.h"
+#include "core/session/measurement.h"
+#include "core/session/protocol_progress.h"
+
+namespace alidade {
+
+/// The sighting of a protocol by worth that is to be taken next, and whether those taken are enough.
+struct SightingChoice {
+  enum class Reason {
+    TellsMost,
+    EarlyPlace,   ///< the first place of the position once more, so that an effect of time shows
+    ClosingZero,  ///< the pointing zero after the readings, for the same purpose
+  };
+
+  std::size_t next = 0;  ///< index into the sightings of the progress; of a turn of the axis its first zero
+  Reason reason = Reason::TellsMost;
+  NextSighting worth;                          ///< of the next one; meaningful if it tells most
+  std::vector<std::size_t> alternatives = {};  ///< of nearly the same worth, at most two
+  SessionSoFar soFar;
+};
+
+/// Limit of sightings in a session that choices are made for: the time of one grows with their square.
+inline constexpr std::size_t mostForChoice = 400;
+
+/// Chooses among the sightings left in the position of the last reading, and those of the next position at
+/// the other axis; if that has a zero already, among the latter. The round is the first left of place and
+/// face. Absent before the first reading, above `mostForChoice`, while a pointing zero before the readings is
+/// missing, and if nothing is left of these: then the order of the protocol holds.
+std::optional<SightingChoice> chooseSighting(const Measurement& measurement, const SightingProtocol& protocol,
+                                             const ProtocolProgress& progress,
+                                             const EnoughOptions& options = {});
+
+}  // namespace alidade
