@@ -79,7 +79,8 @@ std::string guidanceText(const std::string& session, const Guidance& guidance, C
                     ". " + progressSentences(guidance.progress));
   const std::string choice =
       guidance.choice ? statementText(sightingChoiceStatement(*guidance.choice, guidance.progress)) : "";
-  return text + nextText(guidance, unit) + choice + leftText(guidance, unit) + repeatsText(guidance) + "\n" +
+  if (guidance.choice) return text + nextText(guidance, unit) + choice + repeatsText(guidance);
+  return text + nextText(guidance, unit) + leftText(guidance, unit) + repeatsText(guidance) + "\n" +
          paragraph(joinedSentences(repeatsFirst(guidance.repeats),
                                    outlookSentences(guidance.outlook, guidance.progress)));
 }

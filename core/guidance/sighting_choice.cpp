@@ -38,7 +38,6 @@ class Remaining {
   bool isKnown() const { return m_here.has_value(); }
   std::size_t here() const { return *m_here; }  ///< index into the protocol's positions
   bool isTurned() const { return m_isTurned; }  ///< the other position has a zero, and no reading yet
-  std::size_t current() const { return m_isTurned ? *m_other : *m_here; }
 
   template <typename Wanted>
   Index firstLeft(std::size_t position, Wanted isWanted) const {
@@ -52,6 +51,13 @@ class Remaining {
     return firstLeft(position, [=](const PlannedSighting& planned) {
       return planned.isZero && planned.isAfter == isAfter;
     });
+  }
+
+  /// Does the current position lack a zero before its readings? Once it has readings, that in face 1 is
+  /// enough.
+  bool lacksZero() const {
+    const Index missing = zero(m_isTurned ? *m_other : *m_here, false);
+    return missing && (m_isTurned || all()[*missing].planned.face == 1);
   }
 
   Index place(std::size_t position, int point, int face) const {
@@ -135,7 +141,7 @@ std::optional<SightingChoice> chooseSighting(const Measurement& measurement, con
       last = &arc;
   if (!last) return std::nullopt;
   const Remaining left(protocol, progress, last->position);
-  if (!left.isKnown() || left.zero(left.current(), false)) return std::nullopt;
+  if (!left.isKnown() || left.lacksZero()) return std::nullopt;
   auto state = sessionSoFar(measurement, left.plan(last->position), options);
   if (!state) return std::nullopt;
   SightingChoice choice;

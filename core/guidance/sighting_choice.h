@@ -30,8 +30,8 @@ inline constexpr std::size_t mostForChoice = 400;
 
 /// Chooses among the sightings left in the position of the last reading, and those of the next position at
 /// the other axis; if that has a zero already, among the latter. The round is the first left of place and
-/// face. Absent before the first reading, above `mostForChoice`, while a pointing zero before the readings is
-/// missing, and if nothing is left of these: then the order of the protocol holds.
+/// face. Absent before the first reading, above `mostForChoice`, while the pointing zero is missing, and if
+/// nothing is left of these: then the order of the protocol holds.
 std::optional<SightingChoice> chooseSighting(const Measurement& measurement, const SightingProtocol& protocol,
                                              const ProtocolProgress& progress,
                                              const EnoughOptions& options = {});

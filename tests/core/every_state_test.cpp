@@ -40,7 +40,7 @@ TEST_P(EveryState, OfTypingHasAnAnswerOrASentence) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Sample, EveryState, testing::Values(0));
-INSTANTIATE_TEST_SUITE_P(Long, EveryState, testing::Range(1, 20));
+INSTANTIATE_TEST_SUITE_P(Long, EveryState, testing::Range(1, 12));
 
 class EveryGeometry : public testing::TestWithParam<int> {};
 
@@ -67,7 +67,7 @@ TEST_P(EveryGeometry, HasAnAnswerOrASentence) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Sample, EveryGeometry, testing::Values(0));
-INSTANTIATE_TEST_SUITE_P(Long, EveryGeometry, testing::Range(1, 10));
+INSTANTIATE_TEST_SUITE_P(Long, EveryGeometry, testing::Range(1, 7));
 
 /// Inputs without an arc.
 class EveryFarOff : public testing::TestWithParam<int> {};

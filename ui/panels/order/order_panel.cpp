@@ -215,7 +215,8 @@ SharedGap OrderPanel::gapOfThis() const {
 }
 
 void OrderPanel::requestOutlook() {
-  if (!guideThatLeads() || !m_evaluation->examined.measurement) {
+  const Guide* guide = guideThatLeads();
+  if (!guide || guide->protocol.isByWorth || !m_evaluation->examined.measurement) {
     m_job.cancel();
     m_outlook->clear();
     return;

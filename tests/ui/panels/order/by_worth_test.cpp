@@ -1,0 +1,152 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <QApplication>
+#include <QLabel>
+#include <QMenu>
+#include <QTest>
+#include <QToolButton>
+#include <algorithm>
+
+#include "core/session/protocol_progress.h"
+#include "core/simulation/protocol_template.h"
+#include "core/simulation/simulate.h"
+#include "tests/ui/support.h"
+#include "ui/commands/change_protocol.h"
+#include "ui/entry/entry_guide.h"
+#include "ui/main_window.h"
+#include "ui/panels/order/order_panel.h"
+#include "ui/panels/readings/position_tabs.h"
+#include "ui/panels/readings/readings_table.h"
+#include "ui/panels/window/page_tabs.h"
+
+// A session whose next sighting is the one that tells most.
+
+namespace alidade::ui {
+namespace {
+
+using testing::HasSubstr;
+
+Protocol fivePlaces() {
+  return {.name = "five",
+          .description = "",
+          .points = 5,
+          .first = Angle::fromDegrees(20),
+          .step = Angle::fromDegrees(35),
+          .rounds = 2,
+          .faces = FacePlan::BothAtEachPlace};
+}
+
+/// Types the readings of a simulated session wherever F6 leads, as somebody at the instrument would.
+class ByWorth : public testing::Test {
+ protected:
+  ByWorth() : m_whole(*simulate(fivePlaces(), Truth(), 4)) {
+    Session unread = m_whole;
+    for (Position& position : unread.positions) {
+      position.readings.clear();
+      position.zero = {};
+    }
+    SightingProtocol protocol = templateOf(fivePlaces());
+    for (ProtocolPosition& position : protocol.positions) position.zeros.before = {1};
+    QApplication::setActiveWindow(m_open.window.get());
+    m_open->document().startWith(unread);
+    followProtocol(m_open->document(), openOrder(protocol));
+    settle();
+  }
+
+  const Session& session() { return m_open->document().session(); }
+  void settle() {
+    m_open.settle();
+    QCoreApplication::processEvents();
+  }
+  std::optional<PlannedSighting> next() {
+    const auto protocol = *protocolOf(session());
+    const ProtocolProgress progress = progressOf(session(), *protocol, m_open->document().chosenSighting());
+    if (!progress.next) return {};
+    return progress.sightings[*progress.next].planned;
+  }
+  /// Types the next sighting; false if the simulated session does not have it.
+  bool typeNext() {
+    const auto planned = next();
+    if (!planned) return false;
+    const Position& simulated = m_whole.positions[planned->axisDeg == 0 ? 0 : 1];
+    std::string horizontal = simulated.zero.horizontal, vertical = simulated.zero.vertical;
+    if (!planned->isZero) {
+      const auto row = std::ranges::find_if(simulated.readings, [&](const Reading& reading) {
+        return reading.point == std::to_string(planned->point) &&
+               reading.round == std::to_string(planned->round) &&
+               reading.face == std::to_string(planned->face);
+      });
+      if (row == simulated.readings.end()) return false;
+      horizontal = row->horizontal;
+      vertical = row->vertical;
+    }
+    m_open->entry().goToNextEntry();
+    QCoreApplication::processEvents();
+    typeInto(*QApplication::focusWidget(), QString::fromStdString(horizontal), Qt::Key_Return);
+    typeInto(*QApplication::focusWidget(), QString::fromStdString(vertical), Qt::Key_Return);
+    settle();
+    return true;
+  }
+  QMenu* menu() {
+    QMenu* menu = m_open->findChild<OrderPanel*>()->findChild<QToolButton*>("protocol choice")->menu();
+    emit menu->aboutToShow();
+    return menu;
+  }
+
+  OpenWindow m_open;
+  Session m_whole;
+};
+
+TEST_F(ByWorth, EveryReadingTypedIsTheOneThatWasNext) {
+  for (int i = 0; i < 16; ++i) {
+    const auto planned = next();
+    ASSERT_TRUE(planned) << i;
+    ASSERT_TRUE(typeNext()) << i;
+    const auto protocol = *protocolOf(session());
+    for (const FollowedSighting& followed : progressOf(session(), *protocol).sightings)
+      if (followed.planned == *planned) EXPECT_EQ(followed.state, SightingState::Taken) << i;
+  }
+  const ProtocolProgress progress = progressOf(session(), **protocolOf(session()));
+  EXPECT_EQ(progress.taken, 16u);
+  EXPECT_EQ(progress.beside + progress.missed + progress.outOfTurn, 0u);
+}
+
+TEST_F(ByWorth, TheTableStatusBarAndPageSayTheSameNext) {
+  for (int i = 0; i < 4; ++i) ASSERT_TRUE(typeNext());
+  for (PageTabs* tabs : m_open->pageTabs())
+    if (const int index = tabs->indexOf(m_open->findChild<OrderPanel*>()); index >= 0) tabs->showPage(index);
+  settle();
+  const auto planned = *next();
+  const ReadingsTable* table = m_open->findChild<PositionTabs*>()->table(0);
+  const auto point =
+      table->model()->index(table->model()->rowCount() - 1, static_cast<int>(ReadingColumn::Point));
+  EXPECT_EQ(point.data().toString().toInt(), planned.point);
+  const auto text = m_open->findChild<QLabel*>("next sighting")->text().toStdString();
+  EXPECT_THAT(text, HasSubstr("point " + std::to_string(planned.point)));
+}
+
+TEST_F(ByWorth, IsSwitchedOffAndOnInTheMenu) {
+  for (int i = 0; i < 3; ++i) ASSERT_TRUE(typeNext());
+  const auto action = [&] {
+    for (QAction* action : menu()->actions())
+      if (action->text() == QStringLiteral("Next: What Tells Most")) return action;
+    return static_cast<QAction*>(nullptr);
+  };
+  ASSERT_TRUE(action() && action()->isChecked());
+  action()->trigger();
+  settle();
+  EXPECT_FALSE((*protocolOf(session()))->isByWorth);
+  EXPECT_EQ((*protocolOf(session()))->positions.size(), 2u);
+  EXPECT_FALSE(m_open->document().chosenSighting());
+  EXPECT_FALSE(action()->isChecked());
+  action()->trigger();
+  settle();
+  EXPECT_TRUE(m_open->document().chosenSighting());
+  m_open->document().undoStack().undo();
+  settle();
+  EXPECT_FALSE(m_open->document().chosenSighting());
+}
+
+}  // namespace
+}  // namespace alidade::ui
