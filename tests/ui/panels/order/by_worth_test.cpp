@@ -51,6 +51,9 @@ class ByWorth : public testing::Test {
     QApplication::setActiveWindow(m_open.window.get());
     m_open->document().startWith(unread);
     followProtocol(m_open->document(), openOrder(protocol));
+    for (PageTabs* tabs : m_open->pageTabs())
+      if (const int index = tabs->indexOf(m_open->findChild<OrderPanel*>()); index >= 0)
+        tabs->showPage(index);
     settle();
   }
 
@@ -89,7 +92,8 @@ class ByWorth : public testing::Test {
     return true;
   }
   QMenu* menu() {
-    QMenu* menu = m_open->findChild<OrderPanel*>()->findChild<QToolButton*>("protocol choice")->menu();
+    QMenu* menu =
+        m_open->findChild<OrderPanel*>()->findChild<QToolButton*>(QStringLiteral("protocol choice"))->menu();
     emit menu->aboutToShow();
     return menu;
   }
@@ -104,8 +108,9 @@ TEST_F(ByWorth, EveryReadingTypedIsTheOneThatWasNext) {
     ASSERT_TRUE(planned) << i;
     ASSERT_TRUE(typeNext()) << i;
     const auto protocol = *protocolOf(session());
-    for (const FollowedSighting& followed : progressOf(session(), *protocol).sightings)
-      if (followed.planned == *planned) EXPECT_EQ(followed.state, SightingState::Taken) << i;
+    const ProtocolProgress progress = progressOf(session(), *protocol);
+    const auto typed = std::ranges::find(progress.sightings, *planned, &FollowedSighting::planned);
+    EXPECT_EQ(typed->state, SightingState::Taken) << i;
   }
   const ProtocolProgress progress = progressOf(session(), **protocolOf(session()));
   EXPECT_EQ(progress.taken, 16u);
@@ -114,23 +119,20 @@ TEST_F(ByWorth, EveryReadingTypedIsTheOneThatWasNext) {
 
 TEST_F(ByWorth, TheTableStatusBarAndPageSayTheSameNext) {
   for (int i = 0; i < 4; ++i) ASSERT_TRUE(typeNext());
-  for (PageTabs* tabs : m_open->pageTabs())
-    if (const int index = tabs->indexOf(m_open->findChild<OrderPanel*>()); index >= 0) tabs->showPage(index);
-  settle();
   const auto planned = *next();
   const ReadingsTable* table = m_open->findChild<PositionTabs*>()->table(0);
   const auto point =
       table->model()->index(table->model()->rowCount() - 1, static_cast<int>(ReadingColumn::Point));
   EXPECT_EQ(point.data().toString().toInt(), planned.point);
-  const auto text = m_open->findChild<QLabel*>("next sighting")->text().toStdString();
+  const auto text = m_open->findChild<QLabel*>(QStringLiteral("next sighting"))->text().toStdString();
   EXPECT_THAT(text, HasSubstr("point " + std::to_string(planned.point)));
 }
 
 TEST_F(ByWorth, IsSwitchedOffAndOnInTheMenu) {
   for (int i = 0; i < 3; ++i) ASSERT_TRUE(typeNext());
   const auto action = [&] {
-    for (QAction* action : menu()->actions())
-      if (action->text() == QStringLiteral("Next: What Tells Most")) return action;
+    for (QAction* entry : menu()->actions())
+      if (entry->text() == QStringLiteral("Next: What Tells Most")) return entry;
     return static_cast<QAction*>(nullptr);
   };
   ASSERT_TRUE(action() && action()->isChecked());
