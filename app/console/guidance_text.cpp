@@ -9,6 +9,7 @@
 #include "core/base/list_text.h"
 #include "core/base/visible_text.h"
 #include "core/statement/sighting_choice.h"
+#include "core/statement/sightings_ahead.h"
 #include "core/wording/guidance.h"
 #include "core/wording/position_name.h"
 
@@ -79,7 +80,9 @@ std::string guidanceText(const std::string& session, const Guidance& guidance, C
                     ". " + progressSentences(guidance.progress));
   const std::string choice =
       guidance.choice ? statementText(sightingChoiceStatement(*guidance.choice, guidance.progress)) : "";
-  if (guidance.choice) return text + nextText(guidance, unit) + choice + repeatsText(guidance);
+  const std::string ahead =
+      guidance.ahead ? statementText(sightingsAheadStatement(*guidance.ahead, *guidance.uncertainty)) : "";
+  if (guidance.choice) return text + nextText(guidance, unit) + choice + ahead + repeatsText(guidance);
   return text + nextText(guidance, unit) + leftText(guidance, unit) + repeatsText(guidance) + "\n" +
          paragraph(joinedSentences(repeatsFirst(guidance.repeats),
                                    outlookSentences(guidance.outlook, guidance.progress)));

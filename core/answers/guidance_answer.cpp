@@ -6,22 +6,39 @@
 #include "core/adjustment/result/two_faces.h"
 #include "core/diagnosis/diagnose.h"
 #include "core/guidance/forecast.h"
+#include "core/guidance/open_plan.h"
 #include "core/session/measurement.h"
 
 namespace alidade {
 
-Guidance guidanceOf(const Session& session, SightingProtocol protocol) {
+namespace {
+
+/// In a protocol by worth the next sighting, and those to come for an uncertainty.
+void choose(Guidance& guidance, const Session& session, const Measurement& measurement) {
+  const SightingProtocol& protocol = guidance.protocol;
+  guidance.choice = chooseSighting(measurement, protocol, guidance.progress);
+  if (!guidance.choice) return;
+  if (guidance.uncertainty) {
+    SightingPlan plan = openPlan(protocol, guidance.progress);
+    plan.canTurnAxis = protocol.positions.size() > measurement.arcs.size();
+    guidance.ahead = sightingsFor(*guidance.uncertainty, measurement, plan);
+  }
+  guidance.progress = progressOf(session, protocol, guidance.choice->next);
+}
+
+}  // namespace
+
+Guidance guidanceOf(const Session& session, SightingProtocol protocol, std::optional<double> uncertainty) {
   Guidance guidance;
   guidance.progress = progressOf(session, protocol);
   guidance.protocol = std::move(protocol);
+  guidance.uncertainty = uncertainty;
   guidance.expected.resize(guidance.progress.sightings.size());
   const Examined examined = examine(session);
   if (!examined.measurement) return guidance;
   const Measurement& measurement = *examined.measurement;
   const SessionFit fit = fitSession(measurement);
-  if (guidance.protocol.isByWorth)
-    guidance.choice = chooseSighting(measurement, guidance.protocol, guidance.progress);
-  if (guidance.choice) guidance.progress = progressOf(session, guidance.protocol, guidance.choice->next);
+  if (guidance.protocol.isByWorth) choose(guidance, session, measurement);
   guidance.expected = forecast(measurement, fit, guidance.protocol, guidance.progress);
   const std::vector<Suspect> suspects =
       fit.arcs.empty() ? std::vector<Suspect>() : findSuspects(session, measurement, fit);

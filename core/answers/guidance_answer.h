@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "core/adjustment/result/expected_reading.h"
+#include "core/diagnosis/sightings_ahead.h"
 #include "core/guidance/outlook.h"
 #include "core/guidance/repeats.h"
 #include "core/guidance/sighting_choice.h"
@@ -18,12 +19,15 @@ struct Guidance {
   ProtocolProgress progress;
   std::vector<std::optional<ExpectedReading>> expected;  ///< for each sighting
   std::optional<SightingChoice> choice = {};             ///< in a protocol by worth
+  std::optional<SightingsAhead> ahead = {};              ///< the same, for the `uncertainty` wanted
+  std::optional<double> uncertainty = {};                ///< U of Δd, mm
   std::vector<Repeat> repeats;
   Outlook outlook;
 };
 
 /// Fits and diagnoses the session. Returns the progress alone if the session contains nothing that can be
-/// fitted.
-Guidance guidanceOf(const Session& session, SightingProtocol protocol);
+/// fitted. `uncertainty` is the U of Δd, mm, that a protocol by worth is to reach.
+Guidance guidanceOf(const Session& session, SightingProtocol protocol,
+                    std::optional<double> uncertainty = {});
 
 }  // namespace alidade

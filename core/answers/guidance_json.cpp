@@ -96,10 +96,26 @@ Json choiceJson(const SightingChoice& choice, const ProtocolProgress& progress) 
   json["worth_of_uncertainty"] = choice.worth.ofUncertainty;
   json["alternatives"] = std::move(alternatives);
   json["enough"] = idOf(choice.soFar.enough);
+  json["is_enough"] = isEnough(choice.soFar);
   json["log_evidence"] = choice.soFar.logEvidence;
   json["named"] = choice.soFar.named;
   json["causes"] = std::move(causes);
   json["sentence"] = enoughSentence(choice.soFar);
+  return json;
+}
+
+Json aheadJson(const SightingsAhead& ahead) {
+  Json sightings = Json::array();
+  for (const NextSighting& next : ahead.sightings)
+    sightings.push_back({{"axis_deg", next.axisDeg},
+                         {"turns_axis", next.turnsAxis},
+                         {"point", next.point},
+                         {"round", next.round},
+                         {"face", next.face},
+                         {"minutes", next.minutes}});
+  Json json = {{"sightings", std::move(sightings)}, {"minutes", ahead.minutes}};
+  json["expanded_uncertainty_mm"] = ahead.expanded ? Json(*ahead.expanded) : Json();
+  json["reached"] = ahead.isReached;
   return json;
 }
 
@@ -174,6 +190,7 @@ std::string guidanceJson(const std::string& session, const Guidance& guidance) {
   json["next"] = progress.next ? withExpected(sightingJson(progress.sightings[*progress.next].planned),
                                               guidance.expected[*progress.next])
                                : Json();
+  if (guidance.ahead) json["ahead"] = aheadJson(*guidance.ahead);
   if (guidance.choice) json["choice"] = choiceJson(*guidance.choice, progress);
   json["repeat"] = std::move(repeats);
   json["outlook"] = outlookJson(guidance);

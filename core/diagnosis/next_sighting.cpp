@@ -7,6 +7,7 @@
 #include "core/base/statistics.h"
 #include "core/diagnosis/next_sighting/all_possible.h"
 #include "core/diagnosis/next_sighting/weighed.h"
+#include "core/effects/cause_ids.h"
 
 namespace alidade {
 
@@ -87,12 +88,13 @@ bool isVerdictCertain(const Measurement& measurement, const SessionSoFar& state)
 }
 
 /// Fills in the group of the most probable cause if the evidence against nothing suffices, the group holds
-/// almost all of the probability, and the cause leaves no more than noise.
+/// almost all of the probability, and the cause leaves no more than noise. Larger noise is never named: an
+/// effect of no catalogue looks like it.
 void name(SessionSoFar& state, const WeighedCauses& causes, const SightingEquations& equations,
           const EnoughOptions& options) {
   constexpr double noMore = 1e-3;
   const Weighed& first = causes.all().front();
-  if (first.cause.empty() || !isEvident(state)) return;
+  if (first.cause.empty() || first.cause == noiseId || !isEvident(state)) return;
   std::vector<std::string> group = inseparableFrom(first, equations);
   double probability = 0;
   for (const WeighedCause& cause : state.causes)

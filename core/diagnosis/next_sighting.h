@@ -66,6 +66,11 @@ struct EnoughOptions {
   bool ranks = true;                  ///< else no sighting is ranked, which is faster
 };
 
+/// Is no further sighting needed? Not before both positions are read, whatever is named: they make Δd.
+inline bool isEnough(const SessionSoFar& state) {
+  return state.enough != Enough::No && state.intersection.has_value();
+}
+
 /// The state of a session with at least one sighting. Absent if its readings determine nothing. Jumps and
 /// gross errors are sought among the sightings so far.
 std::optional<SessionSoFar> sessionSoFar(const Measurement& measurement, const SightingPlan& plan,

@@ -1,10 +1,9 @@
 #include "core/guidance/sighting_choice.h"
 
 #include <algorithm>
-#include <set>
 #include <utility>
 
-#include "core/guidance/forecast.h"
+#include "core/guidance/open_plan.h"
 
 namespace alidade {
 
@@ -74,25 +73,7 @@ class Remaining {
     return zeroBefore ? zeroBefore : place(*m_other, next.point, next.face);
   }
 
-  /// The places of the current and the next position at the other axis, with every face of theirs.
-  SightingPlan plan(std::size_t position) const {
-    SightingPlan plan{.places = {}, .faces = {}};
-    std::set<int> faces, points;
-    plan.rows = 0;
-    for (const FollowedSighting& followed : all()) {
-      if (followed.planned.isZero) continue;
-      ++plan.rows;
-      faces.insert(followed.planned.face);
-      points.insert(followed.planned.point);
-    }
-    plan.faces.assign(faces.begin(), faces.end());
-    std::vector<std::size_t> own(m_protocol.positions.size(), position);
-    for (const auto& [place, radians] : nominalPlaces(m_protocol, own))
-      if (points.erase(place.second) > 0) plan.places.push_back({place.second, Angle::fromRadians(radians)});
-    plan.readsSlider = m_protocol.readsSlider;
-    plan.canTurnAxis = m_other.has_value();
-    return plan;
-  }
+  bool canTurnAxis() const { return m_other.has_value(); }
 
  private:
   const SightingProtocol& m_protocol;
@@ -142,7 +123,9 @@ std::optional<SightingChoice> chooseSighting(const Measurement& measurement, con
   if (!last) return std::nullopt;
   const Remaining left(protocol, progress, last->position);
   if (!left.isKnown() || left.lacksZero()) return std::nullopt;
-  auto state = sessionSoFar(measurement, left.plan(last->position), options);
+  SightingPlan plan = openPlan(protocol, progress);
+  plan.canTurnAxis = left.canTurnAxis();
+  auto state = sessionSoFar(measurement, plan, options);
   if (!state) return std::nullopt;
   SightingChoice choice;
   bool isFirst = true;
@@ -161,7 +144,7 @@ std::optional<SightingChoice> chooseSighting(const Measurement& measurement, con
     }
   }
   if (isFirst) return std::nullopt;
-  if (state->enough != Enough::No && !left.isTurned()) close(choice, left, *last);
+  if (isEnough(*state) && !left.isTurned()) close(choice, left, *last);
   choice.soFar = *std::move(state);
   return choice;
 }

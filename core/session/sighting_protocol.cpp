@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/base/file_bytes.h"
+#include "core/base/number_text.h"
 #include "core/base/phrase.h"
 #include "core/base/visible_text.h"
 #include "core/session/entry.h"
@@ -31,6 +32,18 @@ constexpr const char *orderListed = "listed", *orderByWorth = "by_worth";
 constexpr AngleRule turnRule{
     .low = -360, .lowOfElevation = -360, .high = 360, .isHighIncluded = true, .mayBeEmpty = true};
 
+constexpr NumberRule minutesRule{
+    .low = 0,
+    .lowBound = Bound::Included,
+    .high = 1000,
+    .fallback = {},
+    .refusal = PHRASE_LATER("Phrase", "%1 min is no time for a part of a sighting: 0 to 1000")};
+
+constexpr std::pair<const char*, double SightingMinutes::*> partsOfMinutes[] = {
+    {"turning_axis", &SightingMinutes::turningAxis},
+    {"plunging_telescope", &SightingMinutes::plungingTelescope},
+    {"driving_slider", &SightingMinutes::drivingSlider}};
+
 /// Reads a protocol from JSON; keeps the first problem.
 class ProtocolReader {
  public:
@@ -45,6 +58,7 @@ class ProtocolReader {
     protocol.description = m_reader.text("description");
     protocol.readsSlider = m_reader.flag("read_slider");
     protocol.isByWorth = isByWorth();
+    protocol.minutes = minutes(m_reader.object("minutes"));
     protocol.places = places(m_reader);
     m_reader.require("positions",
                      PHRASE_LATER("Phrase", "add the list of the positions of the axis, in their order"));
@@ -56,7 +70,7 @@ class ProtocolReader {
     if (protocol.positions.empty())
       m_reader.report(Phrase::of("is empty: add the positions of the axis, in their order"),
                       m_reader.placeOf("positions"));
-    protocol.origin = m_reader.origin({"places", "positions"});
+    protocol.origin = m_reader.origin({"minutes", "places", "positions"});
     if (const std::size_t count = sightingCount(protocol); count > mostSightings)
       m_reader.report(
           Phrase::of("make %1 sightings, and a protocol holds at most %2: leave out rounds or places", count,
@@ -73,6 +87,19 @@ class ProtocolReader {
                                  orderByWorth),
                       m_reader.placeOf("order"));
     return order == orderByWorth;
+  }
+
+  SightingMinutes minutes(const ObjectReader& reader) {
+    SightingMinutes minutes;
+    for (const auto& [key, part] : partsOfMinutes) {
+      const auto entry = numberEntry(minutesRule, reader.number(key));
+      if (!entry)
+        reader.report(entry.problem().what, reader.placeOf(key));
+      else if (*entry)
+        minutes.*part = **entry;
+    }
+    minutes.origin = reader.origin();
+    return minutes;
   }
 
   std::vector<ProtocolPlace> places(const ObjectReader& reader) {
@@ -193,6 +220,15 @@ class ProtocolReader {
   std::optional<Problem>& m_problem;
 };
 
+/// Only what differs from the usual minutes, or stood in the file.
+nlohmann::ordered_json minutesJson(const SightingMinutes& minutes) {
+  const SightingMinutes usual;
+  ObjectWriter writer(minutes.origin);
+  for (const auto& [key, part] : partsOfMinutes)
+    writer.number(key, minutes.*part == usual.*part ? "" : shortestText(minutes.*part));
+  return writer.take();
+}
+
 nlohmann::ordered_json placesJson(const std::vector<ProtocolPlace>& places) {
   auto list = nlohmann::ordered_json::array();
   for (const ProtocolPlace& place : places) {
@@ -238,6 +274,7 @@ void write(ObjectWriter& writer, const SightingProtocol& protocol) {
   writer.text("description", protocol.description);
   writer.flag("read_slider", protocol.readsSlider);
   writer.text("order", protocol.isByWorth ? orderByWorth : "");
+  writer.part("minutes", minutesJson(protocol.minutes));
   writer.partIfAny("places", placesJson(protocol.places));
   writer.part("positions", positionsJson(protocol.positions), Presence::Required);
 }

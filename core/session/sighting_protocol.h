@@ -10,6 +10,7 @@
 #include "core/base/result.h"
 #include "core/session/json_origin.h"
 #include "core/session/session.h"
+#include "core/session/sighting_minutes.h"
 
 namespace alidade {
 
@@ -67,6 +68,7 @@ struct SightingProtocol {
   /// Within a position, the next sighting is the one that tells most for its minutes, and the axis is turned
   /// when that tells more; otherwise the sightings stand in their order.
   bool isByWorth = false;
+  SightingMinutes minutes = {};  ///< what a sighting by worth is weighed with
   std::vector<ProtocolPlace> places = {};
   std::vector<ProtocolPosition> positions = {};
   JsonOrigin origin = {};

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -9,6 +10,7 @@
 #include "core/base/phrase.h"
 #include "core/base/quantity_text.h"
 #include "core/effects/catalogue.h"
+#include "core/effects/cause_ids.h"
 #include "core/wording/effect_name.h"
 #include "core/wording/guidance.h"
 #include "core/wording/verdict.h"
@@ -29,19 +31,21 @@ std::string nextSentence(const SightingChoice& choice, const ProtocolProgress& p
   const std::string next = sightingText(choice.next, progress);
   switch (choice.reason) {
     case SightingChoice::Reason::EarlyPlace:
-      return Phrase::of("Before the end %1: an effect of time shows only if an early place is sighted again.",
-                        next);
+      return Phrase::of(
+          "Before the end %1, since an effect of time shows only if an early place is sighted again.", next);
     case SightingChoice::Reason::ClosingZero:
-      return Phrase::of("Before the end %1: an effect of time shows only if the zero is sighted again.",
+      return Phrase::of("Before the end %1, since an effect of time shows only if the zero is sighted again.",
                         next);
     case SightingChoice::Reason::TellsMost:
       break;
   }
   const NextSighting& worth = choice.worth;
   const std::string minutes = displayText(worth.minutes, 1);
+  const auto& [cause, other] =
+      worth.one.empty() ? std::tie(worth.other, worth.one) : std::tie(worth.one, worth.other);
   if (worth.ofCauses > worth.ofUncertainty)
-    return Phrase::of("%1 tells most for its %2 min: whether it is %3 or %4.", next, minutes,
-                      nameOf(worth.one), nameOf(worth.other));
+    return Phrase::of("%1 tells most for its %2 min: whether it is %3 or %4.", next, minutes, nameOf(cause),
+                      nameOf(other));
   return Phrase::of("%1 tells most for its %2 min: it reduces U by %3.", next, minutes,
                     probabilityText(-std::expm1(-worth.ofUncertainty)));
 }
@@ -81,6 +85,9 @@ std::string enoughSentence(const SessionSoFar& state) {
       for (const WeighedCause& cause : state.causes)
         if (std::ranges::find(state.named, cause.cause) != state.named.end())
           probability += cause.probability;
+      if (!isEnough(state))
+        return Phrase::of("The cause is named, %1 (%2), but Δd needs readings at both positions.",
+                          causeNames(state.named, Phrase::of(" or ")), probabilityText(probability));
       return Phrase::of("Enough: the cause is named, %1 (%2); the evidence against no cause is %3 to 1.",
                         causeNames(state.named, Phrase::of(" or ")), probabilityText(probability), evidence);
     }
@@ -95,12 +102,15 @@ std::string enoughSentence(const SessionSoFar& state) {
     case Enough::No:
       break;
   }
-  return state.logEvidence < state.logEvidenceNeeded
-             ? Phrase::of("Not enough yet: the evidence against no cause is %1 to 1; %2 to 1 is needed.",
-                          evidence, evidenceText(state.logEvidenceNeeded))
-             : Phrase::of(
-                   "Not enough yet: the evidence against no cause is %1 to 1, but no cause stands out.",
-                   evidence);
+  if (state.logEvidence < state.logEvidenceNeeded)
+    return Phrase::of("Not enough yet: the evidence against no cause is %1 to 1; %2 to 1 is needed.",
+                      evidence, evidenceText(state.logEvidenceNeeded));
+  if (state.causes.front().cause == noiseId)
+    return Phrase::of(
+        "Not enough yet: the readings scatter more than stated, by noise or by an effect of no "
+        "catalogue; the diagnosis tells.");
+  return Phrase::of("Not enough yet: the evidence against no cause is %1 to 1, but no cause stands out.",
+                    evidence);
 }
 
 Statement sightingChoiceStatement(const SightingChoice& choice, const ProtocolProgress& progress) {

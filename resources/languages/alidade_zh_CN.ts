@@ -7419,14 +7419,6 @@ Includes every catalogued effect, limited by these readings or by its plausible 
         <translation>无原因</translation>
     </message>
     <message>
-        <source>Before the end %1: an effect of time shows only if an early place is sighted again.</source>
-        <translation>结束前照准 %1：只有再次照准较早的位置，随时间变化的影响才会显现。</translation>
-    </message>
-    <message>
-        <source>Before the end %1: an effect of time shows only if the zero is sighted again.</source>
-        <translation>结束前照准 %1：只有再次照准瞄准零位，随时间变化的影响才会显现。</translation>
-    </message>
-    <message>
         <source>%1 tells most for its %2 min: whether it is %3 or %4.</source>
         <translation>%1 在所需的 %2 min 内给出的信息最多：可区分%3与%4。</translation>
     </message>
@@ -7477,6 +7469,54 @@ Includes every catalogued effect, limited by these readings or by its plausible 
     <message>
         <source>What may be the case</source>
         <translation>可能的情况</translation>
+    </message>
+    <message>
+        <source>Before the end %1, since an effect of time shows only if an early place is sighted again.</source>
+        <translation>结束前照准 %1，因为只有再次照准较早的位置，随时间变化的影响才会显现。</translation>
+    </message>
+    <message>
+        <source>Before the end %1, since an effect of time shows only if the zero is sighted again.</source>
+        <translation>结束前照准 %1，因为只有再次照准瞄准零位，随时间变化的影响才会显现。</translation>
+    </message>
+    <message>
+        <source>The cause is named, %1 (%2), but Δd needs readings at both positions.</source>
+        <translation>原因已判明，为%1（%2），但 Δd 需要两个轴位的读数。</translation>
+    </message>
+    <message>
+        <source>%1 min is no time for a part of a sighting: 0 to 1000</source>
+        <translation>%1 min 不是一次照准各步骤的时间：应为 0 至 1000</translation>
+    </message>
+    <message>
+        <source>%1 in face %2</source>
+        <translation>%1（盘位 %2）</translation>
+    </message>
+    <message>
+        <source>U of Δd, whatever effect is there, is below %1 mm already.</source>
+        <translation>无论存在何种影响，Δd 的 U 已低于 %1 mm。</translation>
+    </message>
+    <message>
+        <source>For U = %1 mm of Δd, whatever effect is there: %2 more sightings in %3 min.</source>
+        <translation>要使 Δd 的 U 在任何影响下达到 %1 mm：还需照准 %2 次，共 %3 min。</translation>
+    </message>
+    <message>
+        <source>These places do not determine Δd.</source>
+        <translation>这些位置不能确定 Δd。</translation>
+    </message>
+    <message>
+        <source>U = %1 mm of Δd is not reached: %2 more sightings come to %3 mm.</source>
+        <translation>Δd 的 U 达不到 %1 mm：再照准 %2 次可达 %3 mm。</translation>
+    </message>
+    <message>
+        <source>Sightings to come</source>
+        <translation>待照准</translation>
+    </message>
+    <message>
+        <source>points</source>
+        <translation>点</translation>
+    </message>
+    <message>
+        <source>Not enough yet: the readings scatter more than stated, by noise or by an effect of no catalogue; the diagnosis tells.</source>
+        <translation>尚不足够：读数的分散大于给定值，原因可能是噪声，也可能是目录以外的影响；由诊断说明。</translation>
     </message>
 </context>
 <context>
@@ -11786,6 +11826,10 @@ a clause as a sentence</extracomment>
         <source>The next sighting is the one that tells most for its minutes, instead of the first left</source>
         <translation>下一次照准取单位时间信息最多者，而不是剩余的第一个</translation>
     </message>
+    <message>
+        <source>%1 taken, at most %2</source>
+        <translation>已照准 %1 个，至多 %2 个</translation>
+    </message>
 </context>
 <context>
     <name>alidade::ui::OwnEffectCurve</name>
@@ -12250,6 +12294,26 @@ a clause as a sentence</extracomment>
     <message>
         <source>As it was typed when the program ended.</source>
         <translation>与程序结束时键入的内容相同。</translation>
+    </message>
+    <message>
+        <source> min</source>
+        <translation> min</translation>
+    </message>
+    <message>
+        <source>Next is what tells &amp;most</source>
+        <translation>下一步取信息最多者(&amp;M)</translation>
+    </message>
+    <message>
+        <source>Turning the a&amp;xis takes</source>
+        <translation>转动轴需(&amp;X)</translation>
+    </message>
+    <message>
+        <source>Pl&amp;unging the telescope takes</source>
+        <translation>倒镜需(&amp;U)</translation>
+    </message>
+    <message>
+        <source>&amp;Driving the slider takes</source>
+        <translation>移动滑块需(&amp;D)</translation>
     </message>
 </context>
 <context>

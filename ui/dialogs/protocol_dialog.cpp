@@ -3,6 +3,7 @@
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDialogButtonBox>
+#include <QDoubleSpinBox>
 #include <QFormLayout>
 #include <QLabel>
 #include <QLineEdit>
@@ -35,6 +36,15 @@ std::string asTyped(const QString& text, CircleUnit unit) {
   return typed;
 }
 
+QDoubleSpinBox* minutesBox() {
+  auto* box = new QDoubleSpinBox;
+  box->setRange(0, 999);
+  box->setDecimals(2);
+  box->setSingleStep(0.1);
+  box->setSuffix(ProtocolDialog::tr(" min"));
+  return box;
+}
+
 bool isSliderAngle(const std::string& text) {
   return static_cast<bool>(angleEntry(sliderRule, text, VerticalCircle::Zenith));
 }
@@ -55,6 +65,10 @@ ProtocolDialog::ProtocolDialog(const SightingProtocol& protocol, CircleUnit unit
       m_slider(new QCheckBox(tr("The s&lider is read"))),
       m_zeroFaces(new QCheckBox(tr("Pointing zero in &both faces"))),
       m_zerosAfter(new QCheckBox(tr("Pointing zero again &after the readings"))),
+      m_byWorth(new QCheckBox(tr("Next is what tells &most"))),
+      m_turningAxis(minutesBox()),
+      m_plungingTelescope(minutesBox()),
+      m_drivingSlider(minutesBox()),
       m_remark(new QLabel),
       m_buttons(new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel)) {
   setWindowTitle(tr("Edit Protocol"));
@@ -79,6 +93,16 @@ ProtocolDialog::ProtocolDialog(const SightingProtocol& protocol, CircleUnit unit
   form->addRow(m_slider);
   form->addRow(m_zeroFaces);
   form->addRow(m_zerosAfter);
+  form->addRow(m_byWorth);
+  form->addRow(tr("Turning the a&xis takes"), m_turningAxis);
+  form->addRow(tr("Pl&unging the telescope takes"), m_plungingTelescope);
+  form->addRow(tr("&Driving the slider takes"), m_drivingSlider);
+  for (QDoubleSpinBox* box : {m_turningAxis, m_plungingTelescope, m_drivingSlider})
+    form->setRowVisible(box, false);
+  connect(m_byWorth, &QCheckBox::toggled, this, [=, this](bool isByWorth) {
+    for (QDoubleSpinBox* box : {m_turningAxis, m_plungingTelescope, m_drivingSlider})
+      form->setRowVisible(box, isByWorth);
+  });
   form->addRow(m_remark);
   form->addRow(m_buttons);
   connect(m_buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
@@ -88,7 +112,7 @@ ProtocolDialog::ProtocolDialog(const SightingProtocol& protocol, CircleUnit unit
     connect(entry, &QLineEdit::textChanged, this, &ProtocolDialog::check);
   for (QComboBox* choice : {m_way, m_faces, m_positions})
     connect(choice, &QComboBox::currentIndexChanged, this, &ProtocolDialog::check);
-  for (QCheckBox* box : {m_zeroFaces, m_zerosAfter})
+  for (QCheckBox* box : {m_zeroFaces, m_zerosAfter, m_byWorth})
     connect(box, &QCheckBox::toggled, this, &ProtocolDialog::check);
   connect(m_rounds, &QSpinBox::valueChanged, this, &ProtocolDialog::check);
   keepDraft();
@@ -108,11 +132,21 @@ void ProtocolDialog::keepDraft() {
   m_draft->add(QStringLiteral("slider"), *m_slider);
   m_draft->add(QStringLiteral("zero faces"), *m_zeroFaces);
   m_draft->add(QStringLiteral("zeros after"), *m_zerosAfter);
+  m_draft->add(QStringLiteral("by worth"), *m_byWorth);
+  m_draft->add(QStringLiteral("turning axis"), *m_turningAxis);
+  m_draft->add(QStringLiteral("plunging telescope"), *m_plungingTelescope);
+  m_draft->add(QStringLiteral("driving slider"), *m_drivingSlider);
   m_draft->finishWith(*this);
 }
 
-void ProtocolDialog::show(const SightingProtocol& protocol) {
+void ProtocolDialog::show(const SightingProtocol& shown) {
+  const SightingProtocol protocol = listedOrder(shown);
   m_name->setText(qText(protocol.name));
+  m_minutes = protocol.minutes;
+  m_byWorth->setChecked(shown.isByWorth);
+  m_turningAxis->setValue(m_minutes.turningAxis);
+  m_plungingTelescope->setValue(m_minutes.plungingTelescope);
+  m_drivingSlider->setValue(m_minutes.drivingSlider);
   m_slider->setChecked(protocol.readsSlider);
   if (protocol.positions.empty()) return m_way->setCurrentIndex(1);
   const ProtocolPosition& first = protocol.positions.front();
@@ -176,7 +210,11 @@ std::optional<SightingProtocol> ProtocolDialog::protocol() const {
     }
     protocol.positions.push_back(std::move(position));
   }
-  return protocol;
+  protocol.minutes = m_minutes;
+  protocol.minutes.turningAxis = m_turningAxis->value();
+  protocol.minutes.plungingTelescope = m_plungingTelescope->value();
+  protocol.minutes.drivingSlider = m_drivingSlider->value();
+  return m_byWorth->isChecked() ? openOrder(std::move(protocol)) : protocol;
 }
 
 void ProtocolDialog::check() {

@@ -9,6 +9,7 @@
 class QCheckBox;
 class QComboBox;
 class QDialogButtonBox;
+class QDoubleSpinBox;
 class QLabel;
 class QLineEdit;
 class QSpinBox;
@@ -29,17 +30,19 @@ class ProtocolDialog : public QDialog {
   std::optional<SightingProtocol> protocol() const;
 
  private:
-  void show(const SightingProtocol& protocol);
+  void show(const SightingProtocol& shown);
   void keepDraft();
   void check();
   std::optional<std::vector<ProtocolPlace>> places() const;
 
   CircleUnit m_unit;
   std::string m_description;
+  SightingMinutes m_minutes;
   QLineEdit *m_name, *m_places, *m_turn;
   QSpinBox* m_rounds;
   QComboBox *m_way, *m_faces, *m_positions;
-  QCheckBox *m_slider, *m_zeroFaces, *m_zerosAfter;
+  QCheckBox *m_slider, *m_zeroFaces, *m_zerosAfter, *m_byWorth;
+  QDoubleSpinBox *m_turningAxis, *m_plungingTelescope, *m_drivingSlider;
   QLabel* m_remark;
   QDialogButtonBox* m_buttons;
   FormDraft* m_draft = nullptr;

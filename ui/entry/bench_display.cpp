@@ -105,10 +105,9 @@ void BenchDisplay::refresh() {
                                                  coarseAngleText(expected->vertical, unit))
                              : notStated());
   const Guide* guide = m_evaluation->guide.get();
-  const bool isEnough =
-      m_doubt.isEmpty() && guide && guide->choice && guide->choice->soFar.enough != Enough::No;
-  m_last->setText(isEnough ? qText(enoughSentence(guide->choice->soFar)) : m_doubt);
-  setColour(*m_last, stateColor(palette(), isEnough ? State::Quiet : State::Bad));
+  const bool isDone = m_doubt.isEmpty() && guide && guide->choice && isEnough(guide->choice->soFar);
+  m_last->setText(isDone ? qText(enoughSentence(guide->choice->soFar)) : m_doubt);
+  setColour(*m_last, stateColor(palette(), isDone ? State::Quiet : State::Bad));
   showHeadline();
   fitText();
 }

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "app/console/commands/option_checks.h"
 #include "app/console/guidance_text.h"
 #include "app/console/output_file.h"
 #include "app/console/session_input.h"
@@ -103,6 +104,10 @@ void addProtocolCommand(CLI::App& app, ProtocolRequest& request) {
                    "The next sighting: listed (in the order of the protocol) or by-worth (the one that tells "
                    "most for its minutes)")
       ->check(CLI::IsMember({orderListed, orderByWorth}));
+  protocol
+      ->add_option("--uncertainty", request.uncertainty,
+                   "The sightings that reach this U of Δd, mm, in the fewest minutes; by-worth")
+      ->check(numberFrom(1e-4, 1000));
   protocol->add_option("--out", request.saveSession,
                        "Write the session with the protocol in it to this file");
   protocol->add_option("--save-template", request.saveTemplate,
@@ -118,6 +123,8 @@ Result<std::string> runProtocol(const ProtocolRequest& request) {
   SightingProtocol protocol = *std::move(wanted);
   if (request.order == orderByWorth) protocol = openOrder(std::move(protocol));
   if (request.order == orderListed) protocol = listedOrder(std::move(protocol));
+  if (request.uncertainty && !protocol.isByWorth)
+    return Problem{"--uncertainty chooses sightings: give --order by-worth, too"};
   std::vector<OutputFile> outputs;
   if (!request.saveSession.empty()) {
     Session following = *session;
@@ -127,7 +134,7 @@ Result<std::string> runProtocol(const ProtocolRequest& request) {
   if (!request.saveTemplate.empty())
     outputs.push_back({"--save-template", request.saveTemplate, writeProtocol(protocol)});
   if (auto problem = writeOutputs(outputs, {request.file, templateFile(request)})) return *std::move(problem);
-  const Guidance guidance = guidanceOf(*session, protocol);
+  const Guidance guidance = guidanceOf(*session, protocol, request.uncertainty);
   const std::string name = nameOf(*session, request.file);
   return request.json ? guidanceJson(name, guidance) : guidanceText(name, guidance, circleUnitOf(*session));
 }

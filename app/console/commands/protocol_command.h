@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "core/base/result.h"
@@ -15,11 +16,13 @@ struct ProtocolRequest {
   std::string file;                       ///< a path, or - for standard input
   std::string protocol;                   ///< a name, or a file; empty: the session's protocol
   std::string order;                      ///< "listed" or "by-worth"; empty: as the protocol says
+  std::optional<double> uncertainty;      ///< of Δd, mm, to be reached in an order by worth
   std::string saveSession, saveTemplate;  ///< paths; empty: not requested
   bool json = false;
 };
 
-/// Adds `protocol FILE [--template NAME|FILE] [--order ORDER] [--json]`, which fills in `request`.
+/// Adds `protocol FILE [--template NAME|FILE] [--order ORDER] [--uncertainty MM] [--json]`, which fills in
+/// `request`.
 void addProtocolCommand(CLI::App& app, ProtocolRequest& request);
 
 /// The next and remaining sightings, those to repeat, and when it is enough. Fails if session or protocol is

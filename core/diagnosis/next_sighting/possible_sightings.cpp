@@ -61,6 +61,14 @@ void countFromPlan(Measurement& measurement, const SightingPlan& plan) {
   }
 }
 
+/// The last of the sightings taken of a place; null if there is none. The slider may stand elsewhere than
+/// planned.
+const Sighting* takenAt(const ArcMeasurement& arc, std::size_t taken, int point) {
+  for (std::size_t k = taken; k-- > 0;)
+    if (!arc.sightings[k].isZero && arc.sightings[k].point == point) return &arc.sightings[k];
+  return nullptr;
+}
+
 SightedZero sightedZeroOf(const Sighting& next) {
   SightedZero zero;
   zero.order = next.order;
@@ -115,6 +123,12 @@ void sightPossible(PossibleSightings& session, const SightingPlan& plan, const s
     for (std::size_t k = session.taken[i]; k < arc.sightings.size(); ++k) {
       Sighting& sighting = arc.sightings[k];
       if (sighting.isZero) continue;
+      if (const Sighting* there = takenAt(arc, session.taken[i], sighting.point)) {
+        sighting.a = there->a;
+        sighting.e = there->e;
+        if (sighting.slider) sighting.slider = there->slider ? there->slider : sighting.slider;
+        continue;
+      }
       const auto place = std::ranges::find(plan.places, sighting.point, &SightingPlace::point);
       const double phi = arcAngleOf(place->s.radians(), arc.axisDeg);
       const Direction<double> seen =

@@ -14,6 +14,7 @@
 #include "core/diagnosis/candidates/gross_error_components.h"
 #include "core/diagnosis/candidates/jump_components.h"
 #include "core/effects/cause_ids.h"
+#include "core/effects/known_sizes.h"
 #include "core/observation/half_turn.h"
 
 namespace alidade {
@@ -43,9 +44,19 @@ bool isBent(const Effect& effect) {
 std::vector<const Effect*> effectsFor(const Measurement& measurement, const SightingPlan& plan) {
   std::vector<const Effect*> effects = effectsOf(measurement);
   std::erase_if(effects, [&](const Effect* effect) {
-    return !effect->isSought || (needsSlider(*effect) && !plan.readsSlider);
+    return !effect->isSought || (needsSlider(*effect) && !plan.readsSlider) ||
+           std::ranges::find(measurement.effects, effect->id) != measurement.effects.end();
   });
   return effects;
+}
+
+/// The parameters of the effects that the session's own model contains.
+std::vector<const EffectParameter*> parametersOfModel(const Measurement& measurement) {
+  std::vector<const EffectParameter*> parameters;
+  for (const Effect* effect : effectsOf(measurement))
+    if (std::ranges::find(measurement.effects, effect->id) != measurement.effects.end() && hasSizes(*effect))
+      for (const EffectParameter& parameter : effect->parameters) parameters.push_back(&parameter);
+  return parameters;
 }
 
 /// The readings of a linearised session by visit, with columns for everything that may be the case.
@@ -59,6 +70,7 @@ class Assembly {
         m_all(all),
         m_secondDerivatives(bent),
         m_unknowns(all.uncertainUnknowns()) {
+    if (!effects.empty()) m_ofModel = parametersOfModel(session.measurement);
     addPriors();
     if (!effects.empty()) addCauses(effects);
     eachVisit();
@@ -72,6 +84,8 @@ class Assembly {
   const Linearised& m_all;
   const Eigen::MatrixX3d& m_secondDerivatives;
   std::vector<std::size_t> m_unknowns;
+  std::vector<const EffectParameter*> m_ofModel;      ///< unknown as well, in plausible sizes
+  std::vector<std::pair<ErrorTerm, double>> m_known;  ///< known values of effects, taken off the residuals
   SightingEquations m_result;
   Index m_columns = 0;
   /// The columns of terms, of jumps by their first row, and of wrong zeros by their arc.
@@ -90,11 +104,14 @@ class Assembly {
     return reading.sighting < m_session.taken[reading.arc];
   }
 
+  Index unknownColumns() const { return std::ssize(m_unknowns) + std::ssize(m_ofModel); }
+
   void addPriors() {
+    constexpr double wideSize = 10;  // plausible sizes
     const auto count = static_cast<Index>(m_unknowns.size());
-    m_result.priorWeights.resize(count);
-    m_result.priorResiduals.setZero(count);
-    m_result.intersection.setZero(count);
+    m_result.priorWeights.setConstant(unknownColumns(), 1 / wideSize);
+    m_result.priorResiduals.setZero(unknownColumns());
+    m_result.intersection.setZero(unknownColumns());
     for (Index i = 0; i < count; ++i) {
       const std::size_t u = m_unknowns[static_cast<std::size_t>(i)];
       const Unknown& unknown = m_all.unknowns[u];
@@ -122,7 +139,7 @@ class Assembly {
       Index column = add(effect->id, std::ssize(effect->parameters) + (isBent(*effect) ? 3 : 0),
                          isWhole ? nullptr : &effectWidths(), odds.effect);
       for (const EffectParameter& parameter : effect->parameters)
-        m_terms.push_back({parameter.term, plausibleSize(parameter), column++});
+        m_terms.push_back({parameter.term, sizeOf(parameter), column++});
       m_result.mayBe.back().isBent = isBent(*effect);
       if (isBent(*effect)) m_bent = column;
     }
@@ -146,6 +163,14 @@ class Assembly {
         m_grossErrors[i] = add(grossErrorId, 1, &grossErrorWidths(), odds.grossError / (2 * rows));
   }
 
+  /// The plausible size, or the σ of a known one, whose value is taken off the residuals.
+  double sizeOf(const EffectParameter& parameter) {
+    const auto known = knownOf(m_session.measurement, parameter);
+    if (!known) return plausibleSize(parameter);
+    m_known.emplace_back(parameter.term, known->value);
+    return std::min(known->sigma, plausibleSize(parameter));
+  }
+
   VectorXd columnsOf(std::size_t i) const {
     const LinearReading& reading = m_all.readings[i];
     VectorXd row = VectorXd::Zero(m_columns);
@@ -167,14 +192,20 @@ class Assembly {
 
   /// Unknowns, causes and residual of some readings, side by side.
   MatrixXd rowsOf(const std::vector<std::size_t>& readings) const {
-    const auto unknowns = static_cast<Index>(m_unknowns.size());
+    const Index unknowns = unknownColumns(), ofFit = std::ssize(m_unknowns);
     MatrixXd rows(static_cast<Index>(readings.size()), unknowns + m_columns + 1);
     for (Index r = 0; r < rows.rows(); ++r) {
       const std::size_t i = readings[static_cast<std::size_t>(r)];
-      for (Index u = 0; u < unknowns; ++u)
+      for (Index u = 0; u < ofFit; ++u)
         rows(r, u) = m_all.ofUnknown(i, m_unknowns[static_cast<std::size_t>(u)]);
+      for (Index u = ofFit; u < unknowns; ++u) {
+        const EffectParameter& parameter = *m_ofModel[static_cast<std::size_t>(u - ofFit)];
+        rows(r, u) = m_all.ofTerm(i, parameter.term) * plausibleSize(parameter);
+      }
       rows.row(r).segment(unknowns, m_columns) = columnsOf(i);
-      rows(r, rows.cols() - 1) = m_all.readings[i].residual;
+      double residual = m_all.readings[i].residual;
+      for (const auto& [term, value] : m_known) residual -= m_all.ofTerm(i, term) * value;
+      rows(r, rows.cols() - 1) = residual;
     }
     return rows;
   }
@@ -187,7 +218,7 @@ class Assembly {
   }
 
   SightingRows splitUp(const MatrixXd& rows) const {
-    const auto unknowns = static_cast<Index>(m_unknowns.size());
+    const Index unknowns = unknownColumns();
     return {rows.leftCols(unknowns), rows.middleCols(unknowns, m_columns)};
   }
 
@@ -225,7 +256,7 @@ class Assembly {
               const std::map<std::pair<std::size_t, std::size_t>, MatrixXd>& possible) {
     Index count = 0;
     for (const MatrixXd& rows : taken) count += rows.rows();
-    MatrixXd all(count, static_cast<Index>(m_unknowns.size()) + m_columns + 1);
+    MatrixXd all(count, unknownColumns() + m_columns + 1);
     count = 0;
     for (const MatrixXd& rows : taken) {
       all.middleRows(count, rows.rows()) = rows;

@@ -4,15 +4,9 @@
 #include <vector>
 
 #include "core/base/angle.h"
+#include "core/session/sighting_minutes.h"
 
 namespace alidade {
-
-/// Minutes of the parts of a visit: working values for one observer, to be replaced by one's own.
-struct SightingMinutes {
-  double turningAxis = 6;          ///< the guideway turned to the other position and clamped
-  double plungingTelescope = 0.5;  ///< to the other face
-  double drivingSlider = 0.7;      ///< to another place
-};
 
 /// Pointing and reading both circles, minutes.
 inline constexpr double minutesOfPointing = 0.6;

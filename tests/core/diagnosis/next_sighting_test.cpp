@@ -97,5 +97,49 @@ TEST(NextSighting, IsRankedByTheUncertaintyAloneIfThatIsWanted) {
   EXPECT_DOUBLE_EQ(state->ranked.front().perMinute(), most);
 }
 
+/// A place may be numbered as planned and lie elsewhere: then the next sighting there lies there, too.
+TEST(NextSighting, FindsNothingWhereThePlacesLieElsewhereThanPlanned) {
+  SightingPlan plan = sightingPlanOf(twoFace());
+  const Measurement measurement = *readInFaceOne(drawTruth(7)).measurement();
+  const auto planned = sessionSoFar(measurement, plan);
+  for (SightingPlace& place : plan.places) place.s = place.s + Angle::fromDegrees(9);
+  const auto elsewhere = sessionSoFar(measurement, plan);
+  ASSERT_TRUE(planned && elsewhere);
+  EXPECT_LT(planned->logEvidence, 2);
+  EXPECT_LT(elsewhere->logEvidence, 2);
+}
+
+TEST(NextSighting, CountsNoKnownSizeAsEvidence) {
+  const Truth truth = withEffect(ErrorTerm::VerticalIndex, 15);
+  WatchedSession session = readInFaceOne(truth);
+  for (int point = twoFace().points; point >= 1; --point) session.sight(180, 2, point, 2);
+  Measurement measurement = *session.measurement();
+  const SightingPlan plan = sightingPlanOf(twoFace());
+  EXPECT_GT(sessionSoFar(measurement, plan)->logEvidence, 10);
+  KnownNumber known;
+  known.effect = "vertical_index";
+  known.unit = "arcsec";
+  known.value = 15;
+  known.sigma = 0.5;
+  measurement.known = {known};
+  EXPECT_LT(sessionSoFar(measurement, plan)->logEvidence, 2);
+  measurement.known.clear();
+  measurement.effects = {"vertical_index"};
+  EXPECT_LT(sessionSoFar(measurement, plan)->logEvidence, 2) << "the model contains it";
+}
+
+/// What is in no catalogue looks like noise.
+TEST(NextSighting, NeverNamesNoise) {
+  Measurement measurement = *readInFaceOne(drawTruth(7)).measurement();
+  measurement.sigmaHorizontal = measurement.sigmaHorizontal * 0.2;
+  measurement.sigmaVertical = measurement.sigmaVertical * 0.2;
+  const auto state = sessionSoFar(measurement, sightingPlanOf(twoFace()));
+  ASSERT_TRUE(state);
+  EXPECT_EQ(state->causes.front().cause, "underestimated_noise");
+  EXPECT_GT(state->logEvidence, state->logEvidenceNeeded);
+  EXPECT_TRUE(state->named.empty());
+  EXPECT_NE(state->enough, Enough::Named);
+}
+
 }  // namespace
 }  // namespace alidade

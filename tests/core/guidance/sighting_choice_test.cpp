@@ -99,6 +99,19 @@ TEST(SightingChoice, DoesWithoutAZeroInFaceTwoOnceThereAreReadings) {
   EXPECT_TRUE(Chosen(session, protocol).choice);
 }
 
+/// Both faces name the index error at 0° alone; Δd still needs the readings at 180°.
+TEST(SightingChoice, IsNotEnoughBeforeBothPositionsAreRead) {
+  Truth tilted = truth();
+  tilted.effects = {{ErrorTerm::VerticalIndex, 20}};
+  const Chosen chosen(cut(readOf(bothFaces(), tilted), 0, 12), byWorth(bothFaces()));
+  ASSERT_TRUE(chosen.choice);
+  EXPECT_EQ(chosen.choice->soFar.enough, Enough::Named);
+  EXPECT_FALSE(isEnough(chosen.choice->soFar));
+  EXPECT_EQ(chosen.choice->reason, SightingChoice::Reason::TellsMost);
+  EXPECT_EQ(chosen.next().axisDeg, 180);
+  EXPECT_THAT(enoughSentence(chosen.choice->soFar), HasSubstr("needs readings at both positions"));
+}
+
 /// Named by both faces of the first round; then an early place and the zero are still to be sighted, because
 /// the index error may be one that drifts.
 TEST(SightingChoice, ReturnsToAnEarlyPlaceAndTheZeroBeforeTheEnd) {

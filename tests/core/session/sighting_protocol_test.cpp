@@ -66,6 +66,18 @@ TEST(SightingProtocol, MayBeByWorth) {
   EXPECT_THAT(sayingOfProtocolWith("/order", "any"), HasSubstr("write listed or by_worth"));
 }
 
+TEST(SightingProtocol, HasMinutesOfItsOwn) {
+  Json json = completeProtocol();
+  EXPECT_EQ(readProtocol(json.dump())->minutes, SightingMinutes());
+  json["minutes"] = {{"turning_axis", 12}, {"x-unknown", 3}};
+  const SightingProtocol protocol = *readProtocol(json.dump());
+  EXPECT_EQ(protocol.minutes.turningAxis, 12);
+  EXPECT_EQ(protocol.minutes.drivingSlider, SightingMinutes().drivingSlider);
+  EXPECT_EQ(Json::parse(writeProtocol(protocol)).at("minutes"), json.at("minutes"));
+  EXPECT_THAT(sayingOfProtocolWith("/minutes/turning_axis", -1), HasSubstr("minutes.turning_axis: “-1” min"));
+  EXPECT_THAT(sayingOfProtocolWith("/minutes/driving_slider", "long"), HasSubstr("minutes.driving_slider"));
+}
+
 TEST(SightingProtocol, LosesNothingOfUnknownKeysAtEveryLevel) {
   Json json = completeProtocol();
   for (const char* level : {"", "/places/1", "/positions/0", "/positions/0/zeros", "/positions/0/rounds/1",

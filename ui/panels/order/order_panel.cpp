@@ -240,7 +240,9 @@ void OrderPanel::showSummary() {
     m_progress->setMaximum(std::max(1, count));
     m_progress->setValue(static_cast<int>(guide->progress.taken));
     const int number = guide->progress.next ? static_cast<int>(*guide->progress.next) + 1 : count;
-    m_progress->setFormat(tr("sighting %1 of %2").arg(number).arg(count));
+    m_progress->setFormat(guide->protocol.isByWorth
+                              ? tr("%1 taken, at most %2").arg(guide->progress.taken).arg(count)
+                              : tr("sighting %1 of %2").arg(number).arg(count));
     m_choice->setText(guide->protocol.name.empty()
                           ? tr("Protocol")
                           : tr("Protocol %1").arg(shortLine(guide->protocol.name, 24)));

@@ -13,6 +13,7 @@
 #include "core/simulation/simulate.h"
 #include "tests/ui/support.h"
 #include "ui/commands/change_protocol.h"
+#include "ui/dialogs/protocol_dialog.h"
 #include "ui/entry/entry_guide.h"
 #include "ui/main_window.h"
 #include "ui/panels/order/order_panel.h"
@@ -148,6 +149,20 @@ TEST_F(ByWorth, IsSwitchedOffAndOnInTheMenu) {
   m_open->document().undoStack().undo();
   settle();
   EXPECT_FALSE(m_open->document().chosenSighting());
+}
+
+TEST(ProtocolDialog, KeepsTheOrderByWorthAndItsMinutes) {
+  SightingProtocol protocol = openOrder(templateOf(fivePlaces()));
+  protocol.minutes.turningAxis = 12.25;
+  ProtocolDialog dialog(protocol, CircleUnit::Dms);
+  const auto kept = dialog.protocol();
+  ASSERT_TRUE(kept);
+  EXPECT_TRUE(kept->isByWorth);
+  EXPECT_EQ(kept->minutes, protocol.minutes);
+  EXPECT_EQ(sightingCount(*kept), sightingCount(protocol));
+  ProtocolDialog listed(listedOrder(protocol), CircleUnit::Dms);
+  EXPECT_FALSE(listed.protocol()->isByWorth);
+  EXPECT_EQ(listed.protocol()->minutes, protocol.minutes);
 }
 
 }  // namespace

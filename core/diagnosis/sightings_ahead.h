@@ -1,0 +1,31 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "core/diagnosis/next_sighting.h"
+#include "core/diagnosis/result/sighting_plan.h"
+#include "core/session/measurement.h"
+
+namespace alidade {
+
+/// Sightings that reach an uncertainty, in their order.
+struct SightingsAhead {
+  std::vector<NextSighting> sightings;
+  double minutes = 0;
+  /// U of Δd after them, mm, with every effect of plausible size; absent without both positions.
+  std::optional<double> expanded = {};
+  bool isReached = false;  ///< else `expanded` is what so many sightings come to
+};
+
+/// The sightings that bring U of Δd to `uncertainty` (mm, > 0) in the fewest minutes, at the session's
+/// coverage: so many in the position of the last reading, and then so many in the other, each the one that
+/// takes most off U for its minutes. Tried with several numbers in the first. U depends on what is sighted
+/// and not on the values, so the readings to come are those of the arcs fitted so far. `measurement` has at
+/// least one sighting; `most` limits the sightings to come. The axis is turned at most once, if the plan
+/// allows it.
+SightingsAhead sightingsFor(double uncertainty, const Measurement& measurement, const SightingPlan& plan,
+                            std::size_t most = 150);
+
+}  // namespace alidade
