@@ -11,10 +11,6 @@ namespace {
 
 using Index = std::optional<std::size_t>;
 
-bool isThere(const FollowedSighting& followed) {
-  return followed.state == SightingState::Taken || followed.state == SightingState::Excluded;
-}
-
 /// What is left of a protocol, seen from the position of the last reading.
 class Remaining {
  public:

@@ -131,10 +131,6 @@ class Follower {
     ++m_progress.taken;
   }
 
-  static bool isThere(const FollowedSighting& followed) {
-    return followed.state == SightingState::Taken || followed.state == SightingState::Excluded;
-  }
-
   /// Rows are in the order in which they were taken: one is out of turn if the protocol has it before a row
   /// of the position taken earlier.
   void markOutOfTurn() {
@@ -307,8 +303,7 @@ ProtocolProgress progressOf(const Session& session, const SightingProtocol& prot
 std::optional<std::size_t> nextPlaceIn(const ProtocolProgress& progress, std::size_t position) {
   const auto isOpen = [&](std::size_t i) {
     const FollowedSighting& followed = progress.sightings[i];
-    return followed.position == position && !followed.planned.isZero &&
-           followed.state != SightingState::Taken && followed.state != SightingState::Excluded;
+    return followed.position == position && !followed.planned.isZero && !isThere(followed);
   };
   if (progress.next && isOpen(*progress.next)) return progress.next;
   std::optional<std::size_t> missed;

@@ -47,6 +47,11 @@ struct FollowedSighting {
   bool isOutOfTurn = false;  ///< taken after one that follows it in the protocol
 };
 
+/// Is it sighted, whether it counts or not?
+inline bool isThere(const FollowedSighting& followed) {
+  return followed.state == SightingState::Taken || followed.state == SightingState::Excluded;
+}
+
 struct ProtocolProgress {
   std::vector<FollowedSighting> sightings;  ///< in the order of the protocol
   std::size_t taken = 0, excluded = 0, missed = 0, outOfTurn = 0;
