@@ -12038,7 +12038,7 @@ a clause as a sentence</extracomment>
         <translation>语言(&amp;L)</translation>
     </message>
     <message>
-        <source>Another language is spoken once Alidade is started again.</source>
+        <source>Another language applies when Alidade is started again.</source>
         <translation>更换的语言在重新启动 Alidade 后生效。</translation>
     </message>
     <message>

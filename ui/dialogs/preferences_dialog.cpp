@@ -81,7 +81,7 @@ QWidget* PreferencesDialog::createWindowPage() {
   auto* form = new QFormLayout(page);
   m_language = createLanguageChoice(tr("As the desktop"), rememberedLanguage());
   form->addRow(tr("&Language"), m_language);
-  form->addRow({}, hint(tr("Another language is spoken once Alidade is started again.")));
+  form->addRow({}, hint(tr("Another language applies when Alidade is started again.")));
   form->addRow(tr("Font"), createFontRow());
   m_theme = new QComboBox;
   m_theme->setObjectName(QStringLiteral("colours"));
