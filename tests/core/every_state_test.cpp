@@ -40,7 +40,7 @@ TEST_P(EveryState, OfTypingHasAnAnswerOrASentence) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Sample, EveryState, testing::Values(0));
-INSTANTIATE_TEST_SUITE_P(Long, EveryState, testing::Range(1, 12));
+INSTANTIATE_TEST_SUITE_P(Long, EveryState, testing::Range(1, 9));
 
 class EveryGeometry : public testing::TestWithParam<int> {};
 

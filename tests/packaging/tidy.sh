@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # tidy.sh TREE BUILD quick|all FOLDER...: clang-tidy 14 for what the build compiles of the folders, one process per
 # processor. Sources are looked at room by room, as they are compiled, so that what they all include is read once.
-# `quick` leaves out the checks that cost most for their findings, and every second room, the others at the next
-# commit. A room that passed is checked again after a change
+# `quick` leaves out the checks that cost most for their findings, and two rooms of three, the others at the next
+# commits. A room that passed is checked again after a change
 # of it, of an included header or of the rules.
 set -euo pipefail
 self=$(realpath -- "${BASH_SOURCE[0]}")
@@ -67,7 +67,7 @@ READ
 }
 
 due() {
-  if [[ $extent == all ]]; then cat; else awk -v commits="$(git rev-list --count HEAD 2>/dev/null)" '(NR + commits) % 2'; fi
+  if [[ $extent == all ]]; then cat; else awk -v commits="$(git rev-list --count HEAD 2>/dev/null)" '(NR + commits) % 3 == 0'; fi
 }
 
 compiled "$@" | due | while IFS=$'\t' read -r object source; do
