@@ -11,23 +11,6 @@
 
 namespace alidade {
 
-namespace {
-
-/// In a protocol by worth the next sighting, and those to come for an uncertainty.
-void choose(Guidance& guidance, const Session& session, const Measurement& measurement) {
-  const SightingProtocol& protocol = guidance.protocol;
-  guidance.choice = chooseSighting(measurement, protocol, guidance.progress);
-  if (!guidance.choice) return;
-  if (guidance.uncertainty) {
-    SightingPlan plan = openPlan(protocol, guidance.progress);
-    plan.canTurnAxis = protocol.positions.size() > measurement.arcs.size();
-    guidance.ahead = sightingsFor(*guidance.uncertainty, measurement, plan);
-  }
-  guidance.progress = progressOf(session, protocol, guidance.choice->next);
-}
-
-}  // namespace
-
 Guidance guidanceOf(const Session& session, SightingProtocol protocol, std::optional<double> uncertainty) {
   Guidance guidance;
   guidance.progress = progressOf(session, protocol);
@@ -38,7 +21,12 @@ Guidance guidanceOf(const Session& session, SightingProtocol protocol, std::opti
   if (!examined.measurement) return guidance;
   const Measurement& measurement = *examined.measurement;
   const SessionFit fit = fitSession(measurement);
-  if (guidance.protocol.isByWorth) choose(guidance, session, measurement);
+  guidance.choice = followChoice(session, measurement, guidance.protocol, guidance.progress);
+  if (guidance.choice && uncertainty) {
+    SightingPlan plan = openPlan(guidance.protocol);
+    plan.canTurnAxis = guidance.protocol.positions.size() > measurement.arcs.size();
+    guidance.ahead = sightingsFor(*uncertainty, measurement, plan);
+  }
   guidance.expected = forecast(measurement, fit, guidance.protocol, guidance.progress);
   const std::vector<Suspect> suspects =
       fit.arcs.empty() ? std::vector<Suspect>() : findSuspects(session, measurement, fit);

@@ -23,17 +23,6 @@ std::vector<Weighed> likely(const std::vector<Weighed>& all) {
   return list;
 }
 
-NextSighting rankedSighting(const PossibleSighting& possible, const Measurement& measurement) {
-  NextSighting next;
-  next.axisDeg = measurement.arcs[possible.arc].axisDeg;
-  next.point = possible.point;
-  next.face = possible.face;
-  next.round = possible.round;
-  next.turnsAxis = possible.turnsAxis;
-  next.minutes = possible.minutes;
-  return next;
-}
-
 /// Adds what a sighting tells of the causes.
 void addCauses(NextSighting& next, const std::vector<Weighed>& causes,
                const WeighedCauses::Predictor& predictor) {
@@ -58,7 +47,7 @@ std::vector<NextSighting> ranked(const PossibleSightings& session, const Sightin
   const std::vector<Weighed> some = likely(causes.all());
   std::vector<NextSighting> list;
   for (std::size_t i = 0; i < session.possible.size(); ++i) {
-    NextSighting next = rankedSighting(session.possible[i], session.measurement);
+    NextSighting next = session.possible[i].next;
     const SightingRows& rows = equations.possible[i];
     if (!isOfUncertaintyAlone) addCauses(next, some, WeighedCauses::Predictor(causes, rows));
     next.ofUncertainty = every.tells(rows);

@@ -23,18 +23,6 @@ namespace alidade {
 // (Ville 1939). U depends on which readings were taken but not on their values, so stopping at a U leaves its
 // coverage unchanged. The range of Δd for a verdict widens U by a normal mixture (Robbins 1970).
 
-/// A sighting that could be next, or several parts of it: a turn to the other position includes its zero.
-struct NextSighting {
-  int axisDeg = 0, point = 0, face = 1, round = 1;
-  bool turnsAxis = false;
-  double minutes = 0;
-  double ofCauses = 0;       ///< Σ √(wᵢ wⱼ)(1 − BCᵢⱼ)
-  double ofUncertainty = 0;  ///< −ln(U after/U before)
-  std::string one, other;    ///< the two that it separates most; empty: nothing
-
-  double perMinute() const { return (ofCauses + ofUncertainty) / minutes; }
-};
-
 /// One of what may be the case; no cause for nothing.
 struct WeighedCause {
   std::string cause;

@@ -2,9 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 #include "core/base/statistics.h"
+#include "core/diagnosis/next_sighting/all_possible.h"
+#include "core/diagnosis/next_sighting/possible_sightings.h"
 #include "core/diagnosis/next_sighting/sighting_equations.h"
 
 namespace alidade {
@@ -23,15 +24,11 @@ void prolong(Measurement& measurement) {
   }
 }
 
-/// The measurement after a further sighting, with the reading of the arcs fitted so far.
-Measurement after(const NextSighting& next, const Measurement& measurement, const SightingPlan& plan) {
-  PossibleSightings possible;
-  sightingEquations(measurement, plan, possible);
-  std::size_t index = possible.newArc;
-  if (!next.turnsAxis)
-    index = std::ranges::find_if(possible.possible, [](const PossibleSighting& sighting) {
-              return !sighting.turnsAxis;
-            })->arc;
+/// The measurement after a sighting of `possible`, with the reading of the arcs fitted so far.
+Measurement after(const PossibleSighting& chosen, const Measurement& measurement,
+                  const PossibleSightings& possible) {
+  const std::size_t index = chosen.arc;
+  const NextSighting& next = chosen.next;
   const ArcMeasurement& arc = possible.measurement.arcs[index];
   Sighting taken = *std::find_if(arc.sightings.begin() + static_cast<std::ptrdiff_t>(possible.taken[index]),
                                  arc.sightings.end(), [&](const Sighting& sighting) {
@@ -68,18 +65,21 @@ class Path {
 
   /// Takes the sighting that takes most off U for its minutes; false if there is none.
   bool goOn(bool turnsAxis) {
-    const auto next = std::ranges::find(m_ranked, turnsAxis, &NextSighting::turnsAxis);
-    if (next == m_ranked.end()) return false;
-    m_ahead.minutes += next->minutes;
-    m_ahead.sightings.push_back(*next);
-    m_measurement = after(*next, m_measurement, m_plan);
+    const PossibleSighting* best = nullptr;
+    for (const PossibleSighting& one : m_possible.possible)
+      if (one.next.turnsAxis == turnsAxis && (!best || one.next.perMinute() > best->next.perMinute()))
+        best = &one;
+    if (!best) return false;
+    m_ahead.minutes += best->next.minutes;
+    m_ahead.sightings.push_back(best->next);
+    m_measurement = after(*best, m_measurement, m_possible);
     m_plan.canTurnAxis = m_plan.canTurnAxis && !turnsAxis;
     look();
     return true;
   }
 
-  void goOnToTheEnd(std::size_t most) {
-    while (!m_ahead.isReached && m_ahead.sightings.size() < most && goOn(false)) {
+  void goOnTo(std::size_t count) {
+    while (!m_ahead.isReached && m_ahead.sightings.size() < count && goOn(false)) {
     }
   }
 
@@ -88,16 +88,16 @@ class Path {
   SightingPlan m_plan;
   Measurement m_measurement;
   SightingsAhead m_ahead;
-  std::vector<NextSighting> m_ranked;
+  PossibleSightings m_possible;  ///< with their worth
 
   void look() {
-    m_ranked.clear();
-    auto state = sessionSoFar(m_measurement, m_plan, {.uncertainty = m_uncertainty});
-    if (!state) return;
-    if (state->sigma)
-      m_ahead.expanded = coverageFactor(m_measurement.coverage, DegreesOfFreedom::infinite()) * *state->sigma;
-    m_ahead.isReached = m_ahead.expanded && *m_ahead.expanded <= m_uncertainty;
-    m_ranked = std::move(state->ranked);
+    const SightingEquations equations = sightingEquations(m_measurement, m_plan, m_possible);
+    const IntersectionSoFar every(equations);
+    for (std::size_t i = 0; i < m_possible.possible.size(); ++i)
+      m_possible.possible[i].next.ofUncertainty = every.tells(equations.possible[i]);
+    if (!hasBothAxes(m_measurement)) return;
+    m_ahead.expanded = coverageFactor(m_measurement.coverage, DegreesOfFreedom::infinite()) * every.sigma();
+    m_ahead.isReached = *m_ahead.expanded <= m_uncertainty;
   }
 };
 
@@ -116,17 +116,15 @@ SightingsAhead sightingsFor(double uncertainty, const Measurement& measurement, 
   Path here(uncertainty, measurement, plan);
   SightingsAhead best = here.ahead();
   for (const std::size_t number : numbersHere) {
-    while (!here.ahead().isReached && here.ahead().sightings.size() < std::min(number, most) &&
-           here.goOn(false)) {
-    }
+    here.goOnTo(std::min(number, most));
     Path turned = here;
     if (plan.canTurnAxis && !turned.ahead().isReached && turned.ahead().sightings.size() < most &&
         turned.goOn(true))
-      turned.goOnToTheEnd(most);
+      turned.goOnTo(most);
     if (isBetter(turned.ahead(), best)) best = turned.ahead();
     if (here.ahead().isReached) break;
   }
-  here.goOnToTheEnd(most);
+  here.goOnTo(most);
   return isBetter(here.ahead(), best) ? here.ahead() : best;
 }
 

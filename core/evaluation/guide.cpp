@@ -24,10 +24,7 @@ std::shared_ptr<const Guide> guideOf(const Evaluation& evaluation) {
   guide.expected.resize(guide.progress.sightings.size());
   if (evaluation.examined.measurement) {
     const Measurement& measurement = *evaluation.examined.measurement;
-    if (guide.protocol.isByWorth) {
-      guide.choice = chooseSighting(measurement, guide.protocol, guide.progress);
-      if (guide.choice) guide.progress = progressOf(session, guide.protocol, guide.choice->next);
-    }
+    guide.choice = followChoice(session, measurement, guide.protocol, guide.progress);
     guide.expected = forecast(measurement, evaluation.fit, guide.protocol, guide.progress);
     guide.repeats = repeatsOf({measurement, evaluation.fit,
                                evaluation.twoFaces ? &*evaluation.twoFaces : nullptr, evaluation.suspects},

@@ -3,17 +3,17 @@
 #include <set>
 
 #include "core/guidance/forecast.h"
+#include "core/session/protocol_progress.h"
 
 namespace alidade {
 
-SightingPlan openPlan(const SightingProtocol& protocol, const ProtocolProgress& progress) {
+SightingPlan openPlan(const SightingProtocol& protocol) {
   SightingPlan plan{.places = {}, .faces = {}};
   std::set<int> faces, points;
   plan.rows = 0;
-  for (const FollowedSighting& followed : progress.sightings) {
-    const PlannedSighting& planned = followed.planned;
+  for (const PlannedSighting& planned : sightingsInOrder(listedOrder(protocol))) {
     if (planned.isZero) continue;
-    plan.rows += planned.time == 1 ? 1 : 0;
+    ++plan.rows;
     faces.insert(planned.face);
     points.insert(planned.point);
   }

@@ -1,12 +1,12 @@
 #pragma once
 
 #include "core/diagnosis/result/sighting_plan.h"
-#include "core/session/protocol_progress.h"
+#include "core/session/sighting_protocol.h"
 
 namespace alidade {
 
-/// The places of a protocol by worth with every face of its rounds. Drifts are stated for its rows without
-/// the repeats of positions.
-SightingPlan openPlan(const SightingProtocol& protocol, const ProtocolProgress& progress);
+/// The places of a protocol with every face of its rounds. Drifts are stated for its rows without what
+/// `openOrder` added.
+SightingPlan openPlan(const SightingProtocol& protocol);
 
 }  // namespace alidade

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <utility>
+#include <vector>
 
 #include "core/guidance/open_plan.h"
 
@@ -102,15 +103,15 @@ void close(SightingChoice& choice, const Remaining& left, const ArcMeasurement& 
               return !planned.isZero && planned.point == first.point && planned.round != first.round;
             });
   const Index zero = left.zero(left.here(), true);
-  if (again || zero) choice.next = again ? *again : *zero;
-  if (again || zero)
-    choice.reason = again ? SightingChoice::Reason::EarlyPlace : SightingChoice::Reason::ClosingZero;
+  if (!again && !zero) return;
+  choice.next = again ? *again : *zero;
+  choice.reason = again ? SightingChoice::Reason::EarlyPlace : SightingChoice::Reason::ClosingZero;
 }
 
 }  // namespace
 
 std::optional<SightingChoice> chooseSighting(const Measurement& measurement, const SightingProtocol& protocol,
-                                             const ProtocolProgress& progress, const EnoughOptions& options) {
+                                             const ProtocolProgress& progress) {
   if (measurement.rows > mostForChoice) return std::nullopt;
   const ArcMeasurement* last = nullptr;
   for (const ArcMeasurement& arc : measurement.arcs)
@@ -119,29 +120,37 @@ std::optional<SightingChoice> chooseSighting(const Measurement& measurement, con
   if (!last) return std::nullopt;
   const Remaining left(protocol, progress, last->position);
   if (!left.isKnown() || left.lacksZero()) return std::nullopt;
-  SightingPlan plan = openPlan(protocol, progress);
+  SightingPlan plan = openPlan(protocol);
   plan.canTurnAxis = left.canTurnAxis();
-  auto state = sessionSoFar(measurement, plan, options);
+  auto state = sessionSoFar(measurement, plan);
   if (!state) return std::nullopt;
-  SightingChoice choice;
-  bool isFirst = true;
+  std::optional<SightingChoice> choice;
   constexpr double nearly = 0.9;
   constexpr std::size_t most = 2;
   for (const NextSighting& next : state->ranked) {
     const Index index = left.indexOf(next);
     if (!index) continue;
-    if (std::exchange(isFirst, false)) {
-      choice.next = *index;
-      choice.worth = next;
-    } else if (choice.alternatives.size() < most && next.perMinute() >= nearly * choice.worth.perMinute() &&
-               *index != choice.next &&
-               std::ranges::find(choice.alternatives, *index) == choice.alternatives.end()) {
-      choice.alternatives.push_back(*index);
+    if (!choice) {
+      choice.emplace();
+      choice->next = *index;
+      choice->worth = next;
+    } else if (std::vector<std::size_t>& others = choice->alternatives;
+               others.size() < most && next.perMinute() >= nearly * choice->worth.perMinute() &&
+               *index != choice->next && std::ranges::find(others, *index) == others.end()) {
+      others.push_back(*index);
     }
   }
-  if (isFirst) return std::nullopt;
-  if (isEnough(*state) && !left.isTurned()) close(choice, left, *last);
-  choice.soFar = *std::move(state);
+  if (!choice) return std::nullopt;
+  if (isEnough(*state) && !left.isTurned()) close(*choice, left, *last);
+  choice->soFar = *std::move(state);
+  return choice;
+}
+
+std::optional<SightingChoice> followChoice(const Session& session, const Measurement& measurement,
+                                           const SightingProtocol& protocol, ProtocolProgress& progress) {
+  if (!protocol.isByWorth) return std::nullopt;
+  auto choice = chooseSighting(measurement, protocol, progress);
+  if (choice) progress = progressOf(session, protocol, choice->next);
   return choice;
 }
 

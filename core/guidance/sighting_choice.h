@@ -33,7 +33,10 @@ inline constexpr std::size_t mostForChoice = 400;
 /// face. Absent before the first reading, above `mostForChoice`, while the pointing zero is missing, and if
 /// nothing is left of these: then the order of the protocol holds.
 std::optional<SightingChoice> chooseSighting(const Measurement& measurement, const SightingProtocol& protocol,
-                                             const ProtocolProgress& progress,
-                                             const EnoughOptions& options = {});
+                                             const ProtocolProgress& progress);
+
+/// Chooses in a protocol by worth, whose progress then leads there; nothing in another one.
+std::optional<SightingChoice> followChoice(const Session& session, const Measurement& measurement,
+                                           const SightingProtocol& protocol, ProtocolProgress& progress);
 
 }  // namespace alidade

@@ -10,6 +10,8 @@
 #include "core/base/threads.h"
 #include "core/diagnosis/diagnose.h"
 #include "core/effects/catalogue.h"
+#include "core/guidance/open_plan.h"
+#include "core/simulation/protocol_template.h"
 #include "core/simulation/trial_score.h"
 #include "core/simulation/watched_session.h"
 
@@ -159,13 +161,7 @@ Result<AdaptiveTrial> trialOf(const AdaptiveTrialOptions& options, const BlindTr
 }  // namespace
 
 SightingPlan sightingPlanOf(const Protocol& protocol) {
-  SightingPlan plan{.places = {}};
-  for (int point = 1; point <= protocol.points; ++point)
-    plan.places.push_back({point, plannedPlace(protocol, point)});
-  if (protocol.faces == FacePlan::FaceOne) plan.faces = {1};
-  plan.readsSlider = protocol.slider;
-  plan.rows = stepsOf(protocol).size();
-  return plan;
+  return openPlan(templateOf(protocol));
 }
 
 Result<AdaptiveTrials> adaptiveTrials(const AdaptiveTrialOptions& options, const BlindTrialOptions& draw,

@@ -78,9 +78,9 @@ void SessionDocument::markSaved(const QString& path, const QByteArray& sha256) {
 void SessionDocument::edit(EditKey /*key*/, const SessionChange& change,
                            const std::function<void(Session&)>& write) {
   emit aboutToChange(change);
-  const std::string protocol = m_session.protocol;
   write(m_session);
-  if (m_session.protocol != protocol) m_chosenSighting.reset();
+  if (change.kind == SessionChange::Kind::Everything || change.place.field == "protocol")
+    m_chosenSighting.reset();
   emit changed(change);
 }
 

@@ -107,7 +107,13 @@ PossibleSightings possibleSightings(const Measurement& taken, const SightingPlan
                                                         .sightsZero = turns,
                                                         .plungesTelescope = face != last.face,
                                                         .drivesSlider = turns || next.point != last.point});
-        session.possible.push_back({arc, next.point, face, next.round, turns, minutes});
+        session.possible.push_back({arc,
+                                    {.axisDeg = before.axisDeg,
+                                     .point = next.point,
+                                     .face = face,
+                                     .round = next.round,
+                                     .turnsAxis = turns,
+                                     .minutes = minutes}});
         all.arcs[arc].sightings.push_back(next);
       }
   }
@@ -126,7 +132,7 @@ void sightPossible(PossibleSightings& session, const SightingPlan& plan, const s
       if (const Sighting* there = takenAt(arc, session.taken[i], sighting.point)) {
         sighting.a = there->a;
         sighting.e = there->e;
-        if (sighting.slider) sighting.slider = there->slider ? there->slider : sighting.slider;
+        if (sighting.slider && there->slider) sighting.slider = there->slider;
         continue;
       }
       const auto place = std::ranges::find(plan.places, sighting.point, &SightingPlace::point);

@@ -8,12 +8,10 @@
 
 namespace alidade {
 
-/// A sighting that could be next.
+/// A sighting that could be next, without its worth.
 struct PossibleSighting {
-  std::size_t arc = 0;
-  int point = 0, face = 1, round = 1;
-  bool turnsAxis = false;  ///< its arc begins with it
-  double minutes = 0;
+  std::size_t arc = 0;  ///< begins with it if it turns the axis
+  NextSighting next;
 };
 
 /// The session with every sighting that could be next. Those stand after the sightings taken in their arcs,

@@ -41,11 +41,15 @@ bool isBent(const Effect& effect) {
   return effect.response == Response::Bent && effect.parameters.size() == 2;
 }
 
+bool isOfModel(const Measurement& measurement, const Effect& effect) {
+  return std::ranges::find(measurement.effects, effect.id) != measurement.effects.end();
+}
+
 std::vector<const Effect*> effectsFor(const Measurement& measurement, const SightingPlan& plan) {
   std::vector<const Effect*> effects = effectsOf(measurement);
   std::erase_if(effects, [&](const Effect* effect) {
     return !effect->isSought || (needsSlider(*effect) && !plan.readsSlider) ||
-           std::ranges::find(measurement.effects, effect->id) != measurement.effects.end();
+           isOfModel(measurement, *effect);
   });
   return effects;
 }
@@ -54,7 +58,7 @@ std::vector<const Effect*> effectsFor(const Measurement& measurement, const Sigh
 std::vector<const EffectParameter*> parametersOfModel(const Measurement& measurement) {
   std::vector<const EffectParameter*> parameters;
   for (const Effect* effect : effectsOf(measurement))
-    if (std::ranges::find(measurement.effects, effect->id) != measurement.effects.end() && hasSizes(*effect))
+    if (isOfModel(measurement, *effect) && hasSizes(*effect))
       for (const EffectParameter& parameter : effect->parameters) parameters.push_back(&parameter);
   return parameters;
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <string>
 #include <vector>
 
 #include "core/base/angle.h"
@@ -28,6 +29,18 @@ inline double minutesOf(const SightingMinutes& minutes, const SightingMoves& mov
 struct SightingPlace {
   int point = 0;
   Angle s;
+};
+
+/// A sighting that could be next, or several parts of it: a turn to the other position includes its zero.
+struct NextSighting {
+  int axisDeg = 0, point = 0, face = 1, round = 1;
+  bool turnsAxis = false;
+  double minutes = 0;
+  double ofCauses = 0;               ///< Σ √(wᵢ wⱼ)(1 − BCᵢⱼ)
+  double ofUncertainty = 0;          ///< −ln(U after/U before)
+  std::string one = {}, other = {};  ///< the two that it separates most; empty: nothing
+
+  double perMinute() const { return (ofCauses + ofUncertainty) / minutes; }
 };
 
 /// The sightings among which the next is chosen: every place in either face, in either position.
