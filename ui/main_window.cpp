@@ -249,6 +249,10 @@ void MainWindow::showTitle() {
   QString name = visibleLine(m_document.displayName());
   name.replace(mark, mark + mark);  // escapes the name's own marks of a changed file
   // Ends in the program's name, which Qt would add otherwise.
+  if (const auto seal = sealOf(m_document.session().journal))
+    name = (changesSince(*seal, m_document.session().journal) == 0 ? tr("%1 (sealed)")
+                                                                   : tr("%1 (changed since the seal)"))
+               .arg(name);
   setWindowTitle(QStringLiteral("%1[*] — %2 — Alidade").arg(name, qText(versionAndBuild())));
   setWindowModified(m_document.isModified() || !m_document.halfTyped().isEmpty());
 }

@@ -24,6 +24,7 @@
 #include "ui/help/help_topics.h"
 #include "ui/help/help_window.h"
 #include "ui/main_window.h"
+#include "ui/panels/journal/change_reason_bar.h"
 #include "ui/panels/readings/position_tabs.h"
 #include "ui/panels/readings/readings_table.h"
 #include "ui/panels/readings/suspect_bar.h"
@@ -210,7 +211,8 @@ void WindowActions::createEditMenu(QToolBar& bar) {
   bar.addActions({insert, remove, exclude});
 }
 
-/// Enabled if a reading looks misread, the second if a correction is proposed.
+/// Enabled if a reading looks misread, the second if a correction is proposed, the third if a recorded entry
+/// was just changed.
 void WindowActions::addSuspectActions(QMenu& menu) {
   menu.addSeparator();
   SuspectBar* suspects = m_window.entries().suspects();
@@ -225,6 +227,14 @@ void WindowActions::addSuspectActions(QMenu& menu) {
   connect(suspects, &SuspectBar::suspectsChanged, next, enable);
   enable();
   m_tableActions << next << use;
+  ChangeReasonBar* reason = m_window.entries().changeReason();
+  QAction* state =
+      addTo(menu, nullptr, tr("State W&hy It Was Changed"), QKeySequence(tr("Ctrl+R")), this, [this, reason] {
+        m_window.commitPending();
+        reason->start();
+      });
+  state->setEnabled(false);
+  connect(reason, &ChangeReasonBar::askedChanged, state, &QAction::setEnabled);
 }
 
 /// Adds rows in the order of sighting, and shortcuts to the entries.
@@ -347,7 +357,7 @@ void WindowActions::createViewMenu() {
   addEnlargeAction(menu);
   menu.addSeparator();
   addTo(menu, nullptr, tr("Large D&isplay"), QKeySequence(Qt::Key_F9), this,
-        [this] { m_window.entry().setLargeDisplayShown(true); });
+        [this] { m_window.entry().toggleLargeDisplay(); });
   menu.addSeparator();
   addTo(menu, nullptr, tr("&Larger Font"), QKeySequence(tr("Ctrl+Alt++")), this,
         [] { applyFont(resized(rememberedFont(), 1)); });
@@ -417,7 +427,7 @@ void WindowActions::addEnlargeAction(QMenu& menu) {
 }
 
 void WindowActions::createInstrumentMenu() {
-  QMenu& menu = *m_window.menuBar()->addMenu(tr("Instrument"));
+  QMenu& menu = *m_window.menuBar()->addMenu(tr("Instr&ument"));
   InstrumentDesk& desk = m_window.instrumentDesk();
   addTo(menu, nullptr, tr("&Connect…"), QKeySequence(tr("Ctrl+Shift+C")), this,
         [&desk] { desk.showDialog(); });

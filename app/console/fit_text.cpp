@@ -76,7 +76,7 @@ std::string fitText(const FitAnswer& answer) {
   text += statementText(arcTable(fit)) + gapText(answer);
   if (answer.diagnosis && answer.diagnosis->measured)
     text += statementText(measuredBudget(*answer.diagnosis, measurement.coverage));
-  if (fit.intersection) text += statementText(fitBudget(*fit.intersection));
+  if (fit.intersection) text += statementText(fitBudget(fit));
   text += statementText(centreBudget(fit));
   if (answer.check)
     text += statementText(monteCarloCheck(*answer.check, fit.intersection ? &*fit.intersection : nullptr));

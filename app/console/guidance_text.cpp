@@ -12,6 +12,7 @@
 #include "core/statement/sightings_ahead.h"
 #include "core/wording/guidance.h"
 #include "core/wording/position_name.h"
+#include "core/wording/protocol_words.h"
 
 namespace alidade::console {
 
@@ -77,7 +78,7 @@ std::string guidanceText(const std::string& session, const Guidance& guidance, C
   std::string text = heading(session) + "\n";
   text += paragraph("Protocol " +
                     (guidance.protocol.name.empty() ? "of its own" : quotation(guidance.protocol.name)) +
-                    ". " + progressSentences(guidance.progress));
+                    ": " + protocolInWords(guidance.protocol) + ". " + progressSentences(guidance.progress));
   const std::string choice =
       guidance.choice ? statementText(sightingChoiceStatement(*guidance.choice, guidance.progress)) : "";
   const std::string ahead =

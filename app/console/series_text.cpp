@@ -111,7 +111,7 @@ std::string gapText(const SeriesDiagnosis& series) {
         std::isnan(size.reducedChiSquare) ? "none" : fixedText(size.reducedChiSquare, 3)};
   };
   std::string text = "\n" + alignedColumns({{"", "rms (″)", "reduced χ²"},
-                                            row("as modelled", series.gap),
+                                            row("fit only", series.gap),
                                             row("with what is shared", series.after)});
   if ((!series.causes.empty() || series.pattern) && !std::isnan(series.shrink.heldOut))
     text += "Sessions held out shrink by " + fixedText(100 * series.shrink.heldOut, 1) + " %.\n";

@@ -2,13 +2,18 @@
 
 #include <QTextStream>
 #include <memory>
+#include <string>
+#include <vector>
 
 #include "core/base/failure.h"
+#include "core/base/list_text.h"
+#include "core/base/phrase.h"
 #include "core/evaluation/evaluation.h"
 #include "core/session/hindrance.h"
 #include "ui/dialogs/report_source.h"
 #include "ui/document/session_document.h"
 #include "ui/report/empty_fields.h"
+#include "ui/text/entry_text.h"
 #include "ui/text/visible_text.h"
 
 namespace alidade {
@@ -27,10 +32,13 @@ QDateTime dateOfReport() {
   return isSet ? QDateTime::fromSecsSinceEpoch(seconds, Qt::UTC) : QDateTime::currentDateTime();
 }
 
-int tellLacks(const QString& path, const QString& sentence, const QStringList& lacks) {
+/// `sentence` of the lacks, for `Phrase::of`.
+int tellLacks(const QString& path, const char* sentence, const QStringList& lacks) {
+  std::vector<std::string> nouns;
+  for (const QString& noun : lacks) nouns.push_back(noun.toStdString());
   if (!lacks.isEmpty())
-    QTextStream(stderr) << ui::visibleLine(path) << ": " << sentence << ": "
-                        << lacks.join(QStringLiteral(", ")) << ".\n";
+    QTextStream(stderr) << ui::visibleLine(path) << ": " << ui::qText(Phrase::of(sentence, listed(nouns)))
+                        << '\n';
   return 0;
 }
 
@@ -52,7 +60,7 @@ int write(const ReportCommand& command) {
   if (command.certificate.isEmpty()) {
     const auto written = ui::writeAcceptanceReport(evaluation, source, command.report, options);
     if (!written) return refuse(path, written.problem());
-    return tellLacks(path, QStringLiteral("The report leaves out what the session leaves empty"),
+    return tellLacks(path, PHRASE_LATER("Phrase", "The report names as not stated: %1."),
                      ui::emptyReportFields(document.session()));
   }
   options.gap =
@@ -60,9 +68,7 @@ int write(const ReportCommand& command) {
   const auto written = ui::writeCertificate(source, command.certificate, options, command.entries);
   if (!written) return refuse(path, written.problem());
   return tellLacks(
-      path,
-      QStringLiteral(
-          "The certificate says “not stated” where the session leaves empty what its schema asks for"),
+      path, PHRASE_LATER("Phrase", "The certificate says “not stated” of what the session leaves empty: %1."),
       *written);
 }
 

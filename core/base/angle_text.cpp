@@ -190,6 +190,9 @@ class AngleReader {
     if (m_body.find(' ') != std::string::npos) {
       Parts parts = split(m_body, ' ');
       std::erase(parts, std::string());
+      if (parts.size() == 2 && isWhole(parts[0]) && isWhole(parts[1]))
+        return Problem{
+            Phrase::of("%1 is ambiguous: type %2 %3 00 or %2°%3'", quoted(), minus() + parts[0], parts[1])};
       return fromParts(parts);
     }
     for (const char c : std::string_view(".,")) {

@@ -112,4 +112,8 @@ std::string completedDay(const std::string& typed) {
   return inNumbers(parts, withoutBlanks(rest)).value_or(typed);
 }
 
+bool isDay(std::string_view key) {
+  return key.ends_with("_on") || key.ends_with(".date");
+}
+
 }  // namespace alidade

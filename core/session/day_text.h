@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 
 namespace alidade {
 
@@ -8,5 +9,8 @@ namespace alidade {
 /// first), 1 Mar 2026, March 1, 2026, 2026年3月1日; 13/2/2026 and 2/13/2026, as 13 cannot be a month. Other
 /// texts, such as 3/4/2026 or a day that does not exist, are returned as typed.
 std::string completedDay(const std::string& typed);
+
+/// Is the entry with this key in the session file a day?
+bool isDay(std::string_view key);
 
 }  // namespace alidade

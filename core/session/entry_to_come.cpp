@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "core/session/session_fields.h"
 #include "core/session/sighting_order.h"
 
 namespace alidade {
@@ -36,6 +37,13 @@ EntryToCome rowToCome(const Session& session, std::size_t position, std::size_t 
 
 EntryToCome zeroToCome(std::size_t position) {
   return {.position = position, .zero = "pointing_zero"};
+}
+
+/// A row below those of an arc with enough of them.
+bool isFurtherRow(const Session& session, const EntryToCome& entry) {
+  constexpr std::size_t leastRows = 3;
+  const std::size_t rows = session.positions[entry.position].readings.size();
+  return entry.zero.empty() && entry.row >= rows && rows >= leastRows;
 }
 
 template <typename Wanted>
@@ -108,6 +116,27 @@ std::optional<EntryToCome> entryToComeOf(const Session& session, std::size_t her
   if (!protocol || !*protocol) return entryToCome(session, here);
   const ProtocolProgress progress = progressOf(session, **protocol, chosen);
   return entryToCome(session, here, &progress);
+}
+
+std::optional<EntryToCome> entryToLeadTo(const Session& session, std::size_t here,
+                                         const ProtocolProgress* progress) {
+  for (const char* field : {"geometry.distance_mm", "geometry.radius_mm"})
+    if (sessionFieldNamed(field)->get(session).empty()) return EntryToCome{.field = field};
+  const auto next = entryToCome(session, here, progress);
+  if (!next || progress || !isFurtherRow(session, *next)) return next;
+  const std::size_t count = session.positions.size();
+  for (std::size_t i = 1; i < count; ++i)
+    if (const std::size_t position = (next->position + i) % count; lacksZero(session.positions[position]))
+      return zeroToCome(position);
+  return next;
+}
+
+std::optional<EntryToCome> entryToLeadTo(const Session& session, std::size_t here,
+                                         std::optional<std::size_t> chosen) {
+  const auto protocol = protocolOf(session);
+  if (!protocol || !*protocol) return entryToLeadTo(session, here, nullptr);
+  const ProtocolProgress progress = progressOf(session, **protocol, chosen);
+  return entryToLeadTo(session, here, &progress);
 }
 
 }  // namespace alidade

@@ -9,8 +9,9 @@
 
 namespace alidade {
 
-/// The next entry to type: a pointing zero or a row.
+/// The next entry to type: a field of the session, a pointing zero or a row.
 struct EntryToCome {
+  std::string field = {};  ///< "geometry.distance_mm" or "geometry.radius_mm"; then nothing else applies
   std::size_t position = 0;
   std::string zero = {};  ///< "pointing_zero", "pointing_zero.face_2", …; empty: a row
   std::size_t row = 0;    ///< the first unread row; one past the last if all are read
@@ -28,6 +29,14 @@ std::optional<EntryToCome> entryToCome(const Session& session, std::size_t here,
 
 /// The next entry, with the progress in the session's protocol. `chosen` as in `progressOf`.
 std::optional<EntryToCome> entryToComeOf(const Session& session, std::size_t here,
+                                         std::optional<std::size_t> chosen = {});
+
+/// The entry to lead a person to: distance and nominal radius before all others. Without a protocol, a
+/// pointing zero that some position lacks comes before a further row of an arc with enough rows: a zero typed
+/// into a row would count as a reading.
+std::optional<EntryToCome> entryToLeadTo(const Session& session, std::size_t here,
+                                         const ProtocolProgress* progress);
+std::optional<EntryToCome> entryToLeadTo(const Session& session, std::size_t here,
                                          std::optional<std::size_t> chosen = {});
 
 /// Is only one of the two circles typed?

@@ -4,13 +4,14 @@
 #include <iterator>
 
 #include "core/base/phrase.h"
+#include "core/session/day_text.h"
 
 namespace alidade {
 
 namespace {
 
 bool hasNumberOn(const Session& session, const std::string& field) {
-  if (field == "measured_on" || field.ends_with(".date")) return false;
+  if (isDay(field)) return false;
   if (field != "environment.temperature_c" && field != "environment.sigma_temperature_c") return true;
   return !session.geometry.distanceExpansionPpmPerK.empty() ||
          !session.geometry.radiusExpansionPpmPerK.empty();

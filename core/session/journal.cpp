@@ -1,6 +1,7 @@
 #include "core/session/journal.h"
 
 #include <algorithm>
+#include <functional>
 #include <nlohmann/json.hpp>
 
 #include "core/base/number_text.h"
@@ -11,11 +12,50 @@
 
 namespace alidade {
 
+namespace {
+
+bool isExplanation(const JournalEntry& entry) {
+  return entry.why == journal_reasons::explained;
+}
+
+/// Is the entry at this index within the numbers, "12" or "12-14", that the explanation names?
+bool explains(const JournalEntry& explanation, std::size_t index) {
+  if (!isExplanation(explanation)) return false;
+  const std::size_t hyphen = explanation.from.find('-');
+  const Result<int> first = parseWhole(explanation.from.substr(0, hyphen));
+  const Result<int> last =
+      hyphen == std::string::npos ? first : parseWhole(explanation.from.substr(hyphen + 1));
+  const auto number = static_cast<int>(index) + 1;
+  return first && last && *first <= number && number <= *last;
+}
+
+}  // namespace
+
 std::string journalHash(const std::string& before, const JournalEntry& entry) {
   auto list = nlohmann::ordered_json::array({before});
   for (const JournalField& field : journalFields)
     if (field.text != &JournalEntry::hash) list.push_back(entry.*field.text);
   return sha256(list.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
+}
+
+JournalEntry explainingEntry(const std::vector<JournalEntry>& journal, std::size_t first, std::size_t count,
+                             const std::string& reason) {
+  JournalEntry entry = journal.at(first);
+  entry.at.clear();
+  entry.by.clear();
+  entry.from = std::to_string(first + 1);
+  if (count > 1) entry.from += '-' + std::to_string(first + count);
+  entry.to = reason;
+  entry.why = journal_reasons::explained;
+  entry.origin = {};
+  return entry;
+}
+
+std::string explanationOf(const std::vector<JournalEntry>& journal, std::size_t index) {
+  const auto later = journal.rend() - static_cast<std::ptrdiff_t>(index) - 1;
+  const auto last = std::find_if(journal.rbegin(), later,
+                                 [&](const JournalEntry& entry) { return explains(entry, index); });
+  return last == later ? std::string() : last->to;
 }
 
 void enterInJournal(std::vector<JournalEntry>& journal, JournalEntry entry) {
@@ -56,6 +96,11 @@ std::optional<Seal> sealOf(const std::vector<JournalEntry>& journal) {
               .revision = revision ? *revision : 0,
               .digest = last->to,
               .entry = static_cast<std::size_t>(journal.rend() - last) - 1};
+}
+
+std::size_t changesSince(const Seal& seal, const std::vector<JournalEntry>& journal) {
+  return static_cast<std::size_t>(std::count_if(journal.begin() + static_cast<std::ptrdiff_t>(seal.entry) + 1,
+                                                journal.end(), std::not_fn(isExplanation)));
 }
 
 bool isAsSealed(const Session& session, const Seal& seal) {

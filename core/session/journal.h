@@ -51,16 +51,24 @@ inline constexpr const char* excluded = "excluded";
 inline constexpr const char* usedAgain = "used_again";
 inline constexpr const char* deleted = "deleted";
 inline constexpr const char* inserted = "inserted";
-inline constexpr const char* moved = "moved";        ///< to another position
-inline constexpr const char* imported = "imported";  ///< `to`: file, lines and SHA-256 of the rows
-inline constexpr const char* undone = "undone";      ///< after it had been saved
-inline constexpr const char* sealed = "sealed";      ///< `from`: the revision, `to`: the digest of the
-                                                     ///< content
+inline constexpr const char* moved = "moved";          ///< to another position
+inline constexpr const char* imported = "imported";    ///< `to`: file, lines and SHA-256 of the rows
+inline constexpr const char* undone = "undone";        ///< after it had been saved
+inline constexpr const char* sealed = "sealed";        ///< `from`: the revision, `to`: the digest of the
+                                                       ///< content
+inline constexpr const char* explained = "explained";  ///< `to`: why the entries numbered `from` were made
 }  // namespace journal_reasons
 
 /// The hash of `entry`, with `before` that of the previous entry, empty for the first: SHA-256 over the
 /// compact JSON list of `before` and the entry's texts in the order of `journalFields`.
 std::string journalHash(const std::string& before, const JournalEntry& entry);
+
+/// The entry that states why `count` entries from the index `first` on were made.
+JournalEntry explainingEntry(const std::vector<JournalEntry>& journal, std::size_t first, std::size_t count,
+                             const std::string& reason);
+
+/// Why the entry at `index` was made, as somebody stated last; empty if nobody did.
+std::string explanationOf(const std::vector<JournalEntry>& journal, std::size_t index);
 
 /// Appends the entry with its hash.
 void enterInJournal(std::vector<JournalEntry>& journal, JournalEntry entry);
@@ -85,6 +93,9 @@ struct Seal {
 
 /// The last seal; absent if the session was never sealed.
 std::optional<Seal> sealOf(const std::vector<JournalEntry>& journal);
+
+/// The number of changes after the seal.
+std::size_t changesSince(const Seal& seal, const std::vector<JournalEntry>& journal);
 
 /// Is the content still the sealed one? Writes the whole session to compare.
 bool isAsSealed(const Session& session, const Seal& seal);

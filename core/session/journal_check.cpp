@@ -73,6 +73,7 @@ void takeAllBack(const Session& session, JournalCheck& check) {
   const std::string text = writeSession(content);
   JournalReplay replay(journal, isSmall ? text : "{}");
   for (std::size_t i = journal.size(); i-- > 0;) {
+    if (journal[i].why == journal_reasons::explained) continue;
     if (journal[i].why != journal_reasons::sealed) {
       if (isSmall) replay.takeBack(i);
       continue;

@@ -50,13 +50,28 @@ KnownNumber atDistance(KnownNumber collimation, const KnownOffset& offset, doubl
   return collimation;
 }
 
+/// Is anything typed in the position, except what identifies a row? A repeat that is still to come lacks
+/// nothing.
+bool isBegun(const Position& position) {
+  const auto isTyped = [](const ZeroSighting& zero) {
+    return !zero.horizontal.empty() || !zero.vertical.empty();
+  };
+  return isTyped(firstSighting(position.zero)) ||
+         std::ranges::any_of(furtherZeros,
+                             [&](const ZeroSlot& slot) { return isTyped(position.zero.*slot.sighting); }) ||
+         std::ranges::any_of(position.readings, [](const Reading& row) {
+           return !row.horizontal.empty() || !row.vertical.empty() || !row.slider.empty();
+         });
+}
+
 /// Examines a session in the order of its file.
 class Examiner : private ProblemReporter {
  public:
   explicit Examiner(const Session& session) : m_session(session) {}
 
   Examined examine() {
-    checkDate("measured_on", m_session.measuredOn);
+    for (const char* day : {"measured_on", "device.received_on"})
+      checkDate(day, sessionFieldNamed(day)->get(m_session));
     examineInstrument();
     const auto temperature = number("environment.temperature_c");
     const auto sigma = number("environment.sigma_temperature_c");
@@ -233,7 +248,7 @@ class Examiner : private ProblemReporter {
       const std::optional<int> axis = take(axisEntry(positions[i].axisDeg), place);
       const int time = axis ? ++times[*axis] : 1;
       ExaminedPosition& own = examined[i];
-      std::ranges::move(own.problems, std::back_inserter(m_problems));
+      if (time == 1 || isBegun(positions[i])) std::ranges::move(own.problems, std::back_inserter(m_problems));
       const auto& zero = zeros.ofPositions[i].direction;
       if (axis && zero)
         arcs[i] = {i,

@@ -45,6 +45,7 @@ std::vector<int> facesAt(const ProtocolRound& round, std::size_t index) {
 struct RowState {
   std::size_t row = 0;
   bool isRead = false, isHalf = false, isExcluded = false;
+  bool isRepeated = false;  ///< another row with the same sighting is read
 };
 
 using RowKey = std::tuple<int, int, int>;  ///< point, round, face
@@ -65,7 +66,10 @@ std::map<RowKey, RowState> rowsOf(const Position& position) {
                          .isHalf = row.horizontal.empty() != row.vertical.empty(),
                          .isExcluded = row.excluded};
     const auto [known, isNew] = rows.emplace(key, state);
-    if (!isNew && known->second.isExcluded && !state.isExcluded) known->second = state;
+    if (isNew) continue;
+    const bool isRepeated = known->second.isRepeated || (known->second.isRead && state.isRead);
+    if (known->second.isExcluded && !state.isExcluded) known->second = state;
+    known->second.isRepeated = isRepeated;
   }
   return rows;
 }
@@ -118,6 +122,7 @@ class Follower {
     const auto row = m_rows[*followed.position].find(keyOf(planned));
     if (row == m_rows[*followed.position].end()) return;
     followed.row = row->second.row;
+    followed.isRepeated = row->second.isRepeated;
     if (row->second.isExcluded) {
       followed.state = SightingState::Excluded;
       ++m_progress.excluded;

@@ -45,6 +45,7 @@ struct FollowedSighting {
   /// Its row, or the first unread one; absent without a row, and for a zero.
   std::optional<std::size_t> row = {};
   bool isOutOfTurn = false;  ///< taken after one that follows it in the protocol
+  bool isRepeated = false;   ///< read in several rows
 };
 
 /// Is it sighted, whether it counts or not?

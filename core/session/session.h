@@ -98,6 +98,7 @@ struct KnownSize {
 
 struct Device {
   std::string name, serial;
+  std::string condition = {}, receivedOn = {};  ///< when it came to the laboratory; the date as YYYY-MM-DD
   std::vector<KnownSize> known = {};
   JsonOrigin origin;
 

@@ -111,7 +111,7 @@ constexpr SessionField allSessionFields[] = {
     ofSession<&Session::report, &ReportEntries::customer>(
         {.key = "report.customer",
          .noun = PHRASE_LATER("Field", "customer"),
-         .caption = PHRASE_LATER("Forms", "C&ustomer"),
+         .caption = PHRASE_LATER("Forms", "Customer"),
          .whenEmpty = PHRASE_LATER("Forms", "name and address"),
          .fillsRow = true,
          .isOfMeasurement = false,
@@ -119,7 +119,7 @@ constexpr SessionField allSessionFields[] = {
     ofSession<&Session::report, &ReportEntries::authorisedBy>(
         {.key = "report.authorised_by",
          .noun = PHRASE_LATER("Field", "authorised by"),
-         .caption = PHRASE_LATER("Forms", "Au&thorised by"),
+         .caption = PHRASE_LATER("Forms", "Authorised b&y"),
          .help = PHRASE_LATER("Forms", "Who answers for the report"),
          .isOfMeasurement = false,
          .isWantedOnReport = true}),
@@ -145,9 +145,22 @@ constexpr SessionField allSessionFields[] = {
                                                   .noun = PHRASE_LATER("Field", "device serial number"),
                                                   .caption = PHRASE_LATER("Forms", "Serial no."),
                                                   .isWantedOnReport = true}),
+    ofSession<&Session::device, &Device::condition>(
+        {.key = "device.condition",
+         .noun = PHRASE_LATER("Field", "condition of the device"),
+         .caption = PHRASE_LATER("Forms", "Condition"),
+         .help = PHRASE_LATER("Forms", "Condition of the device on receipt, for the report"),
+         .fillsRow = true,
+         .isOfMeasurement = false}),
+    ofSession<&Session::device, &Device::receivedOn>({.key = "device.received_on",
+                                                      .noun = PHRASE_LATER("Field", "day of receipt"),
+                                                      .rule = &dateProblem,
+                                                      .caption = PHRASE_LATER("Forms", "&Received on"),
+                                                      .whenEmpty = PHRASE_LATER("Forms", "YYYY-MM-DD"),
+                                                      .isOfMeasurement = false}),
     ofSession<&Session::instrument, &Instrument::name>({.key = "instrument.name",
                                                         .noun = PHRASE_LATER("Field", "instrument"),
-                                                        .caption = PHRASE_LATER("Forms", "Instr&ument"),
+                                                        .caption = PHRASE_LATER("Forms", "Instrument"),
                                                         .whenEmpty = PHRASE_LATER("Forms", "model"),
                                                         .fillsRow = true,
                                                         .isWantedOnReport = true}),
@@ -503,8 +516,9 @@ constexpr std::string_view ofInstrument[] = {"instrument.name",
                                              "device.name",
                                              "device.serial"};
 constexpr std::string_view ofLaboratory[] = {
-    "report.number",         "report.authorised_by",   "report.laboratory",      "report.customer",
-    "report.rule_agreed_by", "instrument.certificate", "geometry.distance_from", "instrument.traceability"};
+    "report.number",          "report.authorised_by",   "report.laboratory",  "report.customer",
+    "report.rule_agreed_by",  "device.condition",       "device.received_on", "instrument.certificate",
+    "geometry.distance_from", "instrument.traceability"};
 constexpr std::string_view ofSessionForm[] = {"title",
                                               "operator",
                                               "place",
@@ -523,6 +537,15 @@ std::span<const SessionField> sessionFields() {
 const SessionField* sessionFieldNamed(std::string_view key) {
   const auto* const found = std::ranges::find(allSessionFields, key, &SessionField::key);
   return found == std::end(allSessionFields) ? nullptr : found;
+}
+
+bool isSameMeasurement(const Session& a, const Session& b) {
+  Session same = a;
+  for (const SessionField& field : allSessionFields)
+    if (!field.isOfMeasurement) field.at(same) = field.get(b);
+  same.journal = b.journal;
+  same.origin = b.origin;
+  return same == b;
 }
 
 std::string withoutUnit(const SessionField& field, const std::string& typed) {

@@ -1,6 +1,8 @@
 #include "core/statement/budget.h"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "core/base/phrase.h"
@@ -23,19 +25,39 @@ std::string nameOf(const UncertaintyShare& share) {
   return share.effect.empty() ? textOf(share) : effectName(share.effect);
 }
 
+/// "0.0071": how many mm one unit of an effect's numbers moves Δd by; empty if they are not of one size.
+std::string sensitivityText(const UncertaintyShare& share) {
+  if (share.sizes.empty()) return "";
+  const PlausibleSize& first = share.sizes.front();
+  const bool isOfOneSize = std::ranges::all_of(share.sizes, [&](const PlausibleSize& size) {
+    return size.sigma == first.sigma && size.unit == first.unit;
+  });
+  if (!isOfOneSize || !(first.sigma > 0)) return "";
+  const double rate = share.sigma / first.sigma;
+  return displayText(rate, decimalsFor(rate));
+}
+
 /// A row of the budget of Δd, measured.
 struct ShareRows {
   double sigma = 0;  ///< of the whole, mm
   int decimals = decimalsFor(sigma) + 1;
 
-  Cells cells(std::string name, double part, Cells size = {"", "", ""}) const {
-    return {std::move(name),    std::move(size[0]),          std::move(size[1]),
-            std::move(size[2]), displayText(part, decimals), varianceShare(part, sigma)};
+  Cells cells(std::string name, double part, const std::string& degrees,
+              Cells size = {"", "", "", ""}) const {
+    return {std::move(name),
+            std::move(size[0]),
+            std::move(size[1]),
+            std::move(size[2]),
+            std::move(size[3]),
+            degrees,
+            displayText(part, decimals),
+            varianceShare(part, sigma)};
   }
   Cells cells(const UncertaintyShare& share) const {
-    return cells(nameOf(share), share.sigma,
+    return cells(nameOf(share), share.sigma, degreesOfFreedomText(share.degreesOfFreedom),
                  {sizesWithSign(share), textOf(share.type),
-                  share.reference.empty() ? textOf(share.from) : visibleText(share.reference)});
+                  share.reference.empty() ? textOf(share.from) : visibleText(share.reference),
+                  sensitivityText(share)});
   }
 };
 
@@ -54,7 +76,7 @@ std::vector<Statement::Row> sharesOf(const MeasuredIntersection& measured) {
   if (others.size() < 2) return rows;
   double together = 0;
   for (const UncertaintyShare* share : others) together = std::hypot(together, share->sigma);
-  rows.push_back({table.cells(Phrase::of("%1 others", others.size()), together)});
+  rows.push_back({table.cells(Phrase::of("%1 others", others.size()), together, "")});
   return rows;
 }
 
@@ -69,16 +91,19 @@ Statement measuredBudget(const Diagnosis& diagnosis, double coverage) {
                                   {"size", "1σ"},
                                   {"type", Phrase::of("type"), Role::Word},
                                   {"from", Phrase::of("size from"), Role::Remark},
+                                  {"sensitivity", "c"},
+                                  {"degrees", "ν"},
                                   {"u", "u (mm)"},
                                   {"share", Phrase::of("share")}},
                       .rows = sharesOf(measured)};
   const ShareRows table{found.sigma};
-  statement.rows.push_back({table.cells(Phrase::of("combined, u"), found.sigma), true});
-  statement.rows.push_back({{Phrase::of("expanded, U"), "", "",
-                             Phrase::of("%1 coverage, %2 degrees of freedom", coverageText(coverage),
-                                        degreesOfFreedomText(found.degreesOfFreedom)),
-                             displayText(found.expanded, table.decimals), ""},
-                            true});
+  statement.rows.push_back(
+      {table.cells(Phrase::of("combined, u"), found.sigma, degreesOfFreedomText(found.degreesOfFreedom)),
+       true});
+  statement.rows.push_back(
+      {{Phrase::of("expanded, U"), "", "", coverageWithFactor(found.expanded / found.sigma, coverage), "", "",
+        displayText(found.expanded, table.decimals), ""},
+       true});
   statement.sentences = {
       Phrase::of("Δd, measured, includes every catalogued effect, limited by these readings or by its "
                  "plausible size."),
@@ -86,32 +111,39 @@ Statement measuredBudget(const Diagnosis& diagnosis, double coverage) {
   if (std::string attainable = attainableSentence(diagnosis.attainable); !attainable.empty())
     statement.sentences.push_back(std::move(attainable));
   statement.note = Phrase::of(
-      "1σ: how large each effect may plausibly be; share: of the variance. A: by the scatter of these "
-      "readings; B: by other knowledge.");
+      "1σ: how large each effect may plausibly be; c: sensitivity, how many mm one unit of it moves Δd in "
+      "these readings; ν: degrees of freedom; share: of the variance. A: by the scatter of these readings; "
+      "B: by "
+      "other knowledge.");
   return statement;
 }
 
-Statement fitBudget(const Intersection& intersection) {
+Statement fitBudget(const SessionFit& fit) {
+  const Intersection& intersection = *fit.intersection;
   const double sigma = intersection.sigma;
   const int decimals = decimalsFor(sigma) + 1;
   Statement statement{.id = "budget_fit",
                       .title = Phrase::of("Standard uncertainty of Δd, fit only"),
                       .columns = {{"source", Phrase::of("Source"), Role::Name},
                                   {"remark", "", Role::Remark},
+                                  {"degrees", "ν"},
                                   {"u", "u (mm)"},
                                   {"share", Phrase::of("share")}},
                       .rows = {}};
-  const auto cells = [&](const std::string& name, double part) {
-    return Cells{name, "", displayText(part, decimals), varianceShare(part, sigma)};
+  const auto cells = [&](const std::string& name, double part, double degrees) {
+    return Cells{name, "", degreesOfFreedomText(degrees), displayText(part, decimals),
+                 varianceShare(part, sigma)};
   };
   for (const BudgetEntry& entry : intersection.budget)
-    statement.rows.push_back({cells(textOf(entry.source), entry.sigma)});
-  statement.rows.push_back({cells(Phrase::of("combined, u"), sigma), true});
-  statement.rows.push_back({{Phrase::of("expanded, U"),
-                             Phrase::of("%1 coverage, k = %2", coverageText(intersection.coverage),
-                                        displayText(intersection.coverageFactor, 2)),
-                             displayText(intersection.expanded, decimals), ""},
-                            true});
+    statement.rows.push_back(
+        {cells(textOf(entry.source), entry.sigma,
+               entry.scaled > 0 ? fit.noise.degreesOfFreedom : std::numeric_limits<double>::infinity())});
+  statement.rows.push_back(
+      {cells(Phrase::of("combined, u"), sigma, intersection.effectiveDegreesOfFreedom), true});
+  statement.rows.push_back(
+      {{Phrase::of("expanded, U"), coverageWithFactor(intersection.coverageFactor, intersection.coverage), "",
+        displayText(intersection.expanded, decimals), ""},
+       true});
   return statement;
 }
 
@@ -173,6 +205,10 @@ std::string coverageSentences(const SessionFit& fit, const Diagnosis* diagnosis,
 
 std::string varianceShare(double part, double whole) {
   return whole > 0 ? displayText(100 * part * part / (whole * whole), 1) + " %" : "—";
+}
+
+std::string coverageWithFactor(double factor, double coverage) {
+  return Phrase::of("k = %1, %2 coverage", displayText(factor, 2), coverageText(coverage));
 }
 
 std::string coverageText(double share) {

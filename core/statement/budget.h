@@ -9,12 +9,14 @@
 namespace alidade {
 
 /// The budget of Δd, measured, largest share first. Shares below `leastShare` of the variance are combined in
-/// one row, if there are at least two. Lengths are in mm, with one digit more than u needs. `coverage` is
-/// that of U, 0…1.
+/// one row, if there are at least two. Lengths are in mm, with one digit more than u needs. The sensitivity
+/// of an effect is its u divided by the 1σ of its numbers, in mm per unit of theirs: |∂Δd/∂x| for one number,
+/// the root of the sum of squares for several of one size. `coverage` is that of U, 0…1.
 Statement measuredBudget(const Diagnosis& diagnosis, double coverage);
 
-/// The budget of Δd, fit only: readings, model effects, known radius, pointing zeros and distance.
-Statement fitBudget(const Intersection& intersection);
+/// The budget of Δd, fit only: readings, model effects, known radius, pointing zeros and distance. `fit` has
+/// an intersection.
+Statement fitBudget(const SessionFit& fit);
 
 /// The budget of the centre of each arc: the same sources, and the correlation with the radius. Without rows
 /// if no arc was fitted.
@@ -30,6 +32,9 @@ constexpr double leastShare = 0.01;
 
 /// A share of the variance: "63.1 %"; an em dash if `whole` is not positive.
 std::string varianceShare(double part, double whole);
+
+/// "k = 2.00, 95 % coverage".
+std::string coverageWithFactor(double factor, double coverage);
 
 /// "95 %", "99.73 %": a probability.
 std::string coverageText(double coverage);

@@ -42,7 +42,7 @@ Statement gapClosures(const Gap& gap) {
   Statement statement{.id = "closures",
                       .title = Phrase::of("Closures: what must agree"),
                       .columns = {{"closure", Phrase::of("Closure"), Statement::Column::Role::Name},
-                                  {"misclosure", Phrase::of("as modelled ± U")},
+                                  {"misclosure", Phrase::of("fit only ± U")},
                                   {"sigmas", Phrase::of("size")}},
                       .rows = {},
                       .sentences = {outcomeOf(diagnosis)}};

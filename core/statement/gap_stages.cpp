@@ -24,10 +24,10 @@ std::string withoutGrossErrors(const Gap& gap, const GapStage& stage) {
                       : Phrase::of("without %1 misread values", leftOut);
 }
 
-/// The model at this stage: "as modelled", "in the model: gravity sag", "+ collimation".
+/// The model at this stage: "fit only", "in the model: gravity sag", "+ collimation".
 std::string nameOf(const Gap& gap, const GapStage& stage) {
   if (stage.kind == GapStage::Kind::Bare)
-    return gap.asModelled().kind == GapStage::Kind::Bare ? Phrase::of("as modelled")
+    return gap.asModelled().kind == GapStage::Kind::Bare ? Phrase::of("fit only")
                                                          : Phrase::of("without model effects");
   if (stage.effect == grossErrorId) return withoutGrossErrors(gap, stage);
   if (stage.effect == knownId) return Phrase::of("+ what is known");

@@ -29,7 +29,7 @@ Statement gapUndetectable(const Gap& gap) {
         Phrase::of("No effect of plausible size could move Δd noticeably without leaving a trace.")};
   else
     statement.note = Phrase::of(
-        "Each at its plausible size, without a clear trace in these readings. U of Δd, fit only, does not "
+        "Each at its plausible size, which these readings are too weak to show. U of Δd, fit only, does not "
         "include them; U of Δd, measured, includes what its budget lists.");
   return statement;
 }

@@ -12,6 +12,7 @@
 #include "core/statement/gap.h"
 #include "core/statement/headline_lines.h"
 #include "core/wording/across.h"
+#include "core/wording/journal.h"
 #include "core/wording/verdict.h"
 
 namespace alidade {
@@ -80,6 +81,13 @@ Headline frameOf(const Measurement& measurement, const SessionFit& fit) {
 
 void setMeasured(Headline& headline, const Measurement& measurement, const MeasuredIntersection& measured) {
   headline.isMeasured = true;
+  if (!(measured.estimate.expanded < measurement.nominalRadius)) {
+    headline.name = Phrase::of("Δd");
+    headline.figure = Phrase::of("not determined by these readings");
+    headline.tip = measuredTip(measurement, measured);
+    headline.isMeasured = false;
+    return;
+  }
   if (measured.across)
     headline.offset = CentreOffset{.inPlane = measured.estimate.value,
                                    .inPlaneExpanded = measured.estimate.expanded,
@@ -125,7 +133,7 @@ struct NoVerdict {
 /// Absent if the evaluation may have a verdict.
 std::optional<NoVerdict> whyNoVerdict(const Evaluation& evaluation) {
   const std::size_t unusable = hindrances(evaluation.session, evaluation.examined.problems).size();
-  if (unusable > 0)
+  if (unusable > 0 && evaluation.fit.intersection)
     return NoVerdict{
         unusable == 1 ? Phrase::of("No verdict: 1 entry could not be used")
                       : Phrase::of("No verdict: %1 entries could not be used", unusable),
@@ -143,6 +151,14 @@ void withhold(Headline& headline, const NoVerdict& none) {
 Headline frameOf(const Evaluation& evaluation) {
   if (evaluation.examined.measurement) return frameOf(*evaluation.examined.measurement, evaluation.fit);
   return {.name = Phrase::of("Δd"), .figure = "—"};
+}
+
+void addSeal(Headline& headline, const Session& session) {
+  const auto seal = sealOf(session.journal);
+  if (seal)
+    headline.lines.push_back({.kind = Headline::Line::Kind::Seal,
+                              .text = sealState(session.journal),
+                              .isWarning = changesSince(*seal, session.journal) > 0});
 }
 
 /// The result of a diagnosed fit, or why there is none, with what to read with it. Without a decision no line
@@ -189,6 +205,7 @@ Headline headlineOf(const Evaluation& evaluation) {
     headline.verdict = Phrase::of("Provisional: the diagnosis is running.");
   }
   if (const auto none = whyNoVerdict(evaluation)) withhold(headline, *none);
+  addSeal(headline, evaluation.session);
   return headline;
 }
 
@@ -202,6 +219,7 @@ Headline headlineOf(const Gap& gap) {
                                                      gap.dependences.value_or(std::vector<Dependence>()));
   if (none) withhold(headline, *none);
   if (fit.intersection && !gap.measured()) headline.tip = reasonForNone(gap);
+  addSeal(headline, evaluation.session);
   return headline;
 }
 

@@ -31,6 +31,7 @@ struct Headline {
       Undetectable,  ///< effects that these readings cannot show, of which a plausible size moves Δd by more
                      ///< than U
       Reference,     ///< Δd minus the reference, and whether they agree
+      Seal,          ///< who sealed the session, and whether it was changed since
     };
 
     Kind kind = Kind::Across;

@@ -37,7 +37,8 @@ Statement journalTable(const Session& session, const std::string& summary, const
   const std::vector<JournalEntry>& journal = session.journal;
   const std::size_t left = journal.size() - std::min(journal.size(), most);
   for (std::size_t i = left; i < journal.size(); ++i)
-    statement.rows.push_back(rowOf(journal[i], session, nameOf));
+    if (journal[i].why != journal_reasons::explained)
+      statement.rows.push_back(rowOf(journal[i], session, nameOf));
   if (!summary.empty()) statement.sentences.push_back(visibleText(summary));
   if (left > 0)
     statement.note = left == 1 ? Phrase::of("1 earlier entry is in the session file.")

@@ -50,6 +50,10 @@ std::string influenceText(const InputReliability& input, const SessionFit& fit) 
   return Phrase::of("%1 per ″", displayText(input.perInput * Angle::fromArcseconds(1).radians(), 4));
 }
 
+/// Below it, an error must exceed the σ of its reading by more than forty times to show (Baarda 1968, α 0.1 %
+/// and power 80 %: 4.13 σ/√r).
+constexpr double leastRedundancy = 0.01;
+
 /// The readings with the largest effect of an undetected error; the worst first.
 std::vector<Rated> worstOf(const SessionFit& fit, const Detection& detection) {
   std::vector<Rated> rated;
@@ -67,10 +71,14 @@ std::string readingsSentence(const Measurement& measurement, const SessionFit& f
   if (!std::isfinite(detection.shift))
     return Phrase::of(
         "Too few readings: none is checked well enough by the others to tell that it is misread.");
-  const auto isUnchecked = [](const AdjustedReading& adjusted) { return !adjusted.isChecked(); };
+  const auto isUnchecked = [](const AdjustedReading& adjusted) {
+    return adjusted.redundancy < leastRedundancy;
+  };
   if (const auto unchecked = std::ranges::count_if(fit.joint.readings, isUnchecked); unchecked > 0)
-    return Phrase::of("%1 of %2 readings are checked by no other: an error in them would not show.",
-                      unchecked, fit.joint.readings.size());
+    return Phrase::of(
+        "%1 of %2 readings are checked by no other, or hardly (redundancy below %3): an error in them would "
+        "not show.",
+        unchecked, fit.joint.readings.size(), displayText(leastRedundancy, 2));
   if (!fit.intersection || !(std::abs(worst.front().reliability.influence) > 0))
     return Phrase::of("Every reading is checked.");
   const auto& [adjusted, reliability] = worst.front();

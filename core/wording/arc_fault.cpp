@@ -10,6 +10,7 @@ using namespace arc_fault;
 namespace {
 
 std::string kindText(const TooFewPlaces& fault) {
+  if (fault.places == 0) return Phrase::of("has no readings yet");
   return fault.places == 1
              ? Phrase::of(
                    "has readings of 1 place; a circle needs three, and five or more for a check: sight more "

@@ -45,15 +45,13 @@ std::string attainableSentence(const std::vector<AttainableUncertainty>& attaina
   std::vector<AttainableUncertainty> measured, known;
   for (auto one = attainable.begin() + 1; one != attainable.end(); ++one)
     (one->known.empty() ? measured : known).push_back(*one);
-  std::string text =
-      Phrase::of("Sessions like this one come to U = %1", lengthText(attainable.front().expanded));
+  std::string text = Phrase::of("Typical U for this plan: %1", lengthText(attainable.front().expanded));
   for (const std::vector<AttainableUncertainty>& list : {fewOf(measured), fewOf(known)}) {
     std::vector<std::string> texts;
     for (const AttainableUncertainty& one : list)
-      texts.push_back(
-          one.known.empty()
-              ? Phrase::of("with %1 to %2", textOf(one.measures), lengthText(one.expanded))
-              : Phrase::of("with %1 known to %2", causeName(one.known), lengthText(one.expanded)));
+      texts.push_back(one.known.empty()
+                          ? Phrase::of("%1 with %2", lengthText(one.expanded), textOf(one.measures))
+                          : Phrase::of("%1 with %2 known", lengthText(one.expanded), causeName(one.known)));
     if (!texts.empty()) text = Phrase::of("%1; %2", text, listed(texts));
   }
   return Phrase::of("%1.", text);

@@ -11,7 +11,7 @@ std::string textOf(Beyond beyond) {
     case Beyond::Pattern:
       return Phrase::of("with what the pattern may move it by");
     case Beyond::LookAlikes:
-      return Phrase::of("averaged over what looks alike");
+      return Phrase::of("averaged over the indistinguishable causes");
     case Beyond::Others:
       return Phrase::of("averaged over what else may be");
   }

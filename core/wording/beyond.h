@@ -6,7 +6,7 @@
 
 namespace alidade {
 
-/// Returns "averaged over what looks alike", …; empty for `Nothing`.
+/// Returns "averaged over the indistinguishable causes", …; empty for `Nothing`.
 std::string textOf(Beyond beyond);
 
 }  // namespace alidade

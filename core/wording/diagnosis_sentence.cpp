@@ -175,8 +175,7 @@ std::string verdictSentenceOf(const Diagnosis& diagnosis) {
       return Phrase::of("The gap is best explained by %1. %2", causesNamed(diagnosis), shrunk(diagnosis));
     case DiagnosisVerdict::Ambiguous:
       return Phrase::of(
-          "The gap is best explained by %1 or by what these readings cannot tell from it: %2. %3",
-          causesNamed(diagnosis),
+          "The gap is best explained by %1 or by an indistinguishable cause: %2. %3", causesNamed(diagnosis),
           causeNames(diagnosis.causes.front().indistinguishableFrom, Phrase::of(" or ")), shrunk(diagnosis));
     case DiagnosisVerdict::SeveralCauses:
       if (diagnosis.hasMoreCausesThanSeparable) return moreThanSeparable(diagnosis);

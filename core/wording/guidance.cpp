@@ -88,7 +88,7 @@ std::string withoutNeed(const Outlook& outlook, const ProtocolProgress& progress
                                          text(account.of(*outlook.now)), text(planned))
                             : Phrase::of("Carried out, the protocol comes to U = %1 mm.", text(planned)));
   for (const RoundsAhead& ahead : outlook.ahead)
-    if (ahead.rounds > 0)
+    if (ahead.rounds > 0 && text(account.of(ahead.expanded)) != text(planned))
       sentences.push_back(Phrase::of("%1 would bring U to %2 mm.", moreRounds(ahead.rounds),
                                      text(account.of(ahead.expanded))));
   return joined(sentences);

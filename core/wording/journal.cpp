@@ -24,7 +24,8 @@ constexpr std::array reasons{
     std::pair{journal_reasons::moved, PHRASE_LATER("Phrase", "moved to another position")},
     std::pair{journal_reasons::imported, PHRASE_LATER("Phrase", "imported")},
     std::pair{journal_reasons::undone, PHRASE_LATER("Phrase", "undone")},
-    std::pair{journal_reasons::sealed, PHRASE_LATER("Phrase", "sealed")}};
+    std::pair{journal_reasons::sealed, PHRASE_LATER("Phrase", "sealed")},
+    std::pair{journal_reasons::explained, PHRASE_LATER("Phrase", "reason stated")}};
 
 /// The note of the excluded row that an entry is about; null if it has none.
 const std::string* noteOf(const JournalEntry& entry, const Session& session) {
@@ -37,6 +38,18 @@ const std::string* noteOf(const JournalEntry& entry, const Session& session) {
     return row == rows.end() || row->note.empty() ? nullptr : &row->note;
   }
   return nullptr;
+}
+
+/// What is stated of an entry; empty without it.
+std::string statedOf(const JournalEntry& entry, const Session& session) {
+  if (entry.why == journal_reasons::excluded) {
+    const std::string* note = noteOf(entry, session);
+    return note ? *note : std::string();
+  }
+  const std::vector<JournalEntry>& journal = session.journal;
+  const auto own = std::ranges::find_if(journal, [&](const JournalEntry& one) { return &one == &entry; });
+  return own == journal.end() ? std::string()
+                              : explanationOf(journal, static_cast<std::size_t>(own - journal.begin()));
 }
 
 std::string sealName(const Seal& seal) {
@@ -66,11 +79,12 @@ std::string sealSentence(const CheckedSeal& checked, std::size_t since) {
 }
 
 /// The last seal, and earlier ones that are broken.
-std::vector<std::string> sealSentences(const std::vector<CheckedSeal>& seals, std::size_t entries) {
+std::vector<std::string> sealSentences(const std::vector<CheckedSeal>& seals,
+                                       const std::vector<JournalEntry>& journal) {
   std::vector<std::string> sentences;
   for (std::size_t i = 0; i < seals.size(); ++i)
     if (i + 1 == seals.size() || seals[i].state == CheckedSeal::State::Changed)
-      sentences.push_back(sealSentence(seals[i], entries - seals[i].seal.entry - 1));
+      sentences.push_back(sealSentence(seals[i], changesSince(seals[i].seal, journal)));
   return sentences;
 }
 
@@ -89,8 +103,18 @@ std::string reasonText(const JournalEntry& entry, const Session& session) {
   const auto found = std::ranges::find_if(reasons, [&](const auto& own) { return entry.why == own.first; });
   if (found == reasons.end()) return entry.why;
   const std::string text = Phrase::of(found->second);
-  const std::string* note = entry.why == journal_reasons::excluded ? noteOf(entry, session) : nullptr;
-  return note ? Phrase::of("%1: %2", text, *note) : text;
+  const std::string stated = statedOf(entry, session);
+  return stated.empty() ? text : Phrase::of("%1: %2", text, stated);
+}
+
+std::string sealState(const std::vector<JournalEntry>& journal) {
+  const auto seal = sealOf(journal);
+  if (!seal) return {};
+  const std::size_t since = changesSince(*seal, journal);
+  const std::string name = sealName(*seal);
+  if (since == 0) return name;
+  return since == 1 ? Phrase::of("%1, with one change since that nobody has sealed", name)
+                    : Phrase::of("%1, with %2 changes since that nobody has sealed", name, since);
 }
 
 std::string contradictionText(const JournalContradiction& one) {
@@ -126,7 +150,7 @@ std::string journalSummary(const Session& session, const JournalCheck& check) {
     say(Phrase::of(
         "Entry %1 is earlier than the one before it: the clock was set back, or its time was changed.",
         *check.backwards + 1));
-  for (const std::string& sentence : sealSentences(check.seals, session.journal.size())) say(sentence);
+  for (const std::string& sentence : sealSentences(check.seals, session.journal)) say(sentence);
   return text;
 }
 

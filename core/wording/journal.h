@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "core/session/journal_check.h"
 #include "core/session/session.h"
@@ -11,8 +12,13 @@ namespace alidade {
 std::string timeText(const std::string& at);
 
 /// "suggestion accepted"; unchanged if the reason is unknown to this program. An exclusion has the note of
-/// its row in the session: "excluded: tripod touched".
+/// its row in the session: "excluded: tripod touched"; another entry of the session's journal what was stated
+/// afterwards: "retyped: digits exchanged".
 std::string reasonText(const JournalEntry& entry, const Session& session);
+
+/// "Sealed 2026-03-14 15:09 UTC by R. Roe", or that it was changed since, without a check of the content;
+/// empty if the session was never sealed.
+std::string sealState(const std::vector<JournalEntry>& journal);
 
 /// The contradiction between the journal or a seal and the file, as a sentence.
 std::string contradictionText(const JournalContradiction& one);

@@ -10,7 +10,7 @@ std::string textOf(Measure measure) {
     case Measure::BothFaces:
       return Phrase::of("both faces");
     case Measure::WayBack:
-      return Phrase::of("the way back");
+      return Phrase::of("a return run");
     case Measure::SliderReadings:
       return Phrase::of("slider readings");
     case Measure::ShiftedCircle:
@@ -38,7 +38,7 @@ std::string textOf(const std::vector<Measure>& measures) {
 }
 
 std::string howTo(const std::vector<Measure>& measures) {
-  return isReadAnew(measures) ? Phrase::of("%1 (read anew)", textOf(measures))
+  return isReadAnew(measures) ? Phrase::of("%1 (in a new session)", textOf(measures))
                               : Phrase::of("%1 (in addition)", textOf(measures));
 }
 

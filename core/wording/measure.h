@@ -11,7 +11,7 @@ namespace alidade {
 std::string textOf(Measure measure);
 /// "both faces and the way back".
 std::string textOf(const std::vector<Measure>& measures);
-/// "both faces (read anew)" if the measures require a new session, otherwise "… (in addition)".
+/// "both faces (in a new session)" if the measures require a new session, otherwise "… (in addition)".
 std::string howTo(const std::vector<Measure>& measures);
 
 }  // namespace alidade

@@ -28,6 +28,13 @@
     </message>
 </context>
 <context>
+    <name>CalendarButton</name>
+    <message>
+        <source>Choose in a calendar</source>
+        <translation>在日历中选择</translation>
+    </message>
+</context>
+<context>
     <name>ChangeEffects</name>
     <message>
         <source>Estimate %1</source>
@@ -49,21 +56,21 @@
     <name>ChangeInstrument</name>
     <message>
         <source>Take from the instrument record</source>
-        <translation>取自仪器记录</translation>
+        <translation>取自仪器档案</translation>
     </message>
 </context>
 <context>
     <name>ChangeKnown</name>
     <message>
         <source>Change what is known of %1</source>
-        <translation>更改%1 的已知值</translation>
+        <translation>更改%1的已知值</translation>
     </message>
 </context>
 <context>
     <name>ChangeOwnEffects</name>
     <message>
         <source>Keep the effect %1</source>
-        <translation>保留影响因素 %1</translation>
+        <translation>保留效应 %1</translation>
     </message>
 </context>
 <context>
@@ -85,7 +92,7 @@
     </message>
     <message>
         <source>It is no session now: %1</source>
-        <translation>它现在不是会话：%1</translation>
+        <translation>它现在不是测量记录：%1</translation>
     </message>
     <message>
         <source>The file was changed</source>
@@ -158,7 +165,7 @@
     <name>DialogsText</name>
     <message>
         <source>Sessions (*.alidade);;All files (*)</source>
-        <translation>会话 (*.alidade);;所有文件 (*)</translation>
+        <translation>测量记录 (*.alidade);;所有文件 (*)</translation>
     </message>
     <message>
         <source>Unsaved changes</source>
@@ -170,7 +177,7 @@
     </message>
     <message>
         <source>Discarded changes cannot be brought back.</source>
-        <translation>放弃的更改无法恢复。</translation>
+        <translation>丢弃的更改无法恢复。</translation>
     </message>
     <message>
         <source>An import that was undone has not been saved.</source>
@@ -178,7 +185,7 @@
     </message>
     <message>
         <source>The session before the import has not been saved.</source>
-        <translation>导入之前的会话尚未保存。</translation>
+        <translation>导入之前的测量记录尚未保存。</translation>
     </message>
     <message>
         <source>“%1” has unsaved changes, too.</source>
@@ -190,19 +197,19 @@
     </message>
     <message>
         <source>Undo leads back to it with all that was typed into it, to be saved.</source>
-        <translation>撤销可回到该会话及录入的全部内容，以便保存。</translation>
+        <translation>撤销可回到该测量记录及录入的全部内容，以便保存。</translation>
     </message>
     <message>
         <source>Discarded, that cannot be brought back.</source>
-        <translation>放弃后无法恢复。</translation>
+        <translation>丢弃后无法恢复。</translation>
     </message>
     <message>
         <source>Open session</source>
-        <translation>打开会话</translation>
+        <translation>打开测量记录</translation>
     </message>
     <message>
         <source>Sessions and reports (*.alidade *.pdf);;Sessions (*.alidade);;Reports with a session in them (*.pdf);;All files (*)</source>
-        <translation>会话和报告 (*.alidade *.pdf);;会话 (*.alidade);;内含会话的报告 (*.pdf);;所有文件 (*)</translation>
+        <translation>测量记录和报告 (*.alidade *.pdf);;测量记录 (*.alidade);;内含测量记录的报告 (*.pdf);;所有文件 (*)</translation>
     </message>
     <message>
         <source>Import readings</source>
@@ -214,7 +221,7 @@
     </message>
     <message>
         <source>Save session as</source>
-        <translation>会话另存为</translation>
+        <translation>测量记录另存为</translation>
     </message>
     <message>
         <source>Export acceptance report</source>
@@ -237,7 +244,7 @@
 It can be edited afterwards, as a revision, and every edit is told.
 
 Sealed by:</source>
-        <translation>更改日志将记录由谁封存本会话，以及其全部内容的摘要。
+        <translation>更改日志将记录由谁封存本测量记录，以及其全部内容的摘要。
 此后仍可作为修订编辑，每次编辑都会被记载。
 
 封存人：</translation>
@@ -388,15 +395,15 @@ Sealed by:</source>
     </message>
     <message>
         <source>Take from the instrument record</source>
-        <translation>取自仪器记录</translation>
+        <translation>取自仪器档案</translation>
     </message>
     <message>
         <source>Instrument records (*.alidade-instrument);;All files (*)</source>
-        <translation>仪器记录 (*.alidade-instrument);;所有文件 (*)</translation>
+        <translation>仪器档案 (*.alidade-instrument);;所有文件 (*)</translation>
     </message>
     <message>
         <source>Add sessions</source>
-        <translation>添加会话</translation>
+        <translation>添加测量记录</translation>
     </message>
     <message>
         <source>Follow a protocol</source>
@@ -431,6 +438,22 @@ Sealed by:</source>
         <source>&amp;Delete</source>
         <translation>删除(&amp;D)</translation>
     </message>
+    <message>
+        <source>&amp;Save</source>
+        <translation>保存(&amp;S)</translation>
+    </message>
+    <message>
+        <source>&amp;Discard</source>
+        <translation>丢弃(&amp;D)</translation>
+    </message>
+    <message>
+        <source>&amp;Cancel</source>
+        <translation>取消(&amp;C)</translation>
+    </message>
+    <message>
+        <source>name</source>
+        <translation>姓名</translation>
+    </message>
 </context>
 <context>
     <name>DifferenceText</name>
@@ -441,6 +464,13 @@ Sealed by:</source>
     <message>
         <source>and %1 more</source>
         <translation>以及另外 %1 项</translation>
+    </message>
+</context>
+<context>
+    <name>ExplainChange</name>
+    <message>
+        <source>State the reason</source>
+        <translation>说明原因</translation>
     </message>
 </context>
 <context>
@@ -683,27 +713,27 @@ Sealed by:</source>
     </message>
     <message>
         <source>time of the pointing zero after the readings</source>
-        <translation>读数之后瞄准零位的时间</translation>
+        <translation>读数后瞄准零位的时间</translation>
     </message>
     <message>
         <source>return code of the pointing zero after the readings</source>
-        <translation>读数之后瞄准零位的返回码</translation>
+        <translation>读数后瞄准零位的返回码</translation>
     </message>
     <message>
         <source>instrument serial number of the pointing zero after the readings</source>
-        <translation>读数之后瞄准零位的仪器序列号</translation>
+        <translation>读数后瞄准零位的仪器序列号</translation>
     </message>
     <message>
         <source>time of the pointing zero after the readings in face 2</source>
-        <translation>读数之后盘右瞄准零位的时间</translation>
+        <translation>盘右读数后瞄准零位的时间</translation>
     </message>
     <message>
         <source>return code of the pointing zero after the readings in face 2</source>
-        <translation>读数之后盘右瞄准零位的返回码</translation>
+        <translation>盘右读数后瞄准零位的返回码</translation>
     </message>
     <message>
         <source>instrument serial number of the pointing zero after the readings in face 2</source>
-        <translation>读数之后盘右瞄准零位的仪器序列号</translation>
+        <translation>盘右读数后瞄准零位的仪器序列号</translation>
     </message>
     <message>
         <source>plane of the arc</source>
@@ -711,7 +741,15 @@ Sealed by:</source>
     </message>
     <message>
         <source>what the zeros sight</source>
-        <translation>瞄准零位所瞄准的对象</translation>
+        <translation>瞄准零位所照准的对象</translation>
+    </message>
+    <message>
+        <source>condition of the device</source>
+        <translation>设备状况</translation>
+    </message>
+    <message>
+        <source>day of receipt</source>
+        <translation>接收日期</translation>
     </message>
 </context>
 <context>
@@ -805,7 +843,7 @@ Sealed by:</source>
     </message>
     <message>
         <source>Standard uncertainty of the nominal radius. A known radius takes it into the fit, and empty means exact; else R − R0 is a closure with it, and without it none</source>
-        <translation>名义半径的标准不确定度。已知半径将其带入拟合，空表示精确；否则有它时 R − R0 为闭合差，没有则不是</translation>
+        <translation>名义半径的标准不确定度。半径为“已知”时随半径参与拟合，空表示精确；其他情况下，填写后 R − R0 作为闭合差，不填则不作闭合差</translation>
     </message>
     <message>
         <source>R&amp;adius is</source>
@@ -869,11 +907,11 @@ Sealed by:</source>
     </message>
     <message>
         <source>σ of ref.</source>
-        <translation>参考值的 σ</translation>
+        <translation>参考值 σ</translation>
     </message>
     <message>
         <source>How well the reference is known (1σ). With it the reference is a closure, and may help the diagnosis to tell causes apart; it never enters Δd</source>
-        <translation>参考值已知的程度（1σ）。有它时参考值为闭合差，可帮助诊断区分原因；它从不进入 Δd</translation>
+        <translation>参考值的准确程度（1σ）。填写后参考值构成一个闭合差，可帮助诊断区分各原因；它从不进入 Δd</translation>
     </message>
     <message>
         <source>″</source>
@@ -890,10 +928,6 @@ Sealed by:</source>
     <message>
         <source>One for all</source>
         <translation>共用一个</translation>
-    </message>
-    <message>
-        <source>Instr&amp;ument</source>
-        <translation>仪器(&amp;U)</translation>
     </message>
     <message>
         <source>model</source>
@@ -921,7 +955,7 @@ Sealed by:</source>
     </message>
     <message>
         <source>Stated standard deviation of one horizontal reading</source>
-        <translation>声明的单次水平读数的标准偏差</translation>
+        <translation>给定的单次水平读数标准偏差</translation>
     </message>
     <message>
         <source>σ vertical</source>
@@ -929,7 +963,7 @@ Sealed by:</source>
     </message>
     <message>
         <source>Stated standard deviation of one vertical reading</source>
-        <translation>声明的单次竖直读数的标准偏差</translation>
+        <translation>给定的单次竖直读数标准偏差</translation>
     </message>
     <message>
         <source>σ of &amp;zeros</source>
@@ -941,7 +975,7 @@ Sealed by:</source>
     </message>
     <message>
         <source>Standard uncertainty of one sighting of the pointing zeros α0 and β0</source>
-        <translation>一次照准瞄准零位 α0 和 β0 的标准不确定度</translation>
+        <translation>单次照准瞄准零位 α0、β0 的标准不确定度</translation>
     </message>
     <message>
         <source>σ slider</source>
@@ -973,7 +1007,7 @@ Sealed by:</source>
     </message>
     <message>
         <source>By how much R0 grows with each kelvin above 20 °C, for which it is stated: 11.5 for steel</source>
-        <translation>温度每高出其标注温度 20 °C 一开尔文，R0 增长多少：钢为 11.5</translation>
+        <translation>R0 以 20 °C 为准；温度每升高 1 K，R0 的膨胀量：钢为 11.5</translation>
     </message>
     <message>
         <source>Re&amp;port no.</source>
@@ -982,10 +1016,6 @@ Sealed by:</source>
     <message>
         <source>Unique number of the report, printed on each of its pages</source>
         <translation>报告的唯一编号，印在每一页上</translation>
-    </message>
-    <message>
-        <source>Au&amp;thorised by</source>
-        <translation>批准人(&amp;T)</translation>
     </message>
     <message>
         <source>Who answers for the report</source>
@@ -1000,10 +1030,6 @@ Sealed by:</source>
         <translation>名称和地址</translation>
     </message>
     <message>
-        <source>C&amp;ustomer</source>
-        <translation>客户(&amp;U)</translation>
-    </message>
-    <message>
         <source>Rule a&amp;greed by</source>
         <translation>规则约定方(&amp;G)</translation>
     </message>
@@ -1013,7 +1039,7 @@ Sealed by:</source>
     </message>
     <message>
         <source>With whom the decision rule was agreed: accept only where |Δd| + U is within the tolerance, reject only where |Δd| − U is beyond it</source>
-        <translation>与谁约定判定规则：仅当 |Δd| + U 在允差之内时接受，仅当 |Δd| − U 超出允差时拒绝</translation>
+        <translation>与谁约定判定规则：仅当 |Δd| + U 在允差之内时判为合格，仅当 |Δd| − U 超出允差时判为不合格</translation>
     </message>
     <message>
         <source>Certificate</source>
@@ -1085,7 +1111,7 @@ Sealed by:</source>
     </message>
     <message>
         <source>σ of temp.</source>
-        <translation>温度的 σ</translation>
+        <translation>温度 σ</translation>
     </message>
     <message>
         <source>K</source>
@@ -1101,7 +1127,7 @@ Sealed by:</source>
     </message>
     <message>
         <source>By how much L grows with each kelvin above 20 °C, for which it is stated; empty where it is as measured at this temperature</source>
-        <translation>温度每高出其标注温度 20 °C 一开尔文，L 增长多少；若 L 就是在该温度下测得，则留空</translation>
+        <translation>L 以 20 °C 为准时，温度每升高 1 K，L 的膨胀量；若 L 就是在本次测量温度下测得，则留空</translation>
     </message>
     <message>
         <source>Notes</source>
@@ -1109,7 +1135,7 @@ Sealed by:</source>
     </message>
     <message>
         <source>σ compensator</source>
-        <translation>σ 补偿器</translation>
+        <translation>补偿器 σ</translation>
     </message>
     <message>
         <source>1</source>
@@ -1117,7 +1143,7 @@ Sealed by:</source>
     </message>
     <message>
         <source>Setting accuracy of the compensator, by its data sheet; of use where the readings have tilts, or say what the instrument corrected</source>
-        <translation>补偿器的安置精度，见其技术资料；当读数带有倾斜量，或说明了仪器作了哪些改正时使用</translation>
+        <translation>补偿器的安置精度，见其说明书；当读数带有倾斜量，或注明了仪器所作的改正时使用</translation>
     </message>
     <message>
         <source>Line of sight e</source>
@@ -1129,7 +1155,7 @@ Sealed by:</source>
     </message>
     <message>
         <source>Offset of the line of sight from the vertical axis, by the instrument check: e/D at the distance of this session adds to the known collimation</source>
-        <translation>视线偏离竖轴的距离，由仪器检查得出：本测量记录距离处的 e/D 计入已知的照准差</translation>
+        <translation>视线偏离竖轴的距离，由仪器检查得出：按本测量记录的距离，将 e/D 计入已知的照准差</translation>
     </message>
     <message>
         <source>u of e</source>
@@ -1165,7 +1191,7 @@ Sealed by:</source>
     </message>
     <message>
         <source>Where the instrument stands above or below the axis, its pointing zero is inclined. Vertical: the plane of the arc is plumb all the same. Square: it is square to the zero</source>
-        <translation>仪器高于或低于轴线时，其瞄准零位是倾斜的。铅垂：圆弧平面仍然铅垂。垂直于零位：圆弧平面与零位方向垂直</translation>
+        <translation>仪器高于或低于回转轴时，其瞄准零位是倾斜的。铅垂：圆弧平面仍然铅垂。垂直于零位：圆弧平面与零位方向垂直</translation>
     </message>
     <message>
         <source>A mark</source>
@@ -1181,11 +1207,35 @@ Sealed by:</source>
     </message>
     <message>
         <source>Zeros sight</source>
-        <translation>零位瞄准</translation>
+        <translation>零位照准</translation>
     </message>
     <message>
         <source>A mark: one fixed direction, so that zeros which differ show a drift or a knock. The normal: that of the guideway, set anew in each position. Unstated: a mark where the zeros agree within 30″</source>
-        <translation>标志：一个固定方向，因此零位之差反映漂移或碰动。法线：导轨自身的法线，在每个位置重新设定。未说明：零位相差在 30″ 以内时视为标志</translation>
+        <translation>标志：一个固定方向，因此零位之差反映漂移或碰动。法线：导轨自身的法线，在每个轴位重新设定。未说明：零位相差在 30″ 以内时视为标志</translation>
+    </message>
+    <message>
+        <source>Authorised b&amp;y</source>
+        <translation>批准人(&amp;Y)</translation>
+    </message>
+    <message>
+        <source>Condition of the device on receipt, for the report</source>
+        <translation>接收时设备的状况，用于报告</translation>
+    </message>
+    <message>
+        <source>&amp;Received on</source>
+        <translation>接收日期(&amp;R)</translation>
+    </message>
+    <message>
+        <source>Customer</source>
+        <translation>客户</translation>
+    </message>
+    <message>
+        <source>Condition</source>
+        <translation>状况</translation>
+    </message>
+    <message>
+        <source>Instrument</source>
+        <translation>仪器</translation>
     </message>
 </context>
 <context>
@@ -1282,7 +1332,7 @@ Sealed by:</source>
     </message>
     <message>
         <source>known size of %1</source>
-        <translation>%1 的已知量值</translation>
+        <translation>%1的已知量值</translation>
     </message>
 </context>
 <context>
@@ -1300,11 +1350,11 @@ Sealed by:</source>
     </message>
     <message>
         <source>, round %1</source>
-        <translation>，测回 %1</translation>
+        <translation>、测回 %1</translation>
     </message>
     <message>
         <source>, face %1</source>
-        <translation>，盘位 %1</translation>
+        <translation>、盘位 %1</translation>
     </message>
     <message>
         <source>Next: %1</source>
@@ -1317,6 +1367,10 @@ Sealed by:</source>
     <message>
         <source>%1: %2</source>
         <translation>%1：%2</translation>
+    </message>
+    <message>
+        <source>All is read that was to be</source>
+        <translation>应读的都已读完</translation>
     </message>
 </context>
 <context>
@@ -1422,7 +1476,7 @@ Sealed by:</source>
     </message>
     <message>
         <source>something stands there that is no file: choose another name</source>
-        <translation>该处存在的不是文件：请换一个名称</translation>
+        <translation>该名称已被占用，且不是文件：请换一个名称</translation>
     </message>
     <message>
         <source>the file is read-only: choose another name, or make it writable</source>
@@ -1479,7 +1533,7 @@ Sealed by:</source>
     </message>
     <message>
         <source>holds more than %1 rows of readings: divide them into several sessions</source>
-        <translation>含有超过 %1 行读数：请分成多个会话</translation>
+        <translation>含有超过 %1 行读数：请分成多份测量记录</translation>
     </message>
     <message>
         <source>comes after %1 rows of readings, and no more are read: divide the file</source>
@@ -1625,7 +1679,7 @@ Sealed by:</source>
     </message>
     <message>
         <source>set the session&apos;s vertical angle relation right</source>
-        <translation>改正会话的竖直角关系式</translation>
+        <translation>改正测量记录的竖直角关系式</translation>
     </message>
     <message>
         <source>share</source>
@@ -1634,7 +1688,7 @@ Sealed by:</source>
     </message>
     <message>
         <source>collimation</source>
-        <translation>视准误差</translation>
+        <translation>照准差</translation>
     </message>
     <message>
         <source>the line of sight is not perpendicular to the trunnion axis</source>
@@ -1646,7 +1700,7 @@ Sealed by:</source>
     </message>
     <message>
         <source>trunnion tilt</source>
-        <translation>横轴倾斜</translation>
+        <translation>横轴误差</translation>
     </message>
     <message>
         <source>the trunnion axis is not perpendicular to the vertical axis</source>
@@ -1755,7 +1809,7 @@ Sealed by:</source>
     </message>
     <message>
         <source>the arc plane is not perpendicular to the zero direction</source>
-        <translation>圆弧平面与零方向不垂直</translation>
+        <translation>圆弧平面与瞄准零位方向不垂直</translation>
     </message>
     <message>
         <source>read the slider, and determine the pointing zero anew</source>
@@ -1924,7 +1978,7 @@ Sealed by:</source>
     </message>
     <message>
         <source>the vertical circle is stated as %1, but the file says %2: the file is followed</source>
-        <translation>声明的竖直度盘为 %1，但文件为 %2：以文件为准</translation>
+        <translation>竖直度盘原设为 %1，但文件中为%2：以文件为准</translation>
     </message>
     <message>
         <source>the file itself says how the axis stood: that is what counts</source>
@@ -1936,11 +1990,11 @@ Sealed by:</source>
     </message>
     <message>
         <source>the %1 %2 of the pointing zero in %3 is not used</source>
-        <translation>%3 中瞄准零位的%1 %2 未使用</translation>
+        <translation>%3中瞄准零位的 %1 %2 未使用</translation>
     </message>
     <message>
         <source>the excluded sighting of the pointing zero in %1 is not used</source>
-        <translation>%1 中被排除的瞄准零位照准未使用</translation>
+        <translation>%1中被排除的瞄准零位照准未使用</translation>
     </message>
     <message>
         <source>lines %1</source>
@@ -1948,19 +2002,19 @@ Sealed by:</source>
     </message>
     <message>
         <source>the pointing zero at %1 stays as it was given; that of %2 is not used</source>
-        <translation>%1 的瞄准零位保持原有值；%2 的未使用</translation>
+        <translation>%1 的瞄准零位保持原有值；%2的未使用</translation>
     </message>
     <message>
         <source>the pointing zero at %1 is the face 1 mean of %2</source>
-        <translation>%1 的瞄准零位为 %2 的盘左平均值</translation>
+        <translation>%1 的瞄准零位为%2的盘左平均值</translation>
     </message>
     <message>
         <source>the positions of the axis alternate in the file; a session keeps the order within each only</source>
-        <translation>文件中轴位交替出现；会话只保留各轴位内的顺序</translation>
+        <translation>文件中轴位交替出现；测量记录只保留各轴位内的顺序</translation>
     </message>
     <message>
         <source>180° was read before 0°, but a session takes 0° as read first: a drift or a jump between the positions would be taken the wrong way round</source>
-        <translation>180° 先于 0° 读取，但会话认为 0° 先读：两轴位之间的漂移或突跳会被反向理解</translation>
+        <translation>180° 先于 0° 读取，但测量记录以 0° 为先：两轴位之间的漂移或突跳会被反向理解</translation>
     </message>
     <message>
         <source>the column %1 is not used: 1 value</source>
@@ -1996,7 +2050,7 @@ Sealed by:</source>
     </message>
     <message>
         <source>%1 has another decimal sign than the one that was stated: choose either of them</source>
-        <translation>%1 的小数点符号与声明的不同：请选择任意一种</translation>
+        <translation>%1 的小数点符号与给定的不同：请选择“任意”</translation>
     </message>
     <message>
         <source>%1 is neither yes nor no: type one of them</source>
@@ -2012,15 +2066,15 @@ Sealed by:</source>
     </message>
     <message>
         <source>what else has no place in a session</source>
-        <translation>会话中无处存放的其他内容</translation>
+        <translation>测量记录中无处存放的其他内容</translation>
     </message>
     <message>
         <source>%1 is not used: line %2</source>
-        <translation>%1未使用：第 %2 行</translation>
+        <translation>未使用：%1，第 %2 行</translation>
     </message>
     <message>
         <source>%1 is not used: %2 times, first in line %3</source>
-        <translation>%1未使用：%2 次，首次在第 %3 行</translation>
+        <translation>未使用：%1，共 %2 次，首次在第 %3 行</translation>
     </message>
     <message>
         <source>%1 (and %2 more of this kind)</source>
@@ -2200,7 +2254,7 @@ Sealed by:</source>
     </message>
     <message>
         <source>holds vertical readings of a circle of the kind %1, the readings before it are of the kind %2: a session has one, so import it into a session of its own</source>
-        <translation>含有%1类竖直度盘的读数，而之前的读数为%2类：一个会话只有一种，请导入到单独的会话</translation>
+        <translation>含有%1类竖直度盘的读数，而之前的读数为%2类：一份测量记录只有一种，请导入到单独的测量记录</translation>
     </message>
     <message>
         <source>no file was chosen: choose one</source>
@@ -2232,11 +2286,11 @@ Sealed by:</source>
     </message>
     <message>
         <source>has no vertical circle (V1): let the instrument record Hz and V, or delete the line</source>
-        <translation>缺少竖直度盘（V1）：让仪器记录 Hz 和 V，或删除该行</translation>
+        <translation>缺少竖直度盘（V1）：请让仪器记录 Hz 和 V，或删除该行</translation>
     </message>
     <message>
         <source>has no horizontal circle (Hz): let the instrument record Hz and V, or delete the line</source>
-        <translation>缺少水平度盘（Hz）：让仪器记录 Hz 和 V，或删除该行</translation>
+        <translation>缺少水平度盘（Hz）：请让仪器记录 Hz 和 V，或删除该行</translation>
     </message>
     <message>
         <source>distance</source>
@@ -2260,7 +2314,7 @@ Sealed by:</source>
     </message>
     <message>
         <source>is no file of readings but JSON: open it as a session</source>
-        <translation>不是读数文件而是 JSON：请作为会话打开</translation>
+        <translation>不是读数文件而是 JSON：请作为测量记录打开</translation>
     </message>
     <message>
         <source>it begins with the heading of a Sokkia SDR file</source>
@@ -2312,11 +2366,11 @@ Sealed by:</source>
     </message>
     <message>
         <source>decimals stand behind a comma</source>
-        <translation>小数以逗号分隔</translation>
+        <translation>小数分隔符为逗号</translation>
     </message>
     <message>
         <source>decimals stand behind a point</source>
-        <translation>小数以小数点分隔</translation>
+        <translation>小数分隔符为点</translation>
     </message>
     <message>
         <source>gon, as %1 is more than 360</source>
@@ -2548,7 +2602,7 @@ Sealed by:</source>
     </message>
     <message>
         <source>goes on after its end, at %1: a session file holds one JSON document, delete what follows it</source>
-        <translation>在%1处结束之后仍有内容：会话文件只含一个 JSON 文档，请删除其后的内容</translation>
+        <translation>在%1处结束之后仍有内容：测量记录文件只含一个 JSON 文档，请删除其后的内容</translation>
     </message>
     <message>
         <source>ends too early, at %1: the file is cut short, restore a complete copy</source>
@@ -2568,7 +2622,7 @@ Sealed by:</source>
     </message>
     <message>
         <source>is stated as one, but the positions have different zeros: give all of them the same α0 and β0, or state each</source>
-        <translation>声明为 one，但各轴位的零位不同：请给所有轴位相同的 α0 和 β0，或声明 each</translation>
+        <translation>设为 one，但各轴位的零位不同：请给所有轴位相同的 α0 和 β0，或设为 each</translation>
     </message>
     <message>
         <source>is empty, as is the whole row: type its readings or delete the row</source>
@@ -2592,7 +2646,7 @@ Sealed by:</source>
     </message>
     <message>
         <source>%1 is no face: type 1 or 2</source>
-        <translation>%1 不是盘位：请输入 1 或 2</translation>
+        <translation>%1 不是盘位：请输入 1（盘左）或 2（盘右）</translation>
     </message>
     <message>
         <source>add the reading of the horizontal circle</source>
@@ -2642,7 +2696,7 @@ Sealed by:</source>
     </message>
     <message>
         <source>is missing: this is no session file, which says &quot;format&quot;: &quot;alidade-session&quot;</source>
-        <translation>缺失：这不是会话文件，会话文件写有 &quot;format&quot;: &quot;alidade-session&quot;</translation>
+        <translation>缺失：这不是测量记录文件，测量记录文件写有 &quot;format&quot;: &quot;alidade-session&quot;</translation>
     </message>
     <message>
         <source>add &quot;version&quot;: 1</source>
@@ -2658,7 +2712,7 @@ Sealed by:</source>
     </message>
     <message>
         <source>%1 is no version of a session file: it must be %2</source>
-        <translation>%1 不是会话文件的版本：必须是 %2</translation>
+        <translation>%1 不是测量记录文件的版本：必须是 %2</translation>
     </message>
     <message>
         <source>add the distance from the theodolite to the arc plane in mm</source>
@@ -2690,7 +2744,7 @@ Sealed by:</source>
     </message>
     <message>
         <source>is %1, not an object in braces: this is no session file</source>
-        <translation>是%1，而不是花括号中的对象：这不是会话文件</translation>
+        <translation>是%1，而不是花括号中的对象：这不是测量记录文件</translation>
     </message>
     <message>
         <source>a text in quotation marks</source>
@@ -2738,7 +2792,7 @@ Sealed by:</source>
     </message>
     <message>
         <source>has readings that tell neither radius nor centre: look for misread values, the degrees first, and check the stated σ of the circles</source>
-        <translation>的读数既不能确定半径也不能确定圆心：请查找误读，先查度数，并检查声明的度盘 σ</translation>
+        <translation>的读数既不能确定半径也不能确定圆心：请查找误读，先查度数，并检查给定的度盘 σ</translation>
     </message>
     <message>
         <source>has readings of %1 places; the published method needs five: sight more places</source>
@@ -2758,15 +2812,15 @@ Sealed by:</source>
     </message>
     <message>
         <source>the fit did not settle within %1 iterations; its result is provisional.</source>
-        <translation>拟合在 %1 次迭代内未收敛；其结果是暂时的。</translation>
+        <translation>拟合在 %1 次迭代内未收敛；其结果是暂定的。</translation>
     </message>
     <message>
         <source>Check the readings for large errors.</source>
-        <translation>请检查读数中是否有大误差。</translation>
+        <translation>请检查读数中是否有粗差。</translation>
     </message>
     <message>
         <source>the readings just fix the circle; nothing checks them, and the uncertainty rests on the stated noise alone.</source>
-        <translation>读数刚好确定圆；没有任何检核，不确定度仅依赖于声明的噪声。</translation>
+        <translation>读数刚好确定圆；没有任何检核，不确定度仅依赖于给定噪声。</translation>
     </message>
     <message>
         <source>Sight more places.</source>
@@ -2774,7 +2828,7 @@ Sealed by:</source>
     </message>
     <message>
         <source>the readings scatter %1 times their stated noise %2.</source>
-        <translation>读数的离散是声明噪声的 %1 倍%2。</translation>
+        <translation>读数的离散是给定噪声的 %1 倍%2。</translation>
     </message>
     <message>
         <source>Look for misread values or an effect that the model does not hold; U is scaled by the scatter.</source>
@@ -2782,11 +2836,11 @@ Sealed by:</source>
     </message>
     <message>
         <source>the readings agree far better than their stated noise %1.</source>
-        <translation>读数之间的一致性远好于声明的噪声%1。</translation>
+        <translation>读数之间的一致性远好于给定噪声%1。</translation>
     </message>
     <message>
         <source>Check the stated σ, and that the readings were not copied from one another.</source>
-        <translation>请检查声明的 σ，并确认读数不是互相抄录的。</translation>
+        <translation>请检查给定的 σ，并确认读数不是互相抄录的。</translation>
     </message>
     <message>
         <source>an arc of %1° fixes the radius only to u = %2 mm, and the centre hardly better.</source>
@@ -2810,23 +2864,11 @@ Sealed by:</source>
     </message>
     <message>
         <source>the same pair of readings stands twice, in rows %1.</source>
-        <translation>同一对读数出现两次，在第 %1 行。</translation>
+        <translation>同一对读数出现两次，见第 %1 行。</translation>
     </message>
     <message>
         <source>If a row was entered twice, exclude one: a copy makes the result look surer than it is.</source>
         <translation>如果某行录入了两次，请排除其一：副本会使结果看起来比实际更可靠。</translation>
-    </message>
-    <message>
-        <source>Sessions like this one come to U = %1</source>
-        <translation>与本会话类似的测量可达到 U = %1</translation>
-    </message>
-    <message>
-        <source>with %1 to %2</source>
-        <translation>加上%1 则为 %2</translation>
-    </message>
-    <message>
-        <source>with %1 known to %2</source>
-        <translation>已知%1 则为 %2</translation>
     </message>
     <message>
         <source>%1; %2</source>
@@ -2839,11 +2881,7 @@ Sealed by:</source>
     </message>
     <message>
         <source>with what the pattern may move it by</source>
-        <translation>计入该规律可能引起的移动</translation>
-    </message>
-    <message>
-        <source>averaged over what looks alike</source>
-        <translation>对相似原因取平均</translation>
+        <translation>计入该规律可能引起的改变</translation>
     </message>
     <message>
         <source>averaged over what else may be</source>
@@ -2879,7 +2917,7 @@ Sealed by:</source>
     </message>
     <message>
         <source>stated</source>
-        <translation>声明</translation>
+        <translation>给定</translation>
     </message>
     <message>
         <source>default</source>
@@ -2943,7 +2981,7 @@ Sealed by:</source>
     </message>
     <message>
         <source>The readings scatter %1 times as much as stated, without a pattern.</source>
-        <translation>读数的离散是声明的 %1 倍，且没有规律。</translation>
+        <translation>读数的离散是给定值的 %1 倍，且没有规律。</translation>
     </message>
     <message>
         <source>the two positions close, and %1</source>
@@ -2971,7 +3009,7 @@ Sealed by:</source>
     </message>
     <message>
         <source>Beside %1 the gap is real, and no effect of the catalogue explains the rest.</source>
-        <translation>除%1 之外差距确实存在，目录中没有效应可以解释其余部分。</translation>
+        <translation>除%1外，差距确实存在，且目录中没有效应可以解释其余部分。</translation>
     </message>
     <message>
         <source>The gap is real, and no effect of the catalogue explains it; it follows the pattern “%1”.</source>
@@ -2979,7 +3017,7 @@ Sealed by:</source>
     </message>
     <message>
         <source>Beside %1 the gap is real, and no effect of the catalogue explains the rest; it follows the pattern “%2”.</source>
-        <translation>除%1 之外差距确实存在，目录中没有效应可以解释其余部分；它遵循规律“%2”。</translation>
+        <translation>除%1外，差距确实存在，且目录中没有效应可以解释其余部分；它遵循规律“%2”。</translation>
     </message>
     <message>
         <source>Nothing checks the model: these readings just fix the circles and leave nothing over. Sight more places.</source>
@@ -2987,15 +3025,11 @@ Sealed by:</source>
     </message>
     <message>
         <source>The readings agree with the model within their stated noise: there is no gap to explain.</source>
-        <translation>读数在声明的噪声范围内与模型一致：没有需要解释的差距。</translation>
+        <translation>读数在给定噪声范围内与模型一致：没有需要解释的差距。</translation>
     </message>
     <message>
         <source>The gap is best explained by %1. %2</source>
-        <translation>差距最好由%1 解释。%2</translation>
-    </message>
-    <message>
-        <source>The gap is best explained by %1 or by what these readings cannot tell from it: %2. %3</source>
-        <translation>差距最好由%1 解释，或由这些读数无法与之区分的%2 解释。%3</translation>
+        <translation>差距的最佳解释是%1。%2</translation>
     </message>
     <message>
         <source> or </source>
@@ -3003,7 +3037,7 @@ Sealed by:</source>
     </message>
     <message>
         <source>The gap is best explained by several causes together: %1. %2</source>
-        <translation>差距最好由多个原因共同解释：%1。%2</translation>
+        <translation>差距的最佳解释是多个原因共同作用：%1。%2</translation>
     </message>
     <message>
         <source>retyped</source>
@@ -3090,10 +3124,6 @@ Sealed by:</source>
         <translation>双盘位</translation>
     </message>
     <message>
-        <source>the way back</source>
-        <translation>返测</translation>
-    </message>
-    <message>
         <source>slider readings</source>
         <translation>滑块读数</translation>
     </message>
@@ -3103,7 +3133,7 @@ Sealed by:</source>
     </message>
     <message>
         <source>a second set from half as far again</source>
-        <translation>距离增加一半处的第二组观测</translation>
+        <translation>在 1.5 倍距离处的第二组观测</translation>
     </message>
     <message>
         <source>more of the arc</source>
@@ -3124,10 +3154,6 @@ Sealed by:</source>
     <message>
         <source>180° measured again</source>
         <translation>复测 180°</translation>
-    </message>
-    <message>
-        <source>%1 (read anew)</source>
-        <translation>%1（重新读取）</translation>
     </message>
     <message>
         <source>%1 (in addition)</source>
@@ -3187,7 +3213,7 @@ Sealed by:</source>
     </message>
     <message>
         <source>The readings do not agree with the known radius of %1 mm: they pull it by %2 mm, where %3 mm is the most that their noise and its σ allow at 0.1 % risk.</source>
-        <translation>读数与已知半径 %1 mm 不符：读数将其拉动 %2 mm，而在 0.1 % 风险下其噪声和 σ 最多允许 %3 mm。</translation>
+        <translation>读数与已知半径 %1 mm 不符：读数使其偏移 %2 mm，而在 0.1 % 风险下其噪声和 σ 最多允许 %3 mm。</translation>
     </message>
     <message>
         <source>Check R0, its σ and the distance, or let the radius be free.</source>
@@ -3195,7 +3221,7 @@ Sealed by:</source>
     </message>
     <message>
         <source>The session&apos;s model names %1, which is no effect that can be estimated.</source>
-        <translation>会话的模型中有 %1，它不是可以估计的效应。</translation>
+        <translation>测量记录的模型中有 %1，它不是可以估计的效应。</translation>
     </message>
     <message>
         <source>Read the result as one without it, or correct the name.</source>
@@ -3219,7 +3245,7 @@ Sealed by:</source>
     </message>
     <message>
         <source>Set the vertical angle to exact, unless the planar relation is to be studied.</source>
-        <translation>请将竖直角设为 exact，除非要研究平面关系式。</translation>
+        <translation>请将竖直角设为“精确”（exact），除非要研究平面关系式。</translation>
     </message>
     <message>
         <source>at 0° below</source>
@@ -3243,7 +3269,7 @@ Sealed by:</source>
     </message>
     <message>
         <source>Most places lie %1 the fitted centre, where an arc at 0° has them above and one at 180° below: Δd may have the wrong sign.</source>
-        <translation>大多数位置%1（相对拟合圆心），而 0° 的圆弧应在圆心上方，180° 的应在下方：Δd 的符号可能有误。</translation>
+        <translation>相对于拟合圆心，大多数位置%1，而圆弧上的位置 0° 时应在圆心上方，180° 时应在下方：Δd 的符号可能有误。</translation>
     </message>
     <message>
         <source>Check the kind of the vertical circle, and whether the positions are exchanged.</source>
@@ -3291,11 +3317,11 @@ Sealed by:</source>
     </message>
     <message>
         <source>State geometry.pointing_zeros: one, if it was sighted once, or each.</source>
-        <translation>请声明 geometry.pointing_zeros：只照准一次为 one，否则为 each。</translation>
+        <translation>请注明 geometry.pointing_zeros：只照准一次为 one，否则为 each。</translation>
     </message>
     <message>
         <source>%1: the pointing zero moved by %2 horizontally and %3 vertically (1σ) while the position was read; U takes the zeros to scatter %4 times as stated.</source>
-        <translation>%1：读取该轴位期间，瞄准零位水平移动 %2，竖直移动 %3（1σ）；U 按零位离散为声明的 %4 倍计算。</translation>
+        <translation>%1：读取该轴位期间，瞄准零位水平移动 %2，竖直移动 %3（1σ）；U 按零位离散为给定值的 %4 倍计算。</translation>
     </message>
     <message>
         <source>%1: the pointing zero moved by %2 horizontally and %3 vertically (1σ) while the position was read.</source>
@@ -3307,7 +3333,7 @@ Sealed by:</source>
     </message>
     <message>
         <source>%1: the sightings of the pointing zero in face 2 are left out, since not every position has one: collimation and index would not cancel.</source>
-        <translation>%1：盘右的瞄准零位照准未采用，因为并非每个轴位都有：视准误差和指标差无法抵消。</translation>
+        <translation>%1：盘右的瞄准零位照准未采用，因为并非每个轴位都有：照准差和指标差无法抵消。</translation>
     </message>
     <message>
         <source>Sight the zeros of all positions in both faces.</source>
@@ -3415,11 +3441,11 @@ Sealed by:</source>
     </message>
     <message>
         <source>The verdict is withheld: the radius fitted at %1 is %2 % off the nominal one, and lengths that are so far from what they should be prove nothing: check %3.</source>
-        <translation>暂不判定：%1 的拟合半径与名义值相差 %2 %，长度偏差如此之大则不能证明任何事：请检查%3。</translation>
+        <translation>暂不判定：%1 的拟合半径与名义值相差 %2 %，长度与应有值相差如此之大，不能作为判定依据：请检查%3。</translation>
     </message>
     <message>
         <source>the tolerance of ± %1 mm</source>
-        <translation>允差 ± %1 mm</translation>
+        <translation>允差（± %1 mm）</translation>
     </message>
     <message>
         <source>%1 (%2 % coverage)</source>
@@ -3427,15 +3453,15 @@ Sealed by:</source>
     </message>
     <message>
         <source>within %1</source>
-        <translation>在%1 之内</translation>
+        <translation>在%1之内</translation>
     </message>
     <message>
         <source>outside %1</source>
-        <translation>在%1 之外</translation>
+        <translation>在%1之外</translation>
     </message>
     <message>
         <source>not clearly within or outside %1</source>
-        <translation>不能明确判断在%1 之内或之外</translation>
+        <translation>不能明确判断是否在%1之内</translation>
     </message>
     <message>
         <source>Add to the model what was found, or measure what the diagnosis advises.</source>
@@ -3443,7 +3469,7 @@ Sealed by:</source>
     </message>
     <message>
         <source>it</source>
-        <translation>该限</translation>
+        <translation>该允差</translation>
     </message>
     <message>
         <source>more than 99.9 %</source>
@@ -3459,7 +3485,7 @@ Sealed by:</source>
     </message>
     <message>
         <source>The tolerance is of the distance from the axis as a whole, and how far the arc&apos;s centre lies off it across the plane of the arc was not measured: read both positions over more of the arc, or state it (device.known: plane_offset). %1</source>
-        <translation>允差针对到回转轴的整个距离，而圆心在垂直于圆弧平面方向上的偏离未经测量：请在更长的弧段上读取两个轴位，或声明它（device.known: plane_offset）。%1</translation>
+        <translation>允差针对到回转轴的整个距离，而圆心在垂直于圆弧平面方向上的偏离未经测量：请在更长的弧段上读取两个轴位，或给定其值（device.known: plane_offset）。%1</translation>
     </message>
     <message>
         <source>there are no readings to export; enter those of the axis positions</source>
@@ -3520,15 +3546,15 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
     </message>
     <message>
         <source>has plain numbers for angles, and no unit lets both faces add up to a full turn: name the unit in the names of the columns, such as “horizontal [gon]”, or state it</source>
-        <translation>其角度为不带单位的数，且没有一种单位能使两个盘位之和为整周：请在列名中注明单位，如“horizontal [gon]”，或另行声明</translation>
+        <translation>其角度为不带单位的数，且没有一种单位能使两个盘位之和为整周：请在列名中注明单位，如“horizontal [gon]”，或另行指明</translation>
     </message>
     <message>
         <source>plain numbers are taken for %1, as the vertical readings of both faces then add up to a full turn</source>
-        <translation>不带单位的数按%1处理，因为这样两个盘位的竖直读数之和为整周</translation>
+        <translation>不带单位的数按“%1”处理，因为这样两个盘位的竖直读数之和为整周</translation>
     </message>
     <message>
         <source>vertical readings of a circle of the kind %1 and of the kind %2 cannot be checked together: check them one after the other</source>
-        <translation>%1 类度盘与 %2 类度盘的竖直读数不能一起检查：请分别检查</translation>
+        <translation>%1类度盘与%2类度盘的竖直读数不能一起检查：请分别检查</translation>
     </message>
     <message>
         <source>the vertical readings are taken for elevations, as they lie around 0° and 180°</source>
@@ -3544,7 +3570,7 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
     </message>
     <message>
         <source>rows that state another face than their vertical circle shows: %1; the circle is followed</source>
-        <translation>声明的盘位与竖直度盘所示不同的行：%1；以度盘为准</translation>
+        <translation>所注盘位与竖直度盘所示不同的行：%1；以度盘为准</translation>
     </message>
     <message>
         <source>Station %1: %2</source>
@@ -3560,7 +3586,7 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
     </message>
     <message>
         <source>Both faces differ by more than 1°, so that they are not of one target, or misread: %1.</source>
-        <translation>两个盘位相差超过 1°，不是同一目标，或读错：%1。</translation>
+        <translation>两个盘位相差超过 1°，不是同一目标，或误读：%1。</translation>
     </message>
     <message>
         <source>Sighted several times in one face of a round, and averaged: %1.</source>
@@ -3572,7 +3598,7 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
     </message>
     <message>
         <source>Rounds that lack a target in both faces take no part: %1.</source>
-        <translation>缺少某目标双面观测的测回不参与：%1。</translation>
+        <translation>缺少某目标双盘位观测的测回不参与：%1。</translation>
     </message>
     <message>
         <source>%1 in round %2</source>
@@ -3584,15 +3610,15 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
     </message>
     <message>
         <source>There is no complete round, with each target in both faces.</source>
-        <translation>没有完整的测回，即每个目标都有双面观测。</translation>
+        <translation>没有完整的测回，即每个目标都有双盘位观测。</translation>
     </message>
     <message>
         <source>Sight every target in face 1 and in face 2, and call it the same in both.</source>
-        <translation>请在盘位 1 和盘位 2 都观测每个目标，并使用相同的名称。</translation>
+        <translation>请在盘左和盘右都观测每个目标，并使用相同的名称。</translation>
     </message>
     <message>
         <source>One complete round shows collimation and index, but not how far readings scatter.</source>
-        <translation>一个完整的测回能显示视准误差和指标差，但不能显示读数的散布。</translation>
+        <translation>一个完整的测回能显示照准差和指标差，但不能显示读数的离散。</translation>
     </message>
     <message>
         <source>Observe three rounds or more.</source>
@@ -3620,11 +3646,11 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
     </message>
     <message>
         <source>The index of %1 differs from zero by more than its scatter (%2): readings in one face need it.</source>
-        <translation>指标差 %1 与零之差超过其散布（%2）：单面读数需要计入它。</translation>
+        <translation>指标差 %1 与零之差超过其离散（%2）：单盘位读数需要计入它。</translation>
     </message>
     <message>
         <source>All targets lie at about the same elevation (%1° to %2°): a tilt of the trunnion axis cannot be told from collimation.</source>
-        <translation>所有目标的高度角大致相同（%1° 至 %2°）：横轴倾斜无法与视准误差区分。</translation>
+        <translation>所有目标的高度角大致相同（%1° 至 %2°）：横轴误差无法与照准差区分。</translation>
     </message>
     <message>
         <source>Sight a steep target besides.</source>
@@ -3632,19 +3658,19 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
     </message>
     <message>
         <source>A tilt of the trunnion axis cannot be told from collimation here: one of 30″ would show as %1 standard uncertainties, with elevations from %2° to %3°.</source>
-        <translation>横轴倾斜在此无法与视准误差区分：高度角为 %2° 至 %3° 时，30″ 的倾斜只表现为 %1 个标准不确定度。</translation>
+        <translation>横轴误差在此无法与照准差区分：高度角为 %2° 至 %3° 时，30″ 的横轴误差只相当于 %1 个标准不确定度。</translation>
     </message>
     <message>
         <source>The trunnion axis is tilted by %1 (%2); with that the collimation is %3.</source>
-        <translation>横轴倾斜 %1（%2）；计入后视准误差为 %3。</translation>
+        <translation>横轴误差为 %1（%2）；计入后照准差为 %3。</translation>
     </message>
     <message>
         <source>Not all distances are known. A line of sight that passes the axis at e shows as e/D, and at short distances looks like collimation: half a millimetre is 43″ at 2.4 m and 2″ at 50 m.</source>
-        <translation>并非所有距离都已知。视线偏离轴 e 时表现为 e/D，在短距离处看起来像视准误差：半毫米在 2.4 m 处为 43″，在 50 m 处为 2″。</translation>
+        <translation>并非所有距离都已知。视线偏离竖轴 e 时表现为 e/D，在短距离处看起来像照准差：半毫米在 2.4 m 处为 43″，在 50 m 处为 2″。</translation>
     </message>
     <message>
         <source>All targets are about as far away. A line of sight that passes the axis at e shows as e/D and looks like collimation: half a millimetre is %1 at %2.</source>
-        <translation>所有目标的距离大致相同。视线偏离轴 e 时表现为 e/D，看起来像视准误差：半毫米在 %2 处为 %1。</translation>
+        <translation>所有目标的距离大致相同。视线偏离竖轴 e 时表现为 e/D，看起来像照准差：半毫米在 %2 处为 %1。</translation>
     </message>
     <message>
         <source>Sight targets at other distances besides.</source>
@@ -3652,15 +3678,15 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
     </message>
     <message>
         <source>What the faces differ by goes with 1/D: the line of sight passes the axis at %1 (%2), which shows as %3 at %4 and looks like collimation; without it that is %5.</source>
-        <translation>两个盘位之差随 1/D 变化：视线偏离轴 %1（%2），在 %4 处表现为 %3，看起来像视准误差；除去后视准误差为 %5。</translation>
+        <translation>两个盘位之差随 1/D 变化：视线偏离竖轴 %1（%2），在 %4 处表现为 %3，看起来像照准差；除去后照准差为 %5。</translation>
     </message>
     <message>
         <source>A line of sight that passes the axis at e shows as e/D and looks like collimation; these distances (%1 to %2) cannot tell: half a millimetre, %3 at the nearest target, would show as %4 standard uncertainties.</source>
-        <translation>视线偏离轴 e 时表现为 e/D，看起来像视准误差；这些距离（%1 至 %2）无法区分：半毫米在最近目标处为 %3，只表现为 %4 个标准不确定度。</translation>
+        <translation>视线偏离竖轴 e 时表现为 e/D，看起来像照准差；这些距离（%1 至 %2）无法区分：半毫米在最近目标处为 %3，只相当于 %4 个标准不确定度。</translation>
     </message>
     <message>
         <source>What the faces differ by does not go with the distance: the line of sight passes the axis at %1.</source>
-        <translation>两个盘位之差不随距离变化：视线偏离轴 %1。</translation>
+        <translation>两个盘位之差不随距离变化：视线偏离竖轴 %1。</translation>
     </message>
     <message>
         <source>The circle was set anew between rounds, so that a drift of the orientation between them does not show.</source>
@@ -3672,7 +3698,7 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
     </message>
     <message>
         <source>The collimation drifts by %1 a round (%2).</source>
-        <translation>视准误差每测回漂移 %1（%2）。</translation>
+        <translation>照准差每测回漂移 %1（%2）。</translation>
     </message>
     <message>
         <source>The index drifts by %1 a round (%2).</source>
@@ -3696,39 +3722,39 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
     </message>
     <message>
         <source>The collimation differs from station to station by more than it scatters (%1): it moved, or something that looks like it did.</source>
-        <translation>视准误差在测站之间的差异超过其散布（%1）：它变动了，或有看起来像它的量变动了。</translation>
+        <translation>照准差在测站之间的差异超过其离散（%1）：它变动了，或有看起来像它的量变动了。</translation>
     </message>
     <message>
         <source>The index differs from station to station by more than it scatters (%1): it moved.</source>
-        <translation>指标差在测站之间的差异超过其散布（%1）：它变动了。</translation>
+        <translation>指标差在测站之间的差异超过其离散（%1）：它变动了。</translation>
     </message>
     <message>
         <source>s of a direction, %1, is no larger than the stated %2 (χ², 95 %: s up to %3 with %4 degrees of freedom).</source>
-        <translation>方向的 s 为 %1，不大于声明的 %2（χ²，95 %：自由度为 %4 时 s 可达 %3）。</translation>
+        <translation>方向的 s 为 %1，不大于给定的 %2（χ²，95 %：自由度为 %4 时 s 可达 %3）。</translation>
     </message>
     <message>
         <source>s of a direction, %1, is larger than the stated %2 (χ², 95 %: s up to %3 with %4 degrees of freedom).</source>
-        <translation>方向的 s 为 %1，大于声明的 %2（χ²，95 %：自由度为 %4 时 s 可达 %3）。</translation>
+        <translation>方向的 s 为 %1，大于给定的 %2（χ²，95 %：自由度为 %4 时 s 可达 %3）。</translation>
     </message>
     <message>
         <source>s of a zenith angle, %1, is no larger than the stated %2 (χ², 95 %: s up to %3 with %4 degrees of freedom).</source>
-        <translation>天顶距的 s 为 %1，不大于声明的 %2（χ²，95 %：自由度为 %4 时 s 可达 %3）。</translation>
+        <translation>天顶距的 s 为 %1，不大于给定的 %2（χ²，95 %：自由度为 %4 时 s 可达 %3）。</translation>
     </message>
     <message>
         <source>s of a zenith angle, %1, is larger than the stated %2 (χ², 95 %: s up to %3 with %4 degrees of freedom).</source>
-        <translation>天顶距的 s 为 %1，大于声明的 %2（χ²，95 %：自由度为 %4 时 s 可达 %3）。</translation>
+        <translation>天顶距的 s 为 %1，大于给定的 %2（χ²，95 %：自由度为 %4 时 s 可达 %3）。</translation>
     </message>
     <message>
         <source>is missing: this is no instrument record, which says &quot;format&quot;: &quot;alidade-instrument&quot;</source>
-        <translation>缺失：这不是仪器记录，仪器记录写有 &quot;format&quot;: &quot;alidade-instrument&quot;</translation>
+        <translation>缺失：这不是仪器档案，仪器档案写有 &quot;format&quot;: &quot;alidade-instrument&quot;</translation>
     </message>
     <message>
         <source>choose an instrument record</source>
-        <translation>请选择仪器记录</translation>
+        <translation>请选择仪器档案</translation>
     </message>
     <message>
         <source>%1 is no version of an instrument record: it must be %2</source>
-        <translation>%1 不是仪器记录的版本：必须是 %2</translation>
+        <translation>%1 不是仪器档案的版本：必须是 %2</translation>
     </message>
     <message>
         <source>is empty: say on which day this was found, as year-month-day</source>
@@ -3765,7 +3791,7 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
     </message>
     <message>
         <source>choose a session file</source>
-        <translation>请选择会话文件</translation>
+        <translation>请选择测量记录文件</translation>
     </message>
     <message>
         <source>%1 is not the serial number of the record, %2: choose the record of this instrument, or correct the serial number</source>
@@ -3775,7 +3801,7 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
     <message>
         <source>What is known beforehand (%1) accounts for the gap: with it %2, and what is left is within the stated noise.</source>
         <extracomment>effects, then &quot;the residuals shrink from 12.0″ to 2.0″&quot;</extracomment>
-        <translation>事先已知的内容（%1）说明了差距：计入后%2，其余在声明的噪声之内。</translation>
+        <translation>事先已知的内容（%1）说明了差距：计入后%2，其余在给定噪声之内。</translation>
     </message>
     <message>
         <source>%1 ± %2</source>
@@ -3792,11 +3818,11 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
     </message>
     <message>
         <source>By %1, %2 is %3; these readings say %4: what is known is stale, with a probability of %5.</source>
-        <translation>据%1，%2为 %3；这些读数显示为 %4：已知内容已过时，概率为%5。</translation>
+        <translation>据%1，%2为 %3；这些读数显示为 %4：已知内容已过时（概率：%5）。</translation>
     </message>
     <message>
         <source>Were what is known of %1 stale, these readings could not tell it from %2.</source>
-        <translation>假如关于%1的已知内容已过时，这些读数就不能将其与%2区分开。</translation>
+        <translation>假如关于%1的已知内容已过时，这些读数也无法将其与%2区分。</translation>
     </message>
     <message>
         <source>has no Δd to tell: it takes readings at 0° and at 180°</source>
@@ -3824,7 +3850,7 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
     </message>
     <message>
         <source>%1: the values agree within their uncertainties, but they scatter by less than these, and by that scatter a change shows.</source>
-        <translation>%1：各值在其不确定度内一致，但离散小于不确定度，按此离散可见变化。</translation>
+        <translation>%1：各值在其不确定度内一致，但离散小于不确定度，按此离散可看出变化。</translation>
     </message>
     <message>
         <source>%1: the values agree within their uncertainties.</source>
@@ -3836,11 +3862,11 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
     </message>
     <message>
         <source>%1 It happened between %2 and %3.</source>
-        <translation>%1发生在 %2 与 %3 之间。</translation>
+        <translation>%1变化发生在 %2 与 %3 之间。</translation>
     </message>
     <message>
         <source>%1 Its first value is one of those from %2 to %3 (95 %).</source>
-        <translation>%1其第一个值在 %2 至 %3 之间（95 %）。</translation>
+        <translation>%1变化后的第一个值在 %2 至 %3 之间（95 %）。</translation>
     </message>
     <message>
         <source>No step and no trend explains that: either the uncertainties are understated, or the values are too few to tell what changed.</source>
@@ -3856,7 +3882,7 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
     </message>
     <message>
         <source>The value of %1 stands apart from all others: look for what was different that day, a misread session or another set-up, before believing in a change.</source>
-        <translation>%1 的值与其他所有值不符：在相信发生变化之前，请查找当天有何不同，例如误读的会话或另一种架设。</translation>
+        <translation>%1 的值与其他所有值不符：在相信发生变化之前，请查找当天有何不同，例如读数有误或另一种架设。</translation>
     </message>
     <message>
         <source>The values wander: what lies close in time agrees better than what lies far apart, and neither steps nor a trend explain that as well.</source>
@@ -3873,7 +3899,7 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
     </message>
     <message>
         <source>With the scatter that is seen the mean has a standard uncertainty of %1.</source>
-        <translation>按所见的离散，均值的标准不确定度为 %1。</translation>
+        <translation>按观测到的离散，均值的标准不确定度为 %1。</translation>
     </message>
     <message>
         <source>How probable each account of the values is: %1.</source>
@@ -3881,19 +3907,19 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
     </message>
     <message>
         <source>There is one session: it cannot be compared.</source>
-        <translation>只有一次会话：无法比较。</translation>
+        <translation>只有一份测量记录：无法比较。</translation>
     </message>
     <message>
         <source>The sessions name no serial number of the device: nothing is taken for shared between them, so that a change has to be larger to be told. Enter it to see smaller ones.</source>
-        <translation>会话没有写明设备的序列号：不认为它们之间有任何共有部分，因此变化必须更大才能报告。请录入序列号以看到更小的变化。</translation>
+        <translation>测量记录没有写明设备的序列号：不认为它们之间有任何共有部分，因此变化须更大才会报告。请录入序列号，以便看到更小的变化。</translation>
     </message>
     <message>
         <source>All sessions have one device and one instrument: what errors of these do to Δd is the same each time, so it is in U and in the mean, but not in how far the values may scatter.</source>
-        <translation>所有会话为同一设备和同一仪器：它们的误差每次对 Δd 的影响相同，因此计入 U 和均值，但不计入各值允许的离散。</translation>
+        <translation>所有测量记录均为同一设备和同一仪器：它们的误差每次对 Δd 的影响相同，因此计入 U 和均值，但不计入各值允许的离散。</translation>
     </message>
     <message>
         <source>The sessions were not all taken with one instrument, or do not name its serial number: what its errors do to Δd is taken to differ from one to the next.</source>
-        <translation>会话并非全部用同一仪器测得，或未写明其序列号：认为其误差对 Δd 的影响每次不同。</translation>
+        <translation>测量记录并非全部用同一仪器测得，或未写明其序列号：认为其误差对 Δd 的影响每次不同。</translation>
     </message>
     <message>
         <source>Δd has changed from %1 to %2: by %3, %4.</source>
@@ -4017,7 +4043,7 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
     </message>
     <message>
         <source>the other sessions of the series</source>
-        <translation>系列中的其余会话</translation>
+        <translation>系列中的其余测量记录</translation>
     </message>
     <message>
         <source>%1 of instrument %2</source>
@@ -4029,11 +4055,11 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
     </message>
     <message>
         <source>%1, of a size of its own in each session</source>
-        <translation>%1，各会话大小不同</translation>
+        <translation>%1，各测量记录中大小不同</translation>
     </message>
     <message>
         <source>The size of %1 changes from session to session.</source>
-        <translation>%1的大小逐会话变化。</translation>
+        <translation>%1的大小随测量记录而变。</translation>
     </message>
     <message>
         <source>They cannot tell %1 from %2.</source>
@@ -4057,11 +4083,11 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
     </message>
     <message>
         <source>the session by itself</source>
-        <translation>该会话自身</translation>
+        <translation>该测量记录自身</translation>
     </message>
     <message>
         <source>each session by itself</source>
-        <translation>各会话自身</translation>
+        <translation>各测量记录自身</translation>
     </message>
     <message>
         <source>By itself %1 holds %2.</source>
@@ -4069,7 +4095,7 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
     </message>
     <message>
         <source>%1 of %2 sessions do not state the serial of their instrument: nothing of an instrument is taken as shared by them.</source>
-        <translation>%2 个会话中有 %1 个未注明仪器序列号：不视其共有任何仪器效应。</translation>
+        <translation>%2 份测量记录中有 %1 份未注明仪器序列号：不视其共有任何仪器效应。</translation>
     </message>
     <message>
         <source>State the serials.</source>
@@ -4077,43 +4103,43 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
     </message>
     <message>
         <source>%1 of %2 sessions do not state the serial of their guideway: nothing of a guideway is taken as shared by them.</source>
-        <translation>%2 个会话中有 %1 个未注明导轨序列号：不视其共有任何导轨效应。</translation>
+        <translation>%2 份测量记录中有 %1 份未注明导轨序列号：不视其共有任何导轨效应。</translation>
     </message>
     <message>
         <source>%1 does not share %2 with the others: there its size is another.</source>
-        <translation>%1与其余会话不共有%2：那里其大小不同。</translation>
+        <translation>%1与其余测量记录不共有%2：其大小在该处不同。</translation>
     </message>
     <message>
         <source>See what was different in that session.</source>
-        <translation>请查看该会话有何不同。</translation>
+        <translation>请查看该测量记录有何不同。</translation>
     </message>
     <message>
         <source>The sessions (%1) share no effect that shows beyond their stated noise.</source>
-        <translation>这些会话（%1 个）没有共有的、超出声明噪声的效应。</translation>
+        <translation>这些测量记录（共 %1 份）没有共有的、超出给定噪声的效应。</translation>
     </message>
     <message>
         <source>The sessions (%1) together are best explained by %2.</source>
-        <translation>这些会话（%1 个）合起来最好由%2解释。</translation>
+        <translation>这些测量记录（共 %1 份）合起来的最佳解释是%2。</translation>
     </message>
     <message>
         <source>Measure guideway %1 with another instrument: tells %3 apart by %4 σ (sessions needed: %2).</source>
-        <translation>用另一台仪器测量导轨 %1：可区分%3，相差 %4 σ（所需会话数：%2）。</translation>
+        <translation>用另一台仪器测量导轨 %1：可区分%3，相差 %4 σ（所需测量记录：%2 份）。</translation>
     </message>
     <message>
         <source>Measure guideway %1 with instrument %2: tells %4 apart by %5 σ (sessions needed: %3).</source>
-        <translation>用仪器 %2 测量导轨 %1：可区分%4，相差 %5 σ（所需会话数：%3）。</translation>
+        <translation>用仪器 %2 测量导轨 %1：可区分%4，相差 %5 σ（所需测量记录：%3 份）。</translation>
     </message>
     <message>
         <source>Measure another guideway with instrument %1: tells %3 apart by %4 σ (sessions needed: %2).</source>
-        <translation>用仪器 %1 测量另一条导轨：可区分%3，相差 %4 σ（所需会话数：%2）。</translation>
+        <translation>用仪器 %1 测量另一条导轨：可区分%3，相差 %4 σ（所需测量记录：%2 份）。</translation>
     </message>
     <message>
         <source>Measure with instrument %1 again: %3 would show by %4 σ (more sessions needed: %2).</source>
-        <translation>再用仪器 %1 测量：%3将显出 %4 σ（还需会话数：%2）。</translation>
+        <translation>再用仪器 %1 测量：%3将达到 %4 σ（还需测量记录：%2 份）。</translation>
     </message>
     <message>
         <source>Measure guideway %1 again: %3 would show by %4 σ (more sessions needed: %2).</source>
-        <translation>再次测量导轨 %1：%3将显出 %4 σ（还需会话数：%2）。</translation>
+        <translation>再次测量导轨 %1：%3将达到 %4 σ（还需测量记录：%2 份）。</translation>
     </message>
     <message>
         <source>From %1 on it is larger by %2 (standard uncertainty).</source>
@@ -4173,7 +4199,7 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
     </message>
     <message>
         <source>By the compensator the vertical axis moved by %1″ from one position to another.</source>
-        <translation>据补偿器，竖轴在两个位置之间变动了 %1″。</translation>
+        <translation>据补偿器，竖轴在两个轴位之间变动了 %1″。</translation>
     </message>
     <message>
         <source>Check the tripod; the tilt that is taken as known is less certain by half of it.</source>
@@ -4377,7 +4403,7 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
     </message>
     <message>
         <source>Title of the session</source>
-        <translation>会话标题</translation>
+        <translation>测量记录标题</translation>
     </message>
     <message>
         <source>Place of the measurement</source>
@@ -4393,7 +4419,7 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
     </message>
     <message>
         <source>The schema asks for it and the session leaves it empty: %1. Country ZZ and place “other” stand for none.</source>
-        <translation>模式要求而会话留空的有：%1。国家 ZZ 和地点“other”表示没有填写。</translation>
+        <translation>模式要求而测量记录留空的有：%1。国家 ZZ 和地点“other”表示没有填写。</translation>
     </message>
     <message>
         <source>report number</source>
@@ -4437,11 +4463,11 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
     </message>
     <message>
         <source>Undecided: the value is within the tolerance, and the uncertainty reaches beyond it. %1</source>
-        <translation>未定：值在允差之内，而不确定度超出允差。%1</translation>
+        <translation>待定：值在允差之内，而不确定度超出允差。%1</translation>
     </message>
     <message>
         <source>Undecided: the value is beyond the tolerance, and the uncertainty reaches into it. %1</source>
-        <translation>未定：值在允差之外，而不确定度伸入允差。%1</translation>
+        <translation>待定：值在允差之外，而不确定度伸入允差。%1</translation>
     </message>
     <message>
         <source>Tolerance</source>
@@ -4533,11 +4559,11 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
     </message>
     <message>
         <source>Finding</source>
-        <translation>发现</translation>
+        <translation>提示</translation>
     </message>
     <message>
         <source>The session with every reading as it was typed, and the results in full, are attached.</source>
-        <translation>附有会话（每个读数均如录入）和全部结果。</translation>
+        <translation>附有测量记录（每个读数均如录入）和全部结果。</translation>
     </message>
     <message>
         <source>Intersection of a rotatable arc guideway</source>
@@ -4689,7 +4715,7 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
     </message>
     <message>
         <source>lacks face 1: before the readings the pointing zero is sighted in face 1, in face 2 besides</source>
-        <translation>缺少盘位 1：读数前瞄准零位须在盘位 1 照准，盘位 2 为附加</translation>
+        <translation>缺少盘左（1）：读数前须在盘左照准瞄准零位，也可另加盘右</translation>
     </message>
     <message>
         <source>%1 is no way through the places: write there or back</source>
@@ -4701,7 +4727,7 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
     </message>
     <message>
         <source>holds what is no face: write 1 or 2, as in [1, 2]</source>
-        <translation>含有不是盘位的内容：请写 1 或 2，如 [1, 2]</translation>
+        <translation>含有不是盘位的内容：请写 1（盘左）或 2（盘右），如 [1, 2]</translation>
     </message>
     <message>
         <source>One more round</source>
@@ -4781,7 +4807,7 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
     </message>
     <message>
         <source>pointing zero after the readings, face 2</source>
-        <translation>读数后瞄准零位，盘位 2</translation>
+        <translation>读数后瞄准零位，盘右</translation>
     </message>
     <message>
         <source>pointing zero</source>
@@ -4789,7 +4815,7 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
     </message>
     <message>
         <source>pointing zero, face 2</source>
-        <translation>瞄准零位，盘位 2</translation>
+        <translation>瞄准零位，盘右</translation>
     </message>
     <message>
         <source>taken</source>
@@ -4845,7 +4871,7 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
     </message>
     <message>
         <source>%1 again: what was typed can hardly have been read.</source>
-        <translation>%1 重测：所键入的不大可能是读数。</translation>
+        <translation>%1 重测：所录入的不大可能是读得的值。</translation>
     </message>
     <message>
         <source>%1 again: its %2 reading does not go with the others, by %3.</source>
@@ -4865,7 +4891,7 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
     </message>
     <message>
         <source>What is to be taken again comes first: it makes U larger than it will be.</source>
-        <translation>请先重测应重测者：它使 U 偏大。</translation>
+        <translation>请先重测需要重测的读数：它们使 U 偏大。</translation>
     </message>
     <message>
         <source>When it is enough is told as soon as a pointing zero is there, and both positions are in the protocol.</source>
@@ -4873,7 +4899,7 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
     </message>
     <message>
         <source>the session was simulated with this truth and no other cause; the answer is a word</source>
-        <translation>会话按此真值模拟，没有其他原因；答案是一个词</translation>
+        <translation>测量记录按此真值模拟，没有其他原因；答案是一个词</translation>
     </message>
     <message>
         <source>3 σ of the estimate: the readings hold noise, which is the same every time</source>
@@ -4917,7 +4943,7 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
     </message>
     <message>
         <source>every digit of every reading, by the SHA-256 of all: a seed gives the same session on every machine</source>
-        <translation>每个读数的每一位，以全部读数的 SHA-256 比较：同一种子在任何机器上给出相同的会话</translation>
+        <translation>每个读数的每一位，以全部读数的 SHA-256 比较：同一种子在任何机器上给出相同的测量记录</translation>
     </message>
     <message>
         <source>1e-14: the quantile is worked out to 1e-16 and rounded some ten times</source>
@@ -4929,7 +4955,7 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
     </message>
     <message>
         <source>Sessions fitted at 60 digits by another implementation (stated σ, readings alone)</source>
-        <translation>由另一实现以 60 位数字拟合的会话（所述 σ，仅读数）</translation>
+        <translation>由另一实现以 60 位数字拟合的测量记录（给定 σ，仅读数）</translation>
     </message>
     <message>
         <source>The figures that the paper prints, by the published method</source>
@@ -4937,7 +4963,7 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
     </message>
     <message>
         <source>Simulated sessions whose cause is known</source>
-        <translation>原因已知的模拟会话</translation>
+        <translation>原因已知的模拟测量记录</translation>
     </message>
     <message>
         <source>Coverage factors (t), tails of χ² and F, normal quantiles, at 50 digits</source>
@@ -4949,7 +4975,7 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
     </message>
     <message>
         <source>Random numbers and a simulated session, written a second time</source>
-        <translation>随机数和一个模拟会话，第二次编写</translation>
+        <translation>随机数和一份模拟测量记录，由另行编写的程序给出</translation>
     </message>
     <message>
         <source>Files that stand beside the programs</source>
@@ -5023,23 +5049,23 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
     </message>
     <message>
         <source>%1; its content was changed outside this program since: the journal does not lead back to what was sealed.</source>
-        <translation>%1；其内容此后在本程序之外被更改：按日志无法还原到封存时的内容。</translation>
+        <translation>%1；其内容此后在本程序之外被更改：按更改日志无法还原到封存时的内容。</translation>
     </message>
     <message>
         <source>%1; what was sealed cannot be rebuilt from the journal and is not checked.</source>
-        <translation>%1；无法由日志还原封存时的内容，未作检查。</translation>
+        <translation>%1；无法由更改日志还原封存时的内容，未作检查。</translation>
     </message>
     <message>
         <source>%1: the file holds “%2”, and the journal tells of no change.</source>
-        <translation>%1：文件中为“%2”，而日志中没有相应的更改。</translation>
+        <translation>%1：文件中为“%2”，而更改日志中没有相应的更改。</translation>
     </message>
     <message>
         <source>%1: the journal says “%2”, and the file holds nothing.</source>
-        <translation>%1：日志中为“%2”，而文件中为空。</translation>
+        <translation>%1：更改日志中为“%2”，而文件中为空。</translation>
     </message>
     <message>
         <source>%1: the journal says “%2”, and the file holds “%3”.</source>
-        <translation>%1：日志中为“%2”，而文件中为“%3”。</translation>
+        <translation>%1：更改日志中为“%2”，而文件中为“%3”。</translation>
     </message>
     <message>
         <source>Changed outside this program:</source>
@@ -5055,7 +5081,7 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
     </message>
     <message>
         <source>is no record of what was half typed</source>
-        <translation>不是键入中内容的记录</translation>
+        <translation>不是未提交录入内容的记录</translation>
     </message>
     <message>
         <source>is a pipe or a device: choose a file</source>
@@ -5063,7 +5089,7 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
     </message>
     <message>
         <source>%1 has digits of another script: type the digits 0 to 9</source>
-        <translation>%1 含有其他文字的数字：请键入数字 0 到 9</translation>
+        <translation>%1 含有其他文字的数字：请输入数字 0 到 9</translation>
     </message>
     <message>
         <source>The check sum of an answer is not that of its text, and it is asked for again: %1</source>
@@ -5075,7 +5101,7 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
     </message>
     <message>
         <source>The instrument says that an angle was keyed in, not measured.</source>
-        <translation>仪器表明有一个角度是键入的，而非测得。</translation>
+        <translation>仪器表明有一个角度是手工输入的，而非测得。</translation>
     </message>
     <message>
         <source>The instrument says that an angle is the result of one of its functions, not of a circle.</source>
@@ -5167,7 +5193,7 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
     </message>
     <message>
         <source>angles keyed in by hand, not measured: %1, first in line %2</source>
-        <translation>手工键入、非测得的角度：%1 个，首见于第 %2 行</translation>
+        <translation>手工输入、非测得的角度：%1 个，首见于第 %2 行</translation>
     </message>
     <message>
         <source>angles that a program of the instrument worked out, not measured: %1, first in line %2</source>
@@ -5343,15 +5369,15 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
     </message>
     <message>
         <source>has no vertical reading and no face, 1 or 2: state the face of each row</source>
-        <translation>没有竖直读数，也没有盘位 1 或 2：请注明每行的盘位</translation>
+        <translation>没有竖直读数，也没有盘位（1 为盘左，2 为盘右）：请注明每行的盘位</translation>
     </message>
     <message>
         <source>Directions alone were read: the collimation holds for targets near the horizon, and nothing is said of the index and of zenith angles.</source>
-        <translation>只有方向读数：照准差适用于水平线附近的目标，指标差和天顶角不作说明。</translation>
+        <translation>只有方向读数：照准差适用于水平线附近的目标，指标差和天顶距不作说明。</translation>
     </message>
     <message>
         <source>Zenith angles alone were read: nothing is said of the collimation and of directions.</source>
-        <translation>只有天顶角读数：照准差和方向不作说明。</translation>
+        <translation>只有天顶距读数：照准差和方向不作说明。</translation>
     </message>
     <message>
         <source>These targets cannot tell a tilt of the trunnion axis from a line of sight that passes the axis: the one of the more usual size is stated.</source>
@@ -5363,7 +5389,7 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
     </message>
     <message>
         <source>The collimation differs from target to target by more than it scatters (%1): tilt of the trunnion axis, distance, or how a target is sighted. Its u is that of the targets.</source>
-        <translation>照准差在目标之间的差异大于其散布（%1）：横轴误差、距离或照准目标的方式所致。其 u 由各目标得出。</translation>
+        <translation>照准差在目标之间的差异大于其离散（%1）：横轴误差、距离或照准目标的方式所致。其 u 由各目标得出。</translation>
     </message>
     <message>
         <source>%1: the faces of target %2 differ by more than 2°, which is no collimation or index: check the face and the target of these lines</source>
@@ -5383,7 +5409,7 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
     </message>
     <message>
         <source>zenith angle</source>
-        <translation>天顶角</translation>
+        <translation>天顶距</translation>
     </message>
     <message>
         <source>%1: the %2 of target %3 departs by %4 from its median over the rounds: a reading is wrong, or the circle or the tripod moved within the round; correct these lines or leave the round out</source>
@@ -5395,7 +5421,7 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
     </message>
     <message>
         <source>s of a zenith angle</source>
-        <translation>天顶角的 s</translation>
+        <translation>天顶距的 s</translation>
     </message>
     <message>
         <source>tilt of the trunnion axis</source>
@@ -5407,7 +5433,7 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
     </message>
     <message>
         <source>lines %1 to %2: %3 would be %4, which no theodolite has: these are not rounds in two faces to fixed targets</source>
-        <translation>第 %1 行至第 %2 行：%3将为 %4，没有经纬仪会如此：这些不是对固定目标的双面测回</translation>
+        <translation>第 %1 行至第 %2 行：%3将为 %4，没有经纬仪会如此：这些不是对固定目标的双盘位测回</translation>
     </message>
     <message>
         <source>lines %1 and %2</source>
@@ -5439,7 +5465,7 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
     </message>
     <message>
         <source>Includes every catalogued effect, limited by these readings or by its plausible size.</source>
-        <translation>包含目录中的每个效应，其大小受这些读数或其合理大小约束。</translation>
+        <translation>包含目录中的每个效应，其大小受这些读数或其合理大小限定。</translation>
     </message>
     <message>
         <source>not determined by these readings</source>
@@ -5455,7 +5481,7 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
     </message>
     <message>
         <source>radius on the way back</source>
-        <translation>返程半径</translation>
+        <translation>返测时的半径</translation>
     </message>
     <message>
         <source>horizontal readings along their circle</source>
@@ -5467,31 +5493,31 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
     </message>
     <message>
         <source>horizontal readings on the way back</source>
-        <translation>返程水平读数</translation>
+        <translation>返测时的水平读数</translation>
     </message>
     <message>
         <source>vertical readings on the way back</source>
-        <translation>返程竖直读数</translation>
+        <translation>返测时的竖直读数</translation>
     </message>
     <message>
         <source>vertical graduation</source>
-        <translation>垂直度盘分度误差</translation>
+        <translation>竖直度盘分度误差</translation>
     </message>
     <message>
         <source>the vertical circle&apos;s graduation errs twice a turn</source>
-        <translation>垂直度盘分度误差每周变化两次（二次谐波）</translation>
+        <translation>竖直度盘分度误差每周变化两次（二次谐波）</translation>
     </message>
     <message>
         <source>observe in both faces, and have the circle calibrated</source>
-        <translation>盘左盘右观测，并校准度盘</translation>
+        <translation>双盘位观测，并校准度盘</translation>
     </message>
     <message>
         <source>vertical refraction</source>
-        <translation>垂直折光</translation>
+        <translation>竖直折光</translation>
     </message>
     <message>
         <source>layers of warm air bend the lines of sight, as the square of the elevation (size at 10°)</source>
-        <translation>暖空气层使视线弯曲，弯曲量与高度角的平方成正比（数值为10°时的大小）</translation>
+        <translation>暖空气层使视线弯曲，弯曲量与高度角的平方成正比（大小指高度角 10° 处）</translation>
     </message>
     <message>
         <source>keep sources of heat away, and stir the air</source>
@@ -5500,7 +5526,7 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
     <message>
         <source>bend</source>
         <extracomment>how far a line of sight is bent</extracomment>
-        <translation>弯曲</translation>
+        <translation>弯曲量</translation>
     </message>
     <message>
         <source>plane skew</source>
@@ -5508,16 +5534,16 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
     </message>
     <message>
         <source>the arc plane is askew to the rotation axis, and turns over with the guideway</source>
-        <translation>圆弧平面相对旋转轴歪斜，且随导轨一同翻转</translation>
+        <translation>圆弧平面相对回转轴歪斜，且随导轨一同翻转</translation>
     </message>
     <message>
         <source>read the slider, and square the guideway to its axis</source>
-        <translation>读取滑块读数，并将导轨调至与其轴线正交</translation>
+        <translation>读取滑块，并将导轨调至与其轴正交</translation>
     </message>
     <message>
         <source>skew</source>
         <extracomment>how far something is askew</extracomment>
-        <translation>歪斜</translation>
+        <translation>歪斜量</translation>
     </message>
     <message>
         <source>arm sag</source>
@@ -5529,7 +5555,7 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
     </message>
     <message>
         <source>read the slider, and stiffen its arm</source>
-        <translation>读取滑块读数，并加固滑块臂</translation>
+        <translation>读取滑块，并加固滑块臂</translation>
     </message>
     <message>
         <source>%1 is no plane of the arc: choose vertical or square</source>
@@ -5537,11 +5563,11 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
     </message>
     <message>
         <source>%1 is nothing a pointing zero sights: choose mark, normal or unknown</source>
-        <translation>%1 不是瞄准零位所瞄准的对象：请选择 mark、normal 或 unknown</translation>
+        <translation>%1 不是瞄准零位所照准的对象：请选择 mark、normal 或 unknown</translation>
     </message>
     <message>
         <source>%1 lies %2° off the horizon, steeper than the arc can be sighted: check the degrees and the face</source>
-        <translation>%1 偏离水平方向 %2°，比能够瞄准圆弧的方向更陡：请检查度数和盘位</translation>
+        <translation>%1 偏离水平方向 %2°，比能够照准圆弧的方向更陡：请检查度数和盘位</translation>
     </message>
     <message>
         <source>%1 (%2 periods in a turn)</source>
@@ -5557,43 +5583,43 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
     </message>
     <message>
         <source>The sessions (%1) share a gap that no effect of the catalogue explains.</source>
-        <translation>各次测量（共 %1 次）存在共同的差异，目录中没有任何效应能够解释。</translation>
+        <translation>这些测量记录（共 %1 份）有共同的差距，目录中没有效应可以解释。</translation>
     </message>
     <message>
         <source>The gap of most sessions (%1) is explained by no effect of the catalogue, in each by itself.</source>
-        <translation>大多数测量（共 %1 次）各自的差异，目录中没有任何效应能够解释。</translation>
+        <translation>大多数测量记录（共 %1 份）各自的差距，目录中没有效应可以解释。</translation>
     </message>
     <message>
         <source>%1 It follows a pattern: %2.</source>
-        <translation>%1 该差异遵循以下规律：%2。</translation>
+        <translation>%1该差距遵循规律：%2。</translation>
     </message>
     <message>
         <source>%1 Beside it they share %2.</source>
-        <translation>%1 此外它们共有 %2。</translation>
+        <translation>%1此外它们共有%2。</translation>
     </message>
     <message>
         <source>With a probability of %1 it is of no catalogue.</source>
-        <translation>它不属于目录的概率为 %1。</translation>
+        <translation>它不属于目录的概率：%1。</translation>
     </message>
     <message>
         <source>The pointing zeros differ by %1 horizontally and %2 vertically, more than two sightings of one mark.</source>
-        <translation>各瞄准零位水平相差 %1、竖直相差 %2，超过对同一标志两次瞄准的差异。</translation>
+        <translation>各瞄准零位水平相差 %1、竖直相差 %2，超过对同一标志两次照准的差异。</translation>
     </message>
     <message>
         <source>State what they sight (geometry.zero_is): mark, one fixed mark; normal, the guideway&apos;s own normal, set anew; or unknown.</source>
-        <translation>请说明它们瞄准的是什么（geometry.zero_is）：mark，同一固定标志；normal，重新设定的导轨自身法线；或 unknown。</translation>
+        <translation>请说明它们照准的是什么（geometry.zero_is）：mark，同一固定标志；normal，重新设定的导轨自身法线；或 unknown。</translation>
     </message>
     <message>
         <source>Δd, measured, is averaged over every explanation that the readings do not exclude, with every catalogued effect as large as readings and its plausible or known size allow.</source>
-        <translation>实测 Δd 是读数不能排除的所有解释的平均，目录中每个影响的大小以读数及其合理值或已知值为限。</translation>
+        <translation>实测 Δd 是读数未能排除的所有解释的平均，目录中每个效应的大小以读数及其合理大小或已知值为限。</translation>
     </message>
     <message>
         <source>%1 point %2</source>
-        <translation>%1 点 %2</translation>
+        <translation>%1 测点 %2</translation>
     </message>
     <message>
         <source>%1 point %2 (round %3, face %4)</source>
-        <translation>%1 点 %2（第 %3 测回，盘位 %4）</translation>
+        <translation>%1 测点 %2（测回 %3、盘位 %4）</translation>
     </message>
     <message>
         <source>accepted</source>
@@ -5609,15 +5635,15 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
     </message>
     <message>
         <source>one of %1 others</source>
-        <translation>其余 %1 个之一</translation>
+        <translation>其余 %1 行之一</translation>
     </message>
     <message>
         <source>%1 without %2</source>
-        <translation>去掉 %2 则%1</translation>
+        <translation>%1（去掉 %2）</translation>
     </message>
     <message>
         <source>between the pointing zero and the first sighting at %1</source>
-        <translation>在 %1 的零方向与首次照准之间</translation>
+        <translation>在 %1 的瞄准零位与首次照准之间</translation>
     </message>
     <message>
         <source>during the readings at %1</source>
@@ -5625,24 +5651,24 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
     </message>
     <message>
         <source>The verdict holds on the condition that the tripod was not knocked %1. These readings cannot show such a knock; one of plausible size moves Δd by ± %2 mm. The probability of conformity includes it.</source>
-        <translation>本结论成立的条件是：三脚架%1未受碰动。这些读数无法显示此类碰动；合理大小的碰动使 Δd 移动 ± %2 mm。合格概率已将其计入。</translation>
+        <translation>判定成立的条件是：三脚架%1未受碰动。这些读数无法检出此类碰动；合理大小的碰动使 Δd 改变 ± %2 mm。合格概率已将其计入。</translation>
     </message>
     <message>
         <source>There are more causes than these readings can take apart. With every effect of the catalogue at a plausible size, %1.</source>
         <extracomment>&quot;the residuals shrink from 12.0″ to 2.0″&quot;</extracomment>
-        <translation>原因多于这些读数所能区分的数目。把目录中的所有效应按合理大小计入后，%1。</translation>
+        <translation>原因多于这些读数所能区分的。把目录中的所有效应按合理大小计入后，%1。</translation>
     </message>
     <message>
         <source>%1 Only this is certain: %2.</source>
-        <translation>%1 只有这一点可以确定：%2。</translation>
+        <translation>%1可以确定的只有：%2。</translation>
     </message>
     <message>
         <source>Δd, fit only, and Δd, measured, are on different sides of the tolerance: look at the gap before you sight more.</source>
-        <translation>仅拟合 Δd 与实测 Δd 分处允差两侧：继续照准前请先查看偏差。</translation>
+        <translation>仅拟合 Δd 与实测 Δd 分处允差两侧：继续照准前请先查看差距。</translation>
     </message>
     <message>
         <source>All readings of the vertical circle are multiples of %1: rounding alone scatters them by %2 (1σ), more than the stated %3.</source>
-        <translation>垂直度盘的所有读数都是 %1 的整数倍：仅修约就使其离散 %2（1σ），超过给定的 %3。</translation>
+        <translation>竖直度盘的所有读数都是 %1 的整数倍：仅修约就使其离散 %2（1σ），超过给定的 %3。</translation>
     </message>
     <message>
         <source>All readings of the horizontal circle are multiples of %1: rounding alone scatters them by %2 (1σ), more than the stated %3.</source>
@@ -5654,47 +5680,47 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
     </message>
     <message>
         <source>Δd = %2, all effects considered; %1 from the fit only. Neither interval is wholly within or wholly outside %3.</source>
-        <translation>考虑全部影响，Δd = %2；仅拟合为 %1。两个区间都不完全在%3之内或之外。</translation>
+        <translation>Δd = %2，计入全部效应；仅拟合为 %1。两个区间都既不完全在%3之内，也不完全在其外。</translation>
     </message>
     <message>
         <source>Δd = %2, all effects considered; %1 from the fit only. Both intervals are %3.</source>
-        <translation>考虑全部影响，Δd = %2；仅拟合为 %1。两个区间都%3。</translation>
+        <translation>Δd = %2，计入全部效应；仅拟合为 %1。两个区间都%3。</translation>
     </message>
     <message>
         <source>Most of U comes from %1 at its plausible size: with %2, U would be about %3 mm.</source>
-        <translation>U 主要来自合理大小的%1：采用%2后，U 约为 %3 mm。</translation>
+        <translation>U 主要来自按合理大小计的%1：加上%2，U 约为 %3 mm。</translation>
     </message>
     <message>
         <source>Most of U comes from %1 at its plausible size: measure what shows it.</source>
-        <translation>U 主要来自合理大小的%1：请测量能显示它的量。</translation>
+        <translation>U 主要来自按合理大小计的%1：请测量能显示它的量。</translation>
     </message>
     <message>
         <source>Δd = %1 from the fit only, %2. With the causes of the diagnosis, these readings do not determine Δd.</source>
-        <translation>仅拟合 Δd = %1，%2。加入诊断所得原因后，这些读数不能确定 Δd。</translation>
+        <translation>仅拟合 Δd = %1，%2。计入诊断所得原因后，这些读数不能确定 Δd。</translation>
     </message>
     <message>
         <source>Δd = %1, all effects considered, is %2; Δd from the fit only, %3, is %4. %5</source>
-        <translation>考虑全部影响，Δd = %1，%2；仅拟合 Δd 为 %3，%4。%5</translation>
+        <translation>Δd = %1，计入全部效应，%2；仅拟合 Δd = %3，%4。%5</translation>
     </message>
     <message>
         <source>The arc&apos;s centre is %1 from the axis, all effects considered: %2 in the plane of the arc (Δd), %3 across it (Δz). The interval is %4.</source>
-        <translation>考虑全部影响，圆弧中心距轴线 %1：圆弧平面内 %2（Δd），垂直于平面 %3（Δz）。该区间%4。</translation>
+        <translation>计入全部效应，圆心到回转轴的距离为 %1：圆弧平面内 %2（Δd），垂直于该平面 %3（Δz）。该区间%4。</translation>
     </message>
     <message>
         <source>Only the plane of the arc is judged: across it, the arc&apos;s centre is %1 from the axis.</source>
-        <translation>仅评定圆弧平面内的量：垂直于该平面，圆弧中心距轴线 %1。</translation>
+        <translation>仅评定圆弧平面内的量：在垂直于该平面的方向上，圆心距回转轴 %1。</translation>
     </message>
     <message>
         <source>With a probability of %1 the gap is real and no catalogued effect explains it.</source>
-        <translation>存在真实偏差且目录中没有任何影响能解释它的概率为 %1。</translation>
+        <translation>差距确实存在且目录中没有效应可以解释的概率：%1。</translation>
     </message>
     <message>
         <source>Misclosures without a catalogued cause add ± %1 mm (1σ); verdict and probability include it.</source>
-        <translation>没有目录内原因的闭合差另增加 ± %1 mm（1σ）；结论与概率均已计入。</translation>
+        <translation>没有目录内原因的闭合差另增加 ± %1 mm（1σ）；判定与概率均已计入。</translation>
     </message>
     <message>
         <source>The verdict is open. %1</source>
-        <translation>结论待定。%1</translation>
+        <translation>判定待定。%1</translation>
     </message>
     <message>
         <source>%1 Probability of conformity: %2.</source>
@@ -5714,7 +5740,7 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
     </message>
     <message>
         <source>Distance d of the arc&apos;s centre from the axis: pass if d + U ≤ %1 mm, measured, and |Δd| + U ≤ %1 mm, fit only; fail if d − U &gt; %1 mm. Guard band w = U at a coverage of %2 %.</source>
-        <translation>圆弧中心到轴线的距离 d：实测 d + U ≤ %1 mm 且仅拟合 |Δd| + U ≤ %1 mm 时合格；d − U &gt; %1 mm 时不合格。保护带 w = U，包含概率 %2 %。</translation>
+        <translation>圆心到回转轴的距离 d：实测 d + U ≤ %1 mm 且仅拟合 |Δd| + U ≤ %1 mm 时合格；d − U &gt; %1 mm 时不合格。保护带 w = U，包含概率 %2 %。</translation>
     </message>
     <message>
         <source>Intersection Δd, both measured and fit only: pass if |Δd| + U ≤ %1 mm, fail if |Δd| − U &gt; %1 mm. Guard band w = U at a coverage of %2 %.</source>
@@ -5810,7 +5836,7 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
     </message>
     <message>
         <source>(1 there, −1 back)</source>
-        <translation>（往程 1，返程 −1）</translation>
+        <translation>（往测 1，返测 −1）</translation>
     </message>
     <message>
         <source>(1 in face 1, −1 in face 2)</source>
@@ -5846,7 +5872,7 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
     </message>
     <message>
         <source>On %1 readings that took no part in finding it the gap shrinks by %2 %, in all readings by %3 % (F test: p = %4).</source>
-        <translation>在未参与求解的 %1 个读数上，偏差缩小 %2 %，在全部读数上缩小 %3 %（F 检验：p = %4）。</translation>
+        <translation>在未参与寻找的 %1 个读数上，差距缩小 %2 %，在全部读数上缩小 %3 %（F 检验：p = %4）。</translation>
     </message>
     <message>
         <source>a session without a title</source>
@@ -5866,7 +5892,7 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
     </message>
     <message>
         <source>This leaves nothing to see here, as the fit takes it up: %1 σ per %2.</source>
-        <translation>此影响在此处不可见，因为拟合将其吸收：每 %2 为 %1 σ。</translation>
+        <translation>此效应在此无法检出，因为拟合将其吸收：每 %2 为 %1 σ。</translation>
     </message>
     <message>
         <source>This is %1 of the catalogue already: these readings cannot tell the two apart.</source>
@@ -5878,15 +5904,15 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
     </message>
     <message>
         <source>is missing: this is no effect&apos;s file, which says &quot;format&quot;: &quot;alidade-effect&quot;</source>
-        <translation>缺失：这不是影响因素文件，此类文件含 &quot;format&quot;: &quot;alidade-effect&quot;</translation>
+        <translation>缺失：这不是效应文件，此类文件含 &quot;format&quot;: &quot;alidade-effect&quot;</translation>
     </message>
     <message>
         <source>choose a file of an effect</source>
-        <translation>请选择一个影响因素文件</translation>
+        <translation>请选择一个效应文件</translation>
     </message>
     <message>
         <source>%1 is no version of an effect&apos;s file: it must be %2</source>
-        <translation>%1 不是影响因素文件的版本：应为 %2</translation>
+        <translation>%1 不是效应文件的版本：应为 %2</translation>
     </message>
     <message>
         <source>lack the amplitude %1: say its plausible size</source>
@@ -5910,16 +5936,16 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
     </message>
     <message>
         <source>is that of another effect of the session: take another one</source>
-        <translation>已用于测量记录中的另一影响因素：请换一个</translation>
+        <translation>已用于测量记录中的另一效应：请换一个</translation>
     </message>
     <message>
         <source>has too many amplitudes: those of a session&apos;s own effects may be %1 together</source>
-        <translation>幅值过多：一份测量记录的自定义影响因素总共最多 %1 个</translation>
+        <translation>幅值过多：一份测量记录的自定义效应总共最多 %1 个</translation>
     </message>
     <message>
         <source>Line %1, column %2: %3</source>
         <extracomment>the place in a formula, then a sentence on it</extracomment>
-        <translation>第 %1 行，第 %2 列：%3</translation>
+        <translation>第 %1 行第 %2 列：%3</translation>
     </message>
     <message>
         <source>The formula is too long: it may have %1 characters.</source>
@@ -5995,7 +6021,7 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
     </message>
     <message>
         <source>The readings have no temperature of their own: take another variable, such as t, the share of the session.</source>
-        <translation>读数没有各自的温度：请用另一个变量，例如 t（测量记录的时间份额）。</translation>
+        <translation>读数没有各自的温度：请用另一个变量，例如 t（测量过程的时间份额）。</translation>
     </message>
     <message>
         <source>%1 cannot be an amplitude, as it has another meaning: take a letter such as A.</source>
@@ -6063,7 +6089,7 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
     </message>
     <message>
         <source>%1 of %2</source>
-        <translation>%2 的%1</translation>
+        <translation>%1（%2）</translation>
     </message>
     <message>
         <source>It displaces readings by more than their σ over the whole range of %1.</source>
@@ -6075,7 +6101,7 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
     </message>
     <message>
         <source>is one effect too many: a session may have %1</source>
-        <translation>影响因素过多：一份测量记录最多 %1 个</translation>
+        <translation>效应过多：一份测量记录最多 %1 个</translation>
     </message>
     <message>
         <source>%1 others</source>
@@ -6083,7 +6109,7 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
     </message>
     <message>
         <source>Standard uncertainty of Δd, measured</source>
-        <translation>Δd，实测的标准不确定度</translation>
+        <translation>实测 Δd 的标准不确定度</translation>
     </message>
     <message>
         <source>Source</source>
@@ -6106,24 +6132,12 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
         <translation>扩展，U</translation>
     </message>
     <message>
-        <source>%1 coverage, %2 degrees of freedom</source>
-        <translation>包含概率 %1，自由度 %2</translation>
-    </message>
-    <message>
         <source>Δd, measured, includes every catalogued effect, limited by these readings or by its plausible size.</source>
-        <translation>Δd，实测，包含目录中的每一项影响因素，其大小由这些读数或其合理大小限定。</translation>
-    </message>
-    <message>
-        <source>1σ: how large each effect may plausibly be; share: of the variance. A: by the scatter of these readings; B: by other knowledge.</source>
-        <translation>1σ：各影响因素的合理大小；占比：占方差。A：由这些读数的离散得出；B：由其他知识得出。</translation>
+        <translation>实测 Δd 包含目录中的每个效应，其大小受这些读数或其合理大小限定。</translation>
     </message>
     <message>
         <source>Standard uncertainty of Δd, fit only</source>
-        <translation>Δd，仅拟合的标准不确定度</translation>
-    </message>
-    <message>
-        <source>%1 coverage, k = %2</source>
-        <translation>包含概率 %1，k = %2</translation>
+        <translation>仅拟合 Δd 的标准不确定度</translation>
     </message>
     <message>
         <source>many</source>
@@ -6139,15 +6153,15 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
     </message>
     <message>
         <source>Sessions of %1 show the same form, %2 (u %3): %4. It can be kept as an effect.</source>
-        <translation>%1的多份测量记录显示同一形态：%2（u %3）：%4。可将其存为影响因素。</translation>
+        <translation>%1的多份测量记录显示同一形式，%2（u %3）：%4。可将其存为效应。</translation>
     </message>
     <message>
         <source>The %1 failed: %2. Nothing typed is lost; save the session and go on. What is needed to report this is in %3.</source>
-        <translation>%1失败：%2。录入的内容没有丢失；请保存会话后继续。报告此问题所需的信息在 %3。</translation>
+        <translation>%1失败：%2。录入的内容没有丢失；请保存测量记录后继续。报告此问题所需的信息在 %3。</translation>
     </message>
     <message>
         <source>The %1 failed: %2. Nothing typed is lost; save the session and go on. What is needed to report this could not be written to %3.</source>
-        <translation>%1失败：%2。录入的内容没有丢失；请保存会话后继续。报告此问题所需的信息无法写入 %3。</translation>
+        <translation>%1失败：%2。录入的内容没有丢失；请保存测量记录后继续。报告此问题所需的信息无法写入 %3。</translation>
     </message>
     <message>
         <source>would show %1 by %2 σ or more</source>
@@ -6266,11 +6280,11 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
     </message>
     <message>
         <source>cannot be told from</source>
-        <translation>无法区分于</translation>
+        <translation>无法与之区分</translation>
     </message>
     <message>
         <source>No effect of the catalogue makes this pattern, so nothing can be added to the model: look at what in the set-up has this shape.</source>
-        <translation>目录中没有效应会造成此规律，因此没有可加入模型的：请检查装置中什么具有这种形状。</translation>
+        <translation>目录中没有效应会造成此规律，因此没有可加入模型的内容：请检查设站与设备中什么具有这种形状。</translation>
     </message>
     <message>
         <source>Form of the gap</source>
@@ -6282,11 +6296,11 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
     </message>
     <message>
         <source>Half a turn of one rigid arc about an axis along x keeps its radius and leaves the centre&apos;s x alone; an arc measured again is where it was; R0 and the reference count where their σ is stated. U at %1 %.</source>
-        <translation>同一刚性圆弧绕 x 方向的轴转半圈，其半径不变，圆心的 x 不动；复测的圆弧仍在原处；声明了 σ 时，R0 和参考值也计入。U 的包含概率为 %1 %。</translation>
+        <translation>同一刚性圆弧绕 x 方向的轴转半圈，其半径不变，圆心的 x 不动；复测的圆弧仍在原处；给定 σ 时，R0 和参考值也计入。U 的包含概率为 %1 %。</translation>
     </message>
     <message>
         <source>Half a turn of one rigid arc about an axis along x keeps its radius and leaves the centre&apos;s x alone; R0 and the reference count where their σ is stated. U at %1 %.</source>
-        <translation>同一刚性圆弧绕 x 方向的轴转半圈，其半径不变，圆心的 x 不动；声明了 σ 时，R0 和参考值也计入。U 的包含概率为 %1 %。</translation>
+        <translation>同一刚性圆弧绕 x 方向的轴转半圈，其半径不变，圆心的 x 不动；给定 σ 时，R0 和参考值也计入。U 的包含概率为 %1 %。</translation>
     </message>
     <message>
         <source>Both positions are needed to compare them.</source>
@@ -6307,10 +6321,6 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
     <message>
         <source>Closure</source>
         <translation>闭合差</translation>
-    </message>
-    <message>
-        <source>as modelled ± U</source>
-        <translation>按模型 ± U</translation>
     </message>
     <message>
         <source>size</source>
@@ -6369,10 +6379,6 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
         <translation>去掉 %1 个误读值</translation>
     </message>
     <message>
-        <source>as modelled</source>
-        <translation>按模型</translation>
-    </message>
-    <message>
         <source>without model effects</source>
         <translation>不含模型效应</translation>
     </message>
@@ -6390,7 +6396,7 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
     </message>
     <message>
         <source>U holds what the pattern may move Δd by; what causes it is not known.</source>
-        <translation>U 包含该规律可能使 Δd 移动的量；其原因不明。</translation>
+        <translation>U 包含该规律可能使 Δd 改变的量；其原因不明。</translation>
     </message>
     <message>
         <source>Δd with the causes is averaged over all that may be the case, each as likely as it is; the first alone would state a U that is too small.</source>
@@ -6426,19 +6432,15 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
     </message>
     <message>
         <source>Undetectable here</source>
-        <translation>此处无法察觉</translation>
+        <translation>在此无法检出</translation>
     </message>
     <message>
         <source>moves Δd (mm)</source>
-        <translation>使 Δd 移动 (mm)</translation>
+        <translation>使 Δd 改变 (mm)</translation>
     </message>
     <message>
         <source>No effect of plausible size could move Δd noticeably without leaving a trace.</source>
-        <translation>没有合理大小的效应能明显移动 Δd 而不留痕迹。</translation>
-    </message>
-    <message>
-        <source>Each at its plausible size, without a clear trace in these readings. U of Δd, fit only, does not include them; U of Δd, measured, includes what its budget lists.</source>
-        <translation>各取其合理大小，在这些读数中没有明显痕迹。仅拟合 Δd 的 U 不包含它们；实测 Δd 的 U 包含其不确定度预算所列各项。</translation>
+        <translation>没有合理大小的效应能明显改变 Δd 而不留痕迹。</translation>
     </message>
     <message>
         <source>The model holds %1; without, the residuals are %2 instead of %3.</source>
@@ -6462,7 +6464,7 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
     </message>
     <message>
         <source>One of %1 causes that look alike here</source>
-        <translation>此处难以区分的 %1 个原因之一</translation>
+        <translation>在此无法区分的 %1 个原因之一</translation>
     </message>
     <message>
         <source>More causes than these readings can take apart</source>
@@ -6478,7 +6480,7 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
     </message>
     <message>
         <source>An unknown cause beside %1</source>
-        <translation>除%1 外还有未知原因</translation>
+        <translation>除%1外还有未知原因</translation>
     </message>
     <message>
         <source>An unknown cause beside %1 known ones</source>
@@ -6494,7 +6496,7 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
     </message>
     <message>
         <source>noise larger than stated</source>
-        <translation>大于声明的噪声</translation>
+        <translation>大于给定值的噪声</translation>
     </message>
     <message>
         <source>the form</source>
@@ -6570,15 +6572,15 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
     </message>
     <message>
         <source>Accepted</source>
-        <translation>接受</translation>
+        <translation>合格</translation>
     </message>
     <message>
         <source>Rejected</source>
-        <translation>拒绝</translation>
+        <translation>不合格</translation>
     </message>
     <message>
         <source>Undecided</source>
-        <translation>未定</translation>
+        <translation>待定</translation>
     </message>
     <message>
         <source>tolerance %1 mm</source>
@@ -6601,7 +6603,7 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
 Includes every catalogued effect, limited by these readings or by its plausible size. The page Budget lists what each contributes.
 %3</source>
         <translation>%1，包含概率 %2 %。
-包含目录中的每个效应，其大小受这些读数或其合理大小约束。各效应的贡献见“预算”页。
+包含目录中的每个效应，其大小受这些读数或其合理大小限定。各效应的贡献见“不确定度预算”页。
 %3</translation>
     </message>
     <message>
@@ -6646,7 +6648,7 @@ Includes every catalogued effect, limited by these readings or by its plausible 
     </message>
     <message>
         <source>What cannot be used is listed with its place. Correct it or exclude its reading: what is stated here rests on the others alone.</source>
-        <translation>无法使用的项已连同位置列出。请改正或排除其读数：此处所述仅依据其余读数。</translation>
+        <translation>无法使用的项已连同位置列出。请改正，或排除其读数：此处的结果仅依据其余读数。</translation>
     </message>
     <message>
         <source>%1 = %2</source>
@@ -6686,19 +6688,19 @@ Includes every catalogued effect, limited by these readings or by its plausible 
     </message>
     <message>
         <source>Model and readings disagree, best explained by %1</source>
-        <translation>模型与读数不符，最佳解释为%1</translation>
+        <translation>模型与读数不符，最佳解释是%1</translation>
     </message>
     <message>
         <source>Accepted on condition of %1</source>
-        <translation>接受，条件是 %1</translation>
+        <translation>合格，条件：%1</translation>
     </message>
     <message>
         <source>Rejected on condition of %1</source>
-        <translation>拒绝，条件是 %1</translation>
+        <translation>不合格，条件：%1</translation>
     </message>
     <message>
         <source>Only if the tripod was not knocked %1: it would move Δd by ± %2 mm undetected</source>
-        <translation>前提是三脚架%1未被碰动：碰动会使 Δd 变化 ± %2 mm 而不被发现</translation>
+        <translation>前提是三脚架%1未被碰动：碰动会使 Δd 改变 ± %2 mm 而不被发现</translation>
     </message>
     <message>
         <source>1 other</source>
@@ -6706,7 +6708,7 @@ Includes every catalogued effect, limited by these readings or by its plausible 
     </message>
     <message>
         <source>Undetectable here, yet a plausible size moves Δd by more than U: %1</source>
-        <translation>在此无法检出，但合理大小使 Δd 移动超过 U：%1</translation>
+        <translation>在此无法检出，但其合理大小使 Δd 的改变超过 U：%1</translation>
     </message>
     <message>
         <source>%1 mm (u %2 mm)</source>
@@ -6762,7 +6764,7 @@ Includes every catalogued effect, limited by these readings or by its plausible 
     </message>
     <message>
         <source>The verdict depends on a single row: %1</source>
-        <translation>结论取决于单行读数：%1</translation>
+        <translation>判定取决于单行读数：%1</translation>
     </message>
     <message>
         <source>Line</source>
@@ -6850,11 +6852,11 @@ Includes every catalogued effect, limited by these readings or by its plausible 
     </message>
     <message>
         <source>Sessions</source>
-        <translation>会话</translation>
+        <translation>测量记录</translation>
     </message>
     <message>
         <source>Session</source>
-        <translation>会话</translation>
+        <translation>测量记录</translation>
     </message>
     <message>
         <source>Instrument</source>
@@ -6890,7 +6892,7 @@ Includes every catalogued effect, limited by these readings or by its plausible 
     </message>
     <message>
         <source>Sessions compared</source>
-        <translation>会话比较</translation>
+        <translation>测量记录比较</translation>
     </message>
     <message>
         <source>From</source>
@@ -6910,7 +6912,7 @@ Includes every catalogued effect, limited by these readings or by its plausible 
     </message>
     <message>
         <source>Each session with the next, and the first with the last. Δd, measured, with its expanded uncertainty; what both sessions share cancels. Device: (O1 − O2)/2 and the radii by the readings alone, T = dᵀC⁻¹d with the full covariance of both fits.</source>
-        <translation>每次测量与下一次、第一次与最后一次相比。Δd（实测）及其扩展不确定度；两次测量共有的部分相消。装置：仅由读数得出的 (O1 − O2)/2 和半径，T = dᵀC⁻¹d，采用两次拟合的完整协方差。</translation>
+        <translation>每份测量记录与下一份、第一份与最后一份相比。实测 Δd 附其扩展不确定度；两份测量记录共有的部分相消。设备：仅由读数得出的 (O1 − O2)/2 和半径，T = dᵀC⁻¹d，采用两次拟合的完整协方差。</translation>
     </message>
     <message>
         <source>device without a name</source>
@@ -6926,11 +6928,11 @@ Includes every catalogued effect, limited by these readings or by its plausible 
     </message>
     <message>
         <source>accept</source>
-        <translation>接受</translation>
+        <translation>合格</translation>
     </message>
     <message>
         <source>reject</source>
-        <translation>拒绝</translation>
+        <translation>不合格</translation>
     </message>
     <message>
         <source>all, pooled</source>
@@ -6946,7 +6948,7 @@ Includes every catalogued effect, limited by these readings or by its plausible 
     </message>
     <message>
         <source>Collimation</source>
-        <translation>视准误差</translation>
+        <translation>照准差</translation>
     </message>
     <message>
         <source>Index</source>
@@ -6974,11 +6976,11 @@ Includes every catalogued effect, limited by these readings or by its plausible 
     </message>
     <message>
         <source>Of a direction observed once in both faces, with its degrees of freedom</source>
-        <translation>双面各观测一次的方向，及其自由度</translation>
+        <translation>盘左、盘右各观测一次的方向，及其自由度</translation>
     </message>
     <message>
         <source>Of a zenith angle observed once in both faces, with its degrees of freedom</source>
-        <translation>双面各观测一次的天顶距，及其自由度</translation>
+        <translation>盘左、盘右各观测一次的天顶距，及其自由度</translation>
     </message>
     <message>
         <source>Field check after ISO 17123-3</source>
@@ -7010,19 +7012,19 @@ Includes every catalogued effect, limited by these readings or by its plausible 
     </message>
     <message>
         <source>c as of face 1, ± its standard uncertainty</source>
-        <translation>以盘位 1 为准的 c，± 其标准不确定度</translation>
+        <translation>c（按盘左），± 其标准不确定度</translation>
     </message>
     <message>
         <source>Of the vertical circle as of face 1, ± its standard uncertainty</source>
-        <translation>以盘位 1 为准的竖直度盘指标差，± 其标准不确定度</translation>
+        <translation>竖直度盘的指标差（按盘左），± 其标准不确定度</translation>
     </message>
     <message>
         <source>Trunnion tilt</source>
-        <translation>横轴倾斜</translation>
+        <translation>横轴误差</translation>
     </message>
     <message>
         <source>i, estimated together with the collimation, from targets at several elevations</source>
-        <translation>i，由不同高度角的目标与视准误差一并估计</translation>
+        <translation>i，由不同高度角的目标与照准差一并估计</translation>
     </message>
     <message>
         <source>Line of sight</source>
@@ -7030,11 +7032,11 @@ Includes every catalogued effect, limited by these readings or by its plausible 
     </message>
     <message>
         <source>e, by which it passes the axis, from targets at several distances</source>
-        <translation>视线偏离轴的量 e，由不同距离的目标得出</translation>
+        <translation>视线偏离竖轴的量 e，由不同距离的目标得出</translation>
     </message>
     <message>
         <source>Rounds × targets; s: of a direction or a zenith angle observed once in both faces, ν: degrees of freedom. Collimation and index as of face 1; line of sight: its distance from the axis; each ± its standard uncertainty.</source>
-        <translation>测回 × 目标；s：双盘位观测一次的方向或天顶距，ν：自由度。照准差和指标差按盘左；视准线：到轴的距离；均 ± 标准不确定度。</translation>
+        <translation>测回 × 目标；s：盘左、盘右各观测一次的方向或天顶距，ν：自由度。照准差和指标差按盘左；视线：到竖轴的距离；均 ± 标准不确定度。</translation>
     </message>
     <message>
         <source>%1 at %2</source>
@@ -7087,7 +7089,7 @@ Includes every catalogued effect, limited by these readings or by its plausible 
     </message>
     <message>
         <source>About 1 where the readings scatter as stated</source>
-        <translation>读数按声明离散时约为 1</translation>
+        <translation>读数按给定值离散时约为 1</translation>
     </message>
     <message>
         <source>Redundancy</source>
@@ -7107,15 +7109,15 @@ Includes every catalogued effect, limited by these readings or by its plausible 
     </message>
     <message>
         <source>Published method, as printed</source>
-        <translation>已发表的方法，按所发表</translation>
+        <translation>已发表的方法（按原文）</translation>
     </message>
     <message>
         <source>Δd as printed = %1 mm; with y up %2 mm; |O1 − O2|/2 = %3 mm.</source>
-        <translation>按所发表的 Δd = %1 mm；y 向上时为 %2 mm；|O1 − O2|/2 = %3 mm。</translation>
+        <translation>按原文 Δd = %1 mm；y 向上时为 %2 mm；|O1 − O2|/2 = %3 mm。</translation>
     </message>
     <message>
         <source>As printed: y points down for zenith angles, ΔR is the last increment, θ are no tilts. The method states no uncertainty and takes tan e = y/L, which no theodolite reads; do not accept by it.</source>
-        <translation>按所发表：对天顶距 y 向下，ΔR 为最后一次增量，θ 不是倾斜。该方法不给出不确定度，并采用 tan e = y/L，没有经纬仪如此读数；请勿据此验收。</translation>
+        <translation>按原文：对天顶距 y 向下，ΔR 为最后一次增量，θ 不是倾斜。该方法不给出不确定度，并采用 tan e = y/L，没有经纬仪如此读数；请勿据此验收。</translation>
     </message>
     <message>
         <source>Model effects</source>
@@ -7135,11 +7137,11 @@ Includes every catalogued effect, limited by these readings or by its plausible 
     </message>
     <message>
         <source>All parts rest on the stated noise.</source>
-        <translation>所有部分都基于声明的噪声。</translation>
+        <translation>所有部分都基于给定噪声。</translation>
     </message>
     <message>
         <source>What comes from the readings is scaled by their scatter, %1 times the stated noise. Pointing zeros and distance enter as stated.</source>
-        <translation>来自读数的部分按其离散放大，为声明噪声的 %1 倍。瞄准零位和距离按声明计入。</translation>
+        <translation>来自读数的部分按其离散放大，为给定噪声的 %1 倍。瞄准零位和距离按给定值计入。</translation>
     </message>
     <message>
         <source>Correlation with R: how far a wrong radius takes the centre along, −1 to 1; on half an arc it decides the height.</source>
@@ -7179,11 +7181,11 @@ Includes every catalogued effect, limited by these readings or by its plausible 
     </message>
     <message>
         <source>1 earlier entry is in the session file.</source>
-        <translation>会话文件中还有 1 条更早的记录。</translation>
+        <translation>测量记录文件中还有 1 条更早的更改。</translation>
     </message>
     <message>
         <source>%1 earlier entries are in the session file.</source>
-        <translation>会话文件中还有 %1 条更早的记录。</translation>
+        <translation>测量记录文件中还有 %1 条更早的更改。</translation>
     </message>
     <message>
         <source>By chance alone an end is uncertain by %1: about %2 draws would tell.</source>
@@ -7195,7 +7197,7 @@ Includes every catalogued effect, limited by these readings or by its plausible 
     </message>
     <message>
         <source>Monte Carlo check of Δd, fit only</source>
-        <translation>Δd（仅拟合）的蒙特卡洛检验</translation>
+        <translation>仅拟合 Δd 的蒙特卡洛检验</translation>
     </message>
     <message>
         <source>mean (mm)</source>
@@ -7239,7 +7241,7 @@ Includes every catalogued effect, limited by these readings or by its plausible 
     </message>
     <message>
         <source>The ends of Δd ± U differ from those simulated by %1 and %2; the tolerance is %3.</source>
-        <translation>Δd ± U 的端点与模拟值相差 %1 和 %2；容许差为 %3。</translation>
+        <translation>Δd ± U 的端点与模拟值相差 %1 和 %2；数值容差为 %3。</translation>
     </message>
     <message>
         <source>Rely on the simulated interval.</source>
@@ -7270,16 +7272,12 @@ Includes every catalogued effect, limited by these readings or by its plausible 
         <translation>读数太少：没有一个读数被其他读数充分检核到能判断误读。</translation>
     </message>
     <message>
-        <source>%1 of %2 readings are checked by no other: an error in them would not show.</source>
-        <translation>%2 个读数中有 %1 个没有其他读数检核：其中的误差不会显现。</translation>
-    </message>
-    <message>
         <source>Every reading is checked.</source>
         <translation>每个读数都有检核。</translation>
     </message>
     <message>
         <source>Every reading is checked. The largest effect of an undetected error: %1, up to %2″, moves Δd by %3 mm.</source>
-        <translation>每个读数都有检核。未被发现的误差影响最大者：%1，不超过 %2″，使 Δd 变动 %3 mm。</translation>
+        <translation>每个读数都有检核。未被发现的误差影响最大者：%1，不超过 %2″，使 Δd 改变 %3 mm。</translation>
     </message>
     <message>
         <source>Nothing checks the pointing zeros and the distance.</source>
@@ -7307,7 +7305,7 @@ Includes every catalogued effect, limited by these readings or by its plausible 
     </message>
     <message>
         <source>moves Δd by mm</source>
-        <translation>使 Δd 变动 mm</translation>
+        <translation>Δd 的改变 mm</translation>
     </message>
     <message>
         <source>none</source>
@@ -7315,7 +7313,7 @@ Includes every catalogued effect, limited by these readings or by its plausible 
     </message>
     <message>
         <source>w: standardised residual; redundancy: share of an error that shows in the residual; detectable: the smallest error that the search for misread readings finds with 80 % chance; Δd moves by such an error.</source>
-        <translation>w：标准化残差；多余观测分量：误差显现于残差的份额；可检测：误读搜索以 80 % 的概率发现的最小误差；Δd 的变动由此误差引起。</translation>
+        <translation>w：标准化残差；多余观测分量：误差显现于残差的份额；可检测：查找误读时以 80 % 的概率能发现的最小误差；Δd 的改变由此误差引起。</translation>
     </message>
     <message>
         <source>Readings that look misread</source>
@@ -7327,7 +7325,7 @@ Includes every catalogued effect, limited by these readings or by its plausible 
     </message>
     <message>
         <source>probably meant</source>
-        <translation>本意可能是</translation>
+        <translation>可能应为</translation>
     </message>
     <message>
         <source>or</source>
@@ -7347,7 +7345,7 @@ Includes every catalogued effect, limited by these readings or by its plausible 
     </message>
     <message>
         <source>With standard uncertainty; signs of face 1. A trunnion tilt needs three visits at different elevations</source>
-        <translation>附标准不确定度；符号按盘左。横轴倾斜需要在不同高度角的三次停靠</translation>
+        <translation>附标准不确定度；符号按盘左。横轴误差需要在不同高度角的三次停靠</translation>
     </message>
     <message>
         <source>scatter against the stated σ</source>
@@ -7355,11 +7353,11 @@ Includes every catalogued effect, limited by these readings or by its plausible 
     </message>
     <message>
         <source>About × 1 where the differences of the faces scatter as stated</source>
-        <translation>两盘位之差按声明离散时约为 × 1</translation>
+        <translation>两盘位之差按给定值离散时约为 × 1</translation>
     </message>
     <message>
         <source>collimation c</source>
-        <translation>视准误差 c</translation>
+        <translation>照准差 c</translation>
     </message>
     <message>
         <source>trunnion tilt i</source>
@@ -7371,7 +7369,7 @@ Includes every catalogued effect, limited by these readings or by its plausible 
     </message>
     <message>
         <source>Signs of face 1. Visits read in both faces: %1.</source>
-        <translation>符号按盘左。双盘位停靠次数：%1。</translation>
+        <translation>符号按盘左。双盘位读取的停靠：%1 次。</translation>
     </message>
     <message>
         <source>Both faces</source>
@@ -7448,11 +7446,11 @@ Includes every catalogued effect, limited by these readings or by its plausible 
     </message>
     <message>
         <source>Enough for a verdict: whatever effect is there, Δd is within the tolerance.</source>
-        <translation>已足以判定：无论存在何种影响，Δd 都在允差之内。</translation>
+        <translation>已足以判定：无论存在何种效应，Δd 都在允差之内。</translation>
     </message>
     <message>
         <source>Enough for a verdict: whatever effect is there, Δd is beyond the tolerance.</source>
-        <translation>已足以判定：无论存在何种影响，Δd 都超出允差。</translation>
+        <translation>已足以判定：无论存在何种效应，Δd 都超出允差。</translation>
     </message>
     <message>
         <source>More of these sightings will not help: none tells causes apart or reduces U.</source>
@@ -7472,11 +7470,11 @@ Includes every catalogued effect, limited by these readings or by its plausible 
     </message>
     <message>
         <source>Before the end %1, since an effect of time shows only if an early place is sighted again.</source>
-        <translation>结束前照准 %1，因为只有再次照准较早的位置，随时间变化的影响才会显现。</translation>
+        <translation>结束前照准 %1，因为只有再次照准较早的位置，随时间变化的效应才会显现。</translation>
     </message>
     <message>
         <source>Before the end %1, since an effect of time shows only if the zero is sighted again.</source>
-        <translation>结束前照准 %1，因为只有再次照准瞄准零位，随时间变化的影响才会显现。</translation>
+        <translation>结束前照准 %1，因为只有再次照准瞄准零位，随时间变化的效应才会显现。</translation>
     </message>
     <message>
         <source>The cause is named, %1 (%2), but Δd needs readings at both positions.</source>
@@ -7492,11 +7490,11 @@ Includes every catalogued effect, limited by these readings or by its plausible 
     </message>
     <message>
         <source>U of Δd, whatever effect is there, is below %1 mm already.</source>
-        <translation>无论存在何种影响，Δd 的 U 已低于 %1 mm。</translation>
+        <translation>无论存在何种效应，Δd 的 U 已低于 %1 mm。</translation>
     </message>
     <message>
         <source>For U = %1 mm of Δd, whatever effect is there: %2 more sightings in %3 min.</source>
-        <translation>要使 Δd 的 U 在任何影响下达到 %1 mm：还需照准 %2 次，共 %3 min。</translation>
+        <translation>要使 Δd 的 U 在任何效应下达到 %1 mm：还需照准 %2 次，共 %3 min。</translation>
     </message>
     <message>
         <source>These places do not determine Δd.</source>
@@ -7516,7 +7514,171 @@ Includes every catalogued effect, limited by these readings or by its plausible 
     </message>
     <message>
         <source>Not enough yet: the readings scatter more than stated, by noise or by an effect of no catalogue; the diagnosis tells.</source>
-        <translation>尚不足够：读数的分散大于给定值，原因可能是噪声，也可能是目录以外的影响；由诊断说明。</translation>
+        <translation>尚不足够：读数的离散大于给定值，原因可能是噪声，也可能是目录之外的效应；由诊断说明。</translation>
+    </message>
+    <message>
+        <source>k = %1, %2 coverage</source>
+        <translation>k = %1，包含概率 %2</translation>
+    </message>
+    <message>
+        <source>fit only ± U</source>
+        <translation>仅拟合 ± U</translation>
+    </message>
+    <message>
+        <source>fit only</source>
+        <translation>仅拟合</translation>
+    </message>
+    <message>
+        <source>Each at its plausible size, which these readings are too weak to show. U of Δd, fit only, does not include them; U of Δd, measured, includes what its budget lists.</source>
+        <translation>各按其合理大小计，而这些读数不足以显示它们。Δd，仅拟合的 U 不含它们；Δd，实测的 U 含其不确定度预算所列的各项。</translation>
+    </message>
+    <message>
+        <source>%1 of %2 readings are checked by no other, or hardly (redundancy below %3): an error in them would not show.</source>
+        <translation>%2 个读数中有 %1 个没有或几乎没有其他读数检核（多余观测分量低于 %3）：其中的错误不会显现。</translation>
+    </message>
+    <message>
+        <source>has no readings yet</source>
+        <translation>还没有读数</translation>
+    </message>
+    <message>
+        <source>Typical U for this plan: %1</source>
+        <translation>此读数计划的典型 U：%1</translation>
+    </message>
+    <message>
+        <source>%1 with %2</source>
+        <translation>加上%2则为 %1</translation>
+    </message>
+    <message>
+        <source>%1 with %2 known</source>
+        <translation>已知%2则为 %1</translation>
+    </message>
+    <message>
+        <source>averaged over the indistinguishable causes</source>
+        <translation>对无法区分的原因取平均</translation>
+    </message>
+    <message>
+        <source>The gap is best explained by %1 or by an indistinguishable cause: %2. %3</source>
+        <translation>差距的最佳解释是%1，或无法与其区分的原因：%2。%3</translation>
+    </message>
+    <message>
+        <source>reason stated</source>
+        <translation>说明了原因</translation>
+    </message>
+    <message>
+        <source>%1, with one change since that nobody has sealed</source>
+        <translation>%1；此后有 1 处更改尚未封存</translation>
+    </message>
+    <message>
+        <source>%1, with %2 changes since that nobody has sealed</source>
+        <translation>%1；此后有 %2 处更改尚未封存</translation>
+    </message>
+    <message>
+        <source>a return run</source>
+        <translation>返程测量</translation>
+    </message>
+    <message>
+        <source>%1 (in a new session)</source>
+        <translation>%1（在新的测量记录中）</translation>
+    </message>
+    <message>
+        <source>no places</source>
+        <translation>没有位置</translation>
+    </message>
+    <message>
+        <source>%1 to %2 places</source>
+        <translation>%1 至 %2 个位置</translation>
+    </message>
+    <message>
+        <source>1 place</source>
+        <translation>1 个位置</translation>
+    </message>
+    <message>
+        <source>%1 places</source>
+        <translation>%1 个位置</translation>
+    </message>
+    <message>
+        <source>one face</source>
+        <translation>单盘位</translation>
+    </message>
+    <message>
+        <source>a face for each round</source>
+        <translation>每测回一个盘位</translation>
+    </message>
+    <message>
+        <source>both faces in some rounds</source>
+        <translation>部分测回为双盘位</translation>
+    </message>
+    <message>
+        <source>back</source>
+        <translation>返程</translation>
+    </message>
+    <message>
+        <source>there</source>
+        <translation>往测</translation>
+    </message>
+    <message>
+        <source>up to %1 rounds</source>
+        <translation>至多 %1 个测回</translation>
+    </message>
+    <message>
+        <source>%1 rounds</source>
+        <translation>%1 个测回</translation>
+    </message>
+    <message>
+        <source>there and back</source>
+        <translation>往返测</translation>
+    </message>
+    <message>
+        <source>%1 rounds, there and back</source>
+        <translation>%1 个测回，往返</translation>
+    </message>
+    <message>
+        <source>only at %1°</source>
+        <translation>仅在 %1°</translation>
+    </message>
+    <message>
+        <source>both positions again</source>
+        <translation>两个轴位各再测一次</translation>
+    </message>
+    <message>
+        <source>with slider readings</source>
+        <translation>含滑块读数</translation>
+    </message>
+    <message>
+        <source>the circle turned between positions</source>
+        <translation>轴位之间转动度盘</translation>
+    </message>
+    <message>
+        <source>each next sighting by what it tells</source>
+        <translation>每次照准按其所能说明的多少选定</translation>
+    </message>
+    <message>
+        <source>Passed over: %1.</source>
+        <translation>跳过：%1。</translation>
+    </message>
+    <message>
+        <source>Taken out of turn: %1.</source>
+        <translation>未按顺序：%1。</translation>
+    </message>
+    <message>
+        <source>Taken again: %1.</source>
+        <translation>重测：%1。</translation>
+    </message>
+    <message>
+        <source>Excluded: %1.</source>
+        <translation>排除：%1。</translation>
+    </message>
+    <message>
+        <source>The report names as not stated: %1.</source>
+        <translation>报告中标为未说明：%1。</translation>
+    </message>
+    <message>
+        <source>The certificate says “not stated” of what the session leaves empty: %1.</source>
+        <translation>测量记录中留空的项，证书标为“未说明”：%1。</translation>
+    </message>
+    <message>
+        <source>1σ: how large each effect may plausibly be; c: sensitivity, how many mm one unit of it moves Δd in these readings; ν: degrees of freedom; share: of the variance. A: by the scatter of these readings; B: by other knowledge.</source>
+        <translation>1σ：每项效应的合理大小；c：灵敏系数，即其一个单位在这些读数中使 Δd 改变多少毫米；ν：自由度；占比：占方差的比例。A：由这些读数的离散得出；B：由其他信息得出。</translation>
     </message>
 </context>
 <context>
@@ -7534,7 +7696,7 @@ Includes every catalogued effect, limited by these readings or by its plausible 
     <name>PositionText</name>
     <message>
         <source>Axis at %1, point %2, round %3, face %4</source>
-        <translation>轴位 %1，测点 %2，测回 %3，盘位 %4</translation>
+        <translation>轴位 %1、测点 %2、测回 %3、盘位 %4</translation>
     </message>
 </context>
 <context>
@@ -7596,7 +7758,7 @@ Includes every catalogued effect, limited by these readings or by its plausible 
     </message>
     <message>
         <source>Face of the theodolite, 1 or 2; empty means 1</source>
-        <translation>经纬仪的盘位，1 或 2；空表示 1</translation>
+        <translation>经纬仪的盘位：1 为盘左，2 为盘右；空表示 1</translation>
     </message>
     <message>
         <source>face</source>
@@ -7796,7 +7958,7 @@ as read</source>
     </message>
     <message>
         <source>The session states the instrument with serial number %1, and this reading is of serial number %2.</source>
-        <translation>会话所述仪器的序列号为 %1，而本读数来自序列号 %2。</translation>
+        <translation>测量记录所填仪器的序列号为 %1，而本读数来自序列号 %2。</translation>
     </message>
     <message>
         <source>The readings before are of the instrument with serial number %1, and this one is of serial number %2.</source>
@@ -7858,7 +8020,7 @@ as read</source>
     </message>
     <message>
         <source>A reading came, %1 and %2, and the protocol asks for a position of the axis that the session lacks. Add the position, then take it.</source>
-        <translation>读数 %1 和 %2 已到来，而方案要求的轴位在会话中没有。请添加该轴位，然后采用。</translation>
+        <translation>读数 %1 和 %2 已到来，而测量记录中没有方案要求的轴位。请添加该轴位，然后采用。</translation>
     </message>
     <message>
         <source>A reading came, and all is read that was to be: %1 and %2. Add a row, or choose one to be read again, then take it.</source>
@@ -7954,11 +8116,11 @@ as read</source>
     <name>Report</name>
     <message>
         <source>untitled session</source>
-        <translation>未命名会话</translation>
+        <translation>未命名测量记录</translation>
     </message>
     <message>
         <source>unsaved changes: SHA-256 of the session&apos;s content %1</source>
-        <translation>未保存的更改：会话内容的 SHA-256 %1</translation>
+        <translation>未保存的更改：测量记录内容的 SHA-256 %1</translation>
     </message>
     <message>
         <source>Alidade %1 · Acceptance report</source>
@@ -7970,11 +8132,11 @@ as read</source>
     </message>
     <message>
         <source>session not saved to a file</source>
-        <translation>会话未保存到文件</translation>
+        <translation>测量记录未保存到文件</translation>
     </message>
     <message>
         <source>The session of this report, to be opened with Alidade</source>
-        <translation>本报告的会话，可用 Alidade 打开</translation>
+        <translation>本报告的测量记录，可用 Alidade 打开</translation>
     </message>
     <message>
         <source>The results of this report, to be read by programs</source>
@@ -7990,15 +8152,15 @@ as read</source>
     </message>
     <message>
         <source>The PDF cannot be read (the session attached to it is missing)</source>
-        <translation>无法读取该 PDF（所附会话缺失）</translation>
+        <translation>无法读取该 PDF（所附测量记录缺失）</translation>
     </message>
     <message>
         <source>The PDF cannot be read (the session attached to it is damaged)</source>
-        <translation>无法读取该 PDF（所附会话已损坏）</translation>
+        <translation>无法读取该 PDF（所附测量记录已损坏）</translation>
     </message>
     <message>
         <source>No session is attached to this PDF: a report of Alidade holds its session unless that was left out</source>
-        <translation>该 PDF 未附会话：Alidade 的报告含有其会话，除非被略去</translation>
+        <translation>该 PDF 未附测量记录：Alidade 的报告含有其测量记录，除非被略去</translation>
     </message>
     <message>
         <source>The PDF cannot be read (%1)</source>
@@ -8007,7 +8169,7 @@ as read</source>
     <message>
         <source>%1 (stated)</source>
         <extracomment>of a standard uncertainty: it stands in the session, or is what the program takes</extracomment>
-        <translation>%1（声明）</translation>
+        <translation>%1（给定）</translation>
     </message>
     <message>
         <source>%1 (default)</source>
@@ -8027,7 +8189,7 @@ as read</source>
     </message>
     <message>
         <source>%1, σ %2 mm (stated)</source>
-        <translation>%1，σ %2 mm（声明）</translation>
+        <translation>%1，σ %2 mm（给定）</translation>
     </message>
     <message>
         <source>zenith</source>
@@ -8085,11 +8247,11 @@ as read</source>
     </message>
     <message>
         <source>σ of the circles</source>
-        <translation>度盘的 σ</translation>
+        <translation>度盘 σ</translation>
     </message>
     <message>
         <source>σ pointing zero</source>
-        <translation>瞄准零位的 σ</translation>
+        <translation>瞄准零位 σ</translation>
     </message>
     <message>
         <source>that of the circles</source>
@@ -8098,7 +8260,7 @@ as read</source>
     </message>
     <message>
         <source>σ of the slider</source>
-        <translation>滑块的 σ</translation>
+        <translation>滑块 σ</translation>
     </message>
     <message>
         <source>Distance L</source>
@@ -8129,7 +8291,7 @@ a clause as a sentence</extracomment>
     </message>
     <message>
         <source>The figures of this report are those of the model as it is, but for what is said to be measured; nothing was added or left out because of the diagnosis. The verdict stands only where both accounts say so.</source>
-        <translation>除注明为实测者外，本报告的数字均为按现有模型所得；没有因诊断而增加或略去任何内容。只有两种陈述都如此时，判定才成立。</translation>
+        <translation>除注明为实测者外，本报告的数字均按现有模型得出；没有因诊断而增加或略去任何内容。只有实测与仅拟合都如此时，判定才成立。</translation>
     </message>
     <message>
         <source>the logo “%1” cannot be used: there is no such file</source>
@@ -8161,11 +8323,11 @@ a clause as a sentence</extracomment>
     </message>
     <message>
         <source>Figure 1. Sighted points in the arc plane; no arc was fitted.</source>
-        <translation>图 1. 圆弧平面内的照准点；没有拟合出圆弧。</translation>
+        <translation>图 1：圆弧平面内的照准点；没有拟合出圆弧。</translation>
     </message>
     <message>
         <source>Figure 1. Fitted arcs and sighted points in true proportion, frame at the theodolite, x right, y up. Filled points and full line: axis at 0°; hollow points and broken line: 180°.</source>
-        <translation>图 1. 拟合圆弧和照准点，按真实比例，坐标系在经纬仪处，x 向右，y 向上。实心点和实线：轴在 0°；空心点和虚线：180°。</translation>
+        <translation>图 1：拟合圆弧和照准点，按真实比例，坐标系在经纬仪处，x 向右，y 向上。实心点和实线：轴在 0°；空心点和虚线：180°。</translation>
     </message>
     <message>
         <source>The strokes are the residuals, from the adjusted point on the arc, drawn %1.</source>
@@ -8174,15 +8336,15 @@ a clause as a sentence</extracomment>
     </message>
     <message>
         <source>Figure %1. No residuals, since no arc was fitted.</source>
-        <translation>图 %1. 没有残差，因为没有拟合出圆弧。</translation>
+        <translation>图 %1：没有残差，因为没有拟合出圆弧。</translation>
     </message>
     <message>
         <source>Figure %1. Residuals of the readings, observed minus adjusted, right and up positive, along the slider coordinate. Circles: horizontal, diamonds: vertical; filled: axis at 0°, hollow: 180°.</source>
-        <translation>图 %1. 读数的残差，观测值减平差值，向右、向上为正，沿滑块坐标绘制。圆形：水平，菱形：竖直；实心：轴在 0°，空心：180°。</translation>
+        <translation>图 %1：读数的残差，观测值减平差值，向右、向上为正，沿滑块坐标绘制。圆形：水平，菱形：竖直；实心：轴在 0°，空心：180°。</translation>
     </message>
     <message>
         <source>Grey band: ±1σ, broken lines: ±3σ of the stated noise (σ = %1 horizontal, %2 vertical).</source>
-        <translation>灰带：±1σ，虚线：±3σ，声明的噪声（水平 σ = %1，竖直 σ = %2）。</translation>
+        <translation>灰带：±1σ，虚线：±3σ，按给定噪声（水平 σ = %1，竖直 σ = %2）。</translation>
     </message>
     <message>
         <source>Arcs</source>
@@ -8336,7 +8498,7 @@ a clause as a sentence</extracomment>
     </message>
     <message>
         <source>None in the data, but see above what they would not show.</source>
-        <translation>数据中没有，但请见上文所述它们看不出的效应。</translation>
+        <translation>数据中没有；但请见上文所列这些读数无法检出的效应。</translation>
     </message>
     <message>
         <source>Model and readings disagree, see “Gap between model and readings”. %1.</source>
@@ -8344,7 +8506,7 @@ a clause as a sentence</extracomment>
     </message>
     <message>
         <source>tan e = y/L (planar, as published)</source>
-        <translation>tan e = y/L（平面，按所发表）</translation>
+        <translation>tan e = y/L（平面，按原文）</translation>
     </message>
     <message>
         <source>tan e = y/√(x² + L²) (exact)</source>
@@ -8352,11 +8514,11 @@ a clause as a sentence</extracomment>
     </message>
     <message>
         <source>Each arc is fitted by rigorous orthogonal least squares on the angles read: the centre, the radius and the slider&apos;s place at each sighting are free, both circles carry errors of the stated σ. Horizontal angle tan a = x/L, vertical angle %1; frame at the theodolite, x right, y up.</source>
-        <translation>每个圆弧对所读角度作严格的正交最小二乘拟合：圆心、半径和每次照准时滑块的位置均为自由量，两个度盘都带有声明的 σ 的误差。水平角 tan a = x/L，竖直角 %1；坐标系在经纬仪处，x 向右，y 向上。</translation>
+        <translation>每个圆弧对所读角度作严格的正交最小二乘拟合：圆心、半径和每次照准时滑块的位置均为自由量，两个度盘的误差均按给定的 σ。水平角 tan a = x/L，竖直角 %1；坐标系在经纬仪处，x 向右，y 向上。</translation>
     </message>
     <message>
         <source>Where an axis is measured again its positions have one centre and one radius, and all pointing zeros are estimated along, as well known as stated.</source>
-        <translation>复测的轴位共有一个圆心和一个半径，所有瞄准零位按声明的精度一并估计。</translation>
+        <translation>复测的轴位共有一个圆心和一个半径，所有瞄准零位按给定的精度一并估计。</translation>
     </message>
     <message>
         <source>Notes</source>
@@ -8437,19 +8599,19 @@ a clause as a sentence</extracomment>
     </message>
     <message>
         <source>one entry in the journal, see below</source>
-        <translation>更改日志中有一条记录，见下文</translation>
+        <translation>更改日志中有 1 条更改，见下文</translation>
     </message>
     <message>
         <source>one entry in the journal of the session, left out here</source>
-        <translation>会话的更改日志中有一条记录，此处略去</translation>
+        <translation>测量记录的更改日志中有 1 条更改，此处略去</translation>
     </message>
     <message>
         <source>%1 entries in the journal, see below</source>
-        <translation>更改日志中有 %1 条记录，见下文</translation>
+        <translation>更改日志中有 %1 条更改，见下文</translation>
     </message>
     <message>
         <source>%1 entries in the journal of the session, left out here</source>
-        <translation>会话的更改日志中有 %1 条记录，此处略去</translation>
+        <translation>测量记录的更改日志中有 %1 条更改，此处略去</translation>
     </message>
     <message>
         <source>%1; no expansion of L and R0 is stated</source>
@@ -8496,7 +8658,7 @@ a clause as a sentence</extracomment>
     </message>
     <message>
         <source>Scope</source>
-        <translation>范围</translation>
+        <translation>适用范围</translation>
     </message>
     <message>
         <source>, </source>
@@ -8510,15 +8672,15 @@ a clause as a sentence</extracomment>
     </message>
     <message>
         <source>Instrument record: %1.</source>
-        <translation>仪器记录：%1。</translation>
+        <translation>仪器档案：%1。</translation>
     </message>
     <message>
         <source>Instrument record: %1 of %2.</source>
-        <translation>仪器记录：%1，%2。</translation>
+        <translation>仪器档案：%1，%2。</translation>
     </message>
     <message>
         <source>Control chart. Bars: ± 2 u of what a value does not share with the others. Broken lines: mean ± 3 u of each value; dotted: three times the scatter that is seen by the moving range. EWMA: exponentially weighted average with λ = 0.2 and its exact limits. Over the year and its parts.</source>
-        <translation>控制图。误差棒：不与其他值共有部分的 ± 2 u。虚线：均值 ± 各值的 3 u；点线：由移动极差所见离散的三倍。EWMA：λ = 0.2 的指数加权平均及其精确界限。横轴为年份及其小数。</translation>
+        <translation>控制图。误差棒：不与其他值共有部分的 ± 2 u。虚线：均值 ± 各值的 3 u；点线：由移动极差得到的离散的三倍。EWMA：λ = 0.2 的指数加权平均及其精确界限。横轴为年份及其小数。</translation>
     </message>
     <message>
         <source>Device history</source>
@@ -8538,7 +8700,7 @@ a clause as a sentence</extracomment>
     </message>
     <message>
         <source>Sessions: %1, %2</source>
-        <translation>会话：%1，%2</translation>
+        <translation>测量记录：%1，%2</translation>
     </message>
     <message>
         <source>Device history: %1</source>
@@ -8550,7 +8712,7 @@ a clause as a sentence</extracomment>
     </message>
     <message>
         <source>σ compensator</source>
-        <translation>σ 补偿器</translation>
+        <translation>补偿器 σ</translation>
     </message>
     <message>
         <source>tilt across the line of sight %1″</source>
@@ -8583,7 +8745,7 @@ a clause as a sentence</extracomment>
     </message>
     <message>
         <source>The check of this document, to be read by programs</source>
-        <translation>本文件的检查结果，供程序读取</translation>
+        <translation>本文档的检查结果，供程序读取</translation>
     </message>
     <message>
         <source>The PDF cannot be read (it takes more memory or time than a report does): choose another file</source>
@@ -8613,11 +8775,11 @@ a clause as a sentence</extracomment>
     </message>
     <message>
         <source>Inset: the arc centres O1 and O2 of the fit with the axis midway between them; the heavy line is Δd, fit only, the bar at its end its expanded uncertainty U, the ellipses hold the centres at %1 %.</source>
-        <translation>插图：拟合的圆心 O1 和 O2，轴在其正中；粗线为 Δd，仅拟合，其端部的误差棒为其扩展不确定度 U，椭圆以 %1 % 包含圆心。</translation>
+        <translation>插图：拟合的圆心 O1 和 O2，轴在其正中；粗线为仅拟合 Δd，其端部的误差棒为其扩展不确定度 U，椭圆以 %1 % 包含圆心。</translation>
     </message>
     <message>
         <source>The intersection Δd = (y(O1) − y(O2))/2 is half the distance of the arc centres at 0° (O1) and 180° (O2) across the axis. The share of the readings in its uncertainty is scaled by their scatter (s0), pointing zeros and distance enter as stated; the expanded uncertainty U of Δd, fit only, is k times the combined standard uncertainty, k from Student&apos;s distribution with ν effective degrees of freedom. Δd, measured, includes every effect of the catalogue, known beforehand to 1σ of its plausible size, and its U also holds what else may explain the readings.</source>
-        <translation>相交度 Δd = (y(O1) − y(O2))/2 是 0°（O1）和 180°（O2）两圆心在垂直于轴方向上距离的一半。读数对其不确定度的贡献按离散（s0）放大，瞄准零位和距离按给定值计入；Δd，仅拟合的扩展不确定度 U 为合成标准不确定度的 k 倍，k 取自有效自由度为 ν 的 t 分布。Δd，实测包含目录中的每个效应，事先已知至其合理大小的 1σ，其 U 还包含其他可能解释读数的原因。</translation>
+        <translation>相交度 Δd = (y(O1) − y(O2))/2 是 0°（O1）和 180°（O2）两圆心在垂直于轴方向上距离的一半。读数对其不确定度的贡献按离散（s0）放大，瞄准零位和距离按给定值计入；仅拟合 Δd 的扩展不确定度 U 为合成标准不确定度的 k 倍，k 取自有效自由度为 ν 的 t 分布。实测 Δd 包含目录中的每个效应，其大小事先按合理大小的 1σ 计，其 U 还包含其他可能解释读数的原因。</translation>
     </message>
     <message>
         <source>Accepted: d + U ≤ %1, measured, and |Δd| + U ≤ %1, fit only; rejected: d − U &gt; %1; else undecided.</source>
@@ -8633,7 +8795,7 @@ a clause as a sentence</extracomment>
     </message>
     <message>
         <source>known sizes in Δd, measured: %1</source>
-        <translation>实测 Δd 采用的已知值：%1</translation>
+        <translation>实测 Δd 采用的已知量值：%1</translation>
     </message>
     <message>
         <source>The curve is the form; hollow marks are what each sighting says with everything but this form in the model.</source>
@@ -8649,7 +8811,7 @@ a clause as a sentence</extracomment>
     </message>
     <message>
         <source>Broken lines: ±1σ of a sighting by the stated noise.</source>
-        <translation>虚线：按声明噪声一次照准的 ±1σ。</translation>
+        <translation>虚线：按给定噪声一次照准的 ±1σ。</translation>
     </message>
     <message>
         <source>Grey: where the model holds.</source>
@@ -8665,7 +8827,27 @@ a clause as a sentence</extracomment>
     </message>
     <message>
         <source>In the corner: the arc&apos;s centre seen along the axis, Δd up and Δz towards the theodolite, at 0° with U, at 180° opposite.</source>
-        <translation>角上：沿转轴观察的弧心，Δd 向上，Δz 朝向经纬仪，0° 处附 U，180° 处在对侧。</translation>
+        <translation>角上：沿回转轴观察的圆心，Δd 向上，Δz 朝向经纬仪，0° 处附 U，180° 处在对侧。</translation>
+    </message>
+    <message>
+        <source>Condition</source>
+        <translation>状况</translation>
+    </message>
+    <message>
+        <source>Received on</source>
+        <translation>接收日期</translation>
+    </message>
+    <message>
+        <source>“%1”: %2.</source>
+        <translation>“%1”：%2。</translation>
+    </message>
+    <message>
+        <source>Protocol</source>
+        <translation>方案</translation>
+    </message>
+    <message>
+        <source>Not stated</source>
+        <translation>未说明</translation>
     </message>
 </context>
 <context>
@@ -8704,7 +8886,7 @@ a clause as a sentence</extracomment>
     </message>
     <message>
         <source>What these readings would not show</source>
-        <translation>这些读数看不出的效应</translation>
+        <translation>这些读数无法检出的效应</translation>
     </message>
     <message>
         <source>Lines to sign</source>
@@ -8780,7 +8962,7 @@ a clause as a sentence</extracomment>
     </message>
     <message>
         <source>A clean session</source>
-        <translation>无误差的会话</translation>
+        <translation>无误差的测量记录</translation>
     </message>
     <message>
         <source>Nothing but noise: what a sound fit looks like</source>
@@ -8800,11 +8982,11 @@ a clause as a sentence</extracomment>
     </message>
     <message>
         <source>Collimation and trunnion tilt found, and Δd free of them</source>
-        <translation>找出视准误差和横轴倾斜，Δd 不受其影响</translation>
+        <translation>找出照准差和横轴误差，Δd 不受其影响</translation>
     </message>
     <message>
         <source>A tilted trunnion axis</source>
-        <translation>横轴倾斜</translation>
+        <translation>横轴误差</translation>
     </message>
     <message>
         <source>One cause, found with its size</source>
@@ -8816,7 +8998,7 @@ a clause as a sentence</extracomment>
     </message>
     <message>
         <source>Ambiguous: what leaves the same trace, and what to read next</source>
-        <translation>难以区分：留下同样痕迹的原因，以及接下来该读什么</translation>
+        <translation>无法区分：留下同样痕迹的原因，以及接下来该读什么</translation>
     </message>
     <message>
         <source>Two causes at once</source>
@@ -8824,7 +9006,7 @@ a clause as a sentence</extracomment>
     </message>
     <message>
         <source>A trunnion tilt and a vertical circle that drifts</source>
-        <translation>横轴倾斜和竖直度盘漂移</translation>
+        <translation>横轴误差和竖直度盘漂移</translation>
     </message>
     <message>
         <source>A knocked tripod</source>
@@ -8836,11 +9018,11 @@ a clause as a sentence</extracomment>
     </message>
     <message>
         <source>Noise larger than stated</source>
-        <translation>噪声大于声明值</translation>
+        <translation>噪声大于给定值</translation>
     </message>
     <message>
         <source>6″ where 2″ are stated, and nothing else wrong</source>
-        <translation>声明 2″ 而实为 6″，其他均无问题</translation>
+        <translation>给定 2″ 而实为 6″，其他均无问题</translation>
     </message>
     <message>
         <source>A guideway out of shape</source>
@@ -8848,19 +9030,19 @@ a clause as a sentence</extracomment>
     </message>
     <message>
         <source>As the record says</source>
-        <translation>与记录相符</translation>
+        <translation>与仪器档案相符</translation>
     </message>
     <message>
         <source>A trunnion tilt that the instrument&apos;s record knows: nothing is left to explain</source>
-        <translation>仪器记录已知的横轴倾斜：没有什么需要解释</translation>
+        <translation>仪器档案已知的横轴误差：没有什么需要解释</translation>
     </message>
     <message>
         <source>Knocked since the record</source>
-        <translation>记录之后受过碰撞</translation>
+        <translation>建档之后受过碰撞</translation>
     </message>
     <message>
         <source>A record that holds no longer, found out</source>
-        <translation>不再成立的记录，被识破</translation>
+        <translation>不再成立的档案，被识破</translation>
     </message>
     <message>
         <source>A radius that changes five times in a turn: the form found, with its size</source>
@@ -8884,7 +9066,7 @@ a clause as a sentence</extracomment>
     </message>
     <message>
         <source>An effect of one&apos;s own</source>
-        <translation>自定义影响因素</translation>
+        <translation>自定义效应</translation>
     </message>
     <message>
         <source>A joint of the rail, typed as a formula: the cause, with its size</source>
@@ -8895,14 +9077,14 @@ a clause as a sentence</extracomment>
     <name>SealSession</name>
     <message>
         <source>Seal the session</source>
-        <translation>封存会话</translation>
+        <translation>封存测量记录</translation>
     </message>
 </context>
 <context>
     <name>SideViewText</name>
     <message>
         <source>Along the axis</source>
-        <translation>沿转轴观察</translation>
+        <translation>沿回转轴观察</translation>
     </message>
     <message>
         <source>Δz →</source>
@@ -8925,7 +9107,7 @@ a clause as a sentence</extracomment>
     <name>StateNoise</name>
     <message>
         <source>State σ of the circles</source>
-        <translation>声明度盘的 σ</translation>
+        <translation>给定度盘的 σ</translation>
     </message>
 </context>
 <context>
@@ -8991,7 +9173,7 @@ a clause as a sentence</extracomment>
     </message>
     <message>
         <source>Misread: %1, round %2, point %3, face %4, %5 by %6</source>
-        <translation>误读：%1，测回 %2，测点 %3，盘位 %4，%5 偏差 %6</translation>
+        <translation>误读：%1、测回 %2、测点 %3、盘位 %4，%5偏差 %6</translation>
     </message>
     <message>
         <source>horizontal</source>
@@ -9035,7 +9217,7 @@ a clause as a sentence</extracomment>
     </message>
     <message>
         <source>Noise %1 times the stated</source>
-        <translation>噪声为声明值的 %1 倍</translation>
+        <translation>噪声为给定值的 %1 倍</translation>
     </message>
     <message>
         <source>Nothing was put in.</source>
@@ -9055,7 +9237,7 @@ a clause as a sentence</extracomment>
     </message>
     <message>
         <source>It was %1; the answer was %2.</source>
-        <translation>真实为%1；回答为%2。</translation>
+        <translation>真实情况是%1；回答是%2。</translation>
     </message>
     <message>
         <source>Named, faint as it is.</source>
@@ -9063,7 +9245,7 @@ a clause as a sentence</extracomment>
     </message>
     <message>
         <source>Too faint to be expected.</source>
-        <translation>太微弱，不可期望找出。</translation>
+        <translation>过于微弱，不能期望找出。</translation>
     </message>
     <message>
         <source>It is in the group named, and the group is no larger than it must be.</source>
@@ -9071,7 +9253,7 @@ a clause as a sentence</extracomment>
     </message>
     <message>
         <source>It was %1, and so was the answer.</source>
-        <translation>真实为%1，回答亦然。</translation>
+        <translation>真实情况是%1，回答相同。</translation>
     </message>
     <message>
         <source> Δd with the causes covers the true one.</source>
@@ -9193,7 +9375,7 @@ a clause as a sentence</extracomment>
     </message>
     <message>
         <source>What to read with the verdict</source>
-        <translation>与结论一并阅读的内容</translation>
+        <translation>与判定一并阅读的内容</translation>
     </message>
 </context>
 <context>
@@ -9204,7 +9386,7 @@ a clause as a sentence</extracomment>
     </message>
     <message>
         <source>any plan</source>
-        <translation>任意方案</translation>
+        <translation>任意计划</translation>
     </message>
     <message>
         <source>anything, or nothing</source>
@@ -9228,7 +9410,7 @@ a clause as a sentence</extracomment>
     </message>
     <message>
         <source>&amp;Plan</source>
-        <translation>方案(&amp;P)</translation>
+        <translation>读数计划(&amp;P)</translation>
     </message>
     <message>
         <source>&amp;Truth</source>
@@ -9260,7 +9442,7 @@ a clause as a sentence</extracomment>
     </message>
     <message>
         <source>Opens the session of the trial as a new one, its truth still sealed</source>
-        <translation>将该盲测的会话作为新会话打开，其真值仍然密封</translation>
+        <translation>将该盲测的测量记录作为新测量记录打开，其真值仍然密封</translation>
     </message>
     <message>
         <source>Number of trials at a stretch</source>
@@ -9276,7 +9458,7 @@ a clause as a sentence</extracomment>
     </message>
     <message>
         <source>Diagnosis of trial %1, plan %2</source>
-        <translation>盲测 %1 的诊断，方案 %2</translation>
+        <translation>盲测 %1 的诊断，读数计划 %2</translation>
     </message>
     <message>
         <source>No trial drawn yet</source>
@@ -9284,7 +9466,7 @@ a clause as a sentence</extracomment>
     </message>
     <message>
         <source>A session is simulated by the plan from a truth that nobody sees. The diagnosis knows the readings alone; then you open the seal.</source>
-        <translation>按方案由无人可见的真值模拟出一个会话。诊断只知道读数；然后由您启封。</translation>
+        <translation>按读数计划，由无人可见的真值模拟出一份测量记录。诊断只知道读数；然后由您启封。</translation>
     </message>
     <message>
         <source>Right. </source>
@@ -9311,11 +9493,30 @@ a clause as a sentence</extracomment>
     <name>alidade::ui::BudgetPanel</name>
     <message>
         <source>Budget</source>
-        <translation>预算</translation>
+        <translation>不确定度预算</translation>
     </message>
     <message>
         <source>No arc is fitted yet, so there is nothing to account for.</source>
         <translation>尚未拟合出圆弧，因此没有可列的内容。</translation>
+    </message>
+</context>
+<context>
+    <name>alidade::ui::ChangeReasonBar</name>
+    <message>
+        <source>Reason for the change</source>
+        <translation>更改的原因</translation>
+    </message>
+    <message>
+        <source>Ctrl+R, type, Enter; or go on without</source>
+        <translation>按 Ctrl+R 录入后按 Enter；或直接继续</translation>
+    </message>
+    <message>
+        <source>Why was it changed? %1</source>
+        <translation>为何更改？%1</translation>
+    </message>
+    <message>
+        <source>Why were these %1 entries changed?</source>
+        <translation>为何更改这 %1 项？</translation>
     </message>
 </context>
 <context>
@@ -9375,11 +9576,11 @@ a clause as a sentence</extracomment>
     <name>alidade::ui::CheckInput</name>
     <message>
         <source>not stated</source>
-        <translation>未声明</translation>
+        <translation>未给出</translation>
     </message>
     <message>
         <source>Of a value observed once in both faces, as in a data sheet after ISO 17123-3</source>
-        <translation>双面各观测一次所得的值，如按 ISO 17123-3 的说明书所载</translation>
+        <translation>盘左、盘右各观测一次所得的值，如按 ISO 17123-3 的说明书所载</translation>
     </message>
     <message>
         <source>&amp;Files</source>
@@ -9490,7 +9691,7 @@ a clause as a sentence</extracomment>
     </message>
     <message>
         <source>collimation (″)</source>
-        <translation>视准误差 (″)</translation>
+        <translation>照准差 (″)</translation>
     </message>
     <message>
         <source>No distances are known.</source>
@@ -9502,7 +9703,7 @@ a clause as a sentence</extracomment>
     </message>
     <message>
         <source>collimation c</source>
-        <translation>视准误差 c</translation>
+        <translation>照准差 c</translation>
     </message>
     <message>
         <source>index</source>
@@ -9522,7 +9723,7 @@ a clause as a sentence</extracomment>
     </message>
     <message>
         <source>round %1</source>
-        <translation>第 %1 测回</translation>
+        <translation>测回 %1</translation>
     </message>
     <message>
         <source>target %1</source>
@@ -9542,7 +9743,7 @@ a clause as a sentence</extracomment>
     </message>
     <message>
         <source>Should be: level. What rises towards short distances is a line of sight off the axis, e/D.</source>
-        <translation>应为：保持水平。向短距离方向升高的是偏离轴的视线，e/D。</translation>
+        <translation>应为：保持水平。向短距离方向升高的是偏离竖轴的视线，e/D。</translation>
     </message>
 </context>
 <context>
@@ -9593,7 +9794,7 @@ a clause as a sentence</extracomment>
     </message>
     <message>
         <source>341°52′24″, 341 52 24, 379.859gon, or numbers in the unit stated</source>
-        <translation>341°52′24″、341 52 24、379.859gon，或所声明单位的数</translation>
+        <translation>341°52′24″、341 52 24、379.859gon，或按给定单位的数</translation>
     </message>
     <message>
         <source>Zenith angle, likewise</source>
@@ -9716,7 +9917,7 @@ a clause as a sentence</extracomment>
     </message>
     <message>
         <source>Next entry asked for</source>
-        <translation>下一个待读条目</translation>
+        <translation>下一个待读的输入项</translation>
     </message>
     <message>
         <source>Selected row</source>
@@ -9728,7 +9929,7 @@ a clause as a sentence</extracomment>
     </message>
     <message>
         <source>The port that the cable is in: chosen, or typed as a path such as /dev/pts/3</source>
-        <translation>电缆所插的端口：可选择，或键入路径，如 /dev/pts/3</translation>
+        <translation>电缆所插的端口：可选择，或输入路径，如 /dev/pts/3</translation>
     </message>
     <message>
         <source>&amp;Port</source>
@@ -9779,23 +9980,23 @@ a clause as a sentence</extracomment>
     </message>
     <message>
         <source>In one session (σ)</source>
-        <translation>单个会话中（σ）</translation>
+        <translation>单份测量记录中（σ）</translation>
     </message>
     <message>
         <source>In all (σ)</source>
-        <translation>全部会话中（σ）</translation>
+        <translation>全部测量记录中（σ）</translation>
     </message>
     <message>
         <source>Not told from</source>
-        <translation>无法区分于</translation>
+        <translation>无法与之区分</translation>
     </message>
     <message>
         <source>What the sessions share</source>
-        <translation>会话共有的效应</translation>
+        <translation>测量记录共有的效应</translation>
     </message>
     <message>
         <source>Session</source>
-        <translation>会话</translation>
+        <translation>测量记录</translation>
     </message>
     <message>
         <source>Date</source>
@@ -9807,7 +10008,7 @@ a clause as a sentence</extracomment>
     </message>
     <message>
         <source>Device</source>
-        <translation>装置</translation>
+        <translation>设备</translation>
     </message>
     <message>
         <source>Alone</source>
@@ -9819,15 +10020,15 @@ a clause as a sentence</extracomment>
     </message>
     <message>
         <source>Each session alone and in the light of the series</source>
-        <translation>各会话单独及结合系列的诊断</translation>
+        <translation>各测量记录单独及结合系列的诊断</translation>
     </message>
     <message>
         <source>No sessions yet.</source>
-        <translation>尚无会话。</translation>
+        <translation>尚无测量记录。</translation>
     </message>
     <message>
         <source>Reduced χ² of all sessions goes from %1 to %2; sessions held out shrink by %3 %.</source>
-        <translation>全部会话的约化 χ² 由 %1 变为 %2；留出的会话缩小 %3 %。</translation>
+        <translation>全部测量记录的约化 χ² 由 %1 变为 %2；留出的测量记录的残差缩小 %3 %。</translation>
     </message>
     <message>
         <source>%1, changing</source>
@@ -9839,18 +10040,18 @@ a clause as a sentence</extracomment>
     </message>
     <message>
         <source>Keep “%1” as an Effect…</source>
-        <translation>将“%1”存为影响因素…</translation>
+        <translation>将“%1”存为效应…</translation>
     </message>
     <message>
         <source>Writes an effect of your own, for this device or instrument, into a file</source>
-        <translation>将自定义影响因素（属于该设备或仪器）写入文件</translation>
+        <translation>将自定义效应（属于该设备或仪器）写入文件</translation>
     </message>
 </context>
 <context>
     <name>alidade::ui::Drafts</name>
     <message>
         <source>What is typed into this form would be lost in a crash: %1</source>
-        <translation>键入该表单的内容在崩溃时会丢失：%1</translation>
+        <translation>录入该表单的内容在崩溃时会丢失：%1</translation>
     </message>
 </context>
 <context>
@@ -9877,19 +10078,19 @@ a clause as a sentence</extracomment>
     </message>
     <message>
         <source>“%1” is no effect of the catalogue; it is kept, but not estimated.</source>
-        <translation>“%1”不是目录中的效应；它被保留，但不估计。</translation>
+        <translation>“%1”不是目录中的效应；予以保留，但不估计。</translation>
     </message>
     <message>
         <source>A ticked effect is estimated along with the arcs. What that costs is in the budget under “model effects”.</source>
-        <translation>勾选的效应与圆弧一并估计。其代价见预算中的“模型效应”。</translation>
+        <translation>勾选的效应与圆弧一并估计。其代价见不确定度预算中的“模型效应”。</translation>
     </message>
     <message>
         <source>%1. Remedy: %2.</source>
-        <translation>%1。补救：%2。</translation>
+        <translation>%1。措施：%2。</translation>
     </message>
     <message>
         <source>%1. Plausible size (1σ) %2. Remedy: %3.</source>
-        <translation>%1。合理大小（1σ）%2。补救：%3。</translation>
+        <translation>%1。合理大小（1σ）%2。措施：%3。</translation>
     </message>
     <message>
         <source>no size of its own</source>
@@ -9897,11 +10098,11 @@ a clause as a sentence</extracomment>
     </message>
     <message>
         <source>Effect of Your Own…</source>
-        <translation>自定义影响因素…</translation>
+        <translation>自定义效应…</translation>
     </message>
     <message>
         <source>Types an effect by its formula, or changes the selected one</source>
-        <translation>用公式输入影响因素，或修改所选的影响因素</translation>
+        <translation>用公式输入效应，或修改所选的效应</translation>
     </message>
 </context>
 <context>
@@ -9945,7 +10146,7 @@ a clause as a sentence</extracomment>
     </message>
     <message>
         <source>Export budget</source>
-        <translation>导出预算</translation>
+        <translation>导出不确定度预算</translation>
     </message>
     <message>
         <source>Save chart</source>
@@ -10016,7 +10217,7 @@ a clause as a sentence</extracomment>
     </message>
     <message>
         <source>Open session</source>
-        <translation>打开会话</translation>
+        <translation>打开测量记录</translation>
     </message>
     <message>
         <source>Opening “%1”…</source>
@@ -10032,7 +10233,7 @@ a clause as a sentence</extracomment>
     </message>
     <message>
         <source>Opening the session in “%1”…</source>
-        <translation>正在打开“%1”中的会话…</translation>
+        <translation>正在打开“%1”中的测量记录…</translation>
     </message>
     <message>
         <source>Open report</source>
@@ -10040,7 +10241,7 @@ a clause as a sentence</extracomment>
     </message>
     <message>
         <source>The session attached to %1; it is in no file of its own yet</source>
-        <translation>%1 中所附的会话；它尚未保存在单独的文件中</translation>
+        <translation>%1 中所附的测量记录；它尚未保存在单独的文件中</translation>
     </message>
     <message>
         <source>Revert</source>
@@ -10052,7 +10253,7 @@ a clause as a sentence</extracomment>
     </message>
     <message>
         <source>Save session</source>
-        <translation>保存会话</translation>
+        <translation>保存测量记录</translation>
     </message>
     <message>
         <source>Saving “%1”…</source>
@@ -10134,7 +10335,7 @@ a clause as a sentence</extracomment>
     </message>
     <message>
         <source>Before what was changed since: %1.</source>
-        <translation>在此后的更改之前：%1。</translation>
+        <translation>更改前：%1。</translation>
     </message>
     <message>
         <source>Model and readings disagree, see “Gap”. %1.</source>
@@ -10193,11 +10394,11 @@ a clause as a sentence</extracomment>
     <name>alidade::ui::FormList</name>
     <message>
         <source>Keep as an Effect…</source>
-        <translation>保留为影响因素…</translation>
+        <translation>存为效应…</translation>
     </message>
     <message>
         <source>Makes an effect of your own of it, for this device or instrument</source>
-        <translation>将其作为此装置或仪器的自定义影响因素</translation>
+        <translation>将其作为此设备或仪器的自定义效应</translation>
     </message>
 </context>
 <context>
@@ -10208,7 +10409,7 @@ a clause as a sentence</extracomment>
     </message>
     <message>
         <source>t, share of the session</source>
-        <translation>t，占测量记录的份额</translation>
+        <translation>t，测量过程的时间份额</translation>
     </message>
     <message>
         <source>azimuth a (°), right positive</source>
@@ -10285,7 +10486,7 @@ a clause as a sentence</extracomment>
     </message>
     <message>
         <source>, without it in the search %1</source>
-        <translation>，求解时不计入它 %1</translation>
+        <translation>，寻找时不计入它：%1</translation>
     </message>
     <message>
         <source>round</source>
@@ -10359,7 +10560,7 @@ a clause as a sentence</extracomment>
     </message>
     <message>
         <source>%1 %2: %3 of the gap</source>
-        <translation>%1 %2：占差距的 %3</translation>
+        <translation>%1：%2，占差距的 %3</translation>
     </message>
     <message>
         <source>circle</source>
@@ -10512,11 +10713,11 @@ a clause as a sentence</extracomment>
     </message>
     <message>
         <source>A&amp;dd %1 to the model</source>
-        <translation>将%1 加入模型(&amp;D)</translation>
+        <translation>将%1加入模型(&amp;D)</translation>
     </message>
     <message>
         <source>%1: nothing to add to the model</source>
-        <translation>%1：没有可加入模型的</translation>
+        <translation>%1：没有可加入模型的内容</translation>
     </message>
     <message>
         <source>Form</source>
@@ -10536,7 +10737,7 @@ a clause as a sentence</extracomment>
     </message>
     <message>
         <source>Estimates the ticked causes and all that look alike here, each within its plausible size: U then covers whichever it is</source>
-        <translation>一并估计所勾选的原因及此处难以区分的所有原因，各在其合理大小之内：无论是哪一个，U 都涵盖</translation>
+        <translation>一并估计所勾选的原因及在此无法区分的所有原因，各在其合理大小之内：无论是哪一个，U 都涵盖</translation>
     </message>
     <message>
         <source>Take Out of the Model</source>
@@ -10628,19 +10829,19 @@ a clause as a sentence</extracomment>
     </message>
     <message>
         <source>Two sessions compared</source>
-        <translation>比较两次会话</translation>
+        <translation>比较两份测量记录</translation>
     </message>
     <message>
         <source>Nothing yet: the history of a device begins with its second session.</source>
-        <translation>尚无内容：设备的历史从第二次会话开始。</translation>
+        <translation>尚无内容：设备的历史从第二份测量记录开始。</translation>
     </message>
     <message>
         <source>These two sessions are not both of the device shown.</source>
-        <translation>这两次会话不都属于所示设备。</translation>
+        <translation>这两份测量记录不都属于所示设备。</translation>
     </message>
     <message>
         <source>Select two sessions in the table (with Ctrl) to see whether the device has changed between them.</source>
-        <translation>在表中选择两次会话（按住 Ctrl），查看设备在其间是否改变。</translation>
+        <translation>在表中选择两份测量记录（按住 Ctrl），查看设备在其间是否改变。</translation>
     </message>
 </context>
 <context>
@@ -10655,7 +10856,7 @@ a clause as a sentence</extracomment>
     </message>
     <message>
         <source>Add sessions of a device, with the dates they were measured on.</source>
-        <translation>请添加一台设备的会话及其测量日期。</translation>
+        <translation>请添加一台设备的测量记录及其测量日期。</translation>
     </message>
     <message>
         <source>value, bar: ± 2 u</source>
@@ -10683,7 +10884,7 @@ a clause as a sentence</extracomment>
     </message>
     <message>
         <source>± 3 σ as seen</source>
-        <translation>± 3 σ（所见）</translation>
+        <translation>± 3 σ（观测到的）</translation>
     </message>
     <message>
         <source>average (EWMA)</source>
@@ -10932,11 +11133,11 @@ a clause as a sentence</extracomment>
     </message>
     <message>
         <source>&amp;Add to the readings of this session</source>
-        <translation>添加到本会话的读数(&amp;A)</translation>
+        <translation>添加到本测量记录的读数(&amp;A)</translation>
     </message>
     <message>
         <source>Replace: begin a new session wi&amp;th them</source>
-        <translation>替换：以其开始新会话(&amp;T)</translation>
+        <translation>替换：以其新建测量记录(&amp;T)</translation>
     </message>
     <message>
         <source>What cannot be used, and remarks</source>
@@ -10960,7 +11161,7 @@ a clause as a sentence</extracomment>
     </message>
     <message>
         <source>“%1” was imported into this session before.</source>
-        <translation>“%1”此前已导入本会话。</translation>
+        <translation>“%1”此前已导入本测量记录。</translation>
     </message>
     <message>
         <source>Choose the columns of the horizontal and the vertical circle of “%1”.</source>
@@ -11102,7 +11303,7 @@ a clause as a sentence</extracomment>
     </message>
     <message>
         <source>As the files or the session have it</source>
-        <translation>按文件或会话所有</translation>
+        <translation>与文件或测量记录中相同</translation>
     </message>
     <message>
         <source>Pointing zero at %1: %2</source>
@@ -11141,7 +11342,7 @@ a clause as a sentence</extracomment>
     </message>
     <message>
         <source>Save as &amp;PDF…</source>
-        <translation>存为 &amp;PDF…</translation>
+        <translation>存为 PDF(&amp;P)…</translation>
     </message>
     <message>
         <source>P&amp;rint…</source>
@@ -11184,11 +11385,11 @@ a clause as a sentence</extracomment>
     </message>
     <message>
         <source>The session names an instrument with serial number %1, and this one has %2.</source>
-        <translation>会话所填仪器的序列号为 %1，而此仪器为 %2。</translation>
+        <translation>测量记录所填仪器的序列号为 %1，而此仪器为 %2。</translation>
     </message>
     <message>
         <source>%1 readings wait until the open entry is handed in (Enter) or given up (Esc)</source>
-        <translation>%1 个读数在等待：请提交（Enter）或放弃（Esc）正在键入的条目</translation>
+        <translation>%1 个读数在等待：请提交（Enter）或取消（Esc）正在录入的输入项</translation>
     </message>
 </context>
 <context>
@@ -11211,7 +11412,7 @@ a clause as a sentence</extracomment>
     </message>
     <message>
         <source>Collimation over the distance</source>
-        <translation>视准误差随距离</translation>
+        <translation>照准差随距离</translation>
     </message>
     <message>
         <source>What is drawn</source>
@@ -11235,7 +11436,7 @@ a clause as a sentence</extracomment>
     </message>
     <message>
         <source>Rounds to several targets, each in both faces, show how far a direction and a zenith angle scatter, and collimation, index and tilt of the trunnion axis. Half an hour, worth it before a series and after a transport. Three rounds to four targets spread around the horizon, one of them steep, at distances like those of the work.</source>
-        <translation>对多个目标的双面测回显示方向和天顶距的散布，以及视准误差、指标差和横轴倾斜。只需半小时，在一系列测量之前和运输之后值得一做。三个测回，四个分布于四周的目标，其中一个较陡，距离与工作时相近。</translation>
+        <translation>对多个目标的双盘位测回显示方向和天顶距的离散，以及照准差、指标差和横轴误差。只需半小时，在一系列测量之前和运输之后值得一做。三个测回，四个分布于四周的目标，其中一个较陡，距离与工作时相近。</translation>
     </message>
     <message>
         <source>Export instrument check</source>
@@ -11259,14 +11460,14 @@ a clause as a sentence</extracomment>
     </message>
     <message>
         <source>Open files, or type rounds in two faces to several targets.</source>
-        <translation>请打开文件，或录入对多个目标的双面测回。</translation>
+        <translation>请打开文件，或录入对多个目标的双盘位测回。</translation>
     </message>
 </context>
 <context>
     <name>alidade::ui::InstrumentFlow</name>
     <message>
         <source>Take from the instrument record</source>
-        <translation>取自仪器记录</translation>
+        <translation>取自仪器档案</translation>
     </message>
     <message>
         <source>“%1” cannot be taken.
@@ -11282,13 +11483,13 @@ a clause as a sentence</extracomment>
     </message>
     <message>
         <source>Save as instrument record</source>
-        <translation>另存为仪器记录</translation>
+        <translation>另存为仪器档案</translation>
     </message>
     <message>
         <source>What the session says of its instrument cannot be a record.
 
 %1</source>
-        <translation>会话中关于其仪器的内容不能成为记录。
+        <translation>测量记录中关于其仪器的内容不能成为档案。
 
 %1</translation>
     </message>
@@ -11407,7 +11608,7 @@ a clause as a sentence</extracomment>
     </message>
     <message>
         <source>The operator, as the session had it then</source>
-        <translation>会话当时记载的操作者</translation>
+        <translation>测量记录当时记载的操作者</translation>
     </message>
     <message>
         <source>Checking the journal…</source>
@@ -11458,7 +11659,7 @@ a clause as a sentence</extracomment>
     </message>
     <message>
         <source>Where the session keeps what is known of it</source>
-        <translation>会话在何处保存其已知值</translation>
+        <translation>测量记录在何处保存其已知值</translation>
     </message>
     <message>
         <source>Plausible size (1σ), taken where nothing is known</source>
@@ -11474,7 +11675,7 @@ a clause as a sentence</extracomment>
     </message>
     <message>
         <source>Certificate or check: the budget names it</source>
-        <translation>证书或检查：预算中会列出</translation>
+        <translation>证书或检查：不确定度预算中会列出</translation>
     </message>
     <message>
         <source>%1 (once more)</source>
@@ -11490,7 +11691,7 @@ a clause as a sentence</extracomment>
     </message>
     <message>
         <source>The session says more than once what is known of this number: all of it is weighed together.</source>
-        <translation>会话中对该量的已知值不止一处：全部加权合并。</translation>
+        <translation>测量记录中对该量的已知值不止一处：全部加权合并。</translation>
     </message>
     <message>
         <source>%1. What is known of it belongs to the %2.</source>
@@ -11501,11 +11702,11 @@ a clause as a sentence</extracomment>
     <name>alidade::ui::KnownSizesPanel</name>
     <message>
         <source>What a certificate or a check says takes the place of the default in the uncertainty as measured and in the search for causes.</source>
-        <translation>证书或检查所述在实测的不确定度和原因的寻找中取代默认值。</translation>
+        <translation>在实测的不确定度和寻找原因时，证书或检查所述的值取代默认值。</translation>
     </message>
     <message>
         <source>Take from Instrument Record…</source>
-        <translation>取自仪器记录…</translation>
+        <translation>取自仪器档案…</translation>
     </message>
     <message>
         <source>Name, serial number, σ of the circles and known sizes from a file</source>
@@ -11513,11 +11714,11 @@ a clause as a sentence</extracomment>
     </message>
     <message>
         <source>Save as Instrument Record…</source>
-        <translation>另存为仪器记录…</translation>
+        <translation>另存为仪器档案…</translation>
     </message>
     <message>
         <source>What this session says of its instrument as a file, for the next sessions</source>
-        <translation>将本会话关于其仪器的内容存为文件，供以后的会话使用</translation>
+        <translation>将本测量记录关于其仪器的内容存为文件，供以后的测量记录使用</translation>
     </message>
 </context>
 <context>
@@ -11593,7 +11794,7 @@ a clause as a sentence</extracomment>
     </message>
     <message>
         <source>Se&amp;ssion</source>
-        <translation>会话(&amp;S)</translation>
+        <translation>测量记录(&amp;S)</translation>
     </message>
     <message>
         <source>La&amp;boratory</source>
@@ -11605,7 +11806,7 @@ a clause as a sentence</extracomment>
     </message>
     <message>
         <source>Budget</source>
-        <translation>预算</translation>
+        <translation>不确定度预算</translation>
     </message>
     <message>
         <source>Effects</source>
@@ -11633,7 +11834,7 @@ a clause as a sentence</extracomment>
     </message>
     <message>
         <source>Journal</source>
-        <translation>日志</translation>
+        <translation>更改日志</translation>
     </message>
     <message>
         <source>Open sample</source>
@@ -11649,7 +11850,7 @@ a clause as a sentence</extracomment>
     </message>
     <message>
         <source>Forms of the session</source>
-        <translation>会话表单</translation>
+        <translation>测量记录表单</translation>
     </message>
     <message>
         <source>Positions of the axis</source>
@@ -11666,6 +11867,14 @@ a clause as a sentence</extracomment>
     <message>
         <source>Order</source>
         <translation>顺序</translation>
+    </message>
+    <message>
+        <source>%1 (sealed)</source>
+        <translation>%1（已封存）</translation>
+    </message>
+    <message>
+        <source>%1 (changed since the seal)</source>
+        <translation>%1（封存后有更改）</translation>
     </message>
 </context>
 <context>
@@ -11716,7 +11925,7 @@ a clause as a sentence</extracomment>
     </message>
     <message>
         <source>pointing zero, face 2</source>
-        <translation>瞄准零位，盘位 2</translation>
+        <translation>瞄准零位，盘右</translation>
     </message>
     <message>
         <source>State</source>
@@ -11768,7 +11977,7 @@ a clause as a sentence</extracomment>
     </message>
     <message>
         <source>sighting %1 of %2</source>
-        <translation>照准 %1 / %2</translation>
+        <translation>第 %1 次照准，共 %2 次</translation>
     </message>
     <message>
         <source>Protocol %1</source>
@@ -11780,7 +11989,7 @@ a clause as a sentence</extracomment>
     </message>
     <message>
         <source>Next at %1</source>
-        <translation>下一个，%1</translation>
+        <translation>下一次照准：%1</translation>
     </message>
     <message>
         <source>%1   %2</source>
@@ -11835,7 +12044,7 @@ a clause as a sentence</extracomment>
     <name>alidade::ui::OwnEffectCurve</name>
     <message>
         <source>Curve of the effect</source>
-        <translation>影响因素的曲线</translation>
+        <translation>效应的曲线</translation>
     </message>
     <message>
         <source>A curve appears once the formula is sound.</source>
@@ -11847,7 +12056,7 @@ a clause as a sentence</extracomment>
     </message>
     <message>
         <source>sighting of the session</source>
-        <translation>测量记录中的观测</translation>
+        <translation>测量记录中的照准</translation>
     </message>
 </context>
 <context>
@@ -11858,7 +12067,7 @@ a clause as a sentence</extracomment>
     </message>
     <message>
         <source>Effect of Your Own</source>
-        <translation>自定义影响因素</translation>
+        <translation>自定义效应</translation>
     </message>
     <message>
         <source>Formula</source>
@@ -11870,7 +12079,7 @@ a clause as a sentence</extracomment>
     </message>
     <message>
         <source>device %1</source>
-        <translation>装置 %1</translation>
+        <translation>设备 %1</translation>
     </message>
     <message>
         <source>instrument %1</source>
@@ -11912,7 +12121,7 @@ a clause as a sentence</extracomment>
     </message>
     <message>
         <source>Save Effect</source>
-        <translation>保存影响因素</translation>
+        <translation>保存效应</translation>
     </message>
     <message>
         <source>Type a plausible size of %1, 1σ.</source>
@@ -11991,7 +12200,7 @@ a clause as a sentence</extracomment>
     <message>
         <source>The session has no position with the axis at %1°.
 Δd needs the arc at 0° and at 180°.</source>
-        <translation>会话中没有轴在 %1° 的轴位。
+        <translation>测量记录中没有 %1° 的轴位。
 Δd 需要 0° 和 180° 的圆弧。</translation>
     </message>
     <message>
@@ -12023,7 +12232,7 @@ a clause as a sentence</extracomment>
     </message>
     <message>
         <source>New &amp;Sessions</source>
-        <translation>新会话(&amp;S)</translation>
+        <translation>新测量记录(&amp;S)</translation>
     </message>
     <message>
         <source>&amp;Report</source>
@@ -12067,7 +12276,7 @@ a clause as a sentence</extracomment>
     </message>
     <message>
         <source>As the &amp;Desktop</source>
-        <translation>与桌面相同(&amp;D)</translation>
+        <translation>与桌面一致(&amp;D)</translation>
     </message>
     <message>
         <source>%1, %2 pt</source>
@@ -12075,7 +12284,7 @@ a clause as a sentence</extracomment>
     </message>
     <message>
         <source>New sessions start with these entries. Open sessions keep theirs.</source>
-        <translation>新会话以这些内容开始；已打开的会话保持原样。</translation>
+        <translation>新测量记录以这些内容开始；已打开的测量记录保持原样。</translation>
     </message>
     <message>
         <source>&amp;Load…</source>
@@ -12104,6 +12313,10 @@ a clause as a sentence</extracomment>
     <message>
         <source>The report is printed upright; wide margins print it smaller.</source>
         <translation>报告按纵向打印；页边距大则印得较小。</translation>
+    </message>
+    <message>
+        <source>C&amp;hoose</source>
+        <translation>选择(&amp;H)</translation>
     </message>
 </context>
 <context>
@@ -12201,7 +12414,7 @@ a clause as a sentence</extracomment>
     </message>
     <message>
         <source>face 1</source>
-        <translation>盘右 {1?}</translation>
+        <translation>盘左</translation>
     </message>
     <message>
         <source>face 2</source>
@@ -12209,15 +12422,15 @@ a clause as a sentence</extracomment>
     </message>
     <message>
         <source>both, 1 then 2</source>
-        <translation>双盘位，先 1 后 2</translation>
+        <translation>双盘位，先盘左后盘右</translation>
     </message>
     <message>
         <source>both, 2 then 1</source>
-        <translation>双盘位，先 2 后 1</translation>
+        <translation>双盘位，先盘右后盘左</translation>
     </message>
     <message>
         <source>both, 1 2 2 1</source>
-        <translation>双盘位，1 2 2 1</translation>
+        <translation>双盘位，左右右左</translation>
     </message>
     <message>
         <source>changing from round to round</source>
@@ -12281,7 +12494,7 @@ a clause as a sentence</extracomment>
     </message>
     <message>
         <source>Type the places as angles with blanks between them: 10 20 30.5 40</source>
-        <translation>请键入各位置的角度，以空格分隔：10 20 30.5 40</translation>
+        <translation>请输入各位置的角度，以空格分隔：10 20 30.5 40</translation>
     </message>
     <message>
         <source>%1 sightings are more than a protocol holds.</source>
@@ -12293,7 +12506,7 @@ a clause as a sentence</extracomment>
     </message>
     <message>
         <source>As it was typed when the program ended.</source>
-        <translation>与程序结束时键入的内容相同。</translation>
+        <translation>与程序结束时录入的内容相同。</translation>
     </message>
     <message>
         <source> min</source>
@@ -12355,7 +12568,7 @@ a clause as a sentence</extracomment>
     <name>alidade::ui::ReadingFlow</name>
     <message>
         <source>A reading was not taken, as you wished: %1 and %2, face %3.</source>
-        <translation>按您的意愿未采用一个读数：%1 和 %2，盘位 %3。</translation>
+        <translation>已按您的选择不采用一个读数：%1 和 %2，盘位 %3。</translation>
     </message>
 </context>
 <context>
@@ -12382,7 +12595,7 @@ a clause as a sentence</extracomment>
     </message>
     <message>
         <source>%1 Readings that wait behind it: %2.</source>
-        <translation>%1 在其后等待的读数：%2。</translation>
+        <translation>%1在其后等待的读数：%2。</translation>
     </message>
 </context>
 <context>
@@ -12513,11 +12726,11 @@ a clause as a sentence</extracomment>
     </message>
     <message>
         <source>&amp;Discard…</source>
-        <translation>放弃(&amp;D)…</translation>
+        <translation>丢弃(&amp;D)…</translation>
     </message>
     <message>
         <source>Discard unsaved changes</source>
-        <translation>放弃未保存的更改</translation>
+        <translation>丢弃未保存的更改</translation>
     </message>
     <message>
         <source>The kept changes of “%1” cannot be brought back.</source>
@@ -12651,7 +12864,7 @@ a clause as a sentence</extracomment>
     </message>
     <message>
         <source>Minimal detectable bias: the smallest error that the search for misread readings finds with 80 % chance, at 1 % risk of naming any sound reading of the session, in the noise s0 σ</source>
-        <translation>最小可检测偏差：查找误读时以 80 % 的概率能发现的最小误差，误指会话中任一正常读数的风险为 1 %，噪声为 s0 σ</translation>
+        <translation>最小可检测偏差：查找误读时以 80 % 的概率能发现的最小误差，误指测量记录中任一正常读数的风险为 1 %，噪声为 s0 σ</translation>
     </message>
     <message>
         <source>none</source>
@@ -12659,7 +12872,7 @@ a clause as a sentence</extracomment>
     </message>
     <message>
         <source>Moves Δd by mm</source>
-        <translation>使 Δd 移动 mm</translation>
+        <translation>Δd 的改变 mm</translation>
     </message>
     <message>
         <source>What an error of that size, unfound, does to the intersection; of what was entered once, an error of one unit</source>
@@ -12670,11 +12883,11 @@ a clause as a sentence</extracomment>
     <name>alidade::ui::RemedyList</name>
     <message>
         <source>It happened between a pointing zero and the first place after it, or that zero was misread; in which of the positions these readings do not tell. No model of a session holds a jump, so there is none to add: sight both zeros again and read the positions anew.</source>
-        <translation>它发生在瞄准零位与其后第一个位置之间，或者是该零位被误读；这些读数不能说明是在哪个轴位。会话的模型都不含突跳，因此没有可加入的：请重新照准两个零位并重新读取各轴位。</translation>
+        <translation>它发生在瞄准零位与其后第一个位置之间，或者是该零位被误读；这些读数不能说明是在哪个轴位。测量记录的模型都不含突跳，因此没有可加入的内容：请重新照准两个零位并重新读取各轴位。</translation>
     </message>
     <message>
         <source>It happened before %1. No model of a session holds a jump, so there is none to add: look after the stand, sight the pointing zero anew and read this position again.</source>
-        <translation>它发生在 %1 之前。会话的模型都不含突跳，因此没有可加入的：请检查支架，重新照准瞄准零位并再次读取该轴位。</translation>
+        <translation>它发生在 %1 之前。测量记录的模型都不含突跳，因此没有可加入的内容：请检查支架，重新照准瞄准零位并再次读取该轴位。</translation>
     </message>
     <message>
         <source> Or leave out the rows before the jump, if the pointing zero of the next position was not sighted after it.</source>
@@ -12706,7 +12919,7 @@ a clause as a sentence</extracomment>
     </message>
     <message>
         <source>Perhaps %1 right beside it, which would move Δd: read the position again before a row is left out.</source>
-        <translation>也许是紧邻的%1，它会使 Δd 移动：去掉任何行之前请再次读取该轴位。</translation>
+        <translation>也许是紧邻的%1，它会使 Δd 改变：去掉任何行之前请再次读取该轴位。</translation>
     </message>
     <message>
         <source> or </source>
@@ -12743,7 +12956,7 @@ a clause as a sentence</extracomment>
     </message>
     <message>
         <source>Nothing to add to the model: U rests on the scatter of the readings already. If the instrument and the place are no better than this, state the larger σ.</source>
-        <translation>没有可加入模型的：U 已基于读数的离散。如果仪器和场地不过如此，请声明更大的 σ。</translation>
+        <translation>没有可加入模型的内容：U 已基于读数的离散。如果仪器和场地不过如此，请给定更大的 σ。</translation>
     </message>
     <message>
         <source>%1 and %2</source>
@@ -12751,7 +12964,7 @@ a clause as a sentence</extracomment>
     </message>
     <message>
         <source>State σ = %1</source>
-        <translation>声明 σ = %1</translation>
+        <translation>给定 σ = %1</translation>
     </message>
     <message>
         <source>Sets σ of the horizontal and the vertical circle in the form of the instrument; σ of the pointing zero follows unless it was typed</source>
@@ -12773,10 +12986,6 @@ a clause as a sentence</extracomment>
         <translation>有 %1 个输入项无法使用。报告将列出它们，且不作判定。</translation>
     </message>
     <message>
-        <source>The session leaves empty what a laboratory would state: %1. The report leaves it out; it is filled in on the forms of the window.</source>
-        <translation>会话中未填写实验室应说明的内容：%1。报告将略去；可在窗口的表单中填写。</translation>
-    </message>
-    <message>
         <source>What the report holds</source>
         <translation>报告包含的内容</translation>
     </message>
@@ -12790,11 +12999,11 @@ a clause as a sentence</extracomment>
     </message>
     <message>
         <source>Session file and results, &amp;attached to the PDF</source>
-        <translation>会话文件和结果，附于 PDF(&amp;A)</translation>
+        <translation>测量记录文件和结果，附于 PDF(&amp;A)</translation>
     </message>
     <message>
         <source>The window opens the session out of the PDF again. All readings are in it.</source>
-        <translation>窗口可从 PDF 中再次打开该会话。其中包含所有读数。</translation>
+        <translation>窗口可从 PDF 中再次打开该测量记录。其中包含所有读数。</translation>
     </message>
     <message>
         <source>Page</source>
@@ -12835,7 +13044,7 @@ a clause as a sentence</extracomment>
     </message>
     <message>
         <source>Of the sessions of this device: the report tells Δd over time on a page of its own</source>
-        <translation>此设备的会话所在的文件夹：报告用单独一页说明 Δd 随时间的变化</translation>
+        <translation>此设备的测量记录所在的文件夹：报告用单独一页说明 Δd 随时间的变化</translation>
     </message>
     <message>
         <source>W&amp;ithout</source>
@@ -12843,11 +13052,15 @@ a clause as a sentence</extracomment>
     </message>
     <message>
         <source>Sessions of this device</source>
-        <translation>此设备的会话</translation>
+        <translation>此设备的测量记录</translation>
     </message>
     <message>
         <source>Left out</source>
         <translation>不包含</translation>
+    </message>
+    <message>
+        <source>The session leaves empty what a laboratory would state: %1. The report names it as not stated; it is filled in on the forms of the window.</source>
+        <translation>测量记录中实验室应说明而留空的项：%1。报告将其标为未说明；可在窗口的表单中填写。</translation>
     </message>
 </context>
 <context>
@@ -12914,7 +13127,7 @@ a clause as a sentence</extracomment>
     </message>
     <message>
         <source>The folder of the history holds no session of this device: the report goes without.</source>
-        <translation>历史文件夹中没有此设备的会话：报告不含历史。</translation>
+        <translation>历史文件夹中没有此设备的测量记录：报告不含历史。</translation>
     </message>
     <message>
         <source>Export calibration certificate</source>
@@ -13071,11 +13284,11 @@ a clause as a sentence</extracomment>
     </message>
     <message>
         <source>±1σ, stated σ = %1</source>
-        <translation>±1σ，声明的 σ = %1</translation>
+        <translation>±1σ，给定的 σ = %1</translation>
     </message>
     <message>
         <source>±1σ %1, stated σ = %2</source>
-        <translation>±1σ %1，声明的 σ = %2</translation>
+        <translation>±1σ %1，给定的 σ = %2</translation>
     </message>
     <message>
         <source>±3σ</source>
@@ -13173,7 +13386,7 @@ a clause as a sentence</extracomment>
     </message>
     <message>
         <source>Should be: the bars follow the curve; wider, the stated noise is too small; two humps or a long tail show a gap or a misreading.</source>
-        <translation>应当如此：各柱沿着曲线；若更宽，则给定的噪声过小；双峰或长尾表明有差距或误读。</translation>
+        <translation>应为：各柱沿曲线分布；若更宽，则给定噪声过小；双峰或长尾表明有差距或误读。</translation>
     </message>
 </context>
 <context>
@@ -13290,7 +13503,7 @@ a clause as a sentence</extracomment>
     </message>
     <message>
         <source>All sessions (*.alidade) of a folder</source>
-        <translation>文件夹中的所有会话 (*.alidade)</translation>
+        <translation>文件夹中的所有测量记录 (*.alidade)</translation>
     </message>
     <message>
         <source>Add F&amp;iles…</source>
@@ -13298,7 +13511,7 @@ a clause as a sentence</extracomment>
     </message>
     <message>
         <source>Sessions one by one</source>
-        <translation>逐个会话</translation>
+        <translation>逐份测量记录</translation>
     </message>
     <message>
         <source>&amp;Remove</source>
@@ -13306,7 +13519,7 @@ a clause as a sentence</extracomment>
     </message>
     <message>
         <source>Takes the selected sessions out of the series; their files stay</source>
-        <translation>将所选会话移出系列；其文件保留</translation>
+        <translation>将所选测量记录移出系列；其文件保留</translation>
     </message>
     <message>
         <source>Export &amp;JSON…</source>
@@ -13362,15 +13575,15 @@ a clause as a sentence</extracomment>
     </message>
     <message>
         <source>Sessions of the series</source>
-        <translation>系列中的会话</translation>
+        <translation>系列中的测量记录</translation>
     </message>
     <message>
         <source>Double click opens a session in the main window</source>
-        <translation>双击在主窗口中打开会话</translation>
+        <translation>双击在主窗口中打开测量记录</translation>
     </message>
     <message>
         <source>Sessions read</source>
-        <translation>已读取的会话</translation>
+        <translation>已读取的测量记录</translation>
     </message>
     <message>
         <source>&amp;Stop</source>
@@ -13378,7 +13591,7 @@ a clause as a sentence</extracomment>
     </message>
     <message>
         <source>Add a folder of sessions</source>
-        <translation>添加会话文件夹</translation>
+        <translation>添加测量记录文件夹</translation>
     </message>
     <message>
         <source>Add a folder</source>
@@ -13386,23 +13599,23 @@ a clause as a sentence</extracomment>
     </message>
     <message>
         <source>%1 holds no session (*.alidade): choose another folder.</source>
-        <translation>%1 中没有会话 (*.alidade)：请选择其他文件夹。</translation>
+        <translation>%1 中没有测量记录 (*.alidade)：请选择其他文件夹。</translation>
     </message>
     <message>
         <source>Reading and diagnosing sessions…</source>
-        <translation>正在读取和诊断会话…</translation>
+        <translation>正在读取和诊断测量记录…</translation>
     </message>
     <message>
         <source>No sessions yet. Add a folder with the sessions of a device.</source>
-        <translation>尚无会话。请添加一台设备的会话所在的文件夹。</translation>
+        <translation>尚无测量记录。请添加一台设备的测量记录所在的文件夹。</translation>
     </message>
     <message>
         <source>Sessions: %1</source>
-        <translation>会话：%1</translation>
+        <translation>测量记录：%1</translation>
     </message>
     <message>
         <source>Sessions: %1, of them %2 that take no part</source>
-        <translation>会话：%1，其中 %2 次不参与</translation>
+        <translation>测量记录：%1，其中 %2 份不参与</translation>
     </message>
     <message>
         <source>Export history</source>
@@ -13422,11 +13635,11 @@ a clause as a sentence</extracomment>
     </message>
     <message>
         <source>Looking for what the sessions share…</source>
-        <translation>正在查找各会话的共同之处…</translation>
+        <translation>正在查找各测量记录的共同之处…</translation>
     </message>
     <message>
         <source>Keep as an effect</source>
-        <translation>存为影响因素</translation>
+        <translation>存为效应</translation>
     </message>
 </context>
 <context>
@@ -13444,7 +13657,7 @@ a clause as a sentence</extracomment>
     </message>
     <message>
         <source>Check by simulation</source>
-        <translation>模拟检验</translation>
+        <translation>蒙特卡洛检验</translation>
     </message>
     <message>
         <source>as many as it takes</source>
@@ -13464,7 +13677,7 @@ a clause as a sentence</extracomment>
     </message>
     <message>
         <source>Stopped, for the session has changed.</source>
-        <translation>会话已更改，因此停止。</translation>
+        <translation>测量记录已更改，因此停止。</translation>
     </message>
     <message>
         <source>Stopped.</source>
@@ -13527,11 +13740,11 @@ a clause as a sentence</extracomment>
     </message>
     <message>
         <source>New session</source>
-        <translation>新建会话</translation>
+        <translation>新建测量记录</translation>
     </message>
     <message>
         <source>Open a session or report…</source>
-        <translation>打开会话或报告…</translation>
+        <translation>打开测量记录或报告…</translation>
     </message>
     <message>
         <source>Import readings…</source>
@@ -13543,7 +13756,7 @@ a clause as a sentence</extracomment>
     </message>
     <message>
         <source>Typing begins a session, Esc leads back to it, F1 is help.</source>
-        <translation>直接输入即开始会话，Esc 返回会话，F1 为帮助。</translation>
+        <translation>直接输入即开始新的测量记录，Esc 返回该记录，F1 为帮助。</translation>
     </message>
     <message>
         <source>not found</source>
@@ -13639,7 +13852,7 @@ a clause as a sentence</extracomment>
     </message>
     <message>
         <source>Plan</source>
-        <translation>方案</translation>
+        <translation>读数计划</translation>
     </message>
     <message>
         <source>Plan of readings</source>
@@ -13754,7 +13967,7 @@ a clause as a sentence</extracomment>
     </message>
     <message>
         <source>α1 − (α2 ± 180°): twice collimation and trunnion tilt, c/cos e + i·tan e</source>
-        <translation>α1 − (α2 ± 180°)：视准误差和横轴倾斜的两倍，c/cos e + i·tan e</translation>
+        <translation>α1 − (α2 ± 180°)：照准差与横轴误差影响的两倍，c/cos e + i·tan e</translation>
     </message>
     <message>
         <source>Off its course ″</source>
@@ -13762,7 +13975,7 @@ a clause as a sentence</extracomment>
     </message>
     <message>
         <source>2c as read minus that of the fitted collimation and trunnion tilt</source>
-        <translation>所读的 2c 减去拟合的视准误差和横轴倾斜所得的 2c</translation>
+        <translation>所读的 2c 减去由拟合的照准差和横轴误差算得的 2c</translation>
     </message>
     <message>
         <source>Index ″</source>
@@ -13889,7 +14102,7 @@ a clause as a sentence</extracomment>
     </message>
     <message>
         <source>&amp;Budget (CSV)…</source>
-        <translation>预算 (CSV)(&amp;B)…</translation>
+        <translation>不确定度预算 (CSV)(&amp;B)…</translation>
     </message>
     <message>
         <source>No files yet</source>
@@ -14053,7 +14266,7 @@ a clause as a sentence</extracomment>
     </message>
     <message>
         <source>A column that the session uses is always shown</source>
-        <translation>会话使用的列始终显示</translation>
+        <translation>测量记录使用的列始终显示</translation>
     </message>
     <message>
         <source>A&amp;ngles in</source>
@@ -14152,10 +14365,6 @@ a clause as a sentence</extracomment>
         <translation>系列(&amp;S)…</translation>
     </message>
     <message>
-        <source>Instrument</source>
-        <translation>仪器</translation>
-    </message>
-    <message>
         <source>&amp;Connect…</source>
         <translation>连接(&amp;C)…</translation>
     </message>
@@ -14181,7 +14390,7 @@ a clause as a sentence</extracomment>
     </message>
     <message>
         <source>New &amp;from This Session</source>
-        <translation>以本会话新建(&amp;F)</translation>
+        <translation>以本测量记录新建(&amp;F)</translation>
     </message>
     <message>
         <source>Ctrl+Shift+N</source>
@@ -14202,6 +14411,18 @@ a clause as a sentence</extracomment>
     <message>
         <source>S&amp;maller Font</source>
         <translation>缩小字体(&amp;M)</translation>
+    </message>
+    <message>
+        <source>State W&amp;hy It Was Changed</source>
+        <translation>说明更改的原因(&amp;H)</translation>
+    </message>
+    <message>
+        <source>Ctrl+R</source>
+        <translation>Ctrl+R</translation>
+    </message>
+    <message>
+        <source>Instr&amp;ument</source>
+        <translation>仪器(&amp;U)</translation>
     </message>
 </context>
 <context>

@@ -58,8 +58,8 @@ TEST(Plan, SaysItInWordsToo) {
   EXPECT_EQ(run.exitCode, 0) << run.err;
   EXPECT_THAT(run.out, HasSubstr("vertical drift"));
   EXPECT_THAT(run.out, HasSubstr("unseen"));
-  EXPECT_THAT(run.out, HasSubstr("the way back (read anew): shows"));
-  EXPECT_THAT(run.out, HasSubstr("\nSessions like this one come to U = "));
+  EXPECT_THAT(run.out, HasSubstr("a return run (in a new session): shows"));
+  EXPECT_THAT(run.out, HasSubstr("\nTypical U for this plan: "));
 }
 
 // A plan without noise leaves some thousand degrees of freedom and a misfit below one arcsecond.

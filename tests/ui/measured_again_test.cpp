@@ -13,6 +13,7 @@
 #include "core/simulation/simulate.h"
 #include "tests/ui/shown_texts.h"
 #include "tests/ui/support.h"
+#include "ui/commands/change_field.h"
 #include "ui/main_window.h"
 #include "ui/panels/parts/data_table.h"
 #include "ui/panels/readings/position_tabs.h"
@@ -176,8 +177,11 @@ TEST(MeasuredAgain, FitsTheWidthOfTheResult) {
   open->document().startWith(*simulate(*protocolByName("full-again"), drawTruth(5), 5));
   open.settle();
   measureAgain(open, 180);
+  const std::size_t last = open->document().session().positions.size() - 1;
+  changeField(open->document(), {.position = last, .field = "pointing_zero.horizontal"}, "90");
+  open.settle();
   const auto* page = open->findChild<ResultPanel*>();
-  ASSERT_THAT(textsOf(*page), HasSubstr("No verdict: 2 entries could not be used"));
+  ASSERT_THAT(textsOf(*page), HasSubstr("No verdict: 1 entry could not be used"));
   EXPECT_LE(page->widget()->minimumSizeHint().width(), page->viewport()->width());
 }
 

@@ -23,11 +23,16 @@ bool ScriptedDialogs::printsTo(QPrinter& printer, const QString& path) {
   return true;
 }
 
-PreviewAnswer ScriptedDialogs::showPreview(QPrinter& printer, const std::function<void(QPrinter&)>& paint) {
-  const int preview = previews++;
-  if (printsTo(printer, previewPaths.value(preview))) paint(printer);
-  const auto index = static_cast<std::size_t>(preview);
-  return index < previewAnswers.size() ? previewAnswers[index] : PreviewAnswer::Close;
+PreviewAnswer ScriptedDialogs::showPreview(QPrinter& printer, const std::function<void(QPrinter&)>& paint,
+                                           const PreviewChange& change) {
+  while (true) {
+    const int preview = previews++;
+    if (printsTo(printer, previewPaths.value(preview))) paint(printer);
+    const auto index = static_cast<std::size_t>(preview);
+    const PreviewAnswer answer = index < previewAnswers.size() ? previewAnswers[index] : PreviewAnswer::Close;
+    if (answer != PreviewAnswer::Contents && answer != PreviewAnswer::Page) return answer;
+    change(answer);
+  }
 }
 
 OpenWindow::OpenWindow() {

@@ -116,7 +116,8 @@ class ScriptedDialogs : public Dialogs {
     return paper.has_value();
   }
   bool askPrinter(QPrinter& printer) override { return printsTo(printer, printPath); }
-  PreviewAnswer showPreview(QPrinter& printer, const std::function<void(QPrinter&)>& paint) override;
+  PreviewAnswer showPreview(QPrinter& printer, const std::function<void(QPrinter&)>& paint,
+                            const PreviewChange& change) override;
   QString askSeal(const QString& suggestion) override {
     sealSuggested = suggestion;
     return sealedBy;

@@ -20,7 +20,7 @@ QString undoText(const Place& place) {
 
 /// A day in the session's form, a number without its unit.
 std::string completed(std::string_view field, const std::string& typed) {
-  if (field == "measured_on" || field.ends_with(".date")) return completedDay(typed);
+  if (isDay(field)) return completedDay(typed);
   const SessionField* own = sessionFieldNamed(field);
   return own ? withoutUnit(*own, typed) : typed;
 }

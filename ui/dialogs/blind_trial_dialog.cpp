@@ -12,7 +12,9 @@
 #include <initializer_list>
 
 #include "core/simulation/protocol.h"
+#include "core/simulation/protocol_template.h"
 #include "core/statement/gap.h"
+#include "core/wording/protocol_words.h"
 #include "ui/dialogs/trial_list.h"
 #include "ui/panels/gap/gap_headline.h"
 #include "ui/panels/parts/figure_grid.h"
@@ -57,8 +59,7 @@ QWidget* BlindTrialDialog::createChoices() {
   m_plan = new QComboBox;
   m_plan->addItem(tr("any plan"), QString());
   for (const Protocol& protocol : namedProtocols()) {
-    m_plan->addItem(qText(protocol.name), qText(protocol.name));
-    m_plan->setItemData(m_plan->count() - 1, qText(protocol.description), Qt::ToolTipRole);
+    m_plan->addItem(qText(protocolInWords(templateOf(protocol))), qText(protocol.name));
   }
   m_kind = new QComboBox;
   m_kind->addItem(tr("anything, or nothing"), QString());

@@ -6,6 +6,7 @@
 #include <QListWidget>
 #include <QMenu>
 #include <QMenuBar>
+#include <QRegularExpression>
 #include <QVBoxLayout>
 #include <algorithm>
 
@@ -16,7 +17,8 @@ namespace {
 /// The text without its Alt mnemonic and without the shortcut after a tab.
 QString plainText(const QString& menuText) {
   QString plain;
-  const QString text = menuText.section(u'\t', 0, 0);
+  static const QRegularExpression inBrackets(QStringLiteral("\\(&.\\)"));  // as Chinese menus have it
+  const QString text = menuText.section(u'\t', 0, 0).remove(inBrackets);
   for (qsizetype i = 0; i < text.size(); ++i) {
     if (text[i] == u'&' && i + 1 < text.size()) ++i;
     plain += text[i];

@@ -2,14 +2,17 @@
 
 #include <QApplication>
 #include <QCoreApplication>
+#include <QDialogButtonBox>
 #include <QFileDialog>
 #include <QFontDialog>
-#include <QInputDialog>
+#include <QLabel>
+#include <QLineEdit>
 #include <QMessageBox>
 #include <QPrintDialog>
 #include <QPrinter>
 #include <QPushButton>
 #include <QRegularExpression>
+#include <QVBoxLayout>
 
 #include "ui/dialogs/own_effect_dialog.h"
 #include "ui/dialogs/paper_form.h"
@@ -61,6 +64,9 @@ Dialogs::SaveAnswer Dialogs::askSaveChanges(const QString& name) {
                   DialogsText::tr("“%1” has unsaved changes.").arg(shortLine(name, longestName)),
                   QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, m_parent);
   box.setInformativeText(DialogsText::tr("Discarded changes cannot be brought back."));
+  box.button(QMessageBox::Save)->setText(DialogsText::tr("&Save"));
+  box.button(QMessageBox::Discard)->setText(DialogsText::tr("&Discard"));
+  box.button(QMessageBox::Cancel)->setText(DialogsText::tr("&Cancel"));
   box.setDefaultButton(QMessageBox::Save);
   makeSafeButton(*qobject_cast<QPushButton*>(box.button(QMessageBox::Save)));
   switch (box.exec()) {
@@ -195,19 +201,33 @@ bool Dialogs::askPrinter(QPrinter& printer) {
   return dialog.exec() == QDialog::Accepted;
 }
 
-PreviewAnswer Dialogs::showPreview(QPrinter& printer, const std::function<void(QPrinter&)>& paint) {
-  return PrintPreview(printer, paint, m_parent).ask();
+PreviewAnswer Dialogs::showPreview(QPrinter& printer, const std::function<void(QPrinter&)>& paint,
+                                   const PreviewChange& change) {
+  return PrintPreview(printer, paint, change, m_parent).ask();
 }
 
 QString Dialogs::askSeal(const QString& suggestion) {
-  QInputDialog dialog(m_parent);
+  QDialog dialog(m_parent);
   dialog.setWindowTitle(DialogsText::tr("Seal"));
-  dialog.setLabelText(
+  QLabel* says = createPlainLabel(
       DialogsText::tr("The journal will hold who seals this session and a digest of all that it says.\n"
                       "It can be edited afterwards, as a revision, and every edit is told.\n\n"
                       "Sealed by:"));
-  dialog.setTextValue(suggestion);
-  return dialog.exec() == QDialog::Accepted ? dialog.textValue().trimmed() : QString();
+  auto* by = new QLineEdit(suggestion);
+  by->setPlaceholderText(DialogsText::tr("name"));
+  says->setBuddy(by);
+  auto* buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel);
+  const auto enable = [by, ok = buttons->button(QDialogButtonBox::Ok)] {
+    ok->setEnabled(!by->text().trimmed().isEmpty());
+  };
+  QObject::connect(by, &QLineEdit::textChanged, &dialog, enable);
+  QObject::connect(buttons, &QDialogButtonBox::accepted, &dialog, &QDialog::accept);
+  QObject::connect(buttons, &QDialogButtonBox::rejected, &dialog, &QDialog::reject);
+  enable();
+  auto* layout = new QVBoxLayout(&dialog);
+  for (QWidget* part : std::initializer_list<QWidget*>{says, by, buttons}) layout->addWidget(part);
+  by->setFocus();
+  return dialog.exec() == QDialog::Accepted ? by->text().trimmed() : QString();
 }
 
 bool Dialogs::askOpenElsewhere(const QString& name, const QString& holder) {

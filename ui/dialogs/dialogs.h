@@ -70,7 +70,8 @@ class Dialogs {
   virtual bool askPaper(ReportPaper& paper);
   virtual bool askPrinter(QPrinter& printer);
   /// Shows what `paint` paints; returns what the user wants next.
-  virtual PreviewAnswer showPreview(QPrinter& printer, const std::function<void(QPrinter&)>& paint);
+  virtual PreviewAnswer showPreview(QPrinter& printer, const std::function<void(QPrinter&)>& paint,
+                                    const PreviewChange& change);
   /// Asks who seals the session; empty: cancelled.
   virtual QString askSeal(const QString& suggestion);
   /// Asks whether to open or write a file that another window has open. `holder` names that window.

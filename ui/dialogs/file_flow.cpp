@@ -60,7 +60,9 @@ bool FileFlow::startNew() {
 }
 
 bool FileFlow::startNext() {
-  return startWith(nextSession(m_document.session()));
+  Session next = nextSession(m_document.session());
+  next.measuredOn = QDate::currentDate().toString(Qt::ISODate).toStdString();
+  return startWith(next);
 }
 
 bool FileFlow::startWith(const Session& session) {

@@ -7,11 +7,13 @@
 #include <QFormLayout>
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QMenu>
 #include <QPushButton>
 #include <QTabWidget>
 #include <QVBoxLayout>
 
 #include "core/session/sighting_protocol.h"
+#include "core/wording/protocol_words.h"
 #include "ui/commands/change_protocol.h"
 #include "ui/dialogs/dialogs.h"
 #include "ui/dialogs/logo_form.h"
@@ -22,9 +24,11 @@
 #include "ui/forms/field_form.h"
 #include "ui/language/languages.h"
 #include "ui/panels/parts/dialog_parts.h"
+#include "ui/panels/parts/protocol_menu.h"
 #include "ui/report/report_choice.h"
 #include "ui/settings/entry_tone.h"
 #include "ui/settings/theme.h"
+#include "ui/text/entry_text.h"
 #include "ui/text/quantity_text.h"
 #include "ui/text/visible_text.h"
 
@@ -32,9 +36,16 @@ namespace alidade::ui {
 
 namespace {
 
-constexpr std::string_view fieldsOfNewSessions[] = {
-    "report.laboratory", "instrument.sigma_horizontal_arcsec", "instrument.sigma_vertical_arcsec",
-    "instrument.sigma_zero_arcsec", "instrument.sigma_slider_arcsec"};
+constexpr std::string_view fieldsOfNewSessions[] = {"report.laboratory",
+                                                    "report.customer",
+                                                    "operator",
+                                                    "report.authorised_by",
+                                                    "instrument.name",
+                                                    "instrument.serial",
+                                                    "instrument.sigma_horizontal_arcsec",
+                                                    "instrument.sigma_vertical_arcsec",
+                                                    "instrument.sigma_zero_arcsec",
+                                                    "instrument.sigma_slider_arcsec"};
 
 QPushButton* button(const QString& text, const char* name) {
   auto* button = new QPushButton(text);
@@ -131,6 +142,11 @@ QWidget* PreferencesDialog::createSessionPage() {
 QWidget* PreferencesDialog::createProtocolRow() {
   m_protocolName = createPlainLabel({});
   m_protocolName->setObjectName(QStringLiteral("protocol name"));
+  auto* choose = button(tr("C&hoose"), "choose protocol");
+  auto* menu = new QMenu(choose);
+  addNamedProtocols(*menu,
+                    [this](const SightingProtocol& protocol) { followProtocol(m_template, protocol); });
+  choose->setMenu(menu);
   auto* load = button(tr("&Load…"), "load protocol");
   auto* none = button(tr("&None"), "no protocol");
   m_noProtocol = none;
@@ -139,7 +155,7 @@ QWidget* PreferencesDialog::createProtocolRow() {
   connect(none, &QPushButton::clicked, this, [this] { followProtocol(m_template, {}); });
   connect(&m_template, &SessionDocument::changed, this, &PreferencesDialog::showProtocol);
   showProtocol();
-  return rowOf(m_protocolName, {load, none});
+  return rowOf(m_protocolName, {choose, load, none});
 }
 
 void PreferencesDialog::showProtocol() {
@@ -147,7 +163,7 @@ void PreferencesDialog::showProtocol() {
   const bool isThere = protocol && *protocol;
   m_noProtocol->setEnabled(isThere);
   m_protocolName->setText(isThere ? tr("Protocol: %1, %2 sightings")
-                                        .arg(shortLine(QString::fromStdString((*protocol)->name), 40))
+                                        .arg(qText(protocolInWords(**protocol)))
                                         .arg(sightingCount(**protocol))
                                   : tr("Protocol: none"));
 }

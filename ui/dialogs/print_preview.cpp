@@ -7,11 +7,16 @@
 #include <QToolBar>
 #include <QVBoxLayout>
 #include <algorithm>
+#include <utility>
 
 namespace alidade::ui {
 
-PrintPreview::PrintPreview(QPrinter& printer, const std::function<void(QPrinter&)>& paint, QWidget* parent)
-    : QDialog(parent), m_view(new QPrintPreviewWidget(&printer)), m_page(new QLabel) {
+PrintPreview::PrintPreview(QPrinter& printer, const std::function<void(QPrinter&)>& paint,
+                           PreviewChange change, QWidget* parent)
+    : QDialog(parent),
+      m_change(std::move(change)),
+      m_view(new QPrintPreviewWidget(&printer)),
+      m_page(new QLabel) {
   setWindowTitle(tr("Print preview"));
   setWindowFlag(Qt::WindowMaximizeButtonHint);
   resize(900, 720);
@@ -43,8 +48,14 @@ void PrintPreview::addActions(QToolBar& bar) {
   add(tr("Print…"), QKeySequence::Print, leave(PreviewAnswer::Print));
   add(tr("Export…"), QKeySequence(tr("Ctrl+E")), leave(PreviewAnswer::Export));
   bar.addSeparator();
-  add(tr("Contents…"), {}, leave(PreviewAnswer::Contents));
-  add(tr("Page Setup…"), {}, leave(PreviewAnswer::Page));
+  const auto stay = [this](PreviewAnswer what) {
+    return [this, what] {
+      m_change(what);
+      m_view->updatePreview();
+    };
+  };
+  add(tr("Contents…"), {}, stay(PreviewAnswer::Contents));
+  add(tr("Page Setup…"), {}, stay(PreviewAnswer::Page));
   bar.addSeparator();
   add(tr("Back"), QKeySequence(Qt::Key_PageUp), [this] { turn(-1); });
   bar.addWidget(m_page);

@@ -10,15 +10,19 @@ class QToolBar;
 
 namespace alidade::ui {
 
-/// The choice of the user after the preview.
+/// The choice of the user in the preview: `Contents` and `Page` change it, the others end it.
 enum class PreviewAnswer { Close, Print, Export, Contents, Page };
 
-/// The pages of a report as they are printed.
+/// Asks for what changes in the preview.
+using PreviewChange = std::function<void(PreviewAnswer)>;
+
+/// The pages of a report as they are printed. It stays open while its contents or page set-up are chosen.
 class PrintPreview : public QDialog {
   Q_OBJECT
 
  public:
-  PrintPreview(QPrinter& printer, const std::function<void(QPrinter&)>& paint, QWidget* parent = nullptr);
+  PrintPreview(QPrinter& printer, const std::function<void(QPrinter&)>& paint, PreviewChange change,
+               QWidget* parent = nullptr);
 
   PreviewAnswer ask();
 
@@ -30,6 +34,7 @@ class PrintPreview : public QDialog {
   void turn(int pages);
   void tellPage();
 
+  PreviewChange m_change;
   QPrintPreviewWidget* m_view;
   QLabel* m_page;
   PreviewAnswer m_answer = PreviewAnswer::Close;

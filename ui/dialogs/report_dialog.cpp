@@ -83,7 +83,7 @@ QWidget* ReportDialog::createLacks() {
     //: between the names of a list
     const QString fields = m_question.emptyFields.join(tr(", "));
     layout->addWidget(warning(tr("The session leaves empty what a laboratory would state: %1. The report "
-                                 "leaves it out; it is filled in on the forms of the window.")
+                                 "names it as not stated; it is filled in on the forms of the window.")
                                   .arg(fields)));
   }
   return lacks;

@@ -250,33 +250,41 @@ bool ReportFlow::printOf(const SharedGap& gap) {
 bool ReportFlow::previewOf(const SharedGap& gap, const QString& suggestion) {
   ReportChoice choice = rememberedReportChoice();
   const ReportSource source = reportSource(m_document);
-  while (true) {
+  QPrinter printer(QPrinter::HighResolution);
+  SharedGap shown;
+  std::optional<ReportOptions> options;
+  const auto prepare = [&] {
     const SharedGap translated = inLanguage(choice.language, gap);
     if (!translated) return false;
-    auto options = optionsFor(translated, choice);
+    shown = translated;
+    options = optionsFor(shown, choice);
     if (!options) {
       choice.logoPath.clear();
-      options = optionsFor(translated, choice);
+      options = optionsFor(shown, choice);
     }
-    QPrinter printer(QPrinter::HighResolution);
-    setPaper(printer, choice.paper, reportTitle(*translated->evaluation, source));
-    const PreviewAnswer answer = m_dialogs.showPreview(
-        printer, [&](QPrinter& on) { paintAcceptanceReport(on, *translated->evaluation, source, *options); });
-    switch (answer) {
-      case PreviewAnswer::Close:
-        return true;
-      case PreviewAnswer::Print:
-        return printOf(gap);
-      case PreviewAnswer::Export:
-        return exportOf(gap, suggestion);
-      case PreviewAnswer::Contents:
-        choice = ask(*gap, ReportQuestion::Way::Preview).value_or(choice);
-        break;
-      case PreviewAnswer::Page:
-        if (m_dialogs.askPaper(choice.paper)) rememberReportChoice(choice);
-        break;
-    }
+    setPaper(printer, choice.paper, reportTitle(*shown->evaluation, source));
+    return true;
+  };
+  if (!prepare()) return false;
+  const auto change = [&](PreviewAnswer what) {
+    if (what == PreviewAnswer::Contents)
+      choice = ask(*gap, ReportQuestion::Way::Preview).value_or(choice);
+    else if (m_dialogs.askPaper(choice.paper))
+      rememberReportChoice(choice);
+    prepare();
+  };
+  const auto paint = [&](QPrinter& on) { paintAcceptanceReport(on, *shown->evaluation, source, *options); };
+  switch (m_dialogs.showPreview(printer, paint, change)) {
+    case PreviewAnswer::Print:
+      return printOf(gap);
+    case PreviewAnswer::Export:
+      return exportOf(gap, suggestion);
+    case PreviewAnswer::Close:
+    case PreviewAnswer::Contents:
+    case PreviewAnswer::Page:
+      break;
   }
+  return true;
 }
 
 SharedGap ReportFlow::inLanguage(const QString& language, const SharedGap& gap) {

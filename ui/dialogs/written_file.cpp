@@ -2,6 +2,7 @@
 
 #include <QDir>
 #include <QFileInfo>
+#include <QRegularExpression>
 
 #include "core/base/atomic_file.h"
 #include "ui/dialogs/dialogs.h"
@@ -30,7 +31,8 @@ QString folderOf(const SessionDocument& document) {
 std::optional<QString> writeBeside(const SessionDocument& document, Dialogs& dialogs, const QString& title,
                                    const QString& name, const QString& suffix, const std::string& bytes) {
   QString fileName = name.simplified();
-  fileName.replace(QLatin1Char('/'), QLatin1Char('-'));
+  static const QRegularExpression refused(QStringLiteral("[/\\\\:*?\"<>|]"));  // by some file system
+  fileName.replace(refused, QStringLiteral("-"));
   return writeWhereAsked(dialogs, title, QDir(folderOf(document)).filePath(fileName + u'.' + suffix), suffix,
                          bytes);
 }

@@ -19,7 +19,9 @@ QString SessionDocument::displayName() const {
 void SessionDocument::push(QUndoCommand* command) {
   m_files.dropFrom(m_undoStack.index());
   m_journal.dropFrom(m_undoStack.index());
+  const std::size_t before = m_session.journal.size();
   m_undoStack.push(command);
+  if (!m_journalBefore) tellRecorded(before);
 }
 
 void SessionDocument::pushAnother(QUndoCommand* command) {
@@ -33,6 +35,16 @@ void SessionDocument::beginTogether(const QString& undoText) {
   m_files.dropFrom(m_undoStack.index());
   m_journal.dropFrom(m_undoStack.index());
   m_undoStack.beginMacro(undoText);
+  m_journalBefore = m_session.journal.size();
+}
+
+void SessionDocument::endTogether() {
+  m_undoStack.endMacro();
+  if (m_journalBefore) tellRecorded(*std::exchange(m_journalBefore, std::nullopt));
+}
+
+void SessionDocument::tellRecorded(std::size_t first) {
+  if (m_session.journal.size() > first) emit recorded(first);
 }
 
 void SessionDocument::startNew() {

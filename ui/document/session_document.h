@@ -66,7 +66,7 @@ class SessionDocument : public QObject {
   JournalKeeper& journal(EditKey /*key*/) { return m_journal; }
   /// Edits pushed until `endTogether` form one undo step.
   void beginTogether(const QString& undoText);
-  void endTogether() { m_undoStack.endMacro(); }
+  void endTogether();
 
   void startNew();
   /// Starts with an unsaved session.
@@ -89,8 +89,11 @@ class SessionDocument : public QObject {
   void changed(const alidade::ui::SessionChange& change);
   void identityChanged();  ///< path or modified state
   void chosenSightingChanged();
+  /// An edit, not its undo or redo, added the journal entries from the index `first` on.
+  void recorded(std::size_t first);
 
  private:
+  void tellRecorded(std::size_t first);
   void replaceAll(Session session, const QString& path, bool isNew);
 
   Session m_session;
@@ -99,6 +102,7 @@ class SessionDocument : public QObject {
   JournalKeeper m_journal{m_session};
   SessionFiles m_files;
   QStringList m_readPaths;
+  std::optional<std::size_t> m_journalBefore;  ///< its length before the edits that are made together
   std::optional<std::size_t> m_chosenSighting;
   QHash<QString, QByteArray> m_knownSha256;  ///< by path
 };

@@ -9,6 +9,7 @@
 #include "core/evaluation/guide.h"
 #include "core/session/entry.h"
 #include "core/statement/sighting_choice.h"
+#include "ui/panels/parts/tolerance_bar.h"
 #include "ui/text/entry_text.h"
 #include "ui/text/next_reading_text.h"
 #include "ui/text/position_text.h"
@@ -50,7 +51,8 @@ BenchDisplay::BenchDisplay(QWidget* parent)
       m_last(new QLabel),
       m_result(new QLabel),
       m_verdict(new QLabel),
-      m_below(new QLabel) {
+      m_below(new QLabel),
+      m_bar(new ToleranceBar) {
   setWindowTitle(tr("Large Display"));
   setAttribute(Qt::WA_ShowWithoutActivating);
   auto* layout = new QVBoxLayout(this);
@@ -59,6 +61,7 @@ BenchDisplay::BenchDisplay(QWidget* parent)
     label->setAlignment(Qt::AlignCenter);
     label->setTextInteractionFlags(Qt::NoTextInteraction);
     layout->addWidget(label, label == m_angles ? 2 : 1);
+    if (label == m_verdict) layout->addWidget(m_bar);
   }
   m_place->setAccessibleName(tr("Next place"));
   m_angles->setAccessibleName(tr("Expected reading"));
@@ -98,12 +101,13 @@ void BenchDisplay::refresh() {
   if (isHidden() || !m_evaluation) return;
   const Session& session = m_evaluation->session;
   const CircleUnit unit = circleUnitOf(session);
-  const auto next = entryToCome(*m_evaluation, m_position);
+  const auto next = entryToLeadTo(*m_evaluation, m_position);
   m_place->setText(next ? entryText(session, *next) : tr("All is read that was to be"));
   const auto expected = next ? expectedOf(*m_evaluation, *next) : std::nullopt;
   m_angles->setText(expected ? tr("%1   %2").arg(coarseAngleText(expected->horizontal, unit),
                                                  coarseAngleText(expected->vertical, unit))
-                             : notStated());
+                             : QString());
+  m_angles->setVisible(expected.has_value());
   const Guide* guide = m_evaluation->guide.get();
   const bool isDone = m_doubt.isEmpty() && guide && guide->choice && isEnough(guide->choice->soFar);
   m_last->setText(isDone ? qText(enoughSentence(guide->choice->soFar)) : m_doubt);
@@ -118,9 +122,11 @@ void BenchDisplay::showHeadline() {
                                                 : palette().color(QPalette::WindowText));
   m_verdict->setText(qText(m_headline.verdictAndTolerance()));
   setColour(*m_verdict, stateColor(palette(), stateOf(m_headline)));
-  const auto warning = std::ranges::find(m_headline.lines, true, &Headline::Line::isWarning);
-  const bool isWarned = warning != m_headline.lines.end();
-  m_below->setText(qText(isWarned ? warning->text : m_headline.fitOnly));
+  m_bar->setScale(m_headline.scale, m_headline.isProvisional);
+  QStringList lines;
+  for (const Headline::Line& line : m_headline.lines) lines.append(unbroken(qText(line.text)));
+  m_below->setText(lines.join(u'\n'));
+  const bool isWarned = std::ranges::any_of(m_headline.lines, &Headline::Line::isWarning);
   setColour(*m_below, stateColor(palette(), isWarned ? State::Open : State::Quiet));
 }
 

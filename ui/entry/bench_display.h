@@ -9,9 +9,11 @@ class QLabel;
 
 namespace alidade::ui {
 
+class ToleranceBar;
+
 /// A display for the tripod, in letters as large as the window allows: the next place with its expected
-/// angles, the last entry with any doubt, and the headline with its first warning in small type below. Never
-/// takes the keyboard: typing goes to the main window.
+/// angles, the last entry with any doubt, and the headline with what to read with it in small type below.
+/// Never takes the keyboard: typing goes to the main window.
 class BenchDisplay : public QWidget {
   Q_OBJECT
 
@@ -40,6 +42,7 @@ class BenchDisplay : public QWidget {
   QString m_doubt;
   Headline m_headline;
   QLabel *m_place, *m_angles, *m_last, *m_result, *m_verdict, *m_below;
+  ToleranceBar* m_bar;
 };
 
 }  // namespace alidade::ui

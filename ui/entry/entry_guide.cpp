@@ -17,16 +17,6 @@
 
 namespace alidade::ui {
 
-namespace {
-
-/// True if a protocol determines the next sighting, and with it when a position is complete.
-bool isLed(const Session& session) {
-  const auto protocol = protocolOf(session);
-  return protocol && protocol->has_value();
-}
-
-}  // namespace
-
 EntryGuide::EntryGuide(SessionDocument& document, PositionTabs& positions, QWidget& window)
     : QObject(&window), m_document(document), m_positions(positions), m_window(window) {
   connect(new StrayDigits(window), &StrayDigits::typed, this,
@@ -52,30 +42,11 @@ void EntryGuide::goToAxis(int axisDeg) {
 }
 
 void EntryGuide::goToNextEntry() {
-  for (const char* field : {"geometry.distance_mm", "geometry.radius_mm"})
-    if (const Place place{.field = field}; fieldText(m_document.session(), place).empty())
-      return emit revealWanted(place);
+  const auto here = static_cast<std::size_t>(std::max(0, m_positions.currentIndex()));
+  const auto next = entryToLeadTo(m_document.session(), here, m_document.chosenSighting());
+  if (next && !next->field.empty()) return emit revealWanted({.field = next->field});
   if (!m_positions.currentTable()) return;
-  const auto here = static_cast<std::size_t>(m_positions.currentIndex());
-  const auto next = entryToComeOf(m_document.session(), here, m_document.chosenSighting());
-  if (!next) return goToNextEntryOf(here);
-  const auto missing = isLed(m_document.session()) ? std::nullopt : zeroBefore(*next);
-  missing ? goToNextEntryOf(*missing) : goTo(*next);
-}
-
-/// The missing pointing zero of another position, if only a further row would follow in an arc with enough
-/// rows. A zero typed into a row would count as a reading.
-std::optional<std::size_t> EntryGuide::zeroBefore(const EntryToCome& next) const {
-  constexpr std::size_t leastRows = 3;
-  const auto& positions = m_document.session().positions;
-  const std::size_t rows = positions[next.position].readings.size();
-  if (!next.zero.empty() || next.row < rows || rows < leastRows) return std::nullopt;
-  for (std::size_t i = 1; i < positions.size(); ++i) {
-    const std::size_t position = (next.position + i) % positions.size();
-    const PointingZero& zero = positions[position].zero;
-    if (zero.horizontal.empty() || zero.vertical.empty()) return position;
-  }
-  return std::nullopt;
+  next ? goTo(*next) : goToNextEntryOf(here);
 }
 
 void EntryGuide::goTo(const EntryToCome& next) {
@@ -175,6 +146,10 @@ void EntryGuide::setLargeDisplayShown(bool shown) {
   }
   if (m_bench) m_bench->setVisible(shown);
   showNext();
+}
+
+void EntryGuide::toggleLargeDisplay() {
+  setLargeDisplayShown(!m_bench || !m_bench->isVisible());
 }
 
 }  // namespace alidade::ui

@@ -31,6 +31,7 @@ class EntryGuide : public QObject {
   /// Leads to the next missing entry: a missing length, then `entryToCome`.
   void goToNextEntry();
   void setLargeDisplayShown(bool shown);
+  void toggleLargeDisplay();
   void setEvaluation(const SharedEvaluation& evaluation);
   void setHeadline(const Headline& headline);
 
@@ -43,7 +44,6 @@ class EntryGuide : public QObject {
 
  private:
   void goToNextEntryOf(std::size_t position);
-  std::optional<std::size_t> zeroBefore(const EntryToCome& next) const;
   void goTo(const EntryToCome& next);
   void goToMissingOf(std::size_t position, const std::string& zero);
   void goOn();

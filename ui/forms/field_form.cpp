@@ -4,7 +4,9 @@
 #include <QGridLayout>
 #include <QLabel>
 
+#include "core/session/day_text.h"
 #include "core/session/session_fields.h"
+#include "ui/forms/calendar_button.h"
 #include "ui/forms/field_choice.h"
 #include "ui/forms/field_edit.h"
 #include "ui/settings/window_font.h"
@@ -56,6 +58,7 @@ QWidget* FieldForm::addEntry(SessionDocument& document, const SessionField& fiel
     auto* line = new FieldEdit(document, place);
     line->setPlaceholderText(shown(field.whenEmpty));
     line->setHint(shown(field.help));
+    if (isDay(field.key)) addCalendarButton(*line);
     entry = line;
   } else {
     QVector<Choice> choices;

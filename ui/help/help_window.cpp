@@ -110,8 +110,8 @@ void HelpWindow::showTopic(const QString& topic) {
 }
 
 /// Marks the open page in the contents.
-void HelpWindow::followPage() {
-  const QString file = m_browser->source().path();
+void HelpWindow::followPage(const QUrl& page) {
+  const QString file = page.path();
   const std::vector<HelpPage>& pages = allHelpPages();
   const QSignalBlocker quiet(m_contents);
   for (std::size_t i = 0; i < pages.size(); ++i)

@@ -25,7 +25,7 @@ class HelpWindow : public QWidget {
  private:
   QWidget* createBar();
   void find(bool backward);
-  void followPage();
+  void followPage(const QUrl& page);
   void style();
 
   QListWidget* m_contents;

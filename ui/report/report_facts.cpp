@@ -86,6 +86,8 @@ std::vector<LabelledText> objectFacts(const Session& session, const QDateTime& d
   return {{Report::tr("Laboratory"), given(session.report.laboratory)},
           {Report::tr("Customer"), given(session.report.customer)},
           {Report::tr("Device"), nameAndSerial(session.device.name, session.device.serial)},
+          {Report::tr("Condition"), given(session.device.condition)},
+          {Report::tr("Received on"), given(session.device.receivedOn)},
           {Report::tr("Operator"), given(session.operatorName)},
           {Report::tr("Place"), given(session.place)},
           {Report::tr("Measured on"), given(session.measuredOn)},

@@ -65,8 +65,9 @@ void addRemarkableReadings(ReportSheet& sheet, const Evaluation& evaluation);
 void addJournal(ReportSheet& sheet, const Evaluation& evaluation);
 
 /// The terms of the result: the measurand and its sign; the decision rule, its risk and who agreed it, if a
-/// verdict is possible; excluded rows, counted with their notes; corrections; the temperature, if stated, and
-/// its use; parts left out of the report.
+/// verdict is possible; the protocol, if there is one, and where the session departs from it; excluded rows,
+/// counted with their notes; corrections; the temperature, if stated, and its use; what a report should state
+/// and the session does not; parts left out of the report.
 void addTerms(ReportSheet& sheet, const Gap& gap, const ReportContents& contents);
 
 }  // namespace alidade::ui

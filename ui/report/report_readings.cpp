@@ -1,6 +1,7 @@
 #include "ui/report/report_parts.h"
 
 #include <QCoreApplication>
+#include <QRegularExpression>
 #include <algorithm>
 #include <cmath>
 #include <set>
@@ -21,14 +22,30 @@ namespace {
 constexpr double largeResidual = 3;  // standardised
 constexpr int longestCell = 60;      // characters; longer texts are cut, since paper has no tool tip
 
-/// The text as typed; below it in the session's unit, if typed in another form.
+/// Its numbers without leading zeros and what stands between them: 341 5 4 of 341°05′04″.
+QStringList numbersIn(const QString& angle) {
+  static const QRegularExpression number(QStringLiteral("\\d+"));
+  QStringList numbers;
+  for (auto found = number.globalMatch(angle); found.hasNext();) {
+    QString digits = found.next().captured();
+    while (digits.size() > 1 && digits.startsWith(u'0')) digits.remove(0, 1);
+    numbers.append(digits);
+  }
+  return numbers;
+}
+
+/// In the session's unit; above it as typed, if that has other digits.
 QString angleCell(const std::string& typed, CircleUnit unit) {
   const QString text = shortLine(qText(typed).trimmed(), longestCell);
-  QString primes = text;
-  primes.replace(u'\'', QChar(0x2032)).replace(u'"', QChar(0x2033));
   const QString normal = shortLine(shownAngle(typed, unit).trimmed(), longestCell);
-  if (normal == primes || normal == text) return text;
+  if (normal == text || numbersIn(normal) == numbersIn(text)) return normal;
   return text + QStringLiteral("\n= ") + normal;
+}
+
+/// The same on one line.
+QString angleInLine(const std::string& typed, CircleUnit unit) {
+  return typed.empty() ? Report::tr("not given")
+                       : angleCell(typed, unit).replace(QStringLiteral("\n="), QStringLiteral(" ="));
 }
 
 /// Typed columns, then computed ones; the remark takes the remaining width.
@@ -188,8 +205,8 @@ class PositionTable {
 
 void addPosition(ReportSheet& sheet, const Evaluation& evaluation, std::size_t index) {
   const Position& position = evaluation.session.positions[index];
-  const auto zero = [](const std::string& text) {
-    return text.empty() ? Report::tr("not given") : shortLine(text, longestCell);
+  const auto zero = [unit = circleUnitOf(evaluation.session)](const std::string& text) {
+    return angleInLine(text, unit);
   };
   sheet.keepTogether(35);
   sheet.heading(Report::tr("Readings with the axis at %1").arg(positionText(evaluation.session, index)));

@@ -180,7 +180,7 @@ void addUncertainty(ReportSheet& sheet, const Gap& gap) {
   const auto& fitted = gap.evaluation->fit.intersection;
   if (!fitted) return;
   if (gap.measured()) addStatement(sheet, measuredBudget(*gap.diagnosis, fitted->coverage));
-  addStatement(sheet, fitBudget(*fitted));
+  addStatement(sheet, fitBudget(gap.evaluation->fit));
 }
 
 }  // namespace alidade::ui

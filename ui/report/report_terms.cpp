@@ -6,6 +6,9 @@
 #include "core/diagnosis/conformance.h"
 #include "core/diagnosis/decision.h"
 #include "core/effects/known_sizes.h"
+#include "core/session/protocol_progress.h"
+#include "core/wording/protocol_words.h"
+#include "ui/report/empty_fields.h"
 #include "ui/report/report_facts.h"
 #include "ui/report/report_text.h"
 #include "ui/text/effect_text.h"
@@ -133,6 +136,17 @@ QStringList knownSizes(const Measurement& measurement) {
   return sizes;
 }
 
+/// The protocol that the session follows, and where it did not; empty without one.
+QString protocolText(const Session& session) {
+  const auto protocol = protocolOf(session);
+  if (!protocol || !*protocol) return {};
+  const QString name = shortLine(qText((*protocol)->name).trimmed(), longestNote),
+                words = qText(protocolInWords(**protocol));
+  return Report::sentences(
+      {name.isEmpty() ? Report::tr("%1.").arg(capitalised(words)) : Report::tr("“%1”: %2.").arg(name, words),
+       qText(deviationSentences(progressOf(session, **protocol)))});
+}
+
 QString correctionsText(const Evaluation& evaluation) {
   QStringList estimated, parts;
   for (const EffectEstimate& effect : evaluation.fit.effects)
@@ -204,10 +218,12 @@ void addTerms(ReportSheet& sheet, const Gap& gap, const ReportContents& contents
   const std::vector<LabelledText> terms{
       {Report::tr("Measurand"), measurandText(gap)},
       {Report::tr("Decision rule"), ruleText(gap)},
+      {Report::tr("Protocol"), protocolText(evaluation.session)},
       {Report::tr("Exclusions"), exclusionsText(evaluation.session)},
       {Report::tr("Corrections"), correctionsText(evaluation)},
       {Report::tr("Changes"), changesText(evaluation, isPrinted(ReportPart::Journal, contents, gap))},
       {Report::tr("Temperature"), temperatureText(evaluation)},
+      {Report::tr("Not stated"), Report::list(emptyReportFields(evaluation.session))},
       {Report::tr("Left out"), Report::list(leftOutTitles(contents, gap))},
       {Report::tr("Scope"), Report::tr("The results relate only to the item measured. Not to be reproduced "
                                        "except in full.")}};

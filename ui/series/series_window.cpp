@@ -9,6 +9,7 @@
 #include <QProgressBar>
 #include <QPushButton>
 #include <QScreen>
+#include <QShortcut>
 #include <QSplitter>
 #include <QTabWidget>
 #include <QTableWidget>
@@ -63,6 +64,7 @@ SeriesWindow::SeriesWindow(Dialogs& dialogs, QWidget* parent)
       m_history(new HistoryPanel),
       m_diagnosis(new DiagnosisPanel) {
   setWindowTitle(tr("Series — Alidade"));
+  connect(new QShortcut(Qt::Key_Escape, this), &QShortcut::activated, this, &QWidget::close);
   m_pages->addTab(m_history, tr("&History"));
   m_pages->addTab(m_diagnosis, tr("&Shared Causes"));
   m_pages->setDocumentMode(true);

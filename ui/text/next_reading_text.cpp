@@ -6,6 +6,7 @@
 #include "core/evaluation/evaluation.h"
 #include "core/session/entry.h"
 #include "core/session/row_fields.h"
+#include "core/session/session_fields.h"
 #include "core/wording/guidance.h"
 #include "ui/text/effect_text.h"
 #include "ui/text/entry_text.h"
@@ -37,6 +38,12 @@ QString keysText(const Reading& sighting) {
   return text;
 }
 
+/// The protocol that leads; null without one.
+const Guide* guideIn(const Evaluation& evaluation) {
+  const Guide* guide = evaluation.guide.get();
+  return guide && guide->problem.empty() ? guide : nullptr;
+}
+
 }  // namespace
 
 QString coarseAngleText(Angle angle, CircleUnit unit) {
@@ -53,12 +60,20 @@ QString sightingText(const Reading& sighting) {
 
 std::optional<EntryToCome> entryToCome(const Evaluation& evaluation, std::size_t position) {
   if (position >= evaluation.next.size()) return std::nullopt;
-  const Guide* guide = evaluation.guide.get();
-  return entryToCome(evaluation.session, position,
-                     guide && guide->problem.empty() ? &guide->progress : nullptr);
+  const Guide* guide = guideIn(evaluation);
+  return entryToCome(evaluation.session, position, guide ? &guide->progress : nullptr);
+}
+
+std::optional<EntryToCome> entryToLeadTo(const Evaluation& evaluation, std::size_t position) {
+  if (position >= evaluation.next.size()) return std::nullopt;
+  const Guide* guide = guideIn(evaluation);
+  return alidade::entryToLeadTo(evaluation.session, position, guide ? &guide->progress : nullptr);
 }
 
 std::optional<ExpectedReading> expectedOf(const Evaluation& evaluation, const EntryToCome& entry) {
+  if (!entry.field.empty()) return std::nullopt;
+  if (const Guide* guide = guideIn(evaluation); guide && guide->progress.next)
+    return guide->expected[*guide->progress.next];
   const auto& next = evaluation.next[entry.position];
   if (!entry.zero.empty() || !next) return std::nullopt;
   const Reading &a = next->sighting, &b = entry.sighting;
@@ -66,6 +81,8 @@ std::optional<ExpectedReading> expectedOf(const Evaluation& evaluation, const En
 }
 
 QString entryText(const Session& session, const EntryToCome& entry) {
+  if (!entry.field.empty())
+    return capitalised(QCoreApplication::translate("Field", sessionFieldNamed(entry.field)->noun));
   const QString where = positionText(session, entry.position);
   if (entry.zero.empty()) return NextReadingText::tr("%1: %2").arg(where, sightingText(entry.sighting));
   PlannedSighting zero;
@@ -76,9 +93,10 @@ QString entryText(const Session& session, const EntryToCome& entry) {
 }
 
 QString nextEntryText(const Evaluation& evaluation, std::size_t position) {
-  const auto entry = entryToCome(evaluation, position);
-  if (!entry) return {};
-  if (!entry->zero.empty() || entry->position != position)
+  const auto entry = entryToLeadTo(evaluation, position);
+  if (!entry)
+    return position < evaluation.next.size() ? NextReadingText::tr("All is read that was to be") : QString();
+  if (!entry->field.empty() || !entry->zero.empty() || entry->position != position)
     return NextReadingText::tr("Next: %1").arg(entryText(evaluation.session, *entry));
   return nextReadingText({entry->row, entry->sighting, expectedOf(evaluation, *entry)},
                          circleUnitOf(evaluation.session));

@@ -13,6 +13,7 @@
 #include "ui/entry/readings_finder.h"
 #include "ui/forms/field_binding.h"
 #include "ui/forms/field_form.h"
+#include "ui/panels/journal/change_reason_bar.h"
 #include "ui/panels/parts/frames.h"
 #include "ui/panels/readings/find_bar.h"
 #include "ui/panels/readings/position_tabs.h"
@@ -41,7 +42,8 @@ EntryColumn::EntryColumn(SessionDocument& document, SessionJobs& jobs, Instrumen
       m_forms(new QTabWidget),
       m_positions(new PositionTabs(document)),
       m_findings(new FindingsPanel),
-      m_suspects(new SuspectBar) {
+      m_suspects(new SuspectBar),
+      m_changeReason(new ChangeReasonBar(document)) {
   createForms();
   m_positions->setAccessibleName(
       windowText(QT_TRANSLATE_NOOP("alidade::ui::MainWindow", "Positions of the axis")));
@@ -101,7 +103,7 @@ QWidget* EntryColumn::createFindings(bool isLow) {
     count->setText(text);
     count->setVisible(!text.isEmpty());
   });
-  return stacked(m_suspects, stacked(count, m_findings));
+  return stacked(m_changeReason, stacked(m_suspects, stacked(count, m_findings)));
 }
 
 void EntryColumn::connectSuspects(SessionJobs& jobs) {
@@ -154,6 +156,7 @@ void EntryColumn::commit() {
     table->commitReason();
   }
   for (FieldBinding* binding : m_widget->findChildren<FieldBinding*>()) emit binding->commitWanted();
+  m_changeReason->finish();
 }
 
 void EntryColumn::reveal(const Place& place, bool takeFocus) {

@@ -8,6 +8,7 @@ class QTabWidget;
 
 namespace alidade::ui {
 
+class ChangeReasonBar;
 class FindingsPanel;
 class InstrumentDesk;
 class PositionTabs;
@@ -27,6 +28,7 @@ class EntryColumn : public QObject {
   PositionTabs& positions() const { return *m_positions; }
   ReadingsFinder& finder() const { return *m_finder; }
   SuspectBar* suspects() const { return m_suspects; }
+  ChangeReasonBar* changeReason() const { return m_changeReason; }
   /// Commits unfinished entries.
   void commit();
   /// Leads to the entry of a reading or field.
@@ -53,6 +55,7 @@ class EntryColumn : public QObject {
   PositionTabs* m_positions;
   FindingsPanel* m_findings;
   SuspectBar* m_suspects;
+  ChangeReasonBar* m_changeReason;
   ReadingsFinder* m_finder;
 };
 

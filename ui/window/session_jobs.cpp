@@ -5,18 +5,31 @@
 #include <utility>
 
 #include "core/evaluation/guide.h"
+#include "core/session/session_fields.h"
 #include "ui/document/session_document.h"
 
 namespace alidade::ui {
 
+namespace {
+
+/// Does the change enter no result?
+bool isRemark(const SessionChange& change) {
+  if (change.kind != SessionChange::Kind::Field) return false;
+  const SessionField* field = sessionFieldNamed(change.place.field);
+  return field ? !field->isOfMeasurement : change.place.field == "journal";
+}
+
+}  // namespace
+
 void SessionJobs::start() {
   connect(&m_document, &SessionDocument::changed, this, &SessionJobs::follow);
   connect(&m_fit, &FitJob::evaluated, this, &SessionJobs::show);
-  connect(&m_fit, &FitJob::evaluated, &m_gap, &GapJob::request);
   connect(&m_fit, &FitJob::searched, this, &SessionJobs::suspectsChanged);
   connect(&m_gap, &GapJob::assessed, this, &SessionJobs::showGap);
-  connect(&m_gap, &GapJob::completed, this,
-          [this](const SharedGap& gap) { emit headlineChanged(headlineOf(*gap)); });
+  connect(&m_gap, &GapJob::completed, this, [this](const SharedGap& gap) {
+    m_completed = gap;
+    emit headlineChanged(headlineOf(*gap));
+  });
   m_fit.request(m_document.session());
   emit begun();
 }
@@ -24,8 +37,9 @@ void SessionJobs::start() {
 void SessionJobs::follow(const SessionChange& change) {
   if (change.kind == SessionChange::Kind::Everything) {
     m_gap.setWithReference(false);
+    m_completed.reset();
     clearGap();
-  } else {
+  } else if (!isRemark(change)) {
     ageGap();
   }
   m_gap.cancel();
@@ -39,7 +53,19 @@ void SessionJobs::show(const SharedEvaluation& evaluation) {
   m_document.setChosenSighting(guide && guide->choice ? std::optional(guide->choice->next) : std::nullopt);
   emit suspectsChanged(evaluation);
   emit evaluated(evaluation);
+  if (showGapAgain(evaluation)) return;
   showProvisional();
+  m_gap.request(evaluation);
+}
+
+/// An entry that enters no result, or an undone change, leaves the diagnosis as it is.
+bool SessionJobs::showGapAgain(const SharedEvaluation& evaluation) {
+  if (!m_completed || !isSameMeasurement(m_completed->evaluation->session, evaluation->session)) return false;
+  Gap gap = *m_completed;
+  gap.evaluation = evaluation;
+  m_completed = std::make_shared<const Gap>(std::move(gap));
+  showGap(m_completed);
+  return true;
 }
 
 void SessionJobs::showProvisional() {
@@ -66,6 +92,7 @@ void SessionJobs::clearGap() {
 
 void SessionJobs::setWithReference(bool wanted) {
   m_gap.setWithReference(wanted);
+  m_completed.reset();
   ageGap();
   if (m_fit.isFitting()) return;  // the result of the fit will be diagnosed
   m_gap.request(m_shown);

@@ -42,6 +42,7 @@ class SessionJobs : public QObject {
   void follow(const SessionChange& change);
   void show(const SharedEvaluation& evaluation);
   void showGap(const SharedGap& gap);
+  bool showGapAgain(const SharedEvaluation& evaluation);
   void ageGap();
   void clearGap();
   void showProvisional();
@@ -50,6 +51,7 @@ class SessionJobs : public QObject {
   FitJob m_fit;
   GapJob m_gap;
   SharedEvaluation m_shown;  ///< the newest; null before the first
+  SharedGap m_completed;     ///< the last one with its `dependences`; null: none, or with other evidence
   bool m_isGapOld = false;   ///< the gap shown is that of an earlier state
 };
 

@@ -16,7 +16,10 @@ namespace alidade {
 namespace {
 
 FitFinding missing(const ArcMeasurement& arc, const ArcFault& why) {
-  return {Severity::Error, Place{.position = arc.position, .reading = {}, .field = "readings"},
+  const auto* few = std::get_if<arc_fault::TooFewPlaces>(&why);
+  const bool isToCome = few && few->places == 0;
+  return {isToCome ? Severity::Note : Severity::Error,
+          Place{.position = arc.position, .reading = {}, .field = "readings"},
           session_finding::ArcMissing{arc.axisDeg, why, arc.time}};
 }
 

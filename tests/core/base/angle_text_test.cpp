@@ -44,8 +44,8 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(Typed{"341 52 24", dms(341, 52, 24)}, Typed{"341-52-24.5", dms(341, 52, 24.5)},
                     Typed{"341:52:24", dms(341, 52, 24)}, Typed{"341/52/24", dms(341, 52, 24)},
                     Typed{"341.52.24", dms(341, 52, 24)}, Typed{"341.52.24,5", dms(341, 52, 24.5)},
-                    Typed{"341 52", dms(341, 52, 0)}, Typed{"341\t52\u00A024", dms(341, 52, 24)},
-                    Typed{"341 - 52 - 24", dms(341, 52, 24)}, Typed{"0  5   9", dms(0, 5, 9)}));
+                    Typed{"341\t52\u00A024", dms(341, 52, 24)}, Typed{"341 - 52 - 24", dms(341, 52, 24)},
+                    Typed{"0  5   9", dms(0, 5, 9)}));
 
 INSTANTIATE_TEST_SUITE_P(NumberPad, AcceptedAngle,
                          testing::Values(Typed{"3415224", dms(341, 52, 24)},
@@ -90,6 +90,7 @@ INSTANTIATE_TEST_SUITE_P(
                     Refused{"-12.30", "type -12.30° or -12 30 00"},
                     Refused{"341.9", "type 341.9° or put blanks between degrees, minutes and seconds"},
                     Refused{"3415", "“3415” is ambiguous: type 34 15 00 or 34°15'"},
+                    Refused{"339 47", "“339 47” is ambiguous: type 339 47 00 or 339°47'"},
                     Refused{"-3415", "type -34 15 00 or -34°15'"}, Refused{"3415.5", "may mean"},
                     Refused{"34152240", "has too many digits"}));
 

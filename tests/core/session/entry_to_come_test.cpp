@@ -29,6 +29,24 @@ TEST(EntryToCome, IsTheZeroOfAnEmptySession) {
   expectZero(session, 1, 1);
 }
 
+TEST(EntryToLeadTo, IsDistanceAndRadiusBeforeAllElse) {
+  Session session = paperSession();
+  session.geometry.radiusMm.clear();
+  EXPECT_EQ(entryToLeadTo(session, 0)->field, "geometry.radius_mm");
+  session.geometry.distanceMm.clear();
+  EXPECT_EQ(entryToLeadTo(session, 1)->field, "geometry.distance_mm");
+}
+
+TEST(EntryToLeadTo, IsAMissingZeroRatherThanAFurtherRow) {
+  Session session = paperSession();
+  session.positions[1] = {.axisDeg = "180", .zero = {}, .readings = {}, .origin = {}};
+  const auto next = entryToLeadTo(session, 0);
+  ASSERT_TRUE(next);
+  EXPECT_EQ(next->position, 1u);
+  EXPECT_EQ(next->zero, "pointing_zero");
+  EXPECT_EQ(entryToCome(session, 0)->row, 17u) << "a reading over the cable stays where the axis is";
+}
+
 TEST(EntryToCome, IsAReadingOnceThereAreZeros) {
   Session session = paperSession();
   for (Position& position : session.positions) position.readings.clear();

@@ -48,6 +48,43 @@ TEST(Journal, HashesAreThoseOfACompactListByAnotherProgram) {
   EXPECT_EQ(session.journal[1].hash, "4d9bf705be4bf1a145e578c232cdf783f9aaa6645e811b329485d7c536635bbb");
 }
 
+TEST(Journal, KeepsAReasonStatedAfterTheChangesItIsOf) {
+  Session session = journalled();
+  enterInJournal(session.journal, change("1", "2"));
+  enterInJournal(session.journal, explainingEntry(session.journal, 1, 2, "digits exchanged"));
+  EXPECT_EQ(session.journal.back().place, session.journal[1].place);
+  EXPECT_EQ(explanationOf(session.journal, 0), "");
+  EXPECT_EQ(explanationOf(session.journal, 1), "digits exchanged");
+  EXPECT_EQ(explanationOf(session.journal, 2), "digits exchanged");
+  EXPECT_EQ(explanationOf(session.journal, 3), "") << "the reason itself needs none";
+  EXPECT_EQ(reasonText(session.journal[2], session), "retyped: digits exchanged");
+  EXPECT_EQ(reasonText(session.journal[0], session), "retyped");
+  enterInJournal(session.journal, explainingEntry(session.journal, 2, 1, "misheard"));
+  EXPECT_EQ(explanationOf(session.journal, 1), "digits exchanged");
+  EXPECT_EQ(explanationOf(session.journal, 2), "misheard") << "the last one stated";
+  EXPECT_FALSE(firstBrokenEntry(reread(session).journal));
+}
+
+TEST(Journal, AReasonIsNoChangeSinceASeal) {
+  Session session = blankSession();
+  enterInJournal(session.journal, change("", "2404"));
+  session.journal.back().place = "geometry.distance_mm";
+  EXPECT_EQ(sealState(session.journal), "");
+  enterInJournal(session.journal, sealingEntry(session, "R. Roe", "2026-03-15T08:00:00Z"));
+  EXPECT_EQ(sealState(session.journal), "Sealed 2026-03-15 08:00 UTC by R. Roe");
+  JournalEntry later = change("", "2405");
+  later.place = "geometry.distance_mm";
+  enterInJournal(session.journal, later);
+  session.geometry.distanceMm = "2405";
+  enterInJournal(session.journal, explainingEntry(session.journal, 2, 1, "tape read anew"));
+  EXPECT_EQ(changesSince(*sealOf(session.journal), session.journal), 1u);
+  EXPECT_EQ(sealState(session.journal),
+            "Sealed 2026-03-15 08:00 UTC by R. Roe, with one change since that nobody has sealed");
+  const JournalCheck check = checkJournal(session);
+  ASSERT_EQ(check.seals.size(), 1u);
+  EXPECT_EQ(check.seals[0].state, CheckedSeal::State::Held) << "the reason hides no change";
+}
+
 TEST(Journal, SurvivesAFileWithItsFirstTexts) {
   const Session session = journalled();
   const Session back = reread(session);

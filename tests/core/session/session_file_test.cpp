@@ -82,7 +82,7 @@ TEST(SessionFile, ReadsEveryKey) {
   const Session& s = *read;
   EXPECT_EQ(s.title + s.notes + s.operatorName + s.place + s.measuredOn, "Table Inop2018-01-01");
   EXPECT_EQ(s.report, (ReportEntries{"17", "l", "c", "a", "r", {}}));
-  EXPECT_EQ(s.device, (Device{"d", "1", {}, {}}));
+  EXPECT_EQ(s.device, (Device{.name = "d", .serial = "1", .origin = {}}));
   EXPECT_EQ(s.instrument, (Instrument{"i", "2", "3", "t", "gon", "2", "2.5", "1", "5", "", {}, {}, {}, {}}));
   EXPECT_EQ(s.environment, (Environment{"20", "", {}}));
   EXPECT_EQ(s.geometry,

@@ -47,7 +47,8 @@ TEST(SessionWriter, SpellsOutEverythingThatASessionHolds) {
   session.place = "p";
   session.measuredOn = "2018-01-01";
   session.report = {"17", "l", "c", "a", "r", {}};
-  session.device = {"d", "1", {}, {}};
+  session.device.name = "d";
+  session.device.serial = "1";
   session.instrument = {"i", "2", "c", "t", "degrees", "2,5", "3", "about 1", "5.0", "0.5", {}, {}, {}, {}};
   session.environment = {"-3", "0.5", {}};
   session.geometry = {"2405",   "0.5",    "400",   "0", "elevation", "one",

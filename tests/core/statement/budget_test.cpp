@@ -56,6 +56,25 @@ TEST(BudgetStatement, NamesEachSourceWithItsSizeAndUnit) {
   EXPECT_EQ(cell(budget, 3, "share"), "100.0 %");
 }
 
+TEST(BudgetStatement, StatesSensitivityDegreesOfFreedomAndCoverageFactor) {
+  const Statement budget =
+      stated({{.effect = "plane_offset", .sigma = 0.4, .sizes = {{"offset", 0.8, "mm"}}},
+              {.effect = "collimation", .sigma = 0.3, .sizes = {{"angle", 10, "arcsec"}}},
+              {.effect = "horizontal_circle_eccentricity",
+               .sigma = 0.2,
+               .sizes = {{"sine", 10, "arcsec"}, {"cosine", 12, "arcsec"}}},
+              {.source = UncertaintySource::Readings,
+               .type = UncertaintyShare::Type::A,
+               .sigma = 0.1,
+               .degreesOfFreedom = 29}});
+  EXPECT_EQ(cell(budget, 0, "sensitivity"), "0.50") << "mm per mm; below, mm per ″";
+  EXPECT_EQ(cell(budget, 1, "sensitivity"), "0.030");
+  EXPECT_EQ(cell(budget, 2, "sensitivity"), "") << "numbers of two sizes have no common one";
+  EXPECT_EQ(cell(budget, 0, "degrees"), "∞");
+  EXPECT_EQ(cell(budget, 3, "degrees"), "29");
+  EXPECT_EQ(coverageWithFactor(2.0456, 0.95), "k = 2.05, 95 % coverage");
+}
+
 TEST(BudgetStatement, TellsTheReferenceOfAKnownSizeOnOneLine) {
   const Statement budget = stated({{.effect = "collimation",
                                     .from = UncertaintyShare::From::Known,
@@ -81,7 +100,7 @@ TEST(BudgetStatement, HasACellForEveryColumn) {
   const SessionFit fit = fitSession(measurement);
   const auto diagnosis = diagnose(measurement, fit, {.withAttainable = true});
   ASSERT_TRUE(diagnosis);
-  for (const Statement& budget : {measuredBudget(*diagnosis, 0.95), fitBudget(*fit.intersection)}) {
+  for (const Statement& budget : {measuredBudget(*diagnosis, 0.95), fitBudget(fit)}) {
     std::set<std::string> ids;
     for (const Statement::Column& column : budget.columns) ids.insert(column.id);
     EXPECT_EQ(ids.size(), budget.columns.size()) << budget.id;

@@ -145,11 +145,11 @@ TEST(StagesStatement, CountsTheMisreadValuesThatAreLeftOut) {
   Gap gap = emptyGap();
   gap.stages = {{}, {.kind = Kind::Proposed, .effect = "gross_error", .intersection = {}}};
   EXPECT_EQ(namesOf(gapStages(gap)),
-            (std::vector<std::string>{"as modelled", "without the misread value", "measured"}));
+            (std::vector<std::string>{"fit only", "without the misread value", "measured"}));
   gap.stages.push_back({.kind = Kind::Proposed, .effect = "collimation", .intersection = {}});
   gap.stages.push_back({.kind = Kind::Proposed, .effect = "gross_error", .intersection = {}});
   EXPECT_EQ(namesOf(gapStages(gap)),
-            (std::vector<std::string>{"as modelled", "without 1 misread value", "+ collimation",
+            (std::vector<std::string>{"fit only", "without 1 misread value", "+ collimation",
                                       "without 2 misread values", "measured"}));
   gap.stages = {{}, {.kind = Kind::Proposed, .effect = "gross_error", .grossErrors = 3, .intersection = {}}};
   EXPECT_EQ(cellOf(gapStages(gap), 1, "stage"), "without 3 misread values");
@@ -214,7 +214,7 @@ TEST(AdviceStatement, TellsTheRowsOfTheEffort) {
   const Statement next = gapAdvice(gap);
   ASSERT_EQ(next.rows.size(), 1u);
   EXPECT_EQ(cellOf(next, 0, "rows"), std::to_string(2 * gap.evaluation->examined.measurement->rows));
-  EXPECT_EQ(cellOf(next, 0, "measures"), "Both faces (read anew)");
+  EXPECT_EQ(cellOf(next, 0, "measures"), "Both faces (in a new session)");
   EXPECT_EQ(
       cellOf(next, 0, "tells"),
       "separates collimation and refraction by 5.0 σ or more; one answer is left with a probability of 90 %");

@@ -55,6 +55,36 @@ Headline headlineAt(const char* tolerance, double value = 1.308) {
   return headlineOf(gapWith(evaluationOf(withTolerance(tolerance)), value));
 }
 
+TEST(Headline, NamesTheSealAndWarnsOfChangesSince) {
+  Session session = withTolerance("2.5");
+  EXPECT_EQ(headlineOf(evaluateFit(session)).line(LineKind::Seal), "");
+  enterInJournal(session.journal, sealingEntry(session, "R. Roe", "2026-03-15T08:00:00Z"));
+  const Headline sealed = headlineOf(gapWith(evaluationOf(session), 1.3));
+  EXPECT_EQ(sealed.line(LineKind::Seal), "Sealed 2026-03-15 08:00 UTC by R. Roe");
+  EXPECT_FALSE(sealed.lines.back().isWarning);
+  enterInJournal(session.journal, {.place = "notes", .to = "more", .why = journal_reasons::retyped});
+  const Headline changed = headlineOf(gapWith(evaluationOf(session), 1.3));
+  EXPECT_THAT(changed.line(LineKind::Seal), HasSubstr("one change since that nobody has sealed"));
+  EXPECT_TRUE(changed.lines.back().isWarning);
+}
+
+TEST(Headline, StatesNoFigureWhoseUncertaintyExceedsTheArc) {
+  Gap gap = gapWith(evaluationOf(withTolerance("2.5")), -6363);
+  gap.diagnosis->measured->estimate.expanded = 21464;
+  const Headline headline = headlineOf(gap);
+  EXPECT_EQ(headline.nameAndFigure(), "Δd: not determined by these readings");
+  EXPECT_FALSE(headline.scale);
+}
+
+TEST(Headline, KeepsItsVerdictWhileARepeatIsStillToCome) {
+  Session session = withTolerance("2.5");
+  session.positions.push_back({.axisDeg = "0", .zero = {}, .readings = {}, .origin = {}});
+  EXPECT_NE(headlineOf(gapWith(evaluationOf(session), 1.3)).decided, std::nullopt);
+  session.positions.back().zero.horizontal = "332 32 54";
+  const Headline begun = headlineOf(gapWith(evaluationOf(session), 1.3));
+  EXPECT_EQ(begun.decided, std::nullopt) << "half a zero is an entry that cannot be used";
+}
+
 TEST(Headline, IsTheMeasuredResultAndNamesThatOfTheFitBelow) {
   const Headline headline = headlineOf(assessGap(sampleEvaluation("two-causes.alidade")));
   EXPECT_EQ(headline.nameAndFigure(), "Δd = 0.421 ± 0.097 mm");

@@ -10,7 +10,7 @@ using namespace arc_fault;
 using testing::HasSubstr, testing::Not, testing::StartsWith;
 
 TEST(ArcFaultInWords, CountsPlaces) {
-  EXPECT_THAT(textOf(TooFewPlaces{0}), StartsWith("has readings of 0 places;"));
+  EXPECT_THAT(textOf(TooFewPlaces{0}), StartsWith("has no readings yet"));
   EXPECT_THAT(textOf(TooFewPlaces{1}), StartsWith("has readings of 1 place;"));
   EXPECT_THAT(textOf(PlacesRepeat{1}), HasSubstr("only 1 different place,"));
   EXPECT_THAT(textOf(PlacesRepeat{2}), HasSubstr("only 2 different places,"));

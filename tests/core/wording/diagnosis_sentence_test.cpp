@@ -67,7 +67,7 @@ TEST(DiagnosisSentence, CallsEachCauseByItsName) {
   diagnosis.verdict = DiagnosisVerdict::Ambiguous;
   diagnosis.causes[0].indistinguishableFrom = {"trunnion_tilt", "orientation_jump"};
   EXPECT_THAT(sentenceOf(diagnosis),
-              HasSubstr("by collimation or by what these readings cannot tell from it: trunnion tilt or "
+              HasSubstr("by collimation or by an indistinguishable cause: trunnion tilt or "
                         "a jump of the orientation."));
   diagnosis.verdict = DiagnosisVerdict::NotInCatalogue;
   diagnosis.shape = GapShape{.follows = "collimation along the way", .share = 0.5};

@@ -17,7 +17,7 @@ TEST(MeasureInWords, HasAName) {
     names.insert(textOf(measure));
   EXPECT_EQ(names,
             (std::set<std::string>{
-                "both faces", "the way back", "slider readings",
+                "both faces", "a return run", "slider readings",
                 "a second set with the horizontal circle shifted by 60°",
                 "a second set from half as far again", "more of the arc", "the pointing zero sighted again",
                 "the distance measured in both positions", "0° measured again", "180° measured again"}));

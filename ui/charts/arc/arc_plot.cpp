@@ -231,6 +231,10 @@ void ArcPlot::placeInset() {
                      area.right() - middle.x(), middle.y() - area.top(), area.bottom() - middle.y()}));
   QRectF square(0, 0, 2 * half, 2 * half);
   square.moveCenter(middle);
+  if (isZoomed()) {  // fixed in the upper left corner while a part is enlarged
+    const double margin = 4 * style().unit(), side = 0.42 * std::min(area.width(), area.height());
+    square = QRectF(area.left() + margin, area.top() + margin, side, side);
+  }
   m_inset->setSquare(square);
 }
 

@@ -358,12 +358,14 @@ void CentresInset::layOutTitles() {
   const double line = QFontMetricsF(m_style.font).height();
   m_titles = headlineLines();
   const double left = m_square.height() - titlesHeight() - 2.5 * line;
-  QStringList small;
-  if (left >= 6 * line) small.append(qText(m_headline.fitOnly));
-  if (left >= 8 * line) small.append(InsetText::tr("Centres of the fit, enlarged"));
-  for (const QString& text : small)
-    if (QFontMetricsF(m_style.font).horizontalAdvance(text) <= titleRoom())
-      m_titles.append({text, m_style.font, m_style.mutedText});
+  const QFontMetricsF metrics(m_style.font);
+  const auto warning = std::ranges::find(m_headline.lines, true, &Headline::Line::isWarning);
+  if (left >= 6 * line && warning != m_headline.lines.end())
+    m_titles.append(
+        {metrics.elidedText(qText(warning->text), Qt::ElideRight, titleRoom()), m_style.font, m_style.text});
+  const QString name = InsetText::tr("Centres of the fit, enlarged");
+  if (left >= 8 * line && metrics.horizontalAdvance(name) <= titleRoom())
+    m_titles.append({name, m_style.font, m_style.mutedText});
 }
 
 void CentresInset::paintTitle(QPainter* painter) const {

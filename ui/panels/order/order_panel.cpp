@@ -16,15 +16,16 @@
 #include "core/evaluation/guide.h"
 #include "core/guidance/advised_protocol.h"
 #include "core/session/entry.h"
-#include "core/simulation/protocol_template.h"
 #include "core/statement/sighting_choice.h"
 #include "core/wording/guidance.h"
 #include "core/wording/measure.h"
 #include "core/wording/position_name.h"
+#include "core/wording/protocol_words.h"
 #include "ui/commands/change_protocol.h"
 #include "ui/document/session_document.h"
 #include "ui/jobs/simulation_job.h"
 #include "ui/panels/parts/data_table.h"
+#include "ui/panels/parts/protocol_menu.h"
 #include "ui/panels/parts/statement_view.h"
 #include "ui/text/effect_text.h"
 #include "ui/text/entry_text.h"
@@ -246,6 +247,7 @@ void OrderPanel::showSummary() {
     m_choice->setText(guide->protocol.name.empty()
                           ? tr("Protocol")
                           : tr("Protocol %1").arg(shortLine(guide->protocol.name, 24)));
+    m_choice->setToolTip(qText(protocolInWords(guide->protocol)));
   } else {
     m_choice->setText(tr("Protocol"));
   }
@@ -285,11 +287,7 @@ void OrderPanel::showOutlook(const SharedOutlook& outlook) {
 
 void OrderPanel::fillMenu() {
   m_menu->clear();
-  for (const Protocol& named : namedProtocols()) {
-    QAction* action = m_menu->addAction(QString::fromStdString(named.name));
-    action->setToolTip(QString::fromStdString(named.description));
-    connect(action, &QAction::triggered, this, [this, &named] { follow(templateOf(named)); });
-  }
+  addNamedProtocols(*m_menu, [this](const SightingProtocol& protocol) { follow(protocol); });
   m_menu->setToolTipsVisible(true);
   m_menu->addSeparator();
   const SightingProtocol rows = protocolFromRows(m_document.session());

@@ -6,9 +6,13 @@
 #include <QHelpEvent>
 #include <QKeyEvent>
 #include <QPainter>
+#include <QResizeEvent>
+#include <QScopedValueRollback>
 #include <QToolTip>
 #include <algorithm>
+#include <numeric>
 #include <utility>
+#include <vector>
 
 #include "ui/commands/reading_block.h"
 #include "ui/settings/window_font.h"
@@ -66,16 +70,48 @@ DataTable::DataTable(std::vector<DataColumn> columns, QWidget* parent)
   layOutByFont(*this, [this] { fitCells(); });
   connect(this, &QTableView::clicked, this,
           [this](const QModelIndex& index) { emit rowActivated(index.row()); });
+  connect(horizontalHeader(), &QHeaderView::sectionResized, this, [this] {
+    if (!m_isFitting) m_isFitted = false;
+  });
+}
+
+void DataTable::setRows(int rows) {
+  m_model.setRows(rows);
+  fitAgain();
+}
+
+void DataTable::fitAgain() {
+  if (m_isFitted) fitCells();
+}
+
+void DataTable::resizeEvent(QResizeEvent* event) {
+  QTableView::resizeEvent(event);
+  if (event->size().width() != event->oldSize().width()) fitAgain();
+}
+
+/// What the first cells of a column need, and at least half of its title.
+int DataTable::shownWidth(int column) const {
+  constexpr int mostRows = 200;
+  const DataColumn& shown = m_model.columns()[static_cast<std::size_t>(column)];
+  int width = fontMetrics().horizontalAdvance(shown.title) * 6 / 10;
+  for (int row = 0; row < std::min(mostRows, m_model.rowCount()); ++row)
+    width = std::max(width, fontMetrics().horizontalAdvance(shown.text(row)));
+  return width;
 }
 
 void DataTable::fitCells() {
+  constexpr int padding = 14;
+  const QScopedValueRollback fitting(m_isFitting, true);
   verticalHeader()->setDefaultSectionSize(fontMetrics().height() + 5);
-  for (int i = 0; i < m_model.columnCount(); ++i) {
-    const DataColumn& column = m_model.columns()[static_cast<std::size_t>(i)];
-    const int width = std::max(fontMetrics().horizontalAdvance(column.sample),
-                               fontMetrics().horizontalAdvance(column.title));
-    setColumnWidth(i, width + 14);
-  }
+  std::vector<int> widths;
+  for (const DataColumn& column : m_model.columns())
+    widths.push_back(padding + std::max(fontMetrics().horizontalAdvance(column.sample),
+                                        fontMetrics().horizontalAdvance(column.title)));
+  const bool isTooNarrow =
+      m_model.rowCount() > 0 && std::accumulate(widths.begin(), widths.end(), 0) > viewport()->width();
+  for (int i = 0; i < m_model.columnCount(); ++i)
+    setColumnWidth(i, isTooNarrow ? std::min(widths[static_cast<std::size_t>(i)], padding + shownWidth(i))
+                                  : widths[static_cast<std::size_t>(i)]);
 }
 
 void DataTable::setPlaceholder(const QString& text) {

@@ -43,7 +43,7 @@ class DataTable : public QTableView {
  public:
   explicit DataTable(std::vector<DataColumn> columns, QWidget* parent = nullptr);
 
-  void setRows(int rows) { m_model.setRows(rows); }
+  void setRows(int rows);
   void setPlaceholder(const QString& text);
   /// Selects these rows (ascending) and scrolls to the first; an empty list clears the selection.
   void selectDataRows(const std::vector<int>& rows);
@@ -53,15 +53,22 @@ class DataTable : public QTableView {
   void rowActivated(int row);  ///< by click or Enter
 
  protected:
-  /// Sets the widths of the columns by their samples. Called again for another font.
+  /// Sets the widths of the columns by their samples or, where these are too wide for the table, by what the
+  /// cells show. Called again for another font or width, until the user sets a width.
   virtual void fitCells();
+  void resizeEvent(QResizeEvent* event) override;
   void paintEvent(QPaintEvent* event) override;
   void keyPressEvent(QKeyEvent* event) override;
   bool viewportEvent(QEvent* event) override;
 
  private:
+  int shownWidth(int column) const;
+  void fitAgain();
+
   DataModel m_model;
   QString m_placeholder;
+  bool m_isFitting = false;  ///< the table itself is setting widths
+  bool m_isFitted = true;    ///< false once the user sets a width
 };
 
 }  // namespace alidade::ui

@@ -38,7 +38,7 @@ void BudgetPanel::stopOutdatedSimulation() {
 void BudgetPanel::setEvaluation(const SharedEvaluation& evaluation) {
   const SessionFit& fit = evaluation->fit;
   m_simulation->setEvaluation(evaluation);
-  m_intersection->setStatement(fit.intersection ? std::optional(fitBudget(*fit.intersection)) : std::nullopt);
+  m_intersection->setStatement(fit.intersection ? std::optional(fitBudget(fit)) : std::nullopt);
   m_centres->setStatement(centreBudget(fit));
   m_note->setVisible(fit.arcs.empty());
 }

@@ -131,9 +131,9 @@ TEST(CentresInset, EndsTheBarOfUAtBothEnds) {
   const auto isDarkBeside = [&](double y) {
     const QPoint beside = painted.at(-0.5, y).toPoint() + QPoint(qRound(3 * painted.style.unit()), 0);
     int darkest = 255;
-    for (int dy = -1; dy <= 1; ++dy)
+    for (int dy = -2; dy <= 2; ++dy)
       darkest = std::min(darkest, painted.image.pixelColor(beside + QPoint(0, dy)).lightness());
-    return darkest < 128;
+    return darkest < 180;  // a line between two rows of pixels is grey in both
   };
   EXPECT_TRUE(isDarkBeside(2 + 0.5));
   EXPECT_TRUE(isDarkBeside(2 - 0.5));

@@ -53,8 +53,7 @@ TEST(BudgetOfTheMeasurement, StandsAboveThatOfTheFitAlone) {
   EXPECT_THAT(shownBy(&page), Not(HasSubstr(asMeasured)));
   page.setGap(gap);
   const std::string shown = shownBy(&page);
-  for (const Statement& budget :
-       {measuredBudget(*gap.diagnosis, 0.95), fitBudget(*gap.evaluation->fit.intersection)})
+  for (const Statement& budget : {measuredBudget(*gap.diagnosis, 0.95), fitBudget(gap.evaluation->fit)})
     for (const Statement::Row& row : budget.rows) {
       std::string cells;
       for (std::size_t i = 0; i < row.cells.size(); ++i)
@@ -62,7 +61,7 @@ TEST(BudgetOfTheMeasurement, StandsAboveThatOfTheFitAlone) {
       EXPECT_THAT(shown, HasSubstr(cells)) << "tool tips tell the remarks";
     }
   EXPECT_THAT(shown, HasSubstr(acrossSentence(*gap.measured())));
-  EXPECT_THAT(shown, HasSubstr("Sessions like this one come to U = "));
+  EXPECT_THAT(shown, HasSubstr("Typical U for this plan: "));
   EXPECT_THAT(shown, Not(HasSubstr("_"))) << "names, not ids";
   EXPECT_LT(shown.find(asMeasured), shown.find("Standard uncertainty of Δd, fit only\n"));
 }

@@ -1,0 +1,104 @@
+#include "ui/panels/journal/change_reason_bar.h"
+
+#include <QApplication>
+#include <QHBoxLayout>
+#include <QKeyEvent>
+#include <QLabel>
+#include <QLineEdit>
+#include <algorithm>
+#include <iterator>
+#include <string_view>
+#include <vector>
+
+#include "ui/commands/explain_change.h"
+#include "ui/document/session_document.h"
+#include "ui/text/journal_text.h"
+
+namespace alidade::ui {
+
+namespace {
+
+/// An exclusion has its note, an accepted proposal and an import their origin.
+bool isAskedOf(const JournalEntry& entry) {
+  namespace why = journal_reasons;
+  const std::string_view asked[] = {why::retyped, why::cleared,  why::pasted, why::usedAgain,
+                                    why::deleted, why::inserted, why::moved};
+  return std::ranges::find(asked, entry.why) != std::end(asked);
+}
+
+}  // namespace
+
+ChangeReasonBar::ChangeReasonBar(SessionDocument& document, QWidget* parent)
+    : QFrame(parent), m_document(document), m_question(new QLabel), m_reason(new QLineEdit) {
+  setObjectName(QStringLiteral("change reason"));
+  m_question->setTextFormat(Qt::PlainText);
+  m_question->setWordWrap(true);
+  m_reason->setAccessibleName(tr("Reason for the change"));
+  m_reason->setPlaceholderText(tr("Ctrl+R, type, Enter; or go on without"));
+  m_reason->installEventFilter(this);
+  auto* layout = new QHBoxLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->addWidget(m_question, 1);
+  layout->addWidget(m_reason, 1);
+  hide();
+  connect(&document, &SessionDocument::recorded, this, &ChangeReasonBar::ask);
+  connect(&document, &SessionDocument::changed, this, [this] {
+    if (m_reason->text().isEmpty()) end();
+  });
+}
+
+void ChangeReasonBar::ask(std::size_t first) {
+  const std::vector<JournalEntry>& journal = m_document.session().journal;
+  if (!m_reason->text().isEmpty() ||
+      !std::all_of(journal.begin() + static_cast<std::ptrdiff_t>(first), journal.end(), isAskedOf))
+    return;
+  m_first = first;
+  m_count = journal.size() - first;
+  m_question->setText(m_count == 1 ? tr("Why was it changed? %1").arg(journalPlace(journal[first]))
+                                   : tr("Why were these %1 entries changed?").arg(m_count));
+  show();
+  emit askedChanged(true);
+}
+
+void ChangeReasonBar::start() {
+  if (isHidden()) return;
+  m_back = QApplication::focusWidget();
+  m_reason->setFocus();
+}
+
+void ChangeReasonBar::finish() {
+  const std::string reason = m_reason->text().trimmed().toStdString();
+  const std::size_t first = m_first, count = m_count;
+  if (count == 0 || reason.empty()) return;
+  end();
+  m_document.push(new ExplainChange(m_document, first, count, reason));
+}
+
+void ChangeReasonBar::end() {
+  if (m_count == 0) return;
+  m_count = 0;
+  if (m_back && m_reason->hasFocus()) m_back->setFocus(Qt::OtherFocusReason);
+  m_reason->clear();
+  hide();
+  emit askedChanged(false);
+}
+
+/// Another window or a menu does not end it.
+bool ChangeReasonBar::eventFilter(QObject* watched, QEvent* event) {
+  if (event->type() == QEvent::KeyPress) {
+    const int key = static_cast<QKeyEvent*>(event)->key();
+    if (key == Qt::Key_Escape) m_reason->clear();
+    if (key != Qt::Key_Escape && key != Qt::Key_Return && key != Qt::Key_Enter)
+      return QFrame::eventFilter(watched, event);
+    finish();
+    end();
+    return true;
+  }
+  if (event->type() == QEvent::FocusOut) {
+    const auto reason = static_cast<QFocusEvent*>(event)->reason();
+    if (reason != Qt::PopupFocusReason && reason != Qt::ActiveWindowFocusReason) finish();
+  }
+  return QFrame::eventFilter(watched, event);
+}
+
+}  // namespace alidade::ui

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <QFrame>
+#include <QPointer>
+#include <cstddef>
+
+#include "core/session/journal.h"
+
+class QLabel;
+class QLineEdit;
+
+namespace alidade::ui {
+
+class SessionDocument;
+
+/// Asks why a recorded entry was changed, below the forms and readings. It takes the keyboard only on demand,
+/// so that no digit typed at the bench goes astray. Return states the reason, Escape skips it; without one
+/// the bar goes with the next edit.
+class ChangeReasonBar : public QFrame {
+  Q_OBJECT
+
+ public:
+  explicit ChangeReasonBar(SessionDocument& document, QWidget* parent = nullptr);
+
+  /// Takes the keyboard; does nothing while nothing is asked.
+  void start();
+  /// States what is typed so far; without anything typed it goes on asking.
+  void finish();
+
+ signals:
+  void askedChanged(bool isAsking);
+
+ protected:
+  bool eventFilter(QObject* watched, QEvent* event) override;
+
+ private:
+  void ask(std::size_t first);
+  void end();
+
+  SessionDocument& m_document;
+  QLabel* m_question;
+  QLineEdit* m_reason;
+  QPointer<QWidget> m_back;  ///< had the keyboard before
+  std::size_t m_first = 0, m_count = 0;
+};
+
+}  // namespace alidade::ui
