@@ -32,7 +32,10 @@ TEST(HistoryCall, OfATableHasTheKeysOfItsContract) {
   const TemporaryFolder folder;
   const Json json = answerTo({folder.file("c.csv", "2001,10,1\n2002,12,2\n2003,13,1\n")});
   ASSERT_THAT(json["values"], SizeIs(3));
-  EXPECT_EQ(json["values"][1], Json({{"date", "2002"}, {"value", 12.0}, {"u", 2.0}}));
+  EXPECT_EQ(json["values"][1]["date"], "2002");
+  EXPECT_EQ(json["values"][1]["value"], 12.0);
+  EXPECT_EQ(json["values"][1]["u"], 2.0);
+  EXPECT_NEAR(json["values"][1]["expanded_uncertainty"].get<double>(), 1.959964 * 2, 1e-5);
   EXPECT_NEAR(json["mean"]["value"].get<double>(), 26 / 2.25, 1e-12);
   EXPECT_NEAR(json["mean"]["u"].get<double>(), 1 / 1.5, 1e-12);
   EXPECT_EQ(json["dof"], 2);
@@ -173,6 +176,37 @@ TEST(HistoryCall, OfManyTablesHasALineForEach) {
   EXPECT_EQ(std::count(run.out.begin(), run.out.end(), '\n'), 3);
   EXPECT_THAT(run.out, HasSubstr("\"file\": \"" + bad + "\", \"error\": "));
   EXPECT_THAT(run.err, StartsWith(bad + ": line 1"));
+}
+
+TEST(HistoryCall, WatchesTheSessionsAfterItsBaseline) {
+  const Json json = answerTo({year, "--baseline", "6"});
+  EXPECT_EQ(json["chart"]["baseline_values"], 6);
+  EXPECT_NEAR(json["chart"]["centre"].get<double>(), 0.212, 0.001);
+  EXPECT_EQ(json["quantities"]["radius_0"]["chart"]["baseline_values"], 6);
+  EXPECT_EQ(json["tolerance"], 0.5);
+  EXPECT_EQ(answerTo({year})["chart"]["baseline_values"], 12);
+  const ProgramRun text = alidadeCli({"history", year, "--baseline", "6"});
+  EXPECT_THAT(text.out, HasSubstr("Baseline: 6 values from 2025-01-04 to 2025-06-09"));
+  EXPECT_THAT(text.out, HasSubstr("Tolerance of the latest session: ± 0.5 mm."));
+  EXPECT_THAT(text.out, Not(HasSubstr("standard uncertainty)")));
+}
+
+TEST(HistoryCall, RefusesABaselineOfMoreThanThereIs) {
+  const TemporaryFolder folder;
+  const std::string table = folder.file("c.csv", "2001,10,1\n2002,12,2\n");
+  expectRefusal(alidadeCli({"history", table, "--baseline", "3"}));
+  expectRefusal(alidadeCli({"history", year, "--baseline", "13"}));
+  expectRefusal(alidadeCli({"history", year, "--baseline", "0"}));
+  EXPECT_EQ(answerTo({table, "--baseline", "1"})["chart"]["centre"], 10);
+  EXPECT_EQ(answerTo({table, "--baseline", "2"})["chart"]["baseline_values"], 2);
+}
+
+// The ± of a session is the same in its table and in the chart.
+TEST(HistoryCall, HasOneUncertaintyOfASession) {
+  const Json json = answerTo({year});
+  const ProgramRun fit = alidadeCli({"fit", year + "/2025-01-04.alidade", "--json"});
+  EXPECT_NEAR(json["values"][0]["expanded_uncertainty"].get<double>(),
+              Json::parse(fit.out)["intersection_measured"]["expanded_mm"].get<double>(), 1e-6);
 }
 
 TEST(HistoryCall, IsTextForPeople) {

@@ -326,8 +326,8 @@ void SeriesWindow::select(const std::string& file) {
 }
 
 bool SeriesWindow::exportJson() {
-  if (!m_series || m_series->devices.empty()) return false;
-  DeviceHistories histories{m_series->devices, {}};
+  if (!m_history->device()) return false;
+  const DeviceHistories histories{m_history->devices(), {}};
   std::vector<std::string> remarks;
   for (const SeriesSession& session : m_series->sessions)
     if (!session.trouble.empty()) remarks.push_back(session.path + ": " + session.trouble);

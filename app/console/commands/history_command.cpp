@@ -8,6 +8,7 @@
 
 #include "app/console/channels.h"
 #include "app/console/commands/batch_options.h"
+#include "app/console/commands/option_checks.h"
 #include "app/console/history_text.h"
 #include "app/console/session_files.h"
 #include "core/base/failure.h"
@@ -91,9 +92,17 @@ class Histories {
       return Problem{"is no table of values: name the folder of the sessions, or sessions (*.alidade)"};
     const Result<ValueTable> table = readValueTable(*bytes);
     if (!table) return table.problem();
-    const History history = historyOf(table->values);
+    History history = historyOf(table->values);
+    if (auto problem = baselineProblem(history.values.size(), "values")) return *std::move(problem);
+    setBaseline(history, m_request.baseline);
     const std::string name = baseName(input);
     return m_request.batch.json ? historyJson(name, *table, history) : historyText(name, *table, history);
+  }
+
+  std::optional<Problem> baselineProblem(std::size_t count, const std::string& what) const {
+    if (m_request.baseline <= count) return std::nullopt;
+    return Problem{"--baseline " + std::to_string(m_request.baseline) + " is more than there are: " + what +
+                   " " + std::to_string(count)};
   }
 
   Result<std::string> ofSessions(const std::string& name, const std::vector<std::string>& named) {
@@ -104,7 +113,11 @@ class Histories {
     std::vector<std::string> remarks;
     std::vector<Epoch> epochs = load(list.files, remarks);
     if (epochs.empty()) return Problem{"none of the sessions can be used: see the lines above"};
-    const DeviceHistories histories = deviceHistories(epochs);
+    DeviceHistories histories = deviceHistories(epochs);
+    for (DeviceHistory& device : histories.devices) {
+      if (auto problem = baselineProblem(device.epochs.size(), "sessions")) return *std::move(problem);
+      setBaseline(device, m_request.baseline);
+    }
     for (const auto& [copy, first] : histories.copies) {
       remarks.push_back(copySentence(epochs[copy].file, epochs[first].file));
       notify(epochs[copy].file, copyReason(epochs[copy].file, epochs[first].file));
@@ -158,6 +171,11 @@ void addHistoryCommand(CLI::App& app, HistoryRequest& request) {
                    "Folder of sessions (*.alidade), sessions, or a table of date, value and standard "
                    "uncertainty; - reads such a table from standard input")
       ->required();
+  history
+      ->add_option("--baseline", request.baseline,
+                   "The first N sessions or values set the centre line and the limits, which watch the later "
+                   "ones; else all set them")
+      ->check(wholeFrom(1, 100000));
   addBatchOptions(*history, request.batch);
 }
 

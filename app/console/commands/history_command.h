@@ -15,10 +15,12 @@ namespace alidade::console {
 /// The arguments of `alidade-cli history`.
 struct HistoryRequest {
   std::vector<std::string> files;  ///< folders of sessions, tables of values, sessions
+  std::size_t baseline = 0;        ///< first sessions or values that set the control limits; 0: all
   BatchOptions batch = {};
 };
 
-/// Adds `history FOLDER|VALUES.csv… [--threads N] [--progress] [--json]`, which fills in `request`.
+/// Adds `history FOLDER|VALUES.csv… [--baseline N] [--threads N] [--progress] [--json]`, which fills in
+/// `request`.
 void addHistoryCommand(CLI::App& app, HistoryRequest& request);
 
 /// Writes the history of each folder and table; sessions named one by one form one history. Several inputs

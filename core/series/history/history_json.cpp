@@ -37,7 +37,9 @@ Json chartJson(const History& history) {
                       {"ewma", point.ewma},
                       {"ewma_limit", point.ewmaLimit},
                       {"ewma_outside", point.isEwmaOut}});
-  return {{"centre", history.mean.value},
+  return {{"centre", history.chart.centre},
+          {"standard_uncertainty_centre", history.chart.centreU},
+          {"baseline_values", history.chart.baseline},
           {"seen_sigma", history.chart.seenSigma},
           {"seen_limit", limitSigmas * history.chart.seenSigma},
           {"ewma_weight", ewmaWeight},
@@ -45,7 +47,11 @@ Json chartJson(const History& history) {
 }
 
 Json valueJson(const DatedValue& value) {
-  Json json = {{"date", value.date}, {"value", value.value}, {"u", value.u}};
+  Json json = {{"date", value.date},
+               {"value", value.value},
+               {"u", value.u},
+               {"standard_uncertainty", value.u},
+               {"expanded_uncertainty", value.expanded}};
   if (value.apart != value.u) json["u_apart"] = value.apart;
   if (!value.of.empty()) json["session"] = value.of;
   return json;
@@ -58,22 +64,28 @@ Json seriesJson(const History& history, const std::string& unit) {
   for (const HistoryStep& step : history.steps) steps.push_back(stepJson(history, step));
   for (const CourseProbability& course : history.courses)
     courses.push_back({{"course", nameOf(course.course)}, {"probability", course.probability}});
-  Json json = {
-      {"values", values},
-      {"mean",
-       {{"value", history.mean.value}, {"u", history.mean.u}, {"u_scattered", history.mean.scattered}}},
-      {"chi2", history.chiSquare},
-      {"dof", history.degreesOfFreedom},
-      {"p_value", history.chance ? Json(*history.chance) : Json()},
-      {"stable", history.stable ? Json(*history.stable) : Json()},
-      {"steps", steps},
-      {"trend_per_year", trendJson(history.trend)},
-      {"birge_ratio", history.degreesOfFreedom > 0 ? Json(history.birgeRatio) : Json()},
-      {"course", nameOf(history.course)},
-      {"courses", courses},
-      {"odd_value", history.oddValue ? Json(history.values[*history.oddValue].date) : Json()},
-      {"chart", chartJson(history)},
-      {"sentences", historySentences(history, unit)}};
+  Json json = {{"values", values},
+               {"mean",
+                {{"value", history.mean.value},
+                 {"u", history.mean.u},
+                 {"u_scattered", history.mean.scattered},
+                 {"standard_uncertainty", history.mean.u},
+                 {"expanded_uncertainty", history.factor * history.mean.u}}},
+               {"chi2", history.chiSquare},
+               {"dof", history.degreesOfFreedom},
+               {"degrees_of_freedom", history.degreesOfFreedom},
+               {"p_value", history.chance ? Json(*history.chance) : Json()},
+               {"stable", history.stable ? Json(*history.stable) : Json()},
+               {"steps", steps},
+               {"trend_per_year", trendJson(history.trend)},
+               {"birge_ratio", history.degreesOfFreedom > 0 ? Json(history.birgeRatio) : Json()},
+               {"course", nameOf(history.course)},
+               {"courses", courses},
+               {"odd_value", history.oddValue ? Json(history.values[*history.oddValue].date) : Json()},
+               {"chart", chartJson(history)},
+               {"sentences", historySentences(history, unit)}};
+  json["coverage"] = history.coverage;
+  json["tolerance"] = history.tolerance ? Json(*history.tolerance) : Json();
   if (!unit.empty()) json["unit"] = unit;
   return json;
 }

@@ -10,7 +10,7 @@ namespace alidade {
 // Tables of a history, and its sentences; user texts are visible (`visibleText`). They stand here since a
 // history comes after the room of statements.
 
-/// Each value with u, the weighted average and its limit; below them the sentences.
+/// Each value with U, its limit, the weighted average and its limit; below them the sentences.
 Statement valueTable(const History& history, const std::string& unit);
 /// Each session of the device with Δd, measured, and its verdict.
 Statement sessionTable(const DeviceHistory& device);

@@ -9,6 +9,7 @@
 #include <QLabel>
 #include <QPushButton>
 #include <QSignalSpy>
+#include <QSpinBox>
 #include <QTabWidget>
 #include <QTableWidget>
 #include <QTemporaryDir>
@@ -64,6 +65,19 @@ TEST(SeriesWindow, TellsTheHistoryOfAFolder) {
   EXPECT_EQ(chart->plot()->markers().marks().size(), 12U);
   EXPECT_THAT(chart->accessibleDescription().toStdString(), HasSubstr("in steps"));
   expectAllVisible(bench.window, QStringLiteral("with a series"));
+}
+
+TEST(SeriesWindow, WatchesTheSessionsAfterItsBaseline) {
+  SeriesBench bench;
+  bench.addYear();
+  auto* baseline = bench.window.history()->findChild<QSpinBox*>();
+  EXPECT_EQ(baseline->text(), QStringLiteral("all sessions"));
+  EXPECT_EQ(baseline->maximum(), 12);
+  baseline->setValue(6);
+  EXPECT_THAT(bench.text("history says"), HasSubstr("Baseline: 6 values"));
+  const HistoryChart* chart = bench.window.findChild<HistoryChart*>();
+  EXPECT_EQ(chart->plot()->history().chart.baseline, 6U);
+  EXPECT_THAT(chart->numbers(), HasSubstr("expanded_uncertainty_mm"));
 }
 
 TEST(SeriesWindow, TellsWhatTheSessionsShare) {
