@@ -178,6 +178,83 @@ TEST(HistoryCall, OfManyTablesHasALineForEach) {
   EXPECT_THAT(run.err, StartsWith(bad + ": line 1"));
 }
 
+/// Writes the record of a check on a day with a tilt changed by `more` arcseconds.
+std::string recordIn(const TemporaryFolder& folder, const std::string& date, const std::string& due,
+                     double more = 0) {
+  const std::string path = folder.path() / (date + ".alidade-instrument");
+  alidadeCli({"instrument", ALIDADE_SAMPLES_DIR "/instrument-check.gsi", "--date", date, "--record", path});
+  Json record = Json::parse(contentOf(path));
+  record["known"][1]["value"] = record["known"][1]["value"].get<double>() + more;
+  if (!due.empty()) record["next_check_due"] = due;
+  folder.file(date + ".alidade-instrument", record.dump(1));
+  return path;
+}
+
+TEST(HistoryCall, OfRecordsTellsConstantsAndDueDates) {
+  const TemporaryFolder folder;
+  recordIn(folder, "2024-01-10", "2025-01-10");
+  recordIn(folder, "2025-02-10", "2100-01-01");
+  const std::string third = recordIn(folder, "2026-01-10", "2026-01-11", 40);
+  std::filesystem::copy_file(third, folder.path() / "copy.alidade-instrument");
+  const std::string broken = folder.file("x.alidade-instrument", "{}");
+  const ProgramRun run = alidadeCli({"history", folder.path().string(), "--json"});
+  EXPECT_EQ(run.exitCode, 2);
+  EXPECT_THAT(run.err, HasSubstr(broken + ": "));
+  EXPECT_THAT(run.err, HasSubstr("holds the same record"));
+  const Json json = Json::parse(run.out);
+  ASSERT_THAT(json["instruments"], SizeIs(1));
+  const Json& instrument = json["instruments"][0];
+  EXPECT_EQ(instrument["instrument"]["serial"], "123456");
+  EXPECT_THAT(instrument["records"], SizeIs(3));
+  EXPECT_EQ(instrument["records"][0]["next_check_due"], "2025-01-10");
+  EXPECT_EQ(instrument["quantities"]["collimation"]["stable"], true);
+  EXPECT_EQ(instrument["quantities"]["trunnion_tilt"]["stable"], false);
+  EXPECT_THAT(instrument["quantities"]["line_of_sight"]["values"], SizeIs(3));
+  EXPECT_THAT(json["remarks"], SizeIs(2));
+  const ProgramRun text = alidadeCli({"history", folder.path().string()});
+  for (const char* words : {"checked late", "overdue", "trunnion tilt", "offset of the line of sight"})
+    EXPECT_THAT(text.out, HasSubstr(words));
+  EXPECT_THAT(text.out, Not(HasSubstr("trunnion_tilt")));
+}
+
+TEST(HistoryCall, OfOneRecordOrTwoInstruments) {
+  const TemporaryFolder folder;
+  const std::string one = recordIn(folder, "2024-01-10", ""), other = recordIn(folder, "2024-02-10", "");
+  Json foreign = Json::parse(contentOf(other));
+  foreign["serial"] = "9";
+  folder.file("2024-02-10.alidade-instrument", foreign.dump());
+  EXPECT_THAT(answerTo({one})["instruments"][0]["records"], SizeIs(1));
+  EXPECT_TRUE(answerTo({one})["instruments"][0]["quantities"]["collimation"]["stable"].is_null());
+  EXPECT_THAT(answerTo({one, other})["instruments"], SizeIs(2));
+  expectRefusal(alidadeCli({"history", one, "--baseline", "2"}));
+}
+
+TEST(HistoryCall, OfASeriesFileIsThatOfItsSessions) {
+  const TemporaryFolder folder;
+  std::filesystem::create_directory(folder.path() / "sub");
+  for (const char* name : {"2025-01-04", "2025-02-05", "2025-03-06"})
+    std::filesystem::copy_file(year + "/" + name + ".alidade",
+                               folder.path() / "sub" / (std::string(name) + ".alidade"));
+  const std::string series =
+      folder.file("a b.alidade-series",
+                  R"({"format": "alidade-series", "version": 1, "baseline_sessions": 2, "sessions": [
+          "sub/2025-01-04.alidade", "sub/2025-02-05.alidade", "sub/2025-03-06.alidade"]})");
+  Json json = answerTo({series});
+  EXPECT_THAT(json["values"], SizeIs(3));
+  EXPECT_EQ(json["chart"]["baseline_values"], 2);
+  EXPECT_EQ(answerTo({series, "--baseline", "1"})["chart"]["baseline_values"], 1);
+  EXPECT_EQ(json["quantities"]["o1_x"],
+            answerTo({(folder.path() / "sub").string(), "--baseline", "2"})["quantities"]["o1_x"]);
+  const ProgramRun fits = alidadeCli({"fit", series, "--json", "--no-diagnosis"});
+  EXPECT_EQ(std::count(fits.out.begin(), fits.out.end(), '\n'), 3);
+  for (const char* bad : {"{", "{}", R"({"format": "alidade-series", "version": 1, "sessions": []})",
+                          R"({"format": "alidade-series", "version": 1, "sessions": [7]})",
+                          R"({"format": "alidade-series", "version": 9, "sessions": ["a"]})",
+                          R"({"format": "alidade-series", "version": 1, "sessions": ["a"],
+                              "baseline_sessions": -1})"})
+    expectRefusal(alidadeCli({"history", folder.file("bad.alidade-series", bad)}));
+}
+
 TEST(HistoryCall, WatchesTheSessionsAfterItsBaseline) {
   const Json json = answerTo({year, "--baseline", "6"});
   EXPECT_EQ(json["chart"]["baseline_values"], 6);

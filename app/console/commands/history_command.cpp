@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "app/console/channels.h"
+#include "app/console/clock.h"
 #include "app/console/commands/batch_options.h"
 #include "app/console/commands/option_checks.h"
 #include "app/console/history_text.h"
@@ -17,6 +18,8 @@
 #include "core/base/visible_text.h"
 #include "core/series/history/history_json.h"
 #include "core/series/history/history_sentences.h"
+#include "core/series/history/series_file.h"
+#include "core/session/instrument_record.h"
 #include "core/session/session_file.h"
 #include "core/wording/copies.h"
 
@@ -33,6 +36,24 @@ bool isSession(const std::string& path) {
   return std::filesystem::path(path).extension() == ".alidade";
 }
 
+bool isRecord(const std::string& path) {
+  return std::filesystem::path(path).extension() == ".alidade-instrument";
+}
+
+/// The instrument records of a folder that holds no session, by name.
+std::vector<std::string> recordsIn(const std::string& folder) {
+  std::vector<std::string> records;
+  std::error_code problem;
+  std::filesystem::directory_iterator entry(folder, problem);
+  for (; !problem && entry != std::filesystem::directory_iterator(); entry.increment(problem)) {
+    const std::string path = entry->path().string();
+    if (isSession(path) && !isFolder(path)) return {};
+    if (isRecord(path) && !isFolder(path)) records.push_back(path);
+  }
+  std::ranges::sort(records);
+  return records;
+}
+
 std::string baseName(const std::string& file) {
   std::filesystem::path path(inputName(file));
   if (!path.has_filename()) path = path.parent_path();
@@ -44,24 +65,24 @@ class Histories {
   explicit Histories(const HistoryRequest& request) : m_request(request) {}
 
   int give() {
-    std::vector<std::string> sessions;
+    std::vector<std::string> sessions, records;
     SessionFiles inputs;
     for (const std::string& file : m_request.files)
-      if (isSession(file) && !isFolder(file))
-        sessions.push_back(file);
-      else
+      if (isFolder(file) || (!isSession(file) && !isRecord(file)))
         inputs.files.push_back({file});
-    if (!sessions.empty()) {
-      if (inputs.files.empty()) return giveOne("", [&] { return ofSessions(nameOf(sessions), sessions); });
-      inputs.files.push_back({nameOf(sessions)});
-    }
+      else
+        (isSession(file) ? sessions : records).push_back(file);
+    const bool isOneGroup = inputs.files.empty() && (sessions.empty() || records.empty());
+    for (const auto& [files, what] : {std::pair(&sessions, "sessions"), std::pair(&records, "records")})
+      if (!files->empty()) inputs.files.push_back({nameOf(*files, what)});
     const auto answer = [&](const std::string& input) -> Result<std::string> {
-      if (!sessions.empty() && input == nameOf(sessions)) return ofSessions(input, sessions);
+      if (!sessions.empty() && input == nameOf(sessions, "sessions")) return ofSessions(input, sessions);
+      if (!records.empty() && input == nameOf(records, "records")) return ofRecords(input, records);
       return ofInput(input);
     };
     if (inputs.files.size() == 1) {
       const std::string& input = inputs.files.front().path;
-      return giveOne(inputName(input), [&] { return answer(input); });
+      return giveOne(isOneGroup ? "" : inputName(input), [&] { return answer(input); });
     }
     const int code = answerEach(inputs, answer, m_request.batch);
     return code == Done && m_isAnyUnusable ? BadInput : code;
@@ -71,8 +92,8 @@ class Histories {
   const HistoryRequest& m_request;
   std::atomic<bool> m_isAnyUnusable = false;
 
-  static std::string nameOf(const std::vector<std::string>& sessions) {
-    return sessions.size() == 1 ? sessions.front() : std::to_string(sessions.size()) + " sessions";
+  static std::string nameOf(const std::vector<std::string>& files, const std::string& what) {
+    return files.size() == 1 ? files.front() : std::to_string(files.size()) + " " + what;
   }
 
   template <class Answer>
@@ -84,7 +105,11 @@ class Histories {
   }
 
   Result<std::string> ofInput(const std::string& input) {
-    if (isFolder(input)) return ofSessions(baseName(input), {input});
+    if (isSeriesPath(input)) return ofSeries(input);
+    if (isFolder(input)) {
+      const std::vector<std::string> records = recordsIn(input);
+      return records.empty() ? ofSessions(baseName(input), {input}) : ofRecords(baseName(input), records);
+    }
     const Result<std::string> bytes = input == "-" ? readStandardInput() : readFile(input);
     if (!bytes) return bytes.problem();
     if (bytes->find_first_not_of(" \t\r\n") != std::string::npos &&
@@ -105,7 +130,42 @@ class Histories {
                    " " + std::to_string(count)};
   }
 
-  Result<std::string> ofSessions(const std::string& name, const std::vector<std::string>& named) {
+  Result<std::string> ofSeries(const std::string& input) {
+    const Result<SeriesFile> series = loadSeriesFile(input);
+    if (!series) return series.problem();
+    return ofSessions(baseName(input), series->sessions, series->baseline);
+  }
+
+  Result<std::string> ofRecords(const std::string& name, const std::vector<std::string>& files) {
+    std::vector<KeptRecord> records;
+    std::vector<std::string> remarks;
+    for (const std::string& file : files) {
+      const Result<InstrumentRecord> record = loadInstrumentRecord(file);
+      if (record) {
+        records.push_back({baseName(file), *record});
+        continue;
+      }
+      m_isAnyUnusable = true;
+      notify(file, record.problem().text());
+      remarks.push_back(wellFormed(file) + ": " + record.problem().text());
+    }
+    if (records.empty()) return Problem{"none of the records can be used: see the lines above"};
+    InstrumentHistories histories = instrumentHistories(records);
+    for (const auto& [copy, first] : histories.copies) {
+      remarks.push_back(records[copy].file + " holds the same record as " + records[first].file +
+                        ": counted once.");
+      notify(records[copy].file, "holds the same record as " + records[first].file + ": counted once");
+    }
+    for (InstrumentHistory& instrument : histories.instruments) {
+      if (auto problem = baselineProblem(instrument.records.size(), "records")) return *std::move(problem);
+      setBaseline(instrument, m_request.baseline);
+    }
+    return m_request.batch.json ? historyJson(name, histories, remarks)
+                                : historyText(name, histories, localDay());
+  }
+
+  Result<std::string> ofSessions(const std::string& name, const std::vector<std::string>& named,
+                                 std::size_t baseline = 0) {
     const SessionFiles list = sessionFilesOf(named);
     for (const std::string& again : list.again) notify(inputName(again), "is named again: counted once");
     if (list.files.size() == 1 && list.files.front().problem && list.files.front().path == named.front())
@@ -116,7 +176,7 @@ class Histories {
     DeviceHistories histories = deviceHistories(epochs);
     for (DeviceHistory& device : histories.devices) {
       if (auto problem = baselineProblem(device.epochs.size(), "sessions")) return *std::move(problem);
-      setBaseline(device, m_request.baseline);
+      setBaseline(device, m_request.baseline > 0 ? m_request.baseline : baseline);
     }
     for (const auto& [copy, first] : histories.copies) {
       remarks.push_back(copySentence(epochs[copy].file, epochs[first].file));
@@ -167,14 +227,17 @@ void addHistoryCommand(CLI::App& app, HistoryRequest& request) {
       "One device, or one constant of an instrument, over time: is it the same, and if not, since "
       "when.");
   history
-      ->add_option("FOLDER|VALUES.csv", request.files,
-                   "Folder of sessions (*.alidade), sessions, or a table of date, value and standard "
-                   "uncertainty; - reads such a table from standard input")
+      ->add_option(
+          "FOLDER|VALUES.csv", request.files,
+          "Sessions (*.alidade), a folder or a series (*.alidade-series) of them; instrument records "
+          "(*.alidade-instrument) or a folder of them; or a table of date, value and standard "
+          "uncertainty; - reads such a table from standard input")
       ->required();
   history
-      ->add_option("--baseline", request.baseline,
-                   "The first N sessions or values set the centre line and the limits, which watch the later "
-                   "ones; else all set them")
+      ->add_option(
+          "--baseline", request.baseline,
+          "The first N sessions, records or values set the centre line and the limits, which watch the later "
+          "ones; else all set them")
       ->check(wholeFrom(1, 100000));
   addBatchOptions(*history, request.batch);
 }

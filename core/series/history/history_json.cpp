@@ -135,6 +135,19 @@ Json deviceJson(const DeviceHistory& device) {
   return json;
 }
 
+Json instrumentHistoryJson(const InstrumentHistory& instrument) {
+  Json json = {{"instrument", {{"name", instrument.name}, {"serial", instrument.serial}}}};
+  json["records"] = Json::array();
+  for (const KeptRecord& kept : instrument.records)
+    json["records"].push_back({{"file", kept.file},
+                               {"date", kept.record.date},
+                               {"next_check_due", kept.record.due.empty() ? Json() : Json(kept.record.due)}});
+  json["quantities"] = Json::object();
+  for (const QuantityHistory& quantity : instrument.quantities)
+    json["quantities"][quantity.id] = seriesJson(quantity.history, quantity.unit);
+  return json;
+}
+
 Json named(const std::string& name, const Json& json) {
   Json all = {{"history", name}};
   all.update(json);
@@ -158,6 +171,15 @@ std::string historyJson(const std::string& name, const DeviceHistories& historie
     json = {{"history", name}, {"devices", Json::array()}};
     for (const DeviceHistory& device : histories.devices) json["devices"].push_back(deviceJson(device));
   }
+  json["remarks"] = remarks;
+  return answerText(std::move(json));
+}
+
+std::string historyJson(const std::string& name, const InstrumentHistories& histories,
+                        const std::vector<std::string>& remarks) {
+  Json json = {{"history", name}, {"instruments", Json::array()}};
+  for (const InstrumentHistory& instrument : histories.instruments)
+    json["instruments"].push_back(instrumentHistoryJson(instrument));
   json["remarks"] = remarks;
   return answerText(std::move(json));
 }

@@ -280,8 +280,12 @@ std::string quantityName(const std::string& id) {
   if (id == "o2_y") return Phrase::of("O2, y");
   if (id == "radius_0") return Phrase::of("radius at 0°");
   if (id == "radius_180") return Phrase::of("radius at 180°");
+  if (id == "line_of_sight") return Phrase::of("offset of the line of sight");
   const std::size_t colon = id.find(": ");
-  if (colon == std::string::npos) return id;
+  if (colon == std::string::npos) {
+    const Effect* effect = effectById(id);
+    return effect ? Phrase::of(effect->name) : id;
+  }
   const std::string effect = id.substr(0, colon), parameter = id.substr(colon + 2);
   const Effect* known = effectById(effect);
   return Phrase::of("%1: %2", known ? Phrase::of(known->name) : effect, parameterName(parameter));

@@ -58,6 +58,15 @@ std::string courseText(const History& history) {
   return history.course == Course::Constant ? Phrase::of("scatters") : courseName(history.course);
 }
 
+std::string nameOf(const std::string& typedName, const std::string& typedSerial,
+                   const std::string& withoutName) {
+  const std::string name = visibleText(typedName), serial = visibleText(typedSerial);
+  if (name.empty() && serial.empty()) return withoutName;
+  if (serial.empty()) return name;
+  return name.empty() ? Phrase::of("serial number %1", serial)
+                      : Phrase::of("%1, serial number %2", name, serial);
+}
+
 std::string changeText(const Congruence& congruence) {
   if (congruence.hasChanged) return Phrase::of("changed");
   return congruence.device && congruence.device->chance < leastChance ? Phrase::of("differs") : "";
@@ -189,11 +198,37 @@ std::vector<std::string> quantitySentences(const DeviceHistory& device, const Qu
 }
 
 std::string deviceName(const DeviceHistory& device) {
-  const std::string name = visibleText(device.name), serial = visibleText(device.serial);
-  if (name.empty() && serial.empty()) return Phrase::of("device without a name");
-  if (serial.empty()) return name;
-  return name.empty() ? Phrase::of("serial number %1", serial)
-                      : Phrase::of("%1, serial number %2", name, serial);
+  return nameOf(device.name, device.serial, Phrase::of("device without a name"));
+}
+
+std::string instrumentName(const InstrumentHistory& instrument) {
+  return nameOf(instrument.name, instrument.serial, Phrase::of("instrument without a name"));
+}
+
+Statement recordTable(const InstrumentHistory& instrument, const std::string& today) {
+  Statement statement{.id = "records",
+                      .title = Phrase::of("Records"),
+                      .columns = {{"date", Phrase::of("Date"), Role::Name},
+                                  {"due", Phrase::of("Next check due"), Role::Word},
+                                  {"horizontal", Phrase::of("σ horizontal")},
+                                  {"vertical", Phrase::of("σ vertical")},
+                                  {"state", "", Role::Word},
+                                  {"file", Phrase::of("File"), Role::Remark}},
+                      .rows = {}};
+  for (std::size_t i = 0; i < instrument.records.size(); ++i) {
+    const InstrumentRecord& record = instrument.records[i].record;
+    const bool isLast = i + 1 == instrument.records.size();
+    const std::string& next = isLast ? today : instrument.records[i + 1].record.date;
+    const auto sigma = [](const std::string& text) { return text.empty() ? "—" : visibleText(text) + "″"; };
+    const bool isLate = !record.due.empty() && record.due < next;
+    statement.rows.push_back({{visibleText(record.date), record.due.empty() ? "—" : visibleText(record.due),
+                               sigma(record.sigmaHorizontalArcsec), sigma(record.sigmaVerticalArcsec),
+                               !isLate  ? ""
+                               : isLast ? Phrase::of("overdue")
+                                        : Phrase::of("checked late"),
+                               visibleText(instrument.records[i].file)}});
+  }
+  return statement;
 }
 
 std::string verdictWord(const Epoch& epoch) {

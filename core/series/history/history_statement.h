@@ -3,6 +3,7 @@
 #include <string>
 
 #include "core/series/history/device_history.h"
+#include "core/series/history/record_history.h"
 #include "core/statement/statement.h"
 
 namespace alidade {
@@ -19,11 +20,17 @@ Statement quantityTable(const DeviceHistory& device);
 /// Each session compared with the next, and the first with the last.
 Statement congruenceTable(const DeviceHistory& device);
 
+/// Each record of the instrument with its due date, and whether the next check is late on `today`,
+/// year-month-day.
+Statement recordTable(const InstrumentHistory& instrument, const std::string& today);
+
 /// The conclusions from a quantity's history, in one or two sentences each.
 std::vector<std::string> quantitySentences(const DeviceHistory& device, const QuantityHistory& quantity);
 
 /// "Guideway 7, serial number G-07".
 std::string deviceName(const DeviceHistory& device);
+/// The same of an instrument.
+std::string instrumentName(const InstrumentHistory& instrument);
 /// "accept"; empty without a tolerance.
 std::string verdictWord(const Epoch& epoch);
 /// "0.185 mm ± 0.226 mm": Δd, measured, and its expanded uncertainty.

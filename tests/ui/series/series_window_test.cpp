@@ -80,6 +80,27 @@ TEST(SeriesWindow, WatchesTheSessionsAfterItsBaseline) {
   EXPECT_THAT(chart->numbers(), HasSubstr("expanded_uncertainty_mm"));
 }
 
+TEST(SeriesWindow, KeepsASeriesAsAFile) {
+  QTemporaryDir folder;
+  const QString path = folder.filePath(QStringLiteral("a b.alidade-series"));
+  {
+    SeriesBench bench;
+    EXPECT_FALSE(bench.window.saveSeries());
+    bench.addYear();
+    bench.window.history()->setBaseline(4);
+    bench.dialogs.exportPath = path;
+    EXPECT_TRUE(bench.window.saveSeries());
+    bench.dialogs.exportPath = samplePath(QStringLiteral("history/2025-01-04.alidade"));
+    EXPECT_FALSE(bench.window.saveSeries()) << "never over a session";
+  }
+  SeriesBench bench;
+  bench.window.add({path});
+  bench.settle();
+  EXPECT_EQ(bench.window.table()->rowCount(), 12);
+  EXPECT_EQ(bench.window.history()->baseline(), 4);
+  EXPECT_EQ(bench.window.history()->device()->quantities.front().history.chart.baseline, 4U);
+}
+
 TEST(SeriesWindow, TellsWhatTheSessionsShare) {
   SeriesBench bench;
   bench.window.add({samplePath(QStringLiteral("series"))});
