@@ -59,11 +59,8 @@ int write(const ReportCommand& command) {
       std::make_shared<const Gap>(withDependences(assessGap(std::make_shared<const Evaluation>(evaluation))));
   const auto written = ui::writeCertificate(source, command.certificate, options, command.entries);
   if (!written) return refuse(path, written.problem());
-  return tellLacks(
-      path,
-      QStringLiteral(
-          "The certificate says “not stated” where the session leaves empty what its schema asks for"),
-      *written);
+  return tellLacks(path, QStringLiteral("A draft: the certificate says “not stated” for what is missing"),
+                   *written);
 }
 
 }  // namespace
