@@ -13173,6 +13173,10 @@ a clause as a sentence</extracomment>
         <source>Ma&amp;ker of the device</source>
         <translation>装置制造商(&amp;K)</translation>
     </message>
+    <message>
+        <source>Calibration certificate</source>
+        <translation>校准证书</translation>
+    </message>
 </context>
 <context>
     <name>alidade::ui::ReportFlow</name>

@@ -46,7 +46,7 @@ QWidget* warning(const QString& text) {
 
 ReportDialog::ReportDialog(const ReportQuestion& question, QWidget* parent)
     : QDialog(parent), m_question(question) {
-  setWindowTitle(tr("Acceptance report"));
+  setWindowTitle(question.isCertificate ? tr("Calibration certificate") : tr("Acceptance report"));
   auto* columns = new QHBoxLayout;
   columns->addWidget(createContents(), 1);
   columns->addWidget(createSheet(), 1);
