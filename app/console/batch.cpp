@@ -134,7 +134,7 @@ class OrderedOutput {
     else if (!answered.reason && m_options.table)
       text = asRows(file, answered.text, !std::exchange(m_hasText, true));
     else if (!answered.reason)
-      text = (std::exchange(m_hasText, true) ? "\n" : "") + answered.text;
+      text = (std::exchange(m_hasText, !m_options.lines) ? "\n" : "") + answered.text;
     if (!text.empty() && writeResult(text) != Done) m_broken = true;
   }
 };

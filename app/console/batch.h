@@ -14,6 +14,7 @@ struct BatchOptions {
   std::size_t threads = 0;  ///< 0: all. The result is independent of it
   bool progress = false;    ///< printed on stderr even without a terminal
   bool json = false;
+  bool lines = false;  ///< the results are one line each, with no empty line between
   bool table = false;  ///< the results are tables (CSV) of the same columns, whose cells hold no line ends
 };
 

@@ -25,4 +25,18 @@ std::string historyText(const std::string& name, const DeviceHistories& historie
   return text;
 }
 
+std::string historyText(const std::string& name, const InstrumentHistories& histories,
+                        const std::string& today) {
+  std::string text = heading(name);
+  for (const InstrumentHistory& instrument : histories.instruments) {
+    text += "\n" + heading(instrumentName(instrument)) + statementText(recordTable(instrument, today));
+    for (const QuantityHistory& quantity : instrument.quantities) {
+      Statement table = valueTable(quantity.history, quantity.unit);
+      table.title = quantityName(quantity.id);
+      text += statementText(table);
+    }
+  }
+  return text;
+}
+
 }  // namespace alidade::console

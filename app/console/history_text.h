@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "core/series/history/device_history.h"
+#include "core/series/history/record_history.h"
 #include "core/series/history/value_table.h"
 
 namespace alidade::console {
@@ -14,5 +15,9 @@ std::string historyText(const std::string& name, const ValueTable& table, const 
 /// Returns the history of each device: Δd with its table, every other quantity in a line, and each session
 /// compared with the next.
 std::string historyText(const std::string& name, const DeviceHistories& histories);
+
+/// Returns the records of each instrument with their due dates, and each of its constants.
+std::string historyText(const std::string& name, const InstrumentHistories& histories,
+                        const std::string& today);
 
 }  // namespace alidade::console

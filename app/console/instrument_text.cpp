@@ -7,9 +7,10 @@
 
 namespace alidade::console {
 
-std::string instrumentText(const std::string& name, const InstrumentCheck& check,
-                           const std::vector<Finding>& findings) {
-  std::string text = heading(name) + statementText(stationsTable(check));
+std::string instrumentText(const std::string& name, const CheckIdentity& identity,
+                           const InstrumentCheck& check, const std::vector<Finding>& findings) {
+  std::string text = heading(name) + statementText(checkVerdict(check, findings)) +
+                     statementText(identityTable(identity)) + statementText(stationsTable(check));
   for (const StationCheck& station : check.stations)
     for (const Statement& details : stationDetails(station)) text += statementText(details);
   return text + findingsText(findings);

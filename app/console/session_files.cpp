@@ -5,6 +5,8 @@
 #include <system_error>
 #include <unordered_set>
 
+#include "core/series/history/series_file.h"
+
 namespace alidade::console {
 
 namespace {
@@ -39,6 +41,8 @@ class Listing {
     for (const std::string& path : named)
       if (isFolder(path))
         addFolder(path);
+      else if (isSeriesPath(path))
+        addSeries(path);
       else
         add(path, path == "-" ? path : realName(path));
     return std::move(m_list);
@@ -53,6 +57,14 @@ class Listing {
       m_list.files.push_back({path});
     else
       m_list.again.push_back(path);
+  }
+
+  void addSeries(const std::string& path) {
+    const Result<SeriesFile> series = loadSeriesFile(path);
+    if (!series)
+      m_list.files.push_back({path, series.problem()});
+    else
+      for (const std::string& session : series->sessions) add(session, realName(session));
   }
 
   void addFolder(const std::string& folder) {
@@ -92,7 +104,7 @@ SessionFiles sessionFilesOf(const std::vector<std::string>& named) {
 }
 
 bool namesMany(const std::vector<std::string>& named) {
-  return named.size() > 1 || (named.size() == 1 && isFolder(named.front()));
+  return named.size() > 1 || (named.size() == 1 && (isFolder(named.front()) || isSeriesPath(named.front())));
 }
 
 }  // namespace alidade::console

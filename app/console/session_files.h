@@ -14,17 +14,17 @@ struct ListedFile {
   std::optional<Problem> problem = {};
 };
 
-/// The inputs of a call in order: each file, and for each folder its *.alidade files by name, without hidden
-/// files and subfolders. An unreadable folder or one without sessions is listed with its problem, like a pipe
-/// or other special file in a folder. An input named twice in any way is moved to `again`; hard links count
-/// as two files.
+/// The inputs of a call in order: each file, for each folder its *.alidade files by name, without hidden
+/// files and subfolders, and for each series (*.alidade-series) its sessions. An unreadable folder or one
+/// without sessions is listed with its problem, like a pipe or other special file in a folder. An input named
+/// twice in any way is moved to `again`; hard links count as two files.
 struct SessionFiles {
   std::vector<ListedFile> files;
   std::vector<std::string> again;
 };
 SessionFiles sessionFilesOf(const std::vector<std::string>& named);
 
-/// True for more than one file, or a folder: one result each.
+/// True for more than one file, a folder or a series: one result each.
 bool namesMany(const std::vector<std::string>& named);
 
 }  // namespace alidade::console

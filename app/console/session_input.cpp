@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "app/console/channels.h"
+#include "app/console/clock.h"
 #include "app/console/own_effect_files.h"
 #include "core/base/file_bytes.h"
 #include "core/base/visible_text.h"
@@ -51,6 +52,9 @@ Result<SessionInput> readSessionInput(const std::string& file, Session (*prepare
 std::optional<Problem> addRecord(Session& session, const std::string& record) {
   const Result<InstrumentRecord> known = loadInstrumentRecord(record);
   if (!known) return Problem{"--instrument " + visibleText(record) + ": " + known.problem().text()};
+  const std::string day = session.measuredOn.empty() ? localDay() : session.measuredOn;
+  if (!known->due.empty() && known->due < day)
+    notify(record, "the next check of the instrument was due on " + known->due + ": check it again");
   return takeRecord(session, *known, wellFormed(std::filesystem::path(record).filename().string()));
 }
 

@@ -13,6 +13,7 @@
 #include "core/base/given_arguments.h"
 #include "core/base/utf8.h"
 #include "core/base/visible_text.h"
+#include "core/series/history/series_file.h"
 #include "ui/application.h"
 #include "ui/document/encoded_path.h"
 #include "ui/language/languages.h"
@@ -22,6 +23,7 @@
 #include "ui/settings/window_font.h"
 #include "ui/text/visible_log.h"
 #include "ui/text/visible_text.h"
+#include "ui/window/side_windows.h"
 
 namespace {
 
@@ -45,8 +47,8 @@ int badCall(const QString& sentence) {
 class OptionsOfFiles {
  public:
   explicit OptionsOfFiles(QCommandLineParser& parser) {
-    for (const QCommandLineOption* option :
-         {&m_measuredOn, &m_country, &m_performedAt, &m_manufacturer, &m_key, &m_certificate, &m_passphrase})
+    for (const QCommandLineOption* option : {&m_measuredOn, &m_country, &m_performedAt, &m_manufacturer,
+                                             &m_draft, &m_key, &m_certificate, &m_passphrase})
       parser.addOption(*option);
   }
 
@@ -59,7 +61,8 @@ class OptionsOfFiles {
       return QStringLiteral("--sign-passphrase-file opens a --sign-key: give one");
     if (isSet(m_key) && !writes)
       return QStringLiteral("--sign-key signs what --report or --certificate writes: give one");
-    for (const QCommandLineOption* option : {&m_measuredOn, &m_country, &m_performedAt, &m_manufacturer})
+    for (const QCommandLineOption* option :
+         {&m_measuredOn, &m_country, &m_performedAt, &m_manufacturer, &m_draft})
       if (isSet(*option) && !isCertificate)
         return QStringLiteral("--%1 is stated in a --certificate: give one").arg(option->names().first());
     return {};
@@ -69,7 +72,8 @@ class OptionsOfFiles {
     command.entries = {.measuredOn = parser.value(m_measuredOn),
                        .country = parser.value(m_country),
                        .performedAt = parser.value(m_performedAt),
-                       .manufacturer = parser.value(m_manufacturer)};
+                       .manufacturer = parser.value(m_manufacturer),
+                       .isDraft = parser.isSet(m_draft)};
     command.signing = {.key = ui::encodedPath(parser.value(m_key)),
                        .certificate = ui::encodedPath(parser.value(m_certificate)),
                        .passphraseFile = ui::encodedPath(parser.value(m_passphrase))};
@@ -90,6 +94,9 @@ class OptionsOfFiles {
                                             "PLACE");
   QCommandLineOption m_manufacturer =
       option("manufacturer", "Maker of the device, for a certificate.", "NAME");
+  QCommandLineOption m_draft{
+      QStringLiteral("draft"),
+      QStringLiteral("Make a certificate in spite of missing entries, which are “not stated” in it.")};
   QCommandLineOption m_key = option(
       "sign-key", "Sign the report or certificate with this private key (PEM), beside it as *.p7s.", "KEY");
   QCommandLineOption m_certificate = option("sign-certificate", "The key's certificate (PEM).", "CERT");
@@ -123,7 +130,10 @@ int runWindow(ui::Application& application, const QString& path, const ui::Termi
   QMetaObject::invokeMethod(
       &window,
       [&] {
-        if (!path.isEmpty()) window.files().open(path);
+        if (isSeriesPath(ui::encodedPath(path)))
+          window.sideWindows().openSeries(path);
+        else if (!path.isEmpty())
+          window.files().open(path);
         window.offerRecovery();
       },
       Qt::QueuedConnection);
@@ -190,7 +200,7 @@ int run(int argc, char** argv) {
       QStringLiteral("ID"));
   parser.addOption(language);
   parser.addPositionalArgument(QStringLiteral("FILE"),
-                               QStringLiteral("Session to open, or file of readings to import."),
+                               QStringLiteral("Session or series to open, or file of readings to import."),
                                QStringLiteral("[FILE]"));
   if (!parser.parse(QApplication::arguments())) return badCall(parser.errorText());
   if (parser.isSet(help)) parser.showHelp();

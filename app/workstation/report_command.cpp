@@ -68,7 +68,7 @@ int write(const ReportCommand& command) {
   const auto written = ui::writeCertificate(source, command.certificate, options, command.entries);
   if (!written) return refuse(path, written.problem());
   return tellLacks(
-      path, PHRASE_LATER("Phrase", "The certificate says “not stated” of what the session leaves empty: %1."),
+      path, PHRASE_LATER("Phrase", "A draft: the certificate says “not stated” for what is missing: %1."),
       *written);
 }
 

@@ -136,8 +136,7 @@ void addItems(const Element& to, const CertificateSource& source, const StatedEn
       .name = [] { return Phrase::of("Nominal radius R0, at the temperature of the measurement"); },
       .value = measurement.nominalRadius,
       .unit = "\\milli\\metre"};
-  if (!session.geometry.sigmaRadiusMm.empty())
-    radius.uncertainty = standardUncertainty(measurement.sigmaRadius);
+  if (!session.geometry.sigmaRadiusMm.empty()) radius.uncertainty = typedUncertainty(measurement.sigmaRadius);
   addQuantity(item.add("itemQuantities"), radius, "itemQuantity");
 }
 
@@ -169,7 +168,7 @@ void addStatements(const Element& to, const CertificateSource& source, const Sta
     }
   };
   addTyped(
-      "title", [] { return Phrase::of("Title of the session"); }, source.session.title);
+      "title", [] { return Phrase::of("Title"); }, source.session.title);
   addTyped(
       "place", [] { return Phrase::of("Place of the measurement"); }, source.session.place);
   addTyped(
@@ -180,10 +179,8 @@ void addStatements(const Element& to, const CertificateSource& source, const Sta
       [&] {
         std::vector<std::string> nouns;
         for (const char* noun : stated.notStated) nouns.push_back(Phrase::of(noun));
-        return Phrase::of(
-            "The schema asks for it and the session leaves it empty: %1. Country ZZ and place “other” stand "
-            "for none.",
-            listed(nouns));
+        return Phrase::of("The laboratory did not state: %1. Country ZZ and place “other” stand for none.",
+                          listed(nouns));
       });
 }
 

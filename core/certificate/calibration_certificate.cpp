@@ -5,6 +5,8 @@
 #include <utility>
 
 #include "core/answers/fit_json.h"
+#include "core/base/list_text.h"
+#include "core/base/phrase.h"
 #include "core/certificate/administrative_data.h"
 #include "core/certificate/measurement_results.h"
 
@@ -26,6 +28,13 @@ Result<CalibrationCertificate> calibrationCertificate(const CertificateSource& s
                                                       const CertificateOptions& options) {
   const Result<StatedEntries> stated = statedEntries(source, options);
   if (!stated) return stated.problem();
+  if (!options.isDraft && !stated->notStated.empty()) {
+    std::vector<std::string> nouns;
+    for (const char* noun : stated->notStated) nouns.push_back(Phrase::of(noun));
+    return Problem{
+        Phrase::of("no certificate is made: ISO/IEC 17025 and the schema require what is not stated: %1",
+                   listed(nouns))};
+  }
   std::vector<CertificateLanguage> languages = options.languages;
   if (languages.empty()) languages.push_back({"en"});
 

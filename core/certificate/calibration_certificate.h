@@ -24,16 +24,16 @@ struct CertificateOptions {
                                 ///< ones
   std::string performedAt =
       {};  ///< "laboratory", "customer", "laboratoryBranch", "customerBranch" or "other"
-  std::string manufacturer = {};                    ///< of the device
-  std::string issued = {};                          ///< day of issue; empty: not stated
+  std::string manufacturer = {};  ///< of the device
+  std::string issued = {};        ///< day of issue; empty: not stated
+  bool isDraft = false;           ///< what is missing is “not stated” instead of refused
   std::vector<CertificateLanguage> languages = {};  ///< the binding one first; empty: English
   std::optional<CertificateDocument> report = {};   ///< the acceptance report, as PDF
 };
 
 struct CalibrationCertificate {
   std::string xml;
-  /// Entries that the schema requires and the session leaves empty, as nouns for `Phrase::of`: in the
-  /// certificate they are "not stated".
+  /// Of a draft: required entries that are empty, as nouns for `Phrase::of`, "not stated" in the certificate.
   std::vector<const char*> notStated;
 };
 
@@ -45,7 +45,8 @@ struct CalibrationCertificate {
 /// from the session's SHA-256.
 ///
 /// Fails without the day of the measurement, which the schema requires, and on an invalid day, country or
-/// place of performance.
+/// place of performance. Unless it is a draft, it also fails if an entry is missing that ISO/IEC
+/// 17025, 7.8.2, or the schema requires.
 Result<CalibrationCertificate> calibrationCertificate(const CertificateSource& source,
                                                       const CertificateOptions& options);
 

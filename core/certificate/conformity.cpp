@@ -57,15 +57,28 @@ std::string ruleText(const Measurement& measurement) {
       limit, share);
 }
 
+/// On what the verdict holds: what the headline says before it is used.
+std::string conditionOf(const Headline& headline) {
+  std::string condition = headline.line(Headline::Line::Kind::Gap);
+  const std::string knock = headline.line(Headline::Line::Kind::Knock);
+  if (condition.empty() || knock.empty()) return condition + knock;
+  return Phrase::of("%1. %2", condition, knock);
+}
+
+bool isConditional(const FitAnswer& answer) {
+  return !conditionOf(headlineOf(answer.measurement, answer.fit, answer.found(), answer.dependences)).empty();
+}
+
 /// The meaning of the schema's word here, or why there is none.
 std::string statementText(const FitAnswer& answer) {
   const Headline headline = headlineOf(answer.measurement, answer.fit, answer.found(), answer.dependences);
-  const std::string condition = headline.line(Headline::Line::Kind::Gap);
+  const std::string condition = conditionOf(headline);
   const std::string sentence =
       inTurn(condition.empty() ? headline.sentence : Phrase::of("%1. %2", condition, headline.sentence),
              dependenceSentence(answer.dependences));
   const auto conformity = conformityOf(answer);
   if (!conformity) return Phrase::of("No statement of conformity. %1", sentence);
+  if (headline.decided && *headline.decided != Verdict::Undecided) return sentence;
   if (*conformity == "conditionalPass")
     return Phrase::of(
         "Undecided: the value is within the tolerance, and the uncertainty reaches beyond it. %1", sentence);
@@ -84,7 +97,7 @@ void addNumbers(const Element& metaData, const FitAnswer& answer, const Acceptan
   if (decision.conformance)
     addQuantity(data, {.id = "conformance_probability",
                        .name = [] { return Phrase::of("Probability of conformance"); },
-                       .value = *decision.conformance});
+                       .value = roundedTo(*decision.conformance, 4)});
 }
 
 }  // namespace
@@ -94,9 +107,9 @@ std::optional<std::string_view> conformityOf(const FitAnswer& answer) {
   if (!decision) return std::nullopt;
   switch (decision->verdict) {
     case Verdict::Accept:
-      return "pass";
+      return isConditional(answer) ? "conditionalPass" : "pass";
     case Verdict::Reject:
-      return "fail";
+      return isConditional(answer) ? "conditionalFail" : "fail";
     case Verdict::Undecided:
       break;
   }

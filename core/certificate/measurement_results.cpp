@@ -98,14 +98,16 @@ void addAcross(const Element& results, const FitAnswer& answer) {
   result.attribute("id", "distance_of_centre");
   result.say("name", [] { return Phrase::of("Distance of the arc's centre from the axis"); });
   const Element data = result.add("data");
-  const auto add = [&](const char* id, const Say& name, const std::optional<MeasuredLength>& length) {
+  const auto add = [&](const char* id, const Say& name, const std::optional<MeasuredLength>& length,
+                       bool isOfLength) {
     if (length) {
       addQuantity(data, {.id = id,
                          .name = name,
                          .value = length->value,
                          .unit = millimetres,
-                         .uncertainty = StatedUncertainty{length->sigma, length->expanded,
-                                                          answer.measurement.coverage, "Student's t"}});
+                         .uncertainty =
+                             StatedUncertainty{length->sigma, length->expanded, answer.measurement.coverage,
+                                               isOfLength ? "Rice" : "Student's t", isOfLength}});
       return;
     }
     const Element quantity = data.add("quantity");
@@ -114,9 +116,10 @@ void addAcross(const Element& results, const FitAnswer& answer) {
     quantity.say("noQuantity", [] { return Phrase::of("not measured"); });
   };
   add(
-      "across_plane", [] { return Phrase::of("Δz, across the plane of the arc"); }, measured.across);
+      "across_plane", [] { return Phrase::of("Δz, across the plane of the arc"); }, measured.across, false);
   add(
-      "distance_from_axis", [] { return Phrase::of("d = √(Δd² + Δz²), as a whole"); }, measured.distance);
+      "distance_from_axis", [] { return Phrase::of("d = √(Δd² + Δz²), as a whole"); }, measured.distance,
+      true);
 }
 
 /// "arc_180", and "arc_180_2" for a repeated axis.
@@ -160,7 +163,7 @@ void addArc(const Element& results, const ArcFit& arc, const ArcSigma& sigma) {
                      .uncertainty = standardUncertainty(sigma.radius)});
   addQuantity(data, {.id = rms.c_str(),
                      .name = [] { return Phrase::of("Root mean square of the residuals"); },
-                     .value = arc.residualRms,
+                     .value = roundedTo(arc.residualRms, 2),
                      .unit = arcseconds});
 }
 
@@ -189,8 +192,7 @@ std::string sessionFileName(const CertificateSource& source) {
 
 void addFiles(const Element& result, const CertificateSource& source, const std::string& results) {
   const Element description = result.say("description", [] {
-    return Phrase::of(
-        "The session with every reading as it was typed, and the results in full, are attached.");
+    return Phrase::of("Every reading as it was entered, and the results in full, are attached as files.");
   });
   description.file("file", sessionFileName(source), "application/x-alidade-session", source.bytes);
   description.file("file", "results.json", "application/json", results);

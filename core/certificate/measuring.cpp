@@ -111,7 +111,7 @@ void addConditions(const Element& to, const CertificateSource& source) {
       .name = [] { return Phrase::of("Distance L from the theodolite to the plane of the arc"); },
       .value = measurement.distance,
       .unit = "\\milli\\metre",
-      .uncertainty = standardUncertainty(measurement.sigmaDistance)};
+      .uncertainty = typedUncertainty(measurement.sigmaDistance)};
   const std::string from = certificateText(source.session.geometry.distanceFrom);
   if (!from.empty()) distance.description = [from] { return Phrase::of("Measured: %1", from); };
   addCondition(list, distance);
@@ -124,7 +124,7 @@ void addConditions(const Element& to, const CertificateSource& source) {
                          .value = *temperature,
                          .unit = "\\degreecelsius"};
   if (const auto sigma = typedNumber("environment.sigma_temperature_c", environment.sigmaTemperatureC))
-    degrees.uncertainty = standardUncertainty(*sigma);
+    degrees.uncertainty = typedUncertainty(*sigma);
   addCondition(list, degrees);
 }
 

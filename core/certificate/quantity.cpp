@@ -5,33 +5,42 @@
 
 #include "core/base/number_text.h"
 #include "core/base/phrase.h"
+#include "core/base/quantity_text.h"
 
 namespace alidade {
 
 namespace {
 
 /// Formats without an exponent, which the schema excludes for coverage factors and probabilities.
-std::string plainText(double value) {
+std::string withDecimals(double value, int decimals) {
   char text[400];
-  const auto written = std::to_chars(text, text + sizeof text, value, std::chars_format::fixed);
-  return {text, written.ptr};
+  const auto written = std::to_chars(text, text + sizeof text, value, std::chars_format::fixed, decimals);
+  const std::string number(text, written.ptr);
+  return number.find_first_not_of("-0.") == std::string::npos && number.starts_with('-') ? number.substr(1)
+                                                                                         : number;
 }
 
-/// Writes an equivalent interval for a coverage factor below 1, which the schema excludes.
-void addUncertainty(const Element& real, double value, const StatedUncertainty& stated) {
-  if (!(stated.sigma > 0) || !std::isfinite(stated.expanded)) return;
+constexpr int decimalsOfProbability = 4;
+
+/// A coverage factor below 1, which the schema excludes, and a length that U would let be negative are stated
+/// as intervals.
+void addUncertainty(const Element& real, double value, const StatedUncertainty& stated, int decimals) {
   const double factor = stated.expanded / stated.sigma;
-  const bool isInterval = factor < 1;
+  const bool reachesZero = stated.isOfLength && value < stated.expanded;
+  const bool isInterval = factor < 1 || reachesZero;
   const Element uncertainty = real.add(isInterval ? "si:coverageInterval" : "si:expandedUnc");
   if (isInterval) {
-    uncertainty.value("si:standardUnc", shortestText(stated.sigma));
-    uncertainty.value("si:intervalMin", shortestText(value - stated.expanded));
-    uncertainty.value("si:intervalMax", shortestText(value + stated.expanded));
+    const double least = value - stated.expanded;
+    uncertainty.value("si:standardUnc", withDecimals(stated.sigma, decimalsFor(stated.sigma)));
+    uncertainty.value("si:intervalMin", withDecimals(reachesZero ? 0 : least, decimals));
+    uncertainty.value("si:intervalMax", withDecimals(value + stated.expanded, decimals));
   } else {
-    uncertainty.value("si:uncertainty", shortestText(stated.expanded));
-    uncertainty.value("si:coverageFactor", plainText(factor));
+    constexpr int decimalsOfFactor = 3;
+    uncertainty.value("si:uncertainty", stated.isTyped ? shortestText(stated.expanded)
+                                                       : withDecimals(stated.expanded, decimals));
+    uncertainty.value("si:coverageFactor", withDecimals(factor, decimalsOfFactor));
   }
-  uncertainty.value("si:coverageProbability", plainText(stated.coverage));
+  uncertainty.value("si:coverageProbability", withDecimals(stated.coverage, decimalsOfProbability));
   uncertainty.value("si:distribution", stated.distribution);
 }
 
@@ -40,6 +49,17 @@ void addUncertainty(const Element& real, double value, const StatedUncertainty& 
 StatedUncertainty standardUncertainty(double sigma) {
   const double withinOneSigma = std::erf(std::sqrt(0.5));  // of a normal distribution: 0.6827
   return {sigma, sigma, withinOneSigma};
+}
+
+StatedUncertainty typedUncertainty(double sigma) {
+  StatedUncertainty stated = standardUncertainty(sigma);
+  stated.isTyped = true;
+  return stated;
+}
+
+double roundedTo(double value, int decimals) {
+  const double scale = std::pow(10.0, decimals);
+  return std::round(value * scale) / scale;
 }
 
 void addQuantity(const Element& to, const StatedQuantity& quantity, const char* element) {
@@ -53,9 +73,13 @@ void addQuantity(const Element& to, const StatedQuantity& quantity, const char* 
     return;
   }
   const Element real = own.add("si:real");
-  real.value("si:value", shortestText(quantity.value));
+  const auto& uncertainty = quantity.uncertainty;
+  const bool isUncertain = uncertainty && uncertainty->sigma > 0 && std::isfinite(uncertainty->expanded);
+  const int decimals = isUncertain ? decimalsFor(uncertainty->expanded) : 0;
+  real.value("si:value", isUncertain && !uncertainty->isTyped ? withDecimals(quantity.value, decimals)
+                                                              : shortestText(quantity.value));
   real.value("si:unit", quantity.unit);
-  if (quantity.uncertainty) addUncertainty(real, quantity.value, *quantity.uncertainty);
+  if (isUncertain) addUncertainty(real, quantity.value, *uncertainty, decimals);
 }
 
 }  // namespace alidade

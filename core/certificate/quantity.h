@@ -11,10 +11,14 @@ struct StatedUncertainty {
   double sigma = 0, expanded = 0;  ///< in the unit of its value; expanded = k σ
   double coverage = 0;             ///< 0…1
   const char* distribution = "normal";
+  bool isOfLength = false;  ///< the value cannot be negative
+  bool isTyped = false;     ///< value and uncertainty are stated as they were entered
 };
 
 /// A standard uncertainty by itself: k = 1.
 StatedUncertainty standardUncertainty(double sigma);
+/// The same as it was entered.
+StatedUncertainty typedUncertainty(double sigma);
 
 struct StatedQuantity {
   const char* id = nullptr;       ///< xs:ID; null: none
@@ -26,8 +30,12 @@ struct StatedQuantity {
   Say description = nullptr;  ///< empty: none
 };
 
+/// The number rounded for a certificate, where no uncertainty says how far.
+double roundedTo(double value, int decimals);
+
 /// Adds a `quantity` to a `data` element, or to another parent as `element`. A value that is not finite is
-/// stated as missing; an infinite or zero uncertainty is omitted.
+/// stated as missing; an infinite or zero uncertainty is omitted. An uncertainty has two significant digits,
+/// and its value as many decimals.
 void addQuantity(const Element& to, const StatedQuantity& quantity, const char* element = "quantity");
 
 }  // namespace alidade

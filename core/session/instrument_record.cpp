@@ -31,6 +31,7 @@ InstrumentRecord recordFrom(const ObjectReader& reader) {
           .certificate = reader.text("certificate"),
           .traceability = reader.text("traceability"),
           .date = reader.text("date"),
+          .due = reader.text("next_check_due"),
           .sigmaHorizontalArcsec = reader.number("sigma_horizontal_arcsec"),
           .sigmaVerticalArcsec = reader.number("sigma_vertical_arcsec"),
           .sigmaZeroArcsec = reader.number("sigma_zero_arcsec"),
@@ -52,6 +53,10 @@ class RecordExaminer {
     if (record.date.empty())
       tell(Problem{Phrase::of("is empty: say on which day this was found, as year-month-day")}, "date");
     date("date", record.date);
+    date("next_check_due", record.due);
+    if (!record.due.empty() && record.due <= record.date)
+      tell(Problem{Phrase::of("is not after the day of the check: correct one of the two")},
+           "next_check_due");
     for (std::size_t i = 0; i < record.known.size(); ++i)
       known("known[" + std::to_string(i) + "]", record.known[i]);
     return std::move(m_problem);
@@ -108,6 +113,7 @@ std::string writeInstrumentRecord(const InstrumentRecord& record) {
   writer.text("certificate", record.certificate);
   writer.text("traceability", record.traceability);
   writer.set("date", record.date, ValueKind::Text, Presence::Required);
+  writer.text("next_check_due", record.due);
   writer.number("sigma_horizontal_arcsec", record.sigmaHorizontalArcsec);
   writer.number("sigma_vertical_arcsec", record.sigmaVerticalArcsec);
   writer.number("sigma_zero_arcsec", record.sigmaZeroArcsec);

@@ -19,6 +19,7 @@ struct InstrumentRecord {
   std::string name = {}, serial = {};
   std::string certificate = {}, traceability = {};  ///< of its calibration, of its circles
   std::string date = {};                            ///< date of all findings; required
+  std::string due = {};  ///< date of the next check, after `date`; empty: not stated
   // Empty: not stated.
   std::string sigmaHorizontalArcsec = {}, sigmaVerticalArcsec = {}, sigmaZeroArcsec = {};
   LineOfSight lineOfSight = {};

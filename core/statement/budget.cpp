@@ -37,25 +37,25 @@ std::string sensitivityText(const UncertaintyShare& share) {
   return displayText(rate, decimalsFor(rate));
 }
 
+/// "B", or "A, 32" with its degrees of freedom.
+std::string typeWithDegrees(const UncertaintyShare& share) {
+  const std::string type = textOf(share.type);
+  return std::isfinite(share.degreesOfFreedom) ? type + ", " + degreesOfFreedomText(share.degreesOfFreedom)
+                                               : type;
+}
+
 /// A row of the budget of Δd, measured.
 struct ShareRows {
   double sigma = 0;  ///< of the whole, mm
   int decimals = decimalsFor(sigma) + 1;
 
-  Cells cells(std::string name, double part, const std::string& degrees,
-              Cells size = {"", "", "", ""}) const {
-    return {std::move(name),
-            std::move(size[0]),
-            std::move(size[1]),
-            std::move(size[2]),
-            std::move(size[3]),
-            degrees,
-            displayText(part, decimals),
-            varianceShare(part, sigma)};
+  Cells cells(std::string name, double part, Cells size = {"", "", "", ""}) const {
+    return {std::move(name),    std::move(size[0]),          std::move(size[1]),        std::move(size[2]),
+            std::move(size[3]), displayText(part, decimals), varianceShare(part, sigma)};
   }
   Cells cells(const UncertaintyShare& share) const {
-    return cells(nameOf(share), share.sigma, degreesOfFreedomText(share.degreesOfFreedom),
-                 {sizesWithSign(share), textOf(share.type),
+    return cells(nameOf(share), share.sigma,
+                 {sizesWithSign(share), typeWithDegrees(share),
                   share.reference.empty() ? textOf(share.from) : visibleText(share.reference),
                   sensitivityText(share)});
   }
@@ -76,7 +76,7 @@ std::vector<Statement::Row> sharesOf(const MeasuredIntersection& measured) {
   if (others.size() < 2) return rows;
   double together = 0;
   for (const UncertaintyShare* share : others) together = std::hypot(together, share->sigma);
-  rows.push_back({table.cells(Phrase::of("%1 others", others.size()), together, "")});
+  rows.push_back({table.cells(Phrase::of("%1 others", others.size()), together)});
   return rows;
 }
 
@@ -92,16 +92,15 @@ Statement measuredBudget(const Diagnosis& diagnosis, double coverage) {
                                   {"type", Phrase::of("type"), Role::Word},
                                   {"from", Phrase::of("size from"), Role::Remark},
                                   {"sensitivity", "c"},
-                                  {"degrees", "ν"},
                                   {"u", "u (mm)"},
                                   {"share", Phrase::of("share")}},
                       .rows = sharesOf(measured)};
   const ShareRows table{found.sigma};
+  statement.rows.push_back({table.cells(Phrase::of("combined, u"), found.sigma,
+                                        {"", "", "ν = " + degreesOfFreedomText(found.degreesOfFreedom), ""}),
+                            true});
   statement.rows.push_back(
-      {table.cells(Phrase::of("combined, u"), found.sigma, degreesOfFreedomText(found.degreesOfFreedom)),
-       true});
-  statement.rows.push_back(
-      {{Phrase::of("expanded, U"), "", "", coverageWithFactor(found.expanded / found.sigma, coverage), "", "",
+      {{Phrase::of("expanded, U"), "", "", coverageWithFactor(found.expanded / found.sigma, coverage), "",
         displayText(found.expanded, table.decimals), ""},
        true});
   statement.sentences = {

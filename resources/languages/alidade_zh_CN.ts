@@ -454,6 +454,10 @@ Sealed by:</source>
         <source>name</source>
         <translation>姓名</translation>
     </message>
+    <message>
+        <source>Sessions and series (*.alidade *.alidade-series);;All files (*)</source>
+        <translation>测量记录和系列 (*.alidade *.alidade-series);;所有文件 (*)</translation>
+    </message>
 </context>
 <context>
     <name>DifferenceText</name>
@@ -3877,10 +3881,6 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
         <translation>仅由一个值支撑的水平无法与偏离的值区分：采取措施前请再测一次。</translation>
     </message>
     <message>
-        <source>It changes all along, by %1 (standard uncertainty).</source>
-        <translation>它持续变化，变化率 %1（标准不确定度）。</translation>
-    </message>
-    <message>
         <source>The value of %1 stands apart from all others: look for what was different that day, a misread session or another set-up, before believing in a change.</source>
         <translation>%1 的值与其他所有值不符：在相信发生变化之前，请查找当天有何不同，例如读数有误或另一种架设。</translation>
     </message>
@@ -3892,14 +3892,6 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
         <source>%1 (%2)</source>
         <extracomment>a cause and its probability: &quot;plane offset (72 %)&quot;</extracomment>
         <translation>%1（%2）</translation>
-    </message>
-    <message>
-        <source>Weighted mean of %1 values: %2 (standard uncertainty).</source>
-        <translation>%1 个值的加权均值：%2（标准不确定度）。</translation>
-    </message>
-    <message>
-        <source>With the scatter that is seen the mean has a standard uncertainty of %1.</source>
-        <translation>按观测到的离散，均值的标准不确定度为 %1。</translation>
     </message>
     <message>
         <source>How probable each account of the values is: %1.</source>
@@ -4140,14 +4132,6 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
     <message>
         <source>Measure guideway %1 again: %3 would show by %4 σ (more sessions needed: %2).</source>
         <translation>再次测量导轨 %1：%3将达到 %4 σ（还需测量记录：%2 份）。</translation>
-    </message>
-    <message>
-        <source>From %1 on it is larger by %2 (standard uncertainty).</source>
-        <translation>自 %1 起增大 %2（标准不确定度）。</translation>
-    </message>
-    <message>
-        <source>From %1 on it is smaller by %2 (standard uncertainty).</source>
-        <translation>自 %1 起减小 %2（标准不确定度）。</translation>
     </message>
     <message>
         <source>it has no date and takes no part: enter the day it was measured on</source>
@@ -4402,10 +4386,6 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
         <translation>结果仅与被测对象有关。</translation>
     </message>
     <message>
-        <source>Title of the session</source>
-        <translation>测量记录标题</translation>
-    </message>
-    <message>
         <source>Place of the measurement</source>
         <translation>测量地点</translation>
     </message>
@@ -4416,10 +4396,6 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
     <message>
         <source>Not stated</source>
         <translation>未说明</translation>
-    </message>
-    <message>
-        <source>The schema asks for it and the session leaves it empty: %1. Country ZZ and place “other” stand for none.</source>
-        <translation>模式要求而测量记录留空的有：%1。国家 ZZ 和地点“other”表示没有填写。</translation>
     </message>
     <message>
         <source>report number</source>
@@ -4560,10 +4536,6 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
     <message>
         <source>Finding</source>
         <translation>提示</translation>
-    </message>
-    <message>
-        <source>The session with every reading as it was typed, and the results in full, are attached.</source>
-        <translation>附有测量记录（每个读数均如录入）和全部结果。</translation>
     </message>
     <message>
         <source>Intersection of a rotatable arc guideway</source>
@@ -6795,16 +6767,8 @@ Includes every catalogued effect, limited by these readings or by its plausible 
         <translation>离群</translation>
     </message>
     <message>
-        <source>outside 3 u</source>
-        <translation>超出 3 u</translation>
-    </message>
-    <message>
         <source>average outside</source>
         <translation>均值超出</translation>
-    </message>
-    <message>
-        <source>Control limits: the mean %1 ± 3 u of each value; by the moving range that is seen ± %2.</source>
-        <translation>控制限：均值 %1 ± 各值的 3 u；按观测到的移动极差为 ± %2。</translation>
     </message>
     <message>
         <source>one value</source>
@@ -6841,10 +6805,6 @@ Includes every catalogued effect, limited by these readings or by its plausible 
     <message>
         <source>value</source>
         <translation>值</translation>
-    </message>
-    <message>
-        <source>u apart</source>
-        <translation>独立 u</translation>
     </message>
     <message>
         <source>± limit</source>
@@ -6885,10 +6845,6 @@ Includes every catalogued effect, limited by these readings or by its plausible 
     <message>
         <source>Course</source>
         <translation>走势</translation>
-    </message>
-    <message>
-        <source>Standard uncertainties; all but that of Δd, measured, by the readings alone.</source>
-        <translation>标准不确定度；除实测 Δd 外，均仅由读数得出。</translation>
     </message>
     <message>
         <source>Sessions compared</source>
@@ -7673,12 +7629,228 @@ Includes every catalogued effect, limited by these readings or by its plausible 
         <translation>报告中标为未说明：%1。</translation>
     </message>
     <message>
-        <source>The certificate says “not stated” of what the session leaves empty: %1.</source>
-        <translation>测量记录中留空的项，证书标为“未说明”：%1。</translation>
-    </message>
-    <message>
         <source>1σ: how large each effect may plausibly be; c: sensitivity, how many mm one unit of it moves Δd in these readings; ν: degrees of freedom; share: of the variance. A: by the scatter of these readings; B: by other knowledge.</source>
         <translation>1σ：每项效应的合理大小；c：灵敏系数，即其一个单位在这些读数中使 Δd 改变多少毫米；ν：自由度；占比：占方差的比例。A：由这些读数的离散得出；B：由其他信息得出。</translation>
+    </message>
+    <message>
+        <source>Title</source>
+        <translation>标题</translation>
+    </message>
+    <message>
+        <source>The laboratory did not state: %1. Country ZZ and place “other” stand for none.</source>
+        <translation>实验室未说明：%1。国家 ZZ 和地点“other”表示未说明。</translation>
+    </message>
+    <message>
+        <source>no certificate is made: ISO/IEC 17025 and the schema require what is not stated: %1</source>
+        <translation>未出具证书：缺少 ISO/IEC 17025 和证书格式要求说明的内容：%1</translation>
+    </message>
+    <message>
+        <source>Every reading as it was entered, and the results in full, are attached as files.</source>
+        <translation>按录入的全部读数和完整结果作为文件附上。</translation>
+    </message>
+    <message>
+        <source>From %1 on it is larger by %2.</source>
+        <translation>自 %1 起增大 %2。</translation>
+    </message>
+    <message>
+        <source>From %1 on it is smaller by %2.</source>
+        <translation>自 %1 起减小 %2。</translation>
+    </message>
+    <message>
+        <source>It changes all along, by %1.</source>
+        <translation>它持续变化，变化率 %1。</translation>
+    </message>
+    <message>
+        <source>Baseline: the value of %1, %2.</source>
+        <translation>基准阶段：%1 的值，%2。</translation>
+    </message>
+    <message>
+        <source>Baseline: %1 values from %2 to %3, centre line %4.</source>
+        <translation>基准阶段：%2 至 %3 的 %1 个值，中心线 %4。</translation>
+    </message>
+    <message>
+        <source>%1 Later values outside their limits: %2 of %3, the first on %4.</source>
+        <translation>%1 其后超出控制限的值：%3 个中 %2 个，首次在 %4。</translation>
+    </message>
+    <message>
+        <source>%1 Later values outside their limits: 0 of %2, but their average leaves its own on %3.</source>
+        <translation>%1 其后超出控制限的值：%2 个中 0 个，但其平均在 %3 越出自身的控制限。</translation>
+    </message>
+    <message>
+        <source>%1 Later values outside their limits: 0 of %2.</source>
+        <translation>%1 其后超出控制限的值：%2 个中 0 个。</translation>
+    </message>
+    <message>
+        <source>expanded uncertainty, %1</source>
+        <translation>扩展不确定度，%1</translation>
+    </message>
+    <message>
+        <source>Its value: %1 (%2).</source>
+        <translation>其值：%1（%2）。</translation>
+    </message>
+    <message>
+        <source>Weighted mean of %1 values: %2 (%3).</source>
+        <translation>%1 个值的加权均值：%2（%3）。</translation>
+    </message>
+    <message>
+        <source>With the scatter that is seen the mean has an expanded uncertainty of %1.</source>
+        <translation>按观测到的离散，均值的扩展不确定度为 %1。</translation>
+    </message>
+    <message>
+        <source>outside</source>
+        <translation>超限</translation>
+    </message>
+    <message>
+        <source>Control limits: %1 ± three standard uncertainties of each value.</source>
+        <translation>控制限：%1 ± 各值标准不确定度的三倍。</translation>
+    </message>
+    <message>
+        <source>Control limits: %1 ± three standard uncertainties of each value, without what all values share; by the moving range that is seen ± %2.</source>
+        <translation>控制限：%1 ± 各值标准不确定度（不含各值共有部分）的三倍；按观测到的移动极差为 ± %2。</translation>
+    </message>
+    <message>
+        <source>Tolerance of the latest session: ± %1.</source>
+        <translation>最近一次测量的允差：± %1。</translation>
+    </message>
+    <message>
+        <source>± its limit</source>
+        <translation>± 其界限</translation>
+    </message>
+    <message>
+        <source>Each ± is an %1; all but that of Δd, measured, by the readings alone.</source>
+        <translation>各 ± 均为%1；除实测 Δd 外，均仅由读数得出。</translation>
+    </message>
+    <message>
+        <source>instrument without a name</source>
+        <translation>未命名的仪器</translation>
+    </message>
+    <message>
+        <source>Records</source>
+        <translation>记录</translation>
+    </message>
+    <message>
+        <source>Next check due</source>
+        <translation>下次检查到期</translation>
+    </message>
+    <message>
+        <source>σ horizontal</source>
+        <translation>σ 水平</translation>
+    </message>
+    <message>
+        <source>σ vertical</source>
+        <translation>竖直 σ</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>文件</translation>
+    </message>
+    <message>
+        <source>overdue</source>
+        <translation>已逾期</translation>
+    </message>
+    <message>
+        <source>checked late</source>
+        <translation>检查逾期</translation>
+    </message>
+    <message>
+        <source>is missing: this is no series, which says &quot;format&quot;: &quot;alidade-series&quot;</source>
+        <translation>缺失：这不是测量系列，测量系列写有 &quot;format&quot;: &quot;alidade-series&quot;</translation>
+    </message>
+    <message>
+        <source>choose a series of sessions</source>
+        <translation>请选择测量系列</translation>
+    </message>
+    <message>
+        <source>%1 is no version of a series: it must be %2</source>
+        <translation>%1 不是测量系列的版本：必须是 %2</translation>
+    </message>
+    <message>
+        <source>add the paths of the sessions</source>
+        <translation>请添加各测量记录的路径</translation>
+    </message>
+    <message>
+        <source>each must be the path of a session in quotation marks</source>
+        <translation>每一项必须是引号内的测量记录路径</translation>
+    </message>
+    <message>
+        <source>must be a number of sessions</source>
+        <translation>必须是测量次数</translation>
+    </message>
+    <message>
+        <source>the series names no session: add one</source>
+        <translation>测量系列未列出任何测量记录：请添加</translation>
+    </message>
+    <message>
+        <source>The day of the check %1</source>
+        <translation>检查日期%1</translation>
+    </message>
+    <message>
+        <source>The day of the next check %1</source>
+        <translation>下次检查日期%1</translation>
+    </message>
+    <message>
+        <source>The day of the next check, %1, is not after that of this check, %2: correct one of the two</source>
+        <translation>下次检查日期 %1 不在本次检查日期 %2 之后：请更正其一</translation>
+    </message>
+    <message>
+        <source>s of a direction %1</source>
+        <translation>方向的 s %1</translation>
+    </message>
+    <message>
+        <source>s of a zenith angle %1</source>
+        <translation>天顶距的 s %1</translation>
+    </message>
+    <message>
+        <source>s of a direction %1 (limit %2)</source>
+        <translation>方向的 s %1（限值 %2）</translation>
+    </message>
+    <message>
+        <source>s of a zenith angle %1 (limit %2)</source>
+        <translation>天顶距的 s %1（限值 %2）</translation>
+    </message>
+    <message>
+        <source>Stated σ: %1 of a direction, %2 of a zenith angle, both of a value observed once in both faces. χ² test of ISO 17123-3, 95 %.</source>
+        <translation>给定的 σ：方向 %1，天顶距 %2，均指双盘位观测一次的值。按 ISO 17123-3 的 χ² 检验，95 %。</translation>
+    </message>
+    <message>
+        <source>Not judged: %1</source>
+        <translation>未判定：%1</translation>
+    </message>
+    <message>
+        <source>Passed: %1</source>
+        <translation>合格：%1</translation>
+    </message>
+    <message>
+        <source>Failed: %1</source>
+        <translation>不合格：%1</translation>
+    </message>
+    <message>
+        <source>Not judged: no round is repeated</source>
+        <translation>未判定：没有重复的测回</translation>
+    </message>
+    <message>
+        <source>State σ of a direction and of a zenith angle, as in the data sheet, for a verdict.</source>
+        <translation>请按仪器数据表给出方向和天顶距的 σ，以便判定。</translation>
+    </message>
+    <message>
+        <source>Warnings to read before the instrument is used: %1.</source>
+        <translation>使用仪器前须阅读的警告：%1 条。</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>名称</translation>
+    </message>
+    <message>
+        <source>Checked on</source>
+        <translation>检查日期</translation>
+    </message>
+    <message>
+        <source>is not after the day of the check: correct one of the two</source>
+        <translation>不在检查日期之后：请更正其一</translation>
+    </message>
+    <message>
+        <source>A draft: the certificate says “not stated” for what is missing: %1.</source>
+        <translation>草稿：证书将缺少的内容标为“未说明”：%1。</translation>
     </message>
 </context>
 <context>
@@ -8679,10 +8851,6 @@ a clause as a sentence</extracomment>
         <translation>仪器档案：%1，%2。</translation>
     </message>
     <message>
-        <source>Control chart. Bars: ± 2 u of what a value does not share with the others. Broken lines: mean ± 3 u of each value; dotted: three times the scatter that is seen by the moving range. EWMA: exponentially weighted average with λ = 0.2 and its exact limits. Over the year and its parts.</source>
-        <translation>控制图。误差棒：不与其他值共有部分的 ± 2 u。虚线：均值 ± 各值的 3 u；点线：由移动极差得到的离散的三倍。EWMA：λ = 0.2 的指数加权平均及其精确界限。横轴为年份及其小数。</translation>
-    </message>
-    <message>
         <source>Device history</source>
         <translation>设备历史</translation>
     </message>
@@ -8848,6 +9016,34 @@ a clause as a sentence</extracomment>
     <message>
         <source>Not stated</source>
         <translation>未说明</translation>
+    </message>
+    <message>
+        <source>instrument without a name</source>
+        <translation>未命名的仪器</translation>
+    </message>
+    <message>
+        <source>Axes and circles</source>
+        <translation>轴系与度盘</translation>
+    </message>
+    <message>
+        <source>Instrument check</source>
+        <translation>仪器检查</translation>
+    </message>
+    <message>
+        <source>Course over the rounds</source>
+        <translation>各测回的变化</translation>
+    </message>
+    <message>
+        <source>Alidade %1 · Instrument check</source>
+        <translation>Alidade %1 · 仪器检查</translation>
+    </message>
+    <message>
+        <source>Instrument check: %1</source>
+        <translation>仪器检查：%1</translation>
+    </message>
+    <message>
+        <source>Control chart. Bars: ± U, as in the table. Broken lines: centre line ± three standard uncertainties of each value, without what all values share; dotted: three times the scatter that is seen by the moving range. EWMA: exponentially weighted average with λ = 0.2 and its exact limits.</source>
+        <translation>控制图。误差棒：± U，与表中相同。虚线：中心线 ± 各值标准不确定度（不含各值共有部分）的三倍；点线：由移动极差所见离散的三倍。EWMA：λ = 0.2 的指数加权平均及其精确界限。</translation>
     </message>
 </context>
 <context>
@@ -9669,6 +9865,38 @@ a clause as a sentence</extracomment>
     <message>
         <source>C&amp;lear</source>
         <translation>清除(&amp;L)</translation>
+    </message>
+    <message>
+        <source>&amp;Instrument:</source>
+        <translation>仪器(&amp;I)：</translation>
+    </message>
+    <message>
+        <source>Its name or model, for the record and the report</source>
+        <translation>其名称或型号，用于仪器记录和报告</translation>
+    </message>
+    <message>
+        <source>Serial &amp;number:</source>
+        <translation>序列号(&amp;N)：</translation>
+    </message>
+    <message>
+        <source>Sessions and histories recognise it by this</source>
+        <translation>测量记录和历史据此识别仪器</translation>
+    </message>
+    <message>
+        <source>C&amp;hecked on:</source>
+        <translation>检查日期(&amp;H)：</translation>
+    </message>
+    <message>
+        <source>Year-month-day</source>
+        <translation>年-月-日</translation>
+    </message>
+    <message>
+        <source>Next check d&amp;ue:</source>
+        <translation>下次检查到期(&amp;U)：</translation>
+    </message>
+    <message>
+        <source>Year-month-day; kept in the instrument record</source>
+        <translation>年-月-日；保存在仪器记录中</translation>
     </message>
 </context>
 <context>
@@ -10843,13 +11071,25 @@ a clause as a sentence</extracomment>
         <source>Select two sessions in the table (with Ctrl) to see whether the device has changed between them.</source>
         <translation>在表中选择两份测量记录（按住 Ctrl），查看设备在其间是否改变。</translation>
     </message>
+    <message>
+        <source>Sessions in the baseline</source>
+        <translation>基准阶段的测量次数</translation>
+    </message>
+    <message>
+        <source>all sessions</source>
+        <translation>全部测量</translation>
+    </message>
+    <message>
+        <source>The first sessions set centre line and limits, which watch the later ones: choose those measured before anything could have changed</source>
+        <translation>最初几次测量确定中心线和控制限，用来监视其后的测量：请选择可能发生变化之前的测量</translation>
+    </message>
+    <message>
+        <source>&amp;Baseline</source>
+        <translation>基准阶段(&amp;B)</translation>
+    </message>
 </context>
 <context>
     <name>alidade::ui::HistoryPlot</name>
-    <message>
-        <source>date (year and its part)</source>
-        <translation>日期（年份及其小数）</translation>
-    </message>
     <message>
         <source>%1 (%2)</source>
         <translation>%1（%2）</translation>
@@ -10857,14 +11097,6 @@ a clause as a sentence</extracomment>
     <message>
         <source>Add sessions of a device, with the dates they were measured on.</source>
         <translation>请添加一台设备的测量记录及其测量日期。</translation>
-    </message>
-    <message>
-        <source>value, bar: ± 2 u</source>
-        <translation>值，误差棒：± 2 u</translation>
-    </message>
-    <message>
-        <source>outside ± 3 u</source>
-        <translation>超出 ± 3 u</translation>
     </message>
     <message>
         <source>trend</source>
@@ -10877,10 +11109,6 @@ a clause as a sentence</extracomment>
     <message>
         <source>mean</source>
         <translation>均值</translation>
-    </message>
-    <message>
-        <source>mean ± 3 u</source>
-        <translation>均值 ± 3 u</translation>
     </message>
     <message>
         <source>± 3 σ as seen</source>
@@ -10899,14 +11127,6 @@ a clause as a sentence</extracomment>
         <translation>%1：%2</translation>
     </message>
     <message>
-        <source>%1 (standard uncertainty)</source>
-        <translation>%1（标准不确定度）</translation>
-    </message>
-    <message>
-        <source>%1 from the mean, limits ± %2%3</source>
-        <translation>距均值 %1，界限 ± %2%3</translation>
-    </message>
-    <message>
         <source>: outside</source>
         <translation>：超出</translation>
     </message>
@@ -10923,8 +11143,44 @@ a clause as a sentence</extracomment>
         <translation>%1，%2 个值，%3 至 %4：%5</translation>
     </message>
     <message>
-        <source>Should be: the values scatter about one level within ± 3 u, and the average stays within its limits.</source>
-        <translation>应为：各值在 ± 3 u 内围绕一个水平离散，平均保持在其界限内。</translation>
+        <source>date</source>
+        <translation>日期</translation>
+    </message>
+    <message>
+        <source>baseline</source>
+        <translation>基准阶段</translation>
+    </message>
+    <message>
+        <source>value ± U (%1)</source>
+        <translation>值 ± U (%1)</translation>
+    </message>
+    <message>
+        <source>outside its limits</source>
+        <translation>超出控制限</translation>
+    </message>
+    <message>
+        <source>centre line</source>
+        <translation>中心线</translation>
+    </message>
+    <message>
+        <source>limits (3 u)</source>
+        <translation>控制限 (3 u)</translation>
+    </message>
+    <message>
+        <source>tolerance ± %1</source>
+        <translation>允差 ± %1</translation>
+    </message>
+    <message>
+        <source>%1 ± %2</source>
+        <translation>%1 ± %2</translation>
+    </message>
+    <message>
+        <source>%1 from the centre line, limits ± %2%3</source>
+        <translation>距中心线 %1，控制限 ± %2%3</translation>
+    </message>
+    <message>
+        <source>Should be: the values scatter about one level within their limits, and the average stays within its own.</source>
+        <translation>应为：各值在控制限内围绕一个水平离散，平均保持在其自身的界限内。</translation>
     </message>
 </context>
 <context>
@@ -11462,6 +11718,18 @@ a clause as a sentence</extracomment>
         <source>Open files, or type rounds in two faces to several targets.</source>
         <translation>请打开文件，或录入对多个目标的双盘位测回。</translation>
     </message>
+    <message>
+        <source>&amp;PDF…</source>
+        <translation>PDF(&amp;P)…</translation>
+    </message>
+    <message>
+        <source>The check as a document</source>
+        <translation>检查结果文档</translation>
+    </message>
+    <message>
+        <source>The pages could not be painted.</source>
+        <translation>无法绘制页面。</translation>
+    </message>
 </context>
 <context>
     <name>alidade::ui::InstrumentFlow</name>
@@ -11500,6 +11768,10 @@ a clause as a sentence</extracomment>
     <message>
         <source>Saved “%1”</source>
         <translation>已保存“%1”</translation>
+    </message>
+    <message>
+        <source>%1. Its next check was due on %2.</source>
+        <translation>%1。其下次检查已于 %2 到期。</translation>
     </message>
 </context>
 <context>
@@ -13062,6 +13334,62 @@ a clause as a sentence</extracomment>
         <source>The session leaves empty what a laboratory would state: %1. The report names it as not stated; it is filled in on the forms of the window.</source>
         <translation>测量记录中实验室应说明而留空的项：%1。报告将其标为未说明；可在窗口的表单中填写。</translation>
     </message>
+    <message>
+        <source>Calibration certificate</source>
+        <translation>校准证书</translation>
+    </message>
+    <message>
+        <source>ISO/IEC 17025 requires what the session leaves empty: %1. It is filled in on the forms of the window; without it only a draft can be made.</source>
+        <translation>测量记录中未填写 ISO/IEC 17025 要求的内容：%1。可在窗口的表单中填写；否则只能出具草稿。</translation>
+    </message>
+    <message>
+        <source>What the certificate states</source>
+        <translation>证书说明的内容</translation>
+    </message>
+    <message>
+        <source>Country of the laboratory: two letters after ISO 3166-1</source>
+        <translation>实验室所在国家：ISO 3166-1 的两个字母</translation>
+    </message>
+    <message>
+        <source>not stated</source>
+        <translation>未说明</translation>
+    </message>
+    <message>
+        <source>at the laboratory</source>
+        <translation>在实验室</translation>
+    </message>
+    <message>
+        <source>at the customer</source>
+        <translation>在客户处</translation>
+    </message>
+    <message>
+        <source>at a branch of the laboratory</source>
+        <translation>在实验室的分支机构</translation>
+    </message>
+    <message>
+        <source>at a branch of the customer</source>
+        <translation>在客户的分支机构</translation>
+    </message>
+    <message>
+        <source>elsewhere</source>
+        <translation>其他地点</translation>
+    </message>
+    <message>
+        <source>&amp;Draft: say “not stated” for what is missing</source>
+        <translation>草稿：缺少的内容注明“未说明”(&amp;D)</translation>
+    </message>
+    <message>
+        <source>&amp;Country</source>
+        <translation>国家(&amp;C)</translation>
+    </message>
+    <message>
+        <source>&amp;Measured</source>
+        <translation>测量地点(&amp;M)</translation>
+    </message>
+    <message>
+        <source>Ma&amp;ker of the device</source>
+        <translation>装置制造商(&amp;K)</translation>
+    </message>
 </context>
 <context>
     <name>alidade::ui::ReportFlow</name>
@@ -13510,10 +13838,6 @@ a clause as a sentence</extracomment>
         <translation>添加文件(&amp;I)…</translation>
     </message>
     <message>
-        <source>Sessions one by one</source>
-        <translation>逐份测量记录</translation>
-    </message>
-    <message>
         <source>&amp;Remove</source>
         <translation>移除(&amp;R)</translation>
     </message>
@@ -13640,6 +13964,26 @@ a clause as a sentence</extracomment>
     <message>
         <source>Keep as an effect</source>
         <translation>存为效应</translation>
+    </message>
+    <message>
+        <source>Sessions one by one, or a series that was saved</source>
+        <translation>逐个添加测量记录，或已保存的系列</translation>
+    </message>
+    <message>
+        <source>&amp;Save Series…</source>
+        <translation>保存系列(&amp;S)…</translation>
+    </message>
+    <message>
+        <source>The list of these sessions and the baseline as a file, to be opened again here or by alidade-cli</source>
+        <translation>将这些测量记录的列表和基准阶段保存为文件，可在此处或由 alidade-cli 重新打开</translation>
+    </message>
+    <message>
+        <source>Save series</source>
+        <translation>保存系列</translation>
+    </message>
+    <message>
+        <source>series</source>
+        <translation>系列</translation>
     </message>
 </context>
 <context>

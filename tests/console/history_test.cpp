@@ -32,7 +32,10 @@ TEST(HistoryCall, OfATableHasTheKeysOfItsContract) {
   const TemporaryFolder folder;
   const Json json = answerTo({folder.file("c.csv", "2001,10,1\n2002,12,2\n2003,13,1\n")});
   ASSERT_THAT(json["values"], SizeIs(3));
-  EXPECT_EQ(json["values"][1], Json({{"date", "2002"}, {"value", 12.0}, {"u", 2.0}}));
+  EXPECT_EQ(json["values"][1]["date"], "2002");
+  EXPECT_EQ(json["values"][1]["value"], 12.0);
+  EXPECT_EQ(json["values"][1]["u"], 2.0);
+  EXPECT_NEAR(json["values"][1]["expanded_uncertainty"].get<double>(), 1.959964 * 2, 1e-5);
   EXPECT_NEAR(json["mean"]["value"].get<double>(), 26 / 2.25, 1e-12);
   EXPECT_NEAR(json["mean"]["u"].get<double>(), 1 / 1.5, 1e-12);
   EXPECT_EQ(json["dof"], 2);
@@ -173,6 +176,114 @@ TEST(HistoryCall, OfManyTablesHasALineForEach) {
   EXPECT_EQ(std::count(run.out.begin(), run.out.end(), '\n'), 3);
   EXPECT_THAT(run.out, HasSubstr("\"file\": \"" + bad + "\", \"error\": "));
   EXPECT_THAT(run.err, StartsWith(bad + ": line 1"));
+}
+
+/// Writes the record of a check on a day with a tilt changed by `more` arcseconds.
+std::string recordIn(const TemporaryFolder& folder, const std::string& date, const std::string& due,
+                     double more = 0) {
+  const std::string path = folder.path() / (date + ".alidade-instrument");
+  alidadeCli({"instrument", ALIDADE_SAMPLES_DIR "/instrument-check.gsi", "--date", date, "--record", path});
+  Json record = Json::parse(contentOf(path));
+  record["known"][1]["value"] = record["known"][1]["value"].get<double>() + more;
+  if (!due.empty()) record["next_check_due"] = due;
+  folder.file(date + ".alidade-instrument", record.dump(1));
+  return path;
+}
+
+TEST(HistoryCall, OfRecordsTellsConstantsAndDueDates) {
+  const TemporaryFolder folder;
+  recordIn(folder, "2024-01-10", "2025-01-10");
+  recordIn(folder, "2025-02-10", "2100-01-01");
+  const std::string third = recordIn(folder, "2026-01-10", "2026-01-11", 40);
+  std::filesystem::copy_file(third, folder.path() / "copy.alidade-instrument");
+  const std::string broken = folder.file("x.alidade-instrument", "{}");
+  const ProgramRun run = alidadeCli({"history", folder.path().string(), "--json"});
+  EXPECT_EQ(run.exitCode, 2);
+  EXPECT_THAT(run.err, HasSubstr(broken + ": "));
+  EXPECT_THAT(run.err, HasSubstr("holds the same record"));
+  const Json json = Json::parse(run.out);
+  ASSERT_THAT(json["instruments"], SizeIs(1));
+  const Json& instrument = json["instruments"][0];
+  EXPECT_EQ(instrument["instrument"]["serial"], "123456");
+  EXPECT_THAT(instrument["records"], SizeIs(3));
+  EXPECT_EQ(instrument["records"][0]["next_check_due"], "2025-01-10");
+  EXPECT_EQ(instrument["quantities"]["collimation"]["stable"], true);
+  EXPECT_EQ(instrument["quantities"]["trunnion_tilt"]["stable"], false);
+  EXPECT_THAT(instrument["quantities"]["line_of_sight"]["values"], SizeIs(3));
+  EXPECT_THAT(json["remarks"], SizeIs(2));
+  const ProgramRun text = alidadeCli({"history", folder.path().string()});
+  for (const char* words : {"checked late", "overdue", "trunnion tilt", "offset of the line of sight"})
+    EXPECT_THAT(text.out, HasSubstr(words));
+  EXPECT_THAT(text.out, Not(HasSubstr("trunnion_tilt")));
+}
+
+TEST(HistoryCall, OfOneRecordOrTwoInstruments) {
+  const TemporaryFolder folder;
+  const std::string one = recordIn(folder, "2024-01-10", ""), other = recordIn(folder, "2024-02-10", "");
+  Json foreign = Json::parse(contentOf(other));
+  foreign["serial"] = "9";
+  folder.file("2024-02-10.alidade-instrument", foreign.dump());
+  EXPECT_THAT(answerTo({one})["instruments"][0]["records"], SizeIs(1));
+  EXPECT_TRUE(answerTo({one})["instruments"][0]["quantities"]["collimation"]["stable"].is_null());
+  EXPECT_THAT(answerTo({one, other})["instruments"], SizeIs(2));
+  expectRefusal(alidadeCli({"history", one, "--baseline", "2"}));
+}
+
+TEST(HistoryCall, OfASeriesFileIsThatOfItsSessions) {
+  const TemporaryFolder folder;
+  std::filesystem::create_directory(folder.path() / "sub");
+  for (const char* name : {"2025-01-04", "2025-02-05", "2025-03-06"})
+    std::filesystem::copy_file(year + "/" + name + ".alidade",
+                               folder.path() / "sub" / (std::string(name) + ".alidade"));
+  const std::string series =
+      folder.file("a b.alidade-series",
+                  R"({"format": "alidade-series", "version": 1, "baseline_sessions": 2, "sessions": [
+          "sub/2025-01-04.alidade", "sub/2025-02-05.alidade", "sub/2025-03-06.alidade"]})");
+  Json json = answerTo({series});
+  EXPECT_THAT(json["values"], SizeIs(3));
+  EXPECT_EQ(json["chart"]["baseline_values"], 2);
+  EXPECT_EQ(answerTo({series, "--baseline", "1"})["chart"]["baseline_values"], 1);
+  EXPECT_EQ(json["quantities"]["o1_x"],
+            answerTo({(folder.path() / "sub").string(), "--baseline", "2"})["quantities"]["o1_x"]);
+  const ProgramRun fits = alidadeCli({"fit", series, "--json", "--no-diagnosis"});
+  EXPECT_EQ(std::count(fits.out.begin(), fits.out.end(), '\n'), 3);
+  for (const char* bad : {"{", "{}", R"({"format": "alidade-series", "version": 1, "sessions": []})",
+                          R"({"format": "alidade-series", "version": 1, "sessions": [7]})",
+                          R"({"format": "alidade-series", "version": 9, "sessions": ["a"]})",
+                          R"({"format": "alidade-series", "version": 1, "sessions": ["a"],
+                              "baseline_sessions": -1})"})
+    expectRefusal(alidadeCli({"history", folder.file("bad.alidade-series", bad)}));
+}
+
+TEST(HistoryCall, WatchesTheSessionsAfterItsBaseline) {
+  const Json json = answerTo({year, "--baseline", "6"});
+  EXPECT_EQ(json["chart"]["baseline_values"], 6);
+  EXPECT_NEAR(json["chart"]["centre"].get<double>(), 0.212, 0.001);
+  EXPECT_EQ(json["quantities"]["radius_0"]["chart"]["baseline_values"], 6);
+  EXPECT_EQ(json["tolerance"], 0.5);
+  EXPECT_EQ(answerTo({year})["chart"]["baseline_values"], 12);
+  const ProgramRun text = alidadeCli({"history", year, "--baseline", "6"});
+  EXPECT_THAT(text.out, HasSubstr("Baseline: 6 values from 2025-01-04 to 2025-06-09"));
+  EXPECT_THAT(text.out, HasSubstr("Tolerance of the latest session: ± 0.5 mm."));
+  EXPECT_THAT(text.out, Not(HasSubstr("standard uncertainty)")));
+}
+
+TEST(HistoryCall, RefusesABaselineOfMoreThanThereIs) {
+  const TemporaryFolder folder;
+  const std::string table = folder.file("c.csv", "2001,10,1\n2002,12,2\n");
+  expectRefusal(alidadeCli({"history", table, "--baseline", "3"}));
+  expectRefusal(alidadeCli({"history", year, "--baseline", "13"}));
+  expectRefusal(alidadeCli({"history", year, "--baseline", "0"}));
+  EXPECT_EQ(answerTo({table, "--baseline", "1"})["chart"]["centre"], 10);
+  EXPECT_EQ(answerTo({table, "--baseline", "2"})["chart"]["baseline_values"], 2);
+}
+
+// The ± of a session is the same in its table and in the chart.
+TEST(HistoryCall, HasOneUncertaintyOfASession) {
+  const Json json = answerTo({year});
+  const ProgramRun fit = alidadeCli({"fit", year + "/2025-01-04.alidade", "--json"});
+  EXPECT_NEAR(json["values"][0]["expanded_uncertainty"].get<double>(),
+              Json::parse(fit.out)["intersection_measured"]["expanded_mm"].get<double>(), 1e-6);
 }
 
 TEST(HistoryCall, IsTextForPeople) {

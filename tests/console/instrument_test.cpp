@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "tests/console/console.h"
+#include "tests/support/file_content.h"
 
 // `alidade-cli instrument`: the field check of a theodolite.
 
@@ -51,6 +52,39 @@ TEST(InstrumentCommand, TellsPeople) {
   for (const char* text :
        {"SIMULATED, 123456", "ISO 17123-3", "pooled", "P1, by round", "P1, by target", "goes with 1/D"})
     EXPECT_THAT(run.out, HasSubstr(text));
+}
+
+TEST(InstrumentCommand, TellsItsVerdictFirst) {
+  for (const auto& [sigma, verdict] : {std::pair("1", "Passed: "), std::pair("0.3", "Failed: ")}) {
+    const ProgramRun run = alidadeCli({"instrument", sample, "--sigma", sigma});
+    EXPECT_EQ(run.out.find(verdict), run.out.find("\n\n") + 2) << run.out;
+    EXPECT_THAT(run.out, HasSubstr("(limit "));
+  }
+  EXPECT_THAT(alidadeCli({"instrument", sample}).out, HasSubstr("\nNot judged: "));
+  const auto verdict = [](std::vector<std::string> options) {
+    options.insert(options.begin(), {"instrument", sample, "--json"});
+    return Json::parse(alidadeCli(options).out)["verdict"];
+  };
+  EXPECT_EQ(verdict({}), "not_judged");
+  EXPECT_EQ(verdict({"--sigma", "1"}), "passed");
+  EXPECT_EQ(verdict({"--sigma", "1", "--sigma-vertical", "0.3"}), "failed");
+}
+
+TEST(InstrumentCommand, StatesInstrumentAndDays) {
+  const TemporaryFolder folder;
+  const std::string record = folder.path() / "r.alidade-instrument";
+  const ProgramRun run = alidadeCli({"instrument", sample, "--json", "--record", record, "--name", "TM",
+                                     "--date", "2026-03-01", "--due", "2027-03-01"});
+  ASSERT_EQ(run.exitCode, 0) << run.err;
+  const Json json = Json::parse(run.out), written = Json::parse(contentOf(record));
+  EXPECT_EQ(json["instrument"], Json({{"name", "TM"}, {"serial", "123456"}}));
+  EXPECT_EQ(json["measured_on"], "2026-03-01");
+  EXPECT_EQ(json["next_check_due"], "2027-03-01");
+  EXPECT_EQ(written["next_check_due"], "2027-03-01");
+  EXPECT_EQ(written["name"], "TM");
+  for (const auto& [option, day] :
+       {std::pair("--date", "1 March"), std::pair("--due", "soon"), std::pair("--due", "1999-01-01")})
+    expectRefusal(alidadeCli({"instrument", sample, option, day}));
 }
 
 TEST(InstrumentCommand, TakesSeveralFilesAndStandardInput) {

@@ -1,5 +1,6 @@
 #include <gmock/gmock.h>
 
+#include <cmath>
 #include <filesystem>
 #include <set>
 #include <sstream>
@@ -213,6 +214,87 @@ TEST_F(SchemaTest, OfTheSessionAsksForWhatTheProgramAsksForAndLetsTheRestBe) {
   EXPECT_FALSE(accepts([](Json& session) { session["version"] = 2; }));
   EXPECT_FALSE(accepts([](Json& session) { session["positions"][0]["readings"][0]["excluded"] = "no"; }));
   EXPECT_FALSE(accepts([](Json& session) { session["title"] = 7; }));
+}
+
+std::vector<std::string> commandsWithJson() {
+  std::vector<std::string> commands;
+  std::istringstream help(alidadeCli({"--help"}).out);
+  std::string line;
+  while (std::getline(help, line) && line != "Subcommands:") continue;
+  while (std::getline(help, line) && line.starts_with("  ")) {
+    const std::string name = line.substr(2, line.find(' ', 2) - 2);
+    if (alidadeCli({name, "--help"}).out.find("--json") != std::string::npos) commands.push_back(name);
+  }
+  return commands;
+}
+
+TEST(Schema, IsThereForEveryAnswer) {
+  const std::vector<std::string> commands = commandsWithJson();
+  EXPECT_THAT(commands, ::testing::IsSupersetOf({"fit", "diagnose", "history", "instrument", "self-test"}));
+  std::set<std::string> ids;
+  for (const std::string& command : commands) {
+    const ProgramRun run = alidadeCli({"schema", command});
+    ASSERT_EQ(run.exitCode, 0) << command << run.err;
+    const Json schema = Json::parse(run.out);
+    EXPECT_EQ(schema["$id"], "urn:alidade:schema:" + command + ":1");
+    EXPECT_EQ(schema["title"], "alidade-cli " + command + " --json");
+    ids.insert(schema["$id"].get<std::string>());
+  }
+  EXPECT_EQ(ids.size(), commands.size());
+  EXPECT_EQ(Json::parse(alidadeCli({"schema", "session"}).out)["$id"], "urn:alidade:schema:session:1");
+}
+
+TEST_F(SchemaTest, IsMetByHistories) {
+  const std::string months = ALIDADE_SAMPLES_DIR "/history", series = ALIDADE_SAMPLES_DIR "/series";
+  const std::string one = m_folder.file("one.csv", "2001,1,0.1\n"),
+                    step = m_folder.file("step.csv",
+                                         "date,value (mm),u\n2001,1,0.1\n2002,1.1,0.1\n2003,1,0.1\n"
+                                         "2004,3,0.1\n2005,3.1,0.1\n2006,3,0.1\n"),
+                    day = m_folder.file("day.csv", "2001,1,0.1\n2001,1,0.1\n2001,9,0.1\n");
+  std::string documents;
+  for (const std::vector<std::string>& call :
+       {std::vector<std::string>{months}, {months, "--baseline", "5"}, {series}, {one}, {step}, {day}}) {
+    std::vector<std::string> whole{"history", "--json"};
+    whole.insert(whole.end(), call.begin(), call.end());
+    documents += answer(whole);
+  }
+  documents += alidadeCli({"history", "--json", one, m_folder.file("bad.csv", "x"), step}).out;
+  const TemporaryFolder records;
+  for (const char* date : {"2024-01-10", "2025-01-12"})
+    alidadeCli({"instrument", ALIDADE_SAMPLES_DIR "/instrument-check.gsi", "--date", date, "--record",
+                records.path().string() + "/" + date + ".alidade-instrument"});
+  documents += answer({"history", records.path().string(), "--json"});
+  EXPECT_EQ(against("history", documents), "");
+  EXPECT_EQ(against("history", answer({"history", one, "--json"}), {"--mutated"}).find("misspelt"),
+            std::string::npos);
+}
+
+TEST_F(SchemaTest, IsMetByChecksProtocolsTrialsFormsAndReports) {
+  std::string checks, guidances, blind;
+  for (const char* sigma : {"0.3", "1"})
+    checks += answer({"instrument", ALIDADE_SAMPLES_DIR "/instrument-check.gsi", "--json", "--sigma", sigma});
+  checks += answer({"instrument", ALIDADE_SAMPLES_DIR "/instrument-check.gsi", "--json"});
+  for (const char* name :
+       {"check-directions-alone.csv", "check-two-distances.csv", "check-stations-unnamed.csv"})
+    if (const ProgramRun run =
+            alidadeCli({"instrument", std::string(ALIDADE_REFERENCE_DIR "/import/") + name, "--json"});
+        run.exitCode == 0)
+      checks += onALine(run.out);
+  EXPECT_EQ(against("instrument", checks), "");
+  for (const char* order : {"listed", "by-worth"})
+    guidances +=
+        answer({"protocol", paperSession, "--json", "--template", "there-and-back", "--order", order});
+  EXPECT_EQ(against("protocol", guidances), "");
+  blind += answer({"trial", "--count", "3", "--seed", "3", "--json"});
+  blind += answer({"trial", "--series", "1", "--seed", "7", "--json"});
+  EXPECT_EQ(against("trial", blind), "");
+  std::string table = "residual_arcsec,sigma_arcsec,circle,azimuth_deg,elevation_deg\n";
+  for (int i = 0; i < 90; ++i)
+    table += std::to_string(8 * std::cos(i * 0.2)) + ",1,horizontal," + std::to_string(4 * i) + ",5\n";
+  EXPECT_EQ(against("discover", answer({"discover", m_folder.file("table.csv", table), "--json"})), "");
+  EXPECT_EQ(against("self-test", onALine(alidadeCli({"self-test", "--json"}).out)), "");
+  const std::string session = m_folder.file("s.alidade", contentOf(paperSession));
+  EXPECT_EQ(against("report", alidadeCli({"report", session, "none.alidade", "--json"}).out), "");
 }
 
 TEST(Schema, IsAskedForByName) {

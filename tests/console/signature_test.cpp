@@ -32,8 +32,8 @@ class SignatureTest : public ::testing::Test {
   ProgramRun sign(const std::string& key, const std::string& certificate,
                   std::vector<std::string> further = {},
                   const std::map<std::string, std::string>& environment = {}) const {
-    further.insert(further.begin(), {"certificate", paperSession, "--measured-on", "2026-01-02", "--out",
-                                     "c.xml", "--sign-key", key, "--sign-certificate", certificate});
+    further.insert(further.begin(), {"certificate", paperSession, "--draft", "--measured-on", "2026-01-02",
+                                     "--out", "c.xml", "--sign-key", key, "--sign-certificate", certificate});
     return runProgram({.program = ALIDADE_CLI,
                        .arguments = further,
                        .directory = m_folder.path(),
@@ -124,8 +124,8 @@ TEST_F(SignatureTest, ReplacesNothingThatItIsSignedBy) {
                       certificate = contentOf(m_folder.path() / "lab.pem");
     const ProgramRun run =
         runProgram({.program = ALIDADE_CLI,
-                    .arguments = {"certificate", paperSession, "--measured-on", "2026-01-02", "--out", out,
-                                  "--sign-key", "lab.key", "--sign-certificate", "lab.pem",
+                    .arguments = {"certificate", paperSession, "--draft", "--measured-on", "2026-01-02",
+                                  "--out", out, "--sign-key", "lab.key", "--sign-certificate", "lab.pem",
                                   "--sign-passphrase-file", "passphrase.p7s"},
                     .directory = m_folder.path()});
     expectRefusal(run);

@@ -54,9 +54,9 @@ void fieldCheck(std::string_view bytes, const CheckFileOptions& options) {
     if (test) requireChance(test->pValue, "a test beyond 1");
   const std::vector<Finding> findings = checkFindings(check);
   for (const Finding& finding : findings) require(!finding.text.empty(), "a finding without words");
-  requireAnswer(console::instrumentText(name, check, findings),
-                instrumentJson(check, findings, readings->remarks));
-  require(!firstIllFormedByte(instrumentCsv(check)), "a table that is no text");
+  requireAnswer(console::instrumentText(name, readings->identity, check, findings),
+                instrumentJson(readings->identity, check, findings, readings->remarks));
+  require(!firstIllFormedByte(instrumentCsv(readings->identity, check)), "a table that is no text");
 }
 
 }  // namespace

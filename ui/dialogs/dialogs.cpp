@@ -34,7 +34,7 @@ struct DialogsText {
 constexpr int longestName = 60;
 
 QString sessionFilter() {
-  return DialogsText::tr("Sessions (*.alidade);;All files (*)");
+  return DialogsText::tr("Sessions and series (*.alidade *.alidade-series);;All files (*)");
 }
 
 /// A message box is as wide as its longest word.

@@ -31,7 +31,12 @@ bool InstrumentFlow::take() {
   if (!record) return refuse(record.problem());
   if (const auto problem = takeRecord(m_document, *record, name.toStdString())) return refuse(*problem);
   m_document.noteRead({path});
-  emit remark(tr("Taken from “%1”, known sizes: %2").arg(visibleLine(name)).arg(record->known.size()));
+  const std::string today = QDate::currentDate().toString(Qt::ISODate).toStdString();
+  const QString taken =
+      tr("Taken from “%1”, known sizes: %2").arg(visibleLine(name)).arg(record->known.size());
+  emit remark(record->due.empty() || record->due >= today
+                  ? taken
+                  : tr("%1. Its next check was due on %2.").arg(taken, visibleLine(record->due)));
   return true;
 }
 

@@ -6,9 +6,11 @@
 #include <QDialogButtonBox>
 #include <QFileDialog>
 #include <QFileInfo>
+#include <QFormLayout>
 #include <QGroupBox>
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QLineEdit>
 #include <QPushButton>
 #include <QVBoxLayout>
 #include <algorithm>
@@ -44,12 +46,13 @@ QWidget* warning(const QString& text) {
 
 ReportDialog::ReportDialog(const ReportQuestion& question, QWidget* parent)
     : QDialog(parent), m_question(question) {
-  setWindowTitle(tr("Acceptance report"));
+  setWindowTitle(question.isCertificate ? tr("Calibration certificate") : tr("Acceptance report"));
   auto* columns = new QHBoxLayout;
   columns->addWidget(createContents(), 1);
   columns->addWidget(createSheet(), 1);
   auto* layout = new QVBoxLayout(this);
   layout->addWidget(createLacks());
+  if (m_question.isCertificate) layout->addWidget(createCertificate());
   layout->addLayout(columns, 1);
   layout->addWidget(createButtons());
   keepDraft();
@@ -82,11 +85,40 @@ QWidget* ReportDialog::createLacks() {
   if (!m_question.emptyFields.isEmpty()) {
     //: between the names of a list
     const QString fields = m_question.emptyFields.join(tr(", "));
-    layout->addWidget(warning(tr("The session leaves empty what a laboratory would state: %1. The report "
-                                 "names it as not stated; it is filled in on the forms of the window.")
-                                  .arg(fields)));
+    layout->addWidget(warning(
+        (m_question.isCertificate
+             ? tr("ISO/IEC 17025 requires what the session leaves empty: %1. It is filled in on the forms of "
+                  "the window; without it only a draft can be made.")
+             : tr("The session leaves empty what a laboratory would state: %1. The report "
+                  "names it as not stated; it is filled in on the forms of the window."))
+            .arg(fields)));
   }
   return lacks;
+}
+
+QWidget* ReportDialog::createCertificate() {
+  auto* group = new QGroupBox(tr("What the certificate states"));
+  auto* form = new QFormLayout(group);
+  const CertificateEntries& last = m_question.choice.certificate;
+  m_country = new QLineEdit(last.country);
+  m_country->setMaxLength(2);
+  m_country->setPlaceholderText(QStringLiteral("DE"));
+  m_country->setToolTip(tr("Country of the laboratory: two letters after ISO 3166-1"));
+  m_performedAt = new QComboBox;
+  m_performedAt->addItem(tr("not stated"), QString());
+  m_performedAt->addItem(tr("at the laboratory"), QStringLiteral("laboratory"));
+  m_performedAt->addItem(tr("at the customer"), QStringLiteral("customer"));
+  m_performedAt->addItem(tr("at a branch of the laboratory"), QStringLiteral("laboratoryBranch"));
+  m_performedAt->addItem(tr("at a branch of the customer"), QStringLiteral("customerBranch"));
+  m_performedAt->addItem(tr("elsewhere"), QStringLiteral("other"));
+  m_performedAt->setCurrentIndex(std::max(0, m_performedAt->findData(last.performedAt)));
+  m_maker = new QLineEdit(last.manufacturer);
+  m_draft = new QCheckBox(tr("&Draft: say “not stated” for what is missing"));
+  form->addRow(tr("&Country"), m_country);
+  form->addRow(tr("&Measured"), m_performedAt);
+  form->addRow(tr("Ma&ker of the device"), m_maker);
+  form->addRow(m_draft);
+  return group;
 }
 
 QWidget* ReportDialog::createContents() {
@@ -193,6 +225,12 @@ ReportChoice ReportDialog::choice() const {
   choice.seriesFolder = m_seriesFolder;
   choice.language = m_language->currentData().toString();
   choice.hasSession = m_session->isChecked();
+  if (m_question.isCertificate)
+    choice.certificate = {.measuredOn = {},
+                          .country = m_country->text().trimmed().toUpper(),
+                          .performedAt = m_performedAt->currentData().toString(),
+                          .manufacturer = m_maker->text().trimmed(),
+                          .isDraft = m_draft->isChecked()};
   return choice;
 }
 

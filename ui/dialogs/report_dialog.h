@@ -10,6 +10,7 @@
 class QCheckBox;
 class QComboBox;
 class QLabel;
+class QLineEdit;
 
 namespace alidade::ui {
 
@@ -25,6 +26,7 @@ struct ReportQuestion {
   std::vector<ReportPart> there = {};      ///< parts available in this session's report
   std::vector<ReportPart> mustStand = {};  ///< parts that cannot be left out
   QStringList emptyFields = {};            ///< fields a laboratory would state, empty in this session
+  bool isCertificate = false;              ///< asks for what only a certificate states
   int unusable = 0;                        ///< number of unusable entries; any of them prevents a verdict
 };
 
@@ -41,6 +43,7 @@ class ReportDialog : public QDialog {
   QWidget* createContents();
   QWidget* createSheet();
   QWidget* createLacks();
+  QWidget* createCertificate();
   QWidget* createButtons();
   void keepDraft();
   QWidget* createHistory();
@@ -51,6 +54,9 @@ class ReportDialog : public QDialog {
   QCheckBox* m_session = nullptr;
   PaperForm* m_paper = nullptr;
   QComboBox* m_language = nullptr;
+  QLineEdit *m_country = nullptr, *m_maker = nullptr;
+  QComboBox* m_performedAt = nullptr;
+  QCheckBox* m_draft = nullptr;
   LogoForm* m_logo = nullptr;
   QLabel* m_seriesName = nullptr;
   QWidget* m_noSeries = nullptr;  ///< the button that leaves out the history

@@ -94,6 +94,7 @@ std::optional<ReportChoice> ReportFlow::ask(const Gap& gap, ReportQuestion::Way 
       .way = way,
       .choice = rememberedReportChoice(),
       .emptyFields = lacks ? *lacks : emptyReportFields(evaluation.session),
+      .isCertificate = lacks.has_value(),
       .unusable = static_cast<int>(hindrances(evaluation.session, evaluation.examined.problems).size())};
   for (const ReportPartInfo& info : allReportParts()) {
     if (isThere(info.part, gap)) question.there.push_back(info.part);
@@ -183,7 +184,10 @@ bool ReportFlow::certificateOf(const SharedGap& gap, const QString& suggestion) 
   const QString title = tr("Export calibration certificate");
   ReportOptions bare;
   bare.gap = gap;
-  const auto lacking = ui::certificateOf(source(), bare, {});
+  // Country and place are asked in the dialog; these only let the rest be listed.
+  CertificateEntries assumed{.country = QStringLiteral("ZZ"), .performedAt = QStringLiteral("other")};
+  assumed.isDraft = true;
+  const auto lacking = ui::certificateOf(source(), bare, assumed);
   if (!lacking) {
     m_dialogs.showProblem(title, visibleLine(lacking.problem().text()));
     return false;
@@ -194,6 +198,10 @@ bool ReportFlow::certificateOf(const SharedGap& gap, const QString& suggestion) 
   if (!translated) return false;
   auto options = optionsFor(translated, *choice);
   if (!options) return false;
+  if (const auto whole = ui::certificateOf(source(), *options, choice->certificate); !whole) {
+    m_dialogs.showProblem(title, visibleLine(whole.problem().text()));
+    return false;
+  }
   const QString path = m_dialogs.askExportPath(title, suggestion, QStringLiteral("xml"));
   if (path.isEmpty()) return false;
   const auto busy = m_dialogs.busy(tr("Writing the certificate…"));
@@ -202,7 +210,7 @@ bool ReportFlow::certificateOf(const SharedGap& gap, const QString& suggestion) 
     isStopped = isStopped || !busy->goesOn(done);
     return !isStopped;
   };
-  const auto written = writeCertificate(source(), path, *options, {});
+  const auto written = writeCertificate(source(), path, *options, choice->certificate);
   if (isStopped) {
     emit remark(tr("Stopped: no certificate was written."));
     return false;

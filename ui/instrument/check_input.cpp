@@ -5,6 +5,7 @@
 #include <QFileInfo>
 #include <QFormLayout>
 #include <QHBoxLayout>
+#include <QLineEdit>
 #include <QListWidget>
 #include <QPushButton>
 #include <QTabWidget>
@@ -48,6 +49,7 @@ CheckInput::CheckInput(Dialogs& dialogs, QWidget* parent)
   auto* layout = new QHBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->addWidget(m_tabs, 1);
+  layout->addWidget(createIdentity(), 0);
   layout->addWidget(createForm(), 0);
   connect(&m_table->rows(), &CheckRowsModel::edited, this, &CheckInput::changed);
   for (QDoubleSpinBox* box : {m_sigmaDirection, m_sigmaVertical})
@@ -122,6 +124,37 @@ QWidget* CheckInput::createForm() {
   return widget;
 }
 
+QWidget* CheckInput::createIdentity() {
+  auto* widget = new QWidget;
+  auto* form = new QFormLayout(widget);
+  form->setContentsMargins(8, 4, 0, 0);
+  const auto add = [&](const QString& label, const char* name, const QString& tip) {
+    auto* line = new QLineEdit;
+    line->setObjectName(QString::fromLatin1(name));
+    line->setToolTip(tip);
+    line->setMaximumWidth(fontMetrics().averageCharWidth() * 20);
+    connect(line, &QLineEdit::editingFinished, this, &CheckInput::changed);
+    form->addRow(label, line);
+    return line;
+  };
+  m_name = add(tr("&Instrument:"), "check name", tr("Its name or model, for the record and the report"));
+  m_serial = add(tr("Serial &number:"), "check serial", tr("Sessions and histories recognise it by this"));
+  m_date = add(tr("C&hecked on:"), "check date", tr("Year-month-day"));
+  m_due = add(tr("Next check d&ue:"), "check due", tr("Year-month-day; kept in the instrument record"));
+  suggest({});
+  return widget;
+}
+
+void CheckInput::suggest(const CheckIdentity& read) {
+  const auto show = [](QLineEdit* line, const std::string& text) {
+    line->setPlaceholderText(text.empty() ? tr("not stated") : visibleLine(text));
+  };
+  show(m_name, read.name);
+  show(m_serial, read.serial);
+  show(m_date, read.measuredOn);
+  show(m_due, {});
+}
+
 void CheckInput::chooseFiles() {
   const QString folder = m_files.empty() ? QString() : QFileInfo(m_files.back().path).absolutePath();
   addFiles(m_dialogs.askImportPaths(folder));
@@ -189,6 +222,9 @@ InstrumentQuestion CheckInput::question() const {
                                 CheckRowsModel::layout()});
   question.reading.unit = static_cast<AngleUnit>(m_unit->currentData().toInt());
   question.reading.verticalCircle = m_circle->currentData().toString().toStdString();
+  const auto typed = [](const QLineEdit* line) { return line->text().trimmed().toStdString(); };
+  question.identity = {
+      .name = typed(m_name), .serial = typed(m_serial), .measuredOn = typed(m_date), .due = typed(m_due)};
   question.stated.sigmaDirection = statedOf(*m_sigmaDirection);
   question.stated.sigmaVertical = statedOf(*m_sigmaVertical);
   return question;

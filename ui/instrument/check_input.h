@@ -7,6 +7,7 @@
 
 class QComboBox;
 class QDoubleSpinBox;
+class QLineEdit;
 class QListWidget;
 class QPushButton;
 class QTabWidget;
@@ -30,6 +31,8 @@ class CheckInput : public QWidget {
   void addFiles(const QStringList& paths);
   CheckRowsTable& table() { return *m_table; }
   QStringList paths() const;  ///< paths of the files
+  /// Shows what the files state of the instrument where nothing is typed.
+  void suggest(const CheckIdentity& read);
 
  signals:
   void changed();
@@ -38,6 +41,7 @@ class CheckInput : public QWidget {
   QWidget* createFiles();
   QWidget* createRows();
   QWidget* createForm();
+  QWidget* createIdentity();
   void chooseFiles();
   void removeFiles();
   void clearRows();
@@ -55,6 +59,7 @@ class CheckInput : public QWidget {
   QPushButton *m_add, *m_remove, *m_clear;
   CheckRowsTable* m_table;
   ReadingBlock m_cleared;  ///< last cleared rows, until another is typed
+  QLineEdit *m_name, *m_serial, *m_date, *m_due;
   QDoubleSpinBox *m_sigmaDirection, *m_sigmaVertical;
   QComboBox *m_unit, *m_circle;
 };

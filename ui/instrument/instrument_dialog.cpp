@@ -14,11 +14,12 @@
 #include "core/series/instrument_check/check_record.h"
 #include "core/series/instrument_check/check_statement.h"
 #include "core/series/instrument_check/instrument_json.h"
-#include "core/session/entry.h"
 #include "ui/dialogs/dialogs.h"
 #include "ui/dialogs/written_file.h"
 #include "ui/instrument/check_chart.h"
 #include "ui/instrument/check_input.h"
+#include "ui/instrument/check_report.h"
+#include "ui/panels/gap/gap_headline.h"
 #include "ui/panels/parts/dialog_parts.h"
 #include "ui/panels/parts/figure_grid.h"
 #include "ui/panels/parts/statement_table.h"
@@ -48,6 +49,7 @@ InstrumentDialog::InstrumentDialog(Dialogs& dialogs, QWidget* parent)
 }
 
 QWidget* InstrumentDialog::createResult() {
+  m_verdict = new GapHeadline;
   m_table = new StatementTable(stationsTable({}));
   m_table->setAccessibleName(tr("Result by station"));
   m_table->setPlaceholder(tr("Open files, or type rounds in two faces to several targets."));
@@ -82,6 +84,7 @@ QWidget* InstrumentDialog::createResult() {
   auto* layout = new QVBoxLayout(result);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->addWidget(m_problem);
+  layout->addWidget(m_verdict);
   layout->addWidget(m_table, 1);
   layout->addWidget(below, 3);
   return result;
@@ -91,6 +94,8 @@ QWidget* InstrumentDialog::createButtons() {
   auto* row = new ButtonRow;
   m_json = row->add(tr("Export &JSON…"), "export check json");
   m_csv = row->add(tr("Export &CSV…"), "export check csv");
+  m_pdf = row->add(tr("&PDF…"), "export check pdf");
+  m_pdf->setToolTip(tr("The check as a document"));
   m_record = row->add(tr("&Save as Instrument Record…"), "save check record");
   m_record->setToolTip(
       tr("Collimation, index, tilt, offset of the line of sight and σ of the circles, for sessions to take"));
@@ -98,6 +103,7 @@ QWidget* InstrumentDialog::createButtons() {
   auto* close = row->add(tr("Close"), "close");
   connect(m_json, &QPushButton::clicked, this, &InstrumentDialog::exportJson);
   connect(m_csv, &QPushButton::clicked, this, &InstrumentDialog::exportCsv);
+  connect(m_pdf, &QPushButton::clicked, this, &InstrumentDialog::exportPdf);
   connect(m_record, &QPushButton::clicked, this, &InstrumentDialog::saveRecord);
   connect(close, &QPushButton::clicked, this, &QDialog::close);
   return row;
@@ -123,11 +129,26 @@ void InstrumentDialog::take(const SharedInstrument& answer) {
                "series and after a transport. Three rounds to four targets spread around the horizon, one of "
                "them steep, at distances like those of the work.")
           : sentences.join(QStringLiteral("\n\n")));
+  m_verdict->setVisible(answer->check.has_value());
+  if (answer->check) showVerdict();
+  m_input->suggest(answer->identity);
   m_table->setStatement(stationsTable(answer->check.value_or(InstrumentCheck())));
   m_chart->setCheck(answer);
   m_json->setEnabled(answer->check.has_value());
   m_csv->setEnabled(answer->check.has_value());
+  m_pdf->setEnabled(answer->check.has_value());
   m_record->setEnabled(answer->check && (answer->check->index.u > 0 || answer->check->collimation.u > 0));
+}
+
+void InstrumentDialog::showVerdict() {
+  const Statement verdict = checkVerdict(*m_answer->check, m_answer->findings);
+  QStringList sentences;
+  for (const std::string& sentence : verdict.sentences) sentences.append(visibleLine(sentence));
+  const std::optional<bool> passed = hasPassed(*m_answer->check);
+  m_verdict->setText(visibleLine(verdict.title), sentences.join(u' '),
+                     !passed   ? State::Quiet
+                     : *passed ? State::Good
+                               : State::Bad);
 }
 
 QString InstrumentDialog::said() const {
@@ -147,22 +168,34 @@ void InstrumentDialog::changeEvent(QEvent* event) {
 
 bool InstrumentDialog::exportJson() {
   return write(tr("Export instrument check"), checkName(), QStringLiteral("json"),
-               instrumentJson(*m_answer->check, m_answer->findings, m_answer->remarks));
+               instrumentJson(m_answer->identity, *m_answer->check, m_answer->findings, m_answer->remarks));
 }
 
 bool InstrumentDialog::exportCsv() {
   return write(tr("Export residuals of the check"), checkName(), QStringLiteral("csv"),
-               instrumentCsv(*m_answer->check));
+               instrumentCsv(m_answer->identity, *m_answer->check));
+}
+
+bool InstrumentDialog::exportPdf() {
+  const std::optional<std::string> pdf = checkPdf(*m_answer);
+  if (pdf) return write(tr("Export instrument check"), checkName(), QStringLiteral("pdf"), *pdf);
+  m_dialogs.showProblem(tr("Export instrument check"), tr("The pages could not be painted."));
+  return false;
 }
 
 /// Dated by the readings, or today if no file states a date.
 bool InstrumentDialog::saveRecord() {
-  std::string date = m_answer->measuredOn;
-  if (date.empty() || dateProblem(date)) date = QDate::currentDate().toString(Qt::ISODate).toStdString();
-  const QString name = m_answer->instrumentSerial.empty() ? checkName() : qText(m_answer->instrumentSerial);
-  return write(tr("Save instrument record"), name, QStringLiteral("alidade-instrument"),
-               writeInstrumentRecord(checkedRecord(*m_answer->check, m_answer->instrumentName,
-                                                   m_answer->instrumentSerial, date)));
+  CheckIdentity identity = m_answer->identity;
+  const std::string today = QDate::currentDate().toString(Qt::ISODate).toStdString();
+  if (identity.measuredOn.empty()) identity.measuredOn = today;
+  if (const auto dated = identityOf(identity, {}); !dated) {
+    m_dialogs.showProblem(tr("Save instrument record"), visibleLine(dated.problem().text()));
+    return false;
+  }
+  const QString name = identity.serial.empty() ? checkName() : qText(identity.serial);
+  return write(tr("Save instrument record"), name + u'-' + qText(identity.measuredOn),
+               QStringLiteral("alidade-instrument"),
+               writeInstrumentRecord(checkedRecord(*m_answer->check, identity)));
 }
 
 QString InstrumentDialog::checkName() const {

@@ -12,6 +12,7 @@ namespace alidade::ui {
 
 class CheckChart;
 class CheckInput;
+class GapHeadline;
 class StatementTable;
 class Dialogs;
 
@@ -30,6 +31,7 @@ class InstrumentDialog : public QDialog {
 
   bool exportJson();
   bool exportCsv();
+  bool exportPdf();
   bool saveRecord();  ///< as an instrument record, for later sessions
 
  protected:
@@ -39,6 +41,7 @@ class InstrumentDialog : public QDialog {
   QWidget* createResult();
   QWidget* createButtons();
   void take(const SharedInstrument& answer);
+  void showVerdict();
   void colorProblem();
   QString checkName() const;
   bool write(const QString& title, const QString& name, const QString& suffix, const std::string& bytes);
@@ -47,11 +50,12 @@ class InstrumentDialog : public QDialog {
   InstrumentJob m_job;
   SharedInstrument m_answer;
   CheckInput* m_input;
+  GapHeadline* m_verdict;
   StatementTable* m_table;
   CheckChart* m_chart;
   QComboBox* m_view;
   QLabel *m_problem, *m_said;
-  QPushButton *m_json, *m_csv, *m_record;
+  QPushButton *m_json, *m_csv, *m_pdf, *m_record;
 };
 
 }  // namespace alidade::ui

@@ -25,12 +25,16 @@ CheckedInstrument checkInstrument(const InstrumentQuestion& question) {
     answer.problem = check.problem().text();
     return answer;
   }
+  const Result<CheckIdentity> identity = identityOf(question.identity, readings->identity);
+  if (!identity) {
+    answer.problem = identity.problem().text();
+    return answer;
+  }
+  answer.identity = *identity;
+  for (const CheckFile& file : files) answer.sources.push_back(file.name);
   answer.check = *std::move(check);
   answer.findings = checkFindings(*answer.check);
   answer.remarks = readings->remarks;
-  answer.instrumentName = readings->instrumentName;
-  answer.instrumentSerial = readings->instrumentSerial;
-  answer.measuredOn = readings->measuredOn;
   return answer;
 }
 

@@ -23,14 +23,16 @@ struct InstrumentQuestion {
   std::vector<Source> sources;
   CheckFileOptions reading;
   CheckOptions stated;
+  CheckIdentity identity = {};  ///< in place of what the sources state
 };
 
 struct CheckedInstrument {
   std::optional<InstrumentCheck> check;
   std::vector<Finding> findings;
   std::vector<std::string> remarks;
-  std::string instrumentName, instrumentSerial, measuredOn;
-  std::string problem;  ///< why there is no check; empty with one, or without input
+  CheckIdentity identity = {};
+  std::vector<std::string> sources = {};  ///< names of the files
+  std::string problem;                    ///< why there is no check; empty with one, or without input
 };
 
 using SharedInstrument = std::shared_ptr<const CheckedInstrument>;

@@ -11,6 +11,7 @@
 #include "core/base/phrase.h"
 #include "core/base/threads.h"
 #include "core/series/history/history_sentences.h"
+#include "core/series/history/series_file.h"
 #include "core/wording/copies.h"
 #include "ui/document/encoded_path.h"
 #include "ui/jobs/failed_job.h"
@@ -69,6 +70,12 @@ std::vector<std::string> sessionPathsIn(const QStringList& filesAndFolders) {
   };
   for (const QString& path : filesAndFolders) {
     const QFileInfo info(path);
+    if (isSeriesPath(encodedPath(path)) && !info.isDir())
+      if (const auto series = loadSeriesFile(encodedPath(path))) {
+        for (const std::string& session : series->sessions)
+          add(QFileInfo(QFile::decodeName(QByteArray::fromStdString(session))));
+        continue;
+      }
     if (!info.isDir()) {
       add(info);
       continue;

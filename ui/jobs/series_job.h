@@ -29,7 +29,8 @@ struct Series {
 
 using SharedSeries = std::shared_ptr<const Series>;
 
-/// The sessions of folders and files, each once, as paths of the core: a folder's *.alidade files by name.
+/// The sessions of folders, series and files, each once, as paths of the core: a folder's *.alidade files by
+/// name. An unreadable series is listed itself.
 std::vector<std::string> sessionPathsIn(const QStringList& filesAndFolders);
 
 /// Reads, fits and diagnoses the sessions of `added` in parallel, and evaluates their history together with

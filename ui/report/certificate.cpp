@@ -51,6 +51,7 @@ Result<WrittenCertificate> certificateOf(const ReportSource& source, const Repor
                              .performedAt = entries.performedAt.toStdString(),
                              .manufacturer = entries.manufacturer.toStdString(),
                              .issued = report.date.date().toString(Qt::ISODate).toStdString(),
+                             .isDraft = entries.isDraft,
                              .languages = languagesOf(report)};
   if (!pdf.empty()) options.report = CertificateDocument{pdfName.toStdString(), "application/pdf", pdf};
   const auto certificate =

@@ -11,10 +11,13 @@ namespace alidade::ui {
 
 /// Statements of a certificate that the session lacks; empty: not stated.
 struct CertificateEntries {
-  QString measuredOn;    ///< used if the session states no day
-  QString country;       ///< country of the laboratory, ISO 3166-1
-  QString performedAt;   ///< "laboratory", "customer", …
-  QString manufacturer;  ///< manufacturer of the device
+  QString measuredOn = {};    ///< used if the session states no day
+  QString country = {};       ///< country of the laboratory, ISO 3166-1
+  QString performedAt = {};   ///< "laboratory", "customer", …
+  QString manufacturer = {};  ///< manufacturer of the device
+  bool isDraft = false;       ///< made in spite of missing entries
+
+  bool operator==(const CertificateEntries&) const = default;
 };
 
 struct WrittenCertificate {

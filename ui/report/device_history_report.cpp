@@ -36,9 +36,10 @@ void addHistoryChart(ReportSheet& sheet, const QuantityHistory& quantity) {
   sheet.skip(height + 1.5);
   sheet.paragraph(
       Report::tr(
-          "Control chart. Bars: ± 2 u of what a value does not share with the others. Broken lines: mean "
-          "± 3 u of each value; dotted: three times the scatter that is seen by the moving range. EWMA: "
-          "exponentially weighted average with λ = 0.2 and its exact limits. Over the year and its parts."),
+          "Control chart. Bars: ± U, as in the table. Broken lines: centre line ± three standard "
+          "uncertainties "
+          "of each value, without what all values share; dotted: three times the scatter that is seen by the "
+          "moving range. EWMA: exponentially weighted average with λ = 0.2 and its exact limits."),
       type::small);
 }
 

@@ -43,6 +43,13 @@ ReportChoice rememberedReportChoice() {
                       .language = storedLanguage(settings),
                       .seriesFolder = settings.value(group + QStringLiteral("series")).toString(),
                       .hasSession = settings.value(group + QStringLiteral("session"), true).toBool()};
+  const auto text = [&](const char* name) {
+    return settings.value(group + QString::fromLatin1(name)).toString();
+  };
+  choice.certificate = {.measuredOn = {},
+                        .country = text("country"),
+                        .performedAt = text("performedAt"),
+                        .manufacturer = text("manufacturer")};
   const QStringList leftOut = settings.value(group + QStringLiteral("leftOut")).toStringList();
   for (const ReportPartInfo& info : allReportParts())
     if (leftOut.contains(QString::fromLatin1(info.id))) choice.contents.leftOut.insert(info.part);
@@ -67,6 +74,9 @@ void rememberReportChoice(const ReportChoice& choice) {
   put("language", choice.language);
   put("series", choice.seriesFolder);
   put("session", choice.hasSession);
+  put("country", choice.certificate.country);
+  put("performedAt", choice.certificate.performedAt);
+  put("manufacturer", choice.certificate.manufacturer);
 }
 
 }  // namespace alidade::ui

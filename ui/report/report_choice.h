@@ -2,6 +2,7 @@
 
 #include <QString>
 
+#include "ui/report/certificate.h"
 #include "ui/report/report_contents.h"
 #include "ui/report/report_paper.h"
 
@@ -16,6 +17,8 @@ struct ReportChoice {
   QString seriesFolder =
       {};  ///< folder with sessions of the device, whose history is included; empty: no history
   bool hasSession = true;  ///< session and results are attached to the PDF
+
+  CertificateEntries certificate = {};  ///< of a certificate only
 
   bool operator==(const ReportChoice&) const = default;
 };

@@ -3,6 +3,7 @@
 #include <QComboBox>
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QSpinBox>
 #include <QSplitter>
 #include <QVBoxLayout>
 #include <algorithm>
@@ -43,6 +44,11 @@ HistoryPanel::HistoryPanel(QWidget* parent)
     showQuantities();
     emit deviceChosen();
   });
+  connect(m_baseline, &QSpinBox::valueChanged, this, [this] {
+    takeBaseline();
+    showHistory();
+    emit baselineChosen();
+  });
   connect(m_quantities, &QComboBox::activated, this, [this] { showHistory(); });
   connect(m_chart, &PlotWidget::sightingActivated, this,
           [this](std::size_t, std::size_t value) { activate(value, true); });
@@ -61,9 +67,19 @@ QWidget* HistoryPanel::createChoices() {
   quantities->setBuddy(m_quantities);
   m_devices->setAccessibleName(tr("Device"));
   m_quantities->setAccessibleName(tr("Quantity"));
+  m_baseline = new QSpinBox;
+  m_baseline->setAccessibleName(tr("Sessions in the baseline"));
+  m_baseline->setSpecialValueText(tr("all sessions"));
+  m_baseline->setToolTip(
+      tr("The first sessions set centre line and limits, which watch the later ones: choose those measured "
+         "before anything could have changed"));
+  m_baseline->setKeyboardTracking(false);
+  auto* baseline = new QLabel(tr("&Baseline"));
+  baseline->setBuddy(m_baseline);
   m_quantities->setSizeAdjustPolicy(QComboBox::AdjustToContents);
   m_devices->setSizeAdjustPolicy(QComboBox::AdjustToContents);
-  for (QWidget* part : std::initializer_list<QWidget*>{m_devicesLabel, m_devices, quantities, m_quantities})
+  for (QWidget* part : std::initializer_list<QWidget*>{m_devicesLabel, m_devices, quantities, m_quantities,
+                                                       baseline, m_baseline})
     layout->addWidget(part);
   layout->addStretch();
   return row;
@@ -88,7 +104,7 @@ QWidget* HistoryPanel::createText() {
 
 const DeviceHistory* HistoryPanel::device() const {
   const int index = m_devices->currentIndex();
-  return m_series && index >= 0 ? &m_series->devices[static_cast<std::size_t>(index)] : nullptr;
+  return index >= 0 ? &m_deviceHistories[static_cast<std::size_t>(index)] : nullptr;
 }
 
 const QuantityHistory* HistoryPanel::quantity() const {
@@ -98,16 +114,34 @@ const QuantityHistory* HistoryPanel::quantity() const {
 }
 
 void HistoryPanel::setSeries(const SharedSeries& series) {
-  m_series = series;
+  m_deviceHistories = series ? series->devices : std::vector<DeviceHistory>();
+  std::size_t most = 0;
+  for (const DeviceHistory& one : m_deviceHistories) most = std::max(most, one.epochs.size());
+  m_baseline->setMaximum(std::max(m_baseline->value(), static_cast<int>(most)));
+  m_baseline->setEnabled(most > 1);
+  takeBaseline();
   showDevices();
+}
+
+void HistoryPanel::setBaseline(int sessions) {
+  m_baseline->setMaximum(std::max(m_baseline->maximum(), sessions));
+  m_baseline->setValue(sessions);
+}
+
+int HistoryPanel::baseline() const {
+  return m_baseline->value();
+}
+
+void HistoryPanel::takeBaseline() {
+  for (DeviceHistory& one : m_deviceHistories)
+    alidade::setBaseline(one, static_cast<std::size_t>(m_baseline->value()));
 }
 
 /// Keeps the chosen device and quantity if they still exist.
 void HistoryPanel::showDevices() {
   const QString kept = m_devices->currentText();
   m_devices->clear();
-  if (m_series)
-    for (const DeviceHistory& one : m_series->devices) m_devices->addItem(menuText(qText(deviceName(one))));
+  for (const DeviceHistory& one : m_deviceHistories) m_devices->addItem(menuText(qText(deviceName(one))));
   m_devices->setCurrentIndex(std::max(m_devices->findText(kept), m_devices->count() > 0 ? 0 : -1));
   for (QWidget* part : std::initializer_list<QWidget*>{m_devicesLabel, m_devices})
     part->setVisible(m_devices->count() > 1);

@@ -6,6 +6,7 @@
 
 class QComboBox;
 class QLabel;
+class QSpinBox;
 
 namespace alidade::ui {
 
@@ -21,14 +22,19 @@ class HistoryPanel : public QWidget {
 
   /// Null: no sessions.
   void setSeries(const SharedSeries& series);
-  /// The device shown; null: none.
+  /// The number of first sessions in the baseline of every device; 0: all.
+  void setBaseline(int sessions);
+  int baseline() const;
+  /// The device shown, with the baseline; null: none.
   const DeviceHistory* device() const;
+  const std::vector<DeviceHistory>& devices() const { return m_deviceHistories; }
   /// Compares the sessions of these two files, if both belong to the device shown; else explains how.
   void compare(const std::vector<std::string>& files);
   /// Highlights the point of this file's session.
   void highlight(const std::string& file);
 
  signals:
+  void baselineChosen();
   void deviceChosen();
   /// A point was activated.
   void sessionWanted(const std::string& file);
@@ -43,9 +49,12 @@ class HistoryPanel : public QWidget {
   void activate(std::size_t value, bool wanted);
   const QuantityHistory* quantity() const;
 
-  SharedSeries m_series;
+  void takeBaseline();
+
+  std::vector<DeviceHistory> m_deviceHistories;
   std::vector<std::string> m_compared;
   QComboBox *m_devices, *m_quantities;
+  QSpinBox* m_baseline;
   HistoryChart* m_chart;
   QLabel *m_says, *m_congruence, *m_devicesLabel;
 };

@@ -17,9 +17,11 @@
 #include <algorithm>
 #include <set>
 
+#include "core/base/atomic_file.h"
 #include "core/base/failure.h"
 #include "core/series/history/history_json.h"
 #include "core/series/history/history_statement.h"
+#include "core/series/history/series_file.h"
 #include "ui/dialogs/dialogs.h"
 #include "ui/dialogs/written_file.h"
 #include "ui/document/encoded_path.h"
@@ -120,10 +122,15 @@ QWidget* SeriesWindow::createButtons() {
     return button;
   };
   add(tr("Add &Folder…"), "add folder", tr("All sessions (*.alidade) of a folder"), [this] { addFolder(); });
-  add(tr("Add F&iles…"), "add files", tr("Sessions one by one"), [this] { addFiles(); });
+  add(tr("Add F&iles…"), "add files", tr("Sessions one by one, or a series that was saved"),
+      [this] { addFiles(); });
   m_remove =
       add(tr("&Remove"), "remove", tr("Takes the selected sessions out of the series; their files stay"),
           [this] { removeSelected(); });
+  m_save = add(
+      tr("&Save Series…"), "save series",
+      tr("The list of these sessions and the baseline as a file, to be opened again here or by alidade-cli"),
+      [this] { saveSeries(); });
   layout->addStretch();
   m_json = add(tr("Export &JSON…"), "export json", tr("What alidade-cli history --json says"),
                [this] { exportJson(); });
@@ -197,6 +204,10 @@ void SeriesWindow::addFiles() {
 }
 
 void SeriesWindow::add(const QStringList& filesAndFolders) {
+  for (const QString& path : filesAndFolders)
+    if (isSeriesPath(encodedPath(path)))
+      if (const auto series = loadSeriesFile(encodedPath(path)); series && series->baseline > 0)
+        m_history->setBaseline(static_cast<int>(series->baseline));
   std::set<std::string> known;
   if (m_series)
     for (const SeriesSession& session : m_series->sessions) known.insert(session.path);
@@ -288,6 +299,7 @@ void SeriesWindow::showWork() {
   m_progress->setVisible(isAtWork);
   m_stop->setVisible(isAtWork);
   m_remove->setEnabled(!isAtWork && !m_table->selectedItems().isEmpty());
+  m_save->setEnabled(!isAtWork && m_table->rowCount() > 0);
   m_json->setEnabled(hasDevice);
   m_csv->setEnabled(hasDevice);
   m_pdf->setEnabled(hasDevice);
@@ -327,9 +339,28 @@ void SeriesWindow::select(const std::string& file) {
     if (encodedPath(fileOf(row)) == file) m_table->selectRow(row);
 }
 
+bool SeriesWindow::saveSeries() {
+  if (!m_series || m_series->sessions.empty()) return false;
+  const QString title = tr("Save series"), suffix = QStringLiteral("alidade-series");
+  const QString path = m_dialogs.askExportPath(title, suggestedPath(tr("series"), suffix), suffix);
+  if (path.isEmpty()) return false;
+  SeriesFile series{.sessions = {}, .baseline = static_cast<std::size_t>(m_history->baseline())};
+  std::vector<std::string> inputs = encodedPaths(m_dialogs.readFiles());
+  for (const SeriesSession& session : m_series->sessions) {
+    series.sessions.push_back(pathInSeries(session.path, encodedPath(path)));
+    inputs.push_back(session.path);
+  }
+  if (const auto problem = writeFile(encodedPath(path), writeSeriesFile(series), inputs)) {
+    m_dialogs.showProblem(title, visibleLine(problem->text()));
+    return false;
+  }
+  m_status->setText(tr("Written to %1").arg(QDir::toNativeSeparators(path)));
+  return true;
+}
+
 bool SeriesWindow::exportJson() {
-  if (!m_series || m_series->devices.empty()) return false;
-  DeviceHistories histories{m_series->devices, {}};
+  if (!m_history->device()) return false;
+  const DeviceHistories histories{m_history->devices(), {}};
   std::vector<std::string> remarks;
   for (const SeriesSession& session : m_series->sessions)
     if (!session.trouble.empty()) remarks.push_back(session.path + ": " + session.trouble);

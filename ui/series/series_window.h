@@ -36,6 +36,8 @@ class SeriesWindow : public QWidget {
   void addFiles();
   void add(const QStringList& filesAndFolders);
   void removeSelected();
+  /// The sessions as a file, with paths relative to it, and the baseline; shows the dialog.
+  bool saveSeries();
   bool exportJson();
   bool exportCsv();
   bool exportPdf();
@@ -72,7 +74,7 @@ class SeriesWindow : public QWidget {
   DiagnosisPanel* m_diagnosis;
   QProgressBar* m_progress;
   QLabel* m_status;
-  QPushButton *m_stop, *m_remove, *m_json, *m_csv, *m_pdf;
+  QPushButton *m_stop, *m_remove, *m_save, *m_json, *m_csv, *m_pdf;
 };
 
 }  // namespace alidade::ui

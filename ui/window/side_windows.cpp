@@ -58,6 +58,11 @@ void SideWindows::showSeries() {
   putInFront(m_series);
 }
 
+void SideWindows::openSeries(const QString& path) {
+  showSeries();
+  m_series->add({path});
+}
+
 QStringList SideWindows::readFiles() const {
   return m_instrumentCheck ? m_instrumentCheck->input().paths() : QStringList();
 }

@@ -23,6 +23,8 @@ class SideWindows : public QObject {
   void showInstrumentCheck();
   void showInstallationCheck();
   void showSeries();
+  /// Shows the sessions of a `*.alidade-series` file.
+  void openSeries(const QString& path);
   /// The files read for the instrument check.
   QStringList readFiles() const;
 

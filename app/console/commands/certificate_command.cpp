@@ -86,6 +86,8 @@ void addCertificateCommand(CLI::App& app, CertificateRequest& request) {
       ->check(CLI::IsMember({"laboratory", "customer", "laboratoryBranch", "customerBranch", "other"}));
   command->add_option("--manufacturer", request.manufacturer, "Maker of the device");
   command->add_option("--issued", request.issued, "Day of issue; none is stated if not given");
+  command->add_flag("--draft", request.isDraft,
+                    "Make it in spite of missing entries, which are “not stated” in it");
   command->add_option("--instrument", request.instrument,
                       "Take what this instrument record says (*.alidade-instrument), for this run");
   addSigningOptions(*command, request.signing);
@@ -107,7 +109,8 @@ Result<CertificateAnswer> runCertificate(const CertificateRequest& request) {
                              .country = request.country,
                              .performedAt = request.performedAt,
                              .manufacturer = request.manufacturer,
-                             .issued = request.issued};
+                             .issued = request.issued,
+                             .isDraft = request.isDraft};
   std::string report;
   if (!request.pdf.empty()) {
     Result<std::string> bytes = readReport(request.pdf);
@@ -121,6 +124,10 @@ Result<CertificateAnswer> runCertificate(const CertificateRequest& request) {
   if (!certificate) {
     Problem problem = certificate.problem();
     if (problem.where.field == "measured_on") problem.what += ", or give --measured-on";
+    if (problem.where.field.empty())
+      problem.what +=
+          ". Country and place are --country and --performed-at, the rest stands in the session; "
+          "--draft makes one without";
     return problem;
   }
   if (auto problem = writeAll(request, certificate->xml, *signer)) return *std::move(problem);
@@ -129,9 +136,8 @@ Result<CertificateAnswer> runCertificate(const CertificateRequest& request) {
   done.result = "Certificate written to " + request.out + ".\n";
   if (*signer) done.result += "Signature written to " + signaturePath(request.out) + ".\n";
   if (!certificate->notStated.empty())
-    done.remarks.push_back(
-        "The certificate says “not stated” where the session leaves empty what its schema asks for: " +
-        listed({certificate->notStated.begin(), certificate->notStated.end()}) + ".");
+    done.remarks.push_back("A draft: the certificate says “not stated” for " +
+                           listed({certificate->notStated.begin(), certificate->notStated.end()}) + ".");
   return done;
 }
 

@@ -7,7 +7,9 @@
 #include <optional>
 
 #include "app/console/channels.h"
+#include "app/console/clock.h"
 #include "app/console/commands/batch_options.h"
+#include "app/console/commands/option_checks.h"
 #include "app/console/history_text.h"
 #include "app/console/session_files.h"
 #include "core/base/failure.h"
@@ -16,6 +18,8 @@
 #include "core/base/visible_text.h"
 #include "core/series/history/history_json.h"
 #include "core/series/history/history_sentences.h"
+#include "core/series/history/series_file.h"
+#include "core/session/instrument_record.h"
 #include "core/session/session_file.h"
 #include "core/wording/copies.h"
 
@@ -32,6 +36,24 @@ bool isSession(const std::string& path) {
   return std::filesystem::path(path).extension() == ".alidade";
 }
 
+bool isRecord(const std::string& path) {
+  return std::filesystem::path(path).extension() == ".alidade-instrument";
+}
+
+/// The instrument records of a folder that holds no session, by name.
+std::vector<std::string> recordsIn(const std::string& folder) {
+  std::vector<std::string> records;
+  std::error_code problem;
+  std::filesystem::directory_iterator entry(folder, problem);
+  for (; !problem && entry != std::filesystem::directory_iterator(); entry.increment(problem)) {
+    const std::string path = entry->path().string();
+    if (isSession(path) && !isFolder(path)) return {};
+    if (isRecord(path) && !isFolder(path)) records.push_back(path);
+  }
+  std::ranges::sort(records);
+  return records;
+}
+
 std::string baseName(const std::string& file) {
   std::filesystem::path path(inputName(file));
   if (!path.has_filename()) path = path.parent_path();
@@ -43,24 +65,24 @@ class Histories {
   explicit Histories(const HistoryRequest& request) : m_request(request) {}
 
   int give() {
-    std::vector<std::string> sessions;
+    std::vector<std::string> sessions, records;
     SessionFiles inputs;
     for (const std::string& file : m_request.files)
-      if (isSession(file) && !isFolder(file))
-        sessions.push_back(file);
-      else
+      if (isFolder(file) || (!isSession(file) && !isRecord(file)))
         inputs.files.push_back({file});
-    if (!sessions.empty()) {
-      if (inputs.files.empty()) return giveOne("", [&] { return ofSessions(nameOf(sessions), sessions); });
-      inputs.files.push_back({nameOf(sessions)});
-    }
+      else
+        (isSession(file) ? sessions : records).push_back(file);
+    const bool isOneGroup = inputs.files.empty() && (sessions.empty() || records.empty());
+    for (const auto& [files, what] : {std::pair(&sessions, "sessions"), std::pair(&records, "records")})
+      if (!files->empty()) inputs.files.push_back({nameOf(*files, what)});
     const auto answer = [&](const std::string& input) -> Result<std::string> {
-      if (!sessions.empty() && input == nameOf(sessions)) return ofSessions(input, sessions);
+      if (!sessions.empty() && input == nameOf(sessions, "sessions")) return ofSessions(input, sessions);
+      if (!records.empty() && input == nameOf(records, "records")) return ofRecords(input, records);
       return ofInput(input);
     };
     if (inputs.files.size() == 1) {
       const std::string& input = inputs.files.front().path;
-      return giveOne(inputName(input), [&] { return answer(input); });
+      return giveOne(isOneGroup ? "" : inputName(input), [&] { return answer(input); });
     }
     const int code = answerEach(inputs, answer, m_request.batch);
     return code == Done && m_isAnyUnusable ? BadInput : code;
@@ -70,8 +92,8 @@ class Histories {
   const HistoryRequest& m_request;
   std::atomic<bool> m_isAnyUnusable = false;
 
-  static std::string nameOf(const std::vector<std::string>& sessions) {
-    return sessions.size() == 1 ? sessions.front() : std::to_string(sessions.size()) + " sessions";
+  static std::string nameOf(const std::vector<std::string>& files, const std::string& what) {
+    return files.size() == 1 ? files.front() : std::to_string(files.size()) + " " + what;
   }
 
   template <class Answer>
@@ -83,7 +105,11 @@ class Histories {
   }
 
   Result<std::string> ofInput(const std::string& input) {
-    if (isFolder(input)) return ofSessions(baseName(input), {input});
+    if (isSeriesPath(input)) return ofSeries(input);
+    if (isFolder(input)) {
+      const std::vector<std::string> records = recordsIn(input);
+      return records.empty() ? ofSessions(baseName(input), {input}) : ofRecords(baseName(input), records);
+    }
     const Result<std::string> bytes = input == "-" ? readStandardInput() : readFile(input);
     if (!bytes) return bytes.problem();
     if (bytes->find_first_not_of(" \t\r\n") != std::string::npos &&
@@ -91,12 +117,55 @@ class Histories {
       return Problem{"is no table of values: name the folder of the sessions, or sessions (*.alidade)"};
     const Result<ValueTable> table = readValueTable(*bytes);
     if (!table) return table.problem();
-    const History history = historyOf(table->values);
+    History history = historyOf(table->values);
+    if (auto problem = baselineProblem(history.values.size(), "values")) return *std::move(problem);
+    setBaseline(history, m_request.baseline);
     const std::string name = baseName(input);
     return m_request.batch.json ? historyJson(name, *table, history) : historyText(name, *table, history);
   }
 
-  Result<std::string> ofSessions(const std::string& name, const std::vector<std::string>& named) {
+  std::optional<Problem> baselineProblem(std::size_t count, const std::string& what) const {
+    if (m_request.baseline <= count) return std::nullopt;
+    return Problem{"--baseline " + std::to_string(m_request.baseline) + " is more than there are: " + what +
+                   " " + std::to_string(count)};
+  }
+
+  Result<std::string> ofSeries(const std::string& input) {
+    const Result<SeriesFile> series = loadSeriesFile(input);
+    if (!series) return series.problem();
+    return ofSessions(baseName(input), series->sessions, series->baseline);
+  }
+
+  Result<std::string> ofRecords(const std::string& name, const std::vector<std::string>& files) {
+    std::vector<KeptRecord> records;
+    std::vector<std::string> remarks;
+    for (const std::string& file : files) {
+      const Result<InstrumentRecord> record = loadInstrumentRecord(file);
+      if (record) {
+        records.push_back({baseName(file), *record});
+        continue;
+      }
+      m_isAnyUnusable = true;
+      notify(file, record.problem().text());
+      remarks.push_back(wellFormed(file) + ": " + record.problem().text());
+    }
+    if (records.empty()) return Problem{"none of the records can be used: see the lines above"};
+    InstrumentHistories histories = instrumentHistories(records);
+    for (const auto& [copy, first] : histories.copies) {
+      remarks.push_back(records[copy].file + " holds the same record as " + records[first].file +
+                        ": counted once.");
+      notify(records[copy].file, "holds the same record as " + records[first].file + ": counted once");
+    }
+    for (InstrumentHistory& instrument : histories.instruments) {
+      if (auto problem = baselineProblem(instrument.records.size(), "records")) return *std::move(problem);
+      setBaseline(instrument, m_request.baseline);
+    }
+    return m_request.batch.json ? historyJson(name, histories, remarks)
+                                : historyText(name, histories, localDay());
+  }
+
+  Result<std::string> ofSessions(const std::string& name, const std::vector<std::string>& named,
+                                 std::size_t baseline = 0) {
     const SessionFiles list = sessionFilesOf(named);
     for (const std::string& again : list.again) notify(inputName(again), "is named again: counted once");
     if (list.files.size() == 1 && list.files.front().problem && list.files.front().path == named.front())
@@ -104,7 +173,11 @@ class Histories {
     std::vector<std::string> remarks;
     std::vector<Epoch> epochs = load(list.files, remarks);
     if (epochs.empty()) return Problem{"none of the sessions can be used: see the lines above"};
-    const DeviceHistories histories = deviceHistories(epochs);
+    DeviceHistories histories = deviceHistories(epochs);
+    for (DeviceHistory& device : histories.devices) {
+      if (auto problem = baselineProblem(device.epochs.size(), "sessions")) return *std::move(problem);
+      setBaseline(device, m_request.baseline > 0 ? m_request.baseline : baseline);
+    }
     for (const auto& [copy, first] : histories.copies) {
       remarks.push_back(copySentence(epochs[copy].file, epochs[first].file));
       notify(epochs[copy].file, copyReason(epochs[copy].file, epochs[first].file));
@@ -154,10 +227,18 @@ void addHistoryCommand(CLI::App& app, HistoryRequest& request) {
       "One device, or one constant of an instrument, over time: is it the same, and if not, since "
       "when.");
   history
-      ->add_option("FOLDER|VALUES.csv", request.files,
-                   "Folder of sessions (*.alidade), sessions, or a table of date, value and standard "
-                   "uncertainty; - reads such a table from standard input")
+      ->add_option(
+          "FOLDER|VALUES.csv", request.files,
+          "Sessions (*.alidade), a folder or a series (*.alidade-series) of them; instrument records "
+          "(*.alidade-instrument) or a folder of them; or a table of date, value and standard "
+          "uncertainty; - reads such a table from standard input")
       ->required();
+  history
+      ->add_option(
+          "--baseline", request.baseline,
+          "The first N sessions, records or values set the centre line and the limits, which watch the later "
+          "ones; else all set them")
+      ->check(wholeFrom(1, 100000));
   addBatchOptions(*history, request.batch);
 }
 

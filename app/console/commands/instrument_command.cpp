@@ -16,7 +16,6 @@
 #include "core/series/instrument_check/check_record.h"
 #include "core/series/instrument_check/checked_readings.h"
 #include "core/series/instrument_check/instrument_json.h"
-#include "core/session/entry.h"
 
 namespace alidade::console {
 
@@ -41,18 +40,16 @@ std::string checkFileName(const std::string& file) {
   return file == "-" ? inputName(file) : wellFormed(std::filesystem::path(file).filename().string());
 }
 
-/// Writes only a non-empty record. Its date is today unless the readings have one.
-std::optional<Problem> writeRecord(const InstrumentRequest& request, CheckReadings& readings,
-                                   const InstrumentCheck& check) {
-  if (const auto problem = dateProblem(request.date)) return Problem{"--date " + problem->what};
-  std::string date = request.date.empty() ? readings.measuredOn : request.date;
-  if (date.empty() || dateProblem(date)) {
-    date = localDay();
-    readings.remarks.push_back("the files do not say the day of the readings: the record is of today, " +
-                               date + "; --date states another day");
+/// Writes only a non-empty record. It is of today unless the check has a day.
+std::optional<Problem> writeRecord(const InstrumentRequest& request, CheckIdentity identity,
+                                   std::vector<std::string>& remarks, const InstrumentCheck& check) {
+  if (identity.measuredOn.empty()) {
+    identity.measuredOn = localDay();
+    remarks.push_back("the files do not say the day of the readings: the record is of today, " +
+                      identity.measuredOn + "; --date states another day");
+    if (const auto again = identityOf(identity, {}); !again) return again.problem();
   }
-  const InstrumentRecord record =
-      checkedRecord(check, readings.instrumentName, readings.instrumentSerial, date);
+  const InstrumentRecord record = checkedRecord(check, identity);
   if (record.known.empty() && record.sigmaHorizontalArcsec.empty() && record.sigmaVerticalArcsec.empty())
     return Problem{"--record: no figure of this check has an uncertainty: observe three rounds or more"};
   return writeOutputs({{"--record", request.record, writeInstrumentRecord(record)}}, request.files);
@@ -86,8 +83,11 @@ void addInstrumentCommand(CLI::App& app, InstrumentRequest& request) {
       "--record", request.record,
       "Instrument record to write (*.alidade-instrument), for sessions to take: σ, collimation, "
       "index, tilt, offset of the line of sight");
-  instrument->add_option("--date", request.date,
-                         "Day of the record, year-month-day; else as the files have it");
+  instrument->add_option("--name", request.identity.name,
+                         "Name of the instrument; else as the files have it");
+  instrument->add_option("--serial", request.identity.serial, "Its serial number, likewise");
+  instrument->add_option("--date", request.identity.measuredOn, "Day of the check, year-month-day, likewise");
+  instrument->add_option("--due", request.identity.due, "Day on which the next check is due");
   instrument->add_flag("--json", request.json, "Print one JSON document");
   instrument->footer(readableFormatsSentence() + aboutInstrumentFiles);
 }
@@ -111,14 +111,16 @@ Result<InstrumentAnswer> runInstrument(const InstrumentRequest& request) {
       readings, {.sigmaDirection = request.sigma,
                  .sigmaVertical = request.sigmaVertical ? request.sigmaVertical : request.sigma});
   if (!check) return check.problem();
+  const Result<CheckIdentity> identity = identityOf(request.identity, readings.identity);
+  if (!identity) return identity.problem();
   if (!request.record.empty())
-    if (auto problem = writeRecord(request, readings, *check)) return *std::move(problem);
+    if (auto problem = writeRecord(request, *identity, readings.remarks, *check)) return *std::move(problem);
   const std::vector<Finding> findings = checkFindings(*check);
   std::string name = files.front().name;
-  if (!readings.instrumentName.empty()) name = readings.instrumentName;
-  if (!readings.instrumentSerial.empty()) name += ", " + readings.instrumentSerial;
-  return InstrumentAnswer{request.json ? instrumentJson(*check, findings, readings.remarks)
-                                       : instrumentText(name, *check, findings),
+  if (!identity->name.empty()) name = identity->name;
+  if (!identity->serial.empty()) name += ", " + identity->serial;
+  return InstrumentAnswer{request.json ? instrumentJson(*identity, *check, findings, readings.remarks)
+                                       : instrumentText(name, *identity, *check, findings),
                           readings.remarks};
 }
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/base/result.h"
+#include "core/series/instrument_check/check_readings.h"
 
 namespace CLI {
 class App;
@@ -16,10 +17,10 @@ namespace alidade::console {
 struct InstrumentRequest {
   std::vector<std::string> files;  ///< paths, or - for standard input
   std::optional<double> sigma, sigmaVertical;
-  std::string unit;            ///< deg, gon or dms; empty: from the files
-  std::string verticalCircle;  ///< zenith or elevation; empty: from the files
-  std::string record;          ///< instrument record to write; empty: none
-  std::string date;            ///< date of the record; empty: from the files
+  std::string unit;             ///< deg, gon or dms; empty: from the files
+  std::string verticalCircle;   ///< zenith or elevation; empty: from the files
+  std::string record;           ///< instrument record to write; empty: none
+  CheckIdentity identity = {};  ///< in place of what the files state
   bool json = false;
 };
 
@@ -29,7 +30,8 @@ struct InstrumentAnswer {
 };
 
 /// Adds `instrument FILE… [--sigma ARCSEC] [--sigma-vertical ARCSEC] [--unit …] [--vertical-circle …]
-/// [--record FILE] [--date DAY] [--json]`, which fills in `request`.
+/// [--record FILE] [--name TEXT] [--serial TEXT] [--date DAY] [--due DAY] [--json]`, which fills in
+/// `request`.
 void addInstrumentCommand(CLI::App& app, InstrumentRequest& request);
 
 /// The check as text or JSON, after writing the record. Fails if a file is unusable, a figure is impossible,

@@ -16,6 +16,7 @@
 #include "app/console/commands/journal_command.h"
 #include "app/console/commands/plan_command.h"
 #include "app/console/commands/protocol_command.h"
+#include "app/console/commands/report_command.h"
 #include "app/console/commands/schema_command.h"
 #include "app/console/commands/self_test_command.h"
 #include "app/console/commands/simulate_command.h"
@@ -142,6 +143,7 @@ void addCommands(CLI::App& app, int& exitCode, std::string& subject) {
     return give(runSimulator(request), subject);
   });
   addCommand<CertificateRequest>(app, exitCode, addCertificateCommand, heard(giveCertificate));
+  addCommand<ReportRequest>(app, exitCode, addReportCommand, giveReports);
   addCommand<std::string>(app, exitCode, addSchemaCommand, ofNothing(runSchema));
   addCommand<SelfTestRequest>(app, exitCode, addSelfTestCommand, giveSelfTest);
 }

@@ -15,14 +15,24 @@ bool allShare(const std::vector<Epoch>& epochs, bool (*same)(const Epoch&, const
 }
 
 DatedValue dated(const Epoch& epoch, double value, double u) {
-  return {epoch.date, epoch.day, value, u, u, epoch.title, 0};
+  return {epoch.date, epoch.day, value, u, u, epoch.title, 0, 0};
+}
+
+/// That of the latest session that has one.
+std::optional<double> toleranceOf(const std::vector<Epoch>& epochs) {
+  std::optional<double> tolerance;
+  for (const Epoch& epoch : epochs)
+    if (epoch.tolerance) tolerance = epoch.tolerance;
+  return tolerance;
 }
 
 QuantityHistory ofFit(const std::vector<Epoch>& epochs) {
   std::vector<DatedValue> values;
   values.reserve(epochs.size());
   for (const Epoch& epoch : epochs) values.push_back(dated(epoch, epoch.ofFit.value, epoch.ofFit.sigma));
-  return {"intersection_of_fit", "mm", historyOf(std::move(values))};
+  History history = historyOf(std::move(values), 0, epochs.back().coverage);
+  history.tolerance = toleranceOf(epochs);
+  return {"intersection_of_fit", "mm", std::move(history)};
 }
 
 /// Collects quantities that only some sessions have, in the order of their first occurrence.
@@ -35,9 +45,9 @@ class Found {
     place->values.push_back(value);
   }
 
-  void moveTo(std::vector<QuantityHistory>& quantities) {
+  void moveTo(std::vector<QuantityHistory>& quantities, double coverage) {
     for (Quantity& quantity : m_found)
-      quantities.push_back({quantity.id, quantity.unit, historyOf(std::move(quantity.values))});
+      quantities.push_back({quantity.id, quantity.unit, historyOf(std::move(quantity.values), 0, coverage)});
   }
 
  private:
@@ -62,8 +72,8 @@ DeviceHistory historyOfDevice(std::vector<Epoch> epochs) {
     for (const EpochCause& cause : epoch.causes)
       causes.add(cause.effect + ": " + cause.parameter, cause.unit, dated(epoch, cause.value, cause.u));
   }
-  lengths.moveTo(device.quantities);
-  causes.moveTo(device.quantities);
+  lengths.moveTo(device.quantities, epochs.back().coverage);
+  causes.moveTo(device.quantities, epochs.back().coverage);
   for (const auto& [first, second] : pairsOf(epochs.size()))
     device.congruences.push_back(congruenceOf(epochs, first, second));
   device.epochs = std::move(epochs);
@@ -101,9 +111,25 @@ History intersectionHistory(const std::vector<Epoch>& epochs) {
     constexpr double least = 1e-3;  // of u: the difference of two rounded sums of squares
     value.apart = std::min(value.u, std::max(least * value.u, std::sqrt(std::max(0.0, own[i]))));
     value.least = std::min(value.apart, epochs[i].ofFit.sigma);
+    value.expanded = epochs[i].intersection.expanded;
     values.push_back(value);
   }
-  return historyOf(std::move(values), std::sqrt(shared));
+  History history = historyOf(std::move(values), std::sqrt(shared), epochs.back().coverage);
+  history.tolerance = toleranceOf(epochs);
+  return history;
+}
+
+void setBaseline(DeviceHistory& device, std::size_t sessions) {
+  sessions = std::min(sessions, device.epochs.size());
+  const double last = sessions > 0 ? device.epochs[sessions - 1].day : 0;
+  for (QuantityHistory& quantity : device.quantities) {
+    const std::vector<DatedValue>& values = quantity.history.values;
+    const auto until =
+        std::ranges::count_if(values, [&](const DatedValue& value) { return value.day <= last; });
+    setBaseline(quantity.history, sessions == 0 || values.size() == device.epochs.size()
+                                      ? sessions
+                                      : static_cast<std::size_t>(until));
+  }
 }
 
 std::vector<std::pair<std::size_t, std::size_t>> pairsOf(std::size_t epochs) {

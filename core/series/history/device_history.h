@@ -38,6 +38,9 @@ struct DeviceHistories {
 };
 DeviceHistories deviceHistories(const std::vector<Epoch>& epochs);
 
+/// Makes the first sessions the baseline of every quantity's control chart; 0: all.
+void setBaseline(DeviceHistory& device, std::size_t sessions);
+
 /// The pairs of epochs to compare: each with the next, and the first with the last; up to some twenty, all
 /// pairs.
 std::vector<std::pair<std::size_t, std::size_t>> pairsOf(std::size_t epochs);

@@ -63,6 +63,7 @@ Epoch epochOf(const std::string& file, const Session& session, const Measurement
     epoch.date = date->text;
     epoch.day = date->day;
   }
+  if (measurement.measurand == Measurand::Intersection) epoch.tolerance = measurement.tolerance;
   epoch.intersection = diagnosis.measured->estimate;
   epoch.ofFit = *fit.intersection;
   for (const UncertaintyShare& share : diagnosis.measured->budget) {

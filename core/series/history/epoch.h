@@ -49,6 +49,7 @@ struct Epoch {
   double degreesOfFreedom = 0;             ///< of that scale; may be infinite
   std::vector<EpochCause> causes = {};
   std::optional<Verdict> verdict = {};
+  std::optional<double> tolerance = {};  ///< mm; of Δd
 };
 
 /// Fits and diagnoses the session of `file`. Fails with the reason if the session yields no Δd.

@@ -170,25 +170,23 @@ void judge(History& history) {
   if (best.course == Course::Trend) history.scatter = history.trend->u / history.trend->stated;
 }
 
-ControlChart chartOf(const History& history) {
-  constexpr double rangePerSigma = 1.128379167095513;  // 2/√π: mean range of two normal values
-  ControlChart chart{std::numeric_limits<double>::quiet_NaN(), {}};
-  double ranges = 0, ewma = 0, variance = 0;
-  const std::vector<DatedValue>& values = history.values;
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    const double off = values[i].value - history.mean.value, u = values[i].apart;
-    if (i > 0) ranges += std::abs(values[i].value - values[i - 1].value);
+/// The values from `first` to `end` with the average beginning at the centre line. `centreU`: 0 for values
+/// that the centre line is the mean of.
+void addPoints(ControlChart& chart, const std::vector<DatedValue>& values, std::size_t first, std::size_t end,
+               double centreU) {
+  double ewma = 0, variance = 0, weight = 0;
+  for (std::size_t i = first; i < end; ++i) {
+    const double off = values[i].value - chart.centre, u = values[i].apart;
     ewma = ewmaWeight * off + (1 - ewmaWeight) * ewma;
     variance = std::pow(ewmaWeight * u, 2) + std::pow(1 - ewmaWeight, 2) * variance;
-    ControlChart::Point point{.shewhart = limitSigmas * u,
-                              .ewma = history.mean.value + ewma,
-                              .ewmaLimit = limitSigmas * std::sqrt(variance)};
+    weight = ewmaWeight + (1 - ewmaWeight) * weight;
+    ControlChart::Point point{.shewhart = limitSigmas * std::hypot(u, centreU),
+                              .ewma = chart.centre + ewma,
+                              .ewmaLimit = limitSigmas * std::sqrt(variance + std::pow(weight * centreU, 2))};
     point.isOut = std::abs(off) > point.shewhart;
     point.isEwmaOut = std::abs(ewma) > point.ewmaLimit;
     chart.points.push_back(point);
   }
-  if (values.size() > 1) chart.seenSigma = ranges / static_cast<double>(values.size() - 1) / rangePerSigma;
-  return chart;
 }
 
 }  // namespace
@@ -209,9 +207,31 @@ const char* nameOf(Course course) {
   return "";
 }
 
-History historyOf(std::vector<DatedValue> values, double shared) {
+void setBaseline(History& history, std::size_t baseline) {
+  constexpr double rangePerSigma = 1.128379167095513;  // 2/√π: mean range of two normal values
+  const std::vector<DatedValue>& values = history.values;
+  if (baseline == 0 || baseline > values.size()) baseline = values.size();
+  const std::vector<DatedValue> first(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(baseline));
+  ControlChart chart{.baseline = baseline,
+                     .centre = weightedMean(first),
+                     .centreU = 1 / std::sqrt(sumOfWeights(first)),
+                     .seenSigma = std::numeric_limits<double>::quiet_NaN(),
+                     .points = {}};
+  addPoints(chart, values, 0, baseline, 0);
+  addPoints(chart, values, baseline, values.size(), chart.centreU);
+  double ranges = 0;
+  for (std::size_t i = 1; i < baseline; ++i) ranges += std::abs(values[i].value - values[i - 1].value);
+  if (baseline > 1) chart.seenSigma = ranges / static_cast<double>(baseline - 1) / rangePerSigma;
+  history.chart = std::move(chart);
+}
+
+History historyOf(std::vector<DatedValue> values, double shared, double coverage) {
   std::ranges::stable_sort(values, {}, &DatedValue::day);
   History history;
+  history.coverage = coverage;
+  history.factor = normalQuantile((1 + coverage) / 2);
+  for (DatedValue& value : values)
+    if (!(value.expanded > 0)) value.expanded = history.factor * value.u;
   history.values = std::move(values);
   history.mean.value = weightedMean(history.values);
   const double variance = 1 / sumOfWeights(history.values);
@@ -225,7 +245,7 @@ History historyOf(std::vector<DatedValue> values, double shared) {
   history.mean.u = std::sqrt(variance + shared * shared);
   history.mean.scattered = std::sqrt(std::pow(history.scatter, 2) * variance + shared * shared);
   history.trend = trendOf(history);
-  history.chart = chartOf(history);
+  setBaseline(history, 0);
   judge(history);
   if (history.chance) history.stable = *history.chance >= leastChance && history.course == Course::Constant;
   return history;

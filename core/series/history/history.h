@@ -28,6 +28,7 @@ struct DatedValue {
   std::string of = {};  ///< session or source; may be empty
   /// The part of `apart` that is certainly present; 0: all of it. In between, the observed scatter decides.
   double least = 0;
+  double expanded = 0;  ///< its U at the history's coverage, in pictures and tables; 0: `factor` u
 };
 
 /// The course of the quantity.
@@ -65,13 +66,17 @@ struct CourseProbability {
   double probability = 0;
 };
 
-/// Control chart of the values in order, about their mean.
+/// Control chart of the values in order. Its centre line is the weighted mean of a baseline, the first
+/// values; later values are watched: their limits include the uncertainty u_c of the centre line, and their
+/// exponentially weighted average begins at it.
 struct ControlChart {
-  double seenSigma = 0;  ///< mean moving range/1.128 (n = 2); NaN for one value
+  std::size_t baseline = 0;        ///< number of values in the baseline; all if none was chosen
+  double centre = 0, centreU = 0;  ///< the centre line, and its u_c from the parts of u that are not shared
+  double seenSigma = 0;            ///< mean moving range/1.128 (n = 2) of the baseline; NaN for one value
   struct Point {
-    double shewhart = 0;             ///< half the width of the limits from the stated u: 3 u
+    double shewhart = 0;  ///< half the width of the limits: 3 u, of a watched value 3 √(u² + u_c²)
     double ewma = 0, ewmaLimit = 0;  ///< exponentially weighted average, and half the width of its limits
-    bool isOut = false;              ///< outside the Shewhart limits from the stated u
+    bool isOut = false;              ///< outside the Shewhart limits
     bool isEwmaOut = false;
   };
   std::vector<Point> points;
@@ -85,7 +90,10 @@ inline constexpr double limitSigmas = 3;
 inline constexpr double oddsToTell = 5;
 
 struct History {
-  std::vector<DatedValue> values;  ///< by date; within a date in the order given
+  std::vector<DatedValue> values;        ///< by date; within a date in the order given
+  double coverage = 0.95;                ///< of each U told of the history
+  double factor = 1;                     ///< from u to U, of a normal distribution
+  std::optional<double> tolerance = {};  ///< limit of |value|, if there is one
   HistoryMean mean;
   double chiSquare = 0;
   int degreesOfFreedom = 0;
@@ -108,7 +116,10 @@ struct History {
 inline constexpr double leastChance = 0.05;
 
 /// `values`: at least one, in any order, each with u > 0 and 0 < apart ≤ u. `shared`: the standard
-/// uncertainty common to all, which affects only the mean.
-History historyOf(std::vector<DatedValue> values, double shared = 0);
+/// uncertainty common to all, which affects only the mean. `coverage`: in (0, 1).
+History historyOf(std::vector<DatedValue> values, double shared = 0, double coverage = 0.95);
+
+/// Watches the values after the first `baseline` ones; 0, or more than there are: all are the baseline.
+void setBaseline(History& history, std::size_t baseline);
 
 }  // namespace alidade

@@ -110,7 +110,55 @@ std::optional<HistoryDate> onePart(const std::string& text, const Parts& p) {
   return HistoryDate{text, *begin + daysPerYear / 2, HistoryDate::Form::Year};
 }
 
+/// A step of the axis: so many days, or so many months.
+struct DateStep {
+  int days = 0, months = 0;
+};
+
+std::string twoDigits(unsigned number) {
+  return (number < 10 ? "0" : "") + std::to_string(number);
+}
+
+std::string labelOf(const std::chrono::year_month_day& date, const DateStep& step) {
+  std::string label = std::to_string(static_cast<int>(date.year()));
+  if (step.months % 12 != 0 || step.days > 0) label += "-" + twoDigits(static_cast<unsigned>(date.month()));
+  if (step.days > 0) label += "-" + twoDigits(static_cast<unsigned>(date.day()));
+  return label;
+}
+
+std::vector<DateTick> ticksOf(const DateStep& step, double from, double to, std::size_t most) {
+  using namespace std::chrono;
+  constexpr sys_days origin = sys_days(year(2000) / January / 1);
+  std::vector<DateTick> ticks;
+  const auto add = [&](sys_days date) {
+    const auto day = static_cast<double>((date - origin).count());
+    if (day >= from && day <= to) ticks.push_back({day, labelOf(date, step)});
+    return day <= to && ticks.size() <= most;
+  };
+  if (step.days > 0) {
+    int day = static_cast<int>(std::ceil(from / step.days)) * step.days;
+    while (add(origin + days(day))) day += step.days;
+  } else {
+    const year_month_day first = floor<days>(origin + days(static_cast<int>(std::floor(from))));
+    const int count = 12 * static_cast<int>(first.year()) + static_cast<int>(unsigned(first.month())) - 1;
+    int number = count / step.months * step.months;
+    while (add(sys_days(year(number / 12) / (number % 12 + 1) / 1))) number += step.months;
+  }
+  return ticks;
+}
+
 }  // namespace
+
+std::vector<DateTick> dateTicks(double from, double to, std::size_t most) {
+  std::vector<DateStep> steps;
+  for (const int days : {1, 2, 7, 14}) steps.push_back({.days = days});
+  for (const int months : {1, 2, 3, 6}) steps.push_back({.months = months});
+  for (const int power : {1, 10, 100})
+    for (const int years : {1, 2, 5}) steps.push_back({.months = 12 * years * power});
+  for (const DateStep& step : steps)
+    if (std::vector<DateTick> ticks = ticksOf(step, from, to, most); ticks.size() <= most) return ticks;
+  return {};
+}
 
 Result<HistoryDate> parseHistoryDate(std::string_view typed) {
   const std::string text = plainSigns(typed);

@@ -2,6 +2,7 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "core/base/result.h"
 
@@ -21,6 +22,18 @@ inline constexpr double daysPerYear = 365.25;
 /// day (which is ignored), `2019-03`, `2019` and the decimal year `2019.18` or `2019,18`. Refuses the
 /// ambiguous `3/7/2019`.
 Result<HistoryDate> parseHistoryDate(std::string_view text);
+
+/// A mark on an axis of dates: "2025-03-07", "2025-03" at the first of a month, "2025" at the first of a
+/// year.
+struct DateTick {
+  double day = 0;  ///< from 2000-01-01
+  std::string label;
+};
+
+/// Equidistant dates of the calendar between two days, at most `most` (≥ 1): as many as a step of 1, 2, 7 or
+/// 14 days, 1, 2, 3 or 6 months, or 1, 2, 5, 10, … years allows. Both days are between 1500 and 2200; may be
+/// empty.
+std::vector<DateTick> dateTicks(double from, double to, std::size_t most);
 
 /// The year read as a decimal one: 2019 is its beginning, like 2019.0.
 HistoryDate asDecimalYear(const HistoryDate& year);

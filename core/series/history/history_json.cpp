@@ -37,7 +37,9 @@ Json chartJson(const History& history) {
                       {"ewma", point.ewma},
                       {"ewma_limit", point.ewmaLimit},
                       {"ewma_outside", point.isEwmaOut}});
-  return {{"centre", history.mean.value},
+  return {{"centre", history.chart.centre},
+          {"standard_uncertainty_centre", history.chart.centreU},
+          {"baseline_values", history.chart.baseline},
           {"seen_sigma", history.chart.seenSigma},
           {"seen_limit", limitSigmas * history.chart.seenSigma},
           {"ewma_weight", ewmaWeight},
@@ -45,7 +47,11 @@ Json chartJson(const History& history) {
 }
 
 Json valueJson(const DatedValue& value) {
-  Json json = {{"date", value.date}, {"value", value.value}, {"u", value.u}};
+  Json json = {{"date", value.date},
+               {"value", value.value},
+               {"u", value.u},
+               {"standard_uncertainty", value.u},
+               {"expanded_uncertainty", value.expanded}};
   if (value.apart != value.u) json["u_apart"] = value.apart;
   if (!value.of.empty()) json["session"] = value.of;
   return json;
@@ -58,22 +64,28 @@ Json seriesJson(const History& history, const std::string& unit) {
   for (const HistoryStep& step : history.steps) steps.push_back(stepJson(history, step));
   for (const CourseProbability& course : history.courses)
     courses.push_back({{"course", nameOf(course.course)}, {"probability", course.probability}});
-  Json json = {
-      {"values", values},
-      {"mean",
-       {{"value", history.mean.value}, {"u", history.mean.u}, {"u_scattered", history.mean.scattered}}},
-      {"chi2", history.chiSquare},
-      {"dof", history.degreesOfFreedom},
-      {"p_value", history.chance ? Json(*history.chance) : Json()},
-      {"stable", history.stable ? Json(*history.stable) : Json()},
-      {"steps", steps},
-      {"trend_per_year", trendJson(history.trend)},
-      {"birge_ratio", history.degreesOfFreedom > 0 ? Json(history.birgeRatio) : Json()},
-      {"course", nameOf(history.course)},
-      {"courses", courses},
-      {"odd_value", history.oddValue ? Json(history.values[*history.oddValue].date) : Json()},
-      {"chart", chartJson(history)},
-      {"sentences", historySentences(history, unit)}};
+  Json json = {{"values", values},
+               {"mean",
+                {{"value", history.mean.value},
+                 {"u", history.mean.u},
+                 {"u_scattered", history.mean.scattered},
+                 {"standard_uncertainty", history.mean.u},
+                 {"expanded_uncertainty", history.factor * history.mean.u}}},
+               {"chi2", history.chiSquare},
+               {"dof", history.degreesOfFreedom},
+               {"degrees_of_freedom", history.degreesOfFreedom},
+               {"p_value", history.chance ? Json(*history.chance) : Json()},
+               {"stable", history.stable ? Json(*history.stable) : Json()},
+               {"steps", steps},
+               {"trend_per_year", trendJson(history.trend)},
+               {"birge_ratio", history.degreesOfFreedom > 0 ? Json(history.birgeRatio) : Json()},
+               {"course", nameOf(history.course)},
+               {"courses", courses},
+               {"odd_value", history.oddValue ? Json(history.values[*history.oddValue].date) : Json()},
+               {"chart", chartJson(history)},
+               {"sentences", historySentences(history, unit)}};
+  json["coverage"] = history.coverage;
+  json["tolerance"] = history.tolerance ? Json(*history.tolerance) : Json();
   if (!unit.empty()) json["unit"] = unit;
   return json;
 }
@@ -123,6 +135,19 @@ Json deviceJson(const DeviceHistory& device) {
   return json;
 }
 
+Json instrumentHistoryJson(const InstrumentHistory& instrument) {
+  Json json = {{"instrument", {{"name", instrument.name}, {"serial", instrument.serial}}}};
+  json["records"] = Json::array();
+  for (const KeptRecord& kept : instrument.records)
+    json["records"].push_back({{"file", kept.file},
+                               {"date", kept.record.date},
+                               {"next_check_due", kept.record.due.empty() ? Json() : Json(kept.record.due)}});
+  json["quantities"] = Json::object();
+  for (const QuantityHistory& quantity : instrument.quantities)
+    json["quantities"][quantity.id] = seriesJson(quantity.history, quantity.unit);
+  return json;
+}
+
 Json named(const std::string& name, const Json& json) {
   Json all = {{"history", name}};
   all.update(json);
@@ -146,6 +171,15 @@ std::string historyJson(const std::string& name, const DeviceHistories& historie
     json = {{"history", name}, {"devices", Json::array()}};
     for (const DeviceHistory& device : histories.devices) json["devices"].push_back(deviceJson(device));
   }
+  json["remarks"] = remarks;
+  return answerText(std::move(json));
+}
+
+std::string historyJson(const std::string& name, const InstrumentHistories& histories,
+                        const std::vector<std::string>& remarks) {
+  Json json = {{"history", name}, {"instruments", Json::array()}};
+  for (const InstrumentHistory& instrument : histories.instruments)
+    json["instruments"].push_back(instrumentHistoryJson(instrument));
   json["remarks"] = remarks;
   return answerText(std::move(json));
 }

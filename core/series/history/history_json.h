@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "core/series/history/device_history.h"
+#include "core/series/history/record_history.h"
 #include "core/series/history/value_table.h"
 
 namespace alidade {
@@ -15,6 +16,10 @@ std::string historyJson(const std::string& name, const ValueTable& table, const 
 /// For one device the document has its intersection with all its quantities and congruences; for several a
 /// list of these under `devices`. `remarks`: sentences about excluded sessions.
 std::string historyJson(const std::string& name, const DeviceHistories& histories,
+                        const std::vector<std::string>& remarks);
+
+/// The records of instruments, and each of their constants.
+std::string historyJson(const std::string& name, const InstrumentHistories& histories,
                         const std::vector<std::string>& remarks);
 
 }  // namespace alidade

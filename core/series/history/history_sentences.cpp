@@ -52,9 +52,8 @@ std::string agreement(const History& history) {
 
 std::string stepSentence(const History& history, const HistoryStep& step, const HistoryNumbers& numbers) {
   const std::string size = numbers.withUncertainty(std::abs(step.size), step.u);
-  const std::string sized =
-      step.size > 0 ? Phrase::of("From %1 on it is larger by %2 (standard uncertainty).", step.date, size)
-                    : Phrase::of("From %1 on it is smaller by %2 (standard uncertainty).", step.date, size);
+  const std::string sized = step.size > 0 ? Phrase::of("From %1 on it is larger by %2.", step.date, size)
+                                          : Phrase::of("From %1 on it is smaller by %2.", step.date, size);
   if (step.earliest == step.latest)
     return Phrase::of("%1 It happened between %2 and %3.", sized, history.values[step.first - 1].date,
                       step.date);
@@ -81,7 +80,7 @@ std::vector<std::string> courseSentences(const History& history, const HistoryNu
                        "once more before acting on it."));
       break;
     case Course::Trend:
-      sentences.push_back(Phrase::of("It changes all along, by %1 (standard uncertainty).",
+      sentences.push_back(Phrase::of("It changes all along, by %1.",
                                      numbers.ratePerYear(history.trend->perYear, history.trend->u)));
       break;
     case Course::OddValue:
@@ -112,16 +111,47 @@ std::string rivals(const History& history) {
   return list;
 }
 
+/// How the values after the baseline lie.
+std::string watchSentence(const History& history, const HistoryNumbers& numbers) {
+  const ControlChart& chart = history.chart;
+  const auto& values = history.values;
+  const std::string baseline =
+      chart.baseline == 1
+          ? Phrase::of("Baseline: the value of %1, %2.", values.front().date, numbers.withUnit(chart.centre))
+          : Phrase::of("Baseline: %1 values from %2 to %3, centre line %4.", chart.baseline,
+                       values.front().date, values[chart.baseline - 1].date,
+                       numbers.withUncertainty(chart.centre, chart.centreU));
+  const auto watched = chart.points.begin() + static_cast<std::ptrdiff_t>(chart.baseline);
+  const auto out = std::find_if(watched, chart.points.end(), [](const auto& point) { return point.isOut; });
+  const auto drifted =
+      std::find_if(watched, chart.points.end(), [](const auto& point) { return point.isEwmaOut; });
+  const std::size_t count = values.size() - chart.baseline;
+  const auto dateOf = [&](auto point) {
+    return values[static_cast<std::size_t>(point - chart.points.begin())].date;
+  };
+  const auto outside =
+      std::count_if(watched, chart.points.end(), [](const auto& point) { return point.isOut; });
+  if (outside > 0)
+    return Phrase::of("%1 Later values outside their limits: %2 of %3, the first on %4.", baseline, outside,
+                      count, dateOf(out));
+  if (drifted != chart.points.end())
+    return Phrase::of(
+        "%1 Later values outside their limits: 0 of %2, but their average leaves its own on %3.", baseline,
+        count, dateOf(drifted));
+  return Phrase::of("%1 Later values outside their limits: 0 of %2.", baseline, count);
+}
+
 std::string whenAndWhat(const Epoch& epoch) {
   return Phrase::of("%1 (%2)", epoch.date.empty() ? "—" : epoch.date, quotation(epoch.title));
 }
 
 }  // namespace
 
-HistoryNumbers::HistoryNumbers(const History& history, std::string unit) : m_unit(std::move(unit)) {
+HistoryNumbers::HistoryNumbers(const History& history, std::string unit)
+    : m_factor(history.factor), m_unit(std::move(unit)) {
   double largest = 0;
   for (const DatedValue& value : history.values) largest = std::max(largest, std::abs(value.value));
-  const double least = leastU(history);
+  const double least = m_factor * leastU(history);
   // Numbers between these limits are readable without a power of ten.
   constexpr double tooSmall = 1e-6, tooLarge = 1e7;
   if (largest >= tooLarge || (least < tooSmall && largest < 1))
@@ -145,15 +175,22 @@ std::string HistoryNumbers::withUnit(double value) const {
   return withUnit(value, m_decimals, "");
 }
 
+std::string HistoryNumbers::exact(double value) const {
+  const std::string text = displayShortest(value * scale());
+  return m_unit.empty() ? text : text + (m_power != 0 ? " × " : " ") + m_unit;
+}
+
 std::string HistoryNumbers::withUncertainty(double value, double u) const {
-  const int decimals = std::max(m_decimals, decimalsFor(u * scale(), m_decimals));
-  return withUnit(value, decimals, "") + " ± " + withUnit(u, decimals, "");
+  const double expanded = m_factor * u;
+  const int decimals = std::max(m_decimals, decimalsFor(expanded * scale(), m_decimals));
+  return withUnit(value, decimals, "") + " ± " + withUnit(expanded, decimals, "");
 }
 
 std::string HistoryNumbers::ratePerYear(double value, double u) const {
-  const int decimals = decimalsFor(u * scale(), m_decimals);
+  const double expanded = m_factor * u;
+  const int decimals = decimalsFor(expanded * scale(), m_decimals);
   const std::string suffix = m_unit.empty() ? "1/a" : "/a";
-  return withUnit(value, decimals, suffix) + " ± " + withUnit(u, decimals, suffix);
+  return withUnit(value, decimals, suffix) + " ± " + withUnit(expanded, decimals, suffix);
 }
 
 double HistoryNumbers::scale() const {
@@ -164,19 +201,27 @@ std::string HistoryNumbers::heading() const {
   return m_unit;
 }
 
+std::string plusMinusText(const History& history) {
+  return Phrase::of("expanded uncertainty, %1", shortProbabilityText(history.coverage));
+}
+
 std::vector<std::string> historySentences(const History& history, const std::string& unit) {
   const HistoryNumbers numbers(history, unit);
-  std::vector<std::string> sentences{
-      Phrase::of("Weighted mean of %1 values: %2 (standard uncertainty).", history.values.size(),
-                 numbers.withUncertainty(history.mean.value, history.mean.u)),
-      agreement(history)};
+  std::vector<std::string> sentences;
+  if (history.chart.baseline < history.values.size()) sentences.push_back(watchSentence(history, numbers));
+  const std::string mean = numbers.withUncertainty(history.mean.value, history.mean.u);
+  sentences.push_back(history.values.size() == 1
+                          ? Phrase::of("Its value: %1 (%2).", mean, plusMinusText(history))
+                          : Phrase::of("Weighted mean of %1 values: %2 (%3).", history.values.size(), mean,
+                                       plusMinusText(history)));
+  sentences.push_back(agreement(history));
   for (std::string& sentence : courseSentences(history, numbers)) sentences.push_back(std::move(sentence));
   if (history.degreesOfFreedom > 0 && history.scatter > 1 && history.chance &&
       *history.chance < leastChance) {
     if (history.course == Course::Constant)
       sentences.push_back(
-          Phrase::of("With the scatter that is seen the mean has a standard uncertainty of %1.",
-                     numbers.withUnit(history.mean.scattered)));
+          Phrase::of("With the scatter that is seen the mean has an expanded uncertainty of %1.",
+                     numbers.withUnit(history.factor * history.mean.scattered)));
   }
   if (const std::string others = rivals(history); !others.empty())
     sentences.push_back(Phrase::of("How probable each account of the values is: %1.", others));
@@ -235,8 +280,12 @@ std::string quantityName(const std::string& id) {
   if (id == "o2_y") return Phrase::of("O2, y");
   if (id == "radius_0") return Phrase::of("radius at 0°");
   if (id == "radius_180") return Phrase::of("radius at 180°");
+  if (id == "line_of_sight") return Phrase::of("offset of the line of sight");
   const std::size_t colon = id.find(": ");
-  if (colon == std::string::npos) return id;
+  if (colon == std::string::npos) {
+    const Effect* effect = effectById(id);
+    return effect ? Phrase::of(effect->name) : id;
+  }
   const std::string effect = id.substr(0, colon), parameter = id.substr(colon + 2);
   const Effect* known = effectById(effect);
   return Phrase::of("%1: %2", known ? Phrase::of(known->name) : effect, parameterName(parameter));

@@ -8,8 +8,8 @@
 
 namespace alidade {
 
-/// Numbers of one quantity, all with the same decimals and power of ten, which show its smallest u with two
-/// digits.
+/// Numbers of one quantity, all with the same decimals and power of ten, which show its smallest U with two
+/// digits. Each ± is an expanded uncertainty at the history's coverage.
 class HistoryNumbers {
  public:
   /// `unit`: may be empty.
@@ -17,21 +17,26 @@ class HistoryNumbers {
 
   std::string number(double value) const;                     ///< "1.308"
   std::string withUnit(double value) const;                   ///< "1.308 mm", "6.6743 × 10⁻¹¹ m³"
-  std::string withUncertainty(double value, double u) const;  ///< "1.308 mm ± 0.021 mm"
-  std::string ratePerYear(double value, double u) const;      ///< "0.12 mm/a ± 0.02 mm/a"
+  std::string exact(double value) const;                      ///< "0.5 mm": a number that someone stated
+  std::string withUncertainty(double value, double u) const;  ///< "1.308 mm ± 0.042 mm", u being 0.021 mm
+  std::string ratePerYear(double value, double u) const;      ///< "0.12 mm/a ± 0.04 mm/a"
   /// The power of ten by which a number is multiplied before it is shown.
   double scale() const;
   std::string heading() const;  ///< "mm", "10⁻¹¹ m³", or empty: heads a column of numbers
 
  private:
+  double m_factor;  ///< from u to U
   int m_power = 0, m_decimals = 3;
   std::string m_unit;  ///< preceded by the power of ten
 
   std::string withUnit(double value, int decimals, const std::string& suffix) const;
 };
 
-/// The history in sentences: mean, χ², the course of the quantity, and other possible courses. Uncertainties
-/// are standard.
+/// "expanded uncertainty, 95 %": the meaning of each ± of a history.
+std::string plusMinusText(const History& history);
+
+/// The history in sentences: mean, χ², the course of the quantity, other possible courses, and how the values
+/// after the baseline lie.
 std::vector<std::string> historySentences(const History& history, const std::string& unit);
 
 /// The uncertainty shared by all sessions of a device, which comparisons leave out.

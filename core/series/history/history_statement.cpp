@@ -1,6 +1,7 @@
 #include "core/series/history/history_statement.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "core/base/list_text.h"
@@ -30,21 +31,40 @@ std::string marksOf(const History& history, std::size_t index) {
   if (std::ranges::any_of(history.steps, [&](const HistoryStep& step) { return step.first == index; }))
     marks.push_back(Phrase::of("step"));
   if (history.oddValue == index) marks.push_back(Phrase::of("stands apart"));
-  if (point.isOut) marks.push_back(Phrase::of("outside 3 u"));
+  if (point.isOut) marks.push_back(Phrase::of("outside"));
   if (point.isEwmaOut) marks.push_back(Phrase::of("average outside"));
   return listed(marks);
 }
 
 std::string limitsSentence(const History& history, const HistoryNumbers& numbers) {
-  return Phrase::of("Control limits: the mean %1 ± 3 u of each value; by the moving range that is seen ± %2.",
-                    numbers.withUnit(history.mean.value),
-                    numbers.withUnit(limitSigmas * history.chart.seenSigma));
+  const ControlChart& chart = history.chart;
+  const std::string centre = numbers.withUnit(chart.centre);
+  if (!std::isfinite(chart.seenSigma))
+    return Phrase::of("Control limits: %1 ± three standard uncertainties of each value.", centre);
+  return Phrase::of(
+      "Control limits: %1 ± three standard uncertainties of each value, without what all values share; by "
+      "the "
+      "moving range that is seen ± %2.",
+      centre, numbers.withUnit(limitSigmas * chart.seenSigma));
+}
+
+std::string toleranceSentence(const History& history, const HistoryNumbers& numbers) {
+  return Phrase::of("Tolerance of the latest session: ± %1.", numbers.exact(*history.tolerance));
 }
 
 std::string courseText(const History& history) {
   if (!history.stable) return Phrase::of("one value");
   if (*history.stable) return Phrase::of("stable");
   return history.course == Course::Constant ? Phrase::of("scatters") : courseName(history.course);
+}
+
+std::string nameOf(const std::string& typedName, const std::string& typedSerial,
+                   const std::string& withoutName) {
+  const std::string name = visibleText(typedName), serial = visibleText(typedSerial);
+  if (name.empty() && serial.empty()) return withoutName;
+  if (serial.empty()) return name;
+  return name.empty() ? Phrase::of("serial number %1", serial)
+                      : Phrase::of("%1, serial number %2", name, serial);
 }
 
 std::string changeText(const Congruence& congruence) {
@@ -62,28 +82,27 @@ std::string pillarSentence() {
 
 Statement valueTable(const History& history, const std::string& unit) {
   const HistoryNumbers numbers(history, unit);
-  const bool isApart =
-      std::ranges::any_of(history.values, [](const DatedValue& value) { return value.apart != value.u; });
   Statement statement{.id = "history",
                       .title = Phrase::of("Values"),
                       .columns = {{"date", Phrase::of("Date"), Role::Name},
                                   {"value", withUnit(Phrase::of("value"), numbers.heading())},
-                                  {"u", "u"}},
+                                  {"expanded", "± U"},
+                                  {"shewhart", Phrase::of("± limit")},
+                                  {"ewma", "EWMA"},
+                                  {"limit", Phrase::of("± its limit")},
+                                  {"remark", "", Role::Remark}},
                       .rows = {},
                       .sentences = historySentences(history, unit)};
-  if (isApart) statement.columns.push_back({"apart", Phrase::of("u apart")});
-  statement.columns.insert(
-      statement.columns.end(),
-      {{"ewma", "EWMA"}, {"limit", Phrase::of("± limit")}, {"remark", "", Role::Remark}});
   for (std::size_t i = 0; i < history.values.size(); ++i) {
     const DatedValue& value = history.values[i];
     const ControlChart::Point& point = history.chart.points[i];
-    Cells cells{visibleText(value.date), numbers.number(value.value), numbers.number(value.u)};
-    if (isApart) cells.push_back(numbers.number(value.apart));
-    cells.insert(cells.end(),
-                 {numbers.number(point.ewma), numbers.number(point.ewmaLimit), marksOf(history, i)});
-    statement.rows.push_back({std::move(cells)});
+    statement.rows.push_back(
+        {{visibleText(value.date), numbers.number(value.value), numbers.number(value.expanded),
+          numbers.number(point.shewhart), numbers.number(point.ewma), numbers.number(point.ewmaLimit),
+          marksOf(history, i)}});
   }
+  if (history.tolerance)
+    statement.sentences.insert(statement.sentences.begin(), toleranceSentence(history, numbers));
   if (history.values.size() > 1)
     statement.sentences.insert(statement.sentences.begin(), limitsSentence(history, numbers));
   return statement;
@@ -123,7 +142,8 @@ Statement quantityTable(const DeviceHistory& device) {
                   {"course", Phrase::of("Course"), Role::Word}},
       .rows = {},
       .sentences = {pillarSentence()},
-      .note = Phrase::of("Standard uncertainties; all but that of Δd, measured, by the readings alone.")};
+      .note = Phrase::of("Each ± is an %1; all but that of Δd, measured, by the readings alone.",
+                         plusMinusText(device.quantities.front().history))};
   for (const QuantityHistory& quantity : device.quantities) {
     const History& history = quantity.history;
     const HistoryNumbers numbers(history, quantity.unit);
@@ -178,11 +198,37 @@ std::vector<std::string> quantitySentences(const DeviceHistory& device, const Qu
 }
 
 std::string deviceName(const DeviceHistory& device) {
-  const std::string name = visibleText(device.name), serial = visibleText(device.serial);
-  if (name.empty() && serial.empty()) return Phrase::of("device without a name");
-  if (serial.empty()) return name;
-  return name.empty() ? Phrase::of("serial number %1", serial)
-                      : Phrase::of("%1, serial number %2", name, serial);
+  return nameOf(device.name, device.serial, Phrase::of("device without a name"));
+}
+
+std::string instrumentName(const InstrumentHistory& instrument) {
+  return nameOf(instrument.name, instrument.serial, Phrase::of("instrument without a name"));
+}
+
+Statement recordTable(const InstrumentHistory& instrument, const std::string& today) {
+  Statement statement{.id = "records",
+                      .title = Phrase::of("Records"),
+                      .columns = {{"date", Phrase::of("Date"), Role::Name},
+                                  {"due", Phrase::of("Next check due"), Role::Word},
+                                  {"horizontal", Phrase::of("σ horizontal")},
+                                  {"vertical", Phrase::of("σ vertical")},
+                                  {"state", "", Role::Word},
+                                  {"file", Phrase::of("File"), Role::Remark}},
+                      .rows = {}};
+  for (std::size_t i = 0; i < instrument.records.size(); ++i) {
+    const InstrumentRecord& record = instrument.records[i].record;
+    const bool isLast = i + 1 == instrument.records.size();
+    const std::string& next = isLast ? today : instrument.records[i + 1].record.date;
+    const auto sigma = [](const std::string& text) { return text.empty() ? "—" : visibleText(text) + "″"; };
+    const bool isLate = !record.due.empty() && record.due < next;
+    statement.rows.push_back({{visibleText(record.date), record.due.empty() ? "—" : visibleText(record.due),
+                               sigma(record.sigmaHorizontalArcsec), sigma(record.sigmaVerticalArcsec),
+                               !isLate  ? ""
+                               : isLast ? Phrase::of("overdue")
+                                        : Phrase::of("checked late"),
+                               visibleText(instrument.records[i].file)}});
+  }
+  return statement;
 }
 
 std::string verdictWord(const Epoch& epoch) {

@@ -3,6 +3,7 @@
 #include <string>
 
 #include "core/series/history/device_history.h"
+#include "core/series/history/record_history.h"
 #include "core/statement/statement.h"
 
 namespace alidade {
@@ -10,7 +11,7 @@ namespace alidade {
 // Tables of a history, and its sentences; user texts are visible (`visibleText`). They stand here since a
 // history comes after the room of statements.
 
-/// Each value with u, the weighted average and its limit; below them the sentences.
+/// Each value with U, its limit, the weighted average and its limit; below them the sentences.
 Statement valueTable(const History& history, const std::string& unit);
 /// Each session of the device with Δd, measured, and its verdict.
 Statement sessionTable(const DeviceHistory& device);
@@ -19,11 +20,17 @@ Statement quantityTable(const DeviceHistory& device);
 /// Each session compared with the next, and the first with the last.
 Statement congruenceTable(const DeviceHistory& device);
 
+/// Each record of the instrument with its due date, and whether the next check is late on `today`,
+/// year-month-day.
+Statement recordTable(const InstrumentHistory& instrument, const std::string& today);
+
 /// The conclusions from a quantity's history, in one or two sentences each.
 std::vector<std::string> quantitySentences(const DeviceHistory& device, const QuantityHistory& quantity);
 
 /// "Guideway 7, serial number G-07".
 std::string deviceName(const DeviceHistory& device);
+/// The same of an instrument.
+std::string instrumentName(const InstrumentHistory& instrument);
 /// "accept"; empty without a tolerance.
 std::string verdictWord(const Epoch& epoch);
 /// "0.185 mm ± 0.226 mm": Δd, measured, and its expanded uncertainty.

@@ -257,7 +257,7 @@ class Reader {
     if (!(std::abs(read->value) <= largest)) return outOfRange(value, read->value);
     if (*sigma < smallest || *sigma > largest) return outOfRange(u, *sigma);
     m_dates.push_back(*day);
-    m_content.values.push_back({day->text, day->day, read->value, *sigma, *sigma, {}, 0});
+    m_content.values.push_back({day->text, day->day, read->value, *sigma, *sigma, {}, 0, 0});
     return std::nullopt;
   }
 

@@ -266,9 +266,9 @@ class CheckFiles {
     const auto fill = [](std::string& text, const std::string& value) {
       if (text.empty()) text = value;
     };
-    fill(m_result.instrumentName, recording.instrumentName);
-    fill(m_result.instrumentSerial, recording.instrumentSerial);
-    fill(m_result.measuredOn, recording.measuredOn);
+    fill(m_result.identity.name, recording.instrumentName);
+    fill(m_result.identity.serial, recording.instrumentSerial);
+    fill(m_result.identity.measuredOn, recording.measuredOn);
     const bool countsFromZero = std::ranges::any_of(
         recording.sightings, [](const auto& sighting) { return sighting.row.face == "0"; });
     std::vector<LineProblem> problems;

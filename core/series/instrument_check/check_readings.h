@@ -5,12 +5,25 @@
 #include <vector>
 
 #include "core/base/angle.h"
+#include "core/base/result.h"
 #include "core/session/measurement.h"
 
 namespace alidade {
 
 /// The circles that were read. ISO 17123-3 also checks each separately.
 enum class CheckCircles { Both, HorizontalOnly, VerticalOnly };
+
+/// The instrument that was checked, and when. Any may be empty; the days are year-month-day.
+struct CheckIdentity {
+  std::string name = {}, serial = {};
+  std::string measuredOn = {};
+  std::string due = {};  ///< day of the next check
+
+  bool operator==(const CheckIdentity&) const = default;
+};
+
+/// `read` with what `typed` states instead. Fails if a day is none, or the next check is not after this one.
+Result<CheckIdentity> identityOf(const CheckIdentity& typed, const CheckIdentity& read);
 
 /// One sighting of a target in one face, as read from the circles.
 struct FaceReading {
@@ -31,7 +44,7 @@ struct CheckReadings {
   std::vector<std::string> files = {};  ///< names for sentences; empty for a single file
   VerticalCircle circle = VerticalCircle::Zenith;
   CheckCircles circles = CheckCircles::Both;
-  std::string instrumentName, instrumentSerial, measuredOn;  ///< may be empty
+  CheckIdentity identity = {};            ///< as the files have it
   std::vector<std::string> remarks = {};  ///< sentences on assumptions and on what was not used
 };
 

@@ -28,9 +28,9 @@ LineOfSight lineOfSightOf(const InstrumentCheck& check) {
 
 }  // namespace
 
-InstrumentRecord checkedRecord(const InstrumentCheck& check, const std::string& name,
-                               const std::string& serial, const std::string& date) {
-  InstrumentRecord record{.name = name, .serial = serial, .date = date};
+InstrumentRecord checkedRecord(const InstrumentCheck& check, const CheckIdentity& identity) {
+  InstrumentRecord record{
+      .name = identity.name, .serial = identity.serial, .date = identity.measuredOn, .due = identity.due};
   const auto sigmaText = [](const CheckScatter& scatter) {
     return scatter.s() > 0 ? shortestText(rounded(scatter.s() * std::numbers::sqrt2)) : std::string();
   };
@@ -45,7 +45,7 @@ InstrumentRecord checkedRecord(const InstrumentCheck& check, const std::string& 
                             .sigma = shortestText(std::max(rounded(mean.u), leastU)),
                             .unit = "arcsec",
                             .from = std::string(fromInstrumentCheck),
-                            .date = date});
+                            .date = identity.measuredOn});
   };
   addKnown("collimation", check.collimation);
   if (check.tilt) addKnown("trunnion_tilt", *check.tilt);

@@ -1,5 +1,6 @@
 #include "core/series/instrument_check/check_statement.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -86,7 +87,84 @@ Statement byTarget(const StationCheck& station) {
   return statement;
 }
 
+/// "s of a direction 0.74″ (limit 1.23″)".
+std::string judgedText(const CheckScatter& scatter, const std::optional<SigmaTest>& test, bool isDirection) {
+  const std::string s = displayText(scatter.s(), 2) + "″";
+  if (!test)
+    return isDirection ? Phrase::of("s of a direction %1", s) : Phrase::of("s of a zenith angle %1", s);
+  const std::string limit = displayText(test->limit, 2) + "″";
+  return isDirection ? Phrase::of("s of a direction %1 (limit %2)", s, limit)
+                     : Phrase::of("s of a zenith angle %1 (limit %2)", s, limit);
+}
+
+std::string statedText(const InstrumentCheck& check) {
+  const auto sigma = [](const std::optional<SigmaTest>& test) {
+    return test ? displayShortest(test->sigma) + "″" : Phrase::of("not stated");
+  };
+  return Phrase::of(
+      "Stated σ: %1 of a direction, %2 of a zenith angle, both of a value observed once in both faces. χ² "
+      "test "
+      "of ISO 17123-3, 95 %.",
+      sigma(check.directionTest), sigma(check.verticalTest));
+}
+
 }  // namespace
+
+std::optional<bool> hasPassed(const InstrumentCheck& check) {
+  bool isWhole = false;
+  for (const auto& [scatter, test] :
+       {std::pair(&check.direction, &check.directionTest), std::pair(&check.vertical, &check.verticalTest)}) {
+    if (*test && !(*test)->isWithin()) return false;
+    if (!(scatter->dof > 0)) continue;
+    if (!*test) return std::nullopt;
+    isWhole = true;
+  }
+  return isWhole ? std::optional(true) : std::nullopt;
+}
+
+Statement checkVerdict(const InstrumentCheck& check, const std::vector<Finding>& findings) {
+  std::string figures;
+  for (const bool isDirection : {true, false}) {
+    const CheckScatter& scatter = isDirection ? check.direction : check.vertical;
+    if (!(scatter.dof > 0)) continue;
+    const std::string one =
+        judgedText(scatter, isDirection ? check.directionTest : check.verticalTest, isDirection);
+    figures = figures.empty() ? one : Phrase::of("%1, %2", figures, one);
+  }
+  const std::optional<bool> passed = hasPassed(check);
+  Statement statement{.id = "check_verdict",
+                      .title = !passed   ? Phrase::of("Not judged: %1", figures)
+                               : *passed ? Phrase::of("Passed: %1", figures)
+                                         : Phrase::of("Failed: %1", figures),
+                      .columns = {},
+                      .rows = {}};
+  if (figures.empty()) statement.title = Phrase::of("Not judged: no round is repeated");
+  if (check.directionTest || check.verticalTest) statement.sentences.push_back(statedText(check));
+  if (!passed && !figures.empty())
+    statement.sentences.push_back(
+        Phrase::of("State σ of a direction and of a zenith angle, as in the data sheet, for a verdict."));
+  const auto warnings = std::ranges::count_if(
+      findings, [](const Finding& finding) { return finding.severity != Severity::Note; });
+  if (warnings > 0)
+    statement.sentences.push_back(
+        Phrase::of("Warnings to read before the instrument is used: %1.", warnings));
+  return statement;
+}
+
+Statement identityTable(const CheckIdentity& identity) {
+  Statement statement{.id = "identity",
+                      .title = Phrase::of("Instrument"),
+                      .columns = {{"what", "", Role::Name}, {"text", "", Role::Word}},
+                      .rows = {}};
+  const auto add = [&](const std::string& what, const std::string& text) {
+    statement.rows.push_back({{what, text.empty() ? "—" : shortened(text, longestName)}});
+  };
+  add(Phrase::of("Name"), identity.name);
+  add(Phrase::of("Serial number"), identity.serial);
+  add(Phrase::of("Checked on"), identity.measuredOn);
+  add(Phrase::of("Next check due"), identity.due);
+  return statement;
+}
 
 Statement stationsTable(const InstrumentCheck& check) {
   const std::string ofDirection =

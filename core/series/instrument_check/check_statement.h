@@ -1,11 +1,25 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
+#include "core/base/finding.h"
+#include "core/series/instrument_check/check_readings.h"
 #include "core/series/instrument_check/instrument_check.h"
 #include "core/statement/statement.h"
 
 namespace alidade {
+
+/// Is s no larger than what is stated (question a of ISO 17123-3)? Absent if nothing is stated of the circles
+/// that were read, or only of one of two that passes.
+std::optional<bool> hasPassed(const InstrumentCheck& check);
+
+/// The verdict: its title is the headline, "Passed: s of a direction 0.74″ (limit 1.23″), …"; its sentences
+/// tell on what it rests and how many warnings to read.
+Statement checkVerdict(const InstrumentCheck& check, const std::vector<Finding>& findings);
+
+/// Instrument, serial number, day, and next check: a row for each, with a dash where it is not stated.
+Statement identityTable(const CheckIdentity& identity);
 
 /// Each station with its scatter, means and causes, then all of them pooled. Without rows: the columns.
 Statement stationsTable(const InstrumentCheck& check);

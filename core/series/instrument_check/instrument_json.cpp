@@ -6,6 +6,7 @@
 #include "core/answers/findings_json.h"
 #include "core/answers/json_text.h"
 #include "core/exchange/csv_text.h"
+#include "core/series/instrument_check/check_statement.h"
 
 namespace alidade {
 
@@ -72,7 +73,11 @@ Json scatterJson(const CheckScatter& direction, const CheckScatter& vertical, co
           {"u_collimation_arcsec", finite(collimation.u)},
           {"index_arcsec", finite(index.value)},
           {"u_index_arcsec", finite(index.u)},
-          {"dof_faces", whole(index.dof)}};
+          {"dof_faces", whole(index.dof)},
+          {"degrees_of_freedom_direction", whole(direction.dof)},
+          {"degrees_of_freedom_zenith", whole(vertical.dof)},
+          {"standard_uncertainty_collimation_arcsec", finite(collimation.u)},
+          {"standard_uncertainty_index_arcsec", finite(index.u)}};
 }
 
 const char* reasonName(LeftOut why) {
@@ -130,15 +135,23 @@ Json samplesJson(const InstrumentCheck& check) {
 
 }  // namespace
 
-std::string instrumentJson(const InstrumentCheck& check, const std::vector<Finding>& findings,
-                           const std::vector<std::string>& remarks) {
+std::string instrumentJson(const CheckIdentity& identity, const InstrumentCheck& check,
+                           const std::vector<Finding>& findings, const std::vector<std::string>& remarks) {
   Json stations = Json::array();
   for (const StationCheck& station : check.stations) stations.push_back(stationJson(station));
   Json pooled = scatterJson(check.direction, check.vertical, check.collimation, check.index);
   pooled["line_of_sight"] = causesJson(check.lineOfSight, "eccentricity", "mm");
   pooled["collimations_differ_p_value"] = finite(check.collimationsDifferP);
   pooled["indices_differ_p_value"] = finite(check.indicesDifferP);
-  return answerText({{"stations", std::move(stations)},
+  const std::optional<bool> passed = hasPassed(check);
+  const auto stated = [](const std::string& text) { return text.empty() ? Json(nullptr) : Json(text); };
+  return answerText({{"instrument", {{"name", identity.name}, {"serial", identity.serial}}},
+                     {"measured_on", stated(identity.measuredOn)},
+                     {"next_check_due", stated(identity.due)},
+                     {"verdict", !passed   ? "not_judged"
+                                 : *passed ? "passed"
+                                           : "failed"},
+                     {"stations", std::move(stations)},
                      {"pooled", std::move(pooled)},
                      {"tests",
                       {{"direction", testJson(check.directionTest)},
@@ -148,7 +161,7 @@ std::string instrumentJson(const InstrumentCheck& check, const std::vector<Findi
                      {"remarks", remarks}});
 }
 
-std::string instrumentCsv(const InstrumentCheck& check) {
+std::string instrumentCsv(const CheckIdentity& identity, const InstrumentCheck& check) {
   CsvText csv{"station",
               "round",
               "target",
@@ -156,13 +169,17 @@ std::string instrumentCsv(const InstrumentCheck& check) {
               "zenith_residual_arcsec",
               "round_collimation_arcsec",
               "round_index_arcsec",
-              "round_orientation_arcsec"};
+              "round_orientation_arcsec",
+              "instrument",
+              "instrument_serial",
+              "measured_on"};
   for (const StationCheck& station : check.stations)
     for (const PairResidual& residual : station.residuals) {
       const RoundCourse& round = station.course[residual.round];
       csv.typed(station.station).typed(round.name).typed(station.perTarget[residual.target].name);
       csv.number(residual.direction).number(residual.vertical);
-      csv.number(round.collimation).number(round.index).number(round.orientation).endRow();
+      csv.number(round.collimation).number(round.index).number(round.orientation);
+      csv.typed(identity.name).typed(identity.serial).typed(identity.measuredOn).endRow();
     }
   return csv.text();
 }

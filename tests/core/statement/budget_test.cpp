@@ -70,8 +70,8 @@ TEST(BudgetStatement, StatesSensitivityDegreesOfFreedomAndCoverageFactor) {
   EXPECT_EQ(cell(budget, 0, "sensitivity"), "0.50") << "mm per mm; below, mm per ″";
   EXPECT_EQ(cell(budget, 1, "sensitivity"), "0.030");
   EXPECT_EQ(cell(budget, 2, "sensitivity"), "") << "numbers of two sizes have no common one";
-  EXPECT_EQ(cell(budget, 0, "degrees"), "∞");
-  EXPECT_EQ(cell(budget, 3, "degrees"), "29");
+  EXPECT_EQ(cell(budget, 0, "type"), "B");
+  EXPECT_EQ(cell(budget, 3, "type"), "A, 29") << "with its degrees of freedom";
   EXPECT_EQ(coverageWithFactor(2.0456, 0.95), "k = 2.05, 95 % coverage");
 }
 

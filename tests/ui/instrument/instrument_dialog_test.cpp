@@ -8,7 +8,9 @@
 #include <QApplication>
 #include <QClipboard>
 #include <QFile>
+#include <QLineEdit>
 #include <QMenuBar>
+#include <QProcess>
 #include <QTabWidget>
 #include <QTemporaryDir>
 #include <QTest>
@@ -19,6 +21,7 @@
 #include "ui/instrument/check_input.h"
 #include "ui/instrument/check_rows_table.h"
 #include "ui/main_window.h"
+#include "ui/panels/gap/gap_headline.h"
 #include "ui/panels/parts/data_table.h"
 #include "ui/window/side_windows.h"
 
@@ -149,13 +152,75 @@ TEST(InstrumentDialog, WritesWhatTheConsolePrints) {
   EXPECT_EQ(bench.dialogs.problems.size(), 1);
 }
 
+void type(CheckBench& bench, const char* field, const char* text) {
+  auto* line = bench.dialog.findChild<QLineEdit*>(QString::fromLatin1(field));
+  line->setText(QString::fromLatin1(text));
+  emit line->editingFinished();
+  bench.settle();
+}
+
+TEST(InstrumentDialog, HasItsVerdictAtTheTop) {
+  CheckBench bench;
+  const auto verdict = [&] {
+    std::string text;
+    for (const QLabel* label : bench.dialog.findChild<GapHeadline*>()->findChildren<QLabel*>())
+      text += label->text().toStdString() + "\n";
+    return text;
+  };
+  EXPECT_TRUE(bench.dialog.findChild<GapHeadline*>()->isHidden());
+  bench.open(samplePath(sample));
+  EXPECT_FALSE(bench.dialog.findChild<GapHeadline*>()->isHidden());
+  EXPECT_THAT(verdict(), HasSubstr("Not judged: "));
+  for (QDoubleSpinBox* box : bench.dialog.findChildren<QDoubleSpinBox*>()) box->setValue(1);
+  bench.settle();
+  EXPECT_THAT(verdict(), HasSubstr("Passed: "));
+  for (QDoubleSpinBox* box : bench.dialog.findChildren<QDoubleSpinBox*>()) box->setValue(0.3);
+  bench.settle();
+  EXPECT_THAT(verdict(), HasSubstr("Failed: "));
+}
+
+TEST(InstrumentDialog, StatesTypedInstrumentAndDaysEverywhere) {
+  CheckBench bench;
+  bench.open(samplePath(sample));
+  EXPECT_EQ(bench.dialog.findChild<QLineEdit*>(QStringLiteral("check date"))->placeholderText(),
+            QStringLiteral("2026-03-14"));
+  type(bench, "check name", "TM 5100");
+  type(bench, "check due", "2026-01-01");
+  EXPECT_THAT(bench.said(), HasSubstr("not after"));
+  type(bench, "check due", "2027-03-14");
+  const QTemporaryDir folder;
+  const auto written = [&](const char* name, bool (InstrumentDialog::*write)()) {
+    bench.dialogs.exportPath = folder.filePath(QString::fromLatin1(name));
+    EXPECT_TRUE((bench.dialog.*write)()) << name;
+    QFile file(bench.dialogs.exportPath);
+    EXPECT_TRUE(file.open(QIODevice::ReadOnly));
+    return file.readAll().toStdString();
+  };
+  const auto json = nlohmann::ordered_json::parse(written("c.json", &InstrumentDialog::exportJson));
+  EXPECT_EQ(json["instrument"]["name"], "TM 5100");
+  EXPECT_EQ(json["next_check_due"], "2027-03-14");
+  EXPECT_THAT(written("c.csv", &InstrumentDialog::exportCsv), HasSubstr(",TM 5100,123456,2026-03-14\n"));
+  const auto record =
+      nlohmann::ordered_json::parse(written("r.alidade-instrument", &InstrumentDialog::saveRecord));
+  EXPECT_EQ(record["next_check_due"], "2027-03-14");
+  const std::string pdf = written("c.pdf", &InstrumentDialog::exportPdf);
+  EXPECT_THAT(pdf, testing::StartsWith("%PDF-"));
+  QProcess text;
+  text.start(QStringLiteral("pdftotext"), {bench.dialogs.exportPath, QStringLiteral("-")});
+  ASSERT_TRUE(text.waitForFinished());
+  const std::string pages = text.readAllStandardOutput().toStdString();
+  for (const char* words : {"Not judged: ", "TM 5100", "123456", "2026-03-14", "2027-03-14", "by target"})
+    EXPECT_THAT(pages, HasSubstr(words));
+}
+
 TEST(InstrumentDialog, SavesWhatSessionsMayTake) {
   CheckBench bench;
   bench.open(samplePath(sample));
   const QTemporaryDir folder;
   bench.dialogs.exportPath = folder.filePath(QStringLiteral("t2.alidade-instrument"));
   ASSERT_TRUE(bench.dialog.saveRecord());
-  EXPECT_TRUE(bench.dialogs.exportSuggested.endsWith(QStringLiteral("/123456.alidade-instrument")));
+  EXPECT_TRUE(
+      bench.dialogs.exportSuggested.endsWith(QStringLiteral("/123456-2026-03-14.alidade-instrument")));
   QFile file(bench.dialogs.exportPath);
   ASSERT_TRUE(file.open(QIODevice::ReadOnly));
   const auto record = nlohmann::ordered_json::parse(file.readAll().toStdString());

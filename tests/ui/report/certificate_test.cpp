@@ -80,8 +80,8 @@ const QString pdfWithin = QStringLiteral("/*/*[local-name()='document']/*[local-
 
 TEST_F(WrittenCertificateTest, HoldsTheReportOfThatDayByteForByte) {
   const QString certificate = in("c.xml"), report = in("r.pdf");
-  ASSERT_EQ(alidade({QStringLiteral("--certificate"), certificate, QStringLiteral("--country"),
-                     QStringLiteral("DE"), path}),
+  ASSERT_EQ(alidade({QStringLiteral("--certificate"), certificate, QStringLiteral("--draft"),
+                     QStringLiteral("--country"), QStringLiteral("DE"), path}),
             0)
       << told.toStdString();
   EXPECT_EQ(told.count(u'\n'), 1);
@@ -95,8 +95,8 @@ TEST_F(WrittenCertificateTest, HoldsTheReportOfThatDayByteForByte) {
   EXPECT_EQ(found(certificate, QStringLiteral("//*[local-name()='issueDate']")), "2026-03-02");
   EXPECT_EQ(found(certificate, QStringLiteral("//*[local-name()='countryCodeISO3166_1']")), "DE");
   const QByteArray first = bytesOf(certificate);
-  ASSERT_EQ(alidade({QStringLiteral("--certificate"), certificate, QStringLiteral("--country"),
-                     QStringLiteral("DE"), path}),
+  ASSERT_EQ(alidade({QStringLiteral("--certificate"), certificate, QStringLiteral("--draft"),
+                     QStringLiteral("--country"), QStringLiteral("DE"), path}),
             0);
   EXPECT_EQ(bytesOf(certificate), first) << "the same each time";
 }
@@ -104,7 +104,7 @@ TEST_F(WrittenCertificateTest, HoldsTheReportOfThatDayByteForByte) {
 TEST_F(WrittenCertificateTest, SpeaksTheLanguageOfTheReportBesideEnglish) {
   const QString certificate = in("c.xml");
   ASSERT_EQ(alidade({QStringLiteral("--language"), QStringLiteral("zh_CN"), QStringLiteral("--certificate"),
-                     certificate, path}),
+                     certificate, QStringLiteral("--draft"), path}),
             0)
       << told.toStdString();
   expectConforms(certificate);
@@ -136,7 +136,9 @@ TEST_F(WrittenCertificateTest, IsSignedAsTheReportIs) {
                              path};
   for (const char* kind : {"--report", "--certificate"}) {
     const QString file = in(kind);
-    ASSERT_EQ(alidade(QStringList{QString::fromLatin1(kind), file} + signedBy), 0) << told.toStdString();
+    QStringList call{QString::fromLatin1(kind), file};
+    if (call[0] == QStringLiteral("--certificate")) call.append(QStringLiteral("--draft"));
+    ASSERT_EQ(alidade(call + signedBy), 0) << told.toStdString();
     EXPECT_TRUE(verifies(file)) << told.toStdString();
     QFile changed(file);
     ASSERT_TRUE(changed.open(QIODevice::ReadWrite) && changed.seek(1000));
@@ -185,9 +187,20 @@ TEST_F(WrittenCertificateTest, IsExportedFromTheWindowOnceWhatIsEmptyWasTold) {
   OpenWindow open;
   ASSERT_TRUE(open->files().open(path));
   open.dialogs->exportPath = in("c.xml");
+  EXPECT_FALSE(open->files().exportCertificate());
+  ASSERT_EQ(open.dialogs->problems.size(), 1);
+  EXPECT_THAT(open.dialogs->problems[0].toStdString(), HasSubstr("laboratory"));
+  EXPECT_THAT(open.dialogs->problems[0].toStdString(), HasSubstr("country"));
+  open.dialogs->problems.clear();
+  EXPECT_FALSE(QFile::exists(in("c.xml")));
+  open.dialogs->reportQuestions.clear();
+  open.dialogs->reportChoice = ReportChoice();
+  open.dialogs->reportChoice->certificate = {.country = QStringLiteral("DE"), .isDraft = true};
   ASSERT_TRUE(open->files().exportCertificate());
   EXPECT_TRUE(open.dialogs->problems.isEmpty());
   ASSERT_EQ(open.dialogs->reportQuestions.size(), 1);
+  EXPECT_TRUE(open.dialogs->reportQuestions.front().isCertificate);
+  EXPECT_EQ(found(in("c.xml"), QStringLiteral("//*[local-name()='countryCodeISO3166_1']")), "DE");
   const QStringList lacks = open.dialogs->reportQuestions.front().emptyFields;
   EXPECT_TRUE(lacks.contains(QStringLiteral("laboratory")));
   EXPECT_FALSE(lacks.contains(QStringLiteral("report number")));

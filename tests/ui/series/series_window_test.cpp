@@ -9,6 +9,7 @@
 #include <QLabel>
 #include <QPushButton>
 #include <QSignalSpy>
+#include <QSpinBox>
 #include <QTabWidget>
 #include <QTableWidget>
 #include <QTemporaryDir>
@@ -64,6 +65,40 @@ TEST(SeriesWindow, TellsTheHistoryOfAFolder) {
   EXPECT_EQ(chart->plot()->markers().marks().size(), 12U);
   EXPECT_THAT(chart->accessibleDescription().toStdString(), HasSubstr("in steps"));
   expectAllVisible(bench.window, QStringLiteral("with a series"));
+}
+
+TEST(SeriesWindow, WatchesTheSessionsAfterItsBaseline) {
+  SeriesBench bench;
+  bench.addYear();
+  auto* baseline = bench.window.history()->findChild<QSpinBox*>();
+  EXPECT_EQ(baseline->text(), QStringLiteral("all sessions"));
+  EXPECT_EQ(baseline->maximum(), 12);
+  baseline->setValue(6);
+  EXPECT_THAT(bench.text("history says"), HasSubstr("Baseline: 6 values"));
+  const HistoryChart* chart = bench.window.findChild<HistoryChart*>();
+  EXPECT_EQ(chart->plot()->history().chart.baseline, 6U);
+  EXPECT_THAT(chart->numbers(), HasSubstr("expanded_uncertainty_mm"));
+}
+
+TEST(SeriesWindow, KeepsASeriesAsAFile) {
+  QTemporaryDir folder;
+  const QString path = folder.filePath(QStringLiteral("a b.alidade-series"));
+  {
+    SeriesBench bench;
+    EXPECT_FALSE(bench.window.saveSeries());
+    bench.addYear();
+    bench.window.history()->setBaseline(4);
+    bench.dialogs.exportPath = path;
+    EXPECT_TRUE(bench.window.saveSeries());
+    bench.dialogs.exportPath = samplePath(QStringLiteral("history/2025-01-04.alidade"));
+    EXPECT_FALSE(bench.window.saveSeries()) << "never over a session";
+  }
+  SeriesBench bench;
+  bench.window.add({path});
+  bench.settle();
+  EXPECT_EQ(bench.window.table()->rowCount(), 12);
+  EXPECT_EQ(bench.window.history()->baseline(), 4);
+  EXPECT_EQ(bench.window.history()->device()->quantities.front().history.chart.baseline, 4U);
 }
 
 TEST(SeriesWindow, TellsWhatTheSessionsShare) {

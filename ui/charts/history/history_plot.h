@@ -9,9 +9,9 @@
 
 namespace alidade::ui {
 
-/// A control chart over the year and its parts: values with bars of 2 u, reported levels or trend, limits of
-/// ± 3 u for each value and of three times the observed scatter, and the exponentially weighted average with
-/// its limits. Steps have dates.
+/// A control chart over dates: values with bars of ± U, the centre line or the reported levels or trend,
+/// limits of each value and of three times the observed scatter, the exponentially weighted average with its
+/// limits, and the tolerance. Steps have dates; a chosen baseline is marked.
 class HistoryPlot : public Plot {
   Q_OBJECT
 
@@ -31,11 +31,16 @@ class HistoryPlot : public Plot {
  protected:
   void applyStyle() override;
   QRectF axisRange(const QSizeF& plotArea) const override;
+  std::vector<Tick> xTicks(double low, double high, std::size_t most) const override;
+  QString widestXLabel() const override { return QStringLiteral("2000-00-00"); }
   void placeExtras() override;
 
  private:
   void draw();
   void drawLevels();
+  void drawTolerance();
+  void label(double year, const QString& text);
+  bool hasBaseline() const;
   void reckonExtent();
   void showLegend();
   double yearOf(const DatedValue& value) const;
@@ -46,7 +51,11 @@ class HistoryPlot : public Plot {
   double m_scale = 1;  ///< power of ten of the axis
   QRectF m_extent{0, -1, 1, 2};
   std::vector<Stick> m_sticks;
-  std::vector<QGraphicsSimpleTextItem*> m_dates;  ///< labels of the steps; owned by the chart
+  struct Label {
+    double year = 0;
+    QGraphicsSimpleTextItem* item = nullptr;  ///< owned by the chart
+  };
+  std::vector<Label> m_labels;  ///< of the baseline and the steps, from left to right
 };
 
 }  // namespace alidade::ui

@@ -4,6 +4,7 @@
 #include <QGraphicsLayout>
 #include <QLocale>
 #include <QPainter>
+#include <QtCharts/QCategoryAxis>
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -45,7 +46,13 @@ double stepOfLabels(double step, double low, double high) {
 
 }  // namespace
 
-Plot::Plot(QObject* parent) : QObject(parent), m_chart(new QChart), m_x(new QValueAxis), m_y(new QValueAxis) {
+Plot::Plot(QObject* parent, bool hasNamedX)
+    : QObject(parent),
+      m_chart(new QChart),
+      m_x(hasNamedX ? new QCategoryAxis : new QValueAxis),
+      m_y(new QValueAxis) {
+  if (auto* named = qobject_cast<QCategoryAxis*>(m_x))
+    named->setLabelsPosition(QCategoryAxis::AxisLabelsPositionOnValue);
   m_scene.setItemIndexMethod(QGraphicsScene::NoIndex);
   m_scene.addItem(m_chart);
   m_chart->setLocalizeNumbers(true);
@@ -274,12 +281,25 @@ void Plot::applyRange(const QRectF& range) {
     xStep = stepOfLabels(xStep, range.left(), range.right());
     yStep = stepOfLabels(yStep, range.top(), range.bottom());
   }
-  applyTicks(m_x, xStep);
+  if (qobject_cast<QCategoryAxis*>(m_x))
+    applyNames(range);
+  else
+    applyTicks(m_x, xStep);
   applyTicks(m_y, yStep);
   // So that a tick at the end of a range is inside, as `applyTicks` moves it.
   m_x->setRange(range.left(), range.right() + 2 * aboveZero * xStep);
   m_y->setRange(range.top(), range.bottom() + 2 * aboveZero * yStep);
   m_markers->setFrame(m_plotArea, m_sceneFromAxes);
+}
+
+void Plot::applyNames(const QRectF& range) {
+  auto* axis = qobject_cast<QCategoryAxis*>(m_x);
+  const double width = 1.35 * QFontMetricsF(m_style.font).horizontalAdvance(widestXLabel());
+  const auto most = static_cast<std::size_t>(std::max(1.0, m_plotArea.width() / std::max(1.0, width)));
+  const QStringList before = axis->categoriesLabels();
+  for (const QString& label : before) axis->remove(label);
+  axis->setStartValue(range.left());
+  for (const Tick& tick : xTicks(range.left(), range.right(), most)) axis->append(tick.label, tick.at);
 }
 
 void Plot::applyTicks(QValueAxis* axis, double step) const {

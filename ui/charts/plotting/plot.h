@@ -25,7 +25,8 @@ class Plot : public QObject {
   Q_OBJECT
 
  public:
-  explicit Plot(QObject* parent = nullptr);
+  /// `hasNamedX`: the ticks of x are `xTicks`, instead of round numbers.
+  explicit Plot(QObject* parent = nullptr, bool hasNamedX = false);
   ~Plot() override;
 
   virtual void setEvaluation(const Evaluation& evaluation) = 0;
@@ -82,6 +83,13 @@ class Plot : public QObject {
   virtual QRectF axisRange(const QSizeF& plotArea) const = 0;
   /// True if a millimetre has the same length in x and y, with equal ticks.
   virtual bool hasEqualScales() const { return false; }
+  struct Tick {
+    double at = 0;  ///< in axis units
+    QString label;
+  };
+  /// The ticks of a named x axis in ascending order, at most `most`, with the widest label of all.
+  virtual std::vector<Tick> xTicks(double /*low*/, double /*high*/, std::size_t /*most*/) const { return {}; }
+  virtual QString widestXLabel() const { return {}; }
   /// The least distance of ticks of y in a plot that shows everything; 0: any.
   virtual double leastYStep() const { return 0; }
   /// Called before the layout in this size, in scene units.
@@ -103,6 +111,7 @@ class Plot : public QObject {
  private:
   void styleAxis(QValueAxis* axis) const;
   void applyRange(const QRectF& range);
+  void applyNames(const QRectF& range);
   void applyTicks(QValueAxis* axis, double step) const;
   void fitRangeToPlotArea();
   QRectF shownRange() const;
@@ -111,7 +120,7 @@ class Plot : public QObject {
   PlotStyle m_style;
   QGraphicsScene m_scene;
   QChart* m_chart;  // owned by the scene
-  QValueAxis* m_x;  // owned by the chart
+  QValueAxis* m_x;  // owned by the chart; a QCategoryAxis if it is named
   QValueAxis* m_y;
   MarkerLayer* m_markers;
   Legend* m_legend;

@@ -57,10 +57,10 @@ void GapHeadline::setGap(const Gap& gap) {
   setState(!gap.isOpen() ? State::Good : isUnknown ? State::Bad : State::Open);
 }
 
-void GapHeadline::setText(const QString& headline, const QString& sentence) {
+void GapHeadline::setText(const QString& headline, const QString& sentence, State state) {
   m_headline->setText(headline);
   m_sentence->setText(sentence);
-  setState(State::Quiet);
+  setState(state);
 }
 
 void GapHeadline::setState(State state) {

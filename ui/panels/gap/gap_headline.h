@@ -9,7 +9,7 @@ class QLabel;
 
 namespace alidade::ui {
 
-/// The verdict of a diagnosis: its sign, its headline in the matching colour, and its sentences.
+/// A verdict, such as that of a diagnosis: its sign, its headline in the matching colour, and its sentences.
 class GapHeadline : public QWidget {
   Q_OBJECT
 
@@ -19,7 +19,7 @@ class GapHeadline : public QWidget {
   /// Shows the verdict, or why there is none.
   void setGap(const Gap& gap);
   /// Shows any other state.
-  void setText(const QString& headline, const QString& sentence);
+  void setText(const QString& headline, const QString& sentence, State state = State::Quiet);
 
  protected:
   void changeEvent(QEvent* event) override;

@@ -42,5 +42,32 @@ TEST(HistoryDate, IsRefusedWhereItIsNoneOrTwo) {
     EXPECT_FALSE(parseHistoryDate(text)) << text;
 }
 
+std::vector<std::string> labels(const char* from, const char* to, std::size_t most) {
+  std::vector<std::string> names;
+  for (const DateTick& tick : dateTicks(parseHistoryDate(from)->day, parseHistoryDate(to)->day, most)) {
+    names.push_back(tick.label);
+    const std::string rest = std::string("-01-01").substr(tick.label.size() == 4 ? 0 : 3);
+    EXPECT_EQ(parseHistoryDate(tick.label.size() == 10 ? tick.label : tick.label + rest)->day, tick.day);
+  }
+  EXPECT_LE(names.size(), most);
+  return names;
+}
+
+TEST(DateTicks, AreRoundDatesOfTheCalendar) {
+  using testing::ElementsAre;
+  EXPECT_THAT(labels("2025-01-04", "2025-12-15", 4), ElementsAre("2025-04", "2025-07", "2025-10"));
+  EXPECT_THAT(labels("2024-02-27", "2024-03-02", 5),
+              ElementsAre("2024-02-27", "2024-02-28", "2024-02-29", "2024-03-01", "2024-03-02"));
+  EXPECT_THAT(labels("2019-06-01", "2024-05-01", 6), ElementsAre("2020", "2021", "2022", "2023", "2024"));
+  EXPECT_THAT(labels("1998-12-31", "2001-01-01", 3), ElementsAre("1999", "2000", "2001"));
+  EXPECT_THAT(labels("1900-01-01", "2020-01-01", 4), ElementsAre("1900", "1950", "2000"));
+  EXPECT_THAT(labels("2025-03-07", "2025-03-07", 3), ElementsAre("2025-03-07"));
+}
+
+TEST(DateTicks, NeverExceedTheirNumber) {
+  for (const char* to : {"2000-01-02", "2000-02-02", "2001-02-02", "2010-01-01", "2199-01-01"})
+    for (const std::size_t most : {1U, 2U, 5U, 40U}) labels("2000-01-01", to, most);
+}
+
 }  // namespace
 }  // namespace alidade

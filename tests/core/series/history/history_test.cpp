@@ -235,6 +235,45 @@ TEST(History, SeldomMissesAStepOfSixU) {
   }
 }
 
+TEST(ControlChart, WatchesWhatFollowsItsBaseline) {
+  History history =
+      historyOf({at(0, 1, 0.1), at(1, 1.2, 0.2), at(2, 1.1, 0.1), at(3, 1.5, 0.1), at(4, 1.2, 0.3)});
+  const HistoryMean before = history.mean;
+  setBaseline(history, 3);
+  const ControlChart& chart = history.chart;
+  EXPECT_EQ(chart.baseline, 3U);
+  EXPECT_NEAR(chart.centre, (100 * 1 + 25 * 1.2 + 100 * 1.1) / 225, 1e-12);
+  EXPECT_NEAR(chart.centreU, 1 / 15.0, 1e-12);
+  EXPECT_NEAR(chart.seenSigma, (0.2 + 0.1) / 2 / 1.128379, 1e-6) << "of the baseline only";
+  EXPECT_NEAR(chart.points[0].shewhart, 0.3, 1e-12);
+  EXPECT_NEAR(chart.points[3].shewhart, 3 * std::hypot(0.1, 1 / 15.0), 1e-12);
+  EXPECT_TRUE(chart.points[3].isOut);
+  EXPECT_FALSE(chart.points[4].isOut);
+  // The average begins at the centre line; u_c has the weight of the values averaged so far.
+  EXPECT_NEAR(chart.points[3].ewma, chart.centre + 0.2 * (1.5 - chart.centre), 1e-12);
+  EXPECT_NEAR(chart.points[3].ewmaLimit, 3 * 0.2 * std::hypot(0.1, 1 / 15.0), 1e-12);
+  EXPECT_NEAR(chart.points[4].ewmaLimit,
+              3 * std::sqrt(std::pow(0.2 * 0.3, 2) + std::pow(0.8 * 0.2 * 0.1, 2) + std::pow(0.36 / 15.0, 2)),
+              1e-12);
+  EXPECT_EQ(history.mean.value, before.value) << "the conclusions are of all values";
+}
+
+TEST(ControlChart, TakesAnyNumberOfValuesForItsBaseline) {
+  for (const std::size_t count : {1U, 2U, 7U}) {
+    std::vector<DatedValue> values;
+    for (std::size_t i = 0; i < count; ++i)
+      values.push_back(at(static_cast<double>(i), 1 + static_cast<double>(i), 0.5));
+    History history = historyOf(values);
+    EXPECT_EQ(history.chart.baseline, count) << "unless one is chosen, all";
+    for (const std::size_t baseline : {0U, 1U, 2U, 7U, 8U}) {
+      setBaseline(history, baseline);
+      EXPECT_EQ(history.chart.baseline, baseline == 0 || baseline > count ? count : baseline);
+      EXPECT_EQ(history.chart.points.size(), count);
+      EXPECT_EQ(std::isnan(history.chart.seenSigma), history.chart.baseline == 1);
+    }
+  }
+}
+
 TEST(ControlChart, HasLimitsForEachValue) {
   const History history = historyOf({at(0, 1, 0.1), at(1, 2, 0.2), at(2, 1, 0.1)});
   const double mean = (100 + 2 * 25 + 100) / 225.0;

@@ -16,8 +16,8 @@ const std::vector<Target> steep{{10, 3}, {95, -14}, {200, 40}, {290, 1}};
 
 Json recordOf(const SimulatedInstrument& instrument, const std::vector<Target>& targets) {
   return Json::parse(writeInstrumentRecord(
-      checkedRecord(checkInstrument(completeRounds(simulatedRounds(instrument, targets, 7, 9))), "T2", "123",
-                    "2026-03-14")));
+      checkedRecord(checkInstrument(completeRounds(simulatedRounds(instrument, targets, 7, 9))),
+                    {"T2", "123", "2026-03-14", "2027-03-14"})));
 }
 
 TEST(CheckedRecord, HoldsWhatTheCheckFound) {
@@ -40,8 +40,8 @@ TEST(CheckedRecord, HoldsWhatTheCheckFound) {
 
 TEST(CheckedRecord, IsTakenAsItIs) {
   const InstrumentRecord record = checkedRecord(
-      checkInstrument(completeRounds(simulatedRounds({.collimation = 8, .noise = 1}, steep, 7, 9))), "T2",
-      "123", "2026-03-14");
+      checkInstrument(completeRounds(simulatedRounds({.collimation = 8, .noise = 1}, steep, 7, 9))),
+      {"T2", "123", "2026-03-14", "2027-03-14"});
   const Result<InstrumentRecord> read = readInstrumentRecord(writeInstrumentRecord(record));
   ASSERT_TRUE(read) << read.problem().text();
   EXPECT_EQ(read->known.size(), record.known.size());

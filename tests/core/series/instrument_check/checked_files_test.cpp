@@ -71,7 +71,7 @@ TEST(CheckedFile, OfDirectionsAloneHasNoFigureOfTheVerticalCircle) {
   EXPECT_NEAR(station.collimation.u, 0.17462, 1e-4);
   EXPECT_TRUE(std::isnan(station.index.value));
   EXPECT_EQ(station.vertical.dof, 0);
-  const InstrumentRecord record = checkedRecord(*check, "T", "1", "2026-03-14");
+  const InstrumentRecord record = checkedRecord(*check, {"T", "1", "2026-03-14", ""});
   EXPECT_EQ(record.known.size(), 1U) << "collimation";
   EXPECT_EQ(record.sigmaVerticalArcsec, "");
 }
@@ -90,7 +90,7 @@ TEST(CheckedFile, HasOneCollimationInTableFindingAndRecord) {
   std::string said;
   for (const Finding& finding : checkFindings(*check)) said += finding.text;
   EXPECT_THAT(said, HasSubstr("without it that is 8.00″ ± 0.15″"));
-  const InstrumentRecord record = checkedRecord(*check, "T", "1", "2026-03-14");
+  const InstrumentRecord record = checkedRecord(*check, {"T", "1", "2026-03-14", ""});
   EXPECT_EQ(record.known.front().value, "8.004");
   EXPECT_EQ(record.known.front().sigma, "0.15");
   EXPECT_EQ(record.lineOfSight.offsetMm, "0.117");

@@ -113,7 +113,7 @@ TEST(InstrumentCheck, SaysWhatItFinds) {
 
 TEST(InstrumentCheck, WritesTheKeysOfTheContract) {
   const InstrumentCheck check = checkInstrument({station("P", {.collimation = 2, .noise = 1}, 7, 1)});
-  const Json json = Json::parse(instrumentJson(check, checkFindings(check), {}));
+  const Json json = Json::parse(instrumentJson({}, check, checkFindings(check), {}));
   const Json& one = json["stations"][0];
   EXPECT_EQ(one["station"], "P");
   EXPECT_EQ(one["targets"], 4);
@@ -127,11 +127,12 @@ TEST(InstrumentCheck, WritesTheKeysOfTheContract) {
     EXPECT_EQ(json["pooled"][key], one[key]) << key;
   EXPECT_EQ(one["course"].size(), 7U);
   const InstrumentCheck single = checkInstrument({station("P", {.noise = 1}, 1, 1)});
-  EXPECT_TRUE(Json::parse(instrumentJson(single, {}, {}))["pooled"]["s_direction_arcsec"].is_null());
+  EXPECT_TRUE(Json::parse(instrumentJson({}, single, {}, {}))["pooled"]["s_direction_arcsec"].is_null());
 }
 
 TEST(InstrumentCheck, WritesATableOfEveryPair) {
-  const std::string csv = instrumentCsv(checkInstrument({station("P", {.noise = 1}, 3, 1)}));
+  const std::string csv =
+      instrumentCsv({"T", "1", "2026-03-14", ""}, checkInstrument({station("P", {.noise = 1}, 3, 1)}));
   EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 1 + 12);
   EXPECT_THAT(csv, HasSubstr("station,round,target,direction_residual_arcsec"));
 }

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "app/console/batch.h"
+#include "core/signature/signature.h"
+
+namespace CLI {
+class App;
+}
+
+namespace alidade::console {
+
+/// The arguments of `alidade-cli report`.
+struct ReportRequest {
+  std::vector<std::string> files;
+  std::string into = {};      ///< folder of the reports; empty: each beside its session
+  std::string language = {};  ///< empty: as `alidade` chooses it
+  SigningFiles signing = {};
+  BatchOptions batch = {};
+};
+
+/// Adds `report FILE… [--into FOLDER] [--language ID] [signing] [--threads N] [--progress] [--json]`, which
+/// fills in `request`.
+void addReportCommand(CLI::App& app, ReportRequest& request);
+
+/// Writes the acceptance report of each session, named like it with the suffix `.pdf`. The program `alidade`
+/// beside this one paints them, one process for each session, without a display. Two sessions whose reports
+/// would have the same path are refused but for the first.
+int giveReports(const ReportRequest& request);
+
+}  // namespace alidade::console

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/base/result.h"
+
+namespace alidade::console {
+
+/// What a finished program said.
+struct ProgramEnd {
+  int exitCode = 0;    ///< 128 + signal if a signal ended it
+  std::string errors;  ///< its stderr
+};
+
+/// The path of a program that is installed beside this one. Fails if there is none.
+Result<std::string> programBeside(const std::string& name);
+
+/// Runs a program to its end without input; its stdout is dropped. Fails if it cannot be started.
+Result<ProgramEnd> runToEnd(const std::string& program, const std::vector<std::string>& arguments);
+
+}  // namespace alidade::console

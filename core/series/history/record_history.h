@@ -1,0 +1,37 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "core/series/history/device_history.h"
+#include "core/session/instrument_record.h"
+
+namespace alidade {
+
+/// An instrument record and its file.
+struct KeptRecord {
+  std::string file;
+  InstrumentRecord record;
+};
+
+/// The records of one instrument by date, and each of its constants over time.
+struct InstrumentHistory {
+  std::string name, serial;
+  std::vector<KeptRecord> records;
+  std::vector<QuantityHistory> quantities;  ///< ids: an effect, "effect: parameter", or "line_of_sight"
+};
+
+/// Records by instrument (its serial number, else its name). Records with equal contents count once: `copies`
+/// holds each with the first.
+struct InstrumentHistories {
+  std::vector<InstrumentHistory> instruments;
+  std::vector<std::pair<std::size_t, std::size_t>> copies = {};
+};
+InstrumentHistories instrumentHistories(const std::vector<KeptRecord>& records);
+
+/// The first records set the limits of every constant's control chart; 0: all.
+void setBaseline(InstrumentHistory& instrument, std::size_t records);
+
+}  // namespace alidade
