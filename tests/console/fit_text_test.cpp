@@ -50,8 +50,8 @@ TEST(FitText, TellsTheMeasuredResultFirstAndThatOfTheFitBelow) {
                                  "UNDECIDED   tolerance ± 0\\.5 mm\n0 =+\\[[^\n]+:[^\n]*  0\\.5 mm\n"))
       << "right below the name of the session";
   EXPECT_THAT(two, ContainsRegex("Δd,\\sfit\\sonly:\\s0\\.38[0-9]*\\s±\\s0\\.0[0-9]+\\smm,\\sk"));
-  EXPECT_THAT(
-      two, ContainsRegex("  arc ellipticity +0\\.05 mm +B +0\\.[0-9]+ +0\\.01[0-9]* +[0-9.]+ % +default"));
+  EXPECT_THAT(two,
+              ContainsRegex("  arc ellipticity +0\\.05 mm +B +0\\.[0-9]+ +0\\.01[0-9]* +[0-9.]+ % +default"));
   EXPECT_THAT(two, HasSubstr("\nGap: The gap is best explained by several causes together: "));
   EXPECT_THAT(textOf(ALIDADE_SAMPLES_DIR "/noisy-readings.alidade"), Not(HasSubstr("\nGap: ")))
       << "noise alone";
