@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <string_view>
 
 #include "core/base/list_text.h"
 #include "core/base/phrase.h"
@@ -9,6 +10,7 @@
 #include "core/base/visible_text.h"
 #include "core/certificate/quantity.h"
 #include "core/session/entry.h"
+#include "core/wording/findings.h"
 
 namespace alidade {
 
@@ -65,6 +67,12 @@ std::optional<Problem> takeDays(StatedEntries& stated, const CertificateSource& 
   return std::nullopt;
 }
 
+constexpr const char* placeNoun = PHRASE_LATER("Phrase", "where it was measured");
+
+bool isNotStated(const StatedEntries& stated, std::string_view noun) {
+  return std::ranges::find(stated.notStated, noun) != stated.notStated.end();
+}
+
 std::optional<Problem> takeCountry(StatedEntries& stated, const std::string& text) {
   stated.country = Statement(stated).of(text, PHRASE_LATER("Phrase", "country"));
   const auto isCapital = [](char c) { return c >= 'A' && c <= 'Z'; };
@@ -75,7 +83,7 @@ std::optional<Problem> takeCountry(StatedEntries& stated, const std::string& tex
 }
 
 std::optional<Problem> takePlace(StatedEntries& stated, const std::string& text) {
-  stated.performedAt = Statement(stated).of(text, PHRASE_LATER("Phrase", "where it was measured"));
+  stated.performedAt = Statement(stated).of(text, placeNoun);
   if (stated.performedAt.empty()) stated.performedAt = "other";
   if (std::ranges::find(placesOfPerformance, stated.performedAt) != placesOfPerformance.end())
     return std::nullopt;
@@ -179,8 +187,10 @@ void addStatements(const Element& to, const CertificateSource& source, const Sta
       [&] {
         std::vector<std::string> nouns;
         for (const char* noun : stated.notStated) nouns.push_back(Phrase::of(noun));
-        return Phrase::of("The laboratory did not state: %1. Country ZZ and place “other” stand for none.",
-                          listed(nouns));
+        std::string text = Phrase::of("The laboratory did not state: %1.", listed(nouns));
+        if (stated.country == noCountry) text = inTurn(text, Phrase::of("Country ZZ stands for none."));
+        if (isNotStated(stated, placeNoun)) text = inTurn(text, Phrase::of("Place “other” stands for none."));
+        return text;
       });
 }
 

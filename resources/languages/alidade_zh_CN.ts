@@ -7637,10 +7637,6 @@ Includes every catalogued effect, limited by these readings or by its plausible 
         <translation>标题</translation>
     </message>
     <message>
-        <source>The laboratory did not state: %1. Country ZZ and place “other” stand for none.</source>
-        <translation>实验室未说明：%1。国家 ZZ 和地点“other”表示未说明。</translation>
-    </message>
-    <message>
         <source>no certificate is made: ISO/IEC 17025 and the schema require what is not stated: %1</source>
         <translation>未出具证书：缺少 ISO/IEC 17025 和证书格式要求说明的内容：%1</translation>
     </message>
@@ -7851,6 +7847,18 @@ Includes every catalogued effect, limited by these readings or by its plausible 
     <message>
         <source>A draft: the certificate says “not stated” for what is missing: %1.</source>
         <translation>草稿：证书将缺少的内容标为“未说明”：%1。</translation>
+    </message>
+    <message>
+        <source>The laboratory did not state: %1.</source>
+        <translation>实验室未说明：%1。</translation>
+    </message>
+    <message>
+        <source>Country ZZ stands for none.</source>
+        <translation>国家 ZZ 表示未说明。</translation>
+    </message>
+    <message>
+        <source>Place “other” stands for none.</source>
+        <translation>地点 “other” 表示未说明。</translation>
     </message>
 </context>
 <context>

@@ -244,6 +244,24 @@ TEST_F(CertificateTest, ListsWhatIsEmptyInOneSentenceAndMakesNothingUp) {
   EXPECT_TRUE(byId(document, "not_stated"));
 }
 
+TEST_F(CertificateTest, SaysWhatStandsForNoneOnlyWhereNothingIsStated) {
+  const auto notStated = [&](const std::vector<std::string>& more) {
+    std::vector<std::string> call{"--measured-on", "2026-01-02"};
+    call.insert(call.end(), more.begin(), more.end());
+    EXPECT_EQ(write(paperSession, call).exitCode, 0);
+    const pugi::xml_document document = read();
+    std::string text;
+    for (const auto& content : byId(document, "not_stated").select_nodes(".//dcc:declaration//text()"))
+      text += content.node().value();
+    return text;
+  };
+  EXPECT_THAT(notStated({}), testing::AllOf(HasSubstr("Country ZZ"), HasSubstr("Place “other”")));
+  EXPECT_THAT(notStated({"--country", "DE"}),
+              testing::AllOf(HasSubstr("Place “other”"), testing::Not(HasSubstr("ZZ"))));
+  EXPECT_THAT(notStated({"--country", "DE", "--performed-at", "laboratory"}),
+              testing::Not(HasSubstr("stands for none")));
+}
+
 TEST_F(CertificateTest, HasTheSameBytesEachTime) {
   ASSERT_EQ(write(paperSession, {"--measured-on", "2026-01-02"}).exitCode, 0);
   const std::string first = contentOf(m_out);
