@@ -99,6 +99,19 @@ int DataTable::shownWidth(int column) const {
   return width;
 }
 
+/// Leaves each column what its cells show, and shares out what is left of the table from the first on.
+void DataTable::narrow(std::vector<int>& widths, int padding) const {
+  std::vector<int> least;
+  for (int i = 0; i < m_model.columnCount(); ++i)
+    least.push_back(std::min(widths[static_cast<std::size_t>(i)], padding + shownWidth(i)));
+  int room = viewport()->width() - std::accumulate(least.begin(), least.end(), 0);
+  for (std::size_t i = 0; i < widths.size(); ++i) {
+    const int more = std::clamp(room, 0, widths[i] - least[i]);
+    widths[i] = least[i] + more;
+    room -= more;
+  }
+}
+
 void DataTable::fitCells() {
   constexpr int padding = 14;
   const QScopedValueRollback fitting(m_isFitting, true);
@@ -107,11 +120,9 @@ void DataTable::fitCells() {
   for (const DataColumn& column : m_model.columns())
     widths.push_back(padding + std::max(fontMetrics().horizontalAdvance(column.sample),
                                         fontMetrics().horizontalAdvance(column.title)));
-  const bool isTooNarrow =
-      m_model.rowCount() > 0 && std::accumulate(widths.begin(), widths.end(), 0) > viewport()->width();
-  for (int i = 0; i < m_model.columnCount(); ++i)
-    setColumnWidth(i, isTooNarrow ? std::min(widths[static_cast<std::size_t>(i)], padding + shownWidth(i))
-                                  : widths[static_cast<std::size_t>(i)]);
+  const int wanted = std::accumulate(widths.begin(), widths.end(), 0);
+  if (m_model.rowCount() > 0 && wanted > viewport()->width()) narrow(widths, padding);
+  for (int i = 0; i < m_model.columnCount(); ++i) setColumnWidth(i, widths[static_cast<std::size_t>(i)]);
 }
 
 void DataTable::setPlaceholder(const QString& text) {

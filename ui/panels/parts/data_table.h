@@ -63,6 +63,7 @@ class DataTable : public QTableView {
 
  private:
   int shownWidth(int column) const;
+  void narrow(std::vector<int>& widths, int padding) const;
   void fitAgain();
 
   DataModel m_model;
