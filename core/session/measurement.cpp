@@ -11,10 +11,12 @@
 #include "core/base/phrase.h"
 #include "core/base/threads.h"
 #include "core/session/compensator.h"
+#include "core/session/day_text.h"
 #include "core/session/entry.h"
 #include "core/session/instrument_record.h"
 #include "core/session/position_examiner.h"
 #include "core/session/problem_reporter.h"
+#include "core/session/row_fields.h"
 #include "core/session/row_order.h"
 #include "core/session/session_fields.h"
 
@@ -70,8 +72,8 @@ class Examiner : private ProblemReporter {
   explicit Examiner(const Session& session) : m_session(session) {}
 
   Examined examine() {
-    for (const char* day : {"measured_on", "device.received_on"})
-      checkDate(day, sessionFieldNamed(day)->get(m_session));
+    for (const SessionField& field : sessionFields())
+      if (isDay(field.key)) checkDate(std::string(field.key), field.get(m_session));
     examineInstrument();
     const auto temperature = number("environment.temperature_c");
     const auto sigma = number("environment.sigma_temperature_c");
