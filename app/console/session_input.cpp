@@ -4,8 +4,8 @@
 #include <utility>
 
 #include "app/console/channels.h"
-#include "app/console/clock.h"
 #include "app/console/own_effect_files.h"
+#include "core/base/clock.h"
 #include "core/base/file_bytes.h"
 #include "core/base/visible_text.h"
 #include "core/session/hindrance.h"

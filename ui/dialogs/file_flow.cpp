@@ -2,12 +2,12 @@
 
 #include <QApplication>
 #include <QClipboard>
-#include <QDateTime>
 #include <QDir>
 #include <QFileInfo>
 #include <QScopeGuard>
 #include <algorithm>
 
+#include "core/base/clock.h"
 #include "core/base/file_bytes.h"
 #include "core/base/file_target.h"
 #include "core/session/next_session.h"
@@ -29,7 +29,7 @@ namespace {
 /// Adds the origins to the journal of a new session.
 void enterOrigins(Session& session, std::vector<JournalEntry> origins) {
   for (JournalEntry& entry : origins) {
-    entry.at = QDateTime::currentDateTimeUtc().toString(Qt::ISODate).toStdString();
+    entry.at = timeInUtc();
     entry.by = session.operatorName;
     enterInJournal(session.journal, std::move(entry));
   }
@@ -61,7 +61,7 @@ bool FileFlow::startNew() {
 
 bool FileFlow::startNext() {
   Session next = nextSession(m_document.session());
-  next.measuredOn = QDate::currentDate().toString(Qt::ISODate).toStdString();
+  next.measuredOn = localDay();
   return startWith(next);
 }
 

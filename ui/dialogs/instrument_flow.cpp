@@ -1,8 +1,8 @@
 #include "ui/dialogs/instrument_flow.h"
 
-#include <QDate>
 #include <QFileInfo>
 
+#include "core/base/clock.h"
 #include "core/session/taken_record.h"
 #include "ui/commands/take_record.h"
 #include "ui/dialogs/dialogs.h"
@@ -31,10 +31,9 @@ bool InstrumentFlow::take() {
   if (!record) return refuse(record.problem());
   if (const auto problem = takeRecord(m_document, *record, name.toStdString())) return refuse(*problem);
   m_document.noteRead({path});
-  const std::string today = QDate::currentDate().toString(Qt::ISODate).toStdString();
   const QString taken =
       tr("Taken from “%1”, known sizes: %2").arg(visibleLine(name)).arg(record->known.size());
-  emit remark(record->due.empty() || record->due >= today
+  emit remark(record->due.empty() || record->due >= localDay()
                   ? taken
                   : tr("%1. Its next check was due on %2.").arg(taken, visibleLine(record->due)));
   return true;
@@ -43,7 +42,7 @@ bool InstrumentFlow::take() {
 bool InstrumentFlow::save() {
   emit commitWanted();
   InstrumentRecord record = recordOf(m_document.session());
-  if (record.date.empty()) record.date = QDate::currentDate().toString(Qt::ISODate).toStdString();
+  if (record.date.empty()) record.date = localDay();
   const QString title = tr("Save as instrument record");
   const std::string bytes = writeInstrumentRecord(record);
   if (const auto readable = readInstrumentRecord(bytes); !readable) {

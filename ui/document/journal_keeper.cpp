@@ -1,18 +1,11 @@
 #include "ui/document/journal_keeper.h"
 
-#include <QDateTime>
 #include <algorithm>
 #include <utility>
 
+#include "core/base/clock.h"
+
 namespace alidade::ui {
-
-namespace {
-
-std::string now() {
-  return QDateTime::currentDateTimeUtc().toString(Qt::ISODate).toStdString();
-}
-
-}  // namespace
 
 JournalKeeper::State JournalKeeper::stateOf(const Session& session, bool isNew) {
   State state{.filed = session.journal.size()};
@@ -69,7 +62,7 @@ std::vector<JournalEntry> JournalKeeper::asStanding(const Place& field, const st
 
 void JournalKeeper::enter(std::vector<JournalEntry> entries) {
   for (JournalEntry& entry : entries) {
-    if (entry.at.empty()) entry.at = now();  // a redone entry keeps its original time
+    if (entry.at.empty()) entry.at = timeInUtc();  // a redone entry keeps its original time
     if (entry.by.empty()) entry.by = m_session.operatorName;
     enterInJournal(m_session.journal, std::move(entry));
   }

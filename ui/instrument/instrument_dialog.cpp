@@ -1,7 +1,6 @@
 #include "ui/instrument/instrument_dialog.h"
 
 #include <QComboBox>
-#include <QDate>
 #include <QDir>
 #include <QEvent>
 #include <QFileInfo>
@@ -11,6 +10,7 @@
 #include <QSplitter>
 #include <QVBoxLayout>
 
+#include "core/base/clock.h"
 #include "core/series/instrument_check/check_record.h"
 #include "core/series/instrument_check/check_statement.h"
 #include "core/series/instrument_check/instrument_json.h"
@@ -186,8 +186,7 @@ bool InstrumentDialog::exportPdf() {
 /// Dated by the readings, or today if no file states a date.
 bool InstrumentDialog::saveRecord() {
   CheckIdentity identity = m_answer->identity;
-  const std::string today = QDate::currentDate().toString(Qt::ISODate).toStdString();
-  if (identity.measuredOn.empty()) identity.measuredOn = today;
+  if (identity.measuredOn.empty()) identity.measuredOn = localDay();
   if (const auto dated = identityOf(identity, {}); !dated) {
     m_dialogs.showProblem(tr("Save instrument record"), visibleLine(dated.problem().text()));
     return false;

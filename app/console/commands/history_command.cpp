@@ -7,11 +7,11 @@
 #include <optional>
 
 #include "app/console/channels.h"
-#include "app/console/clock.h"
 #include "app/console/commands/batch_options.h"
 #include "app/console/commands/option_checks.h"
 #include "app/console/history_text.h"
 #include "app/console/session_files.h"
+#include "core/base/clock.h"
 #include "core/base/failure.h"
 #include "core/base/file_bytes.h"
 #include "core/base/threads.h"

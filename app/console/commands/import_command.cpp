@@ -7,11 +7,11 @@
 #include <utility>
 
 #include "app/console/channels.h"
-#include "app/console/clock.h"
 #include "app/console/commands/option_checks.h"
 #include "app/console/format_texts.h"
 #include "app/console/output_file.h"
 #include "app/console/session_input.h"
+#include "core/base/clock.h"
 #include "core/base/file_bytes.h"
 #include "core/base/file_target.h"
 #include "core/base/list_text.h"

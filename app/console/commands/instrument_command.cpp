@@ -4,11 +4,11 @@
 #include <filesystem>
 
 #include "app/console/channels.h"
-#include "app/console/clock.h"
 #include "app/console/commands/option_checks.h"
 #include "app/console/format_texts.h"
 #include "app/console/instrument_text.h"
 #include "app/console/output_file.h"
+#include "core/base/clock.h"
 #include "core/base/file_bytes.h"
 #include "core/base/visible_text.h"
 #include "core/series/instrument_check/check_files.h"

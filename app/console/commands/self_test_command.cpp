@@ -3,8 +3,8 @@
 #include <CLI/CLI.hpp>
 
 #include "app/console/channels.h"
-#include "app/console/clock.h"
 #include "app/console/self_test_text.h"
+#include "core/base/clock.h"
 #include "core/base/file_bytes.h"
 #include "core/base/version.h"
 #include "core/self_test/self_test.h"

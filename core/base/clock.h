@@ -2,7 +2,7 @@
 
 #include <string>
 
-namespace alidade::console {
+namespace alidade {
 
 /// The present time in UTC: `2026-03-14T14:09:26Z`.
 std::string timeInUtc();
@@ -10,4 +10,4 @@ std::string timeInUtc();
 /// The present local date: `2026-03-14`.
 std::string localDay();
 
-}  // namespace alidade::console
+}  // namespace alidade

@@ -1,9 +1,9 @@
-#include "app/console/clock.h"
+#include "core/base/clock.h"
 
 #include <array>
 #include <ctime>
 
-namespace alidade::console {
+namespace alidade {
 
 namespace {
 
@@ -25,4 +25,4 @@ std::string localDay() {
   return written("%Y-%m-%d", localtime_r);
 }
 
-}  // namespace alidade::console
+}  // namespace alidade
