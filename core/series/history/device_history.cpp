@@ -35,36 +35,13 @@ QuantityHistory ofFit(const std::vector<Epoch>& epochs) {
   return {"intersection_of_fit", "mm", std::move(history)};
 }
 
-/// Collects quantities that only some sessions have, in the order of their first occurrence.
-class Found {
- public:
-  void add(const std::string& id, const std::string& unit, const DatedValue& value) {
-    if (!(value.u > 0) || !std::isfinite(value.u) || !std::isfinite(value.value)) return;
-    auto place = std::ranges::find(m_found, id, &Quantity::id);
-    if (place == m_found.end()) place = m_found.insert(place, {id, unit, {}});
-    place->values.push_back(value);
-  }
-
-  void moveTo(std::vector<QuantityHistory>& quantities, double coverage) {
-    for (Quantity& quantity : m_found)
-      quantities.push_back({quantity.id, quantity.unit, historyOf(std::move(quantity.values), 0, coverage)});
-  }
-
- private:
-  struct Quantity {
-    std::string id, unit;
-    std::vector<DatedValue> values;
-  };
-  std::vector<Quantity> m_found;
-};
-
 DeviceHistory historyOfDevice(std::vector<Epoch> epochs) {
   std::ranges::stable_sort(epochs, {}, &Epoch::day);
   DeviceHistory device{.name = epochs.front().device, .serial = epochs.front().deviceSerial};
   device.hasOneInstrument = allShare(epochs, haveOneInstrument);
   device.quantities.push_back({"intersection", "mm", intersectionHistory(epochs)});
   device.quantities.push_back(ofFit(epochs));
-  Found lengths, causes;
+  FoundQuantities lengths, causes;
   for (const Epoch& epoch : epochs) {
     for (std::size_t i = 0; i < epoch.lengths.size(); ++i)
       lengths.add(epoch.lengths[i].id, "mm",
@@ -120,16 +97,9 @@ History intersectionHistory(const std::vector<Epoch>& epochs) {
 }
 
 void setBaseline(DeviceHistory& device, std::size_t sessions) {
-  sessions = std::min(sessions, device.epochs.size());
-  const double last = sessions > 0 ? device.epochs[sessions - 1].day : 0;
-  for (QuantityHistory& quantity : device.quantities) {
-    const std::vector<DatedValue>& values = quantity.history.values;
-    const auto until =
-        std::ranges::count_if(values, [&](const DatedValue& value) { return value.day <= last; });
-    setBaseline(quantity.history, sessions == 0 || values.size() == device.epochs.size()
-                                      ? sessions
-                                      : static_cast<std::size_t>(until));
-  }
+  std::vector<double> days;
+  for (const Epoch& epoch : device.epochs) days.push_back(epoch.day);
+  setBaseline(device.quantities, sessions, days);
 }
 
 std::vector<std::pair<std::size_t, std::size_t>> pairsOf(std::size_t epochs) {

@@ -7,18 +7,9 @@
 
 #include "core/series/history/congruence.h"
 #include "core/series/history/epoch.h"
-#include "core/series/history/history.h"
+#include "core/series/history/quantity_history.h"
 
 namespace alidade {
-
-/// One quantity of a device over time.
-struct QuantityHistory {
-  /// "intersection" (measured), "intersection_of_fit", a length of `Epoch::lengths`, or "effect: parameter"
-  /// of a cause that was found.
-  std::string id;
-  std::string unit;
-  History history;
-};
 
 struct DeviceHistory {
   std::string name = {}, serial = {};

@@ -115,9 +115,12 @@ struct History {
 /// p below which χ² is significant.
 inline constexpr double leastChance = 0.05;
 
+/// The coverage where no session states one.
+inline constexpr double usualCoverage = 0.95;
+
 /// `values`: at least one, in any order, each with u > 0 and 0 < apart ≤ u. `shared`: the standard
 /// uncertainty common to all, which affects only the mean. `coverage`: in (0, 1).
-History historyOf(std::vector<DatedValue> values, double shared = 0, double coverage = 0.95);
+History historyOf(std::vector<DatedValue> values, double shared = 0, double coverage = usualCoverage);
 
 /// Watches the values after the first `baseline` ones; 0, or more than there are: all are the baseline.
 void setBaseline(History& history, std::size_t baseline);

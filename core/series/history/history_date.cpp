@@ -17,11 +17,11 @@ namespace {
 
 constexpr int earliestYear = 1500, latestYear = 2200;  // since the first theodolites, with a margin
 
-double dayOf(const std::chrono::year_month_day& date) {
-  using std::chrono::sys_days;
-  constexpr std::chrono::year_month_day origin{std::chrono::year(2000), std::chrono::January,
-                                               std::chrono::day(1)};
-  return static_cast<double>((sys_days(date) - sys_days(origin)).count());
+constexpr std::chrono::sys_days origin =
+    std::chrono::year_month_day(std::chrono::year(2000), std::chrono::January, std::chrono::day(1));
+
+double dayOf(std::chrono::sys_days date) {
+  return static_cast<double>((date - origin).count());
 }
 
 std::optional<double> dayOf(int year, int month, int day) {
@@ -128,10 +128,9 @@ std::string labelOf(const std::chrono::year_month_day& date, const DateStep& ste
 
 std::vector<DateTick> ticksOf(const DateStep& step, double from, double to, std::size_t most) {
   using namespace std::chrono;
-  constexpr sys_days origin = sys_days(year(2000) / January / 1);
   std::vector<DateTick> ticks;
   const auto add = [&](sys_days date) {
-    const auto day = static_cast<double>((date - origin).count());
+    const double day = dayOf(date);
     if (day >= from && day <= to) ticks.push_back({day, labelOf(date, step)});
     return day <= to && ticks.size() <= most;
   };

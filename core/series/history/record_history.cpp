@@ -18,40 +18,18 @@ double dayOf(const InstrumentRecord& record) {
   return date ? date->day : 0;
 }
 
-/// Values by constant, in the order of their first occurrence.
-class Constants {
- public:
-  void add(const KeptRecord& kept) {
-    for (const KnownSize& size : kept.record.known)
-      add(kept, size.parameter.empty() ? size.effect : size.effect + ": " + size.parameter, size.unit,
-          size.value.empty() ? "0" : size.value, size.sigma);
-    const LineOfSight& sight = kept.record.lineOfSight;
-    if (!sight.offsetMm.empty()) add(kept, "line_of_sight", "mm", sight.offsetMm, sight.sigmaMm);
-  }
-
-  std::vector<QuantityHistory> histories() {
-    std::vector<QuantityHistory> quantities;
-    for (Constant& constant : m_constants)
-      quantities.push_back({constant.id, constant.unit, historyOf(std::move(constant.values))});
-    return quantities;
-  }
-
- private:
-  struct Constant {
-    std::string id, unit;
-    std::vector<DatedValue> values;
-  };
-  std::vector<Constant> m_constants;
-
-  void add(const KeptRecord& kept, const std::string& id, const std::string& unit, const std::string& value,
-           const std::string& sigma) {
+void addConstants(FoundQuantities& constants, const InstrumentRecord& record) {
+  const auto add = [&](const std::string& id, const std::string& unit, const std::string& value,
+                       const std::string& sigma) {
     const Result<double> read = parseNumber(value), u = parseNumber(sigma);
-    if (!read || !u || !(*u > 0)) return;
-    auto place = std::ranges::find(m_constants, id, &Constant::id);
-    if (place == m_constants.end()) place = m_constants.insert(place, {id, unit, {}});
-    place->values.push_back({kept.record.date, dayOf(kept.record), *read, *u, *u, {}, 0, 0});
-  }
-};
+    if (read && u) constants.add(id, unit, {record.date, dayOf(record), *read, *u, *u, {}, 0, 0});
+  };
+  for (const KnownSize& size : record.known)
+    add(size.parameter.empty() ? size.effect : size.effect + ": " + size.parameter, size.unit,
+        size.value.empty() ? "0" : size.value, size.sigma);
+  const LineOfSight& sight = record.lineOfSight;
+  if (!sight.offsetMm.empty()) add("line_of_sight", "mm", sight.offsetMm, sight.sigmaMm);
+}
 
 }  // namespace
 
@@ -76,24 +54,17 @@ InstrumentHistories instrumentHistories(const std::vector<KeptRecord>& records) 
                              [](const KeptRecord& kept) { return dayOf(kept.record); });
     instrument.name = instrument.records.back().record.name;
     instrument.serial = instrument.records.back().record.serial;
-    Constants constants;
-    for (const KeptRecord& kept : instrument.records) constants.add(kept);
-    instrument.quantities = constants.histories();
+    FoundQuantities constants;
+    for (const KeptRecord& kept : instrument.records) addConstants(constants, kept.record);
+    constants.moveTo(instrument.quantities, usualCoverage);
   }
   return histories;
 }
 
 void setBaseline(InstrumentHistory& instrument, std::size_t records) {
-  records = std::min(records, instrument.records.size());
-  const double last = records > 0 ? dayOf(instrument.records[records - 1].record) : 0;
-  for (QuantityHistory& quantity : instrument.quantities) {
-    const std::vector<DatedValue>& values = quantity.history.values;
-    const auto until =
-        std::ranges::count_if(values, [&](const DatedValue& value) { return value.day <= last; });
-    setBaseline(quantity.history, records == 0 || values.size() == instrument.records.size()
-                                      ? records
-                                      : static_cast<std::size_t>(until));
-  }
+  std::vector<double> days;
+  for (const KeptRecord& kept : instrument.records) days.push_back(dayOf(kept.record));
+  setBaseline(instrument.quantities, records, days);
 }
 
 }  // namespace alidade

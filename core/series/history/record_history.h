@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/series/history/device_history.h"
+#include "core/series/history/quantity_history.h"
 #include "core/session/instrument_record.h"
 
 namespace alidade {
@@ -20,7 +20,7 @@ struct KeptRecord {
 struct InstrumentHistory {
   std::string name, serial;
   std::vector<KeptRecord> records;
-  std::vector<QuantityHistory> quantities;  ///< ids: an effect, "effect: parameter", or "line_of_sight"
+  std::vector<QuantityHistory> quantities;
 };
 
 /// Records by instrument (its serial number, else its name). Records with equal contents count once: `copies`
