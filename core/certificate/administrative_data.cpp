@@ -4,7 +4,6 @@
 #include <array>
 #include <string_view>
 
-#include "core/base/list_text.h"
 #include "core/base/phrase.h"
 #include "core/base/sha256.h"
 #include "core/base/visible_text.h"
@@ -185,9 +184,7 @@ void addStatements(const Element& to, const CertificateSource& source, const Sta
   addStatement(
       list, "not_stated", [] { return Phrase::of("Not stated"); },
       [&] {
-        std::vector<std::string> nouns;
-        for (const char* noun : stated.notStated) nouns.push_back(Phrase::of(noun));
-        std::string text = Phrase::of("The laboratory did not state: %1.", listed(nouns));
+        std::string text = Phrase::of("The laboratory did not state: %1.", listedNouns(stated));
         if (stated.country == noCountry) text = inTurn(text, Phrase::of("Country ZZ stands for none."));
         if (isNotStated(stated, placeNoun)) text = inTurn(text, Phrase::of("Place “other” stands for none."));
         return text;

@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "core/answers/fit_json.h"
-#include "core/base/list_text.h"
 #include "core/base/phrase.h"
 #include "core/certificate/administrative_data.h"
 #include "core/certificate/measurement_results.h"
@@ -28,13 +27,10 @@ Result<CalibrationCertificate> calibrationCertificate(const CertificateSource& s
                                                       const CertificateOptions& options) {
   const Result<StatedEntries> stated = statedEntries(source, options);
   if (!stated) return stated.problem();
-  if (!options.isDraft && !stated->notStated.empty()) {
-    std::vector<std::string> nouns;
-    for (const char* noun : stated->notStated) nouns.push_back(Phrase::of(noun));
+  if (!options.isDraft && !stated->notStated.empty())
     return Problem{
         Phrase::of("no certificate is made: ISO/IEC 17025 and the schema require what is not stated: %1",
-                   listed(nouns))};
-  }
+                   listedNouns(*stated))};
   std::vector<CertificateLanguage> languages = options.languages;
   if (languages.empty()) languages.push_back({"en"});
 

@@ -3,9 +3,17 @@
 #include <array>
 #include <string_view>
 
+#include "core/base/list_text.h"
+#include "core/base/phrase.h"
 #include "core/certificate/element.h"
 
 namespace alidade {
+
+std::string listedNouns(const StatedEntries& stated) {
+  std::vector<std::string> nouns;
+  for (const char* noun : stated.notStated) nouns.push_back(Phrase::of(noun));
+  return listed(nouns);
+}
 
 std::pair<std::string, std::string> nameAndAddress(const std::string& text) {
   constexpr std::array<std::string_view, 5> separators = {",", ";", "\n", "，", "；"};

@@ -22,6 +22,9 @@ struct StatedEntries {
   std::vector<const char*> notStated;  ///< nouns for `Phrase::of`, in the order of the schema
 };
 
+/// "report number, customer": the nouns in the language of the thread.
+std::string listedNouns(const StatedEntries& stated);
+
 /// Splits a name from an address after its first comma, semicolon or line end, if both were typed into one
 /// entry.
 std::pair<std::string, std::string> nameAndAddress(const std::string& text);

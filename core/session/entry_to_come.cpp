@@ -112,10 +112,8 @@ std::optional<EntryToCome> entryToCome(const Session& session, std::size_t here,
 
 std::optional<EntryToCome> entryToComeOf(const Session& session, std::size_t here,
                                          std::optional<std::size_t> chosen) {
-  const auto protocol = protocolOf(session);
-  if (!protocol || !*protocol) return entryToCome(session, here);
-  const ProtocolProgress progress = progressOf(session, **protocol, chosen);
-  return entryToCome(session, here, &progress);
+  const auto progress = progressIn(session, chosen);
+  return entryToCome(session, here, progress ? &*progress : nullptr);
 }
 
 std::optional<EntryToCome> entryToLeadTo(const Session& session, std::size_t here,
@@ -133,10 +131,8 @@ std::optional<EntryToCome> entryToLeadTo(const Session& session, std::size_t her
 
 std::optional<EntryToCome> entryToLeadTo(const Session& session, std::size_t here,
                                          std::optional<std::size_t> chosen) {
-  const auto protocol = protocolOf(session);
-  if (!protocol || !*protocol) return entryToLeadTo(session, here, nullptr);
-  const ProtocolProgress progress = progressOf(session, **protocol, chosen);
-  return entryToLeadTo(session, here, &progress);
+  const auto progress = progressIn(session, chosen);
+  return entryToLeadTo(session, here, progress ? &*progress : nullptr);
 }
 
 }  // namespace alidade

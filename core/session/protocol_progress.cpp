@@ -305,6 +305,12 @@ ProtocolProgress progressOf(const Session& session, const SightingProtocol& prot
   return Follower(session, protocol, chosen).follow();
 }
 
+std::optional<ProtocolProgress> progressIn(const Session& session, std::optional<std::size_t> chosen) {
+  const auto protocol = protocolOf(session);
+  if (!protocol || !*protocol) return std::nullopt;
+  return progressOf(session, **protocol, chosen);
+}
+
 std::optional<std::size_t> nextPlaceIn(const ProtocolProgress& progress, std::size_t position) {
   const auto isOpen = [&](std::size_t i) {
     const FollowedSighting& followed = progress.sightings[i];
@@ -321,10 +327,8 @@ std::optional<std::size_t> nextPlaceIn(const ProtocolProgress& progress, std::si
 }
 
 std::optional<FollowedSighting> nextSighting(const Session& session) {
-  const auto protocol = protocolOf(session);
-  if (!protocol || !*protocol) return std::nullopt;
-  const ProtocolProgress progress = progressOf(session, **protocol);
-  return progress.next ? std::optional(progress.sightings[*progress.next]) : std::nullopt;
+  const auto progress = progressIn(session);
+  return progress && progress->next ? std::optional(progress->sightings[*progress->next]) : std::nullopt;
 }
 
 Reading rowFor(const PlannedSighting& planned) {

@@ -71,6 +71,9 @@ struct ProtocolProgress {
 ProtocolProgress progressOf(const Session& session, const SightingProtocol& protocol,
                             std::optional<std::size_t> chosen = {});
 
+/// The progress in the session's own protocol; absent without one, or with an invalid one.
+std::optional<ProtocolProgress> progressIn(const Session& session, std::optional<std::size_t> chosen = {});
+
 /// The place of one position to sight next; absent if none remains there.
 std::optional<std::size_t> nextPlaceIn(const ProtocolProgress& progress, std::size_t position);
 

@@ -540,6 +540,7 @@ const SessionField* sessionFieldNamed(std::string_view key) {
 }
 
 bool isSameMeasurement(const Session& a, const Session& b) {
+  if (a.positions != b.positions) return false;  // before the copy, since most edits are of readings
   Session same = a;
   for (const SessionField& field : allSessionFields)
     if (!field.isOfMeasurement) field.at(same) = field.get(b);

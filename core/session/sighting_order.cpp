@@ -138,12 +138,10 @@ std::optional<Reading> asInPairs(const std::vector<Reading>& rows) {
 /// The next row in the session's protocol, while the position is incomplete.
 std::optional<Reading> asInTheProtocol(const Session& session, std::size_t position,
                                        std::optional<std::size_t> chosen) {
-  const auto protocol = protocolOf(session);
-  if (!protocol || !*protocol) return {};
-  const ProtocolProgress progress = progressOf(session, **protocol, chosen);
-  const auto next = nextPlaceIn(progress, position);
+  const auto progress = progressIn(session, chosen);
+  const auto next = progress ? nextPlaceIn(*progress, position) : std::nullopt;
   if (!next) return {};
-  Reading row = rowFor(progress.sightings[*next].planned);
+  Reading row = rowFor(progress->sightings[*next].planned);
   // Rounds and faces are written out if earlier rows have them written out.
   const std::vector<Reading>& rows = session.positions[position].readings;
   if (!rows.empty() && row.round.empty() && !rows.back().round.empty()) row.round = "1";

@@ -200,9 +200,14 @@ std::string progressSentences(const ProtocolProgress& progress) {
        PHRASE_LATER("Phrase", "%1 are excluded."));
   tell(progress.outOfTurn, PHRASE_LATER("Phrase", "One was taken out of turn."),
        PHRASE_LATER("Phrase", "%1 were taken out of turn."));
-  tell(progress.beside, PHRASE_LATER("Phrase", "One reading is none of the protocol."),
-       PHRASE_LATER("Phrase", "%1 readings are none of the protocol."));
+  if (progress.beside > 0) sentences.push_back(besideSentence(progress));
   return joined(sentences);
+}
+
+std::string besideSentence(const ProtocolProgress& progress) {
+  if (progress.beside == 0) return "";
+  return progress.beside == 1 ? Phrase::of("One reading is none of the protocol.")
+                              : Phrase::of("%1 readings are none of the protocol.", progress.beside);
 }
 
 std::string repeatSentence(const Repeat& repeat, const ProtocolProgress& progress) {

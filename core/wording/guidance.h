@@ -23,6 +23,9 @@ std::string stateName(SightingState state);
 /// "23 of 72 sightings are there.", and sightings out of order.
 std::string progressSentences(const ProtocolProgress& progress);
 
+/// "2 readings are none of the protocol."; empty without any.
+std::string besideSentence(const ProtocolProgress& progress);
+
 /// Which sightings to repeat, and why.
 std::string repeatSentence(const Repeat& repeat, const ProtocolProgress& progress);
 

@@ -105,10 +105,7 @@ std::string deviationSentences(const ProtocolProgress& progress) {
                       [](const FollowedSighting& followed) { return followed.isRepeated; }),
         sightingsText(progress, PHRASE_LATER("Phrase", "Excluded: %1."), is(SightingState::Excluded))})
     sentences = inTurn(sentences, sentence);
-  if (progress.beside == 0) return sentences;
-  return inTurn(sentences, progress.beside == 1
-                               ? Phrase::of("One reading is none of the protocol.")
-                               : Phrase::of("%1 readings are none of the protocol.", progress.beside));
+  return inTurn(sentences, besideSentence(progress));
 }
 
 }  // namespace alidade
