@@ -1,7 +1,6 @@
 #include "ui/instrument/check_report.h"
 
 #include <QPagedPaintDevice>
-#include <QPainter>
 
 #include "core/base/version.h"
 #include "core/series/instrument_check/check_statement.h"
@@ -84,16 +83,15 @@ std::optional<std::string> checkPdf(const CheckedInstrument& answer, const Repor
   QStringList files;
   for (const std::string& source : answer.sources) files.append(visibleLine(source));
   const auto painted = paintedPdf(paper, [&](QPagedPaintDevice& pages) {
-    ReportSheet sheet(pages,
-                      {.product = Report::tr("Alidade %1 · Instrument check").arg(qText(versionAndBuild())),
-                       .session = name,
-                       .fileName = Report::list(files),
-                       .fingerprint = {},
-                       .date = date.toString(QStringLiteral("yyyy-MM-dd HH:mm"))},
-                      paper.margins);
-    layOut(sheet, std::make_shared<const CheckedInstrument>(answer));
-    QPainter painter;
-    return painter.begin(&pages) && sheet.paint(painter) && painter.end();
+    return paintSheets(pages,
+                       {.product = Report::tr("Alidade %1 · Instrument check").arg(qText(versionAndBuild())),
+                        .session = name,
+                        .fileName = Report::list(files),
+                        .fingerprint = {},
+                        .date = date.toString(QStringLiteral("yyyy-MM-dd HH:mm"))},
+                       paper.margins, [&](ReportSheet& sheet) {
+                         layOut(sheet, std::make_shared<const CheckedInstrument>(answer));
+                       });
   });
   if (!painted) return std::nullopt;
   return archivedPdf(

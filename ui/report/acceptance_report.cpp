@@ -159,13 +159,11 @@ ReportOptions withGap(ReportOptions options, const Evaluation& evaluation) {
 
 bool paintPages(QPagedPaintDevice& device, const Evaluation& evaluation, const ReportSource& source,
                 const ReportOptions& options) {
-  ReportSheet sheet(device, frameFor(evaluation, source, options), options.paper.margins);
-  sheet.setWatch(options.goesOn);
-  layOut(sheet, *options.gap, options);
-  QPainter painter;
-  if (!painter.begin(&device)) return false;
-  const bool isWhole = sheet.paint(painter);
-  return painter.end() && isWhole;
+  return paintSheets(device, frameFor(evaluation, source, options), options.paper.margins,
+                     [&](ReportSheet& sheet) {
+                       sheet.setWatch(options.goesOn);
+                       layOut(sheet, *options.gap, options);
+                     });
 }
 
 /// `name`: the output named in an error.

@@ -1,7 +1,6 @@
 #include "ui/report/device_history_report.h"
 
 #include <QPagedPaintDevice>
-#include <QPainter>
 
 #include "core/base/atomic_file.h"
 #include "core/base/version.h"
@@ -12,6 +11,7 @@
 #include "ui/document/encoded_path.h"
 #include "ui/report/painted_pdf.h"
 #include "ui/report/pdf_archive.h"
+#include "ui/report/report_parts.h"
 #include "ui/report/report_sheet.h"
 #include "ui/report/report_statement.h"
 #include "ui/report/report_text.h"
@@ -22,18 +22,11 @@ namespace alidade::ui {
 namespace {
 
 void addHistoryChart(ReportSheet& sheet, const QuantityHistory& quantity) {
-  constexpr double height = 92, unitsPerMillimetre = 96 / 25.4;
+  constexpr double height = 92;  // mm
   sheet.keepTogether(height + 12);
-  const QRectF area(0, sheet.y(), ReportSheet::width, height);
   const auto plot = std::make_shared<HistoryPlot>();
-  plot->setStyle(printStyle(reportFontFamily()));
   plot->setHistory(quantity.history, qText(quantityName(quantity.id)), quantity.unit);
-  plot->arrange(area.size() * unitsPerMillimetre);
-  sheet.draw([plot, target = sheet.inDeviceUnits(area)](QPainter& painter) {
-    painter.setRenderHint(QPainter::Antialiasing);
-    plot->scene()->render(&painter, target, plot->scene()->sceneRect());
-  });
-  sheet.skip(height + 1.5);
+  addPlot(sheet, plot, height);
   sheet.paragraph(
       Report::tr(
           "Control chart. Bars: ± U, as in the table. Broken lines: centre line ± three standard "
@@ -81,17 +74,14 @@ Result<QString> writeDeviceHistory(const DeviceHistory& device, const QString& o
                                    const QStringList& inputs, const ReportPaper& paper,
                                    const QDateTime& date) {
   const auto painted = paintedPdf(paper, [&](QPagedPaintDevice& pages) {
-    ReportSheet sheet(
+    return paintSheets(
         pages,
         {.product = Report::tr("Alidade %1 · Device history").arg(qText(versionAndBuild())),
          .session = qText(deviceName(device)),
          .fileName = Report::tr("Sessions: %1, %2").arg(device.epochs.size()).arg(spanText(device)),
          .fingerprint = {},
          .date = date.toString(QStringLiteral("yyyy-MM-dd HH:mm"))},
-        paper.margins);
-    layOut(sheet, device);
-    QPainter painter;
-    return painter.begin(&pages) && sheet.paint(painter) && painter.end();
+        paper.margins, [&](ReportSheet& sheet) { layOut(sheet, device); });
   });
   if (!painted)
     return Problem{Report::tr("%1 cannot be written: painting failed").arg(outPath).toStdString()};

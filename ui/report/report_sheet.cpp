@@ -219,4 +219,14 @@ void ReportSheet::paintFrame(QPainter& painter, int page) {
     paintLine(painter, Report::tr("End of the report"), type::small, 0, first + step, width, Qt::AlignRight);
 }
 
+bool paintSheets(QPagedPaintDevice& device, const ReportFrame& frame, const QMarginsF& margins,
+                 const std::function<void(ReportSheet&)>& layOut) {
+  ReportSheet sheet(device, frame, margins);
+  layOut(sheet);
+  QPainter painter;
+  if (!painter.begin(&device)) return false;
+  const bool isWhole = sheet.paint(painter);
+  return painter.end() && isWhole;
+}
+
 }  // namespace alidade::ui

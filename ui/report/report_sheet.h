@@ -26,6 +26,13 @@ struct ReportFrame {
   QString date;         ///< foot, right, before the page number
 };
 
+class ReportSheet;
+
+/// Lays out a document and paints it on the device, with this head and foot on every page; false if painting
+/// failed or was stopped.
+bool paintSheets(QPagedPaintDevice& device, const ReportFrame& frame, const QMarginsF& margins,
+                 const std::function<void(ReportSheet&)>& layOut);
+
 /// A report laid out from top to bottom, page after page, and painted at the end, when the number of pages is
 /// known. Lengths in mm; the origin is the top left corner of the text area. The text area has a fixed width:
 /// narrower paper prints everything smaller, wider paper centres it.

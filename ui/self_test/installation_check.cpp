@@ -1,7 +1,6 @@
 #include "ui/self_test/installation_check.h"
 
 #include <QPagedPaintDevice>
-#include <QPainter>
 
 #include "core/base/atomic_file.h"
 #include "core/base/version.h"
@@ -36,16 +35,13 @@ void layOut(ReportSheet& sheet, const InstallationCheck& check) {
 }
 
 bool paintOn(QPagedPaintDevice& device, const InstallationCheck& check, const ReportPaper& paper) {
-  ReportSheet sheet(device,
-                    {.product = Report::tr("%1 · Check of this installation").arg(check.product()),
-                     .session = {},
-                     .fileName = QString(),
-                     .fingerprint = {},
-                     .date = check.at.toString(QStringLiteral("yyyy-MM-dd HH:mm"))},
-                    paper.margins);
-  layOut(sheet, check);
-  QPainter painter;
-  return painter.begin(&device) && sheet.paint(painter) && painter.end();
+  return paintSheets(device,
+                     {.product = Report::tr("%1 · Check of this installation").arg(check.product()),
+                      .session = {},
+                      .fileName = QString(),
+                      .fingerprint = {},
+                      .date = check.at.toString(QStringLiteral("yyyy-MM-dd HH:mm"))},
+                     paper.margins, [&](ReportSheet& sheet) { layOut(sheet, check); });
 }
 
 }  // namespace
