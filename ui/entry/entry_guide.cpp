@@ -77,18 +77,16 @@ void EntryGuide::goToMissingOf(std::size_t position, const std::string& zero) {
 /// back to a missing zero before them.
 void EntryGuide::goOn() {
   const Session& session = m_document.session();
-  const auto protocol = protocolOf(session);
-  if (!protocol || !*protocol) return;
-  const ProtocolProgress progress = progressOf(session, **protocol, m_document.chosenSighting());
+  const auto progress = progressIn(session, m_document.chosenSighting());
   const auto here = static_cast<std::size_t>(std::max(0, m_positions.currentIndex()));
-  if (!progress.next || !progress.sightings[*progress.next].position) return;
-  const FollowedSighting& next = progress.sightings[*progress.next];
+  if (!progress || !progress->next || !progress->sightings[*progress->next].position) return;
+  const FollowedSighting& next = progress->sightings[*progress->next];
   const bool isZero = next.planned.isZero;
   const bool isBefore =
       isZero && !next.planned.isAfter && !session.positions[*next.position].readings.empty();
-  if (isBefore && nextPlaceIn(progress, here)) return;
+  if (isBefore && nextPlaceIn(*progress, here)) return;
   if (isZero || next.position != here)
-    if (const auto entry = entryToCome(session, here, &progress)) goTo(*entry);
+    if (const auto entry = entryToCome(session, here, &*progress)) goTo(*entry);
 }
 
 /// Moves to the pointing zero of the position first, if that is missing.

@@ -6,6 +6,7 @@
 
 #include "core/evaluation/guide.h"
 #include "core/session/session_fields.h"
+#include "ui/document/journal_entries.h"
 #include "ui/document/session_document.h"
 
 namespace alidade::ui {
@@ -14,9 +15,8 @@ namespace {
 
 /// Does the change enter no result?
 bool isRemark(const SessionChange& change) {
-  if (change.kind != SessionChange::Kind::Field) return false;
-  const SessionField* field = sessionFieldNamed(change.place.field);
-  return field ? !field->isOfMeasurement : change.place.field == "journal";
+  return change.kind == SessionChange::Kind::Field &&
+         (change.place.field == "journal" || !isOfMeasurement(change.place));
 }
 
 }  // namespace

@@ -42,8 +42,9 @@ ChangeReasonBar::ChangeReasonBar(SessionDocument& document, QWidget* parent)
   layout->addWidget(m_reason, 1);
   hide();
   connect(&document, &SessionDocument::recorded, this, &ChangeReasonBar::ask);
-  connect(&document, &SessionDocument::changed, this, [this] {
-    if (m_reason->text().isEmpty()) end();
+  connect(&document, &SessionDocument::changed, this, [this](const SessionChange& change) {
+    const bool isAnother = change.kind == SessionChange::Kind::Everything;
+    if (isAnother || m_reason->text().isEmpty()) end();
   });
 }
 

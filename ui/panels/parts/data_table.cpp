@@ -77,6 +77,12 @@ DataTable::DataTable(std::vector<DataColumn> columns, QWidget* parent)
 
 void DataTable::setRows(int rows) {
   m_model.setRows(rows);
+  if (isVisible()) fitAgain();
+}
+
+/// Fits what came while another page was in front.
+void DataTable::showEvent(QShowEvent* event) {
+  QTableView::showEvent(event);
   fitAgain();
 }
 

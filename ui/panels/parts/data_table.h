@@ -57,6 +57,7 @@ class DataTable : public QTableView {
   /// cells show. Called again for another font or width, until the user sets a width.
   virtual void fitCells();
   void resizeEvent(QResizeEvent* event) override;
+  void showEvent(QShowEvent* event) override;
   void paintEvent(QPaintEvent* event) override;
   void keyPressEvent(QKeyEvent* event) override;
   bool viewportEvent(QEvent* event) override;

@@ -88,6 +88,16 @@ TEST_F(ChangeReasonBarTest, EscapeAndTheNextEditSkipIt) {
   EXPECT_TRUE(bar->isHidden()) << "an exclusion has a reason of its own";
 }
 
+TEST_F(ChangeReasonBarTest, ForgetsItsQuestionWithTheSession) {
+  correct(4, "338 36 37");
+  bar->start();
+  QTest::keyClicks(line, QStringLiteral("half"));
+  open->document().startNew();
+  EXPECT_TRUE(bar->isHidden());
+  bar->finish();
+  EXPECT_TRUE(open->document().session().journal.empty()) << "it has no such entry";
+}
+
 TEST_F(ChangeReasonBarTest, AsksOfEveryFieldOnceTheSessionIsSealed) {
   changeField(open->document(), {.field = "title"}, "before");
   EXPECT_TRUE(bar->isHidden());
