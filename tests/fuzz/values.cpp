@@ -15,7 +15,7 @@ namespace alidade::fuzz {
 
 namespace {
 
-const std::string name = "fuzzed";
+const std::string fuzzedFile = "fuzzed";
 
 void requireAnswer(const std::string& text, const std::string& json) {
   require(!text.empty() && !firstIllFormedByte(text), "an answer that is no text");
@@ -42,11 +42,11 @@ void overTime(std::string_view bytes) {
   }
   constexpr double rounding = 1e-9;
   require(history.courses.empty() || std::abs(sum - 1) < rounding, "accounts that are not all there are");
-  requireAnswer(console::historyText(name, *table, history), historyJson(name, *table, history));
+  requireAnswer(console::historyText(fuzzedFile, *table, history), historyJson(fuzzedFile, *table, history));
 }
 
 void fieldCheck(std::string_view bytes, const CheckFileOptions& options) {
-  const auto readings = readCheckFiles({{name, bytes}}, options);
+  const auto readings = readCheckFiles({{fuzzedFile, bytes}}, options);
   if (!readings) return require(!readings.problem().what.empty(), "a check refused without words");
   const InstrumentCheck check =
       checkInstrument(completeRounds(*readings), {.sigmaDirection = 1, .sigmaVertical = 1});
@@ -54,7 +54,7 @@ void fieldCheck(std::string_view bytes, const CheckFileOptions& options) {
     if (test) requireChance(test->pValue, "a test beyond 1");
   const std::vector<Finding> findings = checkFindings(check);
   for (const Finding& finding : findings) require(!finding.text.empty(), "a finding without words");
-  requireAnswer(console::instrumentText(name, readings->identity, check, findings),
+  requireAnswer(console::instrumentText(fuzzedFile, readings->identity, check, findings),
                 instrumentJson(readings->identity, check, findings, readings->remarks));
   require(!firstIllFormedByte(instrumentCsv(readings->identity, check)), "a table that is no text");
 }

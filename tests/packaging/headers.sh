@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# headers.sh TREE COMPILER EIGEN headers|sources|sixth: core headers without a source file compile by themselves, or
-# sources of the core and the console do, which the build compiles room by room: all, or a sixth, another one at the
+# headers.sh TREE COMPILER EIGEN headers|sources|sample: core headers without a source file compile by themselves, or
+# sources of the core and the console do, which the build compiles room by room: all, or a twelfth, another one at the
 # next commit. A source includes its header first (includes.sh).
 set -euo pipefail
 # shellcheck source=tests/packaging/lib.sh
@@ -9,10 +9,10 @@ compiler=${2:?the compiler}
 eigen=${3:?the folder of Eigen}
 
 files() {
-  case ${1:?headers, sources or sixth} in
+  case ${1:?headers, sources or sample} in
     headers) sources core -- '*.h' | while read -r header; do [[ -e ${header%.h}.cpp ]] || printf '%s\n' "$header"; done ;;
     sources) sources core app/console -- '*.cpp' ;;
-    sixth) files sources | awk -v commits="$(git rev-list --count HEAD 2>/dev/null)" '(NR + commits) % 6 == 0' ;;
+    sample) files sources | awk -v commits="$(git rev-list --count HEAD 2>/dev/null)" '(NR + commits) % 12 == 0' ;;
   esac
 }
 
