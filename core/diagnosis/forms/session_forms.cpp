@@ -61,6 +61,7 @@ class SessionForms {
     if (result.forms.empty()) return {};
     addShrinkage(result, divided(m_plain), divided(m_full), heldOut(result.families), m_readings,
                  m_system.variance(), m_stop);
+    if (!predict(result.forms.front().shrink)) return {};
     addTraces(result, m_system.left(), m_full, *m_fullModel.measurement, m_readings);
     return result;
   }
@@ -162,6 +163,13 @@ class SessionForms {
       if ((trace - columns * weights).norm() < alike)
         found.indistinguishableFrom.push_back({first.form, std::string(component.id())});
     }
+  }
+
+  /// Forms must tell something of readings that took no part: a walk or wave of many numbers may take up
+  /// those at hand without.
+  static bool predict(const FormShrinkage& shrink) {
+    constexpr double significant = 0.05;
+    return !(shrink.heldOut <= 0) || shrink.p < significant;
   }
 
   DividedModel divided(const Leftover& leftover) const {

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <optional>
 
+#include "core/adjustment/gross_errors/gross_error_search.h"
 #include "core/adjustment/joint/sighted_zeros.h"
 #include "core/adjustment/result/intersection.h"
 #include "core/diagnosis/candidates/effect_components.h"
@@ -220,6 +221,29 @@ std::vector<LargeGrossError> largeGrossErrorsOf(const Inquiry& inquiry) {
   return found;
 }
 
+/// Returns the one or two readings without which the others agree a hundred times better. Errors of many
+/// degrees leave no fit at which equations are linear; a search from a majority of rows finds them. Starts
+/// the model from the circles of the others, and without the circle that alone would have to place such a
+/// sighting.
+std::vector<LargeGrossError> farOff(GapModel& own, const std::stop_token& stop) {
+  constexpr double better = 100;
+  constexpr std::size_t most = 2;
+  const Measurement& measurement = *own.measurement;
+  const double noise = noiseScale(*own.fit).factor;
+  if (!(noise > better)) return {};
+  const GrossErrorSearch search =
+      searchGrossErrors(measurement, {.fit = own.options, .known = own.fit.get()}, stop);
+  if (search.grossErrors.size() > most || search.degreesOfFreedom < 1 || search.noiseFactor > noise / better)
+    return {};
+  for (std::size_t i = 0; i < own.starts.size(); ++i) own.starts[i] = search.fit.circleOf(i);
+  std::vector<LargeGrossError> found;
+  for (const GrossError& error : search.grossErrors) {
+    found.push_back({error.cell, error.size.radians() / statedSigma(measurement, error.cell.kind).radians()});
+    own.options.without.insert(own.options.without.end(), error.rivals.begin(), error.rivals.end());
+  }
+  return found;
+}
+
 }  // namespace
 
 double Inquiry::chanceOf(const std::function<bool(const Explanation&)>& isMeant) const {
@@ -241,10 +265,12 @@ Inquiry inquire(GapModel model, const DiagnosisOptions& options, const std::stop
   Inquiry inquiry = inquireOnce(std::move(model), options, stop);
   std::shared_ptr<const Inquiry> first;
   for (int round = 0; round < mostRounds; ++round) {
-    const std::vector<LargeGrossError> found = largeGrossErrorsOf(inquiry);
+    GapModel next = inquiry.own;
+    std::vector<LargeGrossError> found;
+    if (round == 0) found = farOff(next, stop);
+    if (found.empty()) found = largeGrossErrorsOf(inquiry);
     if (found.empty() || stop.stop_requested()) break;
     std::vector<LargeGrossError> all = inquiry.largeGrossErrors;
-    GapModel next = inquiry.own;
     for (const LargeGrossError& far : found) {
       all.push_back(far);
       next.options.without.push_back(far.reading);
