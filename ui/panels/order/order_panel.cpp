@@ -16,6 +16,7 @@
 #include "core/evaluation/guide.h"
 #include "core/guidance/advised_protocol.h"
 #include "core/session/entry.h"
+#include "core/simulation/protocol.h"
 #include "core/statement/sighting_choice.h"
 #include "core/wording/guidance.h"
 #include "core/wording/measure.h"
@@ -57,6 +58,13 @@ const Advice* adviceOf(const SharedGap& gap) {
   for (const Advice& advice : gap->found()->advice)
     if (std::all_of(advice.measures.begin(), advice.measures.end(), isForProtocol)) return &advice;
   return nullptr;
+}
+
+/// The name that its author gave it, or what is sighted.
+QString nameOf(const SightingProtocol& protocol) {
+  constexpr int longest = 48;
+  const bool isOurs = protocol.name.empty() || protocolByName(protocol.name);
+  return isOurs ? qText(protocolInWords(protocol)) : shortLine(protocol.name, longest);
 }
 
 }  // namespace
@@ -244,9 +252,7 @@ void OrderPanel::showSummary() {
     m_progress->setFormat(guide->protocol.isByWorth
                               ? tr("%1 taken, at most %2").arg(guide->progress.taken).arg(count)
                               : tr("sighting %1 of %2").arg(number).arg(count));
-    m_choice->setText(guide->protocol.name.empty()
-                          ? tr("Protocol")
-                          : tr("Protocol %1").arg(shortLine(guide->protocol.name, 24)));
+    m_choice->setText(tr("Protocol: %1").arg(nameOf(guide->protocol)));
     m_choice->setToolTip(qText(protocolInWords(guide->protocol)));
   } else {
     m_choice->setText(tr("Protocol"));
