@@ -184,9 +184,8 @@ bool GeoComTalk::takeAngles(const GeoComAnswer& answer, TalkStep& step) {
       m_reading.tiltLengthArcsec = arcsecondsText(*length);
     }
     if (const Result<int> face = parseWhole(values[8]); face && *face + 1 != m_reading.face)
-      step.remarks.push_back(
-          Phrase::of("The instrument calls it face %1, its circle says face %2: the circle counts.",
-                     *face + 1, m_reading.face));
+      step.remarks.push_back(Phrase::of("The instrument calls it %1, its circle says %2: the circle counts.",
+                                        faceName(*face + 1), faceName(m_reading.face)));
   }
   if (answer.returnCode != geocom::done) step.remarks.push_back(geoComSentence(answer.returnCode));
   m_hasAngles = true;

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "core/base/angle.h"
+#include "core/base/list_text.h"
 #include "core/base/number_text.h"
 #include "core/base/phrase.h"
 #include "core/base/typed_text.h"
@@ -39,7 +40,7 @@ std::size_t indexOf(const RowField& field) {
 std::string LineProblem::text() const {
   const std::string told = column > 0 ? Phrase::of("line %1, column %2: %3", line, column, what)
                                       : Phrase::of("line %1: %2", line, what);
-  return file.empty() ? told : quotation(file) + ", " + told;
+  return file.empty() ? told : listed({quotation(file), told});
 }
 
 void RecordedSighting::enter(const RowField& field, std::string text, std::size_t column) {

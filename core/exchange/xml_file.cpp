@@ -10,6 +10,7 @@
 #include "core/base/typed_text.h"
 #include "core/base/visible_text.h"
 #include "core/exchange/words.h"
+#include "core/session/face.h"
 
 namespace alidade {
 
@@ -184,9 +185,9 @@ std::optional<std::string> enterCircles(const XmlCircles& circles, RecordedSight
   const bool isSecondFace = vertical > fullXmlCircle / 2;
   if (!circles.face.empty() && (circles.face == "2") != isSecondFace && vertical > 0)
     return Phrase::of(
-        "is of face %1, yet its vertical reading %2 is of the other face, so the readings were "
+        "is of %1, yet its vertical reading %2 is of the other face, so the readings were "
         "reduced: export the circles as they were read",
-        circles.face, quotation(circles.vertical));
+        faceName(circles.face == "2" ? 2 : 1), quotation(circles.vertical));
   sighting.row.face = circles.face;
   return std::nullopt;
 }

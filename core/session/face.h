@@ -1,5 +1,7 @@
 #pragma once
 
+#include <string>
+
 #include "core/base/angle.h"
 #include "core/session/measurement.h"
 
@@ -18,5 +20,8 @@ FaceOneReading inFaceOne(Angle horizontal, Angle vertical, int face, VerticalCir
 /// Was this vertical circle reading taken with the telescope turned through? Beyond 180° on a zenith circle,
 /// between 90° and 270° on an elevation circle.
 bool isFaceTwo(Angle vertical, VerticalCircle circle);
+
+/// "face 1", "face 2", in the language of the thread.
+std::string faceName(int face);
 
 }  // namespace alidade

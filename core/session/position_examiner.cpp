@@ -123,9 +123,9 @@ class PositionExaminer : private ProblemReporter {
         m_rowOfVisitFace.try_emplace({sighting.round, sighting.point, sighting.face}, *place.reading)
             .first->second;
     if (first == *place.reading) return;
-    report({Phrase::of("point %1, round %2, face %3 is already in row %4: give it another point or round, or "
+    report({Phrase::of("point %1, round %2, %3 is already in row %4: give it another point or round, or "
                        "exclude one",
-                       sighting.point, sighting.round, sighting.face, first + 1)},
+                       sighting.point, sighting.round, faceName(sighting.face), first + 1)},
            at(place, "point"));
   }
 

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/adjustment/result/axis_misfit.h"
+#include "core/base/list_text.h"
 #include "core/base/phrase.h"
 #include "core/base/quantity_text.h"
 #include "core/effects/catalogue.h"
@@ -151,7 +152,7 @@ Statement effectTable(const std::vector<EffectEstimate>& effects) {
     const int decimals = decimalsFor(estimate.sigma);
     const std::string effect = effectName(estimate.effect), unit = signOf(estimate.unit);
     statement.rows.push_back(
-        {{estimate.effect.ends_with(estimate.name) ? effect : effect + ", " + parameterName(estimate.name),
+        {{estimate.effect.ends_with(estimate.name) ? effect : listed({effect, parameterName(estimate.name)}),
           displayText(estimate.value, decimals) + unit, displayText(estimate.sigma, decimals) + unit}});
   }
   return statement;

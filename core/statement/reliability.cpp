@@ -9,6 +9,7 @@
 #include "core/base/list_text.h"
 #include "core/base/phrase.h"
 #include "core/base/quantity_text.h"
+#include "core/session/face.h"
 #include "core/wording/position_name.h"
 
 namespace alidade {
@@ -30,7 +31,7 @@ std::string nameOf(const Measurement& measurement, const SessionFit& fit, const 
   const Sighting& sighting = arc.sightings[adjusted.sighting];
   std::vector<std::string> parts{positionName(arc.axisDeg, arc.time), Phrase::of("point %1", sighting.point)};
   if (sighting.round != 1) parts.push_back(Phrase::of("round %1", sighting.round));
-  if (sighting.face != 1) parts.push_back(Phrase::of("face %1", sighting.face));
+  if (sighting.face != 1) parts.push_back(faceName(sighting.face));
   parts.push_back(inWords(adjusted.kind));
   return listed(parts);
 }

@@ -6,6 +6,7 @@
 #include "core/base/list_text.h"
 #include "core/base/phrase.h"
 #include "core/base/quantity_text.h"
+#include "core/session/face.h"
 
 namespace alidade {
 
@@ -14,7 +15,7 @@ namespace {
 /// "5", "5 in face 2".
 std::string placeText(const NextSighting& next) {
   const std::string point = std::to_string(next.point);
-  return next.face == 1 ? point : Phrase::of("%1 in face %2", point, next.face);
+  return next.face == 1 ? point : Phrase::of("%1 in %2", point, faceName(next.face));
 }
 
 std::string sentenceOf(const SightingsAhead& ahead, double uncertainty) {

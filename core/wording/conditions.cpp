@@ -6,6 +6,7 @@
 #include "core/base/phrase.h"
 #include "core/base/quantity_text.h"
 #include "core/effects/cause_ids.h"
+#include "core/session/face.h"
 #include "core/wording/closures.h"
 #include "core/wording/effect_name.h"
 #include "core/wording/position_name.h"
@@ -18,7 +19,7 @@ namespace {
 std::string rowText(const Dependence& row) {
   const std::string position = positionName(row.axisDeg, row.time);
   if (row.round == 1 && row.face == 1) return Phrase::of("%1 point %2", position, row.point);
-  return Phrase::of("%1 point %2 (round %3, face %4)", position, row.point, row.round, row.face);
+  return Phrase::of("%1 point %2 (round %3, %4)", position, row.point, row.round, faceName(row.face));
 }
 
 std::string verdictText(Verdict verdict) {

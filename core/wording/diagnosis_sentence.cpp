@@ -7,6 +7,7 @@
 #include "core/base/phrase.h"
 #include "core/base/quantity_text.h"
 #include "core/effects/cause_ids.h"
+#include "core/session/face.h"
 #include "core/wording/effect_name.h"
 #include "core/wording/known_checks.h"
 #include "core/wording/position_name.h"
@@ -122,7 +123,7 @@ std::string readingName(const ReadingDeviation& reading) {
   std::vector<std::string> where{positionName(reading.axisDeg, reading.time),
                                  Phrase::of("point %1", reading.point), inWords(reading.kind)};
   if (reading.round != 1) where.push_back(Phrase::of("round %1", reading.round));
-  if (reading.face != 1) where.push_back(Phrase::of("face %1", reading.face));
+  if (reading.face != 1) where.push_back(faceName(reading.face));
   return listed(where);
 }
 

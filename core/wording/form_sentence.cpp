@@ -138,7 +138,7 @@ std::string textOf(const FoundForm& found) {
 }
 
 std::string kindText(const Form& form) {
-  std::string text = carrierText(form) + ", " + functionTexts(form).front();
+  std::string text = listed({carrierText(form), functionTexts(form).front()});
   return form.turnsWithFace && form.of != FormArgument::VerticalCircle
              ? Phrase::of("%1 with the other sign in face 2", text)
              : text;

@@ -8,6 +8,7 @@
 #include "core/base/phrase.h"
 #include "core/base/quantity_text.h"
 #include "core/observation/reading_ref.h"
+#include "core/session/face.h"
 #include "core/wording/attainable.h"
 #include "core/wording/position_name.h"
 
@@ -164,7 +165,7 @@ std::string sightingName(const PlannedSighting& planned) {
   }
   std::vector<std::string> parts{Phrase::of("point %1", planned.point)};
   if (planned.round != 1) parts.push_back(Phrase::of("round %1", planned.round));
-  if (planned.face != 1) parts.push_back(Phrase::of("face %1", planned.face));
+  if (planned.face != 1) parts.push_back(faceName(planned.face));
   return listed(parts);
 }
 

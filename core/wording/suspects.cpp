@@ -8,6 +8,7 @@
 #include "core/base/phrase.h"
 #include "core/base/quantity_text.h"
 #include "core/base/visible_text.h"
+#include "core/session/face.h"
 #include "core/wording/position_name.h"
 
 namespace alidade {
@@ -42,7 +43,7 @@ std::string nameOf(const Suspect& suspect) {
   std::vector<std::string> parts{positionName(suspect.axisDeg, suspect.time),
                                  Phrase::of("point %1", suspect.point)};
   if (suspect.round != 1) parts.push_back(Phrase::of("round %1", suspect.round));
-  if (suspect.face != 1) parts.push_back(Phrase::of("face %1", suspect.face));
+  if (suspect.face != 1) parts.push_back(faceName(suspect.face));
   parts.push_back(fieldName(suspect.where.field));
   return listed(parts);
 }

@@ -1353,14 +1353,6 @@ Sealed by:</source>
         <translation>测点 %1</translation>
     </message>
     <message>
-        <source>, round %1</source>
-        <translation>、测回 %1</translation>
-    </message>
-    <message>
-        <source>, face %1</source>
-        <translation>、盘位 %1</translation>
-    </message>
-    <message>
         <source>Next: %1</source>
         <translation>下一读数：%1</translation>
     </message>
@@ -1375,6 +1367,14 @@ Sealed by:</source>
     <message>
         <source>All is read that was to be</source>
         <translation>应读的都已读完</translation>
+    </message>
+    <message>
+        <source>round %1</source>
+        <translation>测回 %1</translation>
+    </message>
+    <message>
+        <source>face %1</source>
+        <translation>盘位 %1</translation>
     </message>
 </context>
 <context>
@@ -2631,10 +2631,6 @@ Sealed by:</source>
     <message>
         <source>is empty, as is the whole row: type its readings or delete the row</source>
         <translation>为空，整行也为空：请输入其读数或删除该行</translation>
-    </message>
-    <message>
-        <source>point %1, round %2, face %3 is already in row %4: give it another point or round, or exclude one</source>
-        <translation>测点 %1、测回 %2、盘位 %3 已在第 %4 行：请给它另一个测点或测回，或排除其一</translation>
     </message>
     <message>
         <source>%1 lies %2° from the pointing zero, beyond the edge of the arc plane: check the degrees and the face</source>
@@ -4282,10 +4278,6 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
         <translation>一个应答在途中受损，将再次询问：%1</translation>
     </message>
     <message>
-        <source>The instrument calls it face %1, its circle says face %2: the circle counts.</source>
-        <translation>仪器称为盘位 %1，其度盘为盘位 %2：以度盘为准。</translation>
-    </message>
-    <message>
         <source>The instrument did not answer %1 times.</source>
         <translation>仪器 %1 次没有应答。</translation>
     </message>
@@ -5328,10 +5320,6 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
         <translation>按文件的单位，%1 不是度盘读数：请重新导出文件，或删除该观测</translation>
     </message>
     <message>
-        <source>is of face %1, yet its vertical reading %2 is of the other face, so the readings were reduced: export the circles as they were read</source>
-        <translation>标明为盘位 %1，但其竖直度盘读数 %2 属于另一盘位，可见读数已经过归算：请按原始读数导出度盘读数</translation>
-    </message>
-    <message>
         <source>holds no readings of a circle: choose another file</source>
         <translation>不含度盘读数：请选择其他文件</translation>
     </message>
@@ -5588,10 +5576,6 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
     <message>
         <source>%1 point %2</source>
         <translation>%1 测点 %2</translation>
-    </message>
-    <message>
-        <source>%1 point %2 (round %3, face %4)</source>
-        <translation>%1 测点 %2（测回 %3、盘位 %4）</translation>
     </message>
     <message>
         <source>accepted</source>
@@ -7441,10 +7425,6 @@ Includes every catalogued effect, limited by these readings or by its plausible 
         <translation>%1 min 不是一次照准各步骤的时间：应为 0 至 1000</translation>
     </message>
     <message>
-        <source>%1 in face %2</source>
-        <translation>%1（盘位 %2）</translation>
-    </message>
-    <message>
         <source>U of Δd, whatever effect is there, is below %1 mm already.</source>
         <translation>无论存在何种效应，Δd 的 U 已低于 %1 mm。</translation>
     </message>
@@ -7860,6 +7840,34 @@ Includes every catalogued effect, limited by these readings or by its plausible 
         <source>Place “other” stands for none.</source>
         <translation>地点 “other” 表示未说明。</translation>
     </message>
+    <message>
+        <source>The instrument calls it %1, its circle says %2: the circle counts.</source>
+        <translation>仪器称为%1，其度盘为%2：以度盘为准。</translation>
+    </message>
+    <message>
+        <source>is of %1, yet its vertical reading %2 is of the other face, so the readings were reduced: export the circles as they were read</source>
+        <translation>标明为%1，但其竖直度盘读数 %2 属于另一盘位，可见读数已经过归算：请按原始读数导出度盘读数</translation>
+    </message>
+    <message>
+        <source>face 1</source>
+        <translation>盘左</translation>
+    </message>
+    <message>
+        <source>face 2</source>
+        <translation>盘右</translation>
+    </message>
+    <message>
+        <source>point %1, round %2, %3 is already in row %4: give it another point or round, or exclude one</source>
+        <translation>测点 %1、测回 %2、%3已在第 %4 行：请给它另一个测点或测回，或排除其一</translation>
+    </message>
+    <message>
+        <source>%1 in %2</source>
+        <translation>%1（%2）</translation>
+    </message>
+    <message>
+        <source>%1 point %2 (round %3, %4)</source>
+        <translation>%1 测点 %2（测回 %3、%4）</translation>
+    </message>
 </context>
 <context>
     <name>PlaceText</name>
@@ -7875,16 +7883,12 @@ Includes every catalogued effect, limited by these readings or by its plausible 
 <context>
     <name>PositionText</name>
     <message>
-        <source>Axis at %1, point %2, round %3, face %4</source>
-        <translation>轴位 %1、测点 %2、测回 %3、盘位 %4</translation>
+        <source>Axis at %1, point %2, round %3, %4</source>
+        <translation>轴位 %1、测点 %2、测回 %3、%4</translation>
     </message>
 </context>
 <context>
     <name>Proposal</name>
-    <message>
-        <source>face %1</source>
-        <translation>盘位 %1</translation>
-    </message>
     <message>
         <source> and </source>
         <translation>和</translation>
@@ -8128,11 +8132,6 @@ as read</source>
 <context>
     <name>ReadingDoubts</name>
     <message>
-        <source>%1: %2 and %3 in face %4 was read.</source>
-        <extracomment>where a reading would go, and what was read: &quot;0°: point 3&quot;, two angles and a face</extracomment>
-        <translation>%1：读到 %2 和 %3，盘位 %4。</translation>
-    </message>
-    <message>
         <source>The readings before are of %1, and this one would be of %2: has the axis been turned?</source>
         <translation>此前的读数属于 %1，本读数将属于 %2：轴是否已转动？</translation>
     </message>
@@ -8165,10 +8164,6 @@ as read</source>
     <message>
         <source>The same angles came before: did the instrument send them again?</source>
         <translation>相同的角度此前已到来：仪器是否重发？</translation>
-    </message>
-    <message>
-        <source>The circle reads face %1, and face %2 is asked for.</source>
-        <translation>度盘读得盘位 %1，而要求的是盘位 %2。</translation>
     </message>
     <message>
         <source>%1 and %2</source>
@@ -8205,6 +8200,15 @@ as read</source>
     <message>
         <source>A reading came, and all is read that was to be: %1 and %2. Add a row, or choose one to be read again, then take it.</source>
         <translation>读数已到来，而应读的均已读完：%1 和 %2。请添加一行，或选择要重读的一行，然后采用。</translation>
+    </message>
+    <message>
+        <source>%1: %2 and %3 in %4 was read.</source>
+        <extracomment>where a reading would go, and what was read: &quot;0°: point 3&quot;, two angles and a face</extracomment>
+        <translation>%1：读到 %2 和 %3，%4。</translation>
+    </message>
+    <message>
+        <source>The circle reads %1, and %2 is asked for.</source>
+        <translation>度盘读得%1，而要求的是%2。</translation>
     </message>
 </context>
 <context>
@@ -8581,14 +8585,6 @@ a clause as a sentence</extracomment>
         <translation>瞄准零位：水平 α0 = %1，竖直 β0 = %2</translation>
     </message>
     <message>
-        <source>after the readings in face %1: %2, %3</source>
-        <translation>读数之后，盘位 %1：%2，%3</translation>
-    </message>
-    <message>
-        <source>before them in face %1: %2, %3</source>
-        <translation>读数之前，盘位 %1：%2，%3</translation>
-    </message>
-    <message>
         <source>Sighted again %1</source>
         <extracomment>%1: &quot;before them in face 2: 170°, 90°; after the readings in face 1: …&quot;</extracomment>
         <translation>再次照准：%1</translation>
@@ -8841,11 +8837,6 @@ a clause as a sentence</extracomment>
         <translation>适用范围</translation>
     </message>
     <message>
-        <source>, </source>
-        <extracomment>between the names of a list</extracomment>
-        <translation>、</translation>
-    </message>
-    <message>
         <source>; </source>
         <extracomment>between clauses</extracomment>
         <translation>；</translation>
@@ -9053,6 +9044,14 @@ a clause as a sentence</extracomment>
         <source>Control chart. Bars: ± U, as in the table. Broken lines: centre line ± three standard uncertainties of each value, without what all values share; dotted: three times the scatter that is seen by the moving range. EWMA: exponentially weighted average with λ = 0.2 and its exact limits.</source>
         <translation>控制图。误差棒：± U，与表中相同。虚线：中心线 ± 各值标准不确定度（不含各值共有部分）的三倍；点线：由移动极差所见离散的三倍。EWMA：λ = 0.2 的指数加权平均及其精确界限。</translation>
     </message>
+    <message>
+        <source>after the readings in %1: %2, %3</source>
+        <translation>读数之后，%1：%2，%3</translation>
+    </message>
+    <message>
+        <source>before them in %1: %2, %3</source>
+        <translation>读数之前，%1：%2，%3</translation>
+    </message>
 </context>
 <context>
     <name>ReportPart</name>
@@ -9104,10 +9103,6 @@ a clause as a sentence</extracomment>
         <translation>测回 %1</translation>
     </message>
     <message>
-        <source>face %1</source>
-        <translation>盘位 %1</translation>
-    </message>
-    <message>
         <source>only %1</source>
         <translation>仅%1</translation>
     </message>
@@ -9148,10 +9143,6 @@ a clause as a sentence</extracomment>
     <message>
         <source>Both Faces</source>
         <translation>双盘位</translation>
-    </message>
-    <message>
-        <source>Face %1</source>
-        <translation>盘位 %1</translation>
     </message>
 </context>
 <context>
@@ -9376,10 +9367,6 @@ a clause as a sentence</extracomment>
         <translation>偏离平面的 %2 阶翘曲，%1</translation>
     </message>
     <message>
-        <source>Misread: %1, round %2, point %3, face %4, %5 by %6</source>
-        <translation>误读：%1、测回 %2、测点 %3、盘位 %4，%5偏差 %6</translation>
-    </message>
-    <message>
         <source>horizontal</source>
         <translation>水平</translation>
     </message>
@@ -9480,6 +9467,10 @@ a clause as a sentence</extracomment>
     <message>
         <source> or </source>
         <translation>或</translation>
+    </message>
+    <message>
+        <source>Misread: %1, round %2, point %3, %4, %5 by %6</source>
+        <translation>误读：%1、测回 %2、测点 %3、%4，%5偏差 %6</translation>
     </message>
 </context>
 <context>
@@ -12260,10 +12251,6 @@ a clause as a sentence</extracomment>
         <translation>第 %1 次照准，共 %2 次</translation>
     </message>
     <message>
-        <source>Protocol %1</source>
-        <translation>方案 %1</translation>
-    </message>
-    <message>
         <source>All of the protocol is there.</source>
         <translation>方案已全部测完。</translation>
     </message>
@@ -12318,6 +12305,10 @@ a clause as a sentence</extracomment>
     <message>
         <source>%1 taken, at most %2</source>
         <translation>已照准 %1 个，至多 %2 个</translation>
+    </message>
+    <message>
+        <source>Protocol: %1</source>
+        <translation>方案：%1</translation>
     </message>
 </context>
 <context>
@@ -12847,8 +12838,8 @@ a clause as a sentence</extracomment>
 <context>
     <name>alidade::ui::ReadingFlow</name>
     <message>
-        <source>A reading was not taken, as you wished: %1 and %2, face %3.</source>
-        <translation>已按您的选择不采用一个读数：%1 和 %2，盘位 %3。</translation>
+        <source>A reading was not taken, as you wished: %1 and %2, %3.</source>
+        <translation>已按您的选择不采用一个读数：%1 和 %2，%3。</translation>
     </message>
 </context>
 <context>
@@ -13300,11 +13291,6 @@ a clause as a sentence</extracomment>
     <message>
         <source>&amp;Show</source>
         <translation>显示(&amp;S)</translation>
-    </message>
-    <message>
-        <source>, </source>
-        <extracomment>between the names of a list</extracomment>
-        <translation>、</translation>
     </message>
     <message>
         <source>Like the window</source>

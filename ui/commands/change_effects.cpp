@@ -8,6 +8,7 @@
 #include "ui/document/session_document.h"
 #include "ui/text/effect_text.h"
 #include "ui/text/entry_text.h"
+#include "ui/text/list_text.h"
 
 namespace alidade::ui {
 
@@ -60,7 +61,7 @@ void addEffects(SessionDocument& document, const std::vector<std::string>& ids) 
   }
   if (names.isEmpty()) return;
   const QString text = QCoreApplication::translate("ChangeEffects", "Estimate %1");
-  change(document, effects, text.arg(names.join(QStringLiteral(", "))));
+  change(document, effects, text.arg(listText(names)));
 }
 
 void keepOwnEffect(SessionDocument& document, const OwnEffect& effect) {

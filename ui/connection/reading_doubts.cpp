@@ -9,6 +9,7 @@
 
 #include "core/base/angle_text.h"
 #include "core/session/entry.h"
+#include "core/session/face.h"
 #include "core/session/row_fields.h"
 #include "core/wording/guidance.h"
 #include "ui/text/entry_text.h"
@@ -79,10 +80,10 @@ class Doubts {
     doubtTarget();
     if (m_said.isEmpty()) return {};
     //: where a reading would go, and what was read: "0°: point 3", two angles and a face
-    m_said.prepend(ReadingDoubts::tr("%1: %2 and %3 in face %4 was read.")
+    m_said.prepend(ReadingDoubts::tr("%1: %2 and %3 in %4 was read.")
                        .arg(entryText(m_session, m_landing.asked), shownAngle(m_reading.horizontal, m_unit),
                             shownAngle(m_reading.vertical, m_unit))
-                       .arg(m_reading.face));
+                       .arg(qText(faceName(m_reading.face))));
     return m_said.join(u' ');
   }
 
@@ -202,9 +203,8 @@ class Doubts {
     if (m_landing.isProposed) return;
     const int asked = askedFace(m_landing.asked);
     if (asked != m_reading.face)
-      say(ReadingDoubts::tr("The circle reads face %1, and face %2 is asked for.")
-              .arg(m_reading.face)
-              .arg(asked));
+      say(ReadingDoubts::tr("The circle reads %1, and %2 is asked for.")
+              .arg(qText(faceName(m_reading.face)), qText(faceName(asked))));
   }
 
   /// The entry that would be overwritten: a reading, or a sighting of the zero.

@@ -2,6 +2,7 @@
 
 #include <QDateTime>
 
+#include "core/session/face.h"
 #include "ui/document/session_document.h"
 #include "ui/text/entry_text.h"
 
@@ -96,9 +97,8 @@ void ReadingFlow::discard() {
   const InstrumentReading reading = m_waiting.front();
   m_waiting.pop_front();
   ask({});
-  emit remark(tr("A reading was not taken, as you wished: %1 and %2, face %3.")
-                  .arg(qText(reading.horizontal), qText(reading.vertical))
-                  .arg(reading.face));
+  emit remark(tr("A reading was not taken, as you wished: %1 and %2, %3.")
+                  .arg(qText(reading.horizontal), qText(reading.vertical), qText(faceName(reading.face))));
   proceed();
 }
 

@@ -21,6 +21,7 @@
 #include "ui/recovery/form_draft.h"
 #include "ui/settings/theme.h"
 #include "ui/settings/window_font.h"
+#include "ui/text/list_text.h"
 #include "ui/text/visible_text.h"
 
 namespace alidade::ui {
@@ -83,8 +84,7 @@ QWidget* ReportDialog::createLacks() {
             ? tr("1 entry cannot be used. The report will list it and give no verdict.")
             : tr("%1 entries cannot be used. The report will list them and give no verdict.").arg(count)));
   if (!m_question.emptyFields.isEmpty()) {
-    //: between the names of a list
-    const QString fields = m_question.emptyFields.join(tr(", "));
+    const QString fields = listText(m_question.emptyFields);
     layout->addWidget(warning(
         (m_question.isCertificate
              ? tr("ISO/IEC 17025 requires what the session leaves empty: %1. It is filled in on the forms of "

@@ -20,6 +20,7 @@
 #include "ui/recovery/half_typed_record.h"
 #include "ui/settings/theme.h"
 #include "ui/text/entry_text.h"
+#include "ui/text/list_text.h"
 #include "ui/text/visible_text.h"
 
 namespace alidade::ui {
@@ -39,7 +40,7 @@ struct Beside {
 Beside beside(const RecoveryRecord& record) {
   if (record.path.isEmpty()) return {.told = Safekeeping::tr("in no file yet")};
   const QString place = Safekeeping::tr("in %1").arg(visibleLine(QDir::toNativeSeparators(record.path)));
-  const auto told = [&place](const QString& more) { return place + QStringLiteral(", ") + more; };
+  const auto told = [&place](const QString& more) { return listText({place, more}); };
   if (!QFileInfo(record.path).isFile()) return {.told = told(Safekeeping::tr("which is no longer there"))};
   const Result<std::string> bytes = bytesOf(record.path);
   Result<Session> session = bytes ? readSession(*bytes) : bytes.problem();

@@ -12,6 +12,7 @@
 #include "ui/panels/parts/dialog_parts.h"
 #include "ui/text/effect_text.h"
 #include "ui/text/entry_text.h"
+#include "ui/text/list_text.h"
 #include "ui/text/visible_text.h"
 
 namespace alidade::ui {
@@ -186,9 +187,8 @@ void ImportLayout::addChoice(const Role& role, const ImportSource& source, const
   const QString number =
       areInTurn ? numbers.first() + QStringLiteral("–") + numbers.last() : numbers.join(u'+');
   const QString unnamed = columns.size() > 1 ? tr("columns %1").arg(number) : tr("column %1").arg(number);
-  const QString text = names.isEmpty()
-                           ? unnamed
-                           : number + QStringLiteral(": ") + shortLine(names.join(QStringLiteral(", ")), 40);
+  const QString text =
+      names.isEmpty() ? unnamed : number + QStringLiteral(": ") + shortLine(listText(names), 40);
   role.column->addItem(text, dataOf(columns));
 }
 

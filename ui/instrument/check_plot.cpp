@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "core/exchange/csv_text.h"
+#include "ui/text/list_text.h"
 #include "ui/text/quantity_text.h"
 #include "ui/text/visible_text.h"
 
@@ -193,7 +194,7 @@ QString CheckPlot::describe(const Mark& mark) const {
   if (point.target != ofNone)
     where.append(tr("target %1").arg(shortLine(point.station->perTarget[point.target].name, longestName)));
   if (m_view == View::Distance) where.append(numberText(point.x, 2) + QStringLiteral(" m"));
-  return where.join(QStringLiteral(", ")) + u'\n' +
+  return listText(where) + u'\n' +
          QStringLiteral("%1: %2″").arg(nameOf(point.kind), signedNumberText(point.y, 2));
 }
 

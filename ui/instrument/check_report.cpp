@@ -12,6 +12,7 @@
 #include "ui/report/report_statement.h"
 #include "ui/report/report_text.h"
 #include "ui/text/effect_text.h"
+#include "ui/text/list_text.h"
 #include "ui/text/visible_text.h"
 
 namespace alidade::ui {
@@ -22,7 +23,7 @@ QString nameOf(const CheckIdentity& identity) {
   QStringList parts;
   for (const std::string* part : {&identity.name, &identity.serial})
     if (!part->empty()) parts.append(visibleLine(*part));
-  return parts.isEmpty() ? Report::tr("instrument without a name") : Report::list(parts);
+  return parts.isEmpty() ? Report::tr("instrument without a name") : listText(parts);
 }
 
 /// The stations in two tables, since all columns are wider than the page.
@@ -86,7 +87,7 @@ std::optional<std::string> checkPdf(const CheckedInstrument& answer, const Repor
     return paintSheets(pages,
                        {.product = Report::tr("Alidade %1 · Instrument check").arg(qText(versionAndBuild())),
                         .session = name,
-                        .fileName = Report::list(files),
+                        .fileName = listText(files),
                         .fingerprint = {},
                         .date = date.toString(QStringLiteral("yyyy-MM-dd HH:mm"))},
                        paper.margins, [&](ReportSheet& sheet) {

@@ -6,6 +6,7 @@
 #include "core/observation/visits.h"
 #include "core/session/row_fields.h"
 #include "ui/report/report_text.h"
+#include "ui/text/list_text.h"
 #include "ui/text/visible_text.h"
 
 namespace alidade::ui {
@@ -39,7 +40,7 @@ QString nameAndSerial(const std::string& name, const std::string& serial) {
   QStringList parts;
   if (const QString text = given(name); !text.isEmpty()) parts.append(text);
   if (const QString text = given(serial); !text.isEmpty()) parts.append(Report::tr("serial %1").arg(text));
-  return Report::list(parts);
+  return listText(parts);
 }
 
 QString sigmaOfCircles(const Instrument& instrument) {

@@ -7,10 +7,12 @@
 #include <set>
 
 #include "core/session/entry.h"
+#include "core/session/face.h"
 #include "ui/document/reading_column.h"
 #include "ui/report/report_table.h"
 #include "ui/report/report_text.h"
 #include "ui/text/entry_text.h"
+#include "ui/text/list_text.h"
 #include "ui/text/position_text.h"
 #include "ui/text/quantity_text.h"
 #include "ui/text/visible_text.h"
@@ -112,7 +114,7 @@ QStringList ofArrival(const std::string& takenAt, const std::string& code, const
 
 QString zeroArrival(const ZeroSighting& zero) {
   const QStringList parts = ofArrival(zero.takenAt, zero.returnCode, zero.instrumentSerial);
-  return parts.isEmpty() ? QString() : QStringLiteral(" (%1)").arg(parts.join(QStringLiteral(", ")));
+  return parts.isEmpty() ? QString() : QStringLiteral(" (%1)").arg(listText(parts));
 }
 
 /// The note, the compensator data, the data received with the reading, and its text before a change.
@@ -217,9 +219,9 @@ void addPosition(ReportSheet& sheet, const Evaluation& evaluation, std::size_t i
   for (const ZeroSlot& slot : furtherZeros) {
     const ZeroSighting& sighting = position.zero.*slot.sighting;
     if (sighting.horizontal.empty() && sighting.vertical.empty()) continue;
-    const QString says = slot.isAfter ? Report::tr("after the readings in face %1: %2, %3")
-                                      : Report::tr("before them in face %1: %2, %3");
-    further.append(says.arg(QString::number(slot.face), zero(sighting.horizontal), zero(sighting.vertical)) +
+    const QString says = slot.isAfter ? Report::tr("after the readings in %1: %2, %3")
+                                      : Report::tr("before them in %1: %2, %3");
+    further.append(says.arg(qText(faceName(slot.face)), zero(sighting.horizontal), zero(sighting.vertical)) +
                    zeroArrival(sighting));
   }
   if (!further.isEmpty()) {

@@ -14,6 +14,7 @@
 #include "ui/text/effect_text.h"
 #include "ui/text/entry_text.h"
 #include "ui/text/known_text.h"
+#include "ui/text/list_text.h"
 #include "ui/text/quantity_text.h"
 #include "ui/text/visible_text.h"
 
@@ -119,7 +120,7 @@ QString exclusionsText(const Session& session) {
   if (further > 0) parts.append(Report::tr("%1 × for other reasons").arg(further));
   //: %3: how many for which reason
   return Report::tr("%1 of %2 rows of readings: %3")
-      .arg(QString::number(count), QString::number(rows), Report::list(parts));
+      .arg(QString::number(count), QString::number(rows), listText(parts));
 }
 
 /// "collimation 3.20″": the non-zero known sizes of the session.
@@ -153,10 +154,10 @@ QString correctionsText(const Evaluation& evaluation) {
     if (const QString name = effectName(effect.effect); !estimated.contains(name)) estimated.append(name);
   if (!estimated.isEmpty())
     //: %1: effects
-    parts.append(Report::tr("%1, estimated along with the arcs").arg(Report::list(estimated)));
+    parts.append(Report::tr("%1, estimated along with the arcs").arg(listText(estimated)));
   if (const auto& measurement = evaluation.examined.measurement)
     if (const QStringList known = knownSizes(*measurement); !known.isEmpty())
-      parts.append(Report::tr("known sizes in Δd, measured: %1").arg(Report::list(known)));
+      parts.append(Report::tr("known sizes in Δd, measured: %1").arg(listText(known)));
   //: corrections: none
   if (parts.isEmpty()) parts.append(Report::tr("none"));
   if (evaluation.session.journal.empty() && evaluation.journal.empty())
@@ -223,8 +224,8 @@ void addTerms(ReportSheet& sheet, const Gap& gap, const ReportContents& contents
       {Report::tr("Corrections"), correctionsText(evaluation)},
       {Report::tr("Changes"), changesText(evaluation, isPrinted(ReportPart::Journal, contents, gap))},
       {Report::tr("Temperature"), temperatureText(evaluation)},
-      {Report::tr("Not stated"), Report::list(emptyReportFields(evaluation.session))},
-      {Report::tr("Left out"), Report::list(leftOutTitles(contents, gap))},
+      {Report::tr("Not stated"), listText(emptyReportFields(evaluation.session))},
+      {Report::tr("Left out"), listText(leftOutTitles(contents, gap))},
       {Report::tr("Scope"), Report::tr("The results relate only to the item measured. Not to be reproduced "
                                        "except in full.")}};
   sheet.keepTogether(labelledHeight(sheet, terms, ReportSheet::width));

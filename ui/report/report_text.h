@@ -13,11 +13,6 @@ struct Report {
   Q_DECLARE_TR_FUNCTIONS(Report)
 
  public:
-  /// "collimation, trunnion tilt": names in a row.
-  static QString list(const QStringList& names) {
-    //: between the names of a list
-    return names.join(tr(", "));
-  }
   /// "estimated along with the arcs; nothing was changed".
   static QString clauses(const QStringList& parts) {
     //: between clauses

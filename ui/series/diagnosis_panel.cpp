@@ -16,6 +16,7 @@
 #include "ui/panels/parts/frames.h"
 #include "ui/text/cause_text.h"
 #include "ui/text/entry_text.h"
+#include "ui/text/list_text.h"
 #include "ui/text/visible_text.h"
 
 namespace alidade::ui {
@@ -40,7 +41,7 @@ QString headlineOf(DiagnosisVerdict verdict, const std::vector<Cause>& causes) {
 QString sizesText(const Cause& cause) {
   QStringList sizes;
   for (const CauseParameter& parameter : cause.parameters) sizes << parameterText(cause, parameter);
-  return sizes.join(QStringLiteral(", "));
+  return listText(sizes);
 }
 
 }  // namespace

@@ -31,6 +31,7 @@
 #include "ui/series/history_chart.h"
 #include "ui/series/history_panel.h"
 #include "ui/text/entry_text.h"
+#include "ui/text/list_text.h"
 #include "ui/text/visible_text.h"
 
 namespace alidade::ui {
@@ -46,7 +47,7 @@ QString decoded(const std::string& path) {
 QString named(const std::string& name, const std::string& serial) {
   const QString first = visibleLine(name), second = visibleLine(serial);
   if (first.isEmpty() || second.isEmpty()) return first + second;
-  return first + QStringLiteral(", ") + second;
+  return listText({first, second});
 }
 
 QTableWidgetItem* cell(const QString& text, Qt::Alignment alignment = Qt::AlignLeft | Qt::AlignVCenter) {

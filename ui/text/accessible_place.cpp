@@ -6,6 +6,7 @@
 #include "ui/document/field.h"
 #include "ui/text/entry_text.h"
 #include "ui/text/known_text.h"
+#include "ui/text/list_text.h"
 #include "ui/text/position_text.h"
 #include "ui/text/visible_text.h"
 
@@ -46,7 +47,7 @@ QString accessiblePlace(const Session& session, const Place& place) {
     const Field* field = place.reading ? nullptr : fieldNamed(place.field);
     parts.append(field ? QCoreApplication::translate("Field", field->noun) : qText(place.field));
   }
-  return parts.join(QStringLiteral(", "));
+  return listText(parts);
 }
 
 QString accessibleCell(const QString& shown, const QString& title) {

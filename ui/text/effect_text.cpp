@@ -2,6 +2,7 @@
 
 #include "core/wording/effect_name.h"
 #include "ui/text/entry_text.h"
+#include "ui/text/list_text.h"
 #include "ui/text/quantity_text.h"
 
 namespace alidade::ui {
@@ -19,10 +20,10 @@ QString effectName(const std::string& id) {
   return qText(alidade::effectName(id));
 }
 
-QString effectText(const EffectEstimate& estimate, const QString& separator) {
+QString effectText(const EffectEstimate& estimate) {
   const QString effect = effectName(estimate.effect);
   if (isNamedBy(estimate.effect, estimate.name)) return effect;
-  return effect + separator + qText(parameterName(estimate.name));
+  return listText({effect, qText(parameterName(estimate.name))});
 }
 
 bool isNamedBy(const std::string& effect, const std::string& parameter) {

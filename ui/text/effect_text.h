@@ -10,9 +10,9 @@ namespace alidade::ui {
 /// The common name of a catalogued effect: "trunnion tilt".
 QString effectName(const std::string& id);
 
-/// The common name of an estimated number: "trunnion tilt", "plane tilt, tilt about x". `separator` precedes
-/// the number's own name if the effect has several.
-QString effectText(const EffectEstimate& estimate, const QString& separator = QStringLiteral(", "));
+/// The common name of an estimated number: "trunnion tilt", "plane tilt, tilt about x", with the number's
+/// own name if the effect has several.
+QString effectText(const EffectEstimate& estimate);
 
 /// True if the effect's name already names the number, as "slider scale" does "scale".
 bool isNamedBy(const std::string& effect, const std::string& parameter);

@@ -11,6 +11,7 @@
 #include "ui/document/reading_column.h"
 #include "ui/text/accessible_place.h"
 #include "ui/text/entry_text.h"
+#include "ui/text/list_text.h"
 #include "ui/text/visible_text.h"
 
 namespace alidade::ui {
@@ -41,14 +42,14 @@ QString journalPlace(const JournalEntry& entry) {
   const bool isOfRow = !match.captured(2).isEmpty();
   if (isOfRow) parts.append(accessibleRow(match.captured(2).toULongLong(), entry.point));
   if (const QString noun = fieldNoun(match.captured(3), isOfRow); !noun.isEmpty()) parts.append(noun);
-  return parts.join(QStringLiteral(", "));
+  return listText(parts);
 }
 
 QString changeText(const JournalEntry& entry, const Session& session) {
   QStringList parts{visibleLine(reasonText(entry, session))};
   if (!entry.by.empty()) parts.append(shortLine(entry.by, 60));
   parts.append(visibleLine(timeText(entry.at)) + QStringLiteral(" UTC"));
-  return parts.join(QStringLiteral(", "));
+  return listText(parts);
 }
 
 const JournalEntry* lastChange(const Session& session, std::size_t position, std::size_t row,

@@ -6,6 +6,7 @@
 #include "core/effects/known_sizes.h"
 #include "ui/text/effect_text.h"
 #include "ui/text/entry_text.h"
+#include "ui/text/list_text.h"
 #include "ui/text/visible_text.h"
 
 namespace alidade::ui {
@@ -24,7 +25,7 @@ QString entryName(const KnownSize& size) {
   QStringList parts;
   for (const std::string& part : {size.effect, size.parameter, size.unit})
     if (!part.empty()) parts.append(shortLine(part, longestOfKnown));
-  return parts.isEmpty() ? Known::tr("an effect without a name") : parts.join(QStringLiteral(", "));
+  return parts.isEmpty() ? Known::tr("an effect without a name") : listText(parts);
 }
 
 QString memberName(const std::string& member) {
@@ -49,14 +50,14 @@ QString knownText(const KnownSize& size) {
   if (!size.sigma.empty()) parts.append(QStringLiteral("u ") + qText(size.sigma));
   if (!size.unit.empty()) parts.append(qText(size.unit));
   const QString what = parts.join(u' ');
-  return size.from.empty() ? what : what + QStringLiteral(", ") + qText(size.from);
+  return size.from.empty() ? what : listText({what, qText(size.from)});
 }
 
 QString accessibleKnown(const Session& session, const KnownPlace& place) {
   const KnownSize* size = knownSize(session, place.ref);
   if (!size) return {};
   const QString accessible = Known::tr("known size of %1").arg(entryName(*size));
-  return place.member.empty() ? accessible : accessible + QStringLiteral(", ") + memberName(place.member);
+  return place.member.empty() ? accessible : listText({accessible, memberName(place.member)});
 }
 
 }  // namespace alidade::ui

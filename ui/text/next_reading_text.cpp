@@ -5,11 +5,13 @@
 
 #include "core/evaluation/evaluation.h"
 #include "core/session/entry.h"
+#include "core/session/face.h"
 #include "core/session/row_fields.h"
 #include "core/session/session_fields.h"
 #include "core/wording/guidance.h"
 #include "ui/text/effect_text.h"
 #include "ui/text/entry_text.h"
+#include "ui/text/list_text.h"
 #include "ui/text/position_text.h"
 #include "ui/text/quantity_text.h"
 #include "ui/text/visible_text.h"
@@ -30,12 +32,12 @@ QString unusual(const RowField& field, const std::string& text) {
 }
 
 QString keysText(const Reading& sighting) {
-  QString text = NextReadingText::tr("point %1").arg(shortLine(sighting.point, longestKey));
+  QStringList parts{NextReadingText::tr("point %1").arg(shortLine(sighting.point, longestKey))};
   if (const QString round = unusual(rowField(&Reading::round), sighting.round); !round.isEmpty())
-    text += NextReadingText::tr(", round %1").arg(round);
+    parts.append(NextReadingText::tr("round %1").arg(round));
   if (const QString face = unusual(rowField(&Reading::face), sighting.face); !face.isEmpty())
-    text += NextReadingText::tr(", face %1").arg(face);
-  return text;
+    parts.append(face == u'2' ? qText(faceName(2)) : NextReadingText::tr("face %1").arg(face));
+  return listText(parts);
 }
 
 /// The protocol that leads; null without one.

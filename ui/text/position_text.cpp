@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "core/session/entry.h"
+#include "core/session/face.h"
 #include "ui/text/quantity_text.h"
 #include "ui/text/visible_text.h"
 
@@ -33,11 +34,11 @@ QString positionText(const Session& session, std::size_t position) {
 }
 
 QString sightingText(int axisDeg, int time, int point, int round, int face) {
-  return PositionText::tr("Axis at %1, point %2, round %3, face %4")
+  return PositionText::tr("Axis at %1, point %2, round %3, %4")
       .arg(positionText(axisDeg, time))
       .arg(point)
       .arg(round)
-      .arg(face);
+      .arg(qText(faceName(face)));
 }
 
 }  // namespace alidade::ui

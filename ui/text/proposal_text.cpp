@@ -3,6 +3,7 @@
 #include <QCoreApplication>
 #include <QStringList>
 
+#include "core/session/face.h"
 #include "ui/text/entry_text.h"
 #include "ui/text/visible_text.h"
 
@@ -11,9 +12,8 @@ namespace alidade::ui {
 QString proposalText(const Proposal& proposal, CircleUnit unit) {
   QStringList texts;
   for (const CellChange& change : proposal.changes)
-    texts.append(change.where.field == "face"
-                     ? QCoreApplication::translate("Proposal", "face %1").arg(visibleLine(change.text))
-                     : shownAngle(change.text, unit));
+    texts.append(change.where.field == "face" ? qText(faceName(change.text == "2" ? 2 : 1))
+                                              : shownAngle(change.text, unit));
   return texts.join(QCoreApplication::translate("Proposal", " and "));
 }
 

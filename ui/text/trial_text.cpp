@@ -4,9 +4,11 @@
 #include <algorithm>
 
 #include "core/effects/catalogue.h"
+#include "core/session/face.h"
 #include "ui/text/cause_text.h"
 #include "ui/text/effect_text.h"
 #include "ui/text/entry_text.h"
+#include "ui/text/list_text.h"
 #include "ui/text/position_text.h"
 #include "ui/text/quantity_text.h"
 
@@ -39,8 +41,7 @@ void addEffects(QStringList& lines, const Truth& truth) {
         if (size.term == parameter.term) sizes.append(sizeText(effect, parameter, size.value));
     if (!sizes.isEmpty())
       //: an effect and its sizes
-      lines.append(
-          TrialText::tr("%1: %2").arg(causeTitle(std::string(effect.id)), sizes.join(QStringLiteral(", "))));
+      lines.append(TrialText::tr("%1: %2").arg(causeTitle(std::string(effect.id)), listText(sizes)));
   }
 }
 
@@ -72,11 +73,11 @@ QString foreignText(const ForeignEffect& effect) {
 void addGrossErrors(QStringList& lines, const Truth& truth) {
   for (const TrueGrossError& error : truth.grossErrors) {
     const bool isHorizontal = error.horizontal.radians() != 0;
-    lines.append(TrialText::tr("Misread: %1, round %2, point %3, face %4, %5 by %6")
+    lines.append(TrialText::tr("Misread: %1, round %2, point %3, %4, %5 by %6")
                      .arg(positionText(error.axisDeg, error.time))
                      .arg(error.round)
                      .arg(error.point)
-                     .arg(error.face)
+                     .arg(qText(faceName(error.face)))
                      .arg(isHorizontal ? TrialText::tr("horizontal") : TrialText::tr("vertical"),
                           signedSeconds(isHorizontal ? error.horizontal : error.vertical)));
   }

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "core/base/list_text.h"
 #include "core/base/number_text.h"
 #include "core/base/phrase.h"
 #include "core/base/quantity_text.h"
@@ -106,9 +107,7 @@ std::string rivals(const History& history) {
     if (course.probability >= least)
       told.push_back(
           Phrase::of("%1 %2", courseName(course.course), shortProbabilityText(course.probability)));
-  std::string list;
-  for (const std::string& one : told) list = list.empty() ? one : Phrase::of("%1, %2", list, one);
-  return list;
+  return listed(told);
 }
 
 /// How the values after the baseline lie.

@@ -8,7 +8,7 @@ namespace {
 TEST(EffectText, NamesTheNumberOnlyWhereTheEffectDoesNot) {
   EXPECT_EQ(effectText({"trunnion_tilt", "tilt", "arcsec"}), QStringLiteral("trunnion tilt"));
   EXPECT_EQ(effectText({"plane_tilt", "tilt about x", "deg"}), QStringLiteral("plane tilt, tilt about x"));
-  EXPECT_EQ(effectText({"arc_lobing", "sine", "mm"}, QStringLiteral("/")), QStringLiteral("arc lobing/sine"));
+  EXPECT_EQ(effectText({"arc_lobing", "sine", "mm"}), QStringLiteral("arc lobing, sine"));
 }
 
 TEST(EffectText, WritesUnitsAsSigns) {

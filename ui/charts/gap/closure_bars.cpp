@@ -11,6 +11,7 @@
 #include "core/wording/closures.h"
 #include "ui/charts/plotting/plot_style.h"
 #include "ui/text/entry_text.h"
+#include "ui/text/list_text.h"
 #include "ui/text/quantity_text.h"
 
 namespace alidade::ui {
@@ -73,9 +74,7 @@ void ClosureBars::setGap(const Gap& gap) {
                  .inU = closure.value / expandedOf(closure, m_coverage),
                  .closure = closure};
   };
-  const auto accessibleOf = [](const Value& value) {
-    return value.figures + QStringLiteral(", ") + value.sigmas;
-  };
+  const auto accessibleOf = [](const Value& value) { return listText({value.figures, value.sigmas}); };
   QStringList accessible;
   for (std::size_t i = 0; i < statement.rows.size(); ++i) {
     const ClosureStep& step = gap.diagnosis->closures[i];

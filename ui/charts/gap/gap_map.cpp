@@ -7,6 +7,7 @@
 #include "core/exchange/csv_text.h"
 #include "ui/charts/plotting/plot_style.h"
 #include "ui/text/entry_text.h"
+#include "ui/text/list_text.h"
 #include "ui/text/quantity_text.h"
 
 namespace alidade::ui {
@@ -104,7 +105,7 @@ void GapMap::setShares(const std::vector<GapShare>& shares) {
                      [](const Part& a, const Part& b) { return numberIn(a.name) < numberIn(b.name); });
     QStringList parts;
     for (const Part& part : bar.parts) parts.append(part.name + u' ' + percentText(part.share));
-    accessible.append(bar.by + QStringLiteral(": ") + parts.join(QStringLiteral(", ")));
+    accessible.append(bar.by + QStringLiteral(": ") + listText(parts));
   }
   changeTo(accessible.join(QStringLiteral("; ")));
 }

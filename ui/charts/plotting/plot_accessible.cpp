@@ -1,6 +1,7 @@
 #include "ui/charts/plotting/plot_accessible.h"
 
 #include "ui/charts/plotting/plot_widget.h"
+#include "ui/text/list_text.h"
 
 namespace alidade::ui {
 namespace {
@@ -71,7 +72,7 @@ QAccessibleInterface* PointAccessible::parent() const {
 
 QString PointAccessible::text(QAccessible::Text which) const {
   if (which != QAccessible::Name || !isValid()) return {};
-  return m_plot.pointText(m_index).replace(u'\n', QStringLiteral(", "));
+  return listText(m_plot.pointText(m_index).split(u'\n'));
 }
 
 QRect PointAccessible::rect() const {

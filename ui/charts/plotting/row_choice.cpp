@@ -4,6 +4,9 @@
 #include <QStringList>
 #include <algorithm>
 
+#include "core/session/face.h"
+#include "ui/text/list_text.h"
+
 namespace alidade::ui {
 namespace {
 
@@ -43,8 +46,8 @@ RowChoice RowChoice::among(const RowKinds& kinds) const {
 QString RowChoice::text() const {
   QStringList only;
   if (round) only.append(RowChoiceText::tr("round %1").arg(*round));
-  if (face) only.append(RowChoiceText::tr("face %1").arg(*face));
-  return only.isEmpty() ? QString() : RowChoiceText::tr("only %1").arg(only.join(QStringLiteral(", ")));
+  if (face) only.append(qText(faceName(*face)));
+  return only.isEmpty() ? QString() : RowChoiceText::tr("only %1").arg(listText(only));
 }
 
 RowSlots::RowSlots(const RowKinds& kinds, const RowChoice& choice)

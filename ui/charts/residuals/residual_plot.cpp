@@ -8,6 +8,7 @@
 #include "core/exchange/csv_text.h"
 #include "ui/charts/plotting/clipping.h"
 #include "ui/charts/plotting/row_entries.h"
+#include "ui/text/list_text.h"
 #include "ui/text/position_text.h"
 #include "ui/text/quantity_text.h"
 
@@ -250,12 +251,11 @@ std::vector<LegendEntry> ResidualPlot::classEntries() const {
     const QString sigma = unitText(plainNumberText(noise.sigma));
     sigmas.append(m_noise.size() == 1 ? sigma
                                       //: one or several circles, and their σ
-                                      : tr("%1 %2").arg(noise.circles.join(QStringLiteral(", ")), sigma));
+                                      : tr("%1 %2").arg(listText(noise.circles), sigma));
   }
   entries.push_back({QPen(style().text, 1.4 * style().unit()),
-                     m_drawn.isStandardised
-                         ? tr("expected of normal values, σ = 1")
-                         : tr("expected of the stated σ = %1").arg(sigmas.join(QStringLiteral(", ")))});
+                     m_drawn.isStandardised ? tr("expected of normal values, σ = 1")
+                                            : tr("expected of the stated σ = %1").arg(listText(sigmas))});
   return entries;
 }
 
@@ -280,10 +280,9 @@ std::vector<LegendEntry> ResidualPlot::noiseEntries() const {
       continue;
     }
     const QString sigma = plainNumberText(noise.sigma) + QChar(0x2033);
-    entries.push_back(
-        {colour, m_noise.size() == 1
-                     ? tr("±1σ, stated σ = %1").arg(sigma)
-                     : tr("±1σ %1, stated σ = %2").arg(noise.circles.join(QStringLiteral(", ")), sigma)});
+    entries.push_back({colour, m_noise.size() == 1
+                                   ? tr("±1σ, stated σ = %1").arg(sigma)
+                                   : tr("±1σ %1, stated σ = %2").arg(listText(noise.circles), sigma)});
     entries.push_back({pen, tr("±3σ")});
   }
   return entries;

@@ -18,6 +18,7 @@
 #include "ui/settings/window_font.h"
 #include "ui/text/effect_text.h"
 #include "ui/text/entry_text.h"
+#include "ui/text/list_text.h"
 #include "ui/text/quantity_text.h"
 #include "ui/text/visible_text.h"
 
@@ -42,8 +43,7 @@ QString aboutText(const Effect& effect) {
   const QString what = capitalised(qText(Phrase::of(effect.description)));
   const QString remedy = qText(Phrase::of(effect.remedy));
   if (sizes.isEmpty()) return EffectsPanel::tr("%1. Remedy: %2.").arg(what, remedy);
-  return EffectsPanel::tr("%1. Plausible size (1σ) %2. Remedy: %3.")
-      .arg(what, sizes.join(QStringLiteral(", ")), remedy);
+  return EffectsPanel::tr("%1. Plausible size (1σ) %2. Remedy: %3.").arg(what, listText(sizes), remedy);
 }
 
 /// Sets what a screen reader says in the cell of the size.

@@ -13,6 +13,7 @@
 #include "ui/panels/readings/reading_delegate.h"
 #include "ui/panels/readings/reason_line.h"
 #include "ui/settings/window_font.h"
+#include "ui/text/list_text.h"
 #include "ui/text/visible_text.h"
 
 namespace alidade::ui {
@@ -284,7 +285,7 @@ void ReadingsTable::paste() {
     m_editor.paste(named->rows, firstRow, named->columns);
     if (!named->unplaced.isEmpty())
       emit remark(tr("Columns of the clipboard that were not pasted: %1.")
-                      .arg(shortLine(named->unplaced.join(QStringLiteral(", ")), 200)));
+                      .arg(shortLine(listText(named->unplaced), 200)));
     return;
   }
   if (!corner.isValid())

@@ -14,6 +14,7 @@
 #include "ui/text/accessible_place.h"
 #include "ui/text/effect_text.h"
 #include "ui/text/entry_text.h"
+#include "ui/text/list_text.h"
 #include "ui/text/visible_text.h"
 
 namespace alidade::ui {
@@ -128,7 +129,7 @@ QString FindingsPanel::countText() const {
   tell(count("incomplete"), tr("1 missing entry"), tr("%1 missing entries"));
   tell(count("warning"), tr("1 warning"), tr("%1 warnings"));
   tell(count("note") + count("none"), tr("1 note"), tr("%1 notes"));
-  return parts.join(QStringLiteral(", "));
+  return listText(parts);
 }
 
 FindingsPanel::Entry FindingsPanel::gapEntry() const {
