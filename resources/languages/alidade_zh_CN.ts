@@ -12031,12 +12031,12 @@ a clause as a sentence</extracomment>
         <translation>%1度盘：%2 σ</translation>
     </message>
     <message>
-        <source>● horizontal  ◆ vertical, ± %1 σ; grey: the model holds</source>
-        <translation>● 水平  ◆ 竖直，± %1 σ；灰色：模型成立</translation>
+        <source>● horizontal  ◆ vertical; grey: the model holds</source>
+        <translation>● 水平  ◆ 竖直；灰色：模型成立</translation>
     </message>
     <message>
-        <source>● horizontal  ◆ vertical, ± %1 σ</source>
-        <translation>● 水平  ◆ 竖直，± %1 σ</translation>
+        <source>● horizontal  ◆ vertical</source>
+        <translation>● 水平  ◆ 竖直</translation>
     </message>
 </context>
 <context>
