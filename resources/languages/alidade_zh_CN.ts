@@ -6883,14 +6883,6 @@ Includes every catalogued effect, limited by these readings or by its plausible 
         <translation>%1，序列号 %2</translation>
     </message>
     <message>
-        <source>accept</source>
-        <translation>合格</translation>
-    </message>
-    <message>
-        <source>reject</source>
-        <translation>不合格</translation>
-    </message>
-    <message>
         <source>all, pooled</source>
         <translation>全部合并</translation>
     </message>
@@ -14088,6 +14080,10 @@ a clause as a sentence</extracomment>
     </message>
     <message>
         <source>Does the centre of a rotatable arc lie on its axis? The readings of a theodolite in, the intersection with its uncertainty and a verdict out.</source>
+    <message>
+        <source>Condition</source>
+        <translation>条件</translation>
+    </message>
         <translation>可转动圆弧的圆心是否在其轴上？输入经纬仪读数，得出相交度及其不确定度和判定。</translation>
     </message>
     <message>
