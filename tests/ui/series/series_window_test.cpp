@@ -18,6 +18,7 @@
 #include <QTemporaryDir>
 #include <nlohmann/json.hpp>
 
+#include "core/series/history/history_sentences.h"
 #include "core/session/session_file.h"
 #include "core/statement/headline.h"
 #include "tests/ui/shown_texts.h"
@@ -130,6 +131,11 @@ TEST(SeriesWindow, ShowsTheQuantityThatIsChosen) {
   quantities->setCurrentIndex(quantities->findData(QStringLiteral("radius_0")));
   emit quantities->activated(quantities->currentIndex());
   EXPECT_THAT(bench.text("history says"), HasSubstr("the values agree within their uncertainties"));
+}
+
+TEST(SeriesWindow, NamesACauseAsAPersonDoes) {
+  EXPECT_EQ(quantityName("underestimated_noise: ratio"), "noise larger than stated: ratio");
+  EXPECT_EQ(quantityName("trunnion_tilt"), "trunnion tilt");
 }
 
 TEST(SeriesWindow, ComparesTwoSessionsThatAreSelected) {
