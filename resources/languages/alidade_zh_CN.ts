@@ -12967,6 +12967,101 @@ a clause as a sentence</extracomment>
     </message>
 </context>
 <context>
+    <name>alidade::ui::RecordHistoryDialog</name>
+    <message>
+        <source>Instrument Records over Time</source>
+        <translation>仪器档案随时间的变化</translation>
+    </message>
+    <message>
+        <source>Records of the instrument</source>
+        <translation>该仪器的档案</translation>
+    </message>
+    <message>
+        <source>Add a folder of instrument records (*.alidade-instrument).</source>
+        <translation>请添加存有仪器档案 (*.alidade-instrument) 的文件夹。</translation>
+    </message>
+    <message>
+        <source>Save chart</source>
+        <translation>保存图表</translation>
+    </message>
+    <message>
+        <source>Instrument</source>
+        <translation>仪器</translation>
+    </message>
+    <message>
+        <source>Quantity</source>
+        <translation>量</translation>
+    </message>
+    <message>
+        <source>Records in the baseline</source>
+        <translation>基准阶段的档案数</translation>
+    </message>
+    <message>
+        <source>all records</source>
+        <translation>全部档案</translation>
+    </message>
+    <message>
+        <source>The first records set centre line and limits, which watch the later ones</source>
+        <translation>前几份档案确定中心线和控制限，用以监视其后的档案</translation>
+    </message>
+    <message>
+        <source>&amp;Instrument</source>
+        <translation>仪器(&amp;I)</translation>
+    </message>
+    <message>
+        <source>&amp;Quantity</source>
+        <translation>量(&amp;Q)</translation>
+    </message>
+    <message>
+        <source>&amp;Baseline</source>
+        <translation>基准阶段(&amp;B)</translation>
+    </message>
+    <message>
+        <source>Add &amp;Folder…</source>
+        <translation>添加文件夹(&amp;F)…</translation>
+    </message>
+    <message>
+        <source>All instrument records (*.alidade-instrument) of a folder</source>
+        <translation>一个文件夹中的全部仪器档案 (*.alidade-instrument)</translation>
+    </message>
+    <message>
+        <source>Export &amp;JSON…</source>
+        <translation>导出 JSON(&amp;J)…</translation>
+    </message>
+    <message>
+        <source>Export &amp;CSV…</source>
+        <translation>导出 CSV(&amp;C)…</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>关闭</translation>
+    </message>
+    <message>
+        <source>Add a folder of instrument records</source>
+        <translation>添加仪器档案文件夹</translation>
+    </message>
+    <message>
+        <source>Add a folder</source>
+        <translation>添加文件夹</translation>
+    </message>
+    <message>
+        <source>%1 holds no other instrument record (*.alidade-instrument): choose another folder.</source>
+        <translation>%1 中没有其他仪器档案 (*.alidade-instrument)：请选择另一个文件夹。</translation>
+    </message>
+    <message>
+        <source>These records state no constant with its uncertainty.</source>
+        <translation>这些档案没有给出带不确定度的常数。</translation>
+    </message>
+    <message>
+        <source>%1 holds the same record as %2: counted once.</source>
+        <translation>%1 与 %2 的档案相同：只计一次。</translation>
+    </message>
+    <message>
+        <source>Export history</source>
+        <translation>导出历史</translation>
+    </message>
+</context>
+<context>
     <name>alidade::ui::RecoveryDialog</name>
     <message>
         <source>Unsaved changes were kept</source>
@@ -13985,6 +14080,10 @@ a clause as a sentence</extracomment>
         <source>series</source>
         <translation>系列</translation>
     </message>
+    <message>
+        <source>Condition</source>
+        <translation>条件</translation>
+    </message>
 </context>
 <context>
     <name>alidade::ui::SessionDocument</name>
@@ -14080,10 +14179,6 @@ a clause as a sentence</extracomment>
     </message>
     <message>
         <source>Does the centre of a rotatable arc lie on its axis? The readings of a theodolite in, the intersection with its uncertainty and a verdict out.</source>
-    <message>
-        <source>Condition</source>
-        <translation>条件</translation>
-    </message>
         <translation>可转动圆弧的圆心是否在其轴上？输入经纬仪读数，得出相交度及其不确定度和判定。</translation>
     </message>
     <message>
@@ -14771,6 +14866,10 @@ a clause as a sentence</extracomment>
     <message>
         <source>Instr&amp;ument</source>
         <translation>仪器(&amp;U)</translation>
+    </message>
+    <message>
+        <source>Instrument &amp;Records…</source>
+        <translation>仪器档案(&amp;R)…</translation>
     </message>
 </context>
 <context>
