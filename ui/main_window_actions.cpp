@@ -446,6 +446,8 @@ void WindowActions::createToolsMenu() {
         [this] { m_window.sideWindows().showBlindTrials(); });
   addTo(menu, nullptr, tr("&Instrument Check…"), {}, this,
         [this] { m_window.sideWindows().showInstrumentCheck(); });
+  addTo(menu, nullptr, tr("Instrument &Records…"), {}, this,
+        [this] { m_window.sideWindows().showRecordHistory(); });
   addTo(menu, nullptr, tr("&Series…"), {}, this, [this] { m_window.sideWindows().showSeries(); });
   addTo(menu, nullptr, tr("&Commands…"), QKeySequence(tr("Ctrl+Shift+P")), this, [this] {
     CommandPalette palette(*m_window.menuBar(), &m_window);

@@ -21,10 +21,14 @@ std::string remarkOf(const Statement& statement, std::size_t column) {
 
 std::vector<std::string> Statement::textsBelow(const Row& row) const {
   std::vector<std::string> texts;
-  for (std::size_t i = 0; i < row.cells.size(); ++i)
-    if (columns[i].role == Column::Role::Text && !row.cells[i].empty())
+  for (std::size_t i = 0; i < row.cells.size(); ++i) {
+    if (columns[i].role != Column::Role::Text || row.cells[i].empty()) continue;
+    if (columns[i].title.empty())
+      texts.push_back(row.cells[i]);
+    else
       //: title of a column and its cell: "cannot be told from: gravity sag"
       texts.push_back(Phrase::of("%1: %2", columns[i].title, row.cells[i]));
+  }
   return texts;
 }
 

@@ -6867,14 +6867,6 @@ Includes every catalogued effect, limited by these readings or by its plausible 
         <translation>%1，序列号 %2</translation>
     </message>
     <message>
-        <source>accept</source>
-        <translation>合格</translation>
-    </message>
-    <message>
-        <source>reject</source>
-        <translation>不合格</translation>
-    </message>
-    <message>
         <source>all, pooled</source>
         <translation>全部合并</translation>
     </message>
@@ -12022,12 +12014,12 @@ a clause as a sentence</extracomment>
         <translation>%1度盘：%2 σ</translation>
     </message>
     <message>
-        <source>● horizontal  ◆ vertical, ± %1 σ; grey: the model holds</source>
-        <translation>● 水平  ◆ 竖直，± %1 σ；灰色：模型成立</translation>
+        <source>● horizontal  ◆ vertical; grey: the model holds</source>
+        <translation>● 水平  ◆ 竖直；灰色：模型成立</translation>
     </message>
     <message>
-        <source>● horizontal  ◆ vertical, ± %1 σ</source>
-        <translation>● 水平  ◆ 竖直，± %1 σ</translation>
+        <source>● horizontal  ◆ vertical</source>
+        <translation>● 水平  ◆ 竖直</translation>
     </message>
 </context>
 <context>
@@ -12963,6 +12955,101 @@ a clause as a sentence</extracomment>
     <message>
         <source>Why are these %1 rows excluded? (Enter: no reason)</source>
         <translation>为何排除这 %1 行？（Enter：不说明）</translation>
+    </message>
+</context>
+<context>
+    <name>alidade::ui::RecordHistoryDialog</name>
+    <message>
+        <source>Instrument Records over Time</source>
+        <translation>仪器档案随时间的变化</translation>
+    </message>
+    <message>
+        <source>Records of the instrument</source>
+        <translation>该仪器的档案</translation>
+    </message>
+    <message>
+        <source>Add a folder of instrument records (*.alidade-instrument).</source>
+        <translation>请添加存有仪器档案 (*.alidade-instrument) 的文件夹。</translation>
+    </message>
+    <message>
+        <source>Save chart</source>
+        <translation>保存图表</translation>
+    </message>
+    <message>
+        <source>Instrument</source>
+        <translation>仪器</translation>
+    </message>
+    <message>
+        <source>Quantity</source>
+        <translation>量</translation>
+    </message>
+    <message>
+        <source>Records in the baseline</source>
+        <translation>基准阶段的档案数</translation>
+    </message>
+    <message>
+        <source>all records</source>
+        <translation>全部档案</translation>
+    </message>
+    <message>
+        <source>The first records set centre line and limits, which watch the later ones</source>
+        <translation>前几份档案确定中心线和控制限，用以监视其后的档案</translation>
+    </message>
+    <message>
+        <source>&amp;Instrument</source>
+        <translation>仪器(&amp;I)</translation>
+    </message>
+    <message>
+        <source>&amp;Quantity</source>
+        <translation>量(&amp;Q)</translation>
+    </message>
+    <message>
+        <source>&amp;Baseline</source>
+        <translation>基准阶段(&amp;B)</translation>
+    </message>
+    <message>
+        <source>Add &amp;Folder…</source>
+        <translation>添加文件夹(&amp;F)…</translation>
+    </message>
+    <message>
+        <source>All instrument records (*.alidade-instrument) of a folder</source>
+        <translation>一个文件夹中的全部仪器档案 (*.alidade-instrument)</translation>
+    </message>
+    <message>
+        <source>Export &amp;JSON…</source>
+        <translation>导出 JSON(&amp;J)…</translation>
+    </message>
+    <message>
+        <source>Export &amp;CSV…</source>
+        <translation>导出 CSV(&amp;C)…</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>关闭</translation>
+    </message>
+    <message>
+        <source>Add a folder of instrument records</source>
+        <translation>添加仪器档案文件夹</translation>
+    </message>
+    <message>
+        <source>Add a folder</source>
+        <translation>添加文件夹</translation>
+    </message>
+    <message>
+        <source>%1 holds no other instrument record (*.alidade-instrument): choose another folder.</source>
+        <translation>%1 中没有其他仪器档案 (*.alidade-instrument)：请选择另一个文件夹。</translation>
+    </message>
+    <message>
+        <source>These records state no constant with its uncertainty.</source>
+        <translation>这些档案没有给出带不确定度的常数。</translation>
+    </message>
+    <message>
+        <source>%1 holds the same record as %2: counted once.</source>
+        <translation>%1 与 %2 的档案相同：只计一次。</translation>
+    </message>
+    <message>
+        <source>Export history</source>
+        <translation>导出历史</translation>
     </message>
 </context>
 <context>
@@ -13979,6 +14066,10 @@ a clause as a sentence</extracomment>
         <source>series</source>
         <translation>系列</translation>
     </message>
+    <message>
+        <source>Condition</source>
+        <translation>条件</translation>
+    </message>
 </context>
 <context>
     <name>alidade::ui::SessionDocument</name>
@@ -14761,6 +14852,10 @@ a clause as a sentence</extracomment>
     <message>
         <source>Instr&amp;ument</source>
         <translation>仪器(&amp;U)</translation>
+    </message>
+    <message>
+        <source>Instrument &amp;Records…</source>
+        <translation>仪器档案(&amp;R)…</translation>
     </message>
 </context>
 <context>

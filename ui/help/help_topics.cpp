@@ -26,6 +26,7 @@ constexpr ClassTopic classTopics[] = {
     {"alidade::ui::FormList", "forms"},
     {"alidade::ui::BlindTrialDialog", "gap#trials"},
     {"alidade::ui::InstrumentDialog", "instrument"},
+    {"alidade::ui::RecordHistoryDialog", "instrument"},
     {"alidade::ui::ConnectionDialog", "connection"},
     {"alidade::ui::ReadingQuestionBar", "connection#question"},
     {"alidade::ui::InstallationDialog", "installation"},

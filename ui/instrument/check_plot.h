@@ -34,6 +34,7 @@ class CheckPlot : public Plot {
   void applyStyle() override;
   QRectF axisRange(const QSizeF& plotArea) const override;
   void placeExtras() override;
+  double leastXStep() const override { return m_view == View::Distance ? 0 : 1; }  // rounds
 
  private:
   enum class Kind { Collimation, Index, Orientation, Direction, Zenith };

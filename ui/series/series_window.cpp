@@ -38,7 +38,17 @@ namespace alidade::ui {
 
 namespace {
 
-enum Column { Date, Title, Instrument, DeviceName, Intersection, VerdictColumn, Trouble, ColumnCount };
+enum Column {
+  Date,
+  Title,
+  Instrument,
+  DeviceName,
+  Intersection,
+  VerdictColumn,
+  Condition,
+  Trouble,
+  ColumnCount
+};
 
 QString decoded(const std::string& path) {
   return QFile::decodeName(QByteArray::fromStdString(path));
@@ -144,8 +154,8 @@ QWidget* SeriesWindow::createButtons() {
 
 QWidget* SeriesWindow::createTable() {
   m_table->setColumnCount(ColumnCount);
-  m_table->setHorizontalHeaderLabels(
-      {tr("Date"), tr("Title"), tr("Instrument"), tr("Device"), tr("Δd ± U"), tr("Verdict"), tr("Trouble")});
+  m_table->setHorizontalHeaderLabels({tr("Date"), tr("Title"), tr("Instrument"), tr("Device"), tr("Δd ± U"),
+                                      tr("Verdict"), tr("Condition"), tr("Trouble")});
   m_table->setAccessibleName(tr("Sessions of the series"));
   m_table->setSelectionBehavior(QAbstractItemView::SelectRows);
   m_table->setSelectionMode(QAbstractItemView::ExtendedSelection);
@@ -273,7 +283,7 @@ void SeriesWindow::showSessions() {
     const QString path = decoded(session.path);
     const auto set = [&](Column column, QTableWidgetItem* item) {
       item->setToolTip(tipText(
-          column == Trouble && !item->text().isEmpty() ? item->text() : QDir::toNativeSeparators(path)));
+          column >= Condition && !item->text().isEmpty() ? item->text() : QDir::toNativeSeparators(path)));
       m_table->setItem(row, column, item);
     };
     const Epoch* epoch = session.epoch ? &*session.epoch : nullptr;
@@ -284,7 +294,8 @@ void SeriesWindow::showSessions() {
     set(DeviceName, cell(epoch ? named(epoch->device, epoch->deviceSerial) : none));
     set(Intersection,
         cell(epoch ? qText(intersectionText(*epoch)) : none, Qt::AlignRight | Qt::AlignVCenter));
-    set(VerdictColumn, cell(epoch ? qText(verdictWord(*epoch)) : none));
+    set(VerdictColumn, cell(epoch ? qText(epoch->judgement.verdict) : none));
+    set(Condition, cell(epoch ? qText(epoch->judgement.condition) : none));
     set(Trouble, cell(visibleLine(session.trouble)));
     m_table->item(row, Date)->setData(Qt::UserRole, path);
   }

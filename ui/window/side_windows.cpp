@@ -8,6 +8,7 @@
 #include "ui/instrument/check_input.h"
 #include "ui/instrument/instrument_dialog.h"
 #include "ui/self_test/installation_dialog.h"
+#include "ui/series/record_history_dialog.h"
 #include "ui/series/series_window.h"
 
 namespace alidade::ui {
@@ -46,6 +47,11 @@ void SideWindows::showInstrumentCheck() {
 void SideWindows::showInstallationCheck() {
   if (!m_installationCheck) m_installationCheck = new InstallationDialog(m_dialogs, &m_window);
   putInFront(m_installationCheck);
+}
+
+void SideWindows::showRecordHistory() {
+  if (!m_records) m_records = new RecordHistoryDialog(m_dialogs, &m_window);
+  putInFront(m_records);
 }
 
 void SideWindows::showSeries() {

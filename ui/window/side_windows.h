@@ -10,6 +10,7 @@ class ExportFlow;
 class FileFlow;
 class InstallationDialog;
 class InstrumentDialog;
+class RecordHistoryDialog;
 class SeriesWindow;
 
 /// The windows that stay open next to the main one. Each is created when first shown.
@@ -22,6 +23,7 @@ class SideWindows : public QObject {
   void showBlindTrials();
   void showInstrumentCheck();
   void showInstallationCheck();
+  void showRecordHistory();
   void showSeries();
   /// Shows the sessions of a `*.alidade-series` file.
   void openSeries(const QString& path);
@@ -39,6 +41,7 @@ class SideWindows : public QObject {
   BlindTrialDialog* m_blindTrials = nullptr;
   InstallationDialog* m_installationCheck = nullptr;
   InstrumentDialog* m_instrumentCheck = nullptr;
+  RecordHistoryDialog* m_records = nullptr;
   SeriesWindow* m_series = nullptr;
 };
 

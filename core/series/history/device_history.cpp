@@ -89,6 +89,7 @@ History intersectionHistory(const std::vector<Epoch>& epochs) {
     value.apart = std::min(value.u, std::max(least * value.u, std::sqrt(std::max(0.0, own[i]))));
     value.least = std::min(value.apart, epochs[i].ofFit.sigma);
     value.expanded = epochs[i].intersection.expanded;
+    value.judgement = epochs[i].judgement;
     values.push_back(value);
   }
   History history = historyOf(std::move(values), std::sqrt(shared), epochs.back().coverage);

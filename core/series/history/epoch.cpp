@@ -5,11 +5,11 @@
 
 #include "core/answers/beforehand.h"
 #include "core/base/phrase.h"
-#include "core/diagnosis/decision.h"
 #include "core/diagnosis/diagnose.h"
 #include "core/series/history/history_date.h"
 #include "core/session/readings_digest.h"
 #include "core/session/session_file.h"
+#include "core/statement/headline.h"
 #include "core/wording/diagnosis_fault.h"
 
 namespace alidade {
@@ -46,6 +46,15 @@ void addLengths(Epoch& epoch, const Measurement& measurement, const SessionFit& 
   epoch.degreesOfFreedom = fit.noise.degreesOfFreedom;
 }
 
+Judgement judgementOf(const Headline& headline) {
+  Judgement judgement{.verdict = headline.verdictAndTolerance()};
+  using Kind = Headline::Line::Kind;
+  for (const Kind kind : {Kind::Gap, Kind::Knock})
+    if (const std::string line = headline.line(kind); !line.empty())
+      judgement.condition += (judgement.condition.empty() ? "" : ". ") + line;
+  return judgement;
+}
+
 }  // namespace
 
 Epoch epochOf(const std::string& file, const Session& session, const Measurement& measurement,
@@ -77,7 +86,9 @@ Epoch epochOf(const std::string& file, const Session& session, const Measurement
       epoch.causes.push_back(
           {cause.effect, parameter.name, parameter.unit, parameter.value, parameter.sigma});
   addLengths(epoch, measurement, fit);
-  if (const auto decision = decideAcceptance(measurement, fit, &diagnosis)) epoch.verdict = decision->verdict;
+  const Headline headline = headlineOf(measurement, fit, &diagnosis);
+  epoch.verdict = headline.decided;
+  epoch.judgement = judgementOf(headline);
   return epoch;
 }
 

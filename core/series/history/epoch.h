@@ -9,6 +9,7 @@
 #include "core/base/result.h"
 #include "core/diagnosis/result/diagnosis.h"
 #include "core/effects/catalogue.h"
+#include "core/series/history/history.h"
 #include "core/session/session.h"
 
 namespace alidade {
@@ -49,6 +50,7 @@ struct Epoch {
   double degreesOfFreedom = 0;             ///< of that scale; may be infinite
   std::vector<EpochCause> causes = {};
   std::optional<Verdict> verdict = {};
+  Judgement judgement = {};
   std::optional<double> tolerance = {};  ///< mm; of Δd
 };
 

@@ -18,6 +18,12 @@ namespace alidade {
 // noise s u, s ≥ 1 (less if a part of u may be absent); `course_evidence.h` has the prior odds. A change is
 // reported if its account is `oddsToTell` times as probable as the constant one.
 
+/// How a session was judged, in the words of its headline.
+struct Judgement {
+  std::string verdict = {};    ///< "Accepted · tolerance ± 2.5 mm"; empty for a value without a session
+  std::string condition = {};  ///< of the verdict, or why it is open; may be empty
+};
+
 /// One value of the quantity.
 struct DatedValue {
   std::string date;     ///< as written
@@ -29,6 +35,7 @@ struct DatedValue {
   /// The part of `apart` that is certainly present; 0: all of it. In between, the observed scatter decides.
   double least = 0;
   double expanded = 0;  ///< its U at the history's coverage, in pictures and tables; 0: `factor` u
+  Judgement judgement = {};
 };
 
 /// The course of the quantity.

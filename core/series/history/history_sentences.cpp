@@ -9,6 +9,7 @@
 #include "core/base/phrase.h"
 #include "core/base/quantity_text.h"
 #include "core/base/visible_text.h"
+#include "core/wording/effect_name.h"
 #include "core/wording/verdict.h"
 
 namespace alidade {
@@ -281,13 +282,8 @@ std::string quantityName(const std::string& id) {
   if (id == "radius_180") return Phrase::of("radius at 180°");
   if (id == "line_of_sight") return Phrase::of("offset of the line of sight");
   const std::size_t colon = id.find(": ");
-  if (colon == std::string::npos) {
-    const Effect* effect = effectById(id);
-    return effect ? Phrase::of(effect->name) : id;
-  }
-  const std::string effect = id.substr(0, colon), parameter = id.substr(colon + 2);
-  const Effect* known = effectById(effect);
-  return Phrase::of("%1: %2", known ? Phrase::of(known->name) : effect, parameterName(parameter));
+  if (colon == std::string::npos) return causeName(id);
+  return Phrase::of("%1: %2", causeName(id.substr(0, colon)), parameterName(id.substr(colon + 2)));
 }
 
 std::string courseName(Course course) {

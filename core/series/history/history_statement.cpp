@@ -115,16 +115,16 @@ Statement sessionTable(const DeviceHistory& device) {
                                   {"session", Phrase::of("Session"), Role::Remark},
                                   {"instrument", Phrase::of("Instrument"), Role::Word},
                                   {"intersection", "Δd ± U"},
-                                  {"verdict", Phrase::of("Verdict"), Role::Word}},
+                                  {"verdict", Phrase::of("Verdict"), Role::Word},
+                                  {"condition", "", Role::Text}},
                       .rows = {},
                       .sentences = {sharedSentence(device)}};
   for (const Epoch& epoch : device.epochs) {
     const std::string& instrument =
         epoch.instrumentSerial.empty() ? epoch.instrument : epoch.instrumentSerial;
-    const std::string verdict = verdictWord(epoch);
     statement.rows.push_back({{visibleText(epoch.date), visibleText(epoch.title),
                                instrument.empty() ? "—" : visibleText(instrument), intersectionText(epoch),
-                               verdict.empty() ? "—" : verdict}});
+                               epoch.judgement.verdict, epoch.judgement.condition}});
   }
   return statement;
 }
@@ -229,19 +229,6 @@ Statement recordTable(const InstrumentHistory& instrument, const std::string& to
                                visibleText(instrument.records[i].file)}});
   }
   return statement;
-}
-
-std::string verdictWord(const Epoch& epoch) {
-  if (!epoch.verdict) return "";
-  switch (*epoch.verdict) {
-    case Verdict::Accept:
-      return Phrase::of("accept");
-    case Verdict::Reject:
-      return Phrase::of("reject");
-    case Verdict::Undecided:
-      break;
-  }
-  return Phrase::of("undecided");
 }
 
 std::string intersectionText(const Epoch& epoch) {

@@ -5,8 +5,11 @@
 #include <sys/stat.h>
 
 #include <QComboBox>
+#include <QDir>
 #include <QFile>
+#include <QFileInfo>
 #include <QLabel>
+#include <QProcess>
 #include <QPushButton>
 #include <QSignalSpy>
 #include <QSpinBox>
@@ -15,12 +18,16 @@
 #include <QTemporaryDir>
 #include <nlohmann/json.hpp>
 
+#include "core/series/history/history_sentences.h"
+#include "core/session/session_file.h"
+#include "core/statement/headline.h"
 #include "tests/ui/shown_texts.h"
 #include "tests/ui/support.h"
 #include "ui/main_window.h"
 #include "ui/series/diagnosis_panel.h"
 #include "ui/series/history_chart.h"
 #include "ui/series/history_panel.h"
+#include "ui/text/visible_text.h"
 #include "ui/window/side_windows.h"
 
 // Tools › Series…: the sessions of a device together.
@@ -29,6 +36,8 @@ namespace alidade::ui {
 namespace {
 
 using testing::HasSubstr;
+
+constexpr int verdict = 5, condition = 6, trouble = 7;
 
 struct SeriesBench {
   SeriesBench() {
@@ -124,6 +133,11 @@ TEST(SeriesWindow, ShowsTheQuantityThatIsChosen) {
   EXPECT_THAT(bench.text("history says"), HasSubstr("the values agree within their uncertainties"));
 }
 
+TEST(SeriesWindow, NamesACauseAsAPersonDoes) {
+  EXPECT_EQ(quantityName("underestimated_noise: ratio"), "noise larger than stated: ratio");
+  EXPECT_EQ(quantityName("trunnion_tilt"), "trunnion tilt");
+}
+
 TEST(SeriesWindow, ComparesTwoSessionsThatAreSelected) {
   SeriesBench bench;
   bench.addYear();
@@ -148,7 +162,38 @@ TEST(SeriesWindow, NamesTheTroubleOfASession) {
   bench.settle();
   ASSERT_EQ(bench.window.table()->rowCount(), 13);
   EXPECT_EQ(bench.cell(12, 1), QStringLiteral("broken.alidade"));
-  EXPECT_THAT(bench.cell(12, 6).toStdString(), HasSubstr("line 1"));
+  EXPECT_THAT(bench.cell(12, trouble).toStdString(), HasSubstr("line 1"));
+}
+
+// Window, console and CSV state the verdict with its tolerance and its condition in the words of the
+// session's headline.
+TEST(SeriesWindow, StatesTheConditionOfAVerdict) {
+  Session session = paperSession();
+  session.measuredOn = "2024-05-01";
+  const Headline headline = headlineOf(assessGap(std::make_shared<const Evaluation>(evaluateFit(session))));
+  const std::string gap = headline.line(Headline::Line::Kind::Gap);
+  ASSERT_THAT(gap, HasSubstr("on condition of"));
+  const QTemporaryDir folder;
+  const QString path = folder.filePath(QStringLiteral("paper.alidade"));
+  QFile file(path);
+  ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+  file.write(QByteArray::fromStdString(writeSession(session)));
+  file.close();
+  SeriesBench bench;
+  bench.window.add({path});
+  bench.settle();
+  EXPECT_EQ(bench.cell(0, verdict).toStdString(), headline.verdictAndTolerance());
+  EXPECT_THAT(headline.verdictAndTolerance(), HasSubstr("tolerance ± 2.5 mm"));
+  EXPECT_THAT(bench.cell(0, condition).toStdString(), HasSubstr(gap));
+  EXPECT_EQ(bench.window.table()->item(0, condition)->toolTip(), tipText(bench.cell(0, condition)));
+  const std::string csv = bench.window.findChild<HistoryChart*>()->numbers();
+  for (const std::string& text : {headline.verdictAndTolerance(), gap}) EXPECT_THAT(csv, HasSubstr(text));
+  QProcess console;
+  console.start(QFileInfo(QStringLiteral(ALIDADE_PROGRAM)).dir().filePath(QStringLiteral("alidade-cli")),
+                {QStringLiteral("history"), path});
+  ASSERT_TRUE(console.waitForFinished(60000));
+  const std::string said = QString::fromUtf8(console.readAllStandardOutput()).simplified().toStdString();
+  for (const std::string& text : {headline.verdictAndTolerance(), gap}) EXPECT_THAT(said, HasSubstr(text));
 }
 
 // Reading a pipe blocks until somebody writes to it.
@@ -161,7 +206,7 @@ TEST(SeriesWindow, ReadsNoPipe) {
   bench.window.add({pipe});
   bench.settle();
   ASSERT_EQ(bench.window.table()->rowCount(), 1);
-  EXPECT_EQ(bench.cell(0, 6).toStdString(), "is a pipe or a device: choose a file");
+  EXPECT_EQ(bench.cell(0, trouble).toStdString(), "is a pipe or a device: choose a file");
 }
 
 TEST(SeriesWindow, HasEachSessionOnce) {
@@ -179,15 +224,16 @@ TEST(SeriesWindow, CountsACopyOnceAndInThePlaceOfWhatWasTakenOut) {
   bench.window.add({bench.dialogs.seriesFolder, copy});
   bench.settle();
   ASSERT_EQ(bench.window.table()->rowCount(), 13);
-  EXPECT_EQ(bench.cell(0, 6), QString());
-  EXPECT_EQ(bench.cell(1, 6).toStdString(), "holds the same readings as 2025-01-04.alidade: counted once");
+  EXPECT_EQ(bench.cell(0, trouble), QString());
+  EXPECT_EQ(bench.cell(1, trouble).toStdString(),
+            "holds the same readings as 2025-01-04.alidade: counted once");
   EXPECT_THAT(bench.text("history says"), HasSubstr("Weighted mean of 12 values"));
   EXPECT_EQ(bench.window.diagnosis()->sessions()->rowCount(), 12);
   bench.window.table()->selectRow(0);
   bench.window.removeSelected();
   bench.settle();
   ASSERT_EQ(bench.window.table()->rowCount(), 12);
-  EXPECT_EQ(bench.cell(0, 6), QString()) << "it counts now";
+  EXPECT_EQ(bench.cell(0, trouble), QString()) << "it counts now";
   EXPECT_THAT(bench.text("history says"), HasSubstr("Weighted mean of 12 values"));
 }
 

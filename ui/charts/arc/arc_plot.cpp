@@ -62,6 +62,7 @@ void ArcPlot::adaptTo(const QSizeF& size) {
 void ArcPlot::setHeadline(const Headline& headline) {
   m_inset->setHeadline(headline);
   m_side->setOffset(headline.offset);
+  placeViews();
 }
 
 void ArcPlot::setEvaluation(const Evaluation& evaluation) {
@@ -188,13 +189,17 @@ QRectF ArcPlot::axisRange(const QSizeF& plotArea) const {
 
 void ArcPlot::placeExtras() {
   showArcs();
-  if (m_picture->intersection) placeInset();
+  placeViews();
+}
+
+void ArcPlot::placeViews() {
+  if (m_picture->intersection && !plotArea().isEmpty()) placeInset();
   placeSideView();
 }
 
-/// The largest square in the lower right corner that keeps clear of points, residuals and arcs; at most a
-/// third of the height.
-void ArcPlot::placeSideView() {
+/// The side of the largest square in the lower right corner that keeps clear of points, residuals and arcs;
+/// at most a third of the height.
+double ArcPlot::cornerOfSideView() const {
   const QRectF area = plotArea();
   double side = area.height() / 3;
   const auto keepClearOf = [&](const QPointF& point) {
@@ -206,11 +211,22 @@ void ArcPlot::placeSideView() {
   for (const auto& pieces : m_arcs)
     for (const QLineSeries* piece : pieces)
       for (const QPointF& point : piece->points()) keepClearOf(sceneFromAxes().map(point));
-  const double margin = 4 * style().unit();
-  side = std::max(0.0, side - 2 * margin);
-  m_side->setSquare(m_picture->intersection
-                        ? QRectF(area.right() - margin - side, area.bottom() - margin - side, side, side)
-                        : QRectF());
+  return side;
+}
+
+/// In the lower right corner, or, where the arcs leave too little of that, below the inset, which gives a
+/// part of its square.
+void ArcPlot::placeSideView() {
+  if (!m_picture->intersection || plotArea().isEmpty()) return m_side->setSquare({});
+  constexpr double enough = 10, leastInset = 12, shareOfInset = 0.52;  // the first two in lines of text
+  const double margin = 4 * style().unit(), line = QFontMetricsF(style().font).height();
+  const double side = std::max(0.0, cornerOfSideView() - 2 * margin);
+  const QRectF area = plotArea(), inset = m_inset->boundingRect();
+  if (side >= enough * line || isZoomed() || !m_side->isMeasured() || inset.width() < leastInset * line)
+    return m_side->setSquare({area.right() - margin - side, area.bottom() - margin - side, side, side});
+  const double height = shareOfInset * inset.height();
+  m_inset->setSquare({inset.left(), inset.top(), inset.width(), height});
+  m_side->setSquare(inset.adjusted(0, height + margin, 0, 0));
 }
 
 void ArcPlot::placeInset() {

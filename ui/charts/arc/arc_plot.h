@@ -47,8 +47,10 @@ class ArcPlot : public Plot {
   void showArcs();
   void drawMarks();
   void showLegend();
+  void placeViews();
   void placeInset();
   void placeSideView();
+  double cornerOfSideView() const;
   bool isDrawn(const DrawnSighting& sighting) const { return m_drawn.takes(sighting.round, sighting.face); }
   QPointF shiftOf(const DrawnSighting& sighting) const;
   const DrawnSighting* sightingOf(const Mark& mark) const;

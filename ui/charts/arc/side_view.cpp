@@ -7,6 +7,8 @@
 #include <cmath>
 
 #include "core/base/round_numbers.h"
+#include "core/wording/size_text.h"
+#include "ui/text/entry_text.h"
 #include "ui/text/quantity_text.h"
 
 namespace alidade::ui {
@@ -16,8 +18,8 @@ struct SideViewText {
   Q_DECLARE_TR_FUNCTIONS(SideViewText)
 };
 
-QString title() {
-  return SideViewText::tr("Along the axis");
+QString nameOf(int axisDeg) {
+  return axisDeg == 0 ? QStringLiteral("O1") : QStringLiteral("O2");
 }
 
 }  // namespace
@@ -38,8 +40,18 @@ void SideView::setSquare(const QRectF& square) {
   updateScale();
 }
 
-bool SideView::hasTitle() const {
-  return m_square.width() >= QFontMetricsF(m_style.font).horizontalAdvance(title()) + line();
+/// Name and figure, or the figure alone, or the name alone.
+QStringList SideView::titleThatFits() const {
+  const QString name = SideViewText::tr("Along the axis");
+  const QString figure =
+      QStringLiteral("Δz = ") + qText(sizeWithExpanded(m_offset->across, m_offset->acrossExpanded, "mm"));
+  const QFontMetricsF metrics(m_style.font);
+  for (const QStringList& parts : {QStringList{name, figure}, QStringList{figure}, QStringList{name}}) {
+    double width = line() * static_cast<double>(parts.size());
+    for (const QString& part : parts) width += metrics.horizontalAdvance(part);
+    if (width <= m_square.width()) return parts;
+  }
+  return {};
 }
 
 double SideView::line() const {
@@ -49,12 +61,14 @@ double SideView::line() const {
 /// Shows both centres with U, but no more of the tolerance than three times as much.
 void SideView::updateScale() {
   m_scale = 0;
+  m_title.clear();
   update();
   if (!m_offset || m_style.font.pixelSize() <= 0) return;
   constexpr double fewestLines = 4, mostOfTolerance = 3;
-  if (m_square.width() < fewestLines * line()) return;
+  if (std::min(m_square.width(), m_square.height()) < fewestLines * line()) return;
+  m_title = titleThatFits();
   m_picture =
-      m_square.adjusted(0.4 * line(), (hasTitle() ? 1.3 : 0.3) * line(), -0.4 * line(), -1.3 * line());
+      m_square.adjusted(0.4 * line(), (m_title.isEmpty() ? 0.3 : 1.3) * line(), -0.4 * line(), -1.3 * line());
   const auto finite = [](double length) { return std::isfinite(length) ? length : 0; };
   const double up = std::abs(m_offset->inPlane) + finite(m_offset->inPlaneExpanded);
   const double across = std::abs(m_offset->across) + finite(m_offset->acrossExpanded);
@@ -67,6 +81,20 @@ void SideView::updateScale() {
 
 QPointF SideView::centre() const {
   return m_picture.center() + m_scale * QPointF(m_offset->across, -m_offset->inPlane);
+}
+
+/// Beside the centre on the side of the axis, O1 above its bar of U and O2 below, within the picture.
+QRectF SideView::nameRect(int axisDeg) const {
+  const bool isFirst = axisDeg == 0;
+  const QPointF at = isFirst ? centre() : 2 * m_picture.center() - centre();
+  const QFontMetricsF metrics(m_style.font);
+  const double width = metrics.horizontalAdvance(nameOf(axisDeg)), gap = 0.4 * line();
+  const bool isLeft = at.x() <= m_picture.center().x();
+  const bool isAbove = at.y() == m_picture.center().y() ? isFirst : at.y() < m_picture.center().y();
+  const double left = isLeft ? at.x() + gap : at.x() - gap - width;
+  const double top = isAbove ? at.y() - line() : at.y();
+  return {std::clamp(left, m_picture.left(), m_picture.right() - width),
+          std::clamp(top, m_picture.top(), m_picture.bottom() - line()), width, line()};
 }
 
 void SideView::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) {
@@ -82,6 +110,8 @@ void SideView::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget
   paintAxis(*painter);
   paintCentres(*painter);
   painter->restore();
+  painter->setPen(m_style.text);
+  for (const int axisDeg : {0, 180}) painter->drawText(nameRect(axisDeg), Qt::AlignCenter, nameOf(axisDeg));
   paintTexts(*painter);
 }
 
@@ -119,7 +149,10 @@ void SideView::paintTexts(QPainter& painter) const {
   const double gap = 0.4 * line(), left = m_square.left() + gap, right = m_square.right() - gap;
   const double baseline = m_square.bottom() - gap;
   painter.setPen(m_style.mutedText);
-  if (hasTitle()) painter.drawText(QPointF(left, m_square.top() + 0.2 * line() + metrics.ascent()), title());
+  const double above = m_square.top() + 0.2 * line() + metrics.ascent();
+  if (!m_title.isEmpty()) painter.drawText(QPointF(left, above), m_title.first());
+  if (m_title.size() > 1)
+    painter.drawText(QPointF(right - metrics.horizontalAdvance(m_title.last()), above), m_title.last());
   const double length = roundDown125(m_square.width() * 0.3 / m_scale), end = left + length * m_scale;
   const QString figure = plainNumberText(length) + QStringLiteral(" mm");
   const double behind = end + gap + metrics.horizontalAdvance(figure);

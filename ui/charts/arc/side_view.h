@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QGraphicsItem>
+#include <QStringList>
 #include <optional>
 
 #include "core/statement/headline.h"
@@ -8,22 +9,28 @@
 
 namespace alidade::ui {
 
-/// The arc's centre seen along the axis of rotation, Δd up and Δz towards the theodolite: with the axis at 0°
-/// with U both ways, at 180° opposite, the axis as a cross, and the tolerance: a band of Δd, or a circle of
-/// the distance. One scale both ways, shown by a bar in mm.
+/// The arc's centre seen along the axis of rotation, Δd up and Δz towards the theodolite: O1, with the axis
+/// at 0°, with U both ways, O2, with the axis at 180°, opposite, the axis as a cross, and the tolerance: a
+/// band of Δd, or a circle of the distance. One scale both ways, shown by a bar in mm. Δz is written above
+/// where it has room.
 class SideView : public QGraphicsItem {
  public:
   using QGraphicsItem::QGraphicsItem;
 
   void setStyle(const PlotStyle& style);
   void setOffset(const std::optional<CentreOffset>& offset);
-  /// The available square, in the parent's units. A picture without room for its title has none.
+  /// The available rectangle, in the parent's units. A picture without room for its title has none.
   void setSquare(const QRectF& square);
 
+  bool isMeasured() const { return m_offset.has_value(); }
   /// Scene units per millimetre; 0 if nothing is drawn.
   double scale() const { return m_scale; }
   /// The place of the centre at 0° in the parent's units.
   QPointF centre() const;
+  /// The place of the name of the centre with the axis at `axisDeg`, 0 or 180.
+  QRectF nameRect(int axisDeg) const;
+  /// The line at the top; empty if it has no room.
+  QStringList title() const { return m_title; }
 
   QRectF boundingRect() const override { return m_square; }
   void paint(QPainter* painter, const QStyleOptionGraphicsItem* option, QWidget* widget) override;
@@ -31,7 +38,7 @@ class SideView : public QGraphicsItem {
  private:
   void updateScale();
   double line() const;  ///< height of a line of text
-  bool hasTitle() const;
+  QStringList titleThatFits() const;
   void paintTolerance(QPainter& painter) const;
   void paintAxis(QPainter& painter) const;
   void paintCentres(QPainter& painter) const;
@@ -39,6 +46,7 @@ class SideView : public QGraphicsItem {
 
   PlotStyle m_style;
   std::optional<CentreOffset> m_offset;
+  QStringList m_title;  ///< its parts, the first at the left, the last at the right
   QRectF m_square, m_picture;
   double m_scale = 0;
 };

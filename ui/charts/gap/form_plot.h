@@ -39,6 +39,7 @@ class FormPlot : public Plot {
   void applyStyle() override;
   QRectF axisRange(const QSizeF& plotArea) const override;
   void placeExtras() override;
+  double leastXStep() const override { return hasLevels() ? 1 : 0; }
 
  private:
   static constexpr std::size_t mostPieces = 4, mostBands = 3;

@@ -17,6 +17,7 @@ namespace alidade::ui {
 namespace {
 
 constexpr std::size_t mostMarkers = 2000;  // beyond, dots
+constexpr int labelGap = 5;                // between names, labels and strip
 using Ranges = std::vector<std::array<double, 2>>;
 
 constexpr std::array arguments{FormArgument::S, FormArgument::Elevation, FormArgument::T};
@@ -75,6 +76,7 @@ void LeftoverStrips::setGap(const Gap& gap) {
     }
     m_axes[strip] = axis;
   }
+  m_reach = std::ceil(10 * m_reach - 1e-9) / 10;  // as its label writes it
   changeTo(tr("%1 residuals of at most %2 σ").arg(m_points.size()).arg(numberText(m_reach, 1)));
 }
 
@@ -92,7 +94,8 @@ int LeftoverStrips::pictureHeight() const {
 }
 
 QRect LeftoverStrips::area(std::size_t strip) const {
-  const int left = fontMetrics().horizontalAdvance(stripName(0)) + 10;
+  const int left = fontMetrics().horizontalAdvance(stripName(0)) +
+                   fontMetrics().horizontalAdvance(reachText(-m_reach)) + 3 * labelGap;
   const int top = static_cast<int>(strip) * (stripHeight() + fontMetrics().height() + 6);
   return {left, top, width() - left - 6, stripHeight()};
 }
@@ -103,9 +106,29 @@ double LeftoverStrips::x(std::size_t strip, double at) const {
   return room.left() + (at - axis.low) / (axis.high - axis.low) * room.width();
 }
 
+/// Half a line is free above and below, so that the labels of the ends are inside the strip.
+double LeftoverStrips::y(std::size_t strip, double sigmas) const {
+  const QRect room = area(strip);
+  return room.top() + (room.height() - sigmas / m_reach * (room.height() - fontMetrics().height())) / 2.0;
+}
+
 QPointF LeftoverStrips::placeOf(std::size_t strip, const Point& point) const {
-  const QRect room = area(strip).adjusted(0, 4, 0, -4);
-  return {x(strip, point.at[strip]), room.center().y() - point.sigmas / m_reach * room.height() / 2};
+  return {x(strip, point.at[strip]), y(strip, point.sigmas)};
+}
+
+QString LeftoverStrips::reachText(double sigmas) const {
+  return sigmas == 0 ? QStringLiteral("0 σ") : signedNumberText(sigmas, 1) + QStringLiteral(" σ");
+}
+
+std::array<LeftoverStrips::Label, 3> LeftoverStrips::labels(std::size_t strip) const {
+  const int height = fontMetrics().height(), right = area(strip).left() - labelGap;
+  const auto label = [&](double sigmas) {
+    const QString text = reachText(sigmas);
+    const int width = fontMetrics().horizontalAdvance(text);
+    const int top = static_cast<int>(std::lround(y(strip, sigmas) - height / 2.0));
+    return Label{text, QRect(right - width, top, width, height)};
+  };
+  return {label(m_reach), label(0), label(-m_reach)};
 }
 
 std::vector<QRect> LeftoverStrips::bands(std::size_t strip) const {
@@ -129,11 +152,11 @@ void LeftoverStrips::paintEvent(QPaintEvent*) {
   const PlotStyle style = screenStyle(palette(), font());
   const bool hasBands = std::ranges::any_of(m_axes, [](const Axis& axis) { return !axis.clean.empty(); });
   const int line = fontMetrics().height();
-  const QString says = hasBands ? tr("● horizontal  ◆ vertical, ± %1 σ; grey: the model holds")
-                                : tr("● horizontal  ◆ vertical, ± %1 σ");
+  const QString says =
+      hasBands ? tr("● horizontal  ◆ vertical; grey: the model holds") : tr("● horizontal  ◆ vertical");
   painter.setPen(style.mutedText);
   painter.drawText(QRect(0, height() - line, width(), line), Qt::AlignLeft | Qt::AlignVCenter,
-                   fontMetrics().elidedText(says.arg(numberText(m_reach, 1)), Qt::ElideRight, width()));
+                   fontMetrics().elidedText(says, Qt::ElideRight, width()));
 }
 
 void LeftoverStrips::paintStrip(QPainter& painter, std::size_t strip) const {
@@ -144,8 +167,12 @@ void LeftoverStrips::paintStrip(QPainter& painter, std::size_t strip) const {
                    stripName(strip));
   painter.fillRect(room, style.background);
   for (const QRect& band : bands(strip)) painter.fillRect(band, style.band);
-  painter.setPen(style.frame);
-  painter.drawLine(room.left(), room.center().y(), room.right(), room.center().y());
+  for (const double sigmas : {m_reach, 0.0, -m_reach}) {
+    painter.setPen(sigmas == 0 ? style.frame : style.grid);
+    painter.drawLine(QPointF(room.left(), y(strip, sigmas)), QPointF(room.right(), y(strip, sigmas)));
+  }
+  painter.setPen(style.mutedText);
+  for (const Label& label : labels(strip)) painter.drawText(label.area, Qt::AlignCenter, label.text);
   const bool isCrowded = m_points.size() > mostMarkers;
   for (const Point& point : m_points) {
     const bool isVertical = point.residual.circle == CircleRead::Vertical;

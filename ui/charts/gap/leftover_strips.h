@@ -10,7 +10,8 @@
 namespace alidade::ui {
 
 /// What is left over along the slider coordinate s, the elevation e and the time t: three strips of the
-/// residuals in σ of the circle. Bands show where the model holds without the forms of that argument.
+/// residuals in σ of the circle, with labels at the ends of their range and at zero. Bands show where the
+/// model holds without the forms of that argument.
 class LeftoverStrips : public BarRows {
   Q_OBJECT
 
@@ -21,6 +22,13 @@ class LeftoverStrips : public BarRows {
   std::string numbers() const override;
   /// The part of a strip where the model holds, in widget units.
   std::vector<QRect> bands(std::size_t strip) const;
+
+  struct Label {
+    QString text;
+    QRect area;  ///< in widget units, centred on the height of its value
+  };
+  /// The labels of a strip from the top: the upper end of the range, zero, the lower end.
+  std::array<Label, 3> labels(std::size_t strip) const;
 
  protected:
   void paintEvent(QPaintEvent* event) override;
@@ -39,7 +47,10 @@ class LeftoverStrips : public BarRows {
     std::vector<std::array<double, 2>> clean;
   };
 
-  int stripHeight() const { return 4 * fontMetrics().height(); }
+  int stripHeight() const { return 5 * fontMetrics().height(); }
+  QString reachText(double sigmas) const;
+  /// The height of a residual in widget units.
+  double y(std::size_t strip, double sigmas) const;
   QRect area(std::size_t strip) const;
   double x(std::size_t strip, double at) const;
   QPointF placeOf(std::size_t strip, const Point& point) const;
@@ -48,7 +59,7 @@ class LeftoverStrips : public BarRows {
 
   std::vector<Point> m_points;
   std::array<Axis, strips> m_axes;
-  double m_reach = 1;  ///< σ at the upper end
+  double m_reach = 1;  ///< σ at the upper end, in tenths
 };
 
 }  // namespace alidade::ui

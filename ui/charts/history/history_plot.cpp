@@ -274,6 +274,8 @@ QString HistoryPlot::describe(const Mark& mark) const {
       lines.append(
           tr("the first value after a step of %1").arg(qText(numbers.withUncertainty(step.size, step.u))));
   if (m_history.oddValue == mark.index) lines.append(tr("stands apart from all others"));
+  for (const std::string* judged : {&value.judgement.verdict, &value.judgement.condition})
+    if (!judged->empty()) lines.append(qText(*judged));
   return lines.join(u'\n');
 }
 
@@ -299,7 +301,8 @@ std::string HistoryPlot::csv() const {
               "u_apart" + unit, "expanded_uncertainty" + unit,
               "centre" + unit,  "limit_3u" + unit,
               "ewma" + unit,    "ewma_limit" + unit,
-              "outside",        "session"};
+              "outside",        "session",
+              "verdict",        "condition"};
   for (std::size_t i = 0; i < m_history.values.size(); ++i) {
     const DatedValue& value = m_history.values[i];
     const ControlChart::Point& point = m_history.chart.points[i];
@@ -310,7 +313,7 @@ std::string HistoryPlot::csv() const {
         .number(point.ewma)
         .number(point.ewmaLimit)
         .count(point.isOut ? 1 : 0);
-    csv.typed(value.of).endRow();
+    csv.typed(value.of).typed(value.judgement.verdict).typed(value.judgement.condition).endRow();
   }
   return csv.text();
 }

@@ -274,12 +274,12 @@ void Plot::applyRange(const QRectF& range) {
   const double ySpacing = metrics.height() * 2.6;
   double xStep = stepFor(std::min(decimalsOfStep(stepFor(0)), 9));
   double yStep = roundUp125(range.height() * ySpacing / m_plotArea.height());
-  if (!isZoomed()) yStep = std::max(yStep, leastYStep());
-  if (hasEqualScales()) {
-    xStep = yStep = std::max(xStep, yStep);
-  } else {
-    xStep = stepOfLabels(xStep, range.left(), range.right());
-    yStep = stepOfLabels(yStep, range.top(), range.bottom());
+  if (hasEqualScales()) xStep = yStep = std::max(xStep, yStep);
+  xStep = stepOfLabels(xStep, range.left(), range.right());
+  yStep = stepOfLabels(yStep, range.top(), range.bottom());
+  if (!isZoomed()) {
+    xStep = std::max(xStep, leastXStep());
+    yStep = std::max(yStep, leastYStep());
   }
   if (qobject_cast<QCategoryAxis*>(m_x))
     applyNames(range);
@@ -292,14 +292,31 @@ void Plot::applyRange(const QRectF& range) {
   m_markers->setFrame(m_plotArea, m_sceneFromAxes);
 }
 
+/// Names that are shorter than the widest of all may be more.
+std::vector<Plot::Tick> Plot::namesFor(const QRectF& range) const {
+  const QFontMetricsF metrics(m_style.font);
+  const double width = 1.35 * metrics.horizontalAdvance(widestXLabel()), scale = m_sceneFromAxes.m11();
+  auto most = static_cast<std::size_t>(std::max(1.0, m_plotArea.width() / std::max(1.0, width)));
+  std::vector<Tick> ticks = xTicks(range.left(), range.right(), most);
+  const auto haveRoom = [&](const std::vector<Tick>& names) {
+    for (std::size_t i = 0; i + 1 < names.size(); ++i)
+      if (scale * (names[i + 1].at - names[i].at) < 1.2 * metrics.horizontalAdvance(names[i].label))
+        return false;
+    return true;
+  };
+  for (const std::size_t few = most + 5; ticks.size() < leastLabels && most < few;) {
+    std::vector<Tick> finer = xTicks(range.left(), range.right(), ++most);
+    if (haveRoom(finer)) ticks = std::move(finer);
+  }
+  return ticks;
+}
+
 void Plot::applyNames(const QRectF& range) {
   auto* axis = qobject_cast<QCategoryAxis*>(m_x);
-  const double width = 1.35 * QFontMetricsF(m_style.font).horizontalAdvance(widestXLabel());
-  const auto most = static_cast<std::size_t>(std::max(1.0, m_plotArea.width() / std::max(1.0, width)));
   const QStringList before = axis->categoriesLabels();
   for (const QString& label : before) axis->remove(label);
   axis->setStartValue(range.left());
-  for (const Tick& tick : xTicks(range.left(), range.right(), most)) axis->append(tick.label, tick.at);
+  for (const Tick& tick : namesFor(range)) axis->append(tick.label, tick.at);
 }
 
 void Plot::applyTicks(QValueAxis* axis, double step) const {

@@ -81,7 +81,8 @@ class Plot : public QObject {
   virtual void applyStyle() = 0;
   /// The ranges for a plot area of this size in scene units: what must be visible, in axis units.
   virtual QRectF axisRange(const QSizeF& plotArea) const = 0;
-  /// True if a millimetre has the same length in x and y, with equal ticks.
+  /// True if a millimetre has the same length in x and y, with equal ticks where both axes have room for
+  /// enough labels.
   virtual bool hasEqualScales() const { return false; }
   struct Tick {
     double at = 0;  ///< in axis units
@@ -90,7 +91,8 @@ class Plot : public QObject {
   /// The ticks of a named x axis in ascending order, at most `most`, with the widest label of all.
   virtual std::vector<Tick> xTicks(double /*low*/, double /*high*/, std::size_t /*most*/) const { return {}; }
   virtual QString widestXLabel() const { return {}; }
-  /// The least distance of ticks of y in a plot that shows everything; 0: any.
+  /// The least distance of ticks in a plot that shows everything: 1 where x or y counts; 0: any.
+  virtual double leastXStep() const { return 0; }
   virtual double leastYStep() const { return 0; }
   /// Called before the layout in this size, in scene units.
   virtual void adaptTo(const QSizeF&) {}
@@ -112,6 +114,7 @@ class Plot : public QObject {
   void styleAxis(QValueAxis* axis) const;
   void applyRange(const QRectF& range);
   void applyNames(const QRectF& range);
+  std::vector<Tick> namesFor(const QRectF& range) const;
   void applyTicks(QValueAxis* axis, double step) const;
   void fitRangeToPlotArea();
   QRectF shownRange() const;

@@ -4,7 +4,9 @@
 
 #include <cmath>
 #include <limits>
+#include <stdexcept>
 
+#include "core/simulation/simulate.h"
 #include "tests/ui/support.h"
 #include "ui/charts/arc/arc_plot.h"
 
@@ -50,6 +52,35 @@ TEST(SideView, HoldsBothCentresWithTheirUncertainty) {
         }
 }
 
+// So that O1 and O2 can be told apart without colour.
+TEST(SideView, NamesBothCentresWithinThePicture) {
+  for (const double across : {-6.0, 0.0, 0.01, 80.0})
+    for (const double up : {-3.0, 0.0, 40.0})
+      for (const QSizeF& size : {QSizeF(70, 70), QSizeF(200, 200), QSizeF(300, 120)}) {
+        SideView view;
+        viewOf(view, CentreOffset{.inPlane = up, .across = across});
+        view.setSquare(QRectF(QPointF(100, 50), size));
+        const QRectF first = view.nameRect(0), second = view.nameRect(180);
+        EXPECT_TRUE(view.boundingRect().contains(first)) << up << ", " << across;
+        EXPECT_TRUE(view.boundingRect().contains(second)) << up << ", " << across;
+        EXPECT_FALSE(size.height() > 100 && first.intersects(second)) << up << ", " << across;
+      }
+}
+
+TEST(SideView, StatesTheOffsetWhereItHasRoom) {
+  SideView view;
+  viewOf(view, CentreOffset{.across = -5.9, .acrossExpanded = 1.2}, 400);
+  ASSERT_EQ(view.title().size(), 2);
+  EXPECT_EQ(view.title().last(), QStringLiteral("Δz = −5.9 ± 1.2 mm"));
+  view.setSquare({0, 0, 160, 160});
+  EXPECT_EQ(view.title(), QStringList(QStringLiteral("Δz = −5.9 ± 1.2 mm")));
+  view.setSquare({0, 0, 100, 100});
+  EXPECT_EQ(view.title(), QStringList(QStringLiteral("Along the axis")));
+  view.setSquare({0, 0, 60, 60});
+  EXPECT_TRUE(view.title().isEmpty());
+  EXPECT_GT(view.scale(), 0);
+}
+
 TEST(SideView, IsEmptyWithoutMeasurementOrRoom) {
   SideView view;
   EXPECT_EQ(viewOf(view, std::nullopt).scale(), 0);
@@ -83,6 +114,34 @@ TEST(SideView, KeepsClearOfWhatTheArcsShow) {
   EXPECT_GT(wide.sideView().scale(), 0);
   wide.setHeadline(headlineOf(*gap.evaluation));
   EXPECT_EQ(wide.sideView().scale(), 0) << "while the diagnosis is running nothing is known across";
+}
+
+/// Arcs of 270°, which leave little of a corner.
+Session longArcs() {
+  Protocol protocol = *protocolByName("paper");
+  protocol.points = 28;
+  protocol.first = Angle::fromDegrees(-45);
+  const Result<Session> simulated = simulate(protocol, drawTruth(5), 5);
+  if (!simulated) throw std::runtime_error(simulated.problem().text());
+  return *simulated;
+}
+
+TEST(SideView, IsReadableBesideLongArcs) {
+  const Gap gap = assessGap(std::make_shared<const Evaluation>(evaluateFit(longArcs())));
+  ArcPlot plot;
+  plot.setStyle(printStyle(QStringLiteral("DejaVu Sans")));
+  plot.setEvaluation(*gap.evaluation);
+  plot.arrange({500, 500});
+  const QRectF whole = plot.inset().boundingRect();
+  plot.setHeadline(headlineOf(gap));
+  const QRectF view = plot.sideView().boundingRect(), inset = plot.inset().boundingRect();
+  const double line = QFontMetricsF(plot.style().font).height();
+  EXPECT_GT(view.width(), 15 * line);
+  EXPECT_GT(view.height(), 6 * line);
+  EXPECT_EQ(plot.sideView().title().size(), 2) << "with the figure of Δz";
+  EXPECT_FALSE(view.intersects(inset));
+  EXPECT_TRUE(whole.contains(view) && whole.contains(inset)) << "together they keep clear of the arcs";
+  EXPECT_GT(plot.inset().scale(), 0);
 }
 
 }  // namespace

@@ -1,7 +1,6 @@
 #include <gtest/gtest.h>
 
 #include <QCoreApplication>
-#include <QGraphicsTextItem>
 #include <QSettings>
 #include <QtCharts/QChart>
 #include <QtCharts/QLineSeries>
@@ -119,48 +118,6 @@ TEST(ResidualHistogram, ARangeSetByHandLeavesOutWhatIsBeyondAndSaysHowMuch) {
     const std::string csv = plot.csv();
     EXPECT_EQ(std::ranges::count(csv, '\n'), 69) << "the table has every residual";
   }
-}
-
-/// The numbers written at an axis; Qt Charts hides those that would overlap.
-int labelsAt(ResidualPlot& plot, Qt::Orientation orientation) {
-  int labels = 0;
-  for (QGraphicsItem* item : plot.scene()->items()) {
-    const auto* text = dynamic_cast<QGraphicsTextItem*>(item);
-    if (!text || !text->isVisible()) continue;
-    bool isNumber = false;
-    text->toPlainText().replace(QChar(0x2212), u'-').toDouble(&isNumber);
-    const QPointF middle = text->sceneBoundingRect().center();
-    const bool isBelow = middle.y() > plot.plotArea().bottom() && middle.x() > plot.plotArea().left() - 20;
-    if (isNumber && isBelow == (orientation == Qt::Horizontal)) ++labels;
-  }
-  return labels;
-}
-
-TEST(ResidualPlot, HasThreeLabelsOnEachAxisAtEverySize) {
-  Session spoiled = paperSession();
-  spoiled.positions[0].readings[8].vertical = "81°29'30\"";  // an error of one degree
-  const Evaluation evaluations[] = {evaluate(paperSession()), evaluate(spoiled),
-                                    evaluateFit(sessionInTwoFaces())};
-  for (const Evaluation& evaluation : evaluations)
-    for (const Over over :
-         {Over::Slider, Over::Order, Over::Elevation, Over::Azimuth, Over::Normal, Over::Count})
-      for (const double reach : {0.0, 7.0, 30.0}) {
-        ResidualChoice choice{.over = over};
-        choice.setReach(reach);
-        ResidualPlot plot;
-        prepare(plot, evaluation, choice);
-        for (const QSize size : {QSize(240, 130), QSize(240, 200), QSize(340, 160), QSize(500, 113),
-                                 QSize(640, 300), QSize(240, 900), QSize(1920, 130), QSize(1920, 1080)}) {
-          plot.arrange(size);
-          QCoreApplication::processEvents();
-          for (const Qt::Orientation axis : {Qt::Horizontal, Qt::Vertical})
-            EXPECT_GE(labelsAt(plot, axis), 3)
-                << static_cast<int>(over) << " ±" << reach << " in " << size.width() << " × " << size.height()
-                << (axis == Qt::Horizontal ? " horizontal" : " vertical") << ", range "
-                << plot.sceneFromAxes().inverted().mapRect(plot.plotArea()).bottom() << ", plot area "
-                << plot.plotArea().width() << " × " << plot.plotArea().height();
-        }
-      }
 }
 
 TEST(ResidualHistogram, CountsInWholeNumbers) {

@@ -128,5 +128,32 @@ TEST(LeftoverStrips, ShadeWhereTheModelHolds) {
   EXPECT_EQ(std::ranges::count(strips.numbers(), '\n'), 1 + 272);
 }
 
+TEST(LeftoverStrips, LabelTheEndsOfTheirRangeAndZero) {
+  LeftoverStrips strips;
+  strips.setGap(*gapOf("dented-guideway"));
+  for (const int width : {260, 600, 1400}) {
+    strips.resize(width, strips.sizeHint().height());
+    QRect above;
+    for (std::size_t strip = 0; strip < 3; ++strip) {
+      const auto [upper, zero, lower] = strips.labels(strip);
+      EXPECT_TRUE(upper.text.endsWith(QStringLiteral(" σ"))) << upper.text.toStdString();
+      EXPECT_EQ(zero.text, QStringLiteral("0 σ"));
+      EXPECT_EQ(lower.text, QChar(0x2212) + upper.text.mid(upper.text.startsWith(u'+') ? 1 : 0));
+      for (const auto& label : {upper, zero, lower}) {
+        EXPECT_TRUE(strips.rect().contains(label.area)) << label.text.toStdString() << " at " << width;
+        EXPECT_EQ(label.area.right(), upper.area.right()) << "flush right";
+        EXPECT_GE(label.area.width(), strips.fontMetrics().horizontalAdvance(label.text));
+        EXPECT_FALSE(label.area.intersects(above));
+        above = label.area;
+      }
+      EXPECT_NEAR(zero.area.center().y(), (upper.area.center().y() + lower.area.center().y()) / 2.0, 1);
+    }
+  }
+  // The largest residual is inside the labelled range.
+  const auto reach =
+      strips.accessibleDescription().section(QStringLiteral("at most "), 1).section(u' ', 0, 0);
+  EXPECT_TRUE(strips.labels(0)[0].text.contains(reach)) << reach.toStdString();
+}
+
 }  // namespace
 }  // namespace alidade::ui

@@ -1,0 +1,62 @@
+#pragma once
+
+#include <QDialog>
+#include <QStringList>
+
+#include "core/series/history/record_history.h"
+
+class QComboBox;
+class QLabel;
+class QPushButton;
+class QSpinBox;
+
+namespace alidade::ui {
+
+class Dialogs;
+class HistoryChart;
+class StatementTable;
+
+/// Instrument records together: the records of one instrument with their due dates, and the control chart of
+/// each of its constants, as `alidade-cli history` states them.
+class RecordHistoryDialog : public QDialog {
+  Q_OBJECT
+
+ public:
+  explicit RecordHistoryDialog(Dialogs& dialogs, QWidget* parent = nullptr);
+
+  void addFolder();  ///< shows the dialog
+  /// Records and folders of them; a file that was added before is left out.
+  void add(const QStringList& filesAndFolders);
+  bool exportJson();
+  bool exportCsv();
+  StatementTable* table() const { return m_table; }
+  HistoryChart* chart() const { return m_chart; }
+
+ private:
+  QWidget* createChoices();
+  QWidget* createButtons();
+  void read(const QString& path);
+  void showInstruments();
+  void showInstrument();
+  void showQuantity();
+  void showRemarks();
+  const InstrumentHistory* instrument() const;
+  const QuantityHistory* quantity() const;
+  std::vector<std::string> remarks() const;
+  bool write(const QString& title, const QString& suffix, const std::string& bytes);
+
+  Dialogs& m_dialogs;
+  std::vector<KeptRecord> m_records;
+  std::vector<std::string> m_unusable;  ///< file and reason
+  InstrumentHistories m_histories;
+  QStringList m_paths;  ///< files added
+  QString m_folder;     ///< the last one visited
+  QComboBox *m_instruments, *m_quantities;
+  QSpinBox* m_baseline;
+  StatementTable* m_table;
+  HistoryChart* m_chart;
+  QLabel *m_says, *m_remarks, *m_instrumentsLabel;
+  QPushButton *m_json, *m_csv;
+};
+
+}  // namespace alidade::ui
