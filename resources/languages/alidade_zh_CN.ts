@@ -8945,8 +8945,8 @@ a clause as a sentence</extracomment>
         <translation>合格：实测 d + U ≤ %1 且仅拟合 |Δd| + U ≤ %1；不合格：d − U &gt; %1；否则待定。</translation>
     </message>
     <message>
-        <source>Accepted: |Δd| + U ≤ %1; rejected: |Δd| − U &gt; %1; both measured and fit only; else undecided.</source>
-        <translation>合格：|Δd| + U ≤ %1；不合格：|Δd| − U &gt; %1；实测与仅拟合均须满足；否则待定。</translation>
+        <source>Accepted: |Δd| + U ≤ %1; rejected: |Δd| − U &gt; %1; both measured and fit only. Undecided else, and where the gap has no known cause.</source>
+        <translation>合格：|Δd| + U ≤ %1；不合格：|Δd| − U &gt; %1；实测与仅拟合均须满足。其他情况，以及差距原因不明时：待定。</translation>
     </message>
     <message>
         <source>Accepted: |Δd| + U ≤ %1; rejected: |Δd| − U &gt; %1; fit only; else undecided.</source>

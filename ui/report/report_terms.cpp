@@ -48,9 +48,10 @@ QString acceptanceRule(const Gap& gap, const QString& tolerance) {
                "undecided.")
         .arg(tolerance);
   if (gap.diagnosis)
-    return Report::
-        tr("Accepted: |Δd| + U ≤ %1; rejected: |Δd| − U > %1; both measured and fit only; else undecided.")
-            .arg(tolerance);
+    return Report::tr(
+               "Accepted: |Δd| + U ≤ %1; rejected: |Δd| − U > %1; both measured and fit only. Undecided "
+               "else, and where the gap has no known cause.")
+        .arg(tolerance);
   return Report::tr("Accepted: |Δd| + U ≤ %1; rejected: |Δd| − U > %1; fit only; else undecided.")
       .arg(tolerance);
 }

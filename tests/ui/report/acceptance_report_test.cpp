@@ -426,8 +426,9 @@ TEST(AcceptanceReport, StatesTheMeasurandAndTheDecisionRuleWithItsRisk) {
   for (const char* text :
        {"half the difference of the heights of the arc centres at 0° (O1) and at 180° (O2), y up; positive "
         "where the centre is the higher one at 0°",
-        "Accepted: |Δd| + U ≤ 2.5 mm; rejected: |Δd| − U > 2.5 mm; both measured and fit only; else "
-        "undecided. Guard band w = U (coverage 95 %): a verdict is wrong with a probability of at most 2."})
+        "Accepted: |Δd| + U ≤ 2.5 mm; rejected: |Δd| − U > 2.5 mm; both measured and fit only. "
+        "Undecided else, and where the gap has no known cause. Guard band w = U (coverage 95 %): a verdict "
+        "is wrong with a probability of at most 2."})
     EXPECT_TRUE(both.contains(QString::fromUtf8(text))) << text << "\n" << both.toStdString();
   session = *loadSession(samplePath(QStringLiteral("clean-session.alidade")).toStdString());
   session.acceptance.toleranceMm = "2";
