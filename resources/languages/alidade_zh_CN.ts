@@ -8985,8 +8985,8 @@ a clause as a sentence</extracomment>
         <translation>结果仅与被测物有关。除完整复制外，不得复制本报告。</translation>
     </message>
     <message>
-        <source>In the corner: the arc&apos;s centre seen along the axis, Δd up and Δz towards the theodolite, at 0° with U, at 180° opposite.</source>
-        <translation>角上：沿回转轴观察的圆心，Δd 向上，Δz 朝向经纬仪，0° 处附 U，180° 处在对侧。</translation>
+        <source>View along the axis: the arc&apos;s centre, Δd up and Δz towards the theodolite, at 0° with U, at 180° opposite.</source>
+        <translation>沿回转轴的视图：圆心，Δd 向上，Δz 朝向经纬仪，0° 处附 U，180° 处在对侧。</translation>
     </message>
     <message>
         <source>Condition</source>

@@ -54,7 +54,7 @@ QString arcCaption(const ArcPlot& plot) {
   if (picture.intersection) sentences += insetSentences(*picture.intersection);
   if (plot.sideView().scale() > 0)
     sentences.append(
-        Report::tr("In the corner: the arc's centre seen along the axis, Δd up and Δz towards the "
+        Report::tr("View along the axis: the arc's centre, Δd up and Δz towards the "
                    "theodolite, at 0° with U, at 180° opposite."));
   return Report::sentences(sentences);
 }
@@ -88,6 +88,19 @@ void addPlot(ReportSheet& sheet, const std::shared_ptr<Plot>& plot, double heigh
   sheet.skip(height + 1.5);
 }
 
+namespace {
+
+/// The height that a caption leaves for its plot on this page, or on the next one if that is too low.
+double roomAbove(ReportSheet& sheet, const QString& caption) {
+  constexpr double least = 50, between = 2;  // mm
+  const auto lines = static_cast<double>(sheet.lines(caption, type::small, ReportSheet::width).size());
+  const double below = lines * sheet.lineHeight(type::small) + between;
+  sheet.keepTogether(least + below);
+  return sheet.room() - below;
+}
+
+}  // namespace
+
 void addPlots(ReportSheet& sheet, const Gap& gap, bool hasArcs, bool hasResiduals) {
   if (!hasArcs && !hasResiduals) return;
   const double lacking = 252 - sheet.height();  // difference from A4
@@ -114,8 +127,9 @@ void addPlots(ReportSheet& sheet, const Gap& gap, bool hasArcs, bool hasResidual
   }
   const auto residuals = std::make_shared<ResidualPlot>();
   residuals->setEvaluation(*gap.evaluation);
-  addPlot(sheet, residuals, residualsHeight);
-  sheet.paragraph(residualCaption(residuals->picture(), hasArcs ? 2 : 1), type::small);
+  const QString caption = residualCaption(residuals->picture(), hasArcs ? 2 : 1);
+  addPlot(sheet, residuals, std::min(residualsHeight, roomAbove(sheet, caption)));
+  sheet.paragraph(caption, type::small);
 }
 
 }  // namespace alidade::ui

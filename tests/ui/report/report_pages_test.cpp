@@ -105,7 +105,8 @@ Session sessionOf(int points, int rounds, std::size_t noteLength) {
   return session;
 }
 
-/// The last page is at least a fifth full, and no page ends in a heading.
+/// The last page is at least a fifth full, no page ends in a heading, and none begins with the caption of a
+/// figure.
 void expectNothingLonely(const Session& session, const ReportOptions& options, const std::string& what) {
   const Printed report(session, options);
   const std::vector<Word> words = wordsOf(report);
@@ -121,6 +122,8 @@ void expectNothingLonely(const Session& session, const ReportOptions& options, c
   for (int page = 0; page < report.pageCount(); ++page) {
     const QStringList lines = report.page(page).split(u'\n', Qt::SkipEmptyParts);
     ASSERT_GE(lines.size(), 4);
+    for (const QString& first : lines.mid(0, 3))
+      EXPECT_FALSE(first.trimmed().startsWith(QStringLiteral("Figure"))) << what << ", page " << page + 1;
     const QString last = lines[lines.size() - 3].trimmed();  // above the two lines of the foot
     EXPECT_FALSE(heading.match(last).hasMatch())
         << what << ", page " << page + 1 << ": " << last.toStdString();
@@ -139,6 +142,20 @@ TEST(ReportPages, LeaveNothingLonelyWhateverTheSession) {
       options.paper.size = QPageSize::Letter;
       expectNothingLonely(session, options, what + ", Letter");
     }
+}
+
+// Both faces and rounds side by side make the longest captions.
+TEST(ReportPages, LeaveNoCaptionWithoutItsFigure) {
+  for (const char* name : {"two-faces.alidade", "dented-guideway.alidade", "paper-table-1.alidade"}) {
+    const Session session = *loadSession(samplePath(QString::fromLatin1(name)).toStdString());
+    ReportOptions options;
+    options.gap = std::make_shared<const Gap>(
+        noGap(std::make_shared<const Evaluation>(evaluate(session)), Absence::NotMade));
+    for (const QPageSize::PageSizeId size : {QPageSize::A4, QPageSize::Letter}) {
+      options.paper.size = size;
+      expectNothingLonely(session, options, std::string(name) + (size == QPageSize::A4 ? "" : ", Letter"));
+    }
+  }
 }
 
 TEST(ReportPages, LeaveNothingLonelyWithADiagnosis) {
