@@ -57,22 +57,14 @@ std::string ruleText(const Measurement& measurement) {
       limit, share);
 }
 
-/// On what the verdict holds: what the headline says before it is used.
-std::string conditionOf(const Headline& headline) {
-  std::string condition = headline.line(Headline::Line::Kind::Gap);
-  const std::string knock = headline.line(Headline::Line::Kind::Knock);
-  if (condition.empty() || knock.empty()) return condition + knock;
-  return Phrase::of("%1. %2", condition, knock);
-}
-
 bool isConditional(const FitAnswer& answer) {
-  return !conditionOf(headlineOf(answer.measurement, answer.fit, answer.found(), answer.dependences)).empty();
+  return !headlineOf(answer.measurement, answer.fit, answer.found(), answer.dependences).condition().empty();
 }
 
 /// The meaning of the schema's word here, or why there is none.
 std::string statementText(const FitAnswer& answer) {
   const Headline headline = headlineOf(answer.measurement, answer.fit, answer.found(), answer.dependences);
-  const std::string condition = conditionOf(headline);
+  const std::string condition = headline.condition();
   const std::string sentence =
       inTurn(condition.empty() ? headline.sentence : Phrase::of("%1. %2", condition, headline.sentence),
              dependenceSentence(answer.dependences));

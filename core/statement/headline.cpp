@@ -194,6 +194,11 @@ std::string Headline::line(Line::Kind kind) const {
   return found == lines.end() ? "" : found->text;
 }
 
+std::string Headline::condition() const {
+  const std::string gap = line(Line::Kind::Gap), knock = line(Line::Kind::Knock);
+  return gap.empty() || knock.empty() ? gap + knock : Phrase::of("%1. %2", gap, knock);
+}
+
 Headline headlineOf(const Evaluation& evaluation) {
   Headline headline = frameOf(evaluation);
   const auto& fitted = evaluation.fit.intersection;

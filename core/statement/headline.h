@@ -60,6 +60,8 @@ struct Headline {
   std::string verdictAndTolerance() const;
   /// The text of the line of this kind; empty without it.
   std::string line(Line::Kind kind) const;
+  /// On what the verdict holds, or why it is open: the lines of the gap and of a knock; may be empty.
+  std::string condition() const;
 };
 
 /// The headline while the diagnosis of the evaluation is running.

@@ -9102,10 +9102,6 @@ a clause as a sentence</extracomment>
 <context>
     <name>RowEntriesText</name>
     <message>
-        <source>face 2</source>
-        <translation>盘右</translation>
-    </message>
-    <message>
         <source>rounds side by side</source>
         <translation>测回并列</translation>
     </message>
@@ -11025,22 +11021,29 @@ a clause as a sentence</extracomment>
     </message>
 </context>
 <context>
-    <name>alidade::ui::HistoryPanel</name>
+    <name>alidade::ui::HistoryChoices</name>
     <message>
-        <source>&amp;Device</source>
-        <translation>设备(&amp;D)</translation>
+        <source>Quantity</source>
+        <translation>量</translation>
     </message>
     <message>
         <source>&amp;Quantity</source>
         <translation>量(&amp;Q)</translation>
     </message>
     <message>
-        <source>Device</source>
-        <translation>设备</translation>
+        <source>&amp;Baseline</source>
+        <translation>基准阶段(&amp;B)</translation>
+    </message>
+</context>
+<context>
+    <name>alidade::ui::HistoryPanel</name>
+    <message>
+        <source>&amp;Device</source>
+        <translation>设备(&amp;D)</translation>
     </message>
     <message>
-        <source>Quantity</source>
-        <translation>量</translation>
+        <source>Device</source>
+        <translation>设备</translation>
     </message>
     <message>
         <source>What the history says</source>
@@ -11073,10 +11076,6 @@ a clause as a sentence</extracomment>
     <message>
         <source>The first sessions set centre line and limits, which watch the later ones: choose those measured before anything could have changed</source>
         <translation>最初几次测量确定中心线和控制限，用来监视其后的测量：请选择可能发生变化之前的测量</translation>
-    </message>
-    <message>
-        <source>&amp;Baseline</source>
-        <translation>基准阶段(&amp;B)</translation>
     </message>
 </context>
 <context>
@@ -12676,14 +12675,6 @@ a clause as a sentence</extracomment>
         <translation>往返测</translation>
     </message>
     <message>
-        <source>face 1</source>
-        <translation>盘左</translation>
-    </message>
-    <message>
-        <source>face 2</source>
-        <translation>盘右</translation>
-    </message>
-    <message>
         <source>both, 1 then 2</source>
         <translation>双盘位，先盘左后盘右</translation>
     </message>
@@ -12980,10 +12971,6 @@ a clause as a sentence</extracomment>
         <translation>仪器</translation>
     </message>
     <message>
-        <source>Quantity</source>
-        <translation>量</translation>
-    </message>
-    <message>
         <source>Records in the baseline</source>
         <translation>基准阶段的档案数</translation>
     </message>
@@ -12998,14 +12985,6 @@ a clause as a sentence</extracomment>
     <message>
         <source>&amp;Instrument</source>
         <translation>仪器(&amp;I)</translation>
-    </message>
-    <message>
-        <source>&amp;Quantity</source>
-        <translation>量(&amp;Q)</translation>
-    </message>
-    <message>
-        <source>&amp;Baseline</source>
-        <translation>基准阶段(&amp;B)</translation>
     </message>
     <message>
         <source>Add &amp;Folder…</source>

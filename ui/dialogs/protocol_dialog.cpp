@@ -14,6 +14,7 @@
 #include <utility>
 
 #include "core/session/entry.h"
+#include "core/session/face.h"
 #include "core/session/row_fields.h"
 #include "ui/recovery/form_draft.h"
 #include "ui/text/entry_text.h"
@@ -73,7 +74,7 @@ ProtocolDialog::ProtocolDialog(const SightingProtocol& protocol, CircleUnit unit
       m_buttons(new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel)) {
   setWindowTitle(tr("Edit Protocol"));
   m_way->addItems({tr("there"), tr("there and back")});
-  m_faces->addItems({tr("face 1"), tr("face 2"), tr("both, 1 then 2"), tr("both, 2 then 1"),
+  m_faces->addItems({qText(faceName(1)), qText(faceName(2)), tr("both, 1 then 2"), tr("both, 2 then 1"),
                      tr("both, 1 2 2 1"), tr("changing from round to round")});
   m_positions->addItems(
       {tr("0°, 180°"), tr("0°"), tr("180°"), tr("0°, 180°, 0° again"), tr("0°, 180°, both again")});

@@ -46,15 +46,6 @@ void addLengths(Epoch& epoch, const Measurement& measurement, const SessionFit& 
   epoch.degreesOfFreedom = fit.noise.degreesOfFreedom;
 }
 
-Judgement judgementOf(const Headline& headline) {
-  Judgement judgement{.verdict = headline.verdictAndTolerance()};
-  using Kind = Headline::Line::Kind;
-  for (const Kind kind : {Kind::Gap, Kind::Knock})
-    if (const std::string line = headline.line(kind); !line.empty())
-      judgement.condition += (judgement.condition.empty() ? "" : ". ") + line;
-  return judgement;
-}
-
 }  // namespace
 
 Epoch epochOf(const std::string& file, const Session& session, const Measurement& measurement,
@@ -88,7 +79,7 @@ Epoch epochOf(const std::string& file, const Session& session, const Measurement
   addLengths(epoch, measurement, fit);
   const Headline headline = headlineOf(measurement, fit, &diagnosis);
   epoch.verdict = headline.decided;
-  epoch.judgement = judgementOf(headline);
+  epoch.judgement = {headline.verdictAndTolerance(), headline.condition()};
   return epoch;
 }
 

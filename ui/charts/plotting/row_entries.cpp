@@ -2,6 +2,9 @@
 
 #include <QCoreApplication>
 
+#include "core/session/face.h"
+#include "ui/text/entry_text.h"
+
 namespace alidade::ui {
 namespace {
 
@@ -21,7 +24,7 @@ std::vector<LegendEntry> rowEntries(const PlotStyle& style, const RowKinds& kind
     marker.inside = style.background;
     marker.filled = false;
     marker.struck = true;
-    entries.push_back({marker, RowEntriesText::tr("face 2")});
+    entries.push_back({marker, qText(faceName(2))});
   }
   if (areApart && kinds.rounds.size() > 1 && !choice.round)
     entries.push_back({{}, RowEntriesText::tr("rounds side by side")});
