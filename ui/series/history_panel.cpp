@@ -1,9 +1,6 @@
 #include "ui/series/history_panel.h"
 
-#include <QComboBox>
-#include <QHBoxLayout>
 #include <QLabel>
-#include <QSpinBox>
 #include <QSplitter>
 #include <QVBoxLayout>
 #include <algorithm>
@@ -14,75 +11,46 @@
 #include "ui/panels/parts/figure_grid.h"
 #include "ui/panels/parts/frames.h"
 #include "ui/series/history_chart.h"
+#include "ui/series/history_choices.h"
 #include "ui/text/entry_text.h"
 #include "ui/text/visible_text.h"
 
 namespace alidade::ui {
 
-namespace {
-
-QString paragraphs(const std::vector<std::string>& sentences) {
-  QStringList lines;
-  for (const std::string& sentence : sentences) lines.append(visibleLine(sentence));
-  return lines.join(QStringLiteral("\n\n"));
-}
-
-}  // namespace
-
 HistoryPanel::HistoryPanel(QWidget* parent)
-    : QWidget(parent), m_devices(new QComboBox), m_quantities(new QComboBox), m_chart(new HistoryChart) {
+    : QWidget(parent),
+      m_choices(new HistoryChoices(
+          {.owner = tr("Device"),
+           .ownerLabel = tr("&Device"),
+           .baseline = tr("Sessions in the baseline"),
+           .all = tr("all sessions"),
+           .tip = tr("The first sessions set centre line and limits, which watch the later ones: choose "
+                     "those measured before anything could have changed")})),
+      m_chart(new HistoryChart) {
   auto* picture = new QWidget;
   auto* pictureLayout = new QVBoxLayout(picture);
   pictureLayout->setContentsMargins(0, 0, 0, 0);
-  pictureLayout->addWidget(createChoices());
+  pictureLayout->addWidget(m_choices);
   pictureLayout->addWidget(m_chart, 1);
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(6, 6, 6, 6);
   QSplitter* parts = split(Qt::Horizontal, "history parts", {picture, scrolled(createText())}, {620, 360});
   layout->addWidget(parts);
-  connect(m_devices, &QComboBox::activated, this, [this] {
+  connect(m_choices, &HistoryChoices::ownerChosen, this, [this] {
     showQuantities();
     emit deviceChosen();
   });
-  connect(m_baseline, &QSpinBox::valueChanged, this, [this] {
+  connect(m_choices, &HistoryChoices::baselineChosen, this, [this] {
     takeBaseline();
     showHistory();
     emit baselineChosen();
   });
-  connect(m_quantities, &QComboBox::activated, this, [this] { showHistory(); });
+  connect(m_choices, &HistoryChoices::quantityChosen, this, &HistoryPanel::showHistory);
   connect(m_chart, &PlotWidget::sightingActivated, this,
           [this](std::size_t, std::size_t value) { activate(value, true); });
   connect(m_chart, &PlotWidget::sightingStepped, this,
           [this](std::size_t, std::size_t value) { activate(value, false); });
   setSeries(nullptr);
-}
-
-QWidget* HistoryPanel::createChoices() {
-  auto* row = new QWidget;
-  auto* layout = new QHBoxLayout(row);
-  layout->setContentsMargins(0, 0, 0, 0);
-  m_devicesLabel = new QLabel(tr("&Device"));
-  m_devicesLabel->setBuddy(m_devices);
-  auto* quantities = new QLabel(tr("&Quantity"));
-  quantities->setBuddy(m_quantities);
-  m_devices->setAccessibleName(tr("Device"));
-  m_quantities->setAccessibleName(tr("Quantity"));
-  m_baseline = new QSpinBox;
-  m_baseline->setAccessibleName(tr("Sessions in the baseline"));
-  m_baseline->setSpecialValueText(tr("all sessions"));
-  m_baseline->setToolTip(
-      tr("The first sessions set centre line and limits, which watch the later ones: choose those measured "
-         "before anything could have changed"));
-  m_baseline->setKeyboardTracking(false);
-  auto* baseline = new QLabel(tr("&Baseline"));
-  baseline->setBuddy(m_baseline);
-  m_quantities->setSizeAdjustPolicy(QComboBox::AdjustToContents);
-  m_devices->setSizeAdjustPolicy(QComboBox::AdjustToContents);
-  for (QWidget* part : std::initializer_list<QWidget*>{m_devicesLabel, m_devices, quantities, m_quantities,
-                                                       baseline, m_baseline})
-    layout->addWidget(part);
-  layout->addStretch();
-  return row;
 }
 
 QWidget* HistoryPanel::createText() {
@@ -103,60 +71,44 @@ QWidget* HistoryPanel::createText() {
 }
 
 const DeviceHistory* HistoryPanel::device() const {
-  const int index = m_devices->currentIndex();
-  return index >= 0 ? &m_deviceHistories[static_cast<std::size_t>(index)] : nullptr;
+  const auto chosen = m_choices->owner();
+  return chosen ? &m_deviceHistories[*chosen] : nullptr;
 }
 
 const QuantityHistory* HistoryPanel::quantity() const {
   const DeviceHistory* shown = device();
-  const int index = m_quantities->currentIndex();
-  return shown && index >= 0 ? &shown->quantities[static_cast<std::size_t>(index)] : nullptr;
+  const auto chosen = m_choices->quantity();
+  return shown && chosen ? &shown->quantities[*chosen] : nullptr;
 }
 
 void HistoryPanel::setSeries(const SharedSeries& series) {
   m_deviceHistories = series ? series->devices : std::vector<DeviceHistory>();
   std::size_t most = 0;
   for (const DeviceHistory& one : m_deviceHistories) most = std::max(most, one.epochs.size());
-  m_baseline->setMaximum(std::max(m_baseline->value(), static_cast<int>(most)));
-  m_baseline->setEnabled(most > 1);
+  m_choices->setMostInBaseline(most);
   takeBaseline();
-  showDevices();
+  QStringList names;
+  for (const DeviceHistory& one : m_deviceHistories) names.append(menuText(qText(deviceName(one))));
+  m_choices->setOwners(names);
+  showQuantities();
 }
 
 void HistoryPanel::setBaseline(int sessions) {
-  m_baseline->setMaximum(std::max(m_baseline->maximum(), sessions));
-  m_baseline->setValue(sessions);
+  m_choices->setBaseline(sessions);
 }
 
 int HistoryPanel::baseline() const {
-  return m_baseline->value();
+  return m_choices->baseline();
 }
 
 void HistoryPanel::takeBaseline() {
   for (DeviceHistory& one : m_deviceHistories)
-    alidade::setBaseline(one, static_cast<std::size_t>(m_baseline->value()));
-}
-
-/// Keeps the chosen device and quantity if they still exist.
-void HistoryPanel::showDevices() {
-  const QString kept = m_devices->currentText();
-  m_devices->clear();
-  for (const DeviceHistory& one : m_deviceHistories) m_devices->addItem(menuText(qText(deviceName(one))));
-  m_devices->setCurrentIndex(std::max(m_devices->findText(kept), m_devices->count() > 0 ? 0 : -1));
-  for (QWidget* part : std::initializer_list<QWidget*>{m_devicesLabel, m_devices})
-    part->setVisible(m_devices->count() > 1);
-  showQuantities();
+    alidade::setBaseline(one, static_cast<std::size_t>(m_choices->baseline()));
 }
 
 void HistoryPanel::showQuantities() {
-  const QVariant kept = m_quantities->currentData();
-  m_quantities->clear();
-  if (const DeviceHistory* shown = device())
-    for (const QuantityHistory& one : shown->quantities)
-      m_quantities->addItem(qText(quantityName(one.id)), qText(one.id));
-  m_quantities->setEnabled(m_quantities->count() > 0);
-  m_quantities->setCurrentIndex(
-      std::max(kept.isValid() ? m_quantities->findData(kept) : -1, m_quantities->count() > 0 ? 0 : -1));
+  const DeviceHistory* shown = device();
+  m_choices->setQuantities(shown ? shown->quantities : std::vector<QuantityHistory>());
   showHistory();
 }
 

@@ -4,13 +4,12 @@
 
 #include "ui/jobs/series_job.h"
 
-class QComboBox;
 class QLabel;
-class QSpinBox;
 
 namespace alidade::ui {
 
 class HistoryChart;
+class HistoryChoices;
 
 /// One quantity of one device over time: its control chart, the conclusions, and a comparison of two
 /// sessions.
@@ -41,9 +40,7 @@ class HistoryPanel : public QWidget {
   void sessionStepped(const std::string& file);
 
  private:
-  QWidget* createChoices();
   QWidget* createText();
-  void showDevices();
   void showQuantities();
   void showHistory();
   void activate(std::size_t value, bool wanted);
@@ -53,10 +50,9 @@ class HistoryPanel : public QWidget {
 
   std::vector<DeviceHistory> m_deviceHistories;
   std::vector<std::string> m_compared;
-  QComboBox *m_devices, *m_quantities;
-  QSpinBox* m_baseline;
+  HistoryChoices* m_choices;
   HistoryChart* m_chart;
-  QLabel *m_says, *m_congruence, *m_devicesLabel;
+  QLabel *m_says, *m_congruence;
 };
 
 }  // namespace alidade::ui

@@ -1,12 +1,9 @@
 #include "ui/series/record_history_dialog.h"
 
-#include <QComboBox>
 #include <QDir>
 #include <QFileInfo>
-#include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
-#include <QSpinBox>
 #include <QSplitter>
 #include <QVBoxLayout>
 #include <algorithm>
@@ -23,6 +20,7 @@
 #include "ui/panels/parts/frames.h"
 #include "ui/panels/parts/statement_table.h"
 #include "ui/series/history_chart.h"
+#include "ui/series/history_choices.h"
 #include "ui/text/entry_text.h"
 #include "ui/text/visible_text.h"
 
@@ -32,6 +30,12 @@ RecordHistoryDialog::RecordHistoryDialog(Dialogs& dialogs, QWidget* parent)
     : QDialog(parent),
       m_dialogs(dialogs),
       m_table(new StatementTable(recordTable({}, {}))),
+      m_choices(new HistoryChoices(
+          {.owner = tr("Instrument"),
+           .ownerLabel = tr("&Instrument"),
+           .baseline = tr("Records in the baseline"),
+           .all = tr("all records"),
+           .tip = tr("The first records set centre line and limits, which watch the later ones")})),
       m_chart(new HistoryChart),
       m_says(wrappedLabel()),
       m_remarks(wrappedLabel()) {
@@ -45,48 +49,19 @@ RecordHistoryDialog::RecordHistoryDialog(Dialogs& dialogs, QWidget* parent)
   auto* lower = new QWidget;
   auto* column = new QVBoxLayout(lower);
   column->setContentsMargins(0, 0, 0, 0);
-  column->addWidget(createChoices());
+  column->addWidget(m_choices);
   column->addWidget(below, 1);
   auto* layout = new QVBoxLayout(this);
   layout->addWidget(split(Qt::Vertical, "record history", {m_table, lower}, {160, 400}), 1);
   layout->addWidget(m_remarks);
   layout->addWidget(createButtons());
   resize(980, 640);
-  connect(m_instruments, &QComboBox::activated, this, &RecordHistoryDialog::showInstrument);
-  connect(m_quantities, &QComboBox::activated, this, &RecordHistoryDialog::showQuantity);
-  connect(m_baseline, &QSpinBox::valueChanged, this, &RecordHistoryDialog::showInstruments);
+  connect(m_choices, &HistoryChoices::ownerChosen, this, &RecordHistoryDialog::showInstrument);
+  connect(m_choices, &HistoryChoices::quantityChosen, this, &RecordHistoryDialog::showQuantity);
+  connect(m_choices, &HistoryChoices::baselineChosen, this, &RecordHistoryDialog::showInstruments);
   connect(&m_chart->files(), &ChartFiles::fileWanted, this,
           [this](const ChartFile& file) { write(tr("Save chart"), file.suffix, file.bytes.toStdString()); });
   showInstruments();
-}
-
-QWidget* RecordHistoryDialog::createChoices() {
-  m_instruments = new QComboBox;
-  m_quantities = new QComboBox;
-  m_baseline = new QSpinBox;
-  m_instruments->setAccessibleName(tr("Instrument"));
-  m_quantities->setAccessibleName(tr("Quantity"));
-  m_baseline->setAccessibleName(tr("Records in the baseline"));
-  m_baseline->setSpecialValueText(tr("all records"));
-  m_baseline->setToolTip(tr("The first records set centre line and limits, which watch the later ones"));
-  m_baseline->setKeyboardTracking(false);
-  auto* row = new QWidget;
-  auto* layout = new QHBoxLayout(row);
-  layout->setContentsMargins(0, 0, 0, 0);
-  const auto add = [&](const QString& text, QWidget* choice) {
-    auto* label = new QLabel(text);
-    label->setBuddy(choice);
-    layout->addWidget(label);
-    layout->addWidget(choice);
-    return label;
-  };
-  m_instrumentsLabel = add(tr("&Instrument"), m_instruments);
-  add(tr("&Quantity"), m_quantities);
-  add(tr("&Baseline"), m_baseline);
-  for (QComboBox* choice : {m_instruments, m_quantities})
-    choice->setSizeAdjustPolicy(QComboBox::AdjustToContents);
-  layout->addStretch();
-  return row;
 }
 
 QWidget* RecordHistoryDialog::createButtons() {
@@ -129,7 +104,7 @@ void RecordHistoryDialog::add(const QStringList& filesAndFolders) {
   m_histories = instrumentHistories(m_records);
   std::size_t most = 0;
   for (const InstrumentHistory& one : m_histories.instruments) most = std::max(most, one.records.size());
-  m_baseline->setMaximum(static_cast<int>(most));
+  m_choices->setMostInBaseline(most);
   showInstruments();
 }
 
@@ -145,44 +120,33 @@ void RecordHistoryDialog::read(const QString& path) {
 }
 
 const InstrumentHistory* RecordHistoryDialog::instrument() const {
-  const int index = m_instruments->currentIndex();
-  return index >= 0 ? &m_histories.instruments[static_cast<std::size_t>(index)] : nullptr;
+  const auto chosen = m_choices->owner();
+  return chosen ? &m_histories.instruments[*chosen] : nullptr;
 }
 
 const QuantityHistory* RecordHistoryDialog::quantity() const {
   const InstrumentHistory* shown = instrument();
-  const int index = m_quantities->currentIndex();
-  return shown && index >= 0 ? &shown->quantities[static_cast<std::size_t>(index)] : nullptr;
+  const auto chosen = m_choices->quantity();
+  return shown && chosen ? &shown->quantities[*chosen] : nullptr;
 }
 
-/// Keeps the chosen instrument and quantity if they still exist.
 void RecordHistoryDialog::showInstruments() {
-  for (InstrumentHistory& one : m_histories.instruments)
-    setBaseline(one, static_cast<std::size_t>(m_baseline->value()));
-  const QString kept = m_instruments->currentText();
-  m_instruments->clear();
-  for (const InstrumentHistory& one : m_histories.instruments)
-    m_instruments->addItem(menuText(qText(instrumentName(one))));
-  m_instruments->setCurrentIndex(
-      std::max(m_instruments->findText(kept), m_instruments->count() > 0 ? 0 : -1));
-  for (QWidget* part : std::initializer_list<QWidget*>{m_instrumentsLabel, m_instruments})
-    part->setVisible(m_instruments->count() > 1);
-  m_baseline->setEnabled(m_baseline->maximum() > 1);
-  m_json->setEnabled(m_instruments->count() > 0);
+  QStringList names;
+  for (InstrumentHistory& one : m_histories.instruments) {
+    setBaseline(one, static_cast<std::size_t>(m_choices->baseline()));
+    names.append(menuText(qText(instrumentName(one))));
+  }
+  m_choices->setOwners(names);
+  m_json->setEnabled(!names.isEmpty());
   showRemarks();
   showInstrument();
 }
 
 void RecordHistoryDialog::showInstrument() {
-  const QVariant kept = m_quantities->currentData();
-  m_quantities->clear();
-  const InstrumentHistory* shown = instrument();
-  m_table->setStatement(recordTable(shown ? *shown : InstrumentHistory(), localDay()));
-  if (shown)
-    for (const QuantityHistory& one : shown->quantities)
-      m_quantities->addItem(qText(quantityName(one.id)), qText(one.id));
-  m_quantities->setEnabled(m_quantities->count() > 0);
-  m_quantities->setCurrentIndex(std::max(m_quantities->findData(kept), m_quantities->count() > 0 ? 0 : -1));
+  const InstrumentHistory* chosen = instrument();
+  const InstrumentHistory shown = chosen ? *chosen : InstrumentHistory();
+  m_table->setStatement(recordTable(shown, localDay()));
+  m_choices->setQuantities(shown.quantities);
   showQuantity();
 }
 
@@ -195,10 +159,7 @@ void RecordHistoryDialog::showQuantity() {
     return;
   }
   m_chart->setHistory(shown->history, qText(quantityName(shown->id)), shown->unit);
-  QStringList sentences;
-  for (const std::string& sentence : historySentences(shown->history, shown->unit))
-    sentences.append(visibleLine(sentence));
-  m_says->setText(sentences.join(QStringLiteral("\n\n")));
+  m_says->setText(paragraphs(historySentences(shown->history, shown->unit)));
 }
 
 std::vector<std::string> RecordHistoryDialog::remarks() const {

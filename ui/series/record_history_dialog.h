@@ -5,15 +5,14 @@
 
 #include "core/series/history/record_history.h"
 
-class QComboBox;
 class QLabel;
 class QPushButton;
-class QSpinBox;
 
 namespace alidade::ui {
 
 class Dialogs;
 class HistoryChart;
+class HistoryChoices;
 class StatementTable;
 
 /// Instrument records together: the records of one instrument with their due dates, and the control chart of
@@ -33,7 +32,6 @@ class RecordHistoryDialog : public QDialog {
   HistoryChart* chart() const { return m_chart; }
 
  private:
-  QWidget* createChoices();
   QWidget* createButtons();
   void read(const QString& path);
   void showInstruments();
@@ -51,11 +49,10 @@ class RecordHistoryDialog : public QDialog {
   InstrumentHistories m_histories;
   QStringList m_paths;  ///< files added
   QString m_folder;     ///< the last one visited
-  QComboBox *m_instruments, *m_quantities;
-  QSpinBox* m_baseline;
   StatementTable* m_table;
+  HistoryChoices* m_choices;
   HistoryChart* m_chart;
-  QLabel *m_says, *m_remarks, *m_instrumentsLabel;
+  QLabel *m_says, *m_remarks;
   QPushButton *m_json, *m_csv;
 };
 

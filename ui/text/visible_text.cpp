@@ -56,6 +56,12 @@ QString shortLine(const QString& text, int most) {
   return QString::fromStdString(shortened(text.toStdString(), static_cast<std::size_t>(most)));
 }
 
+QString paragraphs(const std::vector<std::string>& sentences) {
+  QStringList lines;
+  for (const std::string& sentence : sentences) lines.append(visibleLine(sentence));
+  return lines.join(QStringLiteral("\n\n"));
+}
+
 QString menuText(const QString& text) {
   return shortLine(text, longestMenuText).replace(u'&', QStringLiteral("&&"));
 }

@@ -2,6 +2,7 @@
 
 #include <QString>
 #include <string>
+#include <vector>
 
 namespace alidade::ui {
 
@@ -20,6 +21,9 @@ QString shortLine(const QString& text, int most);
 inline QString shortLine(const std::string& text, int most) {
   return shortLine(QString::fromStdString(text), most);
 }
+
+/// Sentences on lines of their own, an empty line between them.
+QString paragraphs(const std::vector<std::string>& sentences);
 
 /// Text for a menu, tab or button: short, with ampersands escaped, since they would underline a letter.
 QString menuText(const QString& text);

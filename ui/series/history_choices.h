@@ -1,0 +1,54 @@
+#pragma once
+
+#include <QWidget>
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "core/series/history/quantity_history.h"
+
+class QComboBox;
+class QLabel;
+class QSpinBox;
+
+namespace alidade::ui {
+
+/// Chooses the history to draw, in a row: the device or instrument, if there are several, its quantity, and
+/// how many of the first values are the baseline. New choices keep what was chosen if it is still there.
+class HistoryChoices : public QWidget {
+  Q_OBJECT
+
+ public:
+  /// What differs between the histories of devices and of instruments.
+  struct Words {
+    QString owner, ownerLabel;  ///< "Device", "&Device"
+    QString baseline;           ///< for screen readers: "Sessions in the baseline"
+    QString all;                ///< a baseline of 0: "all sessions"
+    QString tip;                ///< of the baseline
+  };
+
+  explicit HistoryChoices(const Words& words, QWidget* parent = nullptr);
+
+  void setOwners(const QStringList& names);
+  void setQuantities(const std::vector<QuantityHistory>& quantities);
+  /// `most`: how many values a baseline can have.
+  void setMostInBaseline(std::size_t most);
+  void setBaseline(int values);
+
+  /// Indices into what was set; absent without any.
+  std::optional<std::size_t> owner() const;
+  std::optional<std::size_t> quantity() const;
+  int baseline() const;
+
+ signals:
+  void ownerChosen();
+  void quantityChosen();
+  void baselineChosen();
+
+ private:
+  QLabel* m_ownersLabel;
+  QComboBox *m_owners, *m_quantities;
+  QSpinBox* m_baseline;
+};
+
+}  // namespace alidade::ui
