@@ -214,19 +214,32 @@ double ArcPlot::cornerOfSideView() const {
   return side;
 }
 
-/// In the lower right corner, or, where the arcs leave too little of that, below the inset, which gives a
-/// part of its square.
+/// Below the inset, where the corner has too little room: the inset gives a part of its square, but never its
+/// headline.
+bool ArcPlot::placeSideViewBelowInset() {
+  constexpr double leastInset = 12, shareOfInset = 0.52;  // the first in lines of text
+  const QRectF inset = m_inset->boundingRect();
+  if (isZoomed() || !m_side->isMeasured() ||
+      inset.width() < leastInset * QFontMetricsF(style().font).height())
+    return false;
+  const bool hasHeadline = !m_inset->titleLines().isEmpty();
+  const double height = shareOfInset * inset.height(), margin = 4 * style().unit();
+  m_inset->setSquare({inset.left(), inset.top(), inset.width(), height});
+  if (hasHeadline && m_inset->titleLines().isEmpty()) {
+    m_inset->setSquare(inset);
+    return false;
+  }
+  m_side->setSquare(inset.adjusted(0, height + margin, 0, 0));
+  return true;
+}
+
 void ArcPlot::placeSideView() {
   if (!m_picture->intersection || plotArea().isEmpty()) return m_side->setSquare({});
-  constexpr double enough = 10, leastInset = 12, shareOfInset = 0.52;  // the first two in lines of text
-  const double margin = 4 * style().unit(), line = QFontMetricsF(style().font).height();
-  const double side = std::max(0.0, cornerOfSideView() - 2 * margin);
-  const QRectF area = plotArea(), inset = m_inset->boundingRect();
-  if (side >= enough * line || isZoomed() || !m_side->isMeasured() || inset.width() < leastInset * line)
-    return m_side->setSquare({area.right() - margin - side, area.bottom() - margin - side, side, side});
-  const double height = shareOfInset * inset.height();
-  m_inset->setSquare({inset.left(), inset.top(), inset.width(), height});
-  m_side->setSquare(inset.adjusted(0, height + margin, 0, 0));
+  constexpr double enough = 10;  // lines of text
+  const double margin = 4 * style().unit(), side = std::max(0.0, cornerOfSideView() - 2 * margin);
+  if (side < enough * QFontMetricsF(style().font).height() && placeSideViewBelowInset()) return;
+  const QRectF area = plotArea();
+  m_side->setSquare({area.right() - margin - side, area.bottom() - margin - side, side, side});
 }
 
 void ArcPlot::placeInset() {

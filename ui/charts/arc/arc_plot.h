@@ -50,6 +50,7 @@ class ArcPlot : public Plot {
   void placeViews();
   void placeInset();
   void placeSideView();
+  bool placeSideViewBelowInset();
   double cornerOfSideView() const;
   bool isDrawn(const DrawnSighting& sighting) const { return m_drawn.takes(sighting.round, sighting.face); }
   QPointF shiftOf(const DrawnSighting& sighting) const;

@@ -126,6 +126,26 @@ Session longArcs() {
   return *simulated;
 }
 
+// The headline is the inset's first purpose.
+TEST(SideView, TakesNoHeadlineFromTheInset) {
+  for (const Session& session : {paperSession(), longArcs()}) {
+    const Gap gap = assessGap(std::make_shared<const Evaluation>(evaluateFit(session)));
+    for (double side = 250; side < 900; side += 50) {
+      const auto titlesWith = [&](bool isMeasured) {
+        Headline headline = headlineOf(gap);
+        if (!isMeasured) headline.offset.reset();
+        ArcPlot plot;
+        plot.setStyle(printStyle(QStringLiteral("DejaVu Sans")));
+        plot.setEvaluation(*gap.evaluation);
+        plot.setHeadline(headline);
+        plot.arrange({side, side});
+        return plot.inset().titleLines().size();
+      };
+      EXPECT_EQ(titlesWith(true) > 0, titlesWith(false) > 0) << side;
+    }
+  }
+}
+
 TEST(SideView, IsReadableBesideLongArcs) {
   const Gap gap = assessGap(std::make_shared<const Evaluation>(evaluateFit(longArcs())));
   ArcPlot plot;
