@@ -10,4 +10,8 @@ namespace alidade {
 /// not finite become null.
 std::string answerText(nlohmann::ordered_json document);
 
+/// The document with every number that has an old name also by the name that replaces it, beside it: `u` and
+/// `standard_uncertainty`, `dof_zenith` and `degrees_of_freedom_zenith`.
+nlohmann::ordered_json withLongNames(const nlohmann::ordered_json& document);
+
 }  // namespace alidade

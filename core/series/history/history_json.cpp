@@ -47,11 +47,8 @@ Json chartJson(const History& history) {
 }
 
 Json valueJson(const DatedValue& value) {
-  Json json = {{"date", value.date},
-               {"value", value.value},
-               {"u", value.u},
-               {"standard_uncertainty", value.u},
-               {"expanded_uncertainty", value.expanded}};
+  Json json = {
+      {"date", value.date}, {"value", value.value}, {"u", value.u}, {"expanded_uncertainty", value.expanded}};
   if (value.apart != value.u) json["u_apart"] = value.apart;
   if (!value.of.empty()) json["session"] = value.of;
   return json;
@@ -69,11 +66,9 @@ Json seriesJson(const History& history, const std::string& unit) {
                 {{"value", history.mean.value},
                  {"u", history.mean.u},
                  {"u_scattered", history.mean.scattered},
-                 {"standard_uncertainty", history.mean.u},
                  {"expanded_uncertainty", history.factor * history.mean.u}}},
                {"chi2", history.chiSquare},
                {"dof", history.degreesOfFreedom},
-               {"degrees_of_freedom", history.degreesOfFreedom},
                {"p_value", history.chance ? Json(*history.chance) : Json()},
                {"stable", history.stable ? Json(*history.stable) : Json()},
                {"steps", steps},
@@ -159,7 +154,7 @@ Json named(const std::string& name, const Json& json) {
 std::string historyJson(const std::string& name, const ValueTable& table, const History& history) {
   Json json = named(name, seriesJson(history, table.unit));
   json["remarks"] = table.remarks;
-  return answerText(std::move(json));
+  return answerText(withLongNames(std::move(json)));
 }
 
 std::string historyJson(const std::string& name, const DeviceHistories& histories,
@@ -172,7 +167,7 @@ std::string historyJson(const std::string& name, const DeviceHistories& historie
     for (const DeviceHistory& device : histories.devices) json["devices"].push_back(deviceJson(device));
   }
   json["remarks"] = remarks;
-  return answerText(std::move(json));
+  return answerText(withLongNames(std::move(json)));
 }
 
 std::string historyJson(const std::string& name, const InstrumentHistories& histories,
@@ -181,7 +176,7 @@ std::string historyJson(const std::string& name, const InstrumentHistories& hist
   for (const InstrumentHistory& instrument : histories.instruments)
     json["instruments"].push_back(instrumentHistoryJson(instrument));
   json["remarks"] = remarks;
-  return answerText(std::move(json));
+  return answerText(withLongNames(std::move(json)));
 }
 
 }  // namespace alidade

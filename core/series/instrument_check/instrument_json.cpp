@@ -73,11 +73,7 @@ Json scatterJson(const CheckScatter& direction, const CheckScatter& vertical, co
           {"u_collimation_arcsec", finite(collimation.u)},
           {"index_arcsec", finite(index.value)},
           {"u_index_arcsec", finite(index.u)},
-          {"dof_faces", whole(index.dof)},
-          {"degrees_of_freedom_direction", whole(direction.dof)},
-          {"degrees_of_freedom_zenith", whole(vertical.dof)},
-          {"standard_uncertainty_collimation_arcsec", finite(collimation.u)},
-          {"standard_uncertainty_index_arcsec", finite(index.u)}};
+          {"dof_faces", whole(index.dof)}};
 }
 
 const char* reasonName(LeftOut why) {
@@ -145,20 +141,20 @@ std::string instrumentJson(const CheckIdentity& identity, const InstrumentCheck&
   pooled["indices_differ_p_value"] = finite(check.indicesDifferP);
   const std::optional<bool> passed = hasPassed(check);
   const auto stated = [](const std::string& text) { return text.empty() ? Json(nullptr) : Json(text); };
-  return answerText({{"instrument", {{"name", identity.name}, {"serial", identity.serial}}},
-                     {"measured_on", stated(identity.measuredOn)},
-                     {"next_check_due", stated(identity.due)},
-                     {"verdict", !passed   ? "not_judged"
-                                 : *passed ? "passed"
-                                           : "failed"},
-                     {"stations", std::move(stations)},
-                     {"pooled", std::move(pooled)},
-                     {"tests",
-                      {{"direction", testJson(check.directionTest)},
-                       {"zenith", testJson(check.verticalTest)},
-                       {"two_samples", samplesJson(check)}}},
-                     {"findings", findingsJson(findings)},
-                     {"remarks", remarks}});
+  return answerText(withLongNames({{"instrument", {{"name", identity.name}, {"serial", identity.serial}}},
+                                   {"measured_on", stated(identity.measuredOn)},
+                                   {"next_check_due", stated(identity.due)},
+                                   {"verdict", !passed   ? "not_judged"
+                                               : *passed ? "passed"
+                                                         : "failed"},
+                                   {"stations", std::move(stations)},
+                                   {"pooled", std::move(pooled)},
+                                   {"tests",
+                                    {{"direction", testJson(check.directionTest)},
+                                     {"zenith", testJson(check.verticalTest)},
+                                     {"two_samples", samplesJson(check)}}},
+                                   {"findings", findingsJson(findings)},
+                                   {"remarks", remarks}}));
 }
 
 std::string instrumentCsv(const CheckIdentity& identity, const InstrumentCheck& check) {
