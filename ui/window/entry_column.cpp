@@ -52,8 +52,8 @@ EntryColumn::EntryColumn(SessionDocument& document, SessionJobs& jobs, Instrumen
   desk.setPositions(*m_positions);
   QWidget* top = stacked(m_forms, stacked(find, stacked(desk.questionBar(), m_positions)));
   const bool low = isLow(window);
-  QSplitter* column = split(Qt::Vertical, "entries", {top, createFindings(low)}, {620, low ? 30 : 90});
-  m_widget = padded(column, {6, 6, 0, 6});
+  m_column = split(Qt::Vertical, "entries", {top, createFindings(low)}, {620, low ? 30 : 90});
+  m_widget = padded(m_column, {6, 6, 0, 6});
   layOutByFont(*m_widget, [widget = m_widget, &window] {
     widget->setMinimumWidth(byFont(isNarrow(window) ? 422 : 440));  // fits every placeholder of the forms
     widget->setMaximumWidth(byFont(760));  // fits every column of readings, and a note
@@ -136,9 +136,27 @@ void EntryColumn::connectFindings(SessionJobs& jobs) {
   });
   connect(&jobs, &SessionJobs::gapAged, m_findings, &FindingsPanel::setGapStale);
   connect(&jobs, &SessionJobs::gapCleared, m_findings, &FindingsPanel::clearGap);
+  // Queued: the lines above the list are laid out first.
+  connect(m_findings, &FindingsPanel::listed, this, &EntryColumn::giveFindingsRoom, Qt::QueuedConnection);
   connect(m_findings, &FindingsPanel::gapActivated, this, &EntryColumn::gapWanted);
   connect(m_findings, &FindingsPanel::placeActivated, this,
           [this](const Place& place) { emit revealWanted(place, true); });
+}
+
+/// As much as every line needs, up to a third of the column, unless a person has set the height. It gives
+/// room back only where half is left over: the lines of a half-typed row come and go with each reading.
+void EntryColumn::giveFindingsRoom() {
+  if (isSetByHand(*m_column)) return;
+  QList<int> sizes = m_column->sizes();
+  const int whole = sizes[0] + sizes[1], beside = sizes[1] - m_findings->height();
+  const int needed = std::max(m_findings->wholeHeight(), m_findings->minimumHeight()) + beside;
+  const bool isLeftOver = 2 * needed < sizes[1];
+  if (needed <= sizes[1] && !isLeftOver) return;
+  sizes[1] = std::min(needed, std::max(whole / 3, m_column->widget(1)->minimumSizeHint().height()));
+  sizes[0] = whole - sizes[1];
+  m_column->setSizes(sizes);
+  if (ReadingsTable* table = m_positions->currentTable(); table && table->currentIndex().isValid())
+    table->scrollTo(table->currentIndex());
 }
 
 void EntryColumn::markForms() {

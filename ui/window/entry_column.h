@@ -4,6 +4,7 @@
 
 #include "core/base/place.h"
 
+class QSplitter;
 class QTabWidget;
 
 namespace alidade::ui {
@@ -46,11 +47,13 @@ class EntryColumn : public QObject {
   QWidget* createFindings(bool isLow);
   void connectSuspects(SessionJobs& jobs);
   void connectFindings(SessionJobs& jobs);
+  void giveFindingsRoom();
   void markForms();
   void revealReading(const Place& place, bool takeFocus);
 
   SessionDocument& m_document;
   QWidget* m_widget;
+  QSplitter* m_column;  ///< forms and readings above findings
   QTabWidget* m_forms;
   PositionTabs* m_positions;
   FindingsPanel* m_findings;

@@ -5,6 +5,8 @@
 #include <QSettings>
 #include <QSplitter>
 
+#include "ui/panels/parts/frames.h"
+
 namespace alidade::ui {
 
 namespace {
@@ -33,7 +35,8 @@ void restoreLayout(QMainWindow& window) {
   window.restoreGeometry(settings.value(layoutKey(QStringLiteral("geometry"))).toByteArray());
   window.restoreState(settings.value(layoutKey(QStringLiteral("state"))).toByteArray());
   for (QSplitter* splitter : window.findChildren<QSplitter*>())
-    splitter->restoreState(settings.value(layoutKey(splitter->objectName())).toByteArray());
+    if (splitter->restoreState(settings.value(layoutKey(splitter->objectName())).toByteArray()))
+      markSetByHand(*splitter);
   constexpr QSize frame(16, 40);
   const QRect room = window.screen()->availableGeometry();
   window.resize(window.size().boundedTo(room.size() - frame));
@@ -44,7 +47,7 @@ void saveLayout(const QMainWindow& window) {
   settings.setValue(layoutKey(QStringLiteral("geometry")), window.saveGeometry());
   settings.setValue(layoutKey(QStringLiteral("state")), window.saveState());
   for (const QSplitter* splitter : window.findChildren<QSplitter*>())
-    settings.setValue(layoutKey(splitter->objectName()), splitter->saveState());
+    if (isSetByHand(*splitter)) settings.setValue(layoutKey(splitter->objectName()), splitter->saveState());
 }
 
 }  // namespace alidade::ui

@@ -14,7 +14,7 @@ bool isLow(const QWidget& window);
 /// Most of a large screen, within a comfortable field of view.
 QSize firstSize(const QWidget& window);
 
-/// The remembered size and splitters, within the screen and its frame.
+/// The remembered size and the splitters set by hand, within the screen and its frame.
 void restoreLayout(QMainWindow& window);
 void saveLayout(const QMainWindow& window);
 

@@ -9,6 +9,8 @@ namespace alidade::ui {
 
 namespace {
 
+constexpr const char* setByHand = "isSetByHand";
+
 class Scrolled : public QScrollArea {
  public:
   explicit Scrolled(QWidget* content) {
@@ -35,7 +37,16 @@ QSplitter* split(Qt::Orientation orientation, const char* name, std::initializer
   splitter->setChildrenCollapsible(false);
   for (QWidget* part : parts) splitter->addWidget(part);
   splitter->setSizes(sizes);
+  QObject::connect(splitter, &QSplitter::splitterMoved, splitter, [splitter] { markSetByHand(*splitter); });
   return splitter;
+}
+
+bool isSetByHand(const QSplitter& splitter) {
+  return splitter.property(setByHand).toBool();
+}
+
+void markSetByHand(QSplitter& splitter) {
+  splitter.setProperty(setByHand, true);
 }
 
 QWidget* padded(QWidget* content, const QMargins& margins) {

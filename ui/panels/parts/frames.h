@@ -11,9 +11,13 @@ class QWidget;
 namespace alidade::ui {
 
 /// Puts `parts` side by side or above each other, with `sizes` as initial sizes. Its state is remembered
-/// under `name`.
+/// under `name` once a handle of it was moved.
 QSplitter* split(Qt::Orientation orientation, const char* name, std::initializer_list<QWidget*> parts,
                  const QList<int>& sizes);
+
+/// True once a person moved a handle of the splitter, in this window or in the one whose layout was restored.
+bool isSetByHand(const QSplitter& splitter);
+void markSetByHand(QSplitter& splitter);
 
 /// Wraps the content in a layout, whose margins count in a splitter's minimum size, unlike its own.
 QWidget* padded(QWidget* content, const QMargins& margins);

@@ -96,6 +96,13 @@ void FindingsPanel::clearGap() {
   m_entries.clear();
   clear();
   emit counted({});
+  emit listed();
+}
+
+int FindingsPanel::wholeHeight() const {
+  int height = 2 * frameWidth();
+  for (int row = 0; row < count(); ++row) height += sizeHintForRow(row) + 2 * spacing();
+  return height;
 }
 
 /// Leaves an unchanged list alone, so scroll position and current line stay. An "all sound" line also stays
@@ -114,6 +121,7 @@ void FindingsPanel::refresh() {
   m_entries = std::move(entries);
   for (const Entry& entry : m_entries) add(entry);
   emit counted(countText());
+  emit listed();
 }
 
 QString FindingsPanel::countText() const {

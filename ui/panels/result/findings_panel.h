@@ -25,12 +25,15 @@ class FindingsPanel : public QListWidget {
   void setGapStale();
   /// Another session, not diagnosed yet.
   void clearGap();
+  /// The height that shows every line at this width.
+  int wholeHeight() const;
 
  signals:
   void placeActivated(const alidade::Place& place);
   /// Counts by kind: "2 problems, 1 warning"; empty for one or none.
   void counted(const QString& text);
   void gapActivated();
+  void listed();  ///< the lines have changed
 
  protected:
   void initViewItemOption(QStyleOptionViewItem* option) const override;
