@@ -64,7 +64,9 @@ void setFigure(Headline& headline, const Measurement& measurement, const std::st
   headline.name = name;
   headline.figure = figureText(measurement, value, expanded);
   if (measurement.tolerance && std::isfinite(expanded))
-    headline.scale = ToleranceScale{std::abs(value), expanded, *measurement.tolerance};
+    headline.scale = ToleranceScale{
+        std::abs(value), expanded, *measurement.tolerance,
+        measurement.measurand == Measurand::Distance && headline.isMeasured ? "d ± U" : "|Δd| ± U"};
 }
 
 /// Everything except figure, verdict and lines.

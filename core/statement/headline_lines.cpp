@@ -1,5 +1,6 @@
 #include "core/statement/headline_lines.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -11,12 +12,28 @@
 #include "core/wording/conditions.h"
 #include "core/wording/effect_name.h"
 #include "core/wording/size_text.h"
+#include "core/wording/verdict.h"
 
 namespace alidade {
 
 namespace {
 
 using Line = Headline::Line;
+
+/// Why a verdict is open that nothing but U keeps open; empty otherwise.
+std::string intervalText(const Measurement& measurement, const IntersectionEstimate& found,
+                         const MeasuredIntersection* measured, const AcceptanceDecision* decision) {
+  using enum AcceptanceDecision::Obstacle;
+  if (!decision || decision->verdict != Verdict::Undecided || decision->obstacle != Uncertainty) return "";
+  const bool isDistance = measurement.measurand == Measurand::Distance && measured && measured->distance;
+  const double value = isDistance ? measured->distance->value : found.value;
+  const double expanded = isDistance ? measured->distance->expanded : found.expanded;
+  const double tolerance = *measurement.tolerance, size = std::abs(value);
+  if (!(size - expanded <= tolerance && size + expanded > tolerance)) return "";
+  const int decimals = decimalsToDecide(value, expanded, tolerance);
+  return Phrase::of("The interval from %1 to %2 mm lies on both sides of the tolerance",
+                    displayText(value - expanded, decimals), displayText(value + expanded, decimals));
+}
 
 /// The part that the tolerance does not apply to, or both parts of a distance.
 Line acrossLine(const Measurement& measurement, const MeasuredIntersection& measured) {
@@ -77,17 +94,27 @@ std::string gapText(const Diagnosis& diagnosis, const AcceptanceDecision* decisi
 
 std::string knockText(const Diagnosis& diagnosis, const AcceptanceDecision& decision) {
   const auto [moments, influence] = knockOf(diagnosis, decision);
-  return Phrase::of("Only if the tripod was not knocked %1: it would move Δd by ± %2 mm undetected", moments,
-                    influence);
+  return Phrase::of(
+      "Only if the tripod was not knocked %1: it would move Δd by ± %2 mm undetected, which U does not "
+      "include",
+      moments, influence);
+}
+
+bool isFound(const Diagnosis& diagnosis, const std::string& effect) {
+  return std::ranges::find(diagnosis.causes, effect, &Cause::effect) != diagnosis.causes.end();
 }
 
 /// The effects with an influence above U. A knock is left out if the verdict states it as a condition.
 std::string undetectableText(const Diagnosis& diagnosis, double expanded, bool isKnockStated) {
   std::vector<std::string> effects;
   for (const UndetectableEffect& effect : undetectableBeyond(diagnosis, expanded))
-    if (!(isKnockStated && effect.effect == jumpId))
-      effects.push_back(Phrase::of("%1 ± %2 mm", causeName(effect.effect),
-                                   displayText(effect.influence, decimalsFor(effect.influence))));
+    if (!(isKnockStated && effect.effect == jumpId)) {
+      const std::string name = isFound(diagnosis, effect.effect)
+                                   ? Phrase::of("%1 besides the one found", causeName(effect.effect))
+                                   : causeName(effect.effect);
+      effects.push_back(
+          Phrase::of("%1 ± %2 mm", name, displayText(effect.influence, decimalsFor(effect.influence))));
+    }
   if (effects.empty()) return "";
   return Phrase::of("Undetectable here, yet a plausible size moves Δd by more than U: %1",
                     listed(namedOrCounted(std::move(effects)), Phrase::of(" and ")));
@@ -137,7 +164,9 @@ std::vector<Line> headlineLines(const Measurement& measurement, const SessionFit
     if (!text.empty()) lines.push_back({.kind = kind, .text = std::move(text), .isWarning = true});
   };
   const bool isKnockStated = decision && !decision->conditions.empty();
-  if (diagnosis && diagnosis->measured) lines.push_back(acrossLine(measurement, *diagnosis->measured));
+  const MeasuredIntersection* measured = diagnosis && diagnosis->measured ? &*diagnosis->measured : nullptr;
+  warn(Line::Kind::Interval, intervalText(measurement, estimateIn(fit, diagnosis), measured, decision));
+  if (measured) lines.push_back(acrossLine(measurement, *measured));
   if (diagnosis && hasGap(*diagnosis)) warn(Line::Kind::Gap, gapText(*diagnosis, decision));
   if (diagnosis && isKnockStated) warn(Line::Kind::Knock, knockText(*diagnosis, *decision));
   warn(Line::Kind::Row, dependenceText(dependences));

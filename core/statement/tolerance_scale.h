@@ -7,9 +7,10 @@ namespace alidade {
 /// The result on a scale that begins at zero: the size of the value, its interval and the limit. Lengths in
 /// mm, ≥ 0.
 struct ToleranceScale {
-  double size = 0;       ///< |value|
-  double expanded = 0;   ///< U, finite
-  double tolerance = 1;  ///< > 0
+  double size = 0;        ///< |value|
+  double expanded = 0;    ///< U, finite
+  double tolerance = 1;   ///< > 0
+  std::string name = {};  ///< of what is shown: "|Δd| ± U"
 
   double low() const { return size > expanded ? size - expanded : 0; }
   double high() const { return size + expanded; }

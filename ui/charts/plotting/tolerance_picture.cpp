@@ -1,8 +1,10 @@
 #include "ui/charts/plotting/tolerance_picture.h"
 
+#include <QCoreApplication>
 #include <QFontMetricsF>
 #include <QPainter>
 #include <algorithm>
+#include <utility>
 
 #include "ui/text/quantity_text.h"
 
@@ -63,14 +65,30 @@ class ScalePainter {
     upright(m_scale.tolerance, 1.25, 2 * m_line);
     m_painter.setFont(m_colours.font);
     m_painter.setPen(m_colours.text);
-    const double baseline = m_ground.bottom() + m_line + m_metrics.ascent();
-    m_painter.drawText(QPointF(m_ground.left(), baseline), QStringLiteral("0"));
     const QString figure = plainNumberText(m_scale.tolerance) + QStringLiteral(" mm");
-    const double width = m_metrics.horizontalAdvance(figure);
-    const double left =
-        std::clamp(at(m_scale.tolerance) - width / 2, m_ground.left() + 2 * m_metrics.averageCharWidth(),
-                   m_ground.right() - width);
-    m_painter.drawText(QPointF(left, baseline), figure);
+    //: the limit on a scale; %1: "2.5 mm"
+    const QString named = QCoreApplication::translate("ToleranceScale", "tolerance %1").arg(figure);
+    const double apart = 2 * m_metrics.averageCharWidth();
+    const auto zero = writeBelow(QStringLiteral("0"), 0, m_ground.left(), m_ground.right());
+    const bool isRoom = m_metrics.horizontalAdvance(named) < m_ground.width() / 3;
+    const auto limit =
+        writeBelow(isRoom ? named : figure, m_scale.tolerance, zero.second + apart, m_ground.right());
+    const QString name = QString::fromStdString(m_scale.name);
+    const double width = m_metrics.horizontalAdvance(name);
+    const bool isBefore = limit.first - zero.second > width + 2 * apart;
+    const bool isAfter = m_ground.right() - limit.second > width + apart;
+    const bool isBeyond = at(m_scale.size) > limit.second;
+    if (isBefore && !(isBeyond && isAfter))
+      writeBelow(name, m_scale.size, zero.second + apart, limit.first - apart);
+    else if (isAfter)
+      writeBelow(name, m_scale.size, limit.second + apart, m_ground.right());
+  }
+  /// Centred below a length, within `from` and `to`; where it begins and ends.
+  std::pair<double, double> writeBelow(const QString& text, double length, double from, double to) {
+    const double width = m_metrics.horizontalAdvance(text);
+    const double left = std::max(from, std::min(at(length) - width / 2, to - width));
+    m_painter.drawText(QPointF(left, m_ground.bottom() + m_line + m_metrics.ascent()), text);
+    return {left, left + width};
   }
 
   QPainter& m_painter;

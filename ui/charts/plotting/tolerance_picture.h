@@ -17,8 +17,8 @@ struct ToleranceColours {
 };
 
 /// Paints the scale from zero: the size as a bar, the interval as a bracket with a mark at the size, the
-/// limit as a line with its figure in mm below. The colours of the ground tell what is within and beyond the
-/// limit.
+/// limit as a line, each with its name below where there is room. The colours of the ground tell what is
+/// within and beyond the limit.
 void paintToleranceScale(QPainter& painter, const QRectF& area, const ToleranceScale& scale,
                          const ToleranceColours& colours);
 
