@@ -50,22 +50,28 @@ struct RowState {
 
 using RowKey = std::tuple<int, int, int>;  ///< point, round, face
 
+/// What the row at an index of its position sights; absent if an entry is unusable.
+std::optional<RowKey> keyOf(const Reading& row, std::size_t index) {
+  const auto point = wholeEntry(pointRule, row.point);
+  const auto round = wholeEntry(roundRule, row.round);
+  const auto face = wholeEntry(faceRule, row.face);
+  if (!point || !round || !face) return std::nullopt;
+  return RowKey(point->value_or(static_cast<int>(index) + 1), round->value_or(1), face->value_or(1));
+}
+
 /// The rows of a position by what they sight. Of two equal rows the included one counts, of two excluded ones
 /// the first.
 std::map<RowKey, RowState> rowsOf(const Position& position) {
   std::map<RowKey, RowState> rows;
   for (std::size_t i = 0; i < position.readings.size(); ++i) {
     const Reading& row = position.readings[i];
-    const auto point = wholeEntry(pointRule, row.point);
-    const auto round = wholeEntry(roundRule, row.round);
-    const auto face = wholeEntry(faceRule, row.face);
-    if (!point || !round || !face) continue;
-    const RowKey key(point->value_or(static_cast<int>(i) + 1), round->value_or(1), face->value_or(1));
+    const auto key = keyOf(row, i);
+    if (!key) continue;
     const RowState state{.row = i,
                          .isRead = !row.horizontal.empty() && !row.vertical.empty(),
                          .isHalf = row.horizontal.empty() != row.vertical.empty(),
                          .isExcluded = row.excluded};
-    const auto [known, isNew] = rows.emplace(key, state);
+    const auto [known, isNew] = rows.emplace(*key, state);
     if (isNew) continue;
     const bool isRepeated = known->second.isRepeated || (known->second.isRead && state.isRead);
     if (known->second.isExcluded && !state.isExcluded) known->second = state;
@@ -76,6 +82,26 @@ std::map<RowKey, RowState> rowsOf(const Position& position) {
 
 RowKey keyOf(const PlannedSighting& planned) {
   return {planned.point, planned.round, planned.face};
+}
+
+/// Do the rows of all positions together begin the order of the protocol?
+bool doRowsFollow(const Session& session, const SightingProtocol& protocol) {
+  const auto positions = positionsOf(session);
+  std::vector<std::size_t> followed(session.positions.size());  // rows of each position
+  bool isPassed = false;                                        // a sighting has no row
+  for (const PlannedSighting& planned : sightingsInOrder(protocol)) {
+    const auto position = positions.find({planned.axisDeg, planned.time});
+    if (planned.isZero || position == positions.end()) continue;
+    const std::vector<Reading>& rows = session.positions[position->second].readings;
+    std::size_t& row = followed[position->second];
+    isPassed = isPassed || row == rows.size();
+    if (isPassed) continue;
+    if (keyOf(rows[row], row) != keyOf(planned)) return false;
+    ++row;
+  }
+  for (std::size_t i = 0; i < followed.size(); ++i)
+    if (followed[i] < session.positions[i].readings.size()) return false;
+  return true;
 }
 
 bool isSighted(const PointingZero& zero, const PlannedSighting& planned) {
@@ -298,6 +324,13 @@ std::vector<PlannedSighting> sightingsInOrder(const SightingProtocol& protocol) 
     sightZeros(position.zeros.after, true);
   }
   return sightings;
+}
+
+Result<std::optional<SightingProtocol>> protocolOf(const Session& session) {
+  auto protocol = statedProtocol(session);
+  if (protocol && *protocol && (*protocol)->isYielding && !doRowsFollow(session, **protocol))
+    return std::optional<SightingProtocol>();
+  return protocol;
 }
 
 ProtocolProgress progressOf(const Session& session, const SightingProtocol& protocol,

@@ -30,6 +30,10 @@ struct PlannedSighting {
 /// All sightings of a protocol, in order.
 std::vector<PlannedSighting> sightingsInOrder(const SightingProtocol& protocol);
 
+/// The protocol that a session follows; absent without one, and where its rows leave a yielding one. Fails,
+/// with the place in the session.
+Result<std::optional<SightingProtocol>> protocolOf(const Session& session);
+
 enum class SightingState {
   Taken,
   Next,      ///< to be taken now

@@ -58,6 +58,7 @@ class ProtocolReader {
     protocol.description = m_reader.text("description");
     protocol.readsSlider = m_reader.flag("read_slider");
     protocol.isByWorth = isByWorth();
+    protocol.isYielding = m_reader.flag("yields");
     protocol.minutes = minutes(m_reader.object("minutes"));
     protocol.places = places(m_reader);
     m_reader.require("positions",
@@ -274,6 +275,7 @@ void write(ObjectWriter& writer, const SightingProtocol& protocol) {
   writer.text("description", protocol.description);
   writer.flag("read_slider", protocol.readsSlider);
   writer.text("order", protocol.isByWorth ? orderByWorth : "");
+  writer.flag("yields", protocol.isYielding);
   writer.part("minutes", minutesJson(protocol.minutes));
   writer.partIfAny("places", placesJson(protocol.places));
   writer.part("positions", positionsJson(protocol.positions), Presence::Required);
@@ -347,7 +349,7 @@ Result<SightingProtocol> loadProtocol(const std::string& path) {
   return readProtocol(*bytes);
 }
 
-Result<std::optional<SightingProtocol>> protocolOf(const Session& session) {
+Result<std::optional<SightingProtocol>> statedProtocol(const Session& session) {
   if (session.protocol.empty()) return std::optional<SightingProtocol>();
   nlohmann::ordered_json json;
   if (const auto problem = parseJson(session.protocol, json)) return within(*problem);

@@ -68,6 +68,8 @@ struct SightingProtocol {
   /// Within a position, the next sighting is the one that tells most for its minutes, and the axis is turned
   /// when that tells more; otherwise the sightings stand in their order.
   bool isByWorth = false;
+  /// Nobody chose it: a session follows it only as long as its rows do.
+  bool isYielding = false;
   SightingMinutes minutes = {};  ///< what a sighting by worth is weighed with
   std::vector<ProtocolPlace> places = {};
   std::vector<ProtocolPosition> positions = {};
@@ -99,8 +101,8 @@ std::string writeProtocol(const SightingProtocol& protocol);
 /// Reads a protocol from a file; the problem says why the file cannot be opened.
 Result<SightingProtocol> loadProtocol(const std::string& path);
 
-/// The protocol of a session; absent without one. Fails, with the place in the session.
-Result<std::optional<SightingProtocol>> protocolOf(const Session& session);
+/// The protocol in the text of a session; absent without one. Fails, with the place in the session.
+Result<std::optional<SightingProtocol>> statedProtocol(const Session& session);
 /// The text for `Session::protocol`.
 std::string protocolText(const SightingProtocol& protocol);
 

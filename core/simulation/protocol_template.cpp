@@ -43,6 +43,14 @@ SightingProtocol templateOf(const Protocol& plan) {
   return protocol;
 }
 
+SightingProtocol usualProtocol() {
+  SightingProtocol protocol = templateOf(*protocolByName("paper"));
+  protocol.name = protocol.description = "";
+  for (ProtocolPlace& place : protocol.places) place.slider = "";
+  protocol.isYielding = true;
+  return protocol;
+}
+
 std::optional<SightingProtocol> templateNamed(std::string_view name) {
   const Protocol* protocol = protocolByName(name);
   return protocol ? std::optional(templateOf(*protocol)) : std::nullopt;

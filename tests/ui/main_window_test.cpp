@@ -19,6 +19,7 @@
 #include "tests/ui/support.h"
 #include "ui/commands/change_field.h"
 #include "ui/commands/edit_readings.h"
+#include "ui/document/session_template.h"
 #include "ui/panels/readings/position_tabs.h"
 #include "ui/panels/readings/readings_table.h"
 #include "ui/panels/result/findings_panel.h"
@@ -257,7 +258,7 @@ TEST(MainWindow, AsksBeforeUnsavedChangesAreLeft) {
   EXPECT_EQ(open->document().session().title, "changed");
   open.dialogs->saveAnswer = Dialogs::SaveAnswer::Discard;
   EXPECT_TRUE(open->files().startNew());
-  EXPECT_EQ(open->document().session(), blankSession());
+  EXPECT_EQ(open->document().session(), templateSession());
   EXPECT_FALSE(open->isWindowModified());
 }
 

@@ -15,7 +15,7 @@ namespace {
 std::string saidOf(const std::string& text) {
   Session alone;
   alone.protocol = text;
-  const auto protocol = protocolOf(alone);
+  const auto protocol = statedProtocol(alone);
   if (!protocol || !*protocol) return text.empty() ? "" : "unreadable";
   const std::string count = std::to_string(sightingCount(**protocol)) + " sightings" +
                             ((*protocol)->isByWorth ? ", by what each tells" : "");
@@ -24,7 +24,8 @@ std::string saidOf(const std::string& text) {
 
 }  // namespace
 
-void followProtocol(SessionDocument& document, const std::optional<SightingProtocol>& protocol) {
+void followProtocol(SessionDocument& document, std::optional<SightingProtocol> protocol) {
+  if (protocol) protocol->isYielding = false;
   const std::string text = protocol ? protocolText(*protocol) : std::string();
   if (text == document.session().protocol) return;
   const QString undoText = protocol ? QCoreApplication::translate("ChangeProtocol", "Follow a protocol")

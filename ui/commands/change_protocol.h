@@ -9,8 +9,8 @@ namespace alidade::ui {
 
 class SessionDocument;
 
-/// Sets the session's protocol, absent: none, and adds its missing positions, in one step. Does nothing if it
-/// is already set.
-void followProtocol(SessionDocument& document, const std::optional<SightingProtocol>& protocol);
+/// Sets the session's protocol, which a person chose, and adds its missing positions, in one step; absent:
+/// none. Does nothing if it is already set.
+void followProtocol(SessionDocument& document, std::optional<SightingProtocol> protocol);
 
 }  // namespace alidade::ui

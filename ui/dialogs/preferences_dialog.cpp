@@ -12,7 +12,7 @@
 #include <QTabWidget>
 #include <QVBoxLayout>
 
-#include "core/session/sighting_protocol.h"
+#include "core/session/protocol_progress.h"
 #include "core/wording/protocol_words.h"
 #include "ui/commands/change_protocol.h"
 #include "ui/dialogs/dialogs.h"

@@ -4,6 +4,7 @@
 
 #include "core/guidance/advised_protocol.h"
 #include "core/session/entry.h"
+#include "core/session/protocol_progress.h"
 #include "core/simulation/protocol_template.h"
 #include "ui/commands/change_protocol.h"
 #include "ui/dialogs/dialogs.h"

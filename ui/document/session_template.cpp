@@ -3,6 +3,8 @@
 #include <QSettings>
 
 #include "core/session/session_file.h"
+#include "core/session/sighting_protocol.h"
+#include "core/simulation/protocol_template.h"
 
 namespace alidade::ui {
 
@@ -10,17 +12,24 @@ namespace {
 
 const QString templateKey = QStringLiteral("newSession");
 
+/// Where the preferences say nothing: a blank session with a protocol to go by.
+Session usualTemplate() {
+  Session session = blankSession();
+  session.protocol = protocolText(usualProtocol());
+  return session;
+}
+
 }  // namespace
 
 Session templateSession() {
   const QByteArray kept = QSettings().value(templateKey).toByteArray();
-  if (kept.isEmpty()) return blankSession();
+  if (kept.isEmpty()) return usualTemplate();
   Result<Session> session = readSession(kept.toStdString());
-  return session ? *std::move(session) : blankSession();
+  return session ? *std::move(session) : usualTemplate();
 }
 
 void keepTemplate(const Session& session) {
-  if (session == blankSession())
+  if (session == usualTemplate())
     QSettings().remove(templateKey);
   else
     QSettings().setValue(templateKey, QByteArray::fromStdString(writeSession(session)));

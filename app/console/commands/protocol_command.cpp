@@ -15,6 +15,7 @@
 #include "core/diagnosis/plan_review.h"
 #include "core/guidance/advised_protocol.h"
 #include "core/session/entry.h"
+#include "core/session/protocol_progress.h"
 #include "core/session/session_file.h"
 #include "core/simulation/planned_session.h"
 #include "core/simulation/protocol_template.h"

@@ -2,6 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <sstream>
+#include <string>
+#include <utility>
+#include <vector>
+
 #include "core/session/sighting_order.h"
 
 namespace alidade {
@@ -42,6 +47,76 @@ TEST(SightingsInOrder, GoThereAndBack) {
 TEST(SightingsInOrder, ReadBothFacesWhereTheSliderStands) {
   EXPECT_EQ(orderOf(threePlaces({{false, {2, 1}}})),
             "0: z1 1.1.2 1.1.1 2.1.2 2.1.1 3.1.2 3.1.1 | 180: z1 1.1.2 1.1.1 2.1.2 2.1.1 3.1.2 3.1.1 ");
+}
+
+/// Rows as "point.round.face" of either position.
+Session sessionOf(const SightingProtocol& protocol, const std::vector<std::string>& at0,
+                  const std::vector<std::string>& at180) {
+  Session session;
+  session.protocol = protocolText(protocol);
+  for (const auto& [axis, rows] : {std::pair("0", at0), std::pair("180", at180)}) {
+    Position position{.axisDeg = axis, .zero = {}, .readings = {}, .origin = {}};
+    for (const std::string& keys : rows) {
+      Reading row;
+      std::istringstream in(keys);
+      std::getline(in, row.point, '.');
+      std::getline(in, row.round, '.');
+      std::getline(in, row.face, '.');
+      row.horizontal = row.vertical = "90";
+      position.readings.push_back(row);
+    }
+    session.positions.push_back(position);
+  }
+  return session;
+}
+
+bool isFollowed(const SightingProtocol& protocol, const std::vector<std::string>& at0,
+                const std::vector<std::string>& at180) {
+  const auto own = protocolOf(sessionOf(protocol, at0, at180));
+  EXPECT_TRUE(own);
+  return own && *own;
+}
+
+TEST(YieldingProtocol, IsFollowedAsLongAsTheRowsStandInItsOrder) {
+  SightingProtocol protocol = threePlaces({{}});
+  protocol.isYielding = true;
+  EXPECT_TRUE(isFollowed(protocol, {}, {}));
+  EXPECT_TRUE(isFollowed(protocol, {"1", "2"}, {}));
+  EXPECT_TRUE(isFollowed(protocol, {"1", "", "3.1.1"}, {"1.1"}));
+  EXPECT_TRUE(isFollowed(protocol, {"1", "2", "3"}, {"1", "2", "3"}));
+  const std::vector<std::vector<std::string>> others[] = {
+      {{"2"}, {}},                   // begins elsewhere
+      {{"1.1.2"}, {}},               // in the other face
+      {{"1", "1.1.2"}, {}},          // both faces
+      {{"1", "2", "2.2"}, {}},       // a way back from fewer places
+      {{"1", "2", "3", "4"}, {}},    // more places
+      {{"1", "2", "3", "1.2"}, {}},  // another round
+      {{"1", "2"}, {"1"}},           // fewer places
+      {{"1", "2", "3"}, {"3"}},      // the other way at 180°
+      {{}, {"1"}},                   // 180° first
+      {{"1", "x", "3"}, {}},         // what is no number
+  };
+  for (const auto& rows : others) EXPECT_FALSE(isFollowed(protocol, rows[0], rows[1])) << rows[0].size();
+  protocol.isYielding = false;
+  for (const auto& rows : others) EXPECT_TRUE(isFollowed(protocol, rows[0], rows[1]));
+}
+
+TEST(YieldingProtocol, LeavesTheNextRowToTheRowsAbove) {
+  SightingProtocol protocol = threePlaces({{}});
+  protocol.isYielding = true;
+  EXPECT_EQ(followingReading(sessionOf(protocol, {"1", "2"}, {}), 0).point, "3");
+  const Reading paired = followingReading(sessionOf(protocol, {"1.1.1", "1.1.2"}, {}), 0);
+  EXPECT_EQ(paired.point + paired.face, "21");
+  EXPECT_EQ(followingReading(sessionOf(protocol, {"5", "4"}, {}), 0).point, "3");
+  EXPECT_EQ(followingReading(sessionOf(protocol, {"1", "2", "3", "4"}, {}), 0).point, "5");
+}
+
+TEST(YieldingProtocol, IsKeptAndSaysSo) {
+  SightingProtocol protocol = threePlaces({{}});
+  protocol.isYielding = true;
+  EXPECT_TRUE(readProtocol(writeProtocol(protocol))->isYielding);
+  EXPECT_FALSE(readProtocol(writeProtocol(threePlaces({{}})))->isYielding);
+  EXPECT_EQ(writeProtocol(threePlaces({{}})).find("yields"), std::string::npos);
 }
 
 TEST(ProtocolByWorth, IsLedByTheSightingChosenAndPassesNoneOver) {

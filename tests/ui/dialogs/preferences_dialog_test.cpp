@@ -18,6 +18,7 @@
 
 #include "core/session/sighting_protocol.h"
 #include "core/simulation/protocol_template.h"
+#include "core/wording/protocol_words.h"
 #include "tests/ui/support.h"
 #include "ui/dialogs/file_flow.h"
 #include "ui/document/session_template.h"
@@ -82,12 +83,13 @@ TEST_F(PreferencesTest, KeepsWhatIsAccepted) {
 }
 
 TEST_F(PreferencesTest, KeepsNothingThatIsCancelled) {
+  const Session usual = templateSession();
   PreferencesDialog dialog(dialogs);
   choose(in<QComboBox>(dialog, "paper"), QPageSize::Letter);
   type(dialog, "report.laboratory", "Laboratory A");
   dialog.reject();
   EXPECT_EQ(rememberedReportChoice(), ReportChoice());
-  EXPECT_EQ(templateSession(), blankSession());
+  EXPECT_EQ(templateSession(), usual);
 }
 
 TEST_F(PreferencesTest, NewSessionsStartWithItsEntriesAndOpenOnesKeepTheirs) {
@@ -122,17 +124,34 @@ TEST_F(PreferencesTest, NewSessionsStartWithItsEntriesAndOpenOnesKeepTheirs) {
 }
 
 TEST_F(PreferencesTest, LeadsToAnEntryThatNoSessionCanUse) {
+  const Session usual = templateSession();
   PreferencesDialog dialog(dialogs);
   type(dialog, "instrument.sigma_zero_arcsec", "two");
   dialog.accept();
   EXPECT_NE(dialog.result(), QDialog::Accepted);
   EXPECT_EQ(dialog.findChild<QTabWidget*>()->currentIndex(), 1);
+  EXPECT_EQ(templateSession(), usual);
+}
+
+TEST_F(PreferencesTest, NewSessionsFollowAProtocolUntilNoneIsChosen) {
+  Session usual = templateSession();
+  const auto protocol = protocolOf(usual);
+  ASSERT_TRUE(protocol && *protocol);
+  EXPECT_EQ(protocolInWords(**protocol), "17 places, one face, there");
+  for (const ProtocolPlace& place : (*protocol)->places)
+    EXPECT_FALSE(nominalPlace(place)) << "where the places of another device lie is not known";
+  usual.protocol.clear();
+  EXPECT_EQ(usual, blankSession());
+  PreferencesDialog dialog(dialogs);
+  in<QPushButton>(dialog, "no protocol").click();
+  dialog.accept();
   EXPECT_EQ(templateSession(), blankSession());
 }
 
-TEST_F(PreferencesTest, AnUnreadableTemplateIsABlankSession) {
+TEST_F(PreferencesTest, AnUnreadableTemplateIsTheUsualOne) {
+  const Session usual = templateSession();
   QSettings().setValue(QStringLiteral("newSession"), QByteArray("{\"format\": \"other\"}"));
-  EXPECT_EQ(templateSession(), blankSession());
+  EXPECT_EQ(templateSession(), usual);
 }
 
 TEST_F(PreferencesTest, AreTheOneEntryOfTheMenus) {
