@@ -165,8 +165,8 @@ class SessionForms {
     }
   }
 
-  /// Forms must tell something of readings that took no part: a walk or wave of many numbers may take up
-  /// those at hand without.
+  /// Whether the forms also fit readings that took no part. A walk or wave of many numbers can fit those that
+  /// did, whatever they are.
   static bool predict(const FormShrinkage& shrink) {
     constexpr double significant = 0.05;
     return !(shrink.heldOut <= 0) || shrink.p < significant;

@@ -221,10 +221,9 @@ std::vector<LargeGrossError> largeGrossErrorsOf(const Inquiry& inquiry) {
   return found;
 }
 
-/// Returns the one or two readings without which the others agree a hundred times better. Errors of many
-/// degrees leave no fit at which equations are linear; a search from a majority of rows finds them. Starts
-/// the model from the circles of the others, and without the circle that alone would have to place such a
-/// sighting.
+/// Returns the one or two readings without which the others agree a hundred times better. An error of many
+/// degrees spoils the whole fit, so the usual search, which changes the fit little, cannot see it; this one
+/// begins with a majority of the rows. The model then starts from their circles.
 std::vector<LargeGrossError> farOff(GapModel& own, const std::stop_token& stop) {
   constexpr double better = 100;
   constexpr std::size_t most = 2;
