@@ -6655,10 +6655,6 @@ Includes every catalogued effect, limited by these readings or by its plausible 
         <translation>不合格，条件：%1</translation>
     </message>
     <message>
-        <source>Only if the tripod was not knocked %1: it would move Δd by ± %2 mm undetected</source>
-        <translation>前提是三脚架%1未被碰动：碰动会使 Δd 改变 ± %2 mm 而不被发现</translation>
-    </message>
-    <message>
         <source>1 other</source>
         <translation>另外 1 项</translation>
     </message>
@@ -7859,6 +7855,18 @@ Includes every catalogued effect, limited by these readings or by its plausible 
     <message>
         <source>%1 point %2 (round %3, %4)</source>
         <translation>%1 测点 %2（测回 %3、%4）</translation>
+    </message>
+    <message>
+        <source>The interval from %1 to %2 mm lies on both sides of the tolerance</source>
+        <translation>区间 %1 至 %2 mm 跨在允差两侧</translation>
+    </message>
+    <message>
+        <source>Only if the tripod was not knocked %1: it would move Δd by ± %2 mm undetected, which U does not include</source>
+        <translation>前提是三脚架%1未被碰动：碰动会使 Δd 改变 ± %2 mm 而不被发现，U 不含此项</translation>
+    </message>
+    <message>
+        <source>%1 besides the one found</source>
+        <translation>已发现者之外的%1</translation>
     </message>
 </context>
 <context>
@@ -9322,6 +9330,14 @@ a clause as a sentence</extracomment>
     <message>
         <source>%1 entries differ</source>
         <translation>%1 处输入项不同</translation>
+    </message>
+</context>
+<context>
+    <name>ToleranceScale</name>
+    <message>
+        <source>tolerance %1</source>
+        <extracomment>the limit on a scale; %1: &quot;2.5 mm&quot;</extracomment>
+        <translation>允差 %1</translation>
     </message>
 </context>
 <context>

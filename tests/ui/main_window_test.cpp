@@ -10,6 +10,7 @@
 #include <QLineEdit>
 #include <QListWidget>
 #include <QProcess>
+#include <QSplitter>
 #include <QTabWidget>
 #include <QTemporaryDir>
 #include <QTest>
@@ -20,6 +21,7 @@
 #include "ui/commands/change_field.h"
 #include "ui/commands/edit_readings.h"
 #include "ui/document/session_template.h"
+#include "ui/panels/parts/frames.h"
 #include "ui/panels/readings/position_tabs.h"
 #include "ui/panels/readings/readings_table.h"
 #include "ui/panels/result/findings_panel.h"
@@ -209,6 +211,30 @@ TEST(MainWindow, ListsWhatIsWrongBeforeWhatIsMissing) {
   const auto* findings = open->findChild<FindingsPanel*>();
   ASSERT_GT(findings->count(), 1);
   EXPECT_THAT(findings->item(0)->text().toStdString(), HasSubstr("99 minutes"));
+}
+
+TEST(MainWindow, ShowsEveryProblemUntilAPersonSetsTheHeight) {
+  OpenWindow open;
+  loadPaper(open);
+  ReadingsTable& table = *open->currentTable();
+  const auto* findings = open->findChild<FindingsPanel*>();
+  for (const int row : {2, 5, 7, 9}) {
+    table.selectCell(row, ReadingColumn::Vertical);
+    typeInto(table, QStringLiteral("82 99 39"));
+  }
+  open.settle();
+  ASSERT_GE(findings->count(), 4);
+  EXPECT_GE(findings->height(), findings->wholeHeight());
+  EXPECT_TRUE(table.viewport()->rect().contains(table.visualRect(table.currentIndex())));
+  auto* column = open->findChild<QSplitter*>(QStringLiteral("entries"));
+  markSetByHand(*column);
+  column->setSizes({10'000, 1});
+  const int height = findings->height();
+  EXPECT_LT(height, findings->wholeHeight());
+  table.selectCell(11, ReadingColumn::Vertical);
+  typeInto(table, QStringLiteral("82 99 39"));
+  open.settle();
+  EXPECT_EQ(findings->height(), height);
 }
 
 TEST(MainWindow, LeadsFromAFindingToItsField) {

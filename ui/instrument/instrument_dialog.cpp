@@ -14,6 +14,7 @@
 #include "core/series/instrument_check/check_record.h"
 #include "core/series/instrument_check/check_statement.h"
 #include "core/series/instrument_check/instrument_json.h"
+#include "core/wording/findings.h"
 #include "ui/dialogs/dialogs.h"
 #include "ui/dialogs/written_file.h"
 #include "ui/instrument/check_chart.h"
@@ -116,9 +117,8 @@ void InstrumentDialog::take(const SharedInstrument& answer) {
   colorProblem();
   QStringList sentences;
   for (const Finding& finding : answer->findings)
-    sentences.append(
-        (finding.severity == Severity::Note ? QString() : QStringLiteral("⚠ ")) +
-        visibleLine(finding.remedy.empty() ? finding.text : finding.text + " " + finding.remedy));
+    sentences.append((finding.severity == Severity::Note ? QString() : QStringLiteral("⚠ ")) +
+                     visibleLine(sentencesOf(finding)));
   for (const std::string& remark : answer->remarks) sentences.append(capitalised(visibleLine(remark)) + u'.');
   const bool isEmpty = !answer->check && answer->problem.empty();
   m_said->setText(

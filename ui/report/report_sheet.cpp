@@ -4,11 +4,11 @@
 #include <QPageLayout>
 #include <QPagedPaintDevice>
 #include <QPainter>
-#include <QRegularExpression>
 #include <QTextLayout>
 #include <algorithm>
 
 #include "ui/report/report_text.h"
+#include "ui/text/quantity_text.h"
 #include "ui/text/visible_text.h"
 
 namespace alidade::ui {
@@ -19,12 +19,6 @@ constexpr double footerGap = 3;   // mm below it
 
 /// Characters laid out at once: some twenty lines.
 constexpr qsizetype longestPiece = 2000;
-
-/// The text, of equal length, without break points between a number and its sign or unit.
-QString keptTogether(QString text) {
-  static const QRegularExpression gap(QStringLiteral("(?<=±) (?=\\d)|(?<=\\d) (?=mm|%|°)"));
-  return text.replace(gap, QString(QChar::Nbsp));
-}
 
 }  // namespace
 
@@ -72,7 +66,7 @@ QStringList ReportSheet::lines(const QString& text, const TextStyle& style, doub
 /// piece may change with the following text, so the next piece begins with it.
 void ReportSheet::breakInto(QStringList& lines, const QString& text, const TextStyle& style,
                             double available) const {
-  const QString kept = keptTogether(text);
+  const QString kept = unbroken(text);
   QTextOption option;
   option.setWrapMode(QTextOption::WrapAtWordBoundaryOrAnywhere);
   for (qsizetype begin = 0; begin < text.size();) {

@@ -1,5 +1,6 @@
 #include "ui/text/quantity_text.h"
 
+#include <QRegularExpression>
 #include <algorithm>
 #include <cmath>
 
@@ -62,10 +63,8 @@ QString valueWithUncertainty(double value, double uncertainty, const QString& un
 }
 
 QString unbroken(QString text) {
-  text.replace(QStringLiteral("± "), QStringLiteral("±") + QChar(QChar::Nbsp));
-  for (const QString& unit : {QStringLiteral("mm"), QStringLiteral("%")})
-    text.replace(u' ' + unit, QChar(QChar::Nbsp) + unit);
-  return text;
+  static const QRegularExpression gap(QStringLiteral("(?<=[±<>≤≥]) (?=\\d)|(?<=\\d) (?=mm|%|°)"));
+  return text.replace(gap, QString(QChar::Nbsp));
 }
 
 QString exaggerationText(double factor) {

@@ -40,7 +40,7 @@ QString valueWithUncertainty(double value, double uncertainty, const QString& un
 /// The same with this number of decimals.
 QString valueWithUncertainty(double value, double uncertainty, const QString& unit, int decimals);
 
-/// Keeps each figure with its sign and unit when the line wraps.
+/// Keeps each figure with its sign and unit when the line wraps. The text has as many characters as before.
 QString unbroken(QString text);
 
 /// "× 500".

@@ -5,6 +5,7 @@
 #include <limits>
 #include <memory>
 
+#include "core/effects/cause_ids.h"
 #include "core/session/session_file.h"
 #include "tests/support/paper_table.h"
 
@@ -101,6 +102,25 @@ TEST(Headline, SaysTheDecisionInAWord) {
   EXPECT_EQ(headlineAt("0.5").verdict, "Rejected");
   EXPECT_EQ(headlineAt("0.5").decided, Verdict::Reject);
   EXPECT_THAT(headlineAt("0.5").sentence, HasSubstr("0.5 mm"));
+}
+
+TEST(Headline, SaysThatTheIntervalKeepsTheVerdictOpen) {
+  const Headline open = headlineAt("1.3");
+  EXPECT_EQ(open.line(LineKind::Interval),
+            "The interval from 1.11 to 1.51 mm lies on both sides of the tolerance");
+  EXPECT_EQ(open.lines.front().kind, LineKind::Interval) << "before what is said of a verdict";
+  EXPECT_TRUE(open.lines.front().isWarning);
+  EXPECT_EQ(headlineAt("1.3", -1.308).line(LineKind::Interval),
+            "The interval from −1.51 to −1.11 mm lies on both sides of the tolerance");
+  for (const char* decided : {"2.5", "0.5", ""}) EXPECT_EQ(headlineAt(decided).line(LineKind::Interval), "");
+}
+
+TEST(Headline, CallsAJumpThatWasFoundNotUndetectable) {
+  Gap gap = gapWith(evaluationOf(withTolerance("0.5")), 1.3);
+  gap.diagnosis->undetectable = {{.effect = jumpId, .influence = 0.4}};
+  EXPECT_THAT(headlineOf(gap).line(LineKind::Undetectable), HasSubstr("jump of the orientation ± 0.40 mm"));
+  gap.diagnosis->causes = {causeOf(jumpId, 0.99)};
+  EXPECT_THAT(headlineOf(gap).line(LineKind::Undetectable), HasSubstr("besides the one found ± 0.40 mm"));
 }
 
 // The fit only says 1.31 ± 0.21 mm.
