@@ -68,20 +68,20 @@ class ScalePainter {
     const QString figure = plainNumberText(m_scale.tolerance) + QStringLiteral(" mm");
     //: the limit on a scale; %1: "2.5 mm"
     const QString named = QCoreApplication::translate("ToleranceScale", "tolerance %1").arg(figure);
-    const double apart = 2 * m_metrics.averageCharWidth();
+    const double space = 2 * m_metrics.averageCharWidth();
     const auto zero = writeBelow(QStringLiteral("0"), 0, m_ground.left(), m_ground.right());
     const bool isRoom = m_metrics.horizontalAdvance(named) < m_ground.width() / 3;
     const auto limit =
-        writeBelow(isRoom ? named : figure, m_scale.tolerance, zero.second + apart, m_ground.right());
+        writeBelow(isRoom ? named : figure, m_scale.tolerance, zero.second + space, m_ground.right());
     const QString name = QString::fromStdString(m_scale.name);
     const double width = m_metrics.horizontalAdvance(name);
-    const bool isBefore = limit.first - zero.second > width + 2 * apart;
-    const bool isAfter = m_ground.right() - limit.second > width + apart;
+    const bool isBefore = limit.first - zero.second > width + 2 * space;
+    const bool isAfter = m_ground.right() - limit.second > width + space;
     const bool isBeyond = at(m_scale.size) > limit.second;
     if (isBefore && !(isBeyond && isAfter))
-      writeBelow(name, m_scale.size, zero.second + apart, limit.first - apart);
+      writeBelow(name, m_scale.size, zero.second + space, limit.first - space);
     else if (isAfter)
-      writeBelow(name, m_scale.size, limit.second + apart, m_ground.right());
+      writeBelow(name, m_scale.size, limit.second + space, m_ground.right());
   }
   /// Centred below a length, within `from` and `to`; where it begins and ends.
   std::pair<double, double> writeBelow(const QString& text, double length, double from, double to) {
