@@ -3,6 +3,7 @@
 #include <QLabel>
 #include <QSplitter>
 #include <QTabWidget>
+#include <QTimer>
 #include <algorithm>
 
 #include "ui/commands/change_positions.h"
@@ -136,8 +137,9 @@ void EntryColumn::connectFindings(SessionJobs& jobs) {
   });
   connect(&jobs, &SessionJobs::gapAged, m_findings, &FindingsPanel::setGapStale);
   connect(&jobs, &SessionJobs::gapCleared, m_findings, &FindingsPanel::clearGap);
-  // Queued: the lines above the list are laid out first.
-  connect(m_findings, &FindingsPanel::listed, this, &EntryColumn::giveFindingsRoom, Qt::QueuedConnection);
+  // The lines above the list are laid out first, by events that are already posted.
+  connect(m_findings, &FindingsPanel::listed, this,
+          [this] { QTimer::singleShot(0, this, &EntryColumn::giveFindingsRoom); });
   connect(m_findings, &FindingsPanel::gapActivated, this, &EntryColumn::gapWanted);
   connect(m_findings, &FindingsPanel::placeActivated, this,
           [this](const Place& place) { emit revealWanted(place, true); });
