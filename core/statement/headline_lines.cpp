@@ -31,8 +31,12 @@ std::string intervalText(const Measurement& measurement, const IntersectionEstim
   const double tolerance = *measurement.tolerance, size = std::abs(value);
   if (!(size - expanded <= tolerance && size + expanded > tolerance)) return "";
   const int decimals = decimalsToDecide(value, expanded, tolerance);
+  // Of the figures as shown, so that a reader who adds them finds the same.
+  const double unit = std::pow(10, -decimals), shown = std::round(value / unit);
+  const double wide = std::round(expanded / unit);
   return Phrase::of("The interval from %1 to %2 mm lies on both sides of the tolerance",
-                    displayText(value - expanded, decimals), displayText(value + expanded, decimals));
+                    displayText((shown - wide) * unit, decimals),
+                    displayText((shown + wide) * unit, decimals));
 }
 
 /// The part that the tolerance does not apply to, or both parts of a distance.

@@ -215,6 +215,7 @@ TEST(MainWindow, ListsWhatIsWrongBeforeWhatIsMissing) {
 
 TEST(MainWindow, ShowsEveryProblemUntilAPersonSetsTheHeight) {
   OpenWindow open;
+  open->resize(1280, 1000);
   loadPaper(open);
   ReadingsTable& table = *open->currentTable();
   const auto* findings = open->findChild<FindingsPanel*>();
@@ -226,6 +227,7 @@ TEST(MainWindow, ShowsEveryProblemUntilAPersonSetsTheHeight) {
   ASSERT_GE(findings->count(), 4);
   EXPECT_GE(findings->height(), findings->wholeHeight());
   EXPECT_TRUE(table.viewport()->rect().contains(table.visualRect(table.currentIndex())));
+  EXPECT_GE(table.viewport()->height(), 5 * table.rowHeight(0)) << "rows remain to type in";
   auto* column = open->findChild<QSplitter*>(QStringLiteral("entries"));
   markSetByHand(*column);
   column->setSizes({10'000, 1});

@@ -145,8 +145,9 @@ void EntryColumn::connectFindings(SessionJobs& jobs) {
           [this](const Place& place) { emit revealWanted(place, true); });
 }
 
-/// As much as every line needs, up to a third of the column, unless a person has set the height. It gives
-/// room back only where half is left over: the lines of a half-typed row come and go with each reading.
+/// As much as every line needs, up to a third of the column and leaving some rows to the readings, unless a
+/// person has set the height. It gives room back only where half is left over: the lines of a half-typed row
+/// come and go with each reading.
 void EntryColumn::giveFindingsRoom() {
   if (isSetByHand(*m_column)) return;
   QList<int> sizes = m_column->sizes();
@@ -154,11 +155,23 @@ void EntryColumn::giveFindingsRoom() {
   const int needed = std::max(m_findings->wholeHeight(), m_findings->minimumHeight()) + beside;
   const bool isLeftOver = 2 * needed < sizes[1];
   if (needed <= sizes[1] && !isLeftOver) return;
-  sizes[1] = std::min(needed, std::max(whole / 3, m_column->widget(1)->minimumSizeHint().height()));
-  sizes[0] = whole - sizes[1];
-  m_column->setSizes(sizes);
-  if (ReadingsTable* table = m_positions->currentTable(); table && table->currentIndex().isValid())
-    table->scrollTo(table->currentIndex());
+  const int before = sizes[1];
+  const auto give = [&](int height) {
+    sizes = {whole - height, height};
+    m_column->setSizes(sizes);
+  };
+  const int most = std::max(whole / 3, m_column->widget(1)->minimumSizeHint().height());
+  give(std::min(needed, most));
+  // What stands above the list may take more by now.
+  if (const int cut = m_findings->wholeHeight() - m_findings->height(); cut > 0)
+    give(std::min(sizes[1] + cut, most));
+  ReadingsTable* table = m_positions->currentTable();
+  if (!table) return;
+  // The forms have given what they can spare.
+  constexpr int leastRows = 5;
+  const int lacking = leastRows * table->rowHeight(0) - table->viewport()->height();
+  if (lacking > 0 && sizes[1] > before) give(std::max(before, sizes[1] - lacking));
+  if (table->currentIndex().isValid()) table->scrollTo(table->currentIndex());
 }
 
 void EntryColumn::markForms() {

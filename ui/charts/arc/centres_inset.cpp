@@ -317,14 +317,15 @@ double CentresInset::titleRoom() const {
   return m_square.width() - 0.8 * QFontMetricsF(m_style.font).height();
 }
 
-/// The line is as large as fits, shortened otherwise; all lines have the same height.
-CentresInset::TitleLine CentresInset::largeLine(const QString& text) const {
+/// The line is as large as fits, up to `most` pixels, shortened otherwise; all lines have the same height.
+CentresInset::TitleLine CentresInset::largeLine(const QString& text, int most) const {
   QFont font = m_style.font;
   font.setBold(true);
   double height = 0;
   for (const double factor : {1.25, 1.1, 1.0}) {
     font.setPixelSize(qRound(factor * m_style.font.pixelSize()));
     height = std::max(height, QFontMetricsF(font).height());
+    if (font.pixelSize() > most) continue;
     if (QFontMetricsF(font).horizontalAdvance(text) <= titleRoom()) break;
   }
   return {QFontMetricsF(font).elidedText(text, Qt::ElideRight, titleRoom()), font,
@@ -333,13 +334,14 @@ CentresInset::TitleLine CentresInset::largeLine(const QString& text) const {
 
 /// The headline has two lines if these fit in large type, otherwise each part on its own line. It has none if
 /// a figure does not fit.
-QList<CentresInset::TitleLine> CentresInset::headlineLines() const {
+QList<CentresInset::TitleLine> CentresInset::headlineLines(bool isMarked) const {
   if (m_headline.name.empty()) return {};
   const auto isLarge = [&](const TitleLine& line) {
     return line.font.pixelSize() > m_style.font.pixelSize();
   };
   Headline shown = m_headline;
   if (shown.isProvisional) shown.verdict = InsetText::tr("Provisional").toStdString();
+  if (isMarked) shown.verdict += " ⚠";
   const TitleLine first = largeLine(qText(shown.nameAndFigure())),
                   second = largeLine(qText(shown.verdictAndTolerance()));
   if (isLarge(first) && isLarge(second)) return {first, second};
@@ -348,21 +350,30 @@ QList<CentresInset::TitleLine> CentresInset::headlineLines() const {
   };
   if (isShortened(shown.figure) || isShortened(shown.tolerance)) return {};  // would be another figure
   QList<TitleLine> lines{{qText(shown.name), m_style.font, m_style.mutedText}};
-  for (const std::string& part : {shown.figure, shown.verdict, shown.tolerance})
-    if (!part.empty()) lines.append(largeLine(qText(part)));
+  int most = largest;
+  for (const std::string& part : {shown.figure, shown.verdict, shown.tolerance}) {
+    if (part.empty()) continue;
+    lines.append(largeLine(qText(part), most));
+    most = lines.back().font.pixelSize();
+  }
   return lines;
 }
 
-/// Small type is dropped first if the picture needs the room.
+/// Small type is dropped first if the picture needs the room. A sign then says that the verdict is to be read
+/// with more.
 void CentresInset::layOutTitles() {
   const double line = QFontMetricsF(m_style.font).height();
-  m_titles = headlineLines();
+  m_titles = headlineLines(false);
   const double left = m_square.height() - titlesHeight() - 2.5 * line;
   const QFontMetricsF metrics(m_style.font);
   const auto warning = std::ranges::find(m_headline.lines, true, &Headline::Line::isWarning);
-  if (left >= 6 * line && warning != m_headline.lines.end())
-    m_titles.append(
-        {metrics.elidedText(qText(warning->text), Qt::ElideRight, titleRoom()), m_style.font, m_style.text});
+  if (warning != m_headline.lines.end()) {
+    if (left >= 6 * line)
+      m_titles.append({metrics.elidedText(qText(warning->text), Qt::ElideRight, titleRoom()), m_style.font,
+                       m_style.text});
+    else
+      m_titles = headlineLines(true);
+  }
   const QString name = InsetText::tr("Centres of the fit, enlarged");
   if (left >= 8 * line && metrics.horizontalAdvance(name) <= titleRoom())
     m_titles.append({name, m_style.font, m_style.mutedText});

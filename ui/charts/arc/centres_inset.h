@@ -2,6 +2,7 @@
 
 #include <QFontMetricsF>
 #include <QGraphicsItem>
+#include <limits>
 #include <optional>
 
 #include "core/statement/headline.h"
@@ -35,6 +36,7 @@ class CentresInset : public QGraphicsItem {
   QRectF axisNameRect() const;
 
   /// A line above the picture.
+  static constexpr int largest = std::numeric_limits<int>::max();
   struct TitleLine {
     QString text;
     QFont font;
@@ -51,8 +53,8 @@ class CentresInset : public QGraphicsItem {
  private:
   void updateScale();
   void layOutTitles();
-  QList<TitleLine> headlineLines() const;
-  TitleLine largeLine(const QString& text) const;
+  QList<TitleLine> headlineLines(bool isMarked) const;
+  TitleLine largeLine(const QString& text, int most = largest) const;
   double titlesHeight() const;
   double titleRoom() const;
   /// The limits of the picture: text is above and below it.

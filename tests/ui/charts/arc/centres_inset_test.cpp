@@ -208,6 +208,26 @@ TEST(CentresInset, HasTheMeasuredResultAloneInLargeType) {
   EXPECT_GT(titled, 40) << "from a width of 190 on";
 }
 
+TEST(CentresInset, ShowsAConditionOrThatThereIsOne) {
+  Headline headline = headlineOfPaper();
+  headline.lines.push_back({.kind = Headline::Line::Kind::Knock, .text = "Only if", .isWarning = true});
+  int said = 0, marked = 0;
+  for (int side = 60; side <= 600; side += 10) {
+    CentresInset inset;
+    inset.setStyle(insetStyle());
+    inset.setSquare(QRectF(0, 0, side, side));
+    inset.setIntersection(drawnIntersection());
+    inset.setHeadline(headline);
+    const auto* verdict = titleWith(inset, "Accepted");
+    if (!verdict) continue;
+    const bool isSaid = titleWith(inset, "Only if"), isMarked = verdict->text.contains(u'⚠');
+    EXPECT_NE(isSaid, isMarked) << side;
+    ++(isSaid ? said : marked);
+  }
+  EXPECT_GT(said, 20);
+  EXPECT_GT(marked, 0);
+}
+
 TEST(CentresInset, ShowsAProvisionalResultInAnotherColour) {
   CentresInset inset;
   inset.setStyle(insetStyle());
