@@ -343,7 +343,7 @@ QList<CentresInset::TitleLine> CentresInset::headlineLines(bool isMarked) const 
   if (shown.isProvisional) shown.verdict = InsetText::tr("Provisional").toStdString();
   if (isMarked) shown.verdict += " ⚠";
   const TitleLine first = largeLine(qText(shown.nameAndFigure())),
-                  second = largeLine(qText(shown.verdictAndTolerance()));
+                  second = largeLine(qText(shown.verdictAndTolerance()), first.font.pixelSize());
   if (isLarge(first) && isLarge(second)) return {first, second};
   const auto isShortened = [&](const std::string& part) {
     return largeLine(qText(part)).text != qText(part);
