@@ -138,10 +138,10 @@ QStringList knownSizes(const Measurement& measurement) {
   return sizes;
 }
 
-/// The protocol that the session follows, and where it did not; empty without one.
+/// The protocol that was chosen for the session, and where it was not followed; empty without one.
 QString protocolText(const Session& session) {
   const auto protocol = protocolOf(session);
-  if (!protocol || !*protocol) return {};
+  if (!protocol || !*protocol || (*protocol)->isYielding) return {};
   const QString name = shortLine(qText((*protocol)->name).trimmed(), longestNote),
                 words = qText(protocolInWords(**protocol));
   return Report::sentences(

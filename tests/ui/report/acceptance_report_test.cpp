@@ -13,6 +13,8 @@
 
 #include "core/evaluation/findings.h"
 #include "core/session/session_file.h"
+#include "core/session/sighting_protocol.h"
+#include "core/simulation/protocol_template.h"
 #include "core/simulation/simulate.h"
 #include "core/statement/budget.h"
 #include "core/statement/gap.h"
@@ -45,6 +47,16 @@ TEST(AcceptanceReport, PrintsTheResultWithItsUncertaintyAndVerdict) {
         "Warning", "Operator, date"}) {
     EXPECT_TRUE(front.contains(QString::fromUtf8(value))) << value << "\n" << front.toStdString();
   }
+}
+
+TEST(AcceptanceReport, NamesAProtocolThatWasChosen) {
+  Session session = paperSession();
+  SightingProtocol protocol = usualProtocol();
+  session.protocol = protocolText(protocol);
+  EXPECT_FALSE(Printed(session).contains("17 places, one face")) << "nobody chose it";
+  protocol.isYielding = false;
+  session.protocol = protocolText(protocol);
+  EXPECT_TRUE(Printed(session).contains("17 places, one face"));
 }
 
 // In the headline, whether there is a verdict or not.
