@@ -116,7 +116,8 @@ class Rows {
   }
 
   std::string sizeOf(double value, double sigma, const std::string& unit) const {
-    if (!(sigma > 0)) return displayShortest(value) + signOf(unit);
+    constexpr double exact = 1e-6;  // the order of a harmonic is a whole number
+    if (!(sigma > exact * std::abs(value))) return displayShortest(value) + signOf(unit);
     return sizeWithExpanded(value, m_coverage * sigma, unit);
   }
 

@@ -1,5 +1,6 @@
 #include "core/base/phrase.h"
 #include "core/base/quantity_text.h"
+#include "core/diagnosis/observability/look_alikes.h"
 #include "core/statement/gap.h"
 #include "core/wording/effect_name.h"
 
@@ -29,8 +30,11 @@ Statement gapUndetectable(const Gap& gap) {
         Phrase::of("No effect of plausible size could move Δd noticeably without leaving a trace.")};
   else
     statement.note = Phrase::of(
-        "Each at its plausible size, which these readings are too weak to show. U of Δd, fit only, does not "
-        "include them; U of Δd, measured, includes what its budget lists.");
+        "Each at its plausible size, which these readings are too weak to show: an effect shows if it leaves "
+        "more than %1 σ. U of Δd, fit only, does not include them; U of Δd, measured, includes what its "
+        "budget "
+        "lists.",
+        displayText(clearlyDifferent, 1));
   return statement;
 }
 

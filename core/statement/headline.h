@@ -24,7 +24,7 @@ struct Headline {
   /// A line of small type below the result.
   struct Line {
     enum class Kind {
-      Interval,      ///< the interval lies on both sides of the tolerance, so the verdict is open
+      Interval,      ///< an interval crosses the limit, so the verdict is open
       Across,        ///< the part that the tolerance does not apply to
       Gap,           ///< model and readings disagree: the condition of the verdict, or why it is open
       Knock,         ///< the verdict holds unless the tripod was knocked

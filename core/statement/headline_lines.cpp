@@ -20,23 +20,42 @@ namespace {
 
 using Line = Headline::Line;
 
-/// Why a verdict is open that nothing but U keeps open; empty otherwise.
-std::string intervalText(const Measurement& measurement, const IntersectionEstimate& found,
-                         const MeasuredIntersection* measured, const AcceptanceDecision* decision) {
-  using enum AcceptanceDecision::Obstacle;
-  if (!decision || decision->verdict != Verdict::Undecided || decision->obstacle != Uncertainty) return "";
-  const bool isDistance = measurement.measurand == Measurand::Distance && measured && measured->distance;
-  const double value = isDistance ? measured->distance->value : found.value;
-  const double expanded = isDistance ? measured->distance->expanded : found.expanded;
-  const double tolerance = *measurement.tolerance, size = std::abs(value);
+/// An account of what is judged, and its U.
+struct Judged {
+  double value, expanded;
+};
+
+/// "The interval from 0.21 to 0.59 mm crosses the limit of 0.5 mm"; empty if it does not.
+std::string crossing(const Judged& judged, double tolerance, const char* text) {
+  const auto [value, expanded] = judged;
+  const double size = std::abs(value);
   if (!(size - expanded <= tolerance && size + expanded > tolerance)) return "";
   const int decimals = decimalsToDecide(value, expanded, tolerance);
   // Of the figures as shown, so that a reader who adds them finds the same.
-  const double unit = std::pow(10, -decimals), shown = std::round(value / unit);
-  const double wide = std::round(expanded / unit);
-  return Phrase::of("The interval from %1 to %2 mm lies on both sides of the tolerance",
-                    displayText((shown - wide) * unit, decimals),
-                    displayText((shown + wide) * unit, decimals));
+  const double unit = std::pow(10, -decimals), shown = std::round(value / unit),
+               wide = std::round(expanded / unit);
+  return Phrase::of(text, displayText((shown - wide) * unit, decimals),
+                    displayText((shown + wide) * unit, decimals),
+                    displayShortest(value < 0 ? -tolerance : tolerance));
+}
+
+/// Why U keeps the verdict open; empty if it does not.
+std::string intervalText(const Measurement& measurement, const SessionFit& fit,
+                         const IntersectionEstimate& found, const MeasuredIntersection* measured,
+                         const AcceptanceDecision* decision) {
+  using enum AcceptanceDecision::Obstacle;
+  if (!decision || decision->verdict != Verdict::Undecided) return "";
+  if (decision->obstacle == Lengths || decision->obstacle == Coverage) return "";
+  const double tolerance = *measurement.tolerance;
+  const bool isDistance = measurement.measurand == Measurand::Distance && measured && measured->distance;
+  const std::string own =
+      crossing(isDistance ? Judged{measured->distance->value, measured->distance->expanded}
+                          : Judged{found.value, found.expanded},
+               tolerance, PHRASE_LATER("Phrase", "The interval from %1 to %2 mm crosses the limit of %3 mm"));
+  if (!own.empty() || isDistance) return own;
+  return crossing(
+      {fit.intersection->value, fit.intersection->expanded}, tolerance,
+      PHRASE_LATER("Phrase", "The interval of the fit only, from %1 to %2 mm, crosses the limit of %3 mm"));
 }
 
 /// The part that the tolerance does not apply to, or both parts of a distance.
@@ -91,9 +110,11 @@ std::string gapText(const Diagnosis& diagnosis, const AcceptanceDecision* decisi
   if (causes.empty()) return withDetails(disagreementText(diagnosis), closures);
   if (!isReached(decision))
     return withDetails(Phrase::of("Model and readings disagree, best explained by %1", causes), closures);
-  return withDetails(decision->verdict == Verdict::Accept ? Phrase::of("Accepted on condition of %1", causes)
-                                                          : Phrase::of("Rejected on condition of %1", causes),
-                     closures);
+  return withDetails(
+      decision->verdict == Verdict::Accept
+          ? Phrase::of("Accepted on condition that model and readings disagree because of %1", causes)
+          : Phrase::of("Rejected on condition that model and readings disagree because of %1", causes),
+      closures);
 }
 
 std::string knockText(const Diagnosis& diagnosis, const AcceptanceDecision& decision) {
@@ -108,17 +129,19 @@ bool isFound(const Diagnosis& diagnosis, const std::string& effect) {
   return std::ranges::find(diagnosis.causes, effect, &Cause::effect) != diagnosis.causes.end();
 }
 
+/// A jump may have happened besides the one found.
+std::string undetectableName(const Diagnosis& diagnosis, const std::string& effect) {
+  const bool isFurther = effect == jumpId && isFound(diagnosis, effect);
+  return isFurther ? Phrase::of("a further jump of the orientation") : causeName(effect);
+}
+
 /// The effects with an influence above U. A knock is left out if the verdict states it as a condition.
 std::string undetectableText(const Diagnosis& diagnosis, double expanded, bool isKnockStated) {
   std::vector<std::string> effects;
   for (const UndetectableEffect& effect : undetectableBeyond(diagnosis, expanded))
-    if (!(isKnockStated && effect.effect == jumpId)) {
-      const std::string name = isFound(diagnosis, effect.effect)
-                                   ? Phrase::of("%1 besides the one found", causeName(effect.effect))
-                                   : causeName(effect.effect);
-      effects.push_back(
-          Phrase::of("%1 ± %2 mm", name, displayText(effect.influence, decimalsFor(effect.influence))));
-    }
+    if (!(isKnockStated && effect.effect == jumpId))
+      effects.push_back(Phrase::of("%1 ± %2 mm", undetectableName(diagnosis, effect.effect),
+                                   displayText(effect.influence, decimalsFor(effect.influence))));
   if (effects.empty()) return "";
   return Phrase::of("Undetectable here, yet a plausible size moves Δd by more than U: %1",
                     listed(namedOrCounted(std::move(effects)), Phrase::of(" and ")));
@@ -169,7 +192,7 @@ std::vector<Line> headlineLines(const Measurement& measurement, const SessionFit
   };
   const bool isKnockStated = decision && !decision->conditions.empty();
   const MeasuredIntersection* measured = diagnosis && diagnosis->measured ? &*diagnosis->measured : nullptr;
-  warn(Line::Kind::Interval, intervalText(measurement, estimateIn(fit, diagnosis), measured, decision));
+  warn(Line::Kind::Interval, intervalText(measurement, fit, estimateIn(fit, diagnosis), measured, decision));
   if (measured) lines.push_back(acrossLine(measurement, *measured));
   if (diagnosis && hasGap(*diagnosis)) warn(Line::Kind::Gap, gapText(*diagnosis, decision));
   if (diagnosis && isKnockStated) warn(Line::Kind::Knock, knockText(*diagnosis, *decision));

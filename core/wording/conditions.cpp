@@ -96,16 +96,19 @@ std::string conditionSentence(const Diagnosis* diagnosis, const AcceptanceDecisi
   const auto [moments, influence] = knockOf(*diagnosis, decision);
   return Phrase::of(
       "The verdict holds on the condition that the tripod was not knocked %1. These readings cannot show "
-      "such a knock; one of plausible size moves Δd by ± %2 mm. The probability of conformity includes "
-      "it.",
+      "such a knock; one of plausible size moves Δd by ± %2 mm. The probability of conformity counts it "
+      "as rarely as it happens.",
       moments, influence);
 }
 
 std::string dependenceText(const std::vector<Dependence>& dependences) {
+  if (dependences.empty()) return "";
   std::vector<std::string> parts;
   for (const Verdict without : {Verdict::Undecided, Verdict::Accept, Verdict::Reject})
     if (std::string rows = rowsText(dependences, without); !rows.empty()) parts.push_back(std::move(rows));
-  return parts.empty() ? "" : Phrase::of("The verdict depends on a single row: %1", listed(parts));
+  return dependences.size() == 1
+             ? Phrase::of("The verdict depends on a single row: %1", listed(parts))
+             : Phrase::of("The verdict depends on each of these rows alone: %1", listed(parts));
 }
 
 std::string dependenceSentence(const std::vector<Dependence>& dependences) {

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <numbers>
 #include <vector>
 
@@ -182,13 +181,12 @@ std::string cleanRangeSentence(const FoundForm& found) {
 std::string shrinkSentence(const FoundForm& found) {
   const FormShrinkage& shrink = found.shrink;
   if (std::isnan(shrink.heldOut) || std::isnan(shrink.p)) return {};
-  char p[32];
-  std::snprintf(p, sizeof p, "%.1g", shrink.p);
+  constexpr double least = 0.001;
   return Phrase::of(
-      "On %1 readings that took no part in finding it the gap shrinks by %2 %, in all readings by "
-      "%3 % (F test: p = %4).",
+      "On %1 readings, each predicted by the form that the others tell, the gap shrinks by %2 %; in all "
+      "readings, by the form that all tell, by %3 % (F test: p %4).",
       shrink.heldOutReadings, percentText(shrink.heldOut), percentText(shrink.inSample),
-      shrink.p < 1e-99 ? "0" : p);
+      shrink.p < least ? "< 0.001" : "= " + displayText(shrink.p, 3));
 }
 
 }  // namespace alidade

@@ -5606,10 +5606,6 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
         <translation>在 %1 的读数期间</translation>
     </message>
     <message>
-        <source>The verdict holds on the condition that the tripod was not knocked %1. These readings cannot show such a knock; one of plausible size moves Δd by ± %2 mm. The probability of conformity includes it.</source>
-        <translation>判定成立的条件是：三脚架%1未受碰动。这些读数无法检出此类碰动；合理大小的碰动使 Δd 改变 ± %2 mm。合格概率已将其计入。</translation>
-    </message>
-    <message>
         <source>There are more causes than these readings can take apart. With every effect of the catalogue at a plausible size, %1.</source>
         <extracomment>&quot;the residuals shrink from 12.0″ to 2.0″&quot;</extracomment>
         <translation>原因多于这些读数所能区分的。把目录中的所有效应按合理大小计入后，%1。</translation>
@@ -5825,10 +5821,6 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
     <message>
         <source>These readings cannot tell it from: %1.</source>
         <translation>这些读数无法将其与下列区分：%1。</translation>
-    </message>
-    <message>
-        <source>On %1 readings that took no part in finding it the gap shrinks by %2 %, in all readings by %3 % (F test: p = %4).</source>
-        <translation>在未参与寻找的 %1 个读数上，差距缩小 %2 %，在全部读数上缩小 %3 %（F 检验：p = %4）。</translation>
     </message>
     <message>
         <source>a session without a title</source>
@@ -6647,14 +6639,6 @@ Includes every catalogued effect, limited by these readings or by its plausible 
         <translation>模型与读数不符，最佳解释是%1</translation>
     </message>
     <message>
-        <source>Accepted on condition of %1</source>
-        <translation>合格，条件：%1</translation>
-    </message>
-    <message>
-        <source>Rejected on condition of %1</source>
-        <translation>不合格，条件：%1</translation>
-    </message>
-    <message>
         <source>1 other</source>
         <translation>另外 1 项</translation>
     </message>
@@ -7453,10 +7437,6 @@ Includes every catalogued effect, limited by these readings or by its plausible 
         <translation>仅拟合</translation>
     </message>
     <message>
-        <source>Each at its plausible size, which these readings are too weak to show. U of Δd, fit only, does not include them; U of Δd, measured, includes what its budget lists.</source>
-        <translation>各按其合理大小计，而这些读数不足以显示它们。Δd，仅拟合的 U 不含它们；Δd，实测的 U 含其不确定度预算所列的各项。</translation>
-    </message>
-    <message>
         <source>%1 of %2 readings are checked by no other, or hardly (redundancy below %3): an error in them would not show.</source>
         <translation>%2 个读数中有 %1 个没有或几乎没有其他读数检核（多余观测分量低于 %3）：其中的错误不会显现。</translation>
     </message>
@@ -7857,16 +7837,44 @@ Includes every catalogued effect, limited by these readings or by its plausible 
         <translation>%1 测点 %2（测回 %3、%4）</translation>
     </message>
     <message>
-        <source>The interval from %1 to %2 mm lies on both sides of the tolerance</source>
-        <translation>区间 %1 至 %2 mm 跨在允差两侧</translation>
-    </message>
-    <message>
         <source>Only if the tripod was not knocked %1: it would move Δd by ± %2 mm undetected, which U does not include</source>
         <translation>前提是三脚架%1未被碰动：碰动会使 Δd 改变 ± %2 mm 而不被发现，U 不含此项</translation>
     </message>
     <message>
-        <source>%1 besides the one found</source>
-        <translation>已发现者之外的%1</translation>
+        <source>Each at its plausible size, which these readings are too weak to show: an effect shows if it leaves more than %1 σ. U of Δd, fit only, does not include them; U of Δd, measured, includes what its budget lists.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The interval from %1 to %2 mm crosses the limit of %3 mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The interval of the fit only, from %1 to %2 mm, crosses the limit of %3 mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Accepted on condition that model and readings disagree because of %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rejected on condition that model and readings disagree because of %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a further jump of the orientation</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The verdict holds on the condition that the tripod was not knocked %1. These readings cannot show such a knock; one of plausible size moves Δd by ± %2 mm. The probability of conformity counts it as rarely as it happens.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The verdict depends on each of these rows alone: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>On %1 readings, each predicted by the form that the others tell, the gap shrinks by %2 %; in all readings, by the form that all tell, by %3 % (F test: p %4).</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>

@@ -5,6 +5,7 @@
 
 #include "core/evaluation/findings.h"
 #include "core/statement/suspects.h"
+#include "core/wording/known_checks.h"
 #include "core/wording/suspects.h"
 #include "ui/report/report_facts.h"
 #include "ui/report/report_parts.h"
@@ -115,7 +116,7 @@ void addFindings(ReportSheet& sheet, const Gap& gap) {
                 .arg(gapHeadline(*gap.diagnosis));
   sheet.keepTogether(sheet.lineHeight(type::detail));
   sheet.text(severityName(Severity::Warning), type::detail.inBold(), 0, sheet.y(), indent);
-  sheet.paragraph(says, type::detail, indent);
+  sheet.paragraph(Report::sentences({says, qText(staleSentence(*gap.diagnosis))}), type::detail, indent);
 }
 
 QString methodText(const Evaluation& evaluation) {

@@ -106,12 +106,13 @@ TEST(Headline, SaysTheDecisionInAWord) {
 
 TEST(Headline, SaysThatTheIntervalKeepsTheVerdictOpen) {
   const Headline open = headlineAt("1.3");
-  EXPECT_EQ(open.line(LineKind::Interval),
-            "The interval from 1.11 to 1.51 mm lies on both sides of the tolerance");
+  EXPECT_EQ(open.line(LineKind::Interval), "The interval from 1.11 to 1.51 mm crosses the limit of 1.3 mm");
   EXPECT_EQ(open.lines.front().kind, LineKind::Interval) << "before what is said of a verdict";
   EXPECT_TRUE(open.lines.front().isWarning);
   EXPECT_EQ(headlineAt("1.3", -1.308).line(LineKind::Interval),
-            "The interval from −1.51 to −1.11 mm lies on both sides of the tolerance");
+            "The interval from −1.51 to −1.11 mm crosses the limit of −1.3 mm");
+  EXPECT_EQ(headlineAt("1.45", 1.1).line(LineKind::Interval),
+            "The interval of the fit only, from 1.10 to 1.52 mm, crosses the limit of 1.45 mm");
   for (const char* decided : {"2.5", "0.5", ""}) EXPECT_EQ(headlineAt(decided).line(LineKind::Interval), "");
 }
 
@@ -120,7 +121,8 @@ TEST(Headline, CallsAJumpThatWasFoundNotUndetectable) {
   gap.diagnosis->undetectable = {{.effect = jumpId, .influence = 0.4}};
   EXPECT_THAT(headlineOf(gap).line(LineKind::Undetectable), HasSubstr("jump of the orientation ± 0.40 mm"));
   gap.diagnosis->causes = {causeOf(jumpId, 0.99)};
-  EXPECT_THAT(headlineOf(gap).line(LineKind::Undetectable), HasSubstr("besides the one found ± 0.40 mm"));
+  EXPECT_THAT(headlineOf(gap).line(LineKind::Undetectable),
+              HasSubstr("a further jump of the orientation ± 0.40 mm"));
 }
 
 // The fit only says 1.31 ± 0.21 mm.
@@ -246,7 +248,8 @@ TEST(Headline, NamesTheCausesAsConditionOfTheVerdict) {
   gap.diagnosis->closures = {{.before = radii, .after = closureOf(Closure::Of::Radius, 0.01, 0.15, 100)},
                              {.before = centres, .after = closureOf(Closure::Of::Centre, 0.01, 0.1, 100)}};
   EXPECT_EQ(headlineOf(gap).line(LineKind::Gap),
-            "Accepted on condition of plane offset (72 %) and axial shift (17 %): the radii differ by 13 σ, "
+            "Accepted on condition that model and readings disagree because of plane offset (72 %) and axial "
+            "shift (17 %): the radii differ by 13 σ, "
             "Δx differs by 7.0 σ");
 }
 

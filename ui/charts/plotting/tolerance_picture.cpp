@@ -70,18 +70,21 @@ class ScalePainter {
     const QString named = QCoreApplication::translate("ToleranceScale", "tolerance %1").arg(figure);
     const double space = 2 * m_metrics.averageCharWidth();
     const auto zero = writeBelow(QStringLiteral("0"), 0, m_ground.left(), m_ground.right());
-    const bool isRoom = m_metrics.horizontalAdvance(named) < m_ground.width() / 3;
-    const auto limit =
-        writeBelow(isRoom ? named : figure, m_scale.tolerance, zero.second + space, m_ground.right());
     const QString name = QString::fromStdString(m_scale.name);
-    const double width = m_metrics.horizontalAdvance(name);
-    const bool isBefore = limit.first - zero.second > width + 2 * space;
-    const bool isAfter = m_ground.right() - limit.second > width + space;
-    const bool isBeyond = at(m_scale.size) > limit.second;
-    if (isBefore && !(isBeyond && isAfter))
-      writeBelow(name, m_scale.size, zero.second + space, limit.first - space);
-    else if (isAfter)
-      writeBelow(name, m_scale.size, limit.second + space, m_ground.right());
+    const double half = m_metrics.horizontalAdvance(name) / 2;
+    const double from = zero.second + space, most = m_ground.right() - space;
+    // The name stands under its mark, or nowhere; it is worth more than the word at the limit.
+    const auto isClear = [&](const QString& text) {
+      const double width = m_metrics.horizontalAdvance(text), mark = at(m_scale.size);
+      const double left =
+          std::max(from, std::min(at(m_scale.tolerance) - width / 2, m_ground.right() - width));
+      const bool isInside = mark - half >= from && mark + half <= most;
+      return isInside && (mark + half + space <= left || mark - half - space >= left + width);
+    };
+    const bool isRoom = m_metrics.horizontalAdvance(named) < m_ground.width() / 3;
+    const bool isNamed = isRoom && (isClear(named) || !isClear(figure));
+    writeBelow(isNamed ? named : figure, m_scale.tolerance, from, m_ground.right());
+    if (isClear(isNamed ? named : figure)) writeBelow(name, m_scale.size, from, m_ground.right());
   }
   /// Centred below a length, within `from` and `to`; where it begins and ends.
   std::pair<double, double> writeBelow(const QString& text, double length, double from, double to) {
