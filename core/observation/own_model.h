@@ -13,7 +13,7 @@ namespace alidade {
 
 class OwnModel;
 
-/// Where a reading is taken, for the formulas of the user's own effects.
+/// The circumstances of a reading, as arguments for the formulas of the user's own effects.
 struct OwnPlace {
   const OwnModel* model;
   /// All arguments except s, the directions and the circles.
