@@ -23,7 +23,7 @@ Result<std::vector<OwnEffect>> ownEffectsIn(const std::vector<std::string>& path
 /// Takes up those that have no owner, or whose owner is the session's device or instrument.
 std::optional<Problem> addOwnEffects(Session& session, const std::vector<std::string>& paths);
 
-/// What the user should know of the session's own effects, on stderr under the session's name.
+/// Writes the problems of the session's own effects to stderr, under the session's name.
 void tellOwnEffects(const std::string& name, const Measurement& measurement);
 
 }  // namespace alidade::console

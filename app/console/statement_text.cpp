@@ -11,8 +11,7 @@ namespace {
 
 using Role = Statement::Column::Role;
 
-/// The columns of the table in the order of the text: the remarks stand at the end, since they are the
-/// longest.
+/// The columns of the table in the order of the text: remarks last, since they are the longest.
 std::vector<std::size_t> orderOf(const std::vector<Statement::Column>& columns) {
   std::vector<std::size_t> order, remarks;
   for (std::size_t i = 0; i < columns.size(); ++i)

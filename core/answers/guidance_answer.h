@@ -26,7 +26,7 @@ struct Guidance {
 };
 
 /// Fits and diagnoses the session. Returns the progress alone if the session contains nothing that can be
-/// fitted. `uncertainty` is the U of Δd, mm, that a protocol by worth is to reach.
+/// fitted. `uncertainty`: the intended U of Δd, mm, in a protocol by worth.
 Guidance guidanceOf(const Session& session, SightingProtocol protocol,
                     std::optional<double> uncertainty = {});
 

@@ -13,7 +13,7 @@ void inThreads(std::size_t threads, const std::function<void()>& work);
 /// Runs `work` for each number below `count`, in `threads` ≥ 1 threads, and returns when all are done; one
 /// thread runs them in order. The first exception is rethrown here.
 void doEach(std::size_t threads, std::size_t count, const std::function<void(std::size_t)>& work);
-/// Runs each of `pieces` like this.
+/// Runs all `pieces`, in threads as `doEach` does.
 void doAll(std::size_t threads, const std::vector<std::function<void()>>& pieces);
 
 /// The number of threads for work on this many rows: below some thousands, an additional thread costs more

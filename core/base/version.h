@@ -6,7 +6,7 @@ namespace alidade {
 
 // Written into the build folder by version.cmake.
 
-/// Of project() in the topmost CMakeLists.txt: "1.0.0".
+/// The version in project() of the topmost CMakeLists.txt: "1.0.0".
 extern const char* const programVersion;
 
 /// The commit built from, 12 digits and "+changes" where files differ from it; "archive" for sources without

@@ -36,7 +36,7 @@ constexpr std::size_t mostRowsForLeavingOut = 500;
 std::vector<Dependence> dependencesOf(const Measurement& measurement, const SessionFit& fit,
                                       const Diagnosis* diagnosis, const AcceptanceDecision& decision,
                                       const std::stop_token& stop = {});
-/// The same of the decision that `decideAcceptance` makes; empty without one.
+/// The rows on which the decision of `decideAcceptance` depends; empty without a decision.
 std::vector<Dependence> dependencesOf(const Measurement& measurement, const SessionFit& fit,
                                       const Diagnosis* diagnosis, const std::stop_token& stop = {});
 

@@ -143,12 +143,12 @@ FoundForms formsOf(const Inquiry& inquiry, const Answer& answer, const Diagnosis
   return found;
 }
 
-/// What an inquiry comes to.
+/// The conclusion from an inquiry.
 struct Conclusion {
   Inquiry inquiry;
   Answer answer;
   std::vector<FoundForm> forms;
-  std::optional<GapShape> shape;  ///< of an unknown
+  std::optional<GapShape> shape;  ///< with Unknown
 };
 
 Conclusion concluded(Inquiry inquiry, const DiagnosisOptions& options, const std::stop_token& stop) {

@@ -27,9 +27,9 @@ MatrixXd visibleColumns(const Leftover& leftover, const Effect& effect) {
   return EffectComponent(effect, {}).visibleColumns(leftover);
 }
 
-/// The effect of the catalogue in whose span the columns are, nearly.
+/// The catalogued effect whose columns nearly span `columns`; empty: none.
 std::string sameAs(const Leftover& leftover, const MatrixXd& columns) {
-  constexpr double alike = 3, mostLeft = 0.3, hardlySeen = 1;  // σ, share of what shows, σ
+  constexpr double alike = 3, mostLeft = 0.3, hardlySeen = 1;  // σ; share of the visible length; σ
   std::string same;
   if (columns.norm() < hardlySeen) return same;
   double least = std::min(alike, mostLeft * columns.norm());
@@ -44,7 +44,7 @@ std::string sameAs(const Leftover& leftover, const MatrixXd& columns) {
   return same;
 }
 
-/// Evaluates all lines where the fit has the rows.
+/// Evaluates all lines at the fitted arc angles of the rows.
 void count(OwnEffectCheck& check, const Measurement& measurement, const SessionFit& fit,
            const OwnEntry& entry) {
   std::vector<OwnEntry> one{entry};
@@ -101,7 +101,7 @@ std::optional<OwnEffectCheck> checkOwnEffect(const Measurement& measurement, con
   const Result<GapModel, NoModel> found = modelOf(measurement, fit);
   if (!found) return std::nullopt;
   GapModel model = *found;
-  // Estimated along it would be taken up by itself.
+  // As an estimated term the effect would absorb itself.
   std::erase_if(model.options.terms, [&](const EstimatedTerm& term) {
     return std::ranges::find(entry->terms, term.term) != entry->terms.end();
   });

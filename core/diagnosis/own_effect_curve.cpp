@@ -62,7 +62,7 @@ std::vector<At> along(const FormulaVariable& variable, const std::vector<Formula
   return all;
 }
 
-/// The sightings in order, every so many of very many.
+/// The sightings in order, evenly thinned if there are very many.
 std::vector<At> inOrder(const std::vector<FormulaArguments>& places) {
   constexpr std::size_t most = 1000;
   std::vector<At> all;

@@ -9,17 +9,18 @@
 
 namespace alidade {
 
-/// What a line of an own effect does to its carrier at plausible sizes.
+/// The displacement of its carrier by one line of an own effect, at plausible sizes.
 struct OwnCurve {
   FormCarrier carrier = FormCarrier::Radial;
   const FormulaVariable* variable = nullptr;  ///< that of all lines; null: they have none or several
-  /// The variable (an angle in degrees) and the displacement, mm or arcseconds. Without a single variable the
-  /// first is the number of the sighting in the session, from 1. In order of the first.
+  /// The variable (an angle in degrees) and the displacement, mm or arcseconds, sorted by the variable.
+  /// Without a single variable the first is the number of the sighting in the session, from 1.
   std::vector<std::array<double, 2>> points = {};
 };
 
 /// A curve for each line of the formula, within the range of the session's sightings. A counted variable has
-/// a point for each value. Of very many sightings some stand for all. What has no finite value is left out.
+/// a point for each value. Very many sightings are represented by some of them. Values that are not finite
+/// are omitted.
 std::vector<OwnCurve> curvesOf(const OwnEntry& entry, const Measurement& measurement, const SessionFit& fit);
 
 }  // namespace alidade

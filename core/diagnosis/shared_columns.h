@@ -24,8 +24,8 @@ struct EffectColumns {
 /// several of them have, then of the patterns (`session_patterns.h`). A weight of 1 is a plausible size.
 class SharedColumns {
  public:
-  /// `own`: of each session, null where there are none. Effects are the same by id, formula and plausible
-  /// sizes. At most 24 columns are theirs, the most frequent effects first.
+  /// `own`: the user's own effects of each session; null: none. Effects with equal id, formula and plausible
+  /// sizes are the same. They get at most 24 columns, the most frequent effects first.
   explicit SharedColumns(const std::vector<std::shared_ptr<const OwnEffects>>& own = {});
 
   const std::vector<EffectColumns>& all() const { return m_all; }

@@ -101,7 +101,7 @@ class Path {
   }
 };
 
-/// What is reached comes before what is not, then the fewer minutes, or else the smaller U.
+/// Orders plans: first those that reach the uncertainty, then by fewer minutes, or else by smaller U.
 bool isBetter(const SightingsAhead& one, const SightingsAhead& other) {
   if (one.isReached != other.isReached) return one.isReached;
   if (one.isReached) return one.minutes < other.minutes;

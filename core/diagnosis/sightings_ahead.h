@@ -16,15 +16,14 @@ struct SightingsAhead {
   double minutes = 0;
   /// U of Δd after them, mm, with every effect of plausible size; absent without both positions.
   std::optional<double> expanded = {};
-  bool isReached = false;  ///< else `expanded` is what so many sightings come to
+  bool isReached = false;  ///< false: `expanded` is the U that these sightings reach
 };
 
 /// The sightings that bring U of Δd to `uncertainty` (mm, > 0) in the fewest minutes, at the session's
-/// coverage: so many in the position of the last reading, and then so many in the other, each the one that
-/// takes most off U for its minutes. Tried with several numbers in the first. U depends on what is sighted
-/// and not on the values, so the readings to come are those of the arcs fitted so far. `measurement` has at
-/// least one sighting; `most` limits the sightings to come. The axis is turned at most once, if the plan
-/// allows it.
+/// coverage. The position of the last reading comes first, then the other one; several divisions between them
+/// are tried. Each sighting is the one that reduces U most for its minutes. U does not depend on the values,
+/// so the planned readings are those of the arcs fitted so far. `measurement` has at least one sighting;
+/// `most` limits the planned sightings. The axis is turned at most once, if the plan allows it.
 SightingsAhead sightingsFor(double uncertainty, const Measurement& measurement, const SightingPlan& plan,
                             std::size_t most = 150);
 

@@ -24,7 +24,7 @@ const Effect* effectById(std::string_view id);
 /// The effect with this term; null for the terms of a jump.
 const Effect* effectOf(ErrorTerm term);
 
-/// The same with the user's own effects, which stand last; `own` may be null.
+/// The effects of the catalogue, then the user's own effects; `own` may be null.
 std::vector<const Effect*> effectsWith(const OwnEffects* own);
 std::vector<const Effect*> effectsOf(const Measurement& measurement);
 const Effect* effectById(std::string_view id, const Measurement& measurement);

@@ -17,7 +17,7 @@ bool hasSizes(const Effect& effect);
 const EffectParameter* parameterMeant(std::string_view effect, std::string_view parameter,
                                       std::string_view unit);
 const EffectParameter* parameterMeant(const KnownNumber& known);
-/// Of the catalogue, or of the user's own effects of the measurement.
+/// The parameter in the catalogue or in the user's own effects of the measurement.
 const EffectParameter* parameterMeant(const Measurement& measurement, const KnownNumber& known);
 
 /// Prior knowledge of a parameter of the catalogue, in the unit of its term: rad, mm or 1. With probability 1

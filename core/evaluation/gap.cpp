@@ -107,7 +107,7 @@ std::vector<UndetectableEffect> Gap::noticeablyUndetectable() const {
 
 namespace {
 
-/// A piece of advice, what it tells relative to the best of its kind, and its effort in sessions.
+/// A piece of advice, its information relative to the best of its kind, and its effort in sessions.
 struct Offer {
   const Advice* advice;
   double tells, effort;
@@ -127,7 +127,7 @@ double toldBy(const Diagnosis& diagnosis, const Advice& advice) {
   return std::sqrt(variance);
 }
 
-/// Keeps the cheapest, the one that tells most, and between them those that tell most for their effort.
+/// Keeps the cheapest, the most informative, and between them the most informative for their effort.
 void keepFew(std::vector<Offer>& offers) {
   constexpr std::size_t most = 3;
   while (offers.size() > most) {

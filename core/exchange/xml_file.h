@@ -58,13 +58,14 @@ std::optional<std::string> plainXmlNumber(std::string_view text);
 /// Year-month-day of a time such as 2025-04-22T15:10:05; empty for other texts.
 std::string dateOfTime(std::string_view time);
 
-/// The circles of a sighting in an XML file, in a notation of `parseAngle`. Full circles are zeros. Or why
-/// they cannot be used: one is missing, is not an angle, lies beyond the circle, or contradicts the face.
+/// The circles of a sighting in an XML file, in a notation of `parseAngle`.
 struct XmlCircles {
   std::string horizontal, vertical;  ///< of a zenith circle
   AngleUnit unit = AngleUnit::Degrees;
   std::string face = {};  ///< "1", "2", or empty if the file does not state it
 };
+/// Enters the circles in `sighting`, full circles as zeros. Absent: entered. Otherwise the reason why they
+/// cannot be used: one is missing, is not an angle, lies beyond the circle, or contradicts the face.
 std::optional<std::string> enterCircles(const XmlCircles& circles, RecordedSighting& sighting);
 
 }  // namespace alidade

@@ -54,7 +54,7 @@ struct Pointing {
   const OwnPlace* own = nullptr;  ///< where the user's own effects act; null: there are none
 };
 
-/// What the user's own effects displace at φ; `distance` in mm.
+/// The displacement by the user's own effects at φ; `distance` in mm.
 template <typename T>
 OwnDisplacement<T> ownDisplacementAt(const ErrorTerms<T>& errors, const ArcPose<T>& arc, double distance,
                                      const T& phi, int axisDeg, const OwnPlace& own) {
@@ -64,7 +64,8 @@ OwnDisplacement<T> ownDisplacementAt(const ErrorTerms<T>& errors, const ArcPose<
       phi);
 }
 
-/// Adds what they displace to the target, in the guideway's frame and in the room's.
+/// Adds the displacement by the user's own effects to the target, in the frames of the guideway and of the
+/// room.
 template <typename T>
 void displace(SpacePoint<T>& target, const OwnDisplacement<T>& by, const T& phi, double turn) {
   using std::cos, std::sin;

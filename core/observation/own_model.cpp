@@ -11,7 +11,8 @@ namespace alidade {
 
 namespace {
 
-/// Of what is smooth the mean of both differences; of what jumps nearby the one away from it.
+/// The derivative. For a smooth function it is the mean of both differences; near a jump, the difference on
+/// the side away from it.
 double slope(double before, double here, double after, double step) {
   const double back = (here - before) / step, on = (after - here) / step;
   if (!std::isfinite(back) || !std::isfinite(on)) return 0;

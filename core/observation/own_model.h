@@ -13,10 +13,10 @@ namespace alidade {
 
 class OwnModel;
 
-/// Where a reading is taken, for the formulas of the user's own effects.
+/// The circumstances of a reading, as arguments for the formulas of the user's own effects.
 struct OwnPlace {
   const OwnModel* model;
-  /// All but s and the directions with their circles.
+  /// All arguments except s, the directions and the circles.
   FormulaArguments row;
   double horizontalZero = 0;  ///< α0 as read, rad
   double zeroElevation = 0;   ///< e0, rad
@@ -27,7 +27,7 @@ struct OwnPlace {
 /// The arguments of a formula at these directions, rad: face 1 equivalents, `e` above the horizon.
 FormulaArguments argumentsAt(const OwnPlace& place, double a, double e);
 
-/// What one unit of an own term (mm or rad) does to a carrier, with its slopes.
+/// The effect of one unit (mm or rad) of an own term on a carrier, with its derivatives.
 struct OwnShare {
   ErrorTerm term;
   FormCarrier carrier;
@@ -36,25 +36,25 @@ struct OwnShare {
   double byA = 0, byE = 0;  ///< by the directions
 };
 
-/// Evaluates the user's own effects. Not for several threads at once: each problem makes its own. What has no
-/// finite value is 0.
+/// Evaluates the user's own effects. Not thread-safe: each problem creates its own. Values that are not
+/// finite count as 0.
 class OwnModel {
  public:
-  /// `effects` may be null: then nothing acts.
+  /// `effects` may be null: there are none.
   explicit OwnModel(std::shared_ptr<const OwnEffects> effects);
 
-  /// Of lines that displace the target or the slider reading, at φ on an arc as it is read without errors.
+  /// The displacements of the target or the slider reading, at φ on an arc as read without errors.
   std::span<const OwnShare> ofGuideway(const OwnPlace& place, const PlanePoint<double>& centre, double radius,
                                        double distance, double phi, int axisDeg) const;
-  /// Of lines of circles, at the directions as read before them, face 1 equivalents.
+  /// The displacements of circle readings, at the directions before these effects, face 1 equivalents.
   std::span<const OwnShare> ofCircles(const OwnPlace& place, double a, double e) const;
 
-  /// The place of a row, or of a position's pointing zero, by what is stated of it; `phi` of the slider.
+  /// The place of a row, or of a position's pointing zero; `phi`: arc angle of the slider.
   OwnPlace placeOf(const Measurement& measurement, const ArcMeasurement& arc, const Sighting& row,
                    double phi) const;
   OwnPlace zeroOf(const Measurement& measurement, const ArcMeasurement& arc) const;
 
-  /// How many values so far were not finite.
+  /// Number of values so far that were not finite.
   std::size_t notFinite() const { return m_notFinite; }
 
  private:
@@ -83,7 +83,7 @@ double plainValue(const T& number) {
     return number.value();
 }
 
-/// By how much the user's own effects displace a target, mm, or a slider reading, rad.
+/// The displacement of a target, mm, or of a slider reading, rad, by the user's own effects.
 template <typename T>
 struct OwnDisplacement {
   T radial, tangential, across, x, y, z, slider;

@@ -16,7 +16,7 @@ enum class Presence {
   Required,  ///< written even if empty
 };
 
-/// Updates the object from which a part was read, and keeps everything unchanged that did not change.
+/// Updates the JSON object from which a part was read. Members whose values did not change stay as they were.
 class ObjectWriter {
  public:
   using Json = nlohmann::ordered_json;

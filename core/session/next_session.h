@@ -4,10 +4,10 @@
 
 namespace alidade {
 
-/// A blank session for the next device, with what stays from one to the next: laboratory, customer, operator,
-/// place, instrument with its known sizes, set-up, acceptance, model and protocol. What is of one device or
-/// one measurement begins anew: title, notes, date, report number, serial, known sizes of the device, L, the
-/// reference, temperature, effects that its readings needed, and all readings.
+/// A blank session for the next device. It keeps laboratory, customer, operator, place, instrument with its
+/// known sizes, set-up, acceptance, model and protocol. It drops the data of one device or measurement:
+/// title, notes, date, report number, serial, known sizes of the device, L, the reference, temperature,
+/// effects that its readings needed, and all readings.
 Session nextSession(const Session& session);
 
 }  // namespace alidade

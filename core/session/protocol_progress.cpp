@@ -50,7 +50,7 @@ struct RowState {
 
 using RowKey = std::tuple<int, int, int>;  ///< point, round, face
 
-/// What the row at an index of its position sights; absent if an entry is unusable.
+/// Point, round and face of the row at an index of its position; absent if an entry is unusable.
 std::optional<RowKey> keyOf(const Reading& row, std::size_t index) {
   const auto point = wholeEntry(pointRule, row.point);
   const auto round = wholeEntry(roundRule, row.round);

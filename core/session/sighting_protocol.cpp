@@ -221,7 +221,7 @@ class ProtocolReader {
   std::optional<Problem>& m_problem;
 };
 
-/// Only what differs from the usual minutes, or stood in the file.
+/// Contains only minutes that differ from the usual ones, or that were in the file.
 nlohmann::ordered_json minutesJson(const SightingMinutes& minutes) {
   const SightingMinutes usual;
   ObjectWriter writer(minutes.origin);

@@ -65,8 +65,8 @@ struct ProtocolPosition {
 struct SightingProtocol {
   std::string name = {}, description = {};
   bool readsSlider = false;  ///< the slider is read at each place
-  /// Within a position, the next sighting is the one that tells most for its minutes, and the axis is turned
-  /// when that tells more; otherwise the sightings stand in their order.
+  /// Within a position, the next sighting is the most informative one for its minutes, and the axis is turned
+  /// when that is more informative. False: the sightings have a fixed order.
   bool isByWorth = false;
   /// Nobody chose it: a session follows it only as long as its rows do.
   bool isYielding = false;

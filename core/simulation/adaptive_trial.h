@@ -13,8 +13,8 @@
 
 namespace alidade {
 
-// Blind trials of the next sighting: the same drawn truth is read in the order of its protocol and by the
-// sightings that tell most, until a cause is named.
+// Blind trials of the next sighting. The same drawn truth is read in the order of its protocol, and by the
+// most informative sightings, until a cause is named.
 
 enum class SightingOrder { OfProtocol, ByWorth };
 
@@ -29,7 +29,7 @@ struct AdaptiveTrialOptions {
 /// One session, read until enough or to the length of the protocol.
 struct WatchedRun {
   std::vector<std::string> named;  ///< as `SessionSoFar::named`; empty: nothing
-  bool isRight = false;            ///< the truth is among them, and no stranger stands first
+  bool isRight = false;            ///< the truth is named, or its look-alike first; a faint one may be missed
   std::size_t sightings = 0;       ///< of places and closing zeros
   double minutes = 0;
   double most = 0;  ///< the largest ln E

@@ -18,7 +18,7 @@ namespace alidade {
 
 namespace {
 
-/// Of the catalogue, or one of the user's own.
+/// The effect of the catalogue or the user's own effect; null if there is none.
 const Effect* effectIn(const BlindTrialOptions& options, const std::string& kind) {
   const Effect* effect = effectById(kind);
   return !effect && options.own ? options.own->find(kind) : effect;

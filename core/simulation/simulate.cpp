@@ -237,7 +237,7 @@ CircleReadings PerfectReadings::zero(int face, const Moment& moment) const {
   asDirection.isSetUpAgain = false;
   const std::optional<OwnPlace> own = ownPlace(std::nullopt, face, moment);
   asDirection.own = own ? &*own : nullptr;
-  Moment thereOnly = moment;  // a zero is approached anew
+  Moment thereOnly = moment;  // a zero is always approached as on the way there
   thereOnly.wayBack = false;
   return disturbed(circleDirection(m_errors, inRoom({0, 0, -m_truth.distance}), asDirection), face,
                    thereOnly);

@@ -17,8 +17,8 @@ namespace alidade {
 struct ScoredTrial {
   SealedTruth truth;
   TrialScore score;
-  /// If requested: was a wrong cause blamed with the truth's effect removed from the catalogue? Absent for
-  /// truths that are not effects or are undetectable.
+  /// If requested: did the diagnosis name a wrong cause with the truth's effect removed from the catalogue?
+  /// Absent for truths that are not effects or are undetectable.
   std::optional<bool> wrongWithout = {};
 };
 
@@ -31,7 +31,7 @@ struct TrialCase {
 struct TrialSeriesOptions {
   std::size_t count = 100;
   bool withheld = false;            ///< also check each effect with itself removed from the catalogue
-  std::vector<OwnEffect> own = {};  ///< that stored sessions take up, if they have their owner
+  std::vector<OwnEffect> own = {};  ///< added to stored sessions that have their owner
   unsigned threads = 0;             ///< 0: as many as the machine has; the result is the same for any number
   /// Called with the number of finished trials, from any thread, one call at a time.
   std::function<void(std::size_t)> progress = {};

@@ -49,7 +49,7 @@ struct TrialSummary {
   std::vector<DetectionBin> detection = {};
   Tally covered = {};       ///< true Δd within Δd ± U after the cause is added
   Tally backToNoise = {};   ///< reduced χ² after the cause is at noise level
-  Tally wrongWithout = {};  ///< a wrong cause blamed without the right one in the catalogue
+  Tally wrongWithout = {};  ///< a wrong cause named, without the right one in the catalogue
 };
 
 TrialSummary summarise(const std::vector<ScoredTrial>& trials);

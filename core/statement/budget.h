@@ -22,9 +22,9 @@ Statement fitBudget(const SessionFit& fit);
 /// if no arc was fitted.
 Statement centreBudget(const SessionFit& fit);
 
-/// What U is made of, for a reader of the result alone: its coverage, then u and ν of Δd, measured, and of
-/// Δd, fit only, which `fitOnly` states. `fit` has an intersection; a null `diagnosis` means that none was
-/// made.
+/// The parts of U, for a reader who has only the result: its coverage, then u and ν of Δd, measured, and of
+/// Δd, fit only. `fitOnly`: the text of Δd, fit only. `fit` has an intersection; a null `diagnosis` means
+/// that none was made.
 std::string coverageSentences(const SessionFit& fit, const Diagnosis* diagnosis, const std::string& fitOnly);
 
 /// One percent: a smaller part of the variance changes u by less than half a percent.

@@ -24,7 +24,7 @@ namespace {
 using Role = Statement::Column::Role;
 using Row = Statement::Row;
 
-/// What a cause does to the gap, and the share of it that is gone.
+/// The change of the gap by a cause, and the share of the gap that it removes.
 struct Change {
   std::string text = "—";
   std::optional<double> share = {};

@@ -15,8 +15,8 @@ namespace alidade {
 using JournalPlaceNamer = std::function<std::string(const JournalEntry&)>;
 
 /// The recorded changes of a session, oldest first, but only the last `most`; `summary` (`journalSummary`) as
-/// a sentence. A reason stated afterwards stands with the change it is of.
-/// Texts are cut to the length of a digest; the origin of an import is longer.
+/// a sentence. A later reason is in the row of its change. Texts are cut to the length of a digest; the
+/// origin of an import is longer.
 Statement journalTable(const Session& session, const std::string& summary, const JournalPlaceNamer& nameOf,
                        std::size_t most = std::numeric_limits<std::size_t>::max());
 

@@ -6,8 +6,8 @@
 
 namespace alidade {
 
-/// What is told of one subject, once for console, window and report. The texts are in the language of the
-/// thread that made it. Each place only lays it out.
+/// The content on one subject, shared by console, window and report, which only lay it out. The texts are in
+/// the language of the thread that made it.
 struct Statement {
   struct Column {
     enum class Role {

@@ -7,7 +7,7 @@
 
 namespace alidade {
 
-/// What the program must know of a parameter beside its derivatives.
+/// Traits of a parameter in addition to its derivatives.
 struct ParameterTraits {
   bool needsSlider = false;  ///< without slider readings nothing follows from it
   /// The order of a wave over the slider coordinate that turns with the guideway, of its radius or across its

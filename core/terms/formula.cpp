@@ -138,13 +138,13 @@ double FormulaEvaluator::value(std::size_t line, std::size_t amplitude, const Fo
   return value;
 }
 
-/// Is a line in proportion to its amplitudes? Tried at places spread over what readings have.
+/// Is a line proportional to its amplitudes? Tests arguments spread over the range of readings.
 class LinearityCheck {
  public:
   explicit LinearityCheck(const Formula& formula) : m_formula(formula), m_evaluator(formula) {}
 
-  /// The amplitude that a line is not in proportion to, or none for the line as a whole: it has a part
-  /// without amplitude, or two of them times one another. Absent: it is in proportion.
+  /// The amplitude to which a line is not proportional; none if it has a part without amplitude, or a product
+  /// of amplitudes. Absent: it is proportional.
   std::optional<std::optional<std::size_t>> bent(std::size_t line) {
     constexpr int places = 8;
     for (int place = 0; place < places; ++place) {
@@ -172,7 +172,7 @@ class LinearityCheck {
     return parsers.evaluate(line);
   }
 
-  /// What has no value here says nothing.
+  /// Also true if one of them is not a number, which is no evidence.
   static bool isAlike(double one, double other) {
     constexpr double rounding = 1e-9;
     return !(std::abs(one - other) > rounding * (1 + std::abs(one) + std::abs(other)));
@@ -200,7 +200,7 @@ class LinearityCheck {
 
 namespace {
 
-/// Makes a formula of the statements of its text.
+/// Builds a formula from the statements of its text.
 class FormulaMaker {
  public:
   explicit FormulaMaker(std::string_view text) : m_text(text) {}

@@ -83,7 +83,8 @@ class FormulaEvaluator {
   FormulaEvaluator(FormulaEvaluator&&) noexcept;
   ~FormulaEvaluator();
 
-  /// What one unit of an amplitude does to the carrier of a line. NaN if that is no number or beyond 10⁶.
+  /// The effect of one unit of an amplitude on the carrier of a line. NaN if it is not a number or beyond
+  /// 10⁶.
   double value(std::size_t line, std::size_t amplitude, const FormulaArguments& at) const;
 
  private:

@@ -50,7 +50,7 @@ inline constexpr FormulaVariable formulaVariables[] = {
     {"position", &FormulaArguments::position, false, FormulaVariable::Kind::Counted},
 };
 
-/// A name in an expression, and where it stands in the text.
+/// A name in an expression, and its place in the text.
 struct FormulaName {
   std::string_view name;
   std::size_t at;

@@ -28,7 +28,8 @@ std::string lookAlikesText(const FoundForm& found);
 /// "These readings cannot tell it from: …."; empty without look-alikes.
 std::string lookAlikesSentence(const FoundForm& found);
 
-/// Where the model holds without the form. Empty of a harmonic, which goes on everywhere, and of two levels.
+/// The range in which the model is valid without the form. Empty for a harmonic, which acts everywhere, and
+/// for two levels.
 std::string cleanRangeSentence(const FoundForm& found);
 
 /// "On 68 readings that took no part the gap shrinks by 91 % (in all readings by 93 %; F test: p = 1e-9).";

@@ -40,7 +40,7 @@ const std::string* noteOf(const JournalEntry& entry, const Session& session) {
   return nullptr;
 }
 
-/// What is stated of an entry; empty without it.
+/// The stated reason of an entry; empty if none is stated.
 std::string statedOf(const JournalEntry& entry, const Session& session) {
   if (entry.why == journal_reasons::excluded) {
     const std::string* note = noteOf(entry, session);

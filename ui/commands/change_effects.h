@@ -16,7 +16,7 @@ void setEffect(SessionDocument& document, const std::string& id, bool isEstimate
 /// Adds those of `ids` that are not estimated yet, in one step.
 void addEffects(SessionDocument& document, const std::vector<std::string>& ids);
 
-/// Puts an effect of one's own into the session, in the place of one with the same id.
+/// Puts a user's own effect into the session, replacing one with the same id.
 void keepOwnEffect(SessionDocument& document, const OwnEffect& effect);
 
 }  // namespace alidade::ui

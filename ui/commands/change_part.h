@@ -11,14 +11,14 @@
 
 namespace alidade::ui {
 
-/// What the views and the journal learn of a changed part.
+/// A changed part as reported to the views and to the journal.
 struct PartChange {
   SessionChange told;    ///< to the views
   Place place;           ///< in the journal
   std::string from, to;  ///< in the journal
 };
 
-/// The change of the part at `place`, told alike to the views and the journal.
+/// The change of the part at `place`, with the same place for views and journal.
 inline PartChange changeAt(const Place& place, std::string from, std::string to) {
   return {{.kind = SessionChange::Kind::Field, .place = place}, place, std::move(from), std::move(to)};
 }

@@ -31,7 +31,7 @@ class OwnEffectDialog : public QDialog {
  public:
   OwnEffectDialog(const Session& session, OwnEffect effect, Dialogs& dialogs, QWidget* parent = nullptr);
 
-  /// As typed.
+  /// The effect as typed.
   OwnEffect effect() const;
 
  private:

@@ -19,7 +19,8 @@ std::optional<QString> writeWhereAsked(Dialogs& dialogs, const QString& title, c
 /// The folder of the session's file; the home folder if it has none.
 QString folderOf(const SessionDocument& document);
 
-/// Likewise for output of a session: in its folder, named `name` as far as file names allow.
+/// Asks for a path and writes output of a session. Suggests the session's folder and `name`, without
+/// characters that file names cannot have.
 std::optional<QString> writeBeside(const SessionDocument& document, Dialogs& dialogs, const QString& title,
                                    const QString& name, const QString& suffix, const std::string& bytes);
 

@@ -41,7 +41,8 @@ class SessionDocument : public QObject {
   QString path() const { return m_files.path(m_undoStack.index()); }
   /// The files of all sessions that undo and redo lead to.
   QStringList paths() const { return m_files.paths(); }
-  /// In a protocol by worth the sighting that tells most, as in `progressOf`; absent until it is known.
+  /// In a protocol by worth, the next sighting of highest worth, as in `progressOf`; absent until it is
+  /// known.
   std::optional<std::size_t> chosenSighting() const { return m_chosenSighting; }
   void setChosenSighting(std::optional<std::size_t> chosen);
   /// Files from which its parts were read: readings, instrument, protocol.
@@ -57,9 +58,9 @@ class SessionDocument : public QObject {
     return m_files.unsavedBehind(m_undoStack.index(), m_undoStack.count());
   }
 
-  /// The only way of an edit onto the undo stack. Takes ownership of the command.
+  /// Pushes an edit onto the undo stack; there is no other way. Takes ownership of the command.
   void push(QUndoCommand* command);
-  /// Likewise for a command that replaces the present session by an unsaved one.
+  /// Pushes a command that replaces the present session by an unsaved one.
   void pushAnother(QUndoCommand* command);
   /// Writes to the session, and tells of `change` before and after.
   void edit(EditKey key, const SessionChange& change, const std::function<void(Session&)>& write);
@@ -71,7 +72,8 @@ class SessionDocument : public QObject {
   void startNew();
   /// Starts with an unsaved session.
   void startWith(Session session);
-  /// Likewise with recorded entries: the session was in a file before, and its changes enter the journal.
+  /// Starts with an unsaved session that was in a file before: its entries count as recorded, so changes
+  /// enter the journal.
   void startWithStanding(Session session);
   /// Absent: loaded. A session with invalid entries loads; if the file is not a session, the document stays
   /// unchanged.

@@ -29,7 +29,7 @@ class SessionFiles {
   /// The path of a session that redo leads to from `index` and that differs from its file, with `count`
   /// commands on the stack. Absent: there is none.
   std::optional<QString> unsavedAhead(int index, int count) const;
-  /// Likewise for one that undo leads back to. Ignores those the user has given up.
+  /// The same for a session that undo leads back to. Ignores those the user has given up.
   std::optional<QString> unsavedBehind(int index, int count) const;
 
  private:

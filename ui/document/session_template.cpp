@@ -12,7 +12,7 @@ namespace {
 
 const QString templateKey = QStringLiteral("newSession");
 
-/// Where the preferences say nothing: a blank session with a protocol to go by.
+/// The template without a preference: a blank session with the usual protocol.
 Session usualTemplate() {
   Session session = blankSession();
   session.protocol = protocolText(usualProtocol());

@@ -35,7 +35,7 @@ void setColour(QLabel& label, const QColor& colour) {
   label.setPalette(coloured);
 }
 
-/// Limited by the window's width.
+/// Reduces the height if the text would be wider than `width`.
 void setHeightWithin(QLabel& label, double pixels, int width) {
   setHeight(label, pixels);
   const int wide = label.sizeHint().width();

@@ -7,8 +7,8 @@
 
 namespace alidade::ui {
 
-/// The last layouts of similar files, by their signature. The present file takes precedence: its separator,
-/// and unit and decimal sign if its numbers confirm them.
+/// The last layout of each kind of file, identified by its signature. The present file takes precedence for
+/// its separator, and for unit and decimal sign if its numbers show them.
 class ImportMemory {
  public:
   /// Absent without an earlier layout, or if it does not fit the file.

@@ -44,8 +44,8 @@ struct ReportOptions {
   /// The gap of the same evaluation, with sentences in the same language; null: it is assessed here.
   std::shared_ptr<const Gap> gap = {};
   std::optional<Signer> signer = {};  ///< signs the file; the signature goes to `signaturePath`
-  /// Called often while the report is written, with the share done. Returning false stops the report, which
-  /// is then the reason for its absence. Called in the window's language.
+  /// Called often while the report is written, with the share done, in the window's language. Returning false
+  /// stops the report; the result then names this reason.
   std::function<bool(double done)> goesOn = {};
 };
 
@@ -58,7 +58,7 @@ struct ReportOptions {
 Result<QString> writeAcceptanceReport(const Evaluation& evaluation, const ReportSource& source,
                                       const QString& outPath, const ReportOptions& options = {});
 
-/// Returns the bytes of that file instead.
+/// Returns the same report as bytes, without writing a file.
 Result<std::string> acceptanceReportPdf(const Evaluation& evaluation, const ReportSource& source,
                                         const ReportOptions& options = {});
 

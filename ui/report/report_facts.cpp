@@ -64,7 +64,7 @@ QString lengthWithSigma(const std::string& length, const std::string& sigma) {
                           : Report::tr("%1, σ %2 mm (stated)").arg(value, stated);
 }
 
-/// The σ of R0 matters if the radius is known, or as a closure if it is stated.
+/// R0, with its σ if the radius is known, or if σ is stated for the closure.
 QString nominalRadius(const Session& session) {
   const Geometry& geometry = session.geometry;
   if (given(geometry.sigmaRadiusMm).isEmpty() && session.model.radius != "known")

@@ -24,7 +24,7 @@ namespace {
 constexpr double largeResidual = 3;  // standardised
 constexpr int longestCell = 60;      // characters; longer texts are cut, since paper has no tool tip
 
-/// Its numbers without leading zeros and what stands between them: 341 5 4 of 341°05′04″.
+/// The numbers of an angle without leading zeros and separators: 341 5 4 of 341°05′04″.
 QStringList numbersIn(const QString& angle) {
   static const QRegularExpression number(QStringLiteral("\\d+"));
   QStringList numbers;

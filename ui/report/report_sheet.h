@@ -40,7 +40,7 @@ class ReportSheet {
  public:
   using Drawing = ReportPages::Drawing;
 
-  /// For the device's paper, used as a full page.
+  /// Uses the full page of the device's paper.
   ReportSheet(QPagedPaintDevice& device, ReportFrame frame, const QMarginsF& margins);
 
   static constexpr double width = 170;

@@ -27,7 +27,7 @@ QString cellText(const Statement::Row& row, std::size_t column) {
   return column == 0 && row.isPart ? QStringLiteral("    ") + text : text;
 }
 
-/// What the cells of a column, and its title or the longest word of that, need, mm.
+/// The width, mm, of the cells of a column and of its title, or of the title's longest word.
 double neededWidth(const ReportSheet& sheet, const Statement& statement, std::size_t column,
                    bool isTitleWhole) {
   constexpr double gap = 2;
@@ -41,7 +41,7 @@ double neededWidth(const ReportSheet& sheet, const Statement& statement, std::si
   return width + gap + indentOf(statement.columns[column].role);
 }
 
-/// What each column needs; titles stay on one line where the page is wide enough.
+/// The width of each column, with titles on one line if the page is wide enough.
 std::vector<double> neededWidths(const ReportSheet& sheet, const Statement& statement) {
   std::vector<double> widths;
   for (const bool isTitleWhole : {true, false}) {
@@ -53,9 +53,9 @@ std::vector<double> neededWidths(const ReportSheet& sheet, const Statement& stat
   return widths;
 }
 
-/// Figures have what they need; names a third of the page, or no more than they need beside a bar; remarks or
-/// bars what is left; names more without these; texts none, since they are below the rows. The widest names
-/// and words are cut until all fit on the page.
+/// Figures get their needed width. Names get a third of the page, but at most their needed width in a table
+/// of many columns or with a bar; more without remarks and bars. Remarks or bars get the rest. Texts get
+/// none, since they are below the rows. The widest names and words are cut until all fit on the page.
 std::vector<double> widthsOf(const ReportSheet& sheet, const Statement& statement) {
   constexpr double mostName = 62, leastFigure = 20, fewColumns = 6, mostRemark = 40, leastText = 12;
   const bool hasBar =

@@ -27,7 +27,7 @@ class SeriesDiagnosisJob : public QObject {
  public:
   explicit SeriesDiagnosisJob(QObject* parent = nullptr);
 
-  /// Stops running work; this follows it.
+  /// Stops running work, then starts with these files.
   void start(const std::vector<std::string>& files);
   bool isAtWork() const { return m_work.isAtWork(); }
 

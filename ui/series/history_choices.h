@@ -19,7 +19,7 @@ class HistoryChoices : public QWidget {
   Q_OBJECT
 
  public:
-  /// What differs between the histories of devices and of instruments.
+  /// The words that differ between the histories of devices and of instruments.
   struct Words {
     QString owner, ownerLabel;  ///< "Device", "&Device"
     QString baseline;           ///< for screen readers: "Sessions in the baseline"

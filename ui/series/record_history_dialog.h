@@ -15,8 +15,8 @@ class HistoryChart;
 class HistoryChoices;
 class StatementTable;
 
-/// Instrument records together: the records of one instrument with their due dates, and the control chart of
-/// each of its constants, as `alidade-cli history` states them.
+/// The records of one instrument with their due dates, and the control chart of each of its constants, as
+/// `alidade-cli history` states them.
 class RecordHistoryDialog : public QDialog {
   Q_OBJECT
 

@@ -145,9 +145,9 @@ void EntryColumn::connectFindings(SessionJobs& jobs) {
           [this](const Place& place) { emit revealWanted(place, true); });
 }
 
-/// As much as every line needs, up to a third of the column and leaving some rows to the readings, unless a
-/// person has set the height. It gives room back only where half is left over: the lines of a half-typed row
-/// come and go with each reading.
+/// Gives the findings the height of all their lines, up to a third of the column and leaving some rows to the
+/// readings, unless the user has set the height. It is reduced only if half would be free: the lines of a
+/// half-typed row come and go with each reading.
 void EntryColumn::giveFindingsRoom() {
   if (isSetByHand(*m_column)) return;
   QList<int> sizes = m_column->sizes();
@@ -162,7 +162,7 @@ void EntryColumn::giveFindingsRoom() {
   };
   const int most = std::max(whole / 3, m_column->widget(1)->minimumSizeHint().height());
   give(std::min(needed, most));
-  // What stands above the list may take more by now.
+  // The widgets above the list may be higher by now.
   if (const int cut = m_findings->wholeHeight() - m_findings->height(); cut > 0)
     give(std::min(sizes[1] + cut, most));
   ReadingsTable* table = m_positions->currentTable();

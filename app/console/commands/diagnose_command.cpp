@@ -68,7 +68,8 @@ std::string seriesName(const std::vector<std::string>& named, std::size_t sessio
   return "Series of " + counted(sessions, "session");
 }
 
-/// Of the catalogue, as the help lists it, or one of the user's own, which only the session knows.
+/// Accepts the effects of the catalogue, which the help lists, and any id of the user's own, which only the
+/// session knows.
 CLI::Validator effectCheck() {
   CLI::Validator check = CLI::IsMember(diagnosableEffects());
   check.operation([isOfCatalogue = check](std::string& id) {

@@ -115,7 +115,7 @@ struct VisitCheck::Content {
   double freedom = 0;
   Spacing spacing;
 
-  /// Takes the fit's values for the arc, and leaves unknowns that the fit lacks free.
+  /// Takes over the fit's values for the arc. Unknowns missing in the fit stay free.
   void takeOver(const JointFit& fit, std::size_t arc) {
     std::vector<std::size_t> indices;
     for (Unknown unknown : fit.unknowns) {

@@ -492,7 +492,8 @@ void JointProblem::fillEquations(const Jets& jets, const JointState& state, std:
   using InstrumentJet = typename Jets::InstrumentJet;
   const GuidewayJet phi =
       Jets::template variable<GuidewayJet>(state.arcAngles[static_cast<Index>(visitIndex)], Jets::angleSlot);
-  // Of the visit, or, as the user's own effects may know, of a row.
+  // Set for each row, since the user's own effects may differ between the rows of a visit; unset without
+  // them.
   std::optional<OwnPlace> own;
   const auto placeAt = [&]() {
     return roomFromZeroLine(

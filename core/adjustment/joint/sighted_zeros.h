@@ -32,8 +32,8 @@ Measurement withZerosSighted(Measurement measurement);
 void leaveOutZeros(Measurement& measurement);
 void putInZeros(Measurement& measurement);
 
-/// The stated σ of a reading of either circle, or of one sighting of a zero. It is never exact; the model has
-/// to explain differences between sightings beyond it.
+/// The stated σ of a reading of either circle, or of one sighting of a zero. That of a zero is never 0; the
+/// model must explain larger differences between its sightings.
 Angle sigmaOf(const Measurement& measurement, const Sighting& sighting, bool isVertical);
 /// The same for any reading, including the slider's.
 Angle sigmaOf(const Measurement& measurement, const ReadingRef& reading);

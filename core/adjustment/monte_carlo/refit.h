@@ -43,7 +43,7 @@ bool haveNothingInCommon(const Measurement& fitted);
 std::unique_ptr<Refit> generalRefit(const RefitTask& task);
 
 /// Uses `fitArcsFast`, with a lane for each draw, if the arcs are independent (`haveNothingInCommon`) and
-/// every visit of an arc has equally many rows. Otherwise null. Refused fits are repeated in general.
+/// every visit of an arc has equally many rows. Otherwise null. Draws that it refuses go to `generalRefit`.
 std::unique_ptr<Refit> arcsRefit(const RefitTask& task);
 
 /// The forward model to second order about the fit (expanded_refit.cpp). Null if there are so many readings

@@ -25,7 +25,7 @@ using Circles = std::tuple<int, double, double>;
 /// A place of the slider, as far as the user numbers them: face and point.
 using Mark = std::pair<int, int>;
 
-/// Of each key the first index.
+/// The first index of each key.
 template <typename Key>
 using FirstIndices = std::unordered_map<Key, std::size_t, boost::hash<Key>>;
 

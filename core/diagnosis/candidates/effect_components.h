@@ -56,8 +56,8 @@ const std::vector<Width>& effectWidths();
 std::vector<EffectComponent> effectComponents(const Leftover& leftover,
                                               const std::vector<std::string>& leftOut,
                                               const Measurement& measurement = {});
-/// The same, what bends with its second derivatives, what is known
-/// marked so where it is in the model. `leftover` is that of the model.
+/// Returns the effects of the catalogue except those in `leftOut`, with second derivatives if they are bent.
+/// Known sizes in the model are marked. `leftover` is that of the model.
 std::vector<EffectComponent> effectsBeyond(const GapModel& model, const Leftover& leftover,
                                            const std::vector<std::string>& leftOut);
 

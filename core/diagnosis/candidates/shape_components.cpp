@@ -84,7 +84,7 @@ class Surroundings {
   /// Returns the effect of 1 unit on each reading.
   SharedCarrier alongGuideway(const VectorXd& values) { return carrierOf(values, visits); }
   SharedCarrier ofInstrument(const VectorXd& values) { return carrierOf(values, rows); }
-  /// The same, with the opposite sign where `turned` returns true.
+  /// Returns the effect of 1 unit, with the opposite sign where `turned` returns true.
   template <typename Turned>
   SharedCarrier ofInstrument(VectorXd values, const Turned& turned) {
     for (Index i = 0; i < values.size(); ++i)

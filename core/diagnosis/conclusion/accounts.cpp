@@ -22,14 +22,14 @@ bool isAmong(const std::vector<EstimatedTerm>& terms, ErrorTerm term) {
   return std::ranges::find(terms, term, &EstimatedTerm::term) != terms.end();
 }
 
-/// Those that the model does not estimate already.
+/// The terms of the effects that the model does not estimate yet.
 std::vector<EstimatedTerm> effectsBeyond(const GapModel& base) {
   std::vector<EstimatedTerm> terms = everyEffect(*base.measurement);
   std::erase_if(terms, [&](const EstimatedTerm& term) { return isAmong(base.options.terms, term.term); });
   return terms;
 }
 
-/// What is there or not, and is in the model.
+/// The all-or-nothing terms in the model.
 std::vector<EstimatedTerm> settledTerms(const GapModel& at) {
   std::vector<EstimatedTerm> terms;
   for (const EstimatedTerm& term : at.options.terms)
@@ -39,7 +39,8 @@ std::vector<EstimatedTerm> settledTerms(const GapModel& at) {
   return terms;
 }
 
-/// The equations of the base at another fit. What the effects have there is put back into the residuals.
+/// The equations of the base, linearised at another fit. The contribution of the effects there is added back
+/// to the residuals.
 Leftover leftoverAt(const GapModel& base, const GapModel& at, const std::vector<EstimatedTerm>& effects) {
   const auto indexIn = [](const JointFit& fit, ErrorTerm term) {
     return fit.indexOf({.kind = Unknown::Kind::Error, .arc = 0, .term = term});
@@ -68,20 +69,20 @@ double logDeterminant(const Eigen::LDLT<MatrixXd>& factor) {
 
 }  // namespace
 
-/// The normal equations of an explanation: its own columns, and those of the effects without what these have
-/// in common with the own ones.
+/// The normal equations of an explanation: its own columns, and the effects' columns after elimination of the
+/// own ones.
 struct Accounts::System {
   const Explanation* explanation = nullptr;
   std::vector<const Columns*> own = {};
   Eigen::LDLT<MatrixXd> factor = {};  ///< of the own columns with their widths
-  VectorXd narrow = {};               ///< 1/width² of the own weights; 0 of a reading that is left out
+  VectorXd narrow = {};               ///< 1/width² of the own weights; 0 for an excluded reading
   VectorXd right = {}, influence = {};
   MatrixXd withEffects = {};  ///< effects × own
   MatrixXd effects = {};
   VectorXd effectsRight = {}, effectsInfluence = {}, leastWidths = {};
   double quadratic = 0, shift = 0, variance = 0, logScale = 0;  ///< of the own columns alone
   double ofNoise = 1;
-  int leftOut = 0;  ///< readings
+  int leftOut = 0;  ///< number of excluded readings
 };
 
 Accounts::Accounts(const Inquiry& inquiry)
@@ -104,7 +105,7 @@ void Accounts::alsoAt(const GapModel& at, const Explanation& explanation, const 
   const std::optional<System> system = own->systemOf(explanation);
   if (!system) return;
   own->m_start = estimate->value - own->accountOf(*system, scales).value;
-  // Of large causes the fit without them is far from where the equations would have it.
+  // The fit without large causes is far from the point where its linear equations hold.
   if (const std::optional<System> here = systemOf(explanation))
     m_start += estimate->value - accountOf(*here, scales).value;
   m_at = std::move(own);
@@ -127,7 +128,7 @@ MatrixXd Accounts::gramOfColumns() const {
   return columns.transpose() * columns;
 }
 
-/// All columns of a large session would fill the memory.
+/// Avoids a matrix of all columns, which would fill the memory in a large session.
 MatrixXd Accounts::gramOfMany() const {
   const std::vector<EstimatedTerm>& along = m_inquiry.base.options.terms;
   std::vector<ErrorTerm> all;
@@ -155,7 +156,7 @@ const Accounts::Columns& Accounts::columnsOf(const Part& part) {
   Columns& columns = entry->second;
   if (!isNew) return columns;
   const Component& component = m_inquiry.of(part);
-  // Many columns of many readings would fill the memory: there a pattern is as it was found.
+  // In a large session all columns of a pattern would fill the memory: the pattern keeps its weights.
   const bool asFound = component.isShape() && isLarge(*m_inquiry.base.measurement);
   columns.whole = asFound ? MatrixXd(component.times(m_inquiry.leftover, part.weights))
                           : component.wholeColumns(m_inquiry.leftover);
@@ -284,9 +285,9 @@ std::vector<Account> Accounts::of(const Explanation& explanation) {
   const std::optional<System> system = systemOf(explanation);
   const std::optional<System> there = m_at ? m_at->systemOf(explanation) : std::nullopt;
   if (!system && !there) return {};
-  // The search knows the explanation alone, over all of its widths.
+  // The posterior odds of the search are those of the explanation alone, over all of its widths.
   const double alone = (system ? accountOf(*system, noEffect) : m_at->accountOf(*there, noEffect)).logOdds;
-  // Wherever the explanation is the likelier, with effects as plausible.
+  // Uses the linearisation that makes the explanation likelier, with effects of plausible size.
   const bool isThere =
       there && (!system || m_at->accountOf(*there, {}).logOdds > accountOf(*system, {}).logOdds);
   std::vector<Account> accounts;
@@ -324,7 +325,7 @@ VectorXd Accounts::takenByPattern(const Explanation& explanation, const EffectSc
   matrix.diagonal() += system->ofNoise * widthsOf(*system, scales).cwiseAbs2().cwiseInverse();
   const VectorXd ofEffects = matrix.ldlt().solve(system->effectsRight);
   const VectorXd own = system->factor.solve(system->right - system->withEffects.transpose() * ofEffects);
-  const MatrixXd& pattern = system->own.back()->whole;  // a pattern stands last
+  const MatrixXd& pattern = system->own.back()->whole;  // the pattern is the last part
   return pattern * own.tail(pattern.cols());
 }
 

@@ -11,62 +11,63 @@
 
 namespace alidade {
 
-// What an explanation does to Δd where every effect of the catalogue is there besides, in the model linear at
-// one fit, and how likely the readings are then.
+// The Δd and the evidence of an explanation together with every effect of the catalogue, in the model linear
+// at one fit.
 //
 // With V the visible columns of effects, causes and patterns, W the widths of their weights, v the variance
-// of the readings and r what is left over, the weights are w = (VᵀV + v W⁻²)⁻¹ Vᵀ r. Δd moves by −bᵀ w, where
-// b is what the whole columns move the fit's Δd by. The evidence is |1 + W VᵀV W/v|^(−1/2) exp(½ rᵀV w/v)
-// times that of the noise.
+// of the readings and r the leftover, the weights are w = (VᵀV + v W⁻²)⁻¹ Vᵀ r. They change Δd by −bᵀ w,
+// where b is the change of the fit's Δd by the whole columns. The evidence is
+// |1 + W VᵀV W/v|^(−1/2) exp(½ rᵀV w/v) times that of the noise.
 //
 // Source: MacKay, "Bayesian interpolation", Neural Computation 4 (1992); elimination of the explanation's own
 // columns by the Schur complement.
 
-/// An explanation with every effect besides, so many plausible sizes wide.
+/// An explanation together with every effect, whose prior widths are `scales` plausible sizes.
 struct Account {
   EffectScales scales;
-  double logOdds = 0;   ///< prior and evidence, against nothing at all and no effect besides; natural
+  double logOdds = 0;   ///< prior and evidence, relative to no cause and no effect; natural logarithm
   double value = 0;     ///< of Δd, mm
-  double variance = 0;  ///< from the readings, scaled by what is left over, and from widths; no zeros, mm²
-  /// That of the explanation's weights and the effects alone, with the noise as it is believed.
+  double variance = 0;  ///< from the readings, scaled by the leftover, and from widths; without zeros, mm²
+  /// The part of the variance due to the weights of explanation and effects, at the noise of the explanation.
   double ofWeights = 0;
-  std::vector<double> ofEffects = {};  ///< what is known of each effect brings to the variance, mm²
+  std::vector<double> ofEffects = {};  ///< variance from the prior of each effect, mm²
 };
 
 class Accounts {
  public:
-  /// Linear at the inquiry's base.
+  /// Linearises at the inquiry's base.
   explicit Accounts(const Inquiry& inquiry);
-  /// And at a fit of the base with an explanation and every effect, so many plausible sizes wide, wherever
-  /// that is the likelier of both; values count from there. Not of a large session.
+  /// Linearises also at `at`, a fit of the base with `explanation` and every effect of these widths. Each
+  /// explanation then uses the linearisation that makes it likelier, with Δd shifted to agree with that fit.
+  /// Does nothing for a large session, or if `at` has no result.
   void alsoAt(const GapModel& at, const Explanation& explanation, const EffectScales& scales);
 
-  /// The terms of the effects besides, as `Account::ofEffects` has them.
+  /// The terms of the effects, in the order of `Account::ofEffects`.
   const std::vector<EstimatedTerm>& effects() const { return m_terms; }
-  /// One for each of `possibleScales`, with their probabilities. Empty where what is there or not at all
-  /// differs from that in the fit.
+  /// One account for each of `possibleScales`, with its probability. Empty if the all-or-nothing effects of
+  /// the explanation differ from those in the fit.
   std::vector<Account> of(const Explanation& explanation);
-  /// The same for scales of one's own, taken as certain.
+  /// The account with given scales, taken as certain.
   std::optional<Account> of(const Explanation& explanation, const EffectScales& scales);
-  /// What the readings say for one more component beside an explanation, at its plausible size and with no
-  /// effect besides: natural logarithm.
+  /// Log evidence (natural) for one more component of an explanation, at its plausible size and without
+  /// further effects.
   std::optional<double> logEvidenceOf(const Explanation& explanation, const Part& more);
-  /// What its pattern takes up of each reading, σ.
+  /// The contribution of the explanation's pattern to each reading, σ.
   Eigen::VectorXd takenByPattern(const Explanation& explanation, const EffectScales& scales);
 
  private:
-  /// Of a component that is no effect of the catalogue.
+  /// The columns of a component outside the catalogue.
   struct Columns {
     Eigen::MatrixXd whole, visible;
-    Eigen::VectorXd right, influence;  ///< products with what is left over; on the fit's Δd, mm
+    Eigen::VectorXd right, influence;  ///< products with the leftover; influence on the fit's Δd, mm
     Eigen::MatrixXd withEffects;       ///< inner products with the effects
   };
   struct System;
 
   const Inquiry& m_inquiry;
-  std::optional<Leftover> m_own;         ///< at a fit of one's own
-  std::shared_ptr<Accounts> m_at;        ///< linear there
-  std::vector<ErrorTerm> m_settled;      ///< there or not at all: those that are
+  std::optional<Leftover> m_own;         ///< at another fit; absent: the inquiry's
+  std::shared_ptr<Accounts> m_at;        ///< the second linearisation; null: none
+  std::vector<ErrorTerm> m_settled;      ///< all-or-nothing effects in that fit
   double m_start = 0;                    ///< Δd without causes and effects, mm
   Eigen::VectorXd m_perReading;          ///< ∂Δd/∂reading, mm per σ
   double m_ofReadings = 0;               ///< variance of Δd by the readings alone, mm²
@@ -82,9 +83,9 @@ class Accounts {
   Eigen::MatrixXd gramOfMany() const;
   const Columns& columnsOf(const Part& part);
   std::optional<System> systemOf(const Explanation& explanation);
-  /// `logOdds`: logarithm of the evidence alone.
+  /// `Account::logOdds` of the result is the logarithm of the evidence alone.
   Account accountOf(const System& system, const EffectScales& scales) const;
-  /// Of the effects' weights in plausible sizes: 1σ of each.
+  /// Prior widths (1σ) of the effects' weights, in plausible sizes.
   Eigen::VectorXd widthsOf(const System& system, const EffectScales& scales) const;
   Eigen::VectorXd productsOfEffects(const Eigen::VectorXd& overReadings) const;
 };

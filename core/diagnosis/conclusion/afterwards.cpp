@@ -25,7 +25,7 @@ struct Alternative {
   Possible possible;
 };
 
-/// What a pattern moves the Δd of a model by; zeros that the model does not sight move nothing.
+/// The change of a model's Δd by a pattern; zeros that the model does not sight contribute nothing.
 double movedBy(const GapModel& model, const Inquiry& inquiry, const Part& pattern) {
   using Place = std::tuple<std::size_t, std::size_t, ReadingKind>;
   const Eigen::VectorXd influence = influencePerSigma(model),
@@ -44,7 +44,7 @@ double movedBy(const GapModel& model, const Inquiry& inquiry, const Part& patter
   return moved;
 }
 
-/// Collects what else may be the case.
+/// Collects the alternatives to the answer.
 class Average {
  public:
   Average(const Inquiry& inquiry, const Answer& answer, const IntersectionEstimate& own)
@@ -70,7 +70,7 @@ class Average {
     }
   }
 
-  /// `ofPattern`: what one that is there in any case moves Δd by.
+  /// `ofPattern`: the change of Δd by the pattern of the answer.
   IntersectionEstimate estimate(double ofPattern) const {
     std::vector<Possible> all;
     for (const Alternative& alternative : m_alternatives) {
@@ -103,7 +103,8 @@ class Average {
     return Possible{1, move->shift - m_ofAnswer->shift, move->variance - m_ofAnswer->variance};
   }
 
-  /// Of what bends: a pattern does not shift Δd. Absent where the readings do not determine it.
+  /// For an explanation that is not linear: fits it. A pattern does not shift Δd. Absent if the readings do
+  /// not determine Δd.
   std::optional<Possible> byFit(Explanation explanation) const {
     double ofPattern = 0;
     if (explanation.shaped) {
@@ -123,7 +124,7 @@ class Average {
 IntersectionEstimate averagedOver(const IntersectionEstimate& own, const std::vector<Possible>& all,
                                   double coverage) {
   constexpr double hardly = 0.01;         // of U
-  constexpr double leastVariance = 1e-6;  // of the own one: of rounding
+  constexpr double leastVariance = 1e-6;  // of the own variance, against rounding
   const double factor = own.expanded / own.sigma, wider = factor / normalQuantile((1 + coverage) / 2);
   std::vector<NormalPart> mixture;
   for (const Possible& possible : all) {

@@ -18,7 +18,7 @@ namespace alidade {
 
 namespace {
 
-/// How likely each kind of answer is as a whole.
+/// Total probability of each kind of answer.
 struct Chances {
   double nothing = 0, known = 0, unknown = 0;
 };
@@ -36,7 +36,7 @@ Chances chancesOf(const Inquiry& inquiry) {
   return chances;
 }
 
-/// The likeliest of a kind; null where there is none.
+/// The likeliest explanation of a kind; null if there is none.
 template <typename Kind>
 const Explanation* likeliest(const Inquiry& inquiry, const Kind& isMeant) {
   const auto found = std::ranges::find_if(inquiry.explanations, isMeant);
@@ -47,8 +47,8 @@ bool isKnown(const Explanation& explanation) {
   return !explanation.shaped && (explanation.noisy || !explanation.parts.empty());
 }
 
-/// The best explanation of known causes; a smaller one of the same causes where it is nearly as good. Null
-/// where there is none.
+/// The best explanation by known causes, or a nearly as good one by fewer of these causes. Null if there is
+/// none.
 const Explanation* bestKnown(const Inquiry& inquiry) {
   constexpr double nearlyAsGood = 2;  // natural logarithm: odds of 7
   const Explanation* const best = likeliest(inquiry, isKnown);
@@ -65,7 +65,7 @@ GapModel modelWith(const Inquiry& inquiry, const Explanation& explanation) {
   return alidade::modelWith(inquiry.base, explanation, inquiry.candidates, inquiry.leftover);
 }
 
-/// `closed`: the inquiry's with the explanation in it.
+/// `closed`: the inquiry's model with the explanation in it.
 GapModel measuredModel(const Inquiry& inquiry, const Explanation& explanation, const GapModel& closed) {
   const auto isReading = [&](const Part& part) { return inquiry.of(part).grossErrorAt().has_value(); };
   if (!closed.options.isClosed || !std::ranges::all_of(explanation.parts, isReading)) return closed;
@@ -82,7 +82,7 @@ Answer knownAs(const Inquiry& inquiry, const Explanation& explanation) {
       Answer::Kind::Known, explanation, rivalsOf(inquiry, explanation), {}, modelWith(inquiry, explanation)};
 }
 
-/// The likeliest pattern, and beside it what is as good as certain.
+/// The likeliest pattern, and the causes that are as good as certain in addition to it.
 Answer unknownAs(const Inquiry& inquiry, const Explanation& shaped) {
   constexpr double certain = 0.95;
   const std::vector<std::vector<Rival>> rivals = rivalsOf(inquiry, shaped);
@@ -96,8 +96,9 @@ Answer unknownAs(const Inquiry& inquiry, const Explanation& shaped) {
   return answer;
 }
 
-/// What is certain whatever else is there, with every effect of the catalogue at its plausible size, against
-/// any pattern with effects of any size. Absent where the readings do not determine that.
+/// The answer by every effect of the catalogue at its plausible size, weighed against any pattern with
+/// effects of any size. It contains the causes that are certain in addition to the effects. Absent if the
+/// readings do not determine its model.
 std::optional<Answer> severalIn(const Inquiry& inquiry) {
   constexpr double certain = 0.95, leastChance = 0.01;
   constexpr EffectScales asPlausible;
@@ -135,7 +136,7 @@ std::optional<Answer> severalIn(const Inquiry& inquiry) {
   return answer;
 }
 
-/// The likeliest pattern, or every effect.
+/// The likeliest pattern or every effect, whichever is likelier.
 Answer beyondCatalogue(const Inquiry& inquiry, const Explanation& shaped) {
   constexpr double even = 0.5;
   std::optional<Answer> several = severalIn(inquiry);
@@ -145,7 +146,7 @@ Answer beyondCatalogue(const Inquiry& inquiry, const Explanation& shaped) {
   return answer;
 }
 
-/// Whether any of its parts, or what looks like it, is likelier than that.
+/// Whether a part of the answer, its look-alikes included, is likelier than `chance`.
 bool isLikelier(const Inquiry& inquiry, const Answer& answer, double chance) {
   if (answer.explanation.noisy && inquiry.probabilityOf(noiseId) > chance) return true;
   for (std::size_t p = 0; p < answer.rivals.size(); ++p)
@@ -153,23 +154,23 @@ bool isLikelier(const Inquiry& inquiry, const Answer& answer, double chance) {
   return false;
 }
 
-/// A gap that is real and that nothing explains.
+/// A real gap without an explanation.
 Answer unexplained(const Inquiry& inquiry) {
   return {Answer::Kind::Unknown, {}, {}, {}, inquiry.base};
 }
 
 Answer likeliestAnswer(const Inquiry& inquiry) {
-  constexpr double hardlyNoise = 1e-3;  // what known causes leave may not be less likely by noise alone
+  constexpr double hardlyNoise = 1e-3;  // least p-value of the rest that counts as noise
   const auto [nothing, known, unknown] = chancesOf(inquiry);
   const Explanation* const best = bestKnown(inquiry);
   const Explanation* const shaped = likeliest(inquiry, &Explanation::shaped);
   if (shaped && unknown > known && unknown > nothing) return beyondCatalogue(inquiry, *shaped);
   if (!best || nothing >= known) return nothingIn(inquiry);
   Answer answer = knownAs(inquiry, *best);
-  // Many causes may each be a little likely, and none of them more than that.
+  // Many causes may be slightly likely, but none of them likelier than the alternative.
   if (!isLikelier(inquiry, answer, std::max(nothing, unknown)))
     return !shaped || nothing >= unknown ? nothingIn(inquiry) : beyondCatalogue(inquiry, *shaped);
-  const bool isNoise = !(sizeOf(answer.after).pValue < hardlyNoise);  // or nothing tells
+  const bool isNoise = !(sizeOf(answer.after).pValue < hardlyNoise);  // true without a p-value
   if (answer.explanation.noisy || isNoise) return answer;
   const Explanation* const more =
       likeliest(inquiry, [](const Explanation& other) { return other.shaped || other.noisy; });
@@ -182,7 +183,7 @@ Answer likeliestAnswer(const Inquiry& inquiry) {
 Answer conclude(const Inquiry& inquiry) {
   Answer answer = likeliestAnswer(inquiry);
   answer.measured = measuredModel(inquiry, answer.explanation, answer.after);
-  // In the linear model there was an answer; with it in the model itself the readings may fix nothing.
+  // The linear model had this answer, but the readings may not determine the nonlinear one.
   if (!answer.after.fit->isDetermined() || !answer.measured.fit->isDetermined()) {
     answer = unexplained(inquiry);
     answer.measured = inquiry.expected;

@@ -6,15 +6,15 @@
 
 namespace alidade {
 
-// The lists of causes as they are handed out.
+// The lists of causes in the result.
 
-/// Every part of the answer's explanation; readings that are blamed together are one cause.
+/// A cause for each part of the answer's explanation; all gross errors together are one cause.
 std::vector<Cause> causesOf(const Inquiry& inquiry, const Answer& answer);
 
-/// What an answer with these causes comes to.
+/// The verdict of an answer with these causes.
 DiagnosisVerdict verdictOf(const Answer& answer, const std::vector<Cause>& causes);
 
-/// Every effect by how well it explains the leftover alone, the best first.
+/// Every effect, ranked by how well it alone explains the leftover.
 std::vector<Candidate> candidatesOf(const Inquiry& inquiry);
 
 }  // namespace alidade

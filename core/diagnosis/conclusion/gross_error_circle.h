@@ -8,11 +8,12 @@
 namespace alidade {
 
 // Which circle was misread. A sighting alone in its visit, in one face and without slider, gives one
-// condition for two circles: an error of either can make the same misfit, and puts the slider at another
-// place on the arc. Where the other places are evenly spaced the circle is to blame whose correction brings
-// the slider back to its own (visit_check.h).
+// condition for two circles. An error of either circle can cause the same misfit, but its correction puts the
+// slider at a different place on the arc. If the other places are evenly spaced, the misread circle is the
+// one whose correction restores the spacing (visit_check.h).
 
-/// `grossErrors` with the circles exchanged where that is likelier. `model` does without them.
+/// Returns `grossErrors`, each at the other circle of its row if that is likelier. `model` excludes these
+/// readings.
 std::vector<ReadingDeviation> withLikelierCircles(const GapModel& model,
                                                   std::vector<ReadingDeviation> grossErrors);
 

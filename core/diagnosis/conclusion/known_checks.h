@@ -6,11 +6,11 @@
 
 namespace alidade {
 
-// What is known beforehand, held against the readings. A number known as N(v, u²) that a fit has at x with
-// the variance Q holds the share g = Q/u² of what was known; the readings alone say (x − g v)/(1 − g), with
-// the variance Q/(1 − g).
+// Comparison of known sizes with the readings. If a number is known as N(v, u²) and a fit gives x with
+// variance Q, the fit contains the known value with the share g = Q/u². The readings alone give
+// (x − g v)/(1 − g), with variance Q/(1 − g).
 
-/// Of each number that is known and in the answer's model.
+/// The check of each known number in the answer's model.
 std::vector<KnownCheck> knownChecks(const Inquiry& inquiry, const Answer& answer);
 
 }  // namespace alidade

@@ -26,11 +26,11 @@ const LinearMoves::Columns& LinearMoves::columnsOf(const Part& part) {
 
 std::optional<Move> LinearMoves::of(const Explanation& explanation) {
   const Leftover& leftover = m_inquiry.leftover;
-  // Variance of the readings: however large that is, what no reading shows of a cause stays as uncertain.
+  // Variance of the readings. It does not affect the uncertainty of a cause that no reading shows.
   const double ofNoise = explanation.noisy ? explanation.noise * explanation.noise : 1;
   MatrixXd visible(leftover.rows(), 0);
   VectorXd influence, narrow;  // narrow: 1/width²
-  int leftOut = 0;             // readings
+  int leftOut = 0;             // number of excluded readings
   double ofPattern = 0;
   for (const Part& part : explanation.parts) {
     const Component& component = m_inquiry.of(part);
@@ -38,7 +38,7 @@ std::optional<Move> LinearMoves::of(const Explanation& explanation) {
       ofPattern = m_perReading.dot(component.times(leftover, part.weights));
       continue;
     }
-    // Such as the other relation of the vertical circle, which is far from its equations at the fit.
+    // For example, the other relation of the vertical circle is far from its linear equations at the fit.
     if (component.response() != Response::Linear) return std::nullopt;
     const bool isLeftOut = component.grossErrorAt().has_value();
     const double width = component.widthOfFit(part.width, part.weights);

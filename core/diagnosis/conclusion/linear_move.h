@@ -9,24 +9,24 @@
 
 namespace alidade {
 
-// What an explanation does to Δd in the model linear at the fit it started from, without a fit of its own.
+// The change of Δd by an explanation, in the model linear at the starting fit, without another fit.
 //
-// With V the visible columns of its components, W the widths of their weights and r what is left over, the
-// weights are w = (VᵀV + W⁻²)⁻¹ Vᵀ r; Δd moves by −bᵀ w, where b is what the columns as a whole move the
-// fit's Δd by, and its variance grows by bᵀ (VᵀV + W⁻²)⁻¹ b, of which the readings, whose noise scales, bring
-// bᵀ (VᵀV + W⁻²)⁻¹ VᵀV (VᵀV + W⁻²)⁻¹ b, and what is known of the weights the rest.
+// With V the visible columns of its components, W the widths of their weights and r the leftover, the weights
+// are w = (VᵀV + W⁻²)⁻¹ Vᵀ r. They change Δd by −bᵀ w, where b is the change of the fit's Δd by the whole
+// columns. The variance of Δd grows by bᵀ (VᵀV + W⁻²)⁻¹ b. Of this, bᵀ (VᵀV + W⁻²)⁻¹ VᵀV (VᵀV + W⁻²)⁻¹ b is
+// due to the readings, whose noise scales, and the rest to the prior of the weights.
 
 struct Move {
   double shift = 0;     ///< of the fit's Δd, mm
-  double variance = 0;  ///< from readings, scaled by what is left over, and components; no zeros, mm²
+  double variance = 0;  ///< from readings, scaled by the leftover, and from components; without zeros, mm²
 };
 
 class LinearMoves {
  public:
   explicit LinearMoves(const Inquiry& inquiry);
 
-  /// With the widths that `modelWith` takes. A pattern does not shift Δd, what it may move it by is in the
-  /// variance. Absent where a part is not linear, or a gross error cannot be told.
+  /// Uses the widths of `modelWith`. A pattern does not shift Δd; its possible change of Δd is in the
+  /// variance. Absent if a part is not linear, or if the readings do not determine a gross error.
   std::optional<Move> of(const Explanation& explanation);
 
  private:

@@ -36,14 +36,13 @@ std::string nameOf(Division by) {
   return "";
 }
 
-/// Of the positions in the order of their axes.
+/// A number that sorts positions by axis, then by repeat.
 constexpr int mostTimes = 1000;
 int positionNumber(const ArcMeasurement& arc) {
   return mostTimes * arc.axisDeg + arc.time % mostTimes;
 }
 
-/// `value`: a `positionNumber`, the degrees where a sector begins, a `ReadingKind`, or a number counted from
-/// 1.
+/// `value`: a `positionNumber`, the first degree of a sector, a `ReadingKind`, or a number from 1.
 std::string partName(Division by, int value) {
   if (by == Division::Circle) return std::string(nameOf(static_cast<ReadingKind>(value)));
   if (by == Division::Sector) return std::to_string(value) + "…" + std::to_string(value + sectorWidth) + "°";
@@ -141,7 +140,7 @@ std::vector<GapShare> sharesOfClosures(const GapModel& own) {
                                      std::pair(Closure::Of::Centre, Unknown::Kind::CentreX)})
     if (const auto misclosure = misclosureOf(*own.fit, quantity, *upper, *lower, 1))
       add(nameOf(of), std::pow(misclosure->value / misclosure->sigma, 2), 1);
-  // What the positions of one axis disagree by is in the residuals of the fit that they share.
+  // The common fit has the disagreement between repeats of an axis in its residuals.
   const std::optional<JointFit> apart = fitApart(*own.measurement, own.starts, own.options);
   if (apart)
     add(nameOf(Closure::Of::Repeat), own.fit->chiSquare - apart->chiSquare,
@@ -162,7 +161,7 @@ std::vector<GapShare> sharesOfClosures(const GapModel& own) {
 
 namespace {
 
-/// Among its readings, of which it is one.
+/// Index of a reading among those of the leftover, which must contain it.
 Index indexOf(const Leftover& leftover, const ReadingRef& reading) {
   Index index = 0;
   while (!(readingRef(leftover, index) == reading)) ++index;
@@ -177,7 +176,7 @@ std::vector<GapShare> sharesOfFrames(const Inquiry& inquiry) {
   std::map<ErrorSource, double> ofSource;
   double& readings = ofSource[ErrorSource::Reading];
   double noise = 0;
-  // As all readings have it.
+  // Redundancies with all readings, including those with large gross errors.
   const auto square = [&](Index reading, double sigmas) {
     return sigmas * sigmas * inquiry.ofAll().leftover.redundancy(reading);
   };

@@ -9,20 +9,19 @@ namespace alidade {
 
 // Where a gap lies.
 
-/// By position, circle, face, round, sector of the slider and quarter of the session, in the order of their
-/// values: the leftover's sum of squares beyond what noise leaves there; where nothing is beyond, the plain
-/// sum of squares. `fit`: tells where on the arc each row was sighted.
+/// Shares of the leftover's sum of squares by position, circle, face, round, sector of the slider and quarter
+/// of the session, each in ascending order. Only the excess over the noise counts, or the plain sum of
+/// squares if there is no excess. `fit` gives the arc angle of each row.
 std::vector<GapShare> sharesOfReadings(const Leftover& leftover, const Measurement& measurement,
                                        const JointFit& fit);
 
-/// By frame: what the explanations take up, each as often as it is likely, by what the cause belongs to:
-/// "guideway", "instrument", "time", "readings"; what none takes up is "noise". One position alone does not
-/// tell the first two apart: they are one share, "guideway or instrument".
+/// Shares of the gap by the source of its cause: "guideway", "instrument", "time", "readings", and "noise"
+/// for the unexplained rest. Each explanation counts with its probability. One position alone cannot separate
+/// the first two, which form one share: "guideway or instrument".
 std::vector<GapShare> sharesOfFrames(const Inquiry& inquiry);
 
-/// By closure: of χ² beyond what noise leaves, with the noise as stated, what the "readings" leave over in
-/// the model with the positions apart, and each closure of theirs ("radius", "centre"). Empty where there is
-/// none.
+/// Shares of χ² beyond the stated noise: of the "readings" in the model with separate positions, and of each
+/// closure between positions ("radius", "centre"). Empty without closures.
 std::vector<GapShare> sharesOfClosures(const GapModel& own);
 
 }  // namespace alidade

@@ -26,16 +26,16 @@ namespace alidade {
 
 namespace {
 
-/// Across the plane, and its covariance with Δd, mm².
+/// The offset across the plane, and its covariance with Δd, mm².
 struct Across {
   MeasuredLength length;
   double covariance = 0;
 };
 
-/// What the estimate of the plane's offset is without what was plausible beforehand, of which it holds the
-/// share g = Q/p²: (value − g p₀)/(1 − g). A size that is known stays.
+/// The estimate of the plane's offset, freed from the prior of its plausible size. The estimate contains the
+/// prior with the share g = Q/p²; the rest is (value − g p₀)/(1 − g). A known size is kept.
 std::optional<Across> acrossOf(const GapModel& model, const std::vector<double>& weights) {
-  constexpr double nothingBut = 0.95;  // what is plausible
+  constexpr double nothingBut = 0.95;  // share of the prior from which nothing is measured
   constexpr ErrorTerm offset = ErrorTerm::PlaneOffset;
   const JointFit& fit = *model.fit;
   const auto term = std::ranges::find(model.options.terms, offset, &EstimatedTerm::term);
@@ -89,14 +89,16 @@ std::optional<FittedAccount> byFit(const GapModel& model, const EffectScales& sc
   return account;
 }
 
-/// By every effect at its plausible size: its measured part does not depend on the size of the others.
+/// From the fit with every effect at its plausible size. The measured part of the offset does not depend on
+/// the sizes of the other effects.
 std::optional<Across> acrossOf(const GapModel& model) {
   if (!intersect(*model.measurement, *model.fit)) return std::nullopt;
   return acrossOf(
       model, intersectionWeights(*model.fit, *arcAt(*model.measurement, 0), *arcAt(*model.measurement, 180)));
 }
 
-/// Where no jump is an answer, a step of the orientation is what the pause adds to a drift (`addPause`).
+/// Without a jump in the answer, a step of the orientation is the part of a drift during the pause
+/// (`addPause`).
 std::map<ErrorTerm, TermShare> withPausesInDrifts(std::map<ErrorTerm, TermShare> terms) {
   using enum ErrorTerm;
   for (const auto& [step, drift] :
@@ -109,7 +111,7 @@ std::map<ErrorTerm, TermShare> withPausesInDrifts(std::map<ErrorTerm, TermShare>
   return terms;
 }
 
-/// Of an explanation with every effect besides.
+/// Computes Δd, measured, for an explanation with every effect.
 class Measured {
  public:
   Measured(const Inquiry& inquiry, const Answer& answer)
@@ -151,17 +153,17 @@ class Measured {
   Accounts m_accounts;
   Explanation m_whole;  ///< the answer's, with its pattern
   EffectScales m_scales;
-  GapModel m_model, m_every, m_fit;  ///< without the effects, with them, and as large as they are
+  GapModel m_model, m_every, m_fit;  ///< without effects; with all at plausible size; with all at `m_scales`
 
-  /// Without its pattern.
+  /// The explanation without its pattern.
   Explanation rest() const {
     Explanation rest = m_whole;
-    if (rest.shaped) rest.parts.pop_back();  // a pattern stands last
+    if (rest.shaped) rest.parts.pop_back();  // the pattern is the last part
     rest.shaped = false;
     return rest;
   }
 
-  /// Those whose squares are averaged over all that they may be.
+  /// The root mean square of all possible scales, weighted by their odds.
   EffectScales averageScales() {
     const std::vector<Account> accounts = m_accounts.of(m_whole);
     if (accounts.empty()) return {};
@@ -177,7 +179,7 @@ class Measured {
     return {std::sqrt(guideway / all), std::sqrt(instrument / all), std::sqrt(time / all)};
   }
 
-  /// From the answer's own fit by what pattern and effects add to it.
+  /// The answer's own fit, changed by the contributions of pattern and effects.
   std::optional<FittedAccount> byMoves() {
     const auto with = m_accounts.of(m_whole, m_scales),
                without = m_accounts.of(m_answer.explanation, noEffect);
@@ -203,7 +205,7 @@ class Measured {
     return account;
   }
 
-  /// Over every explanation with each scale of the effects.
+  /// The average over every explanation with each scale of the effects.
   IntersectionEstimate averaged(IntersectionEstimate own) {
     const std::optional<Account> ofWhole = m_accounts.of(m_whole, m_scales);
     if (!ofWhole || !(own.sigma > 0)) return own;
@@ -227,8 +229,9 @@ class Measured {
     return averagedOver(own, possible, m_inquiry.base.measurement->coverage);
   }
 
-  /// That may be the case: found by the search, like a part of the answer, or that what is known holds no
-  /// longer. A jump or a gross error may be unlikely alone only since the effects besides are not there.
+  /// The explanations to average over: those found, those with a look-alike of a part, and known sizes that
+  /// are out of date. Gross errors and jumps found alone count even if unlikely: the search considers them
+  /// without the effects.
   std::vector<Explanation> explanations() {
     constexpr double leastChance = 0.01;
     std::vector<Explanation> all = withRivals(m_answer, m_whole);

@@ -7,17 +7,17 @@
 
 namespace alidade {
 
-/// Δd as measured, and how large the effects besides are, averaged over what may be the case.
+/// Δd, measured, and the sizes of the effects, averaged over all possible explanations.
 struct MeasuredWithEffects {
   MeasuredIntersection intersection;
   EffectScales scales;
 };
 
-/// Δd as measured: in one rigid guideway, with every effect of the catalogue besides (`everyEffect`),
-/// averaged over every explanation that the search found or that looks like the answer, and over how large
-/// the effects of each source are (`possibleScales`), each as likely as the readings leave it. A pattern is
-/// estimated along. Of a large session (`isLarge`) the effects are taken as linear. Absent without both
-/// positions, or where the readings do not determine Δd then.
+/// Δd, measured, in one rigid guideway, with every effect of the catalogue (`everyEffect`). It is an average
+/// over every explanation that the search found or that is a look-alike of the answer, and over the sizes of
+/// the effects of each source (`possibleScales`), weighted by posterior probability. A pattern is estimated
+/// too. The effects are linear in a large session (`isLarge`). Absent without both positions, or if the
+/// readings do not determine Δd.
 std::optional<MeasuredWithEffects> measuredIntersection(const Inquiry& inquiry, const Answer& answer);
 
 }  // namespace alidade

@@ -72,7 +72,7 @@ std::vector<UncertaintyShare> budgetOf(const FittedAccount& account, const Measu
   }
   const double beyond = square(averaged.sigma) - square(account.estimate.sigma);
   if (beyond > 0) shares.push_back({.from = Diagnosis, .sigma = std::sqrt(beyond)});
-  // What else may be the case may be surer: then all shares are less in proportion.
+  // An average with smaller σ than the account reduces all shares in proportion.
   if (beyond < 0)
     for (UncertaintyShare& share : shares) share.sigma *= averaged.sigma / account.estimate.sigma;
   std::ranges::stable_sort(shares, std::greater(), &UncertaintyShare::sigma);

@@ -9,12 +9,12 @@
 
 namespace alidade {
 
-/// How well a term is known beforehand, and the variance of Δd that comes of it, mm².
+/// Prior uncertainty of a term, and its contribution to the variance of Δd, mm².
 struct TermShare {
   double priorSigma = 0, variance = 0;
 };
 
-/// One account of the readings: Δd with every effect besides the answer, and what its variance is made of.
+/// One account of the readings: Δd with the answer and every effect, and the parts of its variance.
 struct FittedAccount {
   IntersectionEstimate estimate;
   EffectScales scales;
@@ -23,7 +23,7 @@ struct FittedAccount {
   NoiseScale noise;
 };
 
-/// The shares of an averaged estimate: those of one account, and what the average has beyond that.
+/// The shares of an averaged estimate: those of one account, then the excess of the average over it.
 std::vector<UncertaintyShare> budgetOf(const FittedAccount& account, const Measurement& measurement,
                                        const IntersectionEstimate& averaged);
 

@@ -18,8 +18,8 @@ using Eigen::MatrixXd, Eigen::VectorXd;
 
 constexpr double hardlyMoves = 1e-4;  // mm, of a plausible size
 
-/// Least in plausible sizes and σ of the readings together, of those that move Δd by `move` (mm). Empty where
-/// none does.
+/// The weights that change Δd by `move` (mm) and are the smallest in plausible sizes and σ of the readings
+/// together. They are not finite if no weight changes Δd.
 VectorXd leastThatMoves(const Component& component, const VectorXd& influence, double move) {
   MatrixXd cost = component.gram().topLeftCorner(influence.size(), influence.size());
   cost.diagonal().array() += 1;
@@ -27,7 +27,7 @@ VectorXd leastThatMoves(const Component& component, const VectorXd& influence, d
   return direction * (move / influence.dot(direction));
 }
 
-/// How much worse than at their best size the readings are explained at this one, σ.
+/// How much worse these weights explain the readings than the best ones, σ.
 double excludedBy(const Component& component, const VectorXd& products, const VectorXd& weights,
                   double noise) {
   const MatrixXd gram = component.gram().topLeftCorner(weights.size(), weights.size());

@@ -7,11 +7,11 @@
 
 namespace alidade {
 
-/// What it would take of each effect, and of a jump between a zero and the first place, to explain how far Δd
-/// is from the reference: of all sizes that would, the one that is the most plausible and shows the least.
-/// Left out is what the readings exclude at that size, by `clearlyDifferent` σ against the size they are best
-/// explained by, and what is all or nothing. The most plausible first; empty without a reference with its σ.
-/// `inquiry`: one that does not heed the reference.
+/// The size of each effect, and of a jump between a zero and the first place, that would explain the distance
+/// of Δd from the reference: of all such sizes, the most plausible and least visible one. Excluded are sizes
+/// that the readings contradict, by `clearlyDifferent` σ relative to the best size, and all-or-nothing
+/// effects. The most plausible first; empty without a reference with its σ. `inquiry` must not use the
+/// reference.
 std::vector<Required> whatItWouldTake(const Inquiry& inquiry);
 
 }  // namespace alidade

@@ -12,7 +12,7 @@ namespace alidade {
 
 namespace {
 
-/// Weighs other components in the place of a part of an explanation.
+/// Compares other components in the place of a part of an explanation.
 class Comparison {
  public:
   Comparison(const Inquiry& inquiry, const Explanation& explanation)
@@ -29,10 +29,10 @@ class Comparison {
   const Inquiry& m_inquiry;
   const Explanation& m_explanation;
   const SearchOptions m_options;
-  std::optional<Search> m_search;  ///< made when it is needed
+  std::optional<Search> m_search;  ///< created on first use
   std::vector<std::optional<Explanation>> m_own;
 
-  /// The part's place is the last: what is in it is weighed beside all others.
+  /// Puts the component last, so that it is added to all other parts.
   Explanation made(std::size_t part, std::size_t component) {
     if (!m_search) m_search.emplace(m_inquiry.leftover, m_inquiry.candidates, m_options);
     std::vector<std::size_t> components;
@@ -43,16 +43,16 @@ class Comparison {
   }
 };
 
-/// Odds of 33 at most against it.
+/// Whether the odds against it are at most 33.
 bool isClose(const Rival& rival) {
   return rival.odds > 0.03;
 }
 
-/// Jumps, where there are any, that leave what this gross error leaves.
+/// The jumps that explain the same as this gross error.
 std::vector<Rival> jumps(const Inquiry& inquiry, const Explanation& explanation, std::size_t index,
                          Comparison& comparison) {
   const auto isJump = [&](const Part& other) { return inquiry.of(other).isJump(); };
-  if (std::ranges::any_of(explanation.parts, isJump)) return {};  // one jump to a session
+  if (std::ranges::any_of(explanation.parts, isJump)) return {};  // a session contains at most one jump
   const Eigen::Index reading = *inquiry.of(explanation.parts[index]).grossErrorAt();
   const std::size_t row = inquiry.leftover.reading(reading).sequence;
   std::vector<Rival> rivals;
@@ -65,7 +65,7 @@ std::vector<Rival> jumps(const Inquiry& inquiry, const Explanation& explanation,
   return rivals;
 }
 
-/// Candidates nearly like the part, of those meant, that explain something in its place.
+/// Candidates of the wanted kind that look like the part and explain something in its place.
 template <typename Meant>
 std::vector<Rival> nearlyLike(const Inquiry& inquiry, const Explanation& explanation, std::size_t index,
                               Comparison& comparison, const Meant& isMeant) {
@@ -86,11 +86,11 @@ std::vector<Rival> nearlyLike(const Inquiry& inquiry, const Explanation& explana
   return rivals;
 }
 
-/// Effects, and in place of an effect a jump between a zero and the first place.
+/// The effects that look like the part, and the jumps between a zero and the first place.
 std::vector<Rival> others(const Inquiry& inquiry, const Explanation& explanation, std::size_t index,
                           Comparison& comparison) {
   const auto isJump = [&](const Part& other) { return inquiry.of(other).isJump(); };
-  const bool hasJump = std::ranges::any_of(explanation.parts, isJump);  // one to a session
+  const bool hasJump = std::ranges::any_of(explanation.parts, isJump);  // a session contains at most one
   return nearlyLike(inquiry, explanation, index, comparison, [&](const Component& candidate) {
     return candidate.isEffect() || (candidate.slippedArc() && !hasJump);
   });
@@ -118,7 +118,7 @@ std::vector<std::vector<Rival>> rivalsOf(const Inquiry& inquiry, const Explanati
 
 double chanceOf(const Inquiry& inquiry, const Part& part, const std::vector<Rival>& rivals) {
   const auto isMeant = [&](const Part& other) {
-    const bool isJump = inquiry.of(part).isJump();  // before whichever row
+    const bool isJump = inquiry.of(part).isJump();  // at any moment
     return other.component == part.component || (isJump && inquiry.of(other).isJump()) ||
            std::ranges::any_of(rivals, [&](const Rival& rival) {
              return !rival.isExcluded && rival.part.component == other.component;

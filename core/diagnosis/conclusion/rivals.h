@@ -6,27 +6,27 @@
 
 namespace alidade {
 
-// What these readings cannot tell from the parts of an explanation.
+// The alternatives to parts of an explanation that these readings leave.
 
-/// A component that leaves nearly what the part leaves, beside the other parts.
+/// A component that explains the readings nearly as well as the part in whose place it is.
 struct Rival {
-  /// Of the explanation with it in place of the part, against the one at hand; of a jump in place of a
-  /// gross error half of that, since either circle of the row may be the one that was misread.
+  /// Odds of the explanation with this component instead of the part, relative to the explanation itself.
+  /// They are halved for a jump instead of a gross error, since either circle of the row may have been
+  /// misread.
   double odds = 0;
-  Part part;  ///< what takes the part's place
-  /// Its size is known beforehand, and that this holds no longer is out of proportion: told apart by what is
-  /// known, not by these readings.
+  Part part;  ///< the replacement
+  /// The known size excludes this component, not the readings: a change of the known size is too improbable.
   bool isExcluded = false;
 };
 
-/// Of each part: effects; of a gross error the jump that only its row would show.
+/// Rivals of each part: effects, or for a gross error the jump that only its row would show.
 std::vector<std::vector<Rival>> rivalsOf(const Inquiry& inquiry, const Explanation& explanation);
 
-/// Of a jump `part` of the explanation the jumps between another zero and its first place that leave nearly
-/// the same: it is one cause by any of them, but not to every further reading.
+/// The jumps between another zero and its first place that explain nearly the same as the jump `part`. They
+/// are one cause in these readings, but further readings may separate them.
 std::vector<Rival> otherSlips(const Inquiry& inquiry, const Explanation& explanation, std::size_t part);
 
-/// That the part or one of its rivals is among the causes, whatever goes with it: 0…1.
+/// Probability, 0…1, that the part or one of its rivals is among the causes, in any combination.
 double chanceOf(const Inquiry& inquiry, const Part& part, const std::vector<Rival>& rivals);
 
 }  // namespace alidade

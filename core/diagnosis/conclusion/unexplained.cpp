@@ -12,9 +12,9 @@ namespace alidade {
 
 namespace {
 
-constexpr double evenAt = 1e-3;  // as `fails` has it
+constexpr double evenAt = 1e-3;  // the risk of `fails`
 
-/// ln B(z) of a two-sided chance.
+/// ln B(z) for a two-sided probability.
 double logBayesFactorOfMore(double chance) {
   constexpr double least = 1e-300;
   const double z = -normalQuantile(std::clamp(chance, least, 1.0) / 2);
@@ -26,9 +26,9 @@ double excessOf(const Closure& closure) {
   return std::max(square(closure.value) - square(closure.sigma), 0.0);
 }
 
-/// By a model without a pattern.
+/// The unexplained part of a model without a pattern.
 Unexplained leftBy(const GapModel& closed, const GapModel& opened) {
-  constexpr double perMisclosure = 0.5;  // Δd is half of what y differs by
+  constexpr double perMisclosure = 0.5;  // Δd is half of the difference in y
   const double ofNoise = sizeOf(closed).pValue;
   double most = std::isnan(ofNoise) ? 0 : chanceOfMore(ofNoise), variance = 0;
   for (const Closure& closure : everyClosureOf(opened)) {
@@ -40,7 +40,7 @@ Unexplained leftBy(const GapModel& closed, const GapModel& opened) {
   return {most, std::sqrt(variance)};
 }
 
-/// By the likeliest explanations without a pattern, on average.
+/// The average over the likeliest explanations without a pattern.
 Unexplained leftByNamed(const Inquiry& inquiry, const Answer& answer) {
   constexpr std::size_t mostFitted = 5;
   constexpr double leastChance = 0.02;

@@ -20,7 +20,7 @@ namespace {
 
 using Combination = std::vector<const WeighedForm*>;
 
-/// The likeliest forms, and for each of them what is nearly as likely in its place.
+/// The likeliest forms together, then the same with one of them replaced by a nearly as likely form.
 std::vector<Combination> combinationsOf(const FoundForms& found) {
   Combination likeliest;
   for (const std::vector<WeighedForm>& likely : found.likely) likeliest.push_back(&likely.front());
@@ -33,7 +33,7 @@ std::vector<Combination> combinationsOf(const FoundForms& found) {
   return all;
 }
 
-/// Natural, odds against nothing: of the forms, each with the range of its shape numbers.
+/// Prior log odds (natural) of forms against nothing, over the ranges of their shape numbers.
 double logPriorOf(const Combination& forms) {
   double log = 0;
   for (const WeighedForm* form : forms)
@@ -41,7 +41,7 @@ double logPriorOf(const Combination& forms) {
   return log;
 }
 
-/// What is certain, with and without the jumps that a form may have been taken for.
+/// The certain explanation, and also without its jumps, if any: a form may look like a jump.
 std::vector<Explanation> restsOf(const Inquiry& inquiry, const Explanation& certain) {
   Explanation calm = certain;
   std::erase_if(calm.parts, [&](const Part& part) { return inquiry.of(part).stepsOrientation(); });
@@ -49,19 +49,19 @@ std::vector<Explanation> restsOf(const Inquiry& inquiry, const Explanation& cert
   return {certain, calm};
 }
 
-/// The natural logarithm of the odds, up to a constant, with every effect at its plausible size besides.
+/// Log odds (natural), up to a constant, of an explanation together with every effect at its plausible size.
 double logOddsBesideEffects(Accounts& accounts, const Explanation& explanation) {
   const auto alone = accounts.of(explanation, noEffect), beside = accounts.of(explanation, EffectScales{});
   return alone && beside ? explanation.logPosteriorOdds - alone->logOdds + beside->logOdds : impossible;
 }
 
-/// An explanation with forms, and how likely it is beside the effects.
+/// An explanation with forms, and its log odds together with every effect.
 struct Weighed {
   Explanation explanation;
   double logOdds = 0;
 };
 
-/// `forms`: a part and the logarithm of its prior odds for each combination.
+/// `forms`: for each combination a part and its prior log odds.
 std::vector<Weighed> weighedWith(Accounts& accounts, const Inquiry& inquiry, const Explanation& certain,
                                  const std::vector<std::pair<Part, double>>& forms) {
   std::vector<Weighed> all;
@@ -85,7 +85,7 @@ std::vector<Weighed> weighedWith(Accounts& accounts, const Inquiry& inquiry, con
   return all;
 }
 
-/// In the place of those with a pattern, with their chance.
+/// Replaces the explanations with a pattern by `all`, which share their probability.
 void replacePatterns(Inquiry& inquiry, std::vector<Weighed> all) {
   const double chance = inquiry.chanceOf(&Explanation::shaped);
   double sum = 0;
@@ -99,7 +99,8 @@ void replacePatterns(Inquiry& inquiry, std::vector<Weighed> all) {
   inquiry.explanations.insert(inquiry.explanations.begin(), with.begin(), with.end());
 }
 
-/// What a pattern does to the zero of a position, in the mean of its sightings: its rows count from there.
+/// The displacement of a position's pointing zero by a pattern, from which its rows count: the mean over the
+/// sightings of the zero.
 class ZeroShift {
  public:
   void add(ReadingKind kind, Angle off) {

@@ -8,20 +8,20 @@
 
 namespace alidade {
 
-/// Puts forms into the place of an unknown's pattern, or of many effects: the inquiry's explanations with a
-/// pattern become those with the forms, and with whatever is nearly as likely in the place of each. The
-/// answer is then an unknown, its models of readings without the likeliest of them. Without forms, or where
-/// the readings do not determine such a model, nothing changes.
+/// Replaces the pattern of an unknown cause, or many effects, by forms. Explanations with a pattern become
+/// explanations with the forms, or with one form replaced by a nearly as likely one. The answer becomes an
+/// Unknown, whose models have readings without the likeliest forms. Nothing changes without forms, or if the
+/// readings do not determine such a model.
 void takeUpForms(Inquiry& inquiry, Answer& answer, const FoundForms& found);
 
 /// Does the answer hold forms?
 bool hasForms(const Inquiry& inquiry, const Answer& answer);
 
-/// Δd afterwards with forms, averaged over those in the inquiry, in the model linear at its base.
+/// Δd afterwards with forms: the average over those in the inquiry, in the model linear at its base.
 std::optional<IntersectionEstimate> intersectionWithForms(const Inquiry& inquiry, const Answer& answer);
 
-/// What the readings of the inquiry would be without a pattern. `taken`: σ of each reading of its leftover.
-/// Where the zeros are not among the sightings, the rows count from zeros without it.
+/// The readings of the inquiry without a pattern. `taken`: the pattern in each reading of its leftover, σ. If
+/// the zeros are not among the sightings, the rows count from zeros without the pattern.
 Measurement withoutPattern(Measurement measurement, const Inquiry& inquiry, const Eigen::VectorXd& taken);
 
 }  // namespace alidade

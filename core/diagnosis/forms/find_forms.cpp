@@ -16,7 +16,7 @@ bool beatNothing(const std::vector<WeighedForm>& all) {
 
 namespace {
 
-/// That may be averaged over: their amplitudes are known.
+/// The forms that can enter an average: likely ones with known amplitudes.
 std::vector<WeighedForm> likelyOf(const std::vector<WeighedForm>& all) {
   constexpr double least = -4;  // natural logarithm of the odds
   constexpr std::size_t most = 6;

@@ -11,26 +11,28 @@ namespace alidade {
 struct FoundForms {
   std::vector<FoundForm> forms;
   std::vector<FormFamily> families;  ///< of each form
-  /// Of each form: itself, and those in its place that are nearly as likely, the likeliest first.
+  /// For each form: the form itself and nearly as likely ones in its place, the likeliest first.
   std::vector<std::vector<WeighedForm>> likely;
   int numbers = 0;  ///< amplitudes and shape numbers of all forms
-  /// Of each reading as `addShrinkage` predicts it from others, in its σ; empty where none is predicted.
+  /// Error of each reading's prediction from other readings (`addShrinkage`), in its σ; empty if none is
+  /// predicted.
   Eigen::VectorXd heldOutErrors = {};
 };
 
-/// What the readings at hand decide.
+/// Decisions that depend on where the readings come from.
 struct FormChoice {
-  std::function<bool(const std::vector<WeighedForm>&)> isNamed;  ///< the first of all
-  std::function<bool(int numbers)> isAnythingLeft;               ///< after forms of so many numbers
-  std::function<void(const WeighedForm&, FoundForm&)> note;      ///< completes a form that is named
+  std::function<bool(const std::vector<WeighedForm>&)> isNamed;  ///< whether the first one is named
+  std::function<bool(int numbers)> isAnythingLeft;               ///< after forms with so many numbers
+  std::function<void(const WeighedForm&, FoundForm&)> note;      ///< completes a named form
 };
 
-/// One form after the other, up to three, each beside those before it, which `system` then takes up.
+/// Finds up to three forms, one after the other. `system` absorbs each form before the next search.
 FoundForms findForms(FormSystem& system, const FormReadings& readings,
                      const std::vector<FormFamily>& families, const FormChoice& choice,
                      const std::stop_token& stop);
 
-/// Together by 20 : 1, at the odds of any pattern, and the first has amplitudes.
+/// Whether all forms together have odds of 20 : 1 against no form, at the prior odds of a pattern, and the
+/// first has amplitudes.
 bool beatNothing(const std::vector<WeighedForm>& all);
 
 }  // namespace alidade

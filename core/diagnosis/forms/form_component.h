@@ -7,8 +7,8 @@
 
 namespace alidade {
 
-/// Forms as one component: the columns of their amplitudes, and what their readings change by where a shape
-/// number moves by its standard uncertainty. No term of the model stands for it.
+/// Forms as one component: the columns of their amplitudes, then the change of the readings per standard
+/// uncertainty of each shape number. No term of the model corresponds to it.
 class FormComponent final : public Component {
  public:
   /// `readings`: those of `leftover`. `forms`: with amplitudes, in mm or arcseconds.
@@ -25,7 +25,7 @@ class FormComponent final : public Component {
   void addTo(JointFitOptions&, const Leftover&, const Eigen::VectorXd&, double) const override {}
   std::vector<CauseParameter> parameters(const GapModel&) const override { return {}; }
 
-  /// The forms' own amplitudes as weights of the columns; 0 of the shape numbers.
+  /// The forms' own amplitudes as weights of the columns; 0 for the shape numbers.
   const Eigen::VectorXd& found() const { return m_found; }
 
  private:

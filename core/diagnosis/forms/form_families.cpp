@@ -84,7 +84,7 @@ class FamilyMaker {
     add({.carrier = carrier, .function = Hysteresis, .of = Leg, .turnsWithFace = true});
   }
 
-  /// Of time.
+  /// Adds forms of time.
   void addCourse(FormCarrier carrier) {
     constexpr int moments = 20, constants = 10;
     constexpr double cycles = 0.5;
@@ -102,7 +102,7 @@ class FamilyMaker {
     addRounds({.carrier = carrier, .function = Step, .of = Round});
   }
 
-  /// Between the rounds.
+  /// Adds steps between the rounds.
   void addRounds(const Form& form) {
     if (!m_readings.has(form)) return;
     const double last = m_readings.of(Round).maxCoeff();
@@ -112,7 +112,7 @@ class FamilyMaker {
     addGrid(form, between, last - 1);
   }
 
-  /// Where most places are sighted more than once.
+  /// Adds a number for each place, if the places are sighted often enough.
   void addPerPlace(const Form& form) {
     constexpr std::size_t most = 40;
     if (!m_readings.has(form)) return;
@@ -126,13 +126,14 @@ class FamilyMaker {
     return form;
   }
 
-  /// What follows the slider, which turns with the guideway, and does not turn.
+  /// Whether the effect follows the slider, whose coordinate turns with the guideway, but acts in a direction
+  /// of the room. Such a form has one word more.
   static bool staysWithRoom(const Form& form) {
     return form.of == S && (form.carrier == X || form.carrier == Y || form.carrier == Z);
   }
 
-  /// Two bits a word: carrier, function, argument, turning over, shape numbers; an order k has a share of
-  /// 1/k.
+  /// The prior has two bits for each word: carrier, function, argument, sign in face 2, shape numbers. An
+  /// order k has the share 1/k.
   void add(const Form& form, std::vector<Form> grid = {}, double logVolume = 0) {
     if (!m_readings.has(form)) return;
     const bool hasOneFace = m_readings.face.maxCoeff() == m_readings.face.minCoeff();
@@ -192,7 +193,7 @@ class FamilyMaker {
     addEdges(form, steps);
   }
 
-  /// Steps between the values that there are, hinges evenly.
+  /// Adds steps between the values of the argument, and evenly spaced hinges.
   void addEdges(const Form& form, int steps) {
     if (!m_readings.has(form)) return;
     const Range range = rangeOf(form, steps);
@@ -205,7 +206,7 @@ class FamilyMaker {
 
   std::vector<double> between(const Form& form, const Range& range) const {
     constexpr std::size_t most = 24;
-    constexpr double apart = 0.005;  // of the range: else the same place
+    constexpr double apart = 0.005;  // of the range: closer values are the same place
     const VectorXd& of = m_readings.of(form.of);
     std::vector<double> values(of.begin(), of.end()), middles;
     std::ranges::sort(values);

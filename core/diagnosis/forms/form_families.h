@@ -10,15 +10,15 @@ namespace alidade {
 /// Forms that differ in their shape numbers only.
 struct FormFamily {
   Form form;
-  std::vector<Form> grid;  ///< with shape numbers to start from; one where there are none
-  double logPrior = 0;     ///< natural; two bits for each word, of all families 1 together
+  std::vector<Form> grid;  ///< with start values of the shape numbers; one entry if there are none
+  double logPrior = 0;     ///< natural logarithm; two bits for each word; all families sum to 1
   double logVolume = 0;    ///< logarithm of the range of the shape numbers, as `shapeCoordinates` has them
 };
 
-/// All that these readings may show.
+/// All families that these readings may show.
 std::vector<FormFamily> formFamilies(const FormReadings& readings);
 
-/// Shape numbers in which the search takes steps: logarithms of widths and time constants.
+/// The shape numbers in the coordinates of the search: logarithms of widths and time constants.
 Eigen::Array2d shapeCoordinates(const Form& form);
 void setShapeCoordinates(Form& form, const Eigen::Array2d& coordinates);
 

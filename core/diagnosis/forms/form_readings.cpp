@@ -16,7 +16,7 @@ namespace {
 constexpr double placeSize = 0.1 * std::numbers::pi / 180;  // rad
 constexpr double perArcsecond = Angle::fromArcseconds(1).radians();
 
-/// Of the readings of a session.
+/// Builds the `FormReadings` of a session.
 class SessionReadings {
  public:
   SessionReadings(const Leftover& leftover, const Measurement& measurement, const JointFit& fit)
@@ -101,8 +101,8 @@ class SessionReadings {
     set(Position, each([&](Index i) { return halfTurnSign(arcOf(i).axisDeg); }));
   }
 
-  /// Azimuth or elevation above the horizon of the row of each reading, as the fit has it: a function of a
-  /// noisy direction would follow the noise.
+  /// Adjusted azimuth, or elevation above the horizon, of each reading's row. A function of the observed
+  /// direction would follow its noise.
   VectorXd adjusted(ReadingKind kind) const {
     std::vector<std::vector<double>> values;
     for (const ArcMeasurement& arc : m_measurement.arcs)
@@ -114,7 +114,7 @@ class SessionReadings {
     return each([&](Index i) { return values[at(i).arc][at(i).sighting]; });
   }
 
-  /// Zeros that are readings, too, need no more: whatever a form does to them is in their own rows.
+  /// Zeros that are readings need no argument here: a form acts on their own rows.
   void addZeros() {
     for (Index i = 0; i < m_result.count; ++i)
       if (at(i).isZero) return;

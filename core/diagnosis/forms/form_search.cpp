@@ -58,7 +58,7 @@ class Weighing {
  public:
   Weighing(const FormSystem& system, const FormReadings& readings) : m_system(system), m_readings(readings) {}
 
-  /// At each shape of the grid, the evidence averaged.
+  /// Evaluates each shape of the grid, and averages the evidence.
   WeighedForm onGrid(const FormFamily& family) const {
     const Index each = columnsOf(m_readings, family.form), count = std::ssize(family.grid);
     MatrixXd columns(m_readings.count, each * count);
@@ -82,7 +82,8 @@ class Weighing {
     return best;
   }
 
-  /// About the likeliest shape: where there are several places that explain the readings, they count.
+  /// The spread of the shape about the likeliest one. It includes distant shapes that also explain the
+  /// readings.
   static Eigen::Array2d spreadOnGrid(const FormFamily& family, const std::vector<double>& logs,
                                      const WeighedForm& best) {
     const Eigen::Array2d middle = shapeCoordinates(best.form);
@@ -96,7 +97,7 @@ class Weighing {
     return all > 0 ? Eigen::Array2d((squares / all).sqrt()) : Eigen::Array2d::Zero();
   }
 
-  /// Shape numbers to the likeliest, with their uncertainty.
+  /// Moves the shape numbers to the likeliest, with their uncertainty.
   void refine(WeighedForm& weighed, const FormFamily& family) const {
     const Index count = weighed.form.count();
     if (weighed.form.function == FormFunction::Step) return refineStep(weighed, family);
@@ -140,7 +141,7 @@ class Weighing {
     Eigen::Matrix2d curve = -Eigen::Matrix2d::Identity();
   };
 
-  /// By differences about a place.
+  /// Slope and curvature by finite differences about `at`.
   Bend bendAt(const Form& form, const Eigen::Array2d& at, const Eigen::Array2d& step, double here,
               Index count) const {
     Bend bend;
@@ -160,7 +161,7 @@ class Weighing {
     return bend;
   }
 
-  /// Newton's steps, each within twice the step of the differences, which become finer.
+  /// Takes Newton steps. Each is at most twice the step of the differences, which become finer.
   void climb(WeighedForm& weighed, Eigen::Array2d step, Index count, double logVolume) const {
     constexpr int mostSteps = 9;
     Eigen::Array2d at = shapeCoordinates(weighed.form);
@@ -184,7 +185,8 @@ class Weighing {
       const bool isThere = factor.info() == Eigen::Success && (move.abs() <= step / 2).all();
       const Eigen::Vector2d scale =
           bend.curve.diagonal().cwiseAbs().cwiseMax(1e-12).cwiseSqrt().cwiseInverse();
-      // As fine as the uncertainty of the numbers, where the evidence is a parabola.
+      // Stops once the differences are as fine as the uncertainty of the numbers: the evidence is a parabola
+      // there.
       if (isThere && (scale.head(count).array() > step.head(count) / 2).all()) break;
       step = isThere ? (step / 4).max(step.min(scale.array())) : Eigen::Array2d(step * 0.6);
     }
@@ -206,7 +208,7 @@ class Weighing {
     weighed.logAveraged = weighed.logEvidence + std::min(logPeak - logVolume, 0.0);
   }
 
-  /// Anywhere between two values of the argument it is the same.
+  /// A step has the same effect anywhere between two values of the argument.
   void refineStep(WeighedForm& weighed, const FormFamily& family) const {
     double gap = 0;
     for (std::size_t i = 1; i < family.grid.size(); ++i)

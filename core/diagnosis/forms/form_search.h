@@ -11,32 +11,33 @@
 
 namespace alidade {
 
-// The search for the form that leaves least. With F the columns of a form outside what the model takes up, r
-// what is left, v the variance of the readings and w the width of the amplitudes, the amplitudes are
+// The search for the form with the smallest leftover. With F the columns of a form after elimination of the
+// model, r the leftover, v the variance of the readings and w the width of the amplitudes, the amplitudes are
 //
 //   (FᵀF + v/w²)⁻¹ Fᵀ r,      the evidence |1 + w² FᵀF/v|^(−1/2) exp(½ rᵀF (FᵀF + v/w²)⁻¹ Fᵀr/v),
 //
-// averaged over the widths. Over the shape numbers it is averaged by Laplace's method at the likeliest.
+// averaged over the widths. The average over the shape numbers is by Laplace's method at the likeliest.
 // Source: MacKay, "Bayesian interpolation", Neural Computation 4 (1992).
 
-/// What a model takes up of the readings, and what it leaves.
+/// The part of the readings that a model absorbs, and the leftover.
 class FormSystem {
  public:
   using Outside = std::function<Eigen::MatrixXd(const Eigen::MatrixXd&)>;
-  /// `outside`: columns over the readings as rows of the system. `basis`: orthonormal, of what is taken up.
+  /// `outside`: converts columns over the readings to rows of the system. `basis`: orthonormal basis of the
+  /// absorbed part.
   FormSystem(Outside outside, Eigen::MatrixXd basis, Eigen::VectorXd left, double variance);
 
   const Eigen::MatrixXd& basis() const { return m_basis; }
   const Eigen::VectorXd& left() const { return m_left; }
   double variance() const { return m_variance; }
   Eigen::MatrixXd visible(const Eigen::MatrixXd& columns) const;
-  /// Further columns over the readings, of any size.
+  /// Absorbs further columns over the readings, of any size.
   void takeUp(const Eigen::MatrixXd& columns);
 
   struct Products {
     Eigen::MatrixXd all;    ///< columns as rows of the system
     Eigen::MatrixXd taken;  ///< their products with the basis
-    Eigen::VectorXd right;  ///< with what is left
+    Eigen::VectorXd right;  ///< with the leftover
 
     Eigen::MatrixXd gram(Eigen::Index first, Eigen::Index count) const;
   };
@@ -58,7 +59,7 @@ struct WeighedForm {
   double width = 1;                 ///< of the amplitudes, in units of the carrier
   Eigen::Array2d sigmas{};          ///< standard uncertainty of `shapeCoordinates`
   Eigen::VectorXd amplitudes = {};  ///< mm or arcseconds
-  Eigen::MatrixXd covariance = {};  ///< of these, the shape as uncertain as it is
+  Eigen::MatrixXd covariance = {};  ///< of these, with the uncertainty of the shape
   std::vector<double> places = {};  ///< of a free form: of its amplitudes, in the unit of the argument
 
   double logPosterior() const { return logPrior + logAveraged; }
@@ -67,7 +68,7 @@ struct WeighedForm {
 /// ln Σ of the posteriors, against no form.
 double logSumOf(const std::vector<WeighedForm>& all);
 
-/// All families, the likeliest first; the first of them with shape numbers refined and amplitudes.
+/// All families, the likeliest first. The first has refined shape numbers, and amplitudes.
 std::vector<WeighedForm> weighForms(const FormSystem& system, const FormReadings& readings,
                                     const std::vector<FormFamily>& families, const std::stop_token& stop);
 

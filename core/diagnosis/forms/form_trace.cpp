@@ -13,7 +13,7 @@ namespace {
 
 constexpr double radiansOfDegree = std::numbers::pi / 180;
 
-/// A carrier with its own amplitudes: both circles of the orientation, else the form's.
+/// A carrier with its own amplitudes: each circle for the orientation, otherwise the form's carrier.
 struct Channel {
   FormCarrier carrier;
   bool isVertical;
@@ -24,7 +24,7 @@ std::vector<Channel> channelsOf(const Form& form) {
   return {{FormCarrier::Horizontal, false}, {FormCarrier::Vertical, true}};
 }
 
-/// Of the form at `x`, mm or arcseconds.
+/// The value of the form at `x`, mm or arcseconds.
 double valueAt(const FoundForm& found, const Channel& channel, double x) {
   const VectorXd functions = found.form.isFree() ? freeFunctions(found.form, found.places, x)
                                                  : VectorXd(formFunctions(found.form, x).matrix());
@@ -36,7 +36,7 @@ double valueAt(const FoundForm& found, const Channel& channel, double x) {
   return sum;
 }
 
-/// As it is told: degrees, within a turn on the horizontal circle.
+/// The argument as reported: in degrees, for the horizontal circle within a turn.
 double toldArgument(const Form& form, double x) {
   if (!form.isOfAngle()) return x;
   const double degrees = x / radiansOfDegree;
@@ -143,7 +143,7 @@ void addTraces(FoundForms& found, const VectorXd& left, const Leftover& leftover
 
 void addCleanRange(FoundForm& found, const FormReadings& readings) {
   constexpr int steps = 1000;
-  constexpr double least = 0.05;  // of the range: shorter ones are where a form passes zero
+  constexpr double least = 0.05;  // of the range: a shorter one is a zero crossing of the form
   const Form& form = found.form;
   if (form.function == FormFunction::Harmonic || form.function == FormFunction::Hysteresis || form.isFree())
     return;

@@ -61,7 +61,7 @@ char letterAfter(const Form& form, char letter) {
   return static_cast<char>(letter + (form.function == FormFunction::Harmonic ? 2 : 1));
 }
 
-/// Of the numbers of the shape in `shapeCoordinates`, told in degrees or shares.
+/// Adds the shape numbers in degrees or shares, with σ from that in `shapeCoordinates`.
 void addShape(const WeighedForm& weighed, std::vector<FormNumber>& parameters) {
   const Form& form = weighed.form;
   const std::string unit = form.isOfAngle() ? "_deg" : "";
@@ -90,7 +90,7 @@ void addShape(const WeighedForm& weighed, std::vector<FormNumber>& parameters) {
   }
 }
 
-/// Of the orders that are possible beside the likeliest.
+/// Standard uncertainty of the order: the spread of all possible orders about it.
 double sigmaOfOrder(const Form& form, const std::vector<WeighedForm>& all) {
   double sum = 0, squares = 0;
   const double best = all.front().logPosterior();
@@ -121,7 +121,8 @@ std::vector<std::string> coefficientNames(const FoundForm& found, Index count) {
   return names;
 }
 
-/// Of one circle or length: the size of its coefficients; of a number for each place their rms.
+/// The amplitude of one circle or length: the size of its coefficients; for a number at each place, their
+/// rms.
 FormNumber amplitudeOf(const WeighedForm& weighed, Index first, Index count, const std::string& name) {
   const double per = weighed.form.function == FormFunction::PerPlace ? std::sqrt(double(count)) : 1;
   const VectorXd own = weighed.amplitudes.segment(first, count) / per;
@@ -174,7 +175,7 @@ std::vector<Form> lookAlikesOfFirst(const FormSystem& system, const FormReadings
   const VectorXd own = trace(first);
   std::vector<Form> forms;
   for (std::size_t i = 1; i < all.size(); ++i) {
-    if (all[i].form.isFree() && !first.form.isFree()) continue;  // holds every function of its argument
+    if (all[i].form.isFree() && !first.form.isFree()) continue;  // contains every function of its argument
     const bool isLikely = first.logPosterior() - all[i].logPosterior() < nearly;
     const bool isAlike = !isLikely && all[i].amplitudes.size() > 0 &&
                          (trace(all[i]) - own).norm() < alike * std::sqrt(system.variance());

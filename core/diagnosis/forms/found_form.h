@@ -5,15 +5,15 @@
 
 namespace alidade {
 
-/// The result of a form: formula, coefficients and parameters. `all`: the posterior of every family, for the
-/// uncertainty of an order.
+/// The result for a form: formula, coefficients and parameters. `all`: every family, whose posterior gives
+/// the uncertainty of an order.
 FoundForm foundForm(const WeighedForm& weighed, const std::vector<WeighedForm>& all);
 
 /// "radial = A*cos(7*s) + B*sin(7*s)".
 std::string formulaOf(const Form& form);
 
-/// The others that these readings cannot tell from the first of `all`, whose traces are visible in `system`:
-/// they differ by less than 3 σ, or are nearly as likely.
+/// The look-alikes of the first of `all`: forms whose visible traces in `system` differ by less than 3 σ, or
+/// that are nearly as likely.
 std::vector<Form> lookAlikesOfFirst(const FormSystem& system, const FormReadings& readings,
                                     const std::vector<WeighedForm>& all);
 

@@ -17,7 +17,7 @@ namespace {
 
 using Rows = std::vector<Index>;
 
-/// Of the columns of `matrix` in some rows, orthonormal.
+/// An orthonormal basis of the columns of `matrix`.
 MatrixXd orthonormal(const MatrixXd& matrix) {
   constexpr double invisible = 1e-9;
   if (matrix.cols() == 0 || matrix.rows() == 0) return MatrixXd::Zero(matrix.rows(), 1);
@@ -47,7 +47,7 @@ class Fold {
 
   const Rows& out() const { return m_out; }
 
-  /// Errors of what `model` with these columns, fitted to the others, predicts.
+  /// Prediction errors of `model` with these columns, fitted to the other readings.
   VectorXd errors(const DividedModel& model, const MatrixXd& columns) const {
     MatrixXd all(model.left.size(), model.basis.cols() + columns.cols());
     all << model.basis, columns;
@@ -55,7 +55,8 @@ class Fold {
     return model.left(m_out) - all(m_out, Eigen::all) * solution;
   }
 
-  /// What forms found in the other readings do to all readings. Absent where they are not seen there.
+  /// Columns and values over all readings of forms found in the other readings. Absent if those do not show
+  /// the forms.
   std::optional<std::pair<MatrixXd, VectorXd>> learnt(const DividedModel& full, const FormReadings& readings,
                                                       const std::vector<FormFamily>& families,
                                                       double variance, const std::stop_token& stop) const {
@@ -80,7 +81,7 @@ class Fold {
     return std::pair{std::move(columns), std::move(predicted)};
   }
 
-  /// Of one column of predictions on the readings of the fold alone: F and its probability.
+  /// Tests one column of predictions on the readings of the fold alone: F and its probability.
   void test(const DividedModel& plain, const VectorXd& predicted, int eliminated, FormShrinkage& shrink,
             int folds) const {
     const MatrixXd basis = orthonormal(plain.basis(m_out, Eigen::all));
@@ -138,7 +139,7 @@ double rmsOf(const VectorXd& left, const VectorXd& arcseconds) {
 
 namespace {
 
-/// In all readings, by a model with the forms.
+/// The shrinkage on all readings by a model with the forms.
 double inSample(const DividedModel& model, double before, const std::vector<FoundForm>& forms,
                 const FormReadings& readings, const VectorXd& arcseconds) {
   if (!(before > 0)) return 0;

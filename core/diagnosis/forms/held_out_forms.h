@@ -10,11 +10,11 @@ namespace alidade {
 /// A model whose readings are divided into those that are fitted and those that are predicted.
 struct DividedModel {
   FormSystem::Outside outside;  ///< columns over the readings as rows
-  Eigen::MatrixXd basis;        ///< orthonormal, of what the model takes up
-  Eigen::VectorXd left;         ///< rows: readings, then what is known beforehand
+  Eigen::MatrixXd basis;        ///< orthonormal, of the part that the model absorbs
+  Eigen::VectorXd left;         ///< rows: readings, then prior knowledge
 };
 
-/// A fold for each of `count` groups of readings, at random by a fixed seed, all of nearly one size.
+/// Distributes `count` groups of readings at random, by a fixed seed, over folds of nearly equal size.
 std::vector<int> shuffledFolds(std::size_t count, int folds);
 
 struct HeldOutReadings {
@@ -22,24 +22,24 @@ struct HeldOutReadings {
   std::vector<int> fold;       ///< of each reading; none: always fitted, such as a pointing zero
   int folds = 0;               ///< 0: too few readings to hold any out
   Eigen::VectorXd arcseconds;  ///< σ of each reading whose prediction counts, else 0
-  /// Numbers that every group of held-out readings has for itself alone, as arc angles: of each fold.
+  /// For each fold, the number of unknowns that occur in its readings only, such as arc angles.
   std::vector<int> eliminated = {};
 };
 
-/// Of what is left of the readings that count, each in its σ; arcseconds. `arcseconds`: σ of each reading, 0
-/// where it does not count.
+/// Rms of the residuals `left`, which are in σ of each reading; arcseconds. `arcseconds`: σ of each reading,
+/// 0 if it does not count.
 double rmsOf(const Eigen::VectorXd& left, const Eigen::VectorXd& arcseconds);
 
-/// The shrinkage by all forms together, the same for each: in all readings, and in those held out, with the
+/// Adds the shrinkage by all forms together to each form: on all readings, and on held-out readings, with the
 /// exact test that the forms predict nothing there.
 ///
-/// For each fold shape and amplitudes are found from the other readings. What they predict is one column g on
-/// the readings of the fold, whatever was searched: independent of their noise. With Q what the model takes
-/// up of these readings alone, F = (gᵀQy)²/(gᵀQg) / (rest/ν) follows F(1, ν) if there is no form. Of several
-/// folds the least probability counts, times their number (Bonferroni).
+/// For each fold, shape and amplitudes are found from the other readings. They predict one column g on the
+/// readings of the fold, which is independent of their noise whatever was searched. With Q the projector that
+/// eliminates the model from these readings alone, F = (gᵀQy)²/(gᵀQg) / (rest/ν) follows F(1, ν) if there is
+/// no form. The least probability of all folds counts, times their number (Bonferroni).
 ///
-/// `plain`: with what is certain; `full`: with every effect, beside which the forms are found. Before:
-/// `plain` without the forms. After: whichever of the two with the forms predicts better.
+/// `plain`: with the certain causes. `full`: with every effect, in which the forms were found. Before:
+/// `plain` without the forms. After: the better prediction of the two with the forms.
 void addShrinkage(FoundForms& found, const DividedModel& plain, const DividedModel& full,
                   const HeldOutReadings& held, const FormReadings& readings, double variance,
                   const std::stop_token& stop);

@@ -16,7 +16,7 @@ struct ResidualTable {
   Eigen::MatrixXd base;      ///< over σ
 };
 
-/// As `discover` reads it.
+/// Parses the table of residuals that `discover` reads.
 Result<ResidualTable> readResiduals(std::string_view bytes);
 
 }  // namespace alidade

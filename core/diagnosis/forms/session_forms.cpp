@@ -23,7 +23,7 @@ Leftover leftoverOf(const GapModel& model) {
   return Leftover(linearise(*model.measurement, *model.fit, model.options), model.options.terms);
 }
 
-/// Every effect but those that are not considered.
+/// Adds every effect except the excluded ones.
 GapModel withEffects(const GapModel& plain, const EffectScales& scales, const DiagnosisOptions& options) {
   GapModel full = withEveryEffect(plain, scales);
   const auto isLeftOut = [&](const EstimatedTerm& term) {
@@ -69,12 +69,12 @@ class SessionForms {
  private:
   const Inquiry& m_inquiry;
   const std::stop_token& m_stop;
-  GapModel m_plainModel, m_fullModel;  ///< with what is certain; with every effect, too
+  GapModel m_plainModel, m_fullModel;  ///< with the certain causes; also with every effect
   Leftover m_plain, m_full;
   FormReadings m_readings;
   std::vector<FormFamily> m_families;
   FormSystem m_system;
-  MatrixXd m_beside;  ///< over the readings: jumps
+  MatrixXd m_beside;  ///< columns of the jumps, over the readings
 
   static GapModel plainModel(const Inquiry& inquiry, Explanation certain) {
     std::erase_if(certain.parts, [&](const Part& part) { return inquiry.of(part).stepsOrientation(); });
@@ -88,7 +88,7 @@ class SessionForms {
     return {outside, leftover.basis(), leftover.residual(), 1};
   }
 
-  /// Beside a jump, unless the likeliest form explains what the jump was taken for.
+  /// Absorbs a certain jump, unless forms explain the readings better without it.
   void addJump(const Part& part) {
     const Component& jump = m_inquiry.of(part);
     MatrixXd columns = jump.wholeColumns(m_inquiry.leftover);
@@ -109,15 +109,15 @@ class SessionForms {
     m_beside.rightCols(columns.cols()) = columns;
   }
 
-  /// Beyond what noise alone leaves in one of five sessions.
+  /// Whether more is left than noise alone leaves in one of five sessions.
   bool isAnythingLeft(const FormSystem& system, int numbers) const {
     constexpr double usual = 0.2;
     const double freedom = static_cast<double>(m_full.degreesOfFreedom() - numbers - m_beside.cols());
     return chiSquareUpperTail(system.left().squaredNorm() / system.variance(), freedom).value_or(0) < usual;
   }
 
-  /// Against nothing and the likeliest patterns: one that leaves noise alone may be a little less likely than
-  /// these, some of which resemble it.
+  /// Whether the forms beat nothing and the likeliest patterns. A form that leaves noise alone may be a
+  /// little less likely than the patterns, some of which resemble it.
   bool isNamed(const std::vector<WeighedForm>& all) const {
     constexpr double nearly = 20;
     if (!beatNothing(all)) return false;
@@ -129,8 +129,8 @@ class SessionForms {
     return !isAnythingLeft(with, static_cast<int>(first.amplitudes.size()) + first.form.count());
   }
 
-  /// A pattern is what remains where no form fits, and so less likely beforehand. One of two columns is a
-  /// harmonic, which is a form itself.
+  /// The patterns have a lower prior than forms: they are for gaps without a form. Patterns of two columns
+  /// are omitted, because a harmonic is a form itself.
   double logPatterns() const {
     constexpr std::size_t most = 4;
     constexpr double ofForms = 0.05;
@@ -150,7 +150,7 @@ class SessionForms {
     return sum;
   }
 
-  /// Effects of the catalogue, of whatever size.
+  /// Adds the effects of the catalogue, of any size, that look like the form.
   void addLookAlikes(const WeighedForm& first, FoundForm& found) const {
     constexpr double alike = 3;  // σ
     const Leftover& bare = m_inquiry.leftover;
@@ -165,8 +165,8 @@ class SessionForms {
     }
   }
 
-  /// Whether the forms also fit readings that took no part. A walk or wave of many numbers can fit those that
-  /// did, whatever they are.
+  /// Whether the forms also fit held-out readings. A walk or wave with many numbers fits any readings in
+  /// which it was found.
   static bool predict(const FormShrinkage& shrink) {
     constexpr double significant = 0.05;
     return !(shrink.heldOut <= 0) || shrink.p < significant;
@@ -189,7 +189,7 @@ class SessionForms {
     return reading.takesPart && !reading.isZero && reading.kind != ReadingKind::Slider;
   }
 
-  /// Whole rounds, or visits at random where there is one, or where the form needs all rounds to be seen.
+  /// Holds out whole rounds; or random visits, if there is only one round or the form needs all of them.
   HeldOutReadings heldOut(const std::vector<FormFamily>& chosen) const {
     constexpr int most = 4;
     const bool needsRounds = std::ranges::any_of(chosen, [](const FormFamily& family) {

@@ -8,9 +8,10 @@
 
 namespace alidade {
 
-/// The forms of what is left beside what is certain, and beside every effect of the catalogue, so many
-/// plausible sizes wide: up to three, the plainest first. A form beats nothing by 20 : 1, and the generic
-/// patterns; else there is none. `certain`: causes, without a pattern. Empty for a session of very many rows.
+/// The forms that remain with the certain causes and every effect of the catalogue (prior widths `scales`):
+/// up to three, the most evident first. Their odds against no form are at least 20 : 1, and they beat the
+/// generic patterns; otherwise there are none. `certain`: causes without a pattern. Empty for a session with
+/// very many rows.
 FoundForms formsBeyond(const Inquiry& inquiry, const Explanation& certain, const EffectScales& scales,
                        const DiagnosisOptions& options, const std::stop_token& stop);
 

@@ -22,7 +22,8 @@ namespace alidade {
 class Leftover {
  public:
   /// `inModel` are the terms that the fit estimates already. `noise` is the ratio of the actual to the stated
-  /// scatter. In units of the stated σ, it increases the weight of prior knowledge.
+  /// scatter. It increases the weight of prior knowledge, because the equations stay in units of the stated
+  /// σ.
   explicit Leftover(Linearised equations, const std::vector<EstimatedTerm>& inModel = {}, double noise = 1);
 
   /// Number of readings plus one entry for each observation of a prior and each condition.

@@ -26,12 +26,12 @@ Measurement readWithoutError(const GapModel& model);
 /// second stand-off, more of the arc, a repeated position. Measures that the session has already are skipped.
 void eachFurtherReadings(const GapModel& model, const std::function<void(const FurtherReadings&)>& take);
 
-/// Calls a function for every two of other face, way back and slider, for all three, and for both positions
-/// repeated.
+/// Calls a function for the session with each combination of measures: two or all of other face, way back and
+/// slider; both positions repeated.
 void eachCombination(const GapModel& model, const std::function<void(const FurtherReadings&)>& take);
 
-/// Linearises a planned set. Effects of the model are not in the readings but estimated, with derivatives by
-/// them and by `terms`. Delivers pieces like `linearise`.
+/// Linearises planned readings, which do not contain the effects of the model. These are estimated, with
+/// derivatives by them and by `terms`. Delivers pieces like `linearise`.
 void linearisePlan(const GapModel& model, const Measurement& set, const std::vector<ErrorTerm>& terms,
                    const std::function<void(const Linearised& piece)>& take);
 

@@ -11,8 +11,8 @@ namespace alidade {
 
 using Eigen::MatrixXd, Eigen::VectorXd;
 
-/// A bent effect has its second-order terms only together. Gauss-Newton searches the nearest trace from
-/// several start points.
+/// The second-order terms of a bent effect follow from its weights, so the distance may have several minima.
+/// Gauss-Newton searches the nearest trace from several start points.
 double differenceFromBent(const MatrixXd& gram, const VectorXd& right, double square) {
   constexpr double sides[][2] = {{3, 0}, {0, 3}, {2, 2}, {2, -2}, {0.1, 0.1}};
   double least = square;

@@ -83,13 +83,13 @@ struct FormShrinkage {
   int heldOutReadings = 0;
 };
 
-/// What a sighting says of a form, mm or arcseconds; face 1 where it turns over.
+/// The value of a form at a sighting, mm or arcseconds; in face 1 if the sign changes with the face.
 struct FormPoint {
   std::size_t position = 0, row = 0;  ///< of the session
   bool isVertical = false;            ///< of an orientation: of the vertical circle
   double at = 0;                      ///< argument: degrees, share of the session, or ±1
   double before = 0, after = 0;       ///< with everything but this form in the model, and with it
-  double heldOut = 0;  ///< after, by what is found without this sighting; not a number where it never is
+  double heldOut = 0;  ///< `after` as predicted without this sighting; not a number if it was never held out
 };
 
 struct FormTrace {
@@ -111,7 +111,7 @@ struct FoundForm {
   std::vector<FormLookAlike> indistinguishableFrom = {};
   FormShrinkage shrink = {};
   /// Where the form displaces every reading by less than its σ, from … to: degrees or share of the session.
-  /// Empty of what goes on everywhere, such as a harmonic.
+  /// Empty for forms that act everywhere, such as a harmonic.
   std::vector<std::array<double, 2>> cleanRange = {};
   FormTrace trace = {};  ///< of a session
 };

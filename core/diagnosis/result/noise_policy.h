@@ -2,10 +2,10 @@
 
 namespace alidade::noise_policy {
 
-// What is believed of the scatter of readings, in a session and in a series.
+// The prior of the scatter of readings, in a session and in a series.
 
 inline constexpr double knownTo = 0.1;            ///< relative uncertainty of the stated σ
 inline constexpr double least = 1.25, most = 20;  ///< larger noise, in stated σ
-inline constexpr double odds = 0.04;              ///< of larger noise, before the readings are seen
+inline constexpr double odds = 0.04;              ///< prior odds of larger noise
 
 }  // namespace alidade::noise_policy

@@ -9,8 +9,9 @@
 
 namespace alidade {
 
-// Inner products of the visible columns of all components. The columns of a component are turned so that only
-// neighbours have inner products. A bent component has its columns and second derivatives, not turned.
+// Inner products of the visible columns of all components. The columns of a component are rotated so that
+// each has inner products with its neighbours only. A bent component keeps its columns and second
+// derivatives, unrotated.
 class ColumnTable {
  public:
   ColumnTable(const Leftover& leftover, const Candidates& candidates);

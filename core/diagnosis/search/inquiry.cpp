@@ -110,8 +110,8 @@ Linearised withReference(Linearised equations, const GapModel& base, const Diagn
   return equations;
 }
 
-/// Returns the most likely causes without patterns, if one is very large. The fit without it, at which the
-/// equations were linearised, is then far from the solution.
+/// Returns the most likely causes without patterns, if one of them is very large. The equations were
+/// linearised at the fit without it, far from the solution.
 std::optional<Explanation> largeCauses(const Inquiry& inquiry) {
   constexpr double large = 100;  // σ over all readings
   Explanation causes = inquiry.explanations.front();

@@ -18,7 +18,7 @@ DatedValue dated(const Epoch& epoch, double value, double u) {
   return {epoch.date, epoch.day, value, u, u, epoch.title, 0, 0};
 }
 
-/// That of the latest session that has one.
+/// The tolerance of the latest session that has one.
 std::optional<double> toleranceOf(const std::vector<Epoch>& epochs) {
   std::optional<double> tolerance;
   for (const Epoch& epoch : epochs)

@@ -98,7 +98,7 @@ inline constexpr double oddsToTell = 5;
 
 struct History {
   std::vector<DatedValue> values;        ///< by date; within a date in the order given
-  double coverage = 0.95;                ///< of each U told of the history
+  double coverage = 0.95;                ///< of each U in the history
   double factor = 1;                     ///< from u to U, of a normal distribution
   std::optional<double> tolerance = {};  ///< limit of |value|, if there is one
   HistoryMean mean;

@@ -110,7 +110,7 @@ std::optional<HistoryDate> onePart(const std::string& text, const Parts& p) {
   return HistoryDate{text, *begin + daysPerYear / 2, HistoryDate::Form::Year};
 }
 
-/// A step of the axis: so many days, or so many months.
+/// A step of the axis: a number of days or of months.
 struct DateStep {
   int days = 0, months = 0;
 };

@@ -8,8 +8,8 @@
 
 namespace alidade {
 
-// Tables of a history, and its sentences; user texts are visible (`visibleText`). They stand here since a
-// history comes after the room of statements.
+// Tables and sentences of a history; user texts are visible (`visibleText`). They are here because the folder
+// of statements must not depend on histories.
 
 /// Each value with U, its limit, the weighted average and its limit; below them the sentences.
 Statement valueTable(const History& history, const std::string& unit);

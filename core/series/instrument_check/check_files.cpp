@@ -53,7 +53,7 @@ double openingOf(double before, double after, bool isVertical) {
   return std::abs(wrapped(sum).degrees());
 }
 
-/// The median over all targets; infinite if the readings cannot be read in this unit.
+/// The median misclosure over all targets, degrees; infinite if the readings cannot be read in this unit.
 double closureIn(AngleUnit unit, const Recording& recording) {
   const double unreadable = std::numeric_limits<double>::infinity();
   std::map<std::pair<std::size_t, std::string>, double> last;

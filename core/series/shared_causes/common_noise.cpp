@@ -24,7 +24,7 @@ struct Left {
   double sumOfF() const { return std::accumulate(f.begin(), f.end(), 0.0); }
 };
 
-/// −f ln scale − ½ χ²/scale².
+/// Log likelihood of a noise scale, up to a constant; `f`: degrees of freedom.
 double logOf(double chiSquare, double f, double scale) {
   return -f * std::log(scale) - chiSquare / (2 * scale * scale);
 }

@@ -15,8 +15,8 @@ namespace alidade {
 
 // The result of a series of sessions.
 
-/// The owner of an effect: an instrument, identified by its serial, in all its sessions; likewise a guideway;
-/// or the session itself, as for effects of time.
+/// The owner of an effect: an instrument or a guideway, identified by its serial number, in all its sessions.
+/// `Time`: each session has its own effect.
 enum class CauseOwner { Instrument, Guideway, Time };
 
 /// "instrument", "guideway", "time".

@@ -192,7 +192,7 @@ double SharedSearch::accountsOf(const SharedSet& set) const {
   double sum = 0;
   for (std::size_t s = 0; s < m_sessions.size(); ++s) {
     const std::vector<double> odds = accountOdds(s, set);
-    // The chosen account, with which the sizes were found, and the alternatives.
+    // The sizes were found with the chosen account; the alternatives to it are added.
     const std::size_t chosen = set.accounts[s];
     sum += ownOdds(s, chosen) + logSumOf(odds) - odds[chosen];
   }

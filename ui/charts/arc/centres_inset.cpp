@@ -292,7 +292,7 @@ void CentresInset::paintScaleBar(QPainter* painter) const {
     return millimetres * m_scale + beside <= m_square.width();
   };
   double length = roundDown125(m_square.width() * 0.4 / m_scale);
-  // The bar is shorter if its figure, above a compact bar, has no room next to it.
+  // Shortens the bar if its figure does not fit beside it. A compact bar has its figure above.
   if (const double half = roundDown125(0.9 * length); !m_isCompact && !fits(length) && fits(half))
     length = half;
   const QString text = textOf(length);

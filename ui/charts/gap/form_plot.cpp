@@ -97,7 +97,7 @@ void FormPlot::draw() {
   const bool isHeldOut = this->isHeldOut();
   for (std::size_t i = 0; i < m_form.trace.points.size(); ++i) {
     const FormPoint& point = m_form.trace.points[i];
-    // Those of one level are side by side.
+    // The points of one level are drawn side by side.
     const double shift = hasLevels() ? (static_cast<double>(i % 25) - 12) * 2 * style().unit() : 0;
     const auto add = [&](double y, Kind kind) {
       if (std::isfinite(y))
@@ -132,7 +132,7 @@ void FormPlot::reckonExtent() {
   m_extent = QRectF(QPointF(left - beside, low - above), QPointF(right + beside, high + above));
 }
 
-/// Of the horizontal or only carrier, and of the vertical circle.
+/// The curves of the horizontal or only carrier (0), or of the vertical circle (1).
 QList<QList<QPointF>> FormPlot::curves(std::size_t which) const {
   const auto& curve = m_form.trace.curve;
   if (curve.empty() || (which == 1 && !hasTwoCircles())) return {};

@@ -11,9 +11,9 @@
 
 namespace alidade::ui {
 
-/// A form as a curve over its argument, with what every sighting says of it before the form is in the model
-/// (hollow) and after (filled), on sightings that took no part where there are such. Of an orientation the
-/// horizontal circle has one colour and shape, the vertical another. Bands show where the model holds.
+/// A form as a curve over its argument, with its value at every sighting before the form is in the model
+/// (hollow) and after (filled), from held-out sightings if there are any. For an orientation, the horizontal
+/// and the vertical circle differ in colour and shape. Bands show where the model is valid.
 class FormPlot : public Plot {
   Q_OBJECT
 

@@ -9,9 +9,9 @@
 
 namespace alidade::ui {
 
-/// What is left over along the slider coordinate s, the elevation e and the time t: three strips of the
-/// residuals in σ of the circle, with labels at the ends of their range and at zero. Bands show where the
-/// model holds without the forms of that argument.
+/// The remaining residuals, in σ of the circle, in three strips along the slider coordinate s, the elevation
+/// e and the time t, with labels at the ends of their range and at zero. Bands show where the model is valid
+/// without the forms of that argument.
 class LeftoverStrips : public BarRows {
   Q_OBJECT
 

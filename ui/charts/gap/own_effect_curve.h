@@ -7,7 +7,7 @@
 
 namespace alidade::ui {
 
-/// What an effect of the user's own does at its plausible sizes, a line for each carrier.
+/// The displacements by a user's own effect at its plausible sizes, a line for each carrier.
 class OwnEffectCurve : public QChartView {
   Q_OBJECT
 

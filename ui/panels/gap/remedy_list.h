@@ -13,8 +13,8 @@ class QVBoxLayout;
 
 namespace alidade::ui {
 
-/// What to do about causes that no effect of the model holds: misread values, a jump, larger noise; and the
-/// vertical angle relation, which is better set than estimated. Only emits signals; hidden without any.
+/// Remedies for causes that are not effects of the model: misread values, a jump, larger noise. Also for the
+/// vertical angle relation, which is better set than estimated. Only emits signals; hidden without remedies.
 class RemedyList : public QWidget {
   Q_OBJECT
 

@@ -95,7 +95,7 @@ void DataTable::resizeEvent(QResizeEvent* event) {
   if (event->size().width() != event->oldSize().width()) fitAgain();
 }
 
-/// What the first cells of a column need, and at least half of its title.
+/// The width of the first cells of a column, or of half its title if that is larger.
 int DataTable::shownWidth(int column) const {
   constexpr int mostRows = 200;
   const DataColumn& shown = m_model.columns()[static_cast<std::size_t>(column)];
@@ -105,7 +105,8 @@ int DataTable::shownWidth(int column) const {
   return width;
 }
 
-/// Leaves each column what its cells show, and shares out what is left of the table from the first on.
+/// Reduces each column to the width of its cells, then gives the remaining room to the columns from the first
+/// on.
 void DataTable::narrow(std::vector<int>& widths, int padding) const {
   std::vector<int> least;
   for (int i = 0; i < m_model.columnCount(); ++i)

@@ -7,9 +7,9 @@ class QTableView;
 
 namespace alidade::ui {
 
-/// A line over a table, below an excluded row, that takes the reason for the exclusion. Return gives what is
-/// typed, which may be nothing, and Escape nothing; the keyboard is then the table's again. Keys that type no
-/// reason, such as the arrows, pass an empty line by.
+/// A line over a table, below an excluded row, for the reason of the exclusion. Return accepts the typed
+/// text, which may be empty; Escape gives no reason. Both return the focus to the table. While the line is
+/// empty, keys such as the arrows go to the table.
 class ReasonLine : public QLineEdit {
   Q_OBJECT
 
@@ -18,7 +18,7 @@ class ReasonLine : public QLineEdit {
 
   /// Asks for the reason of these rows (ascending), unless the table is hidden.
   void ask(const std::vector<std::size_t>& rows);
-  /// Gives what is typed so far.
+  /// Closes the line and gives the text typed so far.
   void finish();
 
  signals:
