@@ -7842,39 +7842,39 @@ Includes every catalogued effect, limited by these readings or by its plausible 
     </message>
     <message>
         <source>Each at its plausible size, which these readings are too weak to show: an effect shows if it leaves more than %1 σ. U of Δd, fit only, does not include them; U of Δd, measured, includes what its budget lists.</source>
-        <translation type="unfinished"></translation>
+        <translation>各按其合理大小计，而这些读数不足以显示它们：留下超过 %1 σ 的效应才能显示。Δd，仅拟合的 U 不含它们；Δd，实测的 U 含其不确定度预算所列的各项。</translation>
     </message>
     <message>
         <source>The interval from %1 to %2 mm crosses the limit of %3 mm</source>
-        <translation type="unfinished"></translation>
+        <translation>区间 %1 至 %2 mm 跨过限值 %3 mm</translation>
     </message>
     <message>
         <source>The interval of the fit only, from %1 to %2 mm, crosses the limit of %3 mm</source>
-        <translation type="unfinished"></translation>
+        <translation>仅拟合的区间 %1 至 %2 mm 跨过限值 %3 mm</translation>
     </message>
     <message>
         <source>Accepted on condition that model and readings disagree because of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>合格，条件是模型与读数不一致的原因为：%1</translation>
     </message>
     <message>
         <source>Rejected on condition that model and readings disagree because of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>不合格，条件是模型与读数不一致的原因为：%1</translation>
     </message>
     <message>
         <source>a further jump of the orientation</source>
-        <translation type="unfinished"></translation>
+        <translation>另一次定向的突跳</translation>
     </message>
     <message>
         <source>The verdict holds on the condition that the tripod was not knocked %1. These readings cannot show such a knock; one of plausible size moves Δd by ± %2 mm. The probability of conformity counts it as rarely as it happens.</source>
-        <translation type="unfinished"></translation>
+        <translation>判定成立的条件是：三脚架%1未受碰动。这些读数无法检出此类碰动；合理大小的碰动使 Δd 改变 ± %2 mm。合格概率按其罕见程度计入。</translation>
     </message>
     <message>
         <source>The verdict depends on each of these rows alone: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>下列各行中任一行都可单独改变判定：%1</translation>
     </message>
     <message>
         <source>On %1 readings, each predicted by the form that the others tell, the gap shrinks by %2 %; in all readings, by the form that all tell, by %3 % (F test: p %4).</source>
-        <translation type="unfinished"></translation>
+        <translation>在 %1 个读数上（各按其余读数所示的形式预测），差距缩小 %2 %；按全部读数所示的形式，在全部读数上缩小 %3 %（F 检验：p %4）。</translation>
     </message>
 </context>
 <context>
