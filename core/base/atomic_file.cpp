@@ -150,9 +150,9 @@ std::string Passage::putBack() {
   if (m_target.kind == FileTarget::Kind::New && unlink(place) == 0) return {};
   const std::string kept = std::exchange(m_kept, {});
   //: a file, one of two that belong together
-  if (kept.empty()) return Phrase::of("%1 is the new one already: write both again", m_content.path);
+  if (kept.empty()) return Phrase::of("%1 was already replaced: write both again", m_content.path);
   //: a file, one of two that belong together, and the file that its old bytes are in
-  return Phrase::of("%1 is the new one already, its old bytes are in %2: write both again", m_content.path,
+  return Phrase::of("%1 was already replaced, its old bytes are in %2: write both again", m_content.path,
                     kept);
 }
 

@@ -53,7 +53,7 @@ std::string whyNoNumber(std::string_view typed, std::string_view plain, std::siz
     return Phrase::of("%1 is not one number: type digits with one decimal sign and nothing between them",
                       quotation(typed));
   }
-  return Phrase::of("%1 has more than a number: leave out %2 (the unit is fixed)", quotation(typed),
+  return Phrase::of("%1 contains more than a number: leave out %2 (the unit is fixed)", quotation(typed),
                     quotation(rest.substr(rest.find_first_not_of(' '))));
 }
 

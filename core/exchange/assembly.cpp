@@ -203,7 +203,7 @@ class Assembly {
       sighting.row.note = sighting.row.point + (sighting.row.note.empty() ? "" : ": " + sighting.row.note);
       sighting.row.point = number;
     }
-    if (renamed) remark(Phrase::of("points with names are numbered; their names stand in the notes"));
+    if (renamed) remark(Phrase::of("points with names are numbered; their names are in the notes"));
   }
 
   void report(const RecordedSighting& sighting, std::size_t column, std::string_view name,
@@ -331,8 +331,9 @@ class Assembly {
     const std::set<PositionKey> different(turns.begin(), turns.end());
     const bool isAgain = std::ranges::any_of(different, [](const PositionKey& at) { return at.second > 1; });
     if (turns.size() > different.size())
-      remark(Phrase::of(
-          "the positions of the axis alternate in the file; a session keeps the order within each only"));
+      remark(
+          Phrase::of("the positions of the axis alternate in the file; a session keeps the order of readings "
+                     "only within each"));
     else if (turns.size() == 2 && turns.front().first != "0" && !isAgain)
       remark(Phrase::of(
           "180° was read before 0°, but a session takes 0° as read first: a drift or a jump between the "

@@ -105,9 +105,9 @@ class TableRecognition {
     for (const char separator : {'\t', ';', '|'})
       if (line.find(separator) != std::string_view::npos || usualWidth(rowsOf(m_text, separator)) > 1) {
         m_found.table.separator = separator;
-        return reason(separator == '\t'  ? Phrase::of("tabs part the columns")
-                      : separator == ';' ? Phrase::of("semicolons part the columns")
-                                         : Phrase::of("upright lines part the columns"));
+        return reason(separator == '\t'  ? Phrase::of("tabs separate the columns")
+                      : separator == ';' ? Phrase::of("semicolons separate the columns")
+                                         : Phrase::of("vertical bars separate the columns"));
       }
     const char blank = blankSeparator();
     m_found.table.separator = blank ? blank : ',';

@@ -255,10 +255,9 @@ class TablePlanner {
         angle.unit == AngleUnit::Radians || (angle.isCentesimal && angle.unit == AngleUnit::Degrees) ||
         (isGon && !angle.isCentesimal && angle.unit == AngleUnit::Gon && hasSexagesimal(angle));
     if (isOther)
-      return refuse(
-          degrees, Phrase::of("%1 and the columns of its parts name units that do not go together: name them "
-                              "deg, min and sec, or g, c and cc",
-                              m_plan.nameOf(degrees)));
+      return refuse(degrees, Phrase::of("%1 and the columns of its parts have incompatible units: name them "
+                                        "deg, min and sec, or g, c and cc",
+                                        m_plan.nameOf(degrees)));
     angle.isCentesimal = angle.isCentesimal || isGon;
   }
 
@@ -321,8 +320,8 @@ class TablePlanner {
         hasPlus = hasPlus || cell == "+";
       }
       if (areSigns && hasMinus && (hasPlus || isCalledSign))
-        return refuse(i, Phrase::of("%1 holds signs, which no angle would have: put them before the degrees",
-                                    m_plan.nameOf(i)));
+        return refuse(i,
+                      Phrase::of("%1 contains signs alone: put each before its degrees", m_plan.nameOf(i)));
     }
   }
 

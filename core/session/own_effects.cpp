@@ -27,7 +27,7 @@ bool isId(const std::string& text) {
 std::optional<Problem> parameterProblem(const OwnEffect& effect, const FormulaAmplitude& amplitude) {
   const auto own = std::ranges::find(effect.parameters, amplitude.name, &OwnParameter::name);
   if (own == effect.parameters.end())
-    return Problem{Phrase::of("lack the amplitude %1: say its plausible size", quotation(amplitude.name)),
+    return Problem{Phrase::of("lack the amplitude %1: state its plausible size", quotation(amplitude.name)),
                    {.field = "parameters"}};
   const std::string entry = "parameters[" + std::to_string(own - effect.parameters.begin()) + "]";
   const Result<double> plausible = parseNumber(own->plausible);

@@ -426,10 +426,9 @@ constexpr SessionField allSessionFields[] = {
          .noun = PHRASE_LATER("Field", "what the tolerance limits"),
          .rule = &wordRule<measurandEntry>,
          .caption = PHRASE_LATER("Forms", "Limits"),
-         .help = PHRASE_LATER(
-             "Forms",
-             "What the tolerance limits: the intersection Δd, which is the part in the plane of the arc "
-             "of the distance of its centre from the axis, or that distance as a whole"),
+         .help = PHRASE_LATER("Forms",
+                              "The quantity with the tolerance: Δd, the distance of the arc's centre from "
+                              "the axis in the plane of the arc, or the whole distance"),
          .choices = measurandChoices}),
     ofSession<&Session::acceptance, &Acceptance::coverage>(
         {.key = "acceptance.coverage",
@@ -453,8 +452,7 @@ constexpr SessionField allSessionFields[] = {
          .unit = mm,
          .whenEmpty = PHRASE_LATER("Forms", "none"),
          .help = PHRASE_LATER(
-             "Forms",
-             "What the device was set to, where known; shown beside the result, never part of a fit")}),
+             "Forms", "Setting of the device, if known; shown with the result, not used in the fit")}),
     ofSession<&Session::acceptance, &Acceptance::sigmaReferenceMm>(
         {.key = "acceptance.sigma_reference_mm",
          .noun = PHRASE_LATER("Field", "σ of the reference"),

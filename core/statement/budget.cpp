@@ -178,7 +178,7 @@ Statement centreBudget(const SessionFit& fit) {
   last.insert(last.begin(), Phrase::of("correlation with R"));
   statement.sentences = {
       std::isinf(fit.noise.degreesOfFreedom)
-          ? Phrase::of("All parts rest on the stated noise.")
+          ? Phrase::of("All contributions are based on the stated noise.")
           : Phrase::of("What comes from the readings is scaled by their scatter, %1 times the stated noise. "
                        "Pointing zeros and distance enter as stated.",
                        displayText(fit.noise.factor, 2))};

@@ -99,8 +99,8 @@ Statement gapStages(const Gap& gap) {
   for (std::string sentence : {shrinkageSentence(diagnosis), averagingSentence(diagnosis)})
     if (!sentence.empty()) statement.sentences.push_back(std::move(sentence));
   statement.note = Phrase::of(
-      "The stated noise leaves residuals of %1″. Measured: with every catalogued effect, limited by these "
-      "readings or by its plausible size.",
+      "The stated noise leaves residuals of %1″. Δd, measured, includes every catalogued effect, limited by "
+      "these readings or by its plausible size.",
       displayText(gap.noiseRms, 2));
   return statement;
 }

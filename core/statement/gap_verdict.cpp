@@ -17,7 +17,7 @@ std::string modelSentence(const Gap& gap) {
   std::vector<std::string> effects;
   for (const GapStage& stage : gap.stages)
     if (stage.kind == GapStage::Kind::InModel) effects.push_back(stage.effect);
-  return Phrase::of("The model holds %1; without, the residuals are %2 instead of %3.",
+  return Phrase::of("The model includes %1; without it, the residuals are %2 instead of %3.",
                     causeNames(effects, Phrase::of(" and ")), displayText(bare.rms, 1) + "″",
                     displayText(gap.asModelled().rms, 1) + "″");
 }

@@ -105,15 +105,34 @@ std::string disagreementText(const Diagnosis& diagnosis) {
   return Phrase::of("The readings scatter more than stated, which U includes");
 }
 
+/// What these readings cannot tell from the only cause named; empty without such.
+std::vector<std::string> lookAlikes(const Diagnosis& diagnosis) {
+  std::vector<std::string> names;
+  const Cause* only = nullptr;
+  for (const Cause& cause : diagnosis.causes) {
+    if (cause.effect == noiseId) continue;
+    if (only) return {};
+    only = &cause;
+  }
+  if (only)
+    for (const std::string& effect : only->indistinguishableFrom) names.push_back(causeName(effect));
+  return namedOrCounted(std::move(names));
+}
+
 std::string gapText(const Diagnosis& diagnosis, const AcceptanceDecision* decision) {
-  const std::string closures = failedClosures(diagnosis), causes = causesWithProbability(diagnosis);
+  const std::string closures = failedClosures(diagnosis);
+  std::string causes = causesWithProbability(diagnosis);
   if (causes.empty()) return withDetails(disagreementText(diagnosis), closures);
+  if (const auto alike = lookAlikes(diagnosis); !alike.empty())
+    //: causes, and what looks like them
+    causes =
+        Phrase::of("%1, which these readings cannot tell from %2", causes, listed(alike, Phrase::of(" or ")));
   if (!isReached(decision))
     return withDetails(Phrase::of("Model and readings disagree, best explained by %1", causes), closures);
   return withDetails(
       decision->verdict == Verdict::Accept
-          ? Phrase::of("Accepted on condition that model and readings disagree because of %1", causes)
-          : Phrase::of("Rejected on condition that model and readings disagree because of %1", causes),
+          ? Phrase::of("Model and readings disagree; accepted only if that comes from %1", causes)
+          : Phrase::of("Model and readings disagree; rejected only if that comes from %1", causes),
       closures);
 }
 
@@ -143,7 +162,7 @@ std::string undetectableText(const Diagnosis& diagnosis, double expanded, bool i
       effects.push_back(Phrase::of("%1 ± %2 mm", undetectableName(diagnosis, effect.effect),
                                    displayText(effect.influence, decimalsFor(effect.influence))));
   if (effects.empty()) return "";
-  return Phrase::of("Undetectable here, yet a plausible size moves Δd by more than U: %1",
+  return Phrase::of("Undetectable here and not in U, yet a plausible size moves Δd by more than U: %1",
                     listed(namedOrCounted(std::move(effects)), Phrase::of(" and ")));
 }
 

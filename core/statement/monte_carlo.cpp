@@ -91,7 +91,7 @@ std::string agreementWord(const MonteCarlo& check) {
       break;
   }
   return worstDifference(check) > check.tolerance
-             ? Phrase::of("Too few draws to tell.")
+             ? Phrase::of("Too few draws to decide.")
              : Phrase::of("No disagreement, but too few draws to be sure.");
 }
 
@@ -106,7 +106,7 @@ std::string agreementSentence(const MonteCarlo& check) {
   else if (check.linear == LinearPropagation::Undecided)
     text = inTurn(text, chanceSentence(check, places));
   if (check.failed > 0)
-    text = inTurn(text, Phrase::of("Draws without a result, left out: %1.", check.failed));
+    text = inTurn(text, Phrase::of("Draws without a result (excluded): %1.", check.failed));
   return text;
 }
 

@@ -8,6 +8,7 @@
 #include "core/effects/cause_ids.h"
 #include "core/session/face.h"
 #include "core/wording/closures.h"
+#include "core/wording/diagnosis_sentence.h"
 #include "core/wording/effect_name.h"
 #include "core/wording/position_name.h"
 #include "core/wording/verdict.h"
@@ -45,6 +46,16 @@ std::string rowsText(const std::vector<Dependence>& dependences, Verdict without
   rows.resize(rows.size() - more);
   if (more > 0) rows.push_back(Phrase::of("one of %1 others", more));
   return Phrase::of("%1 without %2", verdictText(without), listed(rows, Phrase::of(" or ")));
+}
+
+/// "misread values at 0°, point 5, vertical", "a trunnion tilt other than known"; of several readings no
+/// place.
+std::string causeWithPlace(const Cause& cause) {
+  std::string name = causeName(cause.effect);
+  //: a known size of an effect that the readings contradict: "a trunnion tilt other than known"
+  if (cause.isStale) name = Phrase::of("a %1 other than known", name);
+  return cause.readings.size() == 1 ? Phrase::of("%1 at %2", name, readingName(cause.readings.front()))
+                                    : name;
 }
 
 std::string sigmasText(const Closure& closure) {
@@ -132,8 +143,7 @@ std::string causesWithProbability(const Diagnosis& diagnosis) {
   std::vector<std::string> names;
   for (const Cause* cause : causes)
     //: a cause and its probability: "plane offset (72 %)"
-    names.push_back(
-        Phrase::of("%1 (%2)", causeName(cause->effect), shortProbabilityText(cause->probability)));
+    names.push_back(Phrase::of("%1 (%2)", causeWithPlace(*cause), shortProbabilityText(cause->probability)));
   names = namedOrCounted(std::move(names));
   if (!names.empty() && diagnosis.verdict == DiagnosisVerdict::NotInCatalogue)
     names.push_back(Phrase::of("an unknown cause"));

@@ -138,8 +138,8 @@ std::string journalSummary(const Session& session, const JournalCheck& check) {
                      : Phrase::of("%1 readings were changed after entry.", changed));
   if (check.broken)
     say(
-        Phrase::of("The journal does not hold together from entry %1 on: it, or one before it, was changed "
-                   "outside this program.",
+        Phrase::of("The journal is broken from entry %1 on: this entry or an earlier one was changed outside "
+                   "this program.",
                    *check.broken + 1));
   if (!check.contradictions.empty()) say(Phrase::of("Changed outside this program:"));
   for (std::size_t i = 0; i < std::min(mostTold, check.contradictions.size()); ++i)

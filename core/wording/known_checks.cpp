@@ -41,7 +41,7 @@ std::string sourceText(const KnownCheck& check) {
 std::string staleText(const KnownCheck& check, const std::string& probability) {
   return Phrase::of(
       //: where it is known from, effect, size known, size by the readings, probability: "more than 99.9 %"
-      "By %1, %2 is %3; these readings say %4: what is known is stale, with a probability of %5.",
+      "By %1, %2 is %3; these readings give %4: the known size is out of date with a probability of %5.",
       sourceText(check), numberText(check), sizeText(check.known, check.sigmaKnown, check.unit),
       sizeText(check.value, check.sigma, check.unit), probability);
 }

@@ -110,7 +110,7 @@ Words wordsOf(const AxisMoved& finding) {
 
 Words wordsOf(const CompensatorOff& finding) {
   return {
-      Phrase::of("The compensator's tilts in both faces do not go together by %1″, so they are not used.",
+      Phrase::of("The compensator's tilts in the two faces contradict each other by %1″; they are not used.",
                  displayText(finding.index.arcseconds(), 1)),
       Phrase::of(
           "Calibrate the compensator's index. In face 2 tilts are counted as the instrument has them, turned "

@@ -132,10 +132,9 @@ Words wordsOf(const ZeroMoved& finding) {
                     vertical = moved(finding.vertical, finding.sigmaVertical);
   return {
       finding.scatter > 1
-          ? Phrase::of(
-                "%1: the pointing zero moved by %2 horizontally and %3 vertically (1σ) while the position "
-                "was read; U takes the zeros to scatter %4 times as stated.",
-                where, horizontal, vertical, displayText(finding.scatter, 1))
+          ? Phrase::of("%1: the pointing zero moved by %2 horizontally and %3 vertically (1σ) while the "
+                       "position was read; U assumes that the zeros scatter %4 times their stated σ.",
+                       where, horizontal, vertical, displayText(finding.scatter, 1))
           : Phrase::of(
                 "%1: the pointing zero moved by %2 horizontally and %3 vertically (1σ) while the position "
                 "was read.",

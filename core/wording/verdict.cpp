@@ -203,9 +203,9 @@ std::string verdictSentence(const Measurement& measurement, const SessionFit& fi
       inTurn(accountsText(measurement, fit, diagnosis, decision), acrossText(measurement, diagnosis));
   if (decision.obstacle == AcceptanceDecision::Obstacle::AcrossUnknown)
     return Phrase::of(
-        "The tolerance is of the distance from the axis as a whole, and how far the arc's centre lies "
-        "off it across the plane of the arc was not measured: read both positions over more of the arc, "
-        "or state it (device.known: plane_offset). %1",
+        "The tolerance applies to the whole distance from the axis, and its part across the plane of the arc "
+        "was not measured: read both positions over more of the arc, or state it (device.known: "
+        "plane_offset). %1",
         rests);
   if (decision.obstacle == AcceptanceDecision::Obstacle::Unexplained)
     return inTurn(Phrase::of("The verdict is open. %1", unexplainedText(*diagnosis)),

@@ -898,16 +898,8 @@ Sealed by:</source>
         <translation>限制</translation>
     </message>
     <message>
-        <source>What the tolerance limits: the intersection Δd, which is the part in the plane of the arc of the distance of its centre from the axis, or that distance as a whole</source>
-        <translation>允差所限制的量：相交度 Δd，即圆心到回转轴的距离在圆弧平面内的部分，或整个距离</translation>
-    </message>
-    <message>
         <source>Reference</source>
         <translation>参考值</translation>
-    </message>
-    <message>
-        <source>What the device was set to, where known; shown beside the result, never part of a fit</source>
-        <translation>设备的设定值（如已知）；显示在结果旁，从不参与拟合</translation>
     </message>
     <message>
         <source>σ of ref.</source>
@@ -1241,6 +1233,14 @@ Sealed by:</source>
         <source>Instrument</source>
         <translation>仪器</translation>
     </message>
+    <message>
+        <source>The quantity with the tolerance: Δd, the distance of the arc&apos;s centre from the axis in the plane of the arc, or the whole distance</source>
+        <translation>允差所限制的量：相交度 Δd，即圆心到回转轴的距离在圆弧平面内的部分，或整个距离</translation>
+    </message>
+    <message>
+        <source>Setting of the device, if known; shown with the result, not used in the fit</source>
+        <translation>设备的设定值（如已知）；显示在结果旁，从不参与拟合</translation>
+    </message>
 </context>
 <context>
     <name>GapText</name>
@@ -1305,7 +1305,7 @@ Sealed by:</source>
         <translation>检查本安装</translation>
     </message>
     <message>
-        <source>Forms: effects of no catalogue</source>
+        <source>Forms: uncatalogued effects</source>
         <translation>形式：目录之外的效应</translation>
     </message>
 </context>
@@ -1555,10 +1555,6 @@ Sealed by:</source>
     <message>
         <source>%1 is not one number: type digits with one decimal sign and nothing between them</source>
         <translation>%1 不是单个数：请只输入数字和一个小数点符号，中间不加其他字符</translation>
-    </message>
-    <message>
-        <source>%1 has more than a number: leave out %2 (the unit is fixed)</source>
-        <translation>%1 不只是数：请去掉 %2（单位是固定的）</translation>
     </message>
     <message>
         <source>is empty: type a number</source>
@@ -1989,10 +1985,6 @@ Sealed by:</source>
         <translation>文件本身说明了轴的位置：以此为准</translation>
     </message>
     <message>
-        <source>points with names are numbered; their names stand in the notes</source>
-        <translation>有名称的测点已编号；其名称记在备注中</translation>
-    </message>
-    <message>
         <source>the %1 %2 of the pointing zero in %3 is not used</source>
         <translation>%3中瞄准零位的 %1 %2 未使用</translation>
     </message>
@@ -2011,10 +2003,6 @@ Sealed by:</source>
     <message>
         <source>the pointing zero at %1 is the face 1 mean of %2</source>
         <translation>%1 的瞄准零位为%2的盘左平均值</translation>
-    </message>
-    <message>
-        <source>the positions of the axis alternate in the file; a session keeps the order within each only</source>
-        <translation>文件中轴位交替出现；测量记录只保留各轴位内的顺序</translation>
     </message>
     <message>
         <source>180° was read before 0°, but a session takes 0° as read first: a drift or a jump between the positions would be taken the wrong way round</source>
@@ -2335,14 +2323,6 @@ Sealed by:</source>
     <message>
         <source>holds no readings: choose a file of an instrument (GSI, M5, SDR) or a table</source>
         <translation>没有读数：请选择仪器文件（GSI、M5、SDR）或表格</translation>
-    </message>
-    <message>
-        <source>tabs part the columns</source>
-        <translation>各列以制表符分隔</translation>
-    </message>
-    <message>
-        <source>semicolons part the columns</source>
-        <translation>各列以分号分隔</translation>
     </message>
     <message>
         <source>blanks part the columns</source>
@@ -2759,10 +2739,6 @@ Sealed by:</source>
         <translation>%1 距首次照准的瞄准零位 %2°：请检查度数和盘位</translation>
     </message>
     <message>
-        <source>How far the arc&apos;s centre lies off the axis across the plane of the arc was not measured.</source>
-        <translation>圆心在垂直于圆弧平面方向上偏离回转轴多少未经测量。</translation>
-    </message>
-    <message>
         <source>Across the plane of the arc its centre lies Δz = %1 off the axis.</source>
         <translation>在垂直于圆弧平面的方向上，圆心偏离回转轴 Δz = %1。</translation>
     </message>
@@ -3116,10 +3092,6 @@ Sealed by:</source>
         <translation>有 %1 个读数在录入后被更改。</translation>
     </message>
     <message>
-        <source>The journal does not hold together from entry %1 on: it, or one before it, was changed outside this program.</source>
-        <translation>更改日志从第 %1 条起不再连贯：该条或其前一条曾在本程序之外被更改。</translation>
-    </message>
-    <message>
         <source>both faces</source>
         <translation>双盘位</translation>
     </message>
@@ -3320,10 +3292,6 @@ Sealed by:</source>
         <translation>请注明 geometry.pointing_zeros：只照准一次为 one，否则为 each。</translation>
     </message>
     <message>
-        <source>%1: the pointing zero moved by %2 horizontally and %3 vertically (1σ) while the position was read; U takes the zeros to scatter %4 times as stated.</source>
-        <translation>%1：读取该轴位期间，瞄准零位水平移动 %2，竖直移动 %3（1σ）；U 按零位离散为给定值的 %4 倍计算。</translation>
-    </message>
-    <message>
         <source>%1: the pointing zero moved by %2 horizontally and %3 vertically (1σ) while the position was read.</source>
         <translation>%1：读取该轴位期间，瞄准零位水平移动 %2，竖直移动 %3（1σ）。</translation>
     </message>
@@ -3484,10 +3452,6 @@ Sealed by:</source>
         <translation>包含概率为 %1 % 时不作判定：请将 acceptance.coverage 设为 %2 或更大。</translation>
     </message>
     <message>
-        <source>The tolerance is of the distance from the axis as a whole, and how far the arc&apos;s centre lies off it across the plane of the arc was not measured: read both positions over more of the arc, or state it (device.known: plane_offset). %1</source>
-        <translation>允差针对到回转轴的整个距离，而圆心在垂直于圆弧平面方向上的偏离未经测量：请在更长的弧段上读取两个轴位，或给定其值（device.known: plane_offset）。%1</translation>
-    </message>
-    <message>
         <source>there are no readings to export; enter those of the axis positions</source>
         <translation>没有可导出的读数；请录入各轴位的读数</translation>
     </message>
@@ -3551,10 +3515,6 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
     <message>
         <source>plain numbers are taken for %1, as the vertical readings of both faces then add up to a full turn</source>
         <translation>不带单位的数按“%1”处理，因为这样两个盘位的竖直读数之和为整周</translation>
-    </message>
-    <message>
-        <source>vertical readings of a circle of the kind %1 and of the kind %2 cannot be checked together: check them one after the other</source>
-        <translation>%1类度盘与%2类度盘的竖直读数不能一起检查：请分别检查</translation>
     </message>
     <message>
         <source>the vertical readings are taken for elevations, as they lie around 0° and 180°</source>
@@ -3817,16 +3777,8 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
         <translation>事先已知的内容</translation>
     </message>
     <message>
-        <source>By %1, %2 is %3; these readings say %4: what is known is stale, with a probability of %5.</source>
-        <translation>据%1，%2为 %3；这些读数显示为 %4：已知内容已过时（概率：%5）。</translation>
-    </message>
-    <message>
         <source>Were what is known of %1 stale, these readings could not tell it from %2.</source>
         <translation>假如关于%1的已知内容已过时，这些读数也无法将其与%2区分。</translation>
-    </message>
-    <message>
-        <source>has no Δd to tell: it takes readings at 0° and at 180°</source>
-        <translation>没有可报告的 Δd：需要 0° 和 180° 的读数</translation>
     </message>
     <message>
         <source>%1 is no date: write year-month-day, year-month, a year or a decimal year</source>
@@ -3898,18 +3850,6 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
         <translation>只有一份测量记录：无法比较。</translation>
     </message>
     <message>
-        <source>The sessions name no serial number of the device: nothing is taken for shared between them, so that a change has to be larger to be told. Enter it to see smaller ones.</source>
-        <translation>测量记录没有写明设备的序列号：不认为它们之间有任何共有部分，因此变化须更大才会报告。请录入序列号，以便看到更小的变化。</translation>
-    </message>
-    <message>
-        <source>All sessions have one device and one instrument: what errors of these do to Δd is the same each time, so it is in U and in the mean, but not in how far the values may scatter.</source>
-        <translation>所有测量记录均为同一设备和同一仪器：它们的误差每次对 Δd 的影响相同，因此计入 U 和均值，但不计入各值允许的离散。</translation>
-    </message>
-    <message>
-        <source>The sessions were not all taken with one instrument, or do not name its serial number: what its errors do to Δd is taken to differ from one to the next.</source>
-        <translation>测量记录并非全部用同一仪器测得，或未写明其序列号：认为其误差对 Δd 的影响每次不同。</translation>
-    </message>
-    <message>
         <source>Δd has changed from %1 to %2: by %3, %4.</source>
         <translation>从 %1 到 %2，Δd 改变了 %3，%4。</translation>
     </message>
@@ -3974,10 +3914,6 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
         <translation>趋势</translation>
     </message>
     <message>
-        <source>one value off</source>
-        <translation>个别值偏离</translation>
-    </message>
-    <message>
         <source>wandering</source>
         <translation>游走</translation>
     </message>
@@ -4008,10 +3944,6 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
     <message>
         <source>has no value: each line has a date, a value and its standard uncertainty</source>
         <translation>没有值：每行应有日期、值及其标准不确定度</translation>
-    </message>
-    <message>
-        <source>line %1 has no value and is left out</source>
-        <translation>第 %1 行没有值，已略去</translation>
     </message>
     <message>
         <source>%1 is no number</source>
@@ -4122,14 +4054,6 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
         <translation>用仪器 %1 测量另一条导轨：可区分%3，相差 %4 σ（所需测量记录：%2 份）。</translation>
     </message>
     <message>
-        <source>Measure with instrument %1 again: %3 would show by %4 σ (more sessions needed: %2).</source>
-        <translation>再用仪器 %1 测量：%3将达到 %4 σ（还需测量记录：%2 份）。</translation>
-    </message>
-    <message>
-        <source>Measure guideway %1 again: %3 would show by %4 σ (more sessions needed: %2).</source>
-        <translation>再次测量导轨 %1：%3将达到 %4 σ（还需测量记录：%2 份）。</translation>
-    </message>
-    <message>
         <source>it has no date and takes no part: enter the day it was measured on</source>
         <translation>没有日期，不参与：请录入测量日期</translation>
     </message>
@@ -4186,10 +4110,6 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
         <translation>请检查三脚架；作为已知量的倾斜因此增加了其一半的不确定度。</translation>
     </message>
     <message>
-        <source>The compensator&apos;s tilts in both faces do not go together by %1″, so they are not used.</source>
-        <translation>补偿器在两个盘位的倾斜量相差 %1″ 而不相符，因此不予使用。</translation>
-    </message>
-    <message>
         <source>Calibrate the compensator&apos;s index. In face 2 tilts are counted as the instrument has them, turned half round with it.</source>
         <translation>请校准补偿器的指标差。在盘右位置，倾斜量按随仪器转过半周的方向计。</translation>
     </message>
@@ -4218,16 +4138,8 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
         <translation>角度未完全改正：补偿器是否在其工作范围内？</translation>
     </message>
     <message>
-        <source>The instrument does not vouch for its accuracy: is it levelled and at rest?</source>
-        <translation>仪器不保证其精度：是否已整平且静止？</translation>
-    </message>
-    <message>
         <source>The angles are good; there is no distance.</source>
         <translation>角度有效；没有距离。</translation>
-    </message>
-    <message>
-        <source>The instrument does not vouch for its angles: is it levelled and at rest?</source>
-        <translation>仪器不保证其角度：是否已整平且静止？</translation>
     </message>
     <message>
         <source>The instrument could not read its circles: level it and try again.</source>
@@ -4986,16 +4898,6 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
         <translation>只有中文窗口或中文报告需要</translation>
     </message>
     <message>
-        <source>%1 is the new one already: write both again</source>
-        <extracomment>a file, one of two that belong together</extracomment>
-        <translation>%1 已是新文件：请将两个文件重新写入</translation>
-    </message>
-    <message>
-        <source>%1 is the new one already, its old bytes are in %2: write both again</source>
-        <extracomment>a file, one of two that belong together, and the file that its old bytes are in</extracomment>
-        <translation>%1 已是新文件，其原内容在 %2 中：请将两个文件重新写入</translation>
-    </message>
-    <message>
         <source>it is a link that another user made in a folder that all may write: choose another name</source>
         <translation>它是他人在人人可写的文件夹中建立的链接：请另选名称</translation>
     </message>
@@ -5216,10 +5118,6 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
         <translation>设站（KN STAT）时对点 0 的照准，已作为瞄准零位：%1 次，首见于第 %2 行</translation>
     </message>
     <message>
-        <source>upright lines part the columns</source>
-        <translation>各列以竖线分隔</translation>
-    </message>
-    <message>
         <source>degrees, minutes and seconds stand in columns of their own</source>
         <translation>度、分、秒各占一列</translation>
     </message>
@@ -5260,16 +5158,8 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
         <translation>%1 是角度的一部分，但没有其度或分的列：请为这些列命名，如 Hz deg、Hz min、Hz sec</translation>
     </message>
     <message>
-        <source>%1 and the columns of its parts name units that do not go together: name them deg, min and sec, or g, c and cc</source>
-        <translation>%1 与其分、秒各列的单位不一致：请命名为 deg、min、sec 或 g、c、cc</translation>
-    </message>
-    <message>
         <source>%1 holds whole degrees and %2 may hold their minutes or seconds: name the columns, such as Hz deg, Hz min, Hz sec, or choose what each holds</source>
         <translation>%1 只有整度，而 %2 可能是其分或秒：请为这些列命名，如 Hz deg、Hz min、Hz sec，或选定各列的内容</translation>
-    </message>
-    <message>
-        <source>%1 holds signs, which no angle would have: put them before the degrees</source>
-        <translation>%1 只有正负号，而角度会因此失去符号：请将其放在度之前</translation>
     </message>
     <message>
         <source>%1 names the unit grad, which may be degrees or gon: name it deg or gon, or state the unit (--unit deg, --unit gon)</source>
@@ -5863,10 +5753,6 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
         <translation>%1 不是效应文件的版本：应为 %2</translation>
     </message>
     <message>
-        <source>lack the amplitude %1: say its plausible size</source>
-        <translation>缺少幅值 %1：请给出其合理大小</translation>
-    </message>
-    <message>
         <source>is no plausible size: type a number above 0</source>
         <translation>不是合理大小：请输入大于 0 的数</translation>
     </message>
@@ -6375,10 +6261,6 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
         <translation>实测</translation>
     </message>
     <message>
-        <source>The stated noise leaves residuals of %1″. Measured: with every catalogued effect, limited by these readings or by its plausible size.</source>
-        <translation>给定噪声所留下的残差为 %1″。实测：包含目录中的每个效应，其大小由这些读数或其合理大小限定。</translation>
-    </message>
-    <message>
         <source>Undetectable here</source>
         <translation>在此无法检出</translation>
     </message>
@@ -6389,10 +6271,6 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
     <message>
         <source>No effect of plausible size could move Δd noticeably without leaving a trace.</source>
         <translation>没有合理大小的效应能明显改变 Δd 而不留痕迹。</translation>
-    </message>
-    <message>
-        <source>The model holds %1; without, the residuals are %2 instead of %3.</source>
-        <translation>模型包含%1；若不包含，残差为 %2 而不是 %3。</translation>
     </message>
     <message>
         <source>The diagnosis was stopped. The next edit takes it up again.</source>
@@ -6641,10 +6519,6 @@ Includes every catalogued effect, limited by these readings or by its plausible 
     <message>
         <source>1 other</source>
         <translation>另外 1 项</translation>
-    </message>
-    <message>
-        <source>Undetectable here, yet a plausible size moves Δd by more than U: %1</source>
-        <translation>在此无法检出，但其合理大小使 Δd 的改变超过 U：%1</translation>
     </message>
     <message>
         <source>%1 mm (u %2 mm)</source>
@@ -7048,10 +6922,6 @@ Includes every catalogued effect, limited by these readings or by its plausible 
         <translation>与 R 的相关</translation>
     </message>
     <message>
-        <source>All parts rest on the stated noise.</source>
-        <translation>所有部分都基于给定噪声。</translation>
-    </message>
-    <message>
         <source>What comes from the readings is scaled by their scatter, %1 times the stated noise. Pointing zeros and distance enter as stated.</source>
         <translation>来自读数的部分按其离散放大，为给定噪声的 %1 倍。瞄准零位和距离按给定值计入。</translation>
     </message>
@@ -7144,10 +7014,6 @@ Includes every catalogued effect, limited by these readings or by its plausible 
         <translation>不一致。</translation>
     </message>
     <message>
-        <source>Too few draws to tell.</source>
-        <translation>抽样次数太少，无法判断。</translation>
-    </message>
-    <message>
         <source>No disagreement, but too few draws to be sure.</source>
         <translation>没有不一致，但抽样次数太少，不能确定。</translation>
     </message>
@@ -7158,10 +7024,6 @@ Includes every catalogued effect, limited by these readings or by its plausible 
     <message>
         <source>Rely on the simulated interval.</source>
         <translation>请采用模拟区间。</translation>
-    </message>
-    <message>
-        <source>Draws without a result, left out: %1.</source>
-        <translation>没有结果而略去的抽样：%1。</translation>
     </message>
     <message>
         <source>horizontal zero</source>
@@ -7853,14 +7715,6 @@ Includes every catalogued effect, limited by these readings or by its plausible 
         <translation>仅拟合的区间 %1 至 %2 mm 跨过限值 %3 mm</translation>
     </message>
     <message>
-        <source>Accepted on condition that model and readings disagree because of %1</source>
-        <translation>合格，条件是模型与读数不一致的原因为：%1</translation>
-    </message>
-    <message>
-        <source>Rejected on condition that model and readings disagree because of %1</source>
-        <translation>不合格，条件是模型与读数不一致的原因为：%1</translation>
-    </message>
-    <message>
         <source>a further jump of the orientation</source>
         <translation>另一次定向的突跳</translation>
     </message>
@@ -7875,6 +7729,162 @@ Includes every catalogued effect, limited by these readings or by its plausible 
     <message>
         <source>On %1 readings, each predicted by the form that the others tell, the gap shrinks by %2 %; in all readings, by the form that all tell, by %3 % (F test: p %4).</source>
         <translation>在 %1 个读数上（各按其余读数所示的形式预测），差距缩小 %2 %；按全部读数所示的形式，在全部读数上缩小 %3 %（F 检验：p %4）。</translation>
+    </message>
+    <message>
+        <source>%1 was already replaced: write both again</source>
+        <extracomment>a file, one of two that belong together</extracomment>
+        <translation>%1 已是新文件：请将两个文件重新写入</translation>
+    </message>
+    <message>
+        <source>%1 was already replaced, its old bytes are in %2: write both again</source>
+        <extracomment>a file, one of two that belong together, and the file that its old bytes are in</extracomment>
+        <translation>%1 已是新文件，其原内容在 %2 中：请将两个文件重新写入</translation>
+    </message>
+    <message>
+        <source>%1 contains more than a number: leave out %2 (the unit is fixed)</source>
+        <translation>%1 不只是数：请去掉 %2（单位是固定的）</translation>
+    </message>
+    <message>
+        <source>The instrument reports an uncertain accuracy: is it levelled and at rest?</source>
+        <translation>仪器不保证其精度：是否已整平且静止？</translation>
+    </message>
+    <message>
+        <source>The instrument reports uncertain angles: is it levelled and at rest?</source>
+        <translation>仪器不保证其角度：是否已整平且静止？</translation>
+    </message>
+    <message>
+        <source>points with names are numbered; their names are in the notes</source>
+        <translation>有名称的测点已编号；其名称记在备注中</translation>
+    </message>
+    <message>
+        <source>the positions of the axis alternate in the file; a session keeps the order of readings only within each</source>
+        <translation>文件中轴位交替出现；测量记录只保留各轴位内的顺序</translation>
+    </message>
+    <message>
+        <source>tabs separate the columns</source>
+        <translation>各列以制表符分隔</translation>
+    </message>
+    <message>
+        <source>semicolons separate the columns</source>
+        <translation>各列以分号分隔</translation>
+    </message>
+    <message>
+        <source>vertical bars separate the columns</source>
+        <translation>各列以竖线分隔</translation>
+    </message>
+    <message>
+        <source>%1 and the columns of its parts have incompatible units: name them deg, min and sec, or g, c and cc</source>
+        <translation>%1 与其分、秒各列的单位不一致：请命名为 deg、min、sec 或 g、c、cc</translation>
+    </message>
+    <message>
+        <source>%1 contains signs alone: put each before its degrees</source>
+        <translation>%1 只有正负号，而角度会因此失去符号：请将其放在度之前</translation>
+    </message>
+    <message>
+        <source>has no Δd: it needs readings at 0° and at 180°</source>
+        <translation>没有可报告的 Δd：需要 0° 和 180° 的读数</translation>
+    </message>
+    <message>
+        <source>The sessions state no serial number of the device. No errors are therefore assumed to be common to them, and only larger changes are detected. Enter it to detect smaller ones.</source>
+        <translation>测量记录没有写明设备的序列号：不认为它们之间有任何共有部分，因此变化须更大才会报告。请录入序列号，以便看到更小的变化。</translation>
+    </message>
+    <message>
+        <source>All sessions have one device and one instrument. Their errors change Δd by the same amount each time: this is in U and in the mean, but not in the expected scatter.</source>
+        <translation>所有测量记录均为同一设备和同一仪器：它们的误差每次对 Δd 的影响相同，因此计入 U 和均值，但不计入各值允许的离散。</translation>
+    </message>
+    <message>
+        <source>The sessions were not all taken with one instrument, or do not state its serial number: the change of Δd by its errors is assumed to differ between them.</source>
+        <translation>测量记录并非全部用同一仪器测得，或未写明其序列号：认为其误差对 Δd 的影响每次不同。</translation>
+    </message>
+    <message>
+        <source>one outlier</source>
+        <translation>个别值偏离</translation>
+    </message>
+    <message>
+        <source>line %1 has no value and is skipped</source>
+        <translation>第 %1 行没有值，已略去</translation>
+    </message>
+    <message>
+        <source>the files have both %1 and %2 circles: check them separately</source>
+        <translation>%1类度盘与%2类度盘的竖直读数不能一起检查：请分别检查</translation>
+    </message>
+    <message>
+        <source>lack the amplitude %1: state its plausible size</source>
+        <translation>缺少幅值 %1：请给出其合理大小</translation>
+    </message>
+    <message>
+        <source>All contributions are based on the stated noise.</source>
+        <translation>所有部分都基于给定噪声。</translation>
+    </message>
+    <message>
+        <source>The stated noise leaves residuals of %1″. Δd, measured, includes every catalogued effect, limited by these readings or by its plausible size.</source>
+        <translation>给定噪声所留下的残差为 %1″。实测：包含目录中的每个效应，其大小由这些读数或其合理大小限定。</translation>
+    </message>
+    <message>
+        <source>The model includes %1; without it, the residuals are %2 instead of %3.</source>
+        <translation>模型包含%1；若不包含，残差为 %2 而不是 %3。</translation>
+    </message>
+    <message>
+        <source>Too few draws to decide.</source>
+        <translation>抽样次数太少，无法判断。</translation>
+    </message>
+    <message>
+        <source>Draws without a result (excluded): %1.</source>
+        <translation>没有结果而略去的抽样：%1。</translation>
+    </message>
+    <message>
+        <source>The offset of the arc&apos;s centre from the axis across the plane of the arc was not measured.</source>
+        <translation>圆心在垂直于圆弧平面方向上偏离回转轴多少未经测量。</translation>
+    </message>
+    <message>
+        <source>The journal is broken from entry %1 on: this entry or an earlier one was changed outside this program.</source>
+        <translation>更改日志从第 %1 条起不再连贯：该条或其前一条曾在本程序之外被更改。</translation>
+    </message>
+    <message>
+        <source>By %1, %2 is %3; these readings give %4: the known size is out of date with a probability of %5.</source>
+        <translation>据%1，%2为 %3；这些读数显示为 %4：已知内容已过时（概率：%5）。</translation>
+    </message>
+    <message>
+        <source>Measure with instrument %1 in %2 more sessions: %3 would then show by %4 σ.</source>
+        <translation>再用仪器 %1 测量：%3将达到 %4 σ（还需测量记录：%2 份）。</translation>
+    </message>
+    <message>
+        <source>Measure guideway %1 in %2 more sessions: %3 would then show by %4 σ.</source>
+        <translation>再次测量导轨 %1：%3将达到 %4 σ（还需测量记录：%2 份）。</translation>
+    </message>
+    <message>
+        <source>The compensator&apos;s tilts in the two faces contradict each other by %1″; they are not used.</source>
+        <translation>补偿器在两个盘位的倾斜量相差 %1″ 而不相符，因此不予使用。</translation>
+    </message>
+    <message>
+        <source>%1: the pointing zero moved by %2 horizontally and %3 vertically (1σ) while the position was read; U assumes that the zeros scatter %4 times their stated σ.</source>
+        <translation>%1：读取该轴位期间，瞄准零位水平移动 %2，竖直移动 %3（1σ）；U 按零位离散为给定值的 %4 倍计算。</translation>
+    </message>
+    <message>
+        <source>The tolerance applies to the whole distance from the axis, and its part across the plane of the arc was not measured: read both positions over more of the arc, or state it (device.known: plane_offset). %1</source>
+        <translation>允差针对到回转轴的整个距离，而圆心在垂直于圆弧平面方向上的偏离未经测量：请在更长的弧段上读取两个轴位，或给定其值（device.known: plane_offset）。%1</translation>
+    </message>
+    <message>
+        <source>%1, which these readings cannot tell from %2</source>
+        <extracomment>causes, and what looks like them</extracomment>
+        <translation>%1（这些读数无法将其与%2区分）</translation>
+    </message>
+    <message>
+        <source>Model and readings disagree; accepted only if that comes from %1</source>
+        <translation>模型与读数不一致；仅当原因为%1时合格</translation>
+    </message>
+    <message>
+        <source>Model and readings disagree; rejected only if that comes from %1</source>
+        <translation>模型与读数不一致；仅当原因为%1时不合格</translation>
+    </message>
+    <message>
+        <source>Undetectable here and not in U, yet a plausible size moves Δd by more than U: %1</source>
+        <translation>在此无法检出，也不在 U 之内，但其合理大小使 Δd 的改变超过 U：%1</translation>
+    </message>
+    <message>
+        <source>a %1 other than known</source>
+        <extracomment>a known size of an effect that the readings contradict: &quot;a trunnion tilt other than known&quot;</extracomment>
+        <translation>与已知值不同的%1</translation>
     </message>
 </context>
 <context>
@@ -7907,10 +7917,6 @@ Includes every catalogued effect, limited by these readings or by its plausible 
     <message>
         <source>Use</source>
         <translation>使用</translation>
-    </message>
-    <message>
-        <source>Rows without a tick are kept, but are no part of the fit</source>
-        <translation>未勾选的行保留，但不参与拟合</translation>
     </message>
     <message>
         <source>use</source>
@@ -8136,6 +8142,10 @@ as read</source>
         <source>Serial Number Column</source>
         <translation>序列号列</translation>
     </message>
+    <message>
+        <source>Rows without a tick are kept but excluded from the fit</source>
+        <translation>未勾选的行保留，但不参与拟合</translation>
+    </message>
 </context>
 <context>
     <name>ReadingDoubts</name>
@@ -8186,10 +8196,6 @@ as read</source>
         <translation>%1已有 %2，将被替换。</translation>
     </message>
     <message>
-        <source>It looks at the pointing zero: taken, it is the %1.</source>
-        <translation>它照准瞄准零位：采用后即为%1。</translation>
-    </message>
-    <message>
         <source>About %1 and %2 was expected: is it the right target?</source>
         <translation>预期约为 %1 和 %2：目标是否正确？</translation>
     </message>
@@ -8217,6 +8223,10 @@ as read</source>
     <message>
         <source>The circle reads %1, and %2 is asked for.</source>
         <translation>度盘读得%1，而要求的是%2。</translation>
+    </message>
+    <message>
+        <source>The instrument points at the pointing zero: if accepted, the reading becomes the %1.</source>
+        <translation>它照准瞄准零位：采用后即为%1。</translation>
     </message>
 </context>
 <context>
@@ -8502,10 +8512,6 @@ a clause as a sentence</extracomment>
         <translation>带划线：盘右。</translation>
     </message>
     <message>
-        <source>Rounds stand side by side.</source>
-        <translation>各测回并列。</translation>
-    </message>
-    <message>
         <source>Grey: where they may lie at the tolerance of ± %1 mm.</source>
         <translation>灰色：允差 ± %1 mm 时圆心可在的范围。</translation>
     </message>
@@ -8734,10 +8740,6 @@ a clause as a sentence</extracomment>
         <translation>相交度 Δd = (y(O1) − y(O2))/2：0°（O1）和 180°（O2）两圆心高度之差的一半，y 向上；0° 时圆心较高则为正。</translation>
     </message>
     <message>
-        <source>The tolerance is of the distance d = √(Δd² + Δz²) of the centre from the axis, Δz across the plane of the arc.</source>
-        <translation>允差针对圆心到轴的距离 d = √(Δd² + Δz²)，Δz 垂直于圆弧平面。</translation>
-    </message>
-    <message>
         <source>Guard band w = U (coverage %1 %).</source>
         <translation>保护带 w = U（包含概率 %1 %）。</translation>
     </message>
@@ -8806,11 +8808,6 @@ a clause as a sentence</extracomment>
         <source>%1 and %2</source>
         <extracomment>the changes of two lengths: &quot;L 0.101 mm&quot; and &quot;R0 0.032 mm&quot;</extracomment>
         <translation>%1 和 %2</translation>
-    </message>
-    <message>
-        <source>%1; against 20 °C, for which they are stated, %2</source>
-        <extracomment>%1: the temperature, %2: what L and R0 change by</extracomment>
-        <translation>%1；相对于其标注温度 20 °C，%2</translation>
     </message>
     <message>
         <source>Measurand</source>
@@ -9049,16 +9046,29 @@ a clause as a sentence</extracomment>
         <translation>仪器检查：%1</translation>
     </message>
     <message>
-        <source>Control chart. Bars: ± U, as in the table. Broken lines: centre line ± three standard uncertainties of each value, without what all values share; dotted: three times the scatter that is seen by the moving range. EWMA: exponentially weighted average with λ = 0.2 and its exact limits.</source>
-        <translation>控制图。误差棒：± U，与表中相同。虚线：中心线 ± 各值标准不确定度（不含各值共有部分）的三倍；点线：由移动极差所见离散的三倍。EWMA：λ = 0.2 的指数加权平均及其精确界限。</translation>
-    </message>
-    <message>
         <source>after the readings in %1: %2, %3</source>
         <translation>读数之后，%1：%2，%3</translation>
     </message>
     <message>
         <source>before them in %1: %2, %3</source>
         <translation>读数之前，%1：%2，%3</translation>
+    </message>
+    <message>
+        <source>Control chart. Bars: ± U, as in the table. Broken lines: centre line ± three standard uncertainties of each value, without the part common to all values; dotted: ± three times the scatter from the moving range. EWMA: exponentially weighted average with λ = 0.2 and its exact limits.</source>
+        <translation>控制图。误差棒：± U，与表中相同。虚线：中心线 ± 各值标准不确定度（不含各值共有部分）的三倍；点线：由移动极差所见离散的三倍。EWMA：λ = 0.2 的指数加权平均及其精确界限。</translation>
+    </message>
+    <message>
+        <source>Rounds are drawn side by side.</source>
+        <translation>各测回并列。</translation>
+    </message>
+    <message>
+        <source>The tolerance applies to the distance d = √(Δd² + Δz²) of the centre from the axis, Δz across the plane of the arc.</source>
+        <translation>允差针对圆心到轴的距离 d = √(Δd² + Δz²)，Δz 垂直于圆弧平面。</translation>
+    </message>
+    <message>
+        <source>%1; relative to the stated values at 20 °C: %2</source>
+        <extracomment>%1: the temperature, %2: what L and R0 change by</extracomment>
+        <translation>%1；相对于其标注温度 20 °C，%2</translation>
     </message>
 </context>
 <context>
@@ -9810,10 +9820,6 @@ a clause as a sentence</extracomment>
         <translation>移除(&amp;E)</translation>
     </message>
     <message>
-        <source>as both faces add up</source>
-        <translation>按两个盘位之和判断</translation>
-    </message>
-    <message>
         <source>decimal degrees</source>
         <translation>十进制度</translation>
     </message>
@@ -9908,6 +9914,10 @@ a clause as a sentence</extracomment>
     <message>
         <source>Year-month-day; kept in the instrument record</source>
         <translation>年-月-日；保存在仪器记录中</translation>
+    </message>
+    <message>
+        <source>found from the two faces</source>
+        <translation>按两个盘位之和判断</translation>
     </message>
 </context>
 <context>
@@ -10724,16 +10734,16 @@ a clause as a sentence</extracomment>
         <translation>之前 %1，之后 %2</translation>
     </message>
     <message>
-        <source>, without it in the search %1</source>
-        <translation>，寻找时不计入它：%1</translation>
-    </message>
-    <message>
         <source>round</source>
         <translation>测回</translation>
     </message>
     <message>
         <source>Should be: hollow marks along the curve, filled ones an even band about 0.</source>
         <translation>应为：空心标记沿曲线，实心标记成为 0 附近均匀的带。</translation>
+    </message>
+    <message>
+        <source>, held out %1</source>
+        <translation>，寻找时不计入它：%1</translation>
     </message>
 </context>
 <context>
@@ -11355,10 +11365,6 @@ a clause as a sentence</extracomment>
         <translation>第 %1 列</translation>
     </message>
     <message>
-        <source>Below it stands as you took such a file the last time.</source>
-        <translation>以下按您上次导入此类文件的方式给出。</translation>
-    </message>
-    <message>
         <source>Horizontal, &amp;2nd face:</source>
         <translation>水平度盘，盘右(&amp;2)：</translation>
     </message>
@@ -11369,6 +11375,10 @@ a clause as a sentence</extracomment>
     <message>
         <source>columns %1</source>
         <translation>第 %1 列</translation>
+    </message>
+    <message>
+        <source>The settings below are those you last used for such a file.</source>
+        <translation>以下按您上次导入此类文件的方式给出。</translation>
     </message>
 </context>
 <context>
@@ -11386,20 +11396,12 @@ a clause as a sentence</extracomment>
         <translation>ZERO</translation>
     </message>
     <message>
-        <source>Sightings of the point of this name are of the pointing zero</source>
-        <translation>照准此名称的点即照准瞄准零位</translation>
-    </message>
-    <message>
         <source>Na&amp;me in the files:</source>
         <translation>文件中的名称(&amp;M)：</translation>
     </message>
     <message>
         <source>The readings as they will stand</source>
         <translation>导入后的读数</translation>
-    </message>
-    <message>
-        <source>As they &amp;will stand:</source>
-        <translation>导入后的读数(&amp;W)：</translation>
     </message>
     <message>
         <source>&amp;Add to the readings of this session</source>
@@ -11438,14 +11440,6 @@ a clause as a sentence</extracomment>
         <translation>请选择“%1”的水平度盘列和竖直度盘列。</translation>
     </message>
     <message>
-        <source>Choose the unit of the angles of “%1”: it does not say.</source>
-        <translation>请选择“%1”的角度单位：文件没有说明。</translation>
-    </message>
-    <message>
-        <source>Choose the position that “%1” was read at: it does not say.</source>
-        <translation>请选择读取“%1”时的轴位：文件没有说明。</translation>
-    </message>
-    <message>
         <source>There are no readings besides the pointing zeros.</source>
         <translation>除瞄准零位外没有读数。</translation>
     </message>
@@ -11468,6 +11462,22 @@ a clause as a sentence</extracomment>
     <message>
         <source>Reading…</source>
         <translation>正在读取…</translation>
+    </message>
+    <message>
+        <source>Sightings of the point with this name count as sightings of the pointing zero</source>
+        <translation>照准此名称的点即照准瞄准零位</translation>
+    </message>
+    <message>
+        <source>Pre&amp;view:</source>
+        <translation>导入后的读数(&amp;W)：</translation>
+    </message>
+    <message>
+        <source>“%1” does not state the unit of its angles: choose it.</source>
+        <translation>请选择“%1”的角度单位：文件没有说明。</translation>
+    </message>
+    <message>
+        <source>“%1” does not state the position it was read at: choose it.</source>
+        <translation>请选择读取“%1”时的轴位：文件没有说明。</translation>
     </message>
 </context>
 <context>
@@ -11964,10 +11974,6 @@ a clause as a sentence</extracomment>
         <translation>证书或检查：不确定度预算中会列出</translation>
     </message>
     <message>
-        <source>%1 (once more)</source>
-        <translation>%1（再次）</translation>
-    </message>
-    <message>
         <source>default</source>
         <translation>默认</translation>
     </message>
@@ -11982,6 +11988,10 @@ a clause as a sentence</extracomment>
     <message>
         <source>%1. What is known of it belongs to the %2.</source>
         <translation>%1。有关它的已知值归属于%2。</translation>
+    </message>
+    <message>
+        <source>%1 (again)</source>
+        <translation>%1（再次）</translation>
     </message>
 </context>
 <context>
@@ -13300,20 +13310,12 @@ a clause as a sentence</extracomment>
         <translation>排除该行</translation>
     </message>
     <message>
-        <source>Leaves the row out of the fit; what was typed stays</source>
-        <translation>将该行从拟合中去掉；录入的内容保留</translation>
-    </message>
-    <message>
         <source>Exclude the rows before</source>
         <translation>排除之前的行</translation>
     </message>
     <message>
         <source>Exclude the rows from there on</source>
         <translation>排除从该处起的行</translation>
-    </message>
-    <message>
-        <source>Leaves the rows out of the fit; what was typed stays</source>
-        <translation>将这些行从拟合中去掉；录入的内容保留</translation>
     </message>
     <message>
         <source>Nothing to add to the model: U rests on the scatter of the readings already. If the instrument and the place are no better than this, state the larger σ.</source>
@@ -13330,6 +13332,14 @@ a clause as a sentence</extracomment>
     <message>
         <source>Sets σ of the horizontal and the vertical circle in the form of the instrument; σ of the pointing zero follows unless it was typed</source>
         <translation>在仪器表单中设置水平和竖直度盘的 σ；瞄准零位的 σ 若未录入则随之改变</translation>
+    </message>
+    <message>
+        <source>Excludes the row from the fit; its entries are kept</source>
+        <translation>将该行从拟合中去掉；录入的内容保留</translation>
+    </message>
+    <message>
+        <source>Excludes the rows from the fit; their entries are kept</source>
+        <translation>将这些行从拟合中去掉；录入的内容保留</translation>
     </message>
 </context>
 <context>

@@ -55,7 +55,7 @@ TEST(InstrumentOption, FindsAStaleRecordOut) {
   EXPECT_EQ(answer.at("causes").at(0).at("effect"), "trunnion_tilt");
   EXPECT_EQ(answer.at("causes").at(0).at("stale"), true);
   EXPECT_GT(answer.at("known").at(0).at("stale_probability").get<double>(), 0.9);
-  EXPECT_THAT(answer.at("sentence").get<std::string>(), HasSubstr("what is known is stale"));
+  EXPECT_THAT(answer.at("sentence").get<std::string>(), HasSubstr("the known size is out of date"));
 }
 
 TEST(InstrumentOption, IsSaidInTextToo) {
@@ -63,7 +63,7 @@ TEST(InstrumentOption, IsSaidInTextToo) {
   const std::string record = folder.file("t.alidade-instrument", recordOf(0).dump());
   const ProgramRun diagnosis = alidadeCli({"diagnose", tilted, "--instrument", record});
   EXPECT_THAT(diagnosis.out, HasSubstr("Known beforehand of instrument and device"));
-  EXPECT_THAT(diagnosis.out, HasSubstr("what is known is stale"));
+  EXPECT_THAT(diagnosis.out, HasSubstr("the known size is out of date"));
   const ProgramRun fit = alidadeCli({"fit", tilted, "--instrument", record});
   EXPECT_EQ(fit.exitCode, 0) << fit.err;
   EXPECT_THAT(fit.out, HasSubstr("is stale"));

@@ -255,7 +255,8 @@ class Doubts {
 
   void doubtTarget() {
     if (m_landing.isProposed)
-      return say(ReadingDoubts::tr("It looks at the pointing zero: taken, it is the %1.")
+      return say(ReadingDoubts::tr(
+                     "The instrument points at the pointing zero: if accepted, the reading becomes the %1.")
                      .arg(zeroName(m_landing.zero)));
     if (const auto there = expected()) {
       const auto kind = verticalCircleEntry(m_session.geometry.verticalCircle);

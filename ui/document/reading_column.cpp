@@ -13,8 +13,8 @@ constexpr std::array columns{
     ReadingColumnInfo{.column = ReadingColumn::Used,
                       .field = &rowField(&Reading::excluded),
                       .title = QT_TRANSLATE_NOOP("ReadingColumn", "Use"),
-                      .toolTip = QT_TRANSLATE_NOOP(
-                          "ReadingColumn", "Rows without a tick are kept, but are no part of the fit"),
+                      .toolTip = QT_TRANSLATE_NOOP("ReadingColumn",
+                                                   "Rows without a tick are kept but excluded from the fit"),
                       .noun = QT_TRANSLATE_NOOP("ReadingColumn", "use"),
                       .menuText = nullptr,
                       .widest = "Use",

@@ -52,7 +52,7 @@ const std::vector<HelpPage>& allHelpPages() {
       {"connection", QT_TRANSLATE_NOOP("HelpPage", "Readings from the instrument")},
       {"result", QT_TRANSLATE_NOOP("HelpPage", "The result and its verdict")},
       {"gap", QT_TRANSLATE_NOOP("HelpPage", "How to read the gap")},
-      {"forms", QT_TRANSLATE_NOOP("HelpPage", "Forms: effects of no catalogue")},
+      {"forms", QT_TRANSLATE_NOOP("HelpPage", "Forms: uncatalogued effects")},
       {"uncertainty", QT_TRANSLATE_NOOP("HelpPage", "Uncertainty and reliability")},
       {"known-sizes", QT_TRANSLATE_NOOP("HelpPage", "Known sizes and effects")},
       {"instrument", QT_TRANSLATE_NOOP("HelpPage", "Checking the instrument")},

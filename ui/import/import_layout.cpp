@@ -198,7 +198,7 @@ void ImportLayout::show(const ImportSource& source, const TableLayout& layout, b
   QStringList reasons;
   for (const std::string& reason : source.recognised.reasons) reasons.append(visibleLine(reason));
   QString text = capitalised(reasons.join(QStringLiteral("; "))) + u'.';
-  if (isRemembered) text += u' ' + tr("Below it stands as you took such a file the last time.");
+  if (isRemembered) text += u' ' + tr("The settings below are those you last used for such a file.");
   m_reasons->setText(text);
   const bool isTable = source.recognised.isTable();
   m_table->setVisible(isTable);

@@ -123,7 +123,8 @@ QWidget* ImportPage::createZeroBox() {
   m_zeroPoint->setObjectName(QStringLiteral("import zero point"));
   m_zeroPoint->setPlaceholderText(tr("ZERO"));
   m_zeroPoint->setMinimumWidth(fontMetrics().horizontalAdvance(QStringLiteral("ZERO POINT")));
-  m_zeroPoint->setToolTip(tr("Sightings of the point of this name are of the pointing zero"));
+  m_zeroPoint->setToolTip(
+      tr("Sightings of the point with this name count as sightings of the pointing zero"));
   auto* label = new QLabel(tr("Na&me in the files:"));
   label->setBuddy(m_zeroPoint);
   named->addWidget(label);
@@ -150,7 +151,7 @@ QWidget* ImportPage::createPreview() {
   m_table->verticalHeader()->setDefaultSectionSize(m_table->fontMetrics().height() + 6);
   m_table->horizontalHeader()->setHighlightSections(false);
   m_table->setMinimumHeight(120);
-  auto* label = new QLabel(tr("As they &will stand:"));
+  auto* label = new QLabel(tr("Pre&view:"));
   label->setBuddy(m_table);
   layout->addWidget(label);
   layout->addWidget(m_table, 1);
@@ -333,11 +334,11 @@ QString ImportPage::obstacle() const {
     const auto layout = m_choice.layouts.find(source.recognised.signature());
     if (layout != m_choice.layouts.end() && !hasCircles(layout->second))
       return tr("Choose the columns of the horizontal and the vertical circle of “%1”.").arg(name);
-    if (asksUnit(i)) return tr("Choose the unit of the angles of “%1”: it does not say.").arg(name);
+    if (asksUnit(i)) return tr("“%1” does not state the unit of its angles: choose it.").arg(name);
   }
   if (m_shown && !m_shown->import) return capitalised(visibleLine(m_shown->problem)) + u'.';
   if (const QString name = unplacedFile(); !name.isEmpty())
-    return tr("Choose the position that “%1” was read at: it does not say.").arg(shortLine(name, 40));
+    return tr("“%1” does not state the position it was read at: choose it.").arg(shortLine(name, 40));
   if (!m_zeros->problem().isEmpty()) return m_zeros->problem();
   if (m_shown && m_shown->import->rows == 0) return tr("There are no readings besides the pointing zeros.");
   return {};

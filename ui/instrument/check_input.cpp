@@ -102,7 +102,7 @@ QWidget* CheckInput::createForm() {
   m_sigmaDirection = sigmaBox();
   m_sigmaVertical = sigmaBox();
   m_unit = new QComboBox;
-  m_unit->addItem(tr("as both faces add up"), static_cast<int>(AngleUnit::Unstated));
+  m_unit->addItem(tr("found from the two faces"), static_cast<int>(AngleUnit::Unstated));
   m_unit->addItem(tr("decimal degrees"), static_cast<int>(AngleUnit::Degrees));
   m_unit->addItem(tr("gon"), static_cast<int>(AngleUnit::Gon));
   m_unit->addItem(tr("degrees.minutes seconds"), static_cast<int>(AngleUnit::Dms));

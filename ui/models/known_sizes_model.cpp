@@ -194,7 +194,7 @@ QString KnownSizesModel::cellText(const KnownRow& row, Column column) const {
     case Column::Number: {
       const QString known = knownName(m_document.session(), row),
                     name = row.effect ? capitalised(known) : known;
-      return row.isFurther ? tr("%1 (once more)").arg(name) : name;
+      return row.isFurther ? tr("%1 (again)").arg(name) : name;
     }
     case Column::Owner:
       return ownerName(shownOwner(row));

@@ -27,13 +27,11 @@ void addHistoryChart(ReportSheet& sheet, const QuantityHistory& quantity) {
   const auto plot = std::make_shared<HistoryPlot>();
   plot->setHistory(quantity.history, qText(quantityName(quantity.id)), quantity.unit);
   addPlot(sheet, plot, height);
-  sheet.paragraph(
-      Report::tr(
-          "Control chart. Bars: ± U, as in the table. Broken lines: centre line ± three standard "
-          "uncertainties "
-          "of each value, without what all values share; dotted: three times the scatter that is seen by the "
-          "moving range. EWMA: exponentially weighted average with λ = 0.2 and its exact limits."),
-      type::small);
+  sheet.paragraph(Report::tr("Control chart. Bars: ± U, as in the table. Broken lines: centre line ± three "
+                             "standard uncertainties of each value, without the part common to all values; "
+                             "dotted: ± three times the scatter from the moving range. EWMA: exponentially "
+                             "weighted average with λ = 0.2 and its exact limits."),
+                  type::small);
 }
 
 void layOut(ReportSheet& sheet, const DeviceHistory& device) {

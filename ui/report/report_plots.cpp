@@ -19,7 +19,7 @@ QStringList markSentences(const std::vector<Drawn>& drawn, const RowKinds& kinds
   QStringList sentences;
   if (isRinged) sentences.append(Report::tr("Ringed: the axis measured again."));
   if (kinds.hasTwoFaces()) sentences.append(Report::tr("Struck through: face 2."));
-  if (kinds.rounds.size() > 1) sentences.append(Report::tr("Rounds stand side by side."));
+  if (kinds.rounds.size() > 1) sentences.append(Report::tr("Rounds are drawn side by side."));
   return sentences;
 }
 

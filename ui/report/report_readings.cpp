@@ -50,14 +50,16 @@ QString angleInLine(const std::string& typed, CircleUnit unit) {
                        : angleCell(typed, unit).replace(QStringLiteral("\n="), QStringLiteral(" ="));
 }
 
-/// Typed columns, then computed ones; the remark takes the remaining width.
-std::vector<ReportColumn> columns() {
+/// Typed columns, then computed ones; the remark takes the remaining width. The head of the first names the
+/// position, since it stands on every page.
+std::vector<ReportColumn> columns(const QString& position) {
   constexpr auto right = Qt::AlignRight;
   std::vector<ReportColumn> columns;
   for (const ReadingColumnInfo& info : allReadingColumns())
     if (info.printedTitle)
       columns.push_back({QCoreApplication::translate("ReadingColumn", info.printedTitle), info.printedWidth,
                          isFreeText(info.column) ? Qt::AlignLeft : right});
+  columns.front().title.prepend(position + u'\n');
   columns.push_back({QStringLiteral("φ\n(°)"), 17.5, right});
   //: heads of narrow columns: the residual of the horizontal, then that of the vertical circle
   for (const QString& residual : {Report::tr("v horiz.\n(″)"), Report::tr("v vert.\n(″)")}) {
@@ -149,7 +151,7 @@ class PositionTable {
  public:
   PositionTable(ReportSheet& sheet, const Evaluation& evaluation, std::size_t position)
       : m_sheet(sheet),
-        m_table(sheet, columns()),
+        m_table(sheet, columns(positionText(evaluation.session, position))),
         m_position(evaluation.session.positions[position]),
         m_unit(circleUnitOf(evaluation.session)),
         m_unusable(unusableRows(evaluation, position)),

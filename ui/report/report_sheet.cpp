@@ -20,6 +20,11 @@ constexpr double footerGap = 3;   // mm below it
 /// Characters laid out at once: some twenty lines.
 constexpr qsizetype longestPiece = 2000;
 
+/// The lines of a paragraph of `count` that stay with its first.
+qsizetype startOf(qsizetype count) {
+  return count <= 3 ? count : 2;
+}
+
 }  // namespace
 
 ReportSheet::ReportSheet(QPagedPaintDevice& device, ReportFrame frame, const QMarginsF& margins)
@@ -158,12 +163,16 @@ void ReportSheet::heading(const QString& text) {
   skip(lineHeight(type::heading) + 0.8);
 }
 
+void ReportSheet::keepStart(const QString& text, const TextStyle& style, double indent) {
+  keepTogether(static_cast<double>(startOf(lines(text, style, width - indent).size())) * lineHeight(style));
+}
+
 void ReportSheet::paragraph(const QString& text, const TextStyle& style, double indent) {
   const double advance = lineHeight(style);
   const QStringList broken = lines(text, style, width - indent);
   const qsizetype count = broken.size();
   for (qsizetype i = 0; i < count; ++i) {
-    const qsizetype kept = i == 0 ? (count <= 3 ? count : 2) : i == count - 2 ? 2 : 1;
+    const qsizetype kept = i == 0 ? startOf(count) : i == count - 2 ? 2 : 1;
     keepTogether(static_cast<double>(kept) * advance);
     if (i >= 2 && count - i >= 2) mayBreak();
     this->text(broken[i], style, indent, m_y, width - indent);

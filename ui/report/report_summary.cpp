@@ -97,11 +97,13 @@ void addFindings(ReportSheet& sheet, const Gap& gap) {
                               : Report::tr("None in the data, but see above what they would not show."));
   }
   const double indent = findingsIndent(sheet);
+  const auto say = [&](Severity severity, const QString& text) {
+    sheet.keepStart(text, type::detail, indent);
+    sheet.text(severityName(severity), type::detail.inBold(), 0, sheet.y(), indent);
+    sheet.paragraph(text, type::detail, indent);
+  };
   const auto add = [&](const Finding& finding) {
-    sheet.keepTogether(sheet.lineHeight(type::detail));
-    sheet.text(severityName(finding.severity), type::detail.inBold(), 0, sheet.y(), indent);
-    const QString remedy = qText(finding.remedy);
-    sheet.paragraph(Report::sentences({qText(finding.text), remedy}), type::detail, indent);
+    say(finding.severity, Report::sentences({qText(finding.text), qText(finding.remedy)}));
   };
   if (misread) add(*misread);
   for (const Finding& finding : findings) {
@@ -114,9 +116,7 @@ void addFindings(ReportSheet& sheet, const Gap& gap) {
           ? qText(sentenceOf(*gap.diagnosis))
           : Report::tr("Model and readings disagree, see “Gap between model and readings”. %1.")
                 .arg(gapHeadline(*gap.diagnosis));
-  sheet.keepTogether(sheet.lineHeight(type::detail));
-  sheet.text(severityName(Severity::Warning), type::detail.inBold(), 0, sheet.y(), indent);
-  sheet.paragraph(Report::sentences({says, qText(staleSentence(*gap.diagnosis))}), type::detail, indent);
+  say(Severity::Warning, Report::sentences({says, qText(staleSentence(*gap.diagnosis))}));
 }
 
 QString methodText(const Evaluation& evaluation) {

@@ -35,8 +35,8 @@ QString measurandText(const Gap& gap) {
                  "at 0° (O1) and at 180° (O2), y up; positive where the centre is the higher one at 0°.")};
   if (isOfDistance(gap))
     sentences.append(
-        Report::tr("The tolerance is of the distance d = √(Δd² + Δz²) of the centre from the axis, Δz across "
-                   "the plane of the arc."));
+        Report::tr("The tolerance applies to the distance d = √(Δd² + Δz²) of the centre from the axis, Δz "
+                   "across the plane of the arc."));
   return Report::sentences(sentences);
 }
 
@@ -209,7 +209,7 @@ QString temperatureText(const Evaluation& evaluation) {
   //: the changes of two lengths: "L 0.101 mm" and "R0 0.032 mm"
   const QString both = changes.size() == 1 ? changes[0] : Report::tr("%1 and %2").arg(changes[0], changes[1]);
   //: %1: the temperature, %2: what L and R0 change by
-  return Report::tr("%1; against 20 °C, for which they are stated, %2").arg(text, both);
+  return Report::tr("%1; relative to the stated values at 20 °C: %2").arg(text, both);
 }
 
 }  // namespace

@@ -97,7 +97,7 @@ Result<Epoch> epochOf(const std::string& file, const Session& session) {
   const auto diagnosis = diagnose(measurement, fit);
   if (!diagnosis) return problemOf(diagnosis.problem());
   if (!fit.intersection || !diagnosis->measured)
-    return Problem{Phrase::of("has no Δd to tell: it takes readings at 0° and at 180°")};
+    return Problem{Phrase::of("has no Δd: it needs readings at 0° and at 180°")};
   return epochOf(file, session, measurement, fit, *diagnosis);
 }
 

@@ -232,16 +232,15 @@ std::string sharedSentence(const DeviceHistory& device) {
   if (device.epochs.size() < 2) return Phrase::of("There is one session: it cannot be compared.");
   if (device.serial.empty())
     return Phrase::of(
-        "The sessions name no serial number of the device: nothing is taken for shared between them, so that "
-        "a change has to be larger to be told. Enter it to see smaller ones.");
+        "The sessions state no serial number of the device. No errors are therefore assumed to be common to "
+        "them, and only larger changes are detected. Enter it to detect smaller ones.");
   if (device.hasOneInstrument)
     return Phrase::of(
-        "All sessions have one device and one instrument: what errors of these do to Δd is the same each "
-        "time, so it is in U and in the mean, but not in how far the values may scatter.");
+        "All sessions have one device and one instrument. Their errors change Δd by the same amount each "
+        "time: this is in U and in the mean, but not in the expected scatter.");
   return Phrase::of(
-      "The sessions were not all taken with one instrument, or do not name its serial number: what its "
-      "errors "
-      "do to Δd is taken to differ from one to the next.");
+      "The sessions were not all taken with one instrument, or do not state its serial number: the change of "
+      "Δd by its errors is assumed to differ between them.");
 }
 
 std::vector<std::string> congruenceSentences(const std::vector<Epoch>& epochs, const Congruence& congruence) {
@@ -295,7 +294,7 @@ std::string courseName(Course course) {
     case Course::Trend:
       return Phrase::of("a trend");
     case Course::OddValue:
-      return Phrase::of("one value off");
+      return Phrase::of("one outlier");
     case Course::Wander:
       return Phrase::of("wandering");
   }

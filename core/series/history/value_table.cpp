@@ -226,7 +226,7 @@ class Reader {
     const CsvCell *date = cellAt(row, m_columns.date), *value = cellAt(row, m_columns.value),
                   *u = cellAt(row, m_columns.u);
     if (!value || isBlank(value->text)) {
-      m_content.remarks.push_back(Phrase::of("line %1 has no value and is left out", row.line));
+      m_content.remarks.push_back(Phrase::of("line %1 has no value and is skipped", row.line));
       return std::nullopt;
     }
     const Result<HistoryDate> day = parseHistoryDate(date ? date->text : "");

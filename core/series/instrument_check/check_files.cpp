@@ -215,10 +215,8 @@ class CheckFiles {
     for (const Recording& recording : recordings) {
       if (recording.verticalCircle.empty() || kind == recording.verticalCircle) continue;
       if (!kind.empty())
-        return Problem{Phrase::of(
-            "vertical readings of a circle of the kind %1 and of the kind %2 cannot be checked together: "
-            "check them one after the other",
-            plainKey(kind), plainKey(recording.verticalCircle))};
+        return Problem{Phrase::of("the files have both %1 and %2 circles: check them separately",
+                                  plainKey(kind), plainKey(recording.verticalCircle))};
       kind = recording.verticalCircle;
     }
     if (kind.empty() && areElevations(recordings)) {

@@ -29,7 +29,7 @@ TEST(NumberText, ReadsNumbersAsTyped) {
 TEST(NumberText, RefusesWhatIsNoSingleNumber) {
   const std::pair<const char*, const char*> refused[] = {
       {"", "is empty: type a number"},
-      {"2405 mm", "“2405 mm” has more than a number: leave out “mm”"},
+      {"2405 mm", "“2405 mm” contains more than a number: leave out “mm”"},
       {"20°C", "leave out “°C”"},
       {"1,234.5", "“1,234.5” is not one number"},
       {"1 234", "is not one number"},

@@ -149,7 +149,7 @@ TEST(Compensator, FreesTheTiltOfItsIndexWithBothFaces) {
 TEST(Compensator, DoesNotBelieveTiltsThatDoNotTurnOver) {
   const Measurement measurement = measuredWith(bothFaces, {.indexCross = 2, .indexLength = 30});
   EXPECT_THAT(compensatorKnowledge(measurement).known, IsEmpty());
-  EXPECT_THAT(findingsOf(measurement), ElementsAre(HasSubstr("do not go together by 30.0″")));
+  EXPECT_THAT(findingsOf(measurement), ElementsAre(HasSubstr("contradict each other by 30.0″")));
 }
 
 TEST(Compensator, IsLessCertainWhereTheAxisMoved) {

@@ -116,6 +116,19 @@ TEST(Headline, SaysThatTheIntervalKeepsTheVerdictOpen) {
   for (const char* decided : {"2.5", "0.5", ""}) EXPECT_EQ(headlineAt(decided).line(LineKind::Interval), "");
 }
 
+TEST(Headline, SaysWhichReadingIsMisread) {
+  Gap gap = gapWith(evaluationOf(withTolerance("2.5")), 1.3);
+  gap.diagnosis->verdict = DiagnosisVerdict::SingleCause;
+  Cause cause = causeOf(grossErrorId, 0.9999);
+  cause.readings = {{.axisDeg = 0, .point = 5, .kind = ReadingKind::Vertical, .size = 600}};
+  gap.diagnosis->causes = {cause};
+  EXPECT_THAT(headlineOf(gap).line(LineKind::Gap),
+              HasSubstr("misread values at 0°, point 5, vertical (> 99.9 %)"));
+  cause.readings.push_back(cause.readings.front());
+  gap.diagnosis->causes = {cause};
+  EXPECT_THAT(headlineOf(gap).line(LineKind::Gap), HasSubstr("misread values (> 99.9 %)"));
+}
+
 TEST(Headline, CallsAJumpThatWasFoundNotUndetectable) {
   Gap gap = gapWith(evaluationOf(withTolerance("0.5")), 1.3);
   gap.diagnosis->undetectable = {{.effect = jumpId, .influence = 0.4}};
@@ -248,7 +261,7 @@ TEST(Headline, NamesTheCausesAsConditionOfTheVerdict) {
   gap.diagnosis->closures = {{.before = radii, .after = closureOf(Closure::Of::Radius, 0.01, 0.15, 100)},
                              {.before = centres, .after = closureOf(Closure::Of::Centre, 0.01, 0.1, 100)}};
   EXPECT_EQ(headlineOf(gap).line(LineKind::Gap),
-            "Accepted on condition that model and readings disagree because of plane offset (72 %) and axial "
+            "Model and readings disagree; accepted only if that comes from plane offset (72 %) and axial "
             "shift (17 %): the radii differ by 13 σ, "
             "Δx differs by 7.0 σ");
 }

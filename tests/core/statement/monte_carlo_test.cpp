@@ -27,7 +27,7 @@ TEST(MonteCarloStatement, SaysWhatFollows) {
             "The ends of Δd ± U differ from those simulated by 0.0310 and 0.0020 mm; the tolerance is 0.0050 "
             "mm. Rely on the simulated interval.");
   check.failed = 1;
-  EXPECT_THAT(agreementSentence(check), HasSubstr("Draws without a result, left out: 1."));
+  EXPECT_THAT(agreementSentence(check), HasSubstr("Draws without a result (excluded): 1."));
 }
 
 TEST(MonteCarloStatement, SaysHowManyDrawsWouldTell) {
@@ -37,7 +37,7 @@ TEST(MonteCarloStatement, SaysHowManyDrawsWouldTell) {
               HasSubstr("an end is uncertain by 0.0040 mm: about 6000 draws would tell."))
       << "1000 · (3 · 0.004/0.005)²";
   check.lowDifference = 0.0091;
-  EXPECT_EQ(agreementWord(check), "Too few draws to tell.");
+  EXPECT_EQ(agreementWord(check), "Too few draws to decide.");
   EXPECT_THAT(agreementSentence(check), HasSubstr(": about 9000 draws would tell."))
       << "1000 · (3 · 0.004/(0.0091 − 0.005))²";
   check.lowDifference = 0.016;

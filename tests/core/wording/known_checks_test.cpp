@@ -31,8 +31,8 @@ TEST(KnownChecks, SayWhatIsStale) {
   EXPECT_EQ(staleSentence(diagnosis), "") << "a cause like others";
   diagnosis.causes[0].isStale = true;
   EXPECT_EQ(staleSentence(diagnosis),
-            "By instrument record t-1 of 2026-03-01, collimation is 3.20 ± 0.50″; these readings say 41.0 ± "
-            "1.9″: what is known is stale, with a probability of more than 99.9 %.");
+            "By instrument record t-1 of 2026-03-01, collimation is 3.20 ± 0.50″; these readings give 41.0 ± "
+            "1.9″: the known size is out of date with a probability of more than 99.9 %.");
   diagnosis.known[0].isSeen = false;
   EXPECT_EQ(staleSentence(diagnosis), "");
 }

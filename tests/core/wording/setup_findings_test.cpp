@@ -59,7 +59,7 @@ TEST(SetupFindingsInWords, SayHowFarAZeroMoved) {
       "180°: the pointing zero moved by −1.0″ ± 2.8″ horizontally and 12.3″ ± 2.8″ vertically (1σ) while the "
       "position was read.");
   moved.scatter = 3.14;
-  EXPECT_THAT(wordsOf(moved).text, HasSubstr("; U takes the zeros to scatter 3.1 times as stated."));
+  EXPECT_THAT(wordsOf(moved).text, HasSubstr("; U assumes that the zeros scatter 3.1 times their stated σ."));
 }
 
 TEST(SetupFindingsInWords, NameThePositionWhoseFaceTwoIsLeftOut) {

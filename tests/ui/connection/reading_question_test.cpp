@@ -28,7 +28,7 @@ TEST(ReadingQuestion, AZeroInFaceTwoIsNoPointWithoutAProtocolEither) {
   LandingWindow window(begunWithoutProtocol());
   window.putInFront(0);
   InstrumentReading zero = readingOf("152°32'51\"", "270°00'05\"");
-  EXPECT_THAT(window.add(zero), AllOf(HasSubstr("looks at the pointing zero"), HasSubstr("face 2")));
+  EXPECT_THAT(window.add(zero), AllOf(HasSubstr("points at the pointing zero"), HasSubstr("face 2")));
   EXPECT_EQ(window.session().positions[0].readings.size(), 4U) << "nothing is stored before it is answered";
   window.take();
   EXPECT_EQ(window.session().positions[0].zero.afterInTwo.horizontal, "152°32'51\"");
@@ -94,7 +94,7 @@ TEST(ReadingQuestion, WhatTheInstrumentDoesNotVouchForIsAskedAndKeepsItsCode) {
   InstrumentReading reading = readingOf(paper.positions[0].readings[4]);
   reading.returnCode = "1284";
   reading.reservation = geoComSentence(1284);
-  EXPECT_THAT(window.add(reading), AllOf(HasSubstr("does not vouch"), HasSubstr("Return code 1284")));
+  EXPECT_THAT(window.add(reading), AllOf(HasSubstr("reports uncertain"), HasSubstr("Return code 1284")));
   EXPECT_FALSE(window.open->instrumentDesk().questionBar()->isHidden());
   window.take();
   EXPECT_EQ(window.session().positions[0].readings[4].returnCode, "1284");

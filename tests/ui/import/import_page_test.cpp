@@ -94,7 +94,8 @@ class ImportPageTest : public ::testing::Test {
 TEST_F(ImportPageTest, AsksForThePositionThatTheFileDoesNotSay) {
   choose([](ImportPage& page) {
     EXPECT_FALSE(mayImport(page));
-    EXPECT_THAT(page.obstacle().toStdString(), HasSubstr("Choose the position that “arc.gsi” was read at"));
+    EXPECT_THAT(page.obstacle().toStdString(),
+                HasSubstr("“arc.gsi” does not state the position it was read at"));
     EXPECT_EQ(textOf(page, "import summary"), page.obstacle());
   });
   EXPECT_FALSE(open->files().open(file(QStringLiteral("arc.gsi"), gsi)));
@@ -152,7 +153,7 @@ TEST_F(ImportPageTest, AsksOnceForTheUnitOfATable) {
   for (int i = 1; i <= 30; ++i)
     table += "0;" + QByteArray::number(i) + ";341.52" + QByteArray::number(10 + i) + ";88.1649\n";
   choose([](ImportPage& page) {
-    EXPECT_THAT(page.obstacle().toStdString(), HasSubstr("Choose the unit of the angles"));
+    EXPECT_THAT(page.obstacle().toStdString(), HasSubstr("does not state the unit of its angles"));
     EXPECT_EQ(textOf(page, "import problems"), QString()) << "one question, no advice for each line";
     pick(box(page, "import unit"), QStringLiteral("Degrees.minutes seconds"));
     settle(page);

@@ -238,7 +238,7 @@ QString FormPlot::describe(const Mark& mark) const {
   const FormPoint& point = m_form.trace.points[mark.index];
   QString text = m_names[mark.index] + u'\n' +
                  tr("before %1, after %2").arg(valueText(point.before), valueText(point.after));
-  if (std::isfinite(point.heldOut)) text += tr(", without it in the search %1").arg(valueText(point.heldOut));
+  if (std::isfinite(point.heldOut)) text += tr(", held out %1").arg(valueText(point.heldOut));
   return text;
 }
 

@@ -117,7 +117,7 @@ void RemedyList::addGrossErrors(const Cause& cause) {
     connect(addButton(tr("Go to the reading"), QStringLiteral("go to reading")), &QPushButton::clicked, this,
             [this, place] { emit placeActivated(place); });
     QPushButton* exclude = addButton(tr("Exclude the row"), QStringLiteral("exclude row"));
-    exclude->setToolTip(tr("Leaves the row out of the fit; what was typed stays"));
+    exclude->setToolTip(tr("Excludes the row from the fit; its entries are kept"));
     connect(exclude, &QPushButton::clicked, this, [this, place] { emit exclusionWanted(place); });
   }
 }
@@ -138,7 +138,7 @@ void RemedyList::addJump(const Gap& gap, const Cause& cause) {
 
 void RemedyList::addRowsExclusion(const QString& text, const QString& name, const RowRange& rows) {
   QPushButton* exclude = addButton(text, name);
-  exclude->setToolTip(tr("Leaves the rows out of the fit; what was typed stays"));
+  exclude->setToolTip(tr("Excludes the rows from the fit; their entries are kept"));
   connect(exclude, &QPushButton::clicked, this, [this, rows] { emit rowsExclusionWanted(rows); });
 }
 

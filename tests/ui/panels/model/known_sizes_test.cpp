@@ -259,7 +259,7 @@ TEST(KnownSizes, LeaveAloneWhatTheyCannotUseAndShowIt) {
   KnownBench bench(crowded());
   const int first = bench.row("Collimation");
   EXPECT_EQ(bench.text(first, Column::Sigma), "1″");
-  EXPECT_EQ(bench.text(first + 1, Column::Number), "Collimation (once more)");
+  EXPECT_EQ(bench.text(first + 1, Column::Number), "Collimation (again)");
   EXPECT_EQ(bench.text(first + 1, Column::Owner), "device") << "where it is, not where it belongs";
   EXPECT_EQ(bench.text(first + 1, Column::From), "b");
   const int last = bench.table->sizes().rowCount() - 1;
@@ -304,7 +304,7 @@ TEST(KnownSizes, AreTakenAwayWithTheirLastText) {
   bench.open->undo();
   EXPECT_EQ(bench.session(), before);
   EXPECT_EQ(writeSession(bench.session()), writeSession(before)) << "its unknown keys are back";
-  EXPECT_EQ(bench.text(first + 1, Column::Number), "Collimation (once more)");
+  EXPECT_EQ(bench.text(first + 1, Column::Number), "Collimation (again)");
 }
 
 TEST(KnownSizes, AnEntryThatSaysNothingCanBeTakenAway) {
