@@ -1,6 +1,6 @@
 #include "core/base/phrase.h"
 #include "core/base/quantity_text.h"
-#include "core/diagnosis/observability/look_alikes.h"
+#include "core/diagnosis/session_evidence.h"
 #include "core/statement/gap.h"
 #include "core/wording/effect_name.h"
 
@@ -34,7 +34,7 @@ Statement gapUndetectable(const Gap& gap) {
         "more than %1 σ. U of Δd, fit only, does not include them; U of Δd, measured, includes what its "
         "budget "
         "lists.",
-        displayText(clearlyDifferent, 1));
+        displayText(clearlyToldApart(), 1));
   return statement;
 }
 

@@ -91,7 +91,7 @@ std::string staleSentence(const Diagnosis& diagnosis) {
     if (others.empty()) continue;
     add(Phrase::of(
         //: causes, and a cause: these readings show them alike
-        "Were what is known of %1 stale, these readings could not tell it from %2.",
+        "Were the known size of %1 out of date, these readings could not tell it from %2.",
         listed(others, Phrase::of(" or ")), causeName(cause.effect)));
   }
   return sentences;

@@ -3777,7 +3777,7 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
         <translation>事先已知的内容</translation>
     </message>
     <message>
-        <source>Were what is known of %1 stale, these readings could not tell it from %2.</source>
+        <source>Were the known size of %1 out of date, these readings could not tell it from %2.</source>
         <translation>假如关于%1的已知内容已过时，这些读数也无法将其与%2区分。</translation>
     </message>
     <message>

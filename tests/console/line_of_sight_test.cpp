@@ -82,7 +82,7 @@ TEST_F(LineOfSightTest, OfAWrongRecordIsNotBelieved) {
   for (const double wrong : {-0.117, 0.5}) {
     const Json answer = diagnosed([wrong](Json& changed) { changed["line_of_sight_mm"] = wrong; });
     EXPECT_EQ(answer.at("verdict"), "ambiguous") << wrong;
-    EXPECT_THAT(answer.at("sentence").get<std::string>(), HasSubstr("stale")) << wrong;
+    EXPECT_THAT(answer.at("sentence").get<std::string>(), HasSubstr("out of date")) << wrong;
   }
 }
 

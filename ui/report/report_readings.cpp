@@ -59,7 +59,7 @@ std::vector<ReportColumn> columns(const QString& position) {
     if (info.printedTitle)
       columns.push_back({QCoreApplication::translate("ReadingColumn", info.printedTitle), info.printedWidth,
                          isFreeText(info.column) ? Qt::AlignLeft : right});
-  columns.front().title.prepend(position + u'\n');
+  columns.front().title.append(u'\n' + position);
   columns.push_back({QStringLiteral("φ\n(°)"), 17.5, right});
   //: heads of narrow columns: the residual of the horizontal, then that of the vertical circle
   for (const QString& residual : {Report::tr("v horiz.\n(″)"), Report::tr("v vert.\n(″)")}) {

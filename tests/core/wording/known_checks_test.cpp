@@ -49,7 +49,7 @@ TEST(KnownChecks, SayWhatOnlyTheRecordTellsApart) {
   diagnosis.causes[0].unlessStale = {"trunnion_tilt"};
   diagnosis.causes[0].indistinguishableFrom = {"collimation", "plane_warp"};
   EXPECT_EQ(staleSentence(diagnosis),
-            "Were what is known of trunnion tilt or collimation stale, these readings could not tell it from "
+            "Were the known size of trunnion tilt or collimation out of date, these readings could not tell it from "
             "vertical drift.");
 }
 

@@ -107,7 +107,7 @@ TEST(VerdictSentence, NamesWhatItIsAbout) {
   diagnosis.measured->budget = {{.from = UncertaintyShare::From::Diagnosis, .sigma = 0.1}};
   measurement.measurand = Measurand::Distance;
   EXPECT_THAT(sentenceOf(measurement, fit, &diagnosis),
-              HasSubstr("how far the arc's centre lies off it across the plane of the arc was not measured"));
+              HasSubstr("its part across the plane of the arc was not measured"));
   diagnosis.measured->across = MeasuredLength{-2, 0.1, 0.2};
   diagnosis.measured->distance = MeasuredLength{2.386, 0.1, 0.2};
   EXPECT_THAT(

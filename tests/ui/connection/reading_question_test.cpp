@@ -94,7 +94,7 @@ TEST(ReadingQuestion, WhatTheInstrumentDoesNotVouchForIsAskedAndKeepsItsCode) {
   InstrumentReading reading = readingOf(paper.positions[0].readings[4]);
   reading.returnCode = "1284";
   reading.reservation = geoComSentence(1284);
-  EXPECT_THAT(window.add(reading), AllOf(HasSubstr("reports uncertain"), HasSubstr("Return code 1284")));
+  EXPECT_THAT(window.add(reading), AllOf(HasSubstr("uncertain accuracy"), HasSubstr("Return code 1284")));
   EXPECT_FALSE(window.open->instrumentDesk().questionBar()->isHidden());
   window.take();
   EXPECT_EQ(window.session().positions[0].readings[4].returnCode, "1284");
