@@ -49,7 +49,8 @@ TEST(KnownChecks, SayWhatOnlyTheRecordTellsApart) {
   diagnosis.causes[0].unlessStale = {"trunnion_tilt"};
   diagnosis.causes[0].indistinguishableFrom = {"collimation", "plane_warp"};
   EXPECT_EQ(staleSentence(diagnosis),
-            "Were the known size of trunnion tilt or collimation out of date, these readings could not tell it from "
+            "Were the known size of trunnion tilt or collimation out of date, these readings could not tell "
+            "it from "
             "vertical drift.");
 }
 
