@@ -7849,10 +7849,6 @@ Includes every catalogued effect, limited by these readings or by its plausible 
         <translation>测点 %1、测回 %2、%3已在第 %4 行：请给它另一个测点或测回，或排除其一</translation>
     </message>
     <message>
-        <source>%1 in %2</source>
-        <translation>%1（%2）</translation>
-    </message>
-    <message>
         <source>%1 point %2 (round %3, %4)</source>
         <translation>%1 测点 %2（测回 %3、%4）</translation>
     </message>
@@ -7867,6 +7863,18 @@ Includes every catalogued effect, limited by these readings or by its plausible 
     <message>
         <source>%1 besides the one found</source>
         <translation>已发现者之外的%1</translation>
+    </message>
+    <message>
+        <source>%1; %2: %3</source>
+        <translation>%1；%2：%3</translation>
+    </message>
+    <message>
+        <source>sightings</source>
+        <translation>照准次数</translation>
+    </message>
+    <message>
+        <source>minutes</source>
+        <translation>分钟</translation>
     </message>
 </context>
 <context>
@@ -12316,6 +12324,30 @@ a clause as a sentence</extracomment>
     <message>
         <source>Protocol: %1</source>
         <translation>方案：%1</translation>
+    </message>
+    <message>
+        <source>The sightings that reach a U of Δd are listed from the first reading on, up to %1 rows.</source>
+        <translation>从第一个读数起，列出达到所需 Δd 的 U 的照准，最多 %1 行。</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>无</translation>
+    </message>
+    <message>
+        <source>Lists the sightings that bring U of Δd there in the fewest minutes. With 0 it is a third of the tolerance</source>
+        <translation>列出以最少分钟使 Δd 的 U 降到此值的照准。填 0 时取允差的三分之一</translation>
+    </message>
+    <message>
+        <source>U to reach</source>
+        <translation>须达到的 U</translation>
+    </message>
+    <message>
+        <source>Enter the U of Δd to reach: the sightings that reach it soonest are listed here.</source>
+        <translation>请输入须达到的 Δd 的 U：此处列出最快达到它的照准。</translation>
     </message>
 </context>
 <context>

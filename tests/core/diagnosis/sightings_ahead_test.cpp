@@ -3,7 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <stop_token>
+#include <string>
+#include <string_view>
 
+#include "core/effects/catalogue.h"
 #include "core/simulation/adaptive_trial.h"
 #include "core/simulation/watched_session.h"
 
@@ -68,8 +72,46 @@ TEST(SightingsAhead, SayWhatIsNotReached) {
   const SightingsAhead few = sightingsFor(1e-4, *session.measurement(), plan, 12);
   EXPECT_FALSE(few.isReached);
   EXPECT_EQ(few.sightings.size(), 12u);
+  EXPECT_FALSE(few.instead.empty());
   plan.canTurnAxis = false;
   EXPECT_FALSE(sightingsFor(0.3, *session.measurement(), plan, 5).expanded) << "Δd needs both positions";
+}
+
+/// An effect of which each number is known to a millionth of its plausible size.
+void know(Measurement& measurement, std::string_view id) {
+  for (const EffectParameter& parameter : effectById(id)->parameters)
+    measurement.known.push_back({.effect = std::string(id),
+                                 .parameter = std::string(parameter.name),
+                                 .unit = std::string(parameter.unit),
+                                 .value = 0,
+                                 .sigma = 1e-6 * parameter.plausible});
+}
+
+/// Whoever then knows it, or reads the slider too, reaches the U that was said. 2 %: the sightings that tell
+/// most are others then.
+TEST(SightingsAhead, SayWhatWouldReachFurther) {
+  const WatchedSession session = begun(drawTruth(3), 3);
+  const SightingPlan plan = sightingPlanOf(watched());
+  const SightingsAhead ahead = sightingsFor(1e-4, *session.measurement(), plan, 20);
+  ASSERT_GT(ahead.instead.size(), 1u);
+  EXPECT_EQ(ahead.instead.front().expanded, *ahead.expanded);
+  for (const AttainableUncertainty& one : ahead.instead) {
+    EXPECT_GE(ahead.expanded, one.expanded);
+    if (one.known.empty()) continue;
+    Measurement knowing = *session.measurement();
+    know(knowing, one.known);
+    const SightingsAhead then = sightingsFor(1e-4, knowing, plan, 20);
+    EXPECT_LE(*then.expanded, 1.02 * one.expanded) << one.known;
+  }
+}
+
+TEST(SightingsAhead, StopWhenAsked) {
+  std::stop_source stop;
+  stop.request_stop();
+  const WatchedSession session = begun(drawTruth(3), 3);
+  EXPECT_LE(sightingsFor(1e-4, *session.measurement(), sightingPlanOf(watched()), 150, stop.get_token())
+                .sightings.size(),
+            1u);
 }
 
 }  // namespace

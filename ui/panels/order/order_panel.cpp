@@ -1,11 +1,13 @@
 #include "ui/panels/order/order_panel.h"
 
+#include <QDoubleSpinBox>
 #include <QFontMetrics>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QMenu>
 #include <QProgressBar>
 #include <QScrollArea>
+#include <QSignalBlocker>
 #include <QToolButton>
 #include <QVBoxLayout>
 #include <algorithm>
@@ -18,6 +20,7 @@
 #include "core/session/entry.h"
 #include "core/simulation/protocol.h"
 #include "core/statement/sighting_choice.h"
+#include "core/statement/sightings_ahead.h"
 #include "core/wording/guidance.h"
 #include "core/wording/measure.h"
 #include "core/wording/position_name.h"
@@ -67,6 +70,12 @@ QString nameOf(const SightingProtocol& protocol) {
   return isOurs ? qText(protocolInWords(protocol)) : shortLine(protocol.name, longest);
 }
 
+QString listedLater() {
+  return OrderPanel::tr(
+             "The sightings that reach a U of Δd are listed from the first reading on, up to %1 rows.")
+      .arg(mostForChoice);
+}
+
 }  // namespace
 
 OrderPanel::OrderPanel(SessionDocument& document, QWidget* parent)
@@ -81,7 +90,9 @@ OrderPanel::OrderPanel(SessionDocument& document, QWidget* parent)
       m_state(textLabel(QStringLiteral("order state"))),
       m_outlook(textLabel(QStringLiteral("order outlook"))),
       m_repeats(textLabel(QStringLiteral("order repeats"))),
+      m_uncertainty(new QDoubleSpinBox),
       m_choiceMade(new StatementView),
+      m_ahead(new StatementView),
       m_table(createTable()) {
   m_table->setAccessibleName(tr("Sightings of the protocol"));
   m_table->setPlaceholder(tr("The session follows no protocol. Choose one by “Protocol”."));
@@ -118,8 +129,8 @@ QWidget* OrderPanel::createSummary() {
   top->addWidget(m_choice);
   top->addWidget(m_progress, 1);
   column->addLayout(top);
-  for (QWidget* part :
-       std::initializer_list<QWidget*>{m_next, m_expected, m_choiceMade, m_state, m_outlook, m_repeats})
+  for (QWidget* part : std::initializer_list<QWidget*>{m_next, m_expected, m_choiceMade, createUncertainty(),
+                                                       m_ahead, m_state, m_outlook, m_repeats})
     column->addWidget(part);
   column->addStretch(1);
   auto* scroll = new QScrollArea;
@@ -129,6 +140,32 @@ QWidget* OrderPanel::createSummary() {
   scroll->setFrameShape(QFrame::NoFrame);
   scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   return scroll;
+}
+
+QWidget* OrderPanel::createUncertainty() {
+  constexpr double most = 100;  // mm
+  m_uncertainty->setRange(0, most);
+  m_uncertainty->setDecimals(3);
+  m_uncertainty->setSingleStep(0.01);
+  m_uncertainty->setSuffix(tr(" mm"));
+  m_uncertainty->setSpecialValueText(tr("none"));
+  m_uncertainty->setKeyboardTracking(false);
+  m_uncertainty->setToolTip(
+      tr("Lists the sightings that bring U of Δd there in the fewest minutes. With 0 it is a third of the "
+         "tolerance"));
+  auto* row = new QWidget;
+  auto* layout = new QHBoxLayout(row);
+  layout->setContentsMargins({});
+  auto* caption = new QLabel(tr("U to reach"));
+  caption->setBuddy(m_uncertainty);
+  layout->addWidget(caption);
+  layout->addWidget(m_uncertainty);
+  layout->addStretch(1);
+  connect(m_uncertainty, &QDoubleSpinBox::valueChanged, this, [this](double value) {
+    m_isUncertaintyTyped = value > 0;
+    requestOutlook();
+  });
+  return row;
 }
 
 DataTable* OrderPanel::createTable() {
@@ -216,7 +253,8 @@ void OrderPanel::setSearched(const SharedEvaluation& evaluation) {
 
 void OrderPanel::setGap(const SharedGap& gap) {
   m_gap = gap;
-  if (isVisible() && gapOfThis()) requestOutlook();
+  const Guide* guide = guideThatLeads();
+  if (isVisible() && gapOfThis() && guide && !guide->protocol.isByWorth) requestOutlook();
 }
 
 SharedGap OrderPanel::gapOfThis() const {
@@ -225,12 +263,32 @@ SharedGap OrderPanel::gapOfThis() const {
 
 void OrderPanel::requestOutlook() {
   const Guide* guide = guideThatLeads();
-  if (!guide || guide->protocol.isByWorth || !m_evaluation->examined.measurement) {
-    m_job.cancel();
-    m_outlook->clear();
-    return;
+  const bool isByWorth = guide && guide->protocol.isByWorth;
+  m_uncertainty->parentWidget()->setVisible(isByWorth);
+  if (isByWorth) return requestAhead();
+  m_ahead->setStatement(std::nullopt);
+  if (guide && m_evaluation->examined.measurement) return m_job.request(m_evaluation, gapOfThis(), 0);
+  m_job.cancel();
+  m_outlook->clear();
+}
+
+void OrderPanel::requestAhead() {
+  const auto& measurement = m_evaluation->examined.measurement;
+  if (!m_isUncertaintyTyped) {
+    constexpr double ofTolerance = 1.0 / 3;
+    const QSignalBlocker isNotTyped(m_uncertainty);
+    m_uncertainty->setValue(measurement ? measurement->tolerance.value_or(0) * ofTolerance : 0);
   }
-  m_job.request(m_evaluation, gapOfThis());
+  m_outlook->clear();
+  if (measurement && m_uncertainty->value() > 0) {
+    m_ahead->setEnabled(false);
+    return m_job.request(m_evaluation, nullptr, m_uncertainty->value());
+  }
+  m_job.cancel();
+  m_ahead->setStatement(std::nullopt);
+  m_outlook->setText(
+      measurement ? tr("Enter the U of Δd to reach: the sightings that reach it soonest are listed here.")
+                  : listedLater());
 }
 
 void OrderPanel::showSummary() {
@@ -284,11 +342,19 @@ void OrderPanel::showNext() {
 
 void OrderPanel::showOutlook(const SharedOutlook& outlook) {
   if (outlook->evaluation != m_evaluation) return;
-  const QString text = outlook->failure.empty()
-                           ? qText(outlookSentences(outlook->outlook, m_evaluation->guide->progress))
-                           : qText(outlook->failure);
-  const QString first = qText(repeatsFirst(m_evaluation->guide->repeats));
-  m_outlook->setText(first.isEmpty() ? text : tr("%1 %2").arg(first, text));
+  m_ahead->setStatement(outlook->ahead
+                            ? std::optional(sightingsAheadStatement(*outlook->ahead, m_uncertainty->value()))
+                            : std::nullopt);
+  m_outlook->setText(outlookText(*outlook));
+}
+
+QString OrderPanel::outlookText(const OutlookOfSession& outlook) const {
+  const Guide& guide = *m_evaluation->guide;
+  if (!outlook.failure.empty()) return qText(outlook.failure);
+  if (guide.protocol.isByWorth) return outlook.ahead ? QString() : listedLater();
+  const QString text = qText(outlookSentences(outlook.outlook, guide.progress)),
+                first = qText(repeatsFirst(guide.repeats));
+  return first.isEmpty() ? text : tr("%1 %2").arg(first, text);
 }
 
 void OrderPanel::fillMenu() {
