@@ -16,18 +16,6 @@ namespace {
 
 constexpr double worthIt = 0.9;  ///< factor of U
 
-/// One row more: the elapsed shares count from a session longer by it.
-void prolong(Measurement& measurement) {
-  const auto gaps = [](std::size_t rows) { return std::max(1.0, static_cast<double>(rows) - 1); };
-  const double share = gaps(measurement.rows) / gaps(measurement.rows + 1);
-  ++measurement.rows;
-  for (ArcMeasurement& arc : measurement.arcs) {
-    arc.zero.elapsed *= share;
-    for (SightedZero& zero : arc.zeroSightings) zero.elapsed *= share;
-    for (Sighting& sighting : arc.sightings) sighting.elapsed *= share;
-  }
-}
-
 /// The measurement after a sighting of `possible`, with the reading of the arcs fitted so far.
 Measurement after(const PossibleSighting& chosen, const Measurement& measurement,
                   const PossibleSightings& possible) {
@@ -46,7 +34,8 @@ Measurement after(const PossibleSighting& chosen, const Measurement& measurement
     taken.e = taken.e - (own.zeroElevation - arc.zeroElevation);
   }
   Measurement longer = measurement;
-  prolong(longer);
+  countElapsedFrom(longer, longer.rows + 1);
+  ++longer.rows;
   if (next.turnsAxis) {
     longer.arcs.push_back(arc);
     longer.arcs.back().sightings.clear();

@@ -18,12 +18,6 @@ const Protocol& watched() {
   return *protocolByName("two-face");
 }
 
-EnoughOptions unranked() {
-  EnoughOptions options;
-  options.ranks = false;
-  return options;
-}
-
 WatchedSession begun(const Truth& truth, std::uint64_t seed) {
   WatchedSession session(watched(), truth, seed);
   session.sight(0, 1, 1, 1);
@@ -47,7 +41,7 @@ TEST(SightingsAhead, ComeToTheSameUncertaintyWhenTheyAreTaken) {
       minutes += next.minutes;
     }
     EXPECT_DOUBLE_EQ(minutes, ahead.minutes);
-    const auto state = sessionSoFar(*taken.measurement(), plan, unranked());
+    const auto state = sessionSoFar(*taken.measurement(), plan, false);
     ASSERT_TRUE(state && state->sigma);
     EXPECT_NEAR(1.96 * *state->sigma, *ahead.expanded, 0.02 * *ahead.expanded) << wanted;
   }
@@ -60,7 +54,7 @@ TEST(SightingsAhead, AreFewerAndQuickerThanTheOrderOfTheProtocol) {
     for (int point = 1; point <= watched().points; ++point)
       for (const int face : {1, 2}) whole.sight(axisDeg, 1, point, face);
   const SightingPlan plan = sightingPlanOf(watched());
-  const double reached = 1.96 * *sessionSoFar(*whole.measurement(), plan, unranked())->sigma;
+  const double reached = 1.96 * *sessionSoFar(*whole.measurement(), plan, false)->sigma;
   const SightingsAhead ahead = sightingsFor(reached, *begun(truth, 3).measurement(), plan);
   ASSERT_TRUE(ahead.isReached);
   EXPECT_LT(ahead.sightings.size() + 1, whole.sightings());
