@@ -9,7 +9,7 @@
 #include "core/base/phrase.h"
 #include "core/base/quantity_text.h"
 #include "core/session/face.h"
-#include "core/wording/attainable.h"
+#include "core/statement/next_measures.h"
 
 namespace alidade {
 
@@ -78,7 +78,7 @@ Statement sightingsAheadStatement(const SightingsAhead& ahead, double uncertaint
                       .rows = {},
                       .sentences = {sentenceOf(ahead, uncertainty)}};
   if (!ahead.isReached) {
-    if (!ahead.instead.empty()) statement.sentences.push_back(attainableSentence(ahead.instead));
+    if (!ahead.instead.empty()) addUncertainties(statement, ahead.instead);
     return statement;
   }
   for (Sightings rest = ahead.sightings; !rest.empty();) {

@@ -7369,10 +7369,6 @@ Includes every catalogued effect, limited by these readings or by its plausible 
         <translation>已足够：原因已判明，为%1（%2）；相对“无原因”的证据比为 %3 : 1。</translation>
     </message>
     <message>
-        <source>Enough: the U that was wanted is reached.</source>
-        <translation>已足够：已达到所要求的 U。</translation>
-    </message>
-    <message>
         <source>Enough for a verdict: whatever effect is there, Δd is within the tolerance.</source>
         <translation>已足以判定：无论存在何种效应，Δd 都在允差之内。</translation>
     </message>
@@ -7463,18 +7459,6 @@ Includes every catalogued effect, limited by these readings or by its plausible 
     <message>
         <source>has no readings yet</source>
         <translation>还没有读数</translation>
-    </message>
-    <message>
-        <source>Typical U for this plan: %1</source>
-        <translation>此读数计划的典型 U：%1</translation>
-    </message>
-    <message>
-        <source>%1 with %2</source>
-        <translation>加上%2则为 %1</translation>
-    </message>
-    <message>
-        <source>%1 with %2 known</source>
-        <translation>已知%2则为 %1</translation>
     </message>
     <message>
         <source>averaged over the indistinguishable causes</source>
@@ -7875,6 +7859,34 @@ Includes every catalogued effect, limited by these readings or by its plausible 
     <message>
         <source>minutes</source>
         <translation>分钟</translation>
+    </message>
+    <message>
+        <source>would show %1</source>
+        <translation>可显示%1</translation>
+    </message>
+    <message>
+        <source>%1 from %2</source>
+        <translation>%1与%2</translation>
+    </message>
+    <message>
+        <source>separates %1</source>
+        <translation>可区分%1</translation>
+    </message>
+    <message>
+        <source>%1 known</source>
+        <translation>已知%1</translation>
+    </message>
+    <message>
+        <source>min, about</source>
+        <translation>约需分钟</translation>
+    </message>
+    <message>
+        <source>Typical U for this plan: %1 mm.</source>
+        <translation>此读数计划的典型 U：%1 mm。</translation>
+    </message>
+    <message>
+        <source>What would reduce U further</source>
+        <translation>还可用什么减小 U</translation>
     </message>
 </context>
 <context>

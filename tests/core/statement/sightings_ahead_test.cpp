@@ -32,9 +32,9 @@ TEST(SightingsAheadStatement, NamesWhatWouldReachIt) {
                              .expanded = 0.2,
                              .instead = {{{}, {}, 0.2}, {{Measure::SliderReadings}, {}, 0.09}}};
   const Statement statement = sightingsAheadStatement(ahead, 0.1);
-  EXPECT_TRUE(statement.rows.empty()) << "they do not reach it";
-  EXPECT_THAT(statement.sentences,
-              ElementsAre(HasSubstr("is not reached"), HasSubstr("0.090 mm with slider readings")));
+  ASSERT_EQ(statement.rows.size(), 1u) << "not the sightings, which do not reach it";
+  EXPECT_THAT(statement.rows[0].cells, ElementsAre("Slider readings", "0.090"));
+  EXPECT_THAT(statement.sentences, ElementsAre(HasSubstr("is not reached")));
 }
 
 }  // namespace

@@ -14,11 +14,13 @@
 #include <initializer_list>
 #include <optional>
 #include <utility>
+#include <vector>
 
 #include "core/evaluation/guide.h"
 #include "core/guidance/advised_protocol.h"
 #include "core/session/entry.h"
 #include "core/simulation/protocol.h"
+#include "core/statement/next_measures.h"
 #include "core/statement/sighting_choice.h"
 #include "core/statement/sightings_ahead.h"
 #include "core/wording/guidance.h"
@@ -55,12 +57,12 @@ bool isAlike(const Evaluation& one, const Evaluation& other) {
          one.session.acceptance == other.session.acceptance;
 }
 
-/// The first advice of the diagnosis that a protocol can include; null if none.
-const Advice* adviceOf(const SharedGap& gap) {
-  if (!gap || !gap->found()) return nullptr;
-  for (const Advice& advice : gap->found()->advice)
-    if (std::all_of(advice.measures.begin(), advice.measures.end(), isForProtocol)) return &advice;
-  return nullptr;
+/// What to measure next by the diagnosis, the first that a protocol can include; empty if none.
+std::vector<Measure> adviceOf(const SharedGap& gap) {
+  if (gap && gap->found())
+    for (const std::vector<Measure>& measures : measuresNext(*gap))
+      if (std::ranges::all_of(measures, isForProtocol)) return measures;
+  return {};
 }
 
 /// The name that its author gave it, or what is sighted.
@@ -266,9 +268,10 @@ void OrderPanel::requestOutlook() {
   const bool isByWorth = guide && guide->protocol.isByWorth;
   m_uncertainty->parentWidget()->setVisible(isByWorth);
   if (isByWorth) return requestAhead();
-  m_ahead->setStatement(std::nullopt);
+  m_ahead->setEnabled(false);
   if (guide && m_evaluation->examined.measurement) return m_job.request(m_evaluation, gapOfThis(), 0);
   m_job.cancel();
+  m_ahead->setStatement(std::nullopt);
   m_outlook->clear();
 }
 
@@ -342,9 +345,8 @@ void OrderPanel::showNext() {
 
 void OrderPanel::showOutlook(const SharedOutlook& outlook) {
   if (outlook->evaluation != m_evaluation) return;
-  m_ahead->setStatement(outlook->ahead
-                            ? std::optional(sightingsAheadStatement(*outlook->ahead, m_uncertainty->value()))
-                            : std::nullopt);
+  m_ahead->setStatement(outlook->ahead ? sightingsAheadStatement(*outlook->ahead, m_uncertainty->value())
+                                       : insteadStatement(outlook->outlook));
   m_outlook->setText(outlookText(*outlook));
 }
 
@@ -366,11 +368,10 @@ void OrderPanel::fillMenu() {
   QAction* own = m_menu->addAction(tr("As the Rows Are"));
   own->setEnabled(!rows.positions.empty());
   connect(own, &QAction::triggered, this, [this, rows] { follow(rows); });
-  const SharedGap gap = gapOfThis();
-  const Advice* advice = adviceOf(gap);
-  const SightingProtocol both = advice ? withMeasures(rows, advice->measures) : SightingProtocol();
+  const std::vector<Measure> advice = adviceOf(gapOfThis());
+  const SightingProtocol both = advice.empty() ? SightingProtocol() : withMeasures(rows, advice);
   const bool isAdvised = !both.positions.empty();
-  QAction* advised = m_menu->addAction(isAdvised ? tr("These and %1").arg(qText(textOf(advice->measures)))
+  QAction* advised = m_menu->addAction(isAdvised ? tr("These and %1").arg(qText(textOf(advice)))
                                                  : tr("These and What Is Advised"));
   advised->setEnabled(isAdvised);
   if (isAdvised) connect(advised, &QAction::triggered, this, [this, both] { follow(both); });

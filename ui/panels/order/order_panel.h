@@ -77,9 +77,10 @@ class OrderPanel : public QWidget {
   QMenu* m_menu;
   QProgressBar* m_progress;
   QLabel *m_next, *m_expected, *m_state, *m_outlook, *m_repeats;
-  QDoubleSpinBox* m_uncertainty;          ///< U to reach, mm; 0: none
-  bool m_isUncertaintyTyped = false;      ///< else it follows the tolerance
-  StatementView *m_choiceMade, *m_ahead;  ///< in a protocol by worth
+  QDoubleSpinBox* m_uncertainty;      ///< U to reach, mm; 0: none
+  bool m_isUncertaintyTyped = false;  ///< else it follows the tolerance
+  StatementView* m_choiceMade;        ///< in a protocol by worth
+  StatementView* m_ahead;             ///< there the sightings that reach U, else what would help instead
   DataTable* m_table;
   ListedNext m_listedNext;  ///< the sighting last scrolled to
 };
