@@ -67,9 +67,9 @@ std::vector<Measure> adviceOf(const SharedGap& gap) {
 
 /// The name that its author gave it, or what is sighted.
 QString nameOf(const SightingProtocol& protocol) {
-  constexpr int longest = 48;
+  constexpr int longest = 40;
   const bool isOurs = protocol.name.empty() || protocolByName(protocol.name);
-  return isOurs ? qText(protocolInWords(protocol)) : shortLine(protocol.name, longest);
+  return shortLine(isOurs ? protocolInWords(protocol) : protocol.name, longest);
 }
 
 QString listedLater() {
@@ -116,6 +116,8 @@ QWidget* OrderPanel::createSummary() {
   m_choice->setToolButtonStyle(Qt::ToolButtonTextOnly);
   m_choice->setMenu(m_menu);
   m_choice->setFocusPolicy(Qt::StrongFocus);
+  m_choice->setSizePolicy(QSizePolicy::Maximum, QSizePolicy::Fixed);
+  m_choice->setMinimumWidth(m_choice->fontMetrics().horizontalAdvance(tr("Protocol")) * 2);
   m_progress->setAccessibleName(tr("Sightings there"));
   m_progress->setTextVisible(true);
   QFont large = m_expected->font();
@@ -127,10 +129,8 @@ QWidget* OrderPanel::createSummary() {
   auto* inside = new QWidget;
   auto* column = new QVBoxLayout(inside);
   column->setContentsMargins(0, 0, 6, 0);
-  auto* top = new QHBoxLayout;
-  top->addWidget(m_choice);
-  top->addWidget(m_progress, 1);
-  column->addLayout(top);
+  column->addWidget(m_choice);
+  column->addWidget(m_progress);
   for (QWidget* part : std::initializer_list<QWidget*>{m_next, m_expected, m_choiceMade, createUncertainty(),
                                                        m_ahead, m_state, m_outlook, m_repeats})
     column->addWidget(part);
