@@ -146,6 +146,7 @@ std::vector<AttainableUncertainty> insteadOf(const Path& best, const Measurement
       instead.push_back({{measure}, {}, *expanded});
   }
   std::ranges::move(best.withKnownEffects(), std::back_inserter(instead));
+  std::ranges::stable_sort(instead.begin() + 1, instead.end(), {}, &AttainableUncertainty::expanded);
   return instead;
 }
 

@@ -7430,7 +7430,7 @@ Includes every catalogued effect, limited by these readings or by its plausible 
     </message>
     <message>
         <source>points</source>
-        <translation>点</translation>
+        <translation>测点</translation>
     </message>
     <message>
         <source>Not enough yet: the readings scatter more than stated, by noise or by an effect of no catalogue; the diagnosis tells.</source>

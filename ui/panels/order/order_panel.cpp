@@ -67,7 +67,7 @@ std::vector<Measure> adviceOf(const SharedGap& gap) {
 
 /// The name that its author gave it, or what is sighted.
 QString nameOf(const SightingProtocol& protocol) {
-  constexpr int longest = 40;
+  constexpr int longest = 60;
   const bool isOurs = protocol.name.empty() || protocolByName(protocol.name);
   return shortLine(isOurs ? protocolInWords(protocol) : protocol.name, longest);
 }
@@ -313,7 +313,9 @@ void OrderPanel::showSummary() {
     m_progress->setFormat(guide->protocol.isByWorth
                               ? tr("%1 taken, at most %2").arg(guide->progress.taken).arg(count)
                               : tr("sighting %1 of %2").arg(number).arg(count));
-    m_choice->setText(tr("Protocol: %1").arg(nameOf(guide->protocol)));
+    const QFontMetrics metrics = m_choice->fontMetrics();
+    m_choice->setText(metrics.elidedText(tr("Protocol: %1").arg(nameOf(guide->protocol)), Qt::ElideRight,
+                                         36 * metrics.horizontalAdvance(u'0')));
     m_choice->setToolTip(qText(protocolInWords(guide->protocol)));
   } else {
     m_choice->setText(tr("Protocol"));
