@@ -8,6 +8,7 @@
 #include "app/console/text_layout.h"
 #include "core/base/list_text.h"
 #include "core/base/visible_text.h"
+#include "core/statement/next_measures.h"
 #include "core/statement/sighting_choice.h"
 #include "core/statement/sightings_ahead.h"
 #include "core/wording/guidance.h"
@@ -86,7 +87,8 @@ std::string guidanceText(const std::string& session, const Guidance& guidance, C
   if (guidance.choice) return text + nextText(guidance, unit) + choice + ahead + repeatsText(guidance);
   return text + nextText(guidance, unit) + leftText(guidance, unit) + repeatsText(guidance) + "\n" +
          paragraph(joinedSentences(repeatsFirst(guidance.repeats),
-                                   outlookSentences(guidance.outlook, guidance.progress)));
+                                   outlookSentences(guidance.outlook, guidance.progress))) +
+         statementText(insteadStatement(guidance.outlook));
 }
 
 }  // namespace alidade::console

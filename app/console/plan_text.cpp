@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/console/findings_text.h"
+#include "app/console/statement_text.h"
 #include "app/console/text_layout.h"
 #include "core/answers/attainable_json.h"
 #include "core/answers/findings_json.h"
@@ -11,7 +12,7 @@
 #include "core/base/number_text.h"
 #include "core/base/quantity_text.h"
 #include "core/effects/catalogue.h"
-#include "core/wording/attainable.h"
+#include "core/statement/next_measures.h"
 #include "core/wording/cause_prior.h"
 #include "core/wording/effect_name.h"
 #include "core/wording/measure.h"
@@ -54,25 +55,6 @@ std::string lookAlikesText(const PlanReview& review) {
                       : "\nWhat shows but could not be told from others\n" + text;
 }
 
-std::string adviceText(const PlanReview& review) {
-  if (review.advice.empty()) return "\nNo further readings would show more.\n";
-  std::string text = "\nWhat to add\n";
-  for (const PlanAdvice& advice : review.advice) {
-    std::string line = "  " + howTo(advice.measures) + ":";
-    if (!advice.reveals.empty()) line += " shows " + causeNames(advice.reveals, " and ") + ";";
-    if (!advice.separates.empty()) {
-      line += " tells";
-      for (std::size_t i = 0; i < advice.separates.size(); ++i)
-        line += (i == 0 ? " " : ", ") + causeName(advice.separates[i].first) + " from " +
-                causeName(advice.separates[i].second);
-      line += ";";
-    }
-    line.back() = '.';
-    text += paragraph(line, 4);
-  }
-  return text;
-}
-
 Json effectJson(const PlanReview& review, const PlannedEffect& effect, const Measurement& measurement) {
   Json sizes = Json::array(), alike = Json::array();
   for (const EffectParameter& parameter : effectById(effect.effect, measurement)->parameters)
@@ -92,12 +74,12 @@ Json effectJson(const PlanReview& review, const PlannedEffect& effect, const Mea
 }  // namespace
 
 std::string planText(const std::string& session, const PlanReview& review,
-                     const std::vector<Finding>& findings) {
+                     const std::vector<Finding>& findings, const SessionEffort& effort) {
   std::string text = heading(session) + "\n" + counted(review.readings, "reading") + " of circles and slider";
   if (const auto& estimate = review.intersection)
     text += "; with the stated noise, u of Δd, fit only, would be " + fixedText(estimate->sigma, 4) + " mm.";
-  text += "\n" + paragraph(attainableSentence(review.attainable));
-  return text + effectsText(review) + lookAlikesText(review) + adviceText(review) + findingsText(findings);
+  return text + "\n" + effectsText(review) + lookAlikesText(review) +
+         statementText(planAdvice(review, effort)) + findingsText(findings);
 }
 
 std::string planJson(const std::string& session, const PlanReview& review,

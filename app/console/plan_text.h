@@ -5,12 +5,13 @@
 
 #include "core/base/finding.h"
 #include "core/diagnosis/plan_review.h"
+#include "core/diagnosis/result/sighting_plan.h"
 
 namespace alidade::console {
 
 /// The review of a plan as text.
 std::string planText(const std::string& session, const PlanReview& review,
-                     const std::vector<Finding>& findings);
+                     const std::vector<Finding>& findings, const SessionEffort& effort);
 
 /// One JSON document.
 std::string planJson(const std::string& session, const PlanReview& review,

@@ -6,7 +6,6 @@
 #include "core/adjustment/result/two_faces.h"
 #include "core/diagnosis/diagnose.h"
 #include "core/guidance/forecast.h"
-#include "core/guidance/open_plan.h"
 #include "core/session/measurement.h"
 
 namespace alidade {
@@ -22,11 +21,7 @@ Guidance guidanceOf(const Session& session, SightingProtocol protocol, std::opti
   const Measurement& measurement = *examined.measurement;
   const SessionFit fit = fitSession(measurement);
   guidance.choice = followChoice(session, measurement, guidance.protocol, guidance.progress);
-  if (guidance.choice && uncertainty) {
-    SightingPlan plan = openPlan(guidance.protocol);
-    plan.canTurnAxis = guidance.protocol.positions.size() > measurement.arcs.size();
-    guidance.ahead = sightingsFor(*uncertainty, measurement, plan);
-  }
+  if (uncertainty) guidance.ahead = sightingsAhead(measurement, guidance.protocol, *uncertainty);
   guidance.expected = forecast(measurement, fit, guidance.protocol, guidance.progress);
   const std::vector<Suspect> suspects =
       fit.arcs.empty() ? std::vector<Suspect>() : findSuspects(session, measurement, fit);

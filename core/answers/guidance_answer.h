@@ -4,7 +4,6 @@
 #include <vector>
 
 #include "core/adjustment/result/expected_reading.h"
-#include "core/diagnosis/sightings_ahead.h"
 #include "core/guidance/outlook.h"
 #include "core/guidance/repeats.h"
 #include "core/guidance/sighting_choice.h"

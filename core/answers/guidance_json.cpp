@@ -62,8 +62,6 @@ const char* idOf(Enough enough) {
       return "not-yet";
     case Enough::Named:
       return "named";
-    case Enough::UncertaintyReached:
-      return "uncertainty-reached";
     case Enough::VerdictCertain:
       return "verdict-certain";
     case Enough::WillNotHelp:

@@ -42,14 +42,13 @@ void addCauses(NextSighting& next, const std::vector<Weighed>& causes,
 }
 
 std::vector<NextSighting> ranked(const PossibleSightings& session, const SightingEquations& equations,
-                                 const WeighedCauses& causes, const IntersectionSoFar& every,
-                                 bool isOfUncertaintyAlone) {
+                                 const WeighedCauses& causes, const IntersectionSoFar& every) {
   const std::vector<Weighed> some = likely(causes.all());
   std::vector<NextSighting> list;
   for (std::size_t i = 0; i < session.possible.size(); ++i) {
     NextSighting next = session.possible[i].next;
     const SightingRows& rows = equations.possible[i];
-    if (!isOfUncertaintyAlone) addCauses(next, some, WeighedCauses::Predictor(causes, rows));
+    addCauses(next, some, WeighedCauses::Predictor(causes, rows));
     next.ofUncertainty = every.tells(rows);
     list.push_back(std::move(next));
   }
@@ -79,9 +78,8 @@ bool isVerdictCertain(const Measurement& measurement, const SessionSoFar& state)
 /// Fills in the group of the most probable cause if the evidence against nothing suffices, the group holds
 /// almost all of the probability, and the cause leaves no more than noise. Larger noise is never named: an
 /// effect of no catalogue looks like it.
-void name(SessionSoFar& state, const WeighedCauses& causes, const SightingEquations& equations,
-          const EnoughOptions& options) {
-  constexpr double noMore = 1e-3;
+void name(SessionSoFar& state, const WeighedCauses& causes, const SightingEquations& equations) {
+  constexpr double certain = 0.95, noMore = 1e-3;
   const Weighed& first = causes.all().front();
   if (first.cause.empty() || first.cause == noiseId || !isEvident(state)) return;
   std::vector<std::string> group = inseparableFrom(first, equations);
@@ -91,28 +89,25 @@ void name(SessionSoFar& state, const WeighedCauses& causes, const SightingEquati
   const auto tail = chiSquareUpperTail(
       causes.chiSquareAfter(first),
       DegreesOfFreedom(static_cast<double>(causes.degreesOfFreedom() - first.weights.size())));
-  if (probability >= options.certain && tail.value_or(1) > noMore) state.named = std::move(group);
+  if (probability >= certain && tail.value_or(1) > noMore) state.named = std::move(group);
 }
 
-bool isAnyWorthIt(const SessionSoFar& state, const EnoughOptions& options) {
-  return !options.ranks || std::ranges::any_of(state.ranked, [&](const NextSighting& next) {
-    return next.ofCauses + next.ofUncertainty > options.leastWorth;
-  });
+bool isAnyWorthIt(const std::vector<NextSighting>& ranked) {
+  constexpr double leastWorth = 0.004;
+  return std::ranges::any_of(
+      ranked, [&](const NextSighting& next) { return next.ofCauses + next.ofUncertainty > leastWorth; });
 }
 
-Enough enoughOf(const SessionSoFar& state, const Measurement& measurement, const EnoughOptions& options) {
+Enough enoughOf(const SessionSoFar& state, const Measurement& measurement, bool ranks) {
   if (!state.named.empty()) return Enough::Named;
   if (isVerdictCertain(measurement, state)) return Enough::VerdictCertain;
-  const double k = coverageFactor(measurement.coverage, DegreesOfFreedom::infinite());
-  if (options.uncertainty && state.sigma && k * *state.sigma <= *options.uncertainty)
-    return Enough::UncertaintyReached;
-  return isAnyWorthIt(state, options) ? Enough::No : Enough::WillNotHelp;
+  return !ranks || isAnyWorthIt(state.ranked) ? Enough::No : Enough::WillNotHelp;
 }
 
 }  // namespace
 
 std::optional<SessionSoFar> sessionSoFar(const Measurement& measurement, const SightingPlan& plan,
-                                         const EnoughOptions& options) {
+                                         bool ranks) {
   if (measurement.arcs.empty() || plan.places.empty()) return std::nullopt;
   PossibleSightings session;
   const SightingEquations equations = sightingEquations(measurement, plan, session);
@@ -120,7 +115,8 @@ std::optional<SessionSoFar> sessionSoFar(const Measurement& measurement, const S
   const IntersectionSoFar every(equations);
   SessionSoFar state;
   state.logEvidence = causes.logEvidence();
-  state.logEvidenceNeeded = -std::log(options.alpha);
+  constexpr double alpha = 0.01;
+  state.logEvidenceNeeded = -std::log(alpha);
   for (const Weighed& cause : causes.all())
     state.causes.push_back({std::string(cause.cause), cause.probability});
   if (hasBothAxes(measurement)) {
@@ -129,10 +125,9 @@ std::optional<SessionSoFar> sessionSoFar(const Measurement& measurement, const S
     state.halfWidth = halfWidthAtAllTimes(every.sigma(), 1 - measurement.coverage);
   }
   if (!std::isfinite(state.logEvidence)) return std::nullopt;
-  name(state, causes, equations, options);
-  if (options.ranks)
-    state.ranked = ranked(session, equations, causes, every, options.uncertainty.has_value());
-  state.enough = enoughOf(state, measurement, options);
+  name(state, causes, equations);
+  if (ranks) state.ranked = ranked(session, equations, causes, every);
+  state.enough = enoughOf(state, measurement, ranks);
   state.isWithin =
       measurement.tolerance && state.intersection && std::abs(*state.intersection) <= *measurement.tolerance;
   return state;

@@ -30,7 +30,7 @@ struct WeighedCause {
 };
 
 /// Why no further sighting is needed.
-enum class Enough { No, Named, UncertaintyReached, VerdictCertain, WillNotHelp };
+enum class Enough { No, Named, VerdictCertain, WillNotHelp };
 
 /// The state of a session after its last sighting.
 struct SessionSoFar {
@@ -46,22 +46,16 @@ struct SessionSoFar {
   std::vector<NextSighting> ranked;           ///< the most worth per minute first
 };
 
-struct EnoughOptions {
-  double alpha = 0.01;                ///< probability of ever naming a cause where there is nothing
-  double certain = 0.95;              ///< probability of the named group
-  std::optional<double> uncertainty;  ///< wanted U of Δd, mm; sightings are then ranked by it alone
-  double leastWorth = 0.004;          ///< below it in every sighting, more will not help
-  bool ranks = true;                  ///< else no sighting is ranked, which is faster
-};
-
 /// Is no further sighting needed? Not before both positions are read, whatever is named: they make Δd.
 inline bool isEnough(const SessionSoFar& state) {
   return state.enough != Enough::No && state.intersection.has_value();
 }
 
 /// The state of a session with at least one sighting. Absent if its readings determine nothing. Jumps and
-/// gross errors are sought among the sightings so far.
+/// gross errors are sought among the sightings so far. The probability of ever naming a cause where there is
+/// nothing is α = 1 %, that of the named group at least 95 %. Unless it `ranks`, no sighting is ranked, which
+/// is faster.
 std::optional<SessionSoFar> sessionSoFar(const Measurement& measurement, const SightingPlan& plan,
-                                         const EnoughOptions& options = {});
+                                         bool ranks = true);
 
 }  // namespace alidade

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <string>
 
 #include "core/base/statistics.h"
 #include "core/diagnosis/next_sighting/all_possible.h"
@@ -12,17 +14,7 @@ namespace alidade {
 
 namespace {
 
-/// One row more: the elapsed shares count from a session longer by it.
-void prolong(Measurement& measurement) {
-  const auto gaps = [](std::size_t rows) { return std::max(1.0, static_cast<double>(rows) - 1); };
-  const double share = gaps(measurement.rows) / gaps(measurement.rows + 1);
-  ++measurement.rows;
-  for (ArcMeasurement& arc : measurement.arcs) {
-    arc.zero.elapsed *= share;
-    for (SightedZero& zero : arc.zeroSightings) zero.elapsed *= share;
-    for (Sighting& sighting : arc.sightings) sighting.elapsed *= share;
-  }
-}
+constexpr double worthIt = 0.9;  ///< factor of U
 
 /// The measurement after a sighting of `possible`, with the reading of the arcs fitted so far.
 Measurement after(const PossibleSighting& chosen, const Measurement& measurement,
@@ -42,7 +34,8 @@ Measurement after(const PossibleSighting& chosen, const Measurement& measurement
     taken.e = taken.e - (own.zeroElevation - arc.zeroElevation);
   }
   Measurement longer = measurement;
-  prolong(longer);
+  countElapsedFrom(longer, longer.rows + 1);
+  ++longer.rows;
   if (next.turnsAxis) {
     longer.arcs.push_back(arc);
     longer.arcs.back().sightings.clear();
@@ -56,8 +49,9 @@ Measurement after(const PossibleSighting& chosen, const Measurement& measurement
 /// A session with the sightings chosen so far.
 class Path {
  public:
-  Path(double uncertainty, const Measurement& measurement, const SightingPlan& plan)
-      : m_uncertainty(uncertainty), m_plan(plan), m_measurement(measurement) {
+  Path(double uncertainty, const Measurement& measurement, const SightingPlan& plan,
+       const std::stop_token& stop)
+      : m_uncertainty(uncertainty), m_plan(plan), m_stop(stop), m_measurement(measurement) {
     look();
   }
 
@@ -79,13 +73,39 @@ class Path {
   }
 
   void goOnTo(std::size_t count) {
-    while (!m_ahead.isReached && m_ahead.sightings.size() < count && goOn(false)) {
+    while (!m_ahead.isReached && m_ahead.sightings.size() < count && !m_stop.stop_requested() &&
+           goOn(false)) {
     }
+  }
+
+  /// Turns the axis after as many sightings as another path, and takes as many.
+  void goOnLike(const SightingsAhead& other) {
+    const auto turn = std::ranges::find_if(other.sightings, &NextSighting::turnsAxis);
+    goOnTo(static_cast<std::size_t>(turn - other.sightings.begin()));
+    if (turn != other.sightings.end()) goOn(true);
+    goOnTo(other.sightings.size());
+  }
+
+  /// U with each effect of known size, where that takes a tenth off or more.
+  std::vector<AttainableUncertainty> withKnownEffects() const {
+    PossibleSightings possible;
+    const SightingEquations equations = sightingEquations(m_measurement, m_plan, possible);
+    const IntersectionSoFar every(equations);
+    std::vector<AttainableUncertainty> list;
+    for (const MayBe& mayBe : equations.mayBe) {
+      if (mayBe.first >= equations.effectColumns || !mayBe.widths) continue;
+      const double share = every.sigmaKnowing(mayBe) / every.sigma();
+      if (share <= worthIt)
+        list.push_back(
+            {.measures = {}, .known = std::string(mayBe.cause), .expanded = share * *m_ahead.expanded});
+    }
+    return list;
   }
 
  private:
   double m_uncertainty;
   SightingPlan m_plan;
+  std::stop_token m_stop;
   Measurement m_measurement;
   SightingsAhead m_ahead;
   PossibleSightings m_possible;  ///< with their worth
@@ -108,24 +128,53 @@ bool isBetter(const SightingsAhead& one, const SightingsAhead& other) {
   return one.expanded.value_or(INFINITY) < other.expanded.value_or(INFINITY);
 }
 
+SightingPlan withMeasure(SightingPlan plan, Measure measure) {
+  if (measure == Measure::SliderReadings) plan.readsSlider = true;
+  if (measure == Measure::BothFaces) plan.faces = {1, 2};
+  return plan;
+}
+
+std::vector<AttainableUncertainty> insteadOf(const Path& best, const Measurement& measurement,
+                                             const SightingPlan& plan, const std::stop_token& stop) {
+  std::vector<AttainableUncertainty> instead{{{}, {}, *best.ahead().expanded}};
+  for (const Measure measure : {Measure::SliderReadings, Measure::BothFaces}) {
+    if (measure == Measure::SliderReadings ? plan.readsSlider : plan.faces.size() > 1) continue;
+    Path path(0, measurement, withMeasure(plan, measure), stop);
+    path.goOnLike(best.ahead());
+    if (const auto expanded = path.ahead().expanded;
+        expanded && *expanded <= worthIt * *best.ahead().expanded)
+      instead.push_back({{measure}, {}, *expanded});
+  }
+  std::ranges::move(best.withKnownEffects(), std::back_inserter(instead));
+  std::ranges::stable_sort(instead.begin() + 1, instead.end(), {}, &AttainableUncertainty::expanded);
+  return instead;
+}
+
 }  // namespace
 
 SightingsAhead sightingsFor(double uncertainty, const Measurement& measurement, const SightingPlan& plan,
-                            std::size_t most) {
+                            std::size_t most, const std::stop_token& stop) {
   constexpr std::size_t numbersHere[] = {0, 5, 9, 14, 20, 28, 38, 50, 66};  // before the axis is turned
-  Path here(uncertainty, measurement, plan);
-  SightingsAhead best = here.ahead();
+  Path here(uncertainty, measurement, plan, stop);
+  Path best = here;
+  const auto keepBetter = [&](const Path& path) {
+    if (isBetter(path.ahead(), best.ahead())) best = path;
+  };
   for (const std::size_t number : numbersHere) {
     here.goOnTo(std::min(number, most));
     Path turned = here;
     if (plan.canTurnAxis && !turned.ahead().isReached && turned.ahead().sightings.size() < most &&
         turned.goOn(true))
       turned.goOnTo(most);
-    if (isBetter(turned.ahead(), best)) best = turned.ahead();
-    if (here.ahead().isReached) break;
+    keepBetter(turned);
+    if (here.ahead().isReached || stop.stop_requested()) break;
   }
   here.goOnTo(most);
-  return isBetter(here.ahead(), best) ? here.ahead() : best;
+  keepBetter(here);
+  SightingsAhead ahead = best.ahead();
+  if (ahead.expanded && !ahead.isReached && !stop.stop_requested())
+    ahead.instead = insteadOf(best, measurement, plan, stop);
+  return ahead;
 }
 
 }  // namespace alidade

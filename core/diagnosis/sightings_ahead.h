@@ -2,9 +2,10 @@
 
 #include <cstddef>
 #include <optional>
+#include <stop_token>
 #include <vector>
 
-#include "core/diagnosis/next_sighting.h"
+#include "core/diagnosis/result/diagnosis.h"
 #include "core/diagnosis/result/sighting_plan.h"
 #include "core/session/measurement.h"
 
@@ -17,14 +18,18 @@ struct SightingsAhead {
   /// U of Δd after them, mm, with every effect of plausible size; absent without both positions.
   std::optional<double> expanded = {};
   bool isReached = false;  ///< false: `expanded` is the U that these sightings reach
+  /// If not reached: first without more; then the same number of sightings with slider readings or in both
+  /// faces, and effects of known size, where each takes a tenth off U or more.
+  std::vector<AttainableUncertainty> instead = {};
 };
 
 /// The sightings that bring U of Δd to `uncertainty` (mm, > 0) in the fewest minutes, at the session's
 /// coverage. The position of the last reading comes first, then the other one; several divisions between them
 /// are tried. Each sighting is the one that reduces U most for its minutes. U does not depend on the values,
 /// so the planned readings are those of the arcs fitted so far. `measurement` has at least one sighting;
-/// `most` limits the planned sightings. The axis is turned at most once, if the plan allows it.
+/// `most` limits the planned sightings. The axis is turned at most once, if the plan allows it. Asked to
+/// stop, it returns early with what it has.
 SightingsAhead sightingsFor(double uncertainty, const Measurement& measurement, const SightingPlan& plan,
-                            std::size_t most = 150);
+                            std::size_t most = 150, const std::stop_token& stop = {});
 
 }  // namespace alidade

@@ -105,62 +105,6 @@ std::vector<UndetectableEffect> Gap::noticeablyUndetectable() const {
   return effects;
 }
 
-namespace {
-
-/// A piece of advice, its information relative to the best of its kind, and its effort in sessions.
-struct Offer {
-  const Advice* advice;
-  double tells, effort;
-
-  bool beats(const Offer& other) const {
-    return advice->ofUndetectable == other.advice->ofUndetectable && effort <= other.effort &&
-           tells >= other.tells && (effort < other.effort || tells > other.tells || advice < other.advice);
-  }
-};
-
-double toldBy(const Diagnosis& diagnosis, const Advice& advice) {
-  if (!advice.ofUndetectable) return std::round(20 * advice.oneLeft);  // a twentieth is no difference
-  double variance = 0;
-  for (const UndetectableEffect& effect : diagnosis.undetectable)
-    if (std::ranges::find(advice.separates, effect.effect) != advice.separates.end())
-      variance += effect.influence * effect.influence;
-  return std::sqrt(variance);
-}
-
-/// Keeps the cheapest, the most informative, and between them the most informative for their effort.
-void keepFew(std::vector<Offer>& offers) {
-  constexpr std::size_t most = 3;
-  while (offers.size() > most) {
-    const auto worst = std::min_element(
-        offers.begin() + 1, offers.end() - 1,
-        [](const Offer& a, const Offer& b) { return a.tells * b.effort < b.tells * a.effort; });
-    offers.erase(worst);
-  }
-}
-
-}  // namespace
-
-std::vector<Advice> worthwhileAdvice(const Diagnosis& diagnosis) {
-  std::vector<Offer> all, frontier;
-  double best[2] = {0, 0};
-  for (const Advice& advice : diagnosis.advice) {
-    all.push_back({&advice, toldBy(diagnosis, advice), effortOf(advice.measures)});
-    double& most = best[advice.ofUndetectable ? 1 : 0];
-    most = std::max(most, all.back().tells);
-  }
-  for (Offer& offer : all)
-    if (const double most = best[offer.advice->ofUndetectable ? 1 : 0]; most > 0) offer.tells /= most;
-  std::ranges::copy_if(all, std::back_inserter(frontier), [&](const Offer& offer) {
-    return std::ranges::none_of(all, [&](const Offer& other) { return other.beats(offer); });
-  });
-  std::ranges::stable_sort(frontier, {},
-                           [](const Offer& offer) { return std::pair(offer.effort, offer.tells); });
-  keepFew(frontier);
-  std::vector<Advice> few;
-  for (const Offer& offer : frontier) few.push_back(*offer.advice);
-  return few;
-}
-
 Gap withDependences(Gap gap, const std::stop_token& stop) {
   if (gap.dependences) return gap;
   std::vector<Dependence> rows;

@@ -76,11 +76,6 @@ struct Gap {
 /// The undetectable effects of which a plausible size moves Δd by more than `expanded`, mm.
 std::vector<UndetectableEffect> undetectableBeyond(const Diagnosis& diagnosis, double expanded);
 
-/// The advice to show to a person: two or three at most, none of which another one beats in both what it
-/// tells and its effort. What it tells is the probability of one answer, or the influence of the effects it
-/// reveals. In order of effort.
-std::vector<Advice> worthwhileAdvice(const Diagnosis& diagnosis);
-
 /// The gap of this evaluation with its diagnosis: computes the stages. Asked to stop, it returns with fewer.
 Gap gapOf(SharedEvaluation evaluation, Diagnosis diagnosis, const std::stop_token& stop = {});
 /// Diagnoses the evaluation, weighing the causes with the reference (`DiagnosisOptions::withReference`) if

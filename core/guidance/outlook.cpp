@@ -272,6 +272,7 @@ Outlook outlookOf(const Measurement& measurement, const SessionFit& fit, const D
   const auto planOf = [&](int rounds) { return carriedOut(measurement, fit, protocol, progress, rounds); };
   const std::optional<Measurement> plan = planOf(0);
   if (!plan || stop.stop_requested()) return outlook;
+  outlook.whole = effortOf(*plan, protocol.minutes);
   std::optional<Measurement> ahead = plan;
   const auto addAhead = [&](int rounds) {
     if (rounds > 0) ahead = planOf(rounds);

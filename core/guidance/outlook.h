@@ -7,6 +7,7 @@
 
 #include "core/adjustment/result/session_fit.h"
 #include "core/diagnosis/result/diagnosis.h"
+#include "core/diagnosis/result/sighting_plan.h"
 #include "core/session/measurement.h"
 #include "core/session/protocol_progress.h"
 
@@ -48,6 +49,7 @@ struct Outlook {
   /// Alternatives if more rounds do not suffice (`attainableUncertainties`); the first has no further
   /// measure.
   std::vector<AttainableUncertainty> instead = {};
+  SessionEffort whole = {};  ///< of the complete protocol
 };
 
 struct OutlookOptions {

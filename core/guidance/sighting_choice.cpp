@@ -154,4 +154,16 @@ std::optional<SightingChoice> followChoice(const Session& session, const Measure
   return choice;
 }
 
+std::optional<SightingsAhead> sightingsAhead(const Measurement& measurement, const SightingProtocol& protocol,
+                                             double uncertainty, const std::stop_token& stop) {
+  const bool isBegun =
+      std::ranges::any_of(measurement.arcs, [](const ArcMeasurement& arc) { return !arc.sightings.empty(); });
+  if (!protocol.isByWorth || !isBegun || measurement.rows > mostForChoice) return std::nullopt;
+  SightingPlan plan = openPlan(protocol);
+  if (plan.places.empty()) return std::nullopt;
+  plan.canTurnAxis = protocol.positions.size() > measurement.arcs.size();
+  constexpr std::size_t most = 150;
+  return sightingsFor(uncertainty, measurement, plan, most, stop);
+}
+
 }  // namespace alidade

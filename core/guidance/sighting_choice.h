@@ -2,9 +2,11 @@
 
 #include <cstddef>
 #include <optional>
+#include <stop_token>
 #include <vector>
 
 #include "core/diagnosis/next_sighting.h"
+#include "core/diagnosis/sightings_ahead.h"
 #include "core/session/measurement.h"
 #include "core/session/protocol_progress.h"
 
@@ -38,5 +40,10 @@ std::optional<SightingChoice> chooseSighting(const Measurement& measurement, con
 /// Chooses in a protocol by worth, whose progress then leads there; nothing in another one.
 std::optional<SightingChoice> followChoice(const Session& session, const Measurement& measurement,
                                            const SightingProtocol& protocol, ProtocolProgress& progress);
+
+/// The sightings at the places of a protocol by worth that reach this U of Δd, mm (`sightingsFor`). Absent in
+/// another protocol, before the first reading, and above `mostForChoice`.
+std::optional<SightingsAhead> sightingsAhead(const Measurement& measurement, const SightingProtocol& protocol,
+                                             double uncertainty, const std::stop_token& stop = {});
 
 }  // namespace alidade

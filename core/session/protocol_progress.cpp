@@ -333,6 +333,11 @@ Result<std::optional<SightingProtocol>> protocolOf(const Session& session) {
   return protocol;
 }
 
+SightingMinutes sightingMinutesOf(const Session& session) {
+  const auto protocol = protocolOf(session);
+  return protocol && *protocol ? (*protocol)->minutes : SightingMinutes();
+}
+
 ProtocolProgress progressOf(const Session& session, const SightingProtocol& protocol,
                             std::optional<std::size_t> chosen) {
   return Follower(session, protocol, chosen).follow();

@@ -34,6 +34,9 @@ std::vector<PlannedSighting> sightingsInOrder(const SightingProtocol& protocol);
 /// with the place in the session.
 Result<std::optional<SightingProtocol>> protocolOf(const Session& session);
 
+/// The minutes of the protocol that a session follows, or else the usual ones.
+SightingMinutes sightingMinutesOf(const Session& session);
+
 enum class SightingState {
   Taken,
   Next,      ///< to be taken now

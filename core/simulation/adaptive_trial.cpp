@@ -30,46 +30,37 @@ bool isNamedRightly(const std::vector<std::string>& named, const SealedTruth& tr
   return !named.empty() && (isAmong(named, truth.kind) || isAmong(truth.lookAlikes, named.front()));
 }
 
-struct Step {
-  int axisDeg = 0, round = 1, point = 1, face = 1;
-};
-
-std::vector<Step> stepsOf(const Protocol& protocol) {
-  std::vector<Step> steps;
+std::vector<NextSighting> stepsOf(const Protocol& protocol) {
+  std::vector<NextSighting> steps;
   for (const int axisDeg : protocol.axes)
     for (const PlannedRow& row : plannedRows(protocol))
-      steps.push_back({axisDeg, row.round, row.point, row.face});
+      steps.push_back({.axisDeg = axisDeg, .point = row.point, .face = row.face, .round = row.round});
   return steps;
 }
 
 /// Reads one session.
 class Run {
  public:
-  Run(const Protocol& protocol, const Truth& truth, std::uint64_t seed, const EnoughOptions& enough)
-      : m_protocol(protocol),
-        m_plan(sightingPlanOf(protocol)),
-        m_enough(enough),
-        m_session(protocol, truth, seed) {}
+  Run(const Protocol& protocol, const Truth& truth, std::uint64_t seed)
+      : m_protocol(protocol), m_plan(sightingPlanOf(protocol)), m_session(protocol, truth, seed) {}
 
-  WatchedRun inOrder(bool isWatchedToTheEnd = false) {
-    m_enough.ranks = false;
-    for (const Step& step : stepsOf(m_protocol)) {
+  WatchedRun inOrder() {
+    for (const NextSighting& step : stepsOf(m_protocol)) {
       take(step, minutesOf(step));
-      if (!look()) continue;
-      if (!isWatchedToTheEnd && m_state->enough == Enough::Named) break;
+      if (look(false) && m_state->enough == Enough::Named) break;
     }
     return std::move(m_run);
   }
 
   WatchedRun byWorth(bool isWatchedToTheEnd = false) {
-    const Step first = stepsOf(m_protocol).front();
+    const NextSighting first = stepsOf(m_protocol).front();
     take(first, minutesOf(first));
     while (m_session.sightings() < m_plan.rows) {
       if (!look() || m_state->ranked.empty()) break;
       if (!isWatchedToTheEnd && m_state->enough == Enough::Named && close(first)) break;
       if (!isWatchedToTheEnd && m_state->enough == Enough::WillNotHelp) break;
       const NextSighting& next = m_state->ranked.front();
-      take({next.axisDeg, next.round, next.point, next.face}, next.minutes);
+      take(next, next.minutes);
     }
     return std::move(m_run);
   }
@@ -79,16 +70,15 @@ class Run {
  private:
   const Protocol& m_protocol;
   SightingPlan m_plan;
-  EnoughOptions m_enough;
   WatchedSession m_session;
   WatchedRun m_run;
   std::optional<SessionSoFar> m_state;
-  std::optional<Step> m_last;
+  std::optional<NextSighting> m_last;
   bool m_isClosed = false;
   std::size_t m_turns = 0;
   double m_slowest = 0;
 
-  double minutesOf(const Step& step) const {
+  double minutesOf(const NextSighting& step) const {
     const bool begins = !m_last || m_last->axisDeg != step.axisDeg;
     return alidade::minutesOf(m_plan.minutes, {.turnsAxis = m_last && begins,
                                                .sightsZero = begins,
@@ -96,7 +86,7 @@ class Run {
                                                .drivesSlider = begins || m_last->point != step.point});
   }
 
-  void take(const Step& step, double minutes) {
+  void take(const NextSighting& step, double minutes) {
     if (m_last && m_last->axisDeg != step.axisDeg) ++m_turns;
     m_plan.canTurnAxis = m_turns + 1 < 2 * m_protocol.axes.size();  // as in `openOrder`
     m_session.sight(step.axisDeg, step.round, step.point, step.face);
@@ -106,11 +96,11 @@ class Run {
   }
 
   /// Returns false if the readings determine nothing yet.
-  bool look() {
+  bool look(bool ranks = true) {
     const std::optional<Measurement> measurement = m_session.measurement();
     if (!measurement) return false;
     const auto start = std::chrono::steady_clock::now();
-    m_state = sessionSoFar(*measurement, m_plan, m_enough);
+    m_state = sessionSoFar(*measurement, m_plan, ranks);
     const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
     m_slowest = std::max(m_slowest, took.count());
     if (!m_state) return false;
@@ -121,15 +111,12 @@ class Run {
 
   /// Before the end: an early place once more and the zero, so that an effect of time shows. Returns whether
   /// a cause is still named.
-  bool close(const Step& first) {
+  bool close(const NextSighting& first) {
     if (std::exchange(m_isClosed, true)) return true;
     const auto again = std::ranges::find_if(m_state->ranked, [&](const NextSighting& next) {
       return !next.turnsAxis && next.point == first.point && next.face == m_last->face;
     });
-    if (again != m_state->ranked.end()) {
-      const NextSighting next = *again;
-      take({next.axisDeg, next.round, next.point, next.face}, next.minutes);
-    }
+    if (again != m_state->ranked.end()) take(*again, again->minutes);
     m_session.sightZero();
     ++m_run.sightings;
     m_run.minutes += minutesOfPointing;
@@ -138,15 +125,13 @@ class Run {
   }
 };
 
-Result<AdaptiveTrial> trialOf(const AdaptiveTrialOptions& options, const BlindTrialOptions& draw,
-                              std::uint64_t seed, double& slowest) {
+Result<AdaptiveTrial> trialOf(const BlindTrialOptions& draw, std::uint64_t seed, double& slowest) {
   const auto drawn = drawBlindTrial(draw, seed);
   if (!drawn) return drawn.problem();
   const Protocol& protocol = *protocolByName(draw.protocol);
   AdaptiveTrial trial{.truth = drawn->seal};
   trial.rows = stepsOf(protocol).size();
-  Run ordered(protocol, drawn->truth, seed, options.enough),
-      chosen(protocol, drawn->truth, seed, options.enough);
+  Run ordered(protocol, drawn->truth, seed), chosen(protocol, drawn->truth, seed);
   trial.ofProtocol = ordered.inOrder();
   trial.byWorth = chosen.byWorth();
   slowest = std::max(slowest, chosen.slowest());
@@ -184,9 +169,9 @@ Result<AdaptiveTrials> adaptiveTrials(const AdaptiveTrialOptions& options, const
   doEach(std::clamp<std::size_t>(all, 1, threads), all, [&](std::size_t i) {
     double slowest = 0;
     if (i < options.count) {
-      withCause[i] = trialOf(options, one, seed + i, slowest);
+      withCause[i] = trialOf(one, seed + i, slowest);
     } else if (const auto drawn = drawBlindTrial(none, seed + i)) {
-      Run run(*protocol, drawn->truth, seed + i, options.enough);
+      Run run(*protocol, drawn->truth, seed + i);
       trials.clean[i - options.count] = run.byWorth(true);
       slowest = run.slowest();
     }

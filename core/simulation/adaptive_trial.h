@@ -16,13 +16,10 @@ namespace alidade {
 // Blind trials of the next sighting. The same drawn truth is read in the order of its protocol, and by the
 // most informative sightings, until a cause is named.
 
-enum class SightingOrder { OfProtocol, ByWorth };
-
 struct AdaptiveTrialOptions {
   std::size_t count = 100;  ///< truths with one cause
   std::size_t clean = 0;    ///< truths without any, watched after every sighting of a whole session
-  EnoughOptions enough = {};
-  unsigned threads = 0;  ///< 0: as many as the machine has; the result is the same for any number
+  unsigned threads = 0;     ///< 0: as many as the machine has; the result is the same for any number
   std::function<void(std::size_t)> progress = {};
 };
 

@@ -9,7 +9,6 @@
 #include "core/base/quantity_text.h"
 #include "core/base/visible_text.h"
 #include "core/wording/across.h"
-#include "core/wording/attainable.h"
 #include "core/wording/budget.h"
 #include "core/wording/effect_name.h"
 #include "core/wording/findings.h"
@@ -107,8 +106,6 @@ Statement measuredBudget(const Diagnosis& diagnosis, double coverage) {
       Phrase::of("Δd, measured, includes every catalogued effect, limited by these readings or by its "
                  "plausible size."),
       acrossSentence(measured)};
-  if (std::string attainable = attainableSentence(diagnosis.attainable); !attainable.empty())
-    statement.sentences.push_back(std::move(attainable));
   statement.note = Phrase::of(
       "1σ: how large each effect may plausibly be; c: sensitivity, how many mm one unit of it moves Δd in "
       "these readings; ν: degrees of freedom; share: of the variance. A: by the scatter of these readings; "

@@ -34,7 +34,7 @@ Statement gapRequired(const Gap& gap);
 /// The undetectable effects that may move Δd noticeably.
 Statement gapUndetectable(const Gap& gap);
 
-/// The readings to take next: those that tell most for their effort (`worthwhile`), and attainable U.
+/// What to measure next, and attainable U (next_measures.h).
 Statement gapAdvice(const Gap& gap);
 
 /// Known sizes, and what these readings say of them.

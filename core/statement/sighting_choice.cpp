@@ -91,8 +91,6 @@ std::string enoughSentence(const SessionSoFar& state) {
       return Phrase::of("Enough: the cause is named, %1 (%2); the evidence against no cause is %3 to 1.",
                         causeNames(state.named, Phrase::of(" or ")), probabilityText(probability), evidence);
     }
-    case Enough::UncertaintyReached:
-      return Phrase::of("Enough: the U that was wanted is reached.");
     case Enough::VerdictCertain:
       return state.isWithin
                  ? Phrase::of("Enough for a verdict: whatever effect is there, Δd is within the tolerance.")

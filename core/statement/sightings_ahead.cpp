@@ -1,5 +1,7 @@
 #include "core/statement/sightings_ahead.h"
 
+#include <algorithm>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -7,15 +9,48 @@
 #include "core/base/phrase.h"
 #include "core/base/quantity_text.h"
 #include "core/session/face.h"
+#include "core/statement/next_measures.h"
 
 namespace alidade {
 
 namespace {
 
-/// "5", "5 in face 2".
-std::string placeText(const NextSighting& next) {
-  const std::string point = std::to_string(next.point);
-  return next.face == 1 ? point : Phrase::of("%1 in %2", point, faceName(next.face));
+using Sightings = std::span<const NextSighting>;
+
+/// Its first part with one key, as `keyOf` has it, is removed from `rest` and returned.
+template <typename KeyOf>
+Sightings firstAlike(Sightings& rest, KeyOf keyOf) {
+  const auto end = std::ranges::find_if(
+      rest, [&](const NextSighting& next) { return keyOf(next) != keyOf(rest.front()); });
+  const Sightings alike(rest.begin(), end);
+  rest = rest.subspan(alike.size());
+  return alike;
+}
+
+/// "5, 9 (2×), 4".
+std::string pointsText(Sightings sightings) {
+  std::vector<std::string> texts;
+  while (!sightings.empty()) {
+    const Sightings again = firstAlike(sightings, [](const NextSighting& next) { return next.point; });
+    texts.push_back(std::to_string(again.front().point));
+    if (again.size() > 1) texts.back() += " (" + std::to_string(again.size()) + "×)";
+  }
+  return listed(texts);
+}
+
+/// "5, 9 (2×), 4; face 2: 4, 9".
+std::string placesText(Sightings sightings) {
+  std::string text;
+  while (!sightings.empty()) {
+    const Sightings ofFace = firstAlike(sightings, [](const NextSighting& next) { return next.face; });
+    const std::string points = pointsText(ofFace);
+    const int face = ofFace.front().face;
+    if (text.empty())
+      text = face == 1 ? points : Phrase::of("%1: %2", faceName(face), points);
+    else
+      text = Phrase::of("%1; %2: %3", text, faceName(face), points);
+  }
+  return text;
 }
 
 std::string sentenceOf(const SightingsAhead& ahead, double uncertainty) {
@@ -36,17 +71,23 @@ Statement sightingsAheadStatement(const SightingsAhead& ahead, double uncertaint
   using Role = Statement::Column::Role;
   Statement statement{.id = "sightings_ahead",
                       .title = Phrase::of("Sightings to come"),
-                      .columns = {{"axis", "", Role::Name}, {"points", Phrase::of("points"), Role::Word}},
+                      .columns = {{"axis", "", Role::Name},
+                                  {"sightings", Phrase::of("sightings")},
+                                  {"minutes", Phrase::of("minutes")},
+                                  {"points", Phrase::of("points"), Role::Text}},
                       .rows = {},
                       .sentences = {sentenceOf(ahead, uncertainty)}};
-  std::vector<std::string> places;
-  for (std::size_t i = 0; i < ahead.sightings.size(); ++i) {
-    const NextSighting& next = ahead.sightings[i];
-    places.push_back(placeText(next));
-    const bool isLast = i + 1 == ahead.sightings.size() || ahead.sightings[i + 1].turnsAxis;
-    if (!isLast) continue;
-    statement.rows.push_back({.cells = {std::to_string(next.axisDeg) + "°", listed(places)}});
-    places.clear();
+  if (!ahead.isReached) {
+    if (!ahead.instead.empty()) addUncertainties(statement, ahead.instead);
+    return statement;
+  }
+  for (Sightings rest = ahead.sightings; !rest.empty();) {
+    const Sightings here = firstAlike(rest, [](const NextSighting& next) { return next.axisDeg; });
+    double minutes = 0;
+    for (const NextSighting& next : here) minutes += next.minutes;
+    statement.rows.push_back(
+        {.cells = {std::to_string(here.front().axisDeg) + "°", std::to_string(here.size()),
+                   displayText(minutes, 0), placesText(here)}});
   }
   return statement;
 }

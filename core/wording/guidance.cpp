@@ -9,7 +9,6 @@
 #include "core/base/quantity_text.h"
 #include "core/observation/reading_ref.h"
 #include "core/session/face.h"
-#include "core/wording/attainable.h"
 #include "core/wording/position_name.h"
 
 namespace alidade {
@@ -113,7 +112,6 @@ std::string notEnough(const Outlook& outlook, Account account, const Lengths& te
   else
     sentences.push_back(Phrase::of("Even %1 rounds more leave U at %2 mm; the verdict needs %3 mm.",
                                    most.rounds, text(account.of(most.expanded)), needed));
-  sentences.push_back(attainableSentence(outlook.instead));
   return joined(sentences);
 }
 

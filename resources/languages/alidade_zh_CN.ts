@@ -7215,10 +7215,6 @@ Includes every catalogued effect, limited by these readings or by its plausible 
         <translation>已足够：原因已判明，为%1（%2）；相对“无原因”的证据比为 %3 : 1。</translation>
     </message>
     <message>
-        <source>Enough: the U that was wanted is reached.</source>
-        <translation>已足够：已达到所要求的 U。</translation>
-    </message>
-    <message>
         <source>Enough for a verdict: whatever effect is there, Δd is within the tolerance.</source>
         <translation>已足以判定：无论存在何种效应，Δd 都在允差之内。</translation>
     </message>
@@ -7280,7 +7276,7 @@ Includes every catalogued effect, limited by these readings or by its plausible 
     </message>
     <message>
         <source>points</source>
-        <translation>点</translation>
+        <translation>测点</translation>
     </message>
     <message>
         <source>Not enough yet: the readings scatter more than stated, by noise or by an effect of no catalogue; the diagnosis tells.</source>
@@ -7305,18 +7301,6 @@ Includes every catalogued effect, limited by these readings or by its plausible 
     <message>
         <source>has no readings yet</source>
         <translation>还没有读数</translation>
-    </message>
-    <message>
-        <source>Typical U for this plan: %1</source>
-        <translation>此读数计划的典型 U：%1</translation>
-    </message>
-    <message>
-        <source>%1 with %2</source>
-        <translation>加上%2则为 %1</translation>
-    </message>
-    <message>
-        <source>%1 with %2 known</source>
-        <translation>已知%2则为 %1</translation>
     </message>
     <message>
         <source>averaged over the indistinguishable causes</source>
@@ -7691,10 +7675,6 @@ Includes every catalogued effect, limited by these readings or by its plausible 
         <translation>测点 %1、测回 %2、%3已在第 %4 行：请给它另一个测点或测回，或排除其一</translation>
     </message>
     <message>
-        <source>%1 in %2</source>
-        <translation>%1（%2）</translation>
-    </message>
-    <message>
         <source>%1 point %2 (round %3, %4)</source>
         <translation>%1 测点 %2（测回 %3、%4）</translation>
     </message>
@@ -7885,6 +7865,46 @@ Includes every catalogued effect, limited by these readings or by its plausible 
         <source>a %1 other than known</source>
         <extracomment>a known size of an effect that the readings contradict: &quot;a trunnion tilt other than known&quot;</extracomment>
         <translation>与已知值不同的%1</translation>
+    </message>
+    <message>
+        <source>%1; %2: %3</source>
+        <translation>%1；%2：%3</translation>
+    </message>
+    <message>
+        <source>sightings</source>
+        <translation>照准次数</translation>
+    </message>
+    <message>
+        <source>minutes</source>
+        <translation>分钟</translation>
+    </message>
+    <message>
+        <source>would show %1</source>
+        <translation>可显示%1</translation>
+    </message>
+    <message>
+        <source>%1 from %2</source>
+        <translation>%1与%2</translation>
+    </message>
+    <message>
+        <source>separates %1</source>
+        <translation>可区分%1</translation>
+    </message>
+    <message>
+        <source>%1 known</source>
+        <translation>已知%1</translation>
+    </message>
+    <message>
+        <source>min, about</source>
+        <translation>约需分钟</translation>
+    </message>
+    <message>
+        <source>Typical U for this plan: %1 mm.</source>
+        <translation>此读数计划的典型 U：%1 mm。</translation>
+    </message>
+    <message>
+        <source>What would reduce U further</source>
+        <translation>还可用什么减小 U</translation>
     </message>
 </context>
 <context>
@@ -12334,6 +12354,30 @@ a clause as a sentence</extracomment>
     <message>
         <source>Protocol: %1</source>
         <translation>方案：%1</translation>
+    </message>
+    <message>
+        <source>The sightings that reach a U of Δd are listed from the first reading on, up to %1 rows.</source>
+        <translation>从第一个读数起，列出达到所需 Δd 的 U 的照准，最多 %1 行。</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>无</translation>
+    </message>
+    <message>
+        <source>Lists the sightings that bring U of Δd there in the fewest minutes. With 0 it is a third of the tolerance</source>
+        <translation>列出以最少分钟使 Δd 的 U 降到此值的照准。填 0 时取允差的三分之一</translation>
+    </message>
+    <message>
+        <source>U to reach</source>
+        <translation>须达到的 U</translation>
+    </message>
+    <message>
+        <source>Enter the U of Δd to reach: the sightings that reach it soonest are listed here.</source>
+        <translation>请输入须达到的 Δd 的 U：此处列出最快达到它的照准。</translation>
     </message>
 </context>
 <context>

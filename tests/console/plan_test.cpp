@@ -58,8 +58,9 @@ TEST(Plan, SaysItInWordsToo) {
   EXPECT_EQ(run.exitCode, 0) << run.err;
   EXPECT_THAT(run.out, HasSubstr("vertical drift"));
   EXPECT_THAT(run.out, HasSubstr("unseen"));
-  EXPECT_THAT(run.out, HasSubstr("a return run (in a new session): shows"));
+  EXPECT_THAT(run.out, HasSubstr("Slider readings, both faces and a return run (in a new session)"));
   EXPECT_THAT(run.out, HasSubstr("\nTypical U for this plan: "));
+  EXPECT_LT(run.out.find("What to measure next"), run.out.find("would show"));
 }
 
 // A plan without noise leaves some thousand degrees of freedom and a misfit below one arcsecond.

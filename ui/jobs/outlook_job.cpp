@@ -15,9 +15,10 @@ OutlookJob::OutlookJob(QObject* parent)
         if (!isOvertaken) emit found(outlook);
       }) {}
 
-void OutlookJob::request(SharedEvaluation evaluation, SharedGap gap) {
+void OutlookJob::request(SharedEvaluation evaluation, SharedGap gap, double uncertainty) {
   m_wanted = std::move(evaluation);
   m_gap = std::move(gap);
+  m_uncertainty = uncertainty;
   m_isCancelled = false;
   if (m_work.isAtWork())
     m_work.stop();
@@ -34,15 +35,21 @@ void OutlookJob::cancel() {
 void OutlookJob::start() {
   const SharedEvaluation evaluation = std::exchange(m_wanted, nullptr);
   m_work.start(
-      [evaluation, gap = m_gap](const std::stop_token& stop) {
+      [evaluation, gap = m_gap, uncertainty = m_uncertainty](const std::stop_token& stop) {
         const Guide& guide = *evaluation->guide;
-        return OutlookOfSession{
-            evaluation, outlookOf(*evaluation->examined.measurement, evaluation->fit,
-                                  gap ? gap->found() : nullptr, guide.protocol, guide.progress, {}, stop)};
+        const Measurement& measurement = *evaluation->examined.measurement;
+        OutlookOfSession found{evaluation};
+        if (guide.protocol.isByWorth)
+          found.ahead = sightingsAhead(measurement, guide.protocol, uncertainty, stop);
+        else
+          found.outlook = outlookOf(measurement, evaluation->fit, gap ? gap->found() : nullptr,
+                                    guide.protocol, guide.progress, {}, stop);
+        return found;
       },
       [evaluation](const std::string& reason) {
         return OutlookOfSession{
-            evaluation, {}, tellFailure({PHRASE_LATER("Phrase", "outlook"), reason, evaluation->session})};
+            .evaluation = evaluation,
+            .failure = tellFailure({PHRASE_LATER("Phrase", "outlook"), reason, evaluation->session})};
       });
 }
 

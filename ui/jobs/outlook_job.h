@@ -2,9 +2,11 @@
 
 #include <QObject>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "core/guidance/outlook.h"
+#include "core/guidance/sighting_choice.h"
 #include "ui/jobs/background.h"
 #include "ui/jobs/gap_job.h"
 
@@ -13,8 +15,9 @@ namespace alidade::ui {
 /// The effect of further sightings on the session of one evaluation.
 struct OutlookOfSession {
   SharedEvaluation evaluation;
-  Outlook outlook;
-  std::string failure = {};  ///< why there is none: sentences
+  Outlook outlook = {};                      ///< in a listed protocol
+  std::optional<SightingsAhead> ahead = {};  ///< in a protocol by worth
+  std::string failure = {};                  ///< why there is none: sentences
 };
 
 using SharedOutlook = std::shared_ptr<const OutlookOfSession>;
@@ -27,8 +30,9 @@ class OutlookJob : public QObject {
  public:
   explicit OutlookJob(QObject* parent = nullptr);
 
-  /// Requests the outlook of an evaluation with a guide. `gap`: its diagnosis, or null.
-  void request(SharedEvaluation evaluation, SharedGap gap);
+  /// Requests the outlook of an evaluation with a guide. `gap`: its diagnosis, or null; `uncertainty`: the U
+  /// of Δd that a protocol by worth is to reach, mm.
+  void request(SharedEvaluation evaluation, SharedGap gap, double uncertainty);
   void cancel();  ///< nothing of the request is delivered
   bool isIdle() const { return !m_wanted && !m_work.isAtWork(); }
 
@@ -40,6 +44,7 @@ class OutlookJob : public QObject {
 
   SharedEvaluation m_wanted;  ///< null if nothing waits to start
   SharedGap m_gap;
+  double m_uncertainty = 0;
   bool m_isCancelled = false;
   Background<OutlookOfSession> m_work;
 };

@@ -7,6 +7,7 @@
 #include "app/console/plan_text.h"
 #include "app/console/session_input.h"
 #include "core/answers/beforehand.h"
+#include "core/session/protocol_progress.h"
 #include "core/simulation/planned_session.h"
 #include "core/wording/diagnosis_fault.h"
 
@@ -28,6 +29,7 @@ Result<std::string> runPlan(const PlanRequest& request) {
   Result<SessionInput> read = readSessionInput(request.file, &withPlannedReadings, request.effects);
   if (!read) return read.problem();
   SessionInput input = *std::move(read);
+  const SessionEffort effort = effortOf(input.measurement, sightingMinutesOf(input.session));
   input.session = {};  // no longer needed, and as large as its rows
   const SessionFit fit = fitSession(input.measurement);
   const Result<std::vector<Finding>> findings = findingsBeforehand(input.measurement, fit);
@@ -35,7 +37,7 @@ Result<std::string> runPlan(const PlanRequest& request) {
   const auto review = reviewPlan(input.measurement, fit);
   if (!review) return problemOf(review.problem());
   return request.json ? planJson(input.name, *review, *findings, input.measurement)
-                      : planText(input.name, *review, *findings);
+                      : planText(input.name, *review, *findings, effort);
 }
 
 }  // namespace alidade::console

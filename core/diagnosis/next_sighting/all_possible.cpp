@@ -32,6 +32,14 @@ IntersectionSoFar::IntersectionSoFar(const SightingEquations& equations)
   m_variance = m_gain.dot(intersection);
 }
 
+double IntersectionSoFar::sigmaKnowing(const MayBe& effect) const {
+  const Index size = m_gain.size(), first = size - m_effectColumns + effect.first;
+  const MatrixXd covariance = m_normal.solve(MatrixXd::Identity(size, size).middleCols(first, effect.count))
+                                  .middleRows(first, effect.count);
+  const VectorXd own = m_gain.segment(first, effect.count);
+  return std::sqrt(std::max(m_variance - own.dot(covariance.ldlt().solve(own)), 0.0));
+}
+
 double IntersectionSoFar::tells(const SightingRows& rows) const {
   const MatrixXd all = sideBySide(rows, m_effectColumns);
   const MatrixXd half = m_normal.matrixL().solve(all.transpose());

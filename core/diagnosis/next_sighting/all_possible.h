@@ -18,6 +18,8 @@ class IntersectionSoFar {
 
   double value() const { return m_value; }  ///< mm
   double sigma() const { return std::sqrt(m_variance); }
+  /// The same if the size of this effect were known exactly, mm.
+  double sigmaKnowing(const MayBe& effect) const;
   /// −ln(U after/U before) of a possible sighting.
   double tells(const SightingRows& rows) const;
 

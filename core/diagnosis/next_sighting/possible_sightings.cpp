@@ -50,17 +50,6 @@ ArcMeasurement arcAfterTurn(const Measurement& measurement, const ArcMeasurement
   return next;
 }
 
-/// Counts the elapsed share from the duration of the whole plan.
-void countFromPlan(Measurement& measurement, const SightingPlan& plan) {
-  const auto gaps = [](std::size_t rows) { return std::max(1.0, static_cast<double>(rows) - 1); };
-  const double share = gaps(measurement.rows) / gaps(plan.rows);
-  for (ArcMeasurement& arc : measurement.arcs) {
-    arc.zero.elapsed *= share;
-    for (SightedZero& zero : arc.zeroSightings) zero.elapsed *= share;
-    for (Sighting& sighting : arc.sightings) sighting.elapsed *= share;
-  }
-}
-
 /// The last of the sightings taken of a place; null if there is none. The slider may stand elsewhere than
 /// planned.
 const Sighting* takenAt(const ArcMeasurement& arc, std::size_t taken, int point) {
@@ -78,12 +67,22 @@ SightedZero sightedZeroOf(const Sighting& next) {
 
 }  // namespace
 
+void countElapsedFrom(Measurement& measurement, std::size_t rows) {
+  const auto gaps = [](std::size_t count) { return std::max(1.0, static_cast<double>(count) - 1); };
+  const double share = gaps(measurement.rows) / gaps(rows);
+  for (ArcMeasurement& arc : measurement.arcs) {
+    arc.zero.elapsed *= share;
+    for (SightedZero& zero : arc.zeroSightings) zero.elapsed *= share;
+    for (Sighting& sighting : arc.sightings) sighting.elapsed *= share;
+  }
+}
+
 PossibleSightings possibleSightings(const Measurement& taken, const SightingPlan& plan) {
   PossibleSightings session{.measurement = taken, .taken = {}, .possible = {}};
   Measurement& all = session.measurement;
   for (const ArcMeasurement& arc : all.arcs) session.taken.push_back(arc.sightings.size());
   std::size_t current = 0;
-  countFromPlan(all, plan);
+  countElapsedFrom(all, plan.rows);
   const Sighting* found = lastOf(all, current);
   const Sighting last = found ? *found : Sighting{};
   Sighting next;

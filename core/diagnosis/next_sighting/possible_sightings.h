@@ -23,6 +23,9 @@ struct PossibleSightings {
   std::size_t newArc = 0;
 };
 
+/// Counts the elapsed shares from the duration of so many rows.
+void countElapsedFrom(Measurement& measurement, std::size_t rows);
+
 PossibleSightings possibleSightings(const Measurement& taken, const SightingPlan& plan);
 
 /// Gives the possible sightings error-free readings on these circles, one for each arc.

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/base/angle.h"
+#include "core/session/measurement.h"
 #include "core/session/sighting_minutes.h"
 
 namespace alidade {
@@ -24,6 +25,13 @@ inline double minutesOf(const SightingMinutes& minutes, const SightingMoves& mov
          (moves.plungesTelescope ? minutes.plungingTelescope : 0) +
          (moves.drivesSlider ? minutes.drivingSlider : 0);
 }
+
+/// What a session takes; the effort of measures is in proportion to it (`effortOf`).
+struct SessionEffort {
+  double rows = 0, minutes = 0;
+};
+
+SessionEffort effortOf(const Measurement& measurement, const SightingMinutes& minutes);
 
 /// A place of the slider, its coordinate as planned.
 struct SightingPlace {

@@ -63,18 +63,6 @@ TEST(NextSighting, NamesTheCauseThatIsThere) {
   EXPECT_THAT(state->named, testing::Contains("vertical_index"));
 }
 
-TEST(NextSighting, StopsAtTheUncertaintyWanted) {
-  const WatchedSession session = readInFaceOne(drawTruth(7));
-  const SightingPlan plan = sightingPlanOf(twoFace());
-  const auto state = sessionSoFar(*session.measurement(), plan);
-  ASSERT_TRUE(state && state->sigma);
-  EXPECT_TRUE(state->named.empty());
-  const double expanded = 1.96 * *state->sigma;
-  EXPECT_EQ(sessionSoFar(*session.measurement(), plan, {.uncertainty = 1.01 * expanded})->enough,
-            Enough::UncertaintyReached);
-  EXPECT_EQ(sessionSoFar(*session.measurement(), plan, {.uncertainty = 0.99 * expanded})->enough, Enough::No);
-}
-
 TEST(NextSighting, IsCertainOfAVerdictOnlyBeyondTheRangeOfAllTimes) {
   const auto decided = [](double tolerance) {
     Measurement measurement = *readInFaceOne(drawTruth(7)).measurement();
@@ -86,15 +74,6 @@ TEST(NextSighting, IsCertainOfAVerdictOnlyBeyondTheRangeOfAllTimes) {
   EXPECT_GT(state.halfWidth, 1.96 * *state.sigma);
   EXPECT_EQ(decided(size + 1.01 * state.halfWidth).enough, Enough::VerdictCertain);
   EXPECT_NE(decided(size + 0.99 * state.halfWidth).enough, Enough::VerdictCertain);
-}
-
-TEST(NextSighting, IsRankedByTheUncertaintyAloneIfThatIsWanted) {
-  const auto state = sessionSoFar(*readInFaceOne(drawTruth(7)).measurement(), sightingPlanOf(twoFace()),
-                                  {.uncertainty = 0.01});
-  ASSERT_TRUE(state && !state->ranked.empty());
-  double most = 0;
-  for (const NextSighting& next : state->ranked) most = std::max(most, next.ofUncertainty / next.minutes);
-  EXPECT_DOUBLE_EQ(state->ranked.front().perMinute(), most);
 }
 
 /// A place may be numbered as planned and lie elsewhere: then the next sighting there lies there, too.

@@ -3,7 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <stop_token>
+#include <string>
+#include <string_view>
 
+#include "core/effects/catalogue.h"
 #include "core/simulation/adaptive_trial.h"
 #include "core/simulation/watched_session.h"
 
@@ -12,12 +16,6 @@ namespace {
 
 const Protocol& watched() {
   return *protocolByName("two-face");
-}
-
-EnoughOptions unranked() {
-  EnoughOptions options;
-  options.ranks = false;
-  return options;
 }
 
 WatchedSession begun(const Truth& truth, std::uint64_t seed) {
@@ -43,7 +41,7 @@ TEST(SightingsAhead, ComeToTheSameUncertaintyWhenTheyAreTaken) {
       minutes += next.minutes;
     }
     EXPECT_DOUBLE_EQ(minutes, ahead.minutes);
-    const auto state = sessionSoFar(*taken.measurement(), plan, unranked());
+    const auto state = sessionSoFar(*taken.measurement(), plan, false);
     ASSERT_TRUE(state && state->sigma);
     EXPECT_NEAR(1.96 * *state->sigma, *ahead.expanded, 0.02 * *ahead.expanded) << wanted;
   }
@@ -56,7 +54,7 @@ TEST(SightingsAhead, AreFewerAndQuickerThanTheOrderOfTheProtocol) {
     for (int point = 1; point <= watched().points; ++point)
       for (const int face : {1, 2}) whole.sight(axisDeg, 1, point, face);
   const SightingPlan plan = sightingPlanOf(watched());
-  const double reached = 1.96 * *sessionSoFar(*whole.measurement(), plan, unranked())->sigma;
+  const double reached = 1.96 * *sessionSoFar(*whole.measurement(), plan, false)->sigma;
   const SightingsAhead ahead = sightingsFor(reached, *begun(truth, 3).measurement(), plan);
   ASSERT_TRUE(ahead.isReached);
   EXPECT_LT(ahead.sightings.size() + 1, whole.sightings());
@@ -68,8 +66,46 @@ TEST(SightingsAhead, SayWhatIsNotReached) {
   const SightingsAhead few = sightingsFor(1e-4, *session.measurement(), plan, 12);
   EXPECT_FALSE(few.isReached);
   EXPECT_EQ(few.sightings.size(), 12u);
+  EXPECT_FALSE(few.instead.empty());
   plan.canTurnAxis = false;
   EXPECT_FALSE(sightingsFor(0.3, *session.measurement(), plan, 5).expanded) << "Δd needs both positions";
+}
+
+/// An effect of which each number is known to a millionth of its plausible size.
+void know(Measurement& measurement, std::string_view id) {
+  for (const EffectParameter& parameter : effectById(id)->parameters)
+    measurement.known.push_back({.effect = std::string(id),
+                                 .parameter = std::string(parameter.name),
+                                 .unit = std::string(parameter.unit),
+                                 .value = 0,
+                                 .sigma = 1e-6 * parameter.plausible});
+}
+
+/// Whoever then knows it, or reads the slider too, reaches the U that was said. 2 %: the sightings that tell
+/// most are others then.
+TEST(SightingsAhead, SayWhatWouldReachFurther) {
+  const WatchedSession session = begun(drawTruth(3), 3);
+  const SightingPlan plan = sightingPlanOf(watched());
+  const SightingsAhead ahead = sightingsFor(1e-4, *session.measurement(), plan, 20);
+  ASSERT_GT(ahead.instead.size(), 1u);
+  EXPECT_EQ(ahead.instead.front().expanded, *ahead.expanded);
+  for (const AttainableUncertainty& one : ahead.instead) {
+    EXPECT_GE(ahead.expanded, one.expanded);
+    if (one.known.empty()) continue;
+    Measurement knowing = *session.measurement();
+    know(knowing, one.known);
+    const SightingsAhead then = sightingsFor(1e-4, knowing, plan, 20);
+    EXPECT_LE(*then.expanded, 1.02 * one.expanded) << one.known;
+  }
+}
+
+TEST(SightingsAhead, StopWhenAsked) {
+  std::stop_source stop;
+  stop.request_stop();
+  const WatchedSession session = begun(drawTruth(3), 3);
+  EXPECT_LE(sightingsFor(1e-4, *session.measurement(), sightingPlanOf(watched()), 150, stop.get_token())
+                .sightings.size(),
+            1u);
 }
 
 }  // namespace

@@ -8,11 +8,13 @@
 #include "core/diagnosis/diagnose.h"
 #include "core/session/session_file.h"
 #include "core/statement/gap.h"
+#include "core/statement/next_measures.h"
 #include "tests/support/paper_table.h"
 
 namespace alidade {
 namespace {
 
+using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::Not;
 using testing::StartsWith;
@@ -187,25 +189,38 @@ Advice advice(std::vector<Measure> measures, double oneLeft) {
           .oneLeft = oneLeft};
 }
 
-// A session, 1.2 and 2 sessions for 0.6, 0.6 and 0.9: the second tells no more than the cheaper first.
-TEST(AdviceStatement, KeepsWhatNothingBeatsInBothEffortAndWhatItTells) {
-  Diagnosis diagnosis;
-  diagnosis.advice = {advice({Measure::BothFaces}, 0.9), advice({Measure::ShiftedCircle}, 0.6),
-                      advice({Measure::At0Again}, 0.6), advice({Measure::SecondStandOff}, 0.9)};
-  const std::vector<Advice> kept = worthwhileAdvice(diagnosis);
-  ASSERT_EQ(kept.size(), 2u);
-  EXPECT_EQ(kept[0].measures, std::vector{Measure::At0Again});
-  EXPECT_EQ(kept[1].measures, std::vector{Measure::BothFaces});
+std::vector<std::vector<Measure>> measuresOf(std::vector<Advice> advice,
+                                             std::vector<AttainableUncertainty> attainable = {}) {
+  Gap gap;
+  gap.diagnosis = Diagnosis{};
+  gap.diagnosis->advice = std::move(advice);
+  gap.diagnosis->attainable = std::move(attainable);
+  return measuresNext(gap);
 }
 
+// 0.6 for half a session and for 1.2, 0.9 for two and for two: the dearer tell no more than the cheaper.
+TEST(AdviceStatement, KeepsWhatNothingBeatsInBothEffortAndWhatItTells) {
+  EXPECT_THAT(measuresOf({advice({Measure::BothFaces}, 0.9), advice({Measure::ShiftedCircle}, 0.6),
+                          advice({Measure::At0Again}, 0.6), advice({Measure::SecondStandOff}, 0.9)}),
+              ElementsAre(ElementsAre(Measure::At0Again), ElementsAre(Measure::BothFaces)));
+}
+
+// 0.2/0.1, 0.3/0.5, 0.85/1.2 and 0.95/2 of one answer for each session of effort.
 TEST(AdviceStatement, NamesThreeAtMost) {
-  Diagnosis diagnosis;
-  diagnosis.advice = {advice({Measure::ZeroSightedAgain}, 0.2), advice({Measure::At0Again}, 0.3),
-                      advice({Measure::ShiftedCircle}, 0.85), advice({Measure::SecondStandOff}, 0.95)};
-  const std::vector<Advice> kept = worthwhileAdvice(diagnosis);
-  ASSERT_EQ(kept.size(), 3u);
-  EXPECT_EQ(kept[0].measures, std::vector{Measure::ZeroSightedAgain}) << "the cheapest";
-  EXPECT_EQ(kept[2].measures, std::vector{Measure::SecondStandOff}) << "tells most";
+  EXPECT_THAT(measuresOf({advice({Measure::ZeroSightedAgain}, 0.2), advice({Measure::At0Again}, 0.3),
+                          advice({Measure::ShiftedCircle}, 0.85), advice({Measure::SecondStandOff}, 0.95)}),
+              ElementsAre(ElementsAre(Measure::ZeroSightedAgain), ElementsAre(Measure::ShiftedCircle),
+                          ElementsAre(Measure::SecondStandOff)))
+      << "the last tells most";
+}
+
+// −ln(0.5) = 0.69 for two sessions, and half of 0.2 for half a session: 0.35 and 0.2 for each session.
+TEST(AdviceStatement, CountsWhatReducesUAlso) {
+  EXPECT_THAT(
+      measuresOf({advice({Measure::At0Again}, 0.2)}, {{.expanded = 0.2},
+                                                      {.measures = {Measure::BothFaces}, .expanded = 0.1},
+                                                      {.known = "plane_warp", .expanded = 0.05}}),
+      ElementsAre(ElementsAre(Measure::BothFaces), ElementsAre(Measure::At0Again)));
 }
 
 TEST(AdviceStatement, TellsTheRowsOfTheEffort) {
@@ -215,6 +230,7 @@ TEST(AdviceStatement, TellsTheRowsOfTheEffort) {
   ASSERT_EQ(next.rows.size(), 1u);
   EXPECT_EQ(cellOf(next, 0, "rows"), std::to_string(2 * gap.evaluation->examined.measurement->rows));
   EXPECT_EQ(cellOf(next, 0, "measures"), "Both faces (in a new session)");
+  EXPECT_EQ(cellOf(next, 0, "expanded"), "") << "it would not reduce U";
   EXPECT_EQ(
       cellOf(next, 0, "tells"),
       "separates collimation and refraction by 5.0 σ or more; one answer is left with a probability of 90 %");

@@ -1,23 +1,28 @@
 #include "ui/panels/order/order_panel.h"
 
+#include <QDoubleSpinBox>
 #include <QFontMetrics>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QMenu>
 #include <QProgressBar>
 #include <QScrollArea>
+#include <QSignalBlocker>
 #include <QToolButton>
 #include <QVBoxLayout>
 #include <algorithm>
 #include <initializer_list>
 #include <optional>
 #include <utility>
+#include <vector>
 
 #include "core/evaluation/guide.h"
 #include "core/guidance/advised_protocol.h"
 #include "core/session/entry.h"
 #include "core/simulation/protocol.h"
+#include "core/statement/next_measures.h"
 #include "core/statement/sighting_choice.h"
+#include "core/statement/sightings_ahead.h"
 #include "core/wording/guidance.h"
 #include "core/wording/measure.h"
 #include "core/wording/position_name.h"
@@ -52,19 +57,25 @@ bool isAlike(const Evaluation& one, const Evaluation& other) {
          one.session.acceptance == other.session.acceptance;
 }
 
-/// The first advice of the diagnosis that a protocol can include; null if none.
-const Advice* adviceOf(const SharedGap& gap) {
-  if (!gap || !gap->found()) return nullptr;
-  for (const Advice& advice : gap->found()->advice)
-    if (std::all_of(advice.measures.begin(), advice.measures.end(), isForProtocol)) return &advice;
-  return nullptr;
+/// What to measure next by the diagnosis, the first that a protocol can include; empty if none.
+std::vector<Measure> adviceOf(const SharedGap& gap) {
+  if (gap && gap->found())
+    for (const std::vector<Measure>& measures : measuresNext(*gap))
+      if (std::ranges::all_of(measures, isForProtocol)) return measures;
+  return {};
 }
 
 /// The name that its author gave it, or what is sighted.
 QString nameOf(const SightingProtocol& protocol) {
-  constexpr int longest = 48;
+  constexpr int longest = 60;
   const bool isOurs = protocol.name.empty() || protocolByName(protocol.name);
-  return isOurs ? qText(protocolInWords(protocol)) : shortLine(protocol.name, longest);
+  return shortLine(isOurs ? protocolInWords(protocol) : protocol.name, longest);
+}
+
+QString listedLater() {
+  return OrderPanel::tr(
+             "The sightings that reach a U of Δd are listed from the first reading on, up to %1 rows.")
+      .arg(mostForChoice);
 }
 
 }  // namespace
@@ -81,7 +92,9 @@ OrderPanel::OrderPanel(SessionDocument& document, QWidget* parent)
       m_state(textLabel(QStringLiteral("order state"))),
       m_outlook(textLabel(QStringLiteral("order outlook"))),
       m_repeats(textLabel(QStringLiteral("order repeats"))),
+      m_uncertainty(new QDoubleSpinBox),
       m_choiceMade(new StatementView),
+      m_ahead(new StatementView),
       m_table(createTable()) {
   m_table->setAccessibleName(tr("Sightings of the protocol"));
   m_table->setPlaceholder(tr("The session follows no protocol. Choose one by “Protocol”."));
@@ -103,6 +116,8 @@ QWidget* OrderPanel::createSummary() {
   m_choice->setToolButtonStyle(Qt::ToolButtonTextOnly);
   m_choice->setMenu(m_menu);
   m_choice->setFocusPolicy(Qt::StrongFocus);
+  m_choice->setSizePolicy(QSizePolicy::Maximum, QSizePolicy::Fixed);
+  m_choice->setMinimumWidth(m_choice->fontMetrics().horizontalAdvance(tr("Protocol")) * 2);
   m_progress->setAccessibleName(tr("Sightings there"));
   m_progress->setTextVisible(true);
   QFont large = m_expected->font();
@@ -114,12 +129,10 @@ QWidget* OrderPanel::createSummary() {
   auto* inside = new QWidget;
   auto* column = new QVBoxLayout(inside);
   column->setContentsMargins(0, 0, 6, 0);
-  auto* top = new QHBoxLayout;
-  top->addWidget(m_choice);
-  top->addWidget(m_progress, 1);
-  column->addLayout(top);
-  for (QWidget* part :
-       std::initializer_list<QWidget*>{m_next, m_expected, m_choiceMade, m_state, m_outlook, m_repeats})
+  column->addWidget(m_choice);
+  column->addWidget(m_progress);
+  for (QWidget* part : std::initializer_list<QWidget*>{m_next, m_expected, m_choiceMade, createUncertainty(),
+                                                       m_ahead, m_state, m_outlook, m_repeats})
     column->addWidget(part);
   column->addStretch(1);
   auto* scroll = new QScrollArea;
@@ -129,6 +142,32 @@ QWidget* OrderPanel::createSummary() {
   scroll->setFrameShape(QFrame::NoFrame);
   scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   return scroll;
+}
+
+QWidget* OrderPanel::createUncertainty() {
+  constexpr double most = 100;  // mm
+  m_uncertainty->setRange(0, most);
+  m_uncertainty->setDecimals(3);
+  m_uncertainty->setSingleStep(0.01);
+  m_uncertainty->setSuffix(tr(" mm"));
+  m_uncertainty->setSpecialValueText(tr("none"));
+  m_uncertainty->setKeyboardTracking(false);
+  m_uncertainty->setToolTip(
+      tr("Lists the sightings that bring U of Δd there in the fewest minutes. With 0 it is a third of the "
+         "tolerance"));
+  auto* row = new QWidget;
+  auto* layout = new QHBoxLayout(row);
+  layout->setContentsMargins({});
+  auto* caption = new QLabel(tr("U to reach"));
+  caption->setBuddy(m_uncertainty);
+  layout->addWidget(caption);
+  layout->addWidget(m_uncertainty);
+  layout->addStretch(1);
+  connect(m_uncertainty, &QDoubleSpinBox::valueChanged, this, [this](double value) {
+    m_isUncertaintyTyped = value > 0;
+    requestOutlook();
+  });
+  return row;
 }
 
 DataTable* OrderPanel::createTable() {
@@ -216,7 +255,8 @@ void OrderPanel::setSearched(const SharedEvaluation& evaluation) {
 
 void OrderPanel::setGap(const SharedGap& gap) {
   m_gap = gap;
-  if (isVisible() && gapOfThis()) requestOutlook();
+  const Guide* guide = guideThatLeads();
+  if (isVisible() && gapOfThis() && guide && !guide->protocol.isByWorth) requestOutlook();
 }
 
 SharedGap OrderPanel::gapOfThis() const {
@@ -225,12 +265,33 @@ SharedGap OrderPanel::gapOfThis() const {
 
 void OrderPanel::requestOutlook() {
   const Guide* guide = guideThatLeads();
-  if (!guide || guide->protocol.isByWorth || !m_evaluation->examined.measurement) {
-    m_job.cancel();
-    m_outlook->clear();
-    return;
+  const bool isByWorth = guide && guide->protocol.isByWorth;
+  m_uncertainty->parentWidget()->setVisible(isByWorth);
+  if (isByWorth) return requestAhead();
+  m_ahead->setEnabled(false);
+  if (guide && m_evaluation->examined.measurement) return m_job.request(m_evaluation, gapOfThis(), 0);
+  m_job.cancel();
+  m_ahead->setStatement(std::nullopt);
+  m_outlook->clear();
+}
+
+void OrderPanel::requestAhead() {
+  const auto& measurement = m_evaluation->examined.measurement;
+  if (!m_isUncertaintyTyped) {
+    constexpr double ofTolerance = 1.0 / 3;
+    const QSignalBlocker isNotTyped(m_uncertainty);
+    m_uncertainty->setValue(measurement ? measurement->tolerance.value_or(0) * ofTolerance : 0);
   }
-  m_job.request(m_evaluation, gapOfThis());
+  m_outlook->clear();
+  if (measurement && m_uncertainty->value() > 0) {
+    m_ahead->setEnabled(false);
+    return m_job.request(m_evaluation, nullptr, m_uncertainty->value());
+  }
+  m_job.cancel();
+  m_ahead->setStatement(std::nullopt);
+  m_outlook->setText(
+      measurement ? tr("Enter the U of Δd to reach: the sightings that reach it soonest are listed here.")
+                  : listedLater());
 }
 
 void OrderPanel::showSummary() {
@@ -252,7 +313,9 @@ void OrderPanel::showSummary() {
     m_progress->setFormat(guide->protocol.isByWorth
                               ? tr("%1 taken, at most %2").arg(guide->progress.taken).arg(count)
                               : tr("sighting %1 of %2").arg(number).arg(count));
-    m_choice->setText(tr("Protocol: %1").arg(nameOf(guide->protocol)));
+    const QFontMetrics metrics = m_choice->fontMetrics();
+    m_choice->setText(metrics.elidedText(tr("Protocol: %1").arg(nameOf(guide->protocol)), Qt::ElideRight,
+                                         36 * metrics.horizontalAdvance(u'0')));
     m_choice->setToolTip(qText(protocolInWords(guide->protocol)));
   } else {
     m_choice->setText(tr("Protocol"));
@@ -284,11 +347,18 @@ void OrderPanel::showNext() {
 
 void OrderPanel::showOutlook(const SharedOutlook& outlook) {
   if (outlook->evaluation != m_evaluation) return;
-  const QString text = outlook->failure.empty()
-                           ? qText(outlookSentences(outlook->outlook, m_evaluation->guide->progress))
-                           : qText(outlook->failure);
-  const QString first = qText(repeatsFirst(m_evaluation->guide->repeats));
-  m_outlook->setText(first.isEmpty() ? text : tr("%1 %2").arg(first, text));
+  m_ahead->setStatement(outlook->ahead ? sightingsAheadStatement(*outlook->ahead, m_uncertainty->value())
+                                       : insteadStatement(outlook->outlook));
+  m_outlook->setText(outlookText(*outlook));
+}
+
+QString OrderPanel::outlookText(const OutlookOfSession& outlook) const {
+  const Guide& guide = *m_evaluation->guide;
+  if (!outlook.failure.empty()) return qText(outlook.failure);
+  if (guide.protocol.isByWorth) return outlook.ahead ? QString() : listedLater();
+  const QString text = qText(outlookSentences(outlook.outlook, guide.progress)),
+                first = qText(repeatsFirst(guide.repeats));
+  return first.isEmpty() ? text : tr("%1 %2").arg(first, text);
 }
 
 void OrderPanel::fillMenu() {
@@ -300,11 +370,10 @@ void OrderPanel::fillMenu() {
   QAction* own = m_menu->addAction(tr("As the Rows Are"));
   own->setEnabled(!rows.positions.empty());
   connect(own, &QAction::triggered, this, [this, rows] { follow(rows); });
-  const SharedGap gap = gapOfThis();
-  const Advice* advice = adviceOf(gap);
-  const SightingProtocol both = advice ? withMeasures(rows, advice->measures) : SightingProtocol();
+  const std::vector<Measure> advice = adviceOf(gapOfThis());
+  const SightingProtocol both = advice.empty() ? SightingProtocol() : withMeasures(rows, advice);
   const bool isAdvised = !both.positions.empty();
-  QAction* advised = m_menu->addAction(isAdvised ? tr("These and %1").arg(qText(textOf(advice->measures)))
+  QAction* advised = m_menu->addAction(isAdvised ? tr("These and %1").arg(qText(textOf(advice)))
                                                  : tr("These and What Is Advised"));
   advised->setEnabled(isAdvised);
   if (isAdvised) connect(advised, &QAction::triggered, this, [this, both] { follow(both); });

@@ -6,6 +6,7 @@
 
 #include "ui/jobs/outlook_job.h"
 
+class QDoubleSpinBox;
 class QLabel;
 class QMenu;
 class QProgressBar;
@@ -18,7 +19,8 @@ class SessionDocument;
 class StatementView;
 
 /// The session's protocol: the next sighting with its expected readings, the remaining ones, what to take
-/// again and why, when it is enough, and all sightings in order. Also chooses another protocol.
+/// again and why, when it is enough or, in a protocol by worth, which sightings reach a U, and all sightings
+/// in order. Also chooses another protocol.
 class OrderPanel : public QWidget {
   Q_OBJECT
 
@@ -42,13 +44,16 @@ class OrderPanel : public QWidget {
  private:
   DataTable* createTable();
   QWidget* createSummary();
+  QWidget* createUncertainty();
   void fillMenu();
   void follow(const std::optional<SightingProtocol>& protocol);
   void showSummary();
   void showNext();
   void goToNext();
   void showOutlook(const SharedOutlook& outlook);
+  QString outlookText(const OutlookOfSession& outlook) const;
   void requestOutlook();
+  void requestAhead();                  ///< in a protocol by worth
   const Guide* guideThatLeads() const;  ///< null without a protocol, or with an invalid one
   SharedGap gapOfThis() const;          ///< null if it belongs to another state
   const FollowedSighting& sighting(int row) const;
@@ -72,7 +77,10 @@ class OrderPanel : public QWidget {
   QMenu* m_menu;
   QProgressBar* m_progress;
   QLabel *m_next, *m_expected, *m_state, *m_outlook, *m_repeats;
-  StatementView* m_choiceMade;  ///< in a protocol by worth
+  QDoubleSpinBox* m_uncertainty;      ///< U to reach, mm; 0: none
+  bool m_isUncertaintyTyped = false;  ///< else it follows the tolerance
+  StatementView* m_choiceMade;        ///< in a protocol by worth
+  StatementView* m_ahead;             ///< there the sightings that reach U, else what would help instead
   DataTable* m_table;
   ListedNext m_listedNext;  ///< the sighting last scrolled to
 };

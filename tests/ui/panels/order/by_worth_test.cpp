@@ -2,15 +2,18 @@
 #include <gtest/gtest.h>
 
 #include <QApplication>
+#include <QDoubleSpinBox>
 #include <QLabel>
 #include <QMenu>
 #include <QTest>
 #include <QToolButton>
 #include <algorithm>
 
+#include "core/answers/guidance_answer.h"
 #include "core/session/protocol_progress.h"
 #include "core/simulation/protocol_template.h"
 #include "core/simulation/simulate.h"
+#include "core/statement/sightings_ahead.h"
 #include "tests/ui/support.h"
 #include "ui/commands/change_protocol.h"
 #include "ui/dialogs/protocol_dialog.h"
@@ -62,6 +65,20 @@ class ByWorth : public testing::Test {
   void settle() {
     m_open.settle();
     QCoreApplication::processEvents();
+  }
+  OrderPanel& panel() { return *m_open->findChild<OrderPanel*>(); }
+  QDoubleSpinBox& wanted() { return *panel().findChild<QDoubleSpinBox*>(); }
+  void want(double uncertainty) {
+    wanted().selectAll();
+    typeInto(wanted(), QString::number(uncertainty), Qt::Key_Return);
+  }
+  /// The page when nothing is being computed.
+  std::string shown() {
+    while (!panel().job().isIdle()) QTest::qWait(5);
+    std::string text;
+    for (const QLabel* label : panel().findChildren<QLabel*>())
+      if (label->isVisible()) text += label->text().toStdString() + "\n";
+    return text;
   }
   std::optional<PlannedSighting> next() {
     const auto protocol = *protocolOf(session());
@@ -149,6 +166,55 @@ TEST_F(ByWorth, IsSwitchedOffAndOnInTheMenu) {
   m_open->document().undoStack().undo();
   settle();
   EXPECT_FALSE(m_open->document().chosenSighting());
+}
+
+TEST_F(ByWorth, ListsTheSightingsThatReachAnUncertainty) {
+  want(0.9);
+  EXPECT_THAT(shown(), HasSubstr("from the first reading on"));
+  want(0);
+  for (int i = 0; i < 3; ++i) ASSERT_TRUE(typeNext());
+  EXPECT_THAT(shown(), HasSubstr("Enter the U of Δd")) << "the session has no tolerance";
+  const auto expectAsConsole = [&](double uncertainty, const char* sentence) {
+    want(uncertainty);
+    ASSERT_EQ(wanted().value(), uncertainty);
+    const std::string text = shown();
+    EXPECT_THAT(text, HasSubstr(sentence));
+    const Guidance console = guidanceOf(session(), **protocolOf(session()), uncertainty);
+    const Statement statement = sightingsAheadStatement(*console.ahead, uncertainty);
+    for (const std::string& said : statement.sentences) EXPECT_THAT(text, HasSubstr(said));
+    for (const Statement::Row& row : statement.rows) EXPECT_THAT(text, HasSubstr(row.cells.back()));
+  };
+  expectAsConsole(0.9, "more sightings in");
+  expectAsConsole(0.001, "is not reached");
+  EXPECT_THAT(shown(), HasSubstr("known"));
+  expectAsConsole(90, "more sightings in");
+  for (int i = 0; i < 15; ++i) ASSERT_TRUE(typeNext());
+  expectAsConsole(90, "already");
+}
+
+TEST_F(ByWorth, ReachesForAThirdOfTheToleranceUntilAnotherUIsTyped) {
+  Session session = this->session();
+  session.acceptance.toleranceMm = "0.6";
+  m_open->document().startWith(session);
+  settle();
+  for (int i = 0; i < 3; ++i) ASSERT_TRUE(typeNext());
+  EXPECT_DOUBLE_EQ(wanted().value(), 0.2);
+  EXPECT_THAT(shown(), HasSubstr("U = 0.2 mm"));
+  want(0.5);
+  ASSERT_TRUE(typeNext());
+  EXPECT_DOUBLE_EQ(wanted().value(), 0.5);
+  want(0);
+  EXPECT_DOUBLE_EQ(wanted().value(), 0.2);
+}
+
+TEST_F(ByWorth, AsksForNoUncertaintyInAListedOrder) {
+  EXPECT_TRUE(wanted().isVisible());
+  followProtocol(m_open->document(), listedOrder(**protocolOf(session())));
+  settle();
+  EXPECT_FALSE(wanted().isVisible());
+  followProtocol(m_open->document(), std::nullopt);
+  settle();
+  EXPECT_FALSE(wanted().isVisible());
 }
 
 TEST(ProtocolDialog, KeepsTheOrderByWorthAndItsMinutes) {

@@ -146,6 +146,24 @@ TEST(OrderPanel, SaysWhatIsNextAndHowFarItIs) {
   EXPECT_EQ(bench.panel().findChild<DataTable*>()->model()->rowCount(), 70);
 }
 
+/// |Δd| is 0.1 mm within the tolerance, and effects that are the same in each round make up more of U.
+TEST(OrderPanel, NamesWhatHelpsIfRoundsDoNot) {
+  Truth truth;
+  truth.intersection = 0.5;
+  Session session = *simulateWithoutNoise(shortPlan(), truth, 4);
+  session.acceptance.toleranceMm = "0.6";
+  OrderBench bench;
+  bench.open->document().startWith(session);
+  followProtocol(bench.open->document(), templateOf(shortPlan()));
+  bench.settle();
+  EXPECT_THAT(bench.text("order outlook"), HasSubstr("More rounds do not do"));
+  std::string shown;
+  for (const QLabel* label : bench.panel().findChildren<QLabel*>())
+    if (label->isVisible()) shown += label->text().toStdString() + "\n";
+  EXPECT_THAT(shown, HasSubstr("What to measure next\n"));
+  EXPECT_THAT(shown, HasSubstr("min, about\nU (mm)\n"));
+}
+
 TEST(OrderPanel, ListsTheNextSightingInView) {
   OrderBench bench;
   bench.open->document().startWith(paperSession());
