@@ -116,7 +116,8 @@ TEST(AngleColumns, HaveOneSign) {
 }
 
 TEST(AngleColumns, LoseNoSign) {
-  EXPECT_THAT(joinedOf("Pt;Hz d;Hz m;V sign;V d;V m\n1;17;41;-;0;12\n"), HasSubstr("“V sign” contains signs"));
+  EXPECT_THAT(joinedOf("Pt;Hz d;Hz m;V sign;V d;V m\n1;17;41;-;0;12\n"),
+              HasSubstr("“V sign” contains signs"));
   EXPECT_THAT(joinedOf("Pt;Hz d;Hz m;x;V d;V m\n1;17;41;-;0;12\n2;17;41;+;0;12\n"),
               HasSubstr("“x” contains signs"));
   EXPECT_EQ(joinedOf("Pt;Hz d;Hz m;x;V d;V m\n1;17;41;-;0;12\n"), "17 41 / 0 12") << "nothing is known of x";
