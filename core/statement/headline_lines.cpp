@@ -122,7 +122,15 @@ std::vector<std::string> lookAlikes(const Diagnosis& diagnosis) {
 std::string gapText(const Diagnosis& diagnosis, const AcceptanceDecision* decision) {
   const std::string closures = failedClosures(diagnosis);
   std::string causes = causesWithProbability(diagnosis);
+  if (causes.empty() && decision && isUnexplained(diagnosis)) {
+    const std::string text =
+        Phrase::of("Open whatever U is: model and readings disagree, and no catalogued effect explains it");
+    //: a sentence, and the signs of what it says
+    return closures.empty() ? text : Phrase::of("%1 (signs of it: %2)", text, closures);
+  }
   if (causes.empty()) return withDetails(disagreementText(diagnosis), closures);
+  if (std::ranges::find(diagnosis.causes, noiseId, &Cause::effect) != diagnosis.causes.end())
+    causes = Phrase::of("%1, beside noise larger than stated", causes);
   if (const auto alike = lookAlikes(diagnosis); !alike.empty())
     //: causes, and what looks like them
     causes =

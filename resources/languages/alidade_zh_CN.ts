@@ -7851,11 +7851,11 @@ Includes every catalogued effect, limited by these readings or by its plausible 
     </message>
     <message>
         <source>Model and readings disagree; accepted only if that comes from %1</source>
-        <translation>模型与读数不一致；仅当原因为%1时合格</translation>
+        <translation>模型与读数不符；仅当原因为%1时合格</translation>
     </message>
     <message>
         <source>Model and readings disagree; rejected only if that comes from %1</source>
-        <translation>模型与读数不一致；仅当原因为%1时不合格</translation>
+        <translation>模型与读数不符；仅当原因为%1时不合格</translation>
     </message>
     <message>
         <source>Undetectable here and not in U, yet a plausible size moves Δd by more than U: %1</source>
@@ -7905,6 +7905,19 @@ Includes every catalogued effect, limited by these readings or by its plausible 
     <message>
         <source>What would reduce U further</source>
         <translation>还可用什么减小 U</translation>
+    </message>
+    <message>
+        <source>Open whatever U is: model and readings disagree, and no catalogued effect explains it</source>
+        <translation>无论 U 多大均待定：模型与读数不符，且目录中没有效应能够解释</translation>
+    </message>
+    <message>
+        <source>%1 (signs of it: %2)</source>
+        <extracomment>a sentence, and the signs of what it says</extracomment>
+        <translation>%1（其迹象：%2）</translation>
+    </message>
+    <message>
+        <source>%1, beside noise larger than stated</source>
+        <translation>%1，另有大于给定的噪声</translation>
     </message>
 </context>
 <context>

@@ -116,6 +116,28 @@ TEST(Headline, SaysThatTheIntervalKeepsTheVerdictOpen) {
   for (const char* decided : {"2.5", "0.5", ""}) EXPECT_EQ(headlineAt(decided).line(LineKind::Interval), "");
 }
 
+TEST(Headline, SaysThatAGapOfNoKnownCauseAloneKeepsTheVerdictOpen) {
+  Gap gap = gapWith(evaluationOf(withTolerance("2.5")), 1.3);
+  gap.diagnosis->verdict = DiagnosisVerdict::NotInCatalogue;
+  gap.diagnosis->unexplained.chance = 0.99;
+  const Headline open = headlineOf(gap);
+  EXPECT_EQ(open.decided, Verdict::Undecided);
+  EXPECT_THAT(open.line(LineKind::Gap), StartsWith("Open whatever U is: model and readings disagree"));
+  gap.diagnosis->unexplained.chance = 0.5;
+  EXPECT_THAT(headlineOf(gap).line(LineKind::Gap),
+              StartsWith("Model and readings disagree, and no catalogued"));
+}
+
+TEST(Headline, NamesLargerNoiseBesideACause) {
+  Gap gap = gapWith(evaluationOf(withTolerance("2.5")), 1.3);
+  gap.diagnosis->verdict = DiagnosisVerdict::SingleCause;
+  gap.diagnosis->causes = {causeOf("plane_offset", 0.72), causeOf(noiseId, 0.9)};
+  EXPECT_EQ(headlineOf(gap).line(LineKind::Gap),
+            "Model and readings disagree; accepted only if that comes from plane offset (72 %), beside noise "
+            "larger "
+            "than stated");
+}
+
 TEST(Headline, SaysWhichReadingIsMisread) {
   Gap gap = gapWith(evaluationOf(withTolerance("2.5")), 1.3);
   gap.diagnosis->verdict = DiagnosisVerdict::SingleCause;
