@@ -17,7 +17,9 @@
 #include "core/answers/results_csv.h"
 #include "core/base/utf8.h"
 #include "core/diagnosis/diagnose.h"
+#include "core/diagnosis/result/sighting_plan.h"
 #include "core/session/entry.h"
+#include "core/session/protocol_progress.h"
 #include "core/wording/diagnosis_fault.h"
 #include "tests/fuzz/require.h"
 #include "tests/support/every_answer.h"
@@ -71,7 +73,8 @@ void review(const Session& session) {
   const Result<std::vector<Finding>> findings =
       findingsBeforehand(*planned.measurement, fitSession(*planned.measurement));
   if (!findings) return test::expectSentence(findings.problem().text());
-  requireText(console::planText(name, *review, *findings));
+  requireText(console::planText(name, *review, *findings,
+                                effortOf(*planned.measurement, sightingMinutesOf(session))));
   requireJson(console::planJson(name, *review, *findings, *planned.measurement));
 }
 
