@@ -101,6 +101,10 @@ bool isMoreThanNoise(const Diagnosis& diagnosis) {
   return diagnosis.causes.size() != 1 || diagnosis.causes.front().effect != noiseId;
 }
 
+const MeasuredLength* judgedDistance(const Measurement& measurement, const MeasuredIntersection& measured) {
+  return measurement.measurand == Measurand::Distance && measured.distance ? &*measured.distance : nullptr;
+}
+
 bool isUnexplained(const Diagnosis& diagnosis) {
   return diagnosis.unexplained.chance > mostUnexplained;
 }

@@ -77,6 +77,10 @@ std::optional<AcceptanceDecision> decideAcceptance(const Measurement& measuremen
 std::optional<AcceptanceDecision> decideVerdict(const Measurement& measurement, const SessionFit& fit,
                                                 const Diagnosis* diagnosis);
 
+/// The distance from the axis, if the tolerance applies to it and both its parts were measured; else null,
+/// and Δd is judged.
+const MeasuredLength* judgedDistance(const Measurement& measurement, const MeasuredIntersection& measured);
+
 /// Whether the probability of an unexplained gap exceeds `mostUnexplained`, so that the verdict is open.
 bool isUnexplained(const Diagnosis& diagnosis);
 

@@ -276,4 +276,8 @@ double clearlyToldApart() {
   return clearlyDifferent;
 }
 
+double priorOddsOfEffect() {
+  return PriorOdds().effect;
+}
+
 }  // namespace alidade

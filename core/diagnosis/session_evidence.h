@@ -81,4 +81,7 @@ double leastDifference(Response response, std::span<const double> gram, std::spa
 double hardlyToldApart();
 double clearlyToldApart();
 
+/// Prior odds of an effect, or of a jump at any moment, against "no gap at all" (`PriorOdds`).
+double priorOddsOfEffect();
+
 }  // namespace alidade

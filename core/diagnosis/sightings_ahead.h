@@ -23,6 +23,9 @@ struct SightingsAhead {
   std::vector<AttainableUncertainty> instead = {};
 };
 
+/// More sightings than this nobody plans ahead.
+inline constexpr std::size_t mostAhead = 150;
+
 /// The sightings that bring U of Δd to `uncertainty` (mm, > 0) in the fewest minutes, at the session's
 /// coverage. The position of the last reading comes first, then the other one; several divisions between them
 /// are tried. Each sighting is the one that reduces U most for its minutes. U does not depend on the values,
@@ -30,6 +33,6 @@ struct SightingsAhead {
 /// `most` limits the planned sightings. The axis is turned at most once, if the plan allows it. Asked to
 /// stop, it returns early with what it has.
 SightingsAhead sightingsFor(double uncertainty, const Measurement& measurement, const SightingPlan& plan,
-                            std::size_t most = 150, const std::stop_token& stop = {});
+                            std::size_t most = mostAhead, const std::stop_token& stop = {});
 
 }  // namespace alidade

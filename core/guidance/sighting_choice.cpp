@@ -162,8 +162,7 @@ std::optional<SightingsAhead> sightingsAhead(const Measurement& measurement, con
   SightingPlan plan = openPlan(protocol);
   if (plan.places.empty()) return std::nullopt;
   plan.canTurnAxis = protocol.positions.size() > measurement.arcs.size();
-  constexpr std::size_t most = 150;
-  return sightingsFor(uncertainty, measurement, plan, most, stop);
+  return sightingsFor(uncertainty, measurement, plan, mostAhead, stop);
 }
 
 }  // namespace alidade

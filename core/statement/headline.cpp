@@ -19,6 +19,8 @@ namespace alidade {
 
 namespace {
 
+constexpr const char* distanceName = "d";
+
 std::string wordOf(Verdict verdict) {
   switch (verdict) {
     case Verdict::Accept:
@@ -64,9 +66,8 @@ void setFigure(Headline& headline, const Measurement& measurement, const std::st
   headline.name = name;
   headline.figure = figureText(measurement, value, expanded);
   if (measurement.tolerance && std::isfinite(expanded))
-    headline.scale = ToleranceScale{
-        std::abs(value), expanded, *measurement.tolerance,
-        measurement.measurand == Measurand::Distance && headline.isMeasured ? "d ± U" : "|Δd| ± U"};
+    headline.scale = ToleranceScale{std::abs(value), expanded, *measurement.tolerance,
+                                    name == distanceName ? "d ± U" : "|Δd| ± U"};
 }
 
 /// Everything except figure, verdict and lines.
@@ -83,7 +84,7 @@ Headline frameOf(const Measurement& measurement, const SessionFit& fit) {
 
 void setMeasured(Headline& headline, const Measurement& measurement, const MeasuredIntersection& measured) {
   headline.isMeasured = true;
-  if (!(measured.estimate.expanded < measurement.nominalRadius)) {
+  if (!isDetermined(measurement, measured.estimate.expanded)) {
     headline.name = Phrase::of("Δd");
     headline.figure = Phrase::of("not determined by these readings");
     headline.tip = measuredTip(measurement, measured);
@@ -98,8 +99,8 @@ void setMeasured(Headline& headline, const Measurement& measurement, const Measu
                                    .tolerance = measurement.tolerance,
                                    .isOfDistance = measurement.measurand == Measurand::Distance};
   headline.tip = measuredTip(measurement, measured);
-  if (measurement.measurand == Measurand::Distance && measured.distance)
-    setFigure(headline, measurement, "d", measured.distance->value, measured.distance->expanded);
+  if (const MeasuredLength* distance = judgedDistance(measurement, measured))
+    setFigure(headline, measurement, distanceName, distance->value, distance->expanded);
   else
     setFigure(headline, measurement, headline.name, measured.estimate.value, measured.estimate.expanded);
 }

@@ -25,11 +25,13 @@ struct Judged {
   double value, expanded;
 };
 
-/// "The interval from 0.21 to 0.59 mm crosses the limit of 0.5 mm"; empty if it does not.
-std::string crossing(const Judged& judged, double tolerance, const char* text) {
+/// "The interval from 0.21 to 0.59 mm crosses the limit of 0.5 mm"; empty if it does not, or if U tells
+/// nothing.
+std::string crossing(const Judged& judged, const Measurement& measurement, const char* text) {
   const auto [value, expanded] = judged;
-  const double size = std::abs(value);
-  if (!(size - expanded <= tolerance && size + expanded > tolerance)) return "";
+  const double size = std::abs(value), tolerance = *measurement.tolerance;
+  const bool isAcross = size - expanded <= tolerance && size + expanded > tolerance;
+  if (!isAcross || !isDetermined(measurement, expanded)) return "";
   const int decimals = decimalsToDecide(value, expanded, tolerance);
   // Of the figures as shown, so that a reader who adds them finds the same.
   const double unit = std::pow(10, -decimals), shown = std::round(value / unit),
@@ -46,15 +48,14 @@ std::string intervalText(const Measurement& measurement, const SessionFit& fit,
   using enum AcceptanceDecision::Obstacle;
   if (!decision || decision->verdict != Verdict::Undecided) return "";
   if (decision->obstacle == Lengths || decision->obstacle == Coverage) return "";
-  const double tolerance = *measurement.tolerance;
-  const bool isDistance = measurement.measurand == Measurand::Distance && measured && measured->distance;
-  const std::string own =
-      crossing(isDistance ? Judged{measured->distance->value, measured->distance->expanded}
-                          : Judged{found.value, found.expanded},
-               tolerance, PHRASE_LATER("Phrase", "The interval from %1 to %2 mm crosses the limit of %3 mm"));
-  if (!own.empty() || isDistance) return own;
+  if (measured && !isDetermined(measurement, measured->estimate.expanded)) return "";
+  const MeasuredLength* distance = measured ? judgedDistance(measurement, *measured) : nullptr;
+  const std::string own = crossing(
+      distance ? Judged{distance->value, distance->expanded} : Judged{found.value, found.expanded},
+      measurement, PHRASE_LATER("Phrase", "The interval from %1 to %2 mm crosses the limit of %3 mm"));
+  if (!own.empty() || distance) return own;
   return crossing(
-      {fit.intersection->value, fit.intersection->expanded}, tolerance,
+      {fit.intersection->value, fit.intersection->expanded}, measurement,
       PHRASE_LATER("Phrase", "The interval of the fit only, from %1 to %2 mm, crosses the limit of %3 mm"));
 }
 
@@ -105,6 +106,10 @@ std::string disagreementText(const Diagnosis& diagnosis) {
   return Phrase::of("The readings scatter more than stated, which U includes");
 }
 
+bool isFound(const Diagnosis& diagnosis, const std::string& effect) {
+  return std::ranges::find(diagnosis.causes, effect, &Cause::effect) != diagnosis.causes.end();
+}
+
 /// What these readings cannot tell from the only cause named; empty without such.
 std::vector<std::string> lookAlikes(const Diagnosis& diagnosis) {
   std::vector<std::string> names;
@@ -129,8 +134,7 @@ std::string gapText(const Diagnosis& diagnosis, const AcceptanceDecision* decisi
     return closures.empty() ? text : Phrase::of("%1 (signs of it: %2)", text, closures);
   }
   if (causes.empty()) return withDetails(disagreementText(diagnosis), closures);
-  if (std::ranges::find(diagnosis.causes, noiseId, &Cause::effect) != diagnosis.causes.end())
-    causes = Phrase::of("%1, beside noise larger than stated", causes);
+  if (isFound(diagnosis, noiseId)) causes = Phrase::of("%1, beside noise larger than stated", causes);
   if (const auto alike = lookAlikes(diagnosis); !alike.empty())
     //: causes, and what looks like them
     causes =
@@ -150,10 +154,6 @@ std::string knockText(const Diagnosis& diagnosis, const AcceptanceDecision& deci
       "Only if the tripod was not knocked %1: it would move Δd by ± %2 mm undetected, which U does not "
       "include",
       moments, influence);
-}
-
-bool isFound(const Diagnosis& diagnosis, const std::string& effect) {
-  return std::ranges::find(diagnosis.causes, effect, &Cause::effect) != diagnosis.causes.end();
 }
 
 /// A jump may have happened besides the one found.
@@ -209,6 +209,10 @@ IntersectionEstimate estimateIn(const SessionFit& fit, const Diagnosis* diagnosi
 }
 
 }  // namespace
+
+bool isDetermined(const Measurement& measurement, double expanded) {
+  return expanded < measurement.nominalRadius;
+}
 
 std::vector<Line> headlineLines(const Measurement& measurement, const SessionFit& fit,
                                 const Diagnosis* diagnosis, const AcceptanceDecision* decision,

@@ -7,6 +7,9 @@
 
 namespace alidade {
 
+/// Whether an expanded uncertainty (mm) still tells something of Δd: it is less than the nominal radius.
+bool isDetermined(const Measurement& measurement, double expanded);
+
 /// The lines of small type below the result, in the order of `Headline::Line::Kind`. `decision` belongs to
 /// the other arguments and is null without a verdict. A null `diagnosis` means that none was made.
 std::vector<Headline::Line> headlineLines(const Measurement& measurement, const SessionFit& fit,

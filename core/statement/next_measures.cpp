@@ -11,6 +11,7 @@
 #include "core/base/phrase.h"
 #include "core/base/quantity_text.h"
 #include "core/base/square.h"
+#include "core/diagnosis/session_evidence.h"
 #include "core/session/protocol_progress.h"
 #include "core/statement/gap.h"
 #include "core/wording/effect_name.h"
@@ -76,9 +77,8 @@ std::string whatItTells(const PlanAdvice& advice) {
 
 /// Σ √(wᵢ wⱼ)(1 − BCᵢⱼ) of nothing and each effect shown, with its prior odds.
 double worthOfShowing(const Advice& advice) {
-  constexpr double priorOdds = 0.04;  // as in the diagnosis
   const double overlap = std::exp(-square(advice.bySigma) / 8);
-  return static_cast<double>(advice.separates.size()) * std::sqrt(priorOdds) * (1 - overlap);
+  return static_cast<double>(advice.separates.size()) * std::sqrt(priorOddsOfEffect()) * (1 - overlap);
 }
 
 /// −ln(U after/U before) if an advice shows effects that contribute to U.

@@ -129,8 +129,7 @@ std::string acrossText(const Measurement& measurement, const Diagnosis* diagnosi
 /// The accounts that the verdict is based on.
 std::string accountsText(const Measurement& measurement, const SessionFit& fit, const Diagnosis* diagnosis,
                          const AcceptanceDecision& decision) {
-  if (measurement.measurand == Measurand::Distance && diagnosis && diagnosis->measured &&
-      diagnosis->measured->distance)
+  if (diagnosis && diagnosis->measured && judgedDistance(measurement, *diagnosis->measured))
     return distanceText(measurement, *diagnosis->measured, decision);
   if (decision.showsBoth) return bothAccounts(measurement, *fit.intersection, *diagnosis, decision);
   return verdictSentence(fit.intersection->value, fit.intersection->expanded, *measurement.tolerance,

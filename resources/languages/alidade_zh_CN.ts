@@ -7862,8 +7862,8 @@ Includes every catalogued effect, limited by these readings or by its plausible 
         <translation>在此无法检出，也不在 U 之内，但其合理大小使 Δd 的改变超过 U：%1</translation>
     </message>
     <message>
-        <source>a %1 other than known</source>
-        <extracomment>a known size of an effect that the readings contradict: &quot;a trunnion tilt other than known&quot;</extracomment>
+        <source>%1 other than known</source>
+        <extracomment>a known size of an effect that the readings contradict: &quot;trunnion tilt other than known&quot;</extracomment>
         <translation>与已知值不同的%1</translation>
     </message>
     <message>

@@ -75,6 +75,7 @@ TEST(Headline, StatesNoFigureWhoseUncertaintyExceedsTheArc) {
   const Headline headline = headlineOf(gap);
   EXPECT_EQ(headline.nameAndFigure(), "Δd: not determined by these readings");
   EXPECT_FALSE(headline.scale);
+  EXPECT_EQ(headline.line(LineKind::Interval), "") << "nor an interval of it";
 }
 
 TEST(Headline, KeepsItsVerdictWhileARepeatIsStillToCome) {
@@ -272,6 +273,9 @@ TEST(Headline, IsTheDistanceWhereTheToleranceIsOfIt) {
   EXPECT_EQ(headline.line(LineKind::Across),
             "In the plane of the arc Δd = 3.00 ± 0.20 mm, across it Δz = 4.00 ± 0.60 mm");
   EXPECT_DOUBLE_EQ(headline.scale->size, 5);
+  EXPECT_EQ(headline.scale->name, "d ± U");
+  gap.diagnosis->measured->distance.reset();
+  EXPECT_EQ(headlineOf(gap).scale->name, "|Δd| ± U") << "the figure is Δd";
 }
 
 TEST(Headline, NamesTheCausesAsConditionOfTheVerdict) {

@@ -69,29 +69,33 @@ class ScalePainter {
     //: the limit on a scale; %1: "2.5 mm"
     const QString named = QCoreApplication::translate("ToleranceScale", "tolerance %1").arg(figure);
     const double space = 2 * m_metrics.averageCharWidth();
-    const auto zero = writeBelow(QStringLiteral("0"), 0, m_ground.left(), m_ground.right());
+    const double from = writeBelow(QStringLiteral("0"), 0, m_ground.left()) + space;
     const QString name = QString::fromStdString(m_scale.name);
     const double half = m_metrics.horizontalAdvance(name) / 2;
-    const double from = zero.second + space, most = m_ground.right() - space;
+    const double most = m_ground.right() - space;
     // The name stands under its mark, or nowhere; it is worth more than the word at the limit.
     const auto isClear = [&](const QString& text) {
-      const double width = m_metrics.horizontalAdvance(text), mark = at(m_scale.size);
-      const double left =
-          std::max(from, std::min(at(m_scale.tolerance) - width / 2, m_ground.right() - width));
+      const auto [left, right] = spanBelow(text, m_scale.tolerance, from);
+      const double mark = at(m_scale.size);
       const bool isInside = mark - half >= from && mark + half <= most;
-      return isInside && (mark + half + space <= left || mark - half - space >= left + width);
+      return isInside && (mark + half + space <= left || mark - half - space >= right);
     };
     const bool isRoom = m_metrics.horizontalAdvance(named) < m_ground.width() / 3;
     const bool isNamed = isRoom && (isClear(named) || !isClear(figure));
-    writeBelow(isNamed ? named : figure, m_scale.tolerance, from, m_ground.right());
-    if (isClear(isNamed ? named : figure)) writeBelow(name, m_scale.size, from, m_ground.right());
+    writeBelow(isNamed ? named : figure, m_scale.tolerance, from);
+    if (isClear(isNamed ? named : figure)) writeBelow(name, m_scale.size, from);
   }
-  /// Centred below a length, within `from` and `to`; where it begins and ends.
-  std::pair<double, double> writeBelow(const QString& text, double length, double from, double to) {
+  /// Where a text begins and ends that is centred below a length, between `from` and the end of the ground.
+  std::pair<double, double> spanBelow(const QString& text, double length, double from) const {
     const double width = m_metrics.horizontalAdvance(text);
-    const double left = std::max(from, std::min(at(length) - width / 2, to - width));
-    m_painter.drawText(QPointF(left, m_ground.bottom() + m_line + m_metrics.ascent()), text);
+    const double left = std::max(from, std::min(at(length) - width / 2, m_ground.right() - width));
     return {left, left + width};
+  }
+  /// Returns where the text ends.
+  double writeBelow(const QString& text, double length, double from) {
+    const auto [left, right] = spanBelow(text, length, from);
+    m_painter.drawText(QPointF(left, m_ground.bottom() + m_line + m_metrics.ascent()), text);
+    return right;
   }
 
   QPainter& m_painter;
