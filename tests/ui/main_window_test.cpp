@@ -215,7 +215,7 @@ TEST(MainWindow, ListsWhatIsWrongBeforeWhatIsMissing) {
 
 TEST(MainWindow, ShowsEveryProblemUntilAPersonSetsTheHeight) {
   OpenWindow open;
-  open->resize(1280, 1000);
+  open->resize(1280, 1600);
   loadPaper(open);
   ReadingsTable& table = *open->currentTable();
   const auto* findings = open->findChild<FindingsPanel*>();
@@ -226,6 +226,9 @@ TEST(MainWindow, ShowsEveryProblemUntilAPersonSetsTheHeight) {
   open.settle();
   ASSERT_GE(findings->count(), 4);
   EXPECT_GE(findings->height(), findings->wholeHeight());
+  for (const int line : {0, findings->count() - 1})
+    EXPECT_TRUE(findings->viewport()->rect().contains(findings->visualItemRect(findings->item(line))))
+        << line;
   EXPECT_TRUE(table.viewport()->rect().contains(table.visualRect(table.currentIndex())));
   EXPECT_GE(table.viewport()->height(), 5 * table.rowHeight(0)) << "rows remain to type in";
   auto* column = open->findChild<QSplitter*>(QStringLiteral("entries"));

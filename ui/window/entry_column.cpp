@@ -155,7 +155,6 @@ void EntryColumn::giveFindingsRoom() {
   const int needed = std::max(m_findings->wholeHeight(), m_findings->minimumHeight()) + beside;
   const bool isLeftOver = 2 * needed < sizes[1];
   if (needed <= sizes[1] && !isLeftOver) return;
-  const int before = sizes[1];
   const auto give = [&](int height) {
     sizes = {whole - height, height};
     m_column->setSizes(sizes);
@@ -167,10 +166,14 @@ void EntryColumn::giveFindingsRoom() {
     give(std::min(sizes[1] + cut, most));
   ReadingsTable* table = m_positions->currentTable();
   if (!table) return;
-  // The forms have given what they can spare.
+  // The forms have given what they can spare, and take a part of what is given back.
   constexpr int leastRows = 5;
-  const int lacking = leastRows * table->rowHeight(0) - table->viewport()->height();
-  if (lacking > 0 && sizes[1] > before) give(std::max(before, sizes[1] - lacking));
+  const int least = m_column->widget(1)->minimumSizeHint().height();
+  for (int pass = 0; pass < 2; ++pass) {
+    const int lacking = leastRows * table->rowHeight(0) - table->viewport()->height();
+    if (lacking <= 0 || sizes[1] <= least) break;
+    give(std::max(least, sizes[1] - lacking));
+  }
   if (table->currentIndex().isValid()) table->scrollTo(table->currentIndex());
 }
 

@@ -100,9 +100,9 @@ void FindingsPanel::clearGap() {
 }
 
 int FindingsPanel::wholeHeight() const {
-  int height = 2 * frameWidth();
-  for (int row = 0; row < count(); ++row) height += sizeHintForRow(row) + 2 * spacing();
-  return height;
+  const int frame = 2 * frameWidth();
+  if (count() == 0) return frame;
+  return visualItemRect(item(count() - 1)).bottom() - visualItemRect(item(0)).top() + 1 + frame;
 }
 
 /// Leaves an unchanged list alone, so scroll position and current line stay. An "all sound" line also stays
