@@ -56,9 +56,9 @@ std::vector<std::string> kindRow(const std::string& kind, const OfKind& of) {
           mean(of.byWorth.minutes)};
 }
 
-std::size_t namedIn(const std::vector<WatchedRun>& runs) {
+std::size_t namedIn(const std::vector<WatchedRuns>& runs) {
   return static_cast<std::size_t>(
-      std::ranges::count_if(runs, [](const WatchedRun& run) { return !run.named.empty(); }));
+      std::ranges::count_if(runs, [](const WatchedRuns& run) { return !run.byWorth.named.empty(); }));
 }
 
 Json runJson(const WatchedRun& run) {
@@ -89,7 +89,7 @@ std::string adaptiveTrialText(const AdaptiveTrials& trials) {
             alignedColumns(rows);
   }
   if (!trials.clean.empty())
-    text += "\nNothing there, watched after every sighting: a cause named in " +
+    text += "\nClean sessions, watched after every sighting: a cause named in " +
             std::to_string(namedIn(trials.clean)) + " of " + std::to_string(trials.clean.size()) + "\n";
   return text;
 }
@@ -104,7 +104,7 @@ std::string adaptiveTrialJson(const AdaptiveTrials& trials) {
                          {"right_in_full", trial.isRightInFull},
                          {"in_order", runJson(trial.ofProtocol)},
                          {"by_worth", runJson(trial.byWorth)}});
-  for (const WatchedRun& run : trials.clean) clean.push_back(runJson(run));
+  for (const WatchedRuns& runs : trials.clean) clean.push_back(runJson(runs.byWorth));
   return answerText(Json{{"trials", withCause}, {"clean", clean}});
 }
 

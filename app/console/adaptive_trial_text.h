@@ -12,4 +12,8 @@ std::string adaptiveTrialText(const AdaptiveTrials& trials);
 /// One JSON document: every trial, and the clean sessions watched.
 std::string adaptiveTrialJson(const AdaptiveTrials& trials);
 
+/// Curves of both ways against sightings and against minutes, as CSV: of each kind and of all the shares of
+/// sessions named rightly and wrongly by then, and the mean U of Δd (mm) of the clean sessions.
+std::string adaptiveTrialCsv(const AdaptiveTrials& trials);
+
 }  // namespace alidade::console

@@ -76,19 +76,19 @@ bool isVerdictCertain(const Measurement& measurement, const SessionSoFar& state)
 }
 
 /// Fills in the group of the most probable cause if the evidence against nothing suffices, the group holds
-/// almost all of the probability, and the cause leaves no more than noise. Larger noise is never named: an
-/// effect of no catalogue looks like it.
+/// almost all of the probability, and the cause leaves no more than noise. The redundancy left must be enough
+/// to show that. Larger noise is never named: an effect of no catalogue looks like it.
 void name(SessionSoFar& state, const WeighedCauses& causes, const SightingEquations& equations) {
-  constexpr double certain = 0.95, noMore = 1e-3;
+  constexpr double certain = 0.95, noMore = 1e-3, leastRedundancy = 12;
   const Weighed& first = causes.all().front();
   if (first.cause.empty() || first.cause == noiseId || !isEvident(state)) return;
   std::vector<std::string> group = inseparableFrom(first, equations);
   double probability = 0;
   for (const WeighedCause& cause : state.causes)
     if (std::ranges::find(group, cause.cause) != group.end()) probability += cause.probability;
-  const auto tail = chiSquareUpperTail(
-      causes.chiSquareAfter(first),
-      DegreesOfFreedom(static_cast<double>(causes.degreesOfFreedom() - first.weights.size())));
+  const double left = causes.degreesOfFreedom() - static_cast<double>(first.weights.size());
+  if (left < leastRedundancy) return;
+  const auto tail = chiSquareUpperTail(causes.chiSquareAfter(first), DegreesOfFreedom(left));
   if (probability >= certain && tail.value_or(1) > noMore) state.named = std::move(group);
 }
 

@@ -12,8 +12,8 @@ namespace alidade {
 
 // The sighting that tells most for its minutes, and whether the sightings so far are enough.
 //
-// What may be the case: nothing, one effect of the catalogue, a jump, a wrong zero, a misread value, larger
-// noise. Each predicts the next reading by a normal distribution, given the readings so far and all unknowns.
+// What may be the case: nothing, one effect of the catalogue, a form of no catalogue, a jump, a wrong zero, a
+// misread value, larger noise. Each predicts the next reading by a normal distribution, given the readings so far and all unknowns.
 // A sighting is worth Σ √(wᵢ wⱼ) (1 − BCᵢⱼ) over pairs of these, plus −ln(U after/U before) of Δd. w are the
 // probabilities, BC is the Bhattacharyya coefficient of the two predictions.
 //
@@ -38,7 +38,8 @@ struct SessionSoFar {
   double logEvidence = 0;            ///< ln E against nothing
   double logEvidenceNeeded = 0;      ///< ln 1/α: from here on there is something
   std::vector<WeighedCause> causes;  ///< the most probable first, nothing included
-  /// The most probable cause and those that no sighting of the plan separates from it, if named.
+  /// The most probable cause and those that no sighting of the plan separates from it, if named. `formId`
+  /// stands for an effect of no catalogue.
   std::vector<std::string> named;
   std::optional<double> intersection, sigma;  ///< of Δd with every effect possible, mm
   double halfWidth = 0;                       ///< of the range of Δd that holds at all times together, mm

@@ -89,7 +89,7 @@ class Path {
   /// U with each effect of known size, where that takes a tenth off or more.
   std::vector<AttainableUncertainty> withKnownEffects() const {
     PossibleSightings possible;
-    const SightingEquations equations = sightingEquations(m_measurement, m_plan, possible);
+    const SightingEquations equations = sightingEquations(m_measurement, m_plan, possible, true);
     const IntersectionSoFar every(equations);
     std::vector<AttainableUncertainty> list;
     for (const MayBe& mayBe : equations.mayBe) {
@@ -111,7 +111,7 @@ class Path {
   PossibleSightings m_possible;  ///< with their worth
 
   void look() {
-    const SightingEquations equations = sightingEquations(m_measurement, m_plan, m_possible);
+    const SightingEquations equations = sightingEquations(m_measurement, m_plan, m_possible, true);
     const IntersectionSoFar every(equations);
     for (std::size_t i = 0; i < m_possible.possible.size(); ++i)
       m_possible.possible[i].next.ofUncertainty = every.tells(equations.possible[i]);

@@ -7,9 +7,11 @@
 #include <thread>
 #include <utility>
 
+#include "core/base/statistics.h"
 #include "core/base/threads.h"
 #include "core/diagnosis/diagnose.h"
 #include "core/effects/catalogue.h"
+#include "core/effects/cause_ids.h"
 #include "core/guidance/open_plan.h"
 #include "core/simulation/protocol_template.h"
 #include "core/simulation/trial_score.h"
@@ -23,10 +25,10 @@ bool isAmong(const std::vector<std::string>& ids, const std::string& id) {
   return std::ranges::find(ids, id) != ids.end();
 }
 
-/// Right: the truth is named, or one that even the whole protocol cannot tell from it; a faint one may be
-/// missed.
 bool isNamedRightly(const std::vector<std::string>& named, const SealedTruth& truth) {
-  if (named.empty() && classOf(truth) == TrialClass::Faint) return true;
+  const TrialClass trialClass = classOf(truth);
+  if (trialClass == TrialClass::Unknown) return isAmong(named, formId);
+  if (named.empty() && trialClass == TrialClass::Faint) return true;
   return !named.empty() && (isAmong(named, truth.kind) || isAmong(truth.lookAlikes, named.front()));
 }
 
@@ -44,10 +46,10 @@ class Run {
   Run(const Protocol& protocol, const Truth& truth, std::uint64_t seed)
       : m_protocol(protocol), m_plan(sightingPlanOf(protocol)), m_session(protocol, truth, seed) {}
 
-  WatchedRun inOrder() {
+  WatchedRun inOrder(bool isWatchedToTheEnd = false) {
     for (const NextSighting& step : stepsOf(m_protocol)) {
       take(step, minutesOf(step));
-      if (look(false) && m_state->enough == Enough::Named) break;
+      if (look(false) && !isWatchedToTheEnd && m_state->enough == Enough::Named) break;
     }
     return std::move(m_run);
   }
@@ -55,8 +57,7 @@ class Run {
   WatchedRun byWorth(bool isWatchedToTheEnd = false) {
     const NextSighting first = stepsOf(m_protocol).front();
     take(first, minutesOf(first));
-    while (m_session.sightings() < m_plan.rows) {
-      if (!look() || m_state->ranked.empty()) break;
+    while (look() && m_session.sightings() < m_plan.rows && !m_state->ranked.empty()) {
       if (!isWatchedToTheEnd && m_state->enough == Enough::Named && close(first)) break;
       if (!isWatchedToTheEnd && m_state->enough == Enough::WillNotHelp) break;
       const NextSighting& next = m_state->ranked.front();
@@ -106,6 +107,10 @@ class Run {
     if (!m_state) return false;
     m_run.most = std::max(m_run.most, m_state->logEvidence);
     if (!m_state->named.empty()) m_run.named = m_state->named;
+    if (m_state->sigma)
+      m_run.looks.push_back(
+          {m_run.sightings, m_run.minutes,
+           coverageFactor(measurement->coverage, DegreesOfFreedom::infinite()) * *m_state->sigma});
     return true;
   }
 
@@ -129,7 +134,8 @@ Result<AdaptiveTrial> trialOf(const BlindTrialOptions& draw, std::uint64_t seed,
   const auto drawn = drawBlindTrial(draw, seed);
   if (!drawn) return drawn.problem();
   const Protocol& protocol = *protocolByName(draw.protocol);
-  AdaptiveTrial trial{.truth = drawn->seal};
+  AdaptiveTrial trial;
+  trial.truth = drawn->seal;
   trial.rows = stepsOf(protocol).size();
   Run ordered(protocol, drawn->truth, seed), chosen(protocol, drawn->truth, seed);
   trial.ofProtocol = ordered.inOrder();
@@ -154,12 +160,13 @@ Result<AdaptiveTrials> adaptiveTrials(const AdaptiveTrialOptions& options, const
   const Protocol* protocol = protocolByName(draw.protocol);
   if (!protocol) return Problem{"give the protocol whose order is compared"};
   if (protocol->circleShift != Angle()) return Problem{"a protocol that turns the circle has a fixed order"};
-  BlindTrialOptions one = draw, none = draw;
+  BlindTrialOptions one = draw, unknown = draw, none = draw;
+  unknown.kinds = {"unknown"};
   none.kinds = {"none"};
   if (one.kinds.empty())
     for (const Effect* effect : soughtEffects()) one.kinds.emplace_back(effect->id);
-  const std::size_t all = options.count + options.clean;
-  std::vector<std::optional<Result<AdaptiveTrial>>> withCause(options.count);
+  const std::size_t sealed = options.count + options.unknown, all = sealed + options.clean;
+  std::vector<std::optional<Result<AdaptiveTrial>>> withCause(sealed);
   AdaptiveTrials trials;
   trials.clean.resize(options.clean);
   std::mutex reporting;
@@ -168,12 +175,12 @@ Result<AdaptiveTrials> adaptiveTrials(const AdaptiveTrialOptions& options, const
       options.threads > 0 ? options.threads : std::max(1u, std::thread::hardware_concurrency());
   doEach(std::clamp<std::size_t>(all, 1, threads), all, [&](std::size_t i) {
     double slowest = 0;
-    if (i < options.count) {
-      withCause[i] = trialOf(one, seed + i, slowest);
+    if (i < sealed) {
+      withCause[i] = trialOf(i < options.count ? one : unknown, seed + i, slowest);
     } else if (const auto drawn = drawBlindTrial(none, seed + i)) {
-      Run run(*protocol, drawn->truth, seed + i);
-      trials.clean[i - options.count] = run.byWorth(true);
-      slowest = run.slowest();
+      Run ordered(*protocol, drawn->truth, seed + i), chosen(*protocol, drawn->truth, seed + i);
+      trials.clean[i - sealed] = {ordered.inOrder(true), chosen.byWorth(true)};
+      slowest = chosen.slowest();
     }
     const std::scoped_lock lock(reporting);
     trials.slowest = std::max(trials.slowest, slowest);

@@ -18,6 +18,7 @@ namespace alidade {
 
 struct AdaptiveTrialOptions {
   std::size_t count = 100;  ///< truths with one cause
+  std::size_t unknown = 0;  ///< truths with an effect of no catalogue
   std::size_t clean = 0;    ///< truths without any, watched after every sighting of a whole session
   unsigned threads = 0;     ///< 0: as many as the machine has; the result is the same for any number
   std::function<void(std::size_t)> progress = {};
@@ -25,23 +26,37 @@ struct AdaptiveTrialOptions {
 
 /// One session, read until enough or to the length of the protocol.
 struct WatchedRun {
+  /// U of Δd after one of its sightings, with every effect of plausible size.
+  struct Look {
+    std::size_t sightings = 0;
+    double minutes = 0;
+    double expanded = 0;  ///< mm
+  };
+
   std::vector<std::string> named;  ///< as `SessionSoFar::named`; empty: nothing
-  bool isRight = false;            ///< the truth is named, or its look-alike first; a faint one may be missed
-  std::size_t sightings = 0;       ///< of places and closing zeros
+  /// The truth is named, or its look-alike first; a form for an effect of no catalogue. A faint one may be
+  /// missed.
+  bool isRight = false;
+  std::size_t sightings = 0;  ///< of places and closing zeros
   double minutes = 0;
-  double most = 0;  ///< the largest ln E
+  double most = 0;               ///< the largest ln E
+  std::vector<Look> looks = {};  ///< from the first with both positions
 };
 
-struct AdaptiveTrial {
-  SealedTruth truth;
+/// The same truth in both ways.
+struct WatchedRuns {
   WatchedRun ofProtocol = {}, byWorth = {};
+};
+
+struct AdaptiveTrial : WatchedRuns {
+  SealedTruth truth;
   bool isRightInFull = false;  ///< the diagnosis of the whole protocol is right
   std::size_t rows = 0;        ///< of the whole protocol
 };
 
 struct AdaptiveTrials {
-  std::vector<AdaptiveTrial> withCause;
-  std::vector<WatchedRun> clean;
+  std::vector<AdaptiveTrial> withCause;  ///< then those with an effect of no catalogue
+  std::vector<WatchedRuns> clean;
   double slowest = 0;  ///< the longest time for one next sighting, s
 };
 

@@ -20,6 +20,7 @@ namespace alidade {
 namespace {
 
 std::string nameOf(const std::string& cause) {
+  if (cause == formId) return Phrase::of("an effect of no catalogue");
   return cause.empty() ? Phrase::of("no cause") : causeName(cause);
 }
 
@@ -85,6 +86,15 @@ std::string enoughSentence(const SessionSoFar& state) {
       for (const WeighedCause& cause : state.causes)
         if (std::ranges::find(state.named, cause.cause) != state.named.end())
           probability += cause.probability;
+      if (state.named.front() == formId)
+        return isEnough(state)
+                   ? Phrase::of(
+                         "Enough: there is an effect of no catalogue (%1); the diagnosis finds its form.",
+                         probabilityText(probability))
+                   : Phrase::of(
+                         "There is an effect of no catalogue (%1), but Δd needs readings at both "
+                         "positions.",
+                         probabilityText(probability));
       if (!isEnough(state))
         return Phrase::of("The cause is named, %1 (%2), but Δd needs readings at both positions.",
                           causeNames(state.named, Phrase::of(" or ")), probabilityText(probability));

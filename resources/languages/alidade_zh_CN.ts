@@ -7919,6 +7919,18 @@ Includes every catalogued effect, limited by these readings or by its plausible 
         <source>%1, beside noise larger than stated</source>
         <translation>%1，另有大于给定的噪声</translation>
     </message>
+    <message>
+        <source>an effect of no catalogue</source>
+        <translation>目录之外的效应</translation>
+    </message>
+    <message>
+        <source>Enough: there is an effect of no catalogue (%1); the diagnosis finds its form.</source>
+        <translation>足够：存在目录之外的效应（%1）；其形式由诊断给出。</translation>
+    </message>
+    <message>
+        <source>There is an effect of no catalogue (%1), but Δd needs readings at both positions.</source>
+        <translation>存在目录之外的效应（%1），但 Δd 需要两个位置的读数。</translation>
+    </message>
 </context>
 <context>
     <name>PlaceText</name>

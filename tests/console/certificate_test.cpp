@@ -203,12 +203,12 @@ TEST_F(CertificateTest, IsNotMadeWithoutWhatItMustState) {
     EXPECT_THAT(run.err, HasSubstr(noun));
   EXPECT_FALSE(std::filesystem::exists(m_out));
   // Each of the entries by itself.
-  for (const auto& [part, key] :
+  for (const auto& entry :
        {std::pair("report", "number"), std::pair("report", "laboratory"), std::pair("report", "customer"),
         std::pair("report", "authorised_by"), std::pair("device", "name"), std::pair("device", "serial")}) {
     const std::string session = m_folder.file("lacks.alidade", changedPaperSession([&](Json& json) {
                                                 fillIn(json);
-                                                json[part].erase(key);
+                                                json[entry.first].erase(entry.second);
                                               }));
     expectRefusal(writeWhole(session, fullCall));
   }

@@ -147,5 +147,15 @@ TEST(Trial, ReadsByWhatEachSightingTells) {
   EXPECT_NE(alidadeCli({"trial", "--adaptive"}).exitCode, 0);
 }
 
+TEST(Trial, DrawsTheCurvesOfBothWays) {
+  const ProgramRun run = alidadeCli({"trial", "--adaptive", "--protocol", "two-face", "--count", "2",
+                                     "--clean", "1", "--seed", "1", "--csv"});
+  ASSERT_EQ(run.exitCode, 0) << run.err;
+  EXPECT_THAT(run.out, testing::StartsWith("kind,way,against,at,right_percent,wrong_percent,expanded_mm\n"));
+  EXPECT_THAT(run.out, HasSubstr("\nall,by_worth,sightings,136,100.0,0.0,\n"));
+  EXPECT_THAT(run.out, HasSubstr("\nnone,in_order,sightings,136,,,0."));
+  EXPECT_NE(alidadeCli({"trial", "--csv"}).exitCode, 0);
+}
+
 }  // namespace
 }  // namespace alidade::test

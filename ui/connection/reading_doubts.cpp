@@ -4,7 +4,6 @@
 #include <QStringList>
 #include <algorithm>
 #include <cmath>
-#include <ranges>
 #include <vector>
 
 #include "core/base/angle_text.h"
@@ -112,10 +111,11 @@ class Doubts {
   }
 
   std::string lastOfRows(std::string Reading::*text) const {
-    for (const Position& one : std::views::reverse(m_session.positions))
-      for (const Reading& row : std::views::reverse(one.readings))
-        if (!(row.*text).empty()) return row.*text;
-    return {};
+    std::string last;
+    for (const Position& one : m_session.positions)
+      for (const Reading& row : one.readings)
+        if (!(row.*text).empty()) last = row.*text;
+    return last;
   }
 
   void doubtSerial() {

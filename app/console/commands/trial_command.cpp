@@ -21,10 +21,14 @@ void report(std::size_t done) {
 }
 
 Result<std::string> adaptiveTrialsOf(const TrialRequest& request) {
-  const AdaptiveTrialOptions options{
-      .count = request.count, .clean = request.clean, .threads = request.threads, .progress = report};
+  const AdaptiveTrialOptions options{.count = request.count,
+                                     .unknown = request.unknown,
+                                     .clean = request.clean,
+                                     .threads = request.threads,
+                                     .progress = report};
   const auto trials = adaptiveTrials(options, {.protocol = request.protocol}, request.seed);
   if (!trials) return trials.problem();
+  if (request.csv) return adaptiveTrialCsv(*trials);
   return request.json ? adaptiveTrialJson(*trials) : adaptiveTrialText(*trials);
 }
 
@@ -110,6 +114,13 @@ void addTrialCommand(CLI::App& app, TrialRequest& request) {
           ->excludes(withheld);
   trial
       ->add_option(
+          "--unknown", request.unknown,
+          "With --adaptive also this many sessions with an effect of no catalogue, which is to be named "
+          "as a form")
+      ->check(wholeFrom(1, mostTrials))
+      ->needs(adaptive);
+  trial
+      ->add_option(
           "--clean", request.clean,
           "With --adaptive also this many sessions with nothing to name, watched after every sighting")
       ->check(wholeFrom(1, mostTrials))
@@ -117,7 +128,14 @@ void addTrialCommand(CLI::App& app, TrialRequest& request) {
   trial->add_option("--threads", request.threads, "Threads to use; 0: all. The result does not depend on it")
       ->check(wholeFrom(0, mostThreads))
       ->capture_default_str();
-  trial->add_flag("--json", request.json, "Print one JSON document");
+  CLI::Option* json = trial->add_flag("--json", request.json, "Print one JSON document");
+  trial
+      ->add_flag(
+          "--csv", request.csv,
+          "With --adaptive print curves instead: right and wrong answers and U of Δd against sightings and "
+          "minutes, in both ways")
+      ->needs(adaptive)
+      ->excludes(json);
 }
 
 Result<std::string> runTrial(const TrialRequest& request) {

@@ -22,15 +22,17 @@ struct TrialRequest {
   std::string folder;                ///< folder of existing trials; empty: drawn here
   std::vector<std::string> effects;  ///< files of own effects that are drawn, too
   bool withheld = false;
-  bool adaptive = false;  ///< sightings by what they tell, compared with the order of the protocol
-  std::size_t clean = 0;  ///< of these, sessions with nothing to name
+  bool adaptive = false;    ///< sightings by what they tell, compared with the order of the protocol
+  std::size_t unknown = 0;  ///< with these, so many sessions with an effect of no catalogue
+  std::size_t clean = 0;    ///< with these, so many sessions with nothing to name
   unsigned threads = 0;
   bool json = false;
+  bool csv = false;  ///< the curves of both ways
 };
 
 /// Adds `trial [--count N | --series N] [--seed N] [--protocol NAME] [--score DIR] [--effects FILE]…
-/// [--withheld] [--adaptive [--clean N]]
-/// [--threads N] [--json]`, which fills in `request`.
+/// [--withheld] [--adaptive [--unknown N] [--clean N] [--csv]] [--threads N] [--json]`, which fills in
+/// `request`.
 void addTrialCommand(CLI::App& app, TrialRequest& request);
 
 /// The scores as text or JSON. Fails if a trial cannot be read or diagnosed.

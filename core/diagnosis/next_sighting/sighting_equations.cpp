@@ -13,6 +13,8 @@
 #include "core/diagnosis/candidates/effect_components.h"
 #include "core/diagnosis/candidates/gross_error_components.h"
 #include "core/diagnosis/candidates/jump_components.h"
+#include "core/diagnosis/forms/form_families.h"
+#include "core/diagnosis/next_sighting/possible_forms.h"
 #include "core/effects/cause_ids.h"
 #include "core/effects/known_sizes.h"
 #include "core/observation/half_turn.h"
@@ -66,13 +68,16 @@ std::vector<const EffectParameter*> parametersOfModel(const Measurement& measure
 /// The readings of a linearised session by visit, with columns for everything that may be the case.
 class Assembly {
  public:
-  /// `bent` are the second derivatives of every reading by the bent effect.
+  /// `bent` are the second derivatives of every reading by the bent effect, `forms` the columns of the
+  /// possible forms; without them nothing but effects may be the case.
   Assembly(const PossibleSightings& session, const SightingPlan& plan, const Linearised& all,
-           const std::vector<const Effect*>& effects = {}, const Eigen::MatrixX3d& bent = {})
+           const std::vector<const Effect*>& effects = {}, const Eigen::MatrixX3d& bent = {},
+           const FormColumns* forms = nullptr)
       : m_session(session),
         m_plan(plan),
         m_all(all),
         m_secondDerivatives(bent),
+        m_forms(forms),
         m_unknowns(all.uncertainUnknowns()) {
     if (!effects.empty()) m_ofModel = parametersOfModel(session.measurement);
     addPriors();
@@ -87,6 +92,7 @@ class Assembly {
   const SightingPlan& m_plan;
   const Linearised& m_all;
   const Eigen::MatrixX3d& m_secondDerivatives;
+  const FormColumns* m_forms;
   std::vector<std::size_t> m_unknowns;
   std::vector<const EffectParameter*> m_ofModel;      ///< unknown as well, in plausible sizes
   std::vector<std::pair<ErrorTerm, double>> m_known;  ///< known values of effects, taken off the residuals
@@ -99,7 +105,8 @@ class Assembly {
     Index column;
   };
   std::vector<TermColumn> m_terms;
-  Index m_bent = 0;  ///< first column of the second derivatives
+  Index m_bent = 0;       ///< first column of the second derivatives
+  Index m_firstForm = 0;  ///< first column of the forms
   std::vector<std::pair<std::size_t, Index>> m_jumps, m_slips;
   std::map<std::size_t, Index> m_grossErrors;  ///< by reading
 
@@ -149,7 +156,12 @@ class Assembly {
     }
     m_result.effectColumns = m_columns;
     m_result.priorOdds = odds.effect * static_cast<double>(effects.size()) + odds.jump + odds.zeroSlip +
-                         odds.grossError + odds.noise;
+                         odds.grossError + odds.noise + odds.shape;
+    if (!m_forms) return;
+    m_firstForm = m_columns;
+    for (std::size_t i = 0; const Index count : m_forms->counts)
+      if (const double share = possibleForms()[i++].share; count > 0)
+        add(formId, count, &formWidths(), odds.shape * share);
     std::set<std::size_t> orders;
     for (const LinearReading& reading : m_all.readings)
       if (isTaken(reading) && !reading.isZero) orders.insert(reading.sequence);
@@ -180,6 +192,10 @@ class Assembly {
     VectorXd row = VectorXd::Zero(m_columns);
     for (const auto& [term, size, column] : m_terms) row[column] = m_all.ofTerm(i, term) * size;
     if (m_bent > 0) row.segment<3>(m_bent) = m_secondDerivatives.row(static_cast<Index>(i)).transpose();
+    if (m_forms) {
+      const MatrixXd& forms = m_forms->columns;
+      row.segment(m_firstForm, forms.cols()) = forms.row(static_cast<Index>(i)).transpose();
+    }
     const double horizontal = m_all.ofTerm(i, ErrorTerm::HorizontalJump) * plausibleJump,
                  vertical = m_all.ofTerm(i, ErrorTerm::VerticalJump) * plausibleJump;
     const auto step = [&](Index at) {
@@ -362,7 +378,7 @@ MatrixXd givenTheVisit(const MatrixXd& further, const VectorXd& alongFurther, co
 }
 
 SightingEquations sightingEquations(const Measurement& taken, const SightingPlan& plan,
-                                    PossibleSightings& session) {
+                                    PossibleSightings& session, bool effectsOnly) {
   constexpr int mostRounds = 4;
   constexpr double settled = 2e-3;  // mm
   session = possibleSightings(taken, plan);
@@ -376,7 +392,10 @@ SightingEquations sightingEquations(const Measurement& taken, const SightingPlan
   const Linearised all = linearisedAt(session, circles, everyTerm());
   const std::vector<const Effect*> effects = effectsFor(taken, plan);
   const Eigen::MatrixX3d bent = secondDerivatives(session, circles, all, effects);
-  SightingEquations equations = Assembly(session, plan, all, effects, bent).equations();
+  FormColumns forms;
+  if (!effectsOnly) forms = columnsOfForms(session, circles, all);
+  SightingEquations equations =
+      Assembly(session, plan, all, effects, bent, effectsOnly ? nullptr : &forms).equations();
   const auto& arcs = session.measurement.arcs;
   for (const int axisDeg : {0, 180})
     equations.intersectionAt +=

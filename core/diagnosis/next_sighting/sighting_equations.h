@@ -41,9 +41,10 @@ struct SightingEquations {
   Eigen::Index effectColumns = 0;  ///< the first columns belong to effects
 };
 
-/// Linearises at the circles that fit the sightings taken.
+/// Linearises at the circles that fit the sightings taken. With `effectsOnly` nothing else may be the case,
+/// which suffices for U and is faster.
 SightingEquations sightingEquations(const Measurement& taken, const SightingPlan& plan,
-                                    PossibleSightings& session);
+                                    PossibleSightings& session, bool effectsOnly = false);
 
 /// Of the unknowns by the sightings taken and the priors.
 struct NormalEquations {

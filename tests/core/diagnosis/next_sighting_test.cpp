@@ -56,7 +56,7 @@ TEST(NextSighting, CostsATurnOfTheAxisAndItsZero) {
 TEST(NextSighting, NamesTheCauseThatIsThere) {
   const Truth truth = withEffect(ErrorTerm::VerticalIndex, 15);
   WatchedSession session = readInFaceOne(truth);
-  for (int point = twoFace().points; point >= 1; --point) session.sight(180, 2, point, 2);
+  for (int point = twoFace().points; point >= 1; --point) session.sight(180, 3, point, 2);
   const auto state = sessionSoFar(*session.measurement(), sightingPlanOf(twoFace()));
   ASSERT_TRUE(state);
   EXPECT_EQ(state->enough, Enough::Named);
@@ -105,6 +105,35 @@ TEST(NextSighting, CountsNoKnownSizeAsEvidence) {
   measurement.known.clear();
   measurement.effects = {"vertical_index"};
   EXPECT_LT(sessionSoFar(measurement, plan)->logEvidence, 2) << "the model contains it";
+}
+
+TEST(NextSighting, NamesAnEffectOfNoCatalogueAsAForm) {
+  Truth warped = drawTruth(7), lobed = drawTruth(7), late = drawTruth(7);
+  warped.foreign = {ForeignEffect::Kind::HighWarp, 0.5, 5, 40};
+  lobed.harmonic = {.order = 6, .cosine = 0.08, .sine = -0.06};
+  late.foreign = {ForeignEffect::Kind::Settling, 25, 0.12};
+  for (const Truth& truth : {warped, lobed, late}) {
+    const auto state = sessionSoFar(*readInFaceOne(truth).measurement(), sightingPlanOf(twoFace()));
+    ASSERT_TRUE(state);
+    EXPECT_THAT(state->named, testing::ElementsAre("form")) << state->causes.front().cause;
+  }
+}
+
+/// Four places in both faces leave fewer than twelve readings to check a name with.
+TEST(NextSighting, NamesNothingWhileNoReadingIsLeftToCheckIt) {
+  const Truth truth = withEffect(ErrorTerm::Collimation, 120);
+  WatchedSession session(twoFace(), truth, 7);
+  int evident = 0;
+  for (int point = 1; point <= 8; ++point) {
+    for (const int face : {1, 2}) session.sight(0, 1, point, face);
+    const auto state = sessionSoFar(*session.measurement(), sightingPlanOf(twoFace()));
+    ASSERT_TRUE(state);
+    const bool isEarly = point <= 4;
+    EXPECT_TRUE(!isEarly || state->named.empty()) << point;
+    EXPECT_TRUE(point < 8 || !state->named.empty());
+    evident += isEarly && state->logEvidence > state->logEvidenceNeeded ? 1 : 0;
+  }
+  EXPECT_GE(evident, 3) << "the evidence alone would have sufficed";
 }
 
 /// What is in no catalogue looks like noise.

@@ -53,7 +53,8 @@ TEST(SessionFields, AreThoseOfTheSchema) {
   for (const std::string part :
        {"", "report", "device", "instrument", "environment", "geometry", "acceptance", "model"})
     for (const auto& [name, property] : propertiesOf(schema, part).items())
-      if (property["type"] == "string" || property["type"] == Json{"number", "string"})
+      if (property.value("type", Json()) == "string" ||
+          property.value("type", Json()) == Json{"number", "string"})
         described.insert(part.empty() ? name : part + "." + name);
   EXPECT_EQ(known, described);
 }
