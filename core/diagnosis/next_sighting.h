@@ -13,9 +13,9 @@ namespace alidade {
 // The sighting that tells most for its minutes, and whether the sightings so far are enough.
 //
 // What may be the case: nothing, one effect of the catalogue, a form of no catalogue, a jump, a wrong zero, a
-// misread value, larger noise. Each predicts the next reading by a normal distribution, given the readings so far and all unknowns.
-// A sighting is worth Σ √(wᵢ wⱼ) (1 − BCᵢⱼ) over pairs of these, plus −ln(U after/U before) of Δd. w are the
-// probabilities, BC is the Bhattacharyya coefficient of the two predictions.
+// misread value, larger noise. Each predicts the next reading by a normal distribution, given the readings so
+// far and all unknowns. A sighting is worth Σ √(wᵢ wⱼ) (1 − BCᵢⱼ) over pairs of these, plus −ln(U after/U
+// before) of Δd. w are the probabilities, BC is the Bhattacharyya coefficient of the two predictions.
 //
 // The statements may be looked at after every reading. The evidence against nothing is a Bayes factor with
 // fixed prior widths, on readings without the part that the unknowns can take. It is a nonnegative martingale

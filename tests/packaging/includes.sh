@@ -12,7 +12,7 @@ awk '
                   "adjustment/numerics adjustment/arc adjustment/joint adjustment/result adjustment/monte_carlo " \
                   "adjustment/gross_errors " \
                   "diagnosis/result diagnosis/gap diagnosis/evidence diagnosis/candidates diagnosis/search " \
-                  "diagnosis/observability diagnosis/next_sighting diagnosis/forms diagnosis/conclusion diagnosis " \
+                  "diagnosis/observability diagnosis/forms diagnosis/next_sighting diagnosis/conclusion diagnosis " \
                   "series/shared_causes guidance " \
                   "wording evaluation statement answers certificate simulation " \
                   "series/instrument_check series/history " \
@@ -35,7 +35,7 @@ awk '
     floor_of["core/series/shared_causes/common_noise.h"] = "series"
     floor_of["core/series/shared_causes/series_conclusion.h"] = "series"
     floor_of["core/series/shared_causes/settled_series.h"] = "series"
-    split("gap evidence candidates search observability next_sighting forms conclusion", behind)
+    split("gap evidence candidates search observability forms next_sighting conclusion", behind)
     for (i in behind) inner["core/diagnosis/" behind[i]]
   }
   function folder_of(file) { sub(/\/[^\/]*$/, "", file); return file }
