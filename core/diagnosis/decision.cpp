@@ -22,8 +22,8 @@ Verdict verdictOf(const IntersectionEstimate& estimate, double more, const Measu
   return holds ? guarded : Verdict::Undecided;
 }
 
-/// Undecided if the causes leave the measurand undetermined. A part of the distance alone can only be too
-/// long.
+/// Undecided if the causes leave the measurand undetermined. From a part of the distance alone only a
+/// rejection can follow.
 Verdict verdictOf(const std::optional<MeasuredIntersection>& measured, double more,
                   const Measurement& measurement) {
   if (!measured) return Verdict::Undecided;
@@ -45,7 +45,7 @@ bool contradict(const AcceptanceDecision& decision, Measurand measurand) {
   return decision.asFound.value_or(decision.asModelled) != decision.asModelled;
 }
 
-/// Whether a part of the distance is not measured and the rest is not too long by itself.
+/// Whether an unmeasured part of the distance leaves the verdict open: the rest alone causes no rejection.
 bool isAcrossMissing(const AcceptanceDecision& decision, Measurand measurand, const Diagnosis* diagnosis) {
   const bool isMeasured = diagnosis && diagnosis->measured && diagnosis->measured->across;
   return measurand == Measurand::Distance && !isMeasured &&
@@ -68,7 +68,7 @@ std::optional<double> conformanceOf(const Measurement& measurement, const Sessio
   const double more = diagnosis->unexplained.sigma;
   auto conformance = conformanceWith(more, *diagnosis->measured, measurement);
   if (!conformance) return conformance;
-  double odds = 1;  // 1: relative to no undetectable jump
+  double odds = 1;  // relative to sessions without such a jump
   for (const UndetectableJump& jump : diagnosis->undetectableJumps)
     for (const NormalPart& move : jump.moves) {
       const auto with = conformanceWith(std::hypot(more, move.sigma), *diagnosis->measured, measurement);

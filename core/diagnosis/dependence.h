@@ -11,8 +11,8 @@ namespace alidade {
 // The single rows on which a verdict depends: leaving out one of them changes the verdict.
 //
 // Leaving out row i moves Δd to first order by −Σ g v/(1 − h). v are the residuals of its readings, r their
-// redundancies, g = ∂Δd/∂reading. 1 − h = Σ r/c is the share that other rows check. c of its readings are
-// conditions: all, except the one that fixes the arc angle of a visit of this row alone.
+// redundancies, g = ∂Δd/∂reading. 1 − h = Σ r/c is the share that other rows check. c is the number of its
+// readings, less one if its visit has no other row: one reading then fixes the arc angle.
 //
 // The diagnosis's choice of an explanation is not linear in the readings. So the rows that move Δd most, and
 // those that contribute most to χ², Σ (v/σ)²/(1 − h), are left out with a new fit, diagnosis and decision.

@@ -51,8 +51,8 @@ std::vector<GapShare> whereOf(const Inquiry& inquiry, const Answer& answer) {
   return shares;
 }
 
-/// Returns the most likely pattern. A pattern found at another noise may explain more than the gap; its share
-/// is at most all of it.
+/// Returns the most likely pattern. Its share is its square over the sum of that and the rest's square: at
+/// most 1, even if the pattern was found at another noise and exceeds the gap.
 std::optional<GapShape> shapeOf(const Inquiry& inquiry) {
   const auto shaped = std::ranges::find_if(inquiry.explanations, &Explanation::shaped);
   if (shaped == inquiry.explanations.end()) return std::nullopt;
@@ -63,7 +63,7 @@ std::optional<GapShape> shapeOf(const Inquiry& inquiry) {
   return GapShape{std::string(shape.id()), square > 0 ? square / (square + left) : 0};
 }
 
-/// Returns the closure after the causes against the reference: that of the measured Δd, if there is one.
+/// Returns the closure of the measured Δd against the reference. Absent without a measured Δd.
 std::optional<Closure> againstReference(const Measurement& measurement,
                                         const std::optional<MeasuredIntersection>& measured) {
   if (!measured) return std::nullopt;

@@ -13,13 +13,13 @@ namespace alidade {
 
 namespace {
 
-/// To two digits.
+/// Returns a size > 0 rounded to two significant digits.
 std::string rounded(double size) {
   const double exponent = std::floor(std::log10(size)) - 1, digit = std::pow(10, exponent);
   return fixedText(std::round(size / digit) * digit, std::max(0, static_cast<int>(-exponent)));
 }
 
-/// The root of the mean square: cosine and sine of a wave, of any phase, have the same plausible size.
+/// Returns the rms of the amplitudes: cosine and sine of a wave of any phase are equally plausible.
 double plausibleOf(const FoundForm& found) {
   constexpr double least = 1e-3;  // mm or arcsec
   double squares = 0;
@@ -29,7 +29,7 @@ double plausibleOf(const FoundForm& found) {
   return std::isfinite(size) ? std::max(size, least) : least;
 }
 
-/// A line for each carrier.
+/// Splits a formula into one line for each carrier.
 std::string linesOf(std::string formula) {
   constexpr std::string_view second = ", vertical = ";
   if (const std::size_t at = formula.find(second); at != std::string::npos) formula.replace(at, 2, "\n");

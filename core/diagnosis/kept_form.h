@@ -6,9 +6,9 @@
 
 namespace alidade {
 
-/// A found form as an effect of the user's own: its formula with the numbers of its shape as found; each
-/// amplitude as large as it was found, as a plausible size. It belongs to the session's device, or to its
-/// instrument if it acts on circles, by serial number; and it says from which session it is.
+/// Returns a found form as an effect of the user's own. The formula keeps the found shape numbers; every
+/// amplitude has the rms of the found ones as its plausible size. The effect belongs, by serial number, to
+/// the instrument if it acts on circles, otherwise to the device. `from` names the session.
 OwnEffect ownEffectOf(const FoundForm& found, const Session& session);
 
 }  // namespace alidade

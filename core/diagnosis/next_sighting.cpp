@@ -13,7 +13,7 @@ namespace alidade {
 
 namespace {
 
-/// What may be the case with a probability that matters.
+/// Returns the hypotheses whose probability matters.
 std::vector<Weighed> likely(const std::vector<Weighed>& all) {
   constexpr std::size_t most = 14;
   constexpr double least = 5e-4;
@@ -23,7 +23,7 @@ std::vector<Weighed> likely(const std::vector<Weighed>& all) {
   return list;
 }
 
-/// Adds what a sighting tells of the causes.
+/// Adds the value of a sighting for separating the causes.
 void addCauses(NextSighting& next, const std::vector<Weighed>& causes,
                const WeighedCauses::Predictor& predictor) {
   std::vector<Prediction> predictions;
@@ -68,16 +68,16 @@ bool isEvident(const SessionSoFar& state) {
   return state.logEvidence >= state.logEvidenceNeeded;
 }
 
-/// Not while there is evidence of what has no name yet: it may be noise larger than stated.
+/// False while there is evidence of an unnamed cause: it may be noise larger than stated.
 bool isVerdictCertain(const Measurement& measurement, const SessionSoFar& state) {
   if (!measurement.tolerance || !state.intersection || isEvident(state)) return false;
   const double size = std::abs(*state.intersection);
   return size + state.halfWidth < *measurement.tolerance || size - state.halfWidth > *measurement.tolerance;
 }
 
-/// Fills in the group of the most probable cause if the evidence against nothing suffices, the group holds
+/// Fills in the group of the most probable cause if the evidence against no cause suffices, the group holds
 /// almost all of the probability, and the cause leaves no more than noise. The redundancy left must be enough
-/// to show that. Larger noise is never named: an effect of no catalogue looks like it.
+/// to show that. Larger noise is never named: an uncatalogued effect looks like it.
 void name(SessionSoFar& state, const WeighedCauses& causes, const SightingEquations& equations) {
   constexpr double certain = 0.95, noMore = 1e-3, leastRedundancy = 12;
   const Weighed& first = causes.all().front();

@@ -9,10 +9,10 @@
 
 namespace alidade {
 
-/// The displacement of its carrier by one line of an own effect, at plausible sizes.
+/// The displacement of a carrier by one line of an own effect, at plausible sizes.
 struct OwnCurve {
   FormCarrier carrier = FormCarrier::Radial;
-  const FormulaVariable* variable = nullptr;  ///< that of all lines; null: they have none or several
+  const FormulaVariable* variable = nullptr;  ///< the only variable of all lines; null: none or several
   /// The variable (an angle in degrees) and the displacement, mm or arcseconds, sorted by the variable.
   /// Without a single variable the first is the number of the sighting in the session, from 1.
   std::vector<std::array<double, 2>> points = {};

@@ -147,8 +147,8 @@ PlanAdvice adviceOf(const std::vector<Measure>& measures, const VisibleTerms& sh
   return advice;
 }
 
-/// Sorts by the number of effects clarified, then by the number of measures. Combinations remain only if no
-/// single measure clarifies as many; of those only the first.
+/// Sorts by the number of effects clarified, then by the number of measures. A combination remains only as
+/// the first entry, where it clarifies more than every single measure.
 void rank(std::vector<PlanAdvice>& list) {
   const auto told = [](const PlanAdvice& advice) {
     return std::pair(advice.reveals.size(), advice.separates.size());
@@ -182,7 +182,7 @@ Result<PlanReview, NoModel> reviewPlan(const Measurement& measurement, const Ses
   PlanReview review{.effects = {}, .advice = {}, .intersection = estimateOf(*own)};
   const GapModel expected = withKnownSizes(*own);
   const GapModel model = closedModelOf(expected).value_or(expected);
-  own = NoModel{};  // no longer needed, and as long as its readings
+  own = NoModel{};  // frees memory in proportion to the readings
   const Leftover leftover(linearise(*model.measurement, *model.fit, model.options), model.options.terms);
   const std::vector<Planned> effects = plannedEffects(model, leftover);
   review.readings = static_cast<std::size_t>(

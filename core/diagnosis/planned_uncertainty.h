@@ -13,10 +13,10 @@ namespace alidade {
 // expected to stated scatter. Results are absent or empty without both positions, or if the plan does not
 // determine Δd.
 
-/// U from the fit only. An estimated scatter counts as estimated, with the degrees of freedom of the plan.
+/// U from the fit only. If the scatter is estimated, it has the degrees of freedom of the plan.
 std::optional<double> plannedUncertaintyOfFit(const Measurement& plan, const NoiseScale& noise);
 
-/// U of the measured Δd: the first of `plannedUncertainties` alone, which is much faster.
+/// U of the measured Δd: only the first value of `plannedUncertainties`, computed much faster.
 std::optional<double> plannedUncertainty(const Measurement& plan, double noise);
 
 /// U of the measured Δd, also with more readings or known effects: `attainableUncertainties`.

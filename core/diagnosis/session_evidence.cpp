@@ -155,7 +155,7 @@ class Accounts {
     return account;
   }
 
-  /// Odds of larger noise: its prior, the width of its posterior, and the smaller weight of all readings.
+  /// ln odds of larger noise: its prior, the width of its posterior, and the smaller weight of all readings.
   static double noiseOdds(double noise, double f) {
     constexpr double range = 2.8;  // width of the searched range of ln noise
     const double known = std::sqrt(M_PI / std::max(f, 1.0));

@@ -61,8 +61,8 @@ Result<SessionEvidence, DiagnosisFault> evidenceOf(const Measurement& measuremen
                                                    const DiagnosisOptions& options = {},
                                                    const std::stop_token& stop = {});
 
-/// The gain in evidence from columns whose weights have any of `sigmas` (plausible sizes) as width, equally
-/// probable. `gram` is symmetric, row by row; `right` belongs to it.
+/// The gain in evidence from columns, averaged over equally probable prior widths `sigmas` (plausible sizes)
+/// of their weights. `gram` (row by row) holds their inner products, `right` those with the leftover.
 struct ColumnGain {
   double log = 0;               ///< natural logarithm
   double width = 1;             ///< the most likely one, in plausible sizes

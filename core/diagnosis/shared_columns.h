@@ -44,7 +44,7 @@ class SharedColumns {
 
  private:
   struct Start {
-    std::size_t products, first;  ///< of the stored products; first column of the pattern
+    std::size_t products, first;  ///< first stored product; first column of its effect or pattern
   };
 
   std::vector<EffectColumns> m_all;

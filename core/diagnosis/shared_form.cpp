@@ -12,7 +12,7 @@ namespace alidade {
 
 namespace {
 
-/// Units of `Form::numbers` in one of `shapeOf`.
+/// Factor from the numbers of `shapeOf` to `Form::numbers`: rad per degree for an angle, otherwise 1.
 double unitOfShape(const Form& form) {
   return form.isOfAngle() ? std::numbers::pi / 180 : 1;
 }
@@ -23,7 +23,7 @@ std::span<const FormNumber> shapeOf(const FoundForm& found) {
       .subspan(found.form.order > 0 ? 1 : 0, static_cast<std::size_t>(found.form.count()));
 }
 
-/// Whether the readings settle the shape.
+/// Whether every shape number has a finite standard uncertainty.
 bool isSettled(const FoundForm& found) {
   return std::ranges::all_of(shapeOf(found),
                              [](const FormNumber& number) { return std::isfinite(number.sigma); });
@@ -38,7 +38,7 @@ bool hasLookAlike(const FoundForm& found, const Form& form, double share) {
   });
 }
 
-/// The mean of the number that `in` gives of each form.
+/// Returns the weighted mean of the numbers that `in` selects, one from each form.
 template <typename In>
 FormNumber meanNumber(const std::vector<const FoundForm*>& forms, const In& in) {
   FormNumber mean = in(*forms.front());

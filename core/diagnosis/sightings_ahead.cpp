@@ -14,9 +14,9 @@ namespace alidade {
 
 namespace {
 
-constexpr double worthIt = 0.9;  ///< factor of U
+constexpr double worthIt = 0.9;  ///< largest factor of U at which an alternative is listed
 
-/// The measurement after a sighting of `possible`, with the reading of the arcs fitted so far.
+/// Returns the measurement with the sighting `chosen` added; its reading follows from the arcs fitted so far.
 Measurement after(const PossibleSighting& chosen, const Measurement& measurement,
                   const PossibleSightings& possible) {
   const std::size_t index = chosen.arc;
@@ -28,7 +28,7 @@ Measurement after(const PossibleSighting& chosen, const Measurement& measurement
                                           sighting.round == next.round && sighting.face == next.face;
                                  });
   taken.elapsed = 1;
-  if (!next.turnsAxis) {  // there all directions refer to the first zero, here to that of their arc
+  if (!next.turnsAxis) {  // `possible` refers directions to the first zero, `measurement` to its arc's
     const ArcMeasurement& own = measurement.arcs[index];
     taken.a = taken.a - wrapped(own.zeroHorizontal - arc.zeroHorizontal);
     taken.e = taken.e - (own.zeroElevation - arc.zeroElevation);
@@ -57,7 +57,7 @@ class Path {
 
   const SightingsAhead& ahead() const { return m_ahead; }
 
-  /// Takes the sighting that takes most off U for its minutes; false if there is none.
+  /// Adds the sighting that reduces U most for its minutes; false if there is none.
   bool goOn(bool turnsAxis) {
     const PossibleSighting* best = nullptr;
     for (const PossibleSighting& one : m_possible.possible)
@@ -78,7 +78,7 @@ class Path {
     }
   }
 
-  /// Turns the axis after as many sightings as another path, and takes as many.
+  /// Turns the axis after as many sightings as `other`, and adds as many in total.
   void goOnLike(const SightingsAhead& other) {
     const auto turn = std::ranges::find_if(other.sightings, &NextSighting::turnsAxis);
     goOnTo(static_cast<std::size_t>(turn - other.sightings.begin()));
@@ -86,7 +86,7 @@ class Path {
     goOnTo(other.sightings.size());
   }
 
-  /// U with each effect of known size, where that takes a tenth off or more.
+  /// Returns U with each effect whose known size would reduce it by a tenth or more.
   std::vector<AttainableUncertainty> withKnownEffects() const {
     PossibleSightings possible;
     const SightingEquations equations = sightingEquations(m_measurement, m_plan, possible, true);
@@ -108,7 +108,7 @@ class Path {
   std::stop_token m_stop;
   Measurement m_measurement;
   SightingsAhead m_ahead;
-  PossibleSightings m_possible;  ///< with their worth
+  PossibleSightings m_possible;  ///< with `ofUncertainty` filled in
 
   void look() {
     const SightingEquations equations = sightingEquations(m_measurement, m_plan, m_possible, true);
@@ -121,7 +121,7 @@ class Path {
   }
 };
 
-/// Orders plans: first those that reach the uncertainty, then by fewer minutes, or else by smaller U.
+/// Orders plans: first those that reach the uncertainty, by their minutes; then the others, by their U.
 bool isBetter(const SightingsAhead& one, const SightingsAhead& other) {
   if (one.isReached != other.isReached) return one.isReached;
   if (one.isReached) return one.minutes < other.minutes;

@@ -18,12 +18,12 @@ struct SightingsAhead {
   /// U of Δd after them, mm, with every effect of plausible size; absent without both positions.
   std::optional<double> expanded = {};
   bool isReached = false;  ///< false: `expanded` is the U that these sightings reach
-  /// If not reached: first without more; then the same number of sightings with slider readings or in both
-  /// faces, and effects of known size, where each takes a tenth off U or more.
+  /// If not reached: first U after these sightings. Then, where U falls by a tenth or more, U of as many
+  /// sightings with slider readings or in both faces, and U with an effect of known size.
   std::vector<AttainableUncertainty> instead = {};
 };
 
-/// More sightings than this nobody plans ahead.
+/// The largest number of sightings that is planned ahead.
 inline constexpr std::size_t mostAhead = 150;
 
 /// The sightings that bring U of Δd to `uncertainty` (mm, > 0) in the fewest minutes, at the session's

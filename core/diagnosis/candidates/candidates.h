@@ -11,7 +11,7 @@
 
 namespace alidade {
 
-/// Prior odds of each kind of component against "no gap at all". They are broad: a factor of two in any of
+/// Prior odds of each kind of component against "no gap at all". They are rough: a factor of two in any of
 /// them changes no clear answer.
 struct PriorOdds {
   double effect = 0.04;      ///< for each effect

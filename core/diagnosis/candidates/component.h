@@ -37,8 +37,8 @@ class Component {
   /// Possible prior widths of the weights, the narrowest first.
   virtual const std::vector<Width>& widths() const = 0;
 
-  /// Whether this is one of several named causes. Each is ranked by how well it alone explains the gap, and
-  /// compared with its look-alikes.
+  /// Whether this is an effect of the catalogue or of the user. Effects are ranked by how well each alone
+  /// explains the gap, and compared with their look-alikes.
   virtual bool isEffect() const { return false; }
   /// Whether the size is known and in the model. The component then means that the known value is out of
   /// date.
@@ -57,8 +57,8 @@ class Component {
   virtual bool isShape() const { return false; }
   /// Index of the reading with a gross error among the leftover's readings. Absent for other components.
   virtual std::optional<Eigen::Index> grossErrorAt() const { return std::nullopt; }
-  /// Sequence number of the only row that would show the jump. A gross error of that row leaves the same
-  /// trace and is more frequent.
+  /// Order (`Sighting::order`) of the only row that would show the jump. A gross error of that row leaves the
+  /// same trace and is more frequent.
   virtual std::optional<std::size_t> onlyRow() const { return std::nullopt; }
 
   /// Gram matrix of the visible columns. For a bent component the visible second derivatives follow the

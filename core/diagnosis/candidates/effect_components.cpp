@@ -95,7 +95,7 @@ std::vector<CauseParameter> EffectComponent::parameters(const GapModel& after) c
 
 namespace {
 
-/// Adds the components of `count` effects, whose columns are projected together.
+/// Adds the components of effects with `count` columns in all, which are projected together.
 void addComponents(const Leftover& leftover, std::span<const Effect* const> effects, Index count,
                    std::vector<EffectComponent>& components) {
   MatrixXd columns(leftover.readings(), count);

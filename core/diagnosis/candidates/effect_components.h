@@ -8,7 +8,7 @@
 
 namespace alidade {
 
-/// An effect of the catalogue.
+/// An effect of the catalogue or of the user.
 class EffectComponent final : public Component {
  public:
   /// `gram` is the Gram matrix of the visible columns.
@@ -52,12 +52,12 @@ class EffectComponent final : public Component {
 /// Prior widths for effects from much smaller to much larger than their plausible size.
 const std::vector<Width>& effectWidths();
 
-/// Returns the effects of the catalogue except those in `leftOut`, all linear.
+/// Returns the effects of catalogue and user except those in `leftOut`, all linear.
 std::vector<EffectComponent> effectComponents(const Leftover& leftover,
                                               const std::vector<std::string>& leftOut,
                                               const Measurement& measurement = {});
-/// Returns the effects of the catalogue except those in `leftOut`, with second derivatives if they are bent.
-/// Known sizes in the model are marked. `leftover` is that of the model.
+/// Returns the effects of catalogue and user except those in `leftOut`, with second derivatives if they are
+/// bent. Known sizes in the model are marked. `leftover` is that of the model.
 std::vector<EffectComponent> effectsBeyond(const GapModel& model, const Leftover& leftover,
                                            const std::vector<std::string>& leftOut);
 

@@ -34,8 +34,8 @@ Matrix2Xd JumpColumns::products(const VectorXd& overReadings) const {
   return sums;
 }
 
-/// Gram matrix of the columns after projection: without the arc angle of each visit and the span of the
-/// unknowns.
+/// Gram matrices of the columns after the projection, which removes the arc angle of each visit and the span
+/// of the unknowns.
 std::vector<Matrix2d> JumpColumns::visibleGrams(const Leftover& leftover) const {
   std::vector<Matrix2d> grams(m_moments.size(), Matrix2d::Zero());
   if (m_moments.empty()) return grams;

@@ -29,7 +29,7 @@ class JumpColumns {
   std::vector<Eigen::Index> m_last;          ///< the last moment that acts on each reading; −1: none
   std::vector<JumpMoment> m_moments;
 
-  /// Whether the moments before this one act on all readings that it acts on.
+  /// Whether the previous moment acts on all readings on which this one acts.
   bool goesOnFrom(std::size_t moment) const { return m_moments[moment - 1].end == m_moments[moment].end; }
 };
 

@@ -50,7 +50,7 @@ void JumpComponent::fillProducts(const SharedProducts& with, Eigen::Ref<VectorXd
   own = ofAll.segment<2>(2 * static_cast<Index>(m_index));
 }
 
-/// The usual widths suffice to detect a jump of any size, and most moments show none.
+/// The far wider width counts only if the usual ones detect a jump; they detect one of any size.
 Gain JumpComponent::gain(const TurnedColumns& columns, double variance) const {
   constexpr double shows = 10;  // natural logarithm
   const Gain usual = Component::gain(columns, variance);
@@ -101,7 +101,7 @@ std::vector<CauseParameter> JumpComponent::parameters(const GapModel& after) con
 
 namespace {
 
-/// Orders of the rows of each arc, ascending, and of the sightings of its zero before them.
+/// Orders of the rows of one arc, and of the sightings of its zero before the first row; both ascending.
 struct ArcInOrder {
   std::vector<std::size_t> rows, zeros;
   std::size_t last = 0;  ///< largest order of rows and zeros
@@ -132,7 +132,7 @@ ArcsInOrder arcsInOrder(const Leftover& leftover) {
   return arcs;
 }
 
-/// Whether the zeros of all positions sight one mark in either circle. Their differences then show jumps.
+/// Whether all positions have a common zero mark in one circle or both. Differences of zeros then show jumps.
 bool haveCommonZeros(const Leftover& leftover) {
   return std::ranges::any_of(leftover.equations().unknowns, [](const Unknown& unknown) {
     return unknown.isPointingZero() && unknown.arc == Unknown::everyArc;
@@ -215,7 +215,7 @@ std::vector<JumpComponent> jumpComponents(const Leftover& leftover) {
       const std::size_t end = endOf(arcs, arc);
       const bool mayEnd = isClosed && end != JumpMoment::never;
       if (mayEnd) ofOnePosition.push_back({row, end});
-      // A jump that ends at the next zero is not visible after it.
+      // Without a common mark, the zero of the next position absorbs a jump that lasts.
       if (!mayEnd || areCommon || zeros.empty()) lasting.push_back({row});
     }
   }

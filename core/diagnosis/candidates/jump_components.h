@@ -20,7 +20,7 @@ class JumpComponent final : public Component {
   JumpComponent(std::shared_ptr<const JumpColumns> columns, std::size_t index, Eigen::Matrix2d gram,
                 std::optional<std::size_t> onlyRow);
 
-  /// Sequence numbers of the first row after the jump and of the first row on which it no longer acts.
+  /// Orders (`Sighting::order`) of the first row after the jump and of the first row that it no longer moves.
   JumpMoment moment() const { return m_columns->moments()[m_index]; }
 
   std::string_view id() const override;
@@ -56,17 +56,17 @@ const std::vector<Width>& usualAndFarWiderJumpWidths();
 /// Returns the jumps before any row, or before the zero of a position after the first. In long sessions only
 /// every n-th row counts.
 ///
-/// If the positions are compared (`Linearised::isClosed`), a jump may last. Before the last position it may
-/// also end with its own position, when the circle is set again on the mark. Jumps before the first row of a
-/// position belong to `zeroSlips`.
+/// If the positions are compared (`Linearised::isClosed`), a jump may last to the end of the session. In all
+/// positions but the last it may also end with its position, when the circle is set again on the mark. Jumps
+/// before the first row of a position belong to `zeroSlips`.
 ///
 /// A jump that only a single row, alone in its visit, would show leaves the trace of a gross error of that
 /// row. The gross error is more frequent, so the jump serves for comparison only.
 std::vector<JumpComponent> jumpComponents(const Leftover& leftover);
 
 /// Returns the jumps between the pointing zero of a position and its first visit, lasting or ending with the
-/// position. They also stand for a misread zero or a moved mark. They exist only where the positions are
-/// compared: otherwise nothing would show them.
+/// position. A misread zero or a moved mark has the same trace. Empty unless the positions are compared:
+/// otherwise nothing would show these jumps.
 std::vector<JumpComponent> zeroSlips(const Leftover& leftover);
 
 }  // namespace alidade

@@ -12,8 +12,8 @@ namespace {
 
 using Eigen::Index, Eigen::MatrixXd;
 
-/// Two sizes, in plausible sizes, and the factors of their function value in the differences 11, 12 and 22.
-/// To third order f(x, 0) − f(0, 0) is the first derivative plus half the second.
+/// The two sizes at a node, in plausible sizes, and the factors of its value in the differences 11, 12 and
+/// 22. To third order f(1, 0) − f(0, 0) is the first derivative, subtracted later, plus half the second.
 struct Node {
   double first, second;
   std::array<double, 3> times;

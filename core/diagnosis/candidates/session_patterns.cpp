@@ -21,7 +21,7 @@ enum class Along {
   Slider,    ///< 60″ of the slider readings
   Distance,  ///< 1 mm, independent of the axis angle
   Horizontal,
-  Vertical,         ///< 5″ of the face-1 equivalents
+  Vertical,         ///< 5″ of the face-1 equivalents, like `Horizontal`
   Both,             ///< both circles, with separate weights
   HorizontalFaces,  ///< with the opposite sign in face 2
   VerticalFaces,

@@ -21,7 +21,7 @@ struct SessionPattern {
 const std::vector<SessionPattern>& sessionPatterns();
 
 /// Returns the visible columns of the patterns side by side, `leftover.rows()` long. They are zero for
-/// sessions with more than 20 000 readings, which suffice by themselves.
+/// sessions with more than 20 000 readings, whose own readings suffice for the search.
 Eigen::MatrixXd patternColumns(const Leftover& leftover, const Measurement& measurement, const JointFit& fit);
 
 }  // namespace alidade

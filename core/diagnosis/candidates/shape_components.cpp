@@ -311,7 +311,7 @@ std::vector<ShapeComponent> shapeComponents(const Leftover& leftover, const Meas
                        settling(all.elapsed));
   std::vector<Index> slowest;
   for (Index wave = 0; wave < std::min<Index>(4, waves.count()); ++wave) slowest.push_back(wave);
-  // The target is nearer, independent of the axis angle.
+  // A change of distance has the same sign in both positions, a plane offset the opposite one.
   const auto isTurned = [&](Index i) { return all.arcOf(i).axisDeg != 0; };
   maker.add(PHRASE_LATER("Phrase", "distance with time"),
             all.ofInstrument(leftover.column(ErrorTerm::PlaneOffset), isTurned), waves.chosen(slowest));

@@ -105,7 +105,7 @@ void Accounts::alsoAt(const GapModel& at, const Explanation& explanation, const 
   const std::optional<System> system = own->systemOf(explanation);
   if (!system) return;
   own->m_start = estimate->value - own->accountOf(*system, scales).value;
-  // The fit without large causes is far from the point where its linear equations hold.
+  // The fit without large causes is far from `at`: the shift makes its linear equations agree with `at`.
   if (const std::optional<System> here = systemOf(explanation))
     m_start += estimate->value - accountOf(*here, scales).value;
   m_at = std::move(own);

@@ -11,8 +11,8 @@
 
 namespace alidade {
 
-// The Δd and the evidence of an explanation together with every effect of the catalogue, in the model linear
-// at one fit.
+// The Δd and the evidence of an explanation together with every effect of the catalogue, in the model
+// linearised at one fit.
 //
 // With V the visible columns of effects, causes and patterns, W the widths of their weights, v the variance
 // of the readings and r the leftover, the weights are w = (VᵀV + v W⁻²)⁻¹ Vᵀ r. They change Δd by −bᵀ w,
@@ -27,7 +27,7 @@ struct Account {
   EffectScales scales;
   double logOdds = 0;   ///< prior and evidence, relative to no cause and no effect; natural logarithm
   double value = 0;     ///< of Δd, mm
-  double variance = 0;  ///< from the readings, scaled by the leftover, and from widths; without zeros, mm²
+  double variance = 0;  ///< of Δd, mm²: from readings, scaled by the leftover, and widths; without zeros
   /// The part of the variance due to the weights of explanation and effects, at the noise of the explanation.
   double ofWeights = 0;
   std::vector<double> ofEffects = {};  ///< variance from the prior of each effect, mm²

@@ -103,8 +103,8 @@ class Average {
     return Possible{1, move->shift - m_ofAnswer->shift, move->variance - m_ofAnswer->variance};
   }
 
-  /// For an explanation that is not linear: fits it. A pattern does not shift Δd. Absent if the readings do
-  /// not determine Δd.
+  /// Evaluates a nonlinear explanation by a fit. A pattern does not shift Δd but adds to its variance. Absent
+  /// if the readings do not determine Δd.
   std::optional<Possible> byFit(Explanation explanation) const {
     double ofPattern = 0;
     if (explanation.shaped) {

@@ -35,7 +35,7 @@ bool isAlone(const Measurement& measurement, const Located& at) {
                         }) == 1;
 }
 
-/// Corrects one circle of a sighting so that it meets the circle, the other one kept; false where it cannot.
+/// Corrects one circle reading of a sighting, so that the sighting meets the arc; false if it cannot.
 class Correction {
  public:
   Correction(const Measurement& measurement, const ArcMeasurement& arc, const Circle& circle)

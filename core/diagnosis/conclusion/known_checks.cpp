@@ -13,7 +13,7 @@ namespace alidade {
 namespace {
 
 void fillSeen(KnownCheck& check, const EstimatedTerm& term, const JointFit& fit, double unit) {
-  constexpr double next = 0.95;  // share of the known value from which the readings say nothing
+  constexpr double next = 0.95;  // with this share of the known value or more, the readings determine nothing
   const std::size_t i = fit.indexOf({.kind = Unknown::Kind::Error, .arc = 0, .term = term.term});
   const double variance = fit.cofactor(i, i), ofKnown = variance / square(term.priorSigma);
   if (!(ofKnown < next)) return;

@@ -9,7 +9,7 @@
 
 namespace alidade {
 
-// The change of Δd by an explanation, in the model linear at the starting fit, without another fit.
+// The change of Δd by an explanation, in the model linearised at the starting fit, without another fit.
 //
 // With V the visible columns of its components, W the widths of their weights and r the leftover, the weights
 // are w = (VᵀV + W⁻²)⁻¹ Vᵀ r. They change Δd by −bᵀ w, where b is the change of the fit's Δd by the whole
@@ -18,7 +18,7 @@ namespace alidade {
 
 struct Move {
   double shift = 0;     ///< of the fit's Δd, mm
-  double variance = 0;  ///< from readings, scaled by the leftover, and from components; without zeros, mm²
+  double variance = 0;  ///< of Δd, mm²: from readings, scaled by the leftover, and components; without zeros
 };
 
 class LinearMoves {

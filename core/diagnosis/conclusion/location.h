@@ -21,7 +21,7 @@ std::vector<GapShare> sharesOfReadings(const Leftover& leftover, const Measureme
 std::vector<GapShare> sharesOfFrames(const Inquiry& inquiry);
 
 /// Shares of χ² beyond the stated noise: of the "readings" in the model with separate positions, and of each
-/// closure between positions ("radius", "centre"). Empty without closures.
+/// closure between positions ("radius", "centre", "repeat", "zeros"). Empty without closures.
 std::vector<GapShare> sharesOfClosures(const GapModel& own);
 
 }  // namespace alidade

@@ -32,10 +32,10 @@ struct Across {
   double covariance = 0;
 };
 
-/// The estimate of the plane's offset, freed from the prior of its plausible size. The estimate contains the
-/// prior with the share g = Q/p²; the rest is (value − g p₀)/(1 − g). A known size is kept.
+/// The estimate of the plane's offset, freed from the prior N(p₀, p²) of its plausible size. The estimate
+/// contains the prior with the share g = Q/p²; the rest is (value − g p₀)/(1 − g). A known size is kept.
 std::optional<Across> acrossOf(const GapModel& model, const std::vector<double>& weights) {
-  constexpr double nothingBut = 0.95;  // share of the prior from which nothing is measured
+  constexpr double nothingBut = 0.95;  // with this share of the prior or more, nothing is measured
   constexpr ErrorTerm offset = ErrorTerm::PlaneOffset;
   const JointFit& fit = *model.fit;
   const auto term = std::ranges::find(model.options.terms, offset, &EstimatedTerm::term);
@@ -89,16 +89,16 @@ std::optional<FittedAccount> byFit(const GapModel& model, const EffectScales& sc
   return account;
 }
 
-/// From the fit with every effect at its plausible size. The measured part of the offset does not depend on
-/// the sizes of the other effects.
+/// The same from `model`, the fit with every effect at its plausible size. The measured part of the offset
+/// does not depend on the sizes of the other effects.
 std::optional<Across> acrossOf(const GapModel& model) {
   if (!intersect(*model.measurement, *model.fit)) return std::nullopt;
   return acrossOf(
       model, intersectionWeights(*model.fit, *arcAt(*model.measurement, 0), *arcAt(*model.measurement, 180)));
 }
 
-/// Without a jump in the answer, a step of the orientation is the part of a drift during the pause
-/// (`addPause`).
+/// Adds the variance of orientation steps to that of the drifts. Without a jump in the answer, such a step is
+/// the part of a drift during the pause (`addPause`).
 std::map<ErrorTerm, TermShare> withPausesInDrifts(std::map<ErrorTerm, TermShare> terms) {
   using enum ErrorTerm;
   for (const auto& [step, drift] :

@@ -86,7 +86,7 @@ std::vector<Rival> nearlyLike(const Inquiry& inquiry, const Explanation& explana
   return rivals;
 }
 
-/// The effects that look like the part, and the jumps between a zero and the first place.
+/// The effects and the jumps between a zero and the first visit that look like the part.
 std::vector<Rival> others(const Inquiry& inquiry, const Explanation& explanation, std::size_t index,
                           Comparison& comparison) {
   const auto isJump = [&](const Part& other) { return inquiry.of(other).isJump(); };

@@ -8,21 +8,21 @@ namespace alidade {
 
 // The alternatives to parts of an explanation that these readings leave.
 
-/// A component that explains the readings nearly as well as the part in whose place it is.
+/// A component that explains the readings nearly as well as the part that it replaces.
 struct Rival {
   /// Odds of the explanation with this component instead of the part, relative to the explanation itself.
   /// They are halved for a jump instead of a gross error, since either circle of the row may have been
   /// misread.
   double odds = 0;
   Part part;  ///< the replacement
-  /// The known size excludes this component, not the readings: a change of the known size is too improbable.
+  /// Whether only its known size excludes this component: a change of that size is too improbable.
   bool isExcluded = false;
 };
 
 /// Rivals of each part: effects, or for a gross error the jump that only its row would show.
 std::vector<std::vector<Rival>> rivalsOf(const Inquiry& inquiry, const Explanation& explanation);
 
-/// The jumps between another zero and its first place that explain nearly the same as the jump `part`. They
+/// The jumps between another zero and its first visit that explain nearly the same as the jump `part`. They
 /// are one cause in these readings, but further readings may separate them.
 std::vector<Rival> otherSlips(const Inquiry& inquiry, const Explanation& explanation, std::size_t part);
 

@@ -8,8 +8,8 @@
 namespace alidade {
 
 // The part of a gap without an explanation, as a probability and as an uncertainty of Δd. Both follow the
-// posterior of all explanations, not only of the reported one, so that neither jumps when one explanation
-// overtakes another.
+// posterior of all explanations, not only of the reported one, so that neither changes abruptly when one
+// explanation overtakes another.
 //
 // A misclosure m with standard uncertainty s may have a further cause in addition to explanation e. The
 // evidence is the Bayes factor of a further cause of the best-fitting size, τ² = m² − s², against none: with
@@ -23,7 +23,7 @@ namespace alidade {
 // p(e):
 //
 // - chance = Σ p(e) × (1 if e contains a pattern without a cause, else the largest q of e). If every effect
-//   at its plausible size is an alternative to a pattern, it is one more e, with its share of the patterns;
+//   at its plausible size is an alternative to the patterns, it is one more e and shares their probability;
 // - sigma² = Σ p(e) Σ q (m² − s²)/4 over the e without a pattern; the change of Δd by a pattern is in the
 //   accounts of Δd (`averaged`). An unnamed cause of a misclosure in x or radius is as likely to act on y of
 //   a position. Its effect on y(180°) − y(0°) has the size m, and that on Δd half of it. Against the
@@ -38,7 +38,7 @@ namespace alidade {
 /// The closures of a model, repeats (`repeatsOf`) included.
 std::vector<Closure> everyClosureOf(const GapModel& model);
 
-/// Probability, 0…1, of a further cause of a deviation that chance exceeds with probability `chance`: q
+/// Probability, 0…1, of a further cause of a deviation that noise alone exceeds with probability `chance`: q
 /// above, ½ at 0.1 %.
 double chanceOfMore(double chance);
 

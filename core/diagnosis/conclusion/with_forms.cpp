@@ -99,8 +99,8 @@ void replacePatterns(Inquiry& inquiry, std::vector<Weighed> all) {
   inquiry.explanations.insert(inquiry.explanations.begin(), with.begin(), with.end());
 }
 
-/// The displacement of a position's pointing zero by a pattern, from which its rows count: the mean over the
-/// sightings of the zero.
+/// The displacement by a pattern of the pointing zero to which the rows of a position refer: the mean over
+/// the sightings of the zero.
 class ZeroShift {
  public:
   void add(ReadingKind kind, Angle off) {

@@ -14,14 +14,14 @@ namespace alidade {
 /// readings do not determine such a model.
 void takeUpForms(Inquiry& inquiry, Answer& answer, const FoundForms& found);
 
-/// Does the answer hold forms?
+/// Whether the pattern of the answer consists of forms.
 bool hasForms(const Inquiry& inquiry, const Answer& answer);
 
 /// Δd afterwards with forms: the average over those in the inquiry, in the model linear at its base.
 std::optional<IntersectionEstimate> intersectionWithForms(const Inquiry& inquiry, const Answer& answer);
 
 /// The readings of the inquiry without a pattern. `taken`: the pattern in each reading of its leftover, σ. If
-/// the zeros are not among the sightings, the rows count from zeros without the pattern.
+/// the zeros are not among the sightings, the rows refer to zeros without the pattern.
 Measurement withoutPattern(Measurement measurement, const Inquiry& inquiry, const Eigen::VectorXd& taken);
 
 }  // namespace alidade

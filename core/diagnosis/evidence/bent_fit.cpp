@@ -41,8 +41,8 @@ class BentGrid {
     }
   }
 
-  /// Returns ln of the integral for a normal prior of this width. `highest` and `at` are the maximum of the
-  /// integrand and its place. A peak too narrow for the grid counts as normal (Laplace).
+  /// Returns ln of the integral for a normal prior of this width. `highest` becomes ln of the integrand's
+  /// maximum, `at` its place. A peak too narrow for the grid is approximated as normal (Laplace).
   Gain integral(double width, double& highest, Vector2d& at) const {
     const double norm = -std::log(2 * M_PI * width * width);
     const Places& all = allPlaces();
@@ -67,7 +67,7 @@ class BentGrid {
     return {norm + m_highest + std::log(sum) + 2 * std::log(step), width};
   }
 
-  /// Returns the maximum for weights of this width, starting from a grid point.
+  /// Returns the most likely weights for a prior of this width, starting from a grid point.
   Vector2d closeIn(Vector2d at, double width) const {
     if (climb(at, width)) return at;
     for (double size = step / 2; size > 1e-4; size /= 2) {
@@ -90,7 +90,7 @@ class BentGrid {
 
  private:
   static constexpr double reach = 9, step = 0.4;
-  static constexpr double lost = 121;  // e⁻⁴⁰ of the maximum, even after the reduction by the narrowest prior
+  static constexpr double lost = 121;  // below e⁻⁴⁰ of the maximum even if the prior lowers that by e⁻⁸¹
   static constexpr int places = static_cast<int>(2 * reach / step) + 1;
   using Places = Eigen::Array<double, places, 1>;
   using Grid = Eigen::Array<double, places, places>;

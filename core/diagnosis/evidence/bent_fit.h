@@ -9,8 +9,7 @@ namespace alidade {
 
 // The evidence of a bent component of two weights, second derivatives included.
 
-/// The five weights (x, y, ½x², xy, ½y²) that columns and second derivatives take, and their derivatives by x
-/// and y.
+/// The five weights (x, y, ½x², xy, ½y²) of columns and second derivatives, and their derivatives by x and y.
 Eigen::Vector<double, 5> bentWeights(const Eigen::Vector2d& weights);
 Eigen::Matrix<double, 5, 2> bentDerivatives(const Eigen::Vector2d& weights);
 

@@ -28,9 +28,9 @@ namespace {
 template <int Widths>
 using Lane = Eigen::Array<double, Widths, 1>;
 
-/// The columns eliminated before are few. This class sums their inner products with the component, row by row
-/// of a symmetric matrix, with its Cholesky factor. `Taken` is their number if it is known at compile time,
-/// so that loops are unrolled; a pattern may have some eighty.
+/// Accumulates and solves the small matrix of the Woodbury identity, which has one row for each eliminated
+/// column. `Taken` is the number of eliminated columns if it is known at compile time, so that loops are
+/// unrolled; a pattern may have some eighty.
 template <int Taken, int Widths>
 class SharedPart {
  public:
@@ -57,7 +57,7 @@ class SharedPart {
     }
   }
 
-  /// Returns the determinant of the matrix and the quadratic form of the sums with its inverse.
+  /// Returns the determinant of the matrix, and the quadratic form of the vector with its inverse.
   std::pair<Lane<Widths>, Lane<Widths>> solve() {
     Lane<Widths> determinant = Lane<Widths>::Ones(), quadratic = Lane<Widths>::Zero();
     for (std::size_t a = 0; a < count(); ++a) {

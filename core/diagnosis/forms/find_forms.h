@@ -22,7 +22,7 @@ struct FoundForms {
 /// Decisions that depend on where the readings come from.
 struct FormChoice {
   std::function<bool(const std::vector<WeighedForm>&)> isNamed;  ///< whether the first one is named
-  std::function<bool(int numbers)> isAnythingLeft;               ///< after forms with so many numbers
+  std::function<bool(int numbers)> isAnythingLeft;               ///< whether a gap remains after `numbers`
   std::function<void(const WeighedForm&, FoundForm&)> note;      ///< completes a named form
 };
 

@@ -30,7 +30,7 @@ class FormComponent final : public Component {
 
  private:
   ErrorSource m_source;
-  Eigen::MatrixXd m_columns;  ///< over the readings, visible or not
+  Eigen::MatrixXd m_columns;  ///< over the readings, before projection
   Eigen::MatrixXd m_gram;
   Eigen::VectorXd m_found;
 

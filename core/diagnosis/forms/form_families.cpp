@@ -11,7 +11,7 @@ using Eigen::Index, Eigen::VectorXd;
 
 namespace {
 
-constexpr double narrowest = 0.02, widest = 0.35;  // of a bump, in the range of its argument
+constexpr double narrowest = 0.02, widest = 0.35;  // width of a bump, in ranges of its argument
 constexpr double quickest = 0.02, slowest = 1;     // time constant, in sessions
 constexpr double fewestCycles = 0.5, mostCycles = 8;
 
@@ -112,7 +112,7 @@ class FamilyMaker {
     addGrid(form, between, last - 1);
   }
 
-  /// Adds a number for each place, if the places are sighted often enough.
+  /// Adds a form with one amplitude for each place, if the places are sighted often enough.
   void addPerPlace(const Form& form) {
     constexpr std::size_t most = 40;
     if (!m_readings.has(form)) return;
@@ -127,7 +127,7 @@ class FamilyMaker {
   }
 
   /// Whether the effect follows the slider, whose coordinate turns with the guideway, but acts in a direction
-  /// of the room. Such a form has one word more.
+  /// of the room. The prior counts one word more for such a form.
   static bool staysWithRoom(const Form& form) {
     return form.of == S && (form.carrier == X || form.carrier == Y || form.carrier == Z);
   }

@@ -11,8 +11,8 @@ namespace alidade {
 struct FormFamily {
   Form form;
   std::vector<Form> grid;  ///< with start values of the shape numbers; one entry if there are none
-  double logPrior = 0;     ///< natural logarithm; two bits for each word; all families sum to 1
-  double logVolume = 0;    ///< logarithm of the range of the shape numbers, as `shapeCoordinates` has them
+  double logPrior = 0;     ///< natural logarithm; 2 bits less for each word of a form; all sum to 1
+  double logVolume = 0;    ///< natural logarithm of the range of the shape numbers in `shapeCoordinates`
 };
 
 /// All families that these readings may show.

@@ -75,7 +75,7 @@ class SessionReadings {
     set(FormCarrier::Tangential, slider * (-1 / (perArcsecond * m_measurement.nominalRadius)));
   }
 
-  /// A jump makes zenith readings grow.
+  /// Sign of an upward change in `VerticalJump`, which is positive if the circle reading increases.
   double upwards() const { return m_measurement.verticalCircle == VerticalCircle::Zenith ? -1 : 1; }
 
   double sliderCoordinate(Index i) const {

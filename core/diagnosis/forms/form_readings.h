@@ -16,12 +16,12 @@ inline constexpr std::size_t formCarriers = 10, formArguments = 10;
 /// of the functions.
 struct FormReadings {
   Eigen::Index count = 0;
-  /// ∂reading/∂carrier, whitened, per mm or arcsecond; empty if these readings do not have the carrier. The
-  /// orientation has the sum of both circles, Vertical the elevation in face 1, up positive.
+  /// ∂reading/∂carrier, whitened, per mm or arcsecond; empty if these readings do not have the carrier.
+  /// `Orientation` holds the sum of both circles; `Vertical` is reduced to face 1, up positive.
   std::array<Eigen::VectorXd, formCarriers> carriers;
   /// Value of each argument: rad, share, or ±1; empty if it is equal for all readings or unknown.
   std::array<Eigen::VectorXd, formArguments> arguments;
-  /// Argument of the pointing zero from which a reading counts, in face 1; empty if zeros are readings.
+  /// Argument, in face 1, of the pointing zero to which a reading refers; empty if zeros are readings.
   std::array<Eigen::VectorXd, formArguments> zeros;
   Eigen::VectorXd face;  ///< 1 or −1
 
@@ -43,16 +43,16 @@ Eigen::MatrixXd formColumns(const FormReadings& readings, const Form& form,
                             const std::vector<double>& places);
 /// The number of columns of a form.
 Eigen::Index columnsOf(const FormReadings& readings, const Form& form);
-/// The places of a form with a number for each place, where places within 0.1° are one; for a walk the
-/// moments of its steps. In the unit of the argument.
+/// The places of a `PerPlace` form, where places within 0.1° count as one, or the moments of the steps of a
+/// walk. In the unit of the argument.
 std::vector<double> placesOf(const FormReadings& readings, const Form& form);
-/// The functions at `x` of a free form, one for each of `places`. The amplitudes of a walk have the size of
-/// its final displacement.
+/// The functions at `x` of a free form, one for each of `places`. Those of a walk are scaled so that its
+/// amplitudes have the size of its final displacement.
 Eigen::VectorXd freeFunctions(const Form& form, const std::vector<double>& places, double x);
 /// The functions at `x` of a form that is not free: one, or cosine and sine.
 Eigen::Array2d formFunctions(const Form& form, double x);
 
-/// The unit of the argument in powers: 10° for an angle, otherwise the whole session.
+/// The unit of the argument in powers and hinges: 10° for an angle, otherwise the session or one round.
 double powerUnit(FormArgument of);
 
 }  // namespace alidade

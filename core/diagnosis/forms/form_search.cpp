@@ -258,7 +258,7 @@ double logSumOf(const std::vector<WeighedForm>& all) {
 std::vector<WeighedForm> weighForms(const FormSystem& system, const FormReadings& readings,
                                     const std::vector<FormFamily>& families, const std::stop_token& stop) {
   constexpr std::size_t mostRefined = 16;
-  constexpr double hopeless = 0.25;  // of the best evidence: not refined
+  constexpr double hopeless = 0.25;  // of the largest ln evidence; smaller ones are not refined
   const Weighing weighing(system, readings);
   std::vector<std::pair<WeighedForm, const FormFamily*>> all;
   for (const FormFamily& family : families) {

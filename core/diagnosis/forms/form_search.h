@@ -31,7 +31,7 @@ class FormSystem {
   const Eigen::VectorXd& left() const { return m_left; }
   double variance() const { return m_variance; }
   Eigen::MatrixXd visible(const Eigen::MatrixXd& columns) const;
-  /// Absorbs further columns over the readings, of any size.
+  /// Absorbs further columns over the readings, with any amplitudes.
   void takeUp(const Eigen::MatrixXd& columns);
 
   struct Products {
@@ -54,18 +54,18 @@ class FormSystem {
 struct WeighedForm {
   Form form;
   double logPrior = 0;
-  double logEvidence = impossible;  ///< at that shape, of its amplitudes
-  double logAveraged = impossible;  ///< over its shape numbers
+  double logEvidence = impossible;  ///< at that shape, integrated over the amplitudes
+  double logAveraged = impossible;  ///< `logEvidence` averaged over the shape numbers
   double width = 1;                 ///< of the amplitudes, in units of the carrier
   Eigen::Array2d sigmas{};          ///< standard uncertainty of `shapeCoordinates`
   Eigen::VectorXd amplitudes = {};  ///< mm or arcseconds
-  Eigen::MatrixXd covariance = {};  ///< of these, with the uncertainty of the shape
-  std::vector<double> places = {};  ///< of a free form: of its amplitudes, in the unit of the argument
+  Eigen::MatrixXd covariance = {};  ///< of the amplitudes, including the uncertainty of the shape
+  std::vector<double> places = {};  ///< of the amplitudes of a free form, in the unit of the argument
 
   double logPosterior() const { return logPrior + logAveraged; }
 };
 
-/// ln Σ of the posteriors, against no form.
+/// ln of the sum of the posterior odds against no form.
 double logSumOf(const std::vector<WeighedForm>& all);
 
 /// All families, the likeliest first. The first has refined shape numbers, and amplitudes.

@@ -121,8 +121,8 @@ std::vector<std::string> coefficientNames(const FoundForm& found, Index count) {
   return names;
 }
 
-/// The amplitude of one circle or length: the size of its coefficients; for a number at each place, their
-/// rms.
+/// The amplitude on one circle or in one length: the root of the sum of its squared coefficients; for a
+/// number at each place, their rms.
 FormNumber amplitudeOf(const WeighedForm& weighed, Index first, Index count, const std::string& name) {
   const double per = weighed.form.function == FormFunction::PerPlace ? std::sqrt(double(count)) : 1;
   const VectorXd own = weighed.amplitudes.segment(first, count) / per;

@@ -5,11 +5,11 @@
 
 namespace alidade {
 
-/// The result for a form: formula, coefficients and parameters. `all`: every family, whose posterior gives
-/// the uncertainty of an order.
+/// The result for a form: formula, coefficients and parameters. `all` holds every family, whose posteriors
+/// give the probability and the uncertainty of an order.
 FoundForm foundForm(const WeighedForm& weighed, const std::vector<WeighedForm>& all);
 
-/// "radial = A*cos(7*s) + B*sin(7*s)".
+/// Returns a formula such as "radial = A*cos(7*s) + B*sin(7*s)".
 std::string formulaOf(const Form& form);
 
 /// The look-alikes of the first of `all`: forms whose visible traces in `system` differ by less than 3 σ, or

@@ -24,7 +24,6 @@ namespace {
 
 constexpr std::size_t fewestRows = 12, mostRows = 20'000, mostBases = 200;
 
-/// The numbers of one column, with the lines they are in.
 using Column = std::vector<double>;
 
 class ResidualReader {
@@ -46,7 +45,7 @@ class ResidualReader {
 
  private:
   CsvTable m_table;
-  std::map<std::string, std::size_t> m_places;  ///< of each column that is used
+  std::map<std::string, std::size_t> m_places;  ///< index in the row of each column that is used
   std::vector<std::string> m_bases;
   std::map<std::string, Column> m_columns;
   std::vector<bool> m_isHorizontal;

@@ -69,7 +69,7 @@ class SessionForms {
  private:
   const Inquiry& m_inquiry;
   const std::stop_token& m_stop;
-  GapModel m_plainModel, m_fullModel;  ///< with the certain causes; also with every effect
+  GapModel m_plainModel, m_fullModel;  ///< with the certain causes; with every effect as well
   Leftover m_plain, m_full;
   FormReadings m_readings;
   std::vector<FormFamily> m_families;
@@ -109,15 +109,15 @@ class SessionForms {
     m_beside.rightCols(columns.cols()) = columns;
   }
 
-  /// Whether more is left than noise alone leaves in one of five sessions.
+  /// Whether the leftover is larger than noise alone leaves in four of five sessions.
   bool isAnythingLeft(const FormSystem& system, int numbers) const {
     constexpr double usual = 0.2;
     const double freedom = static_cast<double>(m_full.degreesOfFreedom() - numbers - m_beside.cols());
     return chiSquareUpperTail(system.left().squaredNorm() / system.variance(), freedom).value_or(0) < usual;
   }
 
-  /// Whether the forms beat nothing and the likeliest patterns. A form that leaves noise alone may be a
-  /// little less likely than the patterns, some of which resemble it.
+  /// Whether the forms are likelier than no form and than the likeliest patterns. A form after which only
+  /// noise is left may be a little less likely than the patterns, some of which resemble it.
   bool isNamed(const std::vector<WeighedForm>& all) const {
     constexpr double nearly = 20;
     if (!beatNothing(all)) return false;

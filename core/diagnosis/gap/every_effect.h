@@ -11,13 +11,13 @@ namespace alidade {
 // The diagnosis asks whether an effect exists. An uncertainty asks how large it may be, whether or not the
 // readings show it. These functions serve the uncertainty.
 
-/// Returns the error terms of every catalogue effect that the readings may contain. Each has its known size
-/// (`knownOf`) or a mean of 0 with its plausible size (1σ). The other relation of the vertical circle is
+/// Returns the error terms of every effect that the readings may contain. Each has its known size (`knownOf`)
+/// or a mean of 0 with its plausible size (1σ). The other relation of the vertical circle has no size and is
 /// excluded; slider effects need slider readings.
 std::vector<EstimatedTerm> everyEffect(const Measurement& measurement);
 
-/// Returns the terms of `everyEffect` with known sizes. They include a tilt of the plane that may be square
-/// to an inclined zero (`Measurement::isPlaneStated`).
+/// Returns the terms of `everyEffect` with known sizes. They include the tilt of the plane if the session
+/// does not state whether it is square to an inclined zero (`Measurement::isPlaneStated`).
 std::vector<EstimatedTerm> knownTerms(const Measurement& measurement);
 
 /// Returns the model with every known number as an unknown with its known uncertainty. Expected effects are

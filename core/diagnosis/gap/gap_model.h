@@ -38,8 +38,8 @@ Result<GapModel, NoModel> modelOf(const Measurement& measurement, const SessionF
 /// Fits the measurement and stores the fit in the model.
 Result<GapModel, NoModel> modelOf(const Measurement& measurement);
 
-/// Returns the same model with a rigid guideway that turns about the axis (`JointFitOptions::isClosed`). What
-/// the positions have in common is then observed too. Absent without both positions, or if the fit fails.
+/// Returns the same model with a rigid guideway that turns about the axis (`JointFitOptions::isClosed`). It
+/// also uses what the positions have in common. Absent without both positions, or if the fit fails.
 std::optional<GapModel> closedModelOf(const GapModel& own);
 
 /// Returns the session's own model with the causes that `closed` adds, held at their sizes there. It yields

@@ -18,7 +18,7 @@ using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
 constexpr std::size_t folds = 5;
 
 struct Row {
-  std::size_t fold = folds;  ///< `folds`: in no fold (prior knowledge or unusable)
+  std::size_t fold = folds;  ///< `folds`: in no fold (prior knowledge or pointing zero)
   double arcseconds = 0;     ///< σ; 0 for a row that does not count
 };
 
@@ -102,7 +102,7 @@ struct Squares {
   }
 };
 
-/// The normal equations of each fold, followed by those of the prior knowledge.
+/// The normal equations of each fold, followed by those of prior knowledge and pointing zeros.
 class Folds {
  public:
   explicit Folds(Equations equations) : m_equations(std::move(equations)) {

@@ -12,8 +12,7 @@ namespace alidade {
 //
 // Readings are whitened by their stated σ. Only the part of a vector that the fit cannot absorb counts. The
 // fit absorbs the arc angle of each visit and the span of circles, slider zeros, pointing zeros and distance.
-// The last two also count as observations of zero with their stated σ. With the projector P on the
-// complement,
+// Pointing zeros and distance are also observed, with their stated σ. With the projector P on the complement,
 //
 //   leftover  r = P (observed − model),        visible part of an effect with column c: P c.
 //
@@ -42,7 +41,7 @@ class Leftover {
 
   /// Returns the part of `columns` (`rows()` or `readings()` long) that the fit cannot absorb.
   Eigen::MatrixXd visible(const Eigen::MatrixXd& columns) const;
-  /// The observations, and `columns` (`rows()` long) with the arc angles eliminated only.
+  /// The observations, and `columns` (`rows()` long), with only the arc angles eliminated.
   const Eigen::VectorXd& observed() const { return m_observed; }
   Eigen::MatrixXd outsideArcAngles(const Eigen::MatrixXd& columns) const;
   /// Orthonormal basis of what the fit absorbs, orthogonal to the arc angles. It has at least one column, of

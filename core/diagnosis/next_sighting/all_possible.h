@@ -11,14 +11,14 @@
 
 namespace alidade {
 
-/// Δd with the unknowns and every effect of plausible size at once, as an uncertainty asks for.
+/// Δd estimated together with the unknowns and every effect of plausible size, as its uncertainty requires.
 class IntersectionSoFar {
  public:
   explicit IntersectionSoFar(const SightingEquations& equations);
 
   double value() const { return m_value; }  ///< mm
   double sigma() const { return std::sqrt(m_variance); }
-  /// The same if the size of this effect were known exactly, mm.
+  /// `sigma()` if the size of this effect were known exactly, mm.
   double sigmaKnowing(const MayBe& effect) const;
   /// −ln(U after/U before) of a possible sighting.
   double tells(const SightingRows& rows) const;
@@ -32,8 +32,8 @@ class IntersectionSoFar {
   Eigen::Index m_effectColumns = 0;
 };
 
-/// The causes that all possible sightings together would not separate from one: its trace in them, at its
-/// estimated size, is nearer than `hardlyDifferent` to one of theirs. The cause itself comes first.
+/// The causes that all sightings, taken and possible, would not separate from `cause`, which comes first. Its
+/// trace at its estimated size is nearer than `hardlyDifferent` σ to one of theirs.
 std::vector<std::string> inseparableFrom(const Weighed& cause, const SightingEquations& equations);
 
 }  // namespace alidade

@@ -22,8 +22,8 @@ const Sighting* lastOf(const Measurement& measurement, std::size_t& arc) {
   return last;
 }
 
-/// The round in which a place would be sighted: that of the last visit if the slider is there and this face
-/// was not sighted, else a new one.
+/// The round in which `point` would be sighted: that of the last visit if the slider is still there and
+/// `face` was not sighted, else a new one.
 int roundOf(const ArcMeasurement& arc, const Sighting* last, int point, int face) {
   int round = 0;
   bool hasFace = false;
@@ -50,8 +50,7 @@ ArcMeasurement arcAfterTurn(const Measurement& measurement, const ArcMeasurement
   return next;
 }
 
-/// The last of the sightings taken of a place; null if there is none. The slider may stand elsewhere than
-/// planned.
+/// The last sighting taken at `point`; null if there is none. The slider may have deviated from the plan.
 const Sighting* takenAt(const ArcMeasurement& arc, std::size_t taken, int point) {
   for (std::size_t k = taken; k-- > 0;)
     if (!arc.sightings[k].isZero && arc.sightings[k].point == point) return &arc.sightings[k];

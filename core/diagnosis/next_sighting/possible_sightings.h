@@ -8,27 +8,27 @@
 
 namespace alidade {
 
-/// A sighting that could be next, without its worth.
+/// A candidate for the next sighting, before it is evaluated.
 struct PossibleSighting {
-  std::size_t arc = 0;  ///< begins with it if it turns the axis
+  std::size_t arc = 0;  ///< index of its arc, which it begins if it turns the axis
   NextSighting next;
 };
 
-/// The session with every sighting that could be next. Those stand after the sightings taken in their arcs,
-/// with the moment of the next row; the arc that a turn of the axis would begin is the last.
+/// The session with every candidate for the next sighting. In its arc each follows the sightings taken and
+/// has the moment of the next row. The last arc is the one that a turn of the axis would begin.
 struct PossibleSightings {
   Measurement measurement;
   std::vector<std::size_t> taken;          ///< for each arc the number of sightings taken
-  std::vector<PossibleSighting> possible;  ///< in the order in which they stand
+  std::vector<PossibleSighting> possible;  ///< in their order in `measurement`, the current arc first
   std::size_t newArc = 0;
 };
 
-/// Counts the elapsed shares from the duration of so many rows.
+/// Rescales the elapsed shares to the duration of `rows` rows.
 void countElapsedFrom(Measurement& measurement, std::size_t rows);
 
 PossibleSightings possibleSightings(const Measurement& taken, const SightingPlan& plan);
 
-/// Gives the possible sightings error-free readings on these circles, one for each arc.
+/// Gives each candidate the reading taken at its point, else an error-free one on the circle of its arc.
 void sightPossible(PossibleSightings& session, const SightingPlan& plan, const std::vector<Circle>& circles);
 
 }  // namespace alidade

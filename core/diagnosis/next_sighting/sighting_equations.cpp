@@ -65,7 +65,7 @@ std::vector<const EffectParameter*> parametersOfModel(const Measurement& measure
   return parameters;
 }
 
-/// The readings of a linearised session by visit, with columns for everything that may be the case.
+/// The readings of a linearised session by visit, with columns for every hypothesis.
 class Assembly {
  public:
   /// `bent` are the second derivatives of every reading by the bent effect, `forms` the columns of the
@@ -98,7 +98,7 @@ class Assembly {
   std::vector<std::pair<ErrorTerm, double>> m_known;  ///< known values of effects, taken off the residuals
   SightingEquations m_result;
   Index m_columns = 0;
-  /// The columns of terms, of jumps by their first row, and of wrong zeros by their arc.
+  /// Columns of terms; in `m_jumps` of jumps by their first row, in `m_slips` of wrong zeros by their arc.
   struct TermColumn {
     ErrorTerm term;
     double size;
@@ -179,7 +179,7 @@ class Assembly {
         m_grossErrors[i] = add(grossErrorId, 1, &grossErrorWidths(), odds.grossError / (2 * rows));
   }
 
-  /// The plausible size, or the σ of a known one, whose value is taken off the residuals.
+  /// Returns the plausible size, or the σ of the known size if smaller; notes the known value for `rowsOf`.
   double sizeOf(const EffectParameter& parameter) {
     const auto known = knownOf(m_session.measurement, parameter);
     if (!known) return plausibleSize(parameter);
@@ -331,7 +331,7 @@ Eigen::MatrixX3d secondDerivatives(const PossibleSightings& session, const std::
   return columns;
 }
 
-/// Moves the circles by the unknowns that fit the sightings taken. Returns by how much, mm.
+/// Moves the circles by the unknowns that fit the sightings taken. Returns the largest change, mm.
 double improve(std::vector<Circle>& circles, const Linearised& all, const SightingEquations& equations) {
   const NormalEquations normal = normalEquationsOf(equations);
   const VectorXd step = normal.matrix.ldlt().solve(normal.right);

@@ -20,12 +20,12 @@ namespace {
 
 constexpr double noiseScales[] = {1.5, 2, 3, 4};
 
-/// Evidence of a scale of the noise against the stated one.
+/// ln of the Bayes factor of a scale of the noise against the stated noise.
 double logOfNoise(double scale, double chiSquare, int degreesOfFreedom) {
   return chiSquare / 2 * (1 - 1 / (scale * scale)) - degreesOfFreedom * std::log(scale);
 }
 
-/// Collects what may be the case by cause, with the most likely of each.
+/// Collects the hypotheses by cause, with the likeliest of each.
 class ByCause {
  public:
   void add(Weighed weighed, double logOdds) {

@@ -10,35 +10,34 @@
 
 namespace alidade {
 
-/// One of what may be the case after the sightings taken. Without weights: nothing, or larger noise.
+/// A hypothesis after the sightings taken. It has no weights if it is no cause or larger noise.
 struct Weighed {
-  std::string_view cause = {};  ///< empty: nothing
+  std::string_view cause = {};  ///< empty: no cause
   double probability = 0;
-  Eigen::Index first = 0;           ///< column of the equations
+  Eigen::Index first = 0;           ///< its first column in the equations
   Eigen::VectorXd weights = {};     ///< mean, in plausible sizes, over all prior widths
   Eigen::MatrixXd covariance = {};  ///< of the weights
   double noise = 1;                 ///< in stated σ
 };
 
-/// The probabilities of what may be the case, each alone, and the readings that it predicts.
+/// The probabilities of the hypotheses, each of one cause alone, and the readings that they predict.
 ///
-/// With the unknowns u eliminated, R = 1 − A M⁻¹ Aᵀ, M = AᵀA + prior, the columns C of a cause have the Gram
-/// matrix G = Cᵀ R C and the products c = Cᵀ R y. For a prior width w its evidence against nothing is
-/// |1 + w² G|^(−1/2) exp(½ cᵀ (w⁻² + G)⁻¹ c), and its weights have the covariance (w⁻² + G)⁻¹.
+/// A are the columns of the unknowns, y the residuals, M = AᵀA + prior, R = 1 − A M⁻¹ Aᵀ. The columns C of a
+/// cause have the Gram matrix G = Cᵀ R C and the products c = Cᵀ R y. For a prior width w its evidence is
+/// |1 + w² G|^(−1/2) exp(½ cᵀ (w⁻² + G)⁻¹ c), its weights have the covariance (w⁻² + G)⁻¹.
 class WeighedCauses {
  public:
   explicit WeighedCauses(const SightingEquations& equations);
 
-  /// The most likely of each cause with the probability of all of its kind, the most probable first.
+  /// For each cause its likeliest hypothesis, with the probability of all of them; the most probable first.
   const std::vector<Weighed>& all() const { return m_all; }
-  /// ln of the Bayes factor of the mixture of everything that may be the case against nothing, with fixed
-  /// prior shares.
+  /// ln of the Bayes factor of the mixture of all hypotheses, with fixed prior shares, against no cause.
   double logEvidence() const { return m_logEvidence; }
   /// χ² after a cause, and its degrees of freedom.
   double chiSquareAfter(const Weighed& cause) const;
   int degreesOfFreedom() const { return m_degreesOfFreedom; }
 
-  /// Predicts the readings of a possible sighting, relative to what nothing predicts.
+  /// Predicts the readings of a candidate sighting, relative to the prediction without a cause.
   class Predictor {
    public:
     Predictor(const WeighedCauses& causes, const SightingRows& rows);
@@ -50,7 +49,7 @@ class WeighedCauses {
 
  private:
   const SightingEquations& m_equations;
-  Eigen::LLT<Eigen::MatrixXd> m_unknowns;  ///< of M
+  Eigen::LLT<Eigen::MatrixXd> m_unknowns;  ///< Cholesky factor L of M
   Eigen::MatrixXd m_eliminated;            ///< L⁻¹ Aᵀ C
   double m_chiSquare = 0, m_logEvidence = 0;
   int m_degreesOfFreedom = 0;

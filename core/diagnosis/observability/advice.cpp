@@ -21,7 +21,7 @@ namespace {
 
 using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
 
-/// Distances between suspects; for each identifier the smallest over the suspects that bear it.
+/// Distances between identifiers: the smallest over all pairs of suspects with these identifiers.
 class Distances {
  public:
   template <typename Apart>
@@ -123,15 +123,15 @@ double apartBy(const VisibleTerms& terms, const std::vector<JumpMoment>& moments
                               effect ? effect->response : Response::Linear);
 }
 
-/// σ of the difference of two sightings of a zero in both circles, rad.
+/// σ of the difference of two sightings of a zero, rad: horizontal, then vertical.
 Eigen::Vector2d sigmasOfTwoSightings(const Measurement& measurement) {
   return std::numbers::sqrt2 * Eigen::Vector2d(statedSigma(measurement, ReadingKind::Horizontal).radians(),
                                                statedSigma(measurement, ReadingKind::Vertical).radians());
 }
 
-/// Returns the effect of a suspect on a new sighting of the zero after the last visit of each position. It
-/// holds both circles, in σ of the difference of two sightings. A drift has its rate times the time since the
-/// first sighting, a jump its size, a guideway effect 0.
+/// Returns the effect of a suspect on a new sighting of the zero after the last visit of each position: both
+/// circles, in σ of the difference of two sightings. A drift has its rate times the time since the first
+/// sighting, a jump its size, a guideway effect 0.
 VectorXd atTheZeros(const Measurement& measurement, const PossibleCause& suspect) {
   VectorXd left = VectorXd::Zero(2 * std::ssize(measurement.arcs));
   const Eigen::Vector2d sigmas = sigmasOfTwoSightings(measurement);
@@ -191,8 +191,8 @@ void rank(std::vector<Advice>& list) {
   });
 }
 
-/// Keeps a combination only if it leaves one answer more often than each of its measures alone. Among equally
-/// good combinations the cheapest remains.
+/// Keeps at most one combination: the best, if it leaves one answer more often than every single measure.
+/// Among equally good combinations it is the cheapest.
 void keepUsefulCombinations(std::vector<Advice>& list) {
   constexpr double notable = 0.05;
   double single = 0;
@@ -223,8 +223,8 @@ std::optional<Advice> revealing(const std::vector<Detectability>& undetectable, 
   return advice;
 }
 
-/// Distinguishes a misread value from a look-alike jump by a new sighting of the zero, which only a jump
-/// moves. Both sightings have noise.
+/// Returns the new sighting of the zero that distinguishes a gross error from a look-alike jump: only a jump
+/// moves the zero. Both sightings have noise.
 std::optional<Advice> tellingFromJump(const Inquiry& inquiry, const std::vector<Cause>& causes) {
   for (const Cause& cause : causes) {
     if (cause.readings.size() != 1 || cause.indistinguishableFrom.empty()) continue;

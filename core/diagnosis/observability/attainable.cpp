@@ -83,7 +83,7 @@ bool isOneMoreOf(const std::vector<Measure>& some, const std::vector<Measure>& m
          });
 }
 
-/// Whether the reduction suffices and exceeds that of every part of the combination.
+/// Whether U falls enough relative to the readings as they are and to every part of the combination.
 bool isWorthIt(const AttainableUncertainty& attainable, const std::vector<AttainableUncertainty>& all) {
   return std::ranges::all_of(all, [&](const AttainableUncertainty& other) {
     return !isOneMoreOf(other.measures, attainable.measures) ||

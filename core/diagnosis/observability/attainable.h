@@ -13,12 +13,12 @@ namespace alidade {
 /// their prior uncertainty.
 ///
 /// The first entry is for the readings as they are. The others, in ascending order, are for more readings or
-/// a known effect that reduce U to nine tenths or less. Each measure of a combination must achieve as much.
-/// Empty without both positions, or for too many rows (`isLarge`).
+/// a known effect that reduce U to nine tenths or less. A combination must also do so relative to each part
+/// of it. Empty without both positions, or for too many rows (`isLarge`).
 std::vector<AttainableUncertainty> attainableUncertainties(const GapModel& model, double noise,
                                                            const EffectScales& scales = {});
 
-/// Returns the first entry alone, which is much faster.
+/// Returns the U of the first entry alone, at plausible sizes; much faster.
 std::optional<double> attainableAsItIs(const GapModel& model, double noise);
 
 }  // namespace alidade

@@ -30,8 +30,8 @@ void eachFurtherReadings(const GapModel& model, const std::function<void(const F
 /// slider; both positions repeated.
 void eachCombination(const GapModel& model, const std::function<void(const FurtherReadings&)>& take);
 
-/// Linearises planned readings, which do not contain the effects of the model. These are estimated, with
-/// derivatives by them and by `terms`. Delivers pieces like `linearise`.
+/// Linearises planned readings, which do not contain the effects of the model. The terms of these effects are
+/// estimated; derivatives are by them and by `terms`. Passes pieces to `take`, like `linearise`.
 void linearisePlan(const GapModel& model, const Measurement& set, const std::vector<ErrorTerm>& terms,
                    const std::function<void(const Linearised& piece)>& take);
 

@@ -30,7 +30,7 @@ std::string_view nameOf(DiagnosisVerdict verdict);
 /// The size of the gap after a fit. Without redundancy only rms is a number.
 struct GapSize {
   double rms = 0;  ///< rms residual of the circle readings, arcseconds
-  /// With the stated noise, or with the estimated one once it was found larger.
+  /// χ²/f with the stated noise, or with the estimated noise if that was found larger.
   double reducedChiSquare = std::numeric_limits<double>::quiet_NaN();
   /// Probability of at least this χ² by noise alone.
   double pValue = std::numeric_limits<double>::quiet_NaN();
@@ -58,8 +58,8 @@ struct ReadingDeviation {
   int axisDeg = 0, round = 1, point = 0, face = 1;
   int time = 1;  ///< as `ArcMeasurement::time`
   ReadingKind kind = ReadingKind::Horizontal;
-  /// Deviation, arcseconds: of the circle reading for a cause; `AdjustedReading::residual` in
-  /// `Diagnosis::readings`.
+  /// Arcseconds. In a cause: the error of the reading, with the sign of its circle. In `Diagnosis::readings`:
+  /// the residual (`AdjustedReading::residual`).
   double size = 0;
 };
 
@@ -95,7 +95,7 @@ struct Candidate {
 /// A part of the gap. The shares with the same `by` sum to 1.
 struct GapShare {
   std::string by;    ///< "frame", "position", "circle", "face", "round", "sector", "time", "closure"
-  std::string of;    ///< sorted by value
+  std::string of;    ///< the part, such as "guideway", "horizontal" or "60…90°"
   double share = 0;  ///< share of the leftover beyond the noise, 0…1
 };
 
@@ -141,9 +141,9 @@ struct MeasuredLength {
 struct MeasuredIntersection {
   IntersectionEstimate estimate;
   std::vector<UncertaintyShare> budget = {};  ///< the largest first; the squares sum to σ²
-  /// Offset of the arc's centre from the axis across the plane of the arc, positive at 0° towards the
-  /// observer. It comes from the readings, through the radii, or from known sizes, never from plausible ones.
-  /// Absent without either.
+  /// Offset of the arc's centre from the axis, perpendicular to the plane of the arc; positive towards the
+  /// observer at axis angle 0°. Readings (through the radii) or known sizes determine it, plausible sizes
+  /// never do. Absent if neither determines it.
   std::optional<MeasuredLength> across = {};
   std::optional<MeasuredLength> distance = {};  ///< total distance of the centre from the axis, `across`
                                                 ///< included
@@ -162,7 +162,7 @@ struct ClosureStep {
   Closure before;
   std::optional<Closure> after = {};  ///< absent if the readings do not determine it with the causes
 
-  /// The closure with everything known.
+  /// The closure with the causes found, or without them if `after` is absent.
   const Closure& latest() const { return after ? *after : before; }
   /// Whether the closure fails even with the causes found.
   bool isOpen() const { return fails(latest()); }
@@ -181,8 +181,8 @@ struct UndetectableJump {
   bool isAfterZero = false;   ///< between the pointing zero and the first sighting; otherwise during the
                               ///< readings
   double influence = 0;       ///< change of Δd by the plausible size, mm, ≥ 0
-  /// The distribution of the change of Δd, mm: one part for each possible width of the size. `share` is the
-  /// fraction of all sessions with such a jump, far below 1; σ is that of the change.
+  /// The distribution of the change of Δd, mm: one part for each possible prior width of the jump. `share` is
+  /// the fraction of all sessions with such a jump, far below 1; σ is that of the change.
   std::vector<NormalPart> moves = {};
 };
 
@@ -225,7 +225,7 @@ double effortOf(const std::vector<Measure>& measures);
 /// The size of an effect that would explain the difference of Δd from the reference.
 struct Required {
   std::string effect;
-  double size = 0;  ///< for two numbers their length
+  double size = 0;  ///< for an effect of two numbers, the length of their vector
   std::string unit;
   double plausibleSizes = 0;
   double visibleSigma = 0;  ///< length of its trace in these readings, σ
@@ -257,16 +257,16 @@ struct Diagnosis {
   std::vector<GapShare> where;
   /// First the known sizes (`knownId`), if any; then one step for each cause, gross errors first.
   std::vector<GapStep> steps;
-  /// `afterwards` includes the causes found and nothing else.
+  /// Δd of the session's own model; then with the causes found, averaged over alternatives (`Beyond`).
   std::optional<IntersectionEstimate> before, afterwards;
-  /// Includes all other possible effects: the result of the measurement.
+  /// Δd with all possible effects: the result of the measurement.
   std::optional<MeasuredIntersection> measured;
   std::vector<ClosureStep> closures;
   Unexplained unexplained;
   std::vector<UndetectableEffect> undetectable;     ///< the largest influence first
   std::vector<UndetectableJump> undetectableJumps;  ///< in the order of the positions
-  /// Needs a reference with a σ. Effects that these readings do not exclude at that size, the most plausible
-  /// first.
+  /// Effects at the size that explains the difference from the reference, if these readings do not exclude
+  /// it; the most plausible first. Empty without a reference with its σ.
   std::vector<Required> whatItWouldTake;
   std::vector<Advice> advice;  ///< the most effective first
   /// Present on request; the first entry is without further measures (`attainableUncertainties`). Empty with

@@ -19,8 +19,8 @@ namespace alidade {
 enum class FormFunction { Harmonic, Bump, Step, Hinge, Exponential, Power, Hysteresis, Walk, PerPlace };
 
 /// `S`: slider coordinate. `T`: elapsed fraction of the session, 0…1. `Azimuth`, `Elevation`: a and e. The
-/// circles: as read in either face. `Leg`: 1 there and −1 back. `Face`: 1 and −1. `Position`: 1 at 0° and −1
-/// at 180°. `Round`: its number.
+/// circles: as read in either face. `Leg`: 1 on the way there, −1 on the way back. `Face`: 1 in face 1, −1 in
+/// face 2. `Position`: 1 at 0° and −1 at 180°. `Round`: its number.
 enum class FormArgument {
   S,
   T,
@@ -77,8 +77,8 @@ struct FormShrinkage {
   /// On readings that were held out of the fit of circles, shape and amplitudes. Not a number if too few
   /// exist; the same holds for `f` and `p`.
   double heldOut = 0;
-  /// Exact test on the held-out readings that the form predicts nothing: F and its probability under noise
-  /// alone.
+  /// Exact F test of the hypothesis that the form predicts nothing of the held-out readings: F, and the
+  /// probability of at least this F by noise alone.
   double f = 0, p = 1;
   int heldOutReadings = 0;
 };
@@ -86,15 +86,15 @@ struct FormShrinkage {
 /// The value of a form at a sighting, mm or arcseconds; in face 1 if the sign changes with the face.
 struct FormPoint {
   std::size_t position = 0, row = 0;  ///< of the session
-  bool isVertical = false;            ///< of an orientation: of the vertical circle
+  bool isVertical = false;            ///< whether it is the vertical circle of an orientation
   double at = 0;                      ///< argument: degrees, share of the session, or ±1
-  double before = 0, after = 0;       ///< with everything but this form in the model, and with it
+  double before = 0, after = 0;       ///< partial residual without this form; residual with it
   double heldOut = 0;  ///< `after` as predicted without this sighting; not a number if it was never held out
 };
 
 struct FormTrace {
   std::vector<FormPoint> points = {};  ///< of the sightings that show the form sharply
-  /// Argument and form from the least to the largest argument; of an orientation horizontal, then vertical.
+  /// Argument, ascending, and two values: the form horizontal and vertical for an orientation, else equal.
   std::vector<std::array<double, 3>> curve = {};
   double sigma = 0;  ///< of the sharpest of these sightings, by the stated noise
 };
@@ -110,10 +110,10 @@ struct FoundForm {
   double probability = 0;                   ///< probability among all forms and patterns, 0…1
   std::vector<FormLookAlike> indistinguishableFrom = {};
   FormShrinkage shrink = {};
-  /// Where the form displaces every reading by less than its σ, from … to: degrees or share of the session.
-  /// Empty for forms that act everywhere, such as a harmonic.
+  /// Ranges of the argument, from … to, in which the form displaces every reading by less than its σ; degrees
+  /// or share of the session. Empty for forms that act everywhere, such as a harmonic.
   std::vector<std::array<double, 2>> cleanRange = {};
-  FormTrace trace = {};  ///< of a session
+  FormTrace trace = {};  ///< only of a form found in a session
 };
 
 }  // namespace alidade

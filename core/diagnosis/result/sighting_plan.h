@@ -26,27 +26,27 @@ inline double minutesOf(const SightingMinutes& minutes, const SightingMoves& mov
          (moves.drivesSlider ? minutes.drivingSlider : 0);
 }
 
-/// What a session takes; the effort of measures is in proportion to it (`effortOf`).
+/// The effort of a session, to which the effort of measures (`effortOf`) is proportional.
 struct SessionEffort {
   double rows = 0, minutes = 0;
 };
 
 SessionEffort effortOf(const Measurement& measurement, const SightingMinutes& minutes);
 
-/// A place of the slider, its coordinate as planned.
+/// A planned point of the slider, with its slider coordinate.
 struct SightingPlace {
   int point = 0;
   Angle s;
 };
 
-/// A sighting that could be next, or several parts of it: a turn to the other position includes its zero.
+/// A candidate for the next sighting. If it turns the axis, it includes the sighting of the new zero.
 struct NextSighting {
   int axisDeg = 0, point = 0, face = 1, round = 1;
   bool turnsAxis = false;
   double minutes = 0;
   double ofCauses = 0;               ///< Σ √(wᵢ wⱼ)(1 − BCᵢⱼ)
   double ofUncertainty = 0;          ///< −ln(U after/U before)
-  std::string one = {}, other = {};  ///< the two that it separates most; empty: nothing
+  std::string one = {}, other = {};  ///< the two causes that it separates most; empty: no cause
 
   double perMinute() const { return (ofCauses + ofUncertainty) / minutes; }
 };
@@ -56,7 +56,7 @@ struct SightingPlan {
   std::vector<SightingPlace> places;
   std::vector<int> faces = {1, 2};
   bool readsSlider = false;
-  std::size_t rows = 1;  ///< of the whole session as planned; a drift is stated for its duration
+  std::size_t rows = 1;  ///< of the whole planned session, to whose duration a stated drift refers
   bool canTurnAxis = true;
   SightingMinutes minutes = {};
 };

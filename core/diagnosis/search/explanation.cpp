@@ -111,8 +111,8 @@ void addNoisy(std::vector<Explanation>& all, Search& search, const Leftover& lef
   Explanation noiseAlone;
   noiseAlone.chiSquare = chiSquare;
   weigh(noiseAlone, scaleOf(chiSquare));
-  // An explanation of the gap leaves less for larger noise. So no set gains more from it than the empty set,
-  // except for a factor of the scale for each of its few weights.
+  // Larger noise gains most with the empty set, since an explanation leaves less for it to explain. Only a
+  // factor of the scale for each of the few weights may be added.
   if (noiseAlone.logPosteriorOdds < all.front().logPosteriorOdds + std::log(outOfQuestion)) {
     all.push_back(std::move(noiseAlone));
     return;

@@ -18,7 +18,7 @@ namespace alidade {
 /// One component of an explanation with its weights.
 struct Part {
   std::size_t component = 0;  ///< index into the candidates
-  double width = 1;           ///< most likely, in plausible sizes
+  double width = 1;           ///< most likely prior width, in plausible sizes
   Eigen::VectorXd weights;    ///< in plausible sizes
   double logGain = 0;         ///< natural logarithm of the evidence it adds to the previous parts
 
@@ -48,7 +48,7 @@ struct SearchOptions {
   PriorOdds odds = {};
   bool noise = true;  ///< noise may be larger than stated
   std::size_t beam = 6;
-  std::size_t mostParts = 3;  ///< at most, gross errors not counted
+  std::size_t mostParts = 3;  ///< gross errors not counted
   std::size_t mostGrossErrors = 6;
   std::stop_token stop = {};  ///< on a stop request the search ends with its results so far
 };

@@ -26,14 +26,14 @@ bool considered(const DiagnosisOptions& options, std::string_view id) {
   return std::ranges::find(options.without, id) == options.without.end();
 }
 
-/// Prior odds that zeros sight different marks, if they differ too much for one mark and are not stated to be
-/// one.
+/// Prior odds that zeros sight different marks, if the session does not state a common mark and they differ
+/// too much for one (`areZerosInDoubt`).
 constexpr double doubtfulZeros = 1;
 
 /// Prior odds of a rare effect relative to those of other effects.
 constexpr double seldom = 0.4;
 
-/// Practice suggests these rare effects. Axial play of a bearing is more frequent than a skew guideway. An
+/// Whether an effect is rare in practice. Axial play of a bearing is more frequent than a skew guideway. An
 /// axis out of plumb is more frequent than a bending arm or air layers. An eccentric circle is more frequent
 /// than graduation errors.
 bool isMetSeldom(const Effect& effect) {
@@ -111,7 +111,7 @@ Linearised withReference(Linearised equations, const GapModel& base, const Diagn
 }
 
 /// Returns the most likely causes without patterns, if one of them is very large. The equations were
-/// linearised at the fit without it, far from the solution.
+/// linearised at a fit without these causes, far from the solution.
 std::optional<Explanation> largeCauses(const Inquiry& inquiry) {
   constexpr double large = 100;  // σ over all readings
   Explanation causes = inquiry.explanations.front();
@@ -222,8 +222,8 @@ std::vector<LargeGrossError> largeGrossErrorsOf(const Inquiry& inquiry) {
 }
 
 /// Returns the one or two readings without which the others agree a hundred times better. An error of many
-/// degrees spoils the whole fit, so the usual search, which changes the fit little, cannot see it; this one
-/// begins with a majority of the rows. The model then starts from their circles.
+/// degrees spoils the whole fit, so the usual search close to that fit misses it. This search begins with a
+/// majority of the rows, and the model then starts from their circles.
 std::vector<LargeGrossError> farOff(GapModel& own, const std::stop_token& stop) {
   constexpr double better = 100;
   constexpr std::size_t most = 2;

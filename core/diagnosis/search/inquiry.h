@@ -18,12 +18,12 @@ namespace alidade {
 /// A reading excluded before the search, because its error is too large for linear equations.
 struct LargeGrossError {
   ReadingRef reading;
-  double sigmas = 0;  ///< its error, in its σ
+  double sigmas = 0;  ///< its error, in stated σ
 };
 
 /// The start model, its leftover, and the explanations found.
 struct Inquiry {
-  GapModel own;       ///< of the session; its result is measured
+  GapModel own;       ///< the session's own model, whose gap is to be explained
   GapModel expected;  ///< the same with known sizes; `own` if there are none
   GapModel base;      ///< `expected` with closures, if possible
   Leftover leftover;
@@ -51,7 +51,7 @@ std::optional<NoModel> undetermined(const Inquiry& inquiry);
 
 /// Returns a reading of the model as a deviation; `size` in arcseconds.
 ReadingDeviation deviationAt(const Measurement& measurement, const ReadingRef& ref, double size);
-/// `reading` is an index into the leftover's readings, `sigmas` its error in its σ.
+/// `reading` is an index into the leftover's readings, `sigmas` the error of that reading in stated σ.
 ReadingDeviation deviationAt(const Inquiry& inquiry, Eigen::Index reading, double sigmas);
 
 }  // namespace alidade

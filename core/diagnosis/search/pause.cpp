@@ -15,7 +15,7 @@ namespace {
 constexpr double usualPause = 4, pauseKnownTo = 4;  // rows
 
 struct Drift {
-  ErrorTerm step;   ///< of the same circle as the drift
+  ErrorTerm step;   ///< the jump term of the drift's circle
   double size = 0;  ///< over the session, rad
 };
 
@@ -32,7 +32,7 @@ std::vector<Drift> driftsOf(const Explanation& explanation, const Candidates& ca
   return drifts;
 }
 
-/// Returns −2 log likelihood with a given pause; infinite if the fit fails.
+/// Returns −2 ln of likelihood and prior of a given pause; infinite if the fit fails.
 double leftWith(const Inquiry& inquiry, const Explanation& explanation, double pause) {
   GapModel own = inquiry.own;
   Measurement paused = *own.measurement;

@@ -4,9 +4,9 @@
 
 namespace alidade {
 
-// The pause between two positions, in which the guideway is turned and the zero sighted. It lasts as long as
-// some rows; without times its length is unknown. A drift continues meanwhile, so the later position and its
-// zeros are turned by its rate times the pause. Without a pause, a large drift would need an additional jump.
+// The pause between two positions, in which the guideway is turned and the zero sighted. It lasts some rows;
+// without times their number is unknown. A drift continues meanwhile and turns the later position and its
+// zeros by its rate times the pause. Without a pause in the model, a large drift would need a jump, too.
 //
 // The pause is therefore estimated with a drift: the value with the smallest misfit, with a prior of some
 // rows. In the model with the drift it keeps its prior uncertainty, as a jump of the orientation before the

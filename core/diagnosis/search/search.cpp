@@ -32,9 +32,9 @@ void keepBest(Growths& growths, std::size_t count) {
   growths.resize(count);
 }
 
-/// Returns an upper bound of the gain from each direction, for any width. `squares` are squared lengths,
-/// `products` squared products with the remaining leftover. x = w² square/v gains −½ ln(1 + x) + ½ score x/(1
-/// + x), with the maximum at x = score − 1.
+/// Returns an upper bound of the gain from each direction, for any width w. `squares` are squared lengths,
+/// `products` squared products with the remaining leftover. With x = w² square/v and score = product/(square
+/// v), the gain is −½ ln(1 + x) + ½ score x/(1 + x), which is largest at x = score − 1.
 ArrayXd mostGain(const ArrayXd& squares, const ArrayXd& products, double narrowest, double variance) {
   const ArrayXd left = squares.max(rounding), scores = products / (left * variance),
                 x = (scores - 1).max(narrowest * narrowest / variance * left);
@@ -107,7 +107,7 @@ std::vector<Search::State> Search::next(const std::vector<State>& level) {
   std::vector<std::size_t> order(growths.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::ranges::sort(order, std::greater{}, [&](std::size_t i) { return growths[i].logPosteriorOdds; });
-  // Sets with a pattern never grow, so they do not count against the limit.
+  // Sets with a pattern never grow, so they are limited separately.
   std::vector<State> states;
   std::size_t shaped = 0;
   for (const std::size_t i : order) {
@@ -124,7 +124,7 @@ std::vector<Search::State> Search::next(const std::vector<State>& level) {
   return states;
 }
 
-/// A step with more cost than gain is kept, but never grown further.
+/// A set whose last part lowers the evidence is kept, but never grows.
 bool Search::mayGrow(const State& state) const {
   const auto parts = state.found.parts.size();
   if (state.found.shaped || state.found.parts.back().logGain < 0) return false;

@@ -27,8 +27,8 @@ class Search {
   /// those components; sets share them.
   struct State {
     Explanation found;
-    /// The remaining products with all columns are those of the leftover less P `off`. Empty, like `taken`,
-    /// if the set does not grow.
+    /// The products of all columns with the remaining leftover are those with the leftover, minus P `off`.
+    /// Empty, like `taken`, if the set does not grow.
     Eigen::VectorXd off;
     /// P `taken` are the products of the eliminated directions with all columns: one column for each
     /// direction.
@@ -36,7 +36,7 @@ class Search {
     int grossErrors = 0;
     std::uint64_t key = 0;  ///< of the set, independent of the order
   };
-  /// Products of some columns with what a state leaves and with what it eliminates.
+  /// Products of some columns with the remaining leftover and the eliminated directions of a state.
   struct SomeBeside {
     Eigen::Ref<const Eigen::VectorXd> right;   ///< their products with the remaining leftover
     Eigen::Ref<const Eigen::MatrixXd> shared;  ///< with the eliminated directions; shared sharedᵀ is
@@ -64,7 +64,7 @@ class Search {
   const Candidates& m_candidates;
   const SearchOptions& m_options;
   ColumnTable m_table;
-  std::vector<std::size_t> m_notSought;               ///< gross errors with the same trace are sought instead
+  std::vector<std::size_t> m_notSought;               ///< jumps that leave the trace of a gross error
   Eigen::VectorXd m_right;                            ///< products of all columns with the leftover
   std::map<std::size_t, Eigen::MatrixXd> m_products;  ///< products of all columns with the components of sets
   double m_variance = 1;
@@ -72,9 +72,9 @@ class Search {
   std::vector<State> next(const std::vector<State>& level);
   void offer(const State& state, std::size_t index, std::vector<Growth>& growths) const;
   Beside beside(const State& state, Eigen::Index first, Eigen::Index count) const;
-  /// Returns the growths of a group with the largest gain.
+  /// Returns the growths with the largest gain by one component of a group.
   std::vector<Growth> bestOf(const Candidates::Group& group, const Beside& all) const;
-  /// Upper bounds of the gain for each component of a group, with one column each or two.
+  /// Upper bounds of the gain of each component in a group of one-column or two-column components.
   Eigen::ArrayXd mostOfSingles(const Candidates::Group& group, const Beside& all) const;
   Eigen::ArrayXd mostOfPairs(const Candidates::Group& group, const Beside& all) const;
   TurnedColumns turnedColumns(std::size_t component, const SomeBeside& own) const;
