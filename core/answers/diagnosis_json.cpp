@@ -53,7 +53,7 @@ Json closureJson(const ClosureStep& step) {
   return json;
 }
 
-/// As it was typed: 25″ went through radians, which cost the last digit. Typed numbers have at most 15.
+/// Rounds to 15 digits, the most that are typed: the conversion of 25″ to radians and back changes the last.
 double asTyped(double value) {
   std::array<char, 32> text{};
   const auto written = std::to_chars(text.begin(), text.end(), value, std::chars_format::general, 15);

@@ -12,7 +12,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Empty for a name that stays.
+/// The long form of a name; empty for a name without one.
 std::string longNameOf(const std::string& name) {
   if (name == "expanded") return "expanded_uncertainty";
   constexpr std::pair<std::string_view, std::string_view> names[] = {{"u", "standard_uncertainty"},

@@ -19,14 +19,13 @@ struct CertificateDocument {
 
 struct CertificateOptions {
   std::string version;          ///< of this program
-  std::string measuredOn = {};  ///< a day, if the session states none
-  std::string country = {};     ///< of the laboratory, ISO 3166-1: "DE"; empty: not stated, as for the next
-                                ///< ones
+  std::string measuredOn = {};  ///< a day, used if the session states none
+  std::string country = {};     ///< of the laboratory, ISO 3166-1: "DE"; empty: not stated
   std::string performedAt =
       {};  ///< "laboratory", "customer", "laboratoryBranch", "customerBranch" or "other"
-  std::string manufacturer = {};  ///< of the device
+  std::string manufacturer = {};  ///< of the device; empty: not stated
   std::string issued = {};        ///< day of issue; empty: not stated
-  bool isDraft = false;           ///< what is missing is “not stated” instead of refused
+  bool isDraft = false;           ///< a missing entry is “not stated” instead of an error
   std::vector<CertificateLanguage> languages = {};  ///< the binding one first; empty: English
   std::optional<CertificateDocument> report = {};   ///< the acceptance report, as PDF
 };

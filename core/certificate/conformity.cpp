@@ -17,7 +17,7 @@ namespace {
 
 using Obstacle = AcceptanceDecision::Obstacle;
 
-/// The best estimate of the quantity with the tolerance, mm, ≥ 0; absent if unknown.
+/// The best estimate of the size of the quantity to which the tolerance applies, mm, ≥ 0; absent if unknown.
 std::optional<double> sizeAsFound(const FitAnswer& answer) {
   const Diagnosis* found = answer.found();
   if (!found) return std::abs(answer.fit.intersection->value);
@@ -61,7 +61,7 @@ bool isConditional(const FitAnswer& answer) {
   return !headlineOf(answer.measurement, answer.fit, answer.found(), answer.dependences).condition().empty();
 }
 
-/// The meaning of the schema's word here, or why there is none.
+/// Says what the schema's word means for this result, or why there is no statement of conformity.
 std::string statementText(const FitAnswer& answer) {
   const Headline headline = headlineOf(answer.measurement, answer.fit, answer.found(), answer.dependences);
   const std::string condition = headline.condition();

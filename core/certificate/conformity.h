@@ -10,9 +10,9 @@ namespace alidade {
 
 /// The statement of conformity in the schema's words. `pass` and `fail` are the verdict's accept and reject
 /// without a condition; with one, such as a cause or that the tripod was not knocked, `conditionalPass` and
-/// `conditionalFail`. So is an undecided verdict (ILAC-G8:09/2019, 4.2.3), if only U prevents a decision and
-/// both values of the measurand are on that side of the tolerance. Otherwise, and without a tolerance, there
-/// is no statement.
+/// `conditionalFail`. An undecided verdict is also conditional (ILAC-G8:09/2019, 4.2.3), if only U prevents a
+/// decision and both values of the measurand are on the same side of the tolerance. Otherwise, and without a
+/// tolerance, there is no statement.
 std::optional<std::string_view> conformityOf(const FitAnswer& answer);
 
 /// Adds the decision rule, the tolerance and the statement, or why there is none, to `measurementMetaData`.

@@ -22,15 +22,15 @@ struct CertificateLanguage {
                                                            ///< English
 };
 
-/// User text for a certificate, without blanks at its ends. Characters that XML cannot hold, control a
-/// terminal, reverse or hide text are written as escapes (`visibleText`).
+/// User text for a certificate, without blanks at its ends. Characters that XML cannot hold, or that control
+/// a terminal, reverse text or hide it, are written as escapes (`visibleText`).
 std::string certificateText(std::string_view text);
 
 /// An element of the certificate. Names are those of the schema, with the prefix `dcc:` unless they have
 /// `si:`.
 class Element {
  public:
-  /// `languages`: at least one; must outlive it.
+  /// `languages`: at least one; must outlive the element.
   Element(const pugi::xml_node& node, const std::vector<CertificateLanguage>& languages);
 
   Element add(const char* name) const;

@@ -22,7 +22,7 @@ const char* shapeOf(double degreesOfFreedom) {
   return std::isfinite(degreesOfFreedom) ? "Student's t" : "normal";
 }
 
-/// The distribution of an average over accounts, each with its own distribution.
+/// The name of the distribution. Several `accounts`, each with its own distribution, make a mixture.
 const char* shapeOf(const IntersectionEstimate& estimate) {
   return estimate.accounts.size() > 1 ? "mixture of Student's t" : shapeOf(estimate.degreesOfFreedom);
 }
@@ -45,7 +45,7 @@ StatedQuantity asMeasured(const IntersectionEstimate& estimate, double coverage)
               }};
 }
 
-/// Says why there is no Δd, measured, in its place.
+/// Adds, in place of Δd, measured, the reason why there is none.
 void addNoneMeasured(const Element& data, bool isDiagnosed) {
   const Element quantity = data.add("quantity");
   quantity.attribute("id", "intersection_as_measured");

@@ -89,7 +89,6 @@ void addTheodolite(const Element& to, const CertificateSource& source) {
   addSigmas(theodolite, source.answer.measurement);
 }
 
-/// `text`: as typed; nothing is added if it is empty.
 void addCondition(const Element& list, const StatedQuantity& quantity) {
   const Element condition = list.add("influenceCondition");
   if (quantity.refType) condition.attribute("refType", quantity.refType);
@@ -97,7 +96,7 @@ void addCondition(const Element& list, const StatedQuantity& quantity) {
   addQuantity(condition.add("data"), quantity);
 }
 
-/// `examine` does not convert this number if no length expands.
+/// Converts a typed number, which `examine` does not if no length expands. Absent without a valid number.
 std::optional<double> typedNumber(std::string_view field, const std::string& text) {
   const Result<std::optional<double>> number = numberEntry(field, text);
   return number && !text.empty() ? *number : std::nullopt;

@@ -22,8 +22,8 @@ std::string withDecimals(double value, int decimals) {
 
 constexpr int decimalsOfProbability = 4;
 
-/// A coverage factor below 1, which the schema excludes, and a length that U would let be negative are stated
-/// as intervals.
+/// Adds an interval in place of U if k is below 1, which the schema excludes, or if a length minus U would be
+/// negative.
 void addUncertainty(const Element& real, double value, const StatedUncertainty& stated, int decimals) {
   const double factor = stated.expanded / stated.sigma;
   const bool reachesZero = stated.isOfLength && value < stated.expanded;

@@ -17,7 +17,7 @@ struct StatedUncertainty {
 
 /// A standard uncertainty by itself: k = 1.
 StatedUncertainty standardUncertainty(double sigma);
-/// The same as it was entered.
+/// A standard uncertainty that is stated as it was entered: k = 1.
 StatedUncertainty typedUncertainty(double sigma);
 
 struct StatedQuantity {
@@ -30,7 +30,7 @@ struct StatedQuantity {
   Say description = nullptr;  ///< empty: none
 };
 
-/// The number rounded for a certificate, where no uncertainty says how far.
+/// Rounds a number that has no uncertainty to `decimals` decimals.
 double roundedTo(double value, int decimals);
 
 /// Adds a `quantity` to a `data` element, or to another parent as `element`. A value that is not finite is

@@ -30,13 +30,13 @@ std::vector<const Effect*> effectsOf(const Measurement& measurement);
 const Effect* effectById(std::string_view id, const Measurement& measurement);
 const Effect* effectOf(ErrorTerm term, const Measurement& measurement);
 
-/// Whether nothing follows from one of its sizes without slider readings.
+/// True if a parameter of the effect has no consequence without slider readings.
 bool needsSlider(const Effect& effect);
 
 /// The factor from `unit` to the model's own unit: radians, mm or 1.
 double modelUnitsPer(std::string_view unit);
 
-/// The name for people of a parameter of an effect, or of another cause, with the name `name` in files.
+/// The displayed name of a parameter, of an effect or another cause, that is called `name` in files.
 std::string parameterName(std::string_view name);
 
 /// 1σ of the plausible size, in the unit of the term: rad, mm or 1.

@@ -16,7 +16,7 @@ inline constexpr const char* grossErrorId = "gross_error";
 inline constexpr const char* noiseId = "underestimated_noise";
 inline constexpr const char* relationId = "vertical_angle_relation";  ///< an effect of the catalogue
 
-/// A form of no catalogue: a step by which a gap shrinks, never a cause.
+/// A form outside the catalogue: a step by which a gap shrinks, never a cause.
 inline constexpr const char* formId = "form";
 
 /// The session's prior knowledge of effects: the first step by which a gap shrinks, rather than a cause.
@@ -24,7 +24,7 @@ inline constexpr const char* knownId = "known_sizes";
 
 /// Every id a diagnosis may name: the effects of the catalogue, a jump, misread values, larger noise.
 const std::vector<std::string>& diagnosableEffects();
-/// Is it one of these, or of the user's own effects of a measurement?
+/// Is `id` one of these, or one of the user's own effects of `measurement`?
 bool isDiagnosable(std::string_view id, const Measurement& measurement);
 
 }  // namespace alidade

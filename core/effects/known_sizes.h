@@ -9,7 +9,7 @@
 
 namespace alidade {
 
-/// Can its size be known? The other relation of the vertical circle has none: it is present or absent.
+/// Can the size of the effect be known? `vertical_angle_relation` has no size: it is present or absent.
 bool hasSizes(const Effect& effect);
 
 /// The parameter of the catalogue identified by effect, parameter name (may be empty if the effect has only
@@ -25,9 +25,9 @@ const EffectParameter* parameterMeant(const Measurement& measurement, const Know
 /// a plausible amount: normal about the value with √(σ² + plausible²).
 struct KnownPrior {
   double value = 0, sigma = 0;
-  std::string from = {};   ///< of each value with a source, separated by "; "
+  std::string from = {};   ///< the sources of the values, separated by "; "
   std::string date = {};   ///< the latest
-  double staleChance = 0;  ///< p: for several values, that of the most probable one
+  double staleChance = 0;  ///< p; the greatest one of several values
 };
 
 /// The combined knowledge of a session, weighted by σ⁻²; absent if there is none.
@@ -36,7 +36,7 @@ std::optional<KnownPrior> knownOf(const Measurement& measurement, const EffectPa
 /// The knowledge of each parameter of an effect; absent unless all are known.
 std::optional<std::vector<KnownPrior>> knownOf(const Measurement& measurement, const Effect& effect);
 
-/// Probability that the known size of an effect is outdated; 0 without one.
+/// Probability that the known size of an effect is outdated; 0 without a known size.
 double staleChanceOf(const Measurement& measurement, const Effect& effect);
 
 /// Is any parameter of the catalogue known?

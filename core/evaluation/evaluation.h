@@ -17,11 +17,11 @@
 
 namespace alidade {
 
-/// The contents of charts, drawn by the window along with the evaluation. The core never looks into it.
+/// The contents of charts, drawn by the window along with the evaluation. The core never reads them.
 struct EvaluationPictures;
 
-/// Everything computed from one copy of the session, but its diagnosis. A plain value shown alike by charts,
-/// panels and report.
+/// Everything computed from one copy of the session except its diagnosis. A plain value shown alike by
+/// charts, panels and report.
 struct Evaluation {
   Session session;
   Examined examined;
@@ -41,14 +41,14 @@ struct Evaluation {
 /// Views may keep it as long as they like.
 using SharedEvaluation = std::shared_ptr<const Evaluation>;
 
-/// Everything except the suspects, whose search takes several times as long, and the journal summary. Asked
-/// to stop, it returns early with less.
+/// The evaluation without the journal summary and the suspects, whose search takes several times as long. If
+/// asked to stop, it returns early with fewer results.
 Evaluation evaluateFit(Session session, const std::stop_token& stop = {});
-/// The complete evaluation, including these.
+/// The complete evaluation, including suspects and journal summary.
 Evaluation withSuspects(Evaluation evaluation, const std::stop_token& stop = {});
 /// A complete copy, made once the suspects are found; absent if asked to stop before.
 std::optional<Evaluation> copyWithSuspects(const Evaluation& fitted, const std::stop_token& stop);
-/// Replaces a failed fit: the session and the problems of its entries, without a fit.
+/// The evaluation after a failed fit: the session and the problems of its entries, without a fit.
 Evaluation failedEvaluation(Session session, FailedWork failure);
 /// The fit without suspects, after their search failed.
 Evaluation withoutSuspects(Evaluation evaluation, FailedWork failure);

@@ -31,9 +31,9 @@ struct GapStage {
   std::optional<IntersectionEstimate> intersection;
 };
 
-/// Why there is no diagnosis, if neither it nor the fit failed.
+/// Why there is no diagnosis although no computation failed.
 enum class Absence {
-  NotMade,           ///< nobody wanted it
+  NotMade,           ///< not requested
   Stopped,           ///< on request
   NothingToCompare,  ///< no arc could be fitted
   NothingLeftOver,   ///< the readings determine the arcs without redundancy

@@ -21,7 +21,7 @@ struct Guide {
   ProtocolProgress progress;
   std::vector<std::optional<ExpectedReading>> expected;  ///< for each sighting
   std::optional<SightingChoice> choice = {};             ///< in a protocol by worth
-  std::vector<Repeat> repeats;                           ///< including misread-looking ones after the search
+  std::vector<Repeat> repeats;                           ///< those that look misread only after the search
   std::string problem = {};  ///< why the protocol cannot be followed; everything else is then empty
 };
 

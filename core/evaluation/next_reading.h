@@ -18,8 +18,8 @@ struct NextReading {
 };
 
 /// The next reading of every position, following the protocol if there is a `guide`. Includes expected
-/// readings if `measurement` is not null. Absent for a position with everything another position has, and for
-/// sessions with more rows than anyone types.
+/// readings if `measurement` is not null. Absent for a position that is complete by the protocol or, without
+/// one, has all that another position has. Empty for sessions with more rows than are ever typed.
 std::vector<std::optional<NextReading>> nextReadings(const Session& session, const Measurement* measurement,
                                                      const SessionFit& fit, const Guide* guide = nullptr);
 

@@ -9,7 +9,7 @@
 
 namespace alidade {
 
-/// Remedies for causes that no model effect can hold.
+// Remedies for causes that no effect of the model describes.
 
 /// Rows of one position.
 struct RowRange {
@@ -21,8 +21,8 @@ struct Jump {
   Place place;            ///< the first row after the jump
   bool isLast = false;    ///< no position was read after this one
   bool isAtZero = false;  ///< between the position's pointing zero and its first place
-  /// The rows before and after the jump, if the remaining ones suffice for an arc. Those before it only if a
-  /// later position may share the orientation of those after it.
+  /// The rows before and the rows after the jump, each present if the other rows suffice for an arc. `before`
+  /// also requires a later position, which may share the orientation after the jump.
   std::optional<RowRange> before = {}, after = {};
 };
 

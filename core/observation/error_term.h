@@ -20,7 +20,7 @@ class ErrorTerms {
   }
   const T& operator[](ErrorTerm term) const { return m_sizes[static_cast<std::size_t>(term)]; }
 
-  /// No term was set, so the short formulas of the perfect model apply.
+  /// True if no term was set: the short formulas of the perfect model then apply.
   bool isPerfect() const { return m_isPerfect; }
 
  private:

@@ -11,19 +11,19 @@ constexpr double halfTurnSign(int axisDeg) {
   return axisDeg == 0 ? 1 : -1;
 }
 
-/// s of the slider at arc angle `phi`, in its unit: φ at axis 0°, −φ at 180°.
+/// The slider coordinate s at arc angle `phi`, in the unit of `phi`: φ at axis 0°, −φ at 180°.
 template <typename T>
 constexpr T sliderCoordinateOf(const T& phi, int axisDeg) {
   return axisDeg == 0 ? phi : T(-phi);
 }
 
-/// φ of slider coordinate `s`: half a turn is its own inverse.
+/// The arc angle φ at slider coordinate `s`, by the same formula: half a turn is its own inverse.
 template <typename T>
 constexpr T arcAngleOf(const T& s, int axisDeg) {
   return sliderCoordinateOf(s, axisDeg);
 }
 
-/// ∂Δd/∂Δy of the position: Δd = (Δy(0°) − Δy(180°))/2, so a centre counts with the guideway's own sign of y.
+/// ∂Δd/∂Δy of a position, from Δd = (Δy(0°) − Δy(180°))/2: 1/2 at axis 0°, −1/2 at 180°.
 constexpr double intersectionPerHeight(int axisDeg) {
   return halfTurnSign(axisDeg) / 2;
 }

@@ -13,25 +13,25 @@
 
 namespace alidade {
 
-// The one forward model: the readings of a theodolite with errors for the slider of a guideway with errors at
-// s. Exact: the theodolite is rotated until it sights the target, and rotations are not linearised.
+// The one forward model: a theodolite with errors sights the slider, at s, of a guideway with errors. The
+// model is exact: the theodolite is rotated until it sights the target, and rotations are not linearised.
 //
 // The situation in o0 (origin at the theodolite's centre, x right, y up, z towards the observer): the arc of
 // position p has centre (x, y, −L) and radius R; the slider is at φ, counter-clockwise from +x; s = φ at axis
 // 0°, s = −φ at 180°, where the guideway is rotated by half a turn about the x direction.
 //
 // The theodolite: its vertical axis is tilted by the two axis tilts; the alidade turns about it to α; the
-// trunnion axis is tilted by i against the perpendicular; the telescope turns about that to e; the line of
-// sight deviates by c. A target in the direction (r, u, f) (right, up, forward) of the tilted instrument is
-// sighted at
+// trunnion axis is tilted by i against the perpendicular; the telescope turns about this axis to e; the line
+// of sight deviates by c. A target in the direction (r, u, f) (right, up, forward) of the tilted instrument
+// is sighted at
 //
 //   sin e = (u + sin c sin i)/(cos c cos i)
 //   a = atan2(r, f) ± atan2(sin c cos i + cos c sin e sin i, cos c cos e)
 //
-// with + in face 1, (r, u, f) of unit length. The circles read α0 + a and 90° − e (e on an elevation circle)
-// of face 1, 180° and 360° away in face 2, each with its eccentricity. The pointing zero may be inclined
-// against the horizon: zero_line.h. Source: the geometry of the instrument; to first order the formulas of
-// any textbook (δα = ±c/cos e, ±i tan e).
+// with + in face 1, (r, u, f) of unit length. In face 1 the circles read α0 + a and 90° − e (e on an
+// elevation circle), in face 2 α0 + a + 180° and 270° + e (180° − e), each with its eccentricity. The
+// pointing zero may be inclined against the horizon: zero_line.h. Source: the geometry of the instrument; to
+// first order the formulas of any textbook (δα = ±c/cos e, ±i tan e).
 
 /// The arc of one position and the orientation of its readings.
 template <typename T>
@@ -46,8 +46,8 @@ struct ArcPose {
 struct Pointing {
   int face = 1;
   double elapsed = 0;         ///< elapsed share of the session when it was taken, 0…1
-  double jumpShare = 0;       ///< of the step of the orientation: 1 after the jump; fractional for a mean
-  bool isSetUpAgain = false;  ///< a place in a position after the first
+  double jumpShare = 0;       ///< share of the orientation jump: 0 before, 1 after; fractional for a mean
+  bool isSetUpAgain = false;  ///< the slider, not a zero, is sighted in a position after the first
   double horizontalZero = 0;  ///< α0 as read, rad: the circle position that determines the eccentricity error
   VerticalCircle circle = VerticalCircle::Zenith;
   VerticalAngleRelation relation = VerticalAngleRelation::Exact;
@@ -108,7 +108,7 @@ SpacePoint<T> targetAt(const ErrorTerms<T>& errors, const ArcPose<T>& arc, const
   return target;
 }
 
-/// Adds the user's own effects on the circles to a direction as read before them.
+/// Adds the user's own effects on the circles to the direction (a, e), rad, that is read without them.
 template <typename T>
 void addOwn(const ErrorTerms<T>& errors, const OwnPlace& own, T& a, T& e) {
   const T offA = a - plainValue(a), offE = e - plainValue(e);

@@ -21,7 +21,7 @@ struct OwnPlace {
   double horizontalZero = 0;  ///< α0 as read, rad
   double zeroElevation = 0;   ///< e0, rad
   VerticalCircle circle = VerticalCircle::Zenith;
-  bool isZero = false;  ///< of a pointing zero
+  bool isZero = false;  ///< the reading sights a pointing zero
 };
 
 /// The arguments of a formula at these directions, rad: face 1 equivalents, `e` above the horizon.
@@ -43,10 +43,10 @@ class OwnModel {
   /// `effects` may be null: there are none.
   explicit OwnModel(std::shared_ptr<const OwnEffects> effects);
 
-  /// The displacements of the target or the slider reading, at φ on an arc as read without errors.
+  /// The displacements of the target or the slider reading at φ, for circles read without errors.
   std::span<const OwnShare> ofGuideway(const OwnPlace& place, const PlanePoint<double>& centre, double radius,
                                        double distance, double phi, int axisDeg) const;
-  /// The displacements of circle readings, at the directions before these effects, face 1 equivalents.
+  /// The displacements of circle readings. `a`, `e`: face 1 equivalents without these effects, rad.
   std::span<const OwnShare> ofCircles(const OwnPlace& place, double a, double e) const;
 
   /// The place of a row, or of a position's pointing zero; `phi`: arc angle of the slider.

@@ -30,7 +30,8 @@ struct ReadingRef {
 /// σ stated for readings of a kind.
 Angle statedSigma(const Measurement& measurement, ReadingKind kind);
 
-/// ±1: the sign of reduced angles relative to the circle, opposite for face 2 and for zenith circles.
+/// Sign of reduced angles relative to the circle: −1 for zenith circles in face 1 and for elevation circles
+/// in face 2, otherwise 1.
 double sideOf(const Measurement& measurement, int face, ReadingKind kind);
 
 }  // namespace alidade

@@ -17,9 +17,9 @@ struct SliderPlace {
   double* arcAngle;
 };
 
-/// The reading, rad, from which a full turn is subtracted, since the arc begins there, below the scale's 0°;
-/// infinite if it begins at the smallest reading. Only a large gap counts, as a smaller one may be between
-/// two places.
+/// The arc begins after the widest gap between readings. Returns the first reading after the gap, rad: from
+/// it on a full turn is subtracted. Infinite if the arc begins at the smallest reading. A gap below 45° is
+/// ignored, as it may lie between two places.
 double turnoverOf(std::vector<SliderPlace>& places) {
   constexpr double smallest = std::numbers::pi / 4;
   std::ranges::sort(places, {}, &SliderPlace::reading);
@@ -34,7 +34,7 @@ double turnoverOf(std::vector<SliderPlace>& places) {
   return turnover;
 }
 
-/// Reading − s, as the mean of directions.
+/// The mean of reading − s, rad, computed as a mean of directions.
 double zeroOf(const std::vector<SliderPlace>& places) {
   double sine = 0, cosine = 0;
   for (const SliderPlace& place : places) {

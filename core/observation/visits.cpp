@@ -7,8 +7,8 @@ namespace alidade {
 
 namespace {
 
-/// Are rounds in order, and places within each in one direction? The rows of a visit are then adjacent
-/// without sorting.
+/// Are the rounds in ascending order, and the points of each round in one direction? The rows of a visit are
+/// then adjacent without sorting.
 bool goesOneWay(const std::vector<Sighting>& sightings) {
   std::strong_ordering way = std::strong_ordering::equal;
   for (std::size_t i = 1; i < sightings.size(); ++i) {

@@ -53,9 +53,9 @@ class ZeroLine {
   /// The reduced reading of a perfect theodolite to a point of the arc plane.
   Direction<double> observe(const PlanePoint<double>& point) const;
 
-  /// The kernels of a single arc assume a vertical plane and a level zero. This is their reading, counted
-  /// from the horizon: exact for a vertical plane; for a square one rotated with the zero, which weights the
-  /// two circles exactly only at the centre.
+  /// Converts a reduced reading for the kernels of a single arc, which assume a vertical plane and a level
+  /// zero: the result counts from the horizon. Exact for a vertical plane. A reading of a square plane is
+  /// rotated with the zero, so the weights of the two circles are exact only at the centre.
   Direction<double> levelled(const Direction<double>& reduced) const;
   /// The kernels' y minus y relative to the zero line, mm.
   double height() const;

@@ -30,7 +30,7 @@ struct NormalEquations {
   double chiSquare = 0;  // of the visit means
 };
 
-/// The interface of `minimise`. Every visit is at its foot point, so λ is valid at once.
+/// The `Problem` of `minimise`. Every visit is at its foot point, so λ is reliable even at the start.
 class ArcProblem {
  public:
   using State = Circle;

@@ -37,9 +37,8 @@ struct ArcFit {
   int axisDeg = 0;
   Circle circle;                            ///< y up
   std::vector<SightingResidual> residuals;  ///< in the order of the sightings
-  int degreesOfFreedom =
-      0;  ///< readings of angles − slider places − unknowns; 0 or less: the noise cannot be checked
-  double chiSquare = 0;    ///< Σ (v/σ)² with the stated σ
+  int degreesOfFreedom = 0;  ///< circle readings − visits − unknowns; 0 or less: the noise cannot be checked
+  double chiSquare = 0;      ///< Σ (v/σ)² with the stated σ
   double residualRms = 0;  ///< arcseconds, over all angle readings of the arc
   Covariance3 cofactor{};  ///< covariance of (Δx, Δy, R) from the stated σ of the readings alone
   int iterations = 0;
@@ -59,7 +58,7 @@ struct ArcFitOptions {
       {};  ///< empty: the fast fit, or an algebraic one if that is refused; neither needs a nominal radius
   int maximumIterations = 200;  ///< of Levenberg-Marquardt, rejected steps counted
   /// Converged when the next step of (Δx, Δy, R) is shorter than this many standard deviations of the result.
-  /// 1e-9 is some 10⁻¹¹ mm on the usual arc, and a hundred times what rounding does to the step.
+  /// 1e-9 is some 10⁻¹¹ mm on the usual arc, and a hundred times the rounding error of the step.
   double tolerance = 1e-9;
 };
 
@@ -70,8 +69,8 @@ struct ArcFitOptions {
 /// eliminated visit by visit; derivatives by automatic differentiation. Errors in both circles are allowed
 /// for: the residuals are those of readings, not of plane coordinates.
 ///
-/// Fails if the readings determine no circle. Such are fewer than three different places, places on a
-/// straight line, or an arc whose sagitta is hidden by the stated noise.
+/// Fails if the readings determine no circle: fewer than three different places, places on a straight line,
+/// or an arc whose sagitta is hidden by the stated noise.
 Result<ArcFit, ArcFault> fitArc(const Measurement& measurement, const ArcMeasurement& arc,
                                 const ArcFitOptions& options = {});
 

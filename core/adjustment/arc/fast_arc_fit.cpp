@@ -16,7 +16,7 @@ namespace {
 
 using namespace arc_kernel;
 
-constexpr double unlike = 0.01;  // largest difference between a part and all places in their remainder
+constexpr double unlike = 0.01;  // largest relative difference of the remainders of a part and of all
 constexpr int mostSurveys = 2;   // if more are needed, residuals are too large for them
 constexpr std::size_t pilotPlaces = 16384;
 
@@ -157,7 +157,7 @@ std::optional<FastArcFit> fitStreamed(const ArcSetup& setup, const Readings& rea
        ++surveys, ++outcome.iterations) {
     Survey all, before, after;
     kernel().survey(readings, inner, progress.disc, all);
-    if (all.largestResidual > largestResidual) return std::nullopt;  // the remaining way is far shorter
+    if (all.largestResidual > largestResidual) return std::nullopt;  // later steps hardly change it
     kernel().survey(part.readings(), inner, progress.disc, before);
     progress.anisotropy = anisotropyOf(inner.variances, all.largestReading * all.largestReading);
     advance(progress, all.sums);

@@ -28,11 +28,11 @@ namespace alidade {
 // linearised repeatedly at the adjusted readings of the iteration before (errors in both circles, Pope 1972,
 // "Some pitfalls to be avoided in the iterative adjustment of nonlinear problems").
 //
-// Refused, and left to the general fit, are |a| or |e| above 45° and a residual above 0.002 rad (5 mm at 2.4
-// m). So are places that hardly determine a circle, and no convergence in a few iterations.
+// The fast fit refuses |a| or |e| above 45°, residuals above 0.002 rad (5 mm at 2.4 m), places that hardly
+// determine a circle, and slow convergence. The general fit takes these over.
 //
-// Of many places a part is fitted like this; then one such step from its circle uses all of them. It
-// overshoots by the square of its length; the part, which takes the same step, shows by how much.
+// If there are many places, a part of them is fitted in this way; one step from its circle then uses all. The
+// step overshoots by the square of its length; the same step of the part alone shows by how much.
 //
 // Four places, or four fits, are processed together by vector units if the processor has them. The order of
 // summation is the same for every processor and number of threads.

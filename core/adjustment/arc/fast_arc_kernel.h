@@ -18,7 +18,7 @@ using Lanes = double __attribute__((vector_size(width * sizeof(double))));
 constexpr double largestAngle = std::numbers::pi / 4;
 constexpr double largestResidual = 0.002;  // rad; the series are exact to rounding up to this
 constexpr double untold = 6;               // bound on the remainder of an iteration, in units of its estimate
-constexpr double straight = 1e-10;         // variance across times along the chord, of R⁴; some 6° of arc
+constexpr double straight = 1e-10;         // variances across × along the chord, in R⁴; 6° of arc
 constexpr int mostIterations = 12;
 
 /// A pair of readings, and what the last iteration found for it.
@@ -27,7 +27,7 @@ struct alignas(sizeof(Lanes)) PlaceEquation {
   Lanes y, perRise;        ///< of the plane point, and its derivative with respect to e
   Lanes weight;            ///< rows of the visit, 0 for unused lanes; used if all lanes are of one arc
   Lanes w, perA, perE;     ///< misclosure, and the residuals of a and e per unit of it
-  Lanes ux, uy;            ///< from the centre
+  Lanes ux, uy;            ///< the plane point minus the centre
 };
 
 /// A circle in units of L.
@@ -95,7 +95,7 @@ struct Progress {
   Inverse<T> inverse;
 };
 
-/// Kåsa's circle through the places (see algebraic_circle.h).
+/// The sums that determine Kåsa's circle through the places (see algebraic_circle.h).
 template <typename T>
 struct Moments {
   T n{}, x{}, y{}, xx{}, xy{}, yy{}, xz{}, yz{};
@@ -183,8 +183,8 @@ template <typename T>
           q.xh * x + q.yh * y + q.hh * half};
 }
 
-/// Returns the dependence of a place's errors on direction, for readings up to an angle of this square: 0 for
-/// equal errors; 1 is the maximum.
+/// Returns how much a place's error depends on direction: 0 (not at all) … 1. `square`: that of the largest
+/// reading, rad².
 template <typename T>
 [[gnu::always_inline]] inline T anisotropyOf(const Variances& variances, const T& square) {
   const double ratio = variances.horizontal / variances.vertical;
@@ -250,9 +250,9 @@ template <typename T>
   progress.chiSquare = sums.ww - sums.xw * step.x - sums.yw * step.y - sums.w * step.half;
   const T xx = sums.w - sums.xxw * perSquare, xy = -sums.xyw * perSquare, yy = sums.xxw * perSquare;
   const Step<T> turn = times(q, xx * step.x + xy * step.y, xy * step.x + yy * step.y, T(step.x - step.x));
-  // A place linearised at a distance ε from the right one misses the circle by ε²/2R. Its normal is wrong by
-  // ε/R, which counts times its residual, of either sign. The geometry enlarges both. The step itself leaves
-  // a part of the subtracted rotation and a random part of the residuals.
+  // A place linearised at a distance ε from the right point misses the circle by ε²/2R. The error ε/R of its
+  // normal, multiplied by its residual, adds an error of either sign. The geometry enlarges both errors. The
+  // step itself leaves a part of the subtracted rotation and a random part of the residuals.
   const T residual = scatter(sums, perSquare);
   const T gain = gainOf(q, sums.one, square);
   const T stepLength = extent(step, perRadius, perSquare), off = stepLength + progress.lag;

@@ -12,12 +12,12 @@
 
 namespace alidade {
 
-/// `fitArcFast` for an arc's visits: its y counts from the horizon (`ZeroLine::height`).
+/// `fitArcFast` for an arc's visits: y of the circle counts from the horizon (`ZeroLine::height`).
 std::optional<FastArcFit> fitVisitsFast(const Measurement& measurement, const std::vector<Visit>& visits,
                                         const ZeroLine& line);
 
-/// The start of a joint adjustment of all arcs: `fitArc`, or the fast fit if it is reliable for the arc. Then
-/// residuals are missing, and cofactor and χ² have its accuracy.
+/// The start of a joint adjustment of all arcs: `fitArc`, or the fast fit if it is reliable for the arc. The
+/// fast fit gives no residuals, and cofactor and χ² only to its own accuracy.
 Result<ArcFit, ArcFault> firstFit(const Measurement& measurement, const ArcMeasurement& arc);
 
 }  // namespace alidade

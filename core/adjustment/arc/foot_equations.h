@@ -123,7 +123,7 @@ template <typename T>
 
 /// Step from the foot to the minimum of |r(φ)|²/2, rad. The second derivative includes the curvature of the
 /// arc, for faster convergence, but not that of the projection; far from the arc it omits both. `along`:
-/// `alongArc`; `rows` of the circles, `sliderRows` of the slider.
+/// `alongArc`; `rows`, `sliderRows`: numbers of readings of each circle and of the slider.
 template <typename T>
 [[gnu::always_inline]] inline T footStep(const ArcView& view, double radius, const Foot<T>& foot,
                                          const Direction<T>& along, const T& rows, const T& sliderRows) {
@@ -151,8 +151,8 @@ template <typename T>
 
 inline constexpr int mostFootSteps = 25;
 
-/// Is the next step negligible? Steps shrink by a constant ratio, that of residual to radius. Sizes of this
-/// step and the one before, rad.
+/// Is the next step negligible? Steps shrink by a constant ratio, that of residual to radius. `size`,
+/// `before`: lengths of this step and of the one before, rad.
 template <typename T>
 [[gnu::always_inline]] inline auto isLastFootStep(const T& size, const T& before) {
   constexpr double smallest = 1e-14;  // rad; 4e-12 mm on a 400 mm arc

@@ -57,7 +57,7 @@ std::optional<Circle> bestOfTriples(const Points& points) {
   std::optional<Circle> best;
   double least = std::numeric_limits<double>::infinity();
   const std::size_t n = points.size();
-  // Triples spread over the arc: steps through the rows are coprime.
+  // Triples spread over the arc: the offset of j changes with every third triple, that of k every seventh.
   for (std::size_t t = 0; t < mostTriples; ++t) {
     const std::size_t i = t % n, j = (i + 1 + n / 4 + t / 3 % (n / 2)) % n,
                       k = (j + 1 + n / 4 + t / 7 % (n / 2)) % n;

@@ -11,8 +11,8 @@ namespace alidade {
 
 namespace {
 
-/// Least probability of the misfit for a row to agree: no stricter than the test that names a misread
-/// reading.
+/// A row agrees if its misfit has at least this probability. The limit is no stricter than the test that
+/// names a misread reading.
 constexpr double leastProbability = 1e-4;
 constexpr double mostSliderDisagreement = 5;
 
@@ -57,7 +57,7 @@ std::vector<GrossError> CorrectionTrials::grossErrorsIn(const Visited& visit) co
   return errors;
 }
 
-// Two visits are negligible among very many rows.
+// With very many rows the fit of all rows is used: one or two visits hardly change it.
 VisitCheck CorrectionTrials::checkOf(const Visited& visit, const Visited* other) const {
   constexpr std::size_t veryMany = 2000;
   auto inQuestion = readingsOf(m_sound, visit.arc, visit.round, visit.point);
@@ -102,8 +102,8 @@ bool CorrectionTrials::agreesAsTyped(const Visited& visit, const VisitCheck& che
   return !rows.empty() && check.agreement(rows).probability >= leastProbability;
 }
 
-/// The gain in likelihood from visits of other rows that the correction changes; empty if these then
-/// disagree.
+/// The gain in log likelihood of other visits whose rows the correction changes; empty if one of them then
+/// disagrees.
 std::optional<double> CorrectionTrials::gainElsewhere(const Visited& visit, const Correction& correction) {
   const ArcMeasurement& arc = m_fitted.arcs[visit.arc];
   double gain = 0;
@@ -118,7 +118,7 @@ std::optional<double> CorrectionTrials::gainElsewhere(const Visited& visit, cons
     if (!check.canCheck()) return std::nullopt;
     const VisitAgreement after = check.agreement(corrected);
     if (after.probability < leastProbability) return std::nullopt;
-    constexpr double unusable = -50;  // as typed it cannot have been intended
+    constexpr double unusable = -50;  // log likelihood of typed text that gives no sighting
     gain += after.logLikelihood - (as.empty() ? unusable : check.agreement(as).logLikelihood);
   }
   return gain;

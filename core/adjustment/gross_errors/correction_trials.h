@@ -20,7 +20,7 @@ namespace alidade {
 struct Visited {
   std::size_t arc = 0;  ///< index into the measurement's arcs
   int round = 1, point = 0;
-  std::vector<std::size_t> rows;  ///< of the position
+  std::vector<std::size_t> rows;  ///< indices into the readings of the position
 
   /// The visit with one more row.
   Visited with(std::size_t row) const;

@@ -195,7 +195,7 @@ class SuspectSearch {
     suspect.proposals.clear();
   }
 
-  /// Are both of one visit, so that each hides the residual of the other?
+  /// Are both suspects of one visit, so that each hides the residual of the other?
   static bool areTogether(const Suspect& a, const Suspect& b) {
     return a.where.position == b.where.position && a.round == b.round && a.point == b.point;
   }
@@ -229,7 +229,7 @@ class SuspectSearch {
         if (areTogether(suspect, left)) mask(suspect);
   }
 
-  /// Visits that disagree after all suspects are corrected, or, without a proposal, their rows excluded.
+  /// The visits that disagree once every suspect is corrected or, without a proposal, its row excluded.
   std::vector<Suspect> leftOnceCorrected() const {
     Session mended = m_session;
     for (const Suspect& suspect : m_suspects) {

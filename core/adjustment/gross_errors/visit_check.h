@@ -46,7 +46,7 @@ class VisitCheck {
   std::unique_ptr<Content> m_content;
 };
 
-/// All readings of one visit of the arc, or of several.
+/// All readings of one visit of the arc.
 std::vector<ReadingRef> readingsOf(const Measurement& measurement, std::size_t arc, int round, int point);
 
 }  // namespace alidade

@@ -30,7 +30,7 @@ constexpr int estimatedCount = estimatedKinds.size(), consideredCount = consider
 static_assert(estimatedCount == ArcEquations::estimated && consideredCount == ArcEquations::considered);
 using NormalMatrix = Eigen::Matrix<double, estimatedCount, ArcEquations::columns, Eigen::RowMajor>;
 
-/// Scaled to a unit diagonal before it is factored: millimetres and radians differ by 1e6 in size.
+/// The inverse. The matrix is first scaled to a unit diagonal: millimetres and radians differ by 1e6 in size.
 Matrix4d cofactorMatrix(const Matrix4d& matrix) {
   const Vector4d scale = matrix.diagonal().cwiseSqrt().cwiseInverse();
   const Matrix4d scaled = scale.asDiagonal() * matrix * scale.asDiagonal();
@@ -120,7 +120,7 @@ class ArcApart {
         const auto row = static_cast<std::size_t>(kind);
         const double rate = own.rate[row] * perReading;
         const auto visit = static_cast<std::uint32_t>(v);
-        const double redundancy = std::clamp(own.redundancy[row], 0.0, 1.0);  // of rounding
+        const double redundancy = std::clamp(own.redundancy[row], 0.0, 1.0);  // rounding may exceed 0…1
         *next++ = {m_index, sighting, kind, visit, residual, sigmas[row], redundancy, rate};
         misfit.chiSquare += residual * perReading * residual * perReading;
         ++misfit.degreesOfFreedom;
@@ -168,7 +168,7 @@ class ArcApart {
     return *reading.slider - m_feet.view().turn * nearestArcAngle(m_unknowns.circle, place);
   }
 
-  /// Feet, normal equations and χ², the latter without the differences between rows of a visit.
+  /// Computes feet, normal equations and χ², which omits the differences between rows of a visit.
   void evaluate() {
     const bool isFirst = m_iterations == 0;
     const ArcEquations equations =

@@ -16,9 +16,8 @@ namespace alidade {
 // reading has one row, counted as often as it was read. Gauss-Newton; the minima of the single arcs only need
 // confirmation, and with slider readings some three steps.
 //
-// Refused, and left to the general adjustment, are error terms, a common or known radius, and excluded
-// readings. So are a plane perpendicular to an inclined zero, and a start so far off that the first steps are
-// long.
+// The fast fit refuses error terms, a common or known radius, excluded readings, a plane perpendicular to an
+// inclined zero, and a start so far off that the first steps are long. The general one serves these.
 
 /// Absent if refused. Otherwise the result of `fitJointly`, to rounding.
 std::optional<JointFit> fitJointlyFast(const Measurement& measurement, const std::vector<Circle>& starts,

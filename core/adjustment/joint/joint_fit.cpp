@@ -20,7 +20,7 @@ namespace {
 
 using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
 
-/// Scaled to a unit diagonal before it is factored: millimetres and radians differ by 1e6 in size.
+/// Scales the matrix to a unit diagonal before factoring it: millimetres and radians differ by 1e6 in size.
 VectorXd solveScaled(const MatrixXd& matrix, const VectorXd& rightSide) {
   const VectorXd scale = matrix.diagonal().cwiseSqrt().cwiseInverse();
   const MatrixXd scaled = scale.asDiagonal() * matrix * scale.asDiagonal();
@@ -34,7 +34,7 @@ MatrixXd inverseScaled(const MatrixXd& matrix) {
   return scale.asDiagonal() * inverse * scale.asDiagonal();
 }
 
-/// The interface of `minimise`.
+/// The `Problem` of `minimise`.
 class JointDescent {
  public:
   using State = JointState;
@@ -60,7 +60,7 @@ class JointDescent {
     return m_problem.moved(state, system.equations, solveScaled(damped, system.rightSide.head(m_estimated)));
   }
 
-  /// All radii are positive: beyond zero, the same circle has all arc angles turned by half a turn.
+  /// True if all radii are positive: a negative one gives the same circle with arc angles half a turn off.
   bool isPossible(const JointState& state) const {
     for (std::size_t i = 0; i < m_problem.estimated().size(); ++i)
       if (m_problem.estimated()[i].kind == Unknown::Kind::Radius &&
@@ -91,8 +91,8 @@ VectorXd intersectionGradient(const Measurement& measurement, const std::vector<
   return gradient;
 }
 
-/// The normal matrix without error terms: these are the last estimated unknowns, and their entries become
-/// zero.
+/// The inverse of the normal matrix without error terms. These are the last estimated unknowns; their entries
+/// are zero.
 MatrixXd withoutTerms(const MatrixXd& normalMatrix, const JointProblem& problem) {
   const auto isTerm = [](const Unknown& unknown) { return unknown.kind == Unknown::Kind::Error; };
   const auto estimated = static_cast<Index>(problem.estimated().size());

@@ -102,7 +102,7 @@ struct JointFitOptions {
   std::vector<EstimatedTerm> terms = {};
   /// `Sighting::order` of the first row after the orientation jumped; the terms of a jump act from there on.
   std::optional<std::size_t> jumpBefore = {};
-  /// The first row on which they no longer act, since its zero was sighted after the jump; absent: on all.
+  /// The first row on which these terms no longer act, as its zero was sighted after the jump; absent: none.
   std::optional<std::size_t> jumpEnd = {};
   /// The model of one rigid guideway turned about an axis along x, in place of the measurement's own radius
   /// model. Both positions share one radius and one x. The pointing zeros are estimated with their stated σ
@@ -111,8 +111,8 @@ struct JointFitOptions {
   /// Each arc, even of the same axis, has its own centre and radius and keeps the zero read, to show how they
   /// disagree. Not for a closed model.
   bool isApart = false;
-  /// The pointing zeros are estimated even if they are consistent: for a part of a session in which they are
-  /// estimated.
+  /// The pointing zeros are estimated even if no axis is measured again: for a part of a session whose fit
+  /// estimates them.
   bool estimatesZeros = false;
   /// Excluded readings: they get no weight, a residual of 0 and a redundancy of 0. The slider reading of a
   /// visit is that of its first row which has one.

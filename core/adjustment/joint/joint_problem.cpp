@@ -30,8 +30,8 @@ struct SlotSystem {
   Slots rightSide;
 };
 
-/// The system with the arc angle eliminated; at least the lower triangle of the matrix. `Columns`: the number
-/// of slots if it is known at compile time, so that the compiler can unroll.
+/// Adds the equations of a visit with the arc angle eliminated, at least to the lower triangle of the matrix.
+/// `Columns`: the number of slots if it is known at compile time, so that the compiler can unroll.
 template <int Columns>
 void addNormalEquations(SlotSystem& sum, const VisitEquations& equations) {
   constexpr int most = VisitEquations::mostRows,
@@ -400,7 +400,7 @@ void fillRow(VisitEquations::Jacobian::RowXpr row, const typename Jets::Instrume
   }
 }
 
-/// Directions count from the zero as read.
+/// Subtracts the derivatives of the zero as read, from which directions count.
 template <typename Jets>
 void takeOffZero(VisitEquations::Jacobian::RowXpr row, const typename Jets::InstrumentJet& zero,
                  const std::vector<EstimatedTerm>& terms) {
@@ -441,7 +441,7 @@ OwnSlopes ownSlopes(const Jets& jets, const OwnPlace& own,
 
 }  // namespace
 
-/// A sighting of the zero: its mark is independent of the guideway.
+/// Fills the equations of a sighting of the zero, whose mark is independent of the guideway.
 template <typename Jets>
 void JointProblem::fillZeroEquations(const Jets& jets, std::size_t visitIndex,
                                      VisitEquations& equations) const {

@@ -128,7 +128,7 @@ class JointProblem {
   void fillEquations(const Jets& jets, const JointState& state, std::size_t visit,
                      VisitEquations& equations) const;
   void fillEquations(const JointState& state, std::vector<VisitEquations>& equations) const;
-  /// Calls `fill` with the jets of its arc for each visit.
+  /// Calls `fill` for each visit, with the jets of the visit's arc.
   template <typename Fill>
   void withJetsOfEachVisit(const JointState& state, const Fill& fill) const;
   bool hasJumped(std::size_t order) const;

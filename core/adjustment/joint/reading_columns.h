@@ -40,7 +40,7 @@ class ReadingColumns {
     const std::span<const double> values = of(kind, column);
     return values.empty() ? 0 : values[number];
   }
-  /// Empty if it is 0 for every reading.
+  /// The column over all readings of the kind; empty if it is 0 for every one.
   std::span<const double> of(ReadingKind kind, std::size_t column) const {
     return m_kinds[static_cast<std::size_t>(kind)].columns[column];
   }

@@ -31,8 +31,8 @@ struct Reliability {
   /// find 10.6″.) A gross error included in s0 makes it larger. Infinite if no other reading checks it, or if
   /// the fit has fewer than two degrees of freedom.
   Angle minimalDetectableBias;
-  double influence = 0;  ///< effect of such an undetected error on Δd, mm, signed as the error; with an
-                         ///< infinite bias infinite, or 0 if no error of the reading affects Δd
+  double influence = 0;  ///< effect of such an undetected error on Δd, mm, signed as the error; if the
+                         ///< bias is infinite: infinite, or 0 if the reading does not affect Δd
 };
 
 Reliability reliabilityOf(const AdjustedReading& reading, const Detection& detection);

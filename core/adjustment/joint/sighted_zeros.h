@@ -8,7 +8,7 @@ namespace alidade {
 // The situation: the pointing zero of each position was sighted when the position began, and perhaps again
 // after it. If the zeros are one mark and the circle was not reset, all these sightings observe one
 // direction, each at its own moment. Their differences show the change of the orientation between them (a
-// drift, a knock), to √2 σ of a zero. As observations of the adjustment they contribute this information;
+// drift, a jump), to √2 σ of a zero. As observations of the adjustment they contribute this information;
 // subtracted from the readings beforehand they do not.
 //
 //   α_zero,i = M + (orientation at its moment) + ε_i, e_zero,i = e0 + … + ε_i

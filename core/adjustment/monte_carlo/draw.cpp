@@ -9,7 +9,7 @@ namespace alidade {
 
 namespace {
 
-/// The numbers of a source for Boost's distributions, which are the same on every machine.
+/// Adapts a random source to Boost's distributions, whose numbers are the same on every machine.
 struct Bits {
   using result_type = std::uint64_t;  // NOLINT(readability-identifier-naming)
 
@@ -51,7 +51,7 @@ void DrawPlan::drawInto(Draw& draw, std::uint64_t seed, std::uint64_t number) co
   draw.scale = drawScale(random);
   draw.zeroScale = m_zeroScatter > 0 ? draw.scale / m_zeroScatter : 1;
   draw.normals.resize(m_count);
-  RandomSource rest = random;  // of this function alone, so that its state stays in registers
+  RandomSource rest = random;  // a local copy, so that its state stays in registers
   Bits bits{rest};
   boost::random::normal_distribution normal;
   for (double& value : draw.normals) value = normal(bits);

@@ -13,16 +13,16 @@ namespace alidade {
 
 /// One draw of all uncertain quantities of a session, in units of their σ, in the order of `DrawPlan`.
 struct Draw {
-  double scale = 1;      ///< of the noise of readings: s0, and its Student factor
-  double zeroScale = 1;  ///< of the noise of the pointing zeros
+  double scale = 1;      ///< factor of the noise of readings: s0 times its Student factor
+  double zeroScale = 1;  ///< factor of the noise of the pointing zeros
   std::vector<double> normals;
 };
 
-/// The numbers of a draw: distance, known radius, the priors of error terms; then for each arc both zeros if
-/// they are its own, and for each sighting both circles and, if read, the slider.
+/// The order of numbers in a draw: distance, known radius, the priors of error terms; then for each arc both
+/// zeros if they are its own, and for each sighting both circles and, if read, the slider.
 class DrawPlan {
  public:
-  /// `fit` is the result of `fitSession` for the measurement.
+  /// `noise`: `SessionFit::noise` of the fit of `fitted`.
   DrawPlan(const Measurement& fitted, const NoiseScale& noise);
 
   /// Makes draw `number` of the seed, the same for every caller.

@@ -22,9 +22,9 @@ namespace alidade {
 // Zeros, distance and radius are normal with their stated σ. Readings, and the priors of estimated effects,
 // are normal with σ scaled by s0 as in the budget; if s0 has f degrees of freedom the whole draw is divided
 // by √(χ²_f/f), which makes them Student with f (JCGM 101, 6.4.9). So σ exceeds the budget's by up to √(f/(f
-// − 2)), for which k compensates there.
+// − 2)), for which k compensates in the budget.
 
-/// Maximum if the number is unspecified: some 200 MB.
+/// Maximum number of draws if their number is unspecified: some 200 MB of memory.
 inline constexpr std::size_t mostDrawsLeftOpen = 5'000'000;
 
 struct MonteCarloOptions {

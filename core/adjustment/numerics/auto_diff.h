@@ -8,7 +8,7 @@
 
 namespace Eigen {
 
-/// Eigen's own returns derivatives of dynamic size: two allocations a call.
+/// Replaces Eigen's own, which returns derivatives of dynamic size: two allocations a call.
 template <int count>
 AutoDiffScalar<Matrix<double, count, 1>> atan2(const AutoDiffScalar<Matrix<double, count, 1>>& y,
                                                const AutoDiffScalar<Matrix<double, count, 1>>& x) {

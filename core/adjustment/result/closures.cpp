@@ -71,7 +71,7 @@ std::optional<Misclosure> misclosureOf(const JointFit& fit, Unknown::Kind quanti
 
 namespace {
 
-/// Compared with `known`, with its σ.
+/// The closure of a misclosure minus the value `known`, whose σ is `sigma`.
 Closure closureOf(Closure::Of of, const Misclosure& misclosure, const NoiseScale& noise, double known = 0,
                   double sigma = 0) {
   const double together = std::hypot(misclosure.sigma, sigma);
@@ -131,7 +131,7 @@ std::vector<Closure> repeatsOf(const Measurement& measurement, const JointFit& a
 
 namespace {
 
-/// The share of a jump that preceded the zero of an arc.
+/// The share of an arc's zero sightings on which the jump acts, 0…1.
 double jumpShare(const ArcMeasurement& arc, const JointFitOptions& options) {
   if (!options.jumpBefore || arc.zeroSightings.empty()) return 0;
   const auto after = std::ranges::count_if(arc.zeroSightings, [&](const SightedZero& zero) {

@@ -85,7 +85,7 @@ struct Misclosure {
 std::optional<Misclosure> misclosureOf(const JointFit& fit, Unknown::Kind quantity, std::size_t first,
                                        std::size_t other, double scale);
 
-/// Is the difference between the positions unexplained at a risk of 0.1 %?
+/// Is the misclosure unexplained at a risk of 0.1 %?
 bool fails(const Closure& closure);
 
 }  // namespace alidade

@@ -67,7 +67,7 @@ struct ZeroOfOtherCircle {
   VerticalCircle circle = VerticalCircle::Zenith;
   int time = 1;
 };
-/// Within one visit; the largest of several differences.
+/// Slider values of one visit differ; the largest of several differences.
 struct SlidersDiffer {
   int axisDeg = 0;
   std::size_t firstRow = 0, otherRow = 0;
@@ -93,7 +93,7 @@ struct ReadingsRounded {
 struct ZeroMoved {
   int axisDeg = 0, time = 1;
   Angle horizontal, vertical;            ///< as face 1 reads it
-  Angle sigmaHorizontal, sigmaVertical;  ///< of these
+  Angle sigmaHorizontal, sigmaVertical;  ///< of these differences
   double scatter = 1;                    ///< factor by which U assumes zeros to scatter more than stated
 };
 /// The zero in face 2 is ignored, since other positions have none.

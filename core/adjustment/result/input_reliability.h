@@ -10,7 +10,7 @@ namespace alidade {
 /// session: a pointing zero, the distance, a known radius. The test of misread readings does not cover these,
 /// so it never names them, however large their error.
 struct InputReliability {
-  Unknown input;          ///< the arc of a zero counts only fitted arcs
+  Unknown input;          ///< `arc` of a zero is an index into the fitted arcs
   double sigma = 0;       ///< stated, rad or mm; may be 0
   double redundancy = 0;  ///< share of its error that shows against its own σ, 0…1; 0: unchecked
   double perInput = 0;    ///< ∂Δd/∂value as entered, mm per rad or per mm; 0 without an intersection

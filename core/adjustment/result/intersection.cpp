@@ -275,7 +275,7 @@ std::vector<double> intersectionWeights(const JointFit& fit, std::size_t upper, 
 
 namespace {
 
-/// The weights of (O1 − O2)/2 along x; both share x in some models, which makes it zero.
+/// The weights of (O1 − O2)/2 along x; all zero in models in which both arcs share x.
 std::vector<double> halfApartWeights(const JointFit& fit, std::size_t upper, std::size_t lower) {
   std::vector<double> weights(fit.unknowns.size());
   weights[fit.indexOf({.kind = Unknown::Kind::CentreX, .arc = upper})] += 0.5;

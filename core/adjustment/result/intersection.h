@@ -69,7 +69,7 @@ struct ArcSigma {
   double radiusX = 0, radiusY = 0;
 };
 
-/// The budgets of the arc's quantities, in the order of the sources of Δd's.
+/// The budgets of the arc's quantities, with sources in the same order as in the budget of Δd.
 struct ArcBudget {
   std::vector<BudgetEntry> x, y, radius;
 };

@@ -22,7 +22,7 @@ constexpr double nearSteps = 10;  // of the grid, to either side
 /// The circle readings that two identical rows share: face, a and e in rad.
 using Circles = std::tuple<int, double, double>;
 
-/// A place of the slider, as far as the user numbers them: face and point.
+/// A place of the slider as the user numbers it: face and point.
 using Mark = std::pair<int, int>;
 
 /// The first index of each key.
@@ -56,7 +56,7 @@ double gridOf(const ArcMeasurement& arc, Angle Sighting::*circle) {
   return alidade::gridOf(read);
 }
 
-/// Is it improbable to find as many events (≥ 1) when `expected` are expected?
+/// Is it improbable to find this many events (≥ 1) or more if `expected` are expected?
 bool isTooMany(std::size_t events, double expected) {
   const auto fewer = chiSquareUpperTail(2 * expected, 2 * static_cast<double>(events));  // Poisson's
   return fewer && 1 - *fewer < tooSeldom;
@@ -111,8 +111,8 @@ double gridOf(const std::vector<double>& read) {
   return 0;
 }
 
-/// The difference of the two is normal, D; for a uniform position on the grid both read the same with
-/// probability E max(0, 1 − |D|/grid).
+/// The difference D of the two before rounding is normal. For a uniform position on the grid both are rounded
+/// to the same value with probability E max(0, 1 − |D|/grid).
 double chanceOfBeingAlike(double grid, double scatter) {
   if (!(grid > 0)) return 0;
   const double t = grid / (std::numbers::sqrt2 * scatter);

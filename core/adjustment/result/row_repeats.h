@@ -12,8 +12,8 @@ namespace alidade {
 // Rows that hold the same pair of readings in the same face: copied, or equal by chance. Readings are on a
 // grid of whole seconds, or tenths, or the instrument's display step. A place that is read again some rounds
 // later may repeat to the last digit. This is more frequent on a grid that is coarse relative to the scatter.
-// So may places closer than the scatter. Both are counted and compared with the expected number, and reported
-// if fewer than one of a hundred arcs has as many.
+// Two places closer than the scatter may also read the same. Repeats of one place and of two places are
+// counted separately, and reported if fewer than one of a hundred arcs has as many by chance.
 
 /// Groups of identical rows of the session's position, first occurrence first; empty if chance explains them.
 /// `fit`: of the arc.

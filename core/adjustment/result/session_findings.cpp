@@ -25,7 +25,7 @@ bool holdsAxis(const Measurement& measurement, int axisDeg) {
                              [&](const ArcMeasurement& arc) { return arc.axisDeg == axisDeg; });
 }
 
-/// A difference between the positions in a quantity that half a turn preserves, if it is too large.
+/// Reports a difference between the positions in a quantity that half a turn preserves, if it is too large.
 template <typename Finding>
 void judgeClosure(std::vector<FitFinding>& findings, const SessionFit& fit, Unknown::Kind quantity) {
   const ArcFit *upper = fit.arcAt(0), *lower = fit.arcAt(180);
@@ -36,7 +36,7 @@ void judgeClosure(std::vector<FitFinding>& findings, const SessionFit& fit, Unkn
   const double difference = std::abs(misclosure->value), sigma = misclosure->sigma;
   constexpr double risk = 0.001;
   constexpr double leastFactor =
-      3.29;  // the normal distribution's; a quantile takes longer than all the rest
+      3.29;  // of the normal distribution; Student's quantile takes longer than all the rest
   if (difference <= leastFactor * sigma) return;
   const double bound = coverageFactor(1 - risk, fit.noise.degreesOfFreedom) * sigma;
   if (difference <= bound) return;

@@ -23,7 +23,7 @@ FitFinding missing(const ArcMeasurement& arc, const ArcFault& why) {
           session_finding::ArcMissing{arc.axisDeg, why, arc.time}};
 }
 
-/// The effects of the model that there are, each once.
+/// The effects of the model whose ids are known, each once.
 std::vector<const Effect*> knownEffects(const Measurement& measurement) {
   std::vector<const Effect*> effects;
   for (const std::string& id : measurement.effects) {

@@ -90,7 +90,7 @@ void judgeMarks(std::vector<FitFinding>& findings, const Measurement& measuremen
 }
 
 void judgeRounding(std::vector<FitFinding>& findings, const Measurement& measurement) {
-  constexpr std::size_t mostRows = 20'000;  // of automatic tracking, which writes what its circles give
+  constexpr std::size_t mostRows = 20'000;  // more rows come from automatic tracking, which does not round
   if (measurement.rows > mostRows) return;
   for (const bool isVertical : {false, true}) {
     const Angle sigma = isVertical ? measurement.sigmaVertical : measurement.sigmaHorizontal;

@@ -15,14 +15,14 @@ namespace alidade {
 /// - a radius more than 20 % off the nominal one and more than 3 σ beyond that: no guideway is made and no
 ///   distance measured that badly, while slips are larger (inch for mm 25, diameter for radius 2). Smaller
 ///   differences have a finding of their own, as R0 may be just a round number;
-/// - a distance below 100 mm, at which no theodolite focuses, its radius typed in the same unit or not.
+/// - a distance below 100 mm, at which no theodolite focuses, whatever the unit of the typed radius.
 std::optional<LengthsInDoubt> doubtfulLengths(const Measurement& measurement,
                                               const std::vector<ArcFit>& arcs);
 
-/// Findings on the set-up after a fit, with `measurement` the fitted part. They concern too short a distance,
-/// and places on the wrong side of their centre (0° has them above, 180° below). They concern a pointing zero
-/// that fits the other kind of vertical circle, that moved while the position was read, or whose face 2 is
-/// ignored. They concern different slider values in one visit.
+/// Findings on the set-up after a fit, with `measurement` the fitted part: too short a distance; places on
+/// the wrong side of their centre (0° has them above, 180° below); a pointing zero that fits the other kind
+/// of vertical circle, moved while the position was read, or has an ignored face 2; zeros whose mark is
+/// unstated; readings rounded more coarsely than their stated σ; different slider values in one visit.
 std::vector<FitFinding> setupFindings(const Measurement& measurement, const SessionFit& fit);
 
 }  // namespace alidade
