@@ -62,7 +62,7 @@ std::string withMarks(std::string text) {
   return text;
 }
 
-/// Parses one typed angle. `typed` is for sentences, `body` is the text after the sign.
+/// Parses one typed angle. Messages quote `m_typed`; `m_body` is the text after the sign.
 class AngleReader {
  public:
   explicit AngleReader(std::string_view typed) : m_typed(typed), m_body(withMarks(plainSigns(typed))) {
@@ -133,7 +133,7 @@ class AngleReader {
     return {at, at + mark.size()};
   }
 
-  /// A number without any mark: whole degrees, consecutive digits, or ambiguous.
+  /// Reads a number without any mark: whole degrees or consecutive digits. Refuses ambiguous numbers.
   Result<Angle> readBare() const {
     const auto sign = m_body.find_first_of(".,");
     const std::string digits = m_body.substr(0, sign);
@@ -244,7 +244,7 @@ bool takeMark(std::string_view& text, std::string_view mark) {
   return true;
 }
 
-/// The most frequent notation, 341°52'24.5", used throughout long sessions; empty for others.
+/// Reads the most frequent notation, 341°52'24.5", quickly; absent for other texts.
 std::optional<Angle> plainlyTyped(std::string_view text) {
   const auto degrees = takeDigits(text, 3);
   if (!degrees || !takeMark(text, degreeSign)) return std::nullopt;

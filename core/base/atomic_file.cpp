@@ -84,7 +84,7 @@ std::string Passage::freshName(const char* suffix) const {
   return m_target.folder() + "/.alidade-" + std::to_string(getpid()) + "-" + std::to_string(++count) + suffix;
 }
 
-/// The file that replaces a private one is private from the start.
+/// A temporary file that replaces a file is private from the start, since the replaced file may be private.
 int Passage::openTemporary(int& file) {
   const bool isPrivate = m_content.isPrivate || m_target.kind == FileTarget::Kind::File;
   const mode_t mode = isPrivate ? 0600 : 0666;
@@ -112,14 +112,14 @@ int Passage::writeAll(int file) const {
   return 0;
 }
 
-/// Returns the first of two errors.
+/// Closes the file. Returns `error` if it is not 0, else the error of closing.
 int Passage::close(int file, int error) const {
   const bool isClosed = m_calls.close(file) == 0 || errno == EINTR;
   return error == 0 && !isClosed ? errno : error;
 }
 
-/// Keeps the old file under a second name (a hard link), so that it stays in place. On a disk without hard
-/// links it is not kept.
+/// Gives the old file a second name (a hard link), from which `putBack` restores it. On a disk without hard
+/// links the old file is not kept.
 void Passage::keepOld() {
   if (m_target.kind != FileTarget::Kind::File) return;
   for (int i = 0; i < mostTries; ++i) {
@@ -139,7 +139,7 @@ int Passage::takePlace() {
   return 0;
 }
 
-/// Restores the old file; otherwise the sentence says which file is there now.
+/// Restores the old file. If that fails, returns a sentence on the file that is in its place now.
 std::string Passage::putBack() {
   if (!m_hasPlace) return {};
   const char* const place = m_target.path.c_str();
@@ -196,7 +196,7 @@ std::optional<Problem> each(std::list<Passage>& passages, const Which& which, in
   return std::nullopt;
 }
 
-/// If one fails, those already replaced are restored.
+/// Replaces all files. If one replacement fails, restores the files already replaced.
 std::optional<Problem> takePlaces(std::list<Passage>& replaced) {
   if (replaced.size() > 1)
     for (Passage& passage : replaced) passage.keepOld();

@@ -23,10 +23,10 @@ struct FileContent {
 /// bytes. A link stays, and its target is replaced. Terminals, pipes and devices are written to directly. All
 /// our programs write files this way.
 ///
-/// Absent: written. Otherwise one sentence with the path, the reason and what to do. Refuses to replace any
-/// of `inputs`, the files that were read for the output, under any name; `-` among them is standard input.
-/// Leave it empty only if nothing was read. If the folder cannot be synchronised, the new bytes are there but
-/// may not survive a power cut.
+/// Absent if the file was written; otherwise one sentence with the path, the reason and what to do. Refuses
+/// to replace any of `inputs`, the files that were read for the output, under any name; `-` among them is
+/// standard input. Leave `inputs` empty only if nothing was read. If the folder cannot be synchronised, the
+/// new bytes are in place but may not survive a power cut.
 [[nodiscard]] std::optional<Problem> writeFile(const std::string& path, std::string_view bytes,
                                                const std::vector<std::string>& inputs,
                                                const FileCalls& calls = {});

@@ -14,9 +14,8 @@ enum class CircleUnit { Dms, Degrees, Gon };
 /// as typed: those with signs, separators or a unit, and in degrees also consecutive digits (3415224).
 std::string completedAngle(const std::string& typed, CircleUnit unit);
 
-/// The resolution of an angle as written, in decimals of seconds, 0 to 3; degrees and gon have four more, the
-/// fourth being 0.36″ and 0.32″. Without trailing zeros, and a tenth of a second if no such number of
-/// decimals is exact.
+/// The fewest decimals of seconds, 0 to 3, that write the angle exactly; 1 if more would be needed. Degrees
+/// and gon have four decimals more than seconds: their fourth decimal is 0.36″ and 0.32″.
 int decimalsOf(Angle angle, CircleUnit unit);
 
 /// Formats an angle for display, to `decimals` (0…9) of seconds: 341°52′24.5″, 341.87347°, 379.85941 gon.

@@ -10,13 +10,13 @@ inline constexpr std::size_t eight = 8;
 
 using Eight = double __attribute__((vector_size(eight * sizeof(double))));
 
-/// Aligned in memory for any clone of a function.
+/// Eight numbers in memory, aligned for every compiled version of a function.
 struct alignas(sizeof(Eight)) EightKept {
   Eight at;
 };
 
-// A function with this prefix is compiled for several kinds of processor. The choice is made at load time,
-// before the thread sanitizer can observe it.
+// A function with this prefix is compiled for several kinds of processor. The version is chosen at load time,
+// which the thread sanitizer does not support.
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && !defined(__SANITIZE_THREAD__)
 #define ALIDADE_WIDE __attribute__((target_clones("avx512f", "fma", "default")))
 #else

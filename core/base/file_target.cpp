@@ -21,8 +21,8 @@ fs::path folderOf(const fs::path& path) {
   return path.has_parent_path() ? path.parent_path() : fs::path(".");
 }
 
-/// The number in /dev/stdout, /dev/fd/1 or /proc/self/fd/1: reopening that name would write a file from its
-/// start.
+/// The descriptor in a name such as /dev/stdout, /dev/fd/1 or /proc/self/fd/1; absent for other names.
+/// Opening the name again would write the file from its start.
 std::optional<int> ownDescriptor(const fs::path& path) {
   std::error_code error;
   const fs::path folder = fs::canonical(folderOf(path), error), own = fs::canonical("/proc/self/fd", error);
@@ -42,7 +42,7 @@ bool isForbiddenLink(const fs::path& link) {
   return false;
 }
 
-/// The target at this path, which is not a link, by its kind.
+/// The target at this path, which is not a link.
 Result<FileTarget> standing(const fs::path& path, const struct stat& status) {
   FileTarget target{path.string(), FileTarget::Kind::File, status.st_mode & mode_t{07777}, status.st_uid,
                     status.st_gid};

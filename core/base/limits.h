@@ -24,17 +24,17 @@ inline constexpr std::size_t mostColumns = 1000;
 /// and a file with any problem is not imported.
 inline constexpr std::size_t mostProblems = 100'000;
 
-/// Kinds of unused data in a GSI file, each with its sentence.
+/// Most kinds of unused data reported for a GSI file, each in a sentence.
 inline constexpr std::size_t mostKinds = 1000;
 
-/// Levels of lists and objects in a session file, which itself has 6: reading must not exhaust the stack.
+/// Deepest nesting of lists and objects in a session file, which uses 6: reading must not exhaust the stack.
 inline constexpr std::size_t deepestNesting = 100;
 
 /// Most values of a session file without its rows: each takes some hundred bytes of memory, many times its
 /// text.
 inline constexpr std::size_t mostValues = 1'000'000;
 
-/// Keys, values and brackets of a truth file: some twenty for each of ten thousand trials, with a margin.
+/// Most keys, values and brackets of a truth file: ten times those of ten thousand trials.
 inline constexpr std::size_t mostTruthEvents = 2'000'000;
 
 /// Longest single text in bytes: notes of many hundred pages. Several copies of each text are in memory.
@@ -45,7 +45,7 @@ std::string asCount(std::size_t count);      ///< `2,000,000`
 
 Problem tooManyBytes();
 Problem tooManyRows();
-/// The problem of a line of a file of readings beyond the limit.
+/// The problem of a line beyond `mostRows` in a file of readings.
 std::string beyondTheRows();
 
 }  // namespace alidade::limits

@@ -4,9 +4,9 @@
 
 namespace alidade {
 
-// The distribution of a quantity with several possible accounts, each with its own normal distribution. Two
-// distant accounts give a distribution with two peaks: its 95 % interval reaches the farther one once that
-// has 5 %, while twice the standard deviation does so only from 20 % on.
+// The distribution of a quantity with several possible explanations, each with its own normal distribution.
+// Two distant ones give two peaks: the 95 % interval reaches the smaller peak once its share is 5 %, twice
+// the standard deviation only once its share is 20 %.
 //
 // Source: JCGM 101:2008, 7.7, coverage interval from the distribution.
 
@@ -20,7 +20,7 @@ struct MeanAndSigma {
   double mean = 0, sigma = 0;
 };
 
-/// Moments of one part or more: the mean variance plus the variance of the means.
+/// Mean and σ of one part or more: σ² is the mean of the variances plus the variance of the means.
 MeanAndSigma momentsOf(const std::vector<NormalPart>& mixture);
 
 /// h such that centre ± h contains `coverage`, in (0, 1), for one part or more; to a relative 1e-6.

@@ -41,7 +41,7 @@ std::size_t numberEnd(std::string_view text) {
   return end;
 }
 
-/// The usual notation of whole numbers.
+/// Is it a whole number in its usual notation: digits without a sign?
 bool isPlainWhole(std::string_view text) {
   return !text.empty() && text.size() <= mostWholeDigits && skipDigits(text, 0) == text.size();
 }

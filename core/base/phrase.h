@@ -27,8 +27,8 @@ class PhraseValue {
 };
 
 /// Texts for people. The sources contain them in English; a program in another language replaces the English
-/// text. Whole phrases with marks, so that a translation can reorder the words; never sentences assembled
-/// from pieces.
+/// text. They are whole phrases with marks, so that a translation can reorder the words; never sentences
+/// assembled from pieces.
 struct Phrase {
   PHRASE_CONTEXT(Phrase)
 
@@ -51,6 +51,6 @@ struct Phrase {
 
 }  // namespace alidade
 
-/// An English text of a table, passed to `Phrase::of` later: marks it for the translation files. `context` is
+/// Marks an English text of a table, passed to `Phrase::of` later, for the translation files. `context` is
 /// "Phrase".
 #define PHRASE_LATER(context, english) english

@@ -5,9 +5,9 @@
 
 namespace alidade {
 
-// Arguments of distributions and roots. Types exclude impossible sums of squares and variances, so that
-// rounding or rank deficiency upstream cannot reach a function with an invalid argument: such a number is
-// unknown, which is a valid outcome.
+// Argument types of distributions and roots. They turn impossible sums of squares and variances, which
+// rounding or rank deficiency may cause, into an unknown number: a valid outcome instead of an invalid
+// argument.
 
 /// Σ (v/σ)², or another squared distance in units of its own variance: 0 or more, may be infinite, or
 /// unknown. A value below zero by rounding (1e-6) is 0; a more negative value is unknown, as is NaN.

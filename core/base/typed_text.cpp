@@ -50,7 +50,7 @@ std::string_view plainSign(char32_t code) {
   }
 }
 
-/// The ASCII character of a fullwidth form of an input method: ０ and ： are 0 and :.
+/// The ASCII form of a fullwidth character of an input method: 0 for ０, : for ：; '\0' for other characters.
 char asciiOf(char32_t code) {
   constexpr char32_t first = U'\uFF01', last = U'\uFF5E';
   return code >= first && code <= last ? static_cast<char>(code - first + U'!') : '\0';
@@ -67,7 +67,7 @@ void appendPlain(std::string& plain, std::string_view character, char32_t code) 
     plain += character;
 }
 
-/// Is it a decimal digit of a script other than Latin? The Arabic, Persian and Indic ones, ten each.
+/// Is it a decimal digit of a script other than Latin, such as Arabic? Each script has ten in a row.
 bool isForeignDigit(char32_t code) {
   constexpr char32_t zeros[] = {U'\u0660', U'\u06F0', U'\u07C0', U'\u0966', U'\u09E6', U'\u0A66',
                                 U'\u0AE6', U'\u0B66', U'\u0BE6', U'\u0C66', U'\u0CE6', U'\u0D66',

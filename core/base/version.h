@@ -9,8 +9,8 @@ namespace alidade {
 /// The version in project() of the topmost CMakeLists.txt: "1.0.0".
 extern const char* const programVersion;
 
-/// The commit built from, 12 digits and "+changes" where files differ from it; "archive" for sources without
-/// git.
+/// The commit of the build, 12 digits, with "+changes" if files differ from the commit; "archive" for sources
+/// without git.
 extern const char* const programBuild;
 
 /// "1.0.0 (0123456789ab)".

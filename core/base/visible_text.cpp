@@ -61,7 +61,7 @@ void appendEscape(std::string& text, char32_t code) {
   appendHex(text, "\\u", 0xDC00u + (rest & 0x3FFu), 4);
 }
 
-/// Processes a text character by character; `before` is the last one shown, or 0 after an escape.
+/// Processes a text character by character; `m_before` is the last one shown, or 0 after an escape.
 class Writer {
  public:
   explicit Writer(std::string_view kept) : m_kept(kept) {}

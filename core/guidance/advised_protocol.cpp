@@ -49,7 +49,7 @@ std::vector<ProtocolPlace> placesIn(const std::vector<KeyedRow>& rows) {
   return places;
 }
 
-/// One for each round of the rows, in the faces of its first place.
+/// A protocol's round for each round of the rows, in the faces of its first place.
 std::vector<ProtocolRound> roundsIn(const std::vector<KeyedRow>& rows,
                                     const std::vector<ProtocolPlace>& places) {
   std::map<int, std::vector<KeyedRow>> byRound;

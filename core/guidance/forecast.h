@@ -10,9 +10,9 @@
 
 namespace alidade {
 
-// Expected circle readings at the sightings of a protocol: on the arc fitted so far, else the nominal one
-// about the middle of the field. The orientation is that of the position's pointing zero, else of the first
-// known zero, turned as the protocol turns the circle.
+// Expected circle readings at the sightings of a protocol: on the arc fitted so far, else on the nominal arc,
+// centred on the pointing zero. The orientation is that of the position's pointing zero. Without one it is
+// that of the first known zero, turned as the protocol turns the circle.
 
 /// Returns the expected reading of each sighting of `progress`, as `expectedReadings` does. Absent without
 /// information: for the first zero, for places before any zero is known, and for places that neither the
@@ -25,9 +25,9 @@ std::vector<std::optional<ExpectedReading>> forecast(const Measurement& measurem
 /// session.
 NominalPlaces nominalPlaces(const SightingProtocol& protocol, const std::vector<std::size_t>& positions);
 
-/// The measurement with an arc for each position of the protocol: existing ones, and empty ones with the
-/// expected orientation. `ArcMeasurement::position` of an empty one that the session lacks continues the
-/// session's numbers. Absent if no position has a pointing zero.
+/// The measurement with an arc for each position of the protocol: existing arcs, and empty arcs with the
+/// expected orientation. An empty arc that the session lacks continues the session's numbers in
+/// `ArcMeasurement::position`. Absent if no position has a pointing zero.
 struct ProtocolArcs {
   Measurement measurement;
   std::vector<std::size_t> positions;  ///< of each position of the protocol: `ArcMeasurement::position`

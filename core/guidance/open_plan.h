@@ -5,8 +5,8 @@
 
 namespace alidade {
 
-/// The places of a protocol with every face of its rounds. Drifts are stated for its rows without what
-/// `openOrder` added.
+/// All places of a protocol with all faces of its rounds. Its `rows`, for whose duration a drift is stated,
+/// exclude the sightings that `openOrder` added.
 SightingPlan openPlan(const SightingProtocol& protocol);
 
 }  // namespace alidade

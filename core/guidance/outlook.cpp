@@ -132,7 +132,7 @@ class Expectation {
  private:
   NoiseScale m_noise;
   double m_ofFit = 1, m_asMeasured = 1;  ///< of U, stated over planned
-  double m_beside = 0;                   ///< of U, measured, mm
+  double m_beside = 0;                   ///< part of U, measured, that is added in quadrature, mm
 };
 
 /// Further rounds that are always considered: effects of time average out over both directions.

@@ -57,8 +57,8 @@ struct OutlookOptions {
   bool withInstead = true;  ///< takes as long as all the rest
 };
 
-/// `fit` is that of the measurement, as is `diagnosis`, or null: then Δd of the fit replaces Δd, measured. If
-/// asked to stop, it returns early with fewer results.
+/// `fit` and `diagnosis` are those of the measurement. If `diagnosis` is null, Δd, fit only, replaces Δd,
+/// measured. If asked to stop, it returns early with fewer results.
 Outlook outlookOf(const Measurement& measurement, const SessionFit& fit, const Diagnosis* diagnosis,
                   const SightingProtocol& protocol, const ProtocolProgress& progress,
                   const OutlookOptions& options = {}, const std::stop_token& stop = {});

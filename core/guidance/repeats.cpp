@@ -192,7 +192,7 @@ class Comparison {
     addUnnamed(farOnes(differences, Repeat::Reason::WaysDisagree, {}, false));
   }
 
-  /// Adds those that the already named ones do not explain.
+  /// Adds the repeats without a sighting that is already named, the largest deviation in σ first.
   void addUnnamed(std::vector<Repeat> repeats) {
     std::ranges::sort(repeats, std::greater{}, &Repeat::sigmas);
     for (Repeat& repeat : repeats) {

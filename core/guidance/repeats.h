@@ -18,13 +18,13 @@ struct Repeat {
   enum class Reason {
     Misread,        ///< disagrees with the others (`Suspect`)
     FacesDisagree,  ///< the difference of the faces deviates from that of other visits
-    WaysDisagree,   ///< the same place is elsewhere in another round
+    WaysDisagree,   ///< the deviation of a place across the arc differs between rounds
     ZeroMoved,      ///< the pointing zero changed during the readings
   };
 
   Reason reason = Reason::Misread;
   std::vector<std::size_t> sightings = {};  ///< indices into the progress; all of them are in question
-  std::optional<ReadingKind> kind = {};     ///< the circle; absent if rounds disagree: across the arc
+  std::optional<ReadingKind> kind = {};     ///< the circle; absent for `WaysDisagree`: across the arc
   double size = 0;                          ///< deviation, arcseconds; NaN if the typed text is not an angle
   double sigmas = 0;                        ///< deviation in σ
 };
@@ -37,8 +37,8 @@ struct FittedSession {
   const std::vector<Suspect>& suspects;
 };
 
-/// If misread sightings explain the other deviations, only they are named. Empty before a fit, except for the
-/// faces.
+/// If misread sightings explain the other deviations, only they are named. Before a fit, only disagreeing
+/// faces are found.
 std::vector<Repeat> repeatsOf(const FittedSession& fitted, const ProtocolProgress& progress);
 
 }  // namespace alidade

@@ -12,7 +12,7 @@ namespace {
 
 using Index = std::optional<std::size_t>;
 
-/// What is left of a protocol, seen from the position of the last reading.
+/// The sightings left in a protocol, relative to the position of the last reading.
 class Remaining {
  public:
   Remaining(const SightingProtocol& protocol, const ProtocolProgress& progress, std::size_t ofLastReading)
@@ -30,7 +30,7 @@ class Remaining {
     if (m_isTurned && !isOtherAxis(*begun)) m_here.reset();
   }
 
-  /// False if the protocol has no position of the last reading, or continues at its axis in another one.
+  /// False if the last reading's position is not in the protocol, or another one at its axis was begun since.
   bool isKnown() const { return m_here.has_value(); }
   std::size_t here() const { return *m_here; }  ///< index into the protocol's positions
   bool isTurned() const { return m_isTurned; }  ///< the other position has a zero, and no reading yet
@@ -62,7 +62,7 @@ class Remaining {
     });
   }
 
-  /// Index of a sighting that could be next; absent if the protocol has none such left.
+  /// Index of a sighting that could be next; absent if the protocol has none left at its place and face.
   Index indexOf(const NextSighting& next) const {
     if (!next.turnsAxis) return m_isTurned ? Index() : place(*m_here, next.point, next.face);
     if (!m_other || !place(*m_other, next.point, next.face)) return {};
@@ -89,8 +89,8 @@ class Remaining {
   }
 };
 
-/// Of the position of the last reading: its first place once more, then its closing zero, until both are
-/// there.
+/// Changes the choice to the first place of the last position once more, then to its closing zero, until both
+/// are there.
 void close(SightingChoice& choice, const Remaining& left, const ArcMeasurement& arc) {
   const Sighting& first = arc.sightings.front();
   const auto isAgain = [&](const Sighting& sighting) {

@@ -96,7 +96,7 @@ class Run {
     m_last = step;
   }
 
-  /// Returns false if the readings determine nothing yet.
+  /// Evaluates the readings so far. Returns false if they determine nothing yet.
   bool look(bool ranks = true) {
     const std::optional<Measurement> measurement = m_session.measurement();
     if (!measurement) return false;
@@ -114,8 +114,8 @@ class Run {
     return true;
   }
 
-  /// Before the end: an early place once more and the zero, so that an effect of time shows. Returns whether
-  /// a cause is still named.
+  /// Sights an early place once more and then the zero, so that an effect of time shows. Returns whether a
+  /// cause is still named.
   bool close(const NextSighting& first) {
     if (std::exchange(m_isClosed, true)) return true;
     const auto again = std::ranges::find_if(m_state->ranked, [&](const NextSighting& next) {

@@ -13,8 +13,8 @@
 
 namespace alidade {
 
-// Blind trials of the next sighting. The same drawn truth is read in the order of its protocol, and by the
-// most informative sightings, until a cause is named.
+// Blind trials of the choice of the next sighting. The same drawn truth is read twice until a cause is named:
+// in the order of its protocol, and by the most informative sightings.
 
 struct AdaptiveTrialOptions {
   std::size_t count = 100;  ///< truths with one cause
@@ -24,7 +24,7 @@ struct AdaptiveTrialOptions {
   std::function<void(std::size_t)> progress = {};
 };
 
-/// One session, read until enough or to the length of the protocol.
+/// One session, read until its readings are enough, at most to the length of the protocol.
 struct WatchedRun {
   /// U of Δd after one of its sightings, with every effect of plausible size.
   struct Look {
@@ -39,7 +39,7 @@ struct WatchedRun {
   bool isRight = false;
   std::size_t sightings = 0;  ///< of places and closing zeros
   double minutes = 0;
-  double most = 0;               ///< the largest ln E
+  double most = 0;               ///< the largest ln of the evidence against no cause
   std::vector<Look> looks = {};  ///< from the first with both positions
 };
 
@@ -57,7 +57,7 @@ struct AdaptiveTrial : WatchedRuns {
 struct AdaptiveTrials {
   std::vector<AdaptiveTrial> withCause;  ///< then those with an effect of no catalogue
   std::vector<WatchedRuns> clean;
-  double slowest = 0;  ///< the longest time for one next sighting, s
+  double slowest = 0;  ///< the longest time to weigh the readings and choose the next sighting, s
 };
 
 /// The plan of a protocol: its places, and both faces if it uses them.

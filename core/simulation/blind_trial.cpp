@@ -117,7 +117,7 @@ class Draw {
     m_truth.jump = {.moment = m_random.uniform(0.15, 0.85), .horizontal = step(), .vertical = step()};
   }
 
-  /// Adds a vertical part, almost undetectable, as large as the horizontal one that the closures show.
+  /// Misreads a pointing zero in both circles. The closures show the horizontal error, hardly the other.
   void putZeroSlip() {
     const NumberedPosition position = anyPosition();
     const double horizontal = sign() * m_random.uniform(20, 60), ratio = sign() * m_random.uniform(0.7, 1.4);
@@ -127,7 +127,7 @@ class Draw {
                         .time = position.time};
   }
 
-  /// The setting is known in a quarter of the sessions.
+  /// Lets a quarter of the sessions state their true Δd as a reference, with an error of `sigma`.
   void mayStateReference() {
     constexpr double share = 0.25, sigma = 0.02;  // mm
     if (m_random.uniform() < share) m_truth.sigmaReference = sigma;
@@ -212,7 +212,7 @@ class Draw {
     set(size);
   }
 
-  /// A unit vector.
+  /// A random unit vector.
   std::vector<double> anyDirection(std::size_t count) {
     const double angle = m_random.uniform(0, 2 * std::numbers::pi);
     if (count == 1) return {std::cos(angle) < 0 ? -1.0 : 1.0};

@@ -16,8 +16,8 @@ namespace alidade {
 // A blind trial: a simulated session with a drawn and sealed truth, to be diagnosed, and scored when the seal
 // is opened. The kind is drawn first: none, one catalogued effect, misread values, a knocked tripod, the
 // other vertical angle relation, more noise than stated, two effects at once, an uncatalogued disturbance.
-// The size of an effect gives a visible length that is uniform in a range of σ. The size itself is at most a
-// few plausible sizes.
+// The size of an effect is chosen for a visible length that is uniform between two limits in σ. The size
+// itself is at most a few plausible sizes.
 
 struct BlindTrialOptions {
   std::string protocol;      ///< by name; empty: drawn from the named ones
@@ -50,7 +50,7 @@ Result<BlindTrial> drawBlindTrial(const BlindTrialOptions& options, std::uint64_
 
 /// Adds an uncatalogued disturbance to the truth, of size 1 (mm or arcsec), with drawn place and form.
 void putForeign(Truth& truth, RandomSource& random);
-/// Gives it another size, mm or arcsec.
+/// Sets the size of the uncatalogued disturbance, mm or arcsec.
 void setForeignSize(Truth& truth, double size);
 
 }  // namespace alidade

@@ -13,7 +13,7 @@ namespace alidade {
 
 namespace {
 
-/// The session's own noise is drawn from the seed itself.
+/// A stream of its own: the session's noise is drawn from the seed itself.
 RandomSource randomOf(std::uint64_t seed) {
   return RandomSource(seed ^ 0x636F6D70ULL);
 }

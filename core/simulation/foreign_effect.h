@@ -12,11 +12,11 @@ struct ForeignEffect {
   enum class Kind {
     LocalDent,  ///< radius + size·exp(−½((s − first)/second)²): size mm, place and width in degrees of s
     CirclePeriods,  ///< δα = size·sin(first·α + second): size arcsec, periods a turn, phase in degrees
-    Settling,      ///< both orientations are off by size·exp(−t/first), t the elapsed share of the session
-    DistanceRamp,  ///< the distance grows by size, mm, over the session
-    Refraction,    ///< δe = size·sin 2e, arcsec: the same for the lower and the upper half
-    Backlash,      ///< on the way back (even rounds) the horizontal circle reads size, arcsec, more
-    HighWarp,      ///< off the plane by size·sin(first·s + second), mm, turning with the guideway
+    Settling,       ///< azimuth and elevation grow by size·exp(−t/first), arcsec; t: elapsed share, 0…1
+    DistanceRamp,   ///< the distance grows by size, mm, over the session
+    Refraction,     ///< δe = size·sin 2e, arcsec, of opposite sign below the horizon
+    Backlash,       ///< on the way back (even rounds) the horizontal circle reads size, arcsec, more
+    HighWarp,       ///< off the plane by size·sin(first·s + second), mm, turning with the guideway
   };
 
   Kind kind = Kind::LocalDent;

@@ -31,7 +31,7 @@ void addGrossError(SealedTruth& truth, GrossErrorCell cell, double horizontal, d
   }
 }
 
-/// Do all of them identify their reading by whole numbers?
+/// Reads misread cells from `list`. False if one does not identify its reading by whole numbers.
 bool readGrossErrors(const Json& list, SealedTruth& truth) {
   constexpr double mostCells = 1e9;
   for (const Json& blunder : list) {
@@ -111,7 +111,7 @@ std::optional<std::string> whyUnscorable(const SealedTruth& truth) {
   return std::nullopt;
 }
 
-/// Reads the keys in order; `key` holds the last one, for the sentence on a problem.
+/// Reads the keys in order; `key` becomes the last one, for the sentence on a problem.
 std::optional<SealedTruth> readTruth(const std::string& id, const Json& json, std::string& key) {
   SealedTruth truth{.id = id};
   const auto at = [&](const char* name) -> const Json& { return json.at(key = name); };

@@ -22,12 +22,12 @@ struct GrossErrorCell {
   auto operator<=>(const GrossErrorCell&) const = default;
 };
 
-/// The information on a session needed to score its diagnosis, which must not see it.
+/// The information on a session by which its diagnosis is scored. The diagnosis must not see it.
 struct SealedTruth {
   std::string id = {};
   std::string kind = {};                 ///< the only cause; or none, two_causes, several_causes, unknown_…
   std::vector<std::string> causes = {};  ///< ids of the simulated causes
-  bool statesOwn = false;                ///< the session states those of them that are the user's own effects
+  bool statesOwn = false;                ///< the session states those causes that are the user's own effects
   std::string protocol = {};             ///< name of the plan of readings
   double intersection = 0;               ///< true Δd, mm
   std::optional<double> visible = {};    ///< of the one catalogued effect, σ of the readings
@@ -41,7 +41,7 @@ bool isOfNoCatalogue(const std::string& kind);
 /// Does the truth file's entry describe a series of sessions, with a Δd for each of them?
 bool isTruthOfSeries(const nlohmann::json& entry);
 
-/// `visibility` of the truth's only effect, if there is one.
+/// Seals a truth. `visibility` is that of its only effect, if there is one.
 SealedTruth sealed(const std::string& id, const Truth& truth, const std::optional<Visibility>& visibility);
 
 /// The truth file of a set of trials: a JSON object {id: {kind, intersection_mm, protocol, causes, blunders:
@@ -49,9 +49,9 @@ SealedTruth sealed(const std::string& id, const Truth& truth, const std::optiona
 /// visible_sigma, look_alikes: [[id, cosine, σ], …]}, …}. Kind and intersection_mm are required, other keys
 /// are ignored, `plan` is a synonym of protocol, and the keys of `there` in `all` are the causes. A kind that
 /// the diagnosis cannot name is uncatalogued. Truths of series are skipped. The result is in the order of the
-/// ids. Fails if there is no truth, and, with the id and the key, on truths that cannot be scored. Such are a
-/// value of the wrong type, a kind within two letters of an effect, and a cause that cannot be diagnosed.
-/// Others are a gross_error without blunders, and two_causes without causes.
+/// ids. Fails if there is no truth. Fails, with the id and the key, on a value of the wrong type, a kind
+/// within two letters of an effect, a cause that cannot be diagnosed, a gross_error without blunders, and
+/// two_causes without causes.
 Result<std::vector<SealedTruth>> readSealedTruths(const std::string& text);
 
 }  // namespace alidade

@@ -18,7 +18,7 @@ namespace alidade {
 
 namespace {
 
-constexpr std::uint64_t farApart = 1'000'003;  // distance between the seeds of a series' sessions
+constexpr std::uint64_t farApart = 1'000'003;  // distance between the seeds of consecutive series
 
 /// Draws one series, step by step.
 class SeriesDraw {
@@ -81,7 +81,7 @@ class SeriesDraw {
     }
   }
 
-  /// Does a few plausible sizes of the effect show in one session of this plan?
+  /// Does the plausible size of the effect show in one session of this plan?
   bool shows(const Effect& effect) const {
     constexpr double least = 1;
     const std::optional<double> visible = visibleIn(0, effect, 0.7);
@@ -160,8 +160,8 @@ class SeriesDraw {
     return ErrorSource::Time;
   }
 
-  /// A disturbance shared by all sessions of its owner; one of time is the same in all sessions. Without
-  /// noise its visibility, and the part beyond the nearest catalogued effect in each session, are
+  /// A disturbance shared by all sessions of its owner; a disturbance of time is the same in all sessions.
+  /// Without noise its visibility, and the part beyond the nearest catalogued effect in each session, are
   /// proportional to its size.
   void putUnknown() {
     constexpr double least = 8, most = 16, beyond = 6, mostSize = 300;
@@ -205,7 +205,7 @@ class SeriesDraw {
     return found ? std::optional(*found) : std::nullopt;
   }
 
-  /// Adds an obvious knock, or larger scatter of the whole session.
+  /// Adds an obvious jump, or larger scatter of the whole session.
   void spoilFurther(Truth& truth) {
     const auto step = [&] {
       return Angle::fromArcseconds((m_further.uniform() < 0.5 ? -1 : 1) * m_further.uniform(60, 600));
@@ -253,7 +253,7 @@ class SeriesDraw {
       const double angle = m_random.uniform(0, 2 * std::numbers::pi);
       const double one = visibleIn(s, *effect, angle).value_or(0);
       if (effect->id == m_seal.kind || !(visible < mostPlausible * one)) continue;
-      // The shared effect is already included, also in the result of `visibleIn`.
+      // The truth already contains the shared effect, as it did for `visibleIn`.
       Truth clean = m_truths[s];
       setSize(clean, *effect, angle, visible / std::max(one, 1e-9));
       m_truths[s] = clean;
@@ -267,7 +267,7 @@ class SeriesDraw {
 }  // namespace
 
 Result<SeriesTrial> drawSeriesTrial(std::uint64_t seed) {
-  constexpr std::uint64_t again = 1'000'000'007;  // if a plan cannot show what was drawn
+  constexpr std::uint64_t again = 1'000'000'007;  // added to the seed if a plan cannot show what was drawn
   constexpr int tries = 20;
   for (std::uint64_t i = 0;; ++i) {
     Result<SeriesTrial> drawn = SeriesDraw(seed + i * again).trial();

@@ -43,7 +43,7 @@ Result<SeriesDiagnosis> diagnosed(const std::string& id, const std::vector<Sessi
   return (*std::move(outcome)).diagnosis;
 }
 
-/// Makes `count` of them, several in parallel.
+/// Draws or loads `count` trials and scores them, several in parallel.
 template <typename Made>
 Result<std::vector<ScoredSeries>> scoreEach(std::size_t count, std::size_t threads, const Made& trialAt) {
   std::vector<std::optional<Result<ScoredSeries>>> results(count);
@@ -76,8 +76,8 @@ Result<Json> truthsOf(const std::string& folder) {
   return json;
 }
 
-/// The owner in a series without a stated one: that of the effect or, if uncatalogued, the one in the
-/// scenario.
+/// The owner in a series that states none: that of the effect or, if it is uncatalogued, the owner that the
+/// scenario names.
 CauseOwner ownerIn(const Json& entry, const std::string& kind) {
   const auto says = [&](const char* key, std::string_view what) {
     return entry.contains(key) && entry[key].is_string() &&

@@ -35,21 +35,21 @@ struct SeriesTrial {
 /// 8 to 12 sessions with no shared effect, or one effect of an instrument or a guideway, visible by 6 to 10 σ
 /// in all of them together. A quarter of the series have an uncatalogued one, visible by 8 to 16 σ and by at
 /// least 6 σ beyond any catalogued effect. Either each session has another guideway (or instrument), or two
-/// instruments and three guideways are crossed. In a third of the series one session is spoiled, by a misread
-/// value, by a knocked tripod, or by another effect. In half of these the knock is a hard one, or the whole
-/// session scatters more. The same seed gives the same trial.
+/// instruments and three guideways are crossed. In a third of the series one session is spoiled. Half of
+/// these sessions have a large jump or scatter more as a whole. The others have a misread value, a jump or
+/// another effect. The same seed gives the same trial.
 Result<SeriesTrial> drawSeriesTrial(std::uint64_t seed);
 
 struct ScoredSeries {
   SeriesSeal seal;
-  bool isNamed = false;  ///< the truth is the first shared cause, or in its group; or the diagnosis says
-                         ///< uncatalogued
-  bool isFirst = false;  ///< it is that cause
+  bool isNamed = false;  ///< the truth is the first shared cause or one of its look-alikes; or the diagnosis
+                         ///< says uncatalogued
+  bool isFirst = false;  ///< the truth is the first shared cause itself
   bool isOwnerRight = false;
   bool isAlarm = false;         ///< a shared cause is named, or a shared uncatalogued gap reported
   bool isNoiseOfAll = false;    ///< larger noise of several sessions is reported
   bool isSpoilerFound = false;  ///< the spoiled session is found to have its own cause
-  std::size_t namedAlone = 0, sessions = 0;  ///< sessions that name it, or have it in their group, when
+  std::size_t namedAlone = 0, sessions = 0;  ///< sessions that name the truth, alone or in a group, if
                                              ///< diagnosed alone
   std::string answer;
 };
@@ -61,9 +61,9 @@ Result<std::vector<ScoredSeries>> scoreDrawnSeries(std::size_t count, std::uint6
                                                    std::size_t threads);
 
 /// Stored series: `folder`/truth.json, an object of series with `kind`, `shared` and `sessions`, and
-/// `folder`/SERIES/SESSION.alidade. Without `shared` the owner is that of effects of this kind; without
-/// `sessions` they are those of `intersection_mm`. Truths of single sessions are skipped. Problems name the
-/// file.
+/// `folder`/SERIES/SESSION.alidade. Without `shared`, the owner is that of effects of this kind. Without
+/// `sessions`, the sessions are those of `intersection_mm`. Truths of single sessions are skipped. Problems
+/// name the file.
 Result<std::vector<ScoredSeries>> scoreStoredSeries(const std::string& folder, std::size_t threads);
 
 /// Does the truth file contain series, and does it contain sessions?

@@ -75,7 +75,7 @@ class Simulator {
     if (m_truth.plane == ArcPlane::Square) session.geometry.plane = "square";
   }
 
-  /// Called after all readings, so that their noise does not depend on it.
+  /// Called after all readings: their noise must not depend on whether a reference is stated.
   void stateReference(Session& session) {
     if (!m_truth.sigmaReference) return;
     const double reference = m_truth.intersection + *m_truth.sigmaReference * m_share * m_random.normal();

@@ -45,13 +45,13 @@ class PerfectReadings {
 
  private:
   Pointing pointing(int face, const Moment& moment) const;
-  /// For the user's own effects, absent without any. `s`: absent for a pointing zero.
+  /// Arguments of the user's own effects; absent without any. `s`: absent for a pointing zero.
   std::optional<OwnPlace> ownPlace(std::optional<Angle> s, int face, const Moment& moment) const;
   ArcPose<double> poseAt(Angle s) const;
   SpacePoint<double> inRoom(const SpacePoint<double>& target) const;
   double arcAngle(Angle s) const;
   CircleReadings onCircles(const Direction<double>& direction, int face) const;
-  /// With the truth's foreign effect on the circles.
+  /// The circle readings in a direction, with the truth's foreign effect.
   CircleReadings disturbed(Direction<double> direction, int face, const Moment& moment) const;
 
   const Truth& m_truth;

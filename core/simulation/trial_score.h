@@ -35,15 +35,14 @@ inline constexpr double clearVisibility = 6;
 struct TrialScore {
   TrialClass trialClass = TrialClass::None;
   bool right = false;
-  std::string answer =
-      {};                 ///< the only cause, "several-causes" if more are named, or the verdict without one
-  bool detected = false;  ///< a gap was found at all
-  bool named = false;     ///< the truth, alone or in a group, is the first cause
-  /// Is the true Δd within Δd ± U afterwards, if a cause is named? Absent without cause or without Δd.
+  std::string answer = {};  ///< the only cause, "several-causes" if more are named, else the verdict
+  bool detected = false;    ///< a gap was found at all
+  bool named = false;       ///< the truth, alone or in a group, is the first cause
+  /// Is the true Δd within Δd ± U with the causes found? Absent without a named cause or without Δd.
   std::optional<bool> covered = {};
-  /// Is it within Δd ± U with the causes found, and measured, for any answer? Absent without Δd.
+  /// Is the true Δd within Δd ± U with the causes found, and measured, for any answer? Absent without Δd.
   std::optional<bool> coveredAfter = {}, coveredMeasured = {};
-  /// Is reduced χ² afterwards at noise level (above its 0.1 % point), if a cause is named?
+  /// Is reduced χ² with the causes found at noise level (p above 0.1 %), if a cause is named?
   std::optional<bool> backToNoise = {};
 };
 
@@ -51,8 +50,8 @@ TrialClass classOf(const SealedTruth& truth);
 
 TrialScore scoreTrial(const SealedTruth& truth, const Diagnosis& diagnosis);
 
-/// The check with the right answer removed from the library: true if a single cause is named that is not a
-/// look-alike of the truth. `diagnosis` was made without the truth's effect.
+/// Checks a diagnosis made with the truth's effect removed from the catalogue. True if one cause, with or
+/// without look-alikes, is named that is not a look-alike of the truth.
 bool blamesWrongCause(const SealedTruth& truth, const Diagnosis& diagnosis);
 
 }  // namespace alidade

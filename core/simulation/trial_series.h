@@ -37,7 +37,7 @@ struct TrialSeriesOptions {
   std::function<void(std::size_t)> progress = {};
 };
 
-/// Diagnoses and scores the trials that `trialAt` gives for 0…count − 1, called from several threads. The
+/// Diagnoses and scores the trials that `trialAt` gives for 0…count − 1; several threads call `trialAt`. The
 /// result is in their order, or the first problem in that order.
 Result<std::vector<ScoredTrial>> scoreTrials(const TrialSeriesOptions& options,
                                              const std::function<Result<TrialCase>(std::size_t)>& trialAt);

@@ -25,11 +25,11 @@ struct OrientationJump {
   Angle horizontal, vertical;  ///< steps of the circle readings, converted to face 1
 };
 
-/// The pointing zero of a position misread, in face 1 before its rows: all readings of the position are
-/// shifted relative to it.
+/// A pointing zero misread in face 1, before the rows of its position: it shifts all readings of that
+/// position.
 struct TrueZeroSlip {
   int axisDeg = 0;
-  Angle horizontal, vertical;  ///< of the circle readings, converted to face 1
+  Angle horizontal, vertical;  ///< of the readings of the zero, converted to face 1
   int time = 1;                ///< the repeat at this axis
 };
 
@@ -73,7 +73,7 @@ struct Truth {
   Angle sliderZero;                     ///< slider reading at s = 0
 
   std::vector<TrueSize> effects;               ///< each term at most once
-  std::shared_ptr<const OwnEffects> own = {};  ///< whose terms these may be, too; null: none
+  std::shared_ptr<const OwnEffects> own = {};  ///< the user's own, also possible in `effects`; null: none
   std::optional<OrientationJump> jump = {};
   std::optional<TrueZeroSlip> zeroSlip = {};
   std::optional<FormHarmonic> harmonic = {};

@@ -9,7 +9,7 @@ namespace alidade {
 /// A reading as an observer writes it: rounded to the step.
 std::string typedAngle(Angle angle, const Angle& step);
 
-/// A circle reading: rounded, then from 0° to below 360°.
+/// A circle reading as an observer writes it: rounded, then wrapped into [0°, 360°).
 std::string typedOnCircle(Angle angle, const Angle& step);
 
 }  // namespace alidade

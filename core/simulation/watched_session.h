@@ -12,8 +12,8 @@
 
 namespace alidade {
 
-/// A session that grows sighting by sighting, in any order, under a known truth. A row takes the time that it
-/// takes in the protocol, so a drift goes on at the same rate.
+/// A session that grows sighting by sighting, in any order, under a known truth. Each sighting takes as long
+/// as a row of the protocol, so that a drift has the same rate.
 class WatchedSession {
  public:
   /// `protocol` and `truth` must outlive this object.

@@ -5,9 +5,9 @@
 
 namespace alidade {
 
-/// The arcs of both axis angles: centre and radius with u, misfit and redundancy. Lengths in mm, angles in
-/// arcseconds. Repeats of one axis angle share a row, with the misfit of each in a part below. The sentence
-/// gives |O1 − O2|/2, if there are both arcs.
+/// The arcs of both axis angles: centre and radius with u, scatter of the residuals, and redundancy. Lengths
+/// in mm, angles in arcseconds. Repeats of one axis angle share a row, with the residuals of each in a part
+/// below. The sentence gives |O1 − O2|/2, if there are both arcs.
 Statement arcTable(const SessionFit& fit);
 
 /// The arcs of the published method as it prints them, each the mean over the positions at its axis, and Δd.

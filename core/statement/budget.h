@@ -10,7 +10,7 @@ namespace alidade {
 
 /// The budget of Δd, measured, largest share first. Shares below `leastShare` of the variance are combined in
 /// one row, if there are at least two. Lengths are in mm, with one digit more than u needs. The sensitivity
-/// of an effect is its u divided by the 1σ of its numbers, in mm per unit of theirs: |∂Δd/∂x| for one number,
+/// of an effect is its u divided by the 1σ of its numbers, in mm per unit of these: |∂Δd/∂x| for one number,
 /// the root of the sum of squares for several of one size. `coverage` is that of U, 0…1.
 Statement measuredBudget(const Diagnosis& diagnosis, double coverage);
 
@@ -30,7 +30,7 @@ std::string coverageSentences(const SessionFit& fit, const Diagnosis* diagnosis,
 /// One percent: a smaller part of the variance changes u by less than half a percent.
 constexpr double leastShare = 0.01;
 
-/// A share of the variance: "63.1 %"; an em dash if `whole` is not positive.
+/// The share of the variance of σ `whole` due to σ `part`: "63.1 %"; an em dash if `whole` is not positive.
 std::string varianceShare(double part, double whole);
 
 /// "k = 2.00, 95 % coverage".

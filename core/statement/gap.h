@@ -5,8 +5,8 @@
 
 namespace alidade {
 
-// The subjects of a gap, each in a file of its own. All need a diagnosis, but `gapKnown`. U is at the
-// coverage of the measurement. A statement without a subject is empty.
+// The statements on a gap, each in a file of its own. All except `gapKnown` need a diagnosis. U is at the
+// coverage of the measurement. A statement with nothing to state is empty.
 
 /// Why the gap has no diagnosis, in sentences.
 std::string reasonForNone(const Gap& gap);
@@ -19,13 +19,13 @@ Statement gapVerdict(const Gap& gap);
 /// empty for forms, patterns and details.
 Statement gapCauses(const Gap& gap);
 
-/// Each form in a sentence, where the model holds without it, and how far the gap shrinks; no table.
+/// Sentences on each form, where the model holds without it, and by how much the gap shrinks; no table.
 Statement gapForms(const Gap& gap);
 
 /// The residuals and Δd in each stage from the bare model to Δd, measured.
 Statement gapStages(const Gap& gap);
 
-/// The closures of the session's own model and with the causes; the failing ones are notable.
+/// The closures with the session's own model, and with the causes added; the failing ones are notable.
 Statement gapClosures(const Gap& gap);
 
 /// The size of each effect that would explain Δd − reference.
@@ -37,7 +37,7 @@ Statement gapUndetectable(const Gap& gap);
 /// What to measure next, and attainable U (next_measures.h).
 Statement gapAdvice(const Gap& gap);
 
-/// Known sizes, and what these readings say of them.
+/// The known sizes, and their comparison with these readings.
 Statement gapKnown(const Gap& gap);
 
 }  // namespace alidade

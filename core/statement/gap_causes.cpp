@@ -121,7 +121,7 @@ class Rows {
     return sizeWithExpanded(value, m_coverage * sigma, unit);
   }
 
-  /// The only number beside the name; several below it.
+  /// Puts a single number beside the name, and several numbers into parts below it.
   void addSizes(const std::vector<CauseParameter>& all) {
     std::vector<CauseParameter> numbers = all;
     std::erase_if(numbers, [](const CauseParameter& number) { return !(number.sigma > 0); });
@@ -141,7 +141,7 @@ class Rows {
     return made;
   }
 
-  /// The step of the cause; one effect may be two causes, such as the slips of both positions.
+  /// The change by the next step of the effect. One effect may be two causes, such as slips in two places.
   Change changeBy(const Cause& cause) {
     const auto& steps = m_gap.diagnosis->steps;
     for (std::size_t i = 0; i < steps.size(); ++i) {

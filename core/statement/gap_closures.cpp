@@ -10,7 +10,7 @@ namespace alidade {
 
 namespace {
 
-/// The conditions, and U.
+/// The note below the closures: their conditions, and the coverage of U.
 std::string noteOf(const Measurement& measurement) {
   const std::string coverage = displayShortest(100 * measurement.coverage);
   return hasRepeats(measurement)

@@ -19,7 +19,7 @@ std::string nameOf(const Effect& effect, const EffectParameter& number) {
   return Phrase::of("%1, %2", name, parameterName(number.name));
 }
 
-/// Where and when it was found; a source often names its date.
+/// The source and date of a known size; only the source if it names the date, as sources often do.
 std::string sourceText(const KnownPrior& known) {
   if (known.from.empty() && known.date.empty()) return "—";
   if (known.from.empty() || known.date.empty() || known.from.find(known.date) != std::string::npos)
@@ -27,7 +27,7 @@ std::string sourceText(const KnownPrior& known) {
   return listed({visibleText(known.from), visibleText(known.date)});
 }
 
-/// The diagnosis of the number; null if absent.
+/// The comparison of a known number with the readings; null without one.
 const KnownCheck* checkOf(const Gap& gap, const Effect& effect, const EffectParameter& number) {
   if (!gap.diagnosis) return nullptr;
   const auto found = std::ranges::find_if(gap.diagnosis->known, [&](const KnownCheck& check) {

@@ -12,7 +12,7 @@ namespace alidade {
 
 namespace {
 
-/// "without 2 misread values": each of these stages excludes more.
+/// "without 2 misread values": each such stage excludes more values than the one before.
 std::string withoutGrossErrors(const Gap& gap, const GapStage& stage) {
   std::size_t all = 0, leftOut = 0;
   for (const GapStage& other : gap.stages) {
@@ -69,7 +69,7 @@ std::string shrinkageSentence(const Diagnosis& diagnosis) {
                        displayText(100 * shrink.heldOut, 0))
           : Phrase::of("The residuals shrink by %1 %; there are too few readings to hold any out of the fit.",
                        all);
-  // The table is of arcs with a radius each, whose residuals show no misclosure.
+  // In the table each arc has its own radius, so that its residuals show no misclosure.
   const double apart = 1 - diagnosis.after.rms / diagnosis.gap.rms;
   constexpr double alike = 0.05;
   if (std::abs(apart - shrink.inSample) < alike) return sentence;

@@ -105,7 +105,7 @@ void setMeasured(Headline& headline, const Measurement& measurement, const Measu
     setFigure(headline, measurement, headline.name, measured.estimate.value, measured.estimate.expanded);
 }
 
-/// The verdict of a diagnosed fit, or of the fit only, which is no acceptance.
+/// The verdict on a diagnosed fit, or on the fit only, which is no acceptance.
 void setVerdict(Headline& headline, const Measurement& measurement, const SessionFit& fit,
                 const Diagnosis* diagnosis, const std::optional<AcceptanceDecision>& decision) {
   if (!decision) {
@@ -128,12 +128,12 @@ std::string reasonForNoResult(const Evaluation& evaluation) {
   return Phrase::of("The intersection needs an arc at 0° and an arc at 180°; not both are there.");
 }
 
-/// Stands in place of a verdict.
+/// The text in place of a verdict.
 struct NoVerdict {
   std::string word, sentence;
 };
 
-/// Absent if the evaluation may have a verdict.
+/// Why the evaluation has no verdict; absent if it may have one.
 std::optional<NoVerdict> whyNoVerdict(const Evaluation& evaluation) {
   const std::size_t unusable = hindrances(evaluation.session, evaluation.examined.problems).size();
   if (unusable > 0 && evaluation.fit.intersection)
@@ -164,8 +164,8 @@ void addSeal(Headline& headline, const Session& session) {
                               .isWarning = changesSince(*seal, session.journal) > 0});
 }
 
-/// The result of a diagnosed fit, or why there is none, with what to read with it. Without a decision no line
-/// speaks of a verdict.
+/// The result of a diagnosed fit, or why there is none, with the lines below it. Without a decision no line
+/// mentions a verdict.
 Headline resultOf(const Measurement& measurement, const SessionFit& fit, const Diagnosis* diagnosis,
                   const std::optional<AcceptanceDecision>& decision,
                   const std::vector<Dependence>& dependences) {

@@ -10,7 +10,7 @@
 
 namespace alidade {
 
-/// Where the arc's centre lies about the axis of rotation with the axis at 0°, mm; at 180° it lies opposite.
+/// The arc's centre relative to the axis of rotation, with the axis at 0°, mm; at 180° it is opposite.
 struct CentreOffset {
   double inPlane = 0, inPlaneExpanded = 0;  ///< Δd, measured, up
   double across = 0, acrossExpanded = 0;    ///< Δz, towards the theodolite
@@ -61,7 +61,7 @@ struct Headline {
   std::string verdictAndTolerance() const;
   /// The text of the line of this kind; empty without it.
   std::string line(Line::Kind kind) const;
-  /// On what the verdict holds, or why it is open: the lines of the gap and of a knock; may be empty.
+  /// The condition of the verdict, or why it is open: the lines `Gap` and `Knock`; may be empty.
   std::string condition() const;
 };
 
@@ -69,7 +69,7 @@ struct Headline {
 Headline headlineOf(const Evaluation& evaluation);
 /// The headline once the diagnosis has ended, with a result or without one.
 Headline headlineOf(const Gap& gap);
-/// The same of parts that belong together. A null `diagnosis` means that none was made.
+/// The headline from the parts of an evaluation. A null `diagnosis` means that none was made.
 Headline headlineOf(const Measurement& measurement, const SessionFit& fit, const Diagnosis* diagnosis,
                     const std::vector<Dependence>& dependences = {});
 

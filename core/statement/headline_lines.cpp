@@ -20,20 +20,20 @@ namespace {
 
 using Line = Headline::Line;
 
-/// An account of what is judged, and its U.
+/// A value that is judged, Δd or the distance from the axis, and its U, mm.
 struct Judged {
   double value, expanded;
 };
 
-/// "The interval from 0.21 to 0.59 mm crosses the limit of 0.5 mm"; empty if it does not, or if U tells
-/// nothing.
+/// "The interval from 0.21 to 0.59 mm crosses the limit of 0.5 mm"; empty if it does not, or if U is too
+/// large to determine the value.
 std::string crossing(const Judged& judged, const Measurement& measurement, const char* text) {
   const auto [value, expanded] = judged;
   const double size = std::abs(value), tolerance = *measurement.tolerance;
   const bool isAcross = size - expanded <= tolerance && size + expanded > tolerance;
   if (!isAcross || !isDetermined(measurement, expanded)) return "";
   const int decimals = decimalsToDecide(value, expanded, tolerance);
-  // Of the figures as shown, so that a reader who adds them finds the same.
+  // The ends are those of the rounded figures, so that a reader who adds them finds the same.
   const double unit = std::pow(10, -decimals), shown = std::round(value / unit),
                wide = std::round(expanded / unit);
   return Phrase::of(text, displayText((shown - wide) * unit, decimals),
@@ -110,7 +110,7 @@ bool isFound(const Diagnosis& diagnosis, const std::string& effect) {
   return std::ranges::find(diagnosis.causes, effect, &Cause::effect) != diagnosis.causes.end();
 }
 
-/// What these readings cannot tell from the only cause named; empty without such.
+/// The look-alikes of the only cause besides noise; empty without exactly one such cause.
 std::vector<std::string> lookAlikes(const Diagnosis& diagnosis) {
   std::vector<std::string> names;
   const Cause* only = nullptr;
@@ -162,7 +162,7 @@ std::string undetectableName(const Diagnosis& diagnosis, const std::string& effe
   return isFurther ? Phrase::of("a further jump of the orientation") : causeName(effect);
 }
 
-/// The effects with an influence above U. A knock is left out if the verdict states it as a condition.
+/// The effects with an influence above U. A jump is left out if the verdict states it as a condition.
 std::string undetectableText(const Diagnosis& diagnosis, double expanded, bool isKnockStated) {
   std::vector<std::string> effects;
   for (const UndetectableEffect& effect : undetectableBeyond(diagnosis, expanded))
@@ -203,7 +203,7 @@ Line referenceLine(const Measurement& measurement, const SessionFit& fit, const 
   return line;
 }
 
-/// U of Δd, measured, or else of Δd, fit only.
+/// The estimate of Δd, measured, or else of Δd, fit only.
 IntersectionEstimate estimateIn(const SessionFit& fit, const Diagnosis* diagnosis) {
   return diagnosis && diagnosis->measured ? diagnosis->measured->estimate : estimateOf(*fit.intersection);
 }

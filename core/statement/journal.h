@@ -15,8 +15,8 @@ namespace alidade {
 using JournalPlaceNamer = std::function<std::string(const JournalEntry&)>;
 
 /// The recorded changes of a session, oldest first, but only the last `most`; `summary` (`journalSummary`) as
-/// a sentence. A later reason is in the row of its change. Texts are cut to the length of a digest; the
-/// origin of an import is longer.
+/// a sentence. A reason stated later is in the row of its change. Texts are cut to 64 characters, the length
+/// of a digest; the origin of an import to 1000.
 Statement journalTable(const Session& session, const std::string& summary, const JournalPlaceNamer& nameOf,
                        std::size_t most = std::numeric_limits<std::size_t>::max());
 

@@ -29,9 +29,9 @@ double worstDifference(const MonteCarlo& check) {
   return std::max(check.lowDifference, check.highDifference);
 }
 
-/// Draws needed to decide, to one digit. An end has an uncertainty proportional to one over the square root
-/// of the draws; three times that must fit within the tolerance. If an end differs by more, it must also fit
-/// within the excess. Empty if more than `mostDrawsLeftOpen`.
+/// Draws needed to decide, rounded up to one digit. The uncertainty of an end is proportional to one over the
+/// square root of the draws. Three times this uncertainty must fit within the tolerance and, if an end
+/// differs by more than the tolerance, also within the excess. Empty if more than `mostDrawsLeftOpen`.
 std::optional<std::size_t> drawsToTell(const MonteCarlo& check) {
   const double excess = worstDifference(check) - check.tolerance;
   const double room = excess > 0 ? std::min(check.tolerance, excess) : check.tolerance;

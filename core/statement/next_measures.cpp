@@ -75,7 +75,7 @@ std::string whatItTells(const PlanAdvice& advice) {
   return texts.size() == 2 ? Phrase::of("%1; %2", texts[0], texts[1]) : listed(texts);
 }
 
-/// Σ √(wᵢ wⱼ)(1 − BCᵢⱼ) of nothing and each effect shown, with its prior odds.
+/// Σ √(wᵢ wⱼ)(1 − BCᵢⱼ) over the pairs of no effect and each shown effect; w: 1 and the prior odds.
 double worthOfShowing(const Advice& advice) {
   const double overlap = std::exp(-square(advice.bySigma) / 8);
   return static_cast<double>(advice.separates.size()) * std::sqrt(priorOddsOfEffect()) * (1 - overlap);
@@ -101,7 +101,7 @@ void addAttainable(std::vector<Entry>& entries, const Attainable& attainable) {
   }
 }
 
-/// With those that only reduce U: the one of most worth, and those of most worth for their effort.
+/// Adds the entries that only reduce U. Keeps that of most worth and those of most worth per effort.
 std::vector<Entry> fewOf(std::vector<Entry> all, const Attainable& attainable) {
   constexpr std::size_t most = 3;
   addAttainable(all, attainable);

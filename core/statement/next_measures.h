@@ -11,23 +11,23 @@
 
 namespace alidade {
 
-// What to measure next, as one statement wherever it is told (also `gapAdvice`): each measure with its rows
-// and minutes, U afterwards, and what it separates or reveals. At most three, none of which another one beats
-// in effort and both parts of worth, the most worth per minute first; then two known effects that reduce U
-// most. Worth is that of a sighting (`NextSighting`): of causes half the probability that one of the
-// look-alikes is left, or whether an undetectable effect is there; and −ln(U after/U before).
+// What to measure next, as one statement (`gapAdvice`): each measure with its rows and minutes, U afterwards,
+// and what it separates or reveals. At most three measures, the most worth per minute first, then the two
+// known effects that reduce U most. No other measure beats one of them in effort and in both parts of worth,
+// those of a `NextSighting`. For causes: half the probability that one look-alike is left, and the worth of
+// showing undetectable effects. For U: −ln(U after/U before).
 
 /// The measures that `gapAdvice` names, in its order. `gap` has a diagnosis.
 std::vector<std::vector<Measure>> measuresNext(const Gap& gap);
 
-/// What to add to a plan without readings: every separated pair counts by the number of effects.
+/// What to add to a plan without readings. Each separated pair is worth 1/(number of effects + 1).
 Statement planAdvice(const PlanReview& review, const SessionEffort& session);
 
 /// What helps if more rounds do not; empty if nothing does.
 Statement insteadStatement(const Outlook& outlook);
 
-/// Gives a statement without a table one of these measures and known effects with U; the first of the list is
-/// none.
+/// Gives a statement without a table the rows of these measures and known effects with U. The first entry of
+/// the list, which has neither, gets no row.
 void addUncertainties(Statement& statement, const std::vector<AttainableUncertainty>& attainable);
 
 }  // namespace alidade

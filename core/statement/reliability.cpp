@@ -51,8 +51,8 @@ std::string influenceText(const InputReliability& input, const SessionFit& fit) 
   return Phrase::of("%1 per ″", displayText(input.perInput * Angle::fromArcseconds(1).radians(), 4));
 }
 
-/// Below it, an error must exceed the σ of its reading by more than forty times to show (Baarda 1968, α 0.1 %
-/// and power 80 %: 4.13 σ/√r).
+/// Below this redundancy, an error shows only if it exceeds forty times the σ of its reading (Baarda 1968, α
+/// 0.1 % and power 80 %: 4.13 σ/√r).
 constexpr double leastRedundancy = 0.01;
 
 /// The readings with the largest effect of an undetected error; the worst first.

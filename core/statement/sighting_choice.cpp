@@ -57,7 +57,7 @@ std::string alternativesSentence(const SightingChoice& choice, const ProtocolPro
   return names.empty() ? std::string() : Phrase::of("Nearly as much: %1.", listed(names, Phrase::of(" or ")));
 }
 
-/// "2300".
+/// The evidence from its natural logarithm: "2300", "4.5", "more than 1 000 000".
 std::string evidenceText(double logEvidence) {
   constexpr double most = 13.8;  // ln 1 000 000
   if (logEvidence > most) return Phrase::of("more than 1 000 000");

@@ -8,8 +8,8 @@
 
 namespace alidade {
 
-/// Why this sighting is next and which tell nearly as much, whether those taken are enough, what may be the
-/// case with its probability, and what was not looked for.
+/// Why the chosen sighting is next, which others tell nearly as much, and whether the readings are enough.
+/// Also the possible causes with their probabilities, and the effects that were not looked for.
 Statement sightingChoiceStatement(const SightingChoice& choice, const ProtocolProgress& progress);
 
 /// "Enough: the cause is named, the collimation (98 %). …"; also if it is not enough yet.

@@ -17,7 +17,7 @@ namespace {
 
 using Sightings = std::span<const NextSighting>;
 
-/// Its first part with one key, as `keyOf` has it, is removed from `rest` and returned.
+/// Removes from `rest`, and returns, its first sightings with the same key (`keyOf`).
 template <typename KeyOf>
 Sightings firstAlike(Sightings& rest, KeyOf keyOf) {
   const auto end = std::ranges::find_if(

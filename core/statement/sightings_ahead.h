@@ -5,8 +5,8 @@
 
 namespace alidade {
 
-/// "For U = 0.10 mm of Δd: 22 more sightings in 31 min.", with the sightings of each position in a row; or
-/// how far they come, and what would reduce U further.
+/// "For U = 0.10 mm of Δd: 22 more sightings in 31 min.", with the sightings of each position in a row. If U
+/// is not reached: the U that these sightings reach, and what would reduce U further.
 Statement sightingsAheadStatement(const SightingsAhead& ahead, double uncertainty);
 
 }  // namespace alidade

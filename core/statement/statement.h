@@ -16,19 +16,19 @@ struct Statement {
       Figure,  ///< a number with its unit
       Bar,     ///< a quantity, with a bar of `Row::bar`
       Text,    ///< words of any length, below the row
-      Remark,  ///< a place without room for it shows it on demand
+      Remark,  ///< shown only on demand if there is no room for it
     };
 
     std::string id;     ///< for tests and other programs: "share"
     std::string title;  ///< may be empty
     Role role = Role::Figure;
-    std::string remark = {};  ///< explains the column; only a place that shows remarks on demand has it
+    std::string remark = {};  ///< explains the column; shown only on demand
   };
 
   struct Row {
     std::vector<std::string> cells;  ///< one for each column
     bool isTotal = false;            ///< a sum of the rows above
-    bool isPart = false;             ///< a detail of the last row that is none
+    bool isPart = false;             ///< a detail of the nearest row above that is not a part
     bool isNotable = false;          ///< stands out, such as a closure that fails
     std::string id = {};             ///< what actions on the row refer to: "trunnion_tilt"
     std::string about = {};          ///< explains its name; shown on demand

@@ -9,9 +9,9 @@ namespace alidade {
 
 /// Traits of a parameter in addition to its derivatives.
 struct ParameterTraits {
-  bool needsSlider = false;  ///< without slider readings nothing follows from it
-  /// The order of a wave over the slider coordinate that turns with the guideway, of its radius or across its
-  /// plane; 0: none.
+  bool needsSlider = false;  ///< cannot be determined without slider readings
+  /// The order of a wave over the slider coordinate that turns with the guideway, in the radius or across the
+  /// plane of the arc; 0: none.
   int radialOrder = 0, acrossOrder = 0;
   /// Turns a circle away from its pointing zero, which sighting the zero again shows.
   bool turnsHorizontalZero = false, turnsVerticalZero = false;
@@ -39,8 +39,8 @@ enum class ErrorSource {
 /// How the readings depend on the parameters of an effect.
 enum class Response {
   Linear,        ///< in proportion, to sufficient accuracy
-  Bent,          ///< second derivatives matter; of two parameters, both the guideway's
-  AllOrNothing,  ///< its one parameter is 1, or it is absent
+  Bent,          ///< second derivatives matter; has two parameters, both of the guideway
+  AllOrNothing,  ///< its only parameter is 1 if the effect is present, else 0
 };
 
 /// A physical effect of the catalogue: related error terms of the forward model.
@@ -48,8 +48,8 @@ struct Effect {
   std::string_view id;  ///< part of the file format
   // Texts for `Phrase::of`.
   const char* name;         ///< "plane tilt"
-  const char* description;  ///< description, as a phrase
-  const char* remedy;       ///< remedy at the machine, as a phrase
+  const char* description;  ///< what the effect is
+  const char* remedy;       ///< what to do at the machine
   ErrorSource source;
   Response response;
   std::vector<EffectParameter> parameters;

@@ -31,8 +31,7 @@ enum class ErrorTerm : std::size_t {
   PlaneTiltX,         ///< the arc plane turned about +x through the arc centre
   PlaneTiltY,         ///< about +y
   PlaneOffset,        ///< the arc plane's distance from the rotation axis: nearer at 0°, farther at 180°
-  PlaneSkew,          ///< skew of the arc plane to its own axis: off it by ε R cos s, turning with the
-                      ///< guideway
+  PlaneSkew,          ///< tilt ε of the arc plane, turning with the guideway: off the plane by ε R cos s
   AxialShift,         ///< of the guideway along its axis, +x, from position 0° to 180°
   RadiusChange,       ///< of the radius from position 0° to 180°
   EllipticityCosine,  ///< radius + A cos 2s + B sin 2s: A
@@ -53,12 +52,12 @@ enum class ErrorTerm : std::size_t {
 
 inline constexpr std::size_t errorTermCount = static_cast<std::size_t>(ErrorTerm::Count);
 
-/// Amplitudes of the user's own effects in one session.
+/// Most amplitudes of the user's own effects in one session.
 inline constexpr std::size_t mostOwnTerms = 6;
 
 /// The first term of the guideway.
 inline constexpr auto firstGuidewayTerm = static_cast<std::size_t>(ErrorTerm::PlaneTiltX);
-/// From this term on they are the user's own, and no effect of the catalogue has them.
+/// The first term of the user's own effects. No effect of the catalogue has it or any later term.
 inline constexpr auto firstOwnTerm = static_cast<std::size_t>(ErrorTerm::OwnGuideway);
 inline constexpr auto firstOwnInstrumentTerm = static_cast<std::size_t>(ErrorTerm::OwnInstrument);
 
@@ -73,7 +72,7 @@ constexpr bool isOwn(ErrorTerm term) {
   return static_cast<std::size_t>(term) >= firstOwnTerm;
 }
 
-/// Is it a step of the orientation? That has a moment of its own and is outside the catalogue.
+/// Is it part of a jump? A jump has a moment of its own and is outside the catalogue.
 constexpr bool isOfJump(ErrorTerm term) {
   return term == ErrorTerm::HorizontalJump || term == ErrorTerm::VerticalJump;
 }

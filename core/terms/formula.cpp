@@ -42,7 +42,7 @@ double signOf(double x) {
   return static_cast<double>((x > 0) - (x < 0));
 }
 
-/// A parser that knows these functions and nothing else.
+/// A parser that knows the functions of formulas and nothing else.
 mu::Parser bareParser() {
   mu::Parser parser;
   parser.ClearFun();
@@ -101,7 +101,7 @@ struct FormulaEvaluator::Parsers {
   std::vector<double> sizes;  ///< of the amplitudes
   std::vector<mu::Parser> ofLines;
 
-  /// NaN if it is no number.
+  /// The value of a line; NaN if it is not a number or beyond 10⁶.
   double evaluate(std::size_t line) {
     constexpr double largest = 1e6;
     try {
@@ -143,8 +143,8 @@ class LinearityCheck {
  public:
   explicit LinearityCheck(const Formula& formula) : m_formula(formula), m_evaluator(formula) {}
 
-  /// The amplitude to which a line is not proportional; none if it has a part without amplitude, or a product
-  /// of amplitudes. Absent: it is proportional.
+  /// Absent if the line is proportional to its amplitudes; else the amplitude at fault. That amplitude is
+  /// absent if the line has a part without amplitude, or a product of amplitudes.
   std::optional<std::optional<std::size_t>> bent(std::size_t line) {
     constexpr int places = 8;
     for (int place = 0; place < places; ++place) {
@@ -172,7 +172,7 @@ class LinearityCheck {
     return parsers.evaluate(line);
   }
 
-  /// Also true if one of them is not a number, which is no evidence.
+  /// Equal up to rounding? Also true if one of them is not a number, which proves nothing.
   static bool isAlike(double one, double other) {
     constexpr double rounding = 1e-9;
     return !(std::abs(one - other) > rounding * (1 + std::abs(one) + std::abs(other)));
@@ -228,7 +228,7 @@ class FormulaMaker {
   std::string_view m_text;
   Formula m_formula;
   std::map<std::string_view, double> m_numbers;
-  std::vector<FormulaStatement> m_statements;  ///< of each line
+  std::vector<FormulaStatement> m_statements;  ///< the statement of each line
   std::vector<std::vector<FormulaName>> m_names;
 
   static FormulaFault faultAt(const FormulaName& name, std::string what) {
@@ -322,7 +322,7 @@ class FormulaMaker {
 Result<Formula, FormulaFault> parseFormula(std::string_view text) {
   try {
     return FormulaMaker(text).make();
-  } catch (const mu::ParserError&) {  // what was checked above is what the parser takes
+  } catch (const mu::ParserError&) {  // not expected: the parser accepts what was checked
     return FormulaFault{0, text.size(), Phrase::of("The formula cannot be read: write it more simply.")};
   }
 }

@@ -39,7 +39,7 @@ struct FormulaArguments {
   double position = 1;  ///< 1 at axis 0°, −1 at 180°
 };
 
-/// Why a text is no formula, and where in it.
+/// The reason why a text is not a formula, and the place of the fault.
 struct FormulaFault {
   std::size_t at = 0, length = 0;  ///< bytes of the text, UTF-8; length 0: at its end
   std::string what;                ///< a sentence, without the place
@@ -52,8 +52,8 @@ struct FormulaLine {
   FormCarrier carrier = FormCarrier::Radial;
   std::string expression;               ///< for the parser
   std::vector<std::size_t> amplitudes;  ///< indices into `Formula::amplitudes`
-  /// A line of circles acts on pointing zeros as well, unless it is of the slider's place, leg, round or
-  /// position.
+  /// False if the line uses the slider coordinate, leg, round or position. If true, a line on circles acts on
+  /// pointing zeros as well.
   bool actsOnZeros = true;
   std::vector<double FormulaArguments::*> variables = {};  ///< each once
 
@@ -65,7 +65,7 @@ struct FormulaAmplitude {
   FormCarrier carrier = FormCarrier::Radial;  ///< of its first line
 };
 
-/// A formula that is sound. Immutable, and shared between threads.
+/// A formula that passed all checks. Immutable, and shared between threads.
 struct Formula {
   std::vector<FormulaLine> lines = {};
   std::vector<FormulaAmplitude> amplitudes = {};
@@ -83,8 +83,8 @@ class FormulaEvaluator {
   FormulaEvaluator(FormulaEvaluator&&) noexcept;
   ~FormulaEvaluator();
 
-  /// The effect of one unit of an amplitude on the carrier of a line. NaN if it is not a number or beyond
-  /// 10⁶.
+  /// The effect of one unit of an amplitude on the carrier of a line. NaN if the expression is not a number
+  /// there or beyond 10⁶.
   double value(std::size_t line, std::size_t amplitude, const FormulaArguments& at) const;
 
  private:

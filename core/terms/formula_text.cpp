@@ -37,14 +37,14 @@ auto* named(List& list, std::string_view name) {
   return found == std::end(list) ? nullptr : &*found;
 }
 
-/// Bytes of the character that begins here.
+/// Length of the first character, bytes.
 std::size_t characterLength(std::string_view text) {
   std::size_t length = 1;
   while (length < text.size() && (static_cast<unsigned char>(text[length]) & 0xC0) == 0x80) ++length;
   return length;
 }
 
-/// Takes an expression sign by sign.
+/// Reads an expression from left to right.
 class ExpressionReader {
  public:
   ExpressionReader(const FormulaStatement& statement, const std::map<std::string_view, double>& numbers)
@@ -63,7 +63,7 @@ class ExpressionReader {
   }
 
  private:
-  /// A parenthesis; of a function, if it has one.
+  /// An open parenthesis, and the function that it belongs to, if any.
   struct Open {
     std::size_t at;
     const FormulaFunction* function;
@@ -100,7 +100,7 @@ class ExpressionReader {
                               quotation(rest().substr(0, length))));
   }
 
-  /// A number, name or parenthesis begins: false, with a fault, if an operator is missing before it.
+  /// Call before a number, name or parenthesis. False, with a fault, if an operator is missing before it.
   bool beginOperand(std::size_t length) {
     if (m_wantsOperand) return true;
     refuse(length, Phrase::of("An operator such as * is missing before %1.",
@@ -163,7 +163,7 @@ class ExpressionReader {
     return behind < m_text.size() && m_text[behind] == '(';
   }
 
-  /// A name that calls nothing.
+  /// Adds a name that is not a function call. False, with a fault, if the name is not allowed.
   bool addName(std::string_view name) {
     constexpr std::size_t longestName = 20;
     const FormulaName found{name, m_at + m_next};

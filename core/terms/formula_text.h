@@ -22,17 +22,17 @@ inline constexpr FormulaFunction formulaFunctions[] = {
     {"abs", 1},  {"sign", 1}, {"min", 2},   {"max", 2},         {"sinh", 1}, {"cosh", 1}, {"tanh", 1},
 };
 
-/// A variable of expressions and what it is of.
+/// A variable of expressions and the argument that it takes its value from.
 struct FormulaVariable {
   enum class Kind {
     Angle,   ///< rad
     Share,   ///< 0…1
-    Counted  ///< has a few values
+    Counted  ///< one of a few numbers
   };
 
   std::string_view name;
   double FormulaArguments::*value;
-  bool isOfZerosToo;  ///< also known of a pointing zero
+  bool isOfZerosToo;  ///< also defined for a pointing zero
   Kind kind = Kind::Angle;
 };
 inline constexpr FormulaVariable formulaVariables[] = {
@@ -63,11 +63,11 @@ struct FormulaStatement {
   std::size_t at = 0;  ///< of the expression in the text
 };
 
-/// The lines of the text that hold anything.
+/// The lines of the text that are not blank.
 Result<std::vector<FormulaStatement>, FormulaFault> formulaStatements(std::string_view text);
 
-/// An expression as the parser takes it: checked sign by sign, numbers in plain decimal radians, known names
-/// replaced by their numbers.
+/// An expression for the parser: every sign was checked, degrees are converted to radians, and fixed names
+/// are replaced by their numbers.
 struct PlainExpression {
   std::string text;
   std::vector<FormulaName> variables, amplitudes;  ///< each occurrence

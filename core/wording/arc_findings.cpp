@@ -13,7 +13,7 @@ using namespace arc_finding;
 
 namespace {
 
-/// The scatter as a sentence with χ² as evidence.
+/// χ² as evidence of the scatter, in parentheses at the end of a sentence.
 std::string scatterText(double reducedChiSquare, int degreesOfFreedom) {
   return Phrase::of("(reduced χ² %1 with %2 degrees of freedom)", displayText(reducedChiSquare, 2),
                     degreesOfFreedom);

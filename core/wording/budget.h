@@ -12,7 +12,7 @@ std::string textOf(UncertaintySource source);
 
 /// The origin: "readings", "plane_warp", "what else may explain the readings".
 std::string textOf(const UncertaintyShare& share);
-/// The source of its size: "scatter", "stated", "default" of the catalogue, "known", "diagnosis".
+/// The source of the size of a share: "scatter", "stated", "default" of the catalogue, "known", "diagnosis".
 std::string textOf(UncertaintyShare::From from);
 /// "A" or "B".
 std::string textOf(UncertaintyShare::Type type);

@@ -48,8 +48,8 @@ std::string rowsText(const std::vector<Dependence>& dependences, Verdict without
   return Phrase::of("%1 without %2", verdictText(without), listed(rows, Phrase::of(" or ")));
 }
 
-/// "misread values at 0°, point 5, vertical", "trunnion tilt other than known"; of several readings no
-/// place.
+/// "misread values at 0°, point 5, vertical", "trunnion tilt other than known"; without a place if the cause
+/// has several readings.
 std::string causeWithPlace(const Cause& cause) {
   std::string name = causeName(cause.effect);
   //: a known size of an effect that the readings contradict: "trunnion tilt other than known"

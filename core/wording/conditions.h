@@ -13,10 +13,10 @@ namespace alidade {
 /// "between the pointing zero and the first sighting at 180°".
 std::string momentText(const UndetectableJump& jump);
 
-/// The knock on whose absence the verdict rests.
+/// The jump whose absence is a condition of the verdict.
 struct ConditionalKnock {
   std::string moments;    ///< when it may have happened: "during the readings at 0° or …"
-  std::string influence;  ///< the largest change of Δd by one of plausible size, in mm: "0.36"
+  std::string influence;  ///< the largest change of Δd by a jump of plausible size, in mm: "0.36"
 };
 /// `decision` was made with `diagnosis` and has conditions.
 ConditionalKnock knockOf(const Diagnosis& diagnosis, const AcceptanceDecision& decision);
@@ -38,7 +38,7 @@ std::vector<std::string> namedOrCounted(std::vector<std::string> names);
 /// cause is named beside known ones. Empty without causes.
 std::string causesWithProbability(const Diagnosis& diagnosis);
 
-/// The closures that fail without the causes: "the radii differ by 13 σ, Δx by 7 σ"; empty if none fails.
+/// "the radii differ by 13 σ, Δx differs by 7.0 σ": the closures that fail without the causes; may be empty.
 std::string failedClosures(const Diagnosis& diagnosis);
 
 }  // namespace alidade

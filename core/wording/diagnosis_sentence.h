@@ -6,13 +6,13 @@
 
 namespace alidade {
 
-/// The argument of the pattern in a gap without a cause: "vertical readings with azimuth".
+/// The name of the pattern in a gap without a cause: "vertical readings with azimuth".
 std::string patternName(const GapShape& shape);
 
 /// The verdict in a few words: "One cause: collimation".
 std::string headlineOf(const Diagnosis& diagnosis);
 
-/// The verdict in whole sentences; `name` gives the causes' names within a sentence.
+/// The verdict in whole sentences.
 std::string sentenceOf(const Diagnosis& diagnosis);
 
 /// "0°, point 11, horizontal", with round and face unless they are 1.

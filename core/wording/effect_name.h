@@ -5,8 +5,8 @@
 
 namespace alidade {
 
-/// The common name of an effect from its identifier: "trunnion tilt". That of a user's own effect or an
-/// unknown one is its identifier without prefix and underscores, made visible.
+/// The common name of an effect from its identifier: "trunnion tilt". The name of a user's own effect or an
+/// unknown one is its identifier without prefix and underscores, as visible text.
 std::string effectName(const std::string& id);
 
 /// The name of anything a diagnosis may name, within a sentence: an effect, "a jump of the orientation",

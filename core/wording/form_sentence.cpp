@@ -105,7 +105,7 @@ std::string freeText(const FoundForm& found, const FormNumber& amplitude) {
                             sizeText(std::abs(amplitude.value), amplitude.sigma, found.form));
 }
 
-/// The sum for one carrier, whose coefficients start at `first`.
+/// The sum of the terms of one carrier, whose coefficients start at `first`.
 std::string sumText(const FoundForm& found, std::size_t first) {
   if (found.form.isFree()) {
     const bool isFirstOfTwo = found.form.carrier == FormCarrier::Orientation && first == 0;

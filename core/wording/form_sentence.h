@@ -32,8 +32,8 @@ std::string lookAlikesSentence(const FoundForm& found);
 /// for two levels.
 std::string cleanRangeSentence(const FoundForm& found);
 
-/// "On 68 readings that took no part the gap shrinks by 91 % (in all readings by 93 %; F test: p = 1e-9).";
-/// empty if too few readings were held out.
+/// "On 68 readings, each predicted by the form that the others tell, the gap shrinks by 91 %; in all
+/// readings, …"; empty if too few readings were held out.
 std::string shrinkSentence(const FoundForm& found);
 
 }  // namespace alidade

@@ -37,7 +37,7 @@ std::string circleName(const Repeat& repeat) {
   return inWords(repeat.kind.value_or(ReadingKind::Horizontal));
 }
 
-/// U of one account, and the U that the verdict needs.
+/// Takes U of Δd, measured, or U of Δd, fit only, from each pair.
 struct Account {
   bool isMeasured = false;
 
@@ -46,7 +46,7 @@ struct Account {
   }
 };
 
-/// Returns the measured account, unless only the U from the fit prevents a verdict.
+/// Measured if U of Δd, measured, is known; else fit only.
 Account rulingAccount(const Outlook& outlook) {
   const ExpandedPair* any = outlook.now             ? &*outlook.now
                             : outlook.ahead.empty() ? nullptr

@@ -33,7 +33,6 @@ std::string repeatSentence(const Repeat& repeat, const ProtocolProgress& progres
 std::string repeatsFirst(const std::vector<Repeat>& repeats);
 
 /// "Two more rounds bring U from 0.06 to 0.04 mm; the verdict needs 0.05 mm.", or what applies instead.
-/// `name` names the effects.
 std::string outlookSentences(const Outlook& outlook, const ProtocolProgress& progress);
 
 }  // namespace alidade

@@ -12,8 +12,8 @@ namespace alidade {
 std::string timeText(const std::string& at);
 
 /// "suggestion accepted"; unchanged if the reason is unknown to this program. An exclusion has the note of
-/// its row in the session: "excluded: tripod touched"; another entry of the session's journal what was stated
-/// afterwards: "retyped: digits exchanged".
+/// its row in the session: "excluded: tripod touched". Another entry of the session's journal has the reason
+/// that was stated afterwards: "retyped: digits exchanged".
 std::string reasonText(const JournalEntry& entry, const Session& session);
 
 /// "Sealed 2026-03-14 15:09 UTC by R. Roe", or that it was changed since, without a check of the content;

@@ -17,7 +17,7 @@ namespace alidade {
 
 namespace {
 
-/// "3.2 ± 0.5″".
+/// "3.20 ± 0.50″".
 std::string sizeText(double value, double sigma, const std::string& unit) {
   const int decimals = decimalsFor(sigma, 0);
   const std::string numbers =

@@ -7,7 +7,7 @@
 
 namespace alidade {
 
-// The comparison of known sizes with the readings, in words. `name` names the effects.
+// The comparison of known sizes with the readings, in words.
 
 /// One sentence for each effect whose known size is out of date, and for each cause that only known sizes
 /// distinguish from another. Empty without either.

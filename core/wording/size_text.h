@@ -12,7 +12,7 @@ std::string sizeWithExpanded(double value, double expanded, const std::string& u
 /// "3.20″ (u 0.51)": the uncertainty is standard.
 std::string sizeWithStandard(double value, double u, const std::string& unit);
 
-/// "12.3″", "5.8 mm": two digits.
+/// "12″", "5.8 mm": two digits.
 std::string sizeText(double value, const std::string& unit);
 
 }  // namespace alidade

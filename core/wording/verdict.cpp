@@ -46,7 +46,7 @@ std::string withCoverage(const std::string& length, double coverage) {
   return Phrase::of("%1 (%2 % coverage)", length, displayShortest(coverage * 100));
 }
 
-/// The position of one account relative to the limit.
+/// Where a value with its interval lies relative to the limit.
 std::string standing(Verdict verdict, const std::string& limit) {
   switch (verdict) {
     case Verdict::Accept:
@@ -126,7 +126,7 @@ std::string acrossText(const Measurement& measurement, const Diagnosis* diagnosi
       lengthWithUncertainty(std::abs(across.value), across.expanded, decimalsFor(across.expanded)));
 }
 
-/// The accounts that the verdict is based on.
+/// The values that the verdict is based on: Δd, fit only and measured, or the distance from the axis.
 std::string accountsText(const Measurement& measurement, const SessionFit& fit, const Diagnosis* diagnosis,
                          const AcceptanceDecision& decision) {
   if (diagnosis && diagnosis->measured && judgedDistance(measurement, *diagnosis->measured))

@@ -10,8 +10,8 @@ namespace alidade {
 // The verdict of an acceptance, for a customer. Lengths in mm.
 
 /// States the basis of the verdict, or why it is withheld, and the probability that |Δd| is within the
-/// tolerance. It gives both accounts of Δd if necessary. `fit`, `diagnosis` (may be null) and `decision`
-/// belong to `measurement`.
+/// tolerance. It gives Δd both fit only and measured if necessary. `fit`, `diagnosis` (may be null) and
+/// `decision` belong to `measurement`.
 std::string verdictSentence(const Measurement& measurement, const SessionFit& fit, const Diagnosis* diagnosis,
                             const AcceptanceDecision& decision);
 
@@ -20,8 +20,8 @@ std::string probabilityText(double probability);
 /// "97 %", "99.3 %", "> 99.9 %" for a table or a list.
 std::string shortProbabilityText(double probability);
 
-/// Returns the decimals for value and U, mm. They show two digits of U, and more if needed so that the
-/// rounded numbers give the same decision against `tolerance` (`decide`).
+/// Returns the decimals for value and U, mm: two digits of U, and more if the rounded numbers would otherwise
+/// give another decision against `tolerance` (`decide`).
 int decimalsToDecide(double value, double expanded, double tolerance);
 
 /// The verdict of `decide` with its numbers. `expanded` ≥ 0, `tolerance` > 0, `coverage` in (0, 1).

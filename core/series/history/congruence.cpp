@@ -122,7 +122,7 @@ Congruence congruenceOf(const std::vector<Epoch>& epochs, std::size_t first, std
       a * a / one.intersection.degreesOfFreedom + b * b / other.intersection.degreesOfFreedom;
   const double freedom =
       inverse > 0 ? std::pow(congruence.u, 4) / inverse : std::numeric_limits<double>::infinity();
-  // The cancelled part is free of sampling error; below one degree of freedom the interval is unbounded.
+  // Cancelling must not reduce the degrees of freedom: the cancelled part has no sampling error.
   const double counted =
       std::max(freedom, std::min(one.intersection.degreesOfFreedom, other.intersection.degreesOfFreedom));
   congruence.expanded = coverageFactor(std::max(one.coverage, other.coverage), counted) * congruence.u;

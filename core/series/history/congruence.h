@@ -42,7 +42,7 @@ struct Congruence {
 
 /// The variance common to both values of Δd, which cancels in the difference: guideway effects in sessions of
 /// one device, instrument effects in sessions of one instrument. Devices and instruments are the same if
-/// their serial numbers are equal; without one nothing is shared, which overestimates U.
+/// their serial numbers are equal; without a serial number nothing is shared, which overestimates U.
 double sharedVariance(const Epoch& one, const Epoch& other);
 
 bool haveOneInstrument(const Epoch& one, const Epoch& other);

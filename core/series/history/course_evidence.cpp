@@ -40,7 +40,7 @@ struct Noise {
   double s = 1, logPrior = 0;
 };
 
-/// A grid of s, fine enough for some thousand values, up to where their evidence is negligible.
+/// A grid of s, fine enough for some thousand values, up to where the evidence is negligible.
 std::vector<Noise> noiseGrid(double birge, std::size_t count, double least) {
   constexpr double asStated = 0.7;
   const double step = std::min(0.1, 1 / std::sqrt(static_cast<double>(count)));
@@ -105,7 +105,7 @@ class Evidence {
     return static_cast<double>(m_values.size()) - 1 - static_cast<double>(changes);
   }
 
-  /// Σ over s of prior · s^−(n−1) exp(−χ²/2s²) · extra(s).
+  /// Log of Σ over s of prior · s^−(n−1) exp(−χ²/2s²) · exp(extra(s)).
   template <class Extra>
   double overNoise(double chiSquare, const Extra& extra) const {
     LogSum sum;
@@ -119,7 +119,7 @@ class Evidence {
     return overNoise(m_chiSquare, [](double) { return 0.0; });
   }
 
-  /// Evidence of one change of this size and σ at s = 1. χ² is what remains with it.
+  /// Log evidence of one change: `size`, its `sigma` at s = 1, and the χ² that remains with the change.
   double ofChange(double chiSquare, double size, double sigma) const {
     const double room = std::log(std::sqrt(2 * std::numbers::pi) * sigma);
     return overNoise(chiSquare, [&](double s) { return room + std::log(s) + logCauchy(size, s); });
@@ -205,7 +205,7 @@ class Evidence {
     return std::lgamma(places + 1) - std::lgamma(k + 1) - std::lgamma(places - k + 1);
   }
 
-  /// Adds steps until three numbers in a row are less probable than the best.
+  /// Adds steps until three numbers of steps in a row are less probable than the best number.
   double ofSteps(CourseEvidence& evidence) const {
     constexpr std::size_t mostSteps = 30, patience = 3;
     StepSearch search(m_dates);
@@ -244,7 +244,7 @@ class Evidence {
   }
 
   /// Log evidence of the dates in sequence (Kalman), the first level unknown; minus that of a constant level
-  /// at s = 1 with zero residuals, as for the other accounts.
+  /// at s = 1 with zero residuals, as for the other courses.
   double ofWander() const {
     constexpr double finest = 0.3, ratio = 1.5;
     const double coarsest = std::max(30.0, 3 * std::sqrt(m_chiSquare / m_all.w));

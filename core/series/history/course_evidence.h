@@ -9,9 +9,9 @@
 
 namespace alidade {
 
-// How probable each account of the values is (`Course`). With ū the median of the stated u:
+// How probable each course of the values is (`Course`). With ū the median of the stated u:
 //
-// - Every account has the noise s u, with one s for all values: s = 1 with prior probability 0.7, else above
+// - Every course has the noise s u, with one s for all values: s = 1 with prior probability 0.7, else above
 //   it, with the density 1/s². So values that scatter more than stated do not pass for a series of steps. If
 //   a part of u may be absent, the 0.7 are uniform in log s from its smallest value to 1.
 // - The size of a change (a step, a trend's change over all dates, an odd value's deviation, the wandering
@@ -19,14 +19,14 @@ namespace alidade {
 // - The prior probability of constant is 1/2, of steps 1/4 (one 3/4 of it, two 3/16, …), of a trend 1/8, of
 //   an odd value and of wandering 1/16 each. Every date may be that of a step, every value the odd one.
 //
-// Levels and lines are integrated in closed form (flat prior for the level; the size's density at its best
-// value), s and the rate of wandering numerically. The best dates of each number of steps are exact; the sum
-// runs over the dates of each step with the others fixed.
+// Levels and lines are integrated in closed form, with a flat prior for the level and the prior density of a
+// size taken at its best value; s and the rate of wandering are integrated numerically. The best dates of
+// each number of steps are exact; the sum runs over the dates of each step with the others fixed.
 
 /// The most probable dates of a given number of steps.
 struct SteppingEvidence {
   Stepping stepping;
-  /// The probability of each first date after each step, from 1 to the last, with the other steps fixed.
+  /// [step][date]: probability that the date is the first after the step, with the other steps fixed.
   std::vector<std::vector<double>> places;
 };
 
@@ -38,7 +38,7 @@ struct CourseEvidence {
   double of(Course course) const;
 };
 
-/// A value for the evidence: its date index, and its size centred, in units of ū.
+/// A value for the evidence: its date index, and its value from a common centre, in units of ū.
 struct ScaledValue {
   std::size_t date = 0;
   double years = 0;  ///< from the first date

@@ -85,7 +85,7 @@ History intersectionHistory(const std::vector<Epoch>& epochs) {
   std::vector<DatedValue> values;
   for (std::size_t i = 0; i < epochs.size(); ++i) {
     DatedValue value = dated(epochs[i], epochs[i].intersection.value, epochs[i].intersection.sigma);
-    constexpr double least = 1e-3;  // of u: the difference of two rounded sums of squares
+    constexpr double least = 1e-3;  // of u: below it, the difference of two sums of squares is only rounding
     value.apart = std::min(value.u, std::max(least * value.u, std::sqrt(std::max(0.0, own[i]))));
     value.least = std::min(value.apart, epochs[i].ofFit.sigma);
     value.expanded = epochs[i].intersection.expanded;

@@ -20,8 +20,8 @@ struct DeviceHistory {
 };
 
 /// Epochs by device (its serial number, else its name), by date and, within a date, in the order given.
-/// Epochs without a date are left out: `undated` holds their indices. So are those with the same readings as
-/// an earlier one: `copies` holds each with that one.
+/// Epochs without a date are left out: `undated` holds their indices. Epochs with the same readings as an
+/// earlier one are left out as well: `copies` pairs each with that earlier one.
 struct DeviceHistories {
   std::vector<DeviceHistory> devices;
   std::vector<std::size_t> undated = {};
@@ -32,8 +32,8 @@ DeviceHistories deviceHistories(const std::vector<Epoch>& epochs);
 /// Makes the first sessions the baseline of every quantity's control chart; 0: all.
 void setBaseline(DeviceHistory& device, std::size_t sessions);
 
-/// The pairs of epochs to compare: each with the next, and the first with the last; up to some twenty, all
-/// pairs.
+/// The pairs of epochs to compare: all pairs of up to 20 epochs; of more, each with the next, and the first
+/// with the last.
 std::vector<std::pair<std::size_t, std::size_t>> pairsOf(std::size_t epochs);
 
 /// Δd, measured, of these epochs, which belong to one device. Effects shared by all (`sharedVariance`) are in

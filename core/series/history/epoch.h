@@ -38,16 +38,16 @@ struct Epoch {
   std::string file = {}, title = {};
   std::string readings = {};  ///< `readingsDigest`
   std::string date = {};      ///< as in the session; empty: none
-  double day = 0;             ///< from 2000-01-01; with a date
+  double day = 0;             ///< days from 2000-01-01; with a date
   std::string device = {}, deviceSerial = {}, instrument = {}, instrumentSerial = {};
   double coverage = 0.95;
   /// Δd, measured: with the effects that the diagnosis found and all plausible ones.
   IntersectionEstimate intersection = {};
-  std::vector<LastingShare> lasting = {};  ///< of its uncertainty
+  std::vector<LastingShare> lasting = {};  ///< shares in the uncertainty of `intersection`
   Intersection ofFit = {};                 ///< from readings, zeros and distance only
   std::vector<EpochLength> lengths = {};   ///< of the fit; a length shared by both positions occurs once
-  SquareMatrix covariance = {};            ///< of these, mm², scaled by the residuals
-  double degreesOfFreedom = 0;             ///< of that scale; may be infinite
+  SquareMatrix covariance = {};            ///< of `lengths`, mm², scaled by the residuals
+  double degreesOfFreedom = 0;             ///< of the scale of `covariance`; may be infinite
   std::vector<EpochCause> causes = {};
   std::optional<Verdict> verdict = {};
   Judgement judgement = {};

@@ -62,7 +62,7 @@ std::vector<ScaledValue> scaled(const History& history, const std::vector<std::s
   return values;
 }
 
-/// The median share of u that is certainly present.
+/// The median share of `apart` that is certainly present.
 double leastScatterOf(const std::vector<DatedValue>& values) {
   std::vector<double> shares;
   shares.reserve(values.size());
@@ -71,7 +71,7 @@ double leastScatterOf(const std::vector<DatedValue>& values) {
   return medianOf(std::move(shares));
 }
 
-/// The larger of the observed scatter and the least possible one.
+/// The larger of the observed scatter and the lower limit of s; 1 without degrees of freedom.
 double seenScatter(const History& history, double chiSquare, double freedom) {
   return freedom > 0 ? std::max(history.leastScatter, std::sqrt(chiSquare / freedom)) : 1;
 }
@@ -102,7 +102,7 @@ std::optional<HistoryTrend> trendOf(const History& history) {
   return trend;
 }
 
-/// The first and last index within 95 %.
+/// The first and last index of the 95 % range about `best`.
 std::pair<std::size_t, std::size_t> likelyPlaces(const std::vector<double>& probabilities, std::size_t best) {
   constexpr double within = 0.95;
   std::size_t first = best, last = best;
@@ -170,8 +170,8 @@ void judge(History& history) {
   if (best.course == Course::Trend) history.scatter = history.trend->u / history.trend->stated;
 }
 
-/// The values from `first` to `end` with the average beginning at the centre line. `centreU`: 0 for values
-/// that the centre line is the mean of.
+/// Adds the points of the values from `first` to before `end`; their average begins at the centre line.
+/// `centreU`: 0 for values of the baseline.
 void addPoints(ControlChart& chart, const std::vector<DatedValue>& values, std::size_t first, std::size_t end,
                double centreU) {
   double ewma = 0, variance = 0, weight = 0;

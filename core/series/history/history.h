@@ -12,11 +12,11 @@ namespace alidade {
 //
 //   x̄ = Σ w x/Σ w, w = 1/u², χ² = Σ w (x − x̄)², f = n − 1,
 //
-// answers by p, the probability that chance alone exceeds χ². If it is not the same, what happened to it?
-// Five accounts of the values compete: it is constant, it changed in steps, it has a trend, one value is odd,
-// it wanders (Brownian motion). The evidence of each covers all dates of the steps, sizes of the changes and
-// noise s u, s ≥ 1 (less if a part of u may be absent); `course_evidence.h` has the prior odds. A change is
-// reported if its account is `oddsToTell` times as probable as the constant one.
+// answers by p, the probability that chance alone exceeds χ². If not, what happened? Five courses of the
+// values compete: constant, changed in steps, with a trend, with one odd value, wandering (Brownian motion).
+// The evidence of each covers all dates of the steps, sizes of the changes and noise s u, s ≥ 1 (less if a
+// part of u may be absent); `course_evidence.h` has the prior odds. A change is reported if its course is
+// `oddsToTell` times as probable as the constant one.
 
 /// How a session was judged, in the words of its headline.
 struct Judgement {
@@ -27,7 +27,7 @@ struct Judgement {
 /// One value of the quantity.
 struct DatedValue {
   std::string date;     ///< as written
-  double day = 0;       ///< from 2000-01-01
+  double day = 0;       ///< days from 2000-01-01
   double value = 0;     ///< in the unit of the quantity
   double u = 0;         ///< its standard uncertainty, > 0
   double apart = 0;     ///< the part of u that is not common to all values, used to compare them
@@ -48,7 +48,7 @@ const char* nameOf(Course course);
 struct HistoryStep {
   std::size_t first = 0;                          ///< index of the first value after it
   std::string date;                               ///< of that value
-  std::size_t earliest = 0, latest = 0;           ///< range of `first` within 95 %
+  std::size_t earliest = 0, latest = 0;           ///< 95 % range of `first`
   double size = 0, u = 0;                         ///< level after minus level before
   std::size_t valuesBefore = 0, valuesAfter = 0;  ///< number of values in the two levels
 };
@@ -67,7 +67,7 @@ struct HistoryTrend {
   double atMean = 0, meanDay = 0;  ///< a point on the line
 };
 
-/// The probability of an account among the five.
+/// The probability of one course among the five.
 struct CourseProbability {
   Course course = Course::Constant;
   double probability = 0;
@@ -112,8 +112,8 @@ struct History {
   std::vector<double> levels;              ///< between the steps, one more than these
   std::optional<HistoryTrend> trend;       ///< always fitted; absent if all values have one date
   std::optional<std::size_t> oddValue;     ///< if one is reported
-  double scatter = 1;       ///< s about the reported course; scales the sizes of steps and rates
-  double leastScatter = 1;  ///< lower limit of s: 1, or less if `DatedValue::least` is
+  double scatter = 1;                      ///< s about the reported course; scales the u of steps and rates
+  double leastScatter = 1;                 ///< lower limit of s: 1, or less if `DatedValue::least` allows it
   ControlChart chart;
   /// p ≥ 0.05 and no change is reported; absent for one value, as there is no comparison.
   std::optional<bool> stable;
@@ -129,7 +129,7 @@ inline constexpr double usualCoverage = 0.95;
 /// uncertainty common to all, which affects only the mean. `coverage`: in (0, 1).
 History historyOf(std::vector<DatedValue> values, double shared = 0, double coverage = usualCoverage);
 
-/// Watches the values after the first `baseline` ones; 0, or more than there are: all are the baseline.
+/// Makes the first `baseline` values the baseline of the chart; 0, or more than there are: all values.
 void setBaseline(History& history, std::size_t baseline);
 
 }  // namespace alidade

@@ -26,7 +26,7 @@ Result<HistoryDate> parseHistoryDate(std::string_view text);
 /// A mark on an axis of dates: "2025-03-07", "2025-03" at the first of a month, "2025" at the first of a
 /// year.
 struct DateTick {
-  double day = 0;  ///< from 2000-01-01
+  double day = 0;  ///< days from 2000-01-01
   std::string label;
 };
 

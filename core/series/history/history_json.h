@@ -10,7 +10,7 @@
 namespace alidade {
 
 /// The JSON document of `alidade-cli history --json`, ending in a newline; missing numbers are null. `name`
-/// says what it describes.
+/// says what the document describes.
 std::string historyJson(const std::string& name, const ValueTable& table, const History& history);
 
 /// For one device the document has its intersection with all its quantities and congruences; for several a

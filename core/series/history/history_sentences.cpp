@@ -100,7 +100,7 @@ std::vector<std::string> courseSentences(const History& history, const HistoryNu
   return sentences;
 }
 
-/// The other possible accounts, with their probabilities.
+/// The courses with a probability of at least 1 %, the most probable first.
 std::string rivals(const History& history) {
   constexpr double least = 0.01;
   std::vector<std::string> told;

@@ -19,7 +19,7 @@ class HistoryNumbers {
   std::string withUnit(double value) const;                   ///< "1.308 mm", "6.6743 × 10⁻¹¹ m³"
   std::string exact(double value) const;                      ///< "0.5 mm": a number that someone stated
   std::string withUncertainty(double value, double u) const;  ///< "1.308 mm ± 0.042 mm", u being 0.021 mm
-  std::string ratePerYear(double value, double u) const;      ///< "0.12 mm/a ± 0.04 mm/a"
+  std::string ratePerYear(double value, double u) const;      ///< "0.120 mm/a ± 0.040 mm/a"
   /// The power of ten by which a number is multiplied before it is shown.
   double scale() const;
   std::string heading() const;  ///< "mm", "10⁻¹¹ m³", or empty: heads a column of numbers
@@ -35,17 +35,17 @@ class HistoryNumbers {
 /// "expanded uncertainty, 95 %": the meaning of each ± of a history.
 std::string plusMinusText(const History& history);
 
-/// The history in sentences: mean, χ², the course of the quantity, other possible courses, and how the values
-/// after the baseline lie.
+/// The history in sentences: mean, χ², the course of the quantity, the probabilities of the courses, and how
+/// the values after the baseline lie.
 std::vector<std::string> historySentences(const History& history, const std::string& unit);
 
-/// The uncertainty shared by all sessions of a device, which comparisons leave out.
+/// The uncertainty shared by all sessions of a device, which comparisons exclude.
 std::string sharedSentence(const DeviceHistory& device);
 
 /// Has Δd changed between two epochs, and has the rest of the device?
 std::vector<std::string> congruenceSentences(const std::vector<Epoch>& epochs, const Congruence& congruence);
 
-/// The name of a quantity for people, by its id: "Δd, measured", "O1, x", "trunnion axis tilt: tilt".
+/// The name of a quantity for people, by its id: "Δd, measured", "O1, x", "trunnion tilt: tilt".
 std::string quantityName(const std::string& id);
 
 /// The name of a course for people: "constant", "in steps".

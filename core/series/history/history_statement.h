@@ -13,7 +13,7 @@ namespace alidade {
 
 /// Each value with U, its limit, the weighted average and its limit; below them the sentences.
 Statement valueTable(const History& history, const std::string& unit);
-/// Each session of the device with Δd, measured, its verdict and, below the row, the condition of that.
+/// Each session with Δd, measured, and its verdict; below each row, the condition of the verdict.
 Statement sessionTable(const DeviceHistory& device);
 /// Each quantity of the device: its weighted mean, χ², trend and course.
 Statement quantityTable(const DeviceHistory& device);
@@ -31,7 +31,7 @@ std::vector<std::string> quantitySentences(const DeviceHistory& device, const Qu
 std::string deviceName(const DeviceHistory& device);
 /// The same of an instrument.
 std::string instrumentName(const InstrumentHistory& instrument);
-/// "0.185 mm ± 0.226 mm": Δd, measured, and its expanded uncertainty.
+/// "0.19 mm ± 0.23 mm": Δd, measured, and its expanded uncertainty.
 std::string intersectionText(const Epoch& epoch);
 
 }  // namespace alidade

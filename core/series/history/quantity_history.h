@@ -33,8 +33,8 @@ class FoundQuantities {
   std::vector<Quantity> m_found;
 };
 
-/// Makes the first sessions or records the baseline of every quantity's control chart; 0: all. `days`: of
-/// all of them, ascending. A quantity that some of them lack has the values until the last day of the
+/// Makes the first sessions or records the baseline of every quantity's control chart; 0: all. `days`: of all
+/// of them, ascending. If some of them lack a quantity, its baseline is its values until the last day of the
 /// baseline.
 void setBaseline(std::vector<QuantityHistory>& quantities, std::size_t baseline,
                  const std::vector<double>& days);

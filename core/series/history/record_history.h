@@ -24,7 +24,7 @@ struct InstrumentHistory {
 };
 
 /// Records by instrument (its serial number, else its name). Records with equal contents count once: `copies`
-/// holds each with the first.
+/// pairs each further one with the first.
 struct InstrumentHistories {
   std::vector<InstrumentHistory> instruments;
   std::vector<std::pair<std::size_t, std::size_t>> copies = {};

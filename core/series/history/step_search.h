@@ -38,13 +38,13 @@ class StepSearch {
  public:
   explicit StepSearch(const DateSums& dates);
 
-  /// Adds one step to those of the last call, starting with one. There must be a date for it.
+  /// One step more than in the last call; one step in the first call. Requires more dates than steps.
   Stepping next();
 
  private:
   const DateSums& m_dates;
-  std::vector<double> m_best;                      ///< least χ² of the dates before `end`
-  std::vector<std::vector<std::size_t>> m_behind;  ///< for each number of steps, the place of the last one
+  std::vector<double> m_best;                      ///< [end]: least χ² of the dates before `end`
+  std::vector<std::vector<std::size_t>> m_behind;  ///< [steps − 1][end]: first date after the last step
 };
 
 }  // namespace alidade

@@ -47,7 +47,7 @@ TableLayout layoutOf(const Recognised& recognised, AngleUnit unit) {
 }
 
 /// Returns the misclosure of the two faces of a target, degrees: of the vertical readings on a full turn or,
-/// without these, of the horizontal ones on half a turn. Infinite if they cannot be read in this unit.
+/// without these, of the horizontal ones on half a turn.
 double openingOf(double before, double after, bool isVertical) {
   const Angle sum = Angle::fromDegrees(isVertical ? after + before : after - before - 180);
   return std::abs(wrapped(sum).degrees());

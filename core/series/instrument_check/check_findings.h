@@ -12,7 +12,7 @@ namespace alidade {
 /// readings cannot distinguish, and how s compares with the stated σ and between stations.
 std::vector<Finding> checkFindings(const InstrumentCheck& check);
 
-/// `3.2″ ± 0.4″`: a value with its standard uncertainty, to two digits of the latter; a dash if it has none.
+/// `3.20″ ± 0.40″`: a value with its u, to two digits of u; a dash if the value is unknown.
 std::string withU(double value, double u, const std::string& unit);
 
 }  // namespace alidade

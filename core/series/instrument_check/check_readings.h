@@ -22,7 +22,7 @@ struct CheckIdentity {
   bool operator==(const CheckIdentity&) const = default;
 };
 
-/// `read` with what `typed` states instead. Fails if a day is none, or the next check is not after this one.
+/// `read`, overridden by what `typed` states. Fails if a day is invalid or the next check not after this one.
 Result<CheckIdentity> identityOf(const CheckIdentity& typed, const CheckIdentity& read);
 
 /// One sighting of a target in one face, as read from the circles.

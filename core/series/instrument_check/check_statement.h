@@ -10,12 +10,12 @@
 
 namespace alidade {
 
-/// Is s no larger than what is stated (question a of ISO 17123-3)? Absent if nothing is stated of the circles
-/// that were read, or only of one of two that passes.
+/// Is s no larger than the stated σ (question a of ISO 17123-3)? Absent if none is stated for the circles
+/// that were read, or if it is stated for only one of both and that one passes.
 std::optional<bool> hasPassed(const InstrumentCheck& check);
 
 /// The verdict: its title is the headline, "Passed: s of a direction 0.74″ (limit 1.23″), …"; its sentences
-/// tell on what it rests and how many warnings to read.
+/// state its basis and the number of warnings.
 Statement checkVerdict(const InstrumentCheck& check, const std::vector<Finding>& findings);
 
 /// Instrument, serial number, day, and next check: a row for each, with a dash where it is not stated.

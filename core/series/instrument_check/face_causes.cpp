@@ -28,7 +28,7 @@ class FaceFit {
     if (!(m_dof > 0)) return false;
     const Eigen::VectorXd lengths = m_normal.diagonal().cwiseSqrt();
     const Eigen::MatrixXd cosines = m_normal.cwiseQuotient(lengths * lengths.transpose());
-    constexpr double leastIndependent = 1e-10;  // rounding leaves 1e-16 of equal columns
+    constexpr double leastIndependent = 1e-10;  // of equal columns, rounding leaves 1e-16
     if (!(cosines.determinant() > leastIndependent)) return false;
     m_inverse = m_normal.inverse();
     m_solution = m_inverse * m_right;

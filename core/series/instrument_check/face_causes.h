@@ -15,8 +15,8 @@ inline constexpr double roundingArcsec = 1e-6;
 /// Plausible sizes of trunnion tilt (arcsec) and offset of the line of sight (mm).
 inline constexpr double plausibleTilt = 30, plausibleOffset = 0.5;
 
-/// A mean of N values, or a result of a fit to them: u = scatter √cofactor; 1/N for a mean. NaN if there are
-/// too few.
+/// A mean of N values, or a result of a fit to them: u = scatter √cofactor, where the cofactor of a mean is
+/// 1/N. NaN if there are too few values.
 struct PairMean {
   double value, u, scatter;
   double dof;
@@ -49,17 +49,17 @@ struct HalfDifference {
 struct FaceCauses {
   std::optional<PairMean> collimation;         ///< absent if another cause is stated
   std::optional<TwoCauses> tilt, lineOfSight;  ///< absent: not stated
-  /// Standard uncertainties at which a plausible size would show, for causes not stated; NaN if these cannot
-  /// be fitted.
+  /// The plausible size of a cause that is not stated, divided by its standard uncertainty; NaN if the cause
+  /// cannot be fitted.
   double tiltShows = std::numeric_limits<double>::quiet_NaN();
   double offsetShows = std::numeric_limits<double>::quiet_NaN();
   /// These targets cannot separate tilt and offset; the one of the more usual size is stated.
   bool isEither = false;
 };
 
-/// A cause is stated if it is significant at 95 %, or if a plausible size would show: by three standard
-/// uncertainties, or by what is significant at 95 % if that is more. `ofTilt`, `ofDistance`: elevations and
-/// distances differ enough to look for it.
+/// A cause is stated if it is significant at 95 %, or if a plausible size would show: it exceeds three
+/// standard uncertainties and would be significant at 95 %. `ofTilt`, `ofDistance`: elevations and distances
+/// differ enough to look for the cause.
 FaceCauses separateFaceCauses(const std::vector<HalfDifference>& differences, bool ofTilt, bool ofDistance);
 
 }  // namespace alidade

@@ -26,10 +26,10 @@ struct CheckBounds {
   double farApart = 0.25;
 };
 
-/// Returns the reason if the figures of the check are implausible, with the lines of the file. Reasons are
-/// targets at different places from round to round, and a horizontal circle that counts in the opposite
-/// direction. Others are a jump of the orientation or the index, and figures beyond `bounds`. Absent if all
-/// figures are plausible. `stations` are the checked ones.
+/// Returns the reason if the figures of the check are implausible, with the lines of the file. The reason is
+/// a target at different places from round to round, a horizontal circle that counts in the opposite
+/// direction, a jump of the orientation or the index, or a figure beyond `bounds`. Absent if all figures are
+/// plausible. `stations` are the checked ones.
 std::optional<Problem> implausibility(const std::vector<StationRounds>& stations,
                                       const InstrumentCheck& check, const CheckBounds& bounds = {});
 

@@ -66,7 +66,7 @@ void countVisits(Numbered& numbered) {
     numbered.rounds.push_back(visits[{reading->target, reading->face}]++);
 }
 
-/// Follows the order of the sightings.
+/// Finds where rounds begin from the order of the sightings.
 class RoundBounds {
  public:
   explicit RoundBounds(Numbered& numbered) : m_numbered(numbered) {}

@@ -33,7 +33,7 @@ struct ObservedRound {
 
 /// Reasons why readings are excluded.
 enum class LeftOut {
-  IncompleteRound,  ///< the round lacks a target of the others, or one of its faces
+  IncompleteRound,  ///< the round lacks a target that the others have, or one of its faces
   RareTarget,       ///< the target is missing in too many rounds
   OneFace,          ///< the round lacks these sightings in the other face
   FarApart,         ///< the faces differ by more than 1°: two targets under one name, or a misread one

@@ -101,8 +101,8 @@ class StationEvaluation {
   std::size_t targets() const { return m_check.targets; }
   std::size_t rounds() const { return m_check.rounds; }
 
-  /// Subtracts from rows (one per round) their mean over the rounds and, if `ofRoundsToo`, that over the
-  /// targets.
+  /// Replaces each value by the mean of its target over the rounds minus the value. If `ofRoundsToo`, then
+  /// subtracts the mean of each round over the targets.
   void takeOffMeans(std::vector<double>& rows, bool ofRoundsToo) const {
     for (std::size_t k = 0; k < targets(); ++k) {
       double sum = 0;

@@ -68,7 +68,7 @@ struct StationCheck {
   FaceCauses causes = {};
   double nearestM = 0, farthestM = 0;    ///< 0: not known for all targets
   double lowestDeg = 0, highestDeg = 0;  ///< elevations
-  bool isCircleSetAnew = false;          ///< between rounds
+  bool isCircleSetAnew = false;          ///< the circle was reset between rounds
   std::optional<RoundTrend> collimationSlope, indexSlope, orientationSlope;
   double targetsDifferP = 1;  ///< probability that scatter alone causes such differences of c; NaN: unknown
   std::vector<RoundCourse> course;

@@ -13,8 +13,8 @@ inline constexpr Angle leastBetweenStations = Angle::fromArcseconds(360);
 
 /// Splits the rounds of one station name if groups of at least two rounds show the same targets at different
 /// places: the file names no stations, or two targets share a name. The parts are called `name (1)`, `name
-/// (2)`. Rounds stay together if a group would hold a single round, which is as likely misread. So they do if
-/// the horizontal circle counts in the opposite direction. `implausibility` refuses both.
+/// (2)`. Rounds stay together if a group would hold a single round, which is as likely misread, or if the
+/// horizontal circle counts in the opposite direction. `implausibility` refuses both.
 std::vector<StationRounds> partedByGeometry(StationRounds station);
 
 }  // namespace alidade

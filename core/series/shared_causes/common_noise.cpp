@@ -29,8 +29,8 @@ double logOf(double chiSquare, double f, double scale) {
   return -f * std::log(scale) - chiSquare / (2 * scale * scale);
 }
 
-/// A session that scatters independently of the others: its likeliest scale, and the logarithm of its odds
-/// and evidence (by Laplace's method, with a uniform prior in log scale).
+/// A session that scatters independently of the others: its likeliest scale, and the logarithm of its prior
+/// odds times its evidence (by Laplace's method, with a uniform prior in log scale).
 struct OwnNoise {
   double scale = 1, log = 0;
 };
@@ -52,7 +52,7 @@ struct Range {
   double likeliest = 1, log = -std::numeric_limits<double>::infinity();
 };
 
-/// `prior`: density of the logarithm of the scale.
+/// `prior`: log density of the logarithm of the scale.
 template <typename Prior>
 Range weighed(const Left& left, double from, double to, const Prior& prior) {
   constexpr int steps = 200;

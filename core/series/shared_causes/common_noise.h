@@ -8,7 +8,7 @@ namespace alidade {
 
 /// The factor by which an instrument scatters more than stated in all its sessions. A few per cent,
 /// undetectable in one session, show in hundreds of readings and could be mistaken for effects. A session may
-/// also scatter independently, after a knocked stand for example; it then says nothing about the others.
+/// also scatter independently, after a knocked tripod for example; it then says nothing about the others.
 struct CommonNoise {
   std::string instrument;
   std::vector<std::size_t> sessions;

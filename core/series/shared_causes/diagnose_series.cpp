@@ -77,7 +77,7 @@ std::shared_ptr<const SharedColumns> columnsFor(const std::vector<SeriesSession>
   return std::make_shared<const SharedColumns>(own);
 }
 
-/// Without the own effects that only other sessions have, which are unknown here.
+/// Drops from `options.without` the own effects that only other sessions have, which are unknown here.
 DiagnosisOptions optionsFor(DiagnosisOptions options, const SeriesSession& session,
                             const std::vector<SeriesSession>& sessions) {
   std::erase_if(options.without, [&](const std::string& id) {

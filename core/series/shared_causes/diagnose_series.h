@@ -17,7 +17,7 @@ namespace alidade {
 // The situation: sessions of the same instruments and guideways, each too short to show an effect that all
 // share. An effect of an instrument has one size in all sessions with its serial, likewise one of a guideway.
 // An effect of time is not shared. The evidence of all sessions on that size adds up. Each session may also
-// have causes of its own, such as misread values or a knock, which do not distort the sum.
+// have causes of its own, such as misread values or a jump, which do not distort the sum.
 
 /// A session as input.
 struct SeriesSession {

@@ -60,7 +60,7 @@ MatrixXd membership(const Sessions& sessions, const Groups& groups) {
   return features;
 }
 
-/// An effect in `sessions`, whose owners of its kind are `groups`.
+/// Adds the blocks of an effect in `sessions`; `groups` are these sessions by owner.
 void addEffectBlocks(std::vector<EffectBlock>& blocks, const EffectColumns& columns, const Sessions& sessions,
                      const Groups& groups) {
   constexpr double differing = 0.01;  // odds that an effect which an owner should share has a size of its own

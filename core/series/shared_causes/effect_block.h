@@ -14,7 +14,7 @@ namespace alidade {
 struct SessionOwners {
   std::string instrument, guideway;  ///< serials; empty: an owner of its own
   double time = 0;                   ///< 0…1 from the first session to the last
-  const OwnEffects* own = nullptr;   ///< of the user's own; null: none
+  const OwnEffects* own = nullptr;   ///< the user's own effects; null: none
 };
 
 /// The relation between the sizes of an effect in several sessions: in session s the size is Σⱼ Fₛⱼ zⱼ, where
@@ -54,7 +54,7 @@ struct EffectBlock {
 std::vector<EffectBlock> effectBlocks(const SharedColumns& columns, const std::vector<SessionOwners>& owners,
                                       const std::vector<std::string>& leftOut);
 
-/// The block with a size that changes over time; absent (no sessions) if too few sessions would show it.
+/// The block with a size that changes over time; without sessions if too few sessions would show it.
 EffectBlock drifting(const EffectBlock& block, const std::vector<SessionOwners>& owners);
 
 /// Prior odds of an effect, divided among its owners.

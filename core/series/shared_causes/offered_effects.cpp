@@ -22,7 +22,7 @@ const std::string& ownerOf(const SeriesMember& member, const Form& form) {
   return isOfCircles(form.carrier) ? member.instrument : member.guideway;
 }
 
-/// Amplitude in its u.
+/// The last amplitude of the form in units of its u.
 double sharpness(const FormInSession& found) {
   if (found.form->parameters.empty()) return 0;
   const FormNumber& amplitude = found.form->parameters.back();

@@ -8,7 +8,7 @@ namespace alidade {
 
 namespace {
 
-/// Number of sessions, each showing it by `inOne`, until the cause is clear.
+/// Number of sessions until a cause is clear that each session shows by `inOne` σ.
 int sessionsFor(double inOne) {
   constexpr double most = 99;
   return static_cast<int>(

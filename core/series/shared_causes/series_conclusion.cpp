@@ -443,7 +443,7 @@ class Conclusion {
       cause.visibleTogether = std::sqrt(cause.visibleTogether);
       cause.visibleInOne = cause.visibleTogether / std::sqrt(static_cast<double>(cause.sessions.size()));
     }
-    // Largest visible share first; owners with almost none of it are omitted.
+    // The most visible first; owners whose share hardly shows are omitted.
     std::ranges::stable_sort(causes, std::greater{}, &SharedCause::visibleTogether);
     constexpr double shows = 2;  // σ
     while (causes.size() > 1 && causes.back().visibleTogether < shows) causes.pop_back();

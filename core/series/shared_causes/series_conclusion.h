@@ -19,7 +19,7 @@ struct SeriesConclusion {
   std::vector<double> ownChance;
 };
 
-/// There is evidence of at least one session, all of the same columns.
+/// `evidence` is that of at least one session, with the same columns for all.
 SeriesConclusion concludeSeries(const std::vector<SessionEvidence>& evidence,
                                 const std::vector<SessionOwners>& owners,
                                 const std::vector<std::string>& names,

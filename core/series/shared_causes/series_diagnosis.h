@@ -43,7 +43,7 @@ struct SharedCause {
   std::vector<std::size_t> sessions = {};  ///< indices of the sessions in which it acts
   bool isDrifting = false;                 ///< its size changes from session to session
   std::vector<SizeInSession> sizes = {};   ///< for drifting causes and effects of time
-  std::vector<std::size_t> apart = {};     ///< sessions of its owner that do not share it
+  std::vector<std::size_t> apart = {};     ///< sessions of its owner that do not share the cause
   std::vector<SharedRival> rivals = {};    ///< the likeliest first
   double visibleInOne = 0;                 ///< root mean square of its trace in a session, σ
   double visibleTogether = 0;              ///< its trace in all of them, σ
@@ -77,7 +77,7 @@ struct SeriesMember {
   std::vector<KnownNumber> shared = {};  ///< that prior knowledge
 };
 
-/// A file with the same content as another one, which counts for both.
+/// A file with the same readings as an earlier one, which counts for both.
 struct SeriesCopy {
   std::string file, first;
 };

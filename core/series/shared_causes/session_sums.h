@@ -8,13 +8,13 @@
 
 namespace alidade {
 
-/// Sizes for one effect or two: the matrices are numerous, so a fixed size avoids the heap.
+/// Sizes for one effect or two: the matrices are numerous, so a largest size avoids the heap.
 inline constexpr int mostColumns = 12;
 using EffectMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, mostColumns, mostColumns>;
 using EffectVector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, mostColumns, 1>;
 
-/// The normal equations of one session under one of its own accounts, in variances of its noise. Computed for
-/// one effect or two at a time: those of all effects together are too large.
+/// The normal equations of one session under one of its own accounts, divided by the variance of its noise.
+/// Computed for one effect or two at a time: the equations of all effects together are too large.
 class SessionSums {
  public:
   explicit SessionSums(const SessionEvidence& evidence) : m_evidence(&evidence) {}
@@ -29,7 +29,7 @@ class SessionSums {
 
   EffectMatrix normal(std::size_t account, const EffectColumns& a, const EffectColumns& b) const;
   EffectVector right(std::size_t account, const EffectColumns& effect) const;
-  /// Log of the prior odds and evidence of the account, against none with the noise unchanged.
+  /// Log of the account's prior odds times its evidence, against no account and unchanged noise.
   double logOdds(std::size_t account) const;
   /// CᵀC of two effects, without an account and at the stated noise.
   EffectMatrix plainNormal(const EffectColumns& a, const EffectColumns& b) const;

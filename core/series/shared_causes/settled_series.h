@@ -10,7 +10,7 @@
 
 namespace alidade {
 
-/// The settled part of a conclusion, from which all statements except the causes are derived.
+/// The final part of a conclusion, from which all statements except the causes are derived.
 struct SettledSeries {
   const std::vector<SessionEvidence>& evidence;
   const std::vector<SessionOwners>& owners;

@@ -49,7 +49,7 @@ double logSumOf(const std::vector<double>& logs) {
   return most + std::log(sum);
 }
 
-/// Scaled by the largest, so that they add up to 1 for logarithms of any size.
+/// Probabilities from the logarithms of odds, scaled by the largest, so that logarithms may have any size.
 std::vector<double> chancesByLog(std::vector<double> logs) {
   const double most = *std::ranges::max_element(logs);
   double sum = 0;
@@ -58,7 +58,7 @@ std::vector<double> chancesByLog(std::vector<double> logs) {
   return logs;
 }
 
-/// Adds (1, 0, …) and the sums of two features.
+/// Calls `add` with j, l and aⱼ bₗ for each pair of features that are not zero.
 template <typename Add>
 void addProducts(const Eigen::RowVectorXd& a, const Eigen::RowVectorXd& b, const Add& add) {
   for (Index j = 0; j < a.size(); ++j)
@@ -199,7 +199,7 @@ double SharedSearch::accountsOf(const SharedSet& set) const {
   return sum;
 }
 
-/// Log odds of an account, before anything shared.
+/// Prior log odds of an account, without any shared effect.
 double SharedSearch::ownOdds(std::size_t session, std::size_t account) const {
   const double each = -std::log(static_cast<double>(m_sessions.size()));
   return m_sessions[session].logOdds(account) + (account > 0 ? each : 0);
@@ -259,7 +259,7 @@ SharedSet SharedSearch::madeOf(const std::vector<EffectBlock>& blocks,
     SharedSet set = fitted(blocks, own);
     set.logPosteriorOdds += accountsOf(set);
     std::vector<std::size_t> next = likeliestAccounts(set, true);
-    // Equal is accepted: the accounts are then those with which the sizes were found.
+    // An equal set is accepted: its accounts are those with which its sizes were found.
     if (round == 0 || set.logPosteriorOdds > best.logPosteriorOdds - rounding) best = std::move(set);
     if (next == own || m_stop.stop_requested()) break;
     own = std::move(next);
@@ -274,9 +274,9 @@ bool SharedSearch::mayTake(const SharedSet& set, const EffectBlock& block) const
   });
 }
 
-/// Returns the blocks with the largest gain in addition to the set. They are sought with the sessions' own
-/// causes, and with misread values and noise only. The reason is that an effect visible in each session is
-/// also an account of each. Patterns do not displace effects.
+/// Returns the blocks with the largest gain in addition to the set. They are sought twice: with misread
+/// values and noise as the only own causes, and with all own causes, since an effect visible in each session
+/// is also an account of each. Patterns do not displace effects.
 std::vector<SharedSearch::Growth> SharedSearch::promising(const SharedSet& set) const {
   constexpr std::size_t most = 6, mostPatterns = 3;
   std::vector<Growth> all;

@@ -26,7 +26,7 @@ struct SharedPart {
   // The block's columns (those of the effect for each feature) have the weights fixed + slope z.
   Eigen::VectorXd fixed = {};
   Eigen::MatrixXd slope = {};
-  Eigen::VectorXd weights = {};  ///< resulting
+  Eigen::VectorXd weights = {};  ///< fixed + slope z for the estimated z
 
   /// Weights in the index-th of its sessions.
   EffectVector weightsIn(std::size_t index) const;
@@ -54,9 +54,9 @@ class SharedSearch {
 
   /// The sets found, the likeliest first, without duplicates; includes the empty set.
   std::vector<SharedSet> grown() const;
-  /// The set of exactly these blocks, each added after those before it; sessions start from these accounts.
+  /// The set of exactly these blocks, added in this order; the search for accounts starts from `accounts`.
   SharedSet madeOf(const std::vector<EffectBlock>& blocks, const std::vector<std::size_t>& accounts) const;
-  /// Sizes under exactly these accounts. `sessions`: those that count; empty: all.
+  /// Sizes under exactly these accounts. `counts`: which sessions count; empty: all.
   SharedSet fitted(const std::vector<EffectBlock>& blocks, const std::vector<std::size_t>& accounts,
                    const std::function<bool(std::size_t)>& counts = {}) const;
   /// Log odds of each account of a session, given a set.
