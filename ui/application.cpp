@@ -22,8 +22,7 @@ bool Application::event(QEvent* event) {
   return isKnown;
 }
 
-/// Queued, since a dialog must not open inside the failed handler; repeated failures must not open repeated
-/// dialogs.
+/// Queued, since a dialog must not open inside the failed handler. Each reason opens one dialog.
 void Application::tell(const QString& reason) {
   if (m_told.contains(reason)) return;
   m_told.insert(reason);

@@ -145,7 +145,7 @@ void MainWindow::connectJobs() {
   m_jobs.start();
 }
 
-/// Leads the keyboard, also with readings of the instrument.
+/// Connects everything that moves the keyboard to the next entry, including readings of the instrument.
 void MainWindow::connectEntry() {
   connect(m_entry, &EntryGuide::commitWanted, this, &MainWindow::commitPending);
   connect(m_entry, &EntryGuide::revealWanted, this, [this](const Place& place) { reveal(place); });
@@ -248,7 +248,7 @@ void MainWindow::showTitle() {
   const QString mark = QStringLiteral("[*]");
   QString name = visibleLine(m_document.displayName());
   name.replace(mark, mark + mark);  // escapes the name's own marks of a changed file
-  // Ends in the program's name, which Qt would add otherwise.
+  // The title ends in the program's name, which Qt would add otherwise.
   if (const auto seal = sealOf(m_document.session().journal))
     name = (changesSince(*seal, m_document.session().journal) == 0 ? tr("%1 (sealed)")
                                                                    : tr("%1 (changed since the seal)"))

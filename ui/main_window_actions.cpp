@@ -211,8 +211,8 @@ void WindowActions::createEditMenu(QToolBar& bar) {
   bar.addActions({insert, remove, exclude});
 }
 
-/// Enabled if a reading looks misread, the second if a correction is proposed, the third if a recorded entry
-/// was just changed.
+/// Adds three actions, enabled if a reading looks misread, if a correction is proposed, and if a recorded
+/// entry was just changed.
 void WindowActions::addSuspectActions(QMenu& menu) {
   menu.addSeparator();
   SuspectBar* suspects = m_window.entries().suspects();

@@ -9,7 +9,7 @@ namespace alidade::console {
 /// Right answers, sightings and minutes of both orders, by kind of cause, as text.
 std::string adaptiveTrialText(const AdaptiveTrials& trials);
 
-/// One JSON document: every trial, and the clean sessions watched.
+/// One JSON document: every trial, and every watched session without an effect.
 std::string adaptiveTrialJson(const AdaptiveTrials& trials);
 
 /// Curves of both ways against sightings and against minutes, as CSV: of each kind and of all the shares of

@@ -27,7 +27,7 @@ using Clock = std::chrono::steady_clock;
 struct Answered {
   std::string text;
   std::optional<std::string> reason = {};  ///< why there is no result
-  bool failed = false;                     ///< failed by a fault or lack of memory rather than by the input
+  bool failed = false;                     ///< a fault or lack of memory, not the input, is the reason
 };
 
 std::string quoted(const std::string& text) {
@@ -47,7 +47,7 @@ std::string cellOf(const std::string& file) {
   return cell.text().substr(cell.text().find('\n') + 1);
 }
 
-/// The rows of a table with the file before each, and before the names in the first table.
+/// The rows of a table, each behind the name of its file. The column names are kept only if `isFirst`.
 std::string asRows(const std::string& file, const std::string& table, bool isFirst) {
   std::string cell = cellOf(file), rows;
   cell.back() = ',';
@@ -110,7 +110,7 @@ class OrderedOutput {
   }
 
  private:
-  /// The limit of results waiting for earlier ones: how many may overtake one slow session.
+  /// The largest number of results that wait in memory for an earlier, slower session.
   static constexpr std::size_t kept = 256;
 
   const std::vector<ListedFile>& m_files;
@@ -181,7 +181,7 @@ std::string onOneLine(std::string_view document) {
   std::string line;
   line.reserve(document.size());
   for (std::size_t i = 0; i < document.size(); ++i) {
-    if (document[i] != '\n') {  // strings hold no line breaks
+    if (document[i] != '\n') {  // JSON escapes line breaks within strings
       line += document[i];
       continue;
     }

@@ -11,7 +11,7 @@
 namespace alidade::console {
 
 struct BatchOptions {
-  std::size_t threads = 0;  ///< 0: all. The result is independent of it
+  std::size_t threads = 0;  ///< 0: one per processor core. No effect on the results
   bool progress = false;    ///< printed on stderr even without a terminal
   bool json = false;
   bool lines = false;  ///< the results are one line each, with no empty line between
@@ -23,15 +23,15 @@ std::size_t threadsOf(const BatchOptions& options);
 
 /// Processes each input of a call (`sessionFilesOf`) separately and in parallel, and writes the results to
 /// stdout in input order.
-/// As JSON (`answer` gives one document): one line each, beginning with the key `file`; for an unusable input
-/// `file` and `error`. As tables: one with all rows, the file before each. As text: one after the other,
-/// separated by an empty line.
+/// JSON results (`answer` returns one document each) take one line each, which begins with the key `file`; an
+/// unusable input has the keys `file` and `error`. Tables are joined into one, whose first column is the
+/// file. Texts are separated by an empty line.
 /// An unusable input also gets one line on stderr; the others continue, and the exit code is `BadInput`.
 /// Memory holds a limited number of results.
 int answerEach(const std::vector<std::string>& named,
                const std::function<Result<std::string>(const std::string& file)>& answer,
                const BatchOptions& options);
-/// The same for inputs listed before.
+/// The same for a list of inputs made beforehand.
 int answerEach(const SessionFiles& list,
                const std::function<Result<std::string>(const std::string& file)>& answer,
                const BatchOptions& options);

@@ -17,7 +17,7 @@ constexpr char lineEnd = '\n';
 
 int writeResult(std::string_view result) {
   bool written = true;
-  while (written && !result.empty()) {  // line by line, since it may be as large as the memory
+  while (written && !result.empty()) {  // line by line, since memory may not hold a second copy
     const std::size_t length = std::min(result.find(lineEnd), result.size() - 1) + 1;
     const std::string line = visibleText(result.substr(0, length), {&lineEnd, 1});
     written = std::fwrite(line.data(), 1, line.size(), stdout) == line.size();

@@ -33,8 +33,7 @@ std::string inCapitals(std::string text) {
   return text;
 }
 
-/// The result and its verdict on one line, its place on the scale of the tolerance, then what to read with
-/// them.
+/// The result and its verdict on one line, the scale of the tolerance, then the headline's further lines.
 std::string headlineText(const Headline& headline, double coverage) {
   constexpr int scaleWidth = 60;
   std::string text = headline.nameAndFigure();
@@ -48,7 +47,7 @@ std::string headlineText(const Headline& headline, double coverage) {
   return text + "\n";
 }
 
-/// Shown if the gap is more than noise.
+/// The sentence on the gap; empty if the gap is no larger than noise.
 std::string gapText(const FitAnswer& answer) {
   if (!answer.diagnosis || !isMoreThanNoise(*answer.diagnosis)) return "";
   return "\n" + paragraph("Gap: " + sentenceOf(*answer.diagnosis) + " `alidade-cli diagnose` says more.");

@@ -19,7 +19,7 @@ Problem cannotStart(const std::string& program, int error) {
   return Problem{program + " cannot be started: " + std::strerror(error)};
 }
 
-/// Everything until the other end is closed.
+/// Reads from a pipe until its other end is closed.
 std::string readAll(int end) {
   std::string text;
   std::array<char, 4096> part{};

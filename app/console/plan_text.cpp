@@ -30,7 +30,7 @@ std::string visibilityText(const PlannedEffect& effect) {
   return fixedText(effect.leastVisible, 1) + "…" + most;
 }
 
-/// Empty if the plan has no Δd.
+/// The influence on Δd in mm; "none" if the plan has no Δd.
 std::string influenceText(const PlanReview& review, const PlannedEffect& effect) {
   return review.intersection ? fixedText(effect.influence, 4) : "none";
 }

@@ -8,7 +8,7 @@
 namespace alidade::console {
 
 /// A pseudo terminal in place of an instrument's port: bytes written here are read from `path()`, and vice
-/// versa. Raw; its other end stays open, so that a reader may disconnect and reconnect.
+/// versa. The line is raw. Its other end stays open, so that a reader may disconnect and reconnect.
 class PseudoTerminal {
  public:
   static Result<PseudoTerminal> open();
@@ -22,7 +22,7 @@ class PseudoTerminal {
   int descriptor() const { return m_master; }
   /// The available bytes, without waiting.
   std::string read() const;
-  /// False: the buffer is full, since nobody reads; the rest is lost, as on a wire.
+  /// Returns false if the buffer is full because nobody reads. The remaining bytes are lost, as on a wire.
   bool write(std::string_view bytes) const;
 
  private:

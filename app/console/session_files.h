@@ -24,7 +24,7 @@ struct SessionFiles {
 };
 SessionFiles sessionFilesOf(const std::vector<std::string>& named);
 
-/// True for more than one file, a folder or a series: one result each.
+/// True for more than one file, for a folder and for a series.
 bool namesMany(const std::vector<std::string>& named);
 
 }  // namespace alidade::console

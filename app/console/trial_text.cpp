@@ -70,7 +70,7 @@ std::string confusionText(const TrialSummary& summary) {
   return text;
 }
 
-/// "12/15", or empty if not applicable.
+/// "12/15", or "-" if not applicable.
 std::string countText(const Tally& tally) {
   return tally.count == 0 ? "-" : std::to_string(tally.hits) + "/" + std::to_string(tally.count);
 }

@@ -7,11 +7,11 @@
 
 namespace alidade::console {
 
-/// The exit code of a call for the verdicts of its sessions, by the one that asks most for a person: 3 if any
-/// is rejected, else 4 if any is undecided or has no verdict, else 0 (accepted).
+/// The exit code for the verdicts of all sessions of a call: 3 if any is rejected, else 4 if any is undecided
+/// or has no verdict, else 0 (accepted).
 class VerdictExit {
  public:
-  /// The decision of one session, from any thread; absent: it has no verdict.
+  /// Takes the decision on one session, absent if it has no verdict. Callable from any thread.
   void take(const std::optional<AcceptanceDecision>& decision);
   int code() const;
 

@@ -29,7 +29,7 @@ namespace {
 
 using namespace alidade;
 
-/// Most of our options never open a window, so such calls must work without a display.
+/// True if an option is given that never opens a window. Such a call must work without a display.
 bool needsNoDisplay(int argc, char** argv) {
   return std::any_of(argv + 1, argv + argc, [](const char* argument) {
     const QByteArray text(argument);
@@ -52,7 +52,7 @@ class OptionsOfFiles {
       parser.addOption(*option);
   }
 
-  /// Returns the reason why they contradict the requested output; empty if they do not.
+  /// Returns the reason why the options contradict the requested output; empty if they do not.
   QString whyNot(const QCommandLineParser& parser, bool writes, bool isCertificate) const {
     const auto isSet = [&](const QCommandLineOption& option) { return parser.isSet(option); };
     if (isSet(m_key) != isSet(m_certificate))

@@ -25,14 +25,14 @@ int refuse(const QString& path, const Problem& problem) {
   return 2;
 }
 
-/// Set by reproducible builds, or by a laboratory that wants identical bytes.
+/// SOURCE_DATE_EPOCH, which reproducible builds and laboratories set to get identical bytes; else now.
 QDateTime dateOfReport() {
   bool isSet = false;
   const qint64 seconds = qEnvironmentVariable("SOURCE_DATE_EPOCH").toLongLong(&isSet);
   return isSet ? QDateTime::fromSecsSinceEpoch(seconds, Qt::UTC) : QDateTime::currentDateTime();
 }
 
-/// `sentence` of the lacks, for `Phrase::of`.
+/// Writes `sentence`, a pattern for `Phrase::of`, with the lacks to stderr. Returns exit code 0.
 int tellLacks(const QString& path, const char* sentence, const QStringList& lacks) {
   std::vector<std::string> nouns;
   for (const QString& noun : lacks) nouns.push_back(noun.toStdString());

@@ -13,7 +13,7 @@ namespace alidade {
 struct ReportCommand {
   QString path;                         ///< path of the session
   QString report;                       ///< path of the acceptance report; empty: not requested
-  QString certificate;                  ///< path of the certificate, likewise
+  QString certificate;                  ///< path of the certificate; empty: not requested
   ui::CertificateEntries entries = {};  ///< entries of the certificate
   SigningFiles signing = {};            ///< no key: unsigned
 };

@@ -13,10 +13,10 @@
 #include "tests/support/drawn_plan.h"
 
 // Results in plans outside the named tests: 3 to 500 places over 20° to 350° of arc, one to three rounds, one
-// face, both or in turn, with or without slider, L from 0.5 to 50 m, R from 50 mm to 5 m, σ from 0.1″ to 60″.
-// Half of the sessions have no effect, half one catalogued effect of one to four plausible sizes. Counts
-// false alarms, right answers, and how often Δd ± U (stated 95 %) covers the truth. If nothing is wrong, Δd
-// is that of the fit; if causes are named, Δd includes them.
+// face, both or alternating faces, with or without slider, L from 0.5 to 50 m, R from 50 mm to 5 m, σ from
+// 0.1″ to 60″. Half of the sessions have no effect, half one catalogued effect of one to four plausible
+// sizes. Counts false alarms, right answers, and how often Δd ± U (stated 95 %) covers the truth. If nothing
+// is wrong, Δd is that of the fit; if causes are named, Δd includes them.
 //
 //   alidade_any_geometry [SESSIONS [SEED [THREADS]]]
 
@@ -46,7 +46,7 @@ void putEffect(std::mt19937_64& random, const Effect& effect, Truth& truth) {
                      {parameters[1].term, size * std::sin(angle) * parameters[1].plausible}};
 }
 
-/// Drawn again until its readings determine both arcs.
+/// A trial case, drawn again until its readings determine both arcs.
 Result<TrialCase> drawnCase(std::uint64_t seed) {
   std::mt19937_64 random(seed);
   while (true) {
@@ -67,7 +67,7 @@ Result<TrialCase> drawnCase(std::uint64_t seed) {
   }
 }
 
-/// Uses sessions without an effect, with the session's own model.
+/// How often Δd ± U, fit only, covers the truth of sessions without an effect.
 Tally coveredAsModelled(std::size_t count, std::uint64_t seed) {
   Tally covered;
   for (std::size_t i = 0; i < count; ++i) {

@@ -19,13 +19,13 @@
 
 // The share of right answers as a function of the effect's visibility, compared with an ideal observer. The
 // observer knows the exact probabilities and sizes of the simulator, which no user can, and weights the kinds
-// by their exact evidence. Half of the sessions have no effect, the others one catalogued effect. Right
-// answers are the effect itself, one that these readings cannot distinguish from it, and none without one.
+// by their exact evidence. Half of the sessions have no effect, the others one catalogued effect. An answer
+// is right if it names that effect or an indistinguishable one, or "none" without an effect.
 //
 //   alidade_detection_curve [SESSIONS [SEED [THREADS [FROM TO]]]]
 //
-// With FROM and TO every session has an effect, visible by that many σ; the observer's prior stays the same.
-// After the curve the truths are listed that only one of the two recognised.
+// With FROM and TO every session has an effect with a visibility in this range, in σ; the observer's prior
+// stays the same. After the curve the truths are listed that only one of the two recognised.
 
 namespace {
 
@@ -61,12 +61,12 @@ BlindTrial trialOf(std::uint64_t seed, const Drawn& drawn) {
   return *drawBlindTrial(options, seed);
 }
 
-/// ln of the evidence of a trace of this shape, averaged over the lengths that the simulator draws: `unit` is
-/// the trace of one plausible size in the direction.
+/// Appends ln of the evidence of the effect in a direction of its parameters (in plausible sizes), for each
+/// of the visibilities that the simulator draws.
 void addEvidence(std::vector<double>& logs, const Component& component, const VectorXd& direction,
                  const Leftover& leftover) {
   constexpr int steps = 60;
-  // The visibility of each size, which for a plane tilt is not proportional to it.
+  // The visibility of each size; for a plane tilt it is not proportional to the size.
   constexpr int sizes = 60;
   std::vector<double> shown(sizes + 1, 0);
   for (int i = 1; i <= sizes; ++i)
@@ -130,7 +130,7 @@ struct Row {
   std::atomic<int> count = 0, product = 0, ideal = 0, worse = 0, better = 0;
 };
 
-/// Counts how often only one of the two was right.
+/// Counts the cases in which only one of program and ideal observer was right.
 class Apart {
  public:
   void note(const std::string& what) {

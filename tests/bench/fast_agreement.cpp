@@ -52,8 +52,8 @@ RandomArc drawArc(RandomSource& random) {
   return arc;
 }
 
-/// A place on the circle at the angle φ, weighted: its residuals, with derivatives with respect to circle (x,
-/// y, R) and φ.
+/// The weighted residuals of a place at the angle φ of the circle, with their derivatives with respect to
+/// circle (x, y, R) and φ.
 struct Equation {
   Eigen::Matrix<Extended, 2, 3> byCircle;
   Eigen::Matrix<Extended, 2, 1> byAngle, left;
@@ -77,7 +77,7 @@ Equation equationAt(const RandomArc& arc, std::size_t i, const Vector3& circle, 
           weight.cwiseProduct(Eigen::Matrix<Extended, 2, 1>{arc.a[i] - seen.a, arc.e[i] - seen.e})};
 }
 
-/// Moves the circle and the angles by one step; returns the circle's.
+/// Moves the circle and the angles by one step; returns the step of the circle.
 Vector3 improve(const RandomArc& arc, Vector3& circle, std::vector<Extended>& angles) {
   Matrix3 normal = Matrix3::Zero();
   Vector3 right = Vector3::Zero();

@@ -128,7 +128,7 @@ struct Tally {
   }
 };
 
-/// `hasChanged`: by the knock; the record holds the whole instrument in both cases.
+/// `hasChanged`: the constant has changed since the record. The record holds all constants in both cases.
 void printTrials(const Protocol& protocol, std::string_view id, bool hasChanged, int sessions,
                  std::uint64_t seed) {
   constexpr std::uint64_t stream = 91;

@@ -15,10 +15,10 @@
 #include "tests/support/drawn_plan.h"
 
 // How often Δd ± U covers the true Δd, fit only and measured. The sessions have every effect of the
-// catalogue, drawn about zero with the plausible width, half and twice that, none at all, and one at a time;
-// or noise of three times the stated one and zeros without a stated σ; the last two also with zeros sighted
-// in both faces, before and after. For every named plan, and for plans and set-ups drawn for each session.
-// Stated coverage 95 %.
+// catalogue, drawn about zero with one, a half or two plausible sizes, or no effect, or a single one. Others
+// have three times the stated noise and zeros without a stated σ. Every effect and that noise are also tried
+// with zeros sighted in both faces, before and after. Plans are the named ones, and plans and set-ups drawn
+// for each session. Stated coverage 95 %.
 //
 //   alidade_measurement_coverage [SESSIONS [SEED [ROWS]]]     only rows with ROWS in their names
 
@@ -34,7 +34,7 @@ struct Row {
   bool zerosInFull = false;
 };
 
-/// Drawn if `protocol` is null.
+/// The plan with its truth; drawn if `protocol` is null.
 test::DrawnPlan planOf(const Protocol* protocol, std::uint64_t seed) {
   constexpr int mostPoints = 60;
   if (protocol) return {*protocol, drawTruth(seed)};

@@ -14,9 +14,9 @@
 #include "core/simulation/trial_series.h"
 #include "core/simulation/trial_summary.h"
 
-// How often Δd ± U covers the true Δd after the causes named by a diagnosis are added, if causes and sizes
-// have the diagnosis' prior distribution: each effect, a jump, larger noise and a misreading with its prior
-// odds, independently, and sizes that are normal with equally probable widths. Stated coverage 95 %.
+// How often Δd ± U covers the true Δd after the causes named by a diagnosis are added. Effects, a jump,
+// larger noise and a misreading are drawn independently by the prior odds of the diagnosis; their sizes are
+// normal with equally probable widths. Stated coverage 95 %.
 //
 //   alidade_prior_coverage [SESSIONS [SEED [THREADS]]]
 

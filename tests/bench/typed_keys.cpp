@@ -22,7 +22,7 @@ namespace {
 using namespace alidade;
 using namespace alidade::ui;
 
-/// The digits of an angle, with blanks between them.
+/// The numbers of an angle, separated by blanks in place of the unit signs.
 std::string digits(const std::string& angle) {
   std::string plain;
   for (const char c : angle)

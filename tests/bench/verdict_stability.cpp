@@ -5,9 +5,9 @@
 
 #include "tests/support/verdict_trials.h"
 
-// How often the verdict of a simulated session changes when one row is left out or misread by 60″. How often
-// it changes from undecided to accept, and how often it does so although all readings gave less than 90 % for
-// conformity. How often verdicts are wrong. By plan, without any effect and with a random one.
+// How often the verdict of a simulated session changes when one row is left out or misread by 60″, and how
+// often from undecided to accept. Of the latter, how often all readings gave a probability of conformity
+// below 90 %. Sessions are counted by plan, without any effect and with a random one.
 //
 //   alidade_verdict_stability [SESSIONS [SEED [CHANGES]]]
 

@@ -202,7 +202,7 @@ TEST_F(CertificateTest, IsNotMadeWithoutWhatItMustState) {
   for (const char* noun : {"report number", "country", "laboratory", "customer", "authorised by", "--draft"})
     EXPECT_THAT(run.err, HasSubstr(noun));
   EXPECT_FALSE(std::filesystem::exists(m_out));
-  // Each of the entries by itself.
+  // Leaves out one entry at a time.
   for (const auto& entry :
        {std::pair("report", "number"), std::pair("report", "laboratory"), std::pair("report", "customer"),
         std::pair("report", "authorised_by"), std::pair("device", "name"), std::pair("device", "serial")}) {
@@ -285,7 +285,7 @@ TEST_F(CertificateTest, StatesConformityAsTheVerdictHasIt) {
       ASSERT_EQ(write(session).exitCode, 0);
       const std::string word = conformity(read()), verdict = fitted(session)["decision"]["verdict"];
       seen.insert(word);
-      // A verdict on condition is a statement on condition.
+      // A conditional verdict needs a conditional statement.
       const std::string told =
           byId(read(), "conformity").select_node("dcc:declaration/dcc:content").node().text().get();
       const bool isConditional = told.find("only if that comes from") != std::string::npos ||
@@ -307,7 +307,7 @@ TEST_F(CertificateTest, StatesConformityAsTheVerdictHasIt) {
       }
     }
   }
-  // Δd of 3 mm, about which nothing is open.
+  // Sessions with Δd of 3 mm, whose verdict is unconditional.
   for (const auto& [tolerance, word] : {std::pair("1", "fail"), std::pair("6", "pass")}) {
     const std::string session = m_folder.path() / "drawn.alidade";
     alidadeCli({"simulate", "--out", session, "--truth", m_folder.path() / "truth.json", "--protocol",

@@ -71,7 +71,7 @@ TEST(FitCsv, IsATableOfEachKind) {
   EXPECT_GT(tableOf("budget").size(), 8u);
 }
 
-// In the order of the files, whatever is in their names.
+// Rows are in the order of the files, whatever characters the file names contain.
 TEST(FitCsv, IsOneTableOfTheResultsOfManyFiles) {
   const TemporaryFolder folder;
   const auto same = [](Json&) {};

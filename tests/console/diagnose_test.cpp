@@ -95,7 +95,7 @@ std::string changedFile(const TemporaryFolder& folder, const std::function<void(
   return folder.file("changed.alidade", changedPaperSession(change));
 }
 
-/// Keeps only the first `count` places of the position.
+/// Keeps `count` evenly spread places of the position.
 void keepPlaces(Json& session, std::size_t position, std::size_t count) {
   auto& readings = session["positions"][position]["readings"];
   Json few = Json::array();

@@ -46,7 +46,7 @@ TEST(FitJson, MeetsTheExactFitOfThePapersReadings) {
   EXPECT_NEAR(fit["intersection"]["in_plane_mm"], 1.34739, 1e-5);
 }
 
-// The expected values are of the same least squares, solved with 40 digits.
+// The expected values are the solution of the same least-squares problem with 40 digits.
 TEST(FitJson, MeetsThePlanarFitOfThePapersReadings) {
   const TemporaryFolder folder;
   const Json fit = fitOf(folder.file("planar.alidade", changedPaperSession([](Json& session) {
@@ -70,8 +70,7 @@ TEST(FitJson, MeetsEveryPrintedDigitThatCanBeReproduced) {
   EXPECT_NEAR(fit["intersection"]["value_mm"], -1.934, 0.0005) << "y up";
 }
 
-// The printed tilts agree with the digits of the solution for θx at 0° divided by a thousand, and with
-// nothing else.
+// Of the tilts that the paper prints, only θx at 0° has the digits of this solution, divided by a thousand.
 TEST(FitJson, ShowsTheTiltsThatThePublishedSystemReallyHas) {
   const Json fit = fitOf(paperSession, "published");
   const Json upper = fit["arcs"][0]["as_printed"], lower = fit["arcs"][1]["as_printed"];
@@ -154,7 +153,7 @@ TEST(FitJson, TellsOfEachShareOfTheUncertaintyWhereItComesFrom) {
   const Json sine = entryOf("arc_ellipticity")["sizes"][1];
   EXPECT_EQ(sine["name"], "sine");
   EXPECT_EQ(sine["unit"], "mm");
-  // Effects of the guideway are larger here than plausible, by three times at most.
+  // Here the size is uncertain by more than the plausible size of 0.05 mm, but by at most three times it.
   EXPECT_GT(sine["sigma"], 0.05);
   EXPECT_LT(sine["sigma"], 0.15);
 }
@@ -175,7 +174,7 @@ TEST(FitJson, DecidesByTheGuardBand) {
     const std::string file = folder.file("s.alidade", session.dump());
     return fitOf(file)["decision"]["verdict"].get<std::string>();
   };
-  // U of Δd, measured, is the larger one, and its interval contains that of Δd, fit only.
+  // The interval of Δd, measured, is the larger one and contains that of Δd, fit only.
   const Json intersection = fitOf(clean)["intersection_as_found"];
   const double value = intersection["value_mm"], expanded = intersection["expanded_mm"];
   ASSERT_GT(value, 0);
@@ -216,7 +215,7 @@ TEST(FitJson, DecidesByWhatMayHaveClosedThePositions) {
   EXPECT_EQ(decision["as_found"], "accept");
   EXPECT_EQ(decision["verdict"], "accept");
   EXPECT_GT(decision["conformance_probability"], 0.99);
-  // No row decides the verdict, although with 21 % nothing explains the gap.
+  // No row decides the verdict, although the gap is unexplained with a probability of 21 %.
   EXPECT_TRUE(decision["depends_on"].empty());
   EXPECT_EQ(decision["depends_on_sentence"], "");
   EXPECT_NEAR(decision["unexplained_probability"], 0.21, 0.1);
@@ -341,8 +340,8 @@ TEST(FitJson, ListsTheReliabilityOfEveryReading) {
             10 * vertical["minimal_detectable_bias_arcsec"].get<double>());
 }
 
-// 34 places, each checked only across the arc; 28 degrees of freedom minus one for the tested shift.
-// Student's t with 27 exceeds 4.1522 by 1 − 0.99^(1/34) (incomplete beta function in 20 digits).
+// 34 places, each checked only across the arc; 28 degrees of freedom less one for the tested shift. With 27,
+// Student's |t| exceeds 4.1522 with probability 1 − 0.99^(1/34) (incomplete beta, 20 digits).
 TEST(FitJson, StatesTheTestOfMisreadReadings) {
   const Json test = fitOf(paperSession)["reading_test"];
   EXPECT_EQ(keysOf(test),
@@ -433,7 +432,7 @@ TEST(FitJson, ChecksTheUncertaintyByDraws) {
   EXPECT_EQ(check.at("seed"), 4);
   EXPECT_EQ(check.at("arcs").size(), 2u);
   EXPECT_EQ(check.at("linear_propagation"),
-            "undecided");  // an end has an uncertainty of 0.009 mm, δ is 0.005 mm
+            "undecided");  // the ends are uncertain by 0.009 mm, more than δ = 0.005 mm
   EXPECT_NEAR(check.at("intersection").at("sigma_mm").get<double>(), 0.105, 0.01);
   EXPECT_LT(check.at("intersection").at("low_mm"), 1.2);
   EXPECT_FALSE(Json::parse(outOf({})).contains("monte_carlo"));

@@ -19,7 +19,7 @@ std::string textOf(const std::string& file, const std::string& method = "rigorou
   return run.out;
 }
 
-/// The letters of a UTF-8 text.
+/// The number of code points of a UTF-8 text.
 std::size_t lettersIn(const std::string& text) {
   return static_cast<std::size_t>(std::ranges::count_if(text, [](char c) { return (c & 0xC0) != 0x80; }));
 }
@@ -43,7 +43,7 @@ TEST(FitText, TellsCentresRadiiAndIntersectionOfThePapersReadings) {
   EXPECT_THAT(text, HasSubstr("  Reference 2 mm: difference −0.9"));
 }
 
-// Δd is 0.40 mm.
+// The true Δd is 0.40 mm.
 TEST(FitText, TellsTheMeasuredResultFirstAndThatOfTheFitBelow) {
   const std::string two = textOf(ALIDADE_SAMPLES_DIR "/two-causes.alidade");
   EXPECT_THAT(two, ContainsRegex("^[^\n]+\nΔd = 0\\.4[0-9]* ± 0\\.[01][0-9]* mm \\(95 % coverage\\)   "

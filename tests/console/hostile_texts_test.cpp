@@ -15,7 +15,7 @@ using ::testing::HasSubstr;
 using ::testing::StartsWith;
 using Json = nlohmann::ordered_json;
 
-/// Checks for visible text in whole lines.
+/// Expects only visible characters and line ends.
 void expectVisible(const std::string& text, const std::string& of) {
   const auto at = firstForbidden(text);
   EXPECT_FALSE(at) << of << ": …" << ::testing::PrintToString(text.substr(*at < 20 ? 0 : *at - 20, 60));

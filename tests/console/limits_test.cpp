@@ -18,12 +18,12 @@ using Json = nlohmann::ordered_json;
 
 const std::string cli = "\"$0\"";  // the program in a shell command
 
-/// Runs a shell command, since shells support devices.
+/// Runs a shell command, which can redirect to devices and set limits.
 ProgramRun shell(const std::string& line) {
   return runProgram({.program = "/bin/sh", .arguments = {"-c", line, ALIDADE_CLI}});
 }
 
-/// The start of such a command: a limit of memory. A sanitizer has its own.
+/// The start of a shell command that limits its memory. Empty under a sanitizer, which has its own limits.
 std::string within([[maybe_unused]] int megabytes) {
 #ifdef ALIDADE_MEMORY_IS_GUARDED
   return "";

@@ -8,7 +8,7 @@
 #include "tests/support/file_content.h"
 
 // The record of an instrument check at 2.4 m and 60 m, simulated with c = 8″ and a line of sight 0.117 mm
-// from the axis. The session at 2.405 m has the same instrument: at 2.438 m both are a collimation of 17.90″.
+// from the axis. In the session at L 2.405 m, targets are 2.438 m away, where both together are 17.90″.
 
 namespace alidade::test {
 namespace {
@@ -29,7 +29,7 @@ class LineOfSightTest : public testing::Test {
     ASSERT_EQ(made.exitCode, 0) << made.err;
   }
 
-  /// Uses the record after `change`.
+  /// The diagnosis with the record after `change`.
   template <typename Change>
   Json diagnosed(const Change& change) const {
     Json changed = Json::parse(contentOf(record));

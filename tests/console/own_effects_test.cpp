@@ -7,7 +7,7 @@
 
 #include "tests/console/console.h"
 
-// Effects of the user's own on the command line: put in, left out, taken up, kept.
+// Effects of the user's own on the command line: simulated, left out, read from files, written to a file.
 
 namespace alidade::test {
 namespace {
@@ -21,7 +21,7 @@ constexpr const char* wave = R"json({
   "parameters": [{"name": "A", "plausible": 0.2, "unit": "mm"}, {"name": "B", "plausible": 0.2, "unit": "mm"}]
 })json";
 
-/// A session of device G-7 with the wave in it, which it does not state.
+/// A session of device G-7, simulated with the wave, which the session file does not define.
 struct WavySession {
   TemporaryFolder folder;
   std::string effect = folder.file("wave.alidade-effect", wave), session = path("s.alidade");

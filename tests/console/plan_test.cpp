@@ -63,7 +63,7 @@ TEST(Plan, SaysItInWordsToo) {
   EXPECT_LT(run.out.find("What to measure next"), run.out.find("would show"));
 }
 
-// A plan without noise leaves some thousand degrees of freedom and a misfit below one arcsecond.
+// A plan without noise leaves some thousand degrees of freedom and residuals below one arcsecond.
 TEST(Plan, ReviewsALargePlan) {
   const TemporaryFolder folder;
   const std::string file = (folder.path() / "plan.alidade").string(), truth = (folder.path() / "t").string();

@@ -36,7 +36,7 @@ TEST(ProtocolCommand, SaysWhatIsNextAndWhatIsLeft) {
   EXPECT_EQ(guidance.at("next").at("point"), 17);
   EXPECT_EQ(guidance.at("next").at("round"), 2);
   EXPECT_EQ(guidance.at("sightings").size(), 70u);
-  // The place was read in round 1: about 323°07'06", where the slider returns.
+  // The return run visits a place read in round 1 as about 323°07'06".
   EXPECT_NEAR(guidance.at("next").at("expected").at("horizontal_deg").get<double>(), 323.118, 0.01);
   EXPECT_TRUE(guidance.at("repeat").is_array());
 }

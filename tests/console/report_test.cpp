@@ -93,7 +93,7 @@ TEST(ReportCall, NeverReplacesWhatItRead) {
   const std::string session = sessionIn(folder, "s.alidade"), pdf = pdfOf(session);
   ASSERT_EQ(report({session}).exitCode, 0);
   const std::string before = contentOf(pdf);
-  const ProgramRun run = report({pdf});  // holds its session
+  const ProgramRun run = report({pdf});  // the PDF embeds its session
   expectRefusal(run);
   EXPECT_THAT(run.err, StartsWith(pdf + ": "));
   EXPECT_EQ(contentOf(pdf), before);

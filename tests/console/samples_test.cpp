@@ -37,7 +37,7 @@ TEST_P(SampleTest, IsDiagnosedAsItsLineSays) {
   std::set<std::string> named;
   for (const Json& cause : diagnosis["causes"]) named.insert(cause["effect"]);
   if (!story.lookAlikes.empty()) {
-    // The order of the causes is random.
+    // Which of the indistinguishable causes is named depends on chance.
     for (const Json& cause : diagnosis["causes"])
       named.insert(cause["indistinguishable_from"].begin(), cause["indistinguishable_from"].end());
     EXPECT_THAT(named, IsSupersetOf(story.lookAlikes));
@@ -104,7 +104,7 @@ TEST(Samples, AnOwnEffectIsFoundWithItsSizeOrAsAForm) {
   EXPECT_NEAR(numbers["at_deg"].get<double>(), 105, 3 * numbers["standard_uncertainty_at_deg"].get<double>());
 }
 
-// The truth is in make.sh, and of the settling tripod in samples/README.md.
+// The truth is in make.sh, and that of the settling tripod in samples/README.md.
 TEST(Samples, FormsAreThoseOfTheTruth) {
   struct Told {
     const char *sample, *carrier, *form, *of, *number;
@@ -124,7 +124,7 @@ TEST(Samples, FormsAreThoseOfTheTruth) {
         << told.sample;
     EXPECT_EQ(forms[0]["clean_range"].empty(), told.form == std::string("harmonic")) << told.sample;
   }
-  // 8° wide, 0.3 mm deep, σ 0.024 mm: below σ from 2.25 widths on, 22° to 58°.
+  // The dent is 8° wide and 0.3 mm deep; σ is 0.024 mm. At 2.25 widths, 22° and 58°, it falls below σ.
   const Json clean = diagnosisOf("dented-guideway")["forms"][0]["clean_range"];
   ASSERT_EQ(clean.size(), 2u);
   EXPECT_NEAR(clean[0][1].get<double>(), 22, 3);

@@ -17,9 +17,9 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Optional keys that are present here: each depends on the session.
+/// Mutants that the schema accepts, since the removed key depends on the session.
 const std::set<std::string> mayBeAbsent = {
-    "gone intersection",  // another mutant, with everything derived from it
+    "gone intersection",  // a result without it also lacks everything derived from it
     "gone intersection/as_found",
     "gone decision",
     "gone two_faces",

@@ -67,8 +67,7 @@ constexpr const char* dent = R"json({
   "formula": "radial = A*bump(s, 83°, 8°)", "parameters": [{"name": "A", "plausible": 0.2, "unit": "mm"}]
 })json";
 
-// Of some 36 kinds, one of 60 drawn trials is the own effect with probability 0.8; the seed is one where it
-// is.
+// With some 36 kinds, 60 drawn trials include the own effect with probability 0.8; with this seed they do.
 TEST(Trial, DrawsOwnEffects) {
   const TemporaryFolder folder;
   const std::string effect = folder.file("dent.alidade-effect", dent);
@@ -83,7 +82,7 @@ TEST(Trial, DrawsOwnEffects) {
   EXPECT_GT(answer.at("kinds").at("own:dent").at("right").at("hits"), 0);
 }
 
-// Sessions of another program that do not state the effect: known only where a file says it.
+// Sessions of another program do not define the effect, so the diagnosis knows it only from its file.
 TEST(Trial, ScoresStoredOwnEffects) {
   const TemporaryFolder folder;
   const std::string effect = folder.file("dent.alidade-effect", dent);

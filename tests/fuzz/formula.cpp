@@ -17,7 +17,7 @@ void requireFinite(std::span<const OwnShare> shares) {
       require(std::isfinite(value), "a share that is no number");
 }
 
-/// What a formula does is finite wherever it is asked.
+/// The influence of a formula on the readings is finite everywhere.
 void evaluate(const OwnEffect& effect) {
   std::vector<Problem> problems;
   const auto effects = examineOwnEffects({effect}, problems);
@@ -32,7 +32,7 @@ void evaluate(const OwnEffect& effect) {
     }
 }
 
-/// With each of its amplitudes plausible.
+/// An own effect of this formula. Each amplitude has the plausible size 1 in its unit.
 OwnEffect effectOf(std::string_view formula, const Formula& read) {
   OwnEffect effect{.id = "fuzzed", .formula = std::string(formula)};
   for (const FormulaAmplitude& amplitude : read.amplitudes)
@@ -42,7 +42,7 @@ OwnEffect effectOf(std::string_view formula, const Formula& read) {
 
 void parse(std::string_view text) {
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__) || defined(__clang__)
-  constexpr double longest = 0.2;  // s; sanitizers, which clang's builds have, take their time
+  constexpr double longest = 0.2;  // s; longer for sanitizers, which all clang builds have
 #else
   constexpr double longest = 0.01;
 #endif

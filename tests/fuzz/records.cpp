@@ -10,7 +10,7 @@ namespace alidade::fuzz {
 
 namespace {
 
-/// Refused with a sentence, or unchanged after writing and reading.
+/// Reads a record. It must be refused with a sentence, or unchanged after writing and reading.
 template <typename Read, typename Write>
 auto readAndWritten(std::string_view bytes, const Read& read, const Write& write) {
   auto record = read(bytes);

@@ -26,7 +26,7 @@ Protocol planFrom(Steering& steering) {
   return plan;
 }
 
-/// Powers of ten between those of the bounds.
+/// A number between the bounds, uniform in its logarithm.
 double decades(Steering& steering, double low, double high) {
   return std::pow(10, steering.between(std::log10(low), std::log10(high)));
 }

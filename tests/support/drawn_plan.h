@@ -32,9 +32,9 @@ struct DrawnPlan {
   Truth truth;
 };
 
-/// `mostPoints` ≥ 3 places over 20° to 350° of arc, one to three rounds, one face, both or in turn, with or
-/// without slider, occasionally a repeated axis; L from 0.5 to 50 m, R from 50 mm to 5 m but within 45° of
-/// the line of sight, both σ from 0.1″ to 60″. Without any effect.
+/// 3 to `mostPoints` places over 20° to 350° of arc, one to three rounds, one face, both or alternating
+/// faces, with or without slider, occasionally a repeated axis; L from 0.5 to 50 m, R from 50 mm to 5 m but
+/// within 45° of the line of sight, both σ from 0.1″ to 60″. Without any effect.
 inline DrawnPlan drawnPlan(std::mt19937_64& random, int mostPoints, std::uint64_t seed) {
   DrawnPlan plan;
   Protocol& protocol = plan.protocol;

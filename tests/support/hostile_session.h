@@ -8,7 +8,7 @@
 
 namespace alidade::test {
 
-/// All of them, concatenated.
+/// All hostile texts, concatenated.
 inline std::string allHostileTexts() {
   std::string all;
   for (const HostileText& hostile : hostileTexts) all.append(hostile.text);

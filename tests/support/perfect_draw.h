@@ -47,8 +47,8 @@ inline Measurement withPerfectArcs(Measurement measurement, const std::array<Cir
   return measurement;
 }
 
-/// Adds a drift of the vertical circle: zenith readings grow over the session, so that e decreases, counted
-/// from the zero that was sighted with the first row of its position.
+/// Adds a drift of the vertical circle: zenith readings grow over the session, so that e decreases. The drift
+/// counts from the zero sighted with the first row of each position.
 inline void addVerticalDrift(Measurement& measurement, Angle drift) {
   for (ArcMeasurement& arc : measurement.arcs) {
     // The zero, read as level, was actually higher by its drift.
@@ -106,7 +106,7 @@ inline Draw drawOf(const RefitTask& task, const Measurement& wanted, double scal
     zeros[0] = normal(random);
     zeros[1] = normal(random);
     const Angle zeroA = read.sigmaZeroHorizontal * zeros[0], zeroE = read.sigmaZeroVertical * zeros[1];
-    // An e that is drawn larger means a lower zero: the same place is then lower in space.
+    // A drawn zero that makes e larger is lower, so the same readings then point lower in space.
     ArcMeasurement level = {}, lower = {};
     lower.zeroElevation = -zeroE;
     for (std::size_t i = 0; i < read.arcs[arc].sightings.size(); ++i) {
@@ -126,8 +126,8 @@ inline Draw drawOf(const RefitTask& task, const Measurement& wanted, double scal
   return draw;
 }
 
-/// A vertical drift in the model and one in the drawn values. Its prior is drawn at the drift of the
-/// readings: otherwise it would bias the estimate.
+/// A draw whose readings have a vertical drift, which the model estimates. The prior of the drift is drawn at
+/// the drift of the readings, since another value would bias the estimate.
 class DrawnDrift {
  public:
   DrawnDrift(const std::array<Circle, 2>& read, const std::array<Circle, 2>& drawn, std::uint64_t seed)

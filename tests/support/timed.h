@@ -4,8 +4,8 @@
 
 namespace alidade::test {
 
-/// Rows read once a minute without a pause, with zeros of unknown marks: only the rows determine drifts,
-/// which are known to be linear.
+/// Reads a row every minute without a pause, with unknown marks of the zeros. Drifts are then known to be
+/// linear, and only the rows determine them.
 inline Measurement timed(Measurement measurement) {
   for (ArcMeasurement& arc : measurement.arcs)
     for (Sighting& sighting : arc.sightings) sighting.minutes = static_cast<double>(sighting.sequence);

@@ -50,7 +50,7 @@ inline std::vector<Trial> trials() {
   return trialsIn("trials");
 }
 
-/// Trials whose effects show in the conditions between the two positions.
+/// Trials whose effects show in the closures between the two positions.
 inline std::vector<Trial> closureTrials() {
   return trialsIn("closures");
 }

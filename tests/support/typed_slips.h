@@ -34,7 +34,7 @@ inline constexpr int slipKinds = 9;
 struct SlippedSession {
   Session session;
   std::vector<CellChange> cure;  ///< the cells at fault, with the correct texts
-  double visibleSigma = 0;       ///< the largest of error times √redundancy over σ; infinite if unusable
+  double visibleSigma = 0;       ///< largest |error| · √redundancy / σ; infinite if a text is unusable
 };
 
 inline std::string& cell(Session& session, const Place& where) {
@@ -72,7 +72,7 @@ inline std::string typedWrongly(const std::string& text, Slip slip, std::mt19937
                    AngleSigns::Typewriter);
 }
 
-/// The error of the slip in the clean fit, if both are usable.
+/// How far the slip shows in the fit of the clean session, in σ; infinite if a text is unusable.
 inline double visibleSigma(const SlippedSession& slipped, const JointFit& fit,
                            const Measurement& measurement) {
   double most = 0;
@@ -153,7 +153,7 @@ inline SlippedSession slippedSession(const Protocol& protocol, Slip slip, std::u
 }
 
 /// A session by the protocol with `count` slips in adjacent readings: both circles of a row, or consecutive
-/// rows (its places, or the two faces of a place).
+/// rows (of adjacent places, or of the two faces of one place).
 inline SlippedSession neighbouringSlips(const Protocol& protocol, std::size_t count, std::uint64_t seed,
                                         double step = 0.1) {
   std::mt19937_64 random(seed * 104729 + count);

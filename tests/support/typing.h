@@ -94,7 +94,7 @@ class Typing {
  private:
   std::mt19937_64 m_random;
   Session m_whole, m_session;
-  std::vector<std::size_t> m_order;  ///< of the positions
+  std::vector<std::size_t> m_order;  ///< order in which the positions are typed
   double m_slips = 0;
 
   static std::vector<std::string*> cellsOf(Reading& row) {

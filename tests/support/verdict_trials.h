@@ -25,7 +25,7 @@ struct JudgedSession {
   AcceptanceDecision decision;
 };
 
-/// Absent without a verdict.
+/// The fit, diagnosis and decision; absent without a decision.
 inline std::optional<JudgedSession> judged(Measurement measurement) {
   JudgedSession session{std::move(measurement), {}, {}, {}};
   session.fit = fitSession(session.measurement);
@@ -44,7 +44,7 @@ inline Measurement without(Measurement measurement, std::size_t arc, std::size_t
   return measurement;
 }
 
-/// A blind trial with a tolerance about as far from the true |Δd| as its U: two of three are within it.
+/// A blind trial. Its tolerance differs from the true |Δd| by about the usual U; two of three truths conform.
 inline Measurement drawnAcceptance(const std::string& protocol, const std::vector<std::string>& kinds,
                                    std::uint64_t seed) {
   constexpr std::uint64_t stream = 91;          // separate from those of trial and noise
@@ -65,7 +65,7 @@ struct Changes {
   int unsupported = 0;     ///< … although all readings gave less than `support` for conformity
 };
 
-/// The support at a coverage of 95 %: 1 − 2 (1 − c), twice the risk on both sides that accept allows.
+/// The least supporting probability of conformity: 1 − 2 (1 − c) with the coverage c = 95 %.
 inline constexpr double support = 0.9;
 
 inline Changes changesOf(const JudgedSession& session, int count, std::uint64_t seed) {

@@ -47,7 +47,7 @@ TEST(Application, LeavesTheWindowAndWhatWasTyped) {
   EXPECT_EQ(open->document().session(), paperSession());
 }
 
-/// Qt cannot represent such a name, and would create and open another file.
+/// Qt cannot represent a file name that is not UTF-8, and would create and open another file.
 TEST(Application, NamesAFileWhoseNameIsNoUtf8) {
   QProcess program;
   program.start(

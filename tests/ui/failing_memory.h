@@ -2,8 +2,8 @@
 
 namespace alidade::ui {
 
-/// While it exists, `new` of 256 bytes or more fails in all threads except its own. Small blocks succeed, as
-/// when real memory runs short.
+/// While such an object exists, `new` of 256 bytes or more fails in all threads except its own. Small blocks
+/// succeed, as when real memory runs short.
 class FailingMemory {
  public:
   FailingMemory();

@@ -303,7 +303,7 @@ TEST_F(HostileTextsTest, OfAnyKindLeaveAReportThatIsText) {
   EXPECT_EQ(test::firstForbidden(broken.text().toStdString()), std::nullopt);
 }
 
-// Every line of a note, and a name as long as pages, complete or shortened with an ellipsis.
+// Every line of a note and a name as long as pages are printed complete or shortened with an ellipsis.
 TEST_F(HostileTextsTest, OfTenThousandCharactersStayOnTheSheet) {
   std::string note;
   for (int i = 0; i < 2000; ++i) note += std::to_string(10000 + i) + " ";

@@ -165,7 +165,7 @@ TEST(MainWindow, MarksTheFormOfAnEntryThatCannotBeUsed) {
   EXPECT_FALSE(isMarked());
 }
 
-// The report does the same.
+// The report gives no verdict either.
 TEST(MainWindow, GivesNoVerdictWithAnEntryThatCannotBeUsed) {
   OpenWindow open;
   loadPaper(open);

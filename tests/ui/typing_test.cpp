@@ -33,7 +33,7 @@ class Typing : public ::testing::Test {
     QCoreApplication::processEvents();
   }
 
-  /// A whole evaluation of the current session, shown everywhere.
+  /// Evaluates the current session, and waits until all views show the result.
   void news() {
     open->job().request(open->document().session());
     open.settle();
@@ -55,7 +55,7 @@ class Typing : public ::testing::Test {
   int keys = 0;
 };
 
-/// The angles of rows as plain digits, as typed at the bench.
+/// An angle as typed at the bench: digits and blanks, without signs.
 std::string plain(std::string angle) {
   for (const std::string sign : {"°", "'", "\"", "′", "″"})
     for (std::size_t at = angle.find(sign); at != std::string::npos; at = angle.find(sign))

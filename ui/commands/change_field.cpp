@@ -18,7 +18,7 @@ QString undoText(const Place& place) {
   return QCoreApplication::translate("ChangeField", "Change %1").arg(noun);
 }
 
-/// A day in the session's form, a number without its unit.
+/// The text to store: a day in the session's form, a number without its unit.
 std::string completed(std::string_view field, const std::string& typed) {
   if (isDay(field)) return completedDay(typed);
   const SessionField* own = sessionFieldNamed(field);

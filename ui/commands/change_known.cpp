@@ -12,7 +12,7 @@ namespace alidade::ui {
 
 namespace {
 
-/// An entry for the number, still without texts.
+/// A new entry for the parameter of the row, still without texts.
 KnownSize entryFor(const KnownRow& row) {
   const bool isOnly = row.effect->parameters.size() == 1;
   return {.effect = std::string(row.effect->id),
@@ -32,7 +32,7 @@ std::string saidOf(const KnownSize& size) {
   return size.from.empty() ? text : text + ", " + size.from;
 }
 
-/// The list with this entry: replaced, appended, or removed if it says nothing.
+/// The list after this entry was replaced, appended, or removed if it says nothing.
 std::vector<KnownSize> listWith(std::vector<KnownSize> list, std::size_t index, const KnownSize& entry) {
   if (index == list.size())
     list.push_back(entry);

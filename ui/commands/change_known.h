@@ -16,7 +16,7 @@ struct KnownCell {
 inline constexpr KnownCell knownCells[] = {
     {&KnownSize::value, "value"}, {&KnownSize::sigma, "sigma"}, {&KnownSize::from, "from"}};
 
-/// Types `text` into one cell of a row of the session. The first text of a number creates its entry in the
+/// Types `text` into one cell of a row of the session. The first text of a parameter creates its entry in the
 /// proper list; removing the last text removes the entry. Without a change there is no undo step.
 void typeKnown(SessionDocument& document, const KnownRow& row, const KnownCell& cell,
                const std::string& text);

@@ -30,7 +30,7 @@ std::string pastedText(ReadingColumn column, const QString& cell, CircleUnit uni
   return isAngle(column) ? completedAngle(cell.toStdString(), unit) : cell.toStdString();
 }
 
-/// The reading after `last`, which is number `count`; null: there is none.
+/// A new reading after `last`, the reading number `count`; null if there is none before.
 Reading readingAfter(const Reading* last, std::size_t count) {
   Reading reading;
   int point = static_cast<int>(count) + 1;

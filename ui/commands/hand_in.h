@@ -12,7 +12,7 @@ class SessionDocument;
 /// Commits unfinished entries as their widgets would. Ignores texts whose entry the session lacks.
 void handIn(SessionDocument& document, const std::vector<HalfTypedText>& texts);
 
-/// The session after committing them.
+/// The session after committing these texts.
 Session withHandedIn(const Session& session, const std::vector<HalfTypedText>& texts);
 
 }  // namespace alidade::ui

@@ -28,8 +28,8 @@ class SessionCommand : public QUndoCommand {
   SessionDocument& m_document;
 };
 
-/// An edit of the session that enters the journal if it changes recorded entries. Undone before it is saved
-/// it leaves no trace; undone later, the journal lists both.
+/// An edit of the session that enters the journal if it changes recorded entries. An edit undone before
+/// saving leaves no trace; if it is undone later, the journal lists the edit and its undo.
 class JournalledCommand : public SessionCommand {
  public:
   void undo() final;
@@ -51,7 +51,7 @@ class JournalledCommand : public SessionCommand {
  private:
   int m_index;                               ///< index on the undo stack
   std::vector<JournalEntry> m_entries;       ///< while undone; else they are only in the journal
-  std::size_t m_told = 0, m_toldUndone = 0;  ///< numbers of entries in the journal
+  std::size_t m_told = 0, m_toldUndone = 0;  ///< numbers of journal entries: of the edit, of its undo
 };
 
 }  // namespace alidade::ui

@@ -111,7 +111,7 @@ void InstrumentDesk::take() {
   m_link.take();
 }
 
-/// Fills empty entries of the session; compares the others.
+/// Names the instrument in a session that names none; otherwise compares the serial numbers.
 void InstrumentDesk::noteIdentity() {
   const InstrumentIdentity identity = m_link.identity();
   const Instrument& stated = m_document.session().instrument;
@@ -140,7 +140,7 @@ void InstrumentDesk::forgetRemark() {
   emit remark({});
 }
 
-/// Shown from the first connection on.
+/// Updates the status text, which is visible from the first connection on.
 void InstrumentDesk::showState() {
   m_status->setText(m_flow.isHeld()
                         ? tr("%1 readings wait until the open entry is handed in (Enter) or given up (Esc)")

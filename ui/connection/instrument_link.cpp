@@ -10,7 +10,7 @@ namespace alidade::ui {
 namespace {
 
 constexpr qint64 portBuffer = 1 << 16;      // bytes waiting to be read
-constexpr qint64 mostUnsent = 1 << 12;      // a hundred requests: the instrument does not accept any
+constexpr qint64 mostUnsent = 1 << 12;      // bytes, a hundred requests: the instrument accepts none
 constexpr Milliseconds anyWait = 3600'000;  // longer than any protocol waits
 
 QSerialPort::Parity parityOf(ConnectionSettings::Parity parity) {

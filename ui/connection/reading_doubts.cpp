@@ -91,7 +91,7 @@ class Doubts {
 
   const Position& position() const { return m_session.positions[m_landing.position()]; }
 
-  /// The position of the last reading, if different.
+  /// The position of the readings before this one, if different.
   std::optional<std::size_t> positionBefore() const {
     if (m_before.position())
       return m_before.position() != m_landing.position() ? m_before.position() : std::nullopt;

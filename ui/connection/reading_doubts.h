@@ -21,7 +21,7 @@ class TakenBefore {
 
   std::optional<std::size_t> position() const { return m_position; }  ///< position of the last reading
   const std::string& serial() const { return m_serial; }  ///< serial number of the last reading; empty: none
-  const std::string& corrections() const { return m_corrections; }  ///< likewise
+  const std::string& corrections() const { return m_corrections; }  ///< of the last reading; empty: none
   std::optional<bool> isCompensated() const { return m_isCompensated; }
   const std::deque<InstrumentReading>& readings() const { return m_readings; }
 

@@ -49,7 +49,7 @@ bool ReadingFlow::isHeld() const {
   return !m_waiting.empty() && m_document.halfTyped().isOpenInPosition();
 }
 
-/// Repeats a question, since its entry may have been typed meanwhile.
+/// Asks the current question anew, since the entry in question may have been typed meanwhile.
 void ReadingFlow::setEvaluation(const SharedEvaluation& evaluation) {
   m_evaluation = evaluation;
   ask({});

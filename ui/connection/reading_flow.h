@@ -14,9 +14,9 @@ namespace alidade::ui {
 
 class SessionDocument;
 
-/// Stores readings of an instrument in the session, one after the other. Each goes to its place once the
-/// previous one is evaluated, so that it can be compared with the expected one. A doubtful reading
-/// (`readingQuestion`) waits for an answer, and later ones wait behind it. Never blocks or loses a reading.
+/// Stores readings of an instrument in the session, one after the other. Each is stored once the previous one
+/// is evaluated, so that it can be compared with the expected reading. A doubtful reading (`readingQuestion`)
+/// waits for an answer, and later ones wait behind it. Never blocks or loses a reading.
 class ReadingFlow : public QObject {
   Q_OBJECT
 
@@ -32,7 +32,7 @@ class ReadingFlow : public QObject {
 
   /// A reading without a time gets the present time.
   void add(const InstrumentReading& reading);
-  /// The evaluation of the current session, or of an earlier state while `isOld`.
+  /// The evaluation of the current session; the next change of the session drops it.
   void setEvaluation(const SharedEvaluation& evaluation);
 
   /// Answers the current question.

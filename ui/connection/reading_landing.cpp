@@ -90,7 +90,7 @@ std::optional<Landing> furtherZero(const Session& session, std::size_t position,
   return landing;
 }
 
-/// The row with the reading: the existing row, or the next one.
+/// The existing or the next row, with the reading entered.
 Reading landedRow(const SessionDocument& document, const Landing& landing, const InstrumentReading& reading) {
   const std::vector<Reading>& rows = document.session().positions[landing.position()].readings;
   Reading row = *landing.row < rows.size()
@@ -131,7 +131,7 @@ std::optional<Landing> nextLanding(const Evaluation& evaluation, std::size_t her
                                    const InstrumentReading& reading) {
   const Session& session = evaluation.session;
   if (here >= session.positions.size() || isBeyondSession(evaluation)) return std::nullopt;
-  const bool isTyped = !evaluation.next.empty();  // otherwise it has more rows than anyone types
+  const bool isTyped = !evaluation.next.empty();  // else the session has more rows than anyone types
   const auto asked = isTyped ? entryToCome(evaluation, here) : entryToComeOf(session, here);
   const bool isRow = !asked || asked->zero.empty();
   if (isRow && !isLed(evaluation))

@@ -32,7 +32,7 @@ struct Landing {
 std::optional<Landing> nextLanding(const Evaluation& evaluation, std::size_t here,
                                    const InstrumentReading& reading);
 
-/// Lands the reading in that row, or after the last one.
+/// The landing of a reading in the row `row`, or in a new row after the last one.
 Landing landingInRow(const Session& session, std::size_t position, std::size_t row);
 
 /// Stores the reading with its additional data, as one undo step.
@@ -47,8 +47,8 @@ FaceOneReading inFaceOne(const InstrumentReading& reading, const Session& sessio
 /// True if either circle differs from the expected one by more than `tolerance`.
 bool isFar(const FaceOneReading& read, const FaceOneReading& expected, Angle tolerance);
 
-/// True if it points at that sighting of the pointing zero. Any two targets at a bench differ by more than
-/// `tolerance`.
+/// True if the reading points at the pointing zero of the position. Any two targets at a bench differ by more
+/// than `tolerance`.
 bool looksAt(const InstrumentReading& reading, const Session& session, std::size_t position, Angle tolerance);
 
 }  // namespace alidade::ui

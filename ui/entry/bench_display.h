@@ -12,8 +12,8 @@ namespace alidade::ui {
 class ToleranceBar;
 
 /// A display for the tripod, in letters as large as the window allows: the next place with its expected
-/// angles, the last entry with any doubt, and the headline with what to read with it in small type below.
-/// Never takes the keyboard: typing goes to the main window.
+/// angles, the last entry with any doubt, and the headline, with its further lines in small type below. Never
+/// takes the keyboard: typing goes to the main window.
 class BenchDisplay : public QWidget {
   Q_OBJECT
 

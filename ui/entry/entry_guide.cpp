@@ -30,7 +30,7 @@ void EntryGuide::goToAxis(int axisDeg) {
   const auto& positions = m_document.session().positions;
   const int count = static_cast<int>(positions.size());
   const ReadingsTable* table = m_positions.currentTable();
-  // Starts at the position in front if it has the focus, else at the first.
+  // Starts after the position in front if that has the focus, else at the first position.
   const int begin = table && table->hasFocus() ? m_positions.currentIndex() + 1 : 0;
   for (int i = 0; i < count; ++i) {
     const int position = (begin + i) % count;

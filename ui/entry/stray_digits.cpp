@@ -15,7 +15,7 @@ namespace alidade::ui {
 
 namespace {
 
-/// True for the first character of an angle or a length.
+/// True for a digit without modifier keys, with which an angle or a length begins.
 bool beginsANumber(const QKeyEvent& event) {
   const auto modifiers = event.modifiers() & ~Qt::KeypadModifier;
   const QString text = event.text();

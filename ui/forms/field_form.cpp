@@ -15,7 +15,7 @@ namespace alidade::ui {
 
 namespace {
 
-/// In the language of the window; empty without a text.
+/// The text in the language of the window; empty if `english` is null.
 QString shown(const char* english) {
   return english ? QCoreApplication::translate("Forms", english) : QString();
 }

@@ -18,7 +18,7 @@ enum Column { FileColumn, KindColumn, WhereColumn, TurnedColumn, RoundColumn, co
 
 using Where = FileChoice::Where;
 
-/// Needed since a view shows its cell widgets even if hidden.
+/// Wraps a cell widget, since a view would show the widget itself again after it was hidden.
 QWidget* framed(QWidget* content) {
   auto* frame = new QWidget;
   auto* layout = new QHBoxLayout(frame);

@@ -67,7 +67,7 @@ void put(TableLayout& layout, const std::string& key, const Columns& columns) {
     layout.columns.at(columns[part]) = partKey(key, part);
 }
 
-/// Makes the box as wide as available, since three share a row.
+/// Lets the box be narrower than its texts, since three boxes share a row.
 void narrow(QComboBox& box) {
   box.setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
   box.setMinimumContentsLength(7);

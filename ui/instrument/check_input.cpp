@@ -81,7 +81,7 @@ QWidget* CheckInput::createFiles() {
   return files;
 }
 
-/// Restores the rows of an earlier window.
+/// Creates the table of rows, which restores the rows of an earlier window.
 QWidget* CheckInput::createRows() {
   new CheckRowsDraft(*m_table);
   m_clear = new QPushButton;

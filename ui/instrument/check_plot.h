@@ -43,7 +43,7 @@ class CheckPlot : public Plot {
     double x, y;
     Kind kind;
     const StationCheck* station;
-    std::size_t round, target;  ///< a course has no target, a distance no round
+    std::size_t round, target;  ///< unused: the target in a course, the round over distance
   };
 
   void draw();

@@ -38,13 +38,13 @@ QByteArray recordOf(const FailedJob& failed, const QDateTime& now) {
   return record + ",\n    \"session\": " + QByteArray::fromStdString(writeSession(*failed.session)) + "}\n";
 }
 
-/// The names sort by time.
+/// Keeps the newest `mostRecords` records; their names sort by time.
 void dropOldest(const QDir& folder) {
   QStringList records = folder.entryList({QStringLiteral("*.json")}, QDir::Files, QDir::Name);
   while (records.size() > mostRecords) QFile::remove(folder.filePath(records.takeFirst()));
 }
 
-/// Several things may fail within a millisecond.
+/// A free file name, since several jobs may fail within a millisecond.
 QString unusedName(const QDir& folder, const QString& name) {
   const QString suffix = QStringLiteral(".json");
   QString path = folder.filePath(name + suffix);
@@ -69,7 +69,7 @@ QString written(const FailedJob& failed) {
   return problem ? QString() : path;
 }
 
-/// Keeps the first record of its kind, since every edit would add one.
+/// Writes one record per job and reason, since otherwise every edit would add one.
 QString writtenOnce(const FailedJob& failed) {
   static std::map<std::pair<std::string, std::string>, QString> records;
   QString& path = records[{failed.job, failed.reason}];

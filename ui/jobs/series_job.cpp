@@ -38,7 +38,7 @@ SeriesSession loaded(const std::string& path) {
   return session;
 }
 
-/// The histories of the usable sessions.
+/// Computes the histories of the usable sessions, and says why other sessions are left out.
 void tellHistories(Series& series) {
   std::vector<Epoch> epochs;
   std::vector<std::size_t> sessions;

@@ -28,8 +28,8 @@ void speak(const QString& id);
 /// The current language of this thread.
 QString shownLanguage();
 
-/// While it exists, the thread uses another language than the program, for a report in its reader's language.
-/// Scopes may be nested.
+/// While such an object exists, its thread uses another language than the program, for a report in its
+/// reader's language. Scopes may be nested.
 class LanguageScope {
  public:
   /// `id` of a `LanguageInfo`; for any other, even empty, the thread keeps its language.

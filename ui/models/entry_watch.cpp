@@ -14,7 +14,7 @@ EntryWatch::EntryWatch(SessionDocument& document, QObject* parent) : QObject(par
   connect(&document, &SessionDocument::changed, this, &EntryWatch::look);
 }
 
-/// Checks single-row changes of the next expected row, with a previously empty circle.
+/// Checks a circle, empty before, that was typed in the next expected row.
 void EntryWatch::look(const SessionChange& change) {
   if (change.kind != SessionChange::Kind::Readings || change.inserted != 1 || !m_before) return;
   const std::size_t position = *change.place.position, row = *change.place.reading;

@@ -13,7 +13,7 @@ class SessionDocument;
 struct SessionChange;
 
 /// Compares each reading, as it is typed, with the reading expected before: a slip is noticed while the
-/// telescope still points at the place.
+/// telescope still points at the target.
 class EntryWatch : public QObject {
   Q_OBJECT
 
@@ -23,7 +23,7 @@ class EntryWatch : public QObject {
   void setEvaluation(const SharedEvaluation& evaluation) { m_before = evaluation; }
 
  signals:
-  /// A circle of the next expected row was read; `doubt` is empty if it is as expected, or nothing was.
+  /// A circle of the next row was read; `doubt` is empty if it is as expected or nothing was expected.
   void entered(std::size_t position, std::size_t row, alidade::ui::ReadingColumn column,
                const QString& doubt);
 

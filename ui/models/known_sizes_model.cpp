@@ -240,7 +240,7 @@ QString KnownSizesModel::about(const QModelIndex& index) const {
       .arg(capitalised(qText(Phrase::of(row.effect->description))), ownerName(ownerOf(*row.effect)));
 }
 
-/// Entries after an added or removed one shift in their list: a row changes if it gains or loses an entry.
+/// An added or removed entry shifts later ones in their list, so the row that gains or loses one has changed.
 void KnownSizesModel::follow(const SessionChange& change) {
   if (change.kind != SessionChange::Kind::Everything && !knownAt(change.place)) return;
   std::vector<KnownRow> rows = knownRows(m_document.session());

@@ -12,7 +12,7 @@ struct HalfTypedText;
 struct KnownCell;
 struct SessionChange;
 
-/// The known sizes of the catalogue's numbers as an editable table (`knownRows`): value, standard uncertainty
+/// The known sizes of the effects' parameters as an editable table (`knownRows`): value, standard uncertainty
 /// and source. Every edit uses the undo stack.
 class KnownSizesModel : public QAbstractTableModel {
   Q_OBJECT
@@ -40,7 +40,7 @@ class KnownSizesModel : public QAbstractTableModel {
   /// The cell of an entry of the session; if it was removed, the last changed cell. Invalid if nothing
   /// changed.
   QModelIndex cellOf(const KnownPlace& place) const;
-  /// The cell of the first number of a catalogued effect; invalid if there is none.
+  /// The cell of the first parameter of a catalogued effect; invalid if there is none.
   QModelIndex cellOf(const std::string& effect) const;
   /// `text` typed into a cell.
   HalfTypedText halfTyped(const QModelIndex& cell, const QString& text) const;

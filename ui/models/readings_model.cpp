@@ -256,8 +256,8 @@ int ReadingsModel::decimalsIn(ReadingColumn column) const {
   return found == m_decimals.end() ? 0 : found->second;
 }
 
-/// All angles of a column have the decimals of the finest of its first thousand rows. True: some changed
-/// their form.
+/// All angles of a column have the decimals of the finest of its first thousand rows. Returns true if the
+/// form of any angle changed.
 bool ReadingsModel::followAngles(const Session& session) {
   constexpr std::size_t most = 1000;
   if (m_position >= session.positions.size()) return false;

@@ -57,9 +57,9 @@ class ReadingsModel : public QAbstractTableModel {
   /// removed.
   void setDoubt(std::size_t row, ReadingColumn column, const QString& doubt);
 
-  /// True if the column holds more than default values, such as a round or face 1.
+  /// True if any row has a text in the column other than the default, such as face 1.
   bool isUsed(ReadingColumn column) const;
-  /// True if these rows use it.
+  /// The same for `count` rows from `first` on.
   bool isUsed(ReadingColumn column, std::size_t first, std::size_t count) const;
 
   /// The text copied from a cell with a reading: as typed; for residuals as shown.

@@ -84,7 +84,7 @@ void RowNotes::replaceRows(std::size_t first, std::size_t removed, std::size_t i
   }
 }
 
-/// Every row is the one of the same number in the evaluated session.
+/// Sets the origin of every row to the row with the same index in the evaluated session.
 void RowNotes::restart() {
   const auto& positions = m_evaluation->session.positions;
   m_origins.resize(m_position < positions.size() ? positions[m_position].readings.size() : 0);

@@ -54,7 +54,7 @@ class RowNotes {
   SharedEvaluation m_evaluation;  ///< null before the first
   Index m_problems, m_suspects;
   std::vector<std::optional<Origin>> m_origins;  ///< of each row, in the evaluated session; none: a new row
-  bool m_isMoved = false;                        ///< has any row changed since?
+  bool m_isMoved = false;                        ///< whether any row has changed since the evaluation
 };
 
 }  // namespace alidade::ui

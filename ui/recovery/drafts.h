@@ -23,8 +23,8 @@ class Drafts : public QObject {
   Drafts();
   ~Drafts() override;
 
-  /// Stores drafts in `folder` from now on, creating it as private if missing. Before, or with an empty one,
-  /// nothing is stored.
+  /// Stores drafts in `folder` from now on, creating it as private if missing. Before the first call, or with
+  /// an empty folder name, nothing is stored.
   void keepIn(const QString& folder);
   bool isKept() const { return m_slot != nullptr; }
 
@@ -53,7 +53,7 @@ class Drafts : public QObject {
   QJsonObject m_all;
   std::unique_ptr<RecoverySlot> m_slot;
   QTimer m_timer;
-  bool m_isDue = false;  ///< newer data than the running write
+  bool m_isDue = false;  ///< newer data wait for the end of the running write
   QString m_trouble;     ///< as reported
   std::unique_ptr<Background<Written>> m_writing;
 };

@@ -70,7 +70,7 @@ bool RecoveryKeeper::isNeeded() const {
   return m_document.isModified() || !m_document.halfTyped().isEmpty();
 }
 
-/// Further keys do not postpone it. A saved session needs no record afterwards.
+/// Starts the wait for the next write; further keys do not postpone it. A saved session needs no record.
 void RecoveryKeeper::schedule() {
   if (!isNeeded())
     keep();

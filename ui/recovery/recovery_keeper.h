@@ -17,7 +17,7 @@ namespace alidade::ui {
 class SessionDocument;
 
 /// Keeps a record of the current session while it has unsaved changes, including unfinished entries. A
-/// separate thread writes it a quarter of a second after the first change not in it.
+/// separate thread writes it a quarter of a second after the first change that the record lacks.
 class RecoveryKeeper : public QObject {
   Q_OBJECT
 
@@ -61,7 +61,7 @@ class RecoveryKeeper : public QObject {
   QTimer m_timer;
   QString m_recordId;          ///< id of the existing record
   bool m_isSessionDue = true;  ///< the session differs from the record
-  bool m_isDue = false;        ///< newer data than the running write
+  bool m_isDue = false;        ///< newer data wait for the end of the running write
   QString m_trouble;           ///< as reported
   std::unique_ptr<Background<Written>> m_writing;
 };

@@ -33,7 +33,7 @@ void addOwnFiles(std::vector<SelfCheck>& checks, const QString& folder, const st
   }
 }
 
-/// Each language has its own word for a text of every window.
+/// Checks in each language that a text of every window is translated.
 void addLanguages(std::vector<SelfCheck>& checks) {
   for (const LanguageInfo& language : allLanguages()) {
     const LanguageScope scope(language.id);

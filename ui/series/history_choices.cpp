@@ -18,7 +18,7 @@ std::optional<std::size_t> chosenIn(const QComboBox& choice) {
   return index >= 0 ? std::optional(static_cast<std::size_t>(index)) : std::nullopt;
 }
 
-/// The first one if `kept` is no longer there.
+/// Selects `kept`, or the first choice if `kept` no longer exists.
 void choose(QComboBox& choice, int kept) {
   choice.setCurrentIndex(std::max(kept, choice.count() > 0 ? 0 : -1));
 }

@@ -35,7 +35,7 @@ class HistoryChoices : public QWidget {
   void setMostInBaseline(std::size_t most);
   void setBaseline(int values);
 
-  /// Indices into what was set; absent without any.
+  /// Indices into the owners and quantities last set; absent if there are none.
   std::optional<std::size_t> owner() const;
   std::optional<std::size_t> quantity() const;
   int baseline() const;

@@ -142,7 +142,7 @@ void HistoryPanel::compare(const std::vector<std::string>& files) {
       paragraphs(congruenceSentences(shown->epochs, congruenceOf(shown->epochs, epochs[0], epochs[1]))));
 }
 
-/// Some quantities lack a value for some sessions.
+/// Highlights nothing if some sessions have no value of the quantity, since the indices then differ.
 void HistoryPanel::highlight(const std::string& file) {
   m_chart->clearHighlight();
   const DeviceHistory* shown = device();

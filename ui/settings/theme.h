@@ -22,8 +22,8 @@ bool isDark(const QPalette& palette);
 
 enum class State { Good, Bad, Open, Quiet };
 
-/// Colours with a contrast of at least 4.5 on the palette's background. Always used with a second sign of the
-/// state.
+/// The colour of a state, with a contrast of at least 4.5 on the palette's background. A second sign must
+/// always accompany the colour.
 QColor stateColor(const QPalette& palette, State state);
 
 /// A faint background of the same meaning.
@@ -32,7 +32,7 @@ QColor stateTint(const QPalette& palette, State state);
 /// One of the program's own icons, legible on light and dark.
 QIcon themeIcon(const QString& name);
 
-/// Marks a tab with a problem; does nothing if it is already marked.
+/// Marks a tab as having a problem if `wrong`, else removes the mark.
 void markTab(QTabWidget& tabs, int tab, bool wrong);
 
 }  // namespace alidade::ui

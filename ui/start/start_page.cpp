@@ -164,7 +164,7 @@ void StartPage::focusFirst() {
   m_recent->currentItem() ? m_recent->setFocus() : m_new->setFocus();
 }
 
-/// Prevents a list from searching for typed text.
+/// Forwards typed text to the session; otherwise a list would search for it.
 bool StartPage::eventFilter(QObject* watched, QEvent* event) {
   if (event->type() == QEvent::KeyPress && isTyped(static_cast<const QKeyEvent&>(*event))) {
     emit sessionWanted(static_cast<const QKeyEvent&>(*event).text());

@@ -146,8 +146,8 @@ void EntryColumn::connectFindings(SessionJobs& jobs) {
 }
 
 /// Gives the findings the height of all their lines, up to a third of the column and leaving some rows to the
-/// readings, unless the user has set the height. It is reduced only if half would be free: the lines of a
-/// half-typed row come and go with each reading.
+/// readings, unless the user has set the height. The height is reduced only if half of it would be free,
+/// since the lines on a half-typed row come and go with each reading.
 void EntryColumn::giveFindingsRoom() {
   if (isSetByHand(*m_column)) return;
   QList<int> sizes = m_column->sizes();
@@ -161,12 +161,12 @@ void EntryColumn::giveFindingsRoom() {
   };
   const int most = std::max(whole / 3, m_column->widget(1)->minimumSizeHint().height());
   give(std::min(needed, most));
-  // The widgets above the list may be higher by now.
+  // The widgets above the list may have grown.
   if (const int cut = m_findings->wholeHeight() - m_findings->height(); cut > 0)
     give(std::min(sizes[1] + cut, most));
   ReadingsTable* table = m_positions->currentTable();
   if (!table) return;
-  // The forms have given what they can spare, and take a part of what is given back.
+  // The forms, so far at their smallest, take back a part of the returned height; hence two passes.
   constexpr int leastRows = 5;
   const int least = m_column->widget(1)->minimumSizeHint().height();
   for (int pass = 0; pass < 2; ++pass) {

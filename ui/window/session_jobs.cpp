@@ -13,7 +13,7 @@ namespace alidade::ui {
 
 namespace {
 
-/// Does the change enter no result?
+/// True if the change affects no result.
 bool isRemark(const SessionChange& change) {
   return change.kind == SessionChange::Kind::Field &&
          (change.place.field == "journal" || !isOfMeasurement(change.place));
@@ -58,7 +58,7 @@ void SessionJobs::show(const SharedEvaluation& evaluation) {
   m_gap.request(evaluation);
 }
 
-/// An entry that enters no result, or an undone change, leaves the diagnosis as it is.
+/// Shows the last diagnosis again, and returns true, if the measurement is unchanged, as after an undo.
 bool SessionJobs::showGapAgain(const SharedEvaluation& evaluation) {
   if (!m_completed || !isSameMeasurement(m_completed->evaluation->session, evaluation->session)) return false;
   Gap gap = *m_completed;

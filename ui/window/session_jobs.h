@@ -24,7 +24,7 @@ class SessionJobs : public QObject {
   void start();
   /// Weighs the causes with the reference as evidence, or without it.
   void setWithReference(bool wanted);
-  /// Stops what follows the fit; its results are unknown.
+  /// Stops the search for misread readings and the diagnosis, whose results then stay unknown.
   void stop();
 
  signals:

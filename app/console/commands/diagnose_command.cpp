@@ -68,8 +68,8 @@ std::string seriesName(const std::vector<std::string>& named, std::size_t sessio
   return "Series of " + counted(sessions, "session");
 }
 
-/// Accepts the effects of the catalogue, which the help lists, and any id of the user's own, which only the
-/// session knows.
+/// Accepts the ids of the catalogue, which the help lists, and any id with the prefix of the user's own
+/// effects, which only the session knows.
 CLI::Validator effectCheck() {
   CLI::Validator check = CLI::IsMember(diagnosableEffects());
   check.operation([isOfCatalogue = check](std::string& id) {
@@ -125,7 +125,7 @@ Result<std::string> runDiagnose(const DiagnoseRequest& request, const std::strin
   Result<SessionInput> read = readSessionInput(file, request.instrument, request.effects);
   if (!read) return read.problem();
   SessionInput input = *std::move(read);
-  if (request.batch.json) input.session.positions.clear();  // as large as its rows; only the text needs them
+  if (request.batch.json) input.session.positions.clear();  // frees memory; only the text needs the rows
   Measurement& measurement = input.measurement;
   takeRelation(request, measurement);
   if (request.withReference && !measurement.sigmaReference)

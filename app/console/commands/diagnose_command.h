@@ -30,8 +30,8 @@ struct DiagnoseRequest {
 /// `request`.
 void addDiagnoseCommand(CLI::App& app, DiagnoseRequest& request);
 
-/// The common result of many files: every usable session among them; each unusable one gets a line on stderr
-/// and leads to `BadInput`.
+/// Writes the common result of all usable sessions among the files. Each unusable one gets a line on stderr,
+/// and the exit code is then `BadInput`.
 int giveSeries(const DiagnoseRequest& request);
 
 /// The diagnosis of one file as text or JSON. Fails if the session is unusable or an effect is unknown.

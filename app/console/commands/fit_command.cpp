@@ -38,7 +38,7 @@ Result<std::string> rigorousAnswer(const FitRequest& request, SessionInput input
   FitAnswer answer{input.name, measurement, fit,
                    findSuspects(input.session, measurement, fit, {.risk = request.risk})};
   answer.arrivals = arrivalsOf(input.session);
-  input.session = {};  // no longer needed, and as large as its rows
+  input.session = {};  // frees the memory of the rows
   if (!request.monteCarlo.empty()) {
     MonteCarloOptions options{.seed = request.seed};
     if (request.monteCarlo != asManyAsItTakes) options.draws = std::stoull(request.monteCarlo);

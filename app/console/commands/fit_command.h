@@ -26,7 +26,7 @@ struct FitRequest {
   std::string instrument;            ///< path of an instrument record; empty: none
   std::vector<std::string> effects;  ///< files and folders of effects of the user's own
   std::string csv;                   ///< "residuals", "budget" or "results": a table instead; empty: none
-  bool diagnosis = true;             ///< whether to diagnose the gap, which the verdict takes into account
+  bool diagnosis = true;             ///< whether to diagnose the gap; the verdict then uses the diagnosis
   bool verdictExit = false;          ///< whether the exit code tells the verdict
   BatchOptions batch = {};
 };
@@ -38,7 +38,7 @@ void addFitCommand(CLI::App& app, FitRequest& request);
 
 /// The fit of one file as text or JSON. Fails if the session cannot be read or an arc cannot be fitted. Also
 /// fails if any entry is unusable; the first is named, the others are counted. A missing position is only a
-/// finding. `verdicts` takes the verdict.
+/// finding. The verdict is added to `verdicts`.
 Result<std::string> runFit(const FitRequest& request, const std::string& file, VerdictExit& verdicts);
 
 }  // namespace alidade::console

@@ -191,7 +191,7 @@ class Histories {
     return m_request.batch.json ? historyJson(name, histories, remarks) : historyText(name, histories);
   }
 
-  /// The usable ones in order; the others are reported.
+  /// Reads the files. Returns the usable ones in order, and reports the others.
   std::vector<Epoch> load(const std::vector<ListedFile>& files, std::vector<std::string>& remarks) {
     std::vector<std::optional<Epoch>> loaded(files.size());
     std::vector<std::string> reasons(files.size());

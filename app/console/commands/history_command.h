@@ -15,7 +15,7 @@ namespace alidade::console {
 /// The arguments of `alidade-cli history`.
 struct HistoryRequest {
   std::vector<std::string> files;  ///< sessions, records, folders or series of them, tables of values
-  std::size_t baseline = 0;        ///< first sessions or values that set the control limits; 0: all
+  std::size_t baseline = 0;        ///< number of first entries that set the control limits; 0: all
   BatchOptions batch = {};
 };
 
@@ -23,9 +23,9 @@ struct HistoryRequest {
 /// `request`.
 void addHistoryCommand(CLI::App& app, HistoryRequest& request);
 
-/// Writes the history of each folder, series and table; sessions, or records, named one by one form one
-/// history. Several inputs get a result each (`answerEach`). Sessions of a folder that are unusable or lack a
-/// date are named on stderr; the others are evaluated, and the exit code is `BadInput`.
+/// Writes the history of each folder, series and table. Sessions or records that are named one by one form
+/// one history. Several inputs get a result each (`answerEach`). Sessions of a folder that are unusable or
+/// lack a date are named on stderr; the others are evaluated, and the exit code is `BadInput`.
 int giveHistory(const HistoryRequest& request);
 
 }  // namespace alidade::console

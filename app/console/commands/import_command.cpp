@@ -74,7 +74,7 @@ std::vector<Position>::iterator firstAt(int axis, Session& session) {
   });
 }
 
-/// Accepts the wider range here, since a column name may also state the kind of circle.
+/// Checks for the range of elevations, the wider one: a column name may still state the kind of circle.
 std::optional<Problem> setZero(const char* option, const std::vector<std::string>& given, AngleUnit unit,
                                int axis, Session& session) {
   if (given.empty()) return std::nullopt;
@@ -114,7 +114,7 @@ std::string nameOf(const std::string& file) {
   return file == "-" ? "standard input" : std::filesystem::path(file).filename().string();
 }
 
-/// One of `entries` for each file, - for none.
+/// The entry for one file; empty if the option is not given or the entry is `-`.
 Result<std::string> entryFor(const char* option, const std::vector<std::string>& entries, std::size_t file,
                              std::size_t files) {
   if (entries.empty()) return std::string();
@@ -141,7 +141,7 @@ std::optional<TableLayout> layoutOf(const ImportRequest& request, std::string_vi
   return layout;
 }
 
-/// The files to import; the caller keeps `bytes`.
+/// The files to import. They refer to `bytes`, which must outlive them.
 Result<std::vector<ReadingsFile>> filesOf(const ImportRequest& request, const ImportOptions& options,
                                           const std::vector<std::string>& bytes) {
   std::vector<ReadingsFile> files;
@@ -172,7 +172,7 @@ Result<std::vector<std::string>> readAll(const std::vector<std::string>& files) 
   return bytes;
 }
 
-/// Enters the origin of its rows into the journal.
+/// Enters the origin of the session's rows into the journal.
 void enterOrigins(Session& session, const Import& import, const std::vector<ReadingsFile>& files) {
   const std::string at = timeInUtc();
   std::vector<ImportedFile> read;

@@ -29,7 +29,7 @@ struct ImportRequest {
   std::string decimalSign;                ///< point or comma
   std::vector<std::string> columns;       ///< keys of a table's columns, - for an unused one
   std::optional<std::size_t> headRows;    ///< rows of a table before its readings
-  std::size_t turnedAtLine = 0;           ///< 0: not given
+  std::size_t turnedAtLine = 0;           ///< first line read at 180°; 0: not given
 };
 
 /// Adds `import FILE... --out FILE [--distance MM] [--radius MM] [--zero-0 H V] …`, which fills in `request`.

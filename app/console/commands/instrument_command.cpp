@@ -40,7 +40,7 @@ std::string checkFileName(const std::string& file) {
   return file == "-" ? inputName(file) : wellFormed(std::filesystem::path(file).filename().string());
 }
 
-/// Writes only a non-empty record. It is of today unless the check has a day.
+/// Writes the record unless it is empty. Without a stated day of the check, the record has today's date.
 std::optional<Problem> writeRecord(const InstrumentRequest& request, CheckIdentity identity,
                                    std::vector<std::string>& remarks, const InstrumentCheck& check) {
   if (identity.measuredOn.empty()) {

@@ -76,7 +76,7 @@ Milliseconds clockMs() {
   return duration_cast<milliseconds>(steady_clock::now().time_since_epoch()).count();
 }
 
-/// The key REC: Enter, or at regular intervals.
+/// The key REC, pressed by Enter on standard input or at regular intervals.
 class RecordKey {
  public:
   explicit RecordKey(double everyS)

@@ -75,7 +75,7 @@ int giveInstrument(const InstrumentRequest& request, std::string& subject) {
   return writeResult(answer->result);
 }
 
-/// One file gets one result, several files or a folder one result each.
+/// Writes one result for one file, or one result for each of several files or files of a folder.
 int giveFits(const FitRequest& request, std::string& subject, VerdictExit& verdicts) {
   const auto answer = [&](const std::string& file) { return runFit(request, file, verdicts); };
   if (!namesMany(request.files)) {
@@ -148,7 +148,7 @@ void addCommands(CLI::App& app, int& exitCode, std::string& subject) {
   addCommand<SelfTestRequest>(app, exitCode, addSelfTestCommand, giveSelfTest);
 }
 
-/// Sets `subject` to the input while that is processed.
+/// Runs the call. Meanwhile `subject` names the input being processed.
 int run(int argc, char** argv, std::string& subject) {
   if (const auto why = alidade::emptyArgument(argc, argv)) return refuse(subject, *why);
   CLI::App app("Intersection of rotatable arc guideways from theodolite readings.", "alidade-cli");

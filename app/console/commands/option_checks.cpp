@@ -29,7 +29,7 @@ bool reads(const std::string& text, Value& value) {
 OptionCheck numberFrom(double least, double most) {
   return [least, most](const std::string& text) -> std::string {
     double value = 0;
-    // A comparison that fails for NaN.
+    // A comparison with NaN is false, so NaN is refused.
     if (reads(text, value) && value >= least && value <= most) return {};
     return outside(text, "a number", shortestText(least), shortestText(most));
   };

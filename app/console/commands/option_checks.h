@@ -7,7 +7,7 @@
 
 namespace alidade::console {
 
-/// Checks the value of an option: a sentence if it is invalid, else empty.
+/// Checks the value of an option. Returns a sentence if the value is invalid, else an empty text.
 using OptionCheck = std::function<std::string(const std::string&)>;
 
 /// A finite number from `least` to `most`.

@@ -30,7 +30,7 @@ Result<std::string> runPlan(const PlanRequest& request) {
   if (!read) return read.problem();
   SessionInput input = *std::move(read);
   const SessionEffort effort = effortOf(input.measurement, sightingMinutesOf(input.session));
-  input.session = {};  // no longer needed, and as large as its rows
+  input.session = {};  // frees the memory of the rows
   const SessionFit fit = fitSession(input.measurement);
   const Result<std::vector<Finding>> findings = findingsBeforehand(input.measurement, fit);
   if (!findings) return findings.problem();

@@ -34,7 +34,7 @@ std::string templateNames() {
   return listed(names);
 }
 
-/// Fails if the session has no rows, or more than a protocol holds.
+/// The protocol of the session's rows. Fails if there are no rows, or more than a protocol holds.
 Result<SightingProtocol> ofRows(const Session& session, const std::string& option) {
   SightingProtocol own = protocolFromRows(session);
   if (!own.positions.empty()) return own;

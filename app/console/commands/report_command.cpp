@@ -38,7 +38,7 @@ std::string saidOf(std::string errors, const std::string& file) {
   return errors;
 }
 
-/// Marks those whose report would replace another or has no name.
+/// Gives a problem to each session whose report would replace another or has no name.
 void refuseUnnamed(std::vector<ListedFile>& files, const ReportRequest& request) {
   std::map<std::string, std::string> sessions;  // by the path of the report
   for (ListedFile& file : files) {

@@ -25,9 +25,9 @@ struct ReportRequest {
 /// fills in `request`.
 void addReportCommand(CLI::App& app, ReportRequest& request);
 
-/// Writes the acceptance report of each session, named like it with the suffix `.pdf`. The program `alidade`
-/// beside this one paints them, one process for each session, without a display. Two sessions whose reports
-/// would have the same path are refused but for the first.
+/// Writes the acceptance report of each session, named like the session with the suffix `.pdf`. The program
+/// `alidade` beside this one paints them, one process for each session, without a display. Of several
+/// sessions whose reports would have the same path, only the first gets a report.
 int giveReports(const ReportRequest& request);
 
 }  // namespace alidade::console

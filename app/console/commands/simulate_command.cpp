@@ -113,7 +113,7 @@ Truth truthOf(const SimulateRequest& request) {
   return truth;
 }
 
-/// Places spread over the same range, if their number is given.
+/// The named protocol. A given number of points is spread over the same range.
 Protocol protocolOf(const SimulateRequest& request) {
   Protocol protocol = *protocolByName(request.protocol);
   if (request.rounds) protocol.rounds = *request.rounds;
@@ -124,7 +124,7 @@ Protocol protocolOf(const SimulateRequest& request) {
   return protocol;
 }
 
-/// Removes from the truth what the compensator corrects.
+/// Simulates the session. If the compensator is on, removes the tilts that it corrects from the truth.
 Result<Session> sessionOf(const SimulateRequest& request, Truth& truth) {
   const Angle sigma = Angle::fromArcseconds(request.sigmaCompensator.value_or(1));
   const bool isOn = request.compensator == "on";

@@ -22,12 +22,12 @@ struct TrialRequest {
   std::string folder;                ///< folder of existing trials; empty: drawn here
   std::vector<std::string> effects;  ///< files of own effects that are drawn, too
   bool withheld = false;
-  bool adaptive = false;    ///< sightings by what they tell, compared with the order of the protocol
-  std::size_t unknown = 0;  ///< with these, so many sessions with an effect of no catalogue
-  std::size_t clean = 0;    ///< with these, so many sessions with nothing to name
+  bool adaptive = false;    ///< whether to compare an order by worth with that of the protocol
+  std::size_t unknown = 0;  ///< number of additional sessions with an uncatalogued effect; needs `adaptive`
+  std::size_t clean = 0;    ///< number of additional sessions without an effect; needs `adaptive`
   unsigned threads = 0;
   bool json = false;
-  bool csv = false;  ///< the curves of both ways
+  bool csv = false;  ///< whether to print the curves of both ways; needs `adaptive`
 };
 
 /// Adds `trial [--count N | --series N] [--seed N] [--protocol NAME] [--score DIR] [--effects FILE]…

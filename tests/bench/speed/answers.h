@@ -13,7 +13,7 @@ inline void answer(benchmark::State& state, const Circle& circle) {
   state.counters["R"] = circle.radius;
 }
 
-/// The mean of a circle over many arcs, as a common result.
+/// The mean circle of many arcs, as their one result for the comparison.
 class MeanCircle {
  public:
   void add(const Circle& circle) {

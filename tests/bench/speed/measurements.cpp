@@ -12,7 +12,7 @@ Measurement usualMeasurement(std::size_t arcs) {
   measurement.nominalRadius = 400;
   measurement.sigmaHorizontal = Angle::fromRadians(setup.sigmaHorizontal);
   measurement.sigmaVertical = Angle::fromRadians(setup.sigmaVertical);
-  measurement.sigmaSlider = Angle::fromArcseconds(1);  // as in every session, read or not
+  measurement.sigmaSlider = Angle::fromArcseconds(1);  // as in every session, even without slider readings
   for (std::size_t position = 0; position < arcs; ++position) {
     ArcMeasurement arc;
     arc.position = position;

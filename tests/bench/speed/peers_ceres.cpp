@@ -9,10 +9,10 @@
 #include "tests/bench/speed/answers.h"
 #include "tests/bench/speed/readings.h"
 
-// The peers in C++: Ceres and its TinySolver on the same readings. Tuned: the arc angles are eliminated
-// (variable projection), which leaves 3 unknowns and one residual per point, its distance from the arc in
-// units of σ, with its exact derivative; one cost function for all points, dense normal equations, no
-// logging. The sum of squares equals that of the readings' residuals.
+// The peers in C++: Ceres and its TinySolver on the same readings, tuned. The arc angles are eliminated
+// (variable projection), which leaves 3 unknowns. Each point has one residual, its distance from the arc in
+// units of σ, with its exact derivative. There is one cost function for all points, with dense normal
+// equations and no logging. The sum of squares equals that of the readings' residuals.
 
 namespace alidade::bench {
 namespace {
@@ -22,7 +22,7 @@ struct Distance {
   std::array<double, 3> perUnknown{};
 };
 
-/// The distance of one pair of readings from the arc, in σ, to rounding: the foot point by Gauss-Newton.
+/// The distance of one pair of readings from the arc, in σ. Gauss-Newton iterates the foot point to rounding.
 Distance distanceOf(const ArcSetup& setup, const double* circle, double a, double e) {
   const auto [x, y] = sightedPoint({a, e}, setup.distance, setup.relation);
   const double length = setup.distance;
@@ -126,7 +126,7 @@ Circle circleOf(const std::array<double, 3>& values) {
   return {values[0], values[1], values[2]};
 }
 
-/// The interface of TinySolver, which keeps the normal equations private, so there is no covariance.
+/// An arc for TinySolver, which keeps the normal equations private, so that there is no covariance.
 struct TinyArc {
   using Scalar = double;
   enum { NUM_RESIDUALS = pointsOfArc, NUM_PARAMETERS = 3 };

@@ -13,7 +13,7 @@ namespace alidade::bench {
 
 inline constexpr std::size_t pointsOfArc = 17;
 inline constexpr std::size_t manyArcs = 100'000;      ///< of W3
-inline constexpr std::size_t peerArcs = 500;          ///< the first of them, for the slower peers
+inline constexpr std::size_t peerArcs = 500;          ///< the slower peers use only these first ones
 inline constexpr std::size_t manyPoints = 1'000'000;  ///< of W4
 
 ArcSetup usualSetup();
@@ -22,7 +22,7 @@ ArcSetup usualSetup();
 struct ArcReadings {
   std::vector<double> a, e;
 
-  /// Points `first` … `first + count`.
+  /// The readings of `count` points, beginning with the point `first`.
   std::span<const double> horizontal(std::size_t first, std::size_t count) const;
   std::span<const double> vertical(std::size_t first, std::size_t count) const;
 };

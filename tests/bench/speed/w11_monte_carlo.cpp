@@ -6,8 +6,8 @@
 #include "core/adjustment/result/session_fit.h"
 #include "core/session/session_file.h"
 
-// W11: checks the linear budget by a million draws, on as many threads as the machine has: Table I, and a
-// session of 72 rows in two faces with two estimated effects.
+// W11: checks the linear budget by a million draws, on as many threads as the machine has. The sessions are
+// Table I, and one of 72 rows in two faces with two estimated effects.
 
 namespace alidade::bench {
 namespace {

@@ -19,7 +19,7 @@ void withinNoise(benchmark::State& state) {
 }
 BENCHMARK(withinNoise)->Name("W7/alidade")->Unit(benchmark::kMillisecond);
 
-/// Adds the search, fits with the causes, held-out readings and steps.
+/// With two causes, a diagnosis also includes the search, fits with the causes, held-out readings and steps.
 void twoCauses(benchmark::State& state) {
   Truth truth = drawTruth(1);
   truth.effects = {{ErrorTerm::HorizontalDrift, 30}, {ErrorTerm::LobingCosine, 0.1}};

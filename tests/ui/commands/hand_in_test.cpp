@@ -30,7 +30,7 @@ TEST(HandIn, EntersEveryKindOfTextAsItsEntryWould) {
   EXPECT_EQ(entered.instrument.known[1].value, "12");
 }
 
-/// Others may have removed the entry from the file while it was being typed.
+/// Another program may have removed the entry from the file while it was being typed.
 TEST(HandIn, PassesOverWhatTheSessionDoesNotHave) {
   const Session session = paperSession();
   for (const HalfTypedText& typed : std::vector<HalfTypedText>{

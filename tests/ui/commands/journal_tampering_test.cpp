@@ -52,7 +52,7 @@ class Recorded {
   }
   void seal(const std::string& by) { m_document.push(new SealSession(m_document, by)); }
 
-  /// Every kind of entry that reverting supports, with a saved file between them.
+  /// Makes a change of every kind that can be reverted, and reopens the written file before the last two.
   void editManyWays() {
     changeField(m_document, {.field = "notes"}, "");
     changeField(m_document, {.field = "operator"}, "J. Doe");

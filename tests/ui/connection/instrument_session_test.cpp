@@ -62,7 +62,7 @@ std::size_t rowsOf(const Session& session) {
   return rows;
 }
 
-/// The port of the simulated instrument; some containers lack pseudo terminals.
+/// True if the system offers pseudo terminals for the simulated instrument; some containers lack them.
 bool hasPseudoTerminals() {
   const int line = posix_openpt(O_RDWR | O_NOCTTY | O_CLOEXEC);
   if (line < 0) return false;
@@ -212,7 +212,7 @@ TEST_F(InstrumentSession, SeventyTwoSightingsByGeoComWithFaults) {
   for (const char* said :
        {"was passed over", "Half a line came", "late or twice", "busy measuring", "was not taken"})
     EXPECT_THAT(bench.log(), HasSubstr(said));
-  // Each is one undo step, and all can be undone.
+  // Each reading is one undo step, and all can be undone.
   while (bench.open->document().undoStack().canUndo()) bench.open->undo();
   EXPECT_EQ(bench.landed(), 0U);
 }

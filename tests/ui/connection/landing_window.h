@@ -35,7 +35,7 @@ inline InstrumentReading firstZero(const Session& session, std::size_t position)
   return readingOf(zero.horizontal, zero.vertical);
 }
 
-/// A window whose reading flow receives readings without a cable.
+/// A window whose reading flow receives readings without a connection.
 struct LandingWindow {
   OpenWindow open;
 

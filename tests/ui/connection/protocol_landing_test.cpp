@@ -14,8 +14,8 @@
 #include "core/simulation/simulate.h"
 #include "tests/ui/connection/landing_window.h"
 
-// Places of readings in a protocol, and questions before they are stored: simulated instrument, its protocol
-// and the window's reading flow, with a clock set by hand.
+// Where readings are stored by a protocol, and which questions come before. A simulated instrument speaks to
+// the window's reading flow, with a clock set by hand.
 
 namespace alidade::ui {
 namespace {
@@ -118,7 +118,7 @@ struct CableRun {
   std::size_t unasked = 0;            ///< wrong readings stored without a question
 };
 
-/// Accepts what the instrument finally guarantees, rejects what it reports with a fault.
+/// Accepts a correct reading and discards a wrong one, if the window asks about it.
 void answer(LandingWindow& window, const InstrumentReading& reading, bool isRight, CableRun& run) {
   const std::string question = window.add(reading);
   if (question.empty()) {
@@ -242,8 +242,7 @@ TEST(ProtocolLanding, AZeroAfterTheReadingsIsNotThatOfTheNextPosition) {
   knocked(turned.zero.vertical);
   for (const ZeroSlot& slot : furtherZeros) knocked((turned.zero.*slot.sighting).vertical);
   for (Reading& row : turned.readings) knocked(row.vertical);
-  // Readings on a circle that counts from 30″ off the plumb line bend the arc by (h/L) x²/2L²: 0.4″ at its
-  // ends.
+  // A circle that counts from 30″ off the plumb line bends the arc by 30″ · x²/2L²: 0.4″ at its ends.
   EXPECT_NEAR(intersectionOf(sent), before, 0.01);
   Session misplaced = sent;  // as read with one zero per position
   misplaced.positions[1].zero = {sent.positions[0].zero.after.horizontal,

@@ -22,7 +22,7 @@
 #include "ui/main_window.h"
 #include "ui/panels/window/changed_file_bar.h"
 
-// A session's file that other programs write, have open, or that is not writable.
+// A session's file that other programs write or have open, or that is not writable.
 
 namespace alidade::ui {
 namespace {

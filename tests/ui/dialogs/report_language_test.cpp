@@ -55,7 +55,7 @@ TEST_F(ReportLanguageTest, OfTheWindowTakesWhatWasDiagnosedForTheQuestion) {
   EXPECT_EQ(dialogs.diagnoses, 1);
 }
 
-// The diagnosis contains sentences in its language.
+// A diagnosis contains sentences in one language, so a report in another language needs its own diagnosis.
 TEST_F(ReportLanguageTest, OtherThanTheWindowsIsDiagnosedInAndRemembered) {
   choose("zh_CN");
   ASSERT_TRUE(flow.exportPdf({}));

@@ -187,7 +187,7 @@ TEST_F(SafekeepingTest, TellsWhatBecameOfTheFileMeanwhile) {
   EXPECT_EQ(told().difference.count, 2u) << "title and notes";
 }
 
-// The records are cleared regardless of their ages: there is nothing to choose from.
+// A record that equals the file is cleared whatever its age, since there is no choice to make.
 TEST_F(SafekeepingTest, ClearsAwayWhatIsInTheFileAlready) {
   crash(file, "unsaved");
   Session saved = sessionIn(file);
@@ -231,7 +231,7 @@ TEST_F(SafekeepingTest, MarksForAsLongAsNothingCanBeKept) {
   EXPECT_EQ(records().size(), 1);
 }
 
-/// The session's file may be private; the folder belongs to the program.
+/// Records are private, since the session's file may be; their folder belongs to the program.
 TEST_F(SafekeepingTest, KeepsRecordsForTheirOwnerAlone) {
   QDir().mkpath(kept);
   constexpr auto everybody = QFile::ReadOwner | QFile::WriteOwner | QFile::ExeOwner | QFile::ReadGroup |
@@ -265,7 +265,7 @@ struct HalfTypedCase {
 
 class HalfTypedKept : public SafekeepingTest, public ::testing::WithParamInterface<HalfTypedCase> {
  protected:
-  /// Types all keys without committing. False: no record of it within a second.
+  /// Types all keys without committing. Returns false if no record of the entry appears within a second.
   bool typeAndCrash(const HalfTypedCase& typed) const {
     const auto open = openWindow(file);
     QApplication::setActiveWindow(open->window.get());

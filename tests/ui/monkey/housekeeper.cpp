@@ -23,7 +23,7 @@ bool Housekeeper::isBusy() {
   return waiting() != nullptr;
 }
 
-/// Keys arrive outside the timer: `look` handles what they open.
+/// Presses keys and closes only after this call, since either may open another dialog and wait in it.
 void Housekeeper::look() {
   QWidget* open = waiting();
   if (!open) {

@@ -34,7 +34,7 @@ void keepWarning(QtMsgType type, const QMessageLogContext&, const QString& text)
   warning = text;
 }
 
-/// Copies the samples under other names, since the monkey saves over them.
+/// Copies the samples into the folder, since the monkey saves over them.
 void copySamples(const QDir& folder) {
   const QDir samples(QStringLiteral(ALIDADE_SAMPLES_DIR));
   for (const QString& name : samples.entryList({QStringLiteral("*.alidade")}))
@@ -57,7 +57,7 @@ QStringList saidBy(const ResultPanel& panel) {
   return texts;
 }
 
-/// Opens of a panel what is open in another: details, comparison.
+/// Unfolds in `panel` what is unfolded in `other`: details, comparison.
 void foldAs(const ResultPanel& other, ResultPanel& panel) {
   const auto buttons = panel.findChildren<QAbstractButton*>();
   const auto others = other.findChildren<QAbstractButton*>();
@@ -86,7 +86,7 @@ Monkey::~Monkey() {
   QApplication::setQuitOnLastWindowClosed(true);
 }
 
-/// Opens with a sample, or empty. The previous window is destroyed while its jobs are running.
+/// Opens a window with a sample or an empty session. Destroys the previous one while its jobs are running.
 void Monkey::openWindow() {
   auto dialogs = std::make_unique<MonkeyDialogs>(m_chance, QDir(m_folder.path()));
   const QString path = m_chance.oneIn(4) ? QString() : dialogs->present(QStringLiteral("*.alidade"));

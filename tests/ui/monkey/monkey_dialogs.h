@@ -53,7 +53,7 @@ class MonkeyDialogs : public ScriptedDialogs {
   }
   void showProblem(const QString&, const QString&) override {}
 
-  /// Returns any file of the folder, sometimes a missing one.
+  /// Any file of the folder; sometimes a missing one, or an empty path.
   QString present(const QString& pattern) {
     QStringList names = m_folder.entryList({pattern}, QDir::Files, QDir::Name);
     names.append(QStringLiteral("absent"));

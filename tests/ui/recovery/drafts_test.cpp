@@ -24,7 +24,7 @@
 #include "ui/panels/parts/cell_delegate.h"
 #include "ui/text/entry_text.h"
 
-// Typing in forms outside any session, and the remains of a killed process.
+// Typing in forms outside any session, and its recovery after a process was killed.
 
 namespace alidade::ui {
 namespace {
@@ -50,7 +50,7 @@ class DraftsTest : public ::testing::Test {
     return QDir(in).entryList({QStringLiteral("*.drafts")}, QDir::Files);
   }
 
-  /// From now on the drafts belong to a process that finds the remains of this one, killed a second from now.
+  /// Waits a second. From then on the drafts belong to a new process, which finds those of this killed one.
   void killAndStart() {
     QTest::qWait(1000);
     ASSERT_LT(kills, 9);

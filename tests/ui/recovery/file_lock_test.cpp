@@ -49,7 +49,7 @@ TEST_F(FileLockTest, HoldsNothingWithoutAFolder) {
   EXPECT_EQ(none.holder(file), QString());
 }
 
-// The lock of a killed process: it has a process number that nobody uses. No process has the largest.
+// The lock of a killed process names a process that no longer exists, here one with the largest number.
 TEST_F(FileLockTest, TakesNoNoticeOfALockWhoseProcessIsGone) {
   mine.hold(file);
   const QDir locks(folder.filePath(QStringLiteral("locks")));

@@ -81,7 +81,7 @@ class Kill : public ::testing::Test {
         ms, killed.edits.size(), killed.edits.rbegin()->first - found, age);
   }
 
-  /// Continues from the last moment when the test is repeated.
+  /// A random moment in ms; a repeated test gets another one.
   static int anyMoment() {
     static std::mt19937 random(13);
     return std::uniform_int_distribution(0, 2200)(random);

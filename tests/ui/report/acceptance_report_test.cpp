@@ -59,7 +59,7 @@ TEST(AcceptanceReport, NamesAProtocolThatWasChosen) {
   EXPECT_TRUE(Printed(session).contains("17 places, one face"));
 }
 
-// In the headline, whether there is a verdict or not.
+// Δz is in the headline with and without a verdict.
 TEST(AcceptanceReport, TellsWhatLiesAcrossThePlane) {
   const auto front = [](const char* coverage) {
     Session session = paperSession();
@@ -163,8 +163,8 @@ TEST(AcceptanceReport, StatesTheSigmaOfR0WhereItIsStated) {
   EXPECT_TRUE(Printed(session).contains("400 mm, σ 0.05 mm"));
 }
 
-// No plan detects a knock between the zero and the first place; sighting the zero again does. Both faces and
-// slider readings detect the other effects that one face without slider readings misses.
+// No plan of readings detects a jump between the zero and the first place; only sighting the zero again does.
+// Both faces and slider readings detect the other effects that this plan misses.
 TEST(AcceptanceReport, TellsWhatTheReadingsWouldNotShow) {
   const Session onePlan = *simulate(*protocolByName("paper"), drawTruth(1), 1);
   const Diagnosis diagnosis = *diagnose(*examine(onePlan).measurement);
@@ -182,7 +182,7 @@ TEST(AcceptanceReport, TellsWhatTheReadingsWouldNotShow) {
   EXPECT_FALSE(full.contains(QStringLiteral("Arc ellipticity ±")));
 }
 
-// They are on the first page, next to the verdict.
+// Both results and the undetectable effects are on the first page, next to the verdict.
 TEST(AcceptanceReport, PutsBothAccountsAndWhatIsUnseenBesideTheVerdict) {
   Session session = *loadSession(samplePath(QStringLiteral("two-causes.alidade")).toStdString());
   session.acceptance.toleranceMm = "0.43";
@@ -228,7 +228,7 @@ QList<PrintedLine> firstPageOf(const Printed& report) {
   return lines;
 }
 
-// Next to the title of the report.
+// Only the title, Δd, measured, and the verdict are in large type.
 TEST(AcceptanceReport, HasTheMeasuredResultAloneInLargeTypeOnTheFirstPage) {
   const QString measured = QStringLiteral("Δd = 1.07 ± 0.94 mm");
   const QString fitOnly = QStringLiteral("Δd, fit only: 1.31 ± 0.21 mm");

@@ -55,8 +55,8 @@ class HandWritten {
     return m_bytes + table + "trailer << /Size " + std::to_string(m_begins.size() + 1) +
            " /Root 1 0 R >>\nstartxref\n" + std::to_string(m_bytes.size()) + "\n%%EOF\n";
   }
-  /// Returns the PDF with a cross-reference stream; object 1 is the first of object stream 2, in a PDF whose
-  /// first added object was a placeholder.
+  /// Returns the PDF with a cross-reference stream. Object 1, which was added as a placeholder, is the first
+  /// one in object stream 2.
   std::string withStreamOfTable() {
     const std::size_t at = m_bytes.size();
     std::string table;

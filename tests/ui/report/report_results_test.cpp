@@ -47,7 +47,7 @@ TEST(ReportResults, AreWhatTheConsolePrintsInEveryLanguage) {
     }
 }
 
-// Excludes a fit that the reader of the report could not repeat.
+// The report's reader must be able to repeat the fit from the attached session.
 TEST(ReportResults, AreThoseOfTheAttachedSession) {
   Session session = paperSession();
   session.title.clear();
@@ -93,7 +93,7 @@ TEST(ReportResults, AreNotTakenForTheSession) {
   EXPECT_EQ(*attachedSessionText(file.readAll().toStdString()), writeSession(paperSession()));
 }
 
-// A gap assembled without the search for suspects is searched here.
+// The report's results include the search for suspects, although this gap was assembled without the search.
 TEST(ReportResults, HoldTheSuspectsThatTheConsoleFinds) {
   const QString path = samplePath(QStringLiteral("misreading.alidade"));
   const Session session = *loadSession(path.toStdString());

@@ -52,7 +52,7 @@ TEST(SideView, HoldsBothCentresWithTheirUncertainty) {
         }
 }
 
-// So that O1 and O2 can be told apart without colour.
+// The names distinguish O1 from O2 without colour.
 TEST(SideView, NamesBothCentresWithinThePicture) {
   for (const double across : {-6.0, 0.0, 0.01, 80.0})
     for (const double up : {-3.0, 0.0, 40.0})
@@ -126,7 +126,7 @@ Session longArcs() {
   return *simulated;
 }
 
-// The headline is the inset's first purpose.
+// The inset's headline matters most; the side view must not displace it.
 TEST(SideView, TakesNoHeadlineFromTheInset) {
   for (const Session& session : {paperSession(), longArcs()}) {
     const Gap gap = assessGap(std::make_shared<const Evaluation>(evaluateFit(session)));

@@ -17,7 +17,7 @@ Closure closureOf(Closure::Of of, double inU, double sigma) {
   return {.of = of, .value = inU * k * sigma, .sigma = sigma};
 }
 
-/// Closures at 1.5 U, at 30 U and with the causes at −0.5 U, and at −2 U of very different σ.
+/// Three closures: at 1.5 U; at 30 U, reduced to −0.5 U by the causes; at −2 U with a much larger σ.
 Gap drawnGap() {
   Gap gap{.evaluation = std::make_shared<const Evaluation>(evaluateFit(paperSession())),
           .diagnosis = Diagnosis{},

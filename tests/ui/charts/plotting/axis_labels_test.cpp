@@ -13,8 +13,8 @@
 #include "ui/charts/residuals/residual_plot.h"
 #include "ui/instrument/check_plot.h"
 
-// Every chart has at least three labels at each axis, from the smallest place of a chart in a window of
-// 1024 × 700 to a large screen.
+// Every chart has at least three labels at each axis, from its smallest size in a window of 1024 × 700 to its
+// size on a large screen.
 
 namespace alidade::ui {
 namespace {
@@ -36,7 +36,7 @@ int labelsAt(Plot& plot, Qt::Orientation orientation) {
   return labels;
 }
 
-/// `least`: the smallest place of the chart.
+/// `least`: the smallest size of the chart.
 void expectLabels(Plot& plot, const std::string& what, const QSize& least = {0, 0}) {
   plot.setStyle(printStyle(QStringLiteral("DejaVu Sans")));
   for (const QSize size :

@@ -67,7 +67,7 @@ TEST(ArcPlot, KeepsCirclesRoundAtEverySize) {
   for (const QSize& size : sizes) {
     plot.arrange(size);
     QCoreApplication::processEvents();
-    // Compares with the places of Qt Charts itself.
+    // Compares with the positions computed by Qt Charts itself.
     QChart& chart = chartOf(plot);
     QAbstractSeries* series = chart.series().front();
     const QPointF origin = chart.mapToPosition({0, 0}, series);

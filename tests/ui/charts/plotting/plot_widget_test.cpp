@@ -66,7 +66,7 @@ TYPED_TEST(PlotWidgetTest, HandsOnAClickOnAPoint) {
   EXPECT_EQ(activated.count(), 1);
 }
 
-// A resting mouse asks for the tip of the scene, 0.7 s after the chart has shown its own.
+// When the mouse rests, Qt asks the scene for a tip, 0.7 s after the chart has shown its own tip.
 TYPED_TEST(PlotWidgetTest, KeepsTheTipOfAPointWhileTheMouseRests) {
   TypeParam chart;
   chart.resize(700, 500);

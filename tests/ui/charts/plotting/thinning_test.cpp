@@ -54,7 +54,7 @@ TEST(Thinning, CostsByThePlotAndNotByTheReadings) {
   EXPECT_LT(static_cast<double>(many), 5.0 * static_cast<double>(some)) << "twenty times as many marks";
 }
 
-/// The highest and lowest of each kind, and all isolated ones.
+/// The highest and lowest marks of each kind, and all isolated marks, are painted.
 TEST(Thinning, AlwaysPaintsWhatStandsOut) {
   for (unsigned seed = 0; seed < 20; ++seed) {
     std::vector<Mark> marks = noise(20000);
@@ -109,7 +109,7 @@ TEST(Thinning, BearsWhatIsNowhere) {
   EXPECT_FALSE(isAmong(thinned(marks, sceneFromAxes(), raster), marks[1]));
 }
 
-/// Painted pixels, with the highest and the lowest.
+/// The number of painted pixels, and their highest and lowest row.
 struct Ink {
   int pixels = 0, top = 250, bottom = 0;
 };

@@ -63,7 +63,7 @@ TEST(ResidualHistogram, CountsEveryResidualInItsClass) {
         return residualOf(plot, mark) >= one.lower && residualOf(plot, mark) < one.upper;
       });
       EXPECT_EQ(inside, one.count) << one.lower;
-      // Its marks are in its bar, one above the other.
+      // The marks of a class are in its bar, one above the other.
       double sum = 0;
       for (const Mark& mark : plot.markers().marks())
         if (mark.at.x() > one.lower && mark.at.x() < one.upper) sum += mark.at.y();

@@ -95,7 +95,7 @@ TEST(FormList, SpeaksChinese) {
   EXPECT_THAT(page.shown(), HasSubstr("0.28"));
 }
 
-// Else the page cannot be scrolled past the chart.
+// Otherwise the wheel could not scroll the page past the chart.
 TEST(FormList, LeavesTheWheelToThePage) {
   Page page("dented-guideway");
   FormChart* chart = page.chart();

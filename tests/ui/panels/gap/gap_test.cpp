@@ -414,8 +414,8 @@ TEST(Gap, SaysWhenWhichRowsOfAJumpMayBeLeftOut) {
   EXPECT_THAT(told(68 + 35), EndsWith("again. Or leave out the rows from there on." + goTo + after));
 }
 
-/// Excluding the rows after the jump preserves Δd. The remaining rows and their zero were read before it, and
-/// the other position has a zero sighted after it.
+/// Excluding the rows after the jump preserves Δd. The remaining rows and their zero were read before the
+/// jump; the zero of the other position was sighted after the jump.
 TEST(Gap, LeavesOutTheRowsOnOneSideOfAJump) {
   constexpr double truth = 2.329085876961523;
   GapBench bench(jumpTrial);
@@ -454,7 +454,7 @@ TEST(Gap, LeavesOutOnlyTheRowsAfterAJumpInTheLastPosition) {
   EXPECT_FALSE(within.before) << "nothing was read later that stands as they do";
 }
 
-/// Nominal 2″; the trial's own factor is unknown, but the residuals are noise and Δd is correct.
+/// The stated σ is 2″. The trial's noise factor is unknown, but the residuals are noise and Δd is correct.
 TEST(Gap, StatesTheNoiseThatTheReadingsShow) {
   GapBench bench(noiseTrial);
   const Diagnosis diagnosis = *diagnose(*examine(bench.open->document().session()).measurement);

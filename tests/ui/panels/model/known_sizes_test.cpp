@@ -123,7 +123,7 @@ TEST(KnownSizes, ListEveryNumberOfTheCatalogueWithItsDefault) {
   EXPECT_EQ(bench.text(bench.row("Slider scale"), Column::Default), "0.0005");
 }
 
-// Types a size from a certificate: value, Enter, u, Enter, its number, Enter.
+// Types a size from a certificate: value, Enter, u, Enter, number of the certificate, Enter.
 TEST(KnownSizes, AreTypedWithTheKeyboardAndUndone) {
   KnownBench bench;
   const Session before = bench.session();
@@ -157,8 +157,8 @@ TEST(KnownSizes, AreTypedWithTheKeyboardAndUndone) {
   EXPECT_EQ(Json::parse(writeSession(bench.session())), written);
 }
 
-// With unchanged weights, the estimate would lose the part of the old prior; the best weights lose no less.
-// The new prior contributes (0.001/0.05)² of it.
+// With unchanged weights, the variance of Δd would lose the part of the old prior; optimal weights lose at
+// least as much. The new prior has (0.001/0.05)² of that part.
 TEST(KnownSizes, NarrowTheMeasurement) {
   KnownBench bench;
   const MeasuredIntersection before = measuredOf(bench.session());
@@ -242,8 +242,8 @@ TEST(KnownSizes, AreReachedFromTheEffectTheyAreOf) {
   EXPECT_EQ(bench.table->currentIndex(), bench.cell(bench.row("Plane warp, cosine"), Column::Value));
 }
 
-/// Two certificates of one number, the second in the other owner's list; an unknown number, an unknown unit,
-/// and unknown keys.
+/// Two certificates for one parameter, the second in the other owner's list; an unknown effect, an unknown
+/// unit, and an unknown key.
 Json crowded() {
   Json json = KnownBench::clean();
   json["instrument"]["known"] = Json::array(

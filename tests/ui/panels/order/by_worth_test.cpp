@@ -72,7 +72,7 @@ class ByWorth : public testing::Test {
     wanted().selectAll();
     typeInto(wanted(), QString::number(uncertainty), Qt::Key_Return);
   }
-  /// The page when nothing is being computed.
+  /// The text of the page once nothing is being computed.
   std::string shown() {
     while (!panel().job().isIdle()) QTest::qWait(5);
     std::string text;

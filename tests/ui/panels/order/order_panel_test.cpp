@@ -146,7 +146,7 @@ TEST(OrderPanel, SaysWhatIsNextAndHowFarItIs) {
   EXPECT_EQ(bench.panel().findChild<DataTable*>()->model()->rowCount(), 70);
 }
 
-/// |Δd| is 0.1 mm within the tolerance, and effects that are the same in each round make up more of U.
+/// |Δd| is 0.1 mm below the tolerance, and effects that are equal in all rounds add more than that to U.
 TEST(OrderPanel, NamesWhatHelpsIfRoundsDoNot) {
   Truth truth;
   truth.intersection = 0.5;

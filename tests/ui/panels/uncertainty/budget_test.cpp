@@ -96,7 +96,7 @@ TEST(BudgetOfTheMeasurement, IsNoWiderThanItsPage) {
   PaperPage paper;
   auto& [gap, document, page] = paper;
   page.setGap(gap);
-  page.resize(ResultPanel().minimumWidth(), 400);  // it is next to that page
+  page.resize(ResultPanel().minimumWidth(), 400);  // the width of the result page, next to it
   page.show();
   QCoreApplication::processEvents();
   EXPECT_LE(page.widget()->minimumSizeHint().width(), page.viewport()->width());

@@ -109,7 +109,7 @@ TEST(Budget, AccountsForTheIntersectionAndEveryCoordinate) {
     EXPECT_THAT(shown, ContainsRegex(textOf(entry.source) + "\n[^\n]+\n" +
                                      numberText(entry.sigma, 3).toStdString() + "\n"))
         << "a digit more than u = 0.10 mm needs";
-  // The figures under the centres combine to the uncertainties of the fit.
+  // The combined uncertainties of the centres are those of the fit.
   for (const ArcSigma& sigma : fit.sigmas)
     for (const double figure : {sigma.x, sigma.y})
       EXPECT_THAT(shown, HasSubstr(numberText(figure, 4).toStdString()));
