@@ -93,9 +93,8 @@ void name(SessionSoFar& state, const WeighedCauses& causes, const SightingEquati
 }
 
 bool isAnyWorthIt(const std::vector<NextSighting>& ranked) {
-  constexpr double leastWorth = 0.004;
-  return std::ranges::any_of(
-      ranked, [&](const NextSighting& next) { return next.ofCauses + next.ofUncertainty > leastWorth; });
+  constexpr double leastWorth = 0.001;
+  return std::ranges::any_of(ranked, [&](const NextSighting& next) { return next.worth() > leastWorth; });
 }
 
 Enough enoughOf(const SessionSoFar& state, const Measurement& measurement, bool ranks) {

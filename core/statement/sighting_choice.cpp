@@ -44,7 +44,7 @@ std::string nextSentence(const SightingChoice& choice, const ProtocolProgress& p
   const std::string minutes = displayText(worth.minutes, 1);
   const auto& [cause, other] =
       worth.one.empty() ? std::tie(worth.other, worth.one) : std::tie(worth.one, worth.other);
-  if (worth.ofCauses > worth.ofUncertainty)
+  if (2 * worth.ofCauses > worth.worth())
     return Phrase::of("%1 tells most for its %2 min: whether it is %3 or %4.", next, minutes, nameOf(cause),
                       nameOf(other));
   return Phrase::of("%1 tells most for its %2 min: it reduces U by %3.", next, minutes,

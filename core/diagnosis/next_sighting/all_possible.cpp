@@ -22,6 +22,12 @@ IntersectionSoFar::IntersectionSoFar(const SightingEquations& equations)
   VectorXd weights = VectorXd::Ones(rows.cols()), intersection = VectorXd::Zero(rows.cols()),
            right = rows.transpose() * equations.residual;
   weights.head(unknowns) = equations.priorWeights;
+  constexpr double held = 1e6;  // weight that leaves a column at 0
+  for (const MayBe& mayBe : equations.mayBe) {
+    const Index sized = !mayBe.widths ? 0 : mayBe.isBent ? 2 : mayBe.count;
+    if (mayBe.first < m_effectColumns)
+      weights.segment(unknowns + mayBe.first + sized, mayBe.count - sized).setConstant(held);
+  }
   intersection.head(unknowns) = equations.intersection;
   right.head(unknowns) += equations.priorWeights.cwiseProduct(equations.priorResiduals);
   MatrixXd normal = rows.transpose() * rows;
@@ -78,7 +84,8 @@ std::vector<std::string> inseparableFrom(const Weighed& cause, const SightingEqu
   const VectorXd trace = gram.middleCols(cause.first, count) * cause.weights;
   const double square = cause.weights.dot(trace.segment(cause.first, count));
   for (const MayBe& other : equations.mayBe) {
-    if (other.first == cause.first || other.first >= equations.effectColumns) continue;
+    if (other.first == cause.first || other.first >= equations.effectColumns || other.priorOdds == 0)
+      continue;
     MatrixXd own = gram.block(other.first, other.first, other.count, other.count);
     const VectorXd right = trace.segment(other.first, other.count);
     constexpr double invisible = 1e-6;

@@ -50,8 +50,7 @@ bool isOfModel(const Measurement& measurement, const Effect& effect) {
 std::vector<const Effect*> effectsFor(const Measurement& measurement, const SightingPlan& plan) {
   std::vector<const Effect*> effects = effectsOf(measurement);
   std::erase_if(effects, [&](const Effect* effect) {
-    return !effect->isSought || (needsSlider(*effect) && !plan.readsSlider) ||
-           isOfModel(measurement, *effect);
+    return (needsSlider(*effect) && !plan.readsSlider) || isOfModel(measurement, *effect);
   });
   return effects;
 }
@@ -148,15 +147,15 @@ class Assembly {
     for (const Effect* effect : effects) {
       const bool isWhole = effect->response == Response::AllOrNothing;
       Index column = add(effect->id, std::ssize(effect->parameters) + (isBent(*effect) ? 3 : 0),
-                         isWhole ? nullptr : &effectWidths(), odds.effect);
+                         isWhole ? nullptr : &effectWidths(), effect->isSought ? odds.effect : 0);
+      m_result.priorOdds += m_result.mayBe.back().priorOdds;
       for (const EffectParameter& parameter : effect->parameters)
         m_terms.push_back({parameter.term, sizeOf(parameter), column++});
       m_result.mayBe.back().isBent = isBent(*effect);
       if (isBent(*effect)) m_bent = column;
     }
     m_result.effectColumns = m_columns;
-    m_result.priorOdds = odds.effect * static_cast<double>(effects.size()) + odds.jump + odds.zeroSlip +
-                         odds.grossError + odds.noise + odds.shape;
+    m_result.priorOdds += odds.jump + odds.zeroSlip + odds.grossError + odds.noise + odds.shape;
     if (!m_forms) return;
     m_firstForm = m_columns;
     for (std::size_t i = 0; const Index count : m_forms->counts)

@@ -79,6 +79,7 @@ WeighedCauses::WeighedCauses(const SightingEquations& equations) : m_equations(e
     causes.add(std::move(weighed), log + std::log(odds));
   };
   for (const MayBe& mayBe : equations.mayBe) {
+    if (mayBe.priorOdds == 0) continue;
     Weighed weighed{.cause = mayBe.cause, .first = mayBe.first};
     const double log = weigh(mayBe, weighed);
     add(std::move(weighed), log, mayBe.priorOdds);

@@ -6,7 +6,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/statistics.h"
+#include "core/diagnosis/planned_uncertainty.h"
 #include "core/simulation/adaptive_trial.h"
+#include "core/simulation/simulate.h"
 #include "core/simulation/watched_session.h"
 
 namespace alidade {
@@ -105,6 +108,21 @@ TEST(NextSighting, CountsNoKnownSizeAsEvidence) {
   measurement.known.clear();
   measurement.effects = {"vertical_index"};
   EXPECT_LT(sessionSoFar(measurement, plan)->logEvidence, 2) << "the model contains it";
+}
+
+/// Two ways to the same U: these equations, and an adjustment of error-free readings with every effect. 0.5
+/// %: those are linear at the circles, and the other at the places.
+TEST(NextSighting, HasTheUncertaintyThatAPlanHas) {
+  for (const Protocol& protocol : namedProtocols()) {
+    const auto session = simulate(protocol, drawTruth(7), 7);
+    ASSERT_TRUE(session);
+    const Measurement measurement = *examine(*session).measurement;
+    const auto state = sessionSoFar(measurement, sightingPlanOf(protocol), false);
+    const auto planned = plannedUncertainty(measurement, 1);
+    ASSERT_TRUE(state && state->sigma && planned) << protocol.name;
+    const double factor = coverageFactor(measurement.coverage, DegreesOfFreedom::infinite());
+    EXPECT_NEAR(factor * *state->sigma, *planned, 5e-3 * *planned) << protocol.name;
+  }
 }
 
 TEST(NextSighting, NamesAnEffectOfNoCatalogueAsAForm) {
