@@ -7942,6 +7942,30 @@ Includes every catalogued effect, limited by these readings or by its plausible 
         <source>row %1 (point %2)</source>
         <translation>第 %1 行（测点 %2）</translation>
     </message>
+    <message>
+        <source>excluded</source>
+        <translation>排除</translation>
+    </message>
+    <message>
+        <source>model effects</source>
+        <translation>模型效应</translation>
+    </message>
+    <message>
+        <source>readings</source>
+        <translation>读数</translation>
+    </message>
+    <message>
+        <source>formula of own effect %1</source>
+        <translation>自定义效应 %1 的公式</translation>
+    </message>
+    <message>
+        <source>plausible sizes of own effect %1</source>
+        <translation>自定义效应 %1 的合理大小</translation>
+    </message>
+    <message>
+        <source>own effect %1</source>
+        <translation>自定义效应 %1</translation>
+    </message>
 </context>
 <context>
     <name>PositionText</name>

@@ -191,7 +191,7 @@ TEST(MainWindow, KeepsAWrongAngleOutOfTheFitAndFindsItBack) {
   const QModelIndex residual = table.model()->index(4, static_cast<int>(ReadingColumn::VerticalResidual));
   EXPECT_TRUE(residual.data().toString().isEmpty());
   auto* findings = open->findChild<FindingsPanel*>();
-  EXPECT_THAT(findings->item(0)->text().toStdString(), HasSubstr("0°, row 5 (point 5), vertical: "));
+  EXPECT_THAT(findings->item(0)->text().toStdString(), HasSubstr("0°, row 5 (point 5), vertical reading: "));
   table.selectCell(0, ReadingColumn::Horizontal);
   emit findings->itemClicked(findings->item(0));
   EXPECT_EQ(table.currentIndex().row(), 4);

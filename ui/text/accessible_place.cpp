@@ -2,8 +2,11 @@
 
 #include <QCoreApplication>
 #include <QStringList>
+#include <charconv>
+#include <string_view>
 
 #include "ui/document/field.h"
+#include "ui/document/reading_column.h"
 #include "ui/text/entry_text.h"
 #include "ui/text/known_text.h"
 #include "ui/text/list_text.h"
@@ -23,6 +26,37 @@ struct PlaceText {
 struct AccessibleCell {
   Q_DECLARE_TR_FUNCTIONS(AccessibleCell)
 };
+
+/// The name of an entry of the session's own effects, such as `own_effects[1].formula`; empty for any other
+/// field.
+QString ownEffectName(std::string_view field) {
+  constexpr std::string_view list = "own_effects[";
+  if (!field.starts_with(list)) return {};
+  const std::string_view entry = field.substr(list.size());
+  std::size_t index = 0;
+  if (std::from_chars(entry.data(), entry.data() + entry.size(), index).ec != std::errc()) return {};
+  const QString number = QString::number(index + 1);
+  if (entry.find("].formula") != entry.npos) return PlaceText::tr("formula of own effect %1").arg(number);
+  if (entry.find("].parameters") != entry.npos)
+    return PlaceText::tr("plausible sizes of own effect %1").arg(number);
+  return PlaceText::tr("own effect %1").arg(number);
+}
+
+QString rowFieldName(const std::string& name) {
+  const RowField* field = rowFieldNamed(name);
+  if (!field) return visibleLine(qText(name));
+  if (field->flag) return PlaceText::tr("excluded");
+  return QCoreApplication::translate("ReadingColumn", infoOf(readingColumn(name)).noun);
+}
+
+QString sessionFieldName(const std::string& name) {
+  const Field* field = fieldNamed(name.starts_with("protocol.") ? "protocol" : name);
+  if (field) return QCoreApplication::translate("Field", field->noun);
+  if (name == "model.effects") return PlaceText::tr("model effects");
+  if (name == "readings") return PlaceText::tr("readings");
+  const QString own = ownEffectName(name);
+  return own.isEmpty() ? visibleLine(qText(name)) : own;
+}
 
 }  // namespace
 
@@ -44,8 +78,7 @@ QString accessiblePlace(const Session& session, const Place& place) {
   if (const auto known = knownAt(place); known && knownSize(session, known->ref)) {
     parts.append(accessibleKnown(session, *known));
   } else if (!place.field.empty()) {
-    const Field* field = place.reading ? nullptr : fieldNamed(place.field);
-    parts.append(field ? QCoreApplication::translate("Field", field->noun) : qText(place.field));
+    parts.append(place.reading ? rowFieldName(place.field) : sessionFieldName(place.field));
   }
   return listText(parts);
 }

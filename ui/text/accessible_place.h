@@ -10,8 +10,9 @@ namespace alidade::ui {
 /// "row 3 (point 7)"; `row` counts from 0, the text from 1.
 QString accessibleRow(std::size_t row, const std::string& point);
 
-/// The common name of a place in a session: "0°, row 3 (point 7), vertical", "180° again, pointing zero β0",
-/// "distance L". Rows count from 1. Empty for the session as a whole.
+/// The common name of a place in a session: "0°, row 3 (point 7), vertical reading", "180° again, pointing
+/// zero β0", "distance L". No name of the session file is in it. Rows count from 1. Empty for the session as
+/// a whole.
 QString accessiblePlace(const Session& session, const Place& place);
 
 /// Returns the text of a cell for a screen reader: its text, or that the column named `title` is empty there.

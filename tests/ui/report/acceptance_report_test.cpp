@@ -657,9 +657,9 @@ TEST(AcceptanceReport, NeverLooksAcceptedWithUnusableEntries) {
   const Printed report(session);
   EXPECT_TRUE(report.page(0).contains(QStringLiteral("No verdict: 2 entries could not be used")));
   EXPECT_FALSE(report.contains("Accepted\n"));
-  EXPECT_TRUE(report.contains("0°, row 3 (point 3), vertical: "));
+  EXPECT_TRUE(report.contains("0°, row 3 (point 3), vertical reading: "));
   EXPECT_TRUE(report.contains("71 minutes"));
-  EXPECT_TRUE(report.contains("180°, row 6 (point 6), horizontal: "));
+  EXPECT_TRUE(report.contains("180°, row 6 (point 6), horizontal reading: "));
   EXPECT_TRUE(report.contains("abc 98°14′26″ — — — — — unusable"));
   session.positions[1].readings[5].excluded = true;
   EXPECT_TRUE(Printed(session).contains("No verdict: 1 entry could not be used"));

@@ -64,7 +64,7 @@ TEST(ReportContents, NeverLeavesOutWhatSpeaksAgainstTheResult) {
   session.positions[0].readings[5].asRead.set("vertical", "81°00'00\"");
   const std::string text = textWithout(session, everything());
   for (const char* kept : {"No verdict: 1 entry could not be used",
-                           "0°, row 3 (point 3), vertical: ", "1 × “tripod was touched”",
+                           "0°, row 3 (point 3), vertical reading: ", "1 × “tripod was touched”",
                            "first entered as 81°00'00\"", "Findings", "Measurand", "Left out"})
     EXPECT_THAT(text, HasSubstr(kept));
   EXPECT_THAT(text, Not(HasSubstr("\n 1 1 1 341°52'24\""))) << "a reading of which there is nothing to tell";

@@ -21,7 +21,7 @@ namespace alidade::ui {
 
 namespace {
 
-/// "Distance L is empty: …", "0°, row 4 (point 4), vertical: “83 99 34” has …".
+/// "Distance L is empty: …", "0°, row 4 (point 4), vertical reading: “83 99 34” has …".
 QString problemText(const Session& session, const Problem& problem) {
   const QString place = accessiblePlace(session, problem.where);
   const QString what = qText(problem.what);
