@@ -182,7 +182,7 @@ std::optional<Problem> plan(const FileContent& file, const std::vector<std::stri
   const bool isRead = std::any_of(inputs.begin(), inputs.end(), [&](const std::string& input) {
     return isSameFile(file.path, namedInput(input));
   });
-  if (isRead) return unwritable(file, Phrase::of("it is the file that is read: choose another name"));
+  if (isRead) return unwritable(file, Phrase::of("this is the file being read: choose another name"));
   passages.emplace_back(file, *std::move(target), calls);
   return std::nullopt;
 }

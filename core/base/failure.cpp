@@ -15,7 +15,7 @@ std::string thrownReason() {
   } catch (const std::exception& error) {
     return Phrase::of("a fault in the program (%1)", error.what());
   } catch (...) {
-    return Phrase::of("a fault in the program (of a kind that says nothing)");
+    return Phrase::of("a fault in the program (cause not reported)");
   }
 }
 
@@ -30,15 +30,14 @@ std::optional<std::string> failureOf(const std::function<void()>& work) {
 
 std::string sentencesOf(const FailedWork& failed) {
   const std::string work = Phrase::of(failed.work.c_str());
-  return failed.isRecorded
-             ? Phrase::of(
-                   "The %1 failed: %2. Nothing typed is lost; save the session and go on. What is needed to "
-                   "report this is in %3.",
-                   work, failed.reason, failed.record)
-             : Phrase::of(
-                   "The %1 failed: %2. Nothing typed is lost; save the session and go on. What is needed to "
-                   "report this could not be written to %3.",
-                   work, failed.reason, failed.record);
+  return failed.isRecorded ? Phrase::of(
+                                 "The %1 failed: %2. Nothing typed is lost; save the session and go on. A "
+                                 "description of the fault is in %3.",
+                                 work, failed.reason, failed.record)
+                           : Phrase::of(
+                                 "The %1 failed: %2. Nothing typed is lost; save the session and go on. A "
+                                 "description of the fault could not be written to %3.",
+                                 work, failed.reason, failed.record);
 }
 
 }  // namespace alidade

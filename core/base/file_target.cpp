@@ -52,7 +52,7 @@ Result<FileTarget> standing(const fs::path& path, const struct stat& status) {
     return target;
   }
   if (!S_ISREG(status.st_mode))
-    return Problem{Phrase::of("something stands there that is no file: choose another name")};
+    return Problem{Phrase::of("the name is used by something other than a file: choose another name")};
   if (faccessat(AT_FDCWD, path.c_str(), W_OK, AT_EACCESS) != 0)
     return Problem{Phrase::of("the file is read-only: choose another name, or make it writable")};
   return target;
@@ -67,7 +67,7 @@ std::string FileTarget::folder() const {
 Result<FileTarget> fileTarget(const std::string& path) {
   constexpr int mostLinks = 40;
   fs::path place(path);
-  if (place.empty()) return Problem{Phrase::of("it has no name: give one")};
+  if (place.empty()) return Problem{Phrase::of("no name is given: enter one")};
   if (!place.has_filename()) return Problem{whyUnwritable(EISDIR)};
   for (int link = 0; link < mostLinks; ++link) {
     if (const auto descriptor = ownDescriptor(place))
@@ -82,7 +82,7 @@ Result<FileTarget> fileTarget(const std::string& path) {
     if (!S_ISLNK(status.st_mode)) return standing(place, status);
     if (isForbiddenLink(place))
       return Problem{Phrase::of(
-          "it is a link that another user made in a folder that all may write: choose another name")};
+          "it is another user's link in a folder that everyone may write to: choose another name")};
     std::error_code error;
     const fs::path next = fs::read_symlink(place, error);
     if (error) return Problem{whyUnwritable(error.value())};
@@ -98,7 +98,7 @@ std::string whyUnwritable(int error) {
     case EDQUOT:
       return Phrase::of("your share of the disk is used up: make room there or choose another folder");
     case EFBIG:
-      return Phrase::of("it would be larger than files may be there: choose another folder");
+      return Phrase::of("the file exceeds the size limit there: choose another folder");
     case EACCES:
     case EPERM:
       return Phrase::of("you may not write there: choose another folder");
@@ -106,13 +106,13 @@ std::string whyUnwritable(int error) {
       return Phrase::of("the disk can only be read: choose another folder");
     case ENOENT:
     case ENOTDIR:
-      return Phrase::of("its folder is not there: choose another folder");
+      return Phrase::of("its folder does not exist: choose another folder");
     case EISDIR:
-      return Phrase::of("a folder stands there: choose another name");
+      return Phrase::of("a folder has this name: choose another name");
     case ENAMETOOLONG:
       return Phrase::of("its name is too long: choose a shorter one");
     case ELOOP:
-      return Phrase::of("its links lead in a circle: choose another name");
+      return Phrase::of("its links form a loop: choose another name");
     default:
       //: what the system says is wrong
       return Phrase::of("%1: choose another name or folder", std::generic_category().message(error));

@@ -25,8 +25,7 @@ Problem tooManyRows() {
 }
 
 std::string beyondTheRows() {
-  return Phrase::of("comes after %1 rows of readings, and no more are read: divide the file",
-                    asCount(mostRows));
+  return Phrase::of("comes after %1 rows of readings, the limit: divide the file", asCount(mostRows));
 }
 
 }  // namespace alidade::limits

@@ -76,8 +76,8 @@ std::optional<Message> messageFrom(std::string_view mark, std::string_view line)
 
 constexpr std::array<std::pair<int, const char*>, 16> sentences = {{
     {geocom::done, PHRASE_LATER("Phrase", "Done.")},
-    {2, PHRASE_LATER("Phrase", "The instrument takes no such parameter.")},
-    {geocom::notImplemented, PHRASE_LATER("Phrase", "The instrument does not know this question.")},
+    {2, PHRASE_LATER("Phrase", "The instrument does not accept this parameter.")},
+    {geocom::notImplemented, PHRASE_LATER("Phrase", "The instrument does not know this command.")},
     {geocom::systemBusy, PHRASE_LATER("Phrase", "The instrument is busy.")},
     {geocom::notAvailable, PHRASE_LATER("Phrase", "The instrument has no answer to this question.")},
     {geocom::notFullyCorrected,
@@ -92,7 +92,7 @@ constexpr std::array<std::pair<int, const char*>, 16> sentences = {{
     {1290, PHRASE_LATER("Phrase", "The instrument could not read its circles: level it and try again.")},
     {geocom::busy, PHRASE_LATER("Phrase", "The instrument is busy measuring.")},
     {geocom::cannotSend, PHRASE_LATER("Phrase", "The instrument cannot send: its buffer may be full.")},
-    {geocom::timedOut, PHRASE_LATER("Phrase", "The instrument gave up waiting within itself.")},
+    {geocom::timedOut, PHRASE_LATER("Phrase", "The instrument reports an internal timeout.")},
     {3085, PHRASE_LATER("Phrase", "The instrument failed to answer.")},
     {11, PHRASE_LATER("Phrase", "The instrument is switching off.")},
 }};

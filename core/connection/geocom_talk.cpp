@@ -51,7 +51,8 @@ void GeoComTalk::onBegin(Milliseconds now, TalkStep& step) {
 
 void GeoComTalk::onTake(Milliseconds now, TalkStep& step) {
   if (m_isTaking)
-    return step.remarks.push_back(Phrase::of("A reading is being taken already: it is asked for once."));
+    return step.remarks.push_back(
+        Phrase::of("A reading is already being taken: no second one is requested."));
   m_isTaking = true;
   m_hasAngles = false;
   m_reading = {};
@@ -103,15 +104,15 @@ void GeoComTalk::onLine(const std::string& line, Milliseconds now, TalkStep& ste
   const auto answer = geoComAnswer(line);
   if (!answer)
     return step.remarks.push_back(
-        Phrase::of("This is no answer of GeoCOM and was passed over: %1", shownLine(line.substr(0, 60))));
+        Phrase::of("This is no GeoCOM answer and was skipped: %1", shownLine(line.substr(0, 60))));
   if (!m_waitsFor || answer->transaction != *m_waitsFor)
     return step.remarks.push_back(
         Phrase::of("An answer came late or twice and was dropped: %1", shownLine(line.substr(0, 60))));
   if (!answer->isSound)
-    return askAgainAsSpoiled(Phrase::of("The check sum of an answer is not that of its text, and it is asked "
-                                        "for again: %1",
-                                        shownLine(line.substr(0, 60))),
-                             now, step);
+    return askAgainAsSpoiled(
+        Phrase::of("The check sum of an answer is not that of its text, and it is requested again: %1",
+                   shownLine(line.substr(0, 60))),
+        now, step);
   use(*answer, now, step);
 }
 
@@ -135,7 +136,7 @@ void GeoComTalk::use(const GeoComAnswer& answer, Milliseconds now, TalkStep& ste
   const bool isAngles = question.need == Need::Angles;
   if (isAngles ? !hasAngles(code) : code != geocom::done) return giveUp(code, now, step);
   if (!isWhole(question.rpc, answer) || (isAngles && !takeAngles(answer, step)))
-    return askAgainAsSpoiled(Phrase::of("An answer was spoiled on its way and is asked for again: %1",
+    return askAgainAsSpoiled(Phrase::of("An answer was corrupted in transmission and is requested again: %1",
                                         shownLine(geoComLine(answer).substr(0, 60))),
                              now, step);
   m_isAwake = true;
@@ -248,8 +249,8 @@ void GeoComTalk::giveUp(std::optional<int> code, Milliseconds now, TalkStep& ste
   }
   const std::string why =
       code           ? geoComSentence(*code)
-      : m_wasSpoiled ? Phrase::of("The answers of the instrument were spoiled %1 times.", question.attempts)
-                     : Phrase::of("The instrument did not answer %1 times.", question.attempts);
+      : m_wasSpoiled ? Phrase::of("The answers of the instrument were corrupted %1 times.", question.attempts)
+                     : Phrase::of("The instrument failed to answer %1 times.", question.attempts);
   step.remarks.push_back(
       m_isTaking
           ? Phrase::of("%1 No reading was taken; sight again.", why)

@@ -83,7 +83,8 @@ void GsiTalk::onBegin(Milliseconds now, TalkStep& step) {
 
 void GsiTalk::onTake(Milliseconds now, TalkStep& step) {
   if (m_askedUntil)
-    return step.remarks.push_back(Phrase::of("A reading is being taken already: it is asked for once."));
+    return step.remarks.push_back(
+        Phrase::of("A reading is already being taken: no second one is requested."));
   m_askedUntil = now + m_times.answerWithin;
   send(measureBoth, step);
 }
@@ -144,12 +145,12 @@ bool GsiTalk::wasTaken(const std::string& line, Milliseconds now) const {
 void GsiTalk::takeBlock(const std::string& line, Milliseconds now, TalkStep& step) {
   const std::string shown = shownLine(line.substr(0, 60));
   if (!looksLikeGsi(line))
-    return step.remarks.push_back(Phrase::of("This is no block of GSI and was passed over: %1", shown));
+    return step.remarks.push_back(Phrase::of("This is no GSI block and was skipped: %1", shown));
   if (takeSerial(line, step)) return;
   const Result<InstrumentReading> reading = gsiReading(line, m_circles.vertical);
   if (!reading)  // without an acknowledgement the instrument repeats it
     return step.remarks.push_back(
-        Phrase::of("A block was not taken: %1. The instrument sends it again, or reports an error.",
+        Phrase::of("A block was not accepted: %1. The instrument sends it again, or reports an error.",
                    reading.problem().what));
   const bool isAnswer = m_askedUntil.has_value();
   const bool isAgain = !isAnswer && wasTaken(line, now);
@@ -158,7 +159,7 @@ void GsiTalk::takeBlock(const std::string& line, Milliseconds now, TalkStep& ste
   m_lastBlock = line;
   m_lastAt = now;
   if (isAgain)
-    return step.remarks.push_back(Phrase::of("The same block came again and was taken once: %1", shown));
+    return step.remarks.push_back(Phrase::of("A block was received twice and used once: %1", shown));
   step.readings.push_back(*reading);
   if (reading->serial.empty()) step.readings.back().serial = m_identity.serial;
 }

@@ -32,8 +32,8 @@ void LineAssembler::take(std::string_view bytes, Milliseconds now, std::vector<s
     if (!m_isTooLong && m_line.size() + length > longest) {
       m_line.append(bytes.substr(0, std::min(length, longest)));
       remarks.push_back(
-          Phrase::of("More than %1 characters came without the end of a line, which no instrument "
-                     "sends: dropped (%2). Do baud rate, data bits and parity fit the instrument?",
+          Phrase::of("More than %1 characters came without an end of line; they were dropped (%2). Do baud "
+                     "rate, data bits and parity match the instrument?",
                      longest, shownShort(m_line)));
       m_isTooLong = true;
       m_line.clear();
@@ -51,7 +51,7 @@ void LineAssembler::tick(Milliseconds now, std::vector<std::string>& remarks) {
   const auto due = wakeAt();
   if (!due || now < *due) return;
   if (!m_isTooLong)
-    remarks.push_back(Phrase::of("Half a line came and no more: dropped (%1). Is the cable in its plugs?",
+    remarks.push_back(Phrase::of("Only part of a line came; it was dropped (%1). Is the cable plugged in?",
                                  shownShort(m_line)));
   m_line.clear();
   m_isTooLong = false;

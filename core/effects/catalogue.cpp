@@ -22,7 +22,7 @@ constexpr std::vector<Effect> makeCatalogue() {
        PHRASE_LATER("Phrase",
                     "the vertical circle follows the other relation between height and angle (y/L instead of "
                     "y/√(x²+L²), or the reverse)"),
-       PHRASE_LATER("Phrase", "set the session's vertical angle relation right"),
+       PHRASE_LATER("Phrase", "correct the session's vertical angle relation"),
        ErrorSource::Instrument,
        AllOrNothing,
        //: how much of the effect is there
@@ -44,7 +44,7 @@ constexpr std::vector<Effect> makeCatalogue() {
        {{PHRASE_LATER("Phrase", "tilt"), TrunnionTilt, "arcsec", 30}}},
       {"vertical_index",
        PHRASE_LATER("Phrase", "vertical index"),
-       PHRASE_LATER("Phrase", "the vertical circle's index is off"),
+       PHRASE_LATER("Phrase", "the vertical circle has an index error"),
        PHRASE_LATER("Phrase", "observe in both faces"),
        ErrorSource::Instrument,
        Linear,
@@ -90,9 +90,9 @@ constexpr std::vector<Effect> makeCatalogue() {
       // 2 K/m bends a line of 2.4 m by half an arcsecond: δ = 0.93e-6/K · 2 K/m · L/2.
       {"vertical_refraction",
        PHRASE_LATER("Phrase", "vertical refraction"),
-       PHRASE_LATER(
-           "Phrase",
-           "layers of warm air bend the lines of sight, as the square of the elevation (size at 10°)"),
+       PHRASE_LATER("Phrase",
+                    "layers of warm air bend the lines of sight, in proportion to the square of the "
+                    "elevation (size at 10°)"),
        PHRASE_LATER("Phrase", "keep sources of heat away, and stir the air"),
        ErrorSource::Instrument,
        Linear,
@@ -116,7 +116,7 @@ constexpr std::vector<Effect> makeCatalogue() {
       {"plane_tilt",
        PHRASE_LATER("Phrase", "plane tilt"),
        PHRASE_LATER("Phrase", "the arc plane is not perpendicular to the zero direction"),
-       PHRASE_LATER("Phrase", "read the slider, and determine the pointing zero anew"),
+       PHRASE_LATER("Phrase", "read the slider, and determine the pointing zero again"),
        ErrorSource::Guideway,
        Bent,
        {{PHRASE_LATER("Phrase", "tilt about x"), PlaneTiltX, "deg", 0.3},
@@ -125,7 +125,7 @@ constexpr std::vector<Effect> makeCatalogue() {
        PHRASE_LATER("Phrase", "plane offset"),
        PHRASE_LATER(
            "Phrase",
-           "the arc plane lies off the rotation axis, so the distance differs between the positions"),
+           "the arc plane is offset from the rotation axis, so the distance differs between the positions"),
        PHRASE_LATER("Phrase", "measure the distance in both positions"),
        ErrorSource::Guideway,
        Linear,
@@ -143,7 +143,7 @@ constexpr std::vector<Effect> makeCatalogue() {
       {"axial_shift",
        PHRASE_LATER("Phrase", "axial shift"),
        PHRASE_LATER("Phrase", "the guideway moves along its axis when it is turned"),
-       PHRASE_LATER("Phrase", "sight the zero again before and after turning, and look at the axial bearing"),
+       PHRASE_LATER("Phrase", "sight the zero again before and after turning, and check the axial bearing"),
        ErrorSource::Guideway,
        Linear,
        //: how far something shifts
@@ -151,7 +151,7 @@ constexpr std::vector<Effect> makeCatalogue() {
       {"radius_change",
        PHRASE_LATER("Phrase", "radius change"),
        PHRASE_LATER("Phrase", "the radius differs between the positions"),
-       PHRASE_LATER("Phrase", "measure the distance in both positions, and look for play and temperature"),
+       PHRASE_LATER("Phrase", "measure the distance in both positions, and check for play and temperature"),
        ErrorSource::Guideway,
        Linear,
        //: how much something changes
@@ -184,8 +184,7 @@ constexpr std::vector<Effect> makeCatalogue() {
       // perpendicular to it: along the arc.
       {"arm_sag",
        PHRASE_LATER("Phrase", "arm sag"),
-       PHRASE_LATER("Phrase",
-                    "the slider's arm bends under its weight, the more the nearer to the horizontal"),
+       PHRASE_LATER("Phrase", "the slider's arm bends under its weight, most where it is horizontal"),
        PHRASE_LATER("Phrase", "read the slider, and stiffen its arm"),
        ErrorSource::Guideway,
        Linear,

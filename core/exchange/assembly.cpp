@@ -46,7 +46,7 @@ class Assembly {
     else
       takePositions(m_sightings, m_options.base);
     if (takeRounds(m_sightings, m_options.base))
-      remark(Phrase::of("points that come again in the same position and face are put into further rounds"));
+      remark(Phrase::of("points repeated in the same position and face are assigned to further rounds"));
     numberPoints();
     for (const RecordedSighting& sighting : m_sightings) {
       check(sighting);
@@ -133,7 +133,7 @@ class Assembly {
       std::string& stated = session.geometry.verticalCircle;
       if (!recording.circleRemark.empty() && stated != named) remark(recording.circleRemark);
       if (!stated.empty() && stated != named)
-        remark(Phrase::of("the vertical circle is stated as %1, but the file says %2: the file is followed",
+        remark(Phrase::of("the vertical circle is stated as %1, but the file says %2: the file is used",
                           quotation(stated), plainKey(named)));
       stated = named;
     }
@@ -161,7 +161,7 @@ class Assembly {
       remark(ofFile(file) + Phrase::of(putAtZero));
     }
     if (told && wanted.turnedAtLine)
-      remark(ofFile(file) + Phrase::of("the file itself says how the axis stood: that is what counts"));
+      remark(ofFile(file) + Phrase::of("the file states the position of the axis: its statement is used"));
   }
 
   /// The vertical circle decides between face 1 and face 2 if the file states no face.
@@ -303,7 +303,7 @@ class Assembly {
     }
     if (sightings.size() > 1 && !areSeveral()) lines = Phrase::of("lines %1", lines);
     if (!zero.horizontal.empty() || !zero.vertical.empty())
-      return remark(Phrase::of("the pointing zero at %1 stays as it was given; that of %2 is not used",
+      return remark(Phrase::of("the pointing zero at %1 keeps its given value; that of %2 is not used",
                                nameOf(at), lines));
     const ZeroMean mean = zeroMean(sightings, m_circle);
     zero.horizontal = mean.horizontal;
@@ -335,9 +335,9 @@ class Assembly {
           Phrase::of("the positions of the axis alternate in the file; a session keeps the order of readings "
                      "only within each"));
     else if (turns.size() == 2 && turns.front().first != "0" && !isAgain)
-      remark(Phrase::of(
-          "180° was read before 0°, but a session takes 0° as read first: a drift or a jump between the "
-          "positions would be taken the wrong way round"));
+      remark(
+          Phrase::of("180° was read before 0°, but a session assumes 0° first: a drift or a jump between the "
+                     "positions would get the wrong sign"));
     if (isAgain) orderAsRead(turns);
   }
 

@@ -138,7 +138,7 @@ class CsvReader {
     if (m_recording.verticalCircle.empty() && m_circleKind.isElevation()) {
       m_recording.verticalCircle = "elevation";
       m_recording.circleRemark =
-          Phrase::of("the vertical readings are taken for elevations, as some are negative");
+          Phrase::of("the vertical readings are treated as elevations, as some are negative");
     }
     for (const std::size_t line : m_remarksWithReading)
       unused.push_back(Phrase::of("line %1 begins with # and is not used, though it holds a reading", line));
@@ -161,15 +161,14 @@ class CsvReader {
       if (*kind == UnreadRows::Kind::NoReading && namesOthers(row))
         return refuse(
             row.line, 0,
-            Phrase::of("the columns are named anew and otherwise: put what follows into a file of its own"));
+            Phrase::of("the columns are named again and differently: put what follows into a separate file"));
       return m_unread.add(*kind, row.line);
     }
     if (const CsvCell* cell = cellBeyond(row))
-      return refuse(
-          row.line, cell->column,
-          Phrase::of("%1 stands beyond the last named column: name its column, or put double quotes "
-                     "around the entry that holds a separator",
-                     quotation(cell->text)));
+      return refuse(row.line, cell->column,
+                    Phrase::of("%1 is beyond the last named column: name its column, or put the entry that "
+                               "contains a separator in double quotes",
+                               quotation(cell->text)));
     RecordedSighting sighting;
     sighting.line = row.line;
     for (std::size_t i = 0; i < std::min(row.cells.size(), m_plan.columns.size()); ++i) {
@@ -294,9 +293,8 @@ class CsvReader {
     const char other = m_layout.decimalSign == DecimalSign::Point ? ',' : '.';
     for (const std::size_t at : angle.at)
       if (at < row.cells.size() && row.cells[at].text.find(other) != std::string::npos)
-        return Problem{
-            Phrase::of("%1 has another decimal sign than the one that was stated: choose either of them",
-                       quotation(row.cells[at].text))};
+        return Problem{Phrase::of("%1 has a decimal sign other than the one stated: choose either of them",
+                                  quotation(row.cells[at].text))};
     return std::nullopt;
   }
 

@@ -115,7 +115,7 @@ bool CsvTable::isFull(const CsvRow& row) {
   if (row.cells.size() < limits::mostColumns) return false;
   m_problem =
       LineProblem{m_line, column(),
-                  Phrase::of("has more than %1 columns: a table of readings has some ten, save it anew",
+                  Phrase::of("has more than %1 columns: a table of readings has about ten; save it again",
                              limits::asCount(limits::mostColumns))};
   return true;
 }

@@ -55,7 +55,7 @@ void FieldBook::note(const char* sentence, std::size_t line) {
 
 void FieldBook::setAsideTail(const TextLines& lines) {
   if (const auto line = lines.tailLine())
-    setAside(Phrase::of("what stands behind the end of the file (^Z)"), *line);
+    setAside(Phrase::of("content after the end of the file (^Z)"), *line);
 }
 
 void FieldBook::refuse(std::size_t line, std::size_t column, const std::string& what) {
@@ -68,8 +68,9 @@ void FieldBook::setAside(const std::string& what, std::size_t line) {
 
 void FieldBook::setAsideLine(std::string_view text, std::size_t line) {
   const bool isQuoted = ++m_quotedLines <= mostQuoted;
-  setAside(isQuoted ? Phrase::of("the line %1", quotation(text)) : Phrase::of("a further line of no format"),
-           line);
+  setAside(
+      isQuoted ? Phrase::of("the line %1", quotation(text)) : Phrase::of("a further line of unknown format"),
+      line);
 }
 
 void FieldBook::setAsidePart(std::string_view text, std::size_t line) {
@@ -87,7 +88,7 @@ void FieldBook::beginStation(const std::string& name, std::size_t line) {
 
 void FieldBook::count(Uses& uses, const std::string& what, std::size_t line) {
   const bool isNew = uses.size() >= limits::mostKinds && !uses.contains(what);
-  Unused& use = uses[isNew ? Phrase::of("what else has no place in a session") : what];
+  Unused& use = uses[isNew ? Phrase::of("further content that a session cannot hold") : what];
   if (use.count++ == 0) use.firstLine = line;
 }
 

@@ -72,7 +72,7 @@ constexpr const char* holdsNoReadings =
                  "is a file of the format %1, which holds no readings of circles: choose the file of the "
                  "instrument (GSI, SDR, M5, JobXML, LandXML) or a table (CSV)");
 constexpr const char* isJson =
-    PHRASE_LATER("Phrase", "is no file of readings but JSON: open it as a session");
+    PHRASE_LATER("Phrase", "is JSON, not a file of readings: open it as a session");
 
 /// A format that is recognised and named but cannot be read.
 FileFormat namedOnly(std::string_view id, std::string_view name, std::vector<std::string_view> suffixes,

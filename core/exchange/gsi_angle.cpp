@@ -114,15 +114,15 @@ std::variant<ExactAngle, LineProblem> gsiExactAngle(const GsiWord& word, std::si
   if (!word.isWhole && !isWritten)
     return refuse(
         characterCount(word.data) == narrow
-            ? Phrase::of("has 8 characters, and a block that starts with * has 16: transfer the file anew")
+            ? Phrase::of("has 8 characters, and a block that starts with * has 16: transfer the file again")
             : Phrase::of(
-                  "has neither 8 nor 16 characters: transfer the file anew, or mend or delete the line"));
+                  "has neither 8 nor 16 characters: transfer the file again, or correct or delete the line"));
   const auto number = numberOf(word.data, word.unit == '5' ? behindMil : behindDegrees);
-  if (!number) return refuse(Phrase::of("is not made of digits: transfer the file anew"));
+  if (!number) return refuse(Phrase::of("is not made of digits: transfer the file again"));
   const std::size_t decimals = number->decimals.size();
   if (number->whole.size() + decimals > mostDigits ||
       (!isWritten && std::stoull(number->whole + number->decimals) >= mostUnits))
-    return refuse(Phrase::of("is larger than a circle: transfer the file anew"));
+    return refuse(Phrase::of("is larger than a circle: transfer the file again"));
   if (!isWritten)
     point = GsiPoint::BehindDegrees;
   else if (!point)
@@ -131,8 +131,8 @@ std::variant<ExactAngle, LineProblem> gsiExactAngle(const GsiWord& word, std::si
   auto angle = inUnitOf(word.unit, *number, *point);
   if (!angle)
     return refuse(
-        Phrase::of("has no unit of an angle: position 6 of the word is “%1”, and 2 is gon, 3 decimal "
-                   "degrees, 4 degrees minutes seconds, 5 mil",
+        Phrase::of("has no angle unit: character 6 of the word is “%1”; valid are 2 (gon), 3 (decimal "
+                   "degrees), 4 (degrees minutes seconds), 5 (mil)",
                    std::string(1, word.unit)));
   if (word.sign == '-') angle->text.insert(0, "-");
   return *std::move(angle);

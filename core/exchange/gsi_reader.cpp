@@ -23,8 +23,8 @@ constexpr const char* keyedIn =
     PHRASE_LATER("Phrase", "angles keyed in by hand, not measured: %1, first in line %2");
 constexpr const char* workedOut = PHRASE_LATER(
     "Phrase", "angles that a program of the instrument worked out, not measured: %1, first in line %2");
-constexpr const char* oddWidths = PHRASE_LATER(
-    "Phrase", "words with neither 8 nor 16 characters, taken as they stand: %1, first in line %2");
+constexpr const char* oddWidths =
+    PHRASE_LATER("Phrase", "words with neither 8 nor 16 characters, used unchanged: %1, first in line %2");
 
 const GsiWord* wordOf(const std::vector<GsiWord>& words, int index) {
   const auto found =
@@ -89,11 +89,10 @@ class GsiReader {
       const bool isCircle = word.index == horizontalIndex || word.index == verticalIndex ||
                             (wordOf(block.words, pointIndex) && isCutCircle(word.data));
       if (isCircle || (isSighting && word.index == pointIndex) || isTornMark(word))
-        return LineProblem{
-            line, word.column,
-            Phrase::of("%1 is no GSI word such as 21.102+17920860: transfer the file anew, or mend "
-                       "or delete the line",
-                       quotation(word.data))};
+        return LineProblem{line, word.column,
+                           Phrase::of("%1 is no GSI word such as 21.102+17920860: transfer the file again, "
+                                      "or correct or delete the line",
+                                      quotation(word.data))};
     }
     return std::nullopt;
   }

@@ -275,18 +275,18 @@ namespace {
 std::string whyTorn(const GsiWord& word, bool isMarked) {
   if (!isMarked)
     return Phrase::of(
-        "%1 has neither 8 nor 16 characters of data: transfer the file anew, or mend or delete the line",
+        "%1 has neither 8 nor 16 characters of data: transfer the file again, or correct or delete the line",
         quotation(word.data));
   return Phrase::of(
       "%1 has neither 8 nor 16 characters of data, and a block that starts with * has 16: transfer the file "
-      "anew, or mend or delete the line",
+      "again, or correct or delete the line",
       quotation(word.data));
 }
 
 std::string whyNoWord(std::string_view text) {
   const std::string_view first = text.substr(0, text.find_first_of(" \t"));
   return Phrase::of(
-      "%1 is no GSI word such as 21.102+17920860: transfer the file anew, or mend or delete the line",
+      "%1 is no GSI word such as 21.102+17920860: transfer the file again, or correct or delete the line",
       quotation(first));
 }
 
@@ -312,9 +312,9 @@ std::variant<std::vector<GsiWord>, LineProblem> gsiWords(const TextLine& line) {
     if (auto problem = firstTorn(*block, line)) return *std::move(problem);
     words.insert(words.end(), block->words.begin(), block->words.end());
     if (words.size() >= limits::mostColumns)
-      return LineProblem{
-          line.number, words.back().column,
-          Phrase::of("has more than %1 words: transfer the file anew", limits::asCount(limits::mostColumns))};
+      return LineProblem{line.number, words.back().column,
+                         Phrase::of("has more than %1 words: transfer the file again",
+                                    limits::asCount(limits::mostColumns))};
   }
   return words;
 }

@@ -70,10 +70,10 @@ std::optional<Problem> twoKindsOfCircle(const std::vector<Recording>& recordings
   for (const Recording& recording : recordings) {
     if (recording.verticalCircle.empty()) continue;
     if (!kind.empty() && kind != recording.verticalCircle)
-      return Problem{Phrase::of(
-          "holds vertical readings of a circle of the kind %1, the readings before it are of the kind %2: a "
-          "session has one, so import it into a session of its own",
-          plainKey(recording.verticalCircle), plainKey(kind))};
+      return Problem{
+          Phrase::of("has vertical readings of the kind %1, those before are of the kind %2: a session has "
+                     "one kind; import this file into a separate session",
+                     plainKey(recording.verticalCircle), plainKey(kind))};
     kind = recording.verticalCircle;
   }
   return std::nullopt;

@@ -56,8 +56,8 @@ struct Import {
 };
 
 /// The end of the remark on a file in `unplaced`.
-inline constexpr const char* putAtZero =
-    PHRASE_LATER("Phrase", "nothing in the file says how the axis stood: all its readings are put at 0°");
+inline constexpr const char* putAtZero = PHRASE_LATER(
+    "Phrase", "the file does not state the position of the axis: all its readings are assigned to 0°");
 
 /// Imports theodolite readings from the bytes of instrument files (file_format.h) and tables (csv_reader.h);
 /// the content decides the format. Sightings of the pointing zero become the zero of their position, several

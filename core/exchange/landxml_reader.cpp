@@ -112,7 +112,7 @@ class LandXmlReader {
       if (m_book.isFull(m_line)) return;
       if (kind == "RawObservation") readObservation(part, setUp);
       if (kind == "ReducedObservation")
-        m_book.setAside(Phrase::of("a reduced observation, no reading of circles"), m_line);
+        m_book.setAside(Phrase::of("a reduced observation, not a circle reading"), m_line);
       if (kind == "FieldNote") readNote(part);
     }
   }
@@ -149,8 +149,8 @@ class LandXmlReader {
 
   static std::string withoutUnit(const XmlCircles& circles) {
     return Phrase::of(
-        "%1 and %2 are no readings of circles in radians, the unit of a LandXML file that names "
-        "none: export the file with its unit of angles (angularUnit)",
+        "%1 and %2 are not circle readings in radians, the default unit of a LandXML file: export the file "
+        "with its unit of angles (angularUnit)",
         quotation(circles.horizontal), quotation(circles.vertical));
   }
 

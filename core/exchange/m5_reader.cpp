@@ -128,8 +128,8 @@ class M5Reader {
 
   void refuseLine(const TextLine& line) {
     m_book.refuse(line.number, 0,
-                  Phrase::of("%1 is no line such as For M5|Adr …|PI1 …|Hz …: transfer the file anew, or "
-                             "mend or delete the line",
+                  Phrase::of("%1 is no line such as For M5|Adr …|PI1 …|Hz …: transfer the file again, or "
+                             "correct or delete the line",
                              quotation(line.text)));
   }
 
@@ -243,20 +243,20 @@ class M5Reader {
       return refuse(Phrase::of("%1 is a second reading of its circle", quotation(value.type)));
     if (!isHorizontal && value.type != "V1" && value.type != "V3")
       return refuse(
-          Phrase::of("%1 is neither a zenith angle (V1) nor a height angle (V3): set the instrument to "
-                     "one of them and record anew",
+          Phrase::of("%1 is neither a zenith angle (V1) nor a height angle (V3): set the instrument to one "
+                     "of them and record again",
                      quotation(value.type)));
     const auto angle = exactAngle(value.number, value.unit);
     if (!angle)
-      return refuse(Phrase::of("%1 is no angle in gon, DEG, DMS or mil: transfer the file anew",
+      return refuse(Phrase::of("%1 is no angle in gon, DEG, DMS or mil: transfer the file again",
                                quotation(value.number + " " + value.unit)));
     if (!isHorizontal) {
       std::string& circleKind = m_book.recording().verticalCircle;
       const std::string own = value.type == "V1" ? "zenith" : "elevation";
       if (!circleKind.empty() && circleKind != own)
         return refuse(
-            Phrase::of("“%1” stands in a file that began with the other kind of vertical angle: import "
-                       "the two in files of their own",
+            Phrase::of("“%1” is in a file that began with the other kind of vertical angle: import the two "
+                       "kinds from separate files",
                        value.type));
       circleKind = own;
     }

@@ -111,7 +111,7 @@ class TableRecognition {
       }
     const char blank = blankSeparator();
     m_found.table.separator = blank ? blank : ',';
-    reason(blank ? Phrase::of("blanks part the columns") : Phrase::of("commas part the columns"));
+    reason(blank ? Phrase::of("blanks separate the columns") : Phrase::of("commas separate the columns"));
   }
 
   /// A blank or `wideBlanks`, whichever fits the names and the readings better; 0 if commas do.
@@ -188,7 +188,7 @@ class TableRecognition {
         if (taken.insert(column->key()).second) columns[i] = column->key();
     if (hasCircles(m_found.table) || m_found.table.headRows > 0) return;
     if (guessColumns(m_readings, columns))
-      reason(Phrase::of("the columns are guessed from what stands in them: check them"));
+      reason(Phrase::of("the columns are guessed from their contents: check them"));
   }
 
   void findJoinable() {
@@ -203,7 +203,7 @@ class TableRecognition {
     std::ranges::sort(m_found.joinable, {},
                       [](const JoinableColumns& j) { return std::pair(j.first, j.count); });
     if (!joinedColumns(m_found.table.columns).empty())
-      reason(Phrase::of("degrees, minutes and seconds stand in columns of their own"));
+      reason(Phrase::of("degrees, minutes and seconds are in separate columns"));
   }
 
   std::optional<std::size_t> columnOf(std::string_view key) const {
@@ -229,8 +229,7 @@ class TableRecognition {
     }
     if (hasPoint == hasComma) return;
     m_found.table.decimalSign = hasComma ? DecimalSign::Comma : DecimalSign::Point;
-    reason(hasComma ? Phrase::of("decimals stand behind a comma")
-                    : Phrase::of("decimals stand behind a point"));
+    reason(hasComma ? Phrase::of("the decimal sign is a comma") : Phrase::of("the decimal sign is a point"));
   }
 
   /// The plain numbers of a circle whose name has no unit.
@@ -267,9 +266,9 @@ class TableRecognition {
     else if (unit == AngleUnit::Gon)
       reason(Phrase::of("gon, as the vertical readings lie around 100 or 300: check it"));
     else
-      reason(Phrase::of(
-          "decimal degrees, as the vertical readings lie around 90 or 270 and hold more than 59 where "
-          "minutes would stand: check it"));
+      reason(
+          Phrase::of("decimal degrees, as the vertical readings are around 90 or 270 and have more than 59 "
+                     "in the place of minutes: check it"));
   }
 
   static bool isSexagesimal(double number) {

@@ -177,7 +177,7 @@ class SdrReader {
     } else if (isRaw(from) && !areAllDigits(type)) {
       m_book.refuse(
           line.number, 0,
-          Phrase::of("%1 is no record of an SDR file: transfer the file anew, or mend or delete the line",
+          Phrase::of("%1 is no record of an SDR file: transfer the file again, or correct or delete the line",
                      quotation(line.text)));
     } else if (areAllDigits(type)) {
       m_book.setAside(Phrase::of("a record of the unknown type %1", quotation(type)), line.number);
@@ -193,17 +193,15 @@ class SdrReader {
     m_isElevation.reset();
     const std::string unit = fieldOf(line.text, {41, 41}), direction = fieldOf(line.text, {46, 46});
     if (unit != "1" && unit != "2")
-      return refuse(
-          line, 41,
-          Phrase::of("%1 is no unit of angles that is read here: 1 is degrees, 2 gon; set the instrument "
-                     "to one of them and transfer anew",
-                     quotation(unit)));
+      return refuse(line, 41,
+                    Phrase::of("%1 is not a supported unit of angles (1: degrees, 2: gon): set the "
+                               "instrument to one of them and transfer again",
+                               quotation(unit)));
     if (!direction.empty() && direction != "1")
-      return refuse(
-          line, 46,
-          Phrase::of("%1 stands for angles that grow to the left: set the instrument to the right and "
-                     "measure anew",
-                     quotation(direction)));
+      return refuse(line, 46,
+                    Phrase::of("%1 means angles that increase to the left: set the instrument to increase to "
+                               "the right and measure again",
+                               quotation(direction)));
     m_unit = unit == "1" ? "deg" : "gon";
   }
 
@@ -220,7 +218,7 @@ class SdrReader {
   void readObservation(TextLine line, std::string_view from) {
     if (from == "MC") {
       if (m_firstMean == 0) m_firstMean = line.number;
-      return m_book.setAside(Phrase::of("a corrected mean, no reading of circles (09MC)"), line.number);
+      return m_book.setAside(Phrase::of("a corrected mean, not a circle reading (09MC)"), line.number);
     }
     if (!isRaw(from))
       return m_book.setAside(Phrase::of("an observation that is not raw (09%1)", from), line.number);
@@ -253,7 +251,7 @@ class SdrReader {
     const auto angle = exactAngle(number, *m_unit);
     if (!angle) {
       refuse(line, at.first,
-             Phrase::of("%1 is no number: transfer the file anew, or mend or delete the line",
+             Phrase::of("%1 is no number: transfer the file again, or correct or delete the line",
                         quotation(number)));
       return false;
     }
@@ -267,10 +265,9 @@ class SdrReader {
     std::string& known = m_book.recording().verticalCircle;
     const std::string own = *m_isElevation ? "elevation" : "zenith";
     if (!known.empty() && known != own) {
-      m_book.refuse(
-          line, 0,
-          Phrase::of("is of an instrument with the other kind of vertical circle: import the jobs in "
-                     "files of their own"));
+      m_book.refuse(line, 0,
+                    Phrase::of("is from an instrument with the other kind of vertical circle: import the "
+                               "jobs from separate files"));
       return false;
     }
     known = own;

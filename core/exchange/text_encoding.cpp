@@ -136,7 +136,7 @@ struct IconvCloser {
 using Converter = std::unique_ptr<std::remove_pointer_t<iconv_t>, IconvCloser>;
 
 Problem notIn(const char* encoding) {
-  return Problem{Phrase::of("looks to be text in %1, but is not: save it as UTF-8 text", encoding)};
+  return Problem{Phrase::of("looks like text in %1, but is not: save it as UTF-8 text", encoding)};
 }
 
 Result<std::string> converted(std::string_view bytes, const char* encoding) {

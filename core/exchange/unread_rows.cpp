@@ -62,7 +62,7 @@ std::vector<std::string> UnreadRows::sentences() const {
   if (!means.empty())
     sentences.push_back(Phrase::of("rows of means or sums are not used: %1", listed(means)));
   if (!headings.empty())
-    sentences.push_back(Phrase::of("rows that name the columns again are passed over: %1", listed(headings)));
+    sentences.push_back(Phrase::of("rows that name the columns again are skipped: %1", listed(headings)));
   if (!empty.empty())
     sentences.push_back(Phrase::of("rows without a reading of a circle are not used: %1", listed(empty)));
   return sentences;

@@ -84,7 +84,7 @@ PositionKey positionOf(const RecordedSighting& sighting) {
 }
 
 std::string nameOf(const PositionKey& key) {
-  return key.second > 1 ? Phrase::of("%1°, time %2", key.first, key.second) : key.first + "°";
+  return key.second > 1 ? Phrase::of("%1°, repeat %2", key.first, key.second) : key.first + "°";
 }
 
 const Position* positionIn(const Session& session, const PositionKey& key) {

@@ -114,7 +114,7 @@ class ZeissRReader {
       return true;
     }
     m_book.refuse(line, 0,
-                  Phrase::of("%1 is no angle in gon, DEG, DMS or mil: transfer the file anew",
+                  Phrase::of("%1 is no angle in gon, DEG, DMS or mil: transfer the file again",
                              quotation(trimmed(value.number + " " + value.unit))));
     return false;
   }
@@ -124,17 +124,16 @@ class ZeissRReader {
     std::string& known = m_book.recording().verticalCircle;
     const std::string own = isZenith ? "zenith" : "elevation";
     if (!isZenith && type != "V3") {
-      m_book.refuse(
-          line, 0,
-          Phrase::of("%1 is neither a zenith angle (V1) nor a height angle (V3): set the instrument "
-                     "to one of them and record anew",
-                     quotation(type)));
+      m_book.refuse(line, 0,
+                    Phrase::of("%1 is neither a zenith angle (V1) nor a height angle (V3): set the "
+                               "instrument to one of them and record again",
+                               quotation(type)));
       return false;
     }
     if (!known.empty() && known != own) {
       m_book.refuse(line, 0,
-                    Phrase::of("“%1” stands in a file that began with the other kind of vertical angle: "
-                               "import the two in files of their own",
+                    Phrase::of("“%1” is in a file that began with the other kind of vertical angle: import "
+                               "the two kinds from separate files",
                                type));
       return false;
     }

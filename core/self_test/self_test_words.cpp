@@ -24,11 +24,11 @@ std::string titleOf(CheckGroup group) {
     case CheckGroup::Random:
       return Phrase::of("Random numbers and a simulated session, written a second time");
     case CheckGroup::Installed:
-      return Phrase::of("Files that stand beside the programs");
+      return Phrase::of("Files installed with the programs");
     case CheckGroup::Window:
       break;
   }
-  return Phrase::of("What the window holds in itself, and its fonts");
+  return Phrase::of("Contents built into the window, and its fonts");
 }
 
 std::string outcomeText(SelfCheck::Outcome outcome) {
@@ -95,8 +95,8 @@ std::string verdictSentence(const SelfTest& test) {
     return Phrase::of("This installation does not pass: nothing could be checked.");
   if (failed > 0)
     return Phrase::of(
-        "This installation does not pass: %1 of %2 lines failed. Use none of its results before "
-        "that is explained.",
+        "This installation does not pass: %1 of %2 lines failed. Do not use its results until this is "
+        "explained.",
         failed, failed + passed);
   return Phrase::of("This installation passes: all %1 lines are within their tolerance.", passed);
 }

@@ -69,7 +69,7 @@ Result<double> knownValueEntry(const std::string& text) {
 }
 
 Result<double> knownSigmaEntry(const std::string& text) {
-  if (isBlank(text)) return Problem{Phrase::of("is empty: type the standard uncertainty of what is known")};
+  if (isBlank(text)) return Problem{Phrase::of("is empty: type the standard uncertainty of the known size")};
   const Result<double> sigma = parseNumber(text);
   if (sigma && !(*sigma >= leastKnownSigma && *sigma < largestKnown))
     return Problem{
@@ -171,14 +171,14 @@ Result<ZeroIs> zeroIsEntry(const std::string& text) {
   if (text == "normal") return ZeroIs::Normal;
   if (text == "unknown") return ZeroIs::Unknown;
   return Problem{
-      Phrase::of("%1 is nothing a pointing zero sights: choose mark, normal or unknown", quotation(text))};
+      Phrase::of("%1 is no target of a pointing zero: choose mark, normal or unknown", quotation(text))};
 }
 
 Result<Measurand> measurandEntry(const std::string& text) {
   if (text.empty() || text == "intersection") return Measurand::Intersection;
   if (text == "distance") return Measurand::Distance;
   return Problem{
-      Phrase::of("%1 is nothing that a tolerance limits: choose intersection or distance", quotation(text))};
+      Phrase::of("%1 is no quantity for a tolerance: choose intersection or distance", quotation(text))};
 }
 
 Result<VerticalAngleRelation> verticalAngleEntry(const std::string& text) {
@@ -192,8 +192,7 @@ Result<RadiusModel> radiusModelEntry(const std::string& text) {
   if (text.empty() || text == "free") return RadiusModel::Free;
   if (text == "common") return RadiusModel::Common;
   if (text == "known") return RadiusModel::Known;
-  return Problem{
-      Phrase::of("%1 is no way to take the radius: choose free, common or known", quotation(text))};
+  return Problem{Phrase::of("%1 is no radius model: choose free, common or known", quotation(text))};
 }
 
 std::optional<std::chrono::sys_days> dayOf(const std::string& text) {

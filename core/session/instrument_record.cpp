@@ -51,7 +51,7 @@ class RecordExaminer {
     number("sigma_line_of_sight_mm", record.lineOfSight.sigmaMm);
     number("line_of_sight_correlation", record.lineOfSight.correlation);
     if (record.date.empty())
-      tell(Problem{Phrase::of("is empty: say on which day this was found, as year-month-day")}, "date");
+      tell(Problem{Phrase::of("is empty: enter the day it was determined, as year-month-day")}, "date");
     date("date", record.date);
     date("next_check_due", record.due);
     if (!record.due.empty() && record.due <= record.date)
@@ -96,7 +96,7 @@ Result<InstrumentRecord> readInstrumentRecord(std::string_view text) {
   std::optional<Problem> problem;
   const ObjectReader reader(json, {}, problem);
   reader.checkFormat(recordFormat);
-  reader.require("date", PHRASE_LATER("Phrase", "add the day on which this was found"));
+  reader.require("date", PHRASE_LATER("Phrase", "add the day it was determined"));
   if (problem) return *problem;
   InstrumentRecord record = recordFrom(reader);
   if (!problem) problem = RecordExaminer().examine(record);

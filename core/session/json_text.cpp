@@ -58,9 +58,7 @@ class DocumentBuilder : public Json::json_sax_t {
     level.key = std::move(name);
     if (isTooLong(level.key)) return false;
     if (!stoodBefore(level)) return true;
-    problem = Problem{
-        Phrase::of("stands twice in one object: delete one of the two, so that neither is lost unseen"),
-        place()};
+    problem = Problem{Phrase::of("is a duplicate key: delete one of the two"), place()};
     return false;
   }
 
@@ -93,7 +91,7 @@ class DocumentBuilder : public Json::json_sax_t {
 
   bool isTooLong(const std::string& text) {
     if (text.size() <= limits::longestText) return false;
-    problem = Problem{Phrase::of("holds a text of more than %1: shorten it, or keep it in a file of its own",
+    problem = Problem{Phrase::of("has a text of more than %1: shorten it, or keep it in a separate file",
                                  limits::asMebibytes(limits::longestText)),
                       m_levels.empty() ? Place() : place()};
     if (problem->where.field.size() > limits::longestText) problem->where = {};
@@ -205,14 +203,12 @@ class DocumentBuilder : public Json::json_sax_t {
     const bool overflow = std::string_view(error.what()).find("number overflow") != std::string_view::npos;
     const std::size_t at = std::min(byte > 0 ? byte - 1 : 0, m_text.size());
     if (overflow)
-      return Phrase::of("has a number too large to be worked with before %1: check its exponent",
-                        lineAndColumn(m_text, at));
+      return Phrase::of("has too large a number before %1: check its exponent", lineAndColumn(m_text, at));
     if (m_isWhole)
-      return Phrase::of(
-          "goes on after its end, at %1: a session file holds one JSON document, delete what follows it",
-          lineAndColumn(m_text, at));
+      return Phrase::of("continues after the end of the JSON document, at %1: delete what follows",
+                        lineAndColumn(m_text, at));
     if (m_text.find_first_not_of(" \t\r\n", at) == std::string_view::npos) {
-      return Phrase::of("ends too early, at %1: the file is cut short, restore a complete copy",
+      return Phrase::of("ends too early, at %1: the file is incomplete, restore a complete copy",
                         lineAndColumn(m_text, m_text.size()));
     }
     return Phrase::of(

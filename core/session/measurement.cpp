@@ -173,10 +173,9 @@ class Examiner : private ProblemReporter {
       if (!coefficient) m_usable = false;
       if (!coefficient || **coefficient == 0) return 0.0;
       if (!temperature) {
-        report(
-            {Phrase::of("has nothing to act on: type the temperature (environment.temperature_c), or clear "
-                        "the coefficient")},
-            {.field = field});
+        report({Phrase::of(
+                   "has no effect without a temperature: type the temperature, or clear the coefficient")},
+               {.field = field});
         return 0.0;
       }
       const double perKelvin = length * **coefficient * millionth;
@@ -284,10 +283,9 @@ class Examiner : private ProblemReporter {
     m_measurement.zeroScatter = zeros.scatter;
     if (!zeros.isOneOfSeveral) return zeros;
     m_measurement.pointingZeros = PointingZeros::Each;
-    report(
-        {Phrase::of("is stated as one, but the positions have different zeros: give all of them the same α0 "
-                    "and β0, or state each")},
-        {.field = "geometry.pointing_zeros"});
+    report({Phrase::of("is stated as “one”, but the positions have different zeros: give all the same α0 and "
+                       "β0, or state “each”")},
+           {.field = "geometry.pointing_zeros"});
     return zeros;
   }
 

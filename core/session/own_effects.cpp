@@ -137,11 +137,11 @@ std::shared_ptr<const OwnEffects> examineOwnEffects(const std::vector<OwnEffect>
     if (!formula) {
       refuse(formula.problem());
     } else if (std::ranges::find(entries, id, &OwnEntry::id) != entries.end()) {
-      refuse({Phrase::of("is that of another effect of the session: take another one"), {.field = "id"}});
+      refuse({Phrase::of("is used by another effect of the session: choose another one"), {.field = "id"}});
     } else if (ofGuideway + ofCircles + formula->amplitudes.size() > mostOwnTerms) {
-      refuse({Phrase::of("has too many amplitudes: those of a session's own effects may be %1 together",
-                         mostOwnTerms),
-              {.field = "formula"}});
+      refuse(
+          {Phrase::of("has too many amplitudes: a session's own effects may have %1 together", mostOwnTerms),
+           {.field = "formula"}});
     } else {
       OwnEntry& own = entries.emplace_back(OwnEntry{effects[i], id, *std::move(formula)});
       for (const FormulaAmplitude& amplitude : own.formula.amplitudes)

@@ -234,10 +234,9 @@ constexpr SessionField allSessionFields[] = {
          .caption = PHRASE_LATER("Forms", "σ compensator"),
          .unit = arcseconds,
          .whenEmpty = PHRASE_LATER("Forms", "1"),
-         .help = PHRASE_LATER(
-             "Forms",
-             "Setting accuracy of the compensator, by its data sheet; of use where the readings have "
-             "tilts, or say what the instrument corrected")}),
+         .help = PHRASE_LATER("Forms",
+                              "Setting accuracy of the compensator from its data sheet; used if the rows "
+                              "have tilts or state what the instrument corrected")}),
     ofSession<&Session::instrument, &Instrument::lineOfSight, &LineOfSight::offsetMm>(
         {.key = "instrument.line_of_sight_mm",
          .noun = PHRASE_LATER("Field", "offset of the line of sight"),
@@ -250,10 +249,10 @@ constexpr SessionField allSessionFields[] = {
          .caption = PHRASE_LATER("Forms", "Line of sight e"),
          .unit = mm,
          .whenEmpty = PHRASE_LATER("Forms", "not known"),
-         .help = PHRASE_LATER(
-             "Forms",
-             "Offset of the line of sight from the vertical axis, by the instrument check: e/D at the "
-             "distance of this session adds to the known collimation")}),
+         .help =
+             PHRASE_LATER("Forms",
+                          "Offset of the line of sight from the vertical axis, from the instrument check; "
+                          "e/D at the distance of this session is added to the known collimation")}),
     ofSession<&Session::instrument, &Instrument::lineOfSight, &LineOfSight::sigmaMm>(
         {.key = "instrument.sigma_line_of_sight_mm",
          .noun = PHRASE_LATER("Field", "u of the offset of the line of sight"),
@@ -273,8 +272,7 @@ constexpr SessionField allSessionFields[] = {
          .whenEmpty = PHRASE_LATER("Forms", "0"),
          .help = PHRASE_LATER(
              "Forms",
-             "Of the offset of the line of sight with the known collimation, −1 to 1: one fit found "
-             "both")}),
+             "Correlation of the offset with the known collimation, −1 to 1: both come from one fit")}),
     ofSession<&Session::environment, &Environment::temperatureC>(
         {.key = "environment.temperature_c",
          .noun = PHRASE_LATER("Field", "temperature"),
@@ -344,8 +342,8 @@ constexpr SessionField allSessionFields[] = {
          .unit = mm,
          .help = PHRASE_LATER(
              "Forms",
-             "Standard uncertainty of the nominal radius. A known radius takes it into the fit, and "
-             "empty means exact; else R − R0 is a closure with it, and without it none")}),
+             "Standard uncertainty of the nominal radius. With a known radius it weights R0 in the fit; "
+             "empty means exact. Otherwise it makes R − R0 a closure; empty: no closure")}),
     ofSession<&Session::geometry, &Geometry::verticalCircle>(
         {.key = "geometry.vertical_circle",
          .noun = PHRASE_LATER("Field", "vertical circle"),
@@ -360,10 +358,9 @@ constexpr SessionField allSessionFields[] = {
          .noun = PHRASE_LATER("Field", "pointing zeros"),
          .rule = &wordRule<pointingZerosEntry>,
          .caption = PHRASE_LATER("Forms", "Pointing zeros"),
-         .help = PHRASE_LATER(
-             "Forms",
-             "Each: sighted anew in every position. One: sighted once for all, so that an error of it "
-             "cancels in Δd"),
+         .help = PHRASE_LATER("Forms",
+                              "Each: sighted again in every position. One: sighted once for all positions, "
+                              "so that its error cancels in Δd"),
          .choices = zeroChoices}),
     ofSession<&Session::geometry, &Geometry::plane>(
         {.key = "geometry.plane",
@@ -372,8 +369,8 @@ constexpr SessionField allSessionFields[] = {
          .caption = PHRASE_LATER("Forms", "Arc's plane"),
          .help = PHRASE_LATER(
              "Forms",
-             "Where the instrument stands above or below the axis, its pointing zero is inclined. "
-             "Vertical: the plane of the arc is plumb all the same. Square: it is square to the zero"),
+             "If the instrument is above or below the axis, its pointing zero is inclined. Vertical: the "
+             "plane of the arc is still plumb. Square: it is perpendicular to the zero"),
          .choices = planeChoices}),
     ofSession<&Session::geometry, &Geometry::zeroIs>(
         {.key = "geometry.zero_is",
@@ -382,9 +379,8 @@ constexpr SessionField allSessionFields[] = {
          .caption = PHRASE_LATER("Forms", "Zeros sight"),
          .help = PHRASE_LATER(
              "Forms",
-             "A mark: one fixed direction, so that zeros which differ show a drift or a knock. The "
-             "normal: that of the guideway, set anew in each position. Unstated: a mark where the "
-             "zeros agree within 30″"),
+             "A mark: a fixed direction; zeros that differ show a drift or a knock. The normal: of the "
+             "guideway, set again in each position. Unstated: a mark if the zeros agree within 30″"),
          .choices = markChoices}),
     ofSession<&Session::geometry, &Geometry::distanceFrom>(
         {.key = "geometry.distance_from",
@@ -401,8 +397,8 @@ constexpr SessionField allSessionFields[] = {
          .unit = PHRASE_LATER("Forms", "ppm/K"),
          .whenEmpty = PHRASE_LATER("Forms", "none"),
          .help = PHRASE_LATER("Forms",
-                              "By how much L grows with each kelvin above 20 °C, for which it is stated; "
-                              "empty where it is as measured at this temperature")}),
+                              "Expansion of L per kelvin if L is stated for 20 °C; empty if L was measured "
+                              "at the temperature of this session")}),
     ofSession<&Session::geometry, &Geometry::radiusExpansionPpmPerK>(
         {.key = "geometry.radius_expansion_ppm_per_k",
          .noun = PHRASE_LATER("Field", "expansion of the radius"),
@@ -410,9 +406,7 @@ constexpr SessionField allSessionFields[] = {
          .caption = PHRASE_LATER("Forms", "R0 expands"),
          .unit = PHRASE_LATER("Forms", "ppm/K"),
          .whenEmpty = PHRASE_LATER("Forms", "none"),
-         .help = PHRASE_LATER("Forms",
-                              "By how much R0 grows with each kelvin above 20 °C, for which it is "
-                              "stated: 11.5 for steel")}),
+         .help = PHRASE_LATER("Forms", "Expansion of R0 per kelvin; R0 is stated for 20 °C. Steel: 11.5")}),
     ofSession<&Session::acceptance, &Acceptance::toleranceMm>(
         {.key = "acceptance.tolerance_mm",
          .noun = PHRASE_LATER("Field", "tolerance"),
@@ -460,10 +454,9 @@ constexpr SessionField allSessionFields[] = {
          .caption = PHRASE_LATER("Forms", "σ of ref."),
          .unit = mm,
          .whenEmpty = PHRASE_LATER("Forms", "none"),
-         .help = PHRASE_LATER(
-             "Forms",
-             "How well the reference is known (1σ). With it the reference is a closure, and may help "
-             "the diagnosis to tell causes apart; it never enters Δd")}),
+         .help = PHRASE_LATER("Forms",
+                              "Standard uncertainty of the reference. If stated, Δd − reference is a closure "
+                              "and may help the diagnosis to distinguish causes; Δd never depends on it")}),
     ofSession<&Session::model, &Model::verticalAngle>(
         {.key = "model.vertical_angle",
          .noun = PHRASE_LATER("Field", "vertical angle relation"),
@@ -479,10 +472,9 @@ constexpr SessionField allSessionFields[] = {
          .noun = PHRASE_LATER("Field", "radius model"),
          .rule = &wordRule<radiusModelEntry>,
          .caption = PHRASE_LATER("Forms", "R&adius is"),
-         .help = PHRASE_LATER(
-             "Forms",
-             "Free: each arc has its own. Common: one for both arcs. Known: R0 with its σ takes part "
-             "as one more observation"),
+         .help = PHRASE_LATER("Forms",
+                              "Free: a radius for each arc. Common: one radius for both arcs. Known: R0 with "
+                              "its σ is one more observation"),
          .choices = radiusChoices}),
 };
 

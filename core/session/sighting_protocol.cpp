@@ -113,7 +113,7 @@ class ProtocolReader {
       const std::string point = own.number("point");
       place.point = point.empty() ? static_cast<int>(places.size()) + 1 : whole(own, "point", pointRule);
       if (!points.insert(place.point).second)
-        own.report(Phrase::of("%1 stands there twice: each place has a number of its own", place.point),
+        own.report(Phrase::of("%1 occurs twice: each place needs a number of its own", place.point),
                    own.placeOf("point"));
       place.slider = angle(own, "slider", sliderRule);
       place.arc = angle(own, "arc", sliderRule);
@@ -163,8 +163,8 @@ class ProtocolReader {
     zeros.before = once("before", {1});
     zeros.after = once("after", {});
     if (std::ranges::find(zeros.before, 1) == zeros.before.end())
-      reader.report(Phrase::of("lacks face 1: before the readings the pointing zero is sighted in face 1, in "
-                               "face 2 besides"),
+      reader.report(Phrase::of("lacks face 1: before the readings the pointing zero is sighted in face 1, "
+                               "and optionally in face 2"),
                     reader.placeOf("before"));
     zeros.origin = reader.origin();
     return zeros;
@@ -174,7 +174,7 @@ class ProtocolReader {
     ProtocolRound round;
     const std::string way = reader.text("way");
     if (!way.empty() && way != "there" && way != "back")
-      reader.report(Phrase::of("%1 is no way through the places: write there or back", quotation(way)),
+      reader.report(Phrase::of("%1 is no direction through the places: write there or back", quotation(way)),
                     reader.placeOf("way"));
     round.isBack = way == "back";
     round.faces = faces(reader, "faces", {1});
@@ -195,7 +195,8 @@ class ProtocolReader {
     for (const Json& json : reader.list(key)) {
       const bool isFace = json.is_number_integer() && (json == 1 || json == 2);
       if (!isFace) {
-        reader.report(Phrase::of("holds what is no face: write 1 or 2, as in [1, 2]"), reader.placeOf(key));
+        reader.report(Phrase::of("contains something other than a face: write 1 or 2, as in [1, 2]"),
+                      reader.placeOf(key));
         return {1};
       }
       faces.push_back(json.get<int>());

@@ -89,8 +89,7 @@ class ZeroExaminer : private ProblemReporter {
     const double degrees = std::abs(from.degrees());
     if (degrees <= farthestApart) return true;
     report(
-        {Phrase::of("%1 lies %2° from the pointing zero as it was sighted first: check the degrees and the "
-                    "face",
+        {Phrase::of("%1 is %2° from the first sighting of the pointing zero: check the degrees and the face",
                     quotation(text), fixedText(degrees, 1))},
         {.position = m_position, .field = field});
     return false;

@@ -214,9 +214,9 @@ std::string probabilityNote(const Diagnosis& diagnosis) {
     if (const std::string size = plausibleSizeText(cause.effect); !size.empty())
       sizes.push_back(causeName(cause.effect) + " " + size);
   if (sizes.empty())
-    return Phrase::of("Probabilities: given the catalogue and how large its effects plausibly are.");
+    return Phrase::of("Probabilities: given the catalogue and the plausible sizes of its effects.");
   //: %1: effects with their sizes, "collimation 30″, refraction 2″"
-  return Phrase::of("Probabilities: given the catalogue and how large its effects plausibly are (1σ: %1).",
+  return Phrase::of("Probabilities: given the catalogue and the plausible sizes of its effects (1σ: %1).",
                     listed(sizes));
 }
 
@@ -229,14 +229,14 @@ Statement gapCauses(const Gap& gap) {
                                   {"size", Phrase::of("size ± U")},
                                   {"probability", Phrase::of("probability")},
                                   {"shrinks", Phrase::of("closes or shrinks"), Role::Bar},
-                                  {"look_alikes", Phrase::of("cannot be told from"), Role::Text}},
+                                  {"look_alikes", Phrase::of("indistinguishable"), Role::Text}},
                       .rows = Rows(gap).rows};
   if (statement.rows.empty()) return statement;
   if (!gap.diagnosis->causes.empty()) statement.note = probabilityNote(*gap.diagnosis);
   if (gap.diagnosis->shape && gap.diagnosis->forms.empty())
-    statement.sentences.push_back(Phrase::of(
-        "No effect of the catalogue makes this pattern, so nothing can be added to the model: look at "
-        "what in the set-up has this shape."));
+    statement.sentences.push_back(
+        Phrase::of("No effect of the catalogue makes this pattern, so nothing can be added to the model: "
+                   "look for something of this shape in the set-up."));
   return statement;
 }
 
@@ -252,7 +252,7 @@ Statement gapForms(const Gap& gap) {
     add(cleanRangeSentence(form));
   }
   add(shrinkSentence(forms.front()));
-  statement.note = Phrase::of("A form tells what the readings do; it does not name what causes it.");
+  statement.note = Phrase::of("A form describes the readings; it does not name their cause.");
   return statement;
 }
 

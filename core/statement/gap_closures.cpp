@@ -15,13 +15,13 @@ std::string noteOf(const Measurement& measurement) {
   const std::string coverage = displayShortest(100 * measurement.coverage);
   return hasRepeats(measurement)
              ? Phrase::of(
-                   "Half a turn of one rigid arc about an axis along x keeps its radius and leaves the "
-                   "centre's x alone; an arc measured again is where it was; R0 and the reference count "
-                   "where their σ is stated. U at %1 %.",
+                   "Half a turn of a rigid arc about an axis along x changes neither its radius nor the x of "
+                   "its centre; an arc measured again has not moved; R0 and the reference count if their σ "
+                   "is stated. U at %1 %.",
                    coverage)
              : Phrase::of(
-                   "Half a turn of one rigid arc about an axis along x keeps its radius and leaves the "
-                   "centre's x alone; R0 and the reference count where their σ is stated. U at %1 %.",
+                   "Half a turn of a rigid arc about an axis along x changes neither its radius nor the x of "
+                   "its centre; R0 and the reference count if their σ is stated. U at %1 %.",
                    coverage);
 }
 

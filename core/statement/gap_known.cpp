@@ -62,9 +62,8 @@ Statement gapKnown(const Gap& gap) {
            .id = std::string(effect.id)});
     }
   statement.note = Phrase::of(
-      "Each takes part in the uncertainty and in the search for causes with this value and u; that it holds "
-      "no "
-      "longer was given a chance of one in fifty beforehand. A dash: these readings do not show it.");
+      "Each value enters the uncertainty and the search for causes with its u; the prior probability that it "
+      "is out of date is one in fifty. A dash: these readings do not show it.");
   return statement;
 }
 

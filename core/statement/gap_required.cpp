@@ -30,8 +30,8 @@ Statement gapRequired(const Gap& gap) {
                               .id = required.effect});
   if (!statement.rows.empty())
     statement.note = Phrase::of(
-        "Each by itself, of the effects that these readings do not exclude at that size, the most plausible "
-        "first; leaves: what it would leave in these readings.");
+        "Effects that these readings do not exclude at that size, each by itself, the most plausible first; "
+        "leaves: the trace it would leave in these readings.");
   return statement;
 }
 

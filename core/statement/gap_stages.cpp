@@ -30,7 +30,7 @@ std::string nameOf(const Gap& gap, const GapStage& stage) {
     return gap.asModelled().kind == GapStage::Kind::Bare ? Phrase::of("fit only")
                                                          : Phrase::of("without model effects");
   if (stage.effect == grossErrorId) return withoutGrossErrors(gap, stage);
-  if (stage.effect == knownId) return Phrase::of("+ what is known");
+  if (stage.effect == knownId) return Phrase::of("+ known sizes");
   const std::string name = causeName(stage.effect);
   return stage.kind == GapStage::Kind::InModel ? Phrase::of("in the model: %1", name) : "+ " + name;
 }
@@ -48,14 +48,13 @@ Statement::Row rowOf(std::string name, double rms, double reducedChiSquare,
 /// What Δd with the causes includes.
 std::string averagingSentence(const Diagnosis& diagnosis) {
   if (!diagnosis.forms.empty())
-    return Phrase::of("Δd with the form is averaged over what looks like it; what causes it is not known.");
+    return Phrase::of("Δd with the form is averaged over the forms that look like it; its cause is unknown.");
   if (diagnosis.shape)
-    return Phrase::of("U holds what the pattern may move Δd by; what causes it is not known.");
+    return Phrase::of("U includes the possible effect of the pattern on Δd; its cause is unknown.");
   if (beyondTheFit(diagnosis) == Beyond::Nothing) return "";
   return Phrase::of(
-      "Δd with the causes is averaged over all that may be the case, each as likely as it is; the first "
-      "alone "
-      "would state a U that is too small.");
+      "Δd with the causes is averaged over all possible explanations, weighted by their probabilities; the "
+      "first alone would give too small a U.");
 }
 
 std::string shrinkageSentence(const Diagnosis& diagnosis) {

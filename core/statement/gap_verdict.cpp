@@ -27,15 +27,15 @@ std::string wordsOf(Absence absence) {
     case Absence::NotMade:
       break;
     case Absence::Stopped:
-      return Phrase::of("The diagnosis was stopped. The next edit takes it up again.");
+      return Phrase::of("The diagnosis was stopped. The next edit starts it again.");
     case Absence::NothingToCompare:
       return Phrase::of(
           "There is nothing to compare yet: type the distance L, the radius R0, a pointing zero and at least "
           "three readings of its arc.");
     case Absence::NothingLeftOver:
       return Phrase::of(
-          "These readings fix the arc and leave nothing over. Type further readings: each of them shows how "
-          "far the model holds.");
+          "These readings only just determine the arc. Type further readings: each of them checks the "
+          "model.");
   }
   return "";
 }

@@ -137,11 +137,10 @@ struct NoVerdict {
 std::optional<NoVerdict> whyNoVerdict(const Evaluation& evaluation) {
   const std::size_t unusable = hindrances(evaluation.session, evaluation.examined.problems).size();
   if (unusable > 0 && evaluation.fit.intersection)
-    return NoVerdict{
-        unusable == 1 ? Phrase::of("No verdict: 1 entry could not be used")
-                      : Phrase::of("No verdict: %1 entries could not be used", unusable),
-        Phrase::of("What cannot be used is listed with its place. Correct it or exclude its reading: what is "
-                   "stated here rests on the others alone.")};
+    return NoVerdict{unusable == 1 ? Phrase::of("No verdict: 1 entry could not be used")
+                                   : Phrase::of("No verdict: %1 entries could not be used", unusable),
+                     Phrase::of("Entries that cannot be used are listed with their place. Correct each or "
+                                "exclude its reading: the result stated here uses only the others.")};
   if (!evaluation.fit.intersection) return NoVerdict{Phrase::of("No result"), reasonForNoResult(evaluation)};
   return std::nullopt;
 }

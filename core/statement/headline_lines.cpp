@@ -98,7 +98,7 @@ std::string disagreementText(const Diagnosis& diagnosis) {
     case DiagnosisVerdict::NotInCatalogue:
       return Phrase::of("Model and readings disagree, and no catalogued effect explains it");
     case DiagnosisVerdict::SeveralCauses:
-      return Phrase::of("Model and readings disagree by more causes than these readings can take apart");
+      return Phrase::of("Model and readings disagree by more causes than these readings can separate");
     case DiagnosisVerdict::SingleCause:
     case DiagnosisVerdict::Ambiguous:
       break;

@@ -45,11 +45,12 @@ std::optional<std::size_t> drawsToTell(const MonteCarlo& check) {
 std::string chanceSentence(const MonteCarlo& check, int places) {
   const std::string end = lengthText(check.endpointSigma, places);
   const std::optional<std::size_t> draws = drawsToTell(check);
-  return draws ? Phrase::of("By chance alone an end is uncertain by %1: about %2 draws would tell.", end,
-                            *draws)
+  return draws ? Phrase::of(
+                     "By chance, an end of the interval is uncertain by %1: about %2 draws would decide.",
+                     end, *draws)
                : Phrase::of(
-                     "By chance alone an end is uncertain by %1; it would take more draws than can be asked "
-                     "for here to tell.",
+                     "By chance, an end of the interval is uncertain by %1: a decision needs more draws than "
+                     "can be set here.",
                      end);
 }
 

@@ -147,7 +147,7 @@ Statement statementOf(std::vector<Entry> entries, const Attainable& attainable,
                                   {"rows", Phrase::of("rows, about")},
                                   {"minutes", Phrase::of("min, about")},
                                   {"expanded", "U (mm)"},
-                                  {"tells", Phrase::of("What it tells"), Statement::Column::Role::Text}},
+                                  {"tells", Phrase::of("What it shows"), Statement::Column::Role::Text}},
                       .rows = {}};
   const int decimals = decimalsOf(attainable);
   for (const Entry& entry : fewOf(std::move(entries), attainable)) {
@@ -159,7 +159,8 @@ Statement statementOf(std::vector<Entry> entries, const Attainable& attainable,
                    entry.expanded ? displayText(*entry.expanded, decimals) : "", entry.tells}});
   }
   if (statement.rows.empty())
-    statement.sentences.push_back(Phrase::of("No further reading of the usual kinds would tell more."));
+    statement.sentences.push_back(
+        Phrase::of("Further readings of the usual kinds would add no information."));
   for (const AttainableUncertainty& one : knownOf(attainable))
     statement.rows.push_back({.cells = {nameOf(one), "", "", displayText(one.expanded, decimals), ""}});
   if (!attainable.empty())

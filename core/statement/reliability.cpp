@@ -71,7 +71,7 @@ std::string readingsSentence(const Measurement& measurement, const SessionFit& f
                              const Detection& detection, const std::vector<Rated>& worst) {
   if (!std::isfinite(detection.shift))
     return Phrase::of(
-        "Too few readings: none is checked well enough by the others to tell that it is misread.");
+        "Too few readings: the others check none of them well enough to show that it is misread.");
   const auto isUnchecked = [](const AdjustedReading& adjusted) {
     return adjusted.redundancy < leastRedundancy;
   };
@@ -129,8 +129,8 @@ Statement reliabilityTable(const Measurement& measurement, const SessionFit& fit
   statement.sentences = {readingsSentence(measurement, fit, detection, worst), inputsSentence(inputs)};
   statement.note = Phrase::of(
       "w: standardised residual; redundancy: share of an error that shows in the residual; detectable: the "
-      "smallest error that the search for misread readings finds with 80 % chance; Δd moves by such an "
-      "error.");
+      "smallest error that the search for misread readings finds with 80 % chance; moves Δd by: the effect "
+      "of such an error.");
   return statement;
 }
 

@@ -33,10 +33,10 @@ std::string nextSentence(const SightingChoice& choice, const ProtocolProgress& p
   switch (choice.reason) {
     case SightingChoice::Reason::EarlyPlace:
       return Phrase::of(
-          "Before the end %1, since an effect of time shows only if an early place is sighted again.", next);
+          "Before the end, sight %1: an effect of time shows only if an early place is sighted again.", next);
     case SightingChoice::Reason::ClosingZero:
-      return Phrase::of("Before the end %1, since an effect of time shows only if the zero is sighted again.",
-                        next);
+      return Phrase::of(
+          "Before the end, sight %1: an effect of time shows only if the zero is sighted again.", next);
     case SightingChoice::Reason::TellsMost:
       break;
   }
@@ -45,16 +45,17 @@ std::string nextSentence(const SightingChoice& choice, const ProtocolProgress& p
   const auto& [cause, other] =
       worth.one.empty() ? std::tie(worth.other, worth.one) : std::tie(worth.one, worth.other);
   if (2 * worth.ofCauses > worth.worth())
-    return Phrase::of("%1 tells most for its %2 min: whether it is %3 or %4.", next, minutes, nameOf(cause),
-                      nameOf(other));
-  return Phrase::of("%1 tells most for its %2 min: it reduces U by %3.", next, minutes,
+    return Phrase::of("%1 is most informative for its %2 min: it separates %3 from %4.", next, minutes,
+                      nameOf(cause), nameOf(other));
+  return Phrase::of("%1 is most informative for its %2 min: it reduces U by %3.", next, minutes,
                     probabilityText(-std::expm1(-worth.ofUncertainty)));
 }
 
 std::string alternativesSentence(const SightingChoice& choice, const ProtocolProgress& progress) {
   std::vector<std::string> names;
   for (const std::size_t index : choice.alternatives) names.push_back(sightingText(index, progress));
-  return names.empty() ? std::string() : Phrase::of("Nearly as much: %1.", listed(names, Phrase::of(" or ")));
+  return names.empty() ? std::string()
+                       : Phrase::of("Nearly as informative: %1.", listed(names, Phrase::of(" or ")));
 }
 
 /// The evidence from its natural logarithm: "2300", "4.5", "more than 1 000 000".
@@ -115,8 +116,8 @@ std::string enoughSentence(const SessionSoFar& state) {
                       evidence, evidenceText(state.logEvidenceNeeded));
   if (state.causes.front().cause == noiseId)
     return Phrase::of(
-        "Not enough yet: the readings scatter more than stated, by noise or by an effect of no "
-        "catalogue; the diagnosis tells.");
+        "Not enough yet: the readings scatter more than stated, from noise or an uncatalogued effect; the "
+        "diagnosis shows which.");
   return Phrase::of("Not enough yet: the evidence against no cause is %1 to 1, but no cause stands out.",
                     evidence);
 }

@@ -61,7 +61,7 @@ std::string sentenceOf(const SightingsAhead& ahead, double uncertainty) {
     return Phrase::of("For U = %1 mm of Δd, whatever effect is there: %2 more sightings in %3 min.", wanted,
                       ahead.sightings.size(), minutes);
   if (!ahead.expanded) return Phrase::of("These places do not determine Δd.");
-  return Phrase::of("U = %1 mm of Δd is not reached: %2 more sightings come to %3 mm.", wanted,
+  return Phrase::of("U = %1 mm of Δd is not reached: %2 more sightings give %3 mm.", wanted,
                     ahead.sightings.size(), displayText(*ahead.expanded, decimalsFor(*ahead.expanded)));
 }
 

@@ -115,7 +115,7 @@ class ExpressionReader {
     constexpr double largest = 1e15;
     if (error != std::errc() || !(value <= largest))
       return refuse(std::max<std::size_t>(length, 1),
-                    Phrase::of("This is no number of a formula: type one up to 10^15 with a point."));
+                    Phrase::of("This is no valid number: type one up to 10^15 with a decimal point."));
     if (!beginOperand(length)) return;
     m_next += length;
     const std::size_t behind = m_next;
@@ -202,7 +202,7 @@ class ExpressionReader {
   }
 
   void close() {
-    if (m_open.empty()) return refuse(1, Phrase::of("Nothing is open here: take ) out."));
+    if (m_open.empty()) return refuse(1, Phrase::of("No parenthesis is open here: take ) out."));
     if (m_wantsOperand) return refuse(1, Phrase::of("A number or a name is missing before )."));
     if (const auto [at, function, commas] = m_open.back(); function && commas + 1 != function->arguments)
       return refuse(1, countFault(*function));
@@ -275,8 +275,9 @@ Result<std::vector<FormulaStatement>, FormulaFault> formulaStatements(std::strin
     }
     const std::string_view expression = line.substr(equals);
     if (const std::size_t second = expression.find('='); second != std::string_view::npos)
-      return FormulaFault{first + equals + second, 1,
-                          Phrase::of("A line has one = only: begin a new line, or put a semicolon before.")};
+      return FormulaFault{
+          first + equals + second, 1,
+          Phrase::of("A line has only one =: begin a new line, or put a semicolon before it.")};
     statements.push_back({{line.substr(0, length), first}, expression, first + equals});
   }
   return statements;

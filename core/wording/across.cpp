@@ -16,7 +16,7 @@ std::string acrossSentence(const MeasuredIntersection& measured) {
     return Phrase::of(
         "The offset of the arc's centre from the axis across the plane of the arc was not measured.");
   const auto& [value, sigma, expanded] = *measured.across;
-  return Phrase::of("Across the plane of the arc its centre lies Δz = %1 off the axis.",
+  return Phrase::of("The arc's centre is Δz = %1 off the axis, across the plane of the arc.",
                     lengthWithUncertainty(value, expanded, decimalsFor(expanded)));
 }
 

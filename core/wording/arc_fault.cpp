@@ -22,14 +22,13 @@ std::string kindText(const TooFewPlaces& fault) {
 }
 
 std::string kindText(const PlacesRepeat& fault) {
-  return fault.different == 1
-             ? Phrase::of(
-                   "has readings of only 1 different place, the others repeat them; a circle needs three: "
-                   "move the slider between the points")
-             : Phrase::of(
-                   "has readings of only %1 different places, the others repeat them; a circle needs three: "
-                   "move the slider between the points",
-                   fault.different);
+  return fault.different == 1 ? Phrase::of(
+                                    "has readings of only 1 distinct place, the others are repeats; a circle "
+                                    "needs three: move the slider between the points")
+                              : Phrase::of(
+                                    "has readings of only %1 distinct places, the others are repeats; a "
+                                    "circle needs three: move the slider between the points",
+                                    fault.different);
 }
 
 std::string kindText(const PlacesOnALine&) {
@@ -41,17 +40,15 @@ std::string kindText(const PlacesOnALine&) {
 
 std::string kindText(const ArcTooShort& fault) {
   return Phrase::of(
-      "spans only %1° of arc: its sagitta drowns in the reading noise, so neither radius nor centre can be "
-      "told: "
+      "spans only %1° of arc: the reading noise hides its sagitta, so radius and centre are undetermined: "
       "sight places over a longer arc",
       displayText(fault.span.degrees(), 2));
 }
 
 std::string kindText(const NothingTold&) {
   return Phrase::of(
-      "has readings that tell neither radius nor centre: look for misread values, the degrees first, and "
-      "check the "
-      "stated σ of the circles");
+      "has readings that determine neither radius nor centre: look for misread values, the degrees first, "
+      "and check the stated σ of the circles");
 }
 
 std::string kindText(const TooFewForPublished& fault) {

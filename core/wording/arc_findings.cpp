@@ -20,25 +20,23 @@ std::string scatterText(double reducedChiSquare, int degreesOfFreedom) {
 }
 
 Words wordsOf(const NotSettled& finding) {
-  return {Phrase::of("the fit did not settle within %1 iterations; its result is provisional.",
+  return {Phrase::of("the fit did not converge within %1 iterations; its result is provisional.",
                      finding.iterations),
           Phrase::of("Check the readings for large errors.")};
 }
 
 Words wordsOf(const NothingChecks&) {
-  return {
-      Phrase::of(
-          "the readings just fix the circle; nothing checks them, and the uncertainty rests on the stated "
-          "noise alone."),
-      Phrase::of("Sight more places.")};
+  return {Phrase::of("the readings only just determine the circle; nothing checks them, and the uncertainty "
+                     "depends on the stated noise alone."),
+          Phrase::of("Sight more places.")};
 }
 
 Words wordsOf(const ScattersMore& finding) {
-  return {Phrase::of("the readings scatter %1 times their stated noise %2.",
-                     displayText(std::sqrt(finding.reducedChiSquare), 1),
-                     scatterText(finding.reducedChiSquare, finding.degreesOfFreedom)),
-          Phrase::of("Look for misread values or an effect that the model does not hold; U is scaled by the "
-                     "scatter.")};
+  return {
+      Phrase::of("the readings scatter %1 times their stated noise %2.",
+                 displayText(std::sqrt(finding.reducedChiSquare), 1),
+                 scatterText(finding.reducedChiSquare, finding.degreesOfFreedom)),
+      Phrase::of("Look for misread values or an effect missing from the model; U is scaled by the scatter.")};
 }
 
 Words wordsOf(const ScattersLess& finding) {
@@ -67,9 +65,8 @@ Words wordsOf(const ReadingsRepeat& finding) {
     rows += (rows.empty() ? "" : Phrase::of(", ")) +
             Phrase::of("%1 and %2", finding.rows[i].first + 1, finding.rows[i].second + 1);
   if (finding.rows.size() > named) rows += ", …";
-  return {
-      Phrase::of("the same pair of readings stands twice, in rows %1.", rows),
-      Phrase::of("If a row was entered twice, exclude one: a copy makes the result look surer than it is.")};
+  return {Phrase::of("the same pair of readings occurs twice, in rows %1.", rows),
+          Phrase::of("If a row was entered twice, exclude one: a copy makes U too small.")};
 }
 
 }  // namespace

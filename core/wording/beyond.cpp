@@ -9,11 +9,11 @@ std::string textOf(Beyond beyond) {
     case Beyond::Nothing:
       break;
     case Beyond::Pattern:
-      return Phrase::of("with what the pattern may move it by");
+      return Phrase::of("with the pattern's possible effect");
     case Beyond::LookAlikes:
       return Phrase::of("averaged over the indistinguishable causes");
     case Beyond::Others:
-      return Phrase::of("averaged over what else may be");
+      return Phrase::of("averaged over the alternatives");
   }
   return "";
 }

@@ -42,7 +42,7 @@ std::string textOf(UncertaintySource source) {
 
 std::string textOf(const UncertaintyShare& share) {
   if (share.source != UncertaintySource::PlausibleSizes) return textOf(share.source);
-  return share.effect.empty() ? Phrase::of("what else may explain the readings") : share.effect;
+  return share.effect.empty() ? Phrase::of("other possible explanations") : share.effect;
 }
 
 std::string textOf(UncertaintyShare::From from) {

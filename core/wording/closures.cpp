@@ -70,16 +70,15 @@ std::string misclosureSentence(const Diagnosis& diagnosis) {
   std::string text;
   if (!ofPositions.empty())
     text = Phrase::of(
-        "The positions do not close: %1. What moved between them may have moved Δd: find it, or measure anew "
-        "and "
-        "sight the zeros again.",
+        "The positions do not close: %1. A movement between them may have changed Δd: find it, or measure "
+        "again with new pointing zeros.",
         listed(ofPositions, Phrase::of(" and ")));
   if (!ofKnown.empty())
-    text += std::string(text.empty() ? "" : " ") +
-            Phrase::of(
-                "The result disagrees with what is known: %1. Check what is known, and find what separates "
-                "the two.",
-                listed(ofKnown, Phrase::of(" and ")));
+    text +=
+        std::string(text.empty() ? "" : " ") + Phrase::of(
+                                                   "The result disagrees with what is known: %1. Check the "
+                                                   "known values, and find the cause of the difference.",
+                                                   listed(ofKnown, Phrase::of(" and ")));
   return text;
 }
 

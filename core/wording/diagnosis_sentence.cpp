@@ -37,9 +37,9 @@ std::string change(const GapSize& before, const GapSize& after) {
   const std::string fewer = displayText(before.reducedChiSquare, 2),
                     more = displayText(after.reducedChiSquare, 2);
   return differ(2)
-             ? Phrase::of("reduced χ² goes from %1 to %2; the residuals, counted alike, grow from %3″ to %4″",
+             ? Phrase::of("reduced χ² changes from %1 to %2; the unweighted residuals grow from %3″ to %4″",
                           fewer, more, from, to)
-             : Phrase::of("reduced χ² goes from %1 to %2; the residuals, counted alike, stay at %3″", fewer,
+             : Phrase::of("reduced χ² changes from %1 to %2; the unweighted residuals stay at %3″", fewer,
                           more, same);
 }
 
@@ -60,7 +60,7 @@ std::string shrunk(const Diagnosis& diagnosis) {
                              : changes          ? Phrase::of("the two positions close, and %1", residuals)
                                                 : Phrase::of("the two positions close");
   if (first == grossErrorId && diagnosis.causes.size() == 1)
-    return Phrase::of("Without the readings blamed %1.", effect);
+    return Phrase::of("Without the misread values, %1.", effect);
   return diagnosis.causes.size() == 1 ? Phrase::of("With it in the model %1.", effect)
                                       : Phrase::of("With them in the model %1.", effect);
 }
@@ -76,7 +76,7 @@ std::string unexplained(const Diagnosis& diagnosis) {
   if (!diagnosis.shape || !diagnosis.forms.empty())
     return causes.empty()
                ? Phrase::of("The gap is real, and no effect of the catalogue explains it.")
-               : Phrase::of("Beside %1 the gap is real, and no effect of the catalogue explains the rest.",
+               : Phrase::of("Besides %1 there is a real gap that no effect of the catalogue explains.",
                             causes);
   const std::string pattern = patternName(*diagnosis.shape);
   return causes.empty()
@@ -85,8 +85,8 @@ std::string unexplained(const Diagnosis& diagnosis) {
                    "“%1”.",
                    pattern)
              : Phrase::of(
-                   "Beside %1 the gap is real, and no effect of the catalogue explains the rest; it follows "
-                   "the pattern “%2”.",
+                   "Besides %1 there is a real gap that no effect of the catalogue explains; it follows the "
+                   "pattern “%2”.",
                    causes, pattern);
 }
 
@@ -108,9 +108,8 @@ std::string headlineOf(const Diagnosis& diagnosis) {
       return Phrase::of("One of %1 causes that look alike here",
                         causes.front().indistinguishableFrom.size() + 1);
     case DiagnosisVerdict::SeveralCauses:
-      return diagnosis.hasMoreCausesThanSeparable
-                 ? Phrase::of("More causes than these readings can take apart")
-                 : Phrase::of("%1 causes", causes.size());
+      return diagnosis.hasMoreCausesThanSeparable ? Phrase::of("More causes than these readings can separate")
+                                                  : Phrase::of("%1 causes", causes.size());
     case DiagnosisVerdict::NotInCatalogue:
       break;
   }
@@ -146,15 +145,14 @@ std::string asKnown(const Diagnosis& diagnosis) {
     if (std::ranges::find(ids, check.effect) == ids.end()) ids.push_back(check.effect);
   //: effects, then "the residuals shrink from 12.0″ to 2.0″"
   return Phrase::of(
-      "What is known beforehand (%1) accounts for the gap: with it %2, and what is left is within the stated "
-      "noise.",
+      "The known sizes (%1) explain the gap: with them %2, and the rest is within the stated noise.",
       causeNames(ids, Phrase::of(" and ")), change(diagnosis.gap, diagnosis.after));
 }
 
 std::string moreThanSeparable(const Diagnosis& diagnosis) {
   //: "the residuals shrink from 12.0″ to 2.0″"
   const std::string sentence = Phrase::of(
-      "There are more causes than these readings can take apart. With every effect of the catalogue at a "
+      "There are more causes than these readings can separate. With every effect of the catalogue at a "
       "plausible size, %1.",
       change(diagnosis.gap, diagnosis.after));
   if (diagnosis.causes.empty()) return sentence;
@@ -166,9 +164,7 @@ std::string verdictSentenceOf(const Diagnosis& diagnosis) {
     case DiagnosisVerdict::WithinNoise:
       if (std::isnan(diagnosis.gap.pValue))
         return Phrase::of(
-            "Nothing checks the model: these readings just fix the circles and leave nothing over. Sight "
-            "more "
-            "places.");
+            "Nothing checks the model: these readings only just determine the circles. Sight more places.");
       if (isAsKnown(diagnosis)) return asKnown(diagnosis);
       return Phrase::of(
           "The readings agree with the model within their stated noise: there is no gap to explain.");

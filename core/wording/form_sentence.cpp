@@ -168,7 +168,7 @@ std::string cleanRangeSentence(const FoundForm& found) {
   if (form.function == FormFunction::Harmonic || form.function == FormFunction::Hysteresis) return {};
   const std::string x = symbolOf(form.of);
   if (found.cleanRange.empty())
-    return Phrase::of("It displaces readings by more than their σ over the whole range of %1.", x);
+    return Phrase::of("The form displaces readings by more than their σ over the whole range of %1.", x);
   const std::string unit = form.isOfAngle() ? "°" : "";
   const int decimals = form.isOfAngle() ? 0 : 2;
   std::vector<std::string> ranges;
@@ -183,8 +183,8 @@ std::string shrinkSentence(const FoundForm& found) {
   if (std::isnan(shrink.heldOut) || std::isnan(shrink.p)) return {};
   constexpr double least = 0.001;
   return Phrase::of(
-      "On %1 readings, each predicted by the form that the others tell, the gap shrinks by %2 %; in all "
-      "readings, by the form that all tell, by %3 % (F test: p %4).",
+      "Predicted by the form fitted to the other readings, the gap of %1 readings shrinks by %2 %; by the "
+      "form fitted to all, the gap of all shrinks by %3 % (F test: p %4).",
       shrink.heldOutReadings, percentText(shrink.heldOut), percentText(shrink.inSample),
       shrink.p < least ? "< 0.001" : "= " + displayText(shrink.p, 3));
 }

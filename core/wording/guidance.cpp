@@ -84,9 +84,9 @@ std::string withoutNeed(const Outlook& outlook, const ProtocolProgress& progress
   const double planned = account.of(outlook.ahead.front().expanded);
   if (!progress.isComplete())
     sentences.push_back(outlook.now
-                            ? Phrase::of("What is left of the protocol brings U from %1 to %2 mm.",
+                            ? Phrase::of("The rest of the protocol brings U from %1 to %2 mm.",
                                          text(account.of(*outlook.now)), text(planned))
-                            : Phrase::of("Carried out, the protocol comes to U = %1 mm.", text(planned)));
+                            : Phrase::of("At its end, the protocol reaches U = %1 mm.", text(planned)));
   for (const RoundsAhead& ahead : outlook.ahead)
     if (ahead.rounds > 0 && text(account.of(ahead.expanded)) != text(planned))
       sentences.push_back(Phrase::of("%1 would bring U to %2 mm.", moreRounds(ahead.rounds),
@@ -96,7 +96,7 @@ std::string withoutNeed(const Outlook& outlook, const ProtocolProgress& progress
 
 std::string limitSentence(const Outlook& outlook, Account account, const Lengths& text) {
   if (!outlook.limit) return "";
-  return Phrase::of("However many rounds are added, %1 mm of it stay: that is the same in each.",
+  return Phrase::of("Further rounds leave %1 mm of it unchanged: that part is the same in each.",
                     text(account.of(*outlook.limit)));
 }
 
@@ -106,11 +106,11 @@ std::string notEnough(const Outlook& outlook, Account account, const Lengths& te
   const std::string needed = text(account.of(*outlook.needed));
   std::vector<std::string> sentences;
   if (outlook.limit && !outlook.isEnough(*outlook.limit))
-    sentences.push_back(Phrase::of(
-        "More rounds do not do: however many there are, U stays above %1 mm, and the verdict needs %2 mm.",
-        text(account.of(*outlook.limit)), needed));
+    sentences.push_back(
+        Phrase::of("More rounds are not enough: U always stays above %1 mm, and the verdict needs %2 mm.",
+                   text(account.of(*outlook.limit)), needed));
   else
-    sentences.push_back(Phrase::of("Even %1 rounds more leave U at %2 mm; the verdict needs %3 mm.",
+    sentences.push_back(Phrase::of("Even %1 more rounds leave U at %2 mm; the verdict needs %3 mm.",
                                    most.rounds, text(account.of(most.expanded)), needed));
   return joined(sentences);
 }
@@ -135,21 +135,20 @@ std::string whetherEnough(const Outlook& outlook, const ProtocolProgress& progre
   const auto enough = std::ranges::find(outlook.ahead, *rounds, &RoundsAhead::rounds);
   const std::string to = text(account.of(enough->expanded)), start = text(from.value_or(NAN));
   if (*rounds == 0)
-    return Phrase::of("What is left of the protocol brings U from %1 to %2 mm; the verdict needs %3 mm.",
-                      start, to, needed);
+    return Phrase::of("The rest of the protocol brings U from %1 to %2 mm; the verdict needs %3 mm.", start,
+                      to, needed);
   const bool isComplete = progress.isComplete();
   if (*rounds == 1)
-    return isComplete ? Phrase::of("One more round brings U from %1 to %2 mm; the verdict needs %3 mm.",
-                                   start, to, needed)
-                      : Phrase::of(
-                            "One more round than the protocol has brings U from %1 to %2 mm; the verdict "
-                            "needs %3 mm.",
-                            start, to, needed);
-  return isComplete
-             ? Phrase::of("%1 bring U from %2 to %3 mm; the verdict needs %4 mm.", moreRounds(*rounds), start,
-                          to, needed)
-             : Phrase::of("%1 than the protocol has bring U from %2 to %3 mm; the verdict needs %4 mm.",
-                          moreRounds(*rounds), start, to, needed);
+    return isComplete
+               ? Phrase::of("One more round brings U from %1 to %2 mm; the verdict needs %3 mm.", start, to,
+                            needed)
+               : Phrase::of(
+                     "One round beyond the protocol brings U from %1 to %2 mm; the verdict needs %3 mm.",
+                     start, to, needed);
+  return isComplete ? Phrase::of("%1 bring U from %2 to %3 mm; the verdict needs %4 mm.", moreRounds(*rounds),
+                                 start, to, needed)
+                    : Phrase::of("%1 beyond the protocol bring U from %2 to %3 mm; the verdict needs %4 mm.",
+                                 moreRounds(*rounds), start, to, needed);
 }
 
 }  // namespace
@@ -178,7 +177,7 @@ std::string stateName(SightingState state) {
     case SightingState::Next:
       return Phrase::of("next");
     case SightingState::Missed:
-      return Phrase::of("passed over");
+      return Phrase::of("skipped");
     case SightingState::Left:
       return Phrase::of("to come");
     case SightingState::Excluded:
@@ -189,12 +188,12 @@ std::string stateName(SightingState state) {
 
 std::string progressSentences(const ProtocolProgress& progress) {
   std::vector<std::string> sentences{
-      Phrase::of("%1 of %2 sightings are there.", progress.taken, progress.sightings.size())};
+      Phrase::of("%1 of %2 sightings are taken.", progress.taken, progress.sightings.size())};
   const auto tell = [&](std::size_t count, const char* one, const char* several) {
     if (count > 0) sentences.push_back(count == 1 ? Phrase::of(one) : Phrase::of(several, count));
   };
-  tell(progress.missed, PHRASE_LATER("Phrase", "One was passed over."),
-       PHRASE_LATER("Phrase", "%1 were passed over."));
+  tell(progress.missed, PHRASE_LATER("Phrase", "One was skipped."),
+       PHRASE_LATER("Phrase", "%1 were skipped."));
   tell(progress.excluded, PHRASE_LATER("Phrase", "One is excluded."),
        PHRASE_LATER("Phrase", "%1 are excluded."));
   tell(progress.outOfTurn, PHRASE_LATER("Phrase", "One was taken out of turn."),
@@ -205,8 +204,8 @@ std::string progressSentences(const ProtocolProgress& progress) {
 
 std::string besideSentence(const ProtocolProgress& progress) {
   if (progress.beside == 0) return "";
-  return progress.beside == 1 ? Phrase::of("One reading is none of the protocol.")
-                              : Phrase::of("%1 readings are none of the protocol.", progress.beside);
+  return progress.beside == 1 ? Phrase::of("One reading is not in the protocol.")
+                              : Phrase::of("%1 readings are not in the protocol.", progress.beside);
 }
 
 std::string repeatSentence(const Repeat& repeat, const ProtocolProgress& progress) {
@@ -215,12 +214,12 @@ std::string repeatSentence(const Repeat& repeat, const ProtocolProgress& progres
                     sigmas = displayText(repeat.sigmas, 1);
   switch (repeat.reason) {
     case Repeat::Reason::Misread:
-      if (size.empty()) return Phrase::of("%1 again: what was typed can hardly have been read.", where);
-      return Phrase::of("%1 again: its %2 reading does not go with the others, by %3.", where,
+      if (size.empty()) return Phrase::of("%1 again: the value typed can hardly be a reading.", where);
+      return Phrase::of("%1 again: its %2 reading disagrees with the others by %3.", where,
                         circleName(repeat), size);
     case Repeat::Reason::FacesDisagree:
       return Phrase::of(
-          "%1 again in both faces: on the %2 circle they differ otherwise than elsewhere, by %3 (%4 σ).",
+          "%1 again in both faces: on the %2 circle, their difference departs from the others by %3 (%4 σ).",
           where, circleName(repeat), size, sigmas);
     case Repeat::Reason::WaysDisagree:
       return Phrase::of(
@@ -228,9 +227,8 @@ std::string repeatSentence(const Repeat& repeat, const ProtocolProgress& progres
           progress.sightings[repeat.sightings.back()].planned.round, size, sigmas);
     case Repeat::Reason::ZeroMoved:
       return Phrase::of(
-          "%1 again: its %2 reading is another than before by %3 (%4 σ). If it stays, the instrument has "
-          "moved, and "
-          "the position is to be sighted anew.",
+          "%1 again: its %2 reading differs from the earlier one by %3 (%4 σ). If it still does, the "
+          "instrument has moved: sight the whole position again.",
           where, circleName(repeat), size, sigmas);
   }
   return "";
@@ -238,14 +236,14 @@ std::string repeatSentence(const Repeat& repeat, const ProtocolProgress& progres
 
 std::string repeatsFirst(const std::vector<Repeat>& repeats) {
   const bool isAny = std::ranges::find(repeats, Repeat::Reason::Misread, &Repeat::reason) != repeats.end();
-  return isAny ? Phrase::of("What is to be taken again comes first: it makes U larger than it will be.") : "";
+  return isAny ? Phrase::of("First repeat the sightings that need it: they make U too large.") : "";
 }
 
 std::string outlookSentences(const Outlook& outlook, const ProtocolProgress& progress) {
   if (outlook.ahead.empty())
     return Phrase::of(
-        "When it is enough is told as soon as a pointing zero is there, and both positions are in "
-        "the protocol.");
+        "When the readings are enough is shown once a pointing zero is read and the protocol has both "
+        "positions.");
   const Account account = rulingAccount(outlook);
   const Lengths text(outlook, account);
   std::vector<std::string> sentences;

@@ -63,16 +63,16 @@ std::string sealSentence(const CheckedSeal& checked, std::size_t since) {
   using State = CheckedSeal::State;
   const std::string text = sealName(checked.seal);
   if (checked.state == State::Changed)
-    return since == 0
-               ? Phrase::of(
-                     "%1; its content is not what was sealed, and the journal does not tell of the change.",
-                     text)
-               : Phrase::of(
-                     "%1; its content was changed outside this program since: the journal does not lead back "
-                     "to what was sealed.",
-                     text);
+    return since == 0 ? Phrase::of(
+                            "%1; its content differs from what was sealed, and the journal does not record "
+                            "the change.",
+                            text)
+                      : Phrase::of(
+                            "%1; its content was changed outside this program since: the journal does not "
+                            "lead back to the sealed content.",
+                            text);
   if (checked.state == State::Unchecked)
-    return Phrase::of("%1; what was sealed cannot be rebuilt from the journal and is not checked.", text);
+    return Phrase::of("%1; the sealed content cannot be rebuilt from the journal and is not checked.", text);
   if (since == 0) return Phrase::of("%1 and unchanged since.", text);
   if (since == 1) return Phrase::of("%1; one change since: a revision that nobody has sealed.", text);
   return Phrase::of("%1; %2 changes since: a revision that nobody has sealed.", text, since);
@@ -119,7 +119,7 @@ std::string sealState(const std::vector<JournalEntry>& journal) {
 
 std::string contradictionText(const JournalContradiction& one) {
   if (one.told.empty())
-    return Phrase::of("%1: the file holds “%2”, and the journal tells of no change.", one.place, one.held);
+    return Phrase::of("%1: the file holds “%2”, but the journal records no change.", one.place, one.held);
   if (one.held.empty())
     return Phrase::of("%1: the journal says “%2”, and the file holds nothing.", one.place, one.told);
   return Phrase::of("%1: the journal says “%2”, and the file holds “%3”.", one.place, one.told, one.held);

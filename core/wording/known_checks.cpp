@@ -83,7 +83,7 @@ std::string staleSentence(const Diagnosis& diagnosis) {
       add(staleText(*check, probabilityText(cause.probability)));
     if (cause.isStale && isOtherWayRound(diagnosis, cause.effect))
       add(Phrase::of(
-          "With the other sign they would agree: look up which way the instrument counts its tilts."));
+          "With the opposite sign they would agree: look up the sign convention of the instrument's tilts."));
     std::vector<std::string> others;
     for (const auto& ids : {cause.unlessStale, cause.indistinguishableFrom})
       for (const std::string& id : ids)

@@ -16,7 +16,7 @@ std::string textOf(Measure measure) {
     case Measure::ShiftedCircle:
       return Phrase::of("a second set with the horizontal circle shifted by 60°");
     case Measure::SecondStandOff:
-      return Phrase::of("a second set from half as far again");
+      return Phrase::of("a second set at 1.5 × the distance");
     case Measure::MoreOfTheArc:
       return Phrase::of("more of the arc");
     case Measure::ZeroSightedAgain:

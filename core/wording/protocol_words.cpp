@@ -87,7 +87,7 @@ std::string protocolInWords(const SightingProtocol& protocol) {
   if (listed.readsSlider) parts.push_back(Phrase::of("with slider readings"));
   if (turnsCircle(listed)) parts.push_back(Phrase::of("the circle turned between positions"));
   if (std::string axes = axesText(listed); !axes.empty()) parts.push_back(std::move(axes));
-  if (protocol.isByWorth) parts.push_back(Phrase::of("each next sighting by what it tells"));
+  if (protocol.isByWorth) parts.push_back(Phrase::of("each sighting by its information"));
   return alidade::listed(parts);
 }
 
@@ -96,9 +96,9 @@ std::string deviationSentences(const ProtocolProgress& progress) {
     return [state](const FollowedSighting& followed) { return followed.state == state; };
   };
   std::string sentences =
-      Phrase::of("%1 of %2 sightings are there.", progress.taken, progress.sightings.size());
+      Phrase::of("%1 of %2 sightings are taken.", progress.taken, progress.sightings.size());
   for (const std::string& sentence :
-       {sightingsText(progress, PHRASE_LATER("Phrase", "Passed over: %1."), is(SightingState::Missed)),
+       {sightingsText(progress, PHRASE_LATER("Phrase", "Skipped: %1."), is(SightingState::Missed)),
         sightingsText(progress, PHRASE_LATER("Phrase", "Taken out of turn: %1."),
                       [](const FollowedSighting& followed) { return followed.isOutOfTurn; }),
         sightingsText(progress, PHRASE_LATER("Phrase", "Taken again: %1."),

@@ -22,7 +22,7 @@ std::string ofOwner(const SharedCause& cause) {
   if (cause.owner == CauseOwner::Guideway && !cause.serial.empty())
     return Phrase::of("%1 of guideway %2", effect, cause.serial);
   if (cause.owner == CauseOwner::Time && !cause.sizes.empty())
-    return Phrase::of("%1, of a size of its own in each session", effect);
+    return Phrase::of("%1, with its own size in each session", effect);
   return effect;
 }
 
@@ -55,13 +55,12 @@ std::string unknownText(const SeriesDiagnosis& series, const std::vector<std::st
   std::string text = Phrase::of("The sessions (%1) share a gap that no effect of the catalogue explains.",
                                 pattern.sessions.size());
   if (pattern.isOfEach)
-    text = Phrase::of(
-        "The gap of most sessions (%1) is explained by no effect of the catalogue, in each by itself.",
-        pattern.sessions.size());
+    text = Phrase::of("No effect of the catalogue explains the gap of most sessions (%1), each by itself.",
+                      pattern.sessions.size());
   text = Phrase::of("%1 It follows a pattern: %2.", text, patternText(pattern));
   return shared.empty()
              ? text
-             : Phrase::of("%1 Beside it they share %2.", text, listed(shared, Phrase::of(" and ")));
+             : Phrase::of("%1 In addition they share %2.", text, listed(shared, Phrase::of(" and ")));
 }
 
 std::string together(const SeriesDiagnosis& series) {
@@ -83,12 +82,12 @@ std::string together(const SeriesDiagnosis& series) {
     const auto& alike = cause.cause.indistinguishableFrom;
     if (alike.empty()) continue;
     text = Phrase::of("%1 %2", text,
-                      Phrase::of("They cannot tell %1 from %2.", causeName(cause.cause.effect),
+                      Phrase::of("The sessions cannot distinguish %1 from %2.", causeName(cause.cause.effect),
                                  causeNames(alike, Phrase::of(" or "))));
   }
   if (series.unknownChance >= 0.01)
     text = Phrase::of("%1 %2", text,
-                      Phrase::of("With a probability of %1 it is of no catalogue.",
+                      Phrase::of("Probability that it is in no catalogue: %1.",
                                  shortProbabilityText(series.unknownChance)));
   return text;
 }
@@ -141,22 +140,20 @@ std::string sentenceOf(const SeriesAdvice& advice) {
     case SeriesAdvice::What::OtherInstrument:
       return advice.instrument.empty()
                  ? Phrase::of(
-                       "Measure guideway %1 with another instrument: tells %3 apart by %4 σ (sessions "
-                       "needed: %2).",
+                       "Measure guideway %1 with another instrument: separates %3 by %4 σ (sessions needed: "
+                       "%2).",
                        orAnother(advice.guideway), advice.sessions, them, sigmas)
                  : Phrase::of(
-                       "Measure guideway %1 with instrument %2: tells %4 apart by %5 σ (sessions needed: "
-                       "%3).",
+                       "Measure guideway %1 with instrument %2: separates %4 by %5 σ (sessions needed: %3).",
                        orAnother(advice.guideway), advice.instrument, advice.sessions, them, sigmas);
     case SeriesAdvice::What::OtherGuideway:
       return advice.guideway.empty()
                  ? Phrase::of(
-                       "Measure another guideway with instrument %1: tells %3 apart by %4 σ (sessions "
-                       "needed: %2).",
+                       "Measure another guideway with instrument %1: separates %3 by %4 σ (sessions needed: "
+                       "%2).",
                        orAnother(advice.instrument), advice.sessions, them, sigmas)
                  : Phrase::of(
-                       "Measure guideway %1 with instrument %2: tells %4 apart by %5 σ (sessions needed: "
-                       "%3).",
+                       "Measure guideway %1 with instrument %2: separates %4 by %5 σ (sessions needed: %3).",
                        advice.guideway, orAnother(advice.instrument), advice.sessions, them, sigmas);
     case SeriesAdvice::What::Again:
       if (!advice.instrument.empty())
@@ -176,20 +173,20 @@ std::vector<Finding> findingsOf(const SeriesDiagnosis& series) {
   for (const SeriesCopy& copy : series.copies)
     findings.push_back({.severity = Severity::Note, .text = copySentence(copy.file, copy.first)});
   if (series.withoutInstrument > 0)
-    add(Phrase::of("%1 of %2 sessions do not state the serial of their instrument: nothing of an instrument "
-                   "is taken as shared by them.",
+    add(Phrase::of("%1 of %2 sessions do not state the serial of their instrument: no instrument effect is "
+                   "assumed to be common to them.",
                    series.withoutInstrument, series.sessions.size()),
         Phrase::of("State the serials."));
   if (series.withoutGuideway > 0)
-    add(Phrase::of("%1 of %2 sessions do not state the serial of their guideway: nothing of a guideway is "
-                   "taken as shared by them.",
+    add(Phrase::of("%1 of %2 sessions do not state the serial of their guideway: no guideway effect is "
+                   "assumed to be common to them.",
                    series.withoutGuideway, series.sessions.size()),
         Phrase::of("State the serials."));
   for (const SharedCause& cause : series.causes) {
     std::vector<std::string> apart;
     for (const std::size_t s : cause.apart) apart.push_back(series.sessions[s].name);
     if (!apart.empty())
-      add(Phrase::of("%1 does not share %2 with the others: there its size is another.",
+      add(Phrase::of("%1 does not share %2 with the others: its size is different there.",
                      listed(apart, Phrase::of(" and ")), ofOwner(cause)),
           Phrase::of("See what was different in that session."));
   }

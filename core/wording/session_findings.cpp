@@ -59,66 +59,61 @@ Words wordsOf(const CentresDiffer& finding) {
 }
 
 Words wordsOf(const KnownRadiusContradicted& finding) {
-  return {
-      Phrase::of(
-          "The readings do not agree with the known radius of %1 mm: they pull it by %2 mm, where %3 mm is "
-          "the most that their noise and its σ allow at 0.1 % risk.",
-          displayShortest(finding.nominal), displayText(finding.pulledBy, 4), displayText(finding.bound, 4)),
-      Phrase::of("Check R0, its σ and the distance, or let the radius be free.")};
+  return {Phrase::of("The readings disagree with the known radius of %1 mm: they shift it by %2 mm; their "
+                     "noise and its σ allow at most %3 mm at 0.1 % risk.",
+                     displayShortest(finding.nominal), displayText(finding.pulledBy, 4),
+                     displayText(finding.bound, 4)),
+          Phrase::of("Check R0, its σ and the distance, or let the radius be free.")};
 }
 
 Words wordsOf(const UnknownEffect& finding) {
   return {Phrase::of("The session's model names %1, which is no effect that can be estimated.",
                      quotation(finding.id)),
-          Phrase::of("Read the result as one without it, or correct the name.")};
+          Phrase::of("The result is computed without it: correct the name.")};
 }
 
 Words wordsOf(const KnownOfNothing& finding) {
   const std::string effect = quotation(finding.effect), unit = quotation(finding.unit);
   return {finding.parameter.empty()
-              ? Phrase::of("What is known of %1 in %2 is of no number of the catalogue.", effect, unit)
-              : Phrase::of("What is known of %1, %2, in %3 is of no number of the catalogue.", effect,
+              ? Phrase::of("The known size of %1 in %2 matches no entry of the catalogue.", effect, unit)
+              : Phrase::of("The known size of %1, %2, in %3 matches no entry of the catalogue.", effect,
                            quotation(finding.parameter), unit),
-          Phrase::of("Name an effect, which of its numbers where it has two, and the unit as the catalogue "
-                     "has them; until "
-                     "then its plausible size is taken.")};
+          Phrase::of("Name the effect, its parameter (if it has two) and the unit as in the catalogue; until "
+                     "then its plausible size is used.")};
 }
 
 Words wordsOf(const CorrectionsDiffer& finding) {
-  return {
-      Phrase::of(
-          //: %1: words of the session file, such as "inclination, collimation"
-          "The readings do not agree on what the instrument corrected by itself (%1), so nothing is taken as "
-          "known from that.",
-          listed(finding.switches)),
-      Phrase::of("Measure with the same corrections throughout, and state them with every reading.")};
+  return {Phrase::of(
+              //: %1: words of the session file, such as "inclination, collimation"
+              "The rows differ in what the instrument corrected by itself (%1), so none of these corrections "
+              "is used as known.",
+              listed(finding.switches)),
+          Phrase::of("Measure with the same corrections throughout, and state them with every reading.")};
 }
 
 Words wordsOf(const TiltsUnused&) {
-  return {
-      Phrase::of(
-          "The tilts of the compensator are of no use: the readings do not say whether the instrument has "
-          "taken them off."),
-      Phrase::of("State the corrections that were on with every reading, or none.")};
+  return {Phrase::of("The compensator's tilts are not used: the readings do not state whether the instrument "
+                     "has already corrected for them."),
+          Phrase::of("State the corrections that were on with every reading, or none.")};
 }
 
 Words wordsOf(const AxisMoved& finding) {
-  return {Phrase::of("By the compensator the vertical axis moved by %1″ from one position to another.",
-                     displayText(finding.change.arcseconds(), 1)),
-          Phrase::of("Check the tripod; the tilt that is taken as known is less certain by half of it.")};
+  return {
+      Phrase::of("According to the compensator, the vertical axis moved by %1″ from one position to another.",
+                 displayText(finding.change.arcseconds(), 1)),
+      Phrase::of("Check the tripod; the uncertainty of the known tilt includes half of this movement.")};
 }
 
 Words wordsOf(const CompensatorOff& finding) {
   return {
       Phrase::of("The compensator's tilts in the two faces contradict each other by %1″; they are not used.",
                  displayText(finding.index.arcseconds(), 1)),
-      Phrase::of(
-          "Calibrate the compensator's index. In face 2 tilts are counted as the instrument has them, turned "
-          "half round with it.")};
+      Phrase::of("Calibrate the compensator's index. In face 2, tilts refer to the instrument's axes, which "
+                 "are turned by 180°.")};
 }
 
 Words wordsOf(const PlanarRelation&) {
-  return {Phrase::of("The model takes the vertical circle to read y/L, which no theodolite does."),
+  return {Phrase::of("The model assumes that the vertical circle reads y/L, which no theodolite does."),
           Phrase::of("Set the vertical angle to exact, unless the planar relation is to be studied.")};
 }
 

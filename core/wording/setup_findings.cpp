@@ -19,10 +19,8 @@ std::string sideOf(int axisDeg) {
 }  // namespace
 
 std::string lengthsToCheck(double distance, double nominalRadius) {
-  return Phrase::of(
-      "the distance L (geometry.distance_mm: %1) and the nominal radius R0 (geometry.radius_mm: %2), both in "
-      "mm",
-      shortestText(distance), shortestText(nominalRadius));
+  return Phrase::of("the distance L (%1) and the nominal radius R0 (%2), both in mm", shortestText(distance),
+                    shortestText(nominalRadius));
 }
 
 Words wordsOf(const DistanceTooShort& finding) {
@@ -34,12 +32,11 @@ Words wordsOf(const DistanceTooShort& finding) {
 Words wordsOf(const PlacesOnTheWrongSide& finding) {
   const bool several = finding.axesDeg.size() > 1;
   const std::string front = sideOf(finding.axesDeg.front());
-  return {
-      Phrase::of(
-          "Most places lie %1 the fitted centre, where an arc at 0° has them above and one at 180° below: Δd "
-          "may have the wrong sign.",
-          several ? Phrase::of("%1 and %2", front, sideOf(finding.axesDeg.back())) : front),
-      several ? Phrase::of("Check the kind of the vertical circle, and whether the positions are exchanged.")
+  return {Phrase::of("Most places lie %1 the fitted centre; they should be above it at 0° and below it at "
+                     "180°: Δd may have the wrong sign.",
+                     several ? Phrase::of("%1 and %2", front, sideOf(finding.axesDeg.back())) : front),
+          several
+              ? Phrase::of("Check the kind of the vertical circle, and whether the positions are exchanged.")
               : Phrase::of("Check the axis of this position, its pointing zero and its readings.")};
 }
 
@@ -52,16 +49,14 @@ Words wordsOf(const ZeroOfOtherCircle& finding) {
         Phrase::of("The pointing zero at %1 has %2° on the vertical circle, far from the horizon of a zenith "
                    "circle, which reads 90° there.",
                    where, reading),
-        Phrase::of(
-            "Check the kind of the vertical circle: as an elevation circle its readings grow the other "
-            "way, which turns the sign of Δd.")};
-  return {
-      Phrase::of(
-          "The pointing zero at %1 has %2° on the vertical circle, far from the horizon of an elevation "
-          "circle, which reads 0° there.",
-          where, reading),
-      Phrase::of("Check the kind of the vertical circle: as a zenith circle its readings grow the other way, "
-                 "which turns the sign of Δd.")};
+        Phrase::of("Check the kind of the vertical circle: on an elevation circle its readings grow the "
+                   "other way, and Δd changes its sign.")};
+  return {Phrase::of(
+              "The pointing zero at %1 has %2° on the vertical circle, far from the horizon of an elevation "
+              "circle, which reads 0° there.",
+              where, reading),
+          Phrase::of("Check the kind of the vertical circle: on a zenith circle its readings grow the other "
+                     "way, and Δd changes its sign.")};
 }
 
 Words wordsOf(const SlidersDiffer& finding) {
@@ -69,30 +64,24 @@ Words wordsOf(const SlidersDiffer& finding) {
                     apart = displayText(finding.apart.arcseconds(), 1);
   const std::size_t first = finding.firstRow + 1, other = finding.otherRow + 1;
   return {
-      finding.others > 0
-          ? Phrase::of(
-                "%1: rows %2 and %3 are of one visit, yet their slider values differ by %4″; the first alone "
-                "is used, here and in %5 more.",
-                where, first, other, apart, finding.others)
-          : Phrase::of(
-                "%1: rows %2 and %3 are of one visit, yet their slider values differ by %4″; the first alone "
-                "is used.",
-                where, first, other, apart),
+      finding.others > 0 ? Phrase::of("%1: rows %2 and %3 are of one visit, yet their slider values differ "
+                                      "by %4″; only the first is used, here and in %5 more cases.",
+                                      where, first, other, apart, finding.others)
+                         : Phrase::of("%1: rows %2 and %3 are of one visit, yet their slider values differ "
+                                      "by %4″; only the first is used.",
+                                      where, first, other, apart),
       Phrase::of(
           "The slider stands still during a visit: correct the value, or give the rows different points or "
           "rounds.")};
 }
 
 Words wordsOf(const ZerosAlike& finding) {
-  return {
-      finding.positions > 2
-          ? Phrase::of(
-                "All positions have the same pointing zero: sighted once it is wrong by the same everywhere, "
-                "which cancels in Δd, sighted in each it would hardly be read alike.")
-          : Phrase::of("Both positions have the same pointing zero: sighted once it is wrong by the same "
-                       "everywhere, "
-                       "which cancels in Δd, sighted in each it would hardly be read alike."),
-      Phrase::of("State geometry.pointing_zeros: one, if it was sighted once, or each.")};
+  return {finding.positions > 2
+              ? Phrase::of("All positions have the same pointing zero. If it was sighted once, its error "
+                           "cancels in Δd; if it was sighted in each position, equal readings are unlikely.")
+              : Phrase::of("Both positions have the same pointing zero. If it was sighted once, its error "
+                           "cancels in Δd; if it was sighted in each position, equal readings are unlikely."),
+          Phrase::of("State under “Pointing zeros” which of the two is true.")};
 }
 
 Words wordsOf(const ZerosDiffer& finding) {
@@ -101,8 +90,8 @@ Words wordsOf(const ZerosDiffer& finding) {
       Phrase::of("The pointing zeros differ by %1 horizontally and %2 vertically, more than two sightings of "
                  "one mark.",
                  arcseconds(finding.horizontal), arcseconds(finding.vertical)),
-      Phrase::of("State what they sight (geometry.zero_is): mark, one fixed mark; normal, the guideway's "
-                 "own normal, set anew; or unknown.")};
+      Phrase::of("State under “Zeros sight” what they sight: a mark, the guideway's own normal, set again in "
+                 "each position, or not known.")};
 }
 
 Words wordsOf(const ReadingsRounded& finding) {

@@ -27,8 +27,8 @@ std::string withheldBy(const LengthsInDoubt& doubt) {
         "The verdict is withheld: no theodolite sights anything at a distance of %1 mm: check %2.",
         shortestText(doubt.distance), lengths);
   return Phrase::of(
-      "The verdict is withheld: the radius fitted at %1 is %2 % off the nominal one, and lengths that "
-      "are so far from what they should be prove nothing: check %3.",
+      "The verdict is withheld: the radius fitted at %1 differs from the nominal one by %2 %, too much for "
+      "any verdict: check %3.",
       positionName(doubt.radius->axisDeg, doubt.radius->time), displayText(doubt.radius->percentOff, 0),
       lengths);
 }
@@ -74,13 +74,13 @@ std::string agreement(const std::string& first, const std::string& second, Verdi
 std::string wayOut(const Diagnosis& diagnosis) {
   const UncertaintyShare& most = diagnosis.measured->budget.front();
   if (most.effect.empty() || most.from == UncertaintyShare::From::Diagnosis)
-    return Phrase::of("Add to the model what was found, or measure what the diagnosis advises.");
+    return Phrase::of("Add the effects found to the model, or measure what the diagnosis advises.");
   const AttainableUncertainty* easiest = easiestMeasured(diagnosis.attainable);
   return easiest
              ? Phrase::of("Most of U comes from %1 at its plausible size: with %2, U would be about %3 mm.",
                           causeName(most.effect), textOf(easiest->measures),
                           displayText(easiest->expanded, decimalsFor(easiest->expanded)))
-             : Phrase::of("Most of U comes from %1 at its plausible size: measure what shows it.",
+             : Phrase::of("Most of U comes from %1 at its plausible size: take readings that show it.",
                           causeName(most.effect));
 }
 

@@ -62,7 +62,7 @@
 <context>
     <name>ChangeKnown</name>
     <message>
-        <source>Change what is known of %1</source>
+        <source>Change known size of %1</source>
         <translation>更改%1的已知值</translation>
     </message>
 </context>
@@ -91,8 +91,8 @@
         <translation>“%1”自上次在此读取或保存以来，已被其他程序或窗口写入。</translation>
     </message>
     <message>
-        <source>It is no session now: %1</source>
-        <translation>它现在不是测量记录：%1</translation>
+        <source>It is no longer a session: %1</source>
+        <translation>该文件已不再是测量记录：%1</translation>
     </message>
     <message>
         <source>The file was changed</source>
@@ -107,8 +107,8 @@
         <translation>文件中</translation>
     </message>
     <message>
-        <source>Reload takes over what is in the file; undo brings back what is here. Overwrite replaces what is in the file, and that cannot be undone.</source>
-        <translation>重新载入采用文件中的内容；撤销可恢复此处的内容。覆盖将替换文件中的内容，且无法撤销。</translation>
+        <source>Reload uses the file&apos;s content; undo restores the content of this window. Overwrite replaces the file&apos;s content and cannot be undone.</source>
+        <translation>重新载入采用文件的内容；撤销可恢复本窗口的内容。覆盖将替换文件的内容，且无法撤销。</translation>
     </message>
     <message>
         <source>&amp;Reload</source>
@@ -192,15 +192,15 @@
         <translation>“%1”也有未保存的更改。</translation>
     </message>
     <message>
-        <source>Redo brings it back with all that was typed into it, to be saved.</source>
+        <source>Redo restores it with all that was typed, so that it can be saved.</source>
         <translation>重做可将其连同录入的全部内容恢复，以便保存。</translation>
     </message>
     <message>
-        <source>Undo leads back to it with all that was typed into it, to be saved.</source>
-        <translation>撤销可回到该测量记录及录入的全部内容，以便保存。</translation>
+        <source>Undo restores it with all that was typed, so that it can be saved.</source>
+        <translation>撤销可恢复该测量记录及录入的全部内容，以便保存。</translation>
     </message>
     <message>
-        <source>Discarded, that cannot be brought back.</source>
+        <source>If discarded, it cannot be brought back.</source>
         <translation>丢弃后无法恢复。</translation>
     </message>
     <message>
@@ -240,8 +240,8 @@
         <translation>封存</translation>
     </message>
     <message>
-        <source>The journal will hold who seals this session and a digest of all that it says.
-It can be edited afterwards, as a revision, and every edit is told.
+        <source>The journal records who seals this session, and a digest of its content.
+The session can be edited afterwards as a revision; the journal records every edit.
 
 Sealed by:</source>
         <translation>更改日志将记录由谁封存本测量记录，以及其全部内容的摘要。
@@ -258,8 +258,8 @@ Sealed by:</source>
         <translation>“%1”已在另一窗口（%2）打开。</translation>
     </message>
     <message>
-        <source>What is saved in one of the two is not in the other. Before either overwrites the other&apos;s changes, it asks.</source>
-        <translation>在其中一处保存的内容不在另一处。任何一方覆盖对方的更改之前都会询问。</translation>
+        <source>Changes saved in one window do not appear in the other. Each window asks before it overwrites the other&apos;s changes.</source>
+        <translation>在一个窗口中保存的更改不会出现在另一个窗口。任一窗口在覆盖对方的更改之前都会询问。</translation>
     </message>
     <message>
         <source>&amp;Go On</source>
@@ -286,7 +286,7 @@ Sealed by:</source>
         <translation>Enter</translation>
     </message>
     <message>
-        <source>hands in; on to vertical, then to the next row</source>
+        <source>accepts; moves to vertical, then to the next row</source>
         <translation>提交；转到竖直读数，然后到下一行</translation>
     </message>
     <message>
@@ -294,8 +294,8 @@ Sealed by:</source>
         <translation>Tab, Shift+Tab</translation>
     </message>
     <message>
-        <source>the same, through all shown columns; back</source>
-        <translation>同上，经过所有显示的列；反向</translation>
+        <source>accepts; next or previous shown column</source>
+        <translation>提交；转到下一个或上一个显示的列</translation>
     </message>
     <message>
         <source>F2</source>
@@ -310,8 +310,8 @@ Sealed by:</source>
         <translation>Esc</translation>
     </message>
     <message>
-        <source>takes back what is half typed</source>
-        <translation>撤回未录入完的内容</translation>
+        <source>discards the unfinished entry</source>
+        <translation>放弃未完成的录入</translation>
     </message>
     <message>
         <source>Space</source>
@@ -326,7 +326,7 @@ Sealed by:</source>
         <translation>F7</translation>
     </message>
     <message>
-        <source>leads to the next reading that looks misread</source>
+        <source>goes to the next reading that looks misread</source>
         <translation>转到下一个像是误读的读数</translation>
     </message>
     <message>
@@ -334,7 +334,7 @@ Sealed by:</source>
         <translation>F8</translation>
     </message>
     <message>
-        <source>puts in the reading that was probably meant</source>
+        <source>enters the reading that was probably meant</source>
         <translation>采用可能正确的读数</translation>
     </message>
     <message>
@@ -366,8 +366,8 @@ Sealed by:</source>
         <translation>Ctrl+Shift+V</translation>
     </message>
     <message>
-        <source>imports the clipboard, and asks how it is to be taken</source>
-        <translation>导入剪贴板，并询问如何采用</translation>
+        <source>imports the clipboard after asking for its layout</source>
+        <translation>导入剪贴板，并先询问其格式</translation>
     </message>
     <message>
         <source>Ctrl+Z, Ctrl+Shift+Z</source>
@@ -846,15 +846,15 @@ Sealed by:</source>
         <translation>R0 的 σ</translation>
     </message>
     <message>
-        <source>Standard uncertainty of the nominal radius. A known radius takes it into the fit, and empty means exact; else R − R0 is a closure with it, and without it none</source>
-        <translation>名义半径的标准不确定度。半径为“已知”时随半径参与拟合，空表示精确；其他情况下，填写后 R − R0 作为闭合差，不填则不作闭合差</translation>
+        <source>Standard uncertainty of the nominal radius. With a known radius it weights R0 in the fit; empty means exact. Otherwise it makes R − R0 a closure; empty: no closure</source>
+        <translation>名义半径的标准不确定度。半径为“已知”时，它决定 R0 在拟合中的权，空表示精确；其他情况下，填写后 R − R0 作为闭合差，空则不作闭合差</translation>
     </message>
     <message>
         <source>R&amp;adius is</source>
         <translation>半径为(&amp;A)</translation>
     </message>
     <message>
-        <source>Free: each arc has its own. Common: one for both arcs. Known: R0 with its σ takes part as one more observation</source>
+        <source>Free: a radius for each arc. Common: one radius for both arcs. Known: R0 with its σ is one more observation</source>
         <translation>自由：每个圆弧各有半径。公共：两个圆弧共用一个。已知：R0 及其 σ 作为一个附加观测值参与</translation>
     </message>
     <message>
@@ -906,8 +906,8 @@ Sealed by:</source>
         <translation>参考值 σ</translation>
     </message>
     <message>
-        <source>How well the reference is known (1σ). With it the reference is a closure, and may help the diagnosis to tell causes apart; it never enters Δd</source>
-        <translation>参考值的准确程度（1σ）。填写后参考值构成一个闭合差，可帮助诊断区分各原因；它从不进入 Δd</translation>
+        <source>Standard uncertainty of the reference. If stated, Δd − reference is a closure and may help the diagnosis to distinguish causes; Δd never depends on it</source>
+        <translation>参考值的标准不确定度。填写后，Δd 与参考值之差构成一个闭合差，可帮助诊断区分各原因；Δd 从不依赖于它</translation>
     </message>
     <message>
         <source>″</source>
@@ -938,7 +938,7 @@ Sealed by:</source>
         <translation>瞄准零位</translation>
     </message>
     <message>
-        <source>Each: sighted anew in every position. One: sighted once for all, so that an error of it cancels in Δd</source>
+        <source>Each: sighted again in every position. One: sighted once for all positions, so that its error cancels in Δd</source>
         <translation>各自照准：在每个轴位重新照准。共用一个：为所有轴位只照准一次，其误差在 Δd 中抵消</translation>
     </message>
     <message>
@@ -1002,8 +1002,8 @@ Sealed by:</source>
         <translation>ppm/K</translation>
     </message>
     <message>
-        <source>By how much R0 grows with each kelvin above 20 °C, for which it is stated: 11.5 for steel</source>
-        <translation>R0 以 20 °C 为准；温度每升高 1 K，R0 的膨胀量：钢为 11.5</translation>
+        <source>Expansion of R0 per kelvin; R0 is stated for 20 °C. Steel: 11.5</source>
+        <translation>温度每升高 1 K，R0 的膨胀量；R0 以 20 °C 为准。钢：11.5</translation>
     </message>
     <message>
         <source>Re&amp;port no.</source>
@@ -1122,7 +1122,7 @@ Sealed by:</source>
         <translation>L 的膨胀</translation>
     </message>
     <message>
-        <source>By how much L grows with each kelvin above 20 °C, for which it is stated; empty where it is as measured at this temperature</source>
+        <source>Expansion of L per kelvin if L is stated for 20 °C; empty if L was measured at the temperature of this session</source>
         <translation>L 以 20 °C 为准时，温度每升高 1 K，L 的膨胀量；若 L 就是在本次测量温度下测得，则留空</translation>
     </message>
     <message>
@@ -1138,7 +1138,7 @@ Sealed by:</source>
         <translation>1</translation>
     </message>
     <message>
-        <source>Setting accuracy of the compensator, by its data sheet; of use where the readings have tilts, or say what the instrument corrected</source>
+        <source>Setting accuracy of the compensator from its data sheet; used if the rows have tilts or state what the instrument corrected</source>
         <translation>补偿器的安置精度，见其说明书；当读数带有倾斜量，或注明了仪器所作的改正时使用</translation>
     </message>
     <message>
@@ -1150,7 +1150,7 @@ Sealed by:</source>
         <translation>未知</translation>
     </message>
     <message>
-        <source>Offset of the line of sight from the vertical axis, by the instrument check: e/D at the distance of this session adds to the known collimation</source>
+        <source>Offset of the line of sight from the vertical axis, from the instrument check; e/D at the distance of this session is added to the known collimation</source>
         <translation>视线偏离竖轴的距离，由仪器检查得出：按本测量记录的距离，将 e/D 计入已知的照准差</translation>
     </message>
     <message>
@@ -1170,7 +1170,7 @@ Sealed by:</source>
         <translation>e 的相关系数</translation>
     </message>
     <message>
-        <source>Of the offset of the line of sight with the known collimation, −1 to 1: one fit found both</source>
+        <source>Correlation of the offset with the known collimation, −1 to 1: both come from one fit</source>
         <translation>视线偏距与已知照准差的相关系数，−1 至 1：两者由同一拟合得出</translation>
     </message>
     <message>
@@ -1186,7 +1186,7 @@ Sealed by:</source>
         <translation>圆弧平面</translation>
     </message>
     <message>
-        <source>Where the instrument stands above or below the axis, its pointing zero is inclined. Vertical: the plane of the arc is plumb all the same. Square: it is square to the zero</source>
+        <source>If the instrument is above or below the axis, its pointing zero is inclined. Vertical: the plane of the arc is still plumb. Square: it is perpendicular to the zero</source>
         <translation>仪器高于或低于回转轴时，其瞄准零位是倾斜的。铅垂：圆弧平面仍然铅垂。垂直于零位：圆弧平面与零位方向垂直</translation>
     </message>
     <message>
@@ -1206,7 +1206,7 @@ Sealed by:</source>
         <translation>零位照准</translation>
     </message>
     <message>
-        <source>A mark: one fixed direction, so that zeros which differ show a drift or a knock. The normal: that of the guideway, set anew in each position. Unstated: a mark where the zeros agree within 30″</source>
+        <source>A mark: a fixed direction; zeros that differ show a drift or a knock. The normal: of the guideway, set again in each position. Unstated: a mark if the zeros agree within 30″</source>
         <translation>标志：一个固定方向，因此零位之差反映漂移或碰动。法线：导轨自身的法线，在每个轴位重新设定。未说明：零位相差在 30″ 以内时视为标志</translation>
     </message>
     <message>
@@ -1365,8 +1365,8 @@ Sealed by:</source>
         <translation>%1：%2</translation>
     </message>
     <message>
-        <source>All is read that was to be</source>
-        <translation>应读的都已读完</translation>
+        <source>All readings are taken</source>
+        <translation>所有读数均已读取</translation>
     </message>
     <message>
         <source>round %1</source>
@@ -1450,7 +1450,7 @@ Sealed by:</source>
         <translation>%1 无法写入：%2</translation>
     </message>
     <message>
-        <source>it is the file that is read: choose another name</source>
+        <source>this is the file being read: choose another name</source>
         <translation>这正是所读取的文件：请换一个名称</translation>
     </message>
     <message>
@@ -1462,7 +1462,7 @@ Sealed by:</source>
         <translation>程序故障（%1）</translation>
     </message>
     <message>
-        <source>a fault in the program (of a kind that says nothing)</source>
+        <source>a fault in the program (cause not reported)</source>
         <translation>程序故障（类型不明）</translation>
     </message>
     <message>
@@ -1479,7 +1479,7 @@ Sealed by:</source>
         <translation>无法完整读取：请检查其所在的存储介质</translation>
     </message>
     <message>
-        <source>something stands there that is no file: choose another name</source>
+        <source>the name is used by something other than a file: choose another name</source>
         <translation>该名称已被占用，且不是文件：请换一个名称</translation>
     </message>
     <message>
@@ -1487,7 +1487,7 @@ Sealed by:</source>
         <translation>文件为只读：请换一个名称，或使其可写</translation>
     </message>
     <message>
-        <source>it has no name: give one</source>
+        <source>no name is given: enter one</source>
         <translation>没有名称：请指定名称</translation>
     </message>
     <message>
@@ -1499,7 +1499,7 @@ Sealed by:</source>
         <translation>您的磁盘配额已用完：请腾出空间或选择其他文件夹</translation>
     </message>
     <message>
-        <source>it would be larger than files may be there: choose another folder</source>
+        <source>the file exceeds the size limit there: choose another folder</source>
         <translation>将超过该处允许的文件大小：请选择其他文件夹</translation>
     </message>
     <message>
@@ -1511,11 +1511,11 @@ Sealed by:</source>
         <translation>该磁盘只能读取：请选择其他文件夹</translation>
     </message>
     <message>
-        <source>its folder is not there: choose another folder</source>
+        <source>its folder does not exist: choose another folder</source>
         <translation>其文件夹不存在：请选择其他文件夹</translation>
     </message>
     <message>
-        <source>a folder stands there: choose another name</source>
+        <source>a folder has this name: choose another name</source>
         <translation>该处已有同名文件夹：请换一个名称</translation>
     </message>
     <message>
@@ -1523,7 +1523,7 @@ Sealed by:</source>
         <translation>名称过长：请选择较短的名称</translation>
     </message>
     <message>
-        <source>its links lead in a circle: choose another name</source>
+        <source>its links form a loop: choose another name</source>
         <translation>其链接形成循环：请换一个名称</translation>
     </message>
     <message>
@@ -1540,8 +1540,8 @@ Sealed by:</source>
         <translation>含有超过 %1 行读数：请分成多份测量记录</translation>
     </message>
     <message>
-        <source>comes after %1 rows of readings, and no more are read: divide the file</source>
-        <translation>位于 %1 行读数之后，此后不再读取：请拆分文件</translation>
+        <source>comes after %1 rows of readings, the limit: divide the file</source>
+        <translation>位于 %1 行读数之后，已达上限：请拆分文件</translation>
     </message>
     <message>
         <source>, </source>
@@ -1678,7 +1678,7 @@ Sealed by:</source>
         <translation>竖直度盘遵循另一种高度与角度的关系（y/L 而非 y/√(x²+L²)，或相反）</translation>
     </message>
     <message>
-        <source>set the session&apos;s vertical angle relation right</source>
+        <source>correct the session&apos;s vertical angle relation</source>
         <translation>改正测量记录的竖直角关系式</translation>
     </message>
     <message>
@@ -1720,7 +1720,7 @@ Sealed by:</source>
         <translation>竖盘指标差</translation>
     </message>
     <message>
-        <source>the vertical circle&apos;s index is off</source>
+        <source>the vertical circle has an index error</source>
         <translation>竖直度盘的指标有偏差</translation>
     </message>
     <message>
@@ -1812,7 +1812,7 @@ Sealed by:</source>
         <translation>圆弧平面与瞄准零位方向不垂直</translation>
     </message>
     <message>
-        <source>read the slider, and determine the pointing zero anew</source>
+        <source>read the slider, and determine the pointing zero again</source>
         <translation>读取滑块，并重新测定瞄准零位</translation>
     </message>
     <message>
@@ -1824,7 +1824,7 @@ Sealed by:</source>
         <translation>平面偏移</translation>
     </message>
     <message>
-        <source>the arc plane lies off the rotation axis, so the distance differs between the positions</source>
+        <source>the arc plane is offset from the rotation axis, so the distance differs between the positions</source>
         <translation>圆弧平面偏离回转轴，因此各轴位的距离不同</translation>
     </message>
     <message>
@@ -1845,7 +1845,7 @@ Sealed by:</source>
         <translation>导轨转动时沿其轴移动</translation>
     </message>
     <message>
-        <source>sight the zero again before and after turning, and look at the axial bearing</source>
+        <source>sight the zero again before and after turning, and check the axial bearing</source>
         <translation>转动前后重新照准零位，并检查轴向轴承</translation>
     </message>
     <message>
@@ -1862,7 +1862,7 @@ Sealed by:</source>
         <translation>各轴位的半径不同</translation>
     </message>
     <message>
-        <source>measure the distance in both positions, and look for play and temperature</source>
+        <source>measure the distance in both positions, and check for play and temperature</source>
         <translation>在两个轴位都测量距离，并检查间隙和温度</translation>
     </message>
     <message>
@@ -1965,7 +1965,7 @@ Sealed by:</source>
         <translation>沿 y 的位移</translation>
     </message>
     <message>
-        <source>points that come again in the same position and face are put into further rounds</source>
+        <source>points repeated in the same position and face are assigned to further rounds</source>
         <translation>同一轴位和盘位中重复出现的测点归入后续测回</translation>
     </message>
     <message>
@@ -1977,12 +1977,12 @@ Sealed by:</source>
         <translation>第 %1 行</translation>
     </message>
     <message>
-        <source>the vertical circle is stated as %1, but the file says %2: the file is followed</source>
+        <source>the vertical circle is stated as %1, but the file says %2: the file is used</source>
         <translation>竖直度盘原设为 %1，但文件中为%2：以文件为准</translation>
     </message>
     <message>
-        <source>the file itself says how the axis stood: that is what counts</source>
-        <translation>文件本身说明了轴的位置：以此为准</translation>
+        <source>the file states the position of the axis: its statement is used</source>
+        <translation>文件本身说明了轴位：以此为准</translation>
     </message>
     <message>
         <source>the %1 %2 of the pointing zero in %3 is not used</source>
@@ -1997,7 +1997,7 @@ Sealed by:</source>
         <translation>第 %1 行</translation>
     </message>
     <message>
-        <source>the pointing zero at %1 stays as it was given; that of %2 is not used</source>
+        <source>the pointing zero at %1 keeps its given value; that of %2 is not used</source>
         <translation>%1 的瞄准零位保持原有值；%2的未使用</translation>
     </message>
     <message>
@@ -2005,8 +2005,8 @@ Sealed by:</source>
         <translation>%1 的瞄准零位为%2的盘左平均值</translation>
     </message>
     <message>
-        <source>180° was read before 0°, but a session takes 0° as read first: a drift or a jump between the positions would be taken the wrong way round</source>
-        <translation>180° 先于 0° 读取，但测量记录以 0° 为先：两轴位之间的漂移或突跳会被反向理解</translation>
+        <source>180° was read before 0°, but a session assumes 0° first: a drift or a jump between the positions would get the wrong sign</source>
+        <translation>180° 先于 0° 读取，但测量记录以 0° 为先：两轴位之间的漂移或突跳的符号会反</translation>
     </message>
     <message>
         <source>the column %1 is not used: 1 value</source>
@@ -2033,7 +2033,7 @@ Sealed by:</source>
         <translation>没有名为“%1”的列：请以列名行开头，例如 axis;point;face;horizontal;vertical</translation>
     </message>
     <message>
-        <source>%1 stands beyond the last named column: name its column, or put double quotes around the entry that holds a separator</source>
+        <source>%1 is beyond the last named column: name its column, or put the entry that contains a separator in double quotes</source>
         <translation>%1 超出最后一个有名称的列：请为该列命名，或给含分隔符的内容加双引号</translation>
     </message>
     <message>
@@ -2041,7 +2041,7 @@ Sealed by:</source>
         <translation>%1 不是转次：轴的转次从 1 开始</translation>
     </message>
     <message>
-        <source>%1 has another decimal sign than the one that was stated: choose either of them</source>
+        <source>%1 has a decimal sign other than the one stated: choose either of them</source>
         <translation>%1 的小数点符号与给定的不同：请选择“任意”</translation>
     </message>
     <message>
@@ -2049,7 +2049,7 @@ Sealed by:</source>
         <translation>%1 既不是 yes 也不是 no：请输入其中之一</translation>
     </message>
     <message>
-        <source>has more than %1 columns: a table of readings has some ten, save it anew</source>
+        <source>has more than %1 columns: a table of readings has about ten; save it again</source>
         <translation>超过 %1 列：读数表一般只有十列左右，请重新保存</translation>
     </message>
     <message>
@@ -2057,7 +2057,7 @@ Sealed by:</source>
         <translation>双引号没有闭合：请闭合，或不用引号书写该单元格</translation>
     </message>
     <message>
-        <source>what else has no place in a session</source>
+        <source>further content that a session cannot hold</source>
         <translation>测量记录中无处存放的其他内容</translation>
     </message>
     <message>
@@ -2193,32 +2193,32 @@ Sealed by:</source>
         <translation>棱镜高</translation>
     </message>
     <message>
-        <source>%1 is no GSI word such as 21.102+17920860: transfer the file anew, or mend or delete the line</source>
+        <source>%1 is no GSI word such as 21.102+17920860: transfer the file again, or correct or delete the line</source>
         <translation>%1 不是 21.102+17920860 那样的 GSI 字：请重新传输文件，或改正、删除该行</translation>
     </message>
     <message>
-        <source>%1 has neither 8 nor 16 characters of data, and a block that starts with * has 16: transfer the file anew, or mend or delete the line</source>
+        <source>%1 has neither 8 nor 16 characters of data, and a block that starts with * has 16: transfer the file again, or correct or delete the line</source>
         <translation>%1 的数据既不是 8 个也不是 16 个字符，而以 * 开头的块应为 16 个：请重新传输文件，或改正、删除该行</translation>
     </message>
     <message>
-        <source>%1 has neither 8 nor 16 characters of data: transfer the file anew, or mend or delete the line</source>
+        <source>%1 has neither 8 nor 16 characters of data: transfer the file again, or correct or delete the line</source>
         <translation>%1 的数据既不是 8 个也不是 16 个字符：请重新传输文件，或改正、删除该行</translation>
     </message>
     <message>
-        <source>has more than %1 words: transfer the file anew</source>
+        <source>has more than %1 words: transfer the file again</source>
         <translation>超过 %1 个字：请重新传输文件</translation>
     </message>
     <message>
-        <source>is not made of digits: transfer the file anew</source>
+        <source>is not made of digits: transfer the file again</source>
         <translation>不是由数字组成：请重新传输文件</translation>
     </message>
     <message>
-        <source>is larger than a circle: transfer the file anew</source>
+        <source>is larger than a circle: transfer the file again</source>
         <translation>大于一个整圆：请重新传输文件</translation>
     </message>
     <message>
-        <source>has no unit of an angle: position 6 of the word is “%1”, and 2 is gon, 3 decimal degrees, 4 degrees minutes seconds, 5 mil</source>
-        <translation>没有角度单位：该字的第 6 位为“%1”，而 2 为 gon，3 为十进制度，4 为度分秒，5 为密位</translation>
+        <source>has no angle unit: character 6 of the word is “%1”; valid are 2 (gon), 3 (decimal degrees), 4 (degrees minutes seconds), 5 (mil)</source>
+        <translation>没有角度单位：该字的第 6 位为“%1”；可用 2（gon）、3（十进制度）、4（度分秒）、5（密位）</translation>
     </message>
     <message>
         <source>instrument height</source>
@@ -2245,7 +2245,7 @@ Sealed by:</source>
         <translation>没有带水平度盘和竖直度盘的读数：请选择其他文件</translation>
     </message>
     <message>
-        <source>holds vertical readings of a circle of the kind %1, the readings before it are of the kind %2: a session has one, so import it into a session of its own</source>
+        <source>has vertical readings of the kind %1, those before are of the kind %2: a session has one kind; import this file into a separate session</source>
         <translation>含有%1类竖直度盘的读数，而之前的读数为%2类：一份测量记录只有一种，请导入到单独的测量记录</translation>
     </message>
     <message>
@@ -2253,11 +2253,11 @@ Sealed by:</source>
         <translation>未选择文件：请选择文件</translation>
     </message>
     <message>
-        <source>nothing in the file says how the axis stood: all its readings are put at 0°</source>
+        <source>the file does not state the position of the axis: all its readings are assigned to 0°</source>
         <translation>文件中没有说明轴的位置：其所有读数归入 0°</translation>
     </message>
     <message>
-        <source>%1 is no line such as For M5|Adr …|PI1 …|Hz …: transfer the file anew, or mend or delete the line</source>
+        <source>%1 is no line such as For M5|Adr …|PI1 …|Hz …: transfer the file again, or correct or delete the line</source>
         <translation>%1 不是 For M5|Adr …|PI1 …|Hz … 那样的行：请重新传输文件，或改正、删除该行</translation>
     </message>
     <message>
@@ -2293,19 +2293,19 @@ Sealed by:</source>
         <translation>%1 是其度盘的第二个读数</translation>
     </message>
     <message>
-        <source>%1 is neither a zenith angle (V1) nor a height angle (V3): set the instrument to one of them and record anew</source>
+        <source>%1 is neither a zenith angle (V1) nor a height angle (V3): set the instrument to one of them and record again</source>
         <translation>%1 既不是天顶距（V1）也不是高度角（V3）：请将仪器设为其中之一并重新记录</translation>
     </message>
     <message>
-        <source>%1 is no angle in gon, DEG, DMS or mil: transfer the file anew</source>
+        <source>%1 is no angle in gon, DEG, DMS or mil: transfer the file again</source>
         <translation>%1 不是以 gon、DEG、DMS 或密位表示的角度：请重新传输文件</translation>
     </message>
     <message>
-        <source>“%1” stands in a file that began with the other kind of vertical angle: import the two in files of their own</source>
+        <source>“%1” is in a file that began with the other kind of vertical angle: import the two kinds from separate files</source>
         <translation>“%1”所在的文件以另一种竖直角开头：请将两者分文件导入</translation>
     </message>
     <message>
-        <source>is no file of readings but JSON: open it as a session</source>
+        <source>is JSON, not a file of readings: open it as a session</source>
         <translation>不是读数文件而是 JSON：请作为测量记录打开</translation>
     </message>
     <message>
@@ -2325,11 +2325,11 @@ Sealed by:</source>
         <translation>没有读数：请选择仪器文件（GSI、M5、SDR）或表格</translation>
     </message>
     <message>
-        <source>blanks part the columns</source>
+        <source>blanks separate the columns</source>
         <translation>各列以空格分隔</translation>
     </message>
     <message>
-        <source>commas part the columns</source>
+        <source>commas separate the columns</source>
         <translation>各列以逗号分隔</translation>
     </message>
     <message>
@@ -2345,15 +2345,15 @@ Sealed by:</source>
         <translation>第 %1 行为列名</translation>
     </message>
     <message>
-        <source>the columns are guessed from what stands in them: check them</source>
+        <source>the columns are guessed from their contents: check them</source>
         <translation>各列是根据内容猜测的：请检查</translation>
     </message>
     <message>
-        <source>decimals stand behind a comma</source>
+        <source>the decimal sign is a comma</source>
         <translation>小数分隔符为逗号</translation>
     </message>
     <message>
-        <source>decimals stand behind a point</source>
+        <source>the decimal sign is a point</source>
         <translation>小数分隔符为点</translation>
     </message>
     <message>
@@ -2365,7 +2365,7 @@ Sealed by:</source>
         <translation>gon，因为竖直读数在 100 或 300 附近：请检查</translation>
     </message>
     <message>
-        <source>decimal degrees, as the vertical readings lie around 90 or 270 and hold more than 59 where minutes would stand: check it</source>
+        <source>decimal degrees, as the vertical readings are around 90 or 270 and have more than 59 in the place of minutes: check it</source>
         <translation>十进制度，因为竖直读数在 90 或 270 附近，且分的位置上超过 59：请检查</translation>
     </message>
     <message>
@@ -2381,19 +2381,19 @@ Sealed by:</source>
         <translation>坐标记录（08）</translation>
     </message>
     <message>
-        <source>%1 is no record of an SDR file: transfer the file anew, or mend or delete the line</source>
+        <source>%1 is no record of an SDR file: transfer the file again, or correct or delete the line</source>
         <translation>%1 不是 SDR 文件的记录：请重新传输文件，或改正、删除该行</translation>
     </message>
     <message>
-        <source>%1 is no unit of angles that is read here: 1 is degrees, 2 gon; set the instrument to one of them and transfer anew</source>
-        <translation>%1 不是此处可读的角度单位：1 为度，2 为 gon；请将仪器设为其中之一并重新传输</translation>
+        <source>%1 is not a supported unit of angles (1: degrees, 2: gon): set the instrument to one of them and transfer again</source>
+        <translation>%1 不是本程序支持的角度单位（1 为度，2 为 gon）：请将仪器设为其中之一并重新传输</translation>
     </message>
     <message>
-        <source>%1 stands for angles that grow to the left: set the instrument to the right and measure anew</source>
+        <source>%1 means angles that increase to the left: set the instrument to increase to the right and measure again</source>
         <translation>%1 表示角度向左增大：请将仪器设为向右并重新测量</translation>
     </message>
     <message>
-        <source>a corrected mean, no reading of circles (09MC)</source>
+        <source>a corrected mean, not a circle reading (09MC)</source>
         <translation>改正后的平均值，不是度盘读数（09MC）</translation>
     </message>
     <message>
@@ -2409,11 +2409,11 @@ Sealed by:</source>
         <translation>缺少竖直读数：请删除该行，或重新照准该点</translation>
     </message>
     <message>
-        <source>%1 is no number: transfer the file anew, or mend or delete the line</source>
+        <source>%1 is no number: transfer the file again, or correct or delete the line</source>
         <translation>%1 不是数：请重新传输文件，或改正、删除该行</translation>
     </message>
     <message>
-        <source>is of an instrument with the other kind of vertical circle: import the jobs in files of their own</source>
+        <source>is from an instrument with the other kind of vertical circle: import the jobs from separate files</source>
         <translation>来自另一种竖直度盘的仪器：请将各作业分文件导入</translation>
     </message>
     <message>
@@ -2425,7 +2425,7 @@ Sealed by:</source>
         <translation>不是文本：请选择 GSI 文件，或保存为 CSV 的表格</translation>
     </message>
     <message>
-        <source>%1°, time %2</source>
+        <source>%1°, repeat %2</source>
         <translation>%1°，第 %2 次</translation>
     </message>
     <message>
@@ -2520,7 +2520,7 @@ Sealed by:</source>
         <translation>%1 超出范围：绝对值必须小于 1000000</translation>
     </message>
     <message>
-        <source>is empty: type the standard uncertainty of what is known</source>
+        <source>is empty: type the standard uncertainty of the known size</source>
         <translation>为空：请输入已知量值的标准不确定度</translation>
     </message>
     <message>
@@ -2552,7 +2552,7 @@ Sealed by:</source>
         <translation>%1 不是照准瞄准零位的方式：请选择 each 或 one</translation>
     </message>
     <message>
-        <source>%1 is nothing that a tolerance limits: choose intersection or distance</source>
+        <source>%1 is no quantity for a tolerance: choose intersection or distance</source>
         <translation>%1 不是允差所限制的量：请选择 intersection 或 distance</translation>
     </message>
     <message>
@@ -2560,7 +2560,7 @@ Sealed by:</source>
         <translation>%1 不是竖直角的关系式：请选择 exact 或 planar</translation>
     </message>
     <message>
-        <source>%1 is no way to take the radius: choose free, common or known</source>
+        <source>%1 is no radius model: choose free, common or known</source>
         <translation>%1 不是半径的处理方式：请选择 free、common 或 known</translation>
     </message>
     <message>
@@ -2573,23 +2573,23 @@ Sealed by:</source>
         <translation>第 %1 行第 %2 列</translation>
     </message>
     <message>
-        <source>stands twice in one object: delete one of the two, so that neither is lost unseen</source>
-        <translation>在同一对象中出现两次：请删除其中之一，以免不知不觉丢失</translation>
+        <source>is a duplicate key: delete one of the two</source>
+        <translation>是重复的键：请删除其中之一</translation>
     </message>
     <message>
-        <source>holds a text of more than %1: shorten it, or keep it in a file of its own</source>
+        <source>has a text of more than %1: shorten it, or keep it in a separate file</source>
         <translation>含有超过 %1 的文本：请缩短，或另存为单独的文件</translation>
     </message>
     <message>
-        <source>has a number too large to be worked with before %1: check its exponent</source>
-        <translation>在%1之前有一个大到无法计算的数：请检查其指数</translation>
+        <source>has too large a number before %1: check its exponent</source>
+        <translation>在%1之前有一个过大的数：请检查其指数</translation>
     </message>
     <message>
-        <source>goes on after its end, at %1: a session file holds one JSON document, delete what follows it</source>
-        <translation>在%1处结束之后仍有内容：测量记录文件只含一个 JSON 文档，请删除其后的内容</translation>
+        <source>continues after the end of the JSON document, at %1: delete what follows</source>
+        <translation>在%1处 JSON 文档已结束，其后仍有内容：请删除其后的内容</translation>
     </message>
     <message>
-        <source>ends too early, at %1: the file is cut short, restore a complete copy</source>
+        <source>ends too early, at %1: the file is incomplete, restore a complete copy</source>
         <translation>在%1处过早结束：文件被截断，请恢复完整的副本</translation>
     </message>
     <message>
@@ -2601,11 +2601,11 @@ Sealed by:</source>
         <translation>在%1处不是 UTF-8 文本：请以 UTF-8 编码保存文件</translation>
     </message>
     <message>
-        <source>has nothing to act on: type the temperature (environment.temperature_c), or clear the coefficient</source>
-        <translation>没有作用对象：请输入温度（environment.temperature_c），或清除该系数</translation>
+        <source>has no effect without a temperature: type the temperature, or clear the coefficient</source>
+        <translation>没有温度便不起作用：请输入温度，或清除该系数</translation>
     </message>
     <message>
-        <source>is stated as one, but the positions have different zeros: give all of them the same α0 and β0, or state each</source>
+        <source>is stated as “one”, but the positions have different zeros: give all the same α0 and β0, or state “each”</source>
         <translation>设为 one，但各轴位的零位不同：请给所有轴位相同的 α0 和 β0，或设为 each</translation>
     </message>
     <message>
@@ -2735,11 +2735,11 @@ Sealed by:</source>
         <translation>角度，即例如 &quot;341 52 24&quot; 的文本或以度表示的数</translation>
     </message>
     <message>
-        <source>%1 lies %2° from the pointing zero as it was sighted first: check the degrees and the face</source>
+        <source>%1 is %2° from the first sighting of the pointing zero: check the degrees and the face</source>
         <translation>%1 距首次照准的瞄准零位 %2°：请检查度数和盘位</translation>
     </message>
     <message>
-        <source>Across the plane of the arc its centre lies Δz = %1 off the axis.</source>
+        <source>The arc&apos;s centre is Δz = %1 off the axis, across the plane of the arc.</source>
         <translation>在垂直于圆弧平面的方向上，圆心偏离回转轴 Δz = %1。</translation>
     </message>
     <message>
@@ -2751,11 +2751,11 @@ Sealed by:</source>
         <translation>有 %1 个位置的读数；圆需要三个，要检核则需五个以上：请照准更多位置</translation>
     </message>
     <message>
-        <source>has readings of only 1 different place, the others repeat them; a circle needs three: move the slider between the points</source>
+        <source>has readings of only 1 distinct place, the others are repeats; a circle needs three: move the slider between the points</source>
         <translation>只有 1 个不同位置的读数，其余为重复；圆需要三个：请在各测点之间移动滑块</translation>
     </message>
     <message>
-        <source>has readings of only %1 different places, the others repeat them; a circle needs three: move the slider between the points</source>
+        <source>has readings of only %1 distinct places, the others are repeats; a circle needs three: move the slider between the points</source>
         <translation>只有 %1 个不同位置的读数，其余为重复；圆需要三个：请在各测点之间移动滑块</translation>
     </message>
     <message>
@@ -2763,11 +2763,11 @@ Sealed by:</source>
         <translation>的读数位于一条直线上，无法确定圆：请检查这些读数，并在更长的弧段上照准</translation>
     </message>
     <message>
-        <source>spans only %1° of arc: its sagitta drowns in the reading noise, so neither radius nor centre can be told: sight places over a longer arc</source>
+        <source>spans only %1° of arc: the reading noise hides its sagitta, so radius and centre are undetermined: sight places over a longer arc</source>
         <translation>只跨越 %1° 的弧：其矢高淹没在读数噪声中，半径和圆心都无法确定：请在更长的弧段上照准</translation>
     </message>
     <message>
-        <source>has readings that tell neither radius nor centre: look for misread values, the degrees first, and check the stated σ of the circles</source>
+        <source>has readings that determine neither radius nor centre: look for misread values, the degrees first, and check the stated σ of the circles</source>
         <translation>的读数既不能确定半径也不能确定圆心：请查找误读，先查度数，并检查给定的度盘 σ</translation>
     </message>
     <message>
@@ -2787,7 +2787,7 @@ Sealed by:</source>
         <translation>（约化 χ² 为 %1，自由度 %2）</translation>
     </message>
     <message>
-        <source>the fit did not settle within %1 iterations; its result is provisional.</source>
+        <source>the fit did not converge within %1 iterations; its result is provisional.</source>
         <translation>拟合在 %1 次迭代内未收敛；其结果是暂定的。</translation>
     </message>
     <message>
@@ -2795,7 +2795,7 @@ Sealed by:</source>
         <translation>请检查读数中是否有粗差。</translation>
     </message>
     <message>
-        <source>the readings just fix the circle; nothing checks them, and the uncertainty rests on the stated noise alone.</source>
+        <source>the readings only just determine the circle; nothing checks them, and the uncertainty depends on the stated noise alone.</source>
         <translation>读数刚好确定圆；没有任何检核，不确定度仅依赖于给定噪声。</translation>
     </message>
     <message>
@@ -2807,7 +2807,7 @@ Sealed by:</source>
         <translation>读数的离散是给定噪声的 %1 倍%2。</translation>
     </message>
     <message>
-        <source>Look for misread values or an effect that the model does not hold; U is scaled by the scatter.</source>
+        <source>Look for misread values or an effect missing from the model; U is scaled by the scatter.</source>
         <translation>请查找误读，或模型未包含的效应；U 已按离散放大。</translation>
     </message>
     <message>
@@ -2839,12 +2839,12 @@ Sealed by:</source>
         <translation>%1 与 %2</translation>
     </message>
     <message>
-        <source>the same pair of readings stands twice, in rows %1.</source>
+        <source>the same pair of readings occurs twice, in rows %1.</source>
         <translation>同一对读数出现两次，见第 %1 行。</translation>
     </message>
     <message>
-        <source>If a row was entered twice, exclude one: a copy makes the result look surer than it is.</source>
-        <translation>如果某行录入了两次，请排除其一：副本会使结果看起来比实际更可靠。</translation>
+        <source>If a row was entered twice, exclude one: a copy makes U too small.</source>
+        <translation>如果某行录入了两次，请排除其一：副本会使 U 偏小。</translation>
     </message>
     <message>
         <source>%1; %2</source>
@@ -2856,11 +2856,11 @@ Sealed by:</source>
         <translation>%1。</translation>
     </message>
     <message>
-        <source>with what the pattern may move it by</source>
+        <source>with the pattern&apos;s possible effect</source>
         <translation>计入该规律可能引起的改变</translation>
     </message>
     <message>
-        <source>averaged over what else may be</source>
+        <source>averaged over the alternatives</source>
         <translation>对其他可能取平均</translation>
     </message>
     <message>
@@ -2884,7 +2884,7 @@ Sealed by:</source>
         <translation>瞄准零位</translation>
     </message>
     <message>
-        <source>what else may explain the readings</source>
+        <source>other possible explanations</source>
         <translation>其他可能解释读数的原因</translation>
     </message>
     <message>
@@ -2912,15 +2912,15 @@ Sealed by:</source>
         <translation>Δd − 参考值</translation>
     </message>
     <message>
-        <source>The positions do not close: %1. What moved between them may have moved Δd: find it, or measure anew and sight the zeros again.</source>
-        <translation>各轴位不闭合：%1。两者之间的变动可能已使 Δd 改变：请找出原因，或重新测量并再次照准零位。</translation>
+        <source>The positions do not close: %1. A movement between them may have changed Δd: find it, or measure again with new pointing zeros.</source>
+        <translation>各轴位不闭合：%1。其间的变动可能已使 Δd 改变：请找出原因，或重新测量并再次照准零位。</translation>
     </message>
     <message>
         <source> and </source>
         <translation>和</translation>
     </message>
     <message>
-        <source>The result disagrees with what is known: %1. Check what is known, and find what separates the two.</source>
+        <source>The result disagrees with what is known: %1. Check the known values, and find the cause of the difference.</source>
         <translation>结果与已知值不符：%1。请检查已知值，并找出两者差异的原因。</translation>
     </message>
     <message>
@@ -2948,12 +2948,12 @@ Sealed by:</source>
         <translation>残差保持在 %1″</translation>
     </message>
     <message>
-        <source>reduced χ² goes from %1 to %2; the residuals, counted alike, grow from %3″ to %4″</source>
-        <translation>约化 χ² 由 %1 变为 %2；按同样方式计算的残差由 %3″ 增大到 %4″</translation>
+        <source>reduced χ² changes from %1 to %2; the unweighted residuals grow from %3″ to %4″</source>
+        <translation>约化 χ² 由 %1 变为 %2；不加权的残差由 %3″ 增大到 %4″</translation>
     </message>
     <message>
-        <source>reduced χ² goes from %1 to %2; the residuals, counted alike, stay at %3″</source>
-        <translation>约化 χ² 由 %1 变为 %2；按同样方式计算的残差保持在 %3″</translation>
+        <source>reduced χ² changes from %1 to %2; the unweighted residuals stay at %3″</source>
+        <translation>约化 χ² 由 %1 变为 %2；不加权的残差保持在 %3″</translation>
     </message>
     <message>
         <source>The readings scatter %1 times as much as stated, without a pattern.</source>
@@ -2968,8 +2968,8 @@ Sealed by:</source>
         <translation>两个轴位闭合</translation>
     </message>
     <message>
-        <source>Without the readings blamed %1.</source>
-        <translation>去掉被指出的读数后，%1。</translation>
+        <source>Without the misread values, %1.</source>
+        <translation>去掉误读值后，%1。</translation>
     </message>
     <message>
         <source>With it in the model %1.</source>
@@ -2984,7 +2984,7 @@ Sealed by:</source>
         <translation>差距确实存在，目录中没有效应可以解释。</translation>
     </message>
     <message>
-        <source>Beside %1 the gap is real, and no effect of the catalogue explains the rest.</source>
+        <source>Besides %1 there is a real gap that no effect of the catalogue explains.</source>
         <translation>除%1外，差距确实存在，且目录中没有效应可以解释其余部分。</translation>
     </message>
     <message>
@@ -2992,11 +2992,11 @@ Sealed by:</source>
         <translation>差距确实存在，目录中没有效应可以解释；它遵循规律“%1”。</translation>
     </message>
     <message>
-        <source>Beside %1 the gap is real, and no effect of the catalogue explains the rest; it follows the pattern “%2”.</source>
+        <source>Besides %1 there is a real gap that no effect of the catalogue explains; it follows the pattern “%2”.</source>
         <translation>除%1外，差距确实存在，且目录中没有效应可以解释其余部分；它遵循规律“%2”。</translation>
     </message>
     <message>
-        <source>Nothing checks the model: these readings just fix the circles and leave nothing over. Sight more places.</source>
+        <source>Nothing checks the model: these readings only just determine the circles. Sight more places.</source>
         <translation>模型没有任何检核：这些读数刚好确定圆，没有多余观测。请照准更多位置。</translation>
     </message>
     <message>
@@ -3080,7 +3080,7 @@ Sealed by:</source>
         <translation>%1，此后未更改。</translation>
     </message>
     <message>
-        <source>%1; its content is not what was sealed, and the journal does not tell of the change.</source>
+        <source>%1; its content differs from what was sealed, and the journal does not record the change.</source>
         <translation>%1；其内容与封存时不符，而更改日志中没有记载。</translation>
     </message>
     <message>
@@ -3104,7 +3104,7 @@ Sealed by:</source>
         <translation>水平度盘变换 60° 的第二组观测</translation>
     </message>
     <message>
-        <source>a second set from half as far again</source>
+        <source>a second set at 1.5 × the distance</source>
         <translation>在 1.5 倍距离处的第二组观测</translation>
     </message>
     <message>
@@ -3184,7 +3184,7 @@ Sealed by:</source>
         <translation>请查找照准零位以来的碰动或漂移，或沿轴的间隙。</translation>
     </message>
     <message>
-        <source>The readings do not agree with the known radius of %1 mm: they pull it by %2 mm, where %3 mm is the most that their noise and its σ allow at 0.1 % risk.</source>
+        <source>The readings disagree with the known radius of %1 mm: they shift it by %2 mm; their noise and its σ allow at most %3 mm at 0.1 % risk.</source>
         <translation>读数与已知半径 %1 mm 不符：读数使其偏移 %2 mm，而在 0.1 % 风险下其噪声和 σ 最多允许 %3 mm。</translation>
     </message>
     <message>
@@ -3196,23 +3196,23 @@ Sealed by:</source>
         <translation>测量记录的模型中有 %1，它不是可以估计的效应。</translation>
     </message>
     <message>
-        <source>Read the result as one without it, or correct the name.</source>
-        <translation>请按不含它来理解结果，或改正其名称。</translation>
+        <source>The result is computed without it: correct the name.</source>
+        <translation>结果按不含它计算：请改正其名称。</translation>
     </message>
     <message>
-        <source>What is known of %1 in %2 is of no number of the catalogue.</source>
-        <translation>关于 %1（单位 %2）的已知值不属于目录中的任何量。</translation>
+        <source>The known size of %1 in %2 matches no entry of the catalogue.</source>
+        <translation>%1 的已知值（单位 %2）与目录中的任何量都不符。</translation>
     </message>
     <message>
-        <source>What is known of %1, %2, in %3 is of no number of the catalogue.</source>
-        <translation>关于 %1 的 %2（单位 %3）的已知值不属于目录中的任何量。</translation>
+        <source>The known size of %1, %2, in %3 matches no entry of the catalogue.</source>
+        <translation>%1 的 %2 的已知值（单位 %3）与目录中的任何量都不符。</translation>
     </message>
     <message>
-        <source>Name an effect, which of its numbers where it has two, and the unit as the catalogue has them; until then its plausible size is taken.</source>
+        <source>Name the effect, its parameter (if it has two) and the unit as in the catalogue; until then its plausible size is used.</source>
         <translation>请按目录给出效应名称、（有两个量时）其中的量以及单位；在此之前采用其合理大小。</translation>
     </message>
     <message>
-        <source>The model takes the vertical circle to read y/L, which no theodolite does.</source>
+        <source>The model assumes that the vertical circle reads y/L, which no theodolite does.</source>
         <translation>模型认为竖直度盘读取 y/L，没有经纬仪如此读数。</translation>
     </message>
     <message>
@@ -3228,8 +3228,8 @@ Sealed by:</source>
         <translation>%1° 时在上方</translation>
     </message>
     <message>
-        <source>the distance L (geometry.distance_mm: %1) and the nominal radius R0 (geometry.radius_mm: %2), both in mm</source>
-        <translation>距离 L（geometry.distance_mm：%1）和名义半径 R0（geometry.radius_mm：%2），均以 mm 为单位</translation>
+        <source>the distance L (%1) and the nominal radius R0 (%2), both in mm</source>
+        <translation>距离 L（%1）和名义半径 R0（%2），均以 mm 为单位</translation>
     </message>
     <message>
         <source>No theodolite sights anything at a distance of %1 mm.</source>
@@ -3240,7 +3240,7 @@ Sealed by:</source>
         <translation>请检查%1：拟合的长度与距离成正比。</translation>
     </message>
     <message>
-        <source>Most places lie %1 the fitted centre, where an arc at 0° has them above and one at 180° below: Δd may have the wrong sign.</source>
+        <source>Most places lie %1 the fitted centre; they should be above it at 0° and below it at 180°: Δd may have the wrong sign.</source>
         <translation>相对于拟合圆心，大多数位置%1，而圆弧上的位置 0° 时应在圆心上方，180° 时应在下方：Δd 的符号可能有误。</translation>
     </message>
     <message>
@@ -3256,7 +3256,7 @@ Sealed by:</source>
         <translation>%1 的瞄准零位在竖直度盘上为 %2°，远离天顶距度盘的水平线（该处读数为 90°）。</translation>
     </message>
     <message>
-        <source>Check the kind of the vertical circle: as an elevation circle its readings grow the other way, which turns the sign of Δd.</source>
+        <source>Check the kind of the vertical circle: on an elevation circle its readings grow the other way, and Δd changes its sign.</source>
         <translation>请检查竖直度盘的类型：若为高度角度盘，其读数方向相反，Δd 的符号随之改变。</translation>
     </message>
     <message>
@@ -3264,15 +3264,15 @@ Sealed by:</source>
         <translation>%1 的瞄准零位在竖直度盘上为 %2°，远离高度角度盘的水平线（该处读数为 0°）。</translation>
     </message>
     <message>
-        <source>Check the kind of the vertical circle: as a zenith circle its readings grow the other way, which turns the sign of Δd.</source>
+        <source>Check the kind of the vertical circle: on a zenith circle its readings grow the other way, and Δd changes its sign.</source>
         <translation>请检查竖直度盘的类型：若为天顶距度盘，其读数方向相反，Δd 的符号随之改变。</translation>
     </message>
     <message>
-        <source>%1: rows %2 and %3 are of one visit, yet their slider values differ by %4″; the first alone is used, here and in %5 more.</source>
+        <source>%1: rows %2 and %3 are of one visit, yet their slider values differ by %4″; only the first is used, here and in %5 more cases.</source>
         <translation>%1：第 %2 行和第 %3 行属于同一次停靠，但滑块值相差 %4″；此处及另外 %5 处只使用第一个。</translation>
     </message>
     <message>
-        <source>%1: rows %2 and %3 are of one visit, yet their slider values differ by %4″; the first alone is used.</source>
+        <source>%1: rows %2 and %3 are of one visit, yet their slider values differ by %4″; only the first is used.</source>
         <translation>%1：第 %2 行和第 %3 行属于同一次停靠，但滑块值相差 %4″；只使用第一个。</translation>
     </message>
     <message>
@@ -3280,16 +3280,16 @@ Sealed by:</source>
         <translation>一次停靠中滑块静止不动：请改正该值，或给各行不同的测点或测回。</translation>
     </message>
     <message>
-        <source>All positions have the same pointing zero: sighted once it is wrong by the same everywhere, which cancels in Δd, sighted in each it would hardly be read alike.</source>
+        <source>All positions have the same pointing zero. If it was sighted once, its error cancels in Δd; if it was sighted in each position, equal readings are unlikely.</source>
         <translation>所有轴位的瞄准零位相同：若只照准一次，其误差处处相同，在 Δd 中抵消；若各自照准，读数几乎不可能一样。</translation>
     </message>
     <message>
-        <source>Both positions have the same pointing zero: sighted once it is wrong by the same everywhere, which cancels in Δd, sighted in each it would hardly be read alike.</source>
+        <source>Both positions have the same pointing zero. If it was sighted once, its error cancels in Δd; if it was sighted in each position, equal readings are unlikely.</source>
         <translation>两个轴位的瞄准零位相同：若只照准一次，其误差处处相同，在 Δd 中抵消；若各自照准，读数几乎不可能一样。</translation>
     </message>
     <message>
-        <source>State geometry.pointing_zeros: one, if it was sighted once, or each.</source>
-        <translation>请注明 geometry.pointing_zeros：只照准一次为 one，否则为 each。</translation>
+        <source>State under “Pointing zeros” which of the two is true.</source>
+        <translation>请在“瞄准零位”中注明属于哪种情况。</translation>
     </message>
     <message>
         <source>%1: the pointing zero moved by %2 horizontally and %3 vertically (1σ) while the position was read.</source>
@@ -3408,8 +3408,8 @@ Sealed by:</source>
         <translation>暂不判定：没有经纬仪能在 %1 mm 的距离上照准：请检查%2。</translation>
     </message>
     <message>
-        <source>The verdict is withheld: the radius fitted at %1 is %2 % off the nominal one, and lengths that are so far from what they should be prove nothing: check %3.</source>
-        <translation>暂不判定：%1 的拟合半径与名义值相差 %2 %，长度与应有值相差如此之大，不能作为判定依据：请检查%3。</translation>
+        <source>The verdict is withheld: the radius fitted at %1 differs from the nominal one by %2 %, too much for any verdict: check %3.</source>
+        <translation>暂不判定：%1 的拟合半径与名义值相差 %2 %，相差过大，不能作判定：请检查%3。</translation>
     </message>
     <message>
         <source>the tolerance of ± %1 mm</source>
@@ -3432,7 +3432,7 @@ Sealed by:</source>
         <translation>不能明确判断是否在%1之内</translation>
     </message>
     <message>
-        <source>Add to the model what was found, or measure what the diagnosis advises.</source>
+        <source>Add the effects found to the model, or measure what the diagnosis advises.</source>
         <translation>请将所发现的效应加入模型，或按诊断的建议测量。</translation>
     </message>
     <message>
@@ -3464,8 +3464,8 @@ Sealed by:</source>
         <translation>尚无可比较的内容：请输入距离 L、半径 R0、一个瞄准零位和该圆弧的至少三个读数。</translation>
     </message>
     <message>
-        <source>These readings fix the arc and leave nothing over. Type further readings: each of them shows how far the model holds.</source>
-        <translation>这些读数刚好确定圆弧，没有多余观测。请录入更多读数：每个读数都能检验模型是否成立。</translation>
+        <source>These readings only just determine the arc. Type further readings: each of them checks the model.</source>
+        <translation>这些读数刚好确定圆弧。请录入更多读数：每个读数都检核模型。</translation>
     </message>
     <message>
         <source>is no record of unsaved changes</source>
@@ -3509,19 +3509,19 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
         <translation>%1（另有 %2 处）</translation>
     </message>
     <message>
-        <source>has plain numbers for angles, and no unit lets both faces add up to a full turn: name the unit in the names of the columns, such as “horizontal [gon]”, or state it</source>
+        <source>has angles without a unit, and in no unit do both faces add up to a full turn: put the unit into the column names, such as “horizontal [gon]”, or state it</source>
         <translation>其角度为不带单位的数，且没有一种单位能使两个盘位之和为整周：请在列名中注明单位，如“horizontal [gon]”，或另行指明</translation>
     </message>
     <message>
-        <source>plain numbers are taken for %1, as the vertical readings of both faces then add up to a full turn</source>
+        <source>numbers without a unit are read as %1, since the vertical readings of both faces then add up to a full turn</source>
         <translation>不带单位的数按“%1”处理，因为这样两个盘位的竖直读数之和为整周</translation>
     </message>
     <message>
-        <source>the vertical readings are taken for elevations, as they lie around 0° and 180°</source>
+        <source>the vertical readings are treated as elevations, as they are around 0° and 180°</source>
         <translation>竖直读数按高度角处理，因为它们在 0° 和 180° 附近</translation>
     </message>
     <message>
-        <source>excluded rows that take no part: %1</source>
+        <source>excluded rows, not used: %1</source>
         <translation>不参与的已排除行：%1</translation>
     </message>
     <message>
@@ -3529,7 +3529,7 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
         <translation>没有目标：请命名</translation>
     </message>
     <message>
-        <source>rows that state another face than their vertical circle shows: %1; the circle is followed</source>
+        <source>rows whose stated face contradicts their vertical circle: %1; the circle is used</source>
         <translation>所注盘位与竖直度盘所示不同的行：%1；以度盘为准</translation>
     </message>
     <message>
@@ -3537,16 +3537,16 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
         <translation>测站 %1：%2</translation>
     </message>
     <message>
-        <source>Targets that most rounds lack take no part: %1.</source>
+        <source>Targets missing from most rounds are not used: %1.</source>
         <translation>大多数测回都缺少的目标不参与：%1。</translation>
     </message>
     <message>
-        <source>Sighted in one face only, and of no use: %1.</source>
+        <source>Sighted in one face only and not used: %1.</source>
         <translation>只在一个盘位观测，无法使用：%1。</translation>
     </message>
     <message>
-        <source>Both faces differ by more than 1°, so that they are not of one target, or misread: %1.</source>
-        <translation>两个盘位相差超过 1°，不是同一目标，或误读：%1。</translation>
+        <source>The faces differ by more than 1° (different targets, or misread): %1.</source>
+        <translation>两个盘位相差超过 1°（不是同一目标，或误读）：%1。</translation>
     </message>
     <message>
         <source>Sighted several times in one face of a round, and averaged: %1.</source>
@@ -3557,7 +3557,7 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
         <translation>%1（缺少 %2）</translation>
     </message>
     <message>
-        <source>Rounds that lack a target in both faces take no part: %1.</source>
+        <source>Rounds without both faces of every target are not used: %1.</source>
         <translation>缺少某目标双盘位观测的测回不参与：%1。</translation>
     </message>
     <message>
@@ -3573,7 +3573,7 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
         <translation>没有完整的测回，即每个目标都有双盘位观测。</translation>
     </message>
     <message>
-        <source>Sight every target in face 1 and in face 2, and call it the same in both.</source>
+        <source>Sight every target in face 1 and in face 2, and give it the same name in both.</source>
         <translation>请在盘左和盘右都观测每个目标，并使用相同的名称。</translation>
     </message>
     <message>
@@ -3585,7 +3585,7 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
         <translation>请观测三个或更多测回。</translation>
     </message>
     <message>
-        <source>With one target directions have nothing to scatter against; only the vertical circle is checked.</source>
+        <source>With one target, the scatter of directions is unknown; only the vertical circle is checked.</source>
         <translation>只有一个目标时，方向没有可比较的对象；只检查竖直度盘。</translation>
     </message>
     <message>
@@ -3605,19 +3605,19 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
         <translation>请检查是否把一个测回录入了多次。</translation>
     </message>
     <message>
-        <source>The index of %1 differs from zero by more than its scatter (%2): readings in one face need it.</source>
+        <source>The index of %1 differs from zero by more than its scatter (%2): correct readings in one face for it.</source>
         <translation>指标差 %1 与零之差超过其离散（%2）：单盘位读数需要计入它。</translation>
     </message>
     <message>
-        <source>All targets lie at about the same elevation (%1° to %2°): a tilt of the trunnion axis cannot be told from collimation.</source>
+        <source>All targets lie at about the same elevation (%1° to %2°): a tilt of the trunnion axis is indistinguishable from collimation.</source>
         <translation>所有目标的高度角大致相同（%1° 至 %2°）：横轴误差无法与照准差区分。</translation>
     </message>
     <message>
-        <source>Sight a steep target besides.</source>
+        <source>Sight a steep target as well.</source>
         <translation>请另外观测一个较陡的目标。</translation>
     </message>
     <message>
-        <source>A tilt of the trunnion axis cannot be told from collimation here: one of 30″ would show as %1 standard uncertainties, with elevations from %2° to %3°.</source>
+        <source>A tilt of the trunnion axis is indistinguishable from collimation here: 30″ would show as %1 standard uncertainties, with elevations from %2° to %3°.</source>
         <translation>横轴误差在此无法与照准差区分：高度角为 %2° 至 %3° 时，30″ 的横轴误差只相当于 %1 个标准不确定度。</translation>
     </message>
     <message>
@@ -3625,31 +3625,31 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
         <translation>横轴误差为 %1（%2）；计入后照准差为 %3。</translation>
     </message>
     <message>
-        <source>Not all distances are known. A line of sight that passes the axis at e shows as e/D, and at short distances looks like collimation: half a millimetre is 43″ at 2.4 m and 2″ at 50 m.</source>
+        <source>Not all distances are known. An offset e of the line of sight from the axis shows as e/D, which at short distances looks like collimation: half a millimetre is 43″ at 2.4 m and 2″ at 50 m.</source>
         <translation>并非所有距离都已知。视线偏离竖轴 e 时表现为 e/D，在短距离处看起来像照准差：半毫米在 2.4 m 处为 43″，在 50 m 处为 2″。</translation>
     </message>
     <message>
-        <source>All targets are about as far away. A line of sight that passes the axis at e shows as e/D and looks like collimation: half a millimetre is %1 at %2.</source>
+        <source>All targets are at about the same distance. An offset e of the line of sight from the axis shows as e/D and looks like collimation: half a millimetre is %1 at %2.</source>
         <translation>所有目标的距离大致相同。视线偏离竖轴 e 时表现为 e/D，看起来像照准差：半毫米在 %2 处为 %1。</translation>
     </message>
     <message>
-        <source>Sight targets at other distances besides.</source>
+        <source>Sight targets at other distances as well.</source>
         <translation>请另外观测其他距离的目标。</translation>
     </message>
     <message>
-        <source>What the faces differ by goes with 1/D: the line of sight passes the axis at %1 (%2), which shows as %3 at %4 and looks like collimation; without it that is %5.</source>
+        <source>The faces differ in proportion to 1/D: the line of sight is %1 (%2) off the axis, which shows as %3 at %4 and looks like collimation; without it, that is %5.</source>
         <translation>两个盘位之差随 1/D 变化：视线偏离竖轴 %1（%2），在 %4 处表现为 %3，看起来像照准差；除去后照准差为 %5。</translation>
     </message>
     <message>
-        <source>A line of sight that passes the axis at e shows as e/D and looks like collimation; these distances (%1 to %2) cannot tell: half a millimetre, %3 at the nearest target, would show as %4 standard uncertainties.</source>
+        <source>An offset e of the line of sight from the axis shows as e/D and looks like collimation. These distances (%1 to %2) cannot separate the two: half a millimetre, %3 at the nearest target, would show as %4 standard uncertainties.</source>
         <translation>视线偏离竖轴 e 时表现为 e/D，看起来像照准差；这些距离（%1 至 %2）无法区分：半毫米在最近目标处为 %3，只相当于 %4 个标准不确定度。</translation>
     </message>
     <message>
-        <source>What the faces differ by does not go with the distance: the line of sight passes the axis at %1.</source>
+        <source>The difference of the faces does not depend on the distance: the line of sight is %1 off the axis.</source>
         <translation>两个盘位之差不随距离变化：视线偏离竖轴 %1。</translation>
     </message>
     <message>
-        <source>The circle was set anew between rounds, so that a drift of the orientation between them does not show.</source>
+        <source>The circle was reset between rounds, so a drift of the orientation between them does not show.</source>
         <translation>测回之间重新设置了度盘，因此测回间定向的漂移无从显示。</translation>
     </message>
     <message>
@@ -3669,7 +3669,7 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
         <translation>测站 %1 与 %2 的方向 s 不相同（F，%3）。</translation>
     </message>
     <message>
-        <source>s of a direction at station %1 is not that of the others (F, %2).</source>
+        <source>s of a direction at station %1 differs from that of the others (F, %2).</source>
         <translation>测站 %1 的方向 s 与其他测站不同（F，%2）。</translation>
     </message>
     <message>
@@ -3677,15 +3677,15 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
         <translation>测站 %1 与 %2 的天顶距 s 不相同（F，%3）。</translation>
     </message>
     <message>
-        <source>s of a zenith angle at station %1 is not that of the others (F, %2).</source>
+        <source>s of a zenith angle at station %1 differs from that of the others (F, %2).</source>
         <translation>测站 %1 的天顶距 s 与其他测站不同（F，%2）。</translation>
     </message>
     <message>
-        <source>The collimation differs from station to station by more than it scatters (%1): it moved, or something that looks like it did.</source>
+        <source>The collimation differs between stations by more than its scatter (%1): it changed, or something that looks like it did.</source>
         <translation>照准差在测站之间的差异超过其离散（%1）：它变动了，或有看起来像它的量变动了。</translation>
     </message>
     <message>
-        <source>The index differs from station to station by more than it scatters (%1): it moved.</source>
+        <source>The index differs between stations by more than its scatter (%1): it changed.</source>
         <translation>指标差在测站之间的差异超过其离散（%1）：它变动了。</translation>
     </message>
     <message>
@@ -3717,7 +3717,7 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
         <translation>%1 不是仪器档案的版本：必须是 %2</translation>
     </message>
     <message>
-        <source>is empty: say on which day this was found, as year-month-day</source>
+        <source>is empty: enter the day it was determined, as year-month-day</source>
         <translation>为空：请写明得出这些内容的日期，格式为年-月-日</translation>
     </message>
     <message>
@@ -3725,7 +3725,7 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
         <translation>为空：请写明已知的是哪个效应，例如 collimation</translation>
     </message>
     <message>
-        <source>add the day on which this was found</source>
+        <source>add the day it was determined</source>
         <translation>请补上得出这些内容的日期</translation>
     </message>
     <message>
@@ -3756,12 +3756,12 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
     <message>
         <source>%1 is not the serial number of the record, %2: choose the record of this instrument, or correct the serial number</source>
         <extracomment>two serial numbers in quotation marks</extracomment>
-        <translation>%1 不是记录中的序列号 %2：请选择这台仪器的记录，或更正序列号</translation>
+        <translation>%1 不是仪器档案中的序列号 %2：请选择这台仪器的档案，或更正序列号</translation>
     </message>
     <message>
-        <source>What is known beforehand (%1) accounts for the gap: with it %2, and what is left is within the stated noise.</source>
+        <source>The known sizes (%1) explain the gap: with them %2, and the rest is within the stated noise.</source>
         <extracomment>effects, then &quot;the residuals shrink from 12.0″ to 2.0″&quot;</extracomment>
-        <translation>事先已知的内容（%1）说明了差距：计入后%2，其余在给定噪声之内。</translation>
+        <translation>已知量值（%1）说明了差距：计入后%2，其余在给定噪声之内。</translation>
     </message>
     <message>
         <source>%1 ± %2</source>
@@ -3793,16 +3793,16 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
         <translation>p = %1</translation>
     </message>
     <message>
-        <source>There is one value: nothing compares it.</source>
-        <translation>只有一个值：无可比较。</translation>
+        <source>There is only one value: it cannot be compared.</source>
+        <translation>只有一个值：无法比较。</translation>
     </message>
     <message>
         <source>χ² = %1 with %2 degrees of freedom, %3</source>
         <translation>χ² = %1，自由度 %2，%3</translation>
     </message>
     <message>
-        <source>%1: the values agree within their uncertainties, but they scatter by less than these, and by that scatter a change shows.</source>
-        <translation>%1：各值在其不确定度内一致，但离散小于不确定度，按此离散可看出变化。</translation>
+        <source>%1: the values agree within their uncertainties; against their own, smaller scatter they show a change.</source>
+        <translation>%1：各值在其不确定度内一致；但相对于其自身较小的离散，可看出变化。</translation>
     </message>
     <message>
         <source>%1: the values agree within their uncertainties.</source>
@@ -3821,19 +3821,19 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
         <translation>%1变化后的第一个值在 %2 至 %3 之间（95 %）。</translation>
     </message>
     <message>
-        <source>No step and no trend explains that: either the uncertainties are understated, or the values are too few to tell what changed.</source>
+        <source>Neither a step nor a trend explains this: the uncertainties are understated, or the values are too few to show what changed.</source>
         <translation>阶跃和趋势都不能解释：或者不确定度被低估，或者值太少，无法说明什么改变了。</translation>
     </message>
     <message>
-        <source>A level that rests on one value cannot be told from a value that is off: measure once more before acting on it.</source>
-        <translation>仅由一个值支撑的水平无法与偏离的值区分：采取措施前请再测一次。</translation>
+        <source>A level with only one value may be an outlier: measure once more before acting on it.</source>
+        <translation>仅由一个值支撑的水平可能是离群值：采取措施前请再测一次。</translation>
     </message>
     <message>
-        <source>The value of %1 stands apart from all others: look for what was different that day, a misread session or another set-up, before believing in a change.</source>
+        <source>The value of %1 is an outlier: look for what was different that day, such as a misread value or another set-up, before assuming a change.</source>
         <translation>%1 的值与其他所有值不符：在相信发生变化之前，请查找当天有何不同，例如读数有误或另一种架设。</translation>
     </message>
     <message>
-        <source>The values wander: what lies close in time agrees better than what lies far apart, and neither steps nor a trend explain that as well.</source>
+        <source>The values wander: values close in time agree better than distant ones, and neither steps nor a trend explain this as well.</source>
         <translation>各值在游走：时间相近的比相距远的更一致，而阶跃和趋势都不能同样好地解释。</translation>
     </message>
     <message>
@@ -3842,7 +3842,7 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
         <translation>%1（%2）</translation>
     </message>
     <message>
-        <source>How probable each account of the values is: %1.</source>
+        <source>Probability of each explanation of the values: %1.</source>
         <translation>各种解释的概率：%1。</translation>
     </message>
     <message>
@@ -3870,11 +3870,11 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
         <translation>仅按读数，设备不全等：(O1 − O2)/2 或半径不同。</translation>
     </message>
     <message>
-        <source>O1 and O2 lie where they did, seen from the theodolite.</source>
+        <source>O1 and O2 have not moved, seen from the theodolite.</source>
         <translation>从经纬仪看，O1 和 O2 仍在原处。</translation>
     </message>
     <message>
-        <source>O1 and O2 lie elsewhere seen from the theodolite, as they do wherever it was set up anew.</source>
+        <source>O1 and O2 have moved, seen from the theodolite, as they do after every new set-up.</source>
         <translation>从经纬仪看，O1 和 O2 在别处；重新架设后总是如此。</translation>
     </message>
     <message>
@@ -3918,7 +3918,7 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
         <translation>游走</translation>
     </message>
     <message>
-        <source>%1 has no date and takes no part: enter the day it was measured on</source>
+        <source>%1 has no date and is not used: enter the day of the measurement</source>
         <translation>%1 没有日期，不参与：请录入测量日期</translation>
     </message>
     <message>
@@ -3930,11 +3930,11 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
         <translation>列 %1 为扩展不确定度：取其一半作为标准不确定度</translation>
     </message>
     <message>
-        <source>the column U is taken for standard uncertainties (k = 1): halve it where it is not</source>
-        <translation>列 U 按标准不确定度（k = 1）处理：若不是，请减半</translation>
+        <source>the column U is read as standard uncertainties (k = 1): halve the values if they are expanded</source>
+        <translation>列 U 按标准不确定度（k = 1）处理：若为扩展不确定度，请减半</translation>
     </message>
     <message>
-        <source>has commas between and within its numbers: part them by semicolons</source>
+        <source>has commas between and within its numbers: separate the numbers by semicolons</source>
         <translation>数之间和数内都有逗号：请用分号分隔</translation>
     </message>
     <message>
@@ -3974,7 +3974,7 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
         <translation>导轨 %2 的%1</translation>
     </message>
     <message>
-        <source>%1, of a size of its own in each session</source>
+        <source>%1, with its own size in each session</source>
         <translation>%1，各测量记录中大小不同</translation>
     </message>
     <message>
@@ -3982,8 +3982,8 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
         <translation>%1的大小随测量记录而变。</translation>
     </message>
     <message>
-        <source>They cannot tell %1 from %2.</source>
-        <translation>它们无法区分%1与%2。</translation>
+        <source>The sessions cannot distinguish %1 from %2.</source>
+        <translation>这些测量记录无法区分%1与%2。</translation>
     </message>
     <message>
         <source>an instrument without serial</source>
@@ -4014,7 +4014,7 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
         <translation>%1自身含有%2。</translation>
     </message>
     <message>
-        <source>%1 of %2 sessions do not state the serial of their instrument: nothing of an instrument is taken as shared by them.</source>
+        <source>%1 of %2 sessions do not state the serial of their instrument: no instrument effect is assumed to be common to them.</source>
         <translation>%2 份测量记录中有 %1 份未注明仪器序列号：不视其共有任何仪器效应。</translation>
     </message>
     <message>
@@ -4022,11 +4022,11 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
         <translation>请注明序列号。</translation>
     </message>
     <message>
-        <source>%1 of %2 sessions do not state the serial of their guideway: nothing of a guideway is taken as shared by them.</source>
+        <source>%1 of %2 sessions do not state the serial of their guideway: no guideway effect is assumed to be common to them.</source>
         <translation>%2 份测量记录中有 %1 份未注明导轨序列号：不视其共有任何导轨效应。</translation>
     </message>
     <message>
-        <source>%1 does not share %2 with the others: there its size is another.</source>
+        <source>%1 does not share %2 with the others: its size is different there.</source>
         <translation>%1与其余测量记录不共有%2：其大小在该处不同。</translation>
     </message>
     <message>
@@ -4042,19 +4042,19 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
         <translation>这些测量记录（共 %1 份）合起来的最佳解释是%2。</translation>
     </message>
     <message>
-        <source>Measure guideway %1 with another instrument: tells %3 apart by %4 σ (sessions needed: %2).</source>
+        <source>Measure guideway %1 with another instrument: separates %3 by %4 σ (sessions needed: %2).</source>
         <translation>用另一台仪器测量导轨 %1：可区分%3，相差 %4 σ（所需测量记录：%2 份）。</translation>
     </message>
     <message>
-        <source>Measure guideway %1 with instrument %2: tells %4 apart by %5 σ (sessions needed: %3).</source>
+        <source>Measure guideway %1 with instrument %2: separates %4 by %5 σ (sessions needed: %3).</source>
         <translation>用仪器 %2 测量导轨 %1：可区分%4，相差 %5 σ（所需测量记录：%3 份）。</translation>
     </message>
     <message>
-        <source>Measure another guideway with instrument %1: tells %3 apart by %4 σ (sessions needed: %2).</source>
+        <source>Measure another guideway with instrument %1: separates %3 by %4 σ (sessions needed: %2).</source>
         <translation>用仪器 %1 测量另一条导轨：可区分%3，相差 %4 σ（所需测量记录：%2 份）。</translation>
     </message>
     <message>
-        <source>it has no date and takes no part: enter the day it was measured on</source>
+        <source>it has no date and is not used: enter the day of the measurement</source>
         <translation>没有日期，不参与：请录入测量日期</translation>
     </message>
     <message>
@@ -4062,7 +4062,7 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
         <translation>χ² = %1，自由度 1，%2</translation>
     </message>
     <message>
-        <source>corrected by the instrument, by its own calibration</source>
+        <source>corrected by the instrument with its own calibration</source>
         <translation>仪器按自身的校准所作的改正</translation>
     </message>
     <message>
@@ -4082,11 +4082,11 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
         <translation>%1 不是改正项：请输入 inclination、standing_axis、collimation、tilting_axis 中的词，以空格分隔，或输入 none</translation>
     </message>
     <message>
-        <source>With the other sign they would agree: look up which way the instrument counts its tilts.</source>
+        <source>With the opposite sign they would agree: look up the sign convention of the instrument&apos;s tilts.</source>
         <translation>符号相反时两者即一致：请查明仪器的倾斜量以哪个方向为正。</translation>
     </message>
     <message>
-        <source>The readings do not agree on what the instrument corrected by itself (%1), so nothing is taken as known from that.</source>
+        <source>The rows differ in what the instrument corrected by itself (%1), so none of these corrections is used as known.</source>
         <translation>各读数所述的仪器自身改正（%1）不一致，因此不由此取任何已知量。</translation>
     </message>
     <message>
@@ -4094,7 +4094,7 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
         <translation>请在整个测量中使用相同的改正，并在每个读数中注明。</translation>
     </message>
     <message>
-        <source>The tilts of the compensator are of no use: the readings do not say whether the instrument has taken them off.</source>
+        <source>The compensator&apos;s tilts are not used: the readings do not state whether the instrument has already corrected for them.</source>
         <translation>补偿器的倾斜量无法使用：读数没有说明仪器是否已将其扣除。</translation>
     </message>
     <message>
@@ -4102,15 +4102,15 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
         <translation>请在每个读数中注明打开了哪些改正，或注明 none。</translation>
     </message>
     <message>
-        <source>By the compensator the vertical axis moved by %1″ from one position to another.</source>
+        <source>According to the compensator, the vertical axis moved by %1″ from one position to another.</source>
         <translation>据补偿器，竖轴在两个轴位之间变动了 %1″。</translation>
     </message>
     <message>
-        <source>Check the tripod; the tilt that is taken as known is less certain by half of it.</source>
+        <source>Check the tripod; the uncertainty of the known tilt includes half of this movement.</source>
         <translation>请检查三脚架；作为已知量的倾斜因此增加了其一半的不确定度。</translation>
     </message>
     <message>
-        <source>Calibrate the compensator&apos;s index. In face 2 tilts are counted as the instrument has them, turned half round with it.</source>
+        <source>Calibrate the compensator&apos;s index. In face 2, tilts refer to the instrument&apos;s axes, which are turned by 180°.</source>
         <translation>请校准补偿器的指标差。在盘右位置，倾斜量按随仪器转过半周的方向计。</translation>
     </message>
     <message>
@@ -4118,12 +4118,12 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
         <translation>完成。</translation>
     </message>
     <message>
-        <source>The instrument takes no such parameter.</source>
+        <source>The instrument does not accept this parameter.</source>
         <translation>仪器不接受这样的参数。</translation>
     </message>
     <message>
-        <source>The instrument does not know this question.</source>
-        <translation>仪器不认识这一询问。</translation>
+        <source>The instrument does not know this command.</source>
+        <translation>仪器不认识这一命令。</translation>
     </message>
     <message>
         <source>The instrument is busy.</source>
@@ -4154,7 +4154,7 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
         <translation>仪器无法发送：其缓冲区可能已满。</translation>
     </message>
     <message>
-        <source>The instrument gave up waiting within itself.</source>
+        <source>The instrument reports an internal timeout.</source>
         <translation>仪器内部等待超时。</translation>
     </message>
     <message>
@@ -4170,11 +4170,11 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
         <translation>仪器应答的返回码为 %1。</translation>
     </message>
     <message>
-        <source>A reading is being taken already: it is asked for once.</source>
+        <source>A reading is already being taken: no second one is requested.</source>
         <translation>已在读取一个读数：只请求一次。</translation>
     </message>
     <message>
-        <source>This is no answer of GeoCOM and was passed over: %1</source>
+        <source>This is no GeoCOM answer and was skipped: %1</source>
         <translation>这不是 GeoCOM 的应答，已略过：%1</translation>
     </message>
     <message>
@@ -4186,11 +4186,11 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
         <translation>将再次询问。</translation>
     </message>
     <message>
-        <source>An answer was spoiled on its way and is asked for again: %1</source>
+        <source>An answer was corrupted in transmission and is requested again: %1</source>
         <translation>一个应答在途中受损，将再次询问：%1</translation>
     </message>
     <message>
-        <source>The instrument did not answer %1 times.</source>
+        <source>The instrument failed to answer %1 times.</source>
         <translation>仪器 %1 次没有应答。</translation>
     </message>
     <message>
@@ -4218,23 +4218,23 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
         <translation>仪器发出警告：%1。请看其显示屏。</translation>
     </message>
     <message>
-        <source>This is no block of GSI and was passed over: %1</source>
+        <source>This is no GSI block and was skipped: %1</source>
         <translation>这不是 GSI 数据块，已略过：%1</translation>
     </message>
     <message>
-        <source>A block was not taken: %1. The instrument sends it again, or reports an error.</source>
+        <source>A block was not accepted: %1. The instrument sends it again, or reports an error.</source>
         <translation>一个数据块未被采用：%1。仪器会重发，或报告错误。</translation>
     </message>
     <message>
-        <source>The same block came again and was taken once: %1</source>
+        <source>A block was received twice and used once: %1</source>
         <translation>同一数据块再次到来，只采用一次：%1</translation>
     </message>
     <message>
-        <source>More than %1 characters came without the end of a line, which no instrument sends: dropped (%2). Do baud rate, data bits and parity fit the instrument?</source>
-        <translation>收到超过 %1 个字符而没有行尾，没有仪器会这样发送：已丢弃（%2）。波特率、数据位和校验是否与仪器一致？</translation>
+        <source>More than %1 characters came without an end of line; they were dropped (%2). Do baud rate, data bits and parity match the instrument?</source>
+        <translation>收到超过 %1 个字符而没有行尾，已丢弃（%2）。波特率、数据位和校验是否与仪器一致？</translation>
     </message>
     <message>
-        <source>Half a line came and no more: dropped (%1). Is the cable in its plugs?</source>
+        <source>Only part of a line came; it was dropped (%1). Is the cable plugged in?</source>
         <translation>只收到半行便再无下文：已丢弃（%1）。电缆是否插好？</translation>
     </message>
     <message>
@@ -4570,7 +4570,7 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
         <translation>共有 %1 次照准，而一个方案最多 %2 次：请减少测回或位置</translation>
     </message>
     <message>
-        <source>%1 stands there twice: each place has a number of its own</source>
+        <source>%1 occurs twice: each place needs a number of its own</source>
         <translation>%1 出现了两次：每个位置都有自己的编号</translation>
     </message>
     <message>
@@ -4590,11 +4590,11 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
         <translation>同一盘位出现两次：瞄准零位在每个盘位只照准一次</translation>
     </message>
     <message>
-        <source>lacks face 1: before the readings the pointing zero is sighted in face 1, in face 2 besides</source>
+        <source>lacks face 1: before the readings the pointing zero is sighted in face 1, and optionally in face 2</source>
         <translation>缺少盘左（1）：读数前须在盘左照准瞄准零位，也可另加盘右</translation>
     </message>
     <message>
-        <source>%1 is no way through the places: write there or back</source>
+        <source>%1 is no direction through the places: write there or back</source>
         <translation>%1 不是经过各位置的方向：请写 there 或 back</translation>
     </message>
     <message>
@@ -4602,7 +4602,7 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
         <translation>应为一个盘位、双盘位，或两个位置各双盘位：[1]、[1, 2]、[2, 1]、[1, 2, 2, 1]</translation>
     </message>
     <message>
-        <source>holds what is no face: write 1 or 2, as in [1, 2]</source>
+        <source>contains something other than a face: write 1 or 2, as in [1, 2]</source>
         <translation>含有不是盘位的内容：请写 1（盘左）或 2（盘右），如 [1, 2]</translation>
     </message>
     <message>
@@ -4622,11 +4622,11 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
         <translation>再测 %1 个测回</translation>
     </message>
     <message>
-        <source>What is left of the protocol brings U from %1 to %2 mm.</source>
+        <source>The rest of the protocol brings U from %1 to %2 mm.</source>
         <translation>测完方案余下部分，U 将从 %1 mm 降至 %2 mm。</translation>
     </message>
     <message>
-        <source>Carried out, the protocol comes to U = %1 mm.</source>
+        <source>At its end, the protocol reaches U = %1 mm.</source>
         <translation>方案测完后 U = %1 mm。</translation>
     </message>
     <message>
@@ -4634,15 +4634,15 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
         <translation>%1可使 U 达到 %2 mm。</translation>
     </message>
     <message>
-        <source>However many rounds are added, %1 mm of it stay: that is the same in each.</source>
+        <source>Further rounds leave %1 mm of it unchanged: that part is the same in each.</source>
         <translation>无论再加多少测回，其中 %1 mm 不会消除：它在每个测回中都相同。</translation>
     </message>
     <message>
-        <source>More rounds do not do: however many there are, U stays above %1 mm, and the verdict needs %2 mm.</source>
+        <source>More rounds are not enough: U always stays above %1 mm, and the verdict needs %2 mm.</source>
         <translation>增加测回无济于事：无论多少测回，U 都大于 %1 mm，而判定需要 %2 mm。</translation>
     </message>
     <message>
-        <source>Even %1 rounds more leave U at %2 mm; the verdict needs %3 mm.</source>
+        <source>Even %1 more rounds leave U at %2 mm; the verdict needs %3 mm.</source>
         <translation>即使再测 %1 个测回，U 仍为 %2 mm；判定需要 %3 mm。</translation>
     </message>
     <message>
@@ -4658,7 +4658,7 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
         <translation>已经足够：U = %1 mm，而判定（%2）需要 %3 mm。</translation>
     </message>
     <message>
-        <source>What is left of the protocol brings U from %1 to %2 mm; the verdict needs %3 mm.</source>
+        <source>The rest of the protocol brings U from %1 to %2 mm; the verdict needs %3 mm.</source>
         <translation>测完方案余下部分，U 将从 %1 mm 降至 %2 mm；判定需要 %3 mm。</translation>
     </message>
     <message>
@@ -4666,7 +4666,7 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
         <translation>再测一个测回，U 将从 %1 mm 降至 %2 mm；判定需要 %3 mm。</translation>
     </message>
     <message>
-        <source>One more round than the protocol has brings U from %1 to %2 mm; the verdict needs %3 mm.</source>
+        <source>One round beyond the protocol brings U from %1 to %2 mm; the verdict needs %3 mm.</source>
         <translation>比方案多测一个测回，U 将从 %1 mm 降至 %2 mm；判定需要 %3 mm。</translation>
     </message>
     <message>
@@ -4674,7 +4674,7 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
         <translation>%1，U 将从 %2 mm 降至 %3 mm；判定需要 %4 mm。</translation>
     </message>
     <message>
-        <source>%1 than the protocol has bring U from %2 to %3 mm; the verdict needs %4 mm.</source>
+        <source>%1 beyond the protocol bring U from %2 to %3 mm; the verdict needs %4 mm.</source>
         <translation>在方案之外%1，U 将从 %2 mm 降至 %3 mm；判定需要 %4 mm。</translation>
     </message>
     <message>
@@ -4702,7 +4702,7 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
         <translation>下一个</translation>
     </message>
     <message>
-        <source>passed over</source>
+        <source>skipped</source>
         <translation>已跳过</translation>
     </message>
     <message>
@@ -4710,15 +4710,15 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
         <translation>待测</translation>
     </message>
     <message>
-        <source>%1 of %2 sightings are there.</source>
+        <source>%1 of %2 sightings are taken.</source>
         <translation>%2 次照准中已有 %1 次。</translation>
     </message>
     <message>
-        <source>One was passed over.</source>
+        <source>One was skipped.</source>
         <translation>有一次被跳过。</translation>
     </message>
     <message>
-        <source>%1 were passed over.</source>
+        <source>%1 were skipped.</source>
         <translation>有 %1 次被跳过。</translation>
     </message>
     <message>
@@ -4738,23 +4738,23 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
         <translation>有 %1 次未按顺序测。</translation>
     </message>
     <message>
-        <source>One reading is none of the protocol.</source>
+        <source>One reading is not in the protocol.</source>
         <translation>有一个读数不属于方案。</translation>
     </message>
     <message>
-        <source>%1 readings are none of the protocol.</source>
+        <source>%1 readings are not in the protocol.</source>
         <translation>有 %1 个读数不属于方案。</translation>
     </message>
     <message>
-        <source>%1 again: what was typed can hardly have been read.</source>
+        <source>%1 again: the value typed can hardly be a reading.</source>
         <translation>%1 重测：所录入的不大可能是读得的值。</translation>
     </message>
     <message>
-        <source>%1 again: its %2 reading does not go with the others, by %3.</source>
+        <source>%1 again: its %2 reading disagrees with the others by %3.</source>
         <translation>%1 重测：其%2读数与其他读数不符，相差 %3。</translation>
     </message>
     <message>
-        <source>%1 again in both faces: on the %2 circle they differ otherwise than elsewhere, by %3 (%4 σ).</source>
+        <source>%1 again in both faces: on the %2 circle, their difference departs from the others by %3 (%4 σ).</source>
         <translation>%1 双盘位重测：%2度盘上两盘位之差与别处不同，相差 %3（%4 σ）。</translation>
     </message>
     <message>
@@ -4762,15 +4762,15 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
         <translation>%1 及测回 %2 重测：返测比往测偏外 %3（%4 σ）。</translation>
     </message>
     <message>
-        <source>%1 again: its %2 reading is another than before by %3 (%4 σ). If it stays, the instrument has moved, and the position is to be sighted anew.</source>
+        <source>%1 again: its %2 reading differs from the earlier one by %3 (%4 σ). If it still does, the instrument has moved: sight the whole position again.</source>
         <translation>%1 重测：其%2读数与先前相差 %3（%4 σ）。若仍如此，则仪器已移动，该轴位须重新照准。</translation>
     </message>
     <message>
-        <source>What is to be taken again comes first: it makes U larger than it will be.</source>
+        <source>First repeat the sightings that need it: they make U too large.</source>
         <translation>请先重测需要重测的读数：它们使 U 偏大。</translation>
     </message>
     <message>
-        <source>When it is enough is told as soon as a pointing zero is there, and both positions are in the protocol.</source>
+        <source>When the readings are enough is shown once a pointing zero is read and the protocol has both positions.</source>
         <translation>有了瞄准零位、且方案含两个轴位后，即可得知何时足够。</translation>
     </message>
     <message>
@@ -4854,11 +4854,11 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
         <translation>随机数和一份模拟测量记录，由另行编写的程序给出</translation>
     </message>
     <message>
-        <source>Files that stand beside the programs</source>
+        <source>Files installed with the programs</source>
         <translation>与程序一同安装的文件</translation>
     </message>
     <message>
-        <source>What the window holds in itself, and its fonts</source>
+        <source>Contents built into the window, and its fonts</source>
         <translation>窗口自身包含的内容及其字体</translation>
     </message>
     <message>
@@ -4878,7 +4878,7 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
         <translation>本安装未通过：无法检查任何内容。</translation>
     </message>
     <message>
-        <source>This installation does not pass: %1 of %2 lines failed. Use none of its results before that is explained.</source>
+        <source>This installation does not pass: %1 of %2 lines failed. Do not use its results until this is explained.</source>
         <translation>本安装未通过：%2 行中有 %1 行未通过。在查明原因之前，不要使用其任何结果。</translation>
     </message>
     <message>
@@ -4898,7 +4898,7 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
         <translation>只有中文窗口或中文报告需要</translation>
     </message>
     <message>
-        <source>it is a link that another user made in a folder that all may write: choose another name</source>
+        <source>it is another user&apos;s link in a folder that everyone may write to: choose another name</source>
         <translation>它是他人在人人可写的文件夹中建立的链接：请另选名称</translation>
     </message>
     <message>
@@ -4914,15 +4914,15 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
         <translation>%1 与 %2 的读数相同：只计一次。</translation>
     </message>
     <message>
-        <source>%1; its content was changed outside this program since: the journal does not lead back to what was sealed.</source>
+        <source>%1; its content was changed outside this program since: the journal does not lead back to the sealed content.</source>
         <translation>%1；其内容此后在本程序之外被更改：按更改日志无法还原到封存时的内容。</translation>
     </message>
     <message>
-        <source>%1; what was sealed cannot be rebuilt from the journal and is not checked.</source>
+        <source>%1; the sealed content cannot be rebuilt from the journal and is not checked.</source>
         <translation>%1；无法由更改日志还原封存时的内容，未作检查。</translation>
     </message>
     <message>
-        <source>%1: the file holds “%2”, and the journal tells of no change.</source>
+        <source>%1: the file holds “%2”, but the journal records no change.</source>
         <translation>%1：文件中为“%2”，而更改日志中没有相应的更改。</translation>
     </message>
     <message>
@@ -4946,7 +4946,7 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
         <translation>第 %1 条早于其前一条：时钟曾被回拨，或其时间被更改。</translation>
     </message>
     <message>
-        <source>is no record of what was half typed</source>
+        <source>is no record of unfinished entries</source>
         <translation>不是未提交录入内容的记录</translation>
     </message>
     <message>
@@ -4958,11 +4958,11 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
         <translation>%1 含有其他文字的数字：请输入数字 0 到 9</translation>
     </message>
     <message>
-        <source>The check sum of an answer is not that of its text, and it is asked for again: %1</source>
+        <source>The check sum of an answer is not that of its text, and it is requested again: %1</source>
         <translation>应答的校验和与其内容不符，重新询问：%1</translation>
     </message>
     <message>
-        <source>The answers of the instrument were spoiled %1 times.</source>
+        <source>The answers of the instrument were corrupted %1 times.</source>
         <translation>仪器的应答有 %1 次损坏。</translation>
     </message>
     <message>
@@ -4994,11 +4994,11 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
         <translation>%1 只能是 gon，因为度到 360 为止：请在列标题中写明单位，如 Hz [gon]，或选择 gon 作为单位（--unit gon）</translation>
     </message>
     <message>
-        <source>the vertical readings are taken for elevations, as some are negative</source>
+        <source>the vertical readings are treated as elevations, as some are negative</source>
         <translation>竖直度盘读数中有负值，按高度角处理</translation>
     </message>
     <message>
-        <source>the columns are named anew and otherwise: put what follows into a file of its own</source>
+        <source>the columns are named again and differently: put what follows into a separate file</source>
         <translation>各列在此重新命名，且与前面不同：请将其后的内容另存为一个文件</translation>
     </message>
     <message>
@@ -5006,11 +5006,11 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
         <translation>秒或分为 60 的角度，已进位为下一分或下一度：%1 个，首见于第 %2 行</translation>
     </message>
     <message>
-        <source>what stands behind the end of the file (^Z)</source>
+        <source>content after the end of the file (^Z)</source>
         <translation>文件结束符（^Z）之后的内容</translation>
     </message>
     <message>
-        <source>a further line of no format</source>
+        <source>a further line of unknown format</source>
         <translation>另一行非本格式的文本</translation>
     </message>
     <message>
@@ -5050,11 +5050,11 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
         <translation>是 %1 格式的文件：请先解压，再选择其中的文件</translation>
     </message>
     <message>
-        <source>has 8 characters, and a block that starts with * has 16: transfer the file anew</source>
+        <source>has 8 characters, and a block that starts with * has 16: transfer the file again</source>
         <translation>只有 8 个字符，而以 * 开头的块为 16 个：请重新传输文件</translation>
     </message>
     <message>
-        <source>has neither 8 nor 16 characters: transfer the file anew, or mend or delete the line</source>
+        <source>has neither 8 nor 16 characters: transfer the file again, or correct or delete the line</source>
         <translation>既非 8 也非 16 个字符：请重新传输文件，或改正、删除该行</translation>
     </message>
     <message>
@@ -5066,7 +5066,7 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
         <translation>由仪器程序算得、非测得的角度：%1 个，首见于第 %2 行</translation>
     </message>
     <message>
-        <source>words with neither 8 nor 16 characters, taken as they stand: %1, first in line %2</source>
+        <source>words with neither 8 nor 16 characters, used unchanged: %1, first in line %2</source>
         <translation>既非 8 也非 16 个字符、按原样采用的字：%1 个，首见于第 %2 行</translation>
     </message>
     <message>
@@ -5106,11 +5106,11 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
         <translation>%1 不是 LandXML 的角度单位（radians、grads、decimal degrees、decimal dd.mm.ss）：请用其中一种单位导出文件</translation>
     </message>
     <message>
-        <source>a reduced observation, no reading of circles</source>
+        <source>a reduced observation, not a circle reading</source>
         <translation>归算后的观测，不是度盘读数</translation>
     </message>
     <message>
-        <source>%1 and %2 are no readings of circles in radians, the unit of a LandXML file that names none: export the file with its unit of angles (angularUnit)</source>
+        <source>%1 and %2 are not circle readings in radians, the default unit of a LandXML file: export the file with its unit of angles (angularUnit)</source>
         <translation>LandXML 文件未注明角度单位时以弧度为单位，而 %1 和 %2 按弧度不是度盘读数：请连同角度单位（angularUnit）一起导出文件</translation>
     </message>
     <message>
@@ -5118,7 +5118,7 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
         <translation>设站（KN STAT）时对点 0 的照准，已作为瞄准零位：%1 次，首见于第 %2 行</translation>
     </message>
     <message>
-        <source>degrees, minutes and seconds stand in columns of their own</source>
+        <source>degrees, minutes and seconds are in separate columns</source>
         <translation>度、分、秒各占一列</translation>
     </message>
     <message>
@@ -5178,7 +5178,7 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
         <translation>最后一个命名列之后的文字不使用：共 %1 处，首处在第 %2 行</translation>
     </message>
     <message>
-        <source>looks to be text in %1, but is not: save it as UTF-8 text</source>
+        <source>looks like text in %1, but is not: save it as UTF-8 text</source>
         <translation>看似 %1 编码的文本，实则不是：请另存为 UTF-8 文本</translation>
     </message>
     <message>
@@ -5190,7 +5190,7 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
         <translation>平均值或合计的行不使用：%1</translation>
     </message>
     <message>
-        <source>rows that name the columns again are passed over: %1</source>
+        <source>rows that name the columns again are skipped: %1</source>
         <translation>重复列标题的行已略过：%1</translation>
     </message>
     <message>
@@ -5222,23 +5222,23 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
         <translation>没有竖直读数，也没有盘位（1 为盘左，2 为盘右）：请注明每行的盘位</translation>
     </message>
     <message>
-        <source>Directions alone were read: the collimation holds for targets near the horizon, and nothing is said of the index and of zenith angles.</source>
-        <translation>只有方向读数：照准差适用于水平线附近的目标，指标差和天顶距不作说明。</translation>
+        <source>Only directions were read: the collimation applies to targets near the horizon; index and zenith angles are not evaluated.</source>
+        <translation>只有方向读数：照准差适用于水平线附近的目标；指标差和天顶距不作评定。</translation>
     </message>
     <message>
-        <source>Zenith angles alone were read: nothing is said of the collimation and of directions.</source>
-        <translation>只有天顶距读数：照准差和方向不作说明。</translation>
+        <source>Only zenith angles were read: collimation and directions are not evaluated.</source>
+        <translation>只有天顶距读数：照准差和方向不作评定。</translation>
     </message>
     <message>
-        <source>These targets cannot tell a tilt of the trunnion axis from a line of sight that passes the axis: the one of the more usual size is stated.</source>
+        <source>With these targets, a tilt of the trunnion axis is indistinguishable from an offset of the line of sight: the one of the more usual size is stated.</source>
         <translation>这些目标无法区分横轴误差与视线偏离竖轴：给出的是大小更常见的一个。</translation>
     </message>
     <message>
-        <source>Sight near and far targets at the same elevation besides.</source>
+        <source>Sight near and far targets at the same elevation as well.</source>
         <translation>请另外照准同一高度角上的近目标和远目标。</translation>
     </message>
     <message>
-        <source>The collimation differs from target to target by more than it scatters (%1): tilt of the trunnion axis, distance, or how a target is sighted. Its u is that of the targets.</source>
+        <source>The collimation differs between targets by more than its scatter (%1): tilt of the trunnion axis, distance, or the way a target is sighted. Its u comes from the targets.</source>
         <translation>照准差在目标之间的差异大于其离散（%1）：横轴误差、距离或照准目标的方式所致。其 u 由各目标得出。</translation>
     </message>
     <message>
@@ -5366,7 +5366,7 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
         <translation>竖直折光</translation>
     </message>
     <message>
-        <source>layers of warm air bend the lines of sight, as the square of the elevation (size at 10°)</source>
+        <source>layers of warm air bend the lines of sight, in proportion to the square of the elevation (size at 10°)</source>
         <translation>暖空气层使视线弯曲，弯曲量与高度角的平方成正比（大小指高度角 10° 处）</translation>
     </message>
     <message>
@@ -5400,7 +5400,7 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
         <translation>滑块臂下垂</translation>
     </message>
     <message>
-        <source>the slider&apos;s arm bends under its weight, the more the nearer to the horizontal</source>
+        <source>the slider&apos;s arm bends under its weight, most where it is horizontal</source>
         <translation>滑块臂因自重弯曲，越接近水平弯曲越大</translation>
     </message>
     <message>
@@ -5412,7 +5412,7 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
         <translation>%1 不是圆弧平面的取值：请选择 vertical 或 square</translation>
     </message>
     <message>
-        <source>%1 is nothing a pointing zero sights: choose mark, normal or unknown</source>
+        <source>%1 is no target of a pointing zero: choose mark, normal or unknown</source>
         <translation>%1 不是瞄准零位所照准的对象：请选择 mark、normal 或 unknown</translation>
     </message>
     <message>
@@ -5436,7 +5436,7 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
         <translation>这些测量记录（共 %1 份）有共同的差距，目录中没有效应可以解释。</translation>
     </message>
     <message>
-        <source>The gap of most sessions (%1) is explained by no effect of the catalogue, in each by itself.</source>
+        <source>No effect of the catalogue explains the gap of most sessions (%1), each by itself.</source>
         <translation>大多数测量记录（共 %1 份）各自的差距，目录中没有效应可以解释。</translation>
     </message>
     <message>
@@ -5444,11 +5444,11 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
         <translation>%1该差距遵循规律：%2。</translation>
     </message>
     <message>
-        <source>%1 Beside it they share %2.</source>
+        <source>%1 In addition they share %2.</source>
         <translation>%1此外它们共有%2。</translation>
     </message>
     <message>
-        <source>With a probability of %1 it is of no catalogue.</source>
+        <source>Probability that it is in no catalogue: %1.</source>
         <translation>它不属于目录的概率：%1。</translation>
     </message>
     <message>
@@ -5456,8 +5456,8 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
         <translation>各瞄准零位水平相差 %1、竖直相差 %2，超过对同一标志两次照准的差异。</translation>
     </message>
     <message>
-        <source>State what they sight (geometry.zero_is): mark, one fixed mark; normal, the guideway&apos;s own normal, set anew; or unknown.</source>
-        <translation>请说明它们照准的是什么（geometry.zero_is）：mark，同一固定标志；normal，重新设定的导轨自身法线；或 unknown。</translation>
+        <source>State under “Zeros sight” what they sight: a mark, the guideway&apos;s own normal, set again in each position, or not known.</source>
+        <translation>请在“零位照准”中说明照准的是什么：标志、在每个轴位重新设定的导轨自身法线，或未知。</translation>
     </message>
     <message>
         <source>Δd, measured, is averaged over every explanation that the readings do not exclude, with every catalogued effect as large as readings and its plausible or known size allow.</source>
@@ -5496,7 +5496,7 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
         <translation>在 %1 的读数期间</translation>
     </message>
     <message>
-        <source>There are more causes than these readings can take apart. With every effect of the catalogue at a plausible size, %1.</source>
+        <source>There are more causes than these readings can separate. With every effect of the catalogue at a plausible size, %1.</source>
         <extracomment>&quot;the residuals shrink from 12.0″ to 2.0″&quot;</extracomment>
         <translation>原因多于这些读数所能区分的。把目录中的所有效应按合理大小计入后，%1。</translation>
     </message>
@@ -5533,7 +5533,7 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
         <translation>U 主要来自按合理大小计的%1：加上%2，U 约为 %3 mm。</translation>
     </message>
     <message>
-        <source>Most of U comes from %1 at its plausible size: measure what shows it.</source>
+        <source>Most of U comes from %1 at its plausible size: take readings that show it.</source>
         <translation>U 主要来自按合理大小计的%1：请测量能显示它的量。</translation>
     </message>
     <message>
@@ -5729,11 +5729,11 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
         <translation>对这些读数，公式在 %2 个值中有 %1 个不是有限值：该处按 0 计。</translation>
     </message>
     <message>
-        <source>This leaves nothing to see here, as the fit takes it up: %1 σ per %2.</source>
+        <source>This effect is undetectable here, as the fit absorbs it: %1 σ per %2.</source>
         <translation>此效应在此无法检出，因为拟合将其吸收：每 %2 为 %1 σ。</translation>
     </message>
     <message>
-        <source>This is %1 of the catalogue already: these readings cannot tell the two apart.</source>
+        <source>This equals %1 of the catalogue: these readings cannot distinguish the two.</source>
         <translation>这已是目录中的%1：这些读数无法区分二者。</translation>
     </message>
     <message>
@@ -5769,11 +5769,11 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
         <translation>%1 不是公式中的幅值</translation>
     </message>
     <message>
-        <source>is that of another effect of the session: take another one</source>
+        <source>is used by another effect of the session: choose another one</source>
         <translation>已用于测量记录中的另一效应：请换一个</translation>
     </message>
     <message>
-        <source>has too many amplitudes: those of a session&apos;s own effects may be %1 together</source>
+        <source>has too many amplitudes: a session&apos;s own effects may have %1 together</source>
         <translation>幅值过多：一份测量记录的自定义效应总共最多 %1 个</translation>
     </message>
     <message>
@@ -5846,7 +5846,7 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
         <translation>%1 之前缺少运算符，例如 *。</translation>
     </message>
     <message>
-        <source>This is no number of a formula: type one up to 10^15 with a point.</source>
+        <source>This is no valid number: type one up to 10^15 with a decimal point.</source>
         <translation>这不是公式中的数：请输入不大于 10^15 的数，小数点用句点。</translation>
     </message>
     <message>
@@ -5870,7 +5870,7 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
         <translation>括号嵌套过多。</translation>
     </message>
     <message>
-        <source>Nothing is open here: take ) out.</source>
+        <source>No parenthesis is open here: take ) out.</source>
         <translation>此处没有未闭合的括号：请去掉 )。</translation>
     </message>
     <message>
@@ -5910,7 +5910,7 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
         <translation>一行以位移的对象开头，例如 radial = A*cos(2*s)。</translation>
     </message>
     <message>
-        <source>A line has one = only: begin a new line, or put a semicolon before.</source>
+        <source>A line has only one =: begin a new line, or put a semicolon before it.</source>
         <translation>一行只能有一个 =：请另起一行，或在其前加分号。</translation>
     </message>
     <message>
@@ -5926,8 +5926,8 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
         <translation>%1（%2）</translation>
     </message>
     <message>
-        <source>It displaces readings by more than their σ over the whole range of %1.</source>
-        <translation>它使读数的偏移在 %1 的整个范围内均大于其 σ。</translation>
+        <source>The form displaces readings by more than their σ over the whole range of %1.</source>
+        <translation>此形式使读数的偏移在 %1 的整个范围内均大于其 σ。</translation>
     </message>
     <message>
         <source>The model holds where %1 is within %2: the form is below the σ of a reading there.</source>
@@ -5990,12 +5990,12 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
         <translation>%1的多份测量记录显示同一形式，%2（u %3）：%4。可将其存为效应。</translation>
     </message>
     <message>
-        <source>The %1 failed: %2. Nothing typed is lost; save the session and go on. What is needed to report this is in %3.</source>
-        <translation>%1失败：%2。录入的内容没有丢失；请保存测量记录后继续。报告此问题所需的信息在 %3。</translation>
+        <source>The %1 failed: %2. Nothing typed is lost; save the session and go on. A description of the fault is in %3.</source>
+        <translation>%1失败：%2。录入的内容没有丢失；请保存测量记录后继续。故障的描述在 %3。</translation>
     </message>
     <message>
-        <source>The %1 failed: %2. Nothing typed is lost; save the session and go on. What is needed to report this could not be written to %3.</source>
-        <translation>%1失败：%2。录入的内容没有丢失；请保存测量记录后继续。报告此问题所需的信息无法写入 %3。</translation>
+        <source>The %1 failed: %2. Nothing typed is lost; save the session and go on. A description of the fault could not be written to %3.</source>
+        <translation>%1失败：%2。录入的内容没有丢失；请保存测量记录后继续。故障的描述无法写入 %3。</translation>
     </message>
     <message>
         <source>would show %1 by %2 σ or more</source>
@@ -6026,11 +6026,11 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
         <translation>约需行数</translation>
     </message>
     <message>
-        <source>What it tells</source>
+        <source>What it shows</source>
         <translation>能说明什么</translation>
     </message>
     <message>
-        <source>No further reading of the usual kinds would tell more.</source>
+        <source>Further readings of the usual kinds would add no information.</source>
         <translation>常见种类的进一步读数不会说明更多。</translation>
     </message>
     <message>
@@ -6084,11 +6084,11 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
         <translation>已在模型中</translation>
     </message>
     <message>
-        <source>Probabilities: given the catalogue and how large its effects plausibly are.</source>
+        <source>Probabilities: given the catalogue and the plausible sizes of its effects.</source>
         <translation>概率：以目录及其效应的合理大小为前提。</translation>
     </message>
     <message>
-        <source>Probabilities: given the catalogue and how large its effects plausibly are (1σ: %1).</source>
+        <source>Probabilities: given the catalogue and the plausible sizes of its effects (1σ: %1).</source>
         <extracomment>%1: effects with their sizes, &quot;collimation 30″, refraction 2″&quot;</extracomment>
         <translation>概率：以目录及其效应的合理大小（1σ：%1）为前提。</translation>
     </message>
@@ -6113,11 +6113,11 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
         <translation>闭合或缩小</translation>
     </message>
     <message>
-        <source>cannot be told from</source>
+        <source>indistinguishable</source>
         <translation>无法与之区分</translation>
     </message>
     <message>
-        <source>No effect of the catalogue makes this pattern, so nothing can be added to the model: look at what in the set-up has this shape.</source>
+        <source>No effect of the catalogue makes this pattern, so nothing can be added to the model: look for something of this shape in the set-up.</source>
         <translation>目录中没有效应会造成此规律，因此没有可加入模型的内容：请检查设站与设备中什么具有这种形状。</translation>
     </message>
     <message>
@@ -6125,15 +6125,15 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
         <translation>差距的形式</translation>
     </message>
     <message>
-        <source>A form tells what the readings do; it does not name what causes it.</source>
+        <source>A form describes the readings; it does not name their cause.</source>
         <translation>形式说明读数怎样变化，并不指明其原因。</translation>
     </message>
     <message>
-        <source>Half a turn of one rigid arc about an axis along x keeps its radius and leaves the centre&apos;s x alone; an arc measured again is where it was; R0 and the reference count where their σ is stated. U at %1 %.</source>
+        <source>Half a turn of a rigid arc about an axis along x changes neither its radius nor the x of its centre; an arc measured again has not moved; R0 and the reference count if their σ is stated. U at %1 %.</source>
         <translation>同一刚性圆弧绕 x 方向的轴转半圈，其半径不变，圆心的 x 不动；复测的圆弧仍在原处；给定 σ 时，R0 和参考值也计入。U 的包含概率为 %1 %。</translation>
     </message>
     <message>
-        <source>Half a turn of one rigid arc about an axis along x keeps its radius and leaves the centre&apos;s x alone; R0 and the reference count where their σ is stated. U at %1 %.</source>
+        <source>Half a turn of a rigid arc about an axis along x changes neither its radius nor the x of its centre; R0 and the reference count if their σ is stated. U at %1 %.</source>
         <translation>同一刚性圆弧绕 x 方向的轴转半圈，其半径不变，圆心的 x 不动；给定 σ 时，R0 和参考值也计入。U 的包含概率为 %1 %。</translation>
     </message>
     <message>
@@ -6181,8 +6181,8 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
         <translation>已知来源</translation>
     </message>
     <message>
-        <source>Each takes part in the uncertainty and in the search for causes with this value and u; that it holds no longer was given a chance of one in fifty beforehand. A dash: these readings do not show it.</source>
-        <translation>每一项以此值和 u 参与不确定度及原因的寻找；事先假定其不再成立的机会为五十分之一。短横表示这些读数没有显示它。</translation>
+        <source>Each value enters the uncertainty and the search for causes with its u; the prior probability that it is out of date is one in fifty. A dash: these readings do not show it.</source>
+        <translation>每一值以其 u 参与不确定度及原因的寻找；其已过时的先验概率为五十分之一。短横表示这些读数没有显示它。</translation>
     </message>
     <message>
         <source>What it would take to explain Δd − reference</source>
@@ -6197,7 +6197,7 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
         <translation>留痕 (σ)</translation>
     </message>
     <message>
-        <source>Each by itself, of the effects that these readings do not exclude at that size, the most plausible first; leaves: what it would leave in these readings.</source>
+        <source>Effects that these readings do not exclude at that size, each by itself, the most plausible first; leaves: the trace it would leave in these readings.</source>
         <translation>逐个考虑这些读数在该大小下未能排除的效应，最合理的在前；留痕：它会在这些读数中留下的痕迹。</translation>
     </message>
     <message>
@@ -6217,7 +6217,7 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
         <translation>不含模型效应</translation>
     </message>
     <message>
-        <source>+ what is known</source>
+        <source>+ known sizes</source>
         <translation>+ 已知量值</translation>
     </message>
     <message>
@@ -6225,16 +6225,16 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
         <translation>已在模型中：%1</translation>
     </message>
     <message>
-        <source>Δd with the form is averaged over what looks like it; what causes it is not known.</source>
+        <source>Δd with the form is averaged over the forms that look like it; its cause is unknown.</source>
         <translation>含此形式的 Δd 是对与其相似的形式取的平均；其原因未知。</translation>
     </message>
     <message>
-        <source>U holds what the pattern may move Δd by; what causes it is not known.</source>
+        <source>U includes the possible effect of the pattern on Δd; its cause is unknown.</source>
         <translation>U 包含该规律可能使 Δd 改变的量；其原因不明。</translation>
     </message>
     <message>
-        <source>Δd with the causes is averaged over all that may be the case, each as likely as it is; the first alone would state a U that is too small.</source>
-        <translation>计入原因的 Δd 对所有可能情况按其可能性取平均；只取第一个会使 U 偏小。</translation>
+        <source>Δd with the causes is averaged over all possible explanations, weighted by their probabilities; the first alone would give too small a U.</source>
+        <translation>计入原因的 Δd 按概率对所有可能的解释取加权平均；只取第一个会使 U 偏小。</translation>
     </message>
     <message>
         <source>The residuals shrink by %1 %, by %2 % on readings held out of the fit.</source>
@@ -6273,7 +6273,7 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
         <translation>没有合理大小的效应能明显改变 Δd 而不留痕迹。</translation>
     </message>
     <message>
-        <source>The diagnosis was stopped. The next edit takes it up again.</source>
+        <source>The diagnosis was stopped. The next edit starts it again.</source>
         <translation>诊断已停止。下次编辑会重新开始。</translation>
     </message>
     <message>
@@ -6293,7 +6293,7 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
         <translation>在此无法区分的 %1 个原因之一</translation>
     </message>
     <message>
-        <source>More causes than these readings can take apart</source>
+        <source>More causes than these readings can separate</source>
         <translation>原因多于这些读数所能区分的数目</translation>
     </message>
     <message>
@@ -6473,7 +6473,7 @@ Includes every catalogued effect, limited by these readings or by its plausible 
         <translation>不作判定：有 %1 个输入项无法使用</translation>
     </message>
     <message>
-        <source>What cannot be used is listed with its place. Correct it or exclude its reading: what is stated here rests on the others alone.</source>
+        <source>Entries that cannot be used are listed with their place. Correct each or exclude its reading: the result stated here uses only the others.</source>
         <translation>无法使用的项已连同位置列出。请改正，或排除其读数：此处的结果仅依据其余读数。</translation>
     </message>
     <message>
@@ -6505,7 +6505,7 @@ Includes every catalogued effect, limited by these readings or by its plausible 
         <translation>模型与读数不符，且没有目录中的效应可以解释</translation>
     </message>
     <message>
-        <source>Model and readings disagree by more causes than these readings can take apart</source>
+        <source>Model and readings disagree by more causes than these readings can separate</source>
         <translation>模型与读数不符，其原因多于这些读数所能区分的</translation>
     </message>
     <message>
@@ -6761,11 +6761,11 @@ Includes every catalogued effect, limited by these readings or by its plausible 
         <translation>距离</translation>
     </message>
     <message>
-        <source>Of a direction observed once in both faces, with its degrees of freedom</source>
+        <source>s of a direction observed once in both faces, with its degrees of freedom</source>
         <translation>盘左、盘右各观测一次的方向，及其自由度</translation>
     </message>
     <message>
-        <source>Of a zenith angle observed once in both faces, with its degrees of freedom</source>
+        <source>s of a zenith angle observed once in both faces, with its degrees of freedom</source>
         <translation>盘左、盘右各观测一次的天顶距，及其自由度</translation>
     </message>
     <message>
@@ -6797,11 +6797,11 @@ Includes every catalogued effect, limited by these readings or by its plausible 
         <translation>天顶距 s (ν)</translation>
     </message>
     <message>
-        <source>c as of face 1, ± its standard uncertainty</source>
+        <source>c, with the sign of face 1, ± its standard uncertainty</source>
         <translation>c（按盘左），± 其标准不确定度</translation>
     </message>
     <message>
-        <source>Of the vertical circle as of face 1, ± its standard uncertainty</source>
+        <source>Index of the vertical circle, sign of face 1, ± its standard uncertainty</source>
         <translation>竖直度盘的指标差（按盘左），± 其标准不确定度</translation>
     </message>
     <message>
@@ -6817,7 +6817,7 @@ Includes every catalogued effect, limited by these readings or by its plausible 
         <translation>视线</translation>
     </message>
     <message>
-        <source>e, by which it passes the axis, from targets at several distances</source>
+        <source>Offset e from the axis, from targets at several distances</source>
         <translation>视线偏离竖轴的量 e，由不同距离的目标得出</translation>
     </message>
     <message>
@@ -6926,7 +6926,7 @@ Includes every catalogued effect, limited by these readings or by its plausible 
         <translation>来自读数的部分按其离散放大，为给定噪声的 %1 倍。瞄准零位和距离按给定值计入。</translation>
     </message>
     <message>
-        <source>Correlation with R: how far a wrong radius takes the centre along, −1 to 1; on half an arc it decides the height.</source>
+        <source>Correlation with R, −1 to 1: how far an error of the radius shifts the centre; on half an arc it determines the height.</source>
         <translation>与 R 的相关系数：半径有误时圆心随之移动的程度，−1 至 1；在半个圆弧上它决定高度。</translation>
     </message>
     <message>
@@ -6970,11 +6970,11 @@ Includes every catalogued effect, limited by these readings or by its plausible 
         <translation>测量记录文件中还有 %1 条更早的更改。</translation>
     </message>
     <message>
-        <source>By chance alone an end is uncertain by %1: about %2 draws would tell.</source>
+        <source>By chance, an end of the interval is uncertain by %1: about %2 draws would decide.</source>
         <translation>仅凭偶然，一个端点的不确定度就有 %1：约需 %2 次抽样才能判断。</translation>
     </message>
     <message>
-        <source>By chance alone an end is uncertain by %1; it would take more draws than can be asked for here to tell.</source>
+        <source>By chance, an end of the interval is uncertain by %1: a decision needs more draws than can be set here.</source>
         <translation>仅凭偶然，一个端点的不确定度就有 %1；所需抽样次数超过此处可设的上限，无法判断。</translation>
     </message>
     <message>
@@ -7042,7 +7042,7 @@ Includes every catalogued effect, limited by these readings or by its plausible 
         <translation>每 ″ %1</translation>
     </message>
     <message>
-        <source>Too few readings: none is checked well enough by the others to tell that it is misread.</source>
+        <source>Too few readings: the others check none of them well enough to show that it is misread.</source>
         <translation>读数太少：没有一个读数被其他读数充分检核到能判断误读。</translation>
     </message>
     <message>
@@ -7086,7 +7086,7 @@ Includes every catalogued effect, limited by these readings or by its plausible 
         <translation>无</translation>
     </message>
     <message>
-        <source>w: standardised residual; redundancy: share of an error that shows in the residual; detectable: the smallest error that the search for misread readings finds with 80 % chance; Δd moves by such an error.</source>
+        <source>w: standardised residual; redundancy: share of an error that shows in the residual; detectable: the smallest error that the search for misread readings finds with 80 % chance; moves Δd by: the effect of such an error.</source>
         <translation>w：标准化残差；多余观测分量：误差显现于残差的份额；可检测：查找误读时以 80 % 的概率能发现的最小误差；Δd 的改变由此误差引起。</translation>
     </message>
     <message>
@@ -7191,15 +7191,15 @@ Includes every catalogued effect, limited by these readings or by its plausible 
         <translation>无原因</translation>
     </message>
     <message>
-        <source>%1 tells most for its %2 min: whether it is %3 or %4.</source>
+        <source>%1 is most informative for its %2 min: it separates %3 from %4.</source>
         <translation>%1 在所需的 %2 min 内给出的信息最多：可区分%3与%4。</translation>
     </message>
     <message>
-        <source>%1 tells most for its %2 min: it reduces U by %3.</source>
+        <source>%1 is most informative for its %2 min: it reduces U by %3.</source>
         <translation>%1 在所需的 %2 min 内给出的信息最多：可使 U 减小 %3。</translation>
     </message>
     <message>
-        <source>Nearly as much: %1.</source>
+        <source>Nearly as informative: %1.</source>
         <translation>信息量相近的还有：%1。</translation>
     </message>
     <message>
@@ -7239,11 +7239,11 @@ Includes every catalogued effect, limited by these readings or by its plausible 
         <translation>可能的情况</translation>
     </message>
     <message>
-        <source>Before the end %1, since an effect of time shows only if an early place is sighted again.</source>
+        <source>Before the end, sight %1: an effect of time shows only if an early place is sighted again.</source>
         <translation>结束前照准 %1，因为只有再次照准较早的位置，随时间变化的效应才会显现。</translation>
     </message>
     <message>
-        <source>Before the end %1, since an effect of time shows only if the zero is sighted again.</source>
+        <source>Before the end, sight %1: an effect of time shows only if the zero is sighted again.</source>
         <translation>结束前照准 %1，因为只有再次照准瞄准零位，随时间变化的效应才会显现。</translation>
     </message>
     <message>
@@ -7267,7 +7267,7 @@ Includes every catalogued effect, limited by these readings or by its plausible 
         <translation>这些位置不能确定 Δd。</translation>
     </message>
     <message>
-        <source>U = %1 mm of Δd is not reached: %2 more sightings come to %3 mm.</source>
+        <source>U = %1 mm of Δd is not reached: %2 more sightings give %3 mm.</source>
         <translation>Δd 的 U 达不到 %1 mm：再照准 %2 次可达 %3 mm。</translation>
     </message>
     <message>
@@ -7279,8 +7279,8 @@ Includes every catalogued effect, limited by these readings or by its plausible 
         <translation>测点</translation>
     </message>
     <message>
-        <source>Not enough yet: the readings scatter more than stated, by noise or by an effect of no catalogue; the diagnosis tells.</source>
-        <translation>尚不足够：读数的离散大于给定值，原因可能是噪声，也可能是目录之外的效应；由诊断说明。</translation>
+        <source>Not enough yet: the readings scatter more than stated, from noise or an uncatalogued effect; the diagnosis shows which.</source>
+        <translation>尚不足够：读数的离散大于给定值，原因可能是噪声，也可能是目录之外的效应；由诊断给出是哪一种。</translation>
     </message>
     <message>
         <source>k = %1, %2 coverage</source>
@@ -7399,11 +7399,11 @@ Includes every catalogued effect, limited by these readings or by its plausible 
         <translation>轴位之间转动度盘</translation>
     </message>
     <message>
-        <source>each next sighting by what it tells</source>
-        <translation>每次照准按其所能说明的多少选定</translation>
+        <source>each sighting by its information</source>
+        <translation>每次照准按信息量选定</translation>
     </message>
     <message>
-        <source>Passed over: %1.</source>
+        <source>Skipped: %1.</source>
         <translation>跳过：%1。</translation>
     </message>
     <message>
@@ -7524,7 +7524,7 @@ Includes every catalogued effect, limited by these readings or by its plausible 
     </message>
     <message>
         <source>σ horizontal</source>
-        <translation>σ 水平</translation>
+        <translation>水平 σ</translation>
     </message>
     <message>
         <source>σ vertical</source>
@@ -7707,7 +7707,7 @@ Includes every catalogued effect, limited by these readings or by its plausible 
         <translation>下列各行中任一行都可单独改变判定：%1</translation>
     </message>
     <message>
-        <source>On %1 readings, each predicted by the form that the others tell, the gap shrinks by %2 %; in all readings, by the form that all tell, by %3 % (F test: p %4).</source>
+        <source>Predicted by the form fitted to the other readings, the gap of %1 readings shrinks by %2 %; by the form fitted to all, the gap of all shrinks by %3 % (F test: p %4).</source>
         <translation>在 %1 个读数上（各按其余读数所示的形式预测），差距缩小 %2 %；按全部读数所示的形式，在全部读数上缩小 %3 %（F 检验：p %4）。</translation>
     </message>
     <message>
@@ -7834,7 +7834,7 @@ Includes every catalogued effect, limited by these readings or by its plausible 
     </message>
     <message>
         <source>The compensator&apos;s tilts in the two faces contradict each other by %1″; they are not used.</source>
-        <translation>补偿器在两个盘位的倾斜量相差 %1″ 而不相符，因此不予使用。</translation>
+        <translation>更改日志从第 %1 条起不再连贯：该条或更早的一条曾在本程序之外被更改。</translation>
     </message>
     <message>
         <source>%1: the pointing zero moved by %2 horizontally and %3 vertically (1σ) while the position was read; U assumes that the zeros scatter %4 times their stated σ.</source>
@@ -8184,7 +8184,7 @@ as read</source>
         <translation>返回码</translation>
     </message>
     <message>
-        <source>Return code of GeoCOM that came with the angles; 0: the instrument vouches for them</source>
+        <source>GeoCOM return code of the angles; 0: the instrument confirms them</source>
         <translation>随角度返回的 GeoCOM 返回码；0：仪器保证该读数</translation>
     </message>
     <message>
@@ -8219,15 +8219,15 @@ as read</source>
 <context>
     <name>ReadingDoubts</name>
     <message>
-        <source>The readings before are of %1, and this one would be of %2: has the axis been turned?</source>
+        <source>The readings before belong to %1, this one to %2: has the axis been turned?</source>
         <translation>此前的读数属于 %1，本读数将属于 %2：轴是否已转动？</translation>
     </message>
     <message>
-        <source>The session states the instrument with serial number %1, and this reading is of serial number %2.</source>
+        <source>The session&apos;s instrument has serial number %1, but this reading comes from serial number %2.</source>
         <translation>测量记录所填仪器的序列号为 %1，而本读数来自序列号 %2。</translation>
     </message>
     <message>
-        <source>The readings before are of the instrument with serial number %1, and this one is of serial number %2.</source>
+        <source>The readings before come from the instrument with serial number %1, but this one from serial number %2.</source>
         <translation>此前的读数来自序列号为 %1 的仪器，而本读数来自序列号 %2。</translation>
     </message>
     <message>
@@ -8235,7 +8235,7 @@ as read</source>
         <translation>%1（返回码 %2。）</translation>
     </message>
     <message>
-        <source>The compensator is off: the readings are not free of the tilt of the instrument.</source>
+        <source>The compensator is off: the readings contain the tilt of the instrument.</source>
         <translation>补偿器已关闭：读数未消除仪器的倾斜。</translation>
     </message>
     <message>
@@ -8244,7 +8244,7 @@ as read</source>
         <translation>仪器此前改正“%1”，现在改正“%2”。</translation>
     </message>
     <message>
-        <source>The same angles stand at %1 already (%2): did the instrument send them again?</source>
+        <source>The same angles are already at %1 (%2): did the instrument send them again?</source>
         <extracomment>a position of the axis and a sighting there: &quot;0°&quot; and &quot;Point 3&quot;</extracomment>
         <translation>相同的角度已在 %1（%2）：仪器是否重发？</translation>
     </message>
@@ -8257,11 +8257,11 @@ as read</source>
         <translation>%1 和 %2</translation>
     </message>
     <message>
-        <source>%1 stands there already and would go.</source>
+        <source>%1 is already there and would be replaced.</source>
         <translation>该处已有 %1，将被替换。</translation>
     </message>
     <message>
-        <source>The %1 stands already, %2, and would go.</source>
+        <source>The %1 is already there, %2, and would be replaced.</source>
         <translation>%1已有 %2，将被替换。</translation>
     </message>
     <message>
@@ -8269,20 +8269,20 @@ as read</source>
         <translation>预期约为 %1 和 %2：目标是否正确？</translation>
     </message>
     <message>
-        <source>It looks at the pointing zero: is it the right target?</source>
-        <translation>它照准瞄准零位：目标是否正确？</translation>
+        <source>The reading points at the pointing zero: is it the right target?</source>
+        <translation>该读数指向瞄准零位：目标是否正确？</translation>
     </message>
     <message>
         <source>The pointing zero of %1 is %2 and %3: is it the right target?</source>
         <translation>%1 的瞄准零位为 %2 和 %3：目标是否正确？</translation>
     </message>
     <message>
-        <source>A reading came, %1 and %2, and the protocol asks for a position of the axis that the session lacks. Add the position, then take it.</source>
+        <source>A reading came, %1 and %2, but the session lacks the position that the protocol asks for. Add the position, then take the reading.</source>
         <translation>读数 %1 和 %2 已到来，而测量记录中没有方案要求的轴位。请添加该轴位，然后采用。</translation>
     </message>
     <message>
-        <source>A reading came, and all is read that was to be: %1 and %2. Add a row, or choose one to be read again, then take it.</source>
-        <translation>读数已到来，而应读的均已读完：%1 和 %2。请添加一行，或选择要重读的一行，然后采用。</translation>
+        <source>A reading came, %1 and %2, but all readings are already taken. Add a row, or choose one to be read again, then take the reading.</source>
+        <translation>读数 %1 和 %2 已到来，而所有读数均已读取。请添加一行，或选择要重读的一行，然后采用。</translation>
     </message>
     <message>
         <source>%1: %2 and %3 in %4 was read.</source>
@@ -8561,8 +8561,8 @@ a clause as a sentence</extracomment>
         <translation>%1。</translation>
     </message>
     <message>
-        <source>The figures of this report are those of the model as it is, but for what is said to be measured; nothing was added or left out because of the diagnosis. The verdict stands only where both accounts say so.</source>
-        <translation>除注明为实测者外，本报告的数字均按现有模型得出；没有因诊断而增加或略去任何内容。只有实测与仅拟合都如此时，判定才成立。</translation>
+        <source>Unless marked “measured”, the figures of this report are those of the session&apos;s model; the diagnosis neither added nor removed anything. The verdict holds only if both results, measured and fit only, agree.</source>
+        <translation>除注明“实测”者外，本报告的数字均按测量记录的模型得出；没有因诊断而增加或略去任何内容。只有实测与仅拟合的结果一致时，判定才成立。</translation>
     </message>
     <message>
         <source>the logo “%1” cannot be used: there is no such file</source>
@@ -8573,7 +8573,7 @@ a clause as a sentence</extracomment>
         <translation>徽标“%1”无法使用：%2</translation>
     </message>
     <message>
-        <source>Ringed: the axis measured again.</source>
+        <source>Ringed: a position measured again.</source>
         <translation>带圈：复测的轴位。</translation>
     </message>
     <message>
@@ -8581,11 +8581,11 @@ a clause as a sentence</extracomment>
         <translation>带划线：盘右。</translation>
     </message>
     <message>
-        <source>Grey: where they may lie at the tolerance of ± %1 mm.</source>
+        <source>Grey: permitted places of the centres, tolerance ± %1 mm.</source>
         <translation>灰色：允差 ± %1 mm 时圆心可在的范围。</translation>
     </message>
     <message>
-        <source>Δx leads from O2 to the cross where O2 would lie if the positions closed; without a cross it does.</source>
+        <source>Δx leads from O2 to the cross, where O2 would be if the positions closed; no cross: they close.</source>
         <translation>Δx 由 O2 指向十字，即各轴位闭合时 O2 应在之处；没有十字则已闭合。</translation>
     </message>
     <message>
@@ -8756,7 +8756,7 @@ a clause as a sentence</extracomment>
         <translation>无：数据中没有对结果不利之处。</translation>
     </message>
     <message>
-        <source>None in the data, but see above what they would not show.</source>
+        <source>None in the data, but see above what is undetectable.</source>
         <translation>数据中没有；但请见上文所列这些读数无法检出的效应。</translation>
     </message>
     <message>
@@ -8776,8 +8776,8 @@ a clause as a sentence</extracomment>
         <translation>每个圆弧对所读角度作严格的正交最小二乘拟合：圆心、半径和每次照准时滑块的位置均为自由量，两个度盘的误差均按给定的 σ。水平角 tan a = x/L，竖直角 %1；坐标系在经纬仪处，x 向右，y 向上。</translation>
     </message>
     <message>
-        <source>Where an axis is measured again its positions have one centre and one radius, and all pointing zeros are estimated along, as well known as stated.</source>
-        <translation>复测的轴位共有一个圆心和一个半径，所有瞄准零位按给定的精度一并估计。</translation>
+        <source>Positions at the same axis angle share one centre and one radius; all pointing zeros are estimated too, with their stated uncertainty.</source>
+        <translation>复测的轴位共有一个圆心和一个半径；所有瞄准零位按给定的不确定度一并估计。</translation>
     </message>
     <message>
         <source>Notes</source>
@@ -8973,7 +8973,7 @@ a clause as a sentence</extracomment>
         <translation>本安装的检查</translation>
     </message>
     <message>
-        <source>Every number is compared with one that was worked out without this program.</source>
+        <source>Every number is compared with one computed without this program.</source>
         <translation>每个数值都与不用本程序求得的数值比较。</translation>
     </message>
     <message>
@@ -9039,15 +9039,15 @@ a clause as a sentence</extracomment>
         <translation>实测 Δd 采用的已知量值：%1</translation>
     </message>
     <message>
-        <source>The curve is the form; hollow marks are what each sighting says with everything but this form in the model.</source>
+        <source>The curve is the form; hollow marks are the value of each sighting with everything but this form in the model.</source>
         <translation>曲线是形式；空心标记是除此形式外其余均列入模型时每次照准所反映的量。</translation>
     </message>
     <message>
-        <source>Filled marks are the same less the form, as found without that sighting.</source>
+        <source>Filled marks: the same minus the form fitted without that sighting.</source>
         <translation>实心标记是减去形式后的同一量，形式由不含该次照准的读数求得。</translation>
     </message>
     <message>
-        <source>Filled marks are the same less the form.</source>
+        <source>Filled marks: the same minus the form.</source>
         <translation>实心标记是减去形式后的同一量。</translation>
     </message>
     <message>
@@ -9175,7 +9175,7 @@ a clause as a sentence</extracomment>
         <translation>闭合差</translation>
     </message>
     <message>
-        <source>What these readings would not show</source>
+        <source>Effects undetectable here</source>
         <translation>这些读数无法检出的效应</translation>
     </message>
     <message>
@@ -9251,7 +9251,7 @@ a clause as a sentence</extracomment>
         <translation>一个误读的读数</translation>
     </message>
     <message>
-        <source>Ten minutes wrong at one point: named, with what was meant</source>
+        <source>One point is wrong by ten minutes: found, with the intended reading</source>
         <translation>一个测点错了十分：指出它，并给出应有的读数</translation>
     </message>
     <message>
@@ -9319,8 +9319,8 @@ a clause as a sentence</extracomment>
         <translation>建档之后受过碰撞</translation>
     </message>
     <message>
-        <source>A record that holds no longer, found out</source>
-        <translation>不再成立的档案，被识破</translation>
+        <source>An outdated instrument record, detected</source>
+        <translation>已过时的仪器档案，被检出</translation>
     </message>
     <message>
         <source>A radius that changes five times in a turn: the form found, with its size</source>
@@ -9331,7 +9331,7 @@ a clause as a sentence</extracomment>
         <translation>导轨凹陷</translation>
     </message>
     <message>
-        <source>The form of an effect of no catalogue, and where the model holds</source>
+        <source>The form of an uncatalogued effect, and where the model holds</source>
         <translation>目录之外效应的形式，以及模型成立之处</translation>
     </message>
     <message>
@@ -9339,8 +9339,8 @@ a clause as a sentence</extracomment>
         <translation>三脚架沉降</translation>
     </message>
     <message>
-        <source>A form of time: the first quarter is off, the rest is not</source>
-        <translation>随时间的形式：前四分之一有偏移，其余没有</translation>
+        <source>A form in time: only the first quarter deviates</source>
+        <translation>随时间的形式：只有前四分之一有偏移</translation>
     </message>
     <message>
         <source>An effect of one&apos;s own</source>
@@ -9474,7 +9474,7 @@ a clause as a sentence</extracomment>
         <translation>多个原因</translation>
     </message>
     <message>
-        <source>an effect of no catalogue</source>
+        <source>an uncatalogued effect</source>
         <translation>目录之外的效应</translation>
     </message>
     <message>
@@ -9522,7 +9522,7 @@ a clause as a sentence</extracomment>
         <translation>真实情况是%1；回答是%2。</translation>
     </message>
     <message>
-        <source>Named, faint as it is.</source>
+        <source>Named, although it is faint.</source>
         <translation>虽微弱但仍被指出。</translation>
     </message>
     <message>
@@ -9530,7 +9530,7 @@ a clause as a sentence</extracomment>
         <translation>过于微弱，不能期望找出。</translation>
     </message>
     <message>
-        <source>It is in the group named, and the group is no larger than it must be.</source>
+        <source>It is in the named group, which is no larger than necessary.</source>
         <translation>它在所指出的组内，且该组没有超出必要的范围。</translation>
     </message>
     <message>
@@ -9648,8 +9648,8 @@ a clause as a sentence</extracomment>
         <translation>目前结果</translation>
     </message>
     <message>
-        <source>All is read that was to be</source>
-        <translation>应读的都已读完</translation>
+        <source>All readings are taken</source>
+        <translation>所有读数均已读取</translation>
     </message>
     <message>
         <source>%1   %2</source>
@@ -9687,7 +9687,7 @@ a clause as a sentence</extracomment>
         <translation>微弱，2 至 6 σ</translation>
     </message>
     <message>
-        <source>The same number and choices give the same trial; each draw goes on by one</source>
+        <source>The same number and choices give the same trial; each draw increases the number by one</source>
         <translation>相同的编号和选择给出相同的盲测；每抽取一次编号加一</translation>
     </message>
     <message>
@@ -9731,7 +9731,7 @@ a clause as a sentence</extracomment>
         <translation>将该盲测的测量记录作为新测量记录打开，其真值仍然密封</translation>
     </message>
     <message>
-        <source>Number of trials at a stretch</source>
+        <source>Number of trials in one run</source>
         <translation>一次进行的盲测个数</translation>
     </message>
     <message>
@@ -9751,7 +9751,7 @@ a clause as a sentence</extracomment>
         <translation>尚未抽取盲测</translation>
     </message>
     <message>
-        <source>A session is simulated by the plan from a truth that nobody sees. The diagnosis knows the readings alone; then you open the seal.</source>
+        <source>A session is simulated by the plan from a hidden truth. The diagnosis knows only the readings; then you open the seal.</source>
         <translation>按读数计划，由无人可见的真值模拟出一份测量记录。诊断只知道读数；然后由您启封。</translation>
     </message>
     <message>
@@ -9782,8 +9782,8 @@ a clause as a sentence</extracomment>
         <translation>不确定度预算</translation>
     </message>
     <message>
-        <source>No arc is fitted yet, so there is nothing to account for.</source>
-        <translation>尚未拟合出圆弧，因此没有可列的内容。</translation>
+        <source>No arc is fitted yet, so there is no budget.</source>
+        <translation>尚未拟合出圆弧，因此没有不确定度预算。</translation>
     </message>
 </context>
 <context>
@@ -9865,7 +9865,7 @@ a clause as a sentence</extracomment>
         <translation>未给出</translation>
     </message>
     <message>
-        <source>Of a value observed once in both faces, as in a data sheet after ISO 17123-3</source>
+        <source>σ of a value observed once in both faces, as in a data sheet after ISO 17123-3</source>
         <translation>盘左、盘右各观测一次所得的值，如按 ISO 17123-3 的说明书所载</translation>
     </message>
     <message>
@@ -9958,14 +9958,14 @@ a clause as a sentence</extracomment>
     </message>
     <message>
         <source>Its name or model, for the record and the report</source>
-        <translation>其名称或型号，用于仪器记录和报告</translation>
+        <translation>其名称或型号，用于仪器档案和报告</translation>
     </message>
     <message>
         <source>Serial &amp;number:</source>
         <translation>序列号(&amp;N)：</translation>
     </message>
     <message>
-        <source>Sessions and histories recognise it by this</source>
+        <source>Identifies the instrument in sessions and histories</source>
         <translation>测量记录和历史据此识别仪器</translation>
     </message>
     <message>
@@ -9982,7 +9982,7 @@ a clause as a sentence</extracomment>
     </message>
     <message>
         <source>Year-month-day; kept in the instrument record</source>
-        <translation>年-月-日；保存在仪器记录中</translation>
+        <translation>年-月-日；保存在仪器档案中</translation>
     </message>
     <message>
         <source>found from the two faces</source>
@@ -10099,7 +10099,7 @@ a clause as a sentence</extracomment>
         <translation>留空：只有一个测站</translation>
     </message>
     <message>
-        <source>Empty: as targets come again</source>
+        <source>Empty: from the repeated targets</source>
         <translation>留空：由目标再次出现得出</translation>
     </message>
     <message>
@@ -10107,7 +10107,7 @@ a clause as a sentence</extracomment>
         <translation>任意名称，两个盘位和所有测回相同</translation>
     </message>
     <message>
-        <source>Empty: as the vertical circle shows</source>
+        <source>Empty: from the vertical circle</source>
         <translation>留空：由竖直度盘得出</translation>
     </message>
     <message>
@@ -10130,7 +10130,7 @@ a clause as a sentence</extracomment>
         <translation>录入的测回</translation>
     </message>
     <message>
-        <source>Type, or paste from a spreadsheet (Ctrl+V); a first row that names columns is followed</source>
+        <source>Type, or paste from a spreadsheet (Ctrl+V); a first row of column names sets their order</source>
         <translation>录入，或从电子表格粘贴 (Ctrl+V)；首行若为列名则照其排列</translation>
     </message>
     <message>
@@ -10305,7 +10305,7 @@ a clause as a sentence</extracomment>
         <translation>全部测量记录中（σ）</translation>
     </message>
     <message>
-        <source>Not told from</source>
+        <source>Look-alikes</source>
         <translation>无法与之区分</translation>
     </message>
     <message>
@@ -10345,7 +10345,7 @@ a clause as a sentence</extracomment>
         <translation>尚无测量记录。</translation>
     </message>
     <message>
-        <source>Reduced χ² of all sessions goes from %1 to %2; sessions held out shrink by %3 %.</source>
+        <source>Reduced χ² of all sessions changes from %1 to %2; residuals of held-out sessions shrink by %3 %.</source>
         <translation>全部测量记录的约化 χ² 由 %1 变为 %2；留出的测量记录的残差缩小 %3 %。</translation>
     </message>
     <message>
@@ -10387,20 +10387,20 @@ a clause as a sentence</extracomment>
         <translation>大小</translation>
     </message>
     <message>
-        <source>What Is Known of It…</source>
-        <translation>有关的已知值…</translation>
+        <source>Known Size…</source>
+        <translation>已知量值…</translation>
     </message>
     <message>
-        <source>Type what a certificate or a check says of the effect</source>
-        <translation>请输入证书或检查对该效应的说明</translation>
+        <source>Type the size of the effect from a certificate or a check</source>
+        <translation>请按证书或检查结果录入该效应的大小</translation>
     </message>
     <message>
         <source>“%1” is no effect of the catalogue; it is kept, but not estimated.</source>
         <translation>“%1”不是目录中的效应；予以保留，但不估计。</translation>
     </message>
     <message>
-        <source>A ticked effect is estimated along with the arcs. What that costs is in the budget under “model effects”.</source>
-        <translation>勾选的效应与圆弧一并估计。其代价见不确定度预算中的“模型效应”。</translation>
+        <source>A ticked effect is estimated together with the arcs. Its share of U is in the budget under “model effects”.</source>
+        <translation>勾选的效应与圆弧一并估计。其在 U 中所占部分见不确定度预算中的“模型效应”。</translation>
     </message>
     <message>
         <source>%1. Remedy: %2.</source>
@@ -10426,7 +10426,7 @@ a clause as a sentence</extracomment>
 <context>
     <name>alidade::ui::EntryGuide</name>
     <message>
-        <source>Nothing takes “%1” here.</source>
+        <source>No entry here accepts “%1”.</source>
         <translation>此处没有接收“%1”的输入项。</translation>
     </message>
 </context>
@@ -10652,7 +10652,7 @@ a clause as a sentence</extracomment>
         <translation>%1 个提示</translation>
     </message>
     <message>
-        <source>Before what was changed since: %1.</source>
+        <source>Before the latest changes: %1.</source>
         <translation>更改前：%1。</translation>
     </message>
     <message>
@@ -10684,11 +10684,11 @@ a clause as a sentence</extracomment>
         <translation>问题</translation>
     </message>
     <message>
-        <source>%1 further entries are missing; those after the ones above are listed when these are made.</source>
+        <source>%1 further entries are missing; they are listed once those above are filled in.</source>
         <translation>还缺 %1 项；上述各项补齐后，将列出其后的项。</translation>
     </message>
     <message>
-        <source>%1 further entries cannot be used; those after the ones above are listed when these are mended.</source>
+        <source>%1 further entries cannot be used; they are listed once those above are corrected.</source>
         <translation>还有 %1 项无法使用；上述各项改正后，将列出其后的项。</translation>
     </message>
     <message>
@@ -10940,12 +10940,12 @@ a clause as a sentence</extracomment>
         <translation>用参考值权衡原因</translation>
     </message>
     <message>
-        <source>Δd itself never rests on it.</source>
+        <source>Δd itself never depends on it.</source>
         <translation>Δd 本身从不依赖于它。</translation>
     </message>
     <message>
-        <source>How far Δd is from the reference then helps to tell the causes apart.
-Δd with the causes rests on the readings alone, and so does the report.</source>
+        <source>The difference of Δd from the reference then helps to distinguish the causes.
+Δd with the causes depends on the readings alone, and so does the report.</source>
         <translation>Δd 与参考值相差多少有助于区分各原因。
 计入原因的 Δd 只依据读数，报告也是如此。</translation>
     </message>
@@ -10990,7 +10990,7 @@ a clause as a sentence</extracomment>
         <translation>作用</translation>
     </message>
     <message>
-        <source>What the diagnosis makes of it</source>
+        <source>Its part in the diagnosis</source>
         <translation>诊断对它的判断</translation>
     </message>
     <message>
@@ -11054,7 +11054,7 @@ a clause as a sentence</extracomment>
         <translation>连同相似原因</translation>
     </message>
     <message>
-        <source>Estimates the ticked causes and all that look alike here, each within its plausible size: U then covers whichever it is</source>
+        <source>Estimates the ticked causes and their look-alikes, each within its plausible size: U then covers whichever it is</source>
         <translation>一并估计所勾选的原因及在此无法区分的所有原因，各在其合理大小之内：无论是哪一个，U 都涵盖</translation>
     </message>
     <message>
@@ -11066,7 +11066,7 @@ a clause as a sentence</extracomment>
         <translation>把所勾选的模型效应去掉</translation>
     </message>
     <message>
-        <source>Should be: no part stands out; one that does is where to look.</source>
+        <source>Should be: no part stands out; look where one does.</source>
         <translation>应为：没有突出的部分；突出之处即应检查之处。</translation>
     </message>
     <message>
@@ -11177,8 +11177,8 @@ a clause as a sentence</extracomment>
         <translation>全部测量</translation>
     </message>
     <message>
-        <source>The first sessions set centre line and limits, which watch the later ones: choose those measured before anything could have changed</source>
-        <translation>最初几次测量确定中心线和控制限，用来监视其后的测量：请选择可能发生变化之前的测量</translation>
+        <source>The first sessions define centre line and limits for the later ones: choose those measured before any change</source>
+        <translation>最初几次测量确定其后测量的中心线和控制限：请选择发生任何变化之前的测量</translation>
     </message>
 </context>
 <context>
@@ -11394,7 +11394,7 @@ a clause as a sentence</extracomment>
         <translation>度.分秒</translation>
     </message>
     <message>
-        <source>Of plain numbers in columns that name no unit. With degrees.minutes seconds 341.5224 is 341°52′24″</source>
+        <source>Unit of numbers in columns without one. With degrees.minutes seconds 341.5224 is 341°52′24″</source>
         <translation>用于列名未注明单位的纯数字。按度.分秒，341.5224 即 341°52′24″</translation>
     </message>
     <message>
@@ -11410,7 +11410,7 @@ a clause as a sentence</extracomment>
         <translation>逗号</translation>
     </message>
     <message>
-        <source>The last of them names the columns</source>
+        <source>The last of these rows has the column names</source>
         <translation>其中最后一行为列名</translation>
     </message>
     <message>
@@ -11469,7 +11469,7 @@ a clause as a sentence</extracomment>
         <translation>文件中的名称(&amp;M)：</translation>
     </message>
     <message>
-        <source>The readings as they will stand</source>
+        <source>Preview of the readings</source>
         <translation>导入后的读数</translation>
     </message>
     <message>
@@ -11651,7 +11651,7 @@ a clause as a sentence</extracomment>
         <translation>请录入，或稍后再录</translation>
     </message>
     <message>
-        <source>As the files or the session have it</source>
+        <source>As in the files or the session</source>
         <translation>与文件或测量记录中相同</translation>
     </message>
     <message>
@@ -11737,7 +11737,7 @@ a clause as a sentence</extracomment>
         <translation>测量记录所填仪器的序列号为 %1，而此仪器为 %2。</translation>
     </message>
     <message>
-        <source>%1 readings wait until the open entry is handed in (Enter) or given up (Esc)</source>
+        <source>%1 readings wait until the open entry is accepted (Enter) or cancelled (Esc)</source>
         <translation>%1 个读数在等待：请提交（Enter）或取消（Esc）正在录入的输入项</translation>
     </message>
 </context>
@@ -11784,8 +11784,8 @@ a clause as a sentence</extracomment>
         <translation>关闭</translation>
     </message>
     <message>
-        <source>Rounds to several targets, each in both faces, show how far a direction and a zenith angle scatter, and collimation, index and tilt of the trunnion axis. Half an hour, worth it before a series and after a transport. Three rounds to four targets spread around the horizon, one of them steep, at distances like those of the work.</source>
-        <translation>对多个目标的双盘位测回显示方向和天顶距的离散，以及照准差、指标差和横轴误差。只需半小时，在一系列测量之前和运输之后值得一做。三个测回，四个分布于四周的目标，其中一个较陡，距离与工作时相近。</translation>
+        <source>Rounds to several targets in both faces show the scatter of a direction and of a zenith angle, and collimation, index and tilt of the trunnion axis. Allow half an hour, before a series and after a transport. Observe three rounds to four targets around the horizon, one of them steep, at distances like those of the work.</source>
+        <translation>对多个目标的双盘位测回显示方向和天顶距的离散，以及照准差、指标差和横轴误差。在一系列测量之前和运输之后各用半小时。观测三个测回，四个分布于四周的目标，其中一个较陡，距离与工作时相近。</translation>
     </message>
     <message>
         <source>Export instrument check</source>
@@ -11800,7 +11800,7 @@ a clause as a sentence</extracomment>
         <translation>保存仪器档案</translation>
     </message>
     <message>
-        <source>Collimation, index, tilt, offset of the line of sight and σ of the circles, for sessions to take</source>
+        <source>Collimation, index, tilt, offset of the line of sight and σ of the circles, for use in sessions</source>
         <translation>照准差、指标差、横轴误差、视线偏距与度盘的 σ，供测量记录采用</translation>
     </message>
     <message>
@@ -11847,7 +11847,7 @@ a clause as a sentence</extracomment>
         <translation>另存为仪器档案</translation>
     </message>
     <message>
-        <source>What the session says of its instrument cannot be a record.
+        <source>The session&apos;s instrument data cannot be saved as a record.
 
 %1</source>
         <translation>测量记录中关于其仪器的内容不能成为档案。
@@ -11870,7 +11870,7 @@ a clause as a sentence</extracomment>
 <context>
     <name>alidade::ui::InstrumentLink</name>
     <message>
-        <source>The port %1 could not be opened: %2. Another program may have it, or you are not of the group that may use ports (on Debian: dialout).</source>
+        <source>The port %1 could not be opened: %2. Another program may be using it, or you are not in the group that may use ports (on Debian: dialout).</source>
         <translation>端口 %1 无法打开：%2。可能被另一程序占用，或您不属于可使用端口的组（在 Debian 上为 dialout）。</translation>
     </message>
     <message>
@@ -11886,12 +11886,12 @@ a clause as a sentence</extracomment>
         <translation>未连接仪器：请先连接（仪器 › 连接）。</translation>
     </message>
     <message>
-        <source>The line to the instrument broke: %1. Was the cable or the instrument unplugged? What was read stays; put it in and connect again.</source>
+        <source>The connection to the instrument broke: %1. Was the cable or the instrument unplugged? The readings are kept; plug it in and connect again.</source>
         <translation>到仪器的线路中断：%1。电缆或仪器是否被拔出？已读的保留不变；请插好后重新连接。</translation>
     </message>
     <message>
-        <source>The instrument takes nothing: what was sent waits in a full buffer, and no more is sent. Look at the cable and the instrument, then connect again.</source>
-        <translation>仪器不接收：已发送的内容滞留在已满的缓冲区中，不再发送。请检查电缆和仪器，然后重新连接。</translation>
+        <source>The instrument accepts no data: the send buffer is full, and sending has stopped. Check the cable and the instrument, then connect again.</source>
+        <translation>仪器不接收数据：发送缓冲区已满，已停止发送。请检查电缆和仪器，然后重新连接。</translation>
     </message>
 </context>
 <context>
@@ -11901,7 +11901,7 @@ a clause as a sentence</extracomment>
         <translation>停止</translation>
     </message>
     <message>
-        <source>Leaves it at the fit; the next edit takes all up again</source>
+        <source>Stops after the fit; the next edit starts all again</source>
         <translation>停在拟合结果；下次编辑会重新开始全部计算</translation>
     </message>
     <message>
@@ -11948,7 +11948,7 @@ a clause as a sentence</extracomment>
         <translation>由</translation>
     </message>
     <message>
-        <source>As it stood</source>
+        <source>Old content</source>
         <translation>原有内容</translation>
     </message>
     <message>
@@ -11956,7 +11956,7 @@ a clause as a sentence</extracomment>
         <translation>变为</translation>
     </message>
     <message>
-        <source>What it became</source>
+        <source>New content</source>
         <translation>更改后的内容</translation>
     </message>
     <message>
@@ -11972,7 +11972,7 @@ a clause as a sentence</extracomment>
         <translation>操作者</translation>
     </message>
     <message>
-        <source>The operator, as the session had it then</source>
+        <source>Operator in the session at that time</source>
         <translation>测量记录当时记载的操作者</translation>
     </message>
     <message>
@@ -12023,15 +12023,15 @@ a clause as a sentence</extracomment>
         <translation>目录中某效应的一个量</translation>
     </message>
     <message>
-        <source>Where the session keeps what is known of it</source>
+        <source>Where the session keeps its known size</source>
         <translation>测量记录在何处保存其已知值</translation>
     </message>
     <message>
-        <source>Plausible size (1σ), taken where nothing is known</source>
+        <source>Plausible size (1σ), used if no size is known</source>
         <translation>合理大小（1σ），在没有已知值时采用</translation>
     </message>
     <message>
-        <source>What is known, in the unit of the default; empty: 0</source>
+        <source>Known size, in the unit of the default; empty: 0</source>
         <translation>已知的值，单位与默认值相同；空：0</translation>
     </message>
     <message>
@@ -12047,15 +12047,15 @@ a clause as a sentence</extracomment>
         <translation>默认</translation>
     </message>
     <message>
-        <source>Type the standard uncertainty of what is known; until then the default is taken.</source>
+        <source>Type the standard uncertainty of the known size; until then the default is used.</source>
         <translation>请输入已知值的标准不确定度；在此之前采用默认值。</translation>
     </message>
     <message>
-        <source>The session says more than once what is known of this number: all of it is weighed together.</source>
+        <source>The session has several known sizes for this number: they are combined by their weights.</source>
         <translation>测量记录中对该量的已知值不止一处：全部加权合并。</translation>
     </message>
     <message>
-        <source>%1. What is known of it belongs to the %2.</source>
+        <source>%1. Its known size belongs to the %2.</source>
         <translation>%1。有关它的已知值归属于%2。</translation>
     </message>
     <message>
@@ -12066,8 +12066,8 @@ a clause as a sentence</extracomment>
 <context>
     <name>alidade::ui::KnownSizesPanel</name>
     <message>
-        <source>What a certificate or a check says takes the place of the default in the uncertainty as measured and in the search for causes.</source>
-        <translation>在实测的不确定度和寻找原因时，证书或检查所述的值取代默认值。</translation>
+        <source>A size from a certificate or a check replaces the default in the uncertainty of Δd, measured, and in the search for causes.</source>
+        <translation>证书或检查给出的量值取代默认值，用于实测 Δd 的不确定度和原因的寻找。</translation>
     </message>
     <message>
         <source>Take from Instrument Record…</source>
@@ -12082,7 +12082,7 @@ a clause as a sentence</extracomment>
         <translation>另存为仪器档案…</translation>
     </message>
     <message>
-        <source>What this session says of its instrument as a file, for the next sessions</source>
+        <source>The session&apos;s instrument data as a file, for the next sessions</source>
         <translation>将本测量记录关于其仪器的内容存为文件，供以后的测量记录使用</translation>
     </message>
 </context>
@@ -12093,18 +12093,18 @@ a clause as a sentence</extracomment>
         <translation>各效应的已知量值</translation>
     </message>
     <message>
-        <source>Paste what is known</source>
+        <source>Paste known sizes</source>
         <translation>粘贴已知值</translation>
     </message>
     <message>
-        <source>Clear what is known</source>
+        <source>Clear known sizes</source>
         <translation>清除已知值</translation>
     </message>
 </context>
 <context>
     <name>alidade::ui::LeftoverStrips</name>
     <message>
-        <source>What is left over along s, e and t</source>
+        <source>Leftover along s, e and t</source>
         <translation>沿 s、e 和 t 的剩余</translation>
     </message>
     <message>
@@ -12301,7 +12301,7 @@ a clause as a sentence</extracomment>
         <translation>是否已测</translation>
     </message>
     <message>
-        <source>passed over</source>
+        <source>skipped</source>
         <translation>已跳过</translation>
     </message>
     <message>
@@ -12325,7 +12325,7 @@ a clause as a sentence</extracomment>
         <translation>说明</translation>
     </message>
     <message>
-        <source>Why it is to be taken again, and what is out of the order</source>
+        <source>Why it must be taken again, and what is out of order</source>
         <translation>为何应重测，以及何者未按顺序</translation>
     </message>
     <message>
@@ -12337,15 +12337,15 @@ a clause as a sentence</extracomment>
         <translation>未按顺序</translation>
     </message>
     <message>
-        <source>A protocol leads from sighting to sighting: which is next and what it will read, what is left, what to take again, and when it is enough.</source>
-        <translation>方案引导逐次照准：下一个是什么、读数将是多少、还剩什么、什么应重测，以及何时足够。</translation>
+        <source>A protocol shows the next sighting and its expected reading, what is left, what to repeat, and when the readings are enough.</source>
+        <translation>方案给出下一次照准及其预期读数、还剩什么、什么应重测，以及何时足够。</translation>
     </message>
     <message>
         <source>sighting %1 of %2</source>
         <translation>第 %1 次照准，共 %2 次</translation>
     </message>
     <message>
-        <source>All of the protocol is there.</source>
+        <source>The protocol is complete.</source>
         <translation>方案已全部测完。</translation>
     </message>
     <message>
@@ -12361,15 +12361,15 @@ a clause as a sentence</extracomment>
         <translation>%1%2</translation>
     </message>
     <message>
-        <source>As the Rows Are</source>
-        <translation>与现有各行相同</translation>
+        <source>From the Rows</source>
+        <translation>取自现有各行</translation>
     </message>
     <message>
-        <source>These and %1</source>
+        <source>Rows and %1</source>
         <translation>现有各行加%1</translation>
     </message>
     <message>
-        <source>These and What Is Advised</source>
+        <source>Rows and the Advice</source>
         <translation>现有各行加建议的内容</translation>
     </message>
     <message>
@@ -12389,11 +12389,11 @@ a clause as a sentence</extracomment>
         <translation>无</translation>
     </message>
     <message>
-        <source>Next: What Tells Most</source>
+        <source>Most Informative Next</source>
         <translation>下一步：信息最多者</translation>
     </message>
     <message>
-        <source>The next sighting is the one that tells most for its minutes, instead of the first left</source>
+        <source>The next sighting is the one with the most information per minute, not the first one left</source>
         <translation>下一次照准取单位时间信息最多者，而不是剩余的第一个</translation>
     </message>
     <message>
@@ -12417,7 +12417,7 @@ a clause as a sentence</extracomment>
         <translation>无</translation>
     </message>
     <message>
-        <source>Lists the sightings that bring U of Δd there in the fewest minutes. With 0 it is a third of the tolerance</source>
+        <source>Lists the sightings that reach this U of Δd in the fewest minutes. With 0 it is a third of the tolerance</source>
         <translation>列出以最少分钟使 Δd 的 U 降到此值的照准。填 0 时取允差的三分之一</translation>
     </message>
     <message>
@@ -12886,7 +12886,7 @@ a clause as a sentence</extracomment>
         <translation>%1 次照准</translation>
     </message>
     <message>
-        <source>As it was typed when the program ended.</source>
+        <source>Restored as typed when the program ended.</source>
         <translation>与程序结束时录入的内容相同。</translation>
     </message>
     <message>
@@ -12894,7 +12894,7 @@ a clause as a sentence</extracomment>
         <translation> min</translation>
     </message>
     <message>
-        <source>Next is what tells &amp;most</source>
+        <source>Next: &amp;most informative</source>
         <translation>下一步取信息最多者(&amp;M)</translation>
     </message>
     <message>
@@ -12967,15 +12967,15 @@ a clause as a sentence</extracomment>
         <translation>有疑问的仪器读数</translation>
     </message>
     <message>
-        <source>Enters it as it was read; the cell keeps a sign of what was expected</source>
+        <source>Enters the reading unchanged; the cell keeps a mark with what was expected</source>
         <translation>照所读填入；单元格保留与预期不符的标记</translation>
     </message>
     <message>
-        <source>It stays in the log of the connection. Point at the right target and read again</source>
+        <source>The reading stays in the connection log. Point at the right target and read again</source>
         <translation>它保留在连接日志中。请照准正确的目标后重读</translation>
     </message>
     <message>
-        <source>%1 Readings that wait behind it: %2.</source>
+        <source>%1 Further readings waiting: %2.</source>
         <translation>%1在其后等待的读数：%2。</translation>
     </message>
 </context>
@@ -13001,11 +13001,11 @@ a clause as a sentence</extracomment>
         <translation>最初录入为 %1</translation>
     </message>
     <message>
-        <source>Still to be read; until then the row is no part of the fit</source>
+        <source>Still to be read; until then the row is not used in the fit</source>
         <translation>尚待读取；在此之前该行不参与拟合</translation>
     </message>
     <message>
-        <source>Excluded: kept, but no part of the fit</source>
+        <source>Excluded: kept, but not used in the fit</source>
         <translation>已排除：保留，但不参与拟合</translation>
     </message>
     <message>
@@ -13013,7 +13013,7 @@ a clause as a sentence</extracomment>
         <translation>录入的内容：%1</translation>
     </message>
     <message>
-        <source>No other reading checks this one: its residual says nothing of it</source>
+        <source>No other reading checks this one: its residual says nothing about it</source>
         <translation>没有其他读数检核此读数：其残差说明不了它</translation>
     </message>
     <message>
@@ -13048,11 +13048,11 @@ a clause as a sentence</extracomment>
         <translation>剪贴板中未粘贴的列：%1。</translation>
     </message>
     <message>
-        <source>The last column of the clipboard found no room and was not pasted.</source>
+        <source>The last column of the clipboard did not fit and was not pasted.</source>
         <translation>剪贴板的最后一列没有位置，未粘贴。</translation>
     </message>
     <message>
-        <source>The last %1 columns of the clipboard found no room and were not pasted.</source>
+        <source>The last %1 columns of the clipboard did not fit and were not pasted.</source>
         <translation>剪贴板的最后 %1 列没有位置，未粘贴。</translation>
     </message>
     <message>
@@ -13106,8 +13106,8 @@ a clause as a sentence</extracomment>
         <translation>全部档案</translation>
     </message>
     <message>
-        <source>The first records set centre line and limits, which watch the later ones</source>
-        <translation>前几份档案确定中心线和控制限，用以监视其后的档案</translation>
+        <source>The first records define centre line and limits for the later ones</source>
+        <translation>前几份档案确定其后档案的中心线和控制限</translation>
     </message>
     <message>
         <source>&amp;Instrument</source>
@@ -13165,7 +13165,7 @@ a clause as a sentence</extracomment>
         <translation>保留有未保存的更改</translation>
     </message>
     <message>
-        <source>Alidade ended without saving. Recovered, the changes are back in the window, unsaved; the file stays as it is until you save.</source>
+        <source>Alidade ended without saving. Recover puts the changes back into the window, unsaved; the file stays as it is until you save.</source>
         <translation>Alidade 未保存就结束了。恢复后，更改将回到窗口中，仍未保存；在您保存之前文件保持不变。</translation>
     </message>
     <message>
@@ -13295,8 +13295,8 @@ a clause as a sentence</extracomment>
         <translation>读数</translation>
     </message>
     <message>
-        <source>What was read; behind all readings, what was entered once</source>
-        <translation>所读的内容；所有读数之后是只录入一次的内容</translation>
+        <source>The reading; quantities entered once follow after all readings</source>
+        <translation>读数；只录入一次的量列在所有读数之后</translation>
     </message>
     <message>
         <source>Residual ″</source>
@@ -13311,7 +13311,7 @@ a clause as a sentence</extracomment>
         <translation>w</translation>
     </message>
     <message>
-        <source>Standardised residual v/(s0 σ √r): of a sound reading it scatters by 1</source>
+        <source>Standardised residual v/(s0 σ √r): of a good reading, its standard deviation is 1</source>
         <translation>标准化残差 v/(s0 σ √r)：正常读数的离散为 1</translation>
     </message>
     <message>
@@ -13339,19 +13339,19 @@ a clause as a sentence</extracomment>
         <translation>Δd 的改变 mm</translation>
     </message>
     <message>
-        <source>What an error of that size, unfound, does to the intersection; of what was entered once, an error of one unit</source>
-        <translation>该大小的误差未被发现时对相交度的影响；对只录入一次的内容，则为一个单位的误差</translation>
+        <source>Change of Δd by an undetected error of that size; for quantities entered once, by an error of one unit</source>
+        <translation>该大小的误差未被发现时引起的 Δd 的改变；对只录入一次的量，则由一个单位的误差引起</translation>
     </message>
 </context>
 <context>
     <name>alidade::ui::RemedyList</name>
     <message>
-        <source>It happened between a pointing zero and the first place after it, or that zero was misread; in which of the positions these readings do not tell. No model of a session holds a jump, so there is none to add: sight both zeros again and read the positions anew.</source>
-        <translation>它发生在瞄准零位与其后第一个位置之间，或者是该零位被误读；这些读数不能说明是在哪个轴位。测量记录的模型都不含突跳，因此没有可加入的内容：请重新照准两个零位并重新读取各轴位。</translation>
+        <source>It happened between a pointing zero and the first place after it, or that zero was misread; these readings do not show in which position. A jump cannot be added to the model: sight both zeros again and repeat the positions.</source>
+        <translation>它发生在瞄准零位与其后第一个位置之间，或者是该零位被误读；这些读数不能说明是在哪个轴位。突跳不能加入模型：请重新照准两个零位并重新读取各轴位。</translation>
     </message>
     <message>
-        <source>It happened before %1. No model of a session holds a jump, so there is none to add: look after the stand, sight the pointing zero anew and read this position again.</source>
-        <translation>它发生在 %1 之前。测量记录的模型都不含突跳，因此没有可加入的内容：请检查支架，重新照准瞄准零位并再次读取该轴位。</translation>
+        <source>It happened before %1. A jump cannot be added to the model: check the stand, sight the pointing zero again and repeat this position.</source>
+        <translation>它发生在 %1 之前。突跳不能加入模型：请检查支架，重新照准瞄准零位并再次读取该轴位。</translation>
     </message>
     <message>
         <source> Or leave out the rows before the jump, if the pointing zero of the next position was not sighted after it.</source>
@@ -13362,8 +13362,8 @@ a clause as a sentence</extracomment>
         <translation>也可去掉从该处起的行。</translation>
     </message>
     <message>
-        <source> Or leave out the rows from there on, if it was.</source>
-        <translation>若是如此，也可去掉从该处起的行。</translation>
+        <source> Or leave out the rows from there on, if that zero was sighted after it.</source>
+        <translation>如果该零位是在突跳之后照准的，也可去掉从该处起的行。</translation>
     </message>
     <message>
         <source> Or leave out the rows from there on, if the pointing zero of the next position was sighted after it.</source>
@@ -13382,8 +13382,8 @@ a clause as a sentence</extracomment>
         <translation>在测量表单中设置竖直角的关系式：这样就不必估计效应</translation>
     </message>
     <message>
-        <source>Perhaps %1 right beside it, which would move Δd: read the position again before a row is left out.</source>
-        <translation>也许是紧邻的%1，它会使 Δd 改变：去掉任何行之前请再次读取该轴位。</translation>
+        <source>The cause may also be %1, which would move Δd: read the position again before a row is left out.</source>
+        <translation>原因也可能是%1，它会使 Δd 改变：去掉任何行之前请再次读取该轴位。</translation>
     </message>
     <message>
         <source> or </source>
@@ -13411,8 +13411,8 @@ a clause as a sentence</extracomment>
         <translation>排除从该处起的行</translation>
     </message>
     <message>
-        <source>Nothing to add to the model: U rests on the scatter of the readings already. If the instrument and the place are no better than this, state the larger σ.</source>
-        <translation>没有可加入模型的内容：U 已基于读数的离散。如果仪器和场地不过如此，请给定更大的 σ。</translation>
+        <source>Nothing to add to the model: U already includes the scatter of the readings. If the instrument and the place are no better than this, state the larger σ.</source>
+        <translation>没有可加入模型的内容：U 已包含读数的离散。如果仪器和场地不过如此，请给定更大的 σ。</translation>
     </message>
     <message>
         <source>%1 and %2</source>
@@ -13502,7 +13502,7 @@ a clause as a sentence</extracomment>
         <translation>选择文件夹(&amp;F)…</translation>
     </message>
     <message>
-        <source>Of the sessions of this device: the report tells Δd over time on a page of its own</source>
+        <source>Folder of the sessions of this device: the report shows Δd over time on a separate page</source>
         <translation>此设备的测量记录所在的文件夹：报告用单独一页说明 Δd 随时间的变化</translation>
     </message>
     <message>
@@ -13518,7 +13518,7 @@ a clause as a sentence</extracomment>
         <translation>不包含</translation>
     </message>
     <message>
-        <source>The session leaves empty what a laboratory would state: %1. The report names it as not stated; it is filled in on the forms of the window.</source>
+        <source>The session lacks entries that a laboratory states: %1. The report names them as not stated; fill them in on the forms of the window.</source>
         <translation>测量记录中实验室应说明而留空的项：%1。报告将其标为未说明；可在窗口的表单中填写。</translation>
     </message>
     <message>
@@ -13526,7 +13526,7 @@ a clause as a sentence</extracomment>
         <translation>校准证书</translation>
     </message>
     <message>
-        <source>ISO/IEC 17025 requires what the session leaves empty: %1. It is filled in on the forms of the window; without it only a draft can be made.</source>
+        <source>ISO/IEC 17025 requires entries that the session lacks: %1. Fill them in on the forms of the window; without them only a draft can be made.</source>
         <translation>测量记录中未填写 ISO/IEC 17025 要求的内容：%1。可在窗口的表单中填写；否则只能出具草稿。</translation>
     </message>
     <message>
@@ -13575,7 +13575,7 @@ a clause as a sentence</extracomment>
     </message>
     <message>
         <source>Ma&amp;ker of the device</source>
-        <translation>装置制造商(&amp;K)</translation>
+        <translation>设备制造商(&amp;K)</translation>
     </message>
 </context>
 <context>
@@ -13641,7 +13641,7 @@ a clause as a sentence</extracomment>
         <translation>正在读取设备的历史…</translation>
     </message>
     <message>
-        <source>The folder of the history holds no session of this device: the report goes without.</source>
+        <source>The folder of the history holds no session of this device: the report has no history.</source>
         <translation>历史文件夹中没有此设备的测量记录：报告不含历史。</translation>
     </message>
     <message>
@@ -13774,11 +13774,11 @@ a clause as a sentence</extracomment>
         <translation>尚未拟合圆弧：没有残差。</translation>
     </message>
     <message>
-        <source>Nothing of what is chosen to be drawn was read.</source>
+        <source>There are no readings of the kind chosen to be drawn.</source>
         <translation>所选绘制的内容没有读数。</translation>
     </message>
     <message>
-        <source>not drawn: %1 that nothing checks</source>
+        <source>not drawn: %1 without a check</source>
         <translation>未绘制：%1 个没有检核的读数</translation>
     </message>
     <message>
@@ -13900,8 +13900,8 @@ a clause as a sentence</extracomment>
         <translation>%1 个残差的直方图，区间宽 %2，每区间至多 %3 个</translation>
     </message>
     <message>
-        <source>Should be: the bars follow the curve; wider, the stated noise is too small; two humps or a long tail show a gap or a misreading.</source>
-        <translation>应为：各柱沿曲线分布；若更宽，则给定噪声过小；双峰或长尾表明有差距或误读。</translation>
+        <source>Should be: the bars follow the curve. Wider: the stated noise is too small; two humps or a long tail: a gap or a misreading.</source>
+        <translation>应为：各柱沿曲线分布。更宽：给定噪声过小；双峰或长尾：有差距或误读。</translation>
     </message>
 </context>
 <context>
@@ -14081,7 +14081,7 @@ a clause as a sentence</extracomment>
         <translation>判定</translation>
     </message>
     <message>
-        <source>Trouble</source>
+        <source>Problem</source>
         <translation>问题</translation>
     </message>
     <message>
@@ -14125,8 +14125,8 @@ a clause as a sentence</extracomment>
         <translation>测量记录：%1</translation>
     </message>
     <message>
-        <source>Sessions: %1, of them %2 that take no part</source>
-        <translation>测量记录：%1，其中 %2 份不参与</translation>
+        <source>Sessions: %1, of them not used: %2</source>
+        <translation>测量记录：%1，其中未使用：%2</translation>
     </message>
     <message>
         <source>Export history</source>
@@ -14195,15 +14195,15 @@ a clause as a sentence</extracomment>
         <translation>蒙特卡洛检验</translation>
     </message>
     <message>
-        <source>as many as it takes</source>
+        <source>as many as needed</source>
         <translation>按需要的次数</translation>
     </message>
     <message>
-        <source>The more draws, the better known the ends of the interval. With 0 as many are made as it takes to tell whether the propagated uncertainty holds</source>
+        <source>More draws determine the ends of the interval better. With 0, as many are made as are needed to decide whether the propagated uncertainty holds</source>
         <translation>抽样次数越多，区间端点越准。为 0 时，抽样到足以判断传播的不确定度是否成立为止</translation>
     </message>
     <message>
-        <source>Draws every reading, pointing zero and length from its distribution and fits anew, each time (JCGM 101)</source>
+        <source>Draws every reading, pointing zero and length from its distribution and fits again, each time (JCGM 101)</source>
         <translation>每次从各读数、瞄准零位和长度的分布中抽样并重新拟合（JCGM 101）</translation>
     </message>
     <message>
@@ -14211,7 +14211,7 @@ a clause as a sentence</extracomment>
         <translation>已完成的抽样</translation>
     </message>
     <message>
-        <source>Stopped, for the session has changed.</source>
+        <source>Stopped, because the session has changed.</source>
         <translation>测量记录已更改，因此停止。</translation>
     </message>
     <message>
@@ -14270,7 +14270,7 @@ a clause as a sentence</extracomment>
         <translation>Alidade</translation>
     </message>
     <message>
-        <source>Does the centre of a rotatable arc lie on its axis? The readings of a theodolite in, the intersection with its uncertainty and a verdict out.</source>
+        <source>Does the centre of a rotatable arc lie on its axis? Enter the readings of a theodolite; get the intersection with its uncertainty and a verdict.</source>
         <translation>可转动圆弧的圆心是否在其轴上？输入经纬仪读数，得出相交度及其不确定度和判定。</translation>
     </message>
     <message>
@@ -14290,8 +14290,8 @@ a clause as a sentence</extracomment>
         <translation>指南：十步</translation>
     </message>
     <message>
-        <source>Typing begins a session, Esc leads back to it, F1 is help.</source>
-        <translation>直接输入即开始新的测量记录，Esc 返回该记录，F1 为帮助。</translation>
+        <source>Type to begin a session; Esc returns to it; F1 opens the guide.</source>
+        <translation>直接输入即开始新的测量记录；Esc 返回该记录；F1 打开指南。</translation>
     </message>
     <message>
         <source>not found</source>
@@ -14324,7 +14324,7 @@ a clause as a sentence</extracomment>
         <translation>其他</translation>
     </message>
     <message>
-        <source>What else may have been meant</source>
+        <source>Other possible readings</source>
         <translation>可能的其他读数</translation>
     </message>
     <message>
@@ -14336,7 +14336,7 @@ a clause as a sentence</extracomment>
         <translation>下一个 (F7)</translation>
     </message>
     <message>
-        <source>Leads to the reading in the table; asked again, to the next</source>
+        <source>Goes to the reading in the table; pressed again, to the next</source>
         <translation>转到表格中的该读数；再次点击则转到下一个</translation>
     </message>
     <message>
@@ -14391,7 +14391,7 @@ a clause as a sentence</extracomment>
     </message>
     <message>
         <source>Plan of readings</source>
-        <translation>读数方案</translation>
+        <translation>读数计划</translation>
     </message>
     <message>
         <source>Truth</source>
@@ -14517,8 +14517,8 @@ a clause as a sentence</extracomment>
         <translation>指标差 ″</translation>
     </message>
     <message>
-        <source>What the vertical circle reads too much in both faces: half of β1 + β2 over the full sum</source>
-        <translation>竖直度盘在两盘位多读的量：β1 + β2 超出整圆部分的一半</translation>
+        <source>Index error of the vertical circle: half of β1 + β2 minus the nominal sum</source>
+        <translation>竖直度盘的指标差：β1 + β2 减去其标称和的一半</translation>
     </message>
 </context>
 <context>

@@ -63,7 +63,7 @@ TEST(Diagnose, SaysItInWordsToo) {
   const ProgramRun outcome = alidadeCli({"diagnose", trials + "293018.alidade"});
   EXPECT_EQ(outcome.exitCode, 0);
   EXPECT_THAT(outcome.out, HasSubstr("Collimation  "));
-  EXPECT_THAT(outcome.out, HasSubstr("cannot be told from: horizontal circle eccentricity"));
+  EXPECT_THAT(outcome.out, HasSubstr("indistinguishable: horizontal circle eccentricity"));
 }
 
 // 600″ is 300 σ: such misread values are excluded before the search, and still reported everywhere.

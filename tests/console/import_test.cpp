@@ -138,7 +138,7 @@ TEST_F(ImportTest, NeverWritesOverTheFileItReads) {
       runProgram({.program = "/bin/sh",
                   .arguments = {"-c", "exec \"$0\" import - --out \"$1\" < \"$1\"", ALIDADE_CLI, csv}});
   expectRefusal(run);
-  EXPECT_THAT(run.err, HasSubstr("it is the file that is read: choose another name"));
+  EXPECT_THAT(run.err, HasSubstr("this is the file being read: choose another name"));
   EXPECT_THAT(contentOf(csv), StartsWith("Hz,V"));
 }
 
@@ -206,7 +206,7 @@ TEST_F(ImportTest, ReadsStandardInput) {
                                      .arguments = {"import", "-", "--out", session},
                                      .input = "axis,Hz,V\n0,341°,88°\n"});
   EXPECT_EQ(run.exitCode, 0);
-  EXPECT_THAT(run.err, Not(HasSubstr("put at 0°")));
+  EXPECT_THAT(run.err, Not(HasSubstr("assigned to 0°")));
 }
 
 }  // namespace

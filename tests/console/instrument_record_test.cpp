@@ -45,8 +45,7 @@ TEST(InstrumentOption, TakesTheRecordForThisRun) {
   EXPECT_NEAR(known.at("readings").at("value").get<double>(), 25,
               3 * known.at("readings").at("sigma").get<double>());
   EXPECT_LT(known.at("stale_probability").get<double>(), 0.02);
-  EXPECT_THAT(answer.at("sentence").get<std::string>(),
-              HasSubstr("What is known beforehand (trunnion tilt)"));
+  EXPECT_THAT(answer.at("sentence").get<std::string>(), HasSubstr("The known sizes (trunnion tilt)"));
 }
 
 TEST(InstrumentOption, FindsAStaleRecordOut) {

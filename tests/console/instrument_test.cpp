@@ -49,8 +49,8 @@ TEST(InstrumentCommand, FindsWhatTheSampleWasMadeOf) {
 TEST(InstrumentCommand, TellsPeople) {
   const ProgramRun run = alidadeCli({"instrument", sample});
   ASSERT_EQ(run.exitCode, 0) << run.err;
-  for (const char* text :
-       {"SIMULATED, 123456", "ISO 17123-3", "pooled", "P1, by round", "P1, by target", "goes with 1/D"})
+  for (const char* text : {"SIMULATED, 123456", "ISO 17123-3", "pooled", "P1, by round", "P1, by target",
+                           "in proportion to 1/D"})
     EXPECT_THAT(run.out, HasSubstr(text));
 }
 
@@ -96,7 +96,7 @@ TEST(InstrumentCommand, TakesSeveralFilesAndStandardInput) {
   EXPECT_EQ(json["stations"].size(), 3U);
   EXPECT_EQ(json["stations"][0]["rounds"], 1);
   EXPECT_TRUE(json["stations"][0]["s_direction_arcsec"].is_null());
-  EXPECT_THAT(run.err, HasSubstr("plain numbers are taken for"));
+  EXPECT_THAT(run.err, HasSubstr("numbers without a unit are read as"));
 }
 
 TEST(InstrumentCommand, RefusesInOneLine) {

@@ -61,7 +61,7 @@ TEST_F(LineOfSightTest, IsInTheRecordOfTheCheck) {
 TEST_F(LineOfSightTest, AccountsForTheGapAtTheDistanceOfTheSession) {
   const Json answer = diagnosed([](Json&) {});
   EXPECT_EQ(answer.at("verdict"), "within-noise");
-  EXPECT_THAT(answer.at("sentence").get<std::string>(), HasSubstr("What is known beforehand (collimation"));
+  EXPECT_THAT(answer.at("sentence").get<std::string>(), HasSubstr("The known sizes (collimation"));
   const Json& known = answer.at("known").at(0);
   EXPECT_EQ(known.at("effect"), "collimation");
   // u of c + e/D, with their correlation, is 0.17″; the tolerance is three times that.

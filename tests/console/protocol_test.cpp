@@ -94,7 +94,7 @@ TEST(ProtocolCommand, WritesNoFileOverTheTemplateThatItFollows) {
   for (const char* option : {"--out", "--save-template"}) {
     const ProgramRun run = alidadeCli({"protocol", paperSession, "--template", saved, option, saved});
     expectRefusal(run);
-    EXPECT_THAT(run.err, HasSubstr("it is the file that is read"));
+    EXPECT_THAT(run.err, HasSubstr("this is the file being read"));
     EXPECT_EQ(contentOf(saved), before) << option;
   }
   const ProgramRun named =

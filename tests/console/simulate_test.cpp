@@ -196,7 +196,7 @@ TEST_F(SimulateTest, WritesOverNoInstrumentRecord) {
     *(std::find(call.begin(), call.end(), option) + 1) = record;
     const ProgramRun run = alidadeCli(call);
     expectRefusal(run);
-    EXPECT_THAT(run.err, HasSubstr("it is the file that is read"));
+    EXPECT_THAT(run.err, HasSubstr("this is the file being read"));
     EXPECT_EQ(contentOf(record), text);
   }
 }

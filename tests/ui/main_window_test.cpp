@@ -486,7 +486,7 @@ TEST(Workstation, WritesAReportWithoutADisplay) {
   QFile::setPermissions(session, QFile::ReadOwner | QFile::WriteOwner);
   for (const QString& target : {session, link}) {
     EXPECT_EQ(run({QStringLiteral("--report"), target, session}), 2);
-    EXPECT_THAT(program.readAllStandardError().toStdString(), HasSubstr("it is the file that is read"));
+    EXPECT_THAT(program.readAllStandardError().toStdString(), HasSubstr("this is the file being read"));
   }
   EXPECT_EQ(*loadSession(session.toStdString()), paperSession());
   EXPECT_EQ(run({QStringLiteral("--report"), QStringLiteral("/dev/full"), session}), 2);

@@ -56,7 +56,7 @@ void typeKnown(SessionDocument& document, const KnownRow& row, const KnownCell& 
   after.*cell.text = text;
   const bool isGone = saysNothing(after);
   if (isGone ? !before : isSame) return;
-  const QString undoText = QCoreApplication::translate("ChangeKnown", "Change what is known of %1");
+  const QString undoText = QCoreApplication::translate("ChangeKnown", "Change known size of %1");
   PartChange change = changeAt(placeOf(ref), before ? saidOf(*before) : std::string(),
                                isGone ? std::string() : saidOf(after));
   change.told.place = placeOf(ref, cell.member);

@@ -143,7 +143,7 @@ void InstrumentDesk::forgetRemark() {
 /// Updates the status text, which is visible from the first connection on.
 void InstrumentDesk::showState() {
   m_status->setText(m_flow.isHeld()
-                        ? tr("%1 readings wait until the open entry is handed in (Enter) or given up (Esc)")
+                        ? tr("%1 readings wait until the open entry is accepted (Enter) or cancelled (Esc)")
                               .arg(m_flow.waiting())
                         : connectionText(m_link));
   if (m_link.isOpen()) m_status->show();

@@ -48,8 +48,8 @@ bool InstrumentLink::open(const ConnectionSettings& settings, const TalkCircles&
     const bool isForbidden = m_port.error() == QSerialPort::PermissionError;
     const QString why = visibleLine(m_port.errorString()), name = visibleLine(settings.port);
     emit remark(isForbidden
-                    ? tr("The port %1 could not be opened: %2. Another program may have it, or you are not "
-                         "of the group that may use ports (on Debian: dialout).")
+                    ? tr("The port %1 could not be opened: %2. Another program may be using it, or you are "
+                         "not in the group that may use ports (on Debian: dialout).")
                           .arg(name, why)
                     : tr("The port %1 could not be opened: %2. Is the cable in, and this the right port?")
                           .arg(name, why));
@@ -93,10 +93,9 @@ void InstrumentLink::receive() {
 /// Usually caused by unplugging.
 void InstrumentLink::fail(QSerialPort::SerialPortError error) {
   if (!m_talk || error == QSerialPort::NoError || error == QSerialPort::TimeoutError) return;
-  emit remark(
-      tr("The line to the instrument broke: %1. Was the cable or the instrument unplugged? What was read "
-         "stays; put it in and connect again.")
-          .arg(visibleLine(m_port.errorString())));
+  emit remark(tr("The connection to the instrument broke: %1. Was the cable or the instrument unplugged? The "
+                 "readings are kept; plug it in and connect again.")
+                  .arg(visibleLine(m_port.errorString())));
   close();
 }
 
@@ -120,8 +119,8 @@ void InstrumentLink::send(const std::string& bytes) {
   const auto size = static_cast<qint64>(bytes.size());
   if (m_port.bytesToWrite() + size > mostUnsent)
     return emit remark(
-        tr("The instrument takes nothing: what was sent waits in a full buffer, and no more is sent. "
-           "Look at the cable and the instrument, then connect again."));
+        tr("The instrument accepts no data: the send buffer is full, and sending has stopped. Check the "
+           "cable and the instrument, then connect again."));
   m_port.write(bytes.data(), size);
 }
 

@@ -105,8 +105,7 @@ class Doubts {
     const auto last = positionBefore();
     if (!last || *last >= m_session.positions.size()) return;
     const QString here = positionText(m_session, m_landing.position());
-    say(ReadingDoubts::tr(
-            "The readings before are of %1, and this one would be of %2: has the axis been turned?")
+    say(ReadingDoubts::tr("The readings before belong to %1, this one to %2: has the axis been turned?")
             .arg(positionText(m_session, *last), here));
   }
 
@@ -127,13 +126,11 @@ class Doubts {
                                                           : m_before.serial();
     if (usual.empty() || usual == m_reading.serial) return;
     const QString was = shortLine(usual, longestSerial), is = shortLine(m_reading.serial, longestSerial);
-    say(isStated ? ReadingDoubts::tr(
-                       "The session states the instrument with serial number %1, and this reading is "
-                       "of serial number %2.")
+    say(isStated ? ReadingDoubts::tr("The session's instrument has serial number %1, but this reading comes "
+                                     "from serial number %2.")
                        .arg(was, is)
-                 : ReadingDoubts::tr(
-                       "The readings before are of the instrument with serial number %1, and this one "
-                       "is of serial number %2.")
+                 : ReadingDoubts::tr("The readings before come from the instrument with serial number %1, "
+                                     "but this one from serial number %2.")
                        .arg(was, is));
   }
 
@@ -149,8 +146,7 @@ class Doubts {
         m_before.corrections().empty() ? lastOfRows(&Reading::corrections) : m_before.corrections();
     const bool wasOff = !usual.empty() && usual.find("inclination") == std::string::npos;
     if (m_reading.isCompensated == false && m_before.isCompensated().value_or(!wasOff))
-      say(ReadingDoubts::tr(
-          "The compensator is off: the readings are not free of the tilt of the instrument."));
+      say(ReadingDoubts::tr("The compensator is off: the readings contain the tilt of the instrument."));
     if (usual.empty() || m_reading.corrections.empty() || usual == m_reading.corrections) return;
     //: words such as "inclination collimation", or "none"
     say(ReadingDoubts::tr("The instrument corrected “%1” before and corrects “%2” now.")
@@ -189,7 +185,7 @@ class Doubts {
       if (where.isEmpty()) continue;
       //: a position of the axis and a sighting there: "0°" and "Point 3"
       return say(
-          ReadingDoubts::tr("The same angles stand at %1 already (%2): did the instrument send them again?")
+          ReadingDoubts::tr("The same angles are already at %1 (%2): did the instrument send them again?")
               .arg(positionText(m_session, i), where));
     }
     const auto isIt = [&](const InstrumentReading& one) {
@@ -227,8 +223,8 @@ class Doubts {
 
   void doubtWhatStands() {
     if (const QString there = standing(); !there.isEmpty())
-      say(m_landing.row ? ReadingDoubts::tr("%1 stands there already and would go.").arg(there)
-                        : ReadingDoubts::tr("The %1 stands already, %2, and would go.")
+      say(m_landing.row ? ReadingDoubts::tr("%1 is already there and would be replaced.").arg(there)
+                        : ReadingDoubts::tr("The %1 is already there, %2, and would be replaced.")
                               .arg(zeroName(m_landing.zero), there));
   }
 
@@ -273,7 +269,7 @@ class Doubts {
   /// Without an expected reading, still recognises a sighting of the pointing zero.
   void doubtZeroInRow() {
     if (looksAt(m_reading, m_session, m_landing.position(), zeroTolerance))
-      say(ReadingDoubts::tr("It looks at the pointing zero: is it the right target?"));
+      say(ReadingDoubts::tr("The reading points at the pointing zero: is it the right target?"));
   }
 
   void doubtZero() {
@@ -321,12 +317,12 @@ QString placelessQuestion(const Evaluation& evaluation, const InstrumentReading&
                 vertical = shownAngle(reading.vertical, unit);
   if (isLacking)
     return ReadingDoubts::tr(
-               "A reading came, %1 and %2, and the protocol asks for a position of the axis that the "
-               "session lacks. Add the position, then take it.")
+               "A reading came, %1 and %2, but the session lacks the position that the protocol asks for. "
+               "Add the position, then take the reading.")
         .arg(horizontal, vertical);
   return ReadingDoubts::tr(
-             "A reading came, and all is read that was to be: %1 and %2. Add a row, or choose one to "
-             "be read again, then take it.")
+             "A reading came, %1 and %2, but all readings are already taken. Add a row, or choose one to be "
+             "read again, then take the reading.")
       .arg(horizontal, vertical);
 }
 

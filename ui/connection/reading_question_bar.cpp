@@ -31,10 +31,10 @@ ReadingQuestionBar::ReadingQuestionBar(ReadingFlow& flow, QWidget* parent)
   m_text->setWordWrap(true);
   m_text->setTextInteractionFlags(Qt::TextSelectableByMouse);
   m_take->setObjectName(QStringLiteral("take questioned reading"));
-  m_take->setToolTip(tr("Enters it as it was read; the cell keeps a sign of what was expected"));
+  m_take->setToolTip(tr("Enters the reading unchanged; the cell keeps a mark with what was expected"));
   m_discard->setObjectName(QStringLiteral("discard questioned reading"));
   m_discard->setToolTip(
-      tr("It stays in the log of the connection. Point at the right target and read again"));
+      tr("The reading stays in the connection log. Point at the right target and read again"));
   auto* says = new QHBoxLayout;
   says->addWidget(m_icon, 0, Qt::AlignTop);
   says->addWidget(m_text, 1);
@@ -56,8 +56,7 @@ ReadingQuestionBar::ReadingQuestionBar(ReadingFlow& flow, QWidget* parent)
 void ReadingQuestionBar::showQuestion() {
   const QString question = visibleLine(m_flow.question());
   const auto behind = m_flow.waiting() > 1 ? m_flow.waiting() - 1 : 0;
-  m_text->setText(behind == 0 ? question
-                              : tr("%1 Readings that wait behind it: %2.").arg(question).arg(behind));
+  m_text->setText(behind == 0 ? question : tr("%1 Further readings waiting: %2.").arg(question).arg(behind));
   m_icon->setPixmap(themeIcon(QStringLiteral("warning")).pixmap(bannerIcon, bannerIcon));
   setVisible(!question.isEmpty());
 }

@@ -70,7 +70,8 @@ QWidget* BlindTrialDialog::createChoices() {
   m_seed = new QSpinBox;
   m_seed->setRange(1, 999999);
   m_seed->setValue(QRandomGenerator::global()->bounded(1, 900000));
-  m_seed->setToolTip(tr("The same number and choices give the same trial; each draw goes on by one"));
+  m_seed->setToolTip(
+      tr("The same number and choices give the same trial; each draw increases the number by one"));
   m_choices = new QWidget;
   auto* form = new QFormLayout(m_choices);
   form->setContentsMargins(0, 0, 12, 0);
@@ -137,7 +138,7 @@ QWidget* BlindTrialDialog::createButtons() {
   m_count = new QSpinBox;
   m_count->setRange(2, 10000);
   m_count->setValue(50);
-  m_count->setAccessibleName(tr("Number of trials at a stretch"));
+  m_count->setAccessibleName(tr("Number of trials in one run"));
   m_series = add({}, "series");
   layout->addWidget(m_count);
   m_progress = new QProgressBar;
@@ -210,8 +211,8 @@ void BlindTrialDialog::showTrial(const SharedTrial& trial) {
   else
     m_answer->setText(tr("No trial drawn yet"),
                       trial ? qText(trial->problem)
-                            : tr("A session is simulated by the plan from a truth that nobody sees. The "
-                                 "diagnosis knows the readings alone; then you open the seal."));
+                            : tr("A session is simulated by the plan from a hidden truth. The diagnosis "
+                                 "knows only the readings; then you open the seal."));
   m_stages->setStatement(says ? std::optional(gapStages(trial->gap)) : std::nullopt);
   showTruth();
   showWork();

@@ -27,7 +27,7 @@ QString explanation(const ChangedFile& file) {
                            "saved here.")
                            .arg(file.name);
   if (!file.difference)
-    return said + u' ' + ChangedFileText::tr("It is no session now: %1").arg(file.problem);
+    return said + u' ' + ChangedFileText::tr("It is no longer a session: %1").arg(file.problem);
   return said + u' ' + differenceCount(*file.difference) + u':';
 }
 
@@ -52,9 +52,9 @@ ChangedFileAnswer askChangedFile(QWidget* parent, const ChangedFile& file) {
     layout->addWidget(createDifferenceTable(*file.difference, ChangedFileText::tr("Here"),
                                             ChangedFileText::tr("In the file")),
                       1);
-  layout->addWidget(createPlainLabel(ChangedFileText::tr(
-      "Reload takes over what is in the file; undo brings back what is here. Overwrite replaces what "
-      "is in the file, and that cannot be undone.")));
+  layout->addWidget(createPlainLabel(
+      ChangedFileText::tr("Reload uses the file's content; undo restores the content of this window. "
+                          "Overwrite replaces the file's content and cannot be undone.")));
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel);
   ChangedFileAnswer answer = ChangedFileAnswer::Cancel;
   const auto offer = [&](const QString& text, QDialogButtonBox::ButtonRole role, ChangedFileAnswer given) {

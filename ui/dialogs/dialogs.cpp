@@ -90,9 +90,9 @@ bool Dialogs::askDiscardOther(const QString& name, Way way) {
                   QMessageBox::Discard | QMessageBox::Cancel, m_parent);
   const QString lead =
       way == Way::Redo
-          ? DialogsText::tr("Redo brings it back with all that was typed into it, to be saved.")
-          : DialogsText::tr("Undo leads back to it with all that was typed into it, to be saved.");
-  box.setInformativeText(lead + u' ' + DialogsText::tr("Discarded, that cannot be brought back."));
+          ? DialogsText::tr("Redo restores it with all that was typed, so that it can be saved.")
+          : DialogsText::tr("Undo restores it with all that was typed, so that it can be saved.");
+  box.setInformativeText(lead + u' ' + DialogsText::tr("If discarded, it cannot be brought back."));
   box.setDefaultButton(QMessageBox::Cancel);
   makeSafeButton(*qobject_cast<QPushButton*>(box.button(QMessageBox::Cancel)));
   return box.exec() == QMessageBox::Discard;
@@ -209,10 +209,9 @@ PreviewAnswer Dialogs::showPreview(QPrinter& printer, const std::function<void(Q
 QString Dialogs::askSeal(const QString& suggestion) {
   QDialog dialog(m_parent);
   dialog.setWindowTitle(DialogsText::tr("Seal"));
-  QLabel* says = createPlainLabel(
-      DialogsText::tr("The journal will hold who seals this session and a digest of all that it says.\n"
-                      "It can be edited afterwards, as a revision, and every edit is told.\n\n"
-                      "Sealed by:"));
+  QLabel* says = createPlainLabel(DialogsText::tr(
+      "The journal records who seals this session, and a digest of its content.\nThe session can be edited "
+      "afterwards as a revision; the journal records every edit.\n\nSealed by:"));
   auto* by = new QLineEdit(suggestion);
   by->setPlaceholderText(DialogsText::tr("name"));
   says->setBuddy(by);
@@ -235,9 +234,9 @@ bool Dialogs::askOpenElsewhere(const QString& name, const QString& holder) {
                   DialogsText::tr("“%1” is open in another window (%2).").arg(name, holder),
                   QMessageBox::Cancel, m_parent);
   box.setTextFormat(Qt::PlainText);
-  box.setInformativeText(DialogsText::tr(
-      "What is saved in one of the two is not in the other. Before either overwrites the other's "
-      "changes, it asks."));
+  box.setInformativeText(
+      DialogsText::tr("Changes saved in one window do not appear in the other. Each window asks before it "
+                      "overwrites the other's changes."));
   const QAbstractButton* anyway = box.addButton(DialogsText::tr("&Go On"), QMessageBox::AcceptRole);
   box.setDefaultButton(QMessageBox::Cancel);
   makeSafeButton(*qobject_cast<QPushButton*>(box.button(QMessageBox::Cancel)));
@@ -291,19 +290,18 @@ void Dialogs::showAbout() {
 void Dialogs::showShortcuts() {
   const QString rows[][2] = {
       {DialogsText::tr("Type"), DialogsText::tr("overwrites the cell")},
-      {DialogsText::tr("Enter"), DialogsText::tr("hands in; on to vertical, then to the next row")},
-      {DialogsText::tr("Tab, Shift+Tab"), DialogsText::tr("the same, through all shown columns; back")},
+      {DialogsText::tr("Enter"), DialogsText::tr("accepts; moves to vertical, then to the next row")},
+      {DialogsText::tr("Tab, Shift+Tab"), DialogsText::tr("accepts; next or previous shown column")},
       {DialogsText::tr("F2"), DialogsText::tr("edits what was typed")},
-      {DialogsText::tr("Esc"), DialogsText::tr("takes back what is half typed")},
+      {DialogsText::tr("Esc"), DialogsText::tr("discards the unfinished entry")},
       {DialogsText::tr("Space"), DialogsText::tr("excludes or uses the selected rows")},
-      {DialogsText::tr("F7"), DialogsText::tr("leads to the next reading that looks misread")},
-      {DialogsText::tr("F8"), DialogsText::tr("puts in the reading that was probably meant")},
+      {DialogsText::tr("F7"), DialogsText::tr("goes to the next reading that looks misread")},
+      {DialogsText::tr("F8"), DialogsText::tr("enters the reading that was probably meant")},
       {DialogsText::tr("Delete"), DialogsText::tr("clears the selected cells")},
       {DialogsText::tr("Ctrl+I, Ctrl+−"), DialogsText::tr("inserts a row above; deletes the selected rows")},
       {DialogsText::tr("Ctrl+C, Ctrl+X, Ctrl+V"),
        DialogsText::tr("copies, cuts, pastes blocks, also with spreadsheets")},
-      {DialogsText::tr("Ctrl+Shift+V"),
-       DialogsText::tr("imports the clipboard, and asks how it is to be taken")},
+      {DialogsText::tr("Ctrl+Shift+V"), DialogsText::tr("imports the clipboard after asking for its layout")},
       {DialogsText::tr("Ctrl+Z, Ctrl+Shift+Z"), DialogsText::tr("undo, redo")},
       {DialogsText::tr("3415224"), DialogsText::tr("is 341°52′24″ on the number pad")},
   };

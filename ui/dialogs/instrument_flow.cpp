@@ -46,7 +46,7 @@ bool InstrumentFlow::save() {
   const QString title = tr("Save as instrument record");
   const std::string bytes = writeInstrumentRecord(record);
   if (const auto readable = readInstrumentRecord(bytes); !readable) {
-    m_dialogs.showProblem(title, tr("What the session says of its instrument cannot be a record.\n\n%1")
+    m_dialogs.showProblem(title, tr("The session's instrument data cannot be saved as a record.\n\n%1")
                                      .arg(visibleLine(readable.problem().text())));
     return false;
   }

@@ -66,7 +66,7 @@ ProtocolDialog::ProtocolDialog(const SightingProtocol& protocol, CircleUnit unit
       m_slider(new QCheckBox(tr("The s&lider is read"))),
       m_zeroFaces(new QCheckBox(tr("Pointing zero in &both faces"))),
       m_zerosAfter(new QCheckBox(tr("Pointing zero again &after the readings"))),
-      m_byWorth(new QCheckBox(tr("Next is what tells &most"))),
+      m_byWorth(new QCheckBox(tr("Next: &most informative"))),
       m_turningAxis(minutesBox()),
       m_plungingTelescope(minutesBox()),
       m_drivingSlider(minutesBox()),
@@ -224,7 +224,7 @@ void ProtocolDialog::check() {
   const bool isTooMuch = count > mostSightings;
   m_buttons->button(QDialogButtonBox::Ok)->setEnabled(own && !isTooMuch);
   const QString lead =
-      m_draft->isRestored() ? tr("As it was typed when the program ended.") + u' ' : QString();
+      m_draft->isRestored() ? tr("Restored as typed when the program ended.") + u' ' : QString();
   m_remark->setText(lead + (!own ? tr("Type the places as angles with blanks between them: 10 20 30.5 40")
                             : isTooMuch ? tr("%1 sightings are more than a protocol holds.").arg(count)
                                         : tr("%1 sightings").arg(count)));

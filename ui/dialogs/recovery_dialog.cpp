@@ -29,9 +29,9 @@ RecoveryDialog::RecoveryDialog(const QList<RecoveryOffer>& offers, QWidget* pare
   parts->addWidget(m_names);
   parts->addWidget(m_offers, 1);
   auto* layout = new QVBoxLayout(this);
-  layout->addWidget(createPlainLabel(
-      tr("Alidade ended without saving. Recovered, the changes are back in the window, unsaved; the file "
-         "stays as it is until you save.")));
+  layout->addWidget(
+      createPlainLabel(tr("Alidade ended without saving. Recover puts the changes back into the window, "
+                          "unsaved; the file stays as it is until you save.")));
   layout->addLayout(parts, 1);
   layout->addWidget(createButtons());
 }

@@ -85,13 +85,13 @@ QWidget* ReportDialog::createLacks() {
             : tr("%1 entries cannot be used. The report will list them and give no verdict.").arg(count)));
   if (!m_question.emptyFields.isEmpty()) {
     const QString fields = listText(m_question.emptyFields);
-    layout->addWidget(warning(
-        (m_question.isCertificate
-             ? tr("ISO/IEC 17025 requires what the session leaves empty: %1. It is filled in on the forms of "
-                  "the window; without it only a draft can be made.")
-             : tr("The session leaves empty what a laboratory would state: %1. The report "
-                  "names it as not stated; it is filled in on the forms of the window."))
-            .arg(fields)));
+    layout->addWidget(
+        warning((m_question.isCertificate
+                     ? tr("ISO/IEC 17025 requires entries that the session lacks: %1. Fill them in on the "
+                          "forms of the window; without them only a draft can be made.")
+                     : tr("The session lacks entries that a laboratory states: %1. The report names them as "
+                          "not stated; fill them in on the forms of the window."))
+                    .arg(fields)));
   }
   return lacks;
 }
@@ -172,7 +172,7 @@ QWidget* ReportDialog::createHistory() {
   auto* choose = new QPushButton(tr("Choose &folder…"));
   choose->setAutoDefault(false);
   choose->setToolTip(
-      tr("Of the sessions of this device: the report tells Δd over time on a page of its own"));
+      tr("Folder of the sessions of this device: the report shows Δd over time on a separate page"));
   auto* none = new QPushButton(tr("W&ithout"));
   none->setAutoDefault(false);
   none->setObjectName(QStringLiteral("no history"));

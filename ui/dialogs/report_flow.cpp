@@ -141,7 +141,7 @@ std::shared_ptr<const DeviceHistory> ReportFlow::historyIn(const QString& folder
                                  : one.serial == device.serial;
   });
   if (found == series->devices.end())
-    emit remark(tr("The folder of the history holds no session of this device: the report goes without."));
+    emit remark(tr("The folder of the history holds no session of this device: the report has no history."));
   else
     m_told.history = std::make_shared<const DeviceHistory>(*found);
   return m_told.history;

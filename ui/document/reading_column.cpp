@@ -128,8 +128,7 @@ constexpr std::array columns{
         .field = &rowField(&Reading::returnCode),
         .title = QT_TRANSLATE_NOOP("ReadingColumn", "Code"),
         .toolTip = QT_TRANSLATE_NOOP("ReadingColumn",
-                                     "Return code of GeoCOM that came with the angles; 0: the instrument "
-                                     "vouches for them"),
+                                     "GeoCOM return code of the angles; 0: the instrument confirms them"),
         .noun = QT_TRANSLATE_NOOP("ReadingColumn", "return code"),
         .menuText = QT_TRANSLATE_NOOP("ReadingColumn", "Return Code Column"),
         .widest = "Code 8",

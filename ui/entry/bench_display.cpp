@@ -102,7 +102,7 @@ void BenchDisplay::refresh() {
   const Session& session = m_evaluation->session;
   const CircleUnit unit = circleUnitOf(session);
   const auto next = entryToLeadTo(*m_evaluation, m_position);
-  m_place->setText(next ? entryText(session, *next) : tr("All is read that was to be"));
+  m_place->setText(next ? entryText(session, *next) : tr("All readings are taken"));
   const auto expected = next ? expectedOf(*m_evaluation, *next) : std::nullopt;
   m_angles->setText(expected ? tr("%1   %2").arg(coarseAngleText(expected->horizontal, unit),
                                                  coarseAngleText(expected->vertical, unit))

@@ -106,7 +106,7 @@ void EntryGuide::takeDigit(QKeyEvent& event) {
   goToNextEntry();
   QWidget* entry = QApplication::focusWidget();
   if (!entry || entry->window() != &m_window)
-    return emit remark(tr("Nothing takes “%1” here.").arg(event.text()));
+    return emit remark(tr("No entry here accepts “%1”.").arg(event.text()));
   QKeyEvent again(event.type(), event.key(), event.modifiers(), event.text());
   QCoreApplication::sendEvent(entry, &again);
 }

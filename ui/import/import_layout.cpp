@@ -110,14 +110,14 @@ QWidget* ImportLayout::createForm() {
   m_unit->addItem(tr("Decimal degrees"), static_cast<int>(AngleUnit::Degrees));
   m_unit->addItem(tr("Gon"), static_cast<int>(AngleUnit::Gon));
   m_unit->addItem(tr("Degrees.minutes seconds"), static_cast<int>(AngleUnit::Dms));
-  m_unit->setToolTip(tr(
-      "Of plain numbers in columns that name no unit. With degrees.minutes seconds 341.5224 is 341°52′24″"));
+  m_unit->setToolTip(
+      tr("Unit of numbers in columns without one. With degrees.minutes seconds 341.5224 is 341°52′24″"));
   m_decimalSign->addItem(tr("Either"), static_cast<int>(DecimalSign::Either));
   m_decimalSign->addItem(tr("Point"), static_cast<int>(DecimalSign::Point));
   m_decimalSign->addItem(tr("Comma"), static_cast<int>(DecimalSign::Comma));
   m_headRows->setRange(0, 1000);
   m_headRows->setObjectName(QStringLiteral("import head rows"));
-  m_headRows->setToolTip(tr("The last of them names the columns"));
+  m_headRows->setToolTip(tr("The last of these rows has the column names"));
   auto* form = new QWidget;
   auto* row = new QHBoxLayout(form);
   row->setContentsMargins(0, 0, 0, 0);

@@ -144,7 +144,7 @@ QWidget* ImportPage::createPreview() {
   m_table = new QTableView;
   m_table->setModel(m_preview);
   m_table->setObjectName(QStringLiteral("import preview"));
-  m_table->setAccessibleName(tr("The readings as they will stand"));
+  m_table->setAccessibleName(tr("Preview of the readings"));
   m_table->setTabKeyNavigation(false);
   m_table->setSelectionBehavior(QAbstractItemView::SelectRows);
   m_table->verticalHeader()->hide();

@@ -73,7 +73,7 @@ void ImportZeros::show(const Import* import) {
       if (isThere || !row.isTyped) line.setText(isThere ? visibleLine(shownAngle(text, m_unit)) : QString());
       line.setReadOnly(isThere);
       line.setPlaceholderText(isThere ? QString() : tr("type it, or later"));
-      line.setToolTip(isThere ? tr("As the files or the session have it") : QString());
+      line.setToolTip(isThere ? tr("As in the files or the session") : QString());
     };
     fill(*row.horizontal, zero.horizontal);
     fill(*row.vertical, zero.vertical);

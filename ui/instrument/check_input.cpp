@@ -32,7 +32,7 @@ QDoubleSpinBox* sigmaBox() {
   box->setSpecialValueText(CheckInput::tr("not stated"));
   box->setKeyboardTracking(false);
   box->setToolTip(
-      CheckInput::tr("Of a value observed once in both faces, as in a data sheet after ISO 17123-3"));
+      CheckInput::tr("σ of a value observed once in both faces, as in a data sheet after ISO 17123-3"));
   return box;
 }
 
@@ -138,7 +138,8 @@ QWidget* CheckInput::createIdentity() {
     return line;
   };
   m_name = add(tr("&Instrument:"), "check name", tr("Its name or model, for the record and the report"));
-  m_serial = add(tr("Serial &number:"), "check serial", tr("Sessions and histories recognise it by this"));
+  m_serial =
+      add(tr("Serial &number:"), "check serial", tr("Identifies the instrument in sessions and histories"));
   m_date = add(tr("C&hecked on:"), "check date", tr("Year-month-day"));
   m_due = add(tr("Next check d&ue:"), "check due", tr("Year-month-day; kept in the instrument record"));
   suggest({});

@@ -143,9 +143,9 @@ QVariant CheckRowsModel::headerData(int section, Qt::Orientation orientation, in
   const QString titles[columns] = {tr("Station"),    tr("Round"),    tr("Target"),      tr("Face"),
                                    tr("Horizontal"), tr("Vertical"), tr("Distance (m)")};
   const QString tips[columns] = {tr("Empty: one station"),
-                                 tr("Empty: as targets come again"),
+                                 tr("Empty: from the repeated targets"),
                                  tr("Any name, the same in both faces and all rounds"),
-                                 tr("Empty: as the vertical circle shows"),
+                                 tr("Empty: from the vertical circle"),
                                  tr("341°52′24″, 341 52 24, 379.859gon, or numbers in the unit stated"),
                                  tr("Zenith angle, likewise"),
                                  tr("Along the line of sight; may be empty")};

@@ -12,7 +12,7 @@ namespace alidade::ui {
 CheckRowsTable::CheckRowsTable(QWidget* parent) : EntryTable(new CellDelegate, parent) {
   setModel(&m_model);
   setAccessibleName(tr("Rounds typed"));
-  setToolTip(tr("Type, or paste from a spreadsheet (Ctrl+V); a first row that names columns is followed"));
+  setToolTip(tr("Type, or paste from a spreadsheet (Ctrl+V); a first row of column names sets their order"));
   verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);
   verticalHeader()->setDefaultSectionSize(fontMetrics().height() + 7);
   horizontalHeader()->setHighlightSections(false);

@@ -99,7 +99,7 @@ QWidget* InstrumentDialog::createButtons() {
   m_pdf->setToolTip(tr("The check as a document"));
   m_record = row->add(tr("&Save as Instrument Record…"), "save check record");
   m_record->setToolTip(
-      tr("Collimation, index, tilt, offset of the line of sight and σ of the circles, for sessions to take"));
+      tr("Collimation, index, tilt, offset of the line of sight and σ of the circles, for use in sessions"));
   row->addRoom();
   auto* close = row->add(tr("Close"), "close");
   connect(m_json, &QPushButton::clicked, this, &InstrumentDialog::exportJson);
@@ -122,13 +122,11 @@ void InstrumentDialog::take(const SharedInstrument& answer) {
   for (const std::string& remark : answer->remarks) sentences.append(capitalised(visibleLine(remark)) + u'.');
   const bool isEmpty = !answer->check && answer->problem.empty();
   m_said->setText(
-      isEmpty
-          ? tr("Rounds to several targets, each in both faces, show how far a direction and a zenith angle "
-               "scatter, and collimation, index and tilt of the trunnion axis. Half an hour, worth it before "
-               "a "
-               "series and after a transport. Three rounds to four targets spread around the horizon, one of "
-               "them steep, at distances like those of the work.")
-          : sentences.join(QStringLiteral("\n\n")));
+      isEmpty ? tr("Rounds to several targets in both faces show the scatter of a direction and of a zenith "
+                   "angle, and collimation, index and tilt of the trunnion axis. Allow half an hour, before "
+                   "a series and after a transport. Observe three rounds to four targets around the horizon, "
+                   "one of them steep, at distances like those of the work.")
+              : sentences.join(QStringLiteral("\n\n")));
   m_verdict->setVisible(answer->check.has_value());
   if (answer->check) showVerdict();
   m_input->suggest(answer->identity);

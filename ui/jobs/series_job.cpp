@@ -52,7 +52,7 @@ void tellHistories(Series& series) {
   DeviceHistories histories = deviceHistories(epochs);
   for (const std::size_t undated : histories.undated)
     series.sessions[sessions[undated]].trouble =
-        Phrase::of("it has no date and takes no part: enter the day it was measured on");
+        Phrase::of("it has no date and is not used: enter the day of the measurement");
   for (const auto& [copy, first] : histories.copies)
     series.sessions[sessions[copy]].trouble = copyReason(epochs[copy].file, epochs[first].file);
   series.devices = std::move(histories.devices);

@@ -127,9 +127,9 @@ QVariant KnownSizesModel::headerData(int section, Qt::Orientation orientation, i
   const auto column = static_cast<Column>(section);
   const QString tips[columnsOfKnown] = {
       tr("Number of an effect of the catalogue"),
-      tr("Where the session keeps what is known of it"),
-      tr("Plausible size (1σ), taken where nothing is known"),
-      tr("What is known, in the unit of the default; empty: 0"),
+      tr("Where the session keeps its known size"),
+      tr("Plausible size (1σ), used if no size is known"),
+      tr("Known size, in the unit of the default; empty: 0"),
       tr("Its standard uncertainty, in the unit of the default; empty: the default"),
       tr("Certificate or check: the budget names it")};
   if (role == Qt::DisplayRole) return titleOf(column);
@@ -227,7 +227,7 @@ QString KnownSizesModel::about(const QModelIndex& index) const {
   const QString trouble = problem(row, column);
   if (!trouble.isEmpty()) return trouble;
   if (index.data(IncompleteRole).toBool())
-    return tr("Type the standard uncertainty of what is known; until then the default is taken.");
+    return tr("Type the standard uncertainty of the known size; until then the default is used.");
   for (const Column other : {Column::Value, Column::Sigma})
     if (const QString beside = problem(row, other); !beside.isEmpty())
       return QStringLiteral("%1: %2").arg(titleOf(other), beside);
@@ -235,8 +235,8 @@ QString KnownSizesModel::about(const QModelIndex& index) const {
     return tipText(qText(typed(row, *typedInto(column))));
   if (!row.effect) return problem(row, Column::Number);
   if (row.isFurther)
-    return tr("The session says more than once what is known of this number: all of it is weighed together.");
-  return tr("%1. What is known of it belongs to the %2.")
+    return tr("The session has several known sizes for this number: they are combined by their weights.");
+  return tr("%1. Its known size belongs to the %2.")
       .arg(capitalised(qText(Phrase::of(row.effect->description))), ownerName(ownerOf(*row.effect)));
 }
 

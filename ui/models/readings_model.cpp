@@ -190,10 +190,10 @@ QString ReadingsModel::toolTip(int row, ReadingColumn column) const {
 QString ReadingsModel::otherTip(int row, ReadingColumn column) const {
   const QString trouble = problem(row, column);
   if (!trouble.isEmpty()) return trouble;
-  if (isIncomplete(row, column)) return tr("Still to be read; until then the row is no part of the fit");
+  if (isIncomplete(row, column)) return tr("Still to be read; until then the row is not used in the fit");
   const QString doubt = suspicion(row, column);
   if (!doubt.isEmpty()) return doubt;
-  if (reading(row).excluded) return tr("Excluded: kept, but no part of the fit");
+  if (reading(row).excluded) return tr("Excluded: kept, but not used in the fit");
   if (!readingText(column)) return residualTip(row, column);
   const QString typed = qText(reading(row).*readingText(column));
   return isAngle(column) ? tr("As typed: %1").arg(tipText(typed)) : tipText(typed);
@@ -205,7 +205,7 @@ QString ReadingsModel::residualTip(int row, ReadingColumn column) const {
   const double standardised = column == ReadingColumn::HorizontalResidual ? residual->horizontalStandardised
                                                                           : residual->verticalStandardised;
   if (std::isnan(standardised))
-    return tr("No other reading checks this one: its residual says nothing of it");
+    return tr("No other reading checks this one: its residual says nothing about it");
   return tr("Standardised residual w = v/(s0 σ √r): %1").arg(signedNumberText(standardised, 2));
 }
 

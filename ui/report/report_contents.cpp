@@ -14,8 +14,7 @@ const std::vector<ReportPartInfo>& allReportParts() {
       {ReportPart::Budget, "budget", QT_TRANSLATE_NOOP("ReportPart", "Budget of the uncertainty")},
       {ReportPart::Gap, "gap", QT_TRANSLATE_NOOP("ReportPart", "Gap between model and readings")},
       {ReportPart::Closures, "closures", QT_TRANSLATE_NOOP("ReportPart", "Closures")},
-      {ReportPart::Undetectable, "unseen",
-       QT_TRANSLATE_NOOP("ReportPart", "What these readings would not show")},
+      {ReportPart::Undetectable, "unseen", QT_TRANSLATE_NOOP("ReportPart", "Effects undetectable here")},
       {ReportPart::Signatures, "signatures", QT_TRANSLATE_NOOP("ReportPart", "Lines to sign")}};
   return parts;
 }

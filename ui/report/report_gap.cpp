@@ -22,12 +22,10 @@ void addGap(ReportSheet& sheet, const Gap& gap) {
   addStatement(sheet, gapCauses(gap));
   addStatement(sheet, gapStages(gap));
   if (gap.isOpen())
-    sheet.paragraph(
-        Report::tr(
-            "The figures of this report are those of the model as it is, but for what is said to be "
-            "measured; nothing was added or left out because of the diagnosis. The verdict stands only where "
-            "both accounts say so."),
-        type::small);
+    sheet.paragraph(Report::tr("Unless marked “measured”, the figures of this report are those of the "
+                               "session's model; the diagnosis neither added nor removed anything. The "
+                               "verdict holds only if both results, measured and fit only, agree."),
+                    type::small);
 }
 
 void addClosures(ReportSheet& sheet, const Gap& gap) {

@@ -17,7 +17,7 @@ QStringList markSentences(const std::vector<Drawn>& drawn, const RowKinds& kinds
   const bool isRinged =
       std::any_of(drawn.begin(), drawn.end(), [](const Drawn& one) { return one.time > 1; });
   QStringList sentences;
-  if (isRinged) sentences.append(Report::tr("Ringed: the axis measured again."));
+  if (isRinged) sentences.append(Report::tr("Ringed: a position measured again."));
   if (kinds.hasTwoFaces()) sentences.append(Report::tr("Struck through: face 2."));
   if (kinds.rounds.size() > 1) sentences.append(Report::tr("Rounds are drawn side by side."));
   return sentences;
@@ -30,11 +30,10 @@ QStringList insetSentences(const DrawnIntersection& intersection) {
                  "centres at %1 %.")
           .arg(plainNumberText(100 * intersection.coverage))};
   if (intersection.tolerance)
-    sentences.append(Report::tr("Grey: where they may lie at the tolerance of ± %1 mm.")
+    sentences.append(Report::tr("Grey: permitted places of the centres, tolerance ± %1 mm.")
                          .arg(plainNumberText(*intersection.tolerance)));
-  sentences.append(
-      Report::tr("Δx leads from O2 to the cross where O2 would lie if the positions closed; without a cross "
-                 "it does."));
+  sentences.append(Report::tr(
+      "Δx leads from O2 to the cross, where O2 would be if the positions closed; no cross: they close."));
   return sentences;
 }
 

@@ -94,7 +94,7 @@ void addFindings(ReportSheet& sheet, const Gap& gap) {
     const bool isSound = gap.diagnosis && gap.undetectableBeyondU().empty();
     sheet.paragraph(!evaluation.fit.intersection ? Report::tr("None.")
                     : isSound ? Report::tr("None: nothing in the data speaks against the result.")
-                              : Report::tr("None in the data, but see above what they would not show."));
+                              : Report::tr("None in the data, but see above what is undetectable."));
   }
   const double indent = findingsIndent(sheet);
   const auto say = [&](Severity severity, const QString& text) {
@@ -133,8 +133,8 @@ QString methodText(const Evaluation& evaluation) {
           .arg(relation)};
   if (measurement && hasRepeats(*measurement))
     sentences.append(
-        Report::tr("Where an axis is measured again its positions have one centre and one radius, and all "
-                   "pointing zeros are estimated along, as well known as stated."));
+        Report::tr("Positions at the same axis angle share one centre and one radius; all pointing zeros are "
+                   "estimated too, with their stated uncertainty."));
   sentences.append(Report::tr(
       "The intersection Δd = (y(O1) − y(O2))/2 is half the distance of the arc centres at 0° (O1) "
       "and 180° (O2) across the axis. The share of the readings in its uncertainty is scaled by "

@@ -27,9 +27,9 @@ void layOut(ReportSheet& sheet, const InstallationCheck& check) {
   for (const auto& [name, value] : check.test.environment)
     sheet.paragraph(visibleLine(name + ": " + value), type::detail);
   sheet.skip(2);
-  sheet.paragraph(Report::sentences(
-      {Report::tr("Every number is compared with one that was worked out without this program."),
-       Report::tr("Deviations and tolerances are relative to the expected number.")}));
+  sheet.paragraph(
+      Report::sentences({Report::tr("Every number is compared with one computed without this program."),
+                         Report::tr("Deviations and tolerances are relative to the expected number.")}));
   for (const CheckSection& section : sectionsOf(check.test)) addStatement(sheet, sectionTable(section));
   sheet.balance();
 }

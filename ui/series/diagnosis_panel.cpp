@@ -53,7 +53,7 @@ DiagnosisPanel::DiagnosisPanel(QWidget* parent)
       m_advice(wrappedLabel()),
       m_offers(new QWidget),
       m_causes(table({tr("Cause"), tr("Owner"), tr("Size"), tr("Probability"), tr("In one session (σ)"),
-                      tr("In all (σ)"), tr("Not told from")},
+                      tr("In all (σ)"), tr("Look-alikes")},
                      tr("What the sessions share"))),
       m_sessions(table({tr("Session"), tr("Date"), tr("Instrument"), tr("Device"), tr("Alone"),
                         tr("In the light of the series")},
@@ -110,10 +110,11 @@ void DiagnosisPanel::setDiagnosis(const SharedSeriesDiagnosis& diagnosis, const 
   }
   m_sentence->setText(visibleLine(sentenceOf(*m_diagnosis)));
   if (!m_diagnosis->causes.empty() && !std::isnan(m_diagnosis->after.reducedChiSquare))
-    m_gap->setText(tr("Reduced χ² of all sessions goes from %1 to %2; sessions held out shrink by %3 %.")
-                       .arg(qText(displayText(m_diagnosis->gap.reducedChiSquare, 2)),
-                            qText(displayText(m_diagnosis->after.reducedChiSquare, 2)),
-                            qText(displayText(100 * m_diagnosis->shrink.heldOut, 1))));
+    m_gap->setText(
+        tr("Reduced χ² of all sessions changes from %1 to %2; residuals of held-out sessions shrink by %3 %.")
+            .arg(qText(displayText(m_diagnosis->gap.reducedChiSquare, 2)),
+                 qText(displayText(m_diagnosis->after.reducedChiSquare, 2)),
+                 qText(displayText(100 * m_diagnosis->shrink.heldOut, 1))));
   showCauses();
   showSessions();
   showAdvice();

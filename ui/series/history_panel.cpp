@@ -19,13 +19,12 @@ namespace alidade::ui {
 
 HistoryPanel::HistoryPanel(QWidget* parent)
     : QWidget(parent),
-      m_choices(new HistoryChoices(
-          {.owner = tr("Device"),
-           .ownerLabel = tr("&Device"),
-           .baseline = tr("Sessions in the baseline"),
-           .all = tr("all sessions"),
-           .tip = tr("The first sessions set centre line and limits, which watch the later ones: choose "
-                     "those measured before anything could have changed")})),
+      m_choices(new HistoryChoices({.owner = tr("Device"),
+                                    .ownerLabel = tr("&Device"),
+                                    .baseline = tr("Sessions in the baseline"),
+                                    .all = tr("all sessions"),
+                                    .tip = tr("The first sessions define centre line and limits for the "
+                                              "later ones: choose those measured before any change")})),
       m_chart(new HistoryChart) {
   auto* picture = new QWidget;
   auto* pictureLayout = new QVBoxLayout(picture);

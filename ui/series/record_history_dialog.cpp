@@ -35,7 +35,7 @@ RecordHistoryDialog::RecordHistoryDialog(Dialogs& dialogs, QWidget* parent)
            .ownerLabel = tr("&Instrument"),
            .baseline = tr("Records in the baseline"),
            .all = tr("all records"),
-           .tip = tr("The first records set centre line and limits, which watch the later ones")})),
+           .tip = tr("The first records define centre line and limits for the later ones")})),
       m_chart(new HistoryChart),
       m_says(wrappedLabel()),
       m_remarks(wrappedLabel()) {

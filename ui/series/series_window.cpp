@@ -155,7 +155,7 @@ QWidget* SeriesWindow::createButtons() {
 QWidget* SeriesWindow::createTable() {
   m_table->setColumnCount(ColumnCount);
   m_table->setHorizontalHeaderLabels({tr("Date"), tr("Title"), tr("Instrument"), tr("Device"), tr("Δd ± U"),
-                                      tr("Verdict"), tr("Condition"), tr("Trouble")});
+                                      tr("Verdict"), tr("Condition"), tr("Problem")});
   m_table->setAccessibleName(tr("Sessions of the series"));
   m_table->setSelectionBehavior(QAbstractItemView::SelectRows);
   m_table->setSelectionMode(QAbstractItemView::ExtendedSelection);
@@ -322,10 +322,9 @@ void SeriesWindow::showWork() {
   const int sessions = m_table->rowCount();
   int troubled = 0;
   for (int row = 0; row < sessions; ++row) troubled += m_table->item(row, Trouble)->text().isEmpty() ? 0 : 1;
-  m_status->setText(sessions == 0 ? tr("No sessions yet. Add a folder with the sessions of a device.")
-                    : troubled == 0
-                        ? tr("Sessions: %1").arg(sessions)
-                        : tr("Sessions: %1, of them %2 that take no part").arg(sessions).arg(troubled));
+  m_status->setText(sessions == 0   ? tr("No sessions yet. Add a folder with the sessions of a device.")
+                    : troubled == 0 ? tr("Sessions: %1").arg(sessions)
+                                    : tr("Sessions: %1, of them not used: %2").arg(sessions).arg(troubled));
 }
 
 QString SeriesWindow::fileOf(int row) const {

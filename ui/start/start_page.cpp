@@ -88,9 +88,9 @@ QWidget* StartPage::createActions() {
   icon->setPixmap(themeIcon(QStringLiteral("alidade")).pixmap(56, 56));
   layout->addWidget(icon);
   layout->addWidget(createTitle(tr("Alidade"), 1.9));
-  auto* what = new QLabel(
-      tr("Does the centre of a rotatable arc lie on its axis? The readings of a theodolite in, the "
-         "intersection with its uncertainty and a verdict out."));
+  auto* what =
+      new QLabel(tr("Does the centre of a rotatable arc lie on its axis? Enter the readings of a theodolite; "
+                    "get the intersection with its uncertainty and a verdict."));
   what->setWordWrap(true);
   layout->addWidget(what);
   layout->addSpacing(12);
@@ -107,7 +107,7 @@ QWidget* StartPage::createActions() {
   add("insert", tr("Import readings…"), &StartPage::importWanted);
   add("note", tr("Guide: ten steps"), &StartPage::guideWanted);
   layout->addStretch();
-  auto* hint = new QLabel(tr("Typing begins a session, Esc leads back to it, F1 is help."));
+  auto* hint = new QLabel(tr("Type to begin a session; Esc returns to it; F1 opens the guide."));
   hint->setForegroundRole(QPalette::PlaceholderText);
   hint->setWordWrap(true);
   layout->addWidget(hint);

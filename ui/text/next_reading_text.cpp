@@ -97,7 +97,7 @@ QString entryText(const Session& session, const EntryToCome& entry) {
 QString nextEntryText(const Evaluation& evaluation, std::size_t position) {
   const auto entry = entryToLeadTo(evaluation, position);
   if (!entry)
-    return position < evaluation.next.size() ? NextReadingText::tr("All is read that was to be") : QString();
+    return position < evaluation.next.size() ? NextReadingText::tr("All readings are taken") : QString();
   if (!entry->field.empty() || !entry->zero.empty() || entry->position != position)
     return NextReadingText::tr("Next: %1").arg(entryText(evaluation.session, *entry));
   return nextReadingText({entry->row, entry->sighting, expectedOf(evaluation, *entry)},

@@ -89,7 +89,7 @@ QString trialKindName(const std::string& kind) {
   if (kind == "none") return TrialText::tr("nothing");
   if (kind == "two_causes" || kind == "several_causes" || kind == "several-causes")
     return TrialText::tr("several causes");
-  if (kind.rfind("unknown", 0) == 0) return TrialText::tr("an effect of no catalogue");
+  if (kind.rfind("unknown", 0) == 0) return TrialText::tr("an uncatalogued effect");
   if (kind == "within-noise") return TrialText::tr("no gap");
   if (kind == "not-in-catalogue") return TrialText::tr("no known cause");
   return causeName(kind);
@@ -134,9 +134,10 @@ QString scoreSentence(const SealedTruth& truth, const TrialScore& score) {
   if (!score.right)
     text = TrialText::tr("It was %1; the answer was %2.").arg(was, answer);
   else if (score.trialClass == TrialClass::Faint)
-    text = score.named ? TrialText::tr("Named, faint as it is.") : TrialText::tr("Too faint to be expected.");
+    text = score.named ? TrialText::tr("Named, although it is faint.")
+                       : TrialText::tr("Too faint to be expected.");
   else if (score.trialClass == TrialClass::LookAlikes)
-    text = TrialText::tr("It is in the group named, and the group is no larger than it must be.");
+    text = TrialText::tr("It is in the named group, which is no larger than necessary.");
   else
     text = TrialText::tr("It was %1, and so was the answer.").arg(was);
   if (score.covered)

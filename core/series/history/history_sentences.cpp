@@ -34,7 +34,7 @@ std::string chanceText(double chance) {
 }
 
 std::string agreement(const History& history) {
-  if (!history.chance) return Phrase::of("There is one value: nothing compares it.");
+  if (!history.chance) return Phrase::of("There is only one value: it cannot be compared.");
   const std::string chi =
       history.degreesOfFreedom == 1
           ? Phrase::of("χ² = %1 with one degree of freedom, %2", displayText(history.chiSquare, 2),
@@ -43,8 +43,8 @@ std::string agreement(const History& history) {
                        history.degreesOfFreedom, chanceText(*history.chance));
   if (*history.chance >= leastChance && history.course != Course::Constant)
     return Phrase::of(
-        "%1: the values agree within their uncertainties, but they scatter by less than these, and "
-        "by that scatter a change shows.",
+        "%1: the values agree within their uncertainties; against their own, smaller scatter they show a "
+        "change.",
         chi);
   if (*history.chance >= leastChance)
     return Phrase::of("%1: the values agree within their uncertainties.", chi);
@@ -68,33 +68,32 @@ std::vector<std::string> courseSentences(const History& history, const HistoryNu
   switch (history.course) {
     case Course::Constant:
       if (history.chance && *history.chance < leastChance)
-        sentences.push_back(Phrase::of(
-            "No step and no trend explains that: either the uncertainties are understated, or the values "
-            "are too few to tell what changed."));
+        sentences.push_back(
+            Phrase::of("Neither a step nor a trend explains this: the uncertainties are understated, or the "
+                       "values are too few to show what changed."));
       break;
     case Course::Steps:
       for (const HistoryStep& step : history.steps) sentences.push_back(stepSentence(history, step, numbers));
       if (std::ranges::any_of(history.steps, [](const HistoryStep& step) {
             return step.valuesBefore == 1 || step.valuesAfter == 1;
           }))
-        sentences.push_back(
-            Phrase::of("A level that rests on one value cannot be told from a value that is off: measure "
-                       "once more before acting on it."));
+        sentences.push_back(Phrase::of(
+            "A level with only one value may be an outlier: measure once more before acting on it."));
       break;
     case Course::Trend:
       sentences.push_back(Phrase::of("It changes all along, by %1.",
                                      numbers.ratePerYear(history.trend->perYear, history.trend->u)));
       break;
     case Course::OddValue:
-      sentences.push_back(Phrase::of(
-          "The value of %1 stands apart from all others: look for what was different that day, a misread "
-          "session or another set-up, before believing in a change.",
-          history.values[*history.oddValue].date));
+      sentences.push_back(
+          Phrase::of("The value of %1 is an outlier: look for what was different that day, such as a misread "
+                     "value or another set-up, before assuming a change.",
+                     history.values[*history.oddValue].date));
       break;
     case Course::Wander:
       sentences.push_back(
-          Phrase::of("The values wander: what lies close in time agrees better than what lies far apart, and "
-                     "neither steps nor a trend explain that as well."));
+          Phrase::of("The values wander: values close in time agree better than distant ones, and neither "
+                     "steps nor a trend explain this as well."));
       break;
   }
   return sentences;
@@ -224,7 +223,7 @@ std::vector<std::string> historySentences(const History& history, const std::str
                      numbers.withUnit(history.factor * history.mean.scattered)));
   }
   if (const std::string others = rivals(history); !others.empty())
-    sentences.push_back(Phrase::of("How probable each account of the values is: %1.", others));
+    sentences.push_back(Phrase::of("Probability of each explanation of the values: %1.", others));
   return sentences;
 }
 
@@ -264,9 +263,8 @@ std::vector<std::string> congruenceSentences(const std::vector<Epoch>& epochs, c
          Phrase::of("By the readings alone the device is congruent: (O1 − O2)/2 and the radii agree."),
          Phrase::of("By the readings alone the device is not congruent: (O1 − O2)/2 or the radii differ."));
   if (congruence.setUp)
-    told(*congruence.setUp, Phrase::of("O1 and O2 lie where they did, seen from the theodolite."),
-         Phrase::of(
-             "O1 and O2 lie elsewhere seen from the theodolite, as they do wherever it was set up anew."));
+    told(*congruence.setUp, Phrase::of("O1 and O2 have not moved, seen from the theodolite."),
+         Phrase::of("O1 and O2 have moved, seen from the theodolite, as they do after every new set-up."));
   return sentences;
 }
 
@@ -302,7 +300,7 @@ std::string courseName(Course course) {
 }
 
 std::string undatedSentence(const std::string& title) {
-  return Phrase::of("%1 has no date and takes no part: enter the day it was measured on", quotation(title));
+  return Phrase::of("%1 has no date and is not used: enter the day of the measurement", quotation(title));
 }
 
 }  // namespace alidade

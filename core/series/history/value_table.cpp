@@ -200,8 +200,8 @@ class Reader {
           "the column %1 holds expanded uncertainties: half of each is taken as the standard uncertainty",
           quotation(m_names[*m_columns.u])));
     if (m_columns.u && *m_columns.u < m_names.size() && m_names[*m_columns.u] == "U")
-      m_content.remarks.push_back(
-          Phrase::of("the column U is taken for standard uncertainties (k = 1): halve it where it is not"));
+      m_content.remarks.push_back(Phrase::of(
+          "the column U is read as standard uncertainties (k = 1): halve the values if they are expanded"));
   }
 
   static Problem at(const CsvRow& row, const CsvCell* cell, std::string what) {
@@ -215,7 +215,7 @@ class Reader {
   std::optional<Problem> readRow(const CsvRow& row) {
     if (hasCommasInNumbers(row))
       return at(row, nullptr,
-                Phrase::of("has commas between and within its numbers: part them by semicolons"));
+                Phrase::of("has commas between and within its numbers: separate the numbers by semicolons"));
     if (!m_hasColumns) settleColumns(row);
     if (!m_columns.date)
       return at(row, nullptr,

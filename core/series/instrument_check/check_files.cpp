@@ -174,11 +174,11 @@ class CheckFiles {
     layout.unit = unitByFaces(recording);
     if (layout.unit == AngleUnit::Unstated)
       return Problem{
-          Phrase::of("has plain numbers for angles, and no unit lets both faces add up to a full turn: name "
-                     "the unit in the names of the columns, such as “horizontal [gon]”, or state it")};
+          Phrase::of("has angles without a unit, and in no unit do both faces add up to a full turn: put the "
+                     "unit into the column names, such as “horizontal [gon]”, or state it")};
     remark(
-        Phrase::of("plain numbers are taken for %1, as the vertical readings of both faces then add up to "
-                   "a full turn",
+        Phrase::of("numbers without a unit are read as %1, since the vertical readings of both faces then "
+                   "add up to a full turn",
                    accessibleUnit(layout.unit)));
     return readTable(text, layout);
   }
@@ -222,7 +222,7 @@ class CheckFiles {
     if (kind.empty() && areElevations(recordings)) {
       kind = "elevation";
       m_result.remarks.push_back(
-          Phrase::of("the vertical readings are taken for elevations, as they lie around 0° and 180°"));
+          Phrase::of("the vertical readings are treated as elevations, as they are around 0° and 180°"));
     }
     if (kind == "elevation") m_result.circle = VerticalCircle::Elevation;
     return std::nullopt;
@@ -279,7 +279,7 @@ class CheckFiles {
       if (problems.size() >= limits::mostProblems) break;
     }
     if (!problems.empty()) return problemOf(problems);
-    if (excluded > 0) remark(Phrase::of("excluded rows that take no part: %1", excluded));
+    if (excluded > 0) remark(Phrase::of("excluded rows, not used: %1", excluded));
     return std::nullopt;
   }
 
@@ -342,8 +342,7 @@ class CheckFiles {
   void tellOfFaces() {
     if (m_otherFaces > 0)
       m_result.remarks.push_back(Phrase::of(
-          "rows that state another face than their vertical circle shows: %1; the circle is followed",
-          m_otherFaces));
+          "rows whose stated face contradicts their vertical circle: %1; the circle is used", m_otherFaces));
   }
 
   const std::vector<CheckFile>& m_files;

@@ -66,12 +66,11 @@ class StationFindings {
 
   void tellLeftOut() {
     tellRounds();
-    tellKind(LeftOut::RareTarget, PHRASE_LATER("Phrase", "Targets that most rounds lack take no part: %1."));
-    tellKind(LeftOut::OneFace, PHRASE_LATER("Phrase", "Sighted in one face only, and of no use: %1."));
+    tellKind(LeftOut::RareTarget,
+             PHRASE_LATER("Phrase", "Targets missing from most rounds are not used: %1."));
+    tellKind(LeftOut::OneFace, PHRASE_LATER("Phrase", "Sighted in one face only and not used: %1."));
     tellKind(LeftOut::FarApart,
-             PHRASE_LATER("Phrase",
-                          "Both faces differ by more than 1°, so that they are not of one target, or "
-                          "misread: %1."));
+             PHRASE_LATER("Phrase", "The faces differ by more than 1° (different targets, or misread): %1."));
     tellKind(LeftOut::Repeated,
              PHRASE_LATER("Phrase", "Sighted several times in one face of a round, and averaged: %1."));
   }
@@ -83,7 +82,7 @@ class StationFindings {
         rounds.push_back(Phrase::of("%1 (lacks %2)", shortened(left.round, 40), quotation(left.target)));
     if (!rounds.empty())
       add(Severity::Note,
-          Phrase::of("Rounds that lack a target in both faces take no part: %1.", firstOf(rounds)));
+          Phrase::of("Rounds without both faces of every target are not used: %1.", firstOf(rounds)));
   }
 
   void tellKind(LeftOut why, const char* sentence) {
@@ -106,8 +105,9 @@ class StationFindings {
 
   void tellExtent() {
     if (m_station.pairs() == 0) {
-      return add(Severity::Warning, Phrase::of("There is no complete round, with each target in both faces."),
-                 Phrase::of("Sight every target in face 1 and in face 2, and call it the same in both."));
+      return add(
+          Severity::Warning, Phrase::of("There is no complete round, with each target in both faces."),
+          Phrase::of("Sight every target in face 1 and in face 2, and give it the same name in both."));
     }
     if (m_station.rounds == 1)
       return add(
@@ -116,10 +116,11 @@ class StationFindings {
           Phrase::of("Observe three rounds or more."));
     if (m_station.circles == CheckCircles::VerticalOnly) return;
     if (m_station.targets == 1)
-      return add(Severity::Warning,
-                 Phrase::of("With one target directions have nothing to scatter against; only the vertical "
-                            "circle is checked."),
-                 Phrase::of("Sight four targets or more, spread around the horizon."));
+      return add(
+          Severity::Warning,
+          Phrase::of(
+              "With one target, the scatter of directions is unknown; only the vertical circle is checked."),
+          Phrase::of("Sight four targets or more, spread around the horizon."));
     constexpr std::size_t fewestRounds = 3, fewestTargets = 4;
     if (m_station.rounds < fewestRounds || m_station.targets < fewestTargets)
       add(Severity::Note,
@@ -131,13 +132,11 @@ class StationFindings {
 
   void tellCircles() {
     if (m_station.circles == CheckCircles::HorizontalOnly)
-      add(Severity::Note,
-          Phrase::of("Directions alone were read: the collimation holds for targets near the horizon, and "
-                     "nothing is said of the index and of zenith angles."));
+      add(Severity::Note, Phrase::of("Only directions were read: the collimation applies to targets near the "
+                                     "horizon; index and zenith angles are not evaluated."));
     if (m_station.circles == CheckCircles::VerticalOnly)
       add(Severity::Note,
-          Phrase::of("Zenith angles alone were read: nothing is said of the collimation and of "
-                     "directions."));
+          Phrase::of("Only zenith angles were read: collimation and directions are not evaluated."));
   }
 
   void tellIdentical() {
@@ -154,7 +153,7 @@ class StationFindings {
     const double p = twoSidedStudent(index.value, index.u, index.dof);
     if (p < levelOfTests)
       add(Severity::Note, Phrase::of("The index of %1 differs from zero by more than its scatter (%2): "
-                                     "readings in one face need it.",
+                                     "correct readings in one face for it.",
                                      withU(index.value, index.u, "″"), probability(p)));
   }
 
@@ -162,20 +161,18 @@ class StationFindings {
     constexpr double spread = 0.5;  // degrees; the effect is sought from this spread on
     if (m_station.causes.tilt) return tellStatedTilt(*m_station.causes.tilt);
     if (!(m_station.highestDeg - m_station.lowestDeg > spread))
-      return add(
-          Severity::Note,
-          Phrase::of("All targets lie at about the same elevation (%1° to %2°): a tilt of the trunnion axis "
-                     "cannot be told from collimation.",
-                     displayText(m_station.lowestDeg, 1), displayText(m_station.highestDeg, 1)),
-          Phrase::of("Sight a steep target besides."));
+      return add(Severity::Note,
+                 Phrase::of("All targets lie at about the same elevation (%1° to %2°): a tilt of the "
+                            "trunnion axis is indistinguishable from collimation.",
+                            displayText(m_station.lowestDeg, 1), displayText(m_station.highestDeg, 1)),
+                 Phrase::of("Sight a steep target as well."));
     if (!std::isfinite(m_station.causes.tiltShows) || m_station.causes.isEither) return;
     add(Severity::Note,
-        Phrase::of(
-            "A tilt of the trunnion axis cannot be told from collimation here: one of 30″ would show as %1 "
-            "standard uncertainties, with elevations from %2° to %3°.",
-            displayText(m_station.causes.tiltShows, 1), displayText(m_station.lowestDeg, 1),
-            displayText(m_station.highestDeg, 1)),
-        Phrase::of("Sight a steep target besides."));
+        Phrase::of("A tilt of the trunnion axis is indistinguishable from collimation here: 30″ would show "
+                   "as %1 standard uncertainties, with elevations from %2° to %3°.",
+                   displayText(m_station.causes.tiltShows, 1), displayText(m_station.lowestDeg, 1),
+                   displayText(m_station.highestDeg, 1)),
+        Phrase::of("Sight a steep target as well."));
   }
 
   void tellStatedTilt(const TwoCauses& tilt) {
@@ -188,10 +185,9 @@ class StationFindings {
 
   void tellEither() {
     add(Severity::Warning,
-        Phrase::of(
-            "These targets cannot tell a tilt of the trunnion axis from a line of sight that passes the "
-            "axis: the one of the more usual size is stated."),
-        Phrase::of("Sight near and far targets at the same elevation besides."));
+        Phrase::of("With these targets, a tilt of the trunnion axis is indistinguishable from an offset of "
+                   "the line of sight: the one of the more usual size is stated."),
+        Phrase::of("Sight near and far targets at the same elevation as well."));
   }
 
   std::string collimation() const { return withU(m_station.collimation.value, m_station.collimation.u, "″"); }
@@ -199,34 +195,30 @@ class StationFindings {
   void tellDistance() {
     const double nearest = m_station.nearestM;
     if (!(nearest > 0))
-      return add(
-          Severity::Note,
-          Phrase::of(
-              "Not all distances are known. A line of sight that passes the axis at e shows as e/D, "
-              "and at short distances looks like collimation: half a millimetre is 43″ at 2.4 m and 2″ "
-              "at 50 m."));
+      return add(Severity::Note,
+                 Phrase::of("Not all distances are known. An offset e of the line of sight from the axis "
+                            "shows as e/D, which at short distances looks like collimation: half a "
+                            "millimetre is 43″ at 2.4 m and 2″ at 50 m."));
     if (m_station.causes.lineOfSight) return tellStatedOffset(*m_station.causes.lineOfSight);
     if (m_station.causes.isEither) return;
     const std::string half = arcsec(shownAt(nearest, halfMillimetre));
     if (!std::isfinite(m_station.causes.offsetShows)) return tellSameDistance(half);
     add(Severity::Note,
-        Phrase::of(
-            "A line of sight that passes the axis at e shows as e/D and looks like collimation; these "
-            "distances (%1 to %2) cannot tell: half a millimetre, %3 at the nearest target, would show "
-            "as %4 standard uncertainties.",
-            metresText(nearest), metresText(m_station.farthestM), half,
-            displayText(m_station.causes.offsetShows, 1)));
+        Phrase::of("An offset e of the line of sight from the axis shows as e/D and looks like collimation. "
+                   "These distances (%1 to %2) cannot separate the two: half a millimetre, %3 at the nearest "
+                   "target, would show as %4 standard uncertainties.",
+                   metresText(nearest), metresText(m_station.farthestM), half,
+                   displayText(m_station.causes.offsetShows, 1)));
   }
 
   void tellSameDistance(const std::string& half) {
     constexpr double farAway = 200;  // m; half a millimetre is then half an arcsecond
     if (m_station.nearestM < farAway)
       add(Severity::Note,
-          Phrase::of("All targets are about as far away. A line of sight that passes the axis at e shows "
-                     "as e/D and "
-                     "looks like collimation: half a millimetre is %1 at %2.",
+          Phrase::of("All targets are at about the same distance. An offset e of the line of sight from the "
+                     "axis shows as e/D and looks like collimation: half a millimetre is %1 at %2.",
                      half, metresText(m_station.nearestM)),
-          Phrase::of("Sight targets at other distances besides."));
+          Phrase::of("Sight targets at other distances as well."));
   }
 
   void tellStatedOffset(const TwoCauses& sight) {
@@ -234,31 +226,28 @@ class StationFindings {
     if (sight.pValue < levelOfTests)
       return add(
           Severity::Warning,
-          Phrase::of("What the faces differ by goes with 1/D: the line of sight passes the axis at %1 (%2), "
-                     "which shows as %3 at %4 and looks like collimation; without it that is %5.",
+          Phrase::of("The faces differ in proportion to 1/D: the line of sight is %1 (%2) off the axis, "
+                     "which shows as %3 at %4 and looks like collimation; without it, that is %5.",
                      withU(sight.other, sight.uOther, " mm"), probability(sight.pValue),
                      arcsec(shownAt(m_station.nearestM, sight.other)), metresText(m_station.nearestM),
                      collimation()));
-    add(Severity::Note, Phrase::of("What the faces differ by does not go with the distance: the line of "
-                                   "sight passes the axis at %1.",
+    add(Severity::Note, Phrase::of("The difference of the faces does not depend on the distance: the line of "
+                                   "sight is %1 off the axis.",
                                    withU(sight.other, sight.uOther, " mm")));
   }
 
   void tellTargets() {
     if (m_station.targetsDifferP < levelOfTests && !m_station.causes.collimation)
       add(Severity::Note,
-          Phrase::of(
-              "The collimation differs from target to target by more than it scatters (%1): tilt of the "
-              "trunnion axis, distance, or how a target is sighted. Its u is that of the targets.",
-              probability(m_station.targetsDifferP)));
+          Phrase::of("The collimation differs between targets by more than its scatter (%1): tilt of the "
+                     "trunnion axis, distance, or the way a target is sighted. Its u comes from the targets.",
+                     probability(m_station.targetsDifferP)));
   }
 
   void tellCourse() {
     if (m_station.isCircleSetAnew)
-      add(Severity::Note,
-          Phrase::of(
-              "The circle was set anew between rounds, so that a drift of the orientation between them does "
-              "not show."));
+      add(Severity::Note, Phrase::of("The circle was reset between rounds, so a drift of the orientation "
+                                     "between them does not show."));
     tellSlope(m_station.orientationSlope,
               PHRASE_LATER("Phrase", "The orientation drifts by %1 a round (%2)."));
     tellSlope(m_station.collimationSlope,
@@ -299,21 +288,22 @@ void tellStations(const InstrumentCheck& check, std::vector<Finding>& findings) 
                ? Phrase::of(ofSeveral, quotation(sample.first), probability(p))
                : Phrase::of(ofTwo, quotation(sample.first), quotation(sample.second), probability(p))});
     };
-    tellSample(sample.directionP,
-               PHRASE_LATER("Phrase", "s of a direction is not the same at stations %1 and %2 (F, %3)."),
-               PHRASE_LATER("Phrase", "s of a direction at station %1 is not that of the others (F, %2)."));
+    tellSample(
+        sample.directionP,
+        PHRASE_LATER("Phrase", "s of a direction is not the same at stations %1 and %2 (F, %3)."),
+        PHRASE_LATER("Phrase", "s of a direction at station %1 differs from that of the others (F, %2)."));
     tellSample(
         sample.verticalP,
         PHRASE_LATER("Phrase", "s of a zenith angle is not the same at stations %1 and %2 (F, %3)."),
-        PHRASE_LATER("Phrase", "s of a zenith angle at station %1 is not that of the others (F, %2)."));
+        PHRASE_LATER("Phrase", "s of a zenith angle at station %1 differs from that of the others (F, %2)."));
   }
   tell(check.collimationsDifferP,
        PHRASE_LATER("Phrase",
-                    "The collimation differs from station to station by more than it scatters (%1): it "
-                    "moved, or something that looks like it did."));
+                    "The collimation differs between stations by more than its scatter (%1): it changed, or "
+                    "something that looks like it did."));
   tell(check.indicesDifferP,
        PHRASE_LATER("Phrase",
-                    "The index differs from station to station by more than it scatters (%1): it moved."));
+                    "The index differs between stations by more than its scatter (%1): it changed."));
 }
 
 }  // namespace

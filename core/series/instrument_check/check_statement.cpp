@@ -167,10 +167,10 @@ Statement identityTable(const CheckIdentity& identity) {
 }
 
 Statement stationsTable(const InstrumentCheck& check) {
-  const std::string ofDirection =
-                        Phrase::of("Of a direction observed once in both faces, with its degrees of freedom"),
+  const std::string ofDirection = Phrase::of(
+                        "s of a direction observed once in both faces, with its degrees of freedom"),
                     ofZenith = Phrase::of(
-                        "Of a zenith angle observed once in both faces, with its degrees of freedom");
+                        "s of a zenith angle observed once in both faces, with its degrees of freedom");
   Statement statement{
       .id = "instrument_check",
       .title = Phrase::of("Field check after ISO 17123-3"),
@@ -180,14 +180,14 @@ Statement stationsTable(const InstrumentCheck& check) {
                   {"s_direction", Phrase::of("s direction (ν)"), Role::Figure, ofDirection},
                   {"s_zenith", Phrase::of("s zenith (ν)"), Role::Figure, ofZenith},
                   {"collimation", Phrase::of("Collimation"), Role::Figure,
-                   Phrase::of("c as of face 1, ± its standard uncertainty")},
+                   Phrase::of("c, with the sign of face 1, ± its standard uncertainty")},
                   {"index", Phrase::of("Index"), Role::Figure,
-                   Phrase::of("Of the vertical circle as of face 1, ± its standard uncertainty")},
+                   Phrase::of("Index of the vertical circle, sign of face 1, ± its standard uncertainty")},
                   {"tilt", Phrase::of("Trunnion tilt"), Role::Figure,
                    Phrase::of(
                        "i, estimated together with the collimation, from targets at several elevations")},
                   {"line_of_sight", Phrase::of("Line of sight"), Role::Figure,
-                   Phrase::of("e, by which it passes the axis, from targets at several distances")}},
+                   Phrase::of("Offset e from the axis, from targets at several distances")}},
       .rows = {},
       .note = Phrase::of(
           "Rounds × targets; s: of a direction or a zenith angle observed once in both faces, ν: degrees of "

@@ -95,7 +95,7 @@ TEST_F(AtomicFile, FollowsLinksAndLeavesThem) {
   EXPECT_TRUE(fs::is_symlink(path("far")) && fs::is_symlink(path("near")));
   fs::create_symlink(path("round"), path("about"));
   fs::create_symlink(path("about"), path("round"));
-  EXPECT_THAT(writeFile(path("round"), "x", {})->what, HasSubstr("in a circle"));
+  EXPECT_THAT(writeFile(path("round"), "x", {})->what, HasSubstr("form a loop"));
 }
 
 // Each step that may fail is tested in turn, as on a full or failing disk.
@@ -151,7 +151,7 @@ TEST_F(AtomicFile, NoticesTheLimitOfTheSystem) {
   const std::string sentence = refusal({});
   ASSERT_EQ(setrlimit(RLIMIT_FSIZE, &limit), 0);
   std::signal(SIGXFSZ, before);
-  EXPECT_THAT(sentence, HasSubstr("larger than files may be"));
+  EXPECT_THAT(sentence, HasSubstr("exceeds the size limit"));
 }
 
 TEST_F(AtomicFile, SynchronisesTheFileBeforeItTakesItsPlaceAndThenTheFolder) {
@@ -175,12 +175,12 @@ TEST_F(AtomicFile, SynchronisesTheFileBeforeItTakesItsPlaceAndThenTheFolder) {
 }
 
 TEST_F(AtomicFile, NamesWhatStandsInTheWay) {
-  EXPECT_THAT(writeFile(path("no/file"), "x", {})->what, HasSubstr("its folder is not there"));
+  EXPECT_THAT(writeFile(path("no/file"), "x", {})->what, HasSubstr("its folder does not exist"));
   EXPECT_THAT(writeFile(folder.file("file", "") + "/below", "x", {})->what,
-              HasSubstr("its folder is not there"));
+              HasSubstr("its folder does not exist"));
   fs::create_directory(folder.path() / "taken");
-  EXPECT_THAT(writeFile(path("taken"), "x", {})->what, HasSubstr("a folder stands there"));
-  EXPECT_THAT(writeFile(path("taken") + "/", "x", {})->what, HasSubstr("a folder stands there"));
+  EXPECT_THAT(writeFile(path("taken"), "x", {})->what, HasSubstr("a folder has this name"));
+  EXPECT_THAT(writeFile(path("taken") + "/", "x", {})->what, HasSubstr("a folder has this name"));
   EXPECT_THAT(writeFile(path(std::string(300, 'n')), "x", {})->what, HasSubstr("too long"));
   EXPECT_THAT(writeFile("", "x", {})->what, HasSubstr("no name"));
 }
@@ -193,7 +193,7 @@ TEST_F(AtomicFile, SaysThatTheFolderVanishedMeanwhile) {
     fs::remove_all(gone);
     return std::rename(from, to);
   };
-  EXPECT_THAT(writeFile(gone + "/file", "x", {}, calls)->what, HasSubstr("its folder is not there"));
+  EXPECT_THAT(writeFile(gone + "/file", "x", {}, calls)->what, HasSubstr("its folder does not exist"));
 }
 
 TEST_F(AtomicFile, NeverReplacesWhatItWasMadeFrom) {
@@ -203,7 +203,7 @@ TEST_F(AtomicFile, NeverReplacesWhatItWasMadeFrom) {
   for (const std::string& name : {input, path("./input"), path("link"), path("hard")}) {
     const auto problem = writeFile(name, "lost", {"elsewhere", input});
     ASSERT_TRUE(problem) << name;
-    EXPECT_THAT(problem->what, HasSubstr("the file that is read")) << name;
+    EXPECT_THAT(problem->what, HasSubstr("the file being read")) << name;
     EXPECT_TRUE(writeFile(input, "lost", {name})) << name;
   }
   EXPECT_EQ(*readFile(input), "kept");

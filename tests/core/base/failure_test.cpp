@@ -24,7 +24,7 @@ TEST(Failure, SaysWhatTheExceptionSays) {
 }
 
 TEST(Failure, HoldsWhateverIsThrown) {
-  EXPECT_EQ(failureOf([] { throw 7; }), "a fault in the program (of a kind that says nothing)");
+  EXPECT_EQ(failureOf([] { throw 7; }), "a fault in the program (cause not reported)");
 }
 
 }  // namespace

@@ -75,7 +75,7 @@ TEST(GeoComTalk, WhoDoesNotAnswerIsTold) {
   for (int i = 0; i < 3; ++i) geocom.bench.wait(2000);
   EXPECT_FALSE(geocom.talk.wakeAt());
   ASSERT_EQ(geocom.bench.remarks.size(), 1U);
-  EXPECT_THAT(geocom.bench.remarks[0], HasSubstr("did not answer 3 times"));
+  EXPECT_THAT(geocom.bench.remarks[0], HasSubstr("failed to answer 3 times"));
 }
 
 TEST(GeoComTalk, TakesAReadingWithTiltsAndCorrections) {
@@ -204,7 +204,7 @@ TEST(GeoComTalk, ChecksumsThatNeverFitEndInASentence) {
     geocom.bench.receive("%R1P,0," + std::to_string(*geoComQuestion(geocom.bench.told())->transaction) +
                          ",7:" + angles + "\r\n");
   EXPECT_TRUE(geocom.bench.readings.empty());
-  EXPECT_TRUE(geocom.bench.said("The answers of the instrument were spoiled 3 times."));
+  EXPECT_TRUE(geocom.bench.said("The answers of the instrument were corrupted 3 times."));
   EXPECT_FALSE(geocom.talk.isTaking());
 }
 
@@ -273,8 +273,8 @@ TEST(GeoComTalk, ACableThatIsPulledEndsInASentence) {
   geocom.bench.receive("%R1P,0,1:0,4.3");
   for (int i = 0; i < 60; ++i) geocom.bench.wait(500);
   EXPECT_TRUE(geocom.bench.readings.empty());
-  EXPECT_TRUE(geocom.bench.said("Half a line came"));
-  EXPECT_TRUE(geocom.bench.said("did not answer 3 times"));
+  EXPECT_TRUE(geocom.bench.said("Only part of a line came"));
+  EXPECT_TRUE(geocom.bench.said("failed to answer 3 times"));
   EXPECT_FALSE(geocom.talk.isTaking());
   EXPECT_FALSE(geocom.talk.wakeAt());
 }

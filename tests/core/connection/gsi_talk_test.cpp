@@ -54,7 +54,7 @@ TEST(GsiTalk, ABlockThatComesAgainIsAcknowledgedAgainAndTakenOnce) {
   }
   EXPECT_EQ(gsi.bench.told(), "?\r\n?\r\n?\r\n");
   EXPECT_EQ(gsi.bench.readings.size(), 1U);
-  EXPECT_TRUE(gsi.bench.said("taken once"));
+  EXPECT_TRUE(gsi.bench.said("used once"));
   gsi.bench.wait(30000);
   gsi.bench.receive(wide + "\r\n");
   EXPECT_EQ(gsi.bench.readings.size(), 2U) << "half a minute later it is another sighting";

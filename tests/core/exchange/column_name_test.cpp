@@ -104,12 +104,13 @@ TEST(TableRows, ThatAreNoReadingsAreTold) {
   EXPECT_THAT(recording.problems, IsEmpty());
   EXPECT_EQ(recording.sightings.size(), 2U);
   EXPECT_THAT(recording.unused, ElementsAre("rows of means or sums are not used: lines 3, 4, 5",
-                                            "rows that name the columns again are passed over: line 6",
+                                            "rows that name the columns again are skipped: line 6",
                                             "rows without a reading of a circle are not used: lines 7, 8"));
   EXPECT_THAT(readCsv("Pt,Hz,V\n1,1°,2°\nsunny, wind 3 m/s, no clouds\n").problems, IsEmpty());
   EXPECT_FALSE(readCsv("Pt,Hz,V\n1,1°,2°\n2, x107 12 23, 88°\n").sightings.size() == 1)
       << "is refused by its rules";
-  EXPECT_THAT(readCsv("Pt;Hz;V\n1;1°;2°\nPt;V;Hz\n2;1°;2°\n").problems.at(0).text(), HasSubstr("named anew"));
+  EXPECT_THAT(readCsv("Pt;Hz;V\n1;1°;2°\nPt;V;Hz\n2;1°;2°\n").problems.at(0).text(),
+              HasSubstr("named again and differently"));
 }
 
 TEST(FaceWords, DependOnTheirCompany) {

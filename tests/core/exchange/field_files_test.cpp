@@ -87,7 +87,7 @@ TEST(FieldFiles, EndAtTheSignOfDos) {
   const ReadFile mixed = readFile("sdr-mixed-means-ctrl-z.sdr");
   EXPECT_THAT(mixed.rows, ElementsAre("1 12.50000000° 88.20000000°", "1 192.50000000° 271.80000000°"));
   EXPECT_THAT(mixed.remarks, Contains(HasSubstr("(09MC) is not used: line 7")));
-  EXPECT_THAT(mixed.remarks, Contains(HasSubstr("behind the end of the file (^Z) is not used: line 8")));
+  EXPECT_THAT(mixed.remarks, Contains(HasSubstr("after the end of the file (^Z) is not used: line 8")));
 }
 
 TEST(FieldFiles, TellOfAHeading) {

@@ -72,7 +72,7 @@ INSTANTIATE_TEST_SUITE_P(
     });
 
 TEST(NamedFormatsOfText, KeepTheSentenceOfSessions) {
-  EXPECT_THAT(importRefusalOf("rows.json"), StartsWith("is no file of readings but JSON"));
+  EXPECT_THAT(importRefusalOf("rows.json"), StartsWith("is JSON, not a file of readings"));
 }
 
 TEST(FileFormats, TakeNoSampleForAnotherFormat) {

@@ -130,7 +130,7 @@ TEST(GsiReader, TellsOfWordsAndLinesThatNobodyNeeds) {
   for (const std::string told :
        {"the line “Job ARC7, 22.05.2026” is not used: line 1", "the text “86..+00300000”, no GSI word",
         "reflector height is not used: line 2", "the text “84.+0000”", "word 331", "the line “-- page 2 --”",
-        "the line “21 March”", "neither 8 nor 16 characters, taken as they stand: 1, first in line 2"})
+        "the line “21 March”", "neither 8 nor 16 characters, used unchanged: 1, first in line 2"})
     EXPECT_THAT(recording.unused, Contains(HasSubstr(told)));
 }
 
@@ -142,7 +142,7 @@ TEST(GsiReader, QuotesTheFirstLinesOfNoUseAndCountsTheOthers) {
   EXPECT_EQ(recording.unused.size(), 4u);
   EXPECT_THAT(recording.unused, Contains("the line “page 2” is not used: line 4"));
   EXPECT_THAT(recording.unused,
-              Contains("a further line of no format is not used: 47 times, first in line 5"));
+              Contains("a further line of unknown format is not used: 47 times, first in line 5"));
 }
 
 TEST(GsiReader, RefusesALineWhereWhatIsNeededIsTorn) {
@@ -155,7 +155,7 @@ TEST(GsiReader, RefusesALineWhereWhatIsNeededIsTorn) {
               HasSubstr("line 1, column 17: horizontal circle “341522” has neither 8 nor 16"));
   EXPECT_THAT(problem("110001+00000001 21.324+34152240 22..+08816490"),
               HasSubstr("column 33: “22..+08816490”"));
-  EXPECT_THAT(problem("110001+00000001 21.320+34152240 22.324+08816490"), HasSubstr("no unit of an angle"));
+  EXPECT_THAT(problem("110001+00000001 21.320+34152240 22.324+08816490"), HasSubstr("no angle unit"));
   EXPECT_THAT(problem("11001+00000001" + point), HasSubstr("“11001+00000001” is no GSI word"));
   EXPECT_THAT(problem("110001+00000001 21.3"), HasSubstr("“21.3” is no GSI word")) << "a line that was cut";
   EXPECT_THAT(problem("41...+00000180"), HasSubstr("“41...+00000180” is no GSI word")) << "an axis";
@@ -256,7 +256,7 @@ TEST(GsiReader, ReadsWhatProgramsMakeOfBlocks) {
 
 TEST(GsiReader, StopsAtTheEndOfADosFile) {
   const std::string line = "110001+00000001" + point + "\r\n";
-  EXPECT_THAT(readGsi(line + "\x1A").unused, Contains(HasSubstr("behind the end of the file (^Z)")));
+  EXPECT_THAT(readGsi(line + "\x1A").unused, Contains(HasSubstr("after the end of the file (^Z)")));
   EXPECT_EQ(readGsi(line + "\x1A" + line).sightings.size(), 1u);
 }
 

@@ -86,8 +86,8 @@ TEST(GsiWord, KeepsTheSignInEveryUnit) {
 }
 
 TEST(GsiWord, RefusesWhatIsNoAngle) {
-  EXPECT_THAT(refusalOf("21.100+17920860"), HasSubstr("position 6"));
-  EXPECT_THAT(refusalOf("21.10.+17920860"), HasSubstr("position 6"));
+  EXPECT_THAT(refusalOf("21.100+17920860"), HasSubstr("character 6"));
+  EXPECT_THAT(refusalOf("21.10.+17920860"), HasSubstr("character 6"));
   EXPECT_THAT(refusalOf("21.102+1792 860"), HasSubstr("digits"));
   EXPECT_THAT(refusalOf("*21.102+1234567890123456"), HasSubstr("larger than a circle"));
 }

@@ -89,7 +89,7 @@ TEST(Import, TakesFacesAndRoundsFromWhatWasRead) {
   EXPECT_EQ(readings[0].face + readings[1].face + readings[2].face, "121");
   EXPECT_EQ(readings[0].round + readings[1].round + readings[2].round, "112");
   EXPECT_THAT(import.remarks, Contains(HasSubstr("further rounds")));
-  EXPECT_THAT(import.remarks, Contains(HasSubstr("put at 0°")));
+  EXPECT_THAT(import.remarks, Contains(HasSubstr("assigned to 0°")));
 }
 
 TEST(Import, LeavesFaceAndRoundEmptyWhereThereIsOne) {

@@ -50,8 +50,7 @@ TEST(LandXml, ReadsRawObservationsDigitByDigit) {
   EXPECT_EQ(recording.measuredOn, "2024-03-05");
   EXPECT_THAT(recording.stations, ElementsAre("", "K1"));
   EXPECT_THAT(recording.unused, Contains("a deleted observation is not used: line 14"));
-  EXPECT_THAT(recording.unused,
-              Contains("a reduced observation, no reading of circles is not used: line 15"));
+  EXPECT_THAT(recording.unused, Contains("a reduced observation, not a circle reading is not used: line 15"));
 }
 
 TEST(LandXml, ReadsEveryUnitOfItsSchema) {
@@ -71,7 +70,7 @@ TEST(LandXml, ReadsEveryUnitOfItsSchema) {
 
 TEST(LandXml, RefusesWhatItsUnitCannotBe) {
   EXPECT_THAT(landXmlCircles("", "107.1225", "98.473"),
-              ElementsAre(HasSubstr("no readings of circles in radians, the unit of a LandXML file")));
+              ElementsAre(HasSubstr("not circle readings in radians, the default unit of a LandXML file")));
   EXPECT_THAT(landXmlCircles("angularUnit=\"mil\"", "1", "2"),
               ElementsAre(HasSubstr("“mil” is no unit of angles")));
   EXPECT_THAT(landXmlCircles("angularUnit=\"decimal dd.mm.ss\"", "107.6123", "88.4731"),

@@ -103,7 +103,8 @@ TEST(ReadTable, RefusesTheOtherDecimalSign) {
   const Recording recording = readTable("Hz;V\n341.5°;88.5°\n341,5°;88.5°\n", layout);
   EXPECT_EQ(recording.sightings.size(), 1u);
   ASSERT_EQ(recording.problems.size(), 1u);
-  EXPECT_THAT(recording.problems[0].text(), HasSubstr("line 3, column 1: “341,5°” has another decimal sign"));
+  EXPECT_THAT(recording.problems[0].text(),
+              HasSubstr("line 3, column 1: “341,5°” has a decimal sign other than"));
   layout.decimalSign = DecimalSign::Either;
   EXPECT_EQ(readTable("Hz;V\n341.5°;88.5°\n341,5°;88.5°\n", layout).sightings.size(), 2u);
 }

@@ -113,7 +113,7 @@ TEST(SdrReader, NamesRecordsThatCannotBeRead) {
     return recording.problems.empty() ? std::string() : recording.problems.front().text();
   };
   EXPECT_THAT(problem(heading("SDR33", "311111")), HasSubstr("line 1, column 41: “3” is no unit of angles"));
-  EXPECT_THAT(problem(heading("SDR33", "111112")), HasSubstr("grow to the left"));
+  EXPECT_THAT(problem(heading("SDR33", "111112")), HasSubstr("increase to the left"));
   EXPECT_THAT(problem("00NMSDR33\n"), HasSubstr("line 1, column 10: “”")) << "where the line ends";
   const std::string begin = heading("SDR33", "111111");
   EXPECT_THAT(problem(begin + record("09F1", {"S", "9", "", "", "332.5"})),

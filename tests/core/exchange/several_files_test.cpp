@@ -66,7 +66,8 @@ TEST(SeveralFiles, NameTheFileInWhatIsSaid) {
       imported({{.name = "a.csv", .bytes = first}, {.name = "b.csv", .bytes = odd, .axis = "180"}});
   ASSERT_EQ(import.problems.size(), 1u);
   EXPECT_THAT(import.problems[0].text(), HasSubstr("“b.csv”, line 2, column 3: horizontal"));
-  EXPECT_THAT(import.remarks, Contains(HasSubstr("“a.csv”: nothing in the file says how the axis stood")));
+  EXPECT_THAT(import.remarks,
+              Contains(HasSubstr("“a.csv”: the file does not state the position of the axis")));
   EXPECT_THAT(import.unplaced, ElementsAre(0u));
   ImportOptions options;
   const auto refused =
@@ -80,8 +81,7 @@ TEST(SeveralFiles, RefuseTwoKindsOfVerticalCircle) {
       {{.name = "a", .bytes = "Hz,zenith\n1°,88°\n"}, {.name = "b", .bytes = "Hz,elevation\n1°,2°\n"}},
       ImportOptions{});
   ASSERT_FALSE(refused);
-  EXPECT_THAT(refused.problem().what,
-              HasSubstr("“b” holds vertical readings of a circle of the kind elevation"));
+  EXPECT_THAT(refused.problem().what, HasSubstr("“b” has vertical readings of the kind elevation"));
 }
 
 TEST(AddedReadings, LeaveWhatIsThere) {
@@ -107,7 +107,7 @@ TEST(AddedReadings, GoOnInAPositionWithOtherPlacesOrAnotherRound) {
   ASSERT_EQ(round.session.positions.size(), 2u);
   EXPECT_EQ(round.session.positions[1].readings.back().round, "2");
   EXPECT_EQ(round.session.positions[1].zero, paper.positions[1].zero) << "as it was given";
-  EXPECT_THAT(round.remarks, Contains(HasSubstr("the pointing zero at 180° stays as it was given")));
+  EXPECT_THAT(round.remarks, Contains(HasSubstr("the pointing zero at 180° keeps its given value")));
   for (const Problem& problem : examine(round.session).problems)
     EXPECT_THAT(problem.what, Not(HasSubstr("already"))) << "two readings in one place";
 }

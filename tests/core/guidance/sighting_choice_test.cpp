@@ -153,7 +153,7 @@ TEST(SightingChoice, IsToldWithWhatMayBeTheCase) {
   ASSERT_TRUE(chosen.choice);
   const Statement statement = sightingChoiceStatement(*chosen.choice, chosen.progress);
   ASSERT_GE(statement.sentences.size(), 2u);
-  EXPECT_THAT(statement.sentences.front(), HasSubstr("tells most for its"));
+  EXPECT_THAT(statement.sentences.front(), HasSubstr("is most informative for its"));
   EXPECT_THAT(enoughSentence(chosen.choice->soFar), HasSubstr("Not enough yet"));
   EXPECT_EQ(statement.rows.front().cells.front(), "No cause");
   double sum = 0;

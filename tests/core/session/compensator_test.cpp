@@ -202,7 +202,7 @@ TEST(Compensator, IsCautiousWhereRowsDiffer) {
 TEST(Compensator, SaysWhyTiltsAreOfNoUse) {
   const Measurement measurement = measuredWith(oneFace, {.aboutX = 33, .corrections = {}});
   EXPECT_THAT(compensatorKnowledge(measurement).known, IsEmpty());
-  EXPECT_THAT(findingsOf(measurement), ElementsAre(HasSubstr("of no use")));
+  EXPECT_THAT(findingsOf(measurement), ElementsAre(HasSubstr("are not used")));
 }
 
 }  // namespace

@@ -147,7 +147,7 @@ TEST(Journal, SealsWhatTheSessionSays) {
 
   back.positions[0].readings[4].vertical = "89°";
   EXPECT_FALSE(isAsSealed(back, *seal));
-  EXPECT_NE(journalSummary(back).find("is not what was sealed, and the journal does not tell"),
+  EXPECT_NE(journalSummary(back).find("differs from what was sealed, and the journal does not record"),
             std::string::npos);
   enterInJournal(back.journal, change("88°", "89°"));
   EXPECT_NE(journalSummary(back).find("; one change since: a revision that nobody has sealed."),

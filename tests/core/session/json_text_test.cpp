@@ -38,8 +38,10 @@ TEST(JsonText, ToleratesAByteOrderMark) {
 TEST(JsonText, NamesLineAndColumnOfASyntaxError) {
   EXPECT_THAT(sentenceOn("{\n  \"a\": 1,\n  \"°\" 2\n}"), HasSubstr("is not JSON at line 3, column 7, at “"));
   EXPECT_THAT(sentenceOn("{\"a\": 1,}"), HasSubstr("line 1, column 9"));
-  EXPECT_THAT(sentenceOn("{} {}"), HasSubstr("goes on after its end, at line 1, column 4"));
-  EXPECT_THAT(sentenceOn("{\"a\": [1]}\n]"), HasSubstr("goes on after its end, at line 2, column 1"));
+  EXPECT_THAT(sentenceOn("{} {}"),
+              HasSubstr("continues after the end of the JSON document, at line 1, column 4"));
+  EXPECT_THAT(sentenceOn("{\"a\": [1]}\n]"),
+              HasSubstr("continues after the end of the JSON document, at line 2, column 1"));
   EXPECT_THAT(sentenceOn("{\"a\": NaN}"), HasSubstr("line 1"));
 }
 
@@ -47,17 +49,17 @@ TEST(JsonText, NamesWhatElseIsWrongWithATextAndWhatToDo) {
   EXPECT_THAT(sentenceOn(""), HasSubstr("is empty: choose another file"));
   EXPECT_THAT(sentenceOn(" \n"), HasSubstr("is empty"));
   EXPECT_THAT(sentenceOn("{\"a\": [1, 2"),
-              HasSubstr("ends too early, at line 1, column 12: the file is cut short"));
+              HasSubstr("ends too early, at line 1, column 12: the file is incomplete"));
   EXPECT_THAT(sentenceOn("{\"a\": \"\xFF\"}"), HasSubstr("is not UTF-8 text at line 1, column 8"));
-  EXPECT_THAT(sentenceOn("{\"a\": 1e999}"), HasSubstr("has a number too large"));
+  EXPECT_THAT(sentenceOn("{\"a\": 1e999}"), HasSubstr("has too large a number"));
   EXPECT_THAT(sentenceOn("{\"a\": \"\\ud800\"}"), HasSubstr("is not JSON at line 1"));
 }
 
 TEST(JsonText, RefusesAKeyThatStandsTwiceWithItsPlace) {
-  EXPECT_THAT(sentenceOn(R"({"title": "a", "title": "b"})"), HasSubstr("title: stands twice in one object"));
+  EXPECT_THAT(sentenceOn(R"({"title": "a", "title": "b"})"), HasSubstr("title: is a duplicate key"));
   EXPECT_THAT(sentenceOn(R"({"positions": [{}, {"readings": [{}, {"vertical": 1, "vertical": 2}]}]})"),
-              HasSubstr("positions[1].readings[1].vertical: stands twice"));
-  EXPECT_THAT(sentenceOn(R"({"x": [[{"y": 1, "y": 1}]]})"), HasSubstr("x[0][0].y: stands twice"));
+              HasSubstr("positions[1].readings[1].vertical: is a duplicate key"));
+  EXPECT_THAT(sentenceOn(R"({"x": [[{"y": 1, "y": 1}]]})"), HasSubstr("x[0][0].y: is a duplicate key"));
   EXPECT_EQ(sentenceOn(R"({"x": {"y": 1}, "y": {"y": 1}})"), "accepted");
 }
 
@@ -99,8 +101,8 @@ TEST(JsonText, DoesNotCountTheValuesOfRows) {
 TEST(JsonText, RefusesTextsAndRowsBeyondTheLimits) {
   const std::string longest(limits::longestText, 'x');
   EXPECT_EQ(sentenceOn("{\"a\": \"" + longest + "\"}"), "accepted");
-  EXPECT_THAT(sentenceOn("{\"a\": \"" + longest + "x\"}"), StartsWith("a: holds a text of more than 1 MiB"));
-  EXPECT_THAT(sentenceOn("{\"" + longest + "x\": 1}"), StartsWith("holds a text of more than 1 MiB"));
+  EXPECT_THAT(sentenceOn("{\"a\": \"" + longest + "x\"}"), StartsWith("a: has a text of more than 1 MiB"));
+  EXPECT_THAT(sentenceOn("{\"" + longest + "x\": 1}"), StartsWith("has a text of more than 1 MiB"));
   std::string text = R"({"positions": [{"readings": [0)";
   for (std::size_t i = 1; i < limits::mostRows; ++i) text += ",0";
   nlohmann::ordered_json json;
@@ -133,7 +135,7 @@ TEST(JsonText, CountsRowsThatItKeepsNoLonger) {
   const auto problem = parseJson(R"({"positions": [{}, {"readings": [{}, {}, {"a": 1, "a": 2}]}]})", json,
                                  [](const Place&, const nlohmann::ordered_json&) {});
   ASSERT_TRUE(problem);
-  EXPECT_THAT(problem->text(), StartsWith("positions[1].readings[2].a: stands twice"));
+  EXPECT_THAT(problem->text(), StartsWith("positions[1].readings[2].a: is a duplicate key"));
 }
 
 }  // namespace

@@ -384,8 +384,9 @@ TEST(Measurement, HasOneZeroWhereItIsStatedAndTheSameEverywhere) {
   session.positions[0].readings[0].horizontal = "x";
   const Examined differing = examine(session);
   ASSERT_EQ(differing.problems.size(), 2u);
-  EXPECT_THAT(differing.problems[0].text(),
-              HasSubstr("geometry.pointing_zeros: is stated as one, but the positions have different zeros"));
+  EXPECT_THAT(
+      differing.problems[0].text(),
+      HasSubstr("geometry.pointing_zeros: is stated as “one”, but the positions have different zeros"));
   EXPECT_FALSE(differing.measurement->hasOneZero());
   session.positions[1].zero = session.positions[0].zero;
   EXPECT_TRUE(examine(session).measurement->hasOneZero());
@@ -409,9 +410,8 @@ TEST(Measurement, TakesLengthsToTheTemperatureOfTheSession) {
   session.environment.temperatureC.clear();
   const Examined without = examine(session);
   ASSERT_EQ(without.problems.size(), 2u);
-  EXPECT_THAT(
-      without.problems[0].text(),
-      HasSubstr("geometry.distance_expansion_ppm_per_k: has nothing to act on: type the temperature"));
+  EXPECT_THAT(without.problems[0].text(), HasSubstr("geometry.distance_expansion_ppm_per_k: has no effect "
+                                                    "without a temperature: type the temperature"));
   EXPECT_EQ(without.measurement->distance, stated.distance);
   session.geometry.distanceExpansionPpmPerK = "5000";
   EXPECT_FALSE(examine(session).measurement);
@@ -423,8 +423,10 @@ TEST(Measurement, HasATolerancesMeasurand) {
   session.acceptance.measurand = "distance";
   EXPECT_EQ(examine(session).measurement->measurand, Measurand::Distance);
   session.acceptance.measurand = "height";
-  EXPECT_THAT(soleProblem(session).text(), HasSubstr("acceptance.measurand: “height” is nothing that a "
-                                                     "tolerance limits: choose intersection or distance"));
+  EXPECT_THAT(
+      soleProblem(session).text(),
+      HasSubstr(
+          "acceptance.measurand: “height” is no quantity for a tolerance: choose intersection or distance"));
   EXPECT_FALSE(examine(session).measurement->tolerance);
 }
 

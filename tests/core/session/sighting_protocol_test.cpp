@@ -100,7 +100,7 @@ TEST(SightingProtocol, SaysWhatMeansNothingAndWhere) {
   EXPECT_THAT(sayingOfProtocolWith("/version", 2), HasSubstr("newer"));
   EXPECT_THAT(sayingOfProtocolWith("/positions", Json::array()), HasSubstr("positions: is empty"));
   EXPECT_THAT(sayingOfProtocolWith("/positions/1/axis_deg", 90), HasSubstr("positions[1].axis_deg"));
-  EXPECT_THAT(sayingOfProtocolWith("/places/1/point", 1), HasSubstr("places[1].point: 1 stands there twice"));
+  EXPECT_THAT(sayingOfProtocolWith("/places/1/point", 1), HasSubstr("places[1].point: 1 occurs twice"));
   EXPECT_THAT(sayingOfProtocolWith("/places/1/slider", "20.3"), HasSubstr("places[1].slider"));
   EXPECT_THAT(sayingOfProtocolWith("/positions/0/zeros/before", {2}), HasSubstr("lacks face 1"));
   EXPECT_THAT(sayingOfProtocolWith("/positions/0/zeros/after", {1, 1}), HasSubstr("names a face twice"));

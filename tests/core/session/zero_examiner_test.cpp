@@ -142,10 +142,9 @@ TEST(ZeroExaminer, NamesSightingsThatCannotBeUsed) {
                                           "positions[0].pointing_zero.after.horizontal",
                                           "positions[1].pointing_zero.face_2.horizontal",
                                           "positions[1].pointing_zero.after.vertical"));
-  EXPECT_THAT(
-      zeros.ofPositions[1].problems[0].what,
-      HasSubstr("“10 00 00” lies 180.0° from the pointing zero as it was sighted first: check the degrees "
-                "and the face"));
+  EXPECT_THAT(zeros.ofPositions[1].problems[0].what,
+              HasSubstr("“10 00 00” is 180.0° from the first sighting of the pointing zero: check the "
+                        "degrees and the face"));
   for (const ExaminedZero& zero : zeros.ofPositions) EXPECT_EQ(zero.direction->sightings.count, 1);
 }
 

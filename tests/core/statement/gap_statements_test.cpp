@@ -140,7 +140,7 @@ TEST(CausesStatement, TellsEachMisreadValueBelowItsCause) {
   EXPECT_EQ(cellOf(causes, 2, "size"), "−3.0″");
   EXPECT_EQ(cellOf(causes, 0, "look_alikes"), "a jump of the orientation");
   EXPECT_EQ(causes.textsBelow(causes.rows[0]),
-            std::vector<std::string>{"cannot be told from: a jump of the orientation"});
+            std::vector<std::string>{"indistinguishable: a jump of the orientation"});
 }
 
 TEST(StagesStatement, CountsTheMisreadValuesThatAreLeftOut) {

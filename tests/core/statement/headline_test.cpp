@@ -196,7 +196,7 @@ TEST(Headline, SaysPlainlyWhereThereIsNoMeasuredResult) {
   EXPECT_EQ(headlineOf(gap).nameAndFigure(), "Δd: not determined by these readings");
   const Headline undiagnosed = headlineOf(noGap(gap.evaluation, Absence::Stopped));
   EXPECT_EQ(undiagnosed.nameAndFigure(), "Δd: no diagnosis was made");
-  EXPECT_EQ(undiagnosed.tip, "The diagnosis was stopped. The next edit takes it up again.");
+  EXPECT_EQ(undiagnosed.tip, "The diagnosis was stopped. The next edit starts it again.");
   EXPECT_EQ(undiagnosed.verdictAndTolerance(), "Accepted, fit only · tolerance ± 2.5 mm");
   EXPECT_EQ(undiagnosed.decided, std::nullopt) << "the result of the fit alone is no acceptance";
   EXPECT_EQ(undiagnosed.fitOnly, "Δd, fit only: 1.31 ± 0.21 mm");

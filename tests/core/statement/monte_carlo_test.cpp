@@ -34,22 +34,21 @@ TEST(MonteCarloStatement, SaysHowManyDrawsWouldTell) {
   MonteCarlo check = differing(0.003, LinearPropagation::Undecided);
   EXPECT_EQ(agreementWord(check), "No disagreement, but too few draws to be sure.");
   EXPECT_THAT(agreementSentence(check),
-              HasSubstr("an end is uncertain by 0.0040 mm: about 6000 draws would tell."))
+              HasSubstr("an end of the interval is uncertain by 0.0040 mm: about 6000 draws would decide."))
       << "1000 · (3 · 0.004/0.005)²";
   check.lowDifference = 0.0091;
   EXPECT_EQ(agreementWord(check), "Too few draws to decide.");
-  EXPECT_THAT(agreementSentence(check), HasSubstr(": about 9000 draws would tell."))
+  EXPECT_THAT(agreementSentence(check), HasSubstr(": about 9000 draws would decide."))
       << "1000 · (3 · 0.004/(0.0091 − 0.005))²";
   check.lowDifference = 0.016;
-  EXPECT_THAT(agreementSentence(check), HasSubstr(": about 6000 draws would tell."))
+  EXPECT_THAT(agreementSentence(check), HasSubstr(": about 6000 draws would decide."))
       << "the tolerance is the smaller room";
   check.lowDifference = check.tolerance;
   EXPECT_EQ(agreementWord(check), "No disagreement, but too few draws to be sure.");
-  EXPECT_THAT(agreementSentence(check), HasSubstr(": about 6000 draws would tell."))
+  EXPECT_THAT(agreementSentence(check), HasSubstr(": about 6000 draws would decide."))
       << "at the tolerance is within it";
   check.lowDifference = std::nextafter(check.tolerance, 1);
-  EXPECT_THAT(agreementSentence(check),
-              HasSubstr("; it would take more draws than can be asked for here to tell."));
+  EXPECT_THAT(agreementSentence(check), HasSubstr(": a decision needs more draws than can be set here."));
 }
 
 }  // namespace

@@ -11,7 +11,7 @@ TEST(AcrossSentence, GivesTheValueWithItsUncertaintyOrSaysThatThereIsNone) {
             "The offset of the arc's centre from the axis across the plane of the arc was not measured.");
   measured.across = MeasuredLength{-3.0135, 0.21, 0.415};
   EXPECT_EQ(acrossSentence(measured),
-            "Across the plane of the arc its centre lies Δz = −3.01 mm ± 0.41 mm off the axis.");
+            "The arc's centre is Δz = −3.01 mm ± 0.41 mm off the axis, across the plane of the arc.");
 }
 
 }  // namespace

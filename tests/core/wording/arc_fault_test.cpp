@@ -12,8 +12,8 @@ using testing::HasSubstr, testing::Not, testing::StartsWith;
 TEST(ArcFaultInWords, CountsPlaces) {
   EXPECT_THAT(textOf(TooFewPlaces{0}), StartsWith("has no readings yet"));
   EXPECT_THAT(textOf(TooFewPlaces{1}), StartsWith("has readings of 1 place;"));
-  EXPECT_THAT(textOf(PlacesRepeat{1}), HasSubstr("only 1 different place,"));
-  EXPECT_THAT(textOf(PlacesRepeat{2}), HasSubstr("only 2 different places,"));
+  EXPECT_THAT(textOf(PlacesRepeat{1}), HasSubstr("only 1 distinct place,"));
+  EXPECT_THAT(textOf(PlacesRepeat{2}), HasSubstr("only 2 distinct places,"));
   EXPECT_THAT(textOf(TooFewForPublished{4}), HasSubstr("4 places; the published method needs five"));
 }
 

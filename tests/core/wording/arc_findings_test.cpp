@@ -13,7 +13,7 @@ std::string textOf(int axisDeg, What what) {
 
 TEST(ArcFindingsInWords, NameTheirArc) {
   EXPECT_EQ(textOf(180, NotSettled{60}),
-            "180°: the fit did not settle within 60 iterations; its result is provisional.");
+            "180°: the fit did not converge within 60 iterations; its result is provisional.");
 }
 
 TEST(ArcFindingsInWords, StateTheirNumbers) {
@@ -32,11 +32,11 @@ TEST(ArcFindingsInWords, StateTheirNumbers) {
 // Rows count from 1 for people, as in the table.
 TEST(ArcFindingsInWords, NameThreePairsOfRowsAtMost) {
   EXPECT_EQ(textOf(0, ReadingsRepeat{{{3, 4}}}),
-            "0°: the same pair of readings stands twice, in rows 4 and 5.");
+            "0°: the same pair of readings occurs twice, in rows 4 and 5.");
   EXPECT_EQ(textOf(0, ReadingsRepeat{{{0, 1}, {2, 3}, {4, 5}}}),
-            "0°: the same pair of readings stands twice, in rows 1 and 2, 3 and 4, 5 and 6.");
+            "0°: the same pair of readings occurs twice, in rows 1 and 2, 3 and 4, 5 and 6.");
   EXPECT_EQ(textOf(0, ReadingsRepeat{{{0, 1}, {2, 3}, {4, 5}, {6, 7}}}),
-            "0°: the same pair of readings stands twice, in rows 1 and 2, 3 and 4, 5 and 6, ….");
+            "0°: the same pair of readings occurs twice, in rows 1 and 2, 3 and 4, 5 and 6, ….");
 }
 
 TEST(ArcFindingsInWords, AllSayWhatToDo) {

@@ -7,9 +7,9 @@ namespace {
 
 TEST(BeyondInWords, SaysWhatWasAveraged) {
   EXPECT_EQ(textOf(Beyond::Nothing), "");
-  EXPECT_EQ(textOf(Beyond::Pattern), "with what the pattern may move it by");
+  EXPECT_EQ(textOf(Beyond::Pattern), "with the pattern's possible effect");
   EXPECT_EQ(textOf(Beyond::LookAlikes), "averaged over the indistinguishable causes");
-  EXPECT_EQ(textOf(Beyond::Others), "averaged over what else may be");
+  EXPECT_EQ(textOf(Beyond::Others), "averaged over the alternatives");
 }
 
 }  // namespace

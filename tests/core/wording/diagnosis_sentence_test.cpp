@@ -33,10 +33,9 @@ TEST(DiagnosisSentence, SaysShrinkOnlyOfWhatShrinks) {
   EXPECT_EQ(sentenceOf(withOneCause(2.9, 2.1)),
             "The gap is best explained by collimation. With it in the model the residuals shrink from 2.9″ "
             "to 2.1″.");
-  EXPECT_EQ(
-      sentenceOf(withOneCause(2.9, 3)),
-      "The gap is best explained by collimation. With it in the model reduced χ² goes from 7.25 to 1.02; the "
-      "residuals, counted alike, grow from 2.9″ to 3.0″.");
+  EXPECT_EQ(sentenceOf(withOneCause(2.9, 3)),
+            "The gap is best explained by collimation. With it in the model reduced χ² changes from 7.25 to "
+            "1.02; the unweighted residuals grow from 2.9″ to 3.0″.");
   EXPECT_THAT(sentenceOf(withOneCause(2.94, 2.93)), HasSubstr("shrink from 2.94″ to 2.93″."));
   EXPECT_THAT(sentenceOf(withOneCause(2.941, 2.938)), HasSubstr("stay at 2.94″."));
 }
@@ -71,10 +70,9 @@ TEST(DiagnosisSentence, CallsEachCauseByItsName) {
                         "a jump of the orientation."));
   diagnosis.verdict = DiagnosisVerdict::NotInCatalogue;
   diagnosis.shape = GapShape{.follows = "collimation along the way", .share = 0.5};
-  EXPECT_EQ(
-      sentenceOf(diagnosis),
-      "Beside collimation the gap is real, and no effect of the catalogue explains the rest; it follows "
-      "the pattern “collimation along the way”.");
+  EXPECT_EQ(sentenceOf(diagnosis),
+            "Besides collimation there is a real gap that no effect of the catalogue explains; it follows "
+            "the pattern “collimation along the way”.");
 }
 
 // Three places in one position: three conditions, three unknowns.
@@ -99,9 +97,8 @@ TEST(DiagnosisSentence, TellsOfAGapThatIsWhatIsKnown) {
   diagnosis.known = {
       {.effect = "collimation", .name = "collimation", .unit = "arcsec", .from = {}, .date = {}}};
   EXPECT_EQ(sentenceOf(diagnosis),
-            "What is known beforehand (collimation) accounts for the gap: with it the residuals shrink from "
-            "12.0″ to "
-            "2.0″, and what is left is within the stated noise.");
+            "The known sizes (collimation) explain the gap: with them the residuals shrink from 12.0″ to "
+            "2.0″, and the rest is within the stated noise.");
   diagnosis.gap.rms = 2.1;
   EXPECT_THAT(sentenceOf(diagnosis), HasSubstr("there is no gap to explain"));
 }

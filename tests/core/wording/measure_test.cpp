@@ -19,7 +19,7 @@ TEST(MeasureInWords, HasAName) {
             (std::set<std::string>{
                 "both faces", "a return run", "slider readings",
                 "a second set with the horizontal circle shifted by 60°",
-                "a second set from half as far again", "more of the arc", "the pointing zero sighted again",
+                "a second set at 1.5 × the distance", "more of the arc", "the pointing zero sighted again",
                 "the distance measured in both positions", "0° measured again", "180° measured again"}));
 }
 

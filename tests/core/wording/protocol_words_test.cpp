@@ -20,7 +20,7 @@ TEST(ProtocolWords, SayWhatIsSighted) {
       "17 places, both faces, there and back, with slider readings, the circle turned between positions");
   EXPECT_EQ(namedInWords("again"), "17 places, one face, there, 0° again");
   EXPECT_EQ(protocolInWords(openOrder(*templateNamed("paper"))),
-            "17 places, one face, there, each next sighting by what it tells")
+            "17 places, one face, there, each sighting by its information")
       << "without the positions that may be measured again";
 }
 
@@ -57,7 +57,7 @@ class Deviations : public ::testing::Test {
 TEST_F(Deviations, AreNoneWhileTheOrderIsKept) {
   read(1);
   read(2);
-  EXPECT_EQ(told(), "4 of 36 sightings are there.");
+  EXPECT_EQ(told(), "4 of 36 sightings are taken.");
 }
 
 TEST_F(Deviations, NameWhatWasPassedOverOutOfTurnAndTakenAgain) {
@@ -66,8 +66,8 @@ TEST_F(Deviations, NameWhatWasPassedOverOutOfTurnAndTakenAgain) {
   read(3);
   read(4, true);
   EXPECT_EQ(told(),
-            "5 of 36 sightings are there. Passed over: 0°: point 2. Taken out of turn: 0°: point 3. Taken "
-            "again: 0°: point 4.");
+            "5 of 36 sightings are taken. Skipped: 0°: point 2. Taken out of turn: 0°: point 3. Taken again: "
+            "0°: point 4.");
 }
 
 TEST_F(Deviations, CountTheSightingsBeyondSixAndThoseOfNoProtocol) {
@@ -75,13 +75,13 @@ TEST_F(Deviations, CountTheSightingsBeyondSixAndThoseOfNoProtocol) {
   read(10);
   read(99);
   EXPECT_EQ(told(),
-            "4 of 36 sightings are there. Passed over: 0°: point 2; 0°: point 3; 0°: point 4; 0°: point 5; "
-            "0°: point 6; 0°: point 7 and 2 more. One reading is none of the protocol.");
+            "4 of 36 sightings are taken. Skipped: 0°: point 2; 0°: point 3; 0°: point 4; 0°: point 5; 0°: "
+            "point 6; 0°: point 7 and 2 more. One reading is not in the protocol.");
 }
 
 TEST_F(Deviations, NameAnExcludedSighting) {
   read(1, true);
-  EXPECT_EQ(told(), "2 of 36 sightings are there. Excluded: 0°: point 1.");
+  EXPECT_EQ(told(), "2 of 36 sightings are taken. Excluded: 0°: point 1.");
 }
 
 }  // namespace

@@ -18,8 +18,8 @@ TEST(SessionFindingsInWords, StateTheirNumbers) {
             "The radii of the one rigid arc at 0° and 180° differ by 1.959 mm, more than their noise allows "
             "(0.200 mm at 0.1 % risk).");
   EXPECT_EQ(wordsOf(KnownRadiusContradicted{400, -0.0312, 0.0201}).text,
-            "The readings do not agree with the known radius of 400 mm: they pull it by −0.0312 mm, where "
-            "0.0201 mm is the most that their noise and its σ allow at 0.1 % risk.");
+            "The readings disagree with the known radius of 400 mm: they shift it by −0.0312 mm; their noise "
+            "and its σ allow at most 0.0201 mm at 0.1 % risk.");
 }
 
 TEST(SessionFindingsInWords, NameTheArcOrThePosition) {
@@ -40,7 +40,7 @@ TEST(SessionFindingsInWords, BlameEffectsOnlyWhereThereAreAny) {
 TEST(SessionFindingsInWords, QuoteWhatIsNoEffect) {
   EXPECT_THAT(wordsOf(UnknownEffect{"moon\x1blight"}).text, HasSubstr("“moon\\u001blight”, which is no"));
   EXPECT_EQ(wordsOf(KnownOfNothing{"plane_tilt", "x", "mm"}).text,
-            "What is known of “plane_tilt”, “x”, in “mm” is of no number of the catalogue.");
+            "The known size of “plane_tilt”, “x”, in “mm” matches no entry of the catalogue.");
 }
 
 }  // namespace

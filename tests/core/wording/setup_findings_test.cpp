@@ -12,8 +12,8 @@ using testing::HasSubstr, testing::StartsWith;
 TEST(SetupFindingsInWords, NameTheLengthsAsTyped) {
   const Words words = wordsOf(DistanceTooShort{2.405, 0.4});
   EXPECT_EQ(words.text, "No theodolite sights anything at a distance of 2.405 mm.");
-  EXPECT_THAT(words.remedy, HasSubstr("geometry.distance_mm: 2.405"));
-  EXPECT_THAT(words.remedy, HasSubstr("geometry.radius_mm: 0.4"));
+  EXPECT_THAT(words.remedy, HasSubstr("the distance L (2.405)"));
+  EXPECT_THAT(words.remedy, HasSubstr("the nominal radius R0 (0.4)"));
 }
 
 TEST(SetupFindingsInWords, TellOneArcFromBoth) {
@@ -28,19 +28,19 @@ TEST(SetupFindingsInWords, NameTheOtherKindOfCircle) {
   const Words zenith = wordsOf(ZeroOfOtherCircle{0, Angle::fromDegrees(0.001), VerticalCircle::Zenith});
   EXPECT_THAT(zenith.text, HasSubstr("at 0° has 0.00° on the vertical circle, far from the horizon of a "
                                      "zenith circle, which reads 90° there"));
-  EXPECT_THAT(zenith.remedy, HasSubstr("as an elevation circle"));
+  EXPECT_THAT(zenith.remedy, HasSubstr("on an elevation circle"));
   const Words elevation = wordsOf(ZeroOfOtherCircle{0, Angle::fromDegrees(90), VerticalCircle::Elevation});
   EXPECT_THAT(elevation.text, HasSubstr("an elevation circle, which reads 0° there"));
-  EXPECT_THAT(elevation.remedy, HasSubstr("as a zenith circle"));
+  EXPECT_THAT(elevation.remedy, HasSubstr("on a zenith circle"));
 }
 
 TEST(SetupFindingsInWords, CountTheOtherSliderValues) {
   SlidersDiffer differ{.axisDeg = 180, .firstRow = 4, .otherRow = 5, .apart = Angle::fromDegrees(1)};
   EXPECT_EQ(wordsOf(differ).text,
-            "180°: rows 5 and 6 are of one visit, yet their slider values differ by 3600.0″; the first alone "
+            "180°: rows 5 and 6 are of one visit, yet their slider values differ by 3600.0″; only the first "
             "is used.");
   differ.others = 2;
-  EXPECT_THAT(wordsOf(differ).text, HasSubstr("the first alone is used, here and in 2 more."));
+  EXPECT_THAT(wordsOf(differ).text, HasSubstr("only the first is used, here and in 2 more cases."));
 }
 
 TEST(SetupFindingsInWords, AskWhetherZerosThatAreAlikeAreOne) {

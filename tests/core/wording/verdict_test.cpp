@@ -72,11 +72,10 @@ TEST(VerdictSentence, PutsBothAccountsSideBySide) {
   diagnosis.measured.emplace().estimate = {
       1.9, 0.1, 0.2, {{1, 1.9, 0.1}}, std::numeric_limits<double>::infinity()};
   diagnosis.measured->budget = {{.from = UncertaintyShare::From::Diagnosis, .sigma = 0.1}};
-  EXPECT_EQ(
-      sentenceOf(measurement, fit, &diagnosis),
-      "Δd = 1.90 mm ± 0.20 mm (95 % coverage), all effects considered, is outside the tolerance of ± 1.6 mm; "
-      "Δd from the fit only, 1.31 mm ± 0.21 mm, is within it. Add to the model what was found, or measure "
-      "what the diagnosis advises. Probability of conformity: 0.1 %.");
+  EXPECT_EQ(sentenceOf(measurement, fit, &diagnosis),
+            "Δd = 1.90 mm ± 0.20 mm (95 % coverage), all effects considered, is outside the tolerance of ± "
+            "1.6 mm; Δd from the fit only, 1.31 mm ± 0.21 mm, is within it. Add the effects found to the "
+            "model, or measure what the diagnosis advises. Probability of conformity: 0.1 %.");
   diagnosis.measured->estimate.value = 1.3;
   EXPECT_THAT(sentenceOf(measurement, fit, &diagnosis),
               HasSubstr(". Both intervals are within the tolerance of ± 1.6 mm."));
@@ -85,8 +84,9 @@ TEST(VerdictSentence, PutsBothAccountsSideBySide) {
               HasSubstr("all effects considered, is not clearly within or outside the tolerance"));
   diagnosis.measured->budget = {
       {.effect = "plane_warp", .from = UncertaintyShare::From::Default, .sigma = 0.1}};
-  EXPECT_THAT(sentenceOf(measurement, fit, &diagnosis),
-              HasSubstr("Most of U comes from plane warp at its plausible size: measure what shows it."));
+  EXPECT_THAT(
+      sentenceOf(measurement, fit, &diagnosis),
+      HasSubstr("Most of U comes from plane warp at its plausible size: take readings that show it."));
   diagnosis.attainable = {{.expanded = 0.2},
                           {.known = "plane_warp", .expanded = 0.05},
                           {.measures = {Measure::BothFaces, Measure::WayBack}, .expanded = 0.1},
@@ -139,12 +139,11 @@ TEST(VerdictSentence, SaysWhyItIsWithheld) {
   fit.lengthsInDoubt = LengthsInDoubt{.distance = 2.405, .nominalRadius = 400};
   EXPECT_EQ(sentenceOf(measurement, fit),
             "The verdict is withheld: no theodolite sights anything at a distance of 2.405 mm: check the "
-            "distance L (geometry.distance_mm: 2.405) and the nominal radius R0 (geometry.radius_mm: 400), "
-            "both in mm.");
+            "distance L (2.405) and the nominal radius R0 (400), both in mm.");
   fit.lengthsInDoubt =
       LengthsInDoubt{.distance = 2405, .nominalRadius = 200, .radius = LengthsInDoubt::Radius{180, 99.6}};
   EXPECT_THAT(sentenceOf(measurement, fit),
-              HasSubstr("withheld: the radius fitted at 180° is 100 % off the nominal one"));
+              HasSubstr("withheld: the radius fitted at 180° differs from the nominal one by 100 %"));
 }
 
 TEST(ProbabilityText, ClaimsNoCertainty) {

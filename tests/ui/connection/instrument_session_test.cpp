@@ -210,7 +210,7 @@ TEST_F(InstrumentSession, SeventyTwoSightingsByGeoComWithFaults) {
   expectSame(bench.session(), sent, 5.1e-4);  // half of the last written digit
   EXPECT_EQ(wrong, 2) << "of 12 faults in turn the 5th and 10th";
   for (const char* said :
-       {"was passed over", "Half a line came", "late or twice", "busy measuring", "was not taken"})
+       {"was skipped", "Only part of a line came", "late or twice", "busy measuring", "was not accepted"})
     EXPECT_THAT(bench.log(), HasSubstr(said));
   // Each reading is one undo step, and all can be undone.
   while (bench.open->document().undoStack().canUndo()) bench.open->undo();
@@ -242,7 +242,7 @@ TEST_F(InstrumentSession, SeventyTwoSightingsByGsiWithFaults) {
     }
     expectSame(bench.session(), sent, 0.051, true);  // half of a tenth of a second
     EXPECT_EQ(wrong, 2);
-    EXPECT_THAT(bench.log(), HasSubstr("taken once"));
+    EXPECT_THAT(bench.log(), HasSubstr("used once"));
   }
 }
 
@@ -286,7 +286,7 @@ TEST_F(InstrumentSession, APortThatIsNotThereAndOneThatBreaksAreSentences) {
   ASSERT_TRUE(waitFor([&] { return bench.landed() == 1; }));
   simulator.reset();
   ASSERT_TRUE(waitFor([&] { return !bench.desk().link().isOpen(); })) << bench.log();
-  EXPECT_THAT(bench.log(), HasSubstr("The line to the instrument broke"));
+  EXPECT_THAT(bench.log(), HasSubstr("The connection to the instrument broke"));
   EXPECT_EQ(bench.landed(), 1U) << "what was read stays";
 }
 

@@ -80,11 +80,11 @@ TEST(ReadingQuestion, AnotherSerialNumberIsAskedOnce) {
     return reading;
   };
   EXPECT_THAT(window.add(from(4, "222")),
-              AllOf(HasSubstr("111"), HasSubstr("222"), HasSubstr("The session states")));
+              AllOf(HasSubstr("111"), HasSubstr("222"), HasSubstr("The session's instrument has")));
   window.take();
   EXPECT_EQ(window.session().positions[0].readings[4].instrumentSerial, "222");
   EXPECT_THAT(window.add(from(5, "222")), IsEmpty()) << "it was taken";
-  EXPECT_THAT(window.add(from(6, "111")), HasSubstr("The readings before are of the instrument"));
+  EXPECT_THAT(window.add(from(6, "111")), HasSubstr("The readings before come from the instrument"));
 }
 
 TEST(ReadingQuestion, WhatTheInstrumentDoesNotVouchForIsAskedAndKeepsItsCode) {
@@ -129,7 +129,7 @@ TEST(ReadingQuestion, TheOtherFaceIsAskedOfANewRowAndLandsInItsFace) {
 
 TEST(ReadingQuestion, AReadingThatNoPlaceIsAskedForIsAQuestion) {
   LandingWindow window(paperSession());
-  EXPECT_THAT(window.add(readingOf("20°00'00\"", "80°00'00\"")), HasSubstr("all is read that was to be"));
+  EXPECT_THAT(window.add(readingOf("20°00'00\"", "80°00'00\"")), HasSubstr("all readings are already taken"));
   window.flow().takeAnyway();
   EXPECT_EQ(window.flow().waiting(), 1U) << "there is no place for it";
 }

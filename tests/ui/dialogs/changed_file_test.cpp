@@ -291,7 +291,7 @@ TEST_F(ChangedFileTest, IsNeverReplacedByItsReport) {
   for (const QString& path : {file, in("link.pdf")}) {
     window.dialogs->reportPath = path;
     EXPECT_FALSE(window->files().exportReport());
-    EXPECT_THAT(window.dialogs->problems.takeLast().toStdString(), HasSubstr("the file that is read"));
+    EXPECT_THAT(window.dialogs->problems.takeLast().toStdString(), HasSubstr("the file being read"));
   }
   EXPECT_EQ(bytes(), before);
 }

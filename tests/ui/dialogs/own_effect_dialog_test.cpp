@@ -69,7 +69,7 @@ TEST(OwnEffectDialog, SaysHowFarASoundOneShows) {
   EXPECT_THAT(form.says(), HasSubstr(" σ per mm, a plausible size by "));
   EXPECT_TRUE(form.dialog.findChild<QPlainTextEdit*>()->extraSelections().isEmpty());
   form.type("radial = A");
-  EXPECT_THAT(form.says(), HasSubstr("This leaves nothing to see here"))
+  EXPECT_THAT(form.says(), HasSubstr("This effect is undetectable here"))
       << "a radius is what the fit takes up";
 }
 

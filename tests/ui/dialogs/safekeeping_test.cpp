@@ -208,7 +208,7 @@ TEST_F(SafekeepingTest, SaysThatNothingCanBeKept) {
   edit(*open, "lost in a crash");
   const auto said = [&] { return (*open)->statusBar()->currentMessage().toStdString(); };
   EXPECT_TRUE(waitFor([&] { return said().find("would be lost in a crash") != std::string::npos; }));
-  EXPECT_THAT(said(), HasSubstr("its folder is not there"));
+  EXPECT_THAT(said(), HasSubstr("its folder does not exist"));
 }
 
 TEST_F(SafekeepingTest, MarksForAsLongAsNothingCanBeKept) {
@@ -223,7 +223,7 @@ TEST_F(SafekeepingTest, MarksForAsLongAsNothingCanBeKept) {
   ASSERT_TRUE(waitFor([&] { return mark->isVisible(); }));
   (*open)->statusBar()->clearMessage();
   EXPECT_THAT(mark->text().toStdString(), HasSubstr("not kept"));
-  EXPECT_THAT(mark->toolTip().toStdString(), HasSubstr("its folder is not there"));
+  EXPECT_THAT(mark->toolTip().toStdString(), HasSubstr("its folder does not exist"));
   ASSERT_TRUE(inTheWay.remove());
   ASSERT_TRUE(QDir().mkpath(kept));
   edit(*open, "kept");

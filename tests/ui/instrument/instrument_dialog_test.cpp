@@ -55,13 +55,13 @@ struct CheckBench {
 
 TEST(InstrumentDialog, ShowsWhatAFileOfTwoStationsSays) {
   CheckBench bench;
-  EXPECT_THAT(bench.said(), HasSubstr("Half an hour"));
+  EXPECT_THAT(bench.said(), HasSubstr("Allow half an hour"));
   bench.open(samplePath(sample));
   ASSERT_EQ(bench.rows(), 3);
   EXPECT_EQ(bench.cell(0, 0), QStringLiteral("P1"));
   EXPECT_EQ(bench.cell(0, 1), QStringLiteral("4 × 5"));
   EXPECT_TRUE(bench.cell(2, 2).endsWith(QStringLiteral("(24)"))) << bench.cell(2, 2).toStdString();
-  EXPECT_THAT(bench.said(), HasSubstr("goes with 1/D"));
+  EXPECT_THAT(bench.said(), HasSubstr("in proportion to 1/D"));
   EXPECT_EQ(bench.dialog.chart().plot()->markers().marks().size(), 16U) << "c and index of eight rounds";
   bench.dialog.chart().setView(CheckPlot::View::Residuals);
   EXPECT_EQ(bench.dialog.chart().plot()->markers().marks().size(), 80U);
@@ -120,7 +120,7 @@ TEST(InstrumentDialog, WaitsForTheRowThatIsBeingTyped) {
   CheckRowsModel& rows = bench.dialog.input().table().rows();
   rows.setData(rows.index(0, 2), QStringLiteral("A"), Qt::EditRole);
   bench.settle();
-  EXPECT_THAT(bench.said(), HasSubstr("Half an hour"));
+  EXPECT_THAT(bench.said(), HasSubstr("Allow half an hour"));
   rows.setData(rows.index(0, 4), QStringLiteral("10°"), Qt::EditRole);
   rows.setData(rows.index(0, 5), QStringLiteral("88°"), Qt::EditRole);
   bench.settle();

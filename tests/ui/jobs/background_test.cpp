@@ -95,7 +95,7 @@ std::string valueInstead(const Thrown& thrown) {
 TEST(Background, HandsInAValueInsteadOfWorkThatThrows) {
   EXPECT_EQ(valueInstead(std::bad_alloc()), "instead: out of memory");
   EXPECT_EQ(valueInstead(std::logic_error("no arc")), "instead: a fault in the program (no arc)");
-  EXPECT_EQ(valueInstead(7), "instead: a fault in the program (of a kind that says nothing)");
+  EXPECT_EQ(valueInstead(7), "instead: a fault in the program (cause not reported)");
 }
 
 TEST(Background, GoesOnAfterWorkThatThrew) {

@@ -47,7 +47,7 @@ QString stripName(std::size_t strip) {
 }  // namespace
 
 LeftoverStrips::LeftoverStrips(QWidget* parent)
-    : BarRows(tr("What is left over along s, e and t"), QStringLiteral("gap-left-over"), parent) {}
+    : BarRows(tr("Leftover along s, e and t"), QStringLiteral("gap-left-over"), parent) {}
 
 void LeftoverStrips::setGap(const Gap& gap) {
   const Evaluation& evaluation = *gap.evaluation;

@@ -101,7 +101,7 @@ void ResidualPlot::draw() {
   m_unchecked = m_drawn.showsStandardised() ? countUnchecked() : 0;
   m_envelope = isOver(Over::Normal) ? normalEnvelope(m_points.size()) : NormalEnvelope();
   setMessage(m_picture->isEmpty() ? tr("No arc fitted yet: no residuals.")
-             : m_points.empty()   ? tr("Nothing of what is chosen to be drawn was read.")
+             : m_points.empty()   ? tr("There are no readings of the kind chosen to be drawn.")
                                   : QString());
   reckonNoise();
   const double reach = reckonReach();
@@ -225,7 +225,7 @@ std::vector<LegendEntry> ResidualPlot::kindEntries() const {
   for (const ResidualKind& kind : kinds) entries.push_back({kind.marker(style()), kind.text()});
   for (LegendEntry& entry : rowEntries(style(), m_picture->kinds, m_drawn.rows, m_slots.areApart()))
     entries.push_back(std::move(entry));
-  if (m_unchecked > 0) entries.push_back({{}, tr("not drawn: %1 that nothing checks").arg(m_unchecked)});
+  if (m_unchecked > 0) entries.push_back({{}, tr("not drawn: %1 without a check").arg(m_unchecked)});
   if (m_beyond > 0)
     entries.push_back({{},
                        //: %1: number of residuals, %2: range, such as 10″
@@ -408,8 +408,8 @@ QString ResidualPlot::standard() const {
           "misread.");
     case Over::Count:
       return tr(
-          "Should be: the bars follow the curve; wider, the stated noise is too small; two humps or a long "
-          "tail show a gap or a misreading.");
+          "Should be: the bars follow the curve. Wider: the stated noise is too small; two humps or a long "
+          "tail: a gap or a misreading.");
     case Over::Slider:
     case Over::Elevation:
     case Over::Azimuth:

@@ -71,7 +71,7 @@ GapPanel::GapPanel(QWidget* parent)
       m_closures(new ClosureBars),
       m_closuresNote(wrappedLabel()),
       m_withReference(new QCheckBox(tr("Weigh the causes with the reference"))),
-      m_withReferenceNote(standard(tr("Δd itself never rests on it."))),
+      m_withReferenceNote(standard(tr("Δd itself never depends on it."))),
       m_required(new StatementView),
       m_next(new StatementView),
       m_undetectable(new StatementView),
@@ -83,15 +83,15 @@ GapPanel::GapPanel(QWidget* parent)
   m_grid->setVerticalSpacing(6);
   m_withReference->setObjectName(QStringLiteral("with reference"));
   m_withReference->setToolTip(
-      tr("How far Δd is from the reference then helps to tell the causes apart.\n"
-         "Δd with the causes rests on the readings alone, and so does the report."));
+      tr("The difference of Δd from the reference then helps to distinguish the causes.\nΔd with the causes "
+         "depends on the readings alone, and so does the report."));
   connect(m_forms, &FormList::keepWanted, this,
           [this](std::size_t form) { emit formWanted(m_gap->diagnosis->forms[form]); });
   m_causesBlock = createCauses();
   m_formsBlock = block(tr("Form"), {m_forms});
-  m_whereBlock = block(
-      tr("Where it lies"),
-      {m_map, standard(tr("Should be: no part stands out; one that does is where to look.")), m_leftOver});
+  m_whereBlock =
+      block(tr("Where it lies"),
+            {m_map, standard(tr("Should be: no part stands out; look where one does.")), m_leftOver});
   m_blocks = {m_headline,
               m_causesBlock,
               m_formsBlock,
@@ -135,7 +135,7 @@ QWidget* GapPanel::createCauses() {
   m_addTicked = addAction(tr("Add the Ticked"), QStringLiteral("add ticked"),
                           tr("Estimates the ticked causes along with the arcs; undone by Ctrl+Z"));
   m_addLookAlikes = addAction(tr("With Look-alikes"), QStringLiteral("add look-alikes"),
-                              tr("Estimates the ticked causes and all that look alike here, each within its "
+                              tr("Estimates the ticked causes and their look-alikes, each within its "
                                  "plausible size: U then covers whichever it is"));
   m_remove = addAction(tr("Take Out of the Model"), QStringLiteral("remove ticked"),
                        tr("Leaves the ticked effects of the model out"));
@@ -205,7 +205,7 @@ QWidget* GapPanel::createCandidates() {
        QStringLiteral("888.8"), of([](const Candidate& c) {
          return c.visibleSigma > 0 ? numberText(c.visibleSigma, 1) : notStated();
        })},
-      {tr("Role"), tr("What the diagnosis makes of it"), tr("look-alike"), of([this](const Candidate& c) {
+      {tr("Role"), tr("Its part in the diagnosis"), tr("look-alike"), of([this](const Candidate& c) {
          for (const Cause& cause : m_gap->diagnosis->causes) {
            if (cause.effect == c.effect) return tr("cause");
            const auto& alike = cause.indistinguishableFrom;

@@ -20,15 +20,14 @@ namespace {
 QString jumpText(const Session& session, const Jump& jump) {
   if (jump.isAtZero)
     return RemedyList::tr(
-        "It happened between a pointing zero and the first place after it, or that zero was misread; in "
-        "which of the positions these readings do not tell. No model of a session holds a jump, so there is "
-        "none to add: sight both zeros again and read the positions anew.");
+        "It happened between a pointing zero and the first place after it, or that zero was misread; these "
+        "readings do not show in which position. A jump cannot be added to the model: sight both zeros again "
+        "and repeat the positions.");
   const QString row =
       accessiblePlace(session, {.position = jump.place.position, .reading = jump.place.reading});
   QString text = RemedyList::tr(
-                     "It happened before %1. No model of a session holds a jump, so there is none to add: "
-                     "look after the "
-                     "stand, sight the pointing zero anew and read this position again.")
+                     "It happened before %1. A jump cannot be added to the model: check the stand, sight the "
+                     "pointing zero again and repeat this position.")
                      .arg(row);
   if (jump.before)
     text += RemedyList::tr(
@@ -38,7 +37,7 @@ QString jumpText(const Session& session, const Jump& jump) {
     text += RemedyList::tr(" Or leave out the rows from there on.");
   else if (jump.after)
     text += jump.before
-                ? RemedyList::tr(" Or leave out the rows from there on, if it was.")
+                ? RemedyList::tr(" Or leave out the rows from there on, if that zero was sighted after it.")
                 : RemedyList::tr(
                       " Or leave out the rows from there on, if the pointing zero of the next position "
                       "was sighted after it.");
@@ -105,8 +104,7 @@ void RemedyList::addRelation(const Gap& gap) {
 void RemedyList::addGrossErrors(const Cause& cause) {
   if (!cause.indistinguishableFrom.empty())
     addText(
-        tr("Perhaps %1 right beside it, which would move Δd: read the position again before a row is left "
-           "out.")
+        tr("The cause may also be %1, which would move Δd: read the position again before a row is left out.")
             .arg(causeNames(cause.indistinguishableFrom, tr(" or "))));
   for (const ReadingDeviation& reading : cause.readings) {
     m_buttons = nullptr;
@@ -144,7 +142,7 @@ void RemedyList::addRowsExclusion(const QString& text, const QString& name, cons
 
 void RemedyList::addNoise(const Gap& gap, const Cause& cause) {
   addText(
-      tr("Nothing to add to the model: U rests on the scatter of the readings already. If the instrument and "
+      tr("Nothing to add to the model: U already includes the scatter of the readings. If the instrument and "
          "the place are no better than this, state the larger σ."));
   const std::optional<StatedNoise> noise = scatterOf(gap, cause);
   if (!noise) return;

@@ -50,14 +50,14 @@ DataTable* JournalPanel::createTable() {
        [this](int row) { return visibleLine(timeText(entry(row).at)); }, left},
       {tr("What"), tr("As it was called then"), tr("180°, row 28 (point 28), vertical"),
        [this](int row) { return journalPlace(entry(row)); }, left},
-      {tr("From"), tr("As it stood"), QStringLiteral("341°52′24.5″"), text(&JournalEntry::from), left},
-      {tr("To"), tr("What it became"), QStringLiteral("341°52′24.5″"), text(&JournalEntry::to), left},
+      {tr("From"), tr("Old content"), QStringLiteral("341°52′24.5″"), text(&JournalEntry::from), left},
+      {tr("To"), tr("New content"), QStringLiteral("341°52′24.5″"), text(&JournalEntry::to), left},
       {tr("Why"),
        {},
        tr("suggestion accepted"),
        [this](int row) { return shortLine(reasonText(entry(row), m_evaluation->session), longestCell); },
        left},
-      {tr("Who"), tr("The operator, as the session had it then"), QStringLiteral("J. Doe-Weatherby"),
+      {tr("Who"), tr("Operator in the session at that time"), QStringLiteral("J. Doe-Weatherby"),
        text(&JournalEntry::by), left},
   });
 }

@@ -78,8 +78,8 @@ EffectsPanel::EffectsPanel(SessionDocument& document, QWidget* parent)
   m_about->setSizePolicy(policy);
   layOutByFont(*this, [this] { m_about->setMinimumHeight(4 * fontMetrics().lineSpacing()); });
   m_about->setAlignment(Qt::AlignTop | Qt::AlignLeft);
-  auto* known = new QPushButton(tr("What Is Known of It…"));
-  known->setToolTip(tr("Type what a certificate or a check says of the effect"));
+  auto* known = new QPushButton(tr("Known Size…"));
+  known->setToolTip(tr("Type the size of the effect from a certificate or a check"));
   connect(known, &QPushButton::clicked, this, &EffectsPanel::askForKnown);
   auto* own = new QPushButton(tr("Effect of Your Own…"));
   own->setToolTip(tr("Types an effect by its formula, or changes the selected one"));
@@ -181,10 +181,9 @@ void EffectsPanel::setEvaluation(const Evaluation& evaluation) {
 
 void EffectsPanel::explain(const QTreeWidgetItem* item) {
   const QTreeWidgetItem* top = item && item->parent() ? item->parent() : item;
-  m_about->setText(
-      top ? top->toolTip(0)
-          : tr("A ticked effect is estimated along with the arcs. What that costs is in the budget "
-               "under “model effects”."));
+  m_about->setText(top ? top->toolTip(0)
+                       : tr("A ticked effect is estimated together with the arcs. Its share of U is in the "
+                            "budget under “model effects”."));
 }
 
 void EffectsPanel::askForKnown() {

@@ -13,9 +13,8 @@ namespace alidade::ui {
 KnownSizesPanel::KnownSizesPanel(SessionDocument& document, QWidget* parent)
     : QWidget(parent), m_table(new KnownSizesTable(document)), m_about(new QLabel) {
   auto* lead =
-      new QLabel(tr("What a certificate or a check says takes the place of the default in the uncertainty as "
-                    "measured and in the "
-                    "search for causes."));
+      new QLabel(tr("A size from a certificate or a check replaces the default in the uncertainty of Δd, "
+                    "measured, and in the search for causes."));
   for (QLabel* label : {lead, m_about}) {
     label->setWordWrap(true);
     label->setSizePolicy(QSizePolicy::Ignored,
@@ -35,7 +34,7 @@ KnownSizesPanel::KnownSizesPanel(SessionDocument& document, QWidget* parent)
   take->setToolTip(tr("Name, serial number, σ of the circles and known sizes from a file"));
   auto* save = new QPushButton(tr("Save as Instrument Record…"));
   save->setObjectName(QStringLiteral("save record"));
-  save->setToolTip(tr("What this session says of its instrument as a file, for the next sessions"));
+  save->setToolTip(tr("The session's instrument data as a file, for the next sessions"));
   connect(take, &QPushButton::clicked, this, &KnownSizesPanel::recordWanted);
   connect(save, &QPushButton::clicked, this, &KnownSizesPanel::saveRecordWanted);
   auto* buttons = new QHBoxLayout;

@@ -127,14 +127,14 @@ void KnownSizesTable::paste() {
     for (int j = 0; j < block[i].size(); ++j)
       if (corner.row() + i < m_model.rowCount() && corner.column() + j <= lastTyped)
         texts.push_back({corner.row() + i, corner.column() + j, block[i][j]});
-  type(std::move(texts), tr("Paste what is known"));
+  type(std::move(texts), tr("Paste known sizes"));
 }
 
 void KnownSizesTable::clearCells() {
   std::vector<NewText> texts;
   for (const QModelIndex& cell : selectionModel()->selectedIndexes())
     if (isTyped(cell)) texts.push_back({cell.row(), cell.column(), {}});
-  type(std::move(texts), tr("Clear what is known"));
+  type(std::move(texts), tr("Clear known sizes"));
 }
 
 /// Types from the last row to the first, since a row may vanish with its entry.

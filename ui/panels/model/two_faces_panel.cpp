@@ -42,8 +42,7 @@ DataTable* TwoFacesPanel::createTable() {
        QStringLiteral("−188.8"), seconds(&FaceDifference::doubleCollimation)},
       {tr("Off its course ″"), tr("2c as read minus that of the fitted collimation and trunnion tilt"),
        QStringLiteral("−88.8"), seconds(&FaceDifference::fromCourse)},
-      {tr("Index ″"),
-       tr("What the vertical circle reads too much in both faces: half of β1 + β2 over the full sum"),
+      {tr("Index ″"), tr("Index error of the vertical circle: half of β1 + β2 minus the nominal sum"),
        QStringLiteral("−188.8"), seconds(&FaceDifference::index)},
   });
 }

@@ -153,7 +153,7 @@ QWidget* OrderPanel::createUncertainty() {
   m_uncertainty->setSpecialValueText(tr("none"));
   m_uncertainty->setKeyboardTracking(false);
   m_uncertainty->setToolTip(
-      tr("Lists the sightings that bring U of Δd there in the fewest minutes. With 0 it is a third of the "
+      tr("Lists the sightings that reach this U of Δd in the fewest minutes. With 0 it is a third of the "
          "tolerance"));
   auto* row = new QWidget;
   auto* layout = new QHBoxLayout(row);
@@ -181,13 +181,13 @@ DataTable* OrderPanel::createTable() {
        left},
       {tr("Sighting"), tr("Place with round and face, or pointing zero"), tr("pointing zero, face 2"),
        [this](int row) { return qText(sightingName(sighting(row).planned)); }, left},
-      {tr("State"), tr("Whether it is taken"), tr("passed over"),
+      {tr("State"), tr("Whether it is taken"), tr("skipped"),
        [this](int row) { return qText(stateName(sighting(row).state)); }, left},
       {tr("Horizontal"), tr("What the horizontal circle will read, about"), QStringLiteral("359.99 gon"),
        [this](int row) { return expectedText(row, true); }},
       {tr("Vertical"), tr("What the vertical circle will read, about"), QStringLiteral("359.99 gon"),
        [this](int row) { return expectedText(row, false); }},
-      {tr("Remark"), tr("Why it is to be taken again, and what is out of the order"), tr("take again"),
+      {tr("Remark"), tr("Why it must be taken again, and what is out of order"), tr("take again"),
        [this](int row) { return remarkText(row); }, left},
   });
 }
@@ -300,8 +300,8 @@ void OrderPanel::showSummary() {
   m_progress->setVisible(isLed);
   m_state->setText(isLed   ? qText(progressSentences(guide->progress))
                    : guide ? visibleLine(guide->problem)
-                           : tr("A protocol leads from sighting to sighting: which is next and what it will "
-                                "read, what is left, what to take again, and when it is enough."));
+                           : tr("A protocol shows the next sighting and its expected reading, what is left, "
+                                "what to repeat, and when the readings are enough."));
   QStringList repeats;
   if (isLed) {
     for (const Repeat& repeat : guide->repeats)
@@ -333,7 +333,7 @@ void OrderPanel::showNext() {
   m_next->setVisible(guide);
   m_expected->setVisible(false);
   if (!guide) return;
-  if (!guide->progress.next) return m_next->setText(tr("All of the protocol is there."));
+  if (!guide->progress.next) return m_next->setText(tr("The protocol is complete."));
   const std::size_t next = *guide->progress.next;
   m_next->setText(
       tr("Next at %1").arg(qText(sightingNameInSession(guide->progress.sightings[next].planned))));
@@ -367,21 +367,21 @@ void OrderPanel::fillMenu() {
   m_menu->setToolTipsVisible(true);
   m_menu->addSeparator();
   const SightingProtocol rows = protocolFromRows(m_document.session());
-  QAction* own = m_menu->addAction(tr("As the Rows Are"));
+  QAction* own = m_menu->addAction(tr("From the Rows"));
   own->setEnabled(!rows.positions.empty());
   connect(own, &QAction::triggered, this, [this, rows] { follow(rows); });
   const std::vector<Measure> advice = adviceOf(gapOfThis());
   const SightingProtocol both = advice.empty() ? SightingProtocol() : withMeasures(rows, advice);
   const bool isAdvised = !both.positions.empty();
-  QAction* advised = m_menu->addAction(isAdvised ? tr("These and %1").arg(qText(textOf(advice)))
-                                                 : tr("These and What Is Advised"));
+  QAction* advised =
+      m_menu->addAction(isAdvised ? tr("Rows and %1").arg(qText(textOf(advice))) : tr("Rows and the Advice"));
   advised->setEnabled(isAdvised);
   if (isAdvised) connect(advised, &QAction::triggered, this, [this, both] { follow(both); });
   m_menu->addSeparator();
   const Guide* guide = guideThatLeads();
-  QAction* byWorth = m_menu->addAction(tr("Next: What Tells Most"));
+  QAction* byWorth = m_menu->addAction(tr("Most Informative Next"));
   byWorth->setToolTip(
-      tr("The next sighting is the one that tells most for its minutes, instead of the first left"));
+      tr("The next sighting is the one with the most information per minute, not the first one left"));
   byWorth->setCheckable(true);
   byWorth->setEnabled(guide);
   byWorth->setChecked(guide && guide->protocol.isByWorth);

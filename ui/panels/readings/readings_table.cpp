@@ -293,9 +293,9 @@ void ReadingsTable::paste() {
   const std::size_t left =
       m_editor.paste(block, static_cast<std::size_t>(corner.row()), columnsFrom(corner.column()));
   if (left > 0)
-    emit remark(
-        left == 1 ? tr("The last column of the clipboard found no room and was not pasted.")
-                  : tr("The last %1 columns of the clipboard found no room and were not pasted.").arg(left));
+    emit remark(left == 1
+                    ? tr("The last column of the clipboard did not fit and was not pasted.")
+                    : tr("The last %1 columns of the clipboard did not fit and were not pasted.").arg(left));
 }
 
 void ReadingsTable::clearCells() {

@@ -55,14 +55,14 @@ void SuspectBar::createButtons() {
   m_use->setIcon(themeIcon(QStringLiteral("accept")));
   m_others->setObjectName(QStringLiteral("other proposals"));
   m_others->setText(tr("Other"));
-  m_others->setToolTip(tr("What else may have been meant"));
+  m_others->setToolTip(tr("Other possible readings"));
   m_others->setFocusPolicy(Qt::StrongFocus);
   m_others->setPopupMode(QToolButton::InstantPopup);
   m_others->setMenu(new QMenu(m_others));
   m_exclude->setObjectName(QStringLiteral("exclude suspect"));
   m_exclude->setToolTip(tr("Keeps the row, but takes it out of the fit"));
   m_next->setText(tr("Next (F7)"));
-  m_next->setToolTip(tr("Leads to the reading in the table; asked again, to the next"));
+  m_next->setToolTip(tr("Goes to the reading in the table; pressed again, to the next"));
   m_next->setFocusPolicy(Qt::StrongFocus);
   connect(m_use, &QPushButton::clicked, this, [this] { useProposal(); });
   connect(m_exclude, &QPushButton::clicked, this, &SuspectBar::exclude);

@@ -143,7 +143,7 @@ QString FindingsPanel::countText() const {
 FindingsPanel::Entry FindingsPanel::gapEntry() const {
   const bool isOld = m_gapState == GapState::Old;
   const QString text =
-      isOld ? tr("Before what was changed since: %1.") : tr("Model and readings disagree, see “Gap”. %1.");
+      isOld ? tr("Before the latest changes: %1.") : tr("Model and readings disagree, see “Gap”. %1.");
   return {.icon = isOld ? QStringLiteral("none") : QStringLiteral("warning"),
           .accessible = isOld ? tr("Before") : tr("Warning"),
           .text = text.arg(m_gapHeadline),
@@ -178,11 +178,9 @@ std::vector<FindingsPanel::Entry> FindingsPanel::problemEntries(const Evaluation
       next = problem.where;
   }
   if (further == 0) return entries;
-  const QString text = missing
-                           ? tr("%1 further entries are missing; those after the ones above are listed when "
-                                "these are made.")
-                           : tr("%1 further entries cannot be used; those after the ones above are listed "
-                                "when these are mended.");
+  const QString text =
+      missing ? tr("%1 further entries are missing; they are listed once those above are filled in.")
+              : tr("%1 further entries cannot be used; they are listed once those above are corrected.");
   entries.push_back({icon, accessible, text.arg(further), next});
   return entries;
 }

@@ -17,7 +17,7 @@ BudgetPanel::BudgetPanel(const SessionDocument& document, QWidget* parent)
       m_intersection(new StatementView),
       m_simulation(new SimulationBox(document)),
       m_centres(new StatementView),
-      m_note(new QLabel(tr("No arc is fitted yet, so there is nothing to account for."))) {
+      m_note(new QLabel(tr("No arc is fitted yet, so there is no budget."))) {
   m_note->setWordWrap(true);
   m_note->setForegroundRole(QPalette::PlaceholderText);
   QVBoxLayout* layout = column();

@@ -89,13 +89,14 @@ DataTable* ReliabilityPanel::createTable() {
       {tr("Point"), tr("Number of the slider's place"), QStringLiteral("999"), whole(&Row::point)},
       {tr("Round"), tr("Round of readings"), {}, whole(&Row::round)},
       {tr("Face"), tr("Face of the theodolite"), {}, whole(&Row::face)},
-      {tr("Reading"), tr("What was read; behind all readings, what was entered once"), tr("horizontal zero"),
+      {tr("Reading"), tr("The reading; quantities entered once follow after all readings"),
+       tr("horizontal zero"),
        [this](int i) { return input(i) ? inputText(input(i)->input) : circleText(row(i).adjusted.kind); }},
       {tr("Residual ″"), tr("Observed − adjusted; right and up positive"), QStringLiteral("−188.8"),
        ofReading([](const Row& row) {
          return numberText(Angle::fromRadians(row.adjusted.residual).arcseconds(), 1);
        })},
-      {tr("w"), tr("Standardised residual v/(s0 σ √r): of a sound reading it scatters by 1"),
+      {tr("w"), tr("Standardised residual v/(s0 σ √r): of a good reading, its standard deviation is 1"),
        QStringLiteral("−18.88"), ofReading([this](const Row& row) {
          return numberText(row.adjusted.standardised(m_detection.scale), 2);
        })},
@@ -112,8 +113,8 @@ DataTable* ReliabilityPanel::createTable() {
          return std::isfinite(bias) ? numberText(bias, 1) : tr("none");
        }},
       {tr("Moves Δd by mm"),
-       tr("What an error of that size, unfound, does to the intersection; of what was entered once, an error "
-          "of one unit"),
+       tr("Change of Δd by an undetected error of that size; for quantities entered once, by an error of one "
+          "unit"),
        QStringLiteral("−0.0888 per mm"),
        [this](int i) {
          if (!input(i)) return signedNumberText(row(i).reliability.influence, 4);

@@ -56,15 +56,14 @@ SimulationBox::SimulationBox(const SessionDocument& document, QWidget* parent)
 
 void SimulationBox::createControls() {
   m_draws->setRange(0, static_cast<int>(mostDrawsLeftOpen));
-  m_draws->setSpecialValueText(tr("as many as it takes"));
+  m_draws->setSpecialValueText(tr("as many as needed"));
   m_draws->setSingleStep(100000);
   m_draws->setToolTip(
-      tr("The more draws, the better known the ends of the interval. With 0 as many are made as it takes to "
-         "tell "
-         "whether the propagated uncertainty holds"));
+      tr("More draws determine the ends of the interval better. With 0, as many are made as are needed to "
+         "decide whether the propagated uncertainty holds"));
   m_run->setObjectName(QStringLiteral("run simulation"));
   m_run->setToolTip(
-      tr("Draws every reading, pointing zero and length from its distribution and fits anew, each time "
+      tr("Draws every reading, pointing zero and length from its distribution and fits again, each time "
          "(JCGM 101)"));
   m_progress->setAccessibleName(tr("Draws made"));
   m_progress->setTextVisible(false);
@@ -84,7 +83,7 @@ void SimulationBox::setEvaluation(const SharedEvaluation& evaluation) {
 
 void SimulationBox::stopOutdated() {
   if (!m_job.isAtWork() || measuresAlike(m_simulated->session, m_document.session())) return;
-  m_remark = tr("Stopped, for the session has changed.");
+  m_remark = tr("Stopped, because the session has changed.");
   m_job.stop();
 }
 

@@ -70,7 +70,7 @@ TEST(CheckFiles, FindTheUnitByWhatBothFacesAddUpTo) {
   EXPECT_NEAR(firstOf("88.1234", "311.8770"), 88.1234 * 0.9, 1e-9);
   EXPECT_NEAR(firstOf("88.1649", "271.4311"), 88 + 16 / 60.0 + 49 / 3600.0, 1e-9);
   EXPECT_NEAR(firstOf("88.6670", "271.3335"), 88.6670, 1e-9);
-  EXPECT_THAT(problemOf("target,hz,v\nA,10.2030,88.1\nB,12.1,91.4\n"), HasSubstr("no unit lets both faces"));
+  EXPECT_THAT(problemOf("target,hz,v\nA,10.2030,88.1\nB,12.1,91.4\n"), HasSubstr("in no unit do both faces"));
   const auto stated = readOf("target,hz,v\nA,10.2030,88.1\n", {.unit = AngleUnit::Degrees});
   ASSERT_TRUE(stated);
   EXPECT_NEAR(stated->readings[0].vertical.degrees(), 88.1, 1e-12);
@@ -90,7 +90,7 @@ TEST(CheckFiles, FollowTheCircleWhereTheFaceSaysOtherwise) {
   const auto readings = readOf("target,face,hz,v\nA,2,10°,80°\nA,1,190°,280°\n");
   ASSERT_TRUE(readings);
   EXPECT_EQ(readings->readings[0].face, 1);
-  EXPECT_THAT(readings->remarks, ElementsAre(HasSubstr("another face")));
+  EXPECT_THAT(readings->remarks, ElementsAre(HasSubstr("whose stated face contradicts")));
 }
 
 TEST(CheckFiles, KnowElevations) {

@@ -95,7 +95,7 @@ TEST(InstrumentCheck, SaysWhatItFinds) {
   EXPECT_NEAR(tilted.tilt->value, 60, 3 * tilted.tilt->u);
   EXPECT_THAT(sentences(tilted), HasSubstr("The trunnion axis is tilted by 59.30″ ± 0.81″"));
   EXPECT_THAT(sentences(checkInstrument({station("P", {.eccentricityMm = 1, .noise = 0.5}, 6, 1)})),
-              HasSubstr("goes with 1/D"));
+              HasSubstr("in proportion to 1/D"));
   EXPECT_THAT(sentences(checkInstrument({station("P", {.index = 30, .noise = 0.5}, 3, 1)})),
               HasSubstr("differs from zero by more than its scatter"));
   EXPECT_THAT(sentences(checkInstrument({station("P", {.noise = 0.5, .driftPerRound = 4}, 6, 1)})),
@@ -104,7 +104,7 @@ TEST(InstrumentCheck, SaysWhatItFinds) {
   const std::string flat =
       sentences(checkInstrument({completeRounds(simulatedRounds({.noise = 1}, near, 3, 1)).front()}));
   EXPECT_THAT(flat, HasSubstr("half a millimetre is 43.0″ at 2.4 m"));
-  EXPECT_THAT(flat, HasSubstr("cannot be told from collimation"));
+  EXPECT_THAT(flat, HasSubstr("indistinguishable from collimation"));
   EXPECT_THAT(sentences(checkInstrument({station("P", {.noise = 1}, 1, 1)})),
               HasSubstr("Observe three rounds or more"));
   EXPECT_THAT(sentences(checkInstrument({station("P", {.collimation = 2, .noise = 0}, 3, 1)})),

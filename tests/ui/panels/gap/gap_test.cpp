@@ -369,7 +369,8 @@ TEST(Gap, WarnsBeforeARowIsLeftOutForWhatMayBeAJump) {
   list.setGap(gap);
   QString texts;
   for (const QLabel* label : list.findChildren<QLabel*>()) texts += label->text() + u'\n';
-  EXPECT_THAT(texts.toStdString(), HasSubstr("Perhaps a jump of the orientation right beside it"));
+  EXPECT_THAT(texts.toStdString(),
+              HasSubstr("The cause may also be a jump of the orientation, which would move Δd"));
 }
 
 TEST(Gap, SaysWhatToDoWhereNothingCanBeAdded) {
@@ -406,12 +407,11 @@ TEST(Gap, SaysWhenWhichRowsOfAJumpMayBeLeftOut) {
   const std::string goTo = "\nGo to the reading", after = "\nExclude the rows from there on";
   EXPECT_THAT(told(35),
               EndsWith("if the pointing zero of the next position was sighted after it." + goTo + after));
-  EXPECT_THAT(told(4), EndsWith("read this position again." + goTo)) << "too few are left";
-  EXPECT_THAT(told(67),
-              EndsWith("again. Or leave out the rows from there on, if the pointing zero of the next "
-                       "position was sighted after it." +
-                       goTo + after));
-  EXPECT_THAT(told(68 + 35), EndsWith("again. Or leave out the rows from there on." + goTo + after));
+  EXPECT_THAT(told(4), EndsWith("repeat this position." + goTo)) << "too few are left";
+  EXPECT_THAT(told(67), EndsWith("position. Or leave out the rows from there on, if the pointing zero of the "
+                                 "next position was sighted after it." +
+                                 goTo + after));
+  EXPECT_THAT(told(68 + 35), EndsWith("position. Or leave out the rows from there on." + goTo + after));
 }
 
 /// Excluding the rows after the jump preserves Δd. The remaining rows and their zero were read before the
@@ -448,7 +448,7 @@ TEST(Gap, LeavesOutOnlyTheRowsAfterAJumpInTheLastPosition) {
   EXPECT_EQ(within.place.position, 0u) << "180° is read last, wherever the file has it";
   EXPECT_EQ(within.after->first, 34u);
   EXPECT_EQ(within.after->count, 34u);
-  EXPECT_FALSE(before(68 + 4)->after) << "three sightings leave nothing over";
+  EXPECT_FALSE(before(68 + 4)->after) << "three sightings only just determine the circles";
   EXPECT_FALSE(before(67)->before) << "nor do two";
   EXPECT_FALSE(before(67)->isLast);
   EXPECT_FALSE(within.before) << "nothing was read later that stands as they do";
@@ -511,7 +511,7 @@ TEST(Gap, OfThreeReadingsIsNone) {
   const Gap gap = assessGap(std::make_shared<const Evaluation>(evaluateFit(session)));
   EXPECT_FALSE(gap.diagnosis);
   EXPECT_EQ(std::get<Absence>(gap.reason), Absence::NothingLeftOver);
-  EXPECT_THAT(reasonForNone(gap), HasSubstr("leave nothing over"));
+  EXPECT_THAT(reasonForNone(gap), HasSubstr("only just determine the circles"));
 }
 
 TEST(Gap, IsToldWhileThePageIsHidden) {
@@ -599,9 +599,9 @@ TEST(Gap, IsToldAsOldFromTheEditToTheNextDiagnosis) {
   EXPECT_TRUE(isHinted());
   changeField(open->document(), {.field = "geometry.sigma_distance_mm"}, "0.5");
   EXPECT_FALSE(isHinted()) << "it belongs to the verdict of another state";
-  EXPECT_THAT(finding(), HasSubstr("Before what was changed since: One cause: gravity sag."));
+  EXPECT_THAT(finding(), HasSubstr("Before the latest changes: One cause: gravity sag."));
   open.settle();
-  EXPECT_THAT(finding(), HasSubstr("Before what was changed since: One cause: gravity sag."))
+  EXPECT_THAT(finding(), HasSubstr("Before the latest changes: One cause: gravity sag."))
       << "the new fit knows no better";
   ASSERT_TRUE(waitFor([&] { return open->gapJob().isIdle(); }));
   EXPECT_TRUE(isHinted());

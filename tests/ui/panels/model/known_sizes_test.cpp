@@ -145,7 +145,7 @@ TEST(KnownSizes, AreTypedWithTheKeyboardAndUndone) {
   EXPECT_LT(shareOf(measured, "collimation").sigma, shareOf(measuredOf(before), "collimation").sigma);
 
   EXPECT_EQ(bench.open->document().undoStack().undoText(),
-            QStringLiteral("Change what is known of collimation"));
+            QStringLiteral("Change known size of collimation"));
   bench.open->pageTabs()[1]->showPage(0);
   for (int i = 0; i < 3; ++i) bench.open->undo();
   bench.open.settle();
@@ -267,7 +267,7 @@ TEST(KnownSizes, LeaveAloneWhatTheyCannotUseAndShowIt) {
   EXPECT_EQ(bench.text(last - 1, Column::From), "a<b>\\u202e") << "as text";
   EXPECT_EQ(bench.text(last, Column::Number), "trunnion_tilt, deg");
   EXPECT_THAT(bench.text(last, Column::Number, KnownSizesModel::ProblemRole),
-              HasSubstr("What is known of “trunnion_tilt” in “deg” is of no number of the catalogue."));
+              HasSubstr("The known size of “trunnion_tilt” in “deg” matches no entry of the catalogue."));
   EXPECT_THAT(bench.text(bench.row("Trunnion tilt"), Column::Sigma), IsEmpty());
   expectAllVisible(*bench.open.window, QStringLiteral("known sizes"));
 

@@ -150,7 +150,7 @@ TEST_F(ByWorth, IsSwitchedOffAndOnInTheMenu) {
   for (int i = 0; i < 3; ++i) ASSERT_TRUE(typeNext());
   const auto action = [&] {
     for (QAction* entry : menu()->actions())
-      if (entry->text() == QStringLiteral("Next: What Tells Most")) return entry;
+      if (entry->text() == QStringLiteral("Most Informative Next")) return entry;
     return static_cast<QAction*>(nullptr);
   };
   ASSERT_TRUE(action() && action()->isChecked());

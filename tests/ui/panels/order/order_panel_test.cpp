@@ -129,8 +129,8 @@ TEST(OrderPanel, LeadsTheKeyboardThroughAWholeProtocol) {
   EXPECT_TRUE(progress.isComplete());
   EXPECT_EQ(progress.outOfTurn + progress.beside + progress.missed, 0u);
   EXPECT_THAT(bench.text("order state"), HasSubstr("28 of 28"));
-  EXPECT_THAT(bench.text("next sighting"), HasSubstr("All of the protocol"));
-  EXPECT_THAT(bench.text("order outlook"), HasSubstr("However many rounds"));
+  EXPECT_THAT(bench.text("next sighting"), HasSubstr("The protocol is complete"));
+  EXPECT_THAT(bench.text("order outlook"), HasSubstr("Further rounds leave"));
 }
 
 TEST(OrderPanel, SaysWhatIsNextAndHowFarItIs) {
@@ -156,7 +156,7 @@ TEST(OrderPanel, NamesWhatHelpsIfRoundsDoNot) {
   bench.open->document().startWith(session);
   followProtocol(bench.open->document(), templateOf(shortPlan()));
   bench.settle();
-  EXPECT_THAT(bench.text("order outlook"), HasSubstr("More rounds do not do"));
+  EXPECT_THAT(bench.text("order outlook"), HasSubstr("More rounds are not enough"));
   std::string shown;
   for (const QLabel* label : bench.panel().findChildren<QLabel*>())
     if (label->isVisible()) shown += label->text().toStdString() + "\n";

@@ -100,7 +100,7 @@ TEST(Simulation, IsStoppedByItsButtonAndByAnEdit) {
   changeField(bench.open->document(), {.field = "geometry.distance_mm"}, "2406");
   ASSERT_TRUE(bench.finish());
   bench.open.settle();
-  EXPECT_THAT(bench.shown(), HasSubstr("Stopped, for the session has changed."));
+  EXPECT_THAT(bench.shown(), HasSubstr("Stopped, because the session has changed."));
   EXPECT_FALSE(bench.report().contains(QStringLiteral("JCGM 101: ")));
 }
 
