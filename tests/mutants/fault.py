@@ -55,7 +55,7 @@ def _fault(path, rule, text, change, times):
     # Of the line's own text, so that it outlives edits elsewhere in the file.
     key = (path, rule, own_line, column, new)
     times[key] = times.get(key, 0) + 1
-    digest = hashlib.sha256(repr((*key, times[key])).encode()).hexdigest()[:8]
+    digest = hashlib.sha256(repr((*key, times[key])).encode()).hexdigest()[:12]
     line = text.count("\n", 0, change.start) + 1
     shown = one_line(text[first : change.start] + new + text[change.end : last])
     return Fault(path, rule, change.start, change.end, old, new, line, shown, digest)

@@ -54,7 +54,7 @@ def once_survived():
             continue
         start = text.index(old)
         shown = one_line(f"{old} → {new}")
-        digest = hashlib.sha256(repr((path, old, new)).encode()).hexdigest()[:8]
+        digest = hashlib.sha256(repr((path, old, new)).encode()).hexdigest()[:12]
         yield [Fault(path, "survived once", start, start + len(old), old, new, text.count("\n", 0, start) + 1, shown,
                      digest)]
 

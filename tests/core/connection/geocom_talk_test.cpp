@@ -176,7 +176,7 @@ TEST(GeoComTalk, ASpoiledAnswerIsAskedForAgainAndNeverTaken) {
     EXPECT_TRUE(geocom.bench.readings.empty()) << spoiled;
     geocom.answerLast(angles);
     EXPECT_EQ(geocom.bench.readings.size(), 1U) << spoiled;
-    EXPECT_TRUE(geocom.bench.said("spoiled")) << spoiled;
+    EXPECT_TRUE(geocom.bench.said("corrupted")) << spoiled;
   }
 }
 

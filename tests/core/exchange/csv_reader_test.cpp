@@ -71,7 +71,7 @@ TEST(CsvReader, NamesWhatIsWrong) {
   EXPECT_THAT(problem("1,2,3\n4,5,6"), HasSubstr("line 1: no column is named “horizontal”"));
   EXPECT_THAT(problem("Hz,point\n"), HasSubstr("“vertical”"));
   EXPECT_THAT(problem("Hz,V,hz\n"), HasSubstr("line 1, column 6: “hz” is a second column"));
-  EXPECT_THAT(problem("Hz,V\n379,85,93,12\n"), HasSubstr("line 2, column 8: “93” stands beyond"));
+  EXPECT_THAT(problem("Hz,V\n379,85,93,12\n"), HasSubstr("line 2, column 8: “93” is beyond"));
   EXPECT_THAT(problem("Hz,V,skip\n1°,2°,perhaps\n"), HasSubstr("neither yes nor no"));
   EXPECT_THAT(problem("Hz,V\n\"1°,2°\n"), HasSubstr("line 2, column 1"));
 }

@@ -123,7 +123,7 @@ TEST(CompensatorUse, TheOtherSignIsFoundOut) {
   ASSERT_EQ(diagnosis.causes.size(), 1U);
   EXPECT_EQ(diagnosis.causes[0].effect, "vertical_axis_tilt");
   EXPECT_TRUE(diagnosis.causes[0].isStale);
-  EXPECT_THAT(staleSentence(diagnosis), HasSubstr("other sign"));
+  EXPECT_THAT(staleSentence(diagnosis), HasSubstr("opposite sign"));
 }
 
 }  // namespace

@@ -46,7 +46,7 @@ TEST(BudgetStatement, NamesEachSourceWithItsSizeAndUnit) {
   EXPECT_EQ(cell(budget, 0, "size"), "10, 12″");
   EXPECT_EQ(cell(budget, 0, "from"), "default");
   EXPECT_EQ(cell(budget, 0, "share"), "64.3 %") << "9 of 14";
-  EXPECT_EQ(cell(budget, 1, "source"), "what else may explain the readings");
+  EXPECT_EQ(cell(budget, 1, "source"), "other possible explanations");
   EXPECT_EQ(cell(budget, 1, "type"), "B");
   EXPECT_EQ(cell(budget, 2, "source"), "readings");
   EXPECT_EQ(cell(budget, 2, "type"), "A");

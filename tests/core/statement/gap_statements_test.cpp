@@ -270,10 +270,10 @@ TEST(VerdictOfGap, HasAReasonWithoutADiagnosis) {
   gap.reason = Absence::NothingToCompare;
   EXPECT_THAT(reasonForNone(gap), StartsWith("There is nothing to compare yet"));
   gap.reason = FailedWork{.work = "fit", .reason = "out of memory", .record = "/x", .isRecorded = true};
-  EXPECT_EQ(
-      reasonForNone(gap),
-      "The fit failed: out of memory. Nothing typed is lost; save the session and go on. What is needed to "
-      "report this is in /x.");
+  EXPECT_EQ(reasonForNone(gap),
+            "The fit failed: out of memory. Nothing typed is lost; save the session and go on. A description "
+            "of the "
+            "fault is in /x.");
   gap.reason = DiagnosisFault(UnknownCause{"gremlins"});
   EXPECT_THAT(reasonForNone(gap), HasSubstr("“gremlins”"));
 }

@@ -115,7 +115,7 @@ INSTANTIATE_TEST_SUITE_P(
         Faulty{"radial = A*s; horizontal = A*t", "A", "of another kind"},
         Faulty{"radial = A+B+C+D+E+F+G", "G", "too many"},
         Faulty{"radial = A*2^-1", "-", "negative exponent"},
-        Faulty{"radial = A*1e999", "1e999", "no number"}));
+        Faulty{"radial = A*1e999", "1e999", "no valid number"}));
 
 TEST(Formula, TellsLineAndColumnInCharacters) {
   const std::string text = "radial = A*bump(s, 83°, 4°)\nacross = B*bump(s, 83°, 4°)*foo(s)";

@@ -26,7 +26,7 @@ TEST(BudgetInWords, TellsOfAShareWhatItIsAndHowLargeItMayBe) {
   share.sizes = {{"scale", 5e-4, "1"}};
   EXPECT_EQ(sizesText(share), "0.0005");
   EXPECT_EQ(textOf(UncertaintyShare{.from = UncertaintyShare::From::Diagnosis}),
-            "what else may explain the readings");
+            "other possible explanations");
   EXPECT_EQ(textOf(UncertaintyShare{.source = UncertaintySource::Distance}), "distance");
   EXPECT_EQ(sizesText({}), "");
 }

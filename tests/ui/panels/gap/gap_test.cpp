@@ -448,7 +448,7 @@ TEST(Gap, LeavesOutOnlyTheRowsAfterAJumpInTheLastPosition) {
   EXPECT_EQ(within.place.position, 0u) << "180° is read last, wherever the file has it";
   EXPECT_EQ(within.after->first, 34u);
   EXPECT_EQ(within.after->count, 34u);
-  EXPECT_FALSE(before(68 + 4)->after) << "three sightings only just determine the circles";
+  EXPECT_FALSE(before(68 + 4)->after) << "three sightings only just determine the arc";
   EXPECT_FALSE(before(67)->before) << "nor do two";
   EXPECT_FALSE(before(67)->isLast);
   EXPECT_FALSE(within.before) << "nothing was read later that stands as they do";
@@ -511,7 +511,7 @@ TEST(Gap, OfThreeReadingsIsNone) {
   const Gap gap = assessGap(std::make_shared<const Evaluation>(evaluateFit(session)));
   EXPECT_FALSE(gap.diagnosis);
   EXPECT_EQ(std::get<Absence>(gap.reason), Absence::NothingLeftOver);
-  EXPECT_THAT(reasonForNone(gap), HasSubstr("only just determine the circles"));
+  EXPECT_THAT(reasonForNone(gap), HasSubstr("only just determine the arc"));
 }
 
 TEST(Gap, IsToldWhileThePageIsHidden) {

@@ -69,7 +69,7 @@ TEST(BudgetOfTheMeasurement, IsGreyWhileItIsOldAndGoesWithTheSession) {
   PaperPage paper;
   auto& [gap, document, page] = paper;
   page.setGap(gap);
-  const QLabel* source = labelOf(page, QStringLiteral("what else may explain the readings"));
+  const QLabel* source = labelOf(page, QStringLiteral("other possible explanations"));
   ASSERT_TRUE(source);
   EXPECT_TRUE(source->isEnabled());
   page.setGapStale();
