@@ -5,13 +5,15 @@
 
 #include "core/base/phrase.h"
 #include "core/session/day_text.h"
+#include "core/session/session_fields.h"
 
 namespace alidade {
 
 namespace {
 
 bool hasNumberOn(const Session& session, const std::string& field) {
-  if (isDay(field)) return false;
+  const SessionField* known = sessionFieldNamed(field);
+  if (isDay(field) || (known && !known->isOfMeasurement)) return false;
   if (field != "environment.temperature_c" && field != "environment.sigma_temperature_c") return true;
   return !session.geometry.distanceExpansionPpmPerK.empty() ||
          !session.geometry.radiusExpansionPpmPerK.empty();

@@ -72,8 +72,10 @@ class Examiner : private ProblemReporter {
   explicit Examiner(const Session& session) : m_session(session) {}
 
   Examined examine() {
-    for (const SessionField& field : sessionFields())
+    for (const SessionField& field : sessionFields()) {
       if (isDay(field.key)) checkDate(std::string(field.key), field.get(m_session));
+      if (!field.isOfMeasurement && field.kind() == ValueKind::Number) number(field.key.data());
+    }
     examineInstrument();
     const auto temperature = number("environment.temperature_c");
     const auto sigma = number("environment.sigma_temperature_c");

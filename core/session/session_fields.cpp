@@ -72,9 +72,12 @@ constexpr SessionField allSessionFields[] = {
                                 .noun = PHRASE_LATER("Field", "title"),
                                 .caption = PHRASE_LATER("Forms", "T&itle"),
                                 .fillsRow = true,
-                                .isOfMeasurement = false}),
-    ofSession<&Session::notes>(
-        {.key = "notes", .noun = PHRASE_LATER("Field", "notes"), .isOfMeasurement = false}),
+                                .isOfMeasurement = false,
+                                .isOfOneMeasurement = true}),
+    ofSession<&Session::notes>({.key = "notes",
+                                .noun = PHRASE_LATER("Field", "notes"),
+                                .isOfMeasurement = false,
+                                .isOfOneMeasurement = true}),
     ofSession<&Session::operatorName>({.key = "operator",
                                        .noun = PHRASE_LATER("Field", "operator"),
                                        .caption = PHRASE_LATER("Forms", "Operator"),
@@ -92,6 +95,7 @@ constexpr SessionField allSessionFields[] = {
                                      .whenEmpty = PHRASE_LATER("Forms", "YYYY-MM-DD"),
                                      .help = PHRASE_LATER("Forms", "Day of the measurement"),
                                      .isOfMeasurement = false,
+                                     .isOfOneMeasurement = true,
                                      .isWantedOnReport = true}),
     ofSession<&Session::report, &ReportEntries::number>(
         {.key = "report.number",
@@ -99,6 +103,7 @@ constexpr SessionField allSessionFields[] = {
          .caption = PHRASE_LATER("Forms", "Re&port no."),
          .help = PHRASE_LATER("Forms", "Unique number of the report, printed on each of its pages"),
          .isOfMeasurement = false,
+         .isOfOneMeasurement = true,
          .isWantedOnReport = true}),
     ofSession<&Session::report, &ReportEntries::laboratory>(
         {.key = "report.laboratory",
@@ -144,6 +149,7 @@ constexpr SessionField allSessionFields[] = {
     ofSession<&Session::device, &Device::serial>({.key = "device.serial",
                                                   .noun = PHRASE_LATER("Field", "device serial number"),
                                                   .caption = PHRASE_LATER("Forms", "Serial no."),
+                                                  .isOfOneMeasurement = true,
                                                   .isWantedOnReport = true}),
     ofSession<&Session::device, &Device::condition>(
         {.key = "device.condition",
@@ -151,13 +157,15 @@ constexpr SessionField allSessionFields[] = {
          .caption = PHRASE_LATER("Forms", "Condition"),
          .help = PHRASE_LATER("Forms", "Condition of the device on receipt, for the report"),
          .fillsRow = true,
-         .isOfMeasurement = false}),
+         .isOfMeasurement = false,
+         .isOfOneMeasurement = true}),
     ofSession<&Session::device, &Device::receivedOn>({.key = "device.received_on",
                                                       .noun = PHRASE_LATER("Field", "day of receipt"),
                                                       .rule = &dateProblem,
                                                       .caption = PHRASE_LATER("Forms", "&Received on"),
                                                       .whenEmpty = PHRASE_LATER("Forms", "YYYY-MM-DD"),
-                                                      .isOfMeasurement = false}),
+                                                      .isOfMeasurement = false,
+                                                      .isOfOneMeasurement = true}),
     ofSession<&Session::instrument, &Instrument::name>({.key = "instrument.name",
                                                         .noun = PHRASE_LATER("Field", "instrument"),
                                                         .caption = PHRASE_LATER("Forms", "Instrument"),
@@ -284,6 +292,7 @@ constexpr SessionField allSessionFields[] = {
          .caption = PHRASE_LATER("Forms", "&Temp."),
          .unit = PHRASE_LATER("Forms", "°C"),
          .help = PHRASE_LATER("Forms", "Temperature of the device and of the air"),
+         .isOfOneMeasurement = true,
          .isWantedOnReport = true}),
     ofSession<&Session::environment, &Environment::sigmaTemperatureC>(
         {.key = "environment.sigma_temperature_c",
@@ -294,7 +303,8 @@ constexpr SessionField allSessionFields[] = {
          .caption = PHRASE_LATER("Forms", "σ of temp."),
          .unit = PHRASE_LATER("Forms", "K"),
          .whenEmpty = PHRASE_LATER("Forms", "0 (exact)"),
-         .help = PHRASE_LATER("Forms", "Standard uncertainty of the temperature")}),
+         .help = PHRASE_LATER("Forms", "Standard uncertainty of the temperature"),
+         .isOfOneMeasurement = true}),
     ofSession<&Session::geometry, &Geometry::distanceMm>(
         {.key = "geometry.distance_mm",
          .noun = PHRASE_LATER("Field", "distance L"),
@@ -310,7 +320,8 @@ constexpr SessionField allSessionFields[] = {
          .caption = PHRASE_LATER("Forms", "Distance &L"),
          .unit = mm,
          .whenEmpty = PHRASE_LATER("Forms", "required"),
-         .help = PHRASE_LATER("Forms", "From the theodolite's centre to the plane of the arc")}),
+         .help = PHRASE_LATER("Forms", "From the theodolite's centre to the plane of the arc"),
+         .isOfOneMeasurement = true}),
     ofSession<&Session::geometry, &Geometry::sigmaDistanceMm>(
         {.key = "geometry.sigma_distance_mm",
          .noun = PHRASE_LATER("Field", "σ of the distance"),
@@ -319,6 +330,7 @@ constexpr SessionField allSessionFields[] = {
          .unit = mm,
          .whenEmpty = PHRASE_LATER("Forms", "0 (exact)"),
          .help = PHRASE_LATER("Forms", "Standard uncertainty of the distance; empty means exact"),
+         .isOfOneMeasurement = true,
          .isWantedOnReport = true}),
     ofSession<&Session::geometry, &Geometry::radiusMm>(
         {.key = "geometry.radius_mm",
@@ -445,8 +457,9 @@ constexpr SessionField allSessionFields[] = {
          .caption = PHRASE_LATER("Forms", "Reference"),
          .unit = mm,
          .whenEmpty = PHRASE_LATER("Forms", "none"),
-         .help = PHRASE_LATER(
-             "Forms", "Setting of the device, if known; shown with the result, not used in the fit")}),
+         .help = PHRASE_LATER("Forms",
+                              "Setting of the device, if known; shown with the result, not used in the fit"),
+         .isOfOneMeasurement = true}),
     ofSession<&Session::acceptance, &Acceptance::sigmaReferenceMm>(
         {.key = "acceptance.sigma_reference_mm",
          .noun = PHRASE_LATER("Field", "σ of the reference"),
@@ -456,7 +469,8 @@ constexpr SessionField allSessionFields[] = {
          .whenEmpty = PHRASE_LATER("Forms", "none"),
          .help = PHRASE_LATER("Forms",
                               "Standard uncertainty of the reference. If stated, Δd − reference is a closure "
-                              "and may help the diagnosis to distinguish causes; Δd never depends on it")}),
+                              "and may help the diagnosis to distinguish causes; Δd never depends on it"),
+         .isOfOneMeasurement = true}),
     ofSession<&Session::model, &Model::verticalAngle>(
         {.key = "model.vertical_angle",
          .noun = PHRASE_LATER("Field", "vertical angle relation"),

@@ -35,8 +35,9 @@ struct SessionField {
   const char* help = nullptr;       ///< tool tip
   std::span<const WordChoice> choices = {};  ///< a list instead of a line
   bool fillsRow = false;                     ///< for long texts: a row of its own in a form
-  bool isOfMeasurement = true;    ///< false: says who, where and for whom, and never enters a result
-  bool isWantedOnReport = false;  ///< by ISO/IEC 17025:2017, 7.8.2, 7.8.4 and, for the decision rule, 7.8.6
+  bool isOfMeasurement = true;      ///< false: says who, where and for whom, and never enters a result
+  bool isOfOneMeasurement = false;  ///< whether the next session begins without it (`nextSession`)
+  bool isWantedOnReport = false;    ///< by ISO/IEC 17025:2017, 7.8.2, 7.8.4 and, for the decision rule, 7.8.6
 
   const std::string& (*get)(const Session& session) = nullptr;
   std::string& (*at)(Session& session) = nullptr;
