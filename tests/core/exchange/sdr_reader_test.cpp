@@ -112,7 +112,8 @@ TEST(SdrReader, NamesRecordsThatCannotBeRead) {
     const Recording recording = readSdr(text + sound);
     return recording.problems.empty() ? std::string() : recording.problems.front().text();
   };
-  EXPECT_THAT(problem(heading("SDR33", "311111")), HasSubstr("line 1, column 41: “3” is not a supported unit of angles"));
+  EXPECT_THAT(problem(heading("SDR33", "311111")),
+              HasSubstr("line 1, column 41: “3” is not a supported unit of angles"));
   EXPECT_THAT(problem(heading("SDR33", "111112")), HasSubstr("increase to the left"));
   EXPECT_THAT(problem("00NMSDR33\n"), HasSubstr("line 1, column 10: “”")) << "where the line ends";
   const std::string begin = heading("SDR33", "111111");
