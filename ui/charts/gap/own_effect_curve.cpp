@@ -68,7 +68,10 @@ OwnEffectCurve::OwnEffectCurve(QWidget* parent) : QChartView(new QChart, parent)
 void OwnEffectCurve::setCurves(const std::vector<OwnCurve>& curves) {
   const PlotStyle style = screenStyle(palette(), font());
   chart()->removeAllSeries();
-  for (QAbstractAxis* axis : chart()->axes()) chart()->removeAxis(axis);
+  for (QAbstractAxis* axis : chart()->axes()) {
+    chart()->removeAxis(axis);
+    delete axis;
+  }
   chart()->setBackgroundBrush(style.background);
   for (const OwnCurve& curve : curves)
     if (!curve.points.empty() && unitOf(curve.carrier) == unitOf(curves.front().carrier))
