@@ -8,8 +8,8 @@
 
 namespace alidade {
 
-/// A circle reading for a session, to a thousandth of an arcsecond and without trailing zeros: finer than any
-/// circle, coarser than the last digits of radians.
+/// The text of a circle reading for a session, without trailing zeros. Its resolution, finer than any circle,
+/// is 0.001″ with minutes and seconds, 10⁻⁷° in decimal degrees, and 10⁻⁷ gon.
 std::string circleText(Angle reading, CircleUnit unit);
 
 /// A zenith angle in [0°, 360°) as a circle of this kind reads it; see `isFaceTwo`.

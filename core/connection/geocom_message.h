@@ -13,10 +13,10 @@ namespace alidade {
 //   %R1P,<communication code>,<transaction>[,<crc>]:<return code>[,<parameters>]
 //
 // Parameters are separated by commas; texts are in double quotes; angles are radians. An answer repeats the
-// transaction number of its question, 0 to 7. A check sum is CRC-16/ARC of the line without it and the comma
-// before it, as a decimal number. An instrument sends one if it is set to. Sources: GeoCOM Reference Manual,
-// TPS1200 (Leica Geosystems), and the MIT-licensed GeoComPy (geo/__init__.py, geo/tmc.py, geo/com.py,
-// geo/csv.py). The check sum is from GeoComPy, which determined it by experiment.
+// transaction number of its question, 0 to 7. The check sum, a decimal number, is CRC-16/ARC of the line
+// without the check sum and the comma before it. Instruments send check sums only if they are set to do so.
+// Sources: GeoCOM Reference Manual, TPS1200 (Leica Geosystems), and the MIT-licensed GeoComPy
+// (geo/__init__.py, geo/tmc.py, geo/com.py, geo/csv.py), which determined the check sum by experiment.
 
 namespace geocom {
 inline constexpr int null = 0, doublePrecision = 108, softwareVersion = 110, switchOn = 111, angles = 2003,
@@ -56,7 +56,7 @@ int geoComChecksum(std::string_view text);
 
 /// Are the angles of an answer with this return code usable?
 bool hasAngles(int returnCode);
-/// Does the instrument guarantee such angles? A missing distance does not matter.
+/// Does this return code guarantee the angles? A missing distance does not matter.
 bool isVouchedFor(int returnCode);
 /// Will the same question be answered a moment later?
 bool isBusy(int returnCode);

@@ -25,7 +25,7 @@ std::optional<Angle> radiansOf(const std::string& text) {
   return Angle::fromRadians(*number);
 }
 
-/// Rounds to the last place written: 359°59'59.9999" becomes 0.
+/// Rounds to 0.001″, as `circleText` does, and wraps to [0°, 360°): 359°59'59.9999" becomes 0.
 Angle asWritten(Angle angle) {
   const Angle half = Angle::fromDegrees(180);
   return wrapped(Angle::fromArcseconds(std::round(angle.arcseconds() * 1000) / 1000), half);
@@ -77,12 +77,12 @@ void GeoComTalk::ask(Milliseconds now, TalkStep& step) {
   m_waitsFor = m_transaction;
   m_deadline = now + (question.need == Need::Angles ? m_times.answerWithin : m_times.wakeWithin);
   GeoComQuestion message{.rpc = question.rpc, .transaction = m_transaction};
-  // Requests the compensator's plane if it is at rest, else a measurement, like the instrument's own display.
+  // 1: the instrument itself chooses between the compensator's plane and a measurement of the tilts.
   if (question.rpc == geocom::angles || question.rpc == geocom::plainAngles) message.parameters = {"1"};
   send(geoComLine(message), step);
 }
 
-/// Repeats a lost or damaged question; after the last attempt it counts as unanswered.
+/// Repeats the question after a lost or damaged answer; gives up after the last attempt.
 void GeoComTalk::askAgain(Milliseconds now, TalkStep& step) {
   const Question& question = m_questions.front();
   const int most = question.need == Need::Optional ? std::min(2, m_times.attempts) : m_times.attempts;
@@ -224,7 +224,7 @@ void GeoComTalk::takeIdentity(int rpc, const GeoComAnswer& answer) {
   }
 }
 
-/// Another instrument on the same cable also has another name.
+/// Keeps the serial number. If it changed, another instrument is on the cable: its name is requested too.
 void GeoComTalk::takeSerial(const std::string& serial) {
   const bool isOther = !m_identity.serial.empty() && m_identity.serial != serial;
   m_identity.serial = serial;
@@ -234,8 +234,8 @@ void GeoComTalk::takeSerial(const std::string& serial) {
   m_questions.push_back({geocom::instrumentName});
 }
 
-/// Continues without an optional answer, permanently if it was refused; an older kind of angles replaces
-/// those with tilts. `code`: the answer; absent: no answer.
+/// Skips an optional question, for good if it was refused. If RPC 2003 is unknown, asks for the angles
+/// without tilts (RPC 2107). Otherwise ends the reading. `code`: return code; absent: no answer.
 void GeoComTalk::giveUp(std::optional<int> code, Milliseconds now, TalkStep& step) {
   const Question question = m_questions.front();
   if (question.need == Need::Optional) {

@@ -10,11 +10,10 @@
 namespace alidade {
 
 // The program's side of the connection. It first asks two empty questions, since the first may be lost while
-// the instrument wakes. Then it asks for the resolution of its numbers and its identity. For a reading it
-// asks for both circles with the tilts of the compensator (RPC 2003). Before that it asks for the serial, the
-// corrections and the compensator's state (5003, 2014, 2007), as all may have changed since the last reading.
-// One question is pending at a time. After a busy answer it is repeated a little later, without an answer it
-// is repeated with another number; late or duplicate answers have an outdated number.
+// the instrument wakes. It then asks for the instrument's resolution and identity. For each reading it asks
+// for the serial, the corrections and the compensator's state (RPC 5003, 2014, 2007), which may have changed,
+// and then for circles and tilts (2003). Only one question is pending. After a busy answer it is repeated
+// later, without an answer with a new number. Late and duplicate answers have an outdated number.
 
 class GeoComTalk : public InstrumentTalk {
  public:
@@ -55,11 +54,11 @@ class GeoComTalk : public InstrumentTalk {
 
   std::deque<Question> m_questions;          ///< the first is pending, or waits for `m_askAt`
   std::optional<int> m_waitsFor;             ///< transaction number of the pending question; absent: none
-  Milliseconds m_deadline = 0;               ///< for its answer
-  std::optional<Milliseconds> m_askAt = {};  ///< after a pause
+  Milliseconds m_deadline = 0;               ///< latest time of the pending answer
+  std::optional<Milliseconds> m_askAt = {};  ///< time to repeat the first question; absent: no pause
   int m_transaction = 0;
   bool m_isAwake = false, m_isTaking = false, m_isIdentified = false;
-  std::set<int> m_notAnswered;  ///< questions that this instrument cannot answer
+  std::set<int> m_notAnswered;  ///< RPCs that this instrument refused
   bool m_hasAngles = false;
   bool m_wasSpoiled = false;                 ///< the last answer to the first question was damaged
   std::optional<bool> m_isCompensated = {};  ///< the compensator is on; absent: unknown

@@ -7,15 +7,15 @@
 
 namespace alidade {
 
-// The information digits of a GSI word on its angle. Positions 3 to 6 are the block's number or a point, then
+// What a GSI word states about its angle. Its positions 3 to 6 are the number of the block, or a point and
 //
 //   4 compensator: 0 off, 1 and 3 on
 //   5 input: 0 as measured, 1 keyed in, 2 measured with the corrections of the horizontal circle on, 3 with
 //       these off, 4 the result of a function
 //   6 unit
 //
-// and a point for missing information. Source: GSI ONLINE for Leica TPS and DNA (Leica Geosystems, 2008), GSI
-// word information.
+// where a point replaces missing information. Source: GSI ONLINE for Leica TPS and DNA (Leica Geosystems,
+// 2008), GSI word information.
 
 struct GsiInformation {
   std::optional<bool> isCompensated = {};          ///< the compensator was on

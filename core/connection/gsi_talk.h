@@ -5,14 +5,14 @@
 
 namespace alidade {
 
-// GSI online: the key REC of the instrument sends a block of words (core/exchange/gsi_word.h), which is
-// acknowledged by `?`; otherwise the instrument sends it again. The same block within a while is therefore
-// the same sighting: instruments increment point numbers, and the last digits of two sightings differ. A
+// GSI online: the key REC of the instrument sends a block of words (core/exchange/gsi_word.h). The instrument
+// repeats the block unless `?` acknowledges it. An equal block within `repeatWithin` is therefore the same
+// sighting: two sightings differ in the point number, which instruments increment, or in their last digits. A
 // reading can also be requested by `GET/M/WI21/WI22`, whose answer is not acknowledged. The serial number is
 // requested once the port is open (`GET/I/WI12`) and stays empty without an answer. `@W…` and `@E…` are
 // warnings and errors. The words do not state the kind of vertical circle: that of the session is assumed.
-// Sources: GSI ONLINE for Leica TPS and DNA (Leica Geosystems, 2008), for words the TPS1100 manual; when a
-// block is repeated, and that answers are not acknowledged, depends on the instrument.
+// Sources: GSI ONLINE for Leica TPS and DNA (Leica Geosystems, 2008), for words the TPS1100 manual. The time
+// before a block is repeated, and whether answers need no acknowledgement, depend on the instrument.
 
 class GsiTalk : public InstrumentTalk {
  public:
@@ -34,9 +34,9 @@ class GsiTalk : public InstrumentTalk {
   bool takeSerial(const std::string& line, TalkStep& step);
   bool wasTaken(const std::string& line, Milliseconds now) const;
 
-  std::optional<Milliseconds> m_askedUntil = {};   ///< for a requested reading
-  std::optional<Milliseconds> m_serialUntil = {};  ///< for the requested serial number
-  std::string m_lastBlock;                         ///< last one taken
+  std::optional<Milliseconds> m_askedUntil = {};   ///< time limit of a requested reading
+  std::optional<Milliseconds> m_serialUntil = {};  ///< time limit of the requested serial number
+  std::string m_lastBlock;                         ///< last block taken
   Milliseconds m_lastAt = 0;                       ///< time of its last arrival
 };
 

@@ -15,7 +15,7 @@ struct InstrumentReading {
   int face = 1;                          ///< from the vertical circle
   std::string tiltCrossArcsec;           ///< of the standing axis across the line of sight, as read by the
                                          ///< compensator
-  std::string tiltLengthArcsec;          ///< along it
+  std::string tiltLengthArcsec;          ///< the same along the line of sight
   /// The corrections that the instrument has already applied to the angles: words of `inclination
   /// standing_axis collimation tilting_axis` separated by blanks, or `none`; empty: unknown.
   std::string corrections;

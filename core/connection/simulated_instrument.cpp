@@ -93,7 +93,7 @@ std::string SimulatedInstrument::answerGsi(const std::string& line) {
     return (m_options.isWide ? "*" : "") + serialWordOf(m_options.serial, m_options.isWide) + lineEnd;
   if (line.starts_with("GET/") && line.find("WI21") != std::string::npos) {
     if (isDone() || m_waiting)
-      return std::string("@W100") + lineEnd;  // a block waits for its acknowledgement
+      return std::string("@W100") + lineEnd;  // busy: a block waits, or no sighting is left
     const auto fault = faultNow();
     if (fault == InstrumentFault::Busy) return std::string("@W100") + lineEnd;
     if (fault == InstrumentFault::Silent) return {};
@@ -183,7 +183,7 @@ std::string SimulatedInstrument::answerAngles(const GeoComQuestion& question) {
   return withFault(line + lineEnd, fault);
 }
 
-/// Requested before each reading: with the fault OtherSerial the next one is from another instrument.
+/// Requested before each reading: with the fault OtherSerial the next reading is from another instrument.
 std::string SimulatedInstrument::serialNow() {
   m_isOther = faultDue() == InstrumentFault::OtherSerial;
   if (m_isOther) faultNow();

@@ -30,7 +30,7 @@ enum class InstrumentFault {
   Again,          ///< the sighting before the last one is sent again, long after its acknowledgement
   NotVouchedFor,  ///< not guaranteed: with GeoCOM by a return code; with GSI keyed in, the compensator off
   OtherSerial,    ///< another instrument is on the cable
-  WrongChecksum,  ///< GeoCOM: of an answer
+  WrongChecksum,  ///< GeoCOM: the check sum of an answer is wrong
 };
 
 struct InstrumentFaultName {
@@ -56,14 +56,14 @@ enum class InstrumentProtocol { GeoCom, Gsi };
 struct SimulatedOptions {
   InstrumentProtocol protocol = InstrumentProtocol::GeoCom;
   std::vector<SimulatedSighting> sightings = {};
-  std::vector<InstrumentFault> faults = {};  ///< in turn
-  std::size_t faultEvery = 0;                ///< number of sightings between faults; 0: never
+  std::vector<InstrumentFault> faults = {};  ///< simulated in turn
+  std::size_t faultEvery = 0;                ///< n: a fault occurs in every n-th sighting; 0: never
   bool isWide = true;                        ///< GSI-16, else GSI-8
   char gsiUnit = '4';                        ///< 2 gon, 3 decimal degrees, 4 degrees minutes seconds
   std::array<bool, 4> corrections = {true, true, true,
                                      true};  ///< inclination, standing axis, collimation, tilting
   bool isCompensated = true;
-  bool hasChecksums = false;  ///< of answers of GeoCOM
+  bool hasChecksums = false;  ///< in the answers of GeoCOM
   std::string name = "Alidade simulated instrument", serial = "1000001", otherSerial = "2000002";
 };
 
@@ -77,7 +77,7 @@ class SimulatedInstrument {
 
   /// The response to these bytes.
   std::string receive(std::string_view bytes);
-  /// The key REC, which with GSI sends a block; without effect while one waits for its acknowledgement.
+  /// The key REC, which with GSI sends a block; without effect while a block waits for its acknowledgement.
   std::string record(Milliseconds now);
   /// Repeats unacknowledged blocks, and answers after a busy period.
   std::string tick(Milliseconds now);
@@ -116,7 +116,7 @@ class SimulatedInstrument {
     bool counts;    ///< its acknowledgement completes the sighting
     bool losesOne;  ///< loses one acknowledgement, so that the block is repeated
   };
-  std::optional<Waiting> m_waiting;  ///< for its acknowledgement
+  std::optional<Waiting> m_waiting;  ///< the block that is not yet acknowledged
 };
 
 }  // namespace alidade

@@ -33,7 +33,7 @@ struct TalkTimes {
   int busyAttempts = 12;              ///< for a question answered with busy
 };
 
-/// A transmitted line, for the log.
+/// A line that was sent or received, for the log.
 struct TalkLine {
   bool isSent = false;
   std::string text;  ///< without its end

@@ -113,7 +113,7 @@ class PartsJoiner {
     return std::nullopt;
   }
 
-  /// Carries a part of 60 into the part before it; a larger part is a problem.
+  /// Carries a part of 60 (100 in gon) into the part before it; a larger part is a problem.
   std::optional<Problem> carry() {
     const double most = m_isCentesimal ? 100 : 60;
     for (std::size_t i = m_count - 1; i > 0; --i) {

@@ -12,14 +12,14 @@ namespace alidade {
 /// A circle reading from a file, converted to a notation of `parseAngle`.
 struct FileAngle {
   std::string text;
-  bool isCarried = false;     ///< minutes or seconds were 60 and carried into the next degree or minute
+  bool isCarried = false;     ///< minutes or seconds were 60, or 100 in gon, and were carried
   bool isFullCircle = false;  ///< 360° or 400 gon, the zero of the circle
 };
 
 /// Joins degrees, minutes and seconds from separate cells into one text, `17 41 33`; the seconds are empty if
 /// the table has none. A sign holds for the whole angle, as in −0 12 30. Minutes and seconds of 60 carry.
-/// Parts may have their own marks (17° 41' 33") and zeros as decimals if they are whole. `isCentesimal`: gon
-/// with hundredths, and hundredths of these; 17 41 33 becomes 17.4133gon.
+/// Parts may have their own marks (17° 41' 33"). Whole parts may have zeros as decimals. `isCentesimal`: gon
+/// with hundredths, and hundredths of these, carried at 100; 17 41 33 becomes 17.4133gon.
 Result<FileAngle> joinedAngle(const std::array<std::string_view, 3>& parts, bool hasSeconds,
                               bool isCentesimal);
 

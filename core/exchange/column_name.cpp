@@ -190,13 +190,13 @@ class NameReader {
       m_isStrange = true;
   }
 
-  /// A unit that repeats the field's own, as of a length or of the axis angle.
+  /// Does the word add nothing: a filler, or a unit such as degrees for the axis angle?
   static bool saysNothing(std::string_view word) {
     return means(Role::Filler, word) || means(Role::Metre, word) || means(Role::Millimetre, word) ||
            means(Role::Degrees, word);
   }
 
-  /// A face, in the heading of a circle or in one above circles: a number alone is not enough.
+  /// Takes a word for a face. The numbers 1 and 2 need a circle or another field in the heading.
   bool takeFace(const std::string& word, bool isOfCircle) {
     const bool isOne = means(Role::FaceOne, word), isTwo = means(Role::FaceTwo, word);
     const bool isNumber = word == "1" || word == "2";

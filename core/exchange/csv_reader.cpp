@@ -44,7 +44,7 @@ std::string plainNumber(std::string text) {
   return !isPlain && parseWhole(text) ? plainSigns(text) : text;
 }
 
-/// Does the cell contain a digit before any letter?
+/// Does the cell contain a digit, and not begin with a Latin letter?
 bool mayBeReading(const std::string& cell) {
   const char first = cell.empty() ? '\0' : cell.front();
   const bool isWord = (first >= 'a' && first <= 'z') || (first >= 'A' && first <= 'Z');
@@ -144,7 +144,7 @@ class CsvReader {
       unused.push_back(Phrase::of("line %1 begins with # and is not used, though it holds a reading", line));
   }
 
-  /// A sentence for each ignored column, of those reported.
+  /// A sentence for each unused column with values: of known content if `isBySession`, else of unknown.
   std::vector<std::string> unusedSentences(bool isBySession) const {
     std::vector<std::string> sentences;
     for (std::size_t i = 0; i < m_unusedCells.size(); ++i)
@@ -231,7 +231,7 @@ class CsvReader {
     return nullptr;
   }
 
-  /// Do further cells continue the note? So in a table separated by blanks with notes in its last column.
+  /// Do further cells continue the note? They do if blanks separate the columns and the last holds notes.
   bool isRestOfNote(const CsvRow& row) const {
     const std::size_t last = m_plan.columns.size() - 1;
     const auto& column = m_plan.columns[last].column;

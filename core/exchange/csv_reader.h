@@ -15,9 +15,9 @@ namespace alidade {
 /// one. The apostrophe that protects a text from being read as a formula (csv_text.h) is removed. A cell may
 /// say more than an entry of a session:
 ///
-///   point a name; ZERO, or `zeroPoint`, is the pointing zero
-///   face I, II, L, R, FL, FR, 盘左, КЛ, … (table_faces.h)
-///   excluded 1, yes, true or x; 0, no or false; empty: no
+///   point: a name; ZERO, or `zeroPoint`, is the pointing zero
+///   face: I, II, L, R, FL, FR, 盘左, КЛ, … (table_faces.h)
+///   excluded: 1, yes, true or x; 0, no or false; empty: no
 ///
 /// The degrees, minutes and seconds of an angle (or gon with their hundredths) may be in two or three columns
 /// and are joined exactly. The table or row is refused if a part has no column or no value, or if whole

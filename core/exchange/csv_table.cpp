@@ -160,8 +160,8 @@ bool CsvTable::goOn() {
   return false;
 }
 
-/// A blank or a tab; for `wideBlanks`, a blank followed by another. In a heading the unit belongs to the
-/// name: Hz [gon].
+/// Does the next character, `c`, separate cells? For `wideBlanks`, a blank does only if a blank or a tab
+/// follows. In a heading, a blank before a unit does not: Hz [gon].
 bool CsvTable::isSeparator(char c) const {
   if (m_isHeading && c == ' ' && m_at + 1 < m_text.size() && isOneOf(m_text.substr(m_at + 1, 1), {"[", "("}))
     return false;

@@ -25,10 +25,10 @@ struct CsvRow {
 };
 
 /// Splits a table into rows of cells (RFC 4180). Cells are separated by tabs, semicolons, | or commas, the
-/// first of these found in the first row, or by `separator`. There a blank means any number of blanks and
-/// tabs, and `wideBlanks` two or more (table_layout.h). A cell that begins with a double quote ends at the
-/// next single one and may hold anything; a quote inside is doubled. Quotes elsewhere mean arcseconds and
-/// stay, as in a row that holds only the signs ° ' ". Empty rows are skipped; lines that begin with #, unless
+/// first of these found in the first row, or by `separator`: a blank means any number of blanks and tabs,
+/// `wideBlanks` two or more (table_layout.h). A cell that begins with a double quote ends at the next single
+/// one and may hold anything; a quote inside is doubled. Quotes elsewhere mean arcseconds and stay, as in a
+/// row that holds only the signs ° ' ". Empty rows are skipped; lines that begin with #, unless
 /// it names the first column, are comments and split without it. Reading stops with a problem at an unclosed
 /// quote outside a comment, and at the limits of rows and columns.
 class CsvTable {

@@ -35,7 +35,7 @@ std::string milInDegrees(const std::string& number) {
   return digits.substr(0, digits.size() - decimals) + "." + digits.substr(digits.size() - decimals) + "°";
 }
 
-/// `number` with 0 as its whole part if that equals `turn`.
+/// `number`, or 0 with the same decimals if its value is exactly `turn`.
 std::string withoutFullTurn(const std::string& number, std::string_view turn) {
   const std::size_t first = std::min(number.find_first_not_of('0'), number.size());
   const std::size_t point = std::min(number.find('.'), number.size());

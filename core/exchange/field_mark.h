@@ -23,8 +23,8 @@ struct FieldMark {
 /// missing number may be in `more`. Absent for other texts.
 std::optional<FieldMark> fieldMark(std::string_view text, std::string_view more = {});
 
-/// The name of the station of the sightings that follow: `STATION 5`, `STN A`, `STANDPOINT`; it may be in
-/// `more`. Absent for other texts.
+/// The name of the station of the sightings that follow: `STATION 5`, `STN A`, `STANDPOINT`; a
+/// name missing in `text` may be in `more`. Absent for other texts.
 std::optional<std::string> stationMark(std::string_view text, std::string_view more = {});
 
 }  // namespace alidade

@@ -27,7 +27,7 @@ constexpr std::size_t mostTitleLines = 19;
 
 using IsLine = bool (*)(std::string_view);
 
-/// Does the first line with content belong to the instrument, or does one below a title clearly?
+/// Does `isFirst` hold for the first non-empty line, or `isBelowTitle` for one of the lines after it?
 template <IsLine isFirst, IsLine isBelowTitle>
 bool beginsWithLines(std::string_view beginning) {
   const auto lines = contentLines(beginning, mostTitleLines + 1);

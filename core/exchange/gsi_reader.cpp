@@ -104,7 +104,7 @@ class GsiReader {
            text.find_first_not_of("0123456789.+-") == std::string_view::npos;
   }
 
-  /// Would the torn word be a code, and so perhaps a mark of the axis, the round or the zero?
+  /// Is the torn word a code whose text marks the axis, the round, the zero or a station?
   static bool isTornMark(const GsiWord& word) {
     const std::size_t sign = word.data.find('+');
     if (word.index != codeIndex || sign == std::string_view::npos) return false;
@@ -216,7 +216,7 @@ class GsiReader {
     m_book.add(std::move(sighting));
   }
 
-  /// Remarks on angles that were keyed in.
+  /// Remarks on angles that were keyed in or calculated.
   void noteInput(const std::vector<GsiWord>& words, std::size_t line) {
     for (const GsiWord& word : words)
       if (circleOf(word) && (word.input == '1' || word.input == '4'))

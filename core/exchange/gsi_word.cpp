@@ -122,8 +122,8 @@ bool isPlainWord(std::string_view text, std::size_t width) {
                      [](char c) { return c > ' ' && c <= '~'; });
 }
 
-/// The data ends at a width of the format, preferably before a word or the end of the line, and always before
-/// another word.
+/// The end of the data: a width of the format, preferably one before another word or the end of the line. The
+/// data never reaches into another word.
 DataEnd dataEnd(std::string_view text, bool isMarked) {
   constexpr std::size_t widest = longData + 1;
   const std::size_t width = isMarked ? longData : shortData;

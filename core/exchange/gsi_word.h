@@ -16,9 +16,8 @@ namespace alidade {
 // Leica Geo Serial Interface, as described in the data format chapter of the TPS1100 user manual: a block is
 // a line of words of fixed width,
 //
-//   position 1-2 3-6 7 8-15 (GSI-8) or 8-23 (GSI-16) then
-//              index block number, or "." and three sign data blank
-//                       digits: index, input, unit
+//   positions 1-2: index; 3-6: number of the block, or "." and three digits: compensator, input, unit;
+//   7: sign; 8-15 (GSI-8) or 8-23 (GSI-16): data; then a blank
 //
 // and a GSI-16 block starts with *. Numbers omit the decimal sign; the unit (position 6) implies its place:
 // 2 gon, 3 decimal degrees and 4 DDD.MMSSs with 5 decimals, 5 mil with 4; 0, 1 and 6-8 are lengths. The input
@@ -28,12 +27,12 @@ namespace alidade {
 struct GsiWord {
   int index = 0;            ///< 11 point, 21 horizontal circle, 22 vertical circle, 41 code, 331 staff, …
   char unit = '.';          ///< position 6
-  char sign = '+';          ///< + or −, as '-'
+  char sign = '+';          ///< '+' or '-'
   std::string_view data;    ///< if `isWhole`, 8 or 16 characters, one more with a decimal sign
   std::size_t column = 0;   ///< of its first character, from 1
   char compensator = '.';   ///< position 4
   char input = '.';         ///< position 5
-  bool isWhole = true;      ///< the data has one of the widths
+  bool isWhole = true;      ///< the data has a width of the format
   bool isNumbered = false;  ///< positions 3-6 are the number of a block: "110001"
 };
 

@@ -17,7 +17,7 @@ enum class HeadingRole {
   Round,
   Face,
   Horizontal,
-  MaybeHorizontal,  ///< if nothing else does: `H` is also a height
+  MaybeHorizontal,  ///< the horizontal circle, unless another heading names it: `H` is also a height
   Vertical,
   MaybeVertical,
   Zenith,

@@ -15,15 +15,15 @@
 
 namespace alidade {
 
-/// A file of readings, and what the user states in its place.
+/// A file of readings, and what the user states about it.
 struct ReadingsFile {
   std::string name;                              ///< for sentences and the journal
   std::string_view bytes;                        ///< owned by the caller
   std::string axis = {};                         ///< 0 or 180, for all rows; empty: as the file states
-  std::string round = {};                        ///< the same for the round
+  std::string round = {};                        ///< of all rows; empty: as the file states
   std::optional<std::size_t> turnedAtLine = {};  ///< if the file does not state the axis: 180° from this line
                                                  ///< on, 0° before
-  std::optional<TableLayout> table = {};  ///< of a table; absent: as its column names say
+  std::optional<TableLayout> table = {};  ///< layout of a table; absent: as its column names say
 };
 
 /// Options for all files of an import.
@@ -52,7 +52,7 @@ struct Import {
                                       ///< as read; unreadable lines are not
   std::vector<std::string> remarks;   ///< sentences on assumptions and on what was not used
   std::vector<ImportedRows> origins;  ///< of all imported rows, in the order of positions and rows
-  std::vector<std::size_t> unplaced;  ///< files that do not state the axis: put at 0°
+  std::vector<std::size_t> unplaced;  ///< indices of files without an axis, put at 0°
 };
 
 /// The end of the remark on a file in `unplaced`.

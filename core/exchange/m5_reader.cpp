@@ -167,7 +167,7 @@ class M5Reader {
   /// gives the current station its height.
   static bool isSetUp(std::string_view text) { return text.ends_with(" STAT") && !text.starts_with("EL "); }
 
-  /// Names the value; 01 and 02 have no unit: `M3 5"DR` is one name.
+  /// The whole text of a value 01 or 02: these have no unit, so `M3 5"DR` is one name.
   static std::string nameOf(const Value& value) {
     return value.unit.empty() ? value.number : value.number + " " + value.unit;
   }
@@ -205,7 +205,7 @@ class M5Reader {
     if (m_book.add(std::move(sighting)) && isNamed && m_isSetUp) m_book.note(backsightZero, line);
   }
 
-  /// Code S marks the station; a program names it before its sightings.
+  /// Code S marks a point as the station, which a program writes before its sightings.
   void readPointAlone(const RecordedSighting& point, std::size_t line) {
     const std::string& note = point.row.note;
     const bool isStation = note == "S" || note.ends_with(" S");

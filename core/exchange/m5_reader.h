@@ -13,9 +13,8 @@ bool looksLikeM5(std::string_view line);
 /// Reads a Zeiss or Trimble M5 file, as described in appendix B of the Trimble M3 user guide: 121 characters
 /// to a line, CR LF included, in blocks separated by |,
 ///
-///   columns 1-6 8-16 18-20, 22-48 50-71, 73-94, 96-117 119
-///             For M5 Adr, address PI and a point, or type (2), value (14) and e: an error
-///                                    TI or TO and a text unit (4) of three numbers
+///   columns 1-6: For M5; 8-16: Adr and address; 18-20 and 22-48: PI and a point, or TI or TO and a text;
+///   50-71, 73-94, 96-117: three numbers, each with type (2), value (14) and unit (4); 119: e for an error
 ///
 /// The bars count, not the columns: some programs pad less. A line of a point (PI) with Hz and V1, zenith
 /// angle, or V3, height angle, is one sighting. The units are gon, DEG, DMS (89.1413 is 89°14'13") and mil.

@@ -144,7 +144,7 @@ class SdrReader {
     readUnused(line, type, from);
   }
 
-  /// The line in columns, counted so that numbers fall into those of the circles; unchanged if no way fits.
+  /// The line, aligned so that the columns of both circles hold numbers; unchanged if no counting fits.
   static std::string inColumns(std::string_view line, const SightingColumns& at) {
     for (const Counted counted : {Counted::Characters, Counted::WideAsTwo, Counted::Bytes}) {
       std::string text = aligned(line, counted);

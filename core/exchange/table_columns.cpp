@@ -50,7 +50,7 @@ std::optional<CircleColumns> joinedCircles(const std::vector<TableCells>& rows, 
   return std::nullopt;
 }
 
-/// Do decimals in the column rule out degrees? They may be minutes or seconds only, after whole degrees.
+/// May the column be the minutes or seconds of an angle whose degrees are in an earlier column?
 bool mayBePart(const std::vector<TableCells>& rows, std::size_t column) {
   return column > 0 &&
          (joinableAt(rows, column - 1) > 0 || (column > 1 && joinableAt(rows, column - 2) == 3));

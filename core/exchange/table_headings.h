@@ -7,8 +7,8 @@
 
 namespace alidade {
 
-/// Combines the heading rows of a table into one: text above several columns precedes each of their names,
-/// and units and parts below follow it. `Horizontal` over `deg`, `min`, `sec` becomes `Horizontal deg`,
+/// Combines the heading rows of a table into one. Text above several columns precedes each of their names;
+/// units and parts below follow the name. `Horizontal` over `deg`, `min`, `sec` becomes `Horizontal deg`,
 /// `Horizontal min`, ….
 class TableHeadings {
  public:

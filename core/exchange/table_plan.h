@@ -31,12 +31,12 @@ struct PlannedAngle {
 /// The columns of a table, identified by their headings, which may have several rows, and by the numbers
 /// below them.
 struct TablePlan {
-  std::vector<TableCells> headings;  ///< rows of names; above, the names, and units or parts below
+  std::vector<TableCells> headings;  ///< heading rows: above the names, the names, units or parts below
   TableCells names;                  ///< a text for each column, for sentences
   std::vector<ColumnName> columns;
   std::vector<PlannedAngle> angles;
   std::size_t rowsBelow = 0;   ///< rows of the sample that belong to the headings
-  bool hasBothFaces = false;   ///< in one row
+  bool hasBothFaces = false;   ///< each row has columns for both faces
   int face = 0;                ///< of all sightings, if the headings state it; else 0
   std::string verticalCircle;  ///< "zenith", "elevation", or empty
   /// The reason why the table cannot be read; the column counts from 0.

@@ -88,8 +88,8 @@ bool isCyrillicLetter(char c) {
   return isWithin(c, 0xC0, 0xFF) || isWithin(c, 0xA8, 0xA8) || isWithin(c, 0xB8, 0xB8);
 }
 
-/// Are most bytes beyond ASCII in words of three or more of them? Accented Latin letters are not. `only`: all
-/// of them are capitals and signs, whose bytes are also common Chinese characters.
+/// Are most bytes beyond ASCII in words of three or more of them? Accented Latin letters are not. `only`:
+/// all of them must also be capitals, whose bytes may as well be common Chinese characters.
 bool looksCyrillic(std::string_view bytes, bool only) {
   constexpr std::size_t shortestWord = 3;
   std::size_t inWords = 0, all = 0, run = 0;

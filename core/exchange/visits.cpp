@@ -51,7 +51,7 @@ std::vector<Turn> turnsOf(std::vector<RecordedSighting>& sightings) {
   return turns;
 }
 
-/// The last position at each axis and its sightings; `last` becomes the axis of the last one with rows.
+/// The last position at each axis and its sightings; `last` becomes the last axis with rows.
 std::map<std::string, AtAxis> standing(const Session& base, std::string& last) {
   std::map<std::string, AtAxis> axes;
   std::map<std::string, int> count;

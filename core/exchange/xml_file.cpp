@@ -39,7 +39,7 @@ std::vector<std::size_t> lineStartsOf(std::string_view text) {
   return starts;
 }
 
-/// Digits with the point moved by an exponent.
+/// The digits with the decimal point after the first `whole` digits; fills in zeros where there are none.
 std::string withPointAt(const std::string& digits, std::ptrdiff_t whole) {
   const auto size = static_cast<std::ptrdiff_t>(digits.size());
   if (whole <= 0) return "0." + std::string(static_cast<std::size_t>(-whole), '0') + digits;

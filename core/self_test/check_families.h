@@ -7,7 +7,7 @@
 
 namespace alidade {
 
-// The families of the self-test, one source for each. `fits` and `numbers` as in `SelfTestReferences`.
+// The checks of each family of the self-test. `fits` and `numbers` are those of `SelfTestReferences`.
 
 /// Sessions fitted at 60 digits by another implementation: centre, radius and χ² of each arc, Δd and its σ.
 std::vector<SelfCheck> fitChecks(const std::string& fits);
@@ -15,10 +15,10 @@ std::vector<SelfCheck> fitChecks(const std::string& fits);
 /// The figures printed in the paper for its own measurement, by the published method.
 std::vector<SelfCheck> publishedChecks();
 
-/// Samples with a known truth: the cause found and its size.
+/// Diagnoses of samples with a known truth: the verdict, the cause and its size.
 std::vector<SelfCheck> diagnosisChecks();
 
-/// Student's t, χ², F and normal, at 50 digits, and the table of JCGM 100.
+/// Student's t, χ², F and normal distributions at 50 digits, and the table of JCGM 100.
 std::vector<SelfCheck> distributionChecks(const std::string& numbers);
 
 /// Texts of angles, as radians and arcseconds.

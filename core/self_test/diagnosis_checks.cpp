@@ -21,8 +21,8 @@ constexpr const char* threeSigma =
 struct KnownTruth {
   const char* file;
   const char* verdict;
-  const char* cause;  ///< null: none
-  const char* size;   ///< of its only number, in its unit; null: none
+  const char* cause;  ///< id of the effect; null: none
+  const char* size;   ///< of the cause's first parameter, in its unit; null: not checked
 };
 
 constexpr KnownTruth truths[] = {{"clean-session.alidade", "within-noise", nullptr, nullptr},

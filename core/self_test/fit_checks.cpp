@@ -63,7 +63,7 @@ void addSession(std::vector<SelfCheck>& checks, const Json& reference) {
   if (!reference.contains("intersection")) return;
   if (!fit.intersection) return checks.push_back(brokenCheck(CheckGroup::Fits, name + ": Δd", "no Δd"));
   checks.push_back(against(reference, "intersection", name + ": Δd (mm)", fit.intersection->value, ofLength));
-  // Uses readings only and the stated σ, like the reference.
+  // The reference includes only the readings, with their stated σ.
   checks.push_back(against(reference, "sigma_intersection", name + ": σ(Δd) (mm)",
                            fit.intersection->budget.front().sigma / fit.noise.factor,
                            {.relative = ofSum.relative, .reason = ofSum.reason}));

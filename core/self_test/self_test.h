@@ -32,8 +32,8 @@ struct SelfTest {
   bool hasPassed() const;
 };
 
-/// All checks that need no window. `share` is the folder of the program's installed files; if empty, it is
-/// not installed and they are skipped. Writes nothing. Takes a second on a usual machine.
+/// All checks that need no window. `share` is the folder of the program's installed files; if it is empty,
+/// their check is left out. Writes nothing. Takes a second on a usual machine.
 SelfTest runSelfTest(const std::string& share, const SelfTestReferences& references = compiledReferences());
 
 /// `share` of the prefix whose `bin` holds the running program, if it contains the samples; else empty.

@@ -28,7 +28,7 @@ struct CheckSection {
   std::vector<std::string> reasons = {};  ///< in words
 };
 
-/// Returns the sections in the order of the groups; the lines stay those of `test`.
+/// Returns the sections in the order of the groups; their lines point into `test`.
 std::vector<CheckSection> sectionsOf(const SelfTest& test);
 
 /// The lines of a section with expected and found number, relative deviation and tolerance; the sentences

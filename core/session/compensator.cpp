@@ -18,7 +18,7 @@ constexpr double calibrationSigma = 5;  // arcsec, see compensator.h
 constexpr double calibrationStale = 0.05, tiltsStale = 0.5, halfCorrectedStale = 0.1;
 constexpr double freeIndex = 300;  // arcsec: beyond a compensator's range
 constexpr double freeTilt = 3600;  // arcsec: keeps the equations regular
-constexpr double leastOfUse = 30;  // arcsec, of σ: half of a plausible tilt
+constexpr double leastOfUse = 30;  // arcsec: a tilt is used if its σ is below, half of a plausible tilt
 constexpr double significant = 4;  // in σ
 
 /// The state of a switch, over all rows.

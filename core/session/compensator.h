@@ -21,9 +21,9 @@ namespace alidade {
 // with + in face 1, each with an index of its own, whose sign is the same in face 2.
 //
 // This sign is a convention of the session file. The available documents do not say how GeoCOM
-// (TMC_GetAngle1) counts its cross and length inclination, so a wrong sign must be detectable. It is one way
-// in which a known number is stale (`KnownNumber::staleChance`). It is reported if the readings fit the other
-// sign.
+// (TMC_GetAngle1) counts its cross and length inclination, so a wrong sign must be detectable. A tilt of the
+// wrong sign is a stale known number (`KnownNumber::staleChance`). The sign is reported as wrong if the
+// readings fit the other sign.
 
 /// The tilt of the vertical axis, rad.
 struct AxisTilt {
@@ -43,9 +43,9 @@ struct CompensatorNotes {
   std::vector<std::string_view> mixed = {};
   /// There are tilts, but no row states whether the instrument has corrected for them.
   bool isInclinationUnknown = false;
-  /// The largest change from one position to another, if it exceeds the compensator's uncertainty.
+  /// The largest change of the tilt between two positions, if it significantly exceeds its uncertainty.
   std::optional<Angle> moved = {};
-  /// The larger mean reading of both faces, which is not a tilt, if it exceeds the compensator's uncertainty.
+  /// The larger index, if it significantly exceeds the compensator's uncertainty; then no tilt is known.
   std::optional<Angle> index = {};
 };
 
@@ -58,13 +58,13 @@ struct CompensatorKnowledge {
 /// assumed to have been sighted with the switches of the rows. The chances of being stale are choices, not
 /// measured.
 ///
-/// - Inclination on in all rows: the instrument has corrected for its tilt; 0 ± σ of the compensator. With
-/// the
-///   standing axis off it may have corrected the vertical circle only: this is stale with a chance of 0.1.
-/// - Inclination off in all rows, and tilts: tx and tz by least squares over all rows, with the indices.
-///   These are free if both faces have tilts, else 0 ± σ of the compensator. That σ, which all rows share, is
-///   added, and half the range between positions. Stale with a chance of one half: the sign convention of an
-///   instrument is unknown until readings have shown it.
+/// - Inclination on in all rows: the instrument has corrected for its tilt; 0 ± σ of the compensator. Unless
+///   the standing axis is on in all rows, perhaps only the vertical circle was corrected: stale with a chance
+///   of 0.1.
+/// - Inclination off in all rows, and tilts: tx and tz by least squares over all rows, with the indices. The
+///   indices are free if both faces have tilts, else 0 ± σ of the compensator. The uncertainty includes that
+///   σ, which all rows share, and half the range between positions. Stale with a chance of one half: the sign
+///   convention of an instrument is unknown until readings have shown it.
 /// - Collimation, tilting axis on in all rows: the residual errors of the instrument's own calibration. They
 ///   change with time, transport and temperature (Leica TPS1100 User Manual, Checking and adjusting), which
 ///   gives no amounts: 0 ± 5″, stale with a chance of 0.05, are choices, a sixth of the plausible size.

@@ -11,7 +11,7 @@ namespace alidade {
 
 /// The next entry to type: a field of the session, a pointing zero or a row.
 struct EntryToCome {
-  std::string field = {};  ///< "geometry.distance_mm" or "geometry.radius_mm"; then nothing else applies
+  std::string field = {};  ///< "geometry.distance_mm" or "geometry.radius_mm", then alone valid; else empty
   std::size_t position = 0;
   std::string zero = {};  ///< "pointing_zero", "pointing_zero.face_2", …; empty: a row
   std::size_t row = 0;    ///< the first unread row; one past the last if all are read
@@ -22,8 +22,8 @@ struct EntryToCome {
 
 /// The next entry while position `here` is being typed; with a `progress`, that of the protocol. Otherwise
 /// begun entries come first: a half-filled row, then the pointing zero of a position that has readings or
-/// half a zero, `here` before the others. Then follows what remains `here` and, once it matches another
-/// position, what remains elsewhere. Absent if nothing remains.
+/// half a zero. Then follows what remains in a position: it is complete if its rows equal those of another.
+/// In each step `here` comes before the other positions. Absent if nothing remains.
 std::optional<EntryToCome> entryToCome(const Session& session, std::size_t here,
                                        const ProtocolProgress* progress = nullptr);
 
@@ -42,7 +42,7 @@ std::optional<EntryToCome> entryToLeadTo(const Session& session, std::size_t her
 /// Is only one of the two circles typed?
 bool isHalfFilled(const Reading& row);
 
-/// Does the position have all places of some other position?
+/// Are the points, rounds and faces of the position's rows those of some other position, in the same order?
 bool hasAllOfAnother(const Session& session, std::size_t position);
 
 }  // namespace alidade

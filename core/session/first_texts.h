@@ -32,7 +32,7 @@ class FirstTexts {
   }
 
   void set(std::string_view field, std::string text) {
-    constexpr std::size_t afterTheFirst = 6;  // number for a cleared row; the first uses no memory
+    constexpr std::size_t afterTheFirst = 6;  // enough for a cleared row; a single text is stored inline
     Texts& texts = own();
     if (texts.size() == 1) texts.reserve(afterTheFirst);
     texts.insert_or_assign(std::string(field), std::move(text));

@@ -40,7 +40,7 @@ class InstantReader {
     return sum;
   }
 
-  /// Minutes east; absent if the zone cannot be read.
+  /// Minutes east of UTC, 0 if no zone is stated; absent if the zone cannot be read.
   std::optional<int> zone() {
     if (m_rest.empty() || take('Z')) return 0;
     const bool isEast = take('+');

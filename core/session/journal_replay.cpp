@@ -22,7 +22,7 @@ constexpr const char* flagName = "excluded";
 constexpr std::string_view toldInWords[] = {"instrument.known", "device.known",  "instrument.record",
                                             "protocol",         "model.effects", "own_effects"};
 
-/// The number in `[12]` at the start of `text`, which is removed.
+/// Removes `name`, a number and `]` from the start of `text`; returns the number, absent if they are missing.
 std::optional<std::size_t> takeIndex(std::string_view& text, std::string_view name) {
   if (!text.starts_with(name)) return {};
   std::string_view rest = text.substr(name.size());
@@ -157,8 +157,8 @@ void JournalReplay::takeBack(std::size_t index) {
   for (std::size_t i = m_taken; i <= index; ++i) takeBackOne(i);
 }
 
-/// Rows deleted, or restored, in one edit have consistent numbers: they are reverted together, in the order
-/// of the journal. Every other entry counts as an edit of its own.
+/// The first entry of the edit that `last` ends. Rows deleted in one edit have rising indices, restored rows
+/// falling ones; they are reverted together, in journal order. Every other entry is an edit of its own.
 std::size_t JournalReplay::firstOfEdit(std::size_t last) const {
   const auto isBefore = [&](const JournalEntry& one, const JournalEntry& next) {
     const auto a = pathOf(one.place), b = pathOf(next.place);

@@ -21,7 +21,7 @@ struct JsonFormat {
   const char* id;         ///< "alidade-session"
   const char* isNone;     ///< for a file without a format
   const char* choose;     ///< what to do instead: "choose a session file"
-  const char* noVersion;  ///< for an invalid version; contains it and the newest version
+  const char* noVersion;  ///< for an invalid version, %1; %2 is the newest
 };
 
 /// Takes values out of one object of a file. The first problem is kept; later ones are ignored.

@@ -28,9 +28,9 @@ struct KnownOffset {
   double millimetres, sigma, correlation;
 };
 
-/// Manufacturing keeps the line of sight within 0.1 mm of the axis (1σ). The collimation of a check at other
-/// distances may include such an offset; any other source is assumed to state the collimation at these
-/// distances.
+/// The offset if none is stated. Manufacturing keeps the line of sight within 0.1 mm of the axis (1σ). An
+/// instrument check is made at other distances, where such an offset acts differently. Any other source is
+/// assumed to state the collimation at the distance of the session.
 KnownOffset offsetBeside(const KnownNumber& collimation) {
   constexpr double plausible = 0.1;
   const bool isChecked = collimation.from.find(fromInstrumentCheck) != std::string::npos;
@@ -52,8 +52,7 @@ KnownNumber atDistance(KnownNumber collimation, const KnownOffset& offset, doubl
   return collimation;
 }
 
-/// Is anything typed in the position, except what identifies a row? A repeat that is still to come lacks
-/// nothing.
+/// Is a circle or slider reading typed in the position? Problems of a repeat not yet begun are not reported.
 bool isBegun(const Position& position) {
   const auto isTyped = [](const ZeroSighting& zero) {
     return !zero.horizontal.empty() || !zero.vertical.empty();

@@ -61,8 +61,8 @@ enum class Measurand {
 /// The corrections that an instrument applied to its readings.
 struct Corrections {
   bool inclination = false;   ///< of both circles, by the compensator reading
-  bool standingAxis = false;  ///< of the horizontal circle, by the same
-  bool collimation = false;   ///< by its own calibration, like the next
+  bool standingAxis = false;  ///< of the horizontal circle, by the compensator reading
+  bool collimation = false;   ///< by the instrument's own calibration, as the tilting axis
   bool tiltingAxis = false;
 
   bool operator==(const Corrections&) const = default;
@@ -103,9 +103,9 @@ struct ZeroSightings {
   int count = 1;
   bool isInBothFaces = false;   ///< with equal weights; else in face 1
   double factor = 1;            ///< σ of the mean divided by that of a single sighting
-  double elapsed = 0;           ///< moment of a zero equal to their mean: drift counts from there
+  double elapsed = 0;           ///< share of the session at their mean moment; drift counts from there
   bool hasLeftOutFace = false;  ///< face 2 is ignored, since not all positions have it
-  /// Its change from before to after the readings, in face 1; absent unless sighted both times in one face.
+  /// Change from before to after the readings, in face 1; absent unless one face was sighted both times.
   struct Move {
     Angle horizontal, vertical;
     double factor = 1;  ///< σ of either divided by that of a single sighting
@@ -121,8 +121,8 @@ struct ArcMeasurement {
   std::vector<Sighting> sightings;
   int time = 1;  ///< repeat at this axis in the session
   ZeroSightings zero = {};
-  std::vector<SightedZero> zeroSightings = {};  ///< those that count; a zero common to all is in the adjacent
-                                                ///< arc
+  std::vector<SightedZero> zeroSightings = {};  ///< those that count; of a common zero, the first arc
+                                                ///< has those before its rows, the last those after
   /// e0: elevation of the pointing zero above the horizon, up positive; 0 if the vertical circle cannot count
   /// from the plumb line.
   Angle zeroElevation = {};
@@ -230,8 +230,8 @@ struct Examined {
 /// out. If the coverage is unusable there is no tolerance either: a verdict needs a chosen level.
 Examined examine(const Session& session);
 
-/// Returns the reason why `text` is unusable as the value of the field at `where`; absent if it is usable. It
-/// marks entries in place: by the rules of `examine`, without checks that need other entries. `field` is a
+/// Returns the reason why `text` is unusable as the value of `field`; absent if it is usable. Applies the
+/// rules of `examine`, except checks that need other entries: for marking an entry in place. `field` is a
 /// name of the session file without indices: `geometry.distance_mm`, `pointing_zero.vertical`,
 /// `readings.horizontal`, `readings.face`, `acceptance.coverage`, `axis_deg`, `measured_on`,
 /// `device.known.sigma`, …

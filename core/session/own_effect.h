@@ -17,7 +17,7 @@ struct Session;
 struct OwnParameter {
   std::string name = {};       ///< its letter in the formula
   std::string plausible = {};  ///< 1σ of the plausible size, > 0
-  std::string unit = {};       ///< "mm" or "arcsec", that of its carrier; empty: the same
+  std::string unit = {};       ///< that of its carrier, "mm" or "arcsec"; may be empty
   JsonOrigin origin = {};
 
   bool operator==(const OwnParameter&) const = default;
@@ -30,7 +30,7 @@ struct OwnEffect {
   std::string device = {}, instrument = {};  ///< serial number of its owner; both empty: none
   std::string formula = {};                  ///< as in core/terms/formula.h, with the numbers of its shape
   std::vector<OwnParameter> parameters = {};
-  bool turnsWithFace = false;  ///< lines of circles have the other sign in face 2
+  bool turnsWithFace = false;  ///< lines of the formula for circles change sign in face 2
   std::string remedy = {};
   std::string from = {};  ///< where it comes from
   JsonOrigin origin = {};
@@ -39,7 +39,7 @@ struct OwnEffect {
 };
 
 /// Reads the text of a `*.alidade-effect` file (JSON, UTF-8, format version 1). Fails, with the place, as
-/// `readSession` does, and on whatever `ownEffectProblem` tells.
+/// `readSession` does, and on every problem that `ownEffectProblem` finds.
 Result<OwnEffect> readOwnEffect(std::string_view text);
 /// The effect as the text of a file, ending in a newline. Unknown keys and unchanged values are preserved.
 std::string writeOwnEffect(const OwnEffect& effect);
@@ -50,10 +50,10 @@ Result<OwnEffect> loadOwnEffect(const std::string& path);
 std::vector<OwnEffect> readOwnEffects(const ObjectReader& session);
 nlohmann::ordered_json ownEffectsJson(const std::vector<OwnEffect>& effects);
 
-/// Does it have no owner, or is the session's device or instrument its owner by serial number?
+/// Does the effect have no owner, or does the session's device or instrument have its owner's serial number?
 bool isOfSession(const OwnEffect& effect, const Session& session);
-/// Puts it into the session, in place of one with the same id. False, and nothing happens, if the session has
-/// another owner.
+/// Adds the effect to the session, in place of one with the same id. Unless `isOfSession`, returns false and
+/// changes nothing.
 bool takeOwnEffect(Session& session, const OwnEffect& effect);
 
 }  // namespace alidade

@@ -23,7 +23,7 @@ bool isId(const std::string& text) {
   return !text.empty() && text.size() <= longestId && std::ranges::all_of(text, isInId);
 }
 
-/// The parameter's entry for an amplitude; a problem at its key.
+/// The problem of the parameter for an amplitude, at its key; absent if it is sound.
 std::optional<Problem> parameterProblem(const OwnEffect& effect, const FormulaAmplitude& amplitude) {
   const auto own = std::ranges::find(effect.parameters, amplitude.name, &OwnParameter::name);
   if (own == effect.parameters.end())
@@ -42,7 +42,7 @@ std::optional<Problem> parameterProblem(const OwnEffect& effect, const FormulaAm
   return std::nullopt;
 }
 
-/// The formula of a sound effect.
+/// The formula of the effect, or the first problem of the effect.
 Result<Formula> soundFormula(const OwnEffect& effect) {
   if (!isId(effect.id))
     return Problem{Phrase::of("must be up to 40 letters, digits, _ or -"), {.field = "id"}};

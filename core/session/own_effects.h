@@ -13,8 +13,7 @@
 
 namespace alidade {
 
-/// Before the id of an effect of the user's own, wherever effects are named: no effect of the catalogue has
-/// it.
+/// Prefix of the id of a user's own effect wherever effects are named; no id of the catalogue begins with it.
 inline constexpr std::string_view ownPrefix = "own:";
 /// The id in results: "own:dent".
 std::string ownId(const OwnEffect& effect);
@@ -31,11 +30,11 @@ struct OwnEntry {
   Effect effect = {};                 ///< its texts are those of `source`
 };
 
-/// The sound effects of a session, which share out the own terms. Its entries never move, so that their
-/// `Effect` may be pointed to; measurements share it.
+/// The sound effects of a session; each amplitude has one of the error terms reserved for own effects. The
+/// entries never move, so pointers to their `Effect` stay valid. Measurements share the object.
 class OwnEffects {
  public:
-  /// `entries`: with their terms. `effect` is filled in.
+  /// `entries` have their terms; their `effect` is filled in here.
   explicit OwnEffects(std::vector<OwnEntry> entries);
   OwnEffects(const OwnEffects&) = delete;
   OwnEffects& operator=(const OwnEffects&) = delete;
@@ -52,7 +51,7 @@ class OwnEffects {
 /// The first reason why an effect cannot be used; absent if it is sound. `where` names the key.
 std::optional<Problem> ownEffectProblem(const OwnEffect& effect);
 
-/// The sound ones of a list, null if there is none; a problem for each of the others.
+/// The sound effects of a list, null if there is none. Adds a problem for each of the others.
 std::shared_ptr<const OwnEffects> examineOwnEffects(const std::vector<OwnEffect>& effects,
                                                     std::vector<Problem>& problems);
 

@@ -78,7 +78,7 @@ class PositionExaminer : private ProblemReporter {
     return valueOf(tiltEntry(text), place, field).value_or(std::nullopt);
   }
 
-  /// Returns the row reduced by the zero; empty if the row cannot be used, or without a zero.
+  /// Returns the row relative to the zero; absent if the row or the zero cannot be used.
   std::optional<Sighting> examineRow(const Reading& row, const Place& place) {
     if (isBlank(row)) {
       report({Phrase::of("is empty, as is the whole row: type its readings or delete the row")},

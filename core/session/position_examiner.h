@@ -17,8 +17,8 @@ struct ExaminedPosition {
   std::vector<Problem> problems;    ///< in the order of the file; without those of the axis
 };
 
-/// `index` among the session's positions, `firstSequence` that of its first row (`firstSequences`). `circle`:
-/// absent if unknown; readings cannot be reduced then, nor without a `zero`.
+/// `index`: among the session's positions. `firstSequence`: of its first row (`firstSequences`). `circle`:
+/// absent if unknown. Without `circle` or `zero`, rows are examined but there are no sightings.
 ExaminedPosition examinePosition(const Position& position, std::size_t index, std::size_t firstSequence,
                                  const ExaminedZero& zero, const std::optional<VerticalCircle>& circle);
 

@@ -59,7 +59,7 @@ std::optional<RowKey> keyOf(const Reading& row, std::size_t index) {
   return RowKey(point->value_or(static_cast<int>(index) + 1), round->value_or(1), face->value_or(1));
 }
 
-/// The rows of a position by what they sight. Of two equal rows the included one counts, of two excluded ones
+/// The rows of a position by point, round and face. Of equal rows the first that is not excluded counts, else
 /// the first.
 std::map<RowKey, RowState> rowsOf(const Position& position) {
   std::map<RowKey, RowState> rows;
@@ -84,7 +84,7 @@ RowKey keyOf(const PlannedSighting& planned) {
   return {planned.point, planned.round, planned.face};
 }
 
-/// Do the rows of all positions together begin the order of the protocol?
+/// Are the rows of all positions together the first rows of the protocol, in its order?
 bool doRowsFollow(const Session& session, const SightingProtocol& protocol) {
   const auto positions = positionsOf(session);
   std::vector<std::size_t> followed(session.positions.size());  // rows of each position

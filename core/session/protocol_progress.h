@@ -30,8 +30,8 @@ struct PlannedSighting {
 /// All sightings of a protocol, in order.
 std::vector<PlannedSighting> sightingsInOrder(const SightingProtocol& protocol);
 
-/// The protocol that a session follows; absent without one, and where its rows leave a yielding one. Fails,
-/// with the place in the session.
+/// The protocol that a session follows; absent without one, and if the rows depart from one that is
+/// `isYielding`. Fails, with the place in the session, if the protocol is invalid.
 Result<std::optional<SightingProtocol>> protocolOf(const Session& session);
 
 /// The minutes of the protocol that a session follows, or else the usual ones.
@@ -55,7 +55,7 @@ struct FollowedSighting {
   bool isRepeated = false;   ///< read in several rows
 };
 
-/// Is it sighted, whether it counts or not?
+/// Was the sighting taken, even if it is excluded?
 inline bool isThere(const FollowedSighting& followed) {
   return followed.state == SightingState::Taken || followed.state == SightingState::Excluded;
 }
@@ -73,15 +73,15 @@ struct ProtocolProgress {
 /// The next sighting is a half-filled row, then the first zero of a position with readings but no zero.
 /// Otherwise, in the current position, it is the first untaken one after the last taken, then a skipped one;
 /// then the first of all. The current position is the last with any entry, until it is complete.
-/// In a protocol by worth, `chosen` (an index into its sightings) comes before the order as soon as nothing
-/// is half-filled and no zero is missing; there none is passed over or out of turn.
+/// In a protocol by worth, `chosen` (an index into its sightings) replaces that order if no row is half
+/// filled and no zero is missing. No sighting of a protocol by worth is missed or out of turn.
 ProtocolProgress progressOf(const Session& session, const SightingProtocol& protocol,
                             std::optional<std::size_t> chosen = {});
 
 /// The progress in the session's own protocol; absent without one, or with an invalid one.
 std::optional<ProtocolProgress> progressIn(const Session& session, std::optional<std::size_t> chosen = {});
 
-/// The place of one position to sight next; absent if none remains there.
+/// Index of the next sighting of a place in one position of the session; absent if none remains there.
 std::optional<std::size_t> nextPlaceIn(const ProtocolProgress& progress, std::size_t position);
 
 /// The next sighting of a session with an incomplete protocol.

@@ -29,10 +29,9 @@ struct Reading {
   std::string tiltLengthArcsec;  ///< along the line of sight; signs: compensator.h
   std::string corrections;       ///< switches that were on, words of `correctionSwitches` or "none"; empty:
                                  ///< unknown
-  std::string takenAt;     ///< time of transmission by the instrument, ISO 8601 with zone; may be empty,
-                           ///< like the next
-  std::string returnCode;  ///< GeoCOM return code received with the angles
-  std::string instrumentSerial;  ///< serial of the sending instrument
+  std::string takenAt;           ///< time of transmission by the instrument, ISO 8601 with zone; may be empty
+  std::string returnCode;        ///< GeoCOM return code received with the angles; may be empty
+  std::string instrumentSerial;  ///< serial of the sending instrument; may be empty
   bool excluded = false;         ///< kept and shown, but not used in any fit
   std::string note;
   FirstTexts asRead;  ///< original texts of changed fields
@@ -53,9 +52,9 @@ struct ZeroSighting {
 struct PointingZero {
   std::string horizontal;        ///< α0: circle reading of the direction perpendicular to the arc plane
   std::string vertical;          ///< β0; both in face 1, before the readings of the position
-  ZeroSighting faceTwo = {};     ///< before them in face 2
-  ZeroSighting after = {};       ///< after them in face 1
-  ZeroSighting afterInTwo = {};  ///< after them in face 2
+  ZeroSighting faceTwo = {};     ///< before the readings, in face 2
+  ZeroSighting after = {};       ///< after the readings, in face 1
+  ZeroSighting afterInTwo = {};  ///< after the readings, in face 2
   JsonOrigin origin = {};
   std::string takenAt = {}, returnCode = {}, instrumentSerial = {};  ///< of the first, as in a row
 
@@ -194,10 +193,10 @@ struct Model {
 
 /// Entries that a laboratory prints on a report in addition to the measurement; they never enter a fit.
 struct ReportEntries {
-  std::string number;                ///< unique; on every page
-  std::string laboratory, customer;  ///< laboratory and customer
-  std::string authorisedBy;          ///< person responsible for the report
-  std::string ruleAgreedBy;          ///< person with whom the decision rule was agreed
+  std::string number;  ///< unique; on every page
+  std::string laboratory, customer;
+  std::string authorisedBy;  ///< person responsible for the report
+  std::string ruleAgreedBy;  ///< person with whom the decision rule was agreed
   JsonOrigin origin;
 
   bool operator==(const ReportEntries&) const = default;

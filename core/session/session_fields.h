@@ -56,8 +56,8 @@ std::span<const SessionField> sessionFields();
 /// Null if there is none.
 const SessionField* sessionFieldNamed(std::string_view key);
 
-/// Do two sessions measure the same? Entries that only say who, where and for whom may differ, and the
-/// journal.
+/// Do two sessions measure the same? The journal, and entries that only say who, where and for whom, may
+/// differ.
 bool isSameMeasurement(const Session& a, const Session& b);
 
 /// A number typed with the unit of its field, "400 mm", without the unit. Other texts as typed.

@@ -68,9 +68,9 @@ struct SightingProtocol {
   /// Within a position, the next sighting is the most informative one for its minutes, and the axis is turned
   /// when that is more informative. False: the sightings have a fixed order.
   bool isByWorth = false;
-  /// Nobody chose it: a session follows it only as long as its rows do.
+  /// Nobody chose the protocol: it applies only as long as the rows of the session follow it.
   bool isYielding = false;
-  SightingMinutes minutes = {};  ///< what a sighting by worth is weighed with
+  SightingMinutes minutes = {};  ///< costs of a sighting if `isByWorth`
   std::vector<ProtocolPlace> places = {};
   std::vector<ProtocolPosition> positions = {};
   JsonOrigin origin = {};

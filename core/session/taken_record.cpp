@@ -37,8 +37,8 @@ KnownSize withoutCitation(KnownSize size, const NamedRecord& record) {
   return size;
 }
 
-/// Takes the offset with its collimation. Without a stated offset, a record's collimation includes e/D. So
-/// does one taken earlier from a record with an offset, if this record has none.
+/// Takes the record's offset, even an empty one, if the record states an offset or a collimation, or if the
+/// session has an earlier record: an offset must stay with the collimation of the same record.
 void takeLineOfSight(Instrument& own, const InstrumentRecord& record) {
   const bool hasCollimation =
       std::ranges::any_of(record.known, [](const KnownSize& size) { return size.effect == "collimation"; });

@@ -15,10 +15,10 @@ namespace alidade {
 /// so never translated.
 std::string citationOf(const NamedRecord& record);
 
-/// Copies a record into the session's instrument: each stated σ; each known size, in place of the session's
-/// own of the same parameter and of all from another record; name, serial number, certificate and
-/// traceability if the session has none. Also names the record. `file`: the record's name, without folder.
-/// Fails, leaving the session unchanged, if both state a serial number and these differ.
+/// Copies each σ that a record states, and its known sizes, into the session's instrument, and names the
+/// record. The known sizes replace those of the same parameters and all that came from an earlier record.
+/// Name, serial number, certificate and traceability are copied where the session has none. `file`: the
+/// record's name, without folder. Fails, changing nothing, if both state a serial number and these differ.
 std::optional<Problem> takeRecord(Session& session, const InstrumentRecord& record, const std::string& file);
 
 /// The record with the session's knowledge of the instrument. The date is that of the session's record if it

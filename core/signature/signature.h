@@ -20,8 +20,8 @@ struct SigningFiles {
 /// Passphrases are not accepted on the command line, where every user of the machine could read them.
 inline constexpr const char* passphraseVariable = "ALIDADE_SIGN_PASSPHRASE";
 
-/// Signs bytes with a certificate: detached, after the Cryptographic Message Syntax (RFC 5652), by OpenSSL,
-/// DER. `openssl cms -verify -binary -inform DER -in FILE.p7s -content FILE` checks it.
+/// Makes detached signatures after the Cryptographic Message Syntax (RFC 5652), DER, with OpenSSL.
+/// `openssl cms -verify -binary -inform DER -in FILE.p7s -content FILE` checks a signature.
 class Signer {
  public:
   /// Fails if others can read the key, if a file is unreadable or of the wrong kind, or if the passphrase is
