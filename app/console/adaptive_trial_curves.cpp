@@ -3,11 +3,13 @@
 #include <cstddef>
 #include <iterator>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "app/console/adaptive_trial_text.h"
 #include "core/base/number_text.h"
+#include "core/exchange/csv_text.h"
 
 namespace alidade::console {
 
@@ -20,7 +22,9 @@ struct Axis {
   const char* unit;
   bool isMinutes;
 
-  double lengthOf(const WatchedRun& watched) const {
+  /// Of a run, or of one of its looks.
+  template <typename Watched>
+  double lengthOf(const Watched& watched) const {
     return isMinutes ? watched.minutes : static_cast<double>(watched.sightings);
   }
 };
@@ -30,34 +34,32 @@ constexpr Axis axes[] = {{"in_order", &WatchedRuns::ofProtocol, "sightings", fal
                          {"in_order", &WatchedRuns::ofProtocol, "minutes", true},
                          {"by_worth", &WatchedRuns::byWorth, "minutes", true}};
 
-std::string line(const std::string& kind, const Axis& axis, double at, const std::string& shares,
-                 const std::string& expanded) {
-  return kind + "," + axis.way + "," + axis.unit + "," + fixedText(at, 0) + "," + shares + "," + expanded +
-         "\n";
-}
+struct Shares {
+  double right = 0, wrong = 0;  ///< percent
+};
 
 /// The shares of sessions that were named by `at`, in percent: rightly, wrongly.
-std::string sharesAt(const std::vector<const AdaptiveTrial*>& trials, const Axis& axis, double at) {
-  double right = 0, wrong = 0;
+Shares sharesAt(const std::vector<const AdaptiveTrial*>& trials, const Axis& axis, double at) {
+  std::size_t right = 0, wrong = 0;
   for (const AdaptiveTrial* trial : trials)
     if (const WatchedRun& run = trial->*axis.run; !run.named.empty() && axis.lengthOf(run) <= at)
       ++(run.isRight ? right : wrong);
   const double percent = 100 / static_cast<double>(trials.size());
-  return fixedText(percent * right, 1) + "," + fixedText(percent * wrong, 1);
+  return {percent * static_cast<double>(right), percent * static_cast<double>(wrong)};
 }
 
 /// Mean U of the clean sessions at `at`; empty until each of them has one.
-std::string expandedAt(const std::vector<WatchedRuns>& clean, const Axis& axis, double at) {
+std::optional<double> expandedAt(const std::vector<WatchedRuns>& clean, const Axis& axis, double at) {
+  if (clean.empty()) return std::nullopt;
   double sum = 0;
   for (const WatchedRuns& runs : clean) {
     const std::vector<WatchedRun::Look>& looks = (runs.*axis.run).looks;
-    const auto after = std::ranges::find_if(looks, [&](const WatchedRun::Look& look) {
-      return (axis.isMinutes ? look.minutes : static_cast<double>(look.sightings)) > at;
-    });
-    if (after == looks.begin()) return {};
+    const auto after =
+        std::ranges::find_if(looks, [&](const WatchedRun::Look& look) { return axis.lengthOf(look) > at; });
+    if (after == looks.begin()) return std::nullopt;
     sum += std::prev(after)->expanded;
   }
-  return clean.empty() ? std::string() : fixedText(sum / static_cast<double>(clean.size()), 4);
+  return sum / static_cast<double>(clean.size());
 }
 
 }  // namespace
@@ -68,19 +70,28 @@ std::string adaptiveTrialCsv(const AdaptiveTrials& trials) {
     kinds[trial.truth.kind].push_back(&trial);
     kinds["all"].push_back(&trial);
   }
-  std::string text = "kind,way,against,at,right_percent,wrong_percent,expanded_mm\n";
+  CsvText csv({"kind", "way", "against", "at", "right_percent", "wrong_percent", "expanded_mm"});
+  const auto begin = [&](const std::string& kind, const Axis& axis, double at) -> CsvText& {
+    return csv.word(kind).word(axis.way).word(axis.unit).word(fixedText(at, 0));
+  };
   for (const Axis& axis : axes) {
     double last = 0;
     for (const AdaptiveTrial& trial : trials.withCause) last = std::max(last, axis.lengthOf(trial.*axis.run));
     for (const WatchedRuns& runs : trials.clean) last = std::max(last, axis.lengthOf(runs.*axis.run));
     constexpr double step = 4;
     for (double at = step; at < last + step; at += step) {
-      for (const auto& [kind, own] : kinds) text += line(kind, axis, at, sharesAt(own, axis, at), "");
-      if (const std::string expanded = expandedAt(trials.clean, axis, at); !expanded.empty())
-        text += line("none", axis, at, ",", expanded);
+      for (const auto& [kind, own] : kinds) {
+        const Shares shares = sharesAt(own, axis, at);
+        begin(kind, axis, at).word(fixedText(shares.right, 1)).word(fixedText(shares.wrong, 1)).word({});
+        csv.endRow();
+      }
+      if (const auto expanded = expandedAt(trials.clean, axis, at)) {
+        begin("none", axis, at).word({}).word({}).word(fixedText(*expanded, 4));
+        csv.endRow();
+      }
     }
   }
-  return text;
+  return csv.text();
 }
 
 }  // namespace alidade::console

@@ -178,8 +178,10 @@ Result<AdaptiveTrials> adaptiveTrials(const AdaptiveTrialOptions& options, const
     if (i < sealed) {
       withCause[i] = trialOf(i < options.count ? one : unknown, seed + i, slowest);
     } else if (const auto drawn = drawBlindTrial(none, seed + i)) {
-      Run ordered(*protocol, drawn->truth, seed + i), chosen(*protocol, drawn->truth, seed + i);
-      trials.clean[i - sealed] = {ordered.inOrder(true), chosen.byWorth(true)};
+      WatchedRuns& runs = trials.clean[i - sealed];
+      if (options.readsCleanInOrder) runs.ofProtocol = Run(*protocol, drawn->truth, seed + i).inOrder(true);
+      Run chosen(*protocol, drawn->truth, seed + i);
+      runs.byWorth = chosen.byWorth(true);
       slowest = chosen.slowest();
     }
     const std::scoped_lock lock(reporting);

@@ -17,10 +17,11 @@ namespace alidade {
 // in the order of its protocol, and by the most informative sightings.
 
 struct AdaptiveTrialOptions {
-  std::size_t count = 100;  ///< truths with one cause
-  std::size_t unknown = 0;  ///< truths with an effect of no catalogue
-  std::size_t clean = 0;    ///< truths without any, watched after every sighting of a whole session
-  unsigned threads = 0;     ///< 0: as many as the machine has; the result is the same for any number
+  std::size_t count = 100;         ///< truths with one cause
+  std::size_t unknown = 0;         ///< truths with an effect of no catalogue
+  std::size_t clean = 0;           ///< truths without any, watched after every sighting of a whole session
+  bool readsCleanInOrder = false;  ///< whether `WatchedRuns::ofProtocol` of these is wanted, too
+  unsigned threads = 0;            ///< 0: as many as the machine has; the result is the same for any number
   std::function<void(std::size_t)> progress = {};
 };
 

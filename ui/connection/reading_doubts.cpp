@@ -110,11 +110,11 @@ class Doubts {
   }
 
   std::string lastOfRows(std::string Reading::*text) const {
-    std::string last;
-    for (const Position& one : m_session.positions)
-      for (const Reading& row : one.readings)
-        if (!(row.*text).empty()) last = row.*text;
-    return last;
+    const auto& positions = m_session.positions;
+    for (auto one = positions.rbegin(); one != positions.rend(); ++one)
+      for (auto row = one->readings.rbegin(); row != one->readings.rend(); ++row)
+        if (!((*row).*text).empty()) return (*row).*text;
+    return {};
   }
 
   void doubtSerial() {

@@ -24,6 +24,7 @@ Result<std::string> adaptiveTrialsOf(const TrialRequest& request) {
   const AdaptiveTrialOptions options{.count = request.count,
                                      .unknown = request.unknown,
                                      .clean = request.clean,
+                                     .readsCleanInOrder = request.csv,
                                      .threads = request.threads,
                                      .progress = report};
   const auto trials = adaptiveTrials(options, {.protocol = request.protocol}, request.seed);

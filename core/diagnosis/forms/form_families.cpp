@@ -126,23 +126,15 @@ class FamilyMaker {
     return form;
   }
 
-  /// Whether the effect follows the slider, whose coordinate turns with the guideway, but acts in a direction
-  /// of the room. The prior counts one word more for such a form.
-  static bool staysWithRoom(const Form& form) {
-    return form.of == S && (form.carrier == X || form.carrier == Y || form.carrier == Z);
-  }
-
-  /// The prior has two bits for each word: carrier, function, argument, sign in face 2, shape numbers. An
-  /// order k has the share 1/k.
+  /// The prior has two bits for each word (`wordsOf`). An order k has the share 1/k.
   void add(const Form& form, std::vector<Form> grid = {}, double logVolume = 0) {
     if (!m_readings.has(form)) return;
     const bool hasOneFace = m_readings.face.maxCoeff() == m_readings.face.minCoeff();
     if (form.turnsWithFace && form.of != VerticalCircle && hasOneFace) return;
-    const double words = 3 + (form.turnsWithFace && form.of != VerticalCircle ? 1 : 0) +
-                         (staysWithRoom(form) ? 1 : 0) + form.count();
     const double ofOrder = form.order > 1 ? std::log(form.order) : 0;
     if (grid.empty()) grid.push_back(form);
-    m_families.push_back({form, std::move(grid), -words * 2 * std::numbers::ln2 - ofOrder, logVolume});
+    m_families.push_back(
+        {form, std::move(grid), -wordsOf(form) * 2 * std::numbers::ln2 - ofOrder, logVolume});
   }
 
   void addGrid(const Form& form, std::span<const double> numbers, double volume) {
@@ -235,6 +227,14 @@ Eigen::Array2d shapeCoordinates(const Form& form) {
 void setShapeCoordinates(Form& form, const Eigen::Array2d& coordinates) {
   form.numbers[0] = form.function == FormFunction::Exponential ? std::exp(coordinates[0]) : coordinates[0];
   if (form.function == FormFunction::Bump) form.numbers[1] = std::exp(coordinates[1]);
+}
+
+int wordsOf(const Form& form) {
+  using enum FormCarrier;
+  const bool turns = form.turnsWithFace && form.of != FormArgument::VerticalCircle;
+  const bool staysWithRoom =
+      form.of == FormArgument::S && (form.carrier == X || form.carrier == Y || form.carrier == Z);
+  return 3 + (turns ? 1 : 0) + (staysWithRoom ? 1 : 0) + form.count();
 }
 
 double formUnit(FormCarrier carrier) {

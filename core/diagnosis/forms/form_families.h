@@ -22,6 +22,11 @@ std::vector<FormFamily> formFamilies(const FormReadings& readings);
 Eigen::Array2d shapeCoordinates(const Form& form);
 void setShapeCoordinates(Form& form, const Eigen::Array2d& coordinates);
 
+/// The words of a form, for its prior of two bits for each: carrier, function, argument, sign in face 2,
+/// shape numbers. A form that follows the slider, whose coordinate turns with the guideway, but acts in a
+/// direction of the room has one word more.
+int wordsOf(const Form& form);
+
 /// Plausible size of an amplitude, mm or arcseconds, to which `formWidths` belong.
 double formUnit(FormCarrier carrier);
 const std::vector<Width>& formWidths();

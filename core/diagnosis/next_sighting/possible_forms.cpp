@@ -34,11 +34,10 @@ class FormList {
 
   std::vector<PossibleForm> m_list;
 
-  /// The prior has two bits for each word, as in `formFamilies`; `among` forms share it.
+  /// The prior has two bits for each word (`wordsOf`); `among` forms share it.
   void add(Form form, FormFunction function, double among = 1) {
     form.function = function;
-    const double words = 3 + form.count() + (form.turnsWithFace && form.of != VerticalCircle ? 1 : 0);
-    m_list.push_back({form, std::exp2(-2 * words) / among});
+    m_list.push_back({form, std::exp2(-2 * wordsOf(form)) / among});
   }
 
   /// From the first order that no effect of the catalogue has.

@@ -15,7 +15,7 @@ struct MayBe {
   std::string_view cause;  ///< static text
   Eigen::Index first = 0, count = 0;
   const std::vector<Width>* widths = nullptr;  ///< of the normal prior; null: the weight is exactly 1
-  double priorOdds = 0;                        ///< against no cause
+  double priorOdds = 0;                        ///< against no cause; 0: counts for U only
   bool isBent = false;  ///< two weights, whose second derivatives follow (`bentWeights`)
 };
 

@@ -25,7 +25,8 @@ TEST(AdaptiveTrials, SeldomNameAnEffectOfTheCatalogueWhereAnotherIs) {
 }
 
 TEST(AdaptiveTrials, LookAtBothWaysOfACleanSessionToItsEnd) {
-  const auto trials = adaptiveTrials({.count = 0, .clean = 1}, {.protocol = "two-face"}, 5300);
+  const auto trials =
+      adaptiveTrials({.count = 0, .clean = 1, .readsCleanInOrder = true}, {.protocol = "two-face"}, 5300);
   ASSERT_TRUE(trials);
   const WatchedRuns& runs = trials->clean.front();
   for (const WatchedRun* run : {&runs.ofProtocol, &runs.byWorth}) {
