@@ -12,6 +12,7 @@
 #include "core/session/row_fields.h"
 #include "core/session/session.h"
 #include "core/session/session_file.h"
+#include "core/session/value_text.h"
 
 namespace alidade {
 
@@ -44,8 +45,10 @@ void addUntoldFirstTexts(const Session& session, std::vector<JournalContradictio
   std::set<std::pair<std::string, std::string>> told;
   for (const JournalEntry& entry : session.journal) {
     const std::string field = entry.place.substr(entry.place.find_last_of('.') + 1);
-    told.emplace(field, entry.from);
-    told.emplace(field, entry.to);
+    const RowField* own = rowFieldNamed(field);
+    const ValueKind kind = own ? kindOf(*own) : ValueKind::Text;
+    for (const std::string& text : {entry.from, entry.to})
+      told.insert({{field, text}, {field, filedText(text, kind)}});
   }
   for (std::size_t p = 0; p < session.positions.size(); ++p)
     for (std::size_t r = 0; r < session.positions[p].readings.size(); ++r)
@@ -65,13 +68,14 @@ CheckedSeal sealAt(const std::vector<JournalEntry>& journal, std::size_t index) 
           CheckedSeal::State::Unchecked};
 }
 
-void takeAllBack(const Session& session, JournalCheck& check) {
+JournalCheck takenBack(const Session& session, JournalReplay::RowOrder order) {
   const std::vector<JournalEntry>& journal = session.journal;
   const bool isSmall = rowCountOf(session) <= mostRowsTakenBack;
   Session content = session;
   content.journal.clear();
   const std::string text = writeSession(content);
-  JournalReplay replay(journal, isSmall ? text : "{}");
+  JournalReplay replay(journal, isSmall ? text : "{}", order);
+  JournalCheck taken;
   for (std::size_t i = journal.size(); i-- > 0;) {
     if (journal[i].why == journal_reasons::explained) continue;
     if (journal[i].why != journal_reasons::sealed) {
@@ -83,9 +87,18 @@ void takeAllBack(const Session& session, JournalCheck& check) {
       seal.state = replay.atSeal(i);
     else if (i + 1 == journal.size())
       seal.state = sha256(text) == seal.seal.digest ? CheckedSeal::State::Held : CheckedSeal::State::Changed;
-    check.seals.insert(check.seals.begin(), seal);
+    taken.seals.insert(taken.seals.begin(), seal);
   }
-  check.contradictions = replay.takeContradictions();
+  taken.contradictions = replay.takeContradictions();
+  return taken;
+}
+
+/// In the order of rows that journals have had since version 1, or in the earlier one where only that holds.
+JournalCheck takenBack(const Session& session) {
+  JournalCheck taken = takenBack(session, JournalReplay::RowOrder::LastFirst);
+  if (taken.holds()) return taken;
+  JournalCheck together = takenBack(session, JournalReplay::RowOrder::TogetherOfEdit);
+  return together.holds() ? together : taken;
 }
 
 }  // namespace
@@ -97,11 +110,9 @@ bool JournalCheck::holds() const {
 }
 
 JournalCheck checkJournal(const Session& session) {
-  JournalCheck check{.broken = firstBrokenEntry(session.journal),
-                     .backwards = firstBackwards(session.journal),
-                     .contradictions = {},
-                     .seals = {}};
-  if (!session.journal.empty()) takeAllBack(session, check);
+  JournalCheck check = session.journal.empty() ? JournalCheck() : takenBack(session);
+  check.broken = firstBrokenEntry(session.journal);
+  check.backwards = firstBackwards(session.journal);
   addUntoldFirstTexts(session, check.contradictions);
   return check;
 }

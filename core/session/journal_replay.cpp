@@ -54,11 +54,6 @@ std::string textIn(const Json& object, const std::string& key, ValueKind kind) {
   return textOf(*found, kind).value_or(found->dump());
 }
 
-/// The text as read back from a file: 1.0 becomes 1.
-std::string filedText(const std::string& text, ValueKind kind) {
-  return text.empty() ? text : textOf(valueOf(text, kind), kind).value_or(text);
-}
-
 /// A key as a part of a JSON pointer.
 std::string pointed(const std::string& key) {
   std::string part = "/";
@@ -73,6 +68,13 @@ std::string usedText(const Json& row) {
 
 std::string cellTextOf(const Json& row, const std::string& field) {
   return field == flagName ? usedText(row) : textIn(row, field, kindOfField(field, true));
+}
+
+/// Is the row empty, be it excluded or not?
+bool isEmptyRow(const Json& row) {
+  return std::ranges::all_of(rowFields, [&](const RowField& field) {
+    return !field.text || cellTextOf(row, std::string(field.key)).empty();
+  });
 }
 
 std::string rowTextOf(const Json& row) {
@@ -126,8 +128,11 @@ void flatten(const Json& value, const std::string& place, std::map<std::string, 
 
 }  // namespace
 
-JournalReplay::JournalReplay(const std::vector<JournalEntry>& journal, const std::string& content)
-    : m_journal(journal), m_content(std::make_unique<Json>(Json::parse(content, nullptr, false))) {}
+JournalReplay::JournalReplay(const std::vector<JournalEntry>& journal, const std::string& content,
+                             RowOrder order)
+    : m_journal(journal),
+      m_order(order),
+      m_content(std::make_unique<Json>(Json::parse(content, nullptr, false))) {}
 
 JournalReplay::~JournalReplay() = default;
 
@@ -153,12 +158,12 @@ void JournalReplay::contradict(const std::string& place, const std::string& told
 
 void JournalReplay::takeBack(std::size_t index) {
   if (index >= m_taken) return;
-  m_taken = firstOfEdit(index);
+  m_taken = m_order == RowOrder::TogetherOfEdit ? firstOfEdit(index) : index;
   for (std::size_t i = m_taken; i <= index; ++i) takeBackOne(i);
 }
 
-/// The first entry of the edit that `last` ends. Rows deleted in one edit have rising indices, restored rows
-/// falling ones; they are reverted together, in journal order. Every other entry is an edit of its own.
+/// The first entry of the edit that `last` ends. Rows deleted in one edit have rising indices here, restored
+/// rows falling ones; they are reverted together, in journal order. Every other entry is an edit of its own.
 std::size_t JournalReplay::firstOfEdit(std::size_t last) const {
   const auto isBefore = [&](const JournalEntry& one, const JournalEntry& next) {
     const auto a = pathOf(one.place), b = pathOf(next.place);
@@ -185,7 +190,7 @@ void JournalReplay::takeBackOne(std::size_t index) {
     m_told.emplace(*told);
     m_isExact = false;
   } else if (path->reading) {
-    path->field.empty() ? takeBackRow(*path, entry) : takeBackCell(*path, index);
+    path->field.empty() ? takeBackRow(*path, index) : takeBackCell(*path, index);
   } else if (path->position &&
              (path->field.empty() || path->field == "readings" || entry.why == journal_reasons::deleted)) {
     m_isOpaque = true;
@@ -219,6 +224,18 @@ JournalReplay::Json* JournalReplay::rowOf(const Path& path, const JournalEntry& 
   return isOne ? &*found : nullptr;
 }
 
+/// Whether a row of any position has the text: rows move to another position before the first seal, where
+/// another row may have the same names.
+bool JournalReplay::isAnywhere(const std::string& field, const std::string& text) const {
+  const auto positions = m_content->find("positions");
+  if (positions == m_content->end() || !positions->is_array()) return false;
+  return std::ranges::any_of(*positions, [&](const Json& position) {
+    const auto rows = position.find("readings");
+    return rows != position.end() &&
+           std::ranges::any_of(*rows, [&](const Json& row) { return cellTextOf(row, field) == text; });
+  });
+}
+
 void JournalReplay::takeBackCell(const Path& path, std::size_t index) {
   const JournalEntry& entry = m_journal[index];
   const bool isSealed = isSealedBefore(index);
@@ -238,8 +255,14 @@ void JournalReplay::takeBackCell(const Path& path, std::size_t index) {
   // counts.
   const auto marks = row->find(firstTexts);
   const bool isMarked = marks != row->end() && marks->contains(path.field);
-  if (held != filedText(entry.to, kind) && (isSealed || (isMarked && !entry.to.empty())))
+  if (held != filedText(entry.to, kind) && (isSealed || (isMarked && !entry.to.empty()))) {
+    const std::string told = filedText(entry.to, kind);
+    if (!isSealed && (isAnywhere(path.field, told) || isLaterLeft(path.field, told, index))) {
+      m_isExact = false;
+      return;
+    }
     contradict(entry.place, entry.to, held);
+  }
   const std::string pointer = "/positions/" + std::to_string(*path.position) + "/readings/" +
                               std::to_string(*path.reading) + pointed(path.field);
   if (path.field == flagName) {
@@ -256,16 +279,62 @@ void JournalReplay::takeBackCell(const Path& path, std::size_t index) {
   if (firsts.empty()) row->erase(firstTexts);
 }
 
-void JournalReplay::takeBackRow(const Path& path, const JournalEntry& entry) {
+/// Whether a later entry changed this text of such a cell. Before the first seal that entry may not have been
+/// reverted, as its row was not found.
+bool JournalReplay::isLaterLeft(const std::string& field, const std::string& text, std::size_t index) const {
+  const ValueKind kind = kindOfField(field, true);
+  return std::any_of(m_journal.begin() + static_cast<std::ptrdiff_t>(index) + 1, m_journal.end(),
+                     [&](const JournalEntry& later) {
+                       return later.place.ends_with("." + field) && filedText(later.from, kind) == text;
+                     });
+}
+
+/// Before the first seal, texts are filled in, notes change, and empty rows come and go without an entry; so
+/// the row told of may stand elsewhere. Of a row without texts, only an empty one is the row told of.
+JournalReplay::ToldRow JournalReplay::openRow(const Json& rows, const Path& path, std::size_t index) const {
+  const Json told = rowOfText(m_journal[index].to);
+  Json lasting = told;  // without the texts that a later entry changed
+  for (const auto& [field, value] : told.items())
+    if (isLaterLeft(field, cellTextOf(told, field), index)) lasting.erase(field);
+  const auto holds = [](const Json& row, const Json& texts) {
+    for (const auto& [field, value] : texts.items())
+      if (field != "note" && cellTextOf(row, field) != cellTextOf(texts, field)) return false;
+    return true;
+  };
+  const bool isEmpty = isEmptyRow(told);
+  const auto isIt = [&](const Json& row) { return isEmpty ? isEmptyRow(row) : holds(row, told); };
+  if (*path.reading < rows.size() && isIt(rows[*path.reading])) return {path.reading, true};
+  const auto found = std::ranges::find_if(rows, isIt);
+  if (found == rows.end()) {
+    const auto mayBeIt = [&](const Json& row) { return holds(row, lasting); };
+    return {{}, isEmpty || std::ranges::any_of(rows, mayBeIt)};
+  }
+  const bool isOne = std::find_if(std::next(found), rows.end(), isIt) == rows.end();
+  return {isOne ? std::optional(static_cast<std::size_t>(found - rows.begin())) : std::nullopt, true};
+}
+
+/// The row that the entry tells of.
+JournalReplay::ToldRow JournalReplay::toldRow(const Json& rows, const Path& path, std::size_t index) const {
+  if (!isSealedBefore(index)) return openRow(rows, path, index);
+  const bool isThere = *path.reading < rows.size();
+  const bool isTrue = isThere && rowTextOf(rows[*path.reading]) == rowTextOf(rowOfText(m_journal[index].to));
+  return {isThere ? path.reading : std::nullopt, isTrue};
+}
+
+void JournalReplay::takeBackRow(const Path& path, std::size_t index) {
+  const JournalEntry& entry = m_journal[index];
   Json* rows = rowsOf(path);
   if (!rows) return contradict(entry.place, entry.to, {});
-  const auto at = [&](std::size_t index) { return rows->begin() + static_cast<std::ptrdiff_t>(index); };
+  const auto at = [&](std::size_t row) { return rows->begin() + static_cast<std::ptrdiff_t>(row); };
   if (!entry.to.empty()) {
-    const std::string held = *path.reading < rows->size() ? rowTextOf((*rows)[*path.reading]) : std::string();
-    if (held != rowTextOf(rowOfText(entry.to))) contradict(entry.place, entry.to, held);
-    if (*path.reading >= rows->size()) return;
-    m_gone.push_back((*rows)[*path.reading]);
-    rows->erase(at(*path.reading));
+    const ToldRow told = toldRow(*rows, path, index);
+    const bool isThere = *path.reading < rows->size();
+    if (!told.isTrue)
+      contradict(entry.place, entry.to, isThere ? rowTextOf((*rows)[*path.reading]) : std::string());
+    m_isExact = m_isExact && told.row;
+    if (!told.row) return;
+    m_gone.push_back((*rows)[*told.row]);
+    rows->erase(at(*told.row));
     return;
   }
   const auto moved = std::ranges::find_if(

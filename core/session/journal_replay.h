@@ -16,7 +16,13 @@ class JournalReplay {
  public:
   using Json = nlohmann::ordered_json;
 
-  JournalReplay(const std::vector<JournalEntry>& journal, const std::string& content);
+  /// How the journal lists rows deleted in one edit.
+  enum class RowOrder {
+    LastFirst,       ///< each entry may be reverted alone
+    TogetherOfEdit,  ///< the first row first, as journals of version 0 do: an edit is reverted as a whole
+  };
+
+  JournalReplay(const std::vector<JournalEntry>& journal, const std::string& content, RowOrder order);
   ~JournalReplay();
 
   /// To be called from the last entry to the first.
@@ -32,12 +38,21 @@ class JournalReplay {
     std::string field;  ///< "pointing_zero.vertical"; empty: the row or position itself
   };
 
+  struct ToldRow {
+    std::optional<std::size_t> row;  ///< absent: not found, or one of several
+    bool isTrue = false;             ///< no contradiction
+  };
+
   static std::optional<Path> pathOf(const std::string& place);
   void takeBackOne(std::size_t entry);
   std::size_t firstOfEdit(std::size_t last) const;
-  void takeBackRow(const Path& path, const JournalEntry& entry);
+  void takeBackRow(const Path& path, std::size_t index);
+  ToldRow toldRow(const Json& rows, const Path& path, std::size_t index) const;
+  ToldRow openRow(const Json& rows, const Path& path, std::size_t index) const;
+  bool isLaterLeft(const std::string& field, const std::string& text, std::size_t index) const;
   void takeBackCell(const Path& path, std::size_t index);
   void takeBackText(const Path& path, const JournalEntry& entry);
+  bool isAnywhere(const std::string& field, const std::string& text) const;
   Json* rowsOf(const Path& path);
   Json* rowOf(const Path& path, const JournalEntry& entry);
   void contradict(const std::string& place, const std::string& told, const std::string& held);
@@ -47,6 +62,7 @@ class JournalReplay {
   bool isSealedBefore(std::size_t entry) const;
 
   const std::vector<JournalEntry>& m_journal;
+  RowOrder m_order;
   std::unique_ptr<Json> m_content;
   std::vector<JournalContradiction> m_contradictions;
   std::size_t m_taken = static_cast<std::size_t>(-1);  ///< entries from this one on are reverted

@@ -42,6 +42,10 @@ nlohmann::ordered_json valueOf(const std::string& text, ValueKind kind) {
   return *number;
 }
 
+std::string filedText(const std::string& text, ValueKind kind) {
+  return text.empty() ? text : textOf(valueOf(text, kind), kind).value_or(text);
+}
+
 std::vector<std::string> entriesOf(const nlohmann::ordered_json& list) {
   std::vector<std::string> texts;
   for (const auto& member : list)

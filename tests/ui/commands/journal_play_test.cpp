@@ -1,7 +1,10 @@
 #include <gmock/gmock.h>
 
 #include <QTemporaryDir>
+#include <iterator>
+#include <numeric>
 #include <random>
+#include <vector>
 
 #include "core/session/journal_check.h"
 #include "core/session/session_file.h"
@@ -114,13 +117,26 @@ class Player {
   SessionDocument m_document;
 };
 
+// Quick deletions have one second in the journal, rows come empty and without an entry before the first seal,
+// and rows of one name move between positions. Each of these once let an honest session fail; the seeds
+// beyond 60 are those where one of them did.
+constexpr unsigned hardSeeds[] = {82,  84,  102, 137, 185, 187, 198, 205, 225, 267, 271, 308,
+                                  324, 417, 425, 562, 577, 586, 625, 629, 632, 635, 638};
+
+std::vector<unsigned> playedSeeds() {
+  std::vector<unsigned> seeds(60);
+  std::iota(seeds.begin(), seeds.end(), 1U);
+  seeds.insert(seeds.end(), std::begin(hardSeeds), std::end(hardSeeds));
+  return seeds;
+}
+
 TEST(JournalOfPlay, HoldsAfterAnyEdits) {
-  for (unsigned seed = 1; seed <= 60; ++seed) {
+  for (const unsigned seed : playedSeeds()) {
     Player player(seed);
     for (int i = 1; i <= 120; ++i) {
       player.step();
-      if (i % 10 != 0) continue;
       if (i % 40 == 0) player.reopen();
+      if (i % (seed > 60 ? 3 : 10) != 0) continue;
       const JournalCheck check = player.checked();
       if (check.holds()) continue;
       for (const JournalContradiction& one : check.contradictions)

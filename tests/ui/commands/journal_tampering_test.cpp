@@ -1,6 +1,8 @@
 #include <gmock/gmock.h>
 
+#include <QTemporaryDir>
 #include <nlohmann/json.hpp>
+#include <vector>
 
 #include "core/session/journal_check.h"
 #include "core/session/session_file.h"
@@ -179,6 +181,50 @@ INSTANTIATE_TEST_SUITE_P(Ways, AlteredJournal,
                            return std::string(alterations()[std::get<1>(way.param)].name) +
                                   std::to_string(static_cast<int>(std::get<0>(way.param)));
                          });
+
+void remove(SessionDocument& document, const std::vector<std::size_t>& rows) {
+  ReadingsEditor(document, 0).remove(rows);
+}
+
+// Both deletions fall into one second, and the second has the higher rows: nothing but the order of their
+// entries parts them.
+TEST(UnalteredJournalRows, MayBeDeletedInQuickSuccession) {
+  SessionDocument document;
+  document.startWithStanding(paperSession());
+  document.push(new SealSession(document, "R. Roe"));
+  remove(document, {1, 2, 4});
+  remove(document, {8, 9, 11});
+  EXPECT_TRUE(checkJournal(document.session()).holds());
+  EXPECT_EQ(document.session().journal[1].place, "positions[0].readings[4]");
+}
+
+// Journals before version 1.0.0 list the first row first.
+TEST(UnalteredJournalRows, HoldInTheEarlierOrder) {
+  SessionDocument document;
+  document.startWithStanding(paperSession());
+  document.push(new SealSession(document, "R. Roe"));
+  remove(document, {1, 2, 4});
+  Session session = document.session();
+  std::vector<JournalEntry> entries(session.journal.rbegin(), session.journal.rend() - 1);
+  session.journal.resize(1);
+  for (JournalEntry& entry : entries) {
+    entry.at = entries.front().at;
+    enterInJournal(session.journal, entry);
+  }
+  ASSERT_EQ(session.journal[1].place, "positions[0].readings[1]");
+  EXPECT_TRUE(checkJournal(session).holds());
+}
+
+TEST(UnalteredJournalRows, AreFoundBelowAnEmptyRowThatCameLater) {
+  SessionDocument document;
+  document.startWithStanding(paperSession());
+  remove(document, {8, 15});
+  QTemporaryDir folder;
+  ASSERT_FALSE(document.save(folder.filePath(QStringLiteral("s.alidade"))));
+  document.undoStack().undo();
+  ReadingsEditor(document, 0).insertBlank(1);
+  EXPECT_TRUE(checkJournal(document.session()).holds());
+}
 
 TEST(AlteredJournalRows, AreNamedAfterASeal) {
   for (const Stage stage : {Stage::Sealed, Stage::EditedOnce, Stage::SealedAgain}) {
