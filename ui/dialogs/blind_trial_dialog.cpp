@@ -232,7 +232,7 @@ void BlindTrialDialog::showTruth() {
   colorScore();
 }
 
-/// Choices and number stay locked until the running draw is done.
+/// Every draw locks the number of the trial; a series also locks the choices and the number of trials.
 void BlindTrialDialog::showWork() {
   const bool isAtWork = m_job.isAtWork(), isStretch = isAtWork && m_isSeries;
   const bool isDrawn = m_current && m_current->problem.empty();

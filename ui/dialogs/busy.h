@@ -24,8 +24,8 @@ class Busy {
 
   /// Waits for work on another thread. False: the user stopped it, if possible; it may still be running.
   bool waitFor(const QFuture<void>& work);
-  /// Keeps the window responsive during work on its own thread; to be called often. `done`: the share of the
-  /// work, 0 to 1. False: the user stopped it.
+  /// Keeps the window responsive during work on the window's thread; to be called often. `done`: the share of
+  /// the work, 0 to 1. False: the user stopped it.
   bool goesOn(double done);
 
  private:

@@ -37,7 +37,7 @@ QString sessionFilter() {
   return DialogsText::tr("Sessions and series (*.alidade *.alidade-series);;All files (*)");
 }
 
-/// A message box is as wide as its longest word.
+/// Breaks long words, since a message box is as wide as its longest word.
 QString boxText(const QString& text) {
   static const QRegularExpression longWord(QStringLiteral("(\\S{60})(?=\\S)"));
   return visibleLines(text).replace(longWord, QStringLiteral("\\1\n"));

@@ -37,7 +37,7 @@ class ExportFlow : public QObject {
   void remark(const QString& text);
 
  private:
-  /// Makes the bytes of a session with its name; the sentence says why there is nothing to write.
+  /// Makes the bytes of the file from a session and its name; the problem says why there is nothing to write.
   using Answer = std::function<Result<std::string>(const Session&, const std::string& name)>;
 
   bool exportAnswer(const QString& title, const QString& what, const QString& suffix, const Answer& answer);

@@ -132,8 +132,8 @@ bool FileFlow::importFrom(const Result<std::vector<ImportSource>>& sources, cons
   return true;
 }
 
-/// Refuses a pipe, which has no end, or a device, which may have none: reading would block the window. A
-/// missing file is reported when it is opened or written.
+/// True if the path is not a regular file, which is reported. Reading a pipe or a device may never end and
+/// would block the window. A missing file is reported when it is opened or written.
 bool FileFlow::tellWhereNoFile(const QString& title, const QString& path) {
   const QFileInfo file(path);
   if (!file.exists() || file.isFile()) return false;

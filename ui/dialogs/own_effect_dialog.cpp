@@ -113,7 +113,7 @@ OwnEffect OwnEffectDialog::effect() const {
   return typed;
 }
 
-/// The formula first, then what else an effect needs, then what the readings say of it.
+/// Checks the formula, then what else an effect needs, then how far the readings show the effect.
 void OwnEffectDialog::check() {
   const std::string text = m_formula->toPlainText().toStdString();
   const Result<Formula, FormulaFault> formula = parseFormula(text);
@@ -147,7 +147,7 @@ QString OwnEffectDialog::sizeMissing() const {
   return {};
 }
 
-/// An entry for each amplitude, those that stay with what was typed.
+/// Shows an entry for each amplitude; amplitudes that remain keep their typed size.
 void OwnEffectDialog::showAmplitudes(const Formula& formula) {
   const auto isSame = [](const FormulaAmplitude& amplitude, const Size& size) {
     return amplitude.name == size.name;

@@ -184,7 +184,7 @@ QWidget* PreferencesDialog::createReportPage() {
   return page;
 }
 
-/// Leads to the first unusable entry.
+/// False if an entry is unusable; then shows the first one.
 bool PreferencesDialog::isUsable() {
   for (FieldBinding* binding : findChildren<FieldBinding*>()) {
     emit binding->commitWanted();

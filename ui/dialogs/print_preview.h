@@ -13,7 +13,7 @@ namespace alidade::ui {
 /// The choice of the user in the preview: `Contents` and `Page` change it, the others end it.
 enum class PreviewAnswer { Close, Print, Export, Contents, Page };
 
-/// Asks for what changes in the preview.
+/// Asks for the new contents or page set-up of the preview.
 using PreviewChange = std::function<void(PreviewAnswer)>;
 
 /// The pages of a report as they are printed. It stays open while its contents or page set-up are chosen.

@@ -184,7 +184,7 @@ bool ReportFlow::certificateOf(const SharedGap& gap, const QString& suggestion) 
   const QString title = tr("Export calibration certificate");
   ReportOptions bare;
   bare.gap = gap;
-  // Country and place are asked in the dialog; these only let the rest be listed.
+  // The dialog asks for country and place; these values only let the other missing statements be listed.
   CertificateEntries assumed{.country = QStringLiteral("ZZ"), .performedAt = QStringLiteral("other")};
   assumed.isDraft = true;
   const auto lacking = ui::certificateOf(source(), bare, assumed);

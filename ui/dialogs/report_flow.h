@@ -43,8 +43,8 @@ class ReportFlow : public QObject {
   /// `gap`, whose sentences are in the window's language, diagnosed again in the report's language if that
   /// differs. Null: the user stopped it.
   SharedGap inLanguage(const QString& language, const SharedGap& gap);
-  /// The user's choice for the report of `gap`, remembered; absent: cancelled. `lacks`: what will be missing,
-  /// if different from a report.
+  /// The user's choice for the report of `gap`, remembered; absent: cancelled. `lacks`: for a certificate,
+  /// the statements it will lack.
   std::optional<ReportChoice> ask(const Gap& gap, ReportQuestion::Way way,
                                   const std::optional<QStringList>& lacks = {});
   /// Options for a report of `gap`, with the logo; absent: the logo is unusable, which was reported.
@@ -56,9 +56,9 @@ class ReportFlow : public QObject {
 
   SessionDocument& m_document;
   Dialogs& m_dialogs;
+  ReportSource source() const;
   /// The history of the session's device from a folder of sessions; null: no session of the device, or the
   /// user stopped it.
-  ReportSource source() const;
   std::shared_ptr<const DeviceHistory> historyIn(const QString& folder);
 
   SharedBudgetCheck m_check;

@@ -26,8 +26,8 @@ class Safekeeping : public QObject {
               QObject* parent = nullptr);
   ~Safekeeping() override;
 
-  /// Asks about all unsaved changes of other windows; returns their number. Records equal to their file are
-  /// deleted without asking; postponed ones stay.
+  /// Asks about unsaved changes that crashed windows left, until all are discarded, one is recovered or the
+  /// rest postponed; returns the number of questions. Records equal to their file are deleted without asking.
   int offer();
   /// Keeps everything unsaved or unfinished before it returns, as the process is about to end.
   void keepNow();
@@ -57,7 +57,7 @@ class Safekeeping : public QObject {
   Dialogs& m_dialogs;
   QString m_folder;
   RecoveryKeeper m_keeper;
-  QString m_recordTrouble, m_draftsTrouble;  ///< why it cannot be kept; empty if it can
+  QString m_recordTrouble, m_draftsTrouble;  ///< why record or drafts cannot be kept; else empty
   QLabel* m_trouble;
 };
 

@@ -20,8 +20,8 @@ class TrialList : public QWidget {
  public:
   explicit TrialList(QWidget* parent = nullptr);
 
-  /// Adds a trial. It becomes current unless the user chose another since the draw began. Choosing the newest
-  /// of a series follows the series.
+  /// Adds a trial. It becomes current unless the user chose another since the draw began. Once the user
+  /// chooses the newest trial of a series, new ones become current again.
   void add(const SharedTrial& trial);
   void openSeal(const SharedTrial& trial);
   bool isOpen(const SharedTrial& trial) const;

@@ -45,7 +45,7 @@ class PatchEntries {
   }
 
  private:
-  /// Only a sealed session records an added or removed empty row, since it renumbers the rows below.
+  /// Only a sealed session records that an empty row was added or removed, which renumbers the rows below.
   bool hasStanding(const Reading& row, std::size_t index) const {
     const auto isTyped = [&](const RowField& field) { return field.text && !(row.*field.text).empty(); };
     if (std::ranges::none_of(rowFields, isTyped)) return m_stands(asAdded, ReadingColumn::Used);

@@ -37,7 +37,7 @@ class JournalKeeper {
   /// The journal entries of an edit about to be made. `patch` keeps the first texts that it would overwrite.
   std::vector<JournalEntry> judge(std::size_t position, ReadingsPatch& patch, const char* why);
   std::vector<JournalEntry> judge(const Place& field, const std::string& from, const std::string& to);
-  /// The journal entries of such an edit if `from` had been recorded.
+  /// The journal entries of an edit of this field if `from` had been recorded.
   std::vector<JournalEntry> asStanding(const Place& field, const std::string& from,
                                        const std::string& to) const;
 

@@ -24,7 +24,7 @@ struct KnownRef {
   bool operator==(const KnownRef&) const = default;
 };
 
-/// Device for effects of the guideway itself, else instrument: a drift belongs to the set-up.
+/// Device for effects of the guideway itself, instrument for all others: a drift belongs to the set-up.
 KnownOwner ownerOf(const Effect& effect);
 
 const std::vector<KnownSize>& knownBy(const Session& session, KnownOwner owner);
@@ -41,7 +41,7 @@ struct KnownPlace {
   std::string member;  ///< "value", "sigma", …; empty: the entry as a whole
 };
 
-/// The reverse; absent if `place` is not such an entry.
+/// The reverse of `placeOf`; absent if `place` is not an entry of the known sizes.
 std::optional<KnownPlace> knownAt(const Place& place);
 
 /// A catalogued number with its known size, or an entry of an unknown number.

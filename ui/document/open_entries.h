@@ -15,7 +15,7 @@ namespace alidade::ui {
 /// zero, until another entry; form fields until the session is saved. All others are recorded.
 class OpenEntries {
  public:
-  /// Closes all: the session was saved, or undo passed over it.
+  /// Closes all: the session was saved, or it was in a file before.
   void close();
   void closeRow() { m_row.reset(); }
 

@@ -24,7 +24,7 @@ struct NewText {
   std::string text;  ///< for `ReadingColumn::Used`: "1", or "0" if the row is excluded
 };
 
-/// Rows from `first` on: their numbers before and after the edit.
+/// A block of rows from `first` on: its number of rows before and after the edit.
 struct RowSpan {
   std::size_t first = 0, before = 0, after = 0;
 };
@@ -33,7 +33,7 @@ struct RowSpan {
 /// rows. For one cell among a hundred thousand rows it holds two texts.
 class ReadingsPatch {
  public:
-  /// The change of the row's first text of the cell.
+  /// What the edit does to the first text of the cell, which the row keeps.
   enum class First { Untouched, Kept, Dropped };
   struct Cell {
     std::size_t row = 0;

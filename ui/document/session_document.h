@@ -18,7 +18,7 @@
 
 namespace alidade::ui {
 
-/// Only commands have one, so only they write.
+/// The permission to write to the session; only commands can create one.
 class EditKey {
   friend class SessionCommand;
   EditKey() = default;
@@ -62,7 +62,7 @@ class SessionDocument : public QObject {
   void push(QUndoCommand* command);
   /// Pushes a command that replaces the present session by an unsaved one.
   void pushAnother(QUndoCommand* command);
-  /// Writes to the session, and tells of `change` before and after.
+  /// Writes to the session; emits `aboutToChange` before and `changed` after writing.
   void edit(EditKey key, const SessionChange& change, const std::function<void(Session&)>& write);
   JournalKeeper& journal(EditKey /*key*/) { return m_journal; }
   /// Edits pushed until `endTogether` form one undo step.
@@ -104,7 +104,7 @@ class SessionDocument : public QObject {
   JournalKeeper m_journal{m_session};
   SessionFiles m_files;
   QStringList m_readPaths;
-  std::optional<std::size_t> m_journalBefore;  ///< its length before the edits that are made together
+  std::optional<std::size_t> m_journalBefore;  ///< length of the journal at `beginTogether`
   std::optional<std::size_t> m_chosenSighting;
   QHash<QString, QByteArray> m_knownSha256;  ///< by path
 };

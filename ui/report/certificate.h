@@ -32,8 +32,8 @@ Result<WrittenCertificate> certificateOf(const ReportSource& source, const Repor
                                          const CertificateEntries& entries, const std::string& pdf = {},
                                          const QString& pdfName = {});
 
-/// Writes it with the report rendered and embedded, signed if there is a signer. Returns the statements that
-/// are missing.
+/// Writes the certificate with the rendered report embedded, signed if there is a signer. Returns the missing
+/// statements.
 Result<QStringList> writeCertificate(const ReportSource& source, const QString& outPath,
                                      const ReportOptions& report, const CertificateEntries& entries);
 

@@ -95,7 +95,7 @@ void inform(QPDF& pdf, const PdfInformation& information) {
   pdf.getTrailer().replaceKey("/Info", pdf.makeIndirectObject(facts));
 }
 
-/// Qt names a font subset only in its descriptor, and lists its glyphs as an older standard requires.
+/// Copies the name of each font subset from its descriptor; removes Qt's list of glyphs (PDF/A-1).
 void nameSubsets(QPDF& pdf) {
   for (Handle& object : pdf.getAllObjects()) {
     if (!object.isDictionaryOfType("/Font", "/Type0")) continue;

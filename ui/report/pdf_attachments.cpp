@@ -97,7 +97,7 @@ Outcome handFile(std::string_view pdf, std::string_view ending, int pipe, std::s
   }
 }
 
-constexpr int firstCode = 32;  // exit codes of the outcomes, which no program uses by itself
+constexpr int firstCode = 32;  // first exit code of an outcome; no program ends with such a code by itself
 
 int codeOf(Outcome outcome) {
   return firstCode + static_cast<int>(outcome);
@@ -121,8 +121,8 @@ void lower(__rlimit_resource resource, std::size_t most) {
   setrlimit(resource, &limit);
 }
 
-/// For the reading process; `taken`: `addressesTaken` before. qpdf mistakes lack of memory for damage of the
-/// document, so the first failure ends everything.
+/// Limits the reading process; `taken`: `addressesTaken` before the fork. qpdf mistakes lack of memory for a
+/// damaged document, so the first failed allocation ends the process.
 void bound(std::optional<std::size_t> taken, std::size_t mostMemory) {
   constexpr std::size_t seconds = 60;
   for (const int fault : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGXCPU, SIGTERM, SIGINT})
@@ -183,7 +183,7 @@ class Reader {
   pid_t m_process;
   int m_pipe;
 
-  /// Waits for its end and returns its status.
+  /// Waits for the end of the process and returns its status.
   int end() {
     const pid_t process = std::exchange(m_process, 0);
     int status = 0;

@@ -72,7 +72,7 @@ QString nominalRadius(const Session& session) {
   return lengthWithSigma(geometry.radiusMm, geometry.sigmaRadiusMm);
 }
 
-/// The reading of the circle, or the typed text if unknown; zenith if empty.
+/// The angle that the vertical circle reads: zenith (also if empty) or elevation; an unknown word as typed.
 QString verticalCircle(const Session& session) {
   const QString typed = given(session.geometry.verticalCircle);
   const bool isZenith = typed.isEmpty() || typed == QStringLiteral("zenith");

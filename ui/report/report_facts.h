@@ -17,7 +17,7 @@ struct LabelledText {
 double placeLabelled(ReportSheet& sheet, const std::vector<LabelledText>& texts, double left, double top,
                      double available);
 
-/// Their height in mm.
+/// The height of the texts as `placeLabelled` places them, mm.
 double labelledHeight(const ReportSheet& sheet, const std::vector<LabelledText>& texts, double available);
 
 /// Laboratory, device, people and dates at the left, instrument and geometry at the right, if the session

@@ -47,12 +47,12 @@ class ReportPages {
   /// Allows a page break at `y` of the last page, with `head` if inside a table.
   void mayBreak(double y, Before before, SharedHead head = {});
   Mark mark(double y) const { return {m_pages.back().drawings.size(), y}; }
-  /// The drawings of the last page since then, down to `y`.
+  /// The drawings of the last page since `mark`, down to `y`.
   SharedHead headSince(const Mark& mark, double y) const;
   /// Starts the last page with the head of a continued table.
   void beginsWith(SharedHead head) { m_pages.back().carried = std::move(head); }
-  /// Called after all drawing, with the last page drawn down to `y`. If `y` is less than `least`, moves
-  /// preceding drawings to the last page too, from an allowed break, if they fit in `height`.
+  /// Called after all drawing, with the last page drawn down to `y`. If `y` < `least`, moves preceding
+  /// drawings, from an allowed break on, to the last page too, as far as `height` allows.
   void balance(double y, double least, double height);
 
  private:

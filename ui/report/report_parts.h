@@ -43,7 +43,7 @@ void addUndetectable(ReportSheet& sheet, const Gap& gap);
 /// of it; the instrument record by name. Empty without known sizes.
 void addKnown(ReportSheet& sheet, const Gap& gap);
 
-/// The forms of an effect of no catalogue: each in a sentence, with where the model holds and its curve.
+/// The forms of effects outside the catalogue: each in a sentence, with where the model holds and its curve.
 /// Empty if there is none.
 void addForms(ReportSheet& sheet, const Gap& gap);
 

@@ -89,7 +89,7 @@ void addPlot(ReportSheet& sheet, const std::shared_ptr<Plot>& plot, double heigh
 
 namespace {
 
-/// The height that a caption leaves for its plot on this page, or on the next one if that is too low.
+/// The height that a caption leaves for its plot on this page, or on the next if there is too little.
 double roomAbove(ReportSheet& sheet, const QString& caption) {
   constexpr double least = 50, between = 2;  // mm
   const auto lines = static_cast<double>(sheet.lines(caption, type::small, ReportSheet::width).size());

@@ -36,7 +36,7 @@ QStringList numbersIn(const QString& angle) {
   return numbers;
 }
 
-/// In the session's unit; above it as typed, if that has other digits.
+/// The angle in the session's unit. The typed text is above it if its numbers differ.
 QString angleCell(const std::string& typed, CircleUnit unit) {
   const QString text = shortLine(qText(typed).trimmed(), longestCell);
   const QString normal = shortLine(shownAngle(typed, unit).trimmed(), longestCell);
@@ -44,14 +44,14 @@ QString angleCell(const std::string& typed, CircleUnit unit) {
   return text + QStringLiteral("\n= ") + normal;
 }
 
-/// The same on one line.
+/// The text of `angleCell` on one line; "not given" if nothing was typed.
 QString angleInLine(const std::string& typed, CircleUnit unit) {
   return typed.empty() ? Report::tr("not given")
                        : angleCell(typed, unit).replace(QStringLiteral("\n="), QStringLiteral(" ="));
 }
 
-/// Typed columns, then computed ones; the remark takes the remaining width. The head of the first names the
-/// position, since it stands on every page.
+/// Typed columns, then computed ones; the remark takes the remaining width. The head of the first column
+/// names the position, since every page repeats the head.
 std::vector<ReportColumn> columns(const QString& position) {
   constexpr auto right = Qt::AlignRight;
   std::vector<ReportColumn> columns;
@@ -100,7 +100,7 @@ QStringList ofCompensator(const Reading& reading) {
   return parts;
 }
 
-/// When a sighting came from the instrument, its return code, and the instrument.
+/// Time, return code and instrument of a sighting that came from an instrument; empty if typed.
 QStringList ofArrival(const std::string& takenAt, const std::string& code, const std::string& serial) {
   QStringList parts;
   const auto add = [&parts](const QString& says, const std::string& text) {

@@ -20,7 +20,7 @@ constexpr double footerGap = 3;   // mm below it
 /// Characters laid out at once: some twenty lines.
 constexpr qsizetype longestPiece = 2000;
 
-/// The lines of a paragraph of `count` that stay with its first.
+/// The number of lines kept together at the start of a paragraph of `count` lines.
 qsizetype startOf(qsizetype count) {
   return count <= 3 ? count : 2;
 }

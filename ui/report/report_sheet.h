@@ -66,7 +66,7 @@ class ReportSheet {
   void beginsWith(ReportPages::SharedHead head) { m_pages.beginsWith(std::move(head)); }
   /// Starts a new page if less than `needed` mm are left on this one.
   void keepTogether(double needed);
-  /// Starts a new page if the paragraph of this text would: what stands beside its first line comes along.
+  /// Call before drawing beside a paragraph: starts a new page if the paragraph of this text would.
   void keepStart(const QString& text, const TextStyle& style, double indent = 0);
   void skip(double distance) { m_y += distance; }
 

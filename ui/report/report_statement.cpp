@@ -17,7 +17,7 @@ bool isLeft(Role role) {
   return role != Role::Figure;
 }
 
-/// mm before a text at the left, which keep it apart from a figure at the right before it.
+/// The indent, mm, of a text at the left, which separates it from a figure at the right of the column before.
 double indentOf(Role role) {
   return isLeft(role) && role != Role::Name ? 2.5 : 0;
 }
@@ -53,9 +53,9 @@ std::vector<double> neededWidths(const ReportSheet& sheet, const Statement& stat
   return widths;
 }
 
-/// Figures get their needed width. Names get a third of the page, but at most their needed width in a table
-/// of many columns or with a bar; more without remarks and bars. Remarks or bars get the rest. Texts get
-/// none, since they are below the rows. The widest names and words are cut until all fit on the page.
+/// Figures get their needed width. Names get a third of the page: in a table of many columns or with a bar at
+/// most what they need, without remarks and bars more if the first name needs it. Remarks or bars get the
+/// rest; texts nothing: they are below the rows. The widest names and words are cut until all fit.
 std::vector<double> widthsOf(const ReportSheet& sheet, const Statement& statement) {
   constexpr double mostName = 62, leastFigure = 20, fewColumns = 6, mostRemark = 40, leastText = 12;
   const bool hasBar =

@@ -5,8 +5,8 @@
 
 namespace alidade::ui {
 
-/// A section: the title, the table over the whole width with totals in bold, sentences and note. Empty if
-/// there is nothing to tell.
+/// A section: the title, the table over the whole width with totals in bold, sentences and note. Draws
+/// nothing without rows and sentences.
 void addStatement(ReportSheet& sheet, const Statement& statement);
 
 }  // namespace alidade::ui

@@ -6,7 +6,7 @@
 
 namespace alidade::ui {
 
-/// Parts that the front page may lack room for; also true if they are left out.
+/// Parts that the front page may lack room for. True: the part is on it, or is not printed.
 struct FrontPage {
   bool hasMethod = false, isSigned = false;
 };

@@ -5,9 +5,8 @@
 namespace alidade::ui {
 namespace {
 
-constexpr double cellGap =
-    1.2;  // mm between the text of neighbouring columns and above and below a row's text / 2
-constexpr double above = 0.35;
+constexpr double cellGap = 1.2;  // mm between the texts of neighbouring columns
+constexpr double above = 0.35;   // mm above the text of a row, and below it
 
 double textWidth(const ReportColumn& column) {
   return column.width - column.indent - cellGap;

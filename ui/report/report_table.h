@@ -28,10 +28,10 @@ class ReportTable {
  public:
   ReportTable(ReportSheet& sheet, std::vector<ReportColumn> columns);
 
-  /// Call once before the first row; new pages repeat it automatically.
+  /// Call once before the first row; new pages repeat the head automatically.
   void head();
-  /// `note`, if any, follows in small type across the columns below the row, indented by the first column,
-  /// but not much.
+  /// `note`, if any, follows in small type across the columns below the row, indented by the width of the
+  /// first column, at most 12 mm.
   void row(const std::vector<ReportCell>& cells, const QString& note = {});
   /// Draws a line under the last row; the cursor moves below it.
   void finish();

@@ -5,7 +5,7 @@
 
 namespace alidade::ui {
 
-/// The state of the verdict. Quiet without one, or if it is that of the fit only.
+/// The state of the verdict. Quiet without a verdict, or if the verdict is that of the fit only.
 State stateOf(const Headline& headline);
 
 }  // namespace alidade::ui

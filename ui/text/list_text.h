@@ -7,7 +7,7 @@
 
 namespace alidade::ui {
 
-/// "collimation, trunnion axis tilt": entries in a row, parted as in the language of the thread.
+/// "collimation, trunnion axis tilt": entries in a row, separated as usual in the language of the thread.
 inline QString listText(const QStringList& entries) {
   return entries.join(qText(Phrase::of(", ")));
 }

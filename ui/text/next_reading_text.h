@@ -22,16 +22,16 @@ QString sightingText(const Reading& sighting);
 /// rows than anyone types.
 std::optional<EntryToCome> entryToCome(const Evaluation& evaluation, std::size_t position);
 
-/// The entry to lead that user to: see `entryToLeadTo` of the session.
+/// The entry to lead a user at `position` to: see `entryToLeadTo` of the session.
 std::optional<EntryToCome> entryToLeadTo(const Evaluation& evaluation, std::size_t position);
 
-/// The reading expected there; absent if none is known.
+/// The reading expected for `entry`; absent if none is known.
 std::optional<ExpectedReading> expectedOf(const Evaluation& evaluation, const EntryToCome& entry);
 
 /// "0°: point 7, round 2", "180°: pointing zero", "Distance".
 QString entryText(const Session& session, const EntryToCome& entry);
 
-/// "Next: 180°: pointing zero"; for a row at `position`, which is in front, as below; that all is read.
+/// "Next: 180°: pointing zero"; as `nextReadingText` for a row of `position`; a sentence if nothing is left.
 QString nextEntryText(const Evaluation& evaluation, std::size_t position);
 
 /// "Next: point 7, round 2, about 341°52′ and 88°17′"; without the angles if none are expected.

@@ -100,7 +100,7 @@ class Comparison {
 
   static QString yesNo(bool is) { return is ? Text::tr("yes") : Text::tr("no"); }
 
-  /// Includes blank rows.
+  /// The text of a row that is listed whole; a blank row has one, too.
   static QString whole(const Reading& reading) {
     const QString text = qText(reading.horizontal + "  " + reading.vertical).trimmed();
     return text.isEmpty() ? Text::tr("a row") : text;

@@ -26,8 +26,8 @@ DrawnSighting drawnSighting(const Measurement& measurement, const ArcMeasurement
           .adjusted = {}};
 }
 
-/// The angles that cover all residuals of the axis, around their mean direction. `first`: first of the arcs
-/// at this axis, which share their circle.
+/// The fitted arc of one axis over the angles of all its residuals, unwrapped around their mean direction.
+/// `first`: the first arc of this axis; all arcs of an axis share one circle.
 DrawnArc drawnArc(const SessionFit& fit, const ArcFit& first) {
   double sumCos = 0, sumSin = 0;
   std::vector<double> angles;
@@ -49,7 +49,7 @@ DrawnArc drawnArc(const SessionFit& fit, const ArcFit& first) {
   return drawn;
 }
 
-/// The shift in the arc plane from the sighting without its residual to `sighted`, the one with it.
+/// The residual in the arc plane, mm: from the point of the adjusted angles to the point `sighted`.
 PlanePoint<double> residualInPlane(const ZeroLine& line, const PlanePoint<double>& sighted,
                                    const Sighting& sighting, const SightingResidual& residual) {
   const Direction<double> adjusted{(sighting.a - residual.horizontal).radians(),
@@ -82,7 +82,7 @@ double pickExaggeration(const ArcPicture& picture) {
   return std::clamp(roundDown125(largestShareOfRadius * radius / largest), 1.0, largestExaggeration);
 }
 
-/// A session of only the rows excluded by the user, included again, with their row numbers.
+/// A session with only the excluded rows, here included. `rows`: their row numbers in `session`, by position.
 Session excludedAlone(const Session& session, std::vector<std::vector<std::size_t>>& rows) {
   Session alone;
   alone.instrument = session.instrument;

@@ -24,8 +24,8 @@ struct DrawnSighting {
   PlanePoint<double> residual{};
 };
 
-/// The fitted arc of an axis over the sighted angles of all positions, φ in radians, first < last, one range
-/// of at most a turn.
+/// The fitted arc of an axis over the sighted angles φ of all its positions: one range of at most a turn,
+/// radians, first < last.
 struct DrawnArc {
   int axisDeg = 0;
   Circle circle;
@@ -55,7 +55,7 @@ struct DrawnIntersection {
   DrawnEllipse upperEllipse = {}, lowerEllipse = {};
   std::optional<double> tolerance = {};  ///< permitted distance of O1 and O2 from the axis
 
-  /// Half a turn about an axis along x preserves x: the ideal O2 has this x at its own height.
+  /// O2 at closure: half a turn about an axis along x preserves x, so this point has the x of O1.
   PlanePoint<double> closedCentre() const { return {upperCentre.x, lowerCentre.y}; }
 };
 

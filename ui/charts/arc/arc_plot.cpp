@@ -13,7 +13,7 @@
 namespace alidade::ui {
 namespace {
 
-/// Kinds of face 2 follow in the same order.
+/// The kinds of marks in face 1; those of face 2 follow in the same order.
 enum Kind : std::size_t { Upper, Lower, UpperAgain, LowerAgain, Excluded };
 constexpr std::size_t kindsOfAFace = Excluded + 1;
 
@@ -52,7 +52,7 @@ ArcPlot::ArcPlot(QObject* parent)
   m_side->setZValue(90);
 }
 
-/// One title serves for both if there is little room.
+/// In a narrow plot the title of the x axis names both axes.
 void ArcPlot::adaptTo(const QSizeF& size) {
   const bool isNarrow = size.width() < 300 * style().unit();
   setTitles(isNarrow ? QStringLiteral("x, y (mm)") : QStringLiteral("x (mm)"),
@@ -83,7 +83,7 @@ void ArcPlot::setChoice(const RowChoice& choice) {
   rearrange();
 }
 
-/// The visible part of the arcs, as finely as the screen shows it.
+/// Draws the visible part of the arcs, exact to a tenth of a scene unit.
 void ArcPlot::showArcs() {
   const QRectF range = sceneFromAxes().inverted().mapRect(plotArea());
   const double sagitta = 0.1 * range.width() / std::max(1.0, plotArea().width());
@@ -95,7 +95,7 @@ void ArcPlot::showArcs() {
       m_arcs[i][piece]->replace(pieces[i].value(static_cast<qsizetype>(piece)));
 }
 
-/// The shift along the arc.
+/// The shift of a mark along the arc, in scene units; it separates rounds and faces of one place.
 QPointF ArcPlot::shiftOf(const DrawnSighting& sighting) const {
   const double shift = m_slots.shift(sighting.round, sighting.face) * style().unit();
   if (shift == 0) return {};
@@ -214,10 +214,10 @@ double ArcPlot::cornerOfSideView() const {
   return side;
 }
 
-/// Below the inset, where the corner has too little room: the inset gives a part of its square, but never its
-/// headline.
+/// Places the side view below the inset, which gives up part of its square. False: nothing is changed, since
+/// there is too little room or the inset would lose its headline.
 bool ArcPlot::placeSideViewBelowInset() {
-  constexpr double leastInset = 12, shareOfInset = 0.52;  // the first in lines of text
+  constexpr double leastInset = 12, shareOfInset = 0.52;  // `leastInset` in lines of text
   const QRectF inset = m_inset->boundingRect();
   if (isZoomed() || !m_side->isMeasured() ||
       inset.width() < leastInset * QFontMetricsF(style().font).height())

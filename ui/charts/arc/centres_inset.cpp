@@ -25,8 +25,8 @@ PlanePoint<double> middle(const DrawnIntersection& i) {
 
 const QString upperName = QStringLiteral("O1"), lowerName = QStringLiteral("O2");
 
-/// The largest extension of the picture for the ellipses of the centres, in units of half the distance of the
-/// centres.
+/// Limits how far the picture extends to show the ellipses of the centres, in units of half the distance of
+/// the centres.
 constexpr double largestShare = 4;
 
 /// Draws the part of a line inside the frame.
@@ -254,7 +254,7 @@ QRectF CentresInset::lowerNameRect() const {
   return nameRect(m_intersection->lowerCentre, m_intersection->lowerEllipse, lowerName);
 }
 
-/// The names are outside, since Δx extends inwards, and clear of ellipses of moderate size.
+/// A name is outside its centre, since Δx extends inwards, and clear of an ellipse of moderate size.
 QRectF CentresInset::nameRect(const PlanePoint<double>& centre, const DrawnEllipse& ellipse,
                               const QString& name) const {
   const QFontMetricsF metrics(m_style.font);
@@ -317,7 +317,7 @@ double CentresInset::titleRoom() const {
   return m_square.width() - 0.8 * QFontMetricsF(m_style.font).height();
 }
 
-/// The line is as large as fits, up to `most` pixels, shortened otherwise; all lines have the same height.
+/// A line of at most `most` pixels in the largest type that fits, else shortened; all are equally high.
 CentresInset::TitleLine CentresInset::largeLine(const QString& text, int most) const {
   QFont font = m_style.font;
   font.setBold(true);
@@ -348,7 +348,7 @@ QList<CentresInset::TitleLine> CentresInset::headlineLines(bool isMarked) const 
   const auto isShortened = [&](const std::string& part) {
     return largeLine(qText(part)).text != qText(part);
   };
-  if (isShortened(shown.figure) || isShortened(shown.tolerance)) return {};  // would be another figure
+  if (isShortened(shown.figure) || isShortened(shown.tolerance)) return {};  // a cut figure misleads
   QList<TitleLine> lines{{qText(shown.name), m_style.font, m_style.mutedText}};
   int most = largest;
   for (const std::string& part : {shown.figure, shown.verdict, shown.tolerance}) {
@@ -359,8 +359,8 @@ QList<CentresInset::TitleLine> CentresInset::headlineLines(bool isMarked) const 
   return lines;
 }
 
-/// Small type is dropped first if the picture needs the room. A sign then says that the verdict is to be read
-/// with more.
+/// Adds the first warning and the name of the picture in small type if the picture leaves room. If there is
+/// no room for the warning, a sign marks the verdict instead.
 void CentresInset::layOutTitles() {
   const double line = QFontMetricsF(m_style.font).height();
   m_titles = headlineLines(false);

@@ -13,8 +13,8 @@ namespace alidade::ui {
 
 /// The headline in large type, and below it the two arc centres, enlarged: O1 and O2 with their coverage
 /// ellipses, the axis midway between them, the tolerance band, and Δd with its expanded uncertainty from the
-/// axis to O1. A cross marks O2 at closure, a dashed line leads to it. One scale in x and y, shown by a bar
-/// in mm.
+/// axis to O1. A plus marks O2 at closure, and a dotted line leads from it to O2. One scale in x and y, shown
+/// by a bar in mm.
 class CentresInset : public QGraphicsItem {
  public:
   using QGraphicsItem::QGraphicsItem;
@@ -35,8 +35,8 @@ class CentresInset : public QGraphicsItem {
   QRectF lowerNameRect() const;
   QRectF axisNameRect() const;
 
-  /// A line above the picture.
   static constexpr int largest = std::numeric_limits<int>::max();
+  /// A line above the picture.
   struct TitleLine {
     QString text;
     QFont font;

@@ -58,7 +58,7 @@ double SideView::line() const {
   return QFontMetricsF(m_style.font).height();
 }
 
-/// Shows both centres with U, but no more of the tolerance than three times as much.
+/// The scale shows both centres with U, and of the tolerance at most three times their extent.
 void SideView::updateScale() {
   m_scale = 0;
   m_title.clear();
@@ -83,7 +83,7 @@ QPointF SideView::centre() const {
   return m_picture.center() + m_scale * QPointF(m_offset->across, -m_offset->inPlane);
 }
 
-/// Beside the centre on the side of the axis, O1 above its bar of U and O2 below, within the picture.
+/// The name is beside its centre, towards the axis; above the upper and below the lower centre.
 QRectF SideView::nameRect(int axisDeg) const {
   const bool isFirst = axisDeg == 0;
   const QPointF at = isFirst ? centre() : 2 * m_picture.center() - centre();

@@ -9,10 +9,10 @@
 
 namespace alidade::ui {
 
-/// The arc's centre seen along the axis of rotation, Δd up and Δz towards the theodolite: O1, with the axis
-/// at 0°, with U both ways, O2, with the axis at 180°, opposite, the axis as a cross, and the tolerance: a
-/// band of Δd, or a circle of the distance. One scale both ways, shown by a bar in mm. Δz is written above
-/// where it has room.
+/// The arc's centre seen along the axis of rotation, Δd up and Δz towards the theodolite: O1 (axis at 0°)
+/// with U in both directions, and O2 (axis at 180°) opposite. A cross of lines is the axis. The tolerance is
+/// a band of Δd or a circle of the distance. One scale, shown by a bar in mm. Δz is written above if there is
+/// room.
 class SideView : public QGraphicsItem {
  public:
   using QGraphicsItem::QGraphicsItem;

@@ -15,7 +15,7 @@ class ClosureBars : public BarRows {
   Q_OBJECT
 
  public:
-  static constexpr double scaleEnd = 4;  ///< U at either end
+  static constexpr double scaleEnd = 4;  ///< either end of the scale, in units of U
 
   explicit ClosureBars(QWidget* parent = nullptr);
 

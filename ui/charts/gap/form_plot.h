@@ -30,9 +30,9 @@ class FormPlot : public Plot {
   std::string csv() const override;
 
   const FoundForm& form() const { return m_form; }
-  /// Is there a sighting that took no part in finding it?
+  /// True if at least one sighting took no part in finding the form.
   bool isHeldOut() const;
-  /// The points of the curve in the plot area.
+  /// The number of curve points inside the plot area.
   std::size_t curvePoints() const;
 
  protected:
@@ -60,7 +60,7 @@ class FormPlot : public Plot {
   QString valueText(double value) const;
 
   FoundForm m_form;
-  std::vector<QString> m_names;  ///< of the sighting of each point of the trace
+  std::vector<QString> m_names;  ///< name of the sighting of each point of the trace
   QRectF m_extent{0, -1, 1, 2};
   std::array<Band, mostBands> m_bands;  // these and the lines are owned by the chart
   std::array<QLineSeries*, 2> m_limits;

@@ -16,7 +16,7 @@ namespace alidade::ui {
 
 namespace {
 
-constexpr std::size_t mostMarkers = 2000;  // beyond, dots
+constexpr std::size_t mostMarkers = 2000;  // above this number, dots are drawn
 constexpr int labelGap = 5;                // between names, labels and strip
 using Ranges = std::vector<std::array<double, 2>>;
 
@@ -69,14 +69,14 @@ void LeftoverStrips::setGap(const Gap& gap) {
     Axis axis{.clean = cleanRanges(gap.diagnosis->forms, arguments[strip])};
     const auto [low, high] =
         std::ranges::minmax_element(m_points, {}, [strip](const Point& point) { return point.at[strip]; });
-    constexpr double least = 1e-6;  // less is one place, and no scale has steps so fine
+    constexpr double least = 1e-6;  // a smaller range counts as one place: no scale has steps so fine
     if (!m_points.empty() && low->at[strip] + least < high->at[strip]) {
       axis.low = low->at[strip];
       axis.high = high->at[strip];
     }
     m_axes[strip] = axis;
   }
-  m_reach = std::ceil(10 * m_reach - 1e-9) / 10;  // as its label writes it
+  m_reach = std::ceil(10 * m_reach - 1e-9) / 10;  // rounded up to the decimals of its label
   changeTo(tr("%1 residuals of at most %2 σ").arg(m_points.size()).arg(numberText(m_reach, 1)));
 }
 

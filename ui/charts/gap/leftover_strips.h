@@ -38,7 +38,7 @@ class LeftoverStrips : public BarRows {
  private:
   static constexpr std::size_t strips = 3;
   struct Point {
-    std::array<double, strips> at;  ///< s and e in degrees, share of the session
+    std::array<double, strips> at;  ///< s and e in degrees, t as a share of the session
     DrawnResidual residual;
     double sigmas = 0;
   };
@@ -49,7 +49,7 @@ class LeftoverStrips : public BarRows {
 
   int stripHeight() const { return 5 * fontMetrics().height(); }
   QString reachText(double sigmas) const;
-  /// The height of a residual in widget units.
+  /// The vertical place of a residual, in widget units.
   double y(std::size_t strip, double sigmas) const;
   QRect area(std::size_t strip) const;
   double x(std::size_t strip, double at) const;

@@ -38,7 +38,7 @@ QXYSeries* seriesOf(const OwnCurve& curve, const QColor& colour, const PlotStyle
   return series;
 }
 
-/// `isOpen`: nothing may lie on the frame.
+/// `isOpen`: extends the range at both ends, so that no point lies on the frame.
 void layOut(QValueAxis& axis, const QString& title, const PlotStyle& style, bool isOpen) {
   axis.setTitleText(title);
   axis.setTitleBrush(style.mutedText);

@@ -86,7 +86,7 @@ void HistoryPlot::draw() {
     const ControlChart::Point& last = m_history.chart.points[i - 1];
     for (const double side : {-1.0, 1.0}) {
       add(StatedLimit, before, centre + side * last.shewhart, x, centre + side * point.shewhart);
-      if (i == m_history.chart.baseline) continue;  // where the average begins again
+      if (i == m_history.chart.baseline) continue;  // the average restarts here
       add(EwmaLimit, before, centre + side * last.ewmaLimit, x, centre + side * point.ewmaLimit);
     }
     if (i != m_history.chart.baseline) add(Ewma, before, last.ewma, x, point.ewma);
@@ -107,7 +107,7 @@ void HistoryPlot::label(double year, const QString& text) {
   m_labels.push_back({year, new QGraphicsSimpleTextItem(text, chart())});
 }
 
-/// Only where the values are near it: else it is in the legend alone.
+/// Draws the tolerance if the values are near it; otherwise only the legend gives it.
 void HistoryPlot::drawTolerance() {
   if (!m_history.tolerance) return;
   for (const double side : {-1.0, 1.0}) {

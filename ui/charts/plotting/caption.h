@@ -4,8 +4,8 @@
 
 namespace alidade::ui {
 
-/// A sentence in small letters, on two lines if one is too short. It never widens its parent: an ellipsis
-/// shortens it, and tool tip and screen readers have the whole.
+/// A sentence in small type, on a second line if the first is too short. It never widens its parent: an
+/// ellipsis shortens it, while the tool tip and screen readers give the whole sentence.
 class Caption : public QLabel {
   Q_OBJECT
 

@@ -31,7 +31,7 @@ class ChartFiles : public QObject {
   Q_OBJECT
 
  public:
-  /// `chart` is also a ChartSource and owns this.
+  /// `chart`: the widget that implements `source`; it owns this object.
   ChartFiles(ChartSource& source, QWidget* chart);
 
   void addTo(QMenu& menu);

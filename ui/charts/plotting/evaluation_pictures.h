@@ -9,7 +9,7 @@ struct ResidualPicture;
 
 namespace alidade {
 
-/// Drawn on the thread of the fit, so that the window only paints.
+/// The contents of the charts, computed on the thread of the fit, so that the window only paints them.
 struct EvaluationPictures {
   std::shared_ptr<const ui::ArcPicture> arcs;
   std::shared_ptr<const ui::ResidualPicture> residuals;

@@ -17,8 +17,8 @@ namespace alidade::ui {
 namespace {
 
 constexpr double linesForTitles = 8;  // lines of text below the legend; with fewer the axes need all the room
-constexpr double aboveZero = 1e-9;    // of ticks, as a share of their step
-constexpr double leastLabels = 3;     // of an axis
+constexpr double aboveZero = 1e-9;    // shift of the ticks, as a share of their step
+constexpr double leastLabels = 3;     // fewest labels of an axis
 constexpr double markReach = 9;       // reach of a click, in scene units
 
 /// Writes −12.5: a real minus sign and a decimal point, which no English locale combines.
@@ -28,7 +28,7 @@ QLocale axisLocale() {
   return locale;
 }
 
-/// The next finer of … 0.5, 1, 2, 4, 5, 10 …: about zero, one of these has exactly three multiples.
+/// The next finer of … 0.5, 1, 2, 4, 5, 10 …: in a range about 0, one step has exactly three multiples.
 double finerStep(double step) {
   const double below = roundDown125(0.9 * step);
   return below < 0.45 * step ? 2 * below : below;  // 4 after 5
@@ -286,13 +286,13 @@ void Plot::applyRange(const QRectF& range) {
   else
     applyTicks(m_x, xStep);
   applyTicks(m_y, yStep);
-  // So that a tick at the end of a range is inside, as `applyTicks` moves it.
+  // Since `applyTicks` shifts the ticks, the raised upper limits keep a tick at the end inside.
   m_x->setRange(range.left(), range.right() + 2 * aboveZero * xStep);
   m_y->setRange(range.top(), range.bottom() + 2 * aboveZero * yStep);
   m_markers->setFrame(m_plotArea, m_sceneFromAxes);
 }
 
-/// Names that are shorter than the widest of all may be more.
+/// If the widest label allows too few names, tries up to five more, which fit if they are short.
 std::vector<Plot::Tick> Plot::namesFor(const QRectF& range) const {
   const QFontMetricsF metrics(m_style.font);
   const double width = 1.35 * metrics.horizontalAdvance(widestXLabel()), scale = m_sceneFromAxes.m11();

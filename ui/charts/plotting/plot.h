@@ -53,8 +53,8 @@ class Plot : public QObject {
   void move(const QPointF& by);
   void showWhole();
 
-  /// Moves from point to point; without a current one starts at the highlighted row, or at that end of the
-  /// plot. Null: there are no points.
+  /// Moves from point to point. Without a current point, starts at the highlighted row, otherwise at the end
+  /// of the plot that lies behind the step. Null: there are no points.
   enum class Step { Left, Right, Down, Up };
   const Mark* step(Step step);
   const Mark* current() const;
@@ -88,10 +88,10 @@ class Plot : public QObject {
     double at = 0;  ///< in axis units
     QString label;
   };
-  /// The ticks of a named x axis in ascending order, at most `most`, with the widest label of all.
+  /// The ticks of a named x axis, ascending, at most `most`; then the widest label that any of them can have.
   virtual std::vector<Tick> xTicks(double /*low*/, double /*high*/, std::size_t /*most*/) const { return {}; }
   virtual QString widestXLabel() const { return {}; }
-  /// The least distance of ticks in a plot that shows everything: 1 where x or y counts; 0: any.
+  /// The least distance of ticks in a plot that is not zoomed: 1 if the axis counts, 0: any.
   virtual double leastXStep() const { return 0; }
   virtual double leastYStep() const { return 0; }
   /// Called before the layout in this size, in scene units.

@@ -148,7 +148,7 @@ void PlotWidget::changeEvent(QEvent* event) {
   QWidget::changeEvent(event);
 }
 
-/// Keys that would otherwise be shortcuts of the window or leave the chart.
+/// Takes Ctrl+C, which would otherwise be a shortcut of the window.
 bool PlotWidget::event(QEvent* event) {
   if (event->type() == QEvent::ShortcutOverride &&
       static_cast<QKeyEvent*>(event)->matches(QKeySequence::Copy)) {
@@ -223,7 +223,7 @@ void PlotWidget::release(const QMouseEvent& mouse) {
   const Drag ended = m_drag;
   endDrag();
   if (ended == Drag::Press) activate(place);
-  // Ignores a line-shaped drag, which is a slip.
+  // Ignores a drag of only a few pixels in width or height, which is unintended.
   const QRect part = QRect(m_pressed, place).normalized();
   constexpr int least = 4;
   if (ended == Drag::Band && part.width() > least && part.height() > least) m_plot->zoomTo(part);

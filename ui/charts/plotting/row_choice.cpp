@@ -14,7 +14,7 @@ struct RowChoiceText {
   Q_DECLARE_TR_FUNCTIONS(RowChoiceText)
 };
 
-constexpr double apart = 5, widest = 24;  // units
+constexpr double apart = 5, widest = 24;  // in units of `PlotStyle::unit`
 
 void insert(std::vector<int>& sorted, int value) {
   const auto at = std::lower_bound(sorted.begin(), sorted.end(), value);

@@ -35,11 +35,11 @@ struct RowChoice {
   QString text() const;
 };
 
-/// The places of marks of rounds and faces that share a place: side by side, in this order.
+/// Places marks of several rounds and faces at one place side by side: by round, then by face.
 class RowSlots {
  public:
   RowSlots() = default;
-  /// `choice` of `kinds`.
+  /// A slot for each round and face of `kinds` that `choice` takes.
   RowSlots(const RowKinds& kinds, const RowChoice& choice);
 
   bool areApart() const { return m_count > 1; }

@@ -7,8 +7,8 @@
 
 namespace alidade::ui {
 
-/// Legend entries on rounds and faces: the stroke of face 2, marks side by side, and the only ones drawn.
-/// Empty for one round in one face.
+/// Legend entries on rounds and faces: the stroke of face 2, rounds side by side, and the choice if only some
+/// are drawn. Empty for one round in one face.
 std::vector<LegendEntry> rowEntries(const PlotStyle& style, const RowKinds& kinds, const RowChoice& choice,
                                     bool areApart);
 

@@ -32,7 +32,7 @@ class Mapping {
   double m_11, m_12, m_21, m_22, m_dx, m_dy;
 };
 
-/// A raster with one cell per kind; each cell starts as `empty`.
+/// A raster with one cell per kind at each place; each cell starts as `empty`.
 template <typename Chosen>
 class Cells {
  public:

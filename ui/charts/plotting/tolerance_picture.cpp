@@ -12,7 +12,7 @@ namespace alidade::ui {
 
 namespace {
 
-/// Share of the font's height that the ground takes, above its figures.
+/// Height of the coloured ground as a share of the font's height; the figures are below it.
 constexpr double groundShare = 0.9;
 
 class ScalePainter {
@@ -73,7 +73,7 @@ class ScalePainter {
     const QString name = QString::fromStdString(m_scale.name);
     const double half = m_metrics.horizontalAdvance(name) / 2;
     const double most = m_ground.right() - space;
-    // The name stands under its mark, or nowhere; it is worth more than the word at the limit.
+    // The name is centred below its mark or omitted; the word "tolerance" gives way to the name.
     const auto isClear = [&](const QString& text) {
       const auto [left, right] = spanBelow(text, m_scale.tolerance, from);
       const double mark = at(m_scale.size);
@@ -85,7 +85,7 @@ class ScalePainter {
     writeBelow(isNamed ? named : figure, m_scale.tolerance, from);
     if (isClear(isNamed ? named : figure)) writeBelow(name, m_scale.size, from);
   }
-  /// Where a text begins and ends that is centred below a length, between `from` and the end of the ground.
+  /// The left and right end of a text centred below a length, but between `from` and the ground's end.
   std::pair<double, double> spanBelow(const QString& text, double length, double from) const {
     const double width = m_metrics.horizontalAdvance(text);
     const double left = std::max(from, std::min(at(length) - width / 2, m_ground.right() - width));

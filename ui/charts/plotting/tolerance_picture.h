@@ -17,7 +17,7 @@ struct ToleranceColours {
 };
 
 /// Paints the scale from zero: the size as a bar, the interval as a bracket with a mark at the size, the
-/// limit as a line, each with its name below where there is room. The colours of the ground tell what is
+/// limit as a line. Size and limit are named below if there is room. Two colours of the ground show what is
 /// within and beyond the limit.
 void paintToleranceScale(QPainter& painter, const QRectF& area, const ToleranceScale& scale,
                          const ToleranceColours& colours);

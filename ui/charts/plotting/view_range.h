@@ -6,7 +6,7 @@
 namespace alidade::ui {
 
 /// The visible part of a plot, in axis units; `top` of a rectangle is its least y. Never more than the whole:
-/// zoomed out that far, it follows the whole from then on.
+/// once zoomed out to the whole, it follows later changes of the whole.
 class ViewRange {
  public:
   bool isWhole() const { return !m_part; }
@@ -15,7 +15,7 @@ class ViewRange {
   /// The visible part of `whole`. With equal scales `whole` has the frame's proportions, and so has the part.
   QRectF within(const QRectF& whole, bool hasEqualScales) const;
 
-  // All of these receive the visible part `shown` of `whole`.
+  // `shown` is the visible part of `whole`.
 
   /// `factors` > 1 enlarge; `about` keeps its place.
   void zoom(const QSizeF& factors, const QPointF& about, const QRectF& shown, const QRectF& whole);

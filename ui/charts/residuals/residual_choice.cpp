@@ -16,7 +16,7 @@ QString key(const char* name) {
   return QStringLiteral("charts/residuals/") + QString::fromLatin1(name);
 }
 
-/// 0: all.
+/// The kept number of a round or face; absent if all are chosen, which is stored as 0.
 std::optional<int> numberIn(const QSettings& settings, const char* name) {
   const int number = settings.value(key(name), 0).toInt();
   return number > 0 ? std::optional(number) : std::nullopt;

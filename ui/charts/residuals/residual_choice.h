@@ -22,14 +22,14 @@ struct ResidualChoice {
     Normal,     ///< the normal quantile of their rank, standardised
     Count,      ///< a histogram: their number in classes of the residual
   };
-  /// The axes of residuals whose range is set by hand, each for itself.
+  /// The axes of residuals; the range of each is set by hand separately.
   enum class Axis { Arcsec, Standardised, Normal, Classes, StandardisedClasses };
 
   Over over = Over::Slider;
   bool isStandardised = false;
   RowChoice rows = {};
   bool horizontal = true, vertical = true, slider = false;
-  /// By `Axis`: the range shown is ± this, in arcseconds or standardised; 0: as large as its contents need.
+  /// By `Axis`: half the range set by hand, in arcseconds or standardised; 0: as large as the contents need.
   std::array<double, 5> reaches = {};
 
   bool operator==(const ResidualChoice&) const = default;

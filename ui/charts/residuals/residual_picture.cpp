@@ -54,7 +54,7 @@ void addArc(ResidualPicture& picture, const ArcMeasurement& arc, const ArcFit& f
   }
 }
 
-/// The slider residuals, since only the joint fit of all positions treats sliders as observed.
+/// Adds the slider residuals, which only the joint fit of all positions has: it treats sliders as observed.
 void addSliders(ResidualPicture& picture, const Measurement& measurement, const SessionFit& fit) {
   for (const AdjustedReading& reading : fit.joint.readings) {
     if (reading.kind != ReadingKind::Slider) continue;

@@ -290,7 +290,7 @@ std::vector<LegendEntry> ResidualPlot::noiseEntries() const {
 
 void ResidualPlot::applyStyle() {
   const double unit = style().unit();
-  if (unit != m_unit) return draw();  // which ends here
+  if (unit != m_unit) return draw();  // which calls this function again
   for (std::size_t i = 0; i < m_bands.size(); ++i) {
     m_bands[i].area->setPen(Qt::NoPen);
     m_bands[i].area->setBrush(i + 1 == m_bands.size() ? style().band : style().outerBand);

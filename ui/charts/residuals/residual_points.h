@@ -17,7 +17,7 @@ struct ResidualPoint {
 };
 
 /// The chosen residuals that have a place: an unchecked reading has no standardised residual. Those of a
-/// histogram are at y = 0. `choice.rows`: among the picture's kinds.
+/// histogram are at y = 0. `choice.rows` names only rounds and faces of the picture.
 std::vector<ResidualPoint> residualPoints(const ResidualPicture& picture, const ResidualChoice& choice);
 
 /// The histogram of residuals, as drawn.
@@ -35,9 +35,9 @@ struct ResidualClasses {
 ResidualClasses stackInClasses(std::vector<ResidualPoint>& points, const ResidualPicture& picture,
                                const ResidualChoice& choice, double reach);
 
-/// The range of 95 of 100 values of each rank if `count` of them are normal: below at the left of x, above.
+/// For each rank, the range that contains its value with a probability of 95 % if all values are normal.
 struct NormalEnvelope {
-  QList<QPointF> lower, upper;  ///< from left to right, with equal x
+  QList<QPointF> lower, upper;  ///< its ends, from left to right, with equal x
 };
 
 /// Empty for fewer than two values.

@@ -127,7 +127,7 @@ QPushButton* GapPanel::addAction(const QString& text, const QString& name, const
   return button;
 }
 
-/// The table of causes, its actions, and what to do about causes that no effect of the model holds.
+/// The table of causes, its actions, and the remedies for causes that are not effects of the model.
 QWidget* GapPanel::createCauses() {
   m_causes->setTicks([this](const std::string& id) {
     return effectById(id) ? std::optional(!isInModel(id)) : std::nullopt;

@@ -67,7 +67,7 @@ class GapPanel : public ScrollPage {
   void addCandidate();
   /// The ticked rows that are, or are not, effects of the model.
   QStringList ticked(bool isOfModel) const;
-  /// The ticked causes with all that looks like them, as far as the model does not hold them.
+  /// The ticked causes and their look-alikes, without those already in the model.
   QStringList tickedWithLookAlikes() const;
   /// The candidate in `row`; null if there is none.
   const Candidate* candidate(int row) const;

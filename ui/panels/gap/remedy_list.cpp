@@ -15,8 +15,8 @@ namespace alidade::ui {
 
 namespace {
 
-/// Advice about a jump, and which rows may be excluded when. Rows for which the orientation of every pointing
-/// zero is still valid stay.
+/// Advice about a jump: which rows may be excluded, and under what condition. Rows stay if the orientation of
+/// every pointing zero is still valid for them.
 QString jumpText(const Session& session, const Jump& jump) {
   if (jump.isAtZero)
     return RemedyList::tr(
@@ -120,7 +120,7 @@ void RemedyList::addGrossErrors(const Cause& cause) {
   }
 }
 
-/// A jump has a time as well as a size, so no session model holds it.
+/// Shows advice and actions for a jump, which no session model includes: it has a time as well as a size.
 void RemedyList::addJump(const Gap& gap, const Cause& cause) {
   const std::optional<Jump> jump = jumpOf(gap, cause);
   if (!jump) return;

@@ -18,7 +18,7 @@ namespace alidade::ui {
 
 namespace {
 
-/// An exclusion has its note, an accepted proposal and an import their origin.
+/// True if the journal lacks a reason: an exclusion has a note, an accepted proposal or an import its origin.
 bool isAskedOf(const JournalEntry& entry) {
   namespace why = journal_reasons;
   const std::string_view asked[] = {why::retyped, why::cleared,  why::pasted, why::usedAgain,
@@ -84,7 +84,7 @@ void ChangeReasonBar::end() {
   emit askedChanged(false);
 }
 
-/// Another window or a menu does not end it.
+/// Return, or the focus going elsewhere in the window, states the reason; Escape drops it.
 bool ChangeReasonBar::eventFilter(QObject* watched, QEvent* event) {
   if (event->type() == QEvent::KeyPress) {
     const int key = static_cast<QKeyEvent*>(event)->key();

@@ -14,17 +14,17 @@ namespace alidade::ui {
 class SessionDocument;
 
 /// Asks why a recorded entry was changed, below the forms and readings. It takes the keyboard only on demand,
-/// so that no digit typed at the bench goes astray. Return states the reason, Escape skips it; without one
-/// the bar goes with the next edit.
+/// so that no digit meant for the readings is lost. Return states the reason, Escape skips it. If no reason
+/// is being typed, the next edit hides the bar.
 class ChangeReasonBar : public QFrame {
   Q_OBJECT
 
  public:
   explicit ChangeReasonBar(SessionDocument& document, QWidget* parent = nullptr);
 
-  /// Takes the keyboard; does nothing while nothing is asked.
+  /// Takes the keyboard; does nothing if no question is shown.
   void start();
-  /// States what is typed so far; without anything typed it goes on asking.
+  /// States the reason typed so far; if nothing is typed, the question stays.
   void finish();
 
  signals:
@@ -40,7 +40,7 @@ class ChangeReasonBar : public QFrame {
   SessionDocument& m_document;
   QLabel* m_question;
   QLineEdit* m_reason;
-  QPointer<QWidget> m_back;  ///< had the keyboard before
+  QPointer<QWidget> m_back;  ///< the widget that had the keyboard before
   std::size_t m_first = 0, m_count = 0;
 };
 

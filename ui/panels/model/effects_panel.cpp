@@ -117,7 +117,7 @@ QTreeWidgetItem* EffectsPanel::addItem(const std::string& id, const QString& nam
   return item;
 }
 
-/// The user's own effects follow the catalogue, then what nobody knows; unticking removes the latter.
+/// Adds the user's own effects, then the model's effects of unknown id, which vanish when unticked.
 void EffectsPanel::addUnknown() {
   const auto known = static_cast<int>(effectCatalogue().size());
   while (m_list->topLevelItemCount() > known) delete m_list->takeTopLevelItem(known);

@@ -148,7 +148,7 @@ void KnownSizesTable::type(std::vector<NewText> texts, const QString& undoText) 
   if (isMany) m_document.endTogether();
 }
 
-/// Clearing u of an otherwise empty entry removes the entry.
+/// True if the text changes the session. Clearing the empty u of an otherwise empty entry removes the entry.
 bool KnownSizesTable::changes(const NewText& text) const {
   const auto typed = [&](int column) {
     return m_model.index(text.row, column).data(Qt::EditRole).toString();

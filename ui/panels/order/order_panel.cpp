@@ -51,13 +51,13 @@ QLabel* textLabel(const QString& name) {
   return label;
 }
 
-/// True if both have the same readings and the same protocol.
+/// True if both have the same readings, protocol and acceptance.
 bool isAlike(const Evaluation& one, const Evaluation& other) {
   return one.session.protocol == other.session.protocol && measuresAlike(one.session, other.session) &&
          one.session.acceptance == other.session.acceptance;
 }
 
-/// What to measure next by the diagnosis, the first that a protocol can include; empty if none.
+/// The first advice of the diagnosis on further readings that a protocol can include; empty if there is none.
 std::vector<Measure> adviceOf(const SharedGap& gap) {
   if (gap && gap->found())
     for (const std::vector<Measure>& measures : measuresNext(*gap))
@@ -65,7 +65,7 @@ std::vector<Measure> adviceOf(const SharedGap& gap) {
   return {};
 }
 
-/// The name that its author gave it, or what is sighted.
+/// The name that the author gave the protocol; for the program's own, its sightings in words.
 QString nameOf(const SightingProtocol& protocol) {
   constexpr int longest = 60;
   const bool isOurs = protocol.name.empty() || protocolByName(protocol.name);

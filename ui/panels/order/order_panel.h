@@ -18,9 +18,9 @@ class DataTable;
 class SessionDocument;
 class StatementView;
 
-/// The session's protocol: the next sighting with its expected readings, the remaining ones, what to take
-/// again and why, when it is enough or, in a protocol by worth, which sightings reach a U, and all sightings
-/// in order. Also chooses another protocol.
+/// The session's protocol: the next sighting with its expected readings, the remaining ones, what to repeat
+/// and why, and all sightings in order. Says when the sightings suffice or, in a protocol by worth, which
+/// ones reach a U. Also chooses another protocol.
 class OrderPanel : public QWidget {
   Q_OBJECT
 
@@ -80,7 +80,7 @@ class OrderPanel : public QWidget {
   QDoubleSpinBox* m_uncertainty;      ///< U to reach, mm; 0: none
   bool m_isUncertaintyTyped = false;  ///< else it follows the tolerance
   StatementView* m_choiceMade;        ///< in a protocol by worth
-  StatementView* m_ahead;             ///< there the sightings that reach U, else what would help instead
+  StatementView* m_ahead;             ///< by worth: the sightings that reach U; else: what would help instead
   DataTable* m_table;
   ListedNext m_listedNext;  ///< the sighting last scrolled to
 };

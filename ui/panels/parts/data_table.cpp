@@ -80,7 +80,7 @@ void DataTable::setRows(int rows) {
   if (isVisible()) fitAgain();
 }
 
-/// Fits what came while another page was in front.
+/// Fits the columns to the rows that were set while another page was in front.
 void DataTable::showEvent(QShowEvent* event) {
   QTableView::showEvent(event);
   fitAgain();
@@ -95,7 +95,7 @@ void DataTable::resizeEvent(QResizeEvent* event) {
   if (event->size().width() != event->oldSize().width()) fitAgain();
 }
 
-/// The width of the first cells of a column, or of half its title if that is larger.
+/// The width of the first cells of a column, or 60 % of the width of its title if that is larger.
 int DataTable::shownWidth(int column) const {
   constexpr int mostRows = 200;
   const DataColumn& shown = m_model.columns()[static_cast<std::size_t>(column)];

@@ -15,11 +15,11 @@ namespace {
 constexpr int tickColumn = 0, captionColumn = 1, firstFigure = 2;
 
 constexpr int gridRow(int row) {
-  return 1 + 2 * row;  // below each row one for its texts
+  return 1 + 2 * row;  // a row for texts follows each row of figures
 }
 
 void setBold(QWidget& widget, bool isBold) {
-  QFont font;  // with nothing but its weight, so that size and family stay those of the grid
+  QFont font;  // sets only the weight, so that size and family stay those of the grid
   font.setBold(isBold);
   widget.setFont(font);
 }

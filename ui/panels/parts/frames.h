@@ -19,13 +19,13 @@ QSplitter* split(Qt::Orientation orientation, const char* name, std::initializer
 bool isSetByHand(const QSplitter& splitter);
 void markSetByHand(QSplitter& splitter);
 
-/// Wraps the content in a layout, whose margins count in a splitter's minimum size, unlike its own.
+/// Wraps the content in a layout, since a splitter's minimum size counts only a layout's margins.
 QWidget* padded(QWidget* content, const QMargins& margins);
 
 /// Shows the whole content if there is room, else scrolls it.
 QWidget* scrolled(QWidget* content);
 
-/// The lower one takes all remaining room.
+/// Puts one widget above the other; the lower one takes all remaining room.
 QWidget* stacked(QWidget* upper, QWidget* lower);
 
 }  // namespace alidade::ui

@@ -21,7 +21,7 @@ class StatementView : public QWidget {
  public:
   explicit StatementView(QWidget* parent = nullptr);
 
-  /// Hidden without a statement, or if it tells nothing.
+  /// Hidden without a statement, or with an empty one.
   void setStatement(const std::optional<Statement>& statement);
   /// Whether the row with this id is ticked at first; absent: it has no tick. Holds for later statements.
   using TickOf = std::function<std::optional<bool>(const std::string& id)>;

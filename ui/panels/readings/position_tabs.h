@@ -38,7 +38,7 @@ class PositionTabs : public QTabWidget {
   void remark(const QString& text);
   void tableCreated(alidade::ui::ReadingsTable* table);
   void positionWanted(int axisDeg);
-  /// The next expected circle was read; `doubt` is empty if it is as expected (`EntryWatch`).
+  /// A circle of the next expected row was read; `doubt` is empty if it is as expected (`EntryWatch`).
   void entered(const QString& doubt);
 
  private:

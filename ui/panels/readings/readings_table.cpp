@@ -138,7 +138,7 @@ void ReadingsTable::showUsedColumns() {
   fitAngles();
 }
 
-/// A hidden column can come into use only by new texts.
+/// Updates the shown columns if needed. A hidden column can come into use only by the changed rows.
 void ReadingsTable::showColumnsUsedBy(const SessionChange& change) {
   if (change.kind != SessionChange::Kind::Readings || change.place.position != m_model.position()) return;
   const bool isRight = std::ranges::all_of(allReadingColumns(), [&](const ReadingColumnInfo& info) {
@@ -192,9 +192,9 @@ bool ReadingsTable::handleEditKey(const QKeyEvent* event) {
   return true;
 }
 
-/// The cell after a key that ends an entry. Return: from horizontal to vertical to the next row's horizontal,
-/// elsewhere down. Tab: likewise, but through every shown column up to the readings. Invalid: out of the
-/// table.
+/// The cell after a key that ends an entry. Return: from horizontal to vertical, then to the next row's
+/// horizontal; in other columns, down. Tab: to the next shown column; from vertical, or from the slider if it
+/// is shown, to the next row's horizontal. Invalid: out of the table.
 QModelIndex ReadingsTable::onward(const QModelIndex& from, int key) const {
   if (!from.isValid()) return m_model.index(0, static_cast<int>(ReadingColumn::Horizontal));
   const auto cell = [this](int row, ReadingColumn column) {

@@ -27,7 +27,7 @@ void ReasonLine::ask(const std::vector<std::size_t>& rows) {
   setFocus();
 }
 
-/// Below the last row, or above the first one at the lower end of the table.
+/// Places the line below the last row, or above the first one if there is no room below the last.
 void ReasonLine::place() {
   const auto lineOf = [this](std::size_t row) {
     return m_table.visualRect(m_table.model()->index(static_cast<int>(row), 0));
@@ -43,7 +43,7 @@ void ReasonLine::finish() {
   if (m_rows.empty()) return;
   const std::vector<std::size_t> rows = std::exchange(m_rows, {});
   const QString reason = text().trimmed();
-  if (hasFocus()) m_table.setFocus();  // before it is hidden: that would be a Tab in the table
+  if (hasFocus()) m_table.setFocus();  // hiding first would move the focus like Tab
   clear();
   hide();
   if (!reason.isEmpty()) emit given(rows, reason);
@@ -59,7 +59,7 @@ void ReasonLine::keyPressEvent(QKeyEvent* event) {
   QCoreApplication::sendEvent(&m_table, event);
 }
 
-/// Another window or a menu does not end it.
+/// The line closes when it loses the focus, but not to another window or a menu.
 void ReasonLine::focusOutEvent(QFocusEvent* event) {
   QLineEdit::focusOutEvent(event);
   if (event->reason() != Qt::PopupFocusReason && event->reason() != Qt::ActiveWindowFocusReason) finish();

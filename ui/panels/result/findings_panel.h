@@ -19,7 +19,7 @@ class FindingsPanel : public QListWidget {
   explicit FindingsPanel(QWidget* parent = nullptr);
 
   void setEvaluation(const Evaluation& evaluation);
-  /// The headline of a diagnosis; empty: no gap. "All sound" requires one.
+  /// The headline of a diagnosis; empty: no gap. The list says "all sound" only after a diagnosis.
   void setGap(const QString& headline);
   /// The session changed: the old findings are marked as outdated.
   void setGapStale();

@@ -9,8 +9,8 @@ class QLabel;
 
 namespace alidade::ui {
 
-/// The lines of small type below the result, each with a sign if it is a warning. That of the gap leads to
-/// its page.
+/// The lines of small type below the result, each with a sign if it is a warning. The line about the gap is a
+/// link to the page of the gap.
 class HeadlineLines : public QWidget {
   Q_OBJECT
 

@@ -28,7 +28,7 @@ bool hasResult(const Headline& headline) {
   return !headline.fitOnly.empty();
 }
 
-/// An accepted or rejected result has its reason in the fold; otherwise the reason is what the reader needs.
+/// The fold has the reason of an accepted or rejected result; that of an open result is always shown.
 bool isReasonFolded(const Headline& headline) {
   return headline.decided && *headline.decided != Verdict::Undecided;
 }
@@ -127,7 +127,7 @@ void ResultPanel::clearGap() {
   m_head->setMinimumHeight(0);
 }
 
-/// The contents below stay where they are.
+/// Keeps the height of the head, so that the contents below do not move.
 void ResultPanel::setGapStale() {
   m_head->setMinimumHeight(m_head->height());
 }
@@ -199,7 +199,7 @@ void ResultPanel::showVerdict(const Headline& headline) {
   colorHeadline();
 }
 
-/// Grey marks a figure that is not the result.
+/// Shows a provisional figure in grey.
 void ResultPanel::colorHeadline() {
   const auto colour = [&](QLabel* label, const QColor& text) {
     QPalette coloured = palette();

@@ -32,7 +32,7 @@ class ResultPanel : public ScrollPage {
   /// The same evaluation after the search; it may add the published method.
   void setSearched(const Evaluation& evaluation);
   void setComparisonShown(bool shown);
-  /// The session changed: the contents are marked as outdated.
+  /// The session changed: keeps the height of the head until the new diagnosis.
   void setGapStale();
   /// Another session, not diagnosed yet.
   void clearGap();

@@ -16,8 +16,8 @@ namespace alidade::ui {
 class DataTable;
 
 /// The reliability of each reading, as checked by the others: redundancy, standardised residual, smallest
-/// detectable error, and the change of Δd by such an undetected error. Values entered once follow the
-/// readings. The selection is synchronised with the readings table.
+/// detectable error, and the change of Δd by such an undetected error. Numbers entered once, such as pointing
+/// zeros, follow the readings. The selection is synchronised with the readings table.
 class ReliabilityPanel : public QWidget {
   Q_OBJECT
 

@@ -100,7 +100,7 @@ void SimulationBox::toggle() {
   showCheck();
 }
 
-/// Never simulates a fit that an edit has replaced: the next one is running.
+/// Starts the run, or waits for the running fit if an edit changed the session after the last fit.
 void SimulationBox::start() {
   m_isWaiting = !measuresAlike(m_evaluation->session, m_document.session());
   const int draws = m_draws->value() == 0 ? 0 : std::max(fewestDraws, m_draws->value());
