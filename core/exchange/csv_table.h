@@ -30,14 +30,20 @@ struct CsvRow {
 /// one and may hold anything; a quote inside is doubled. Quotes elsewhere mean arcseconds and stay, as in a
 /// row that holds only the signs ° ' ". Empty rows are skipped; lines that begin with #, unless
 /// it names the first column, are comments and split without it. Reading stops with a problem at an unclosed
-/// quote outside a comment, and at the limits of rows and columns.
+/// quote outside a comment, and at the limits of rows and columns. ^Z (0x1A) ends the table, as it ends a DOS
+/// file.
 class CsvTable {
  public:
   explicit CsvTable(std::string_view text);
-  CsvTable(std::string_view text, char separator) : m_text(text), m_separator(separator) {}
+  CsvTable(std::string_view text, char separator)
+      : m_text(text.substr(0, text.find('\x1A'))),
+        m_separator(separator),
+        m_hasTail(m_text.size() < text.size()) {}
 
   std::optional<CsvRow> next();
   const std::optional<LineProblem>& problem() const { return m_problem; }
+  /// After the last row: the line of the ^Z that ended the table; absent if there is none.
+  std::optional<std::size_t> tailLine() const { return m_hasTail ? std::optional(m_line) : std::nullopt; }
 
  private:
   CsvRow takeRemark();
@@ -57,6 +63,7 @@ class CsvTable {
 
   std::string_view m_text;
   char m_separator;
+  bool m_hasTail;  ///< ^Z follows the text
   std::size_t m_at = 0, m_line = 1;
   std::size_t m_counted = 0, m_column = 1;
   std::size_t m_rows = 0;

@@ -45,13 +45,14 @@ class ZeissRReader {
       readLine(*line);
       if (m_book.isFull(line->number)) break;
     }
+    m_book.setAsideTail(lines);
     return m_book.finish(m_isR5 ? "R5" : "R4");
   }
 
  private:
   void readLine(const TextLine& line) {
     const std::string_view content = withoutIndent(line.text);
-    if (content.empty() || content.starts_with("END") || content[0] == '\x1A') return;
+    if (content.empty() || content.starts_with("END")) return;
     if (!looksLikeZeissR(content))
       return m_book.setAside(Phrase::of("the line %1", quotation(content)), line.number);
     std::vector<std::string_view> blocks = separatedParts(content, '|');

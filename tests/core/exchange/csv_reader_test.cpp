@@ -63,6 +63,20 @@ TEST(CsvReader, ListsColumnsItDoesNotUse) {
   EXPECT_EQ(recording.sightings[1].distanceM, 3);
 }
 
+// DOS programs end a text by ^Z, at the last cell or in a line of its own, and leave old bytes behind it.
+TEST(CsvReader, EndsAtTheSignOfDos) {
+  const std::string head = "point,horizontal,vertical\n1,10 00 00,90 00 00", more = "2,11 00 00,91 00 00\n";
+  for (const auto& [end, line] : {std::pair("\x1A\n", "line 2"), std::pair("\n\x1A", "line 3")}) {
+    const Recording recording = readCsv(head + end + more);
+    EXPECT_THAT(recording.problems, IsEmpty());
+    ASSERT_EQ(recording.sightings.size(), 1u);
+    EXPECT_EQ(recording.sightings[0].row.vertical, "90 00 00");
+    EXPECT_THAT(
+        recording.unused,
+        testing::ElementsAre(std::string("content after the end of the file (^Z) is not used: ") + line));
+  }
+}
+
 TEST(CsvReader, NamesWhatIsWrong) {
   const auto problem = [](const std::string& text) {
     const Recording recording = readCsv(text);

@@ -48,5 +48,12 @@ TEST(ZeissRLines, KeepEveryUnitAndKindOfCircle) {
   EXPECT_THAT(sightingOf("Hz     107.1225 gon|V2      98.4730 gon"), HasSubstr("“V2” is neither"));
 }
 
+TEST(ZeissRLines, AfterTheEndOfTheFileAreToldOf) {
+  const std::string line = "For R4|PR XYZ1234|Hz     107.1225 gon|V1      98.4730 gon|\n";
+  const Recording recording = readZeissR(line + "\x1A\n" + line);
+  EXPECT_EQ(recording.sightings.size(), 1u);
+  EXPECT_THAT(recording.unused, Contains(HasSubstr("after the end of the file (^Z) is not used: line 2")));
+}
+
 }  // namespace
 }  // namespace alidade::test
