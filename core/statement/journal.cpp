@@ -18,7 +18,8 @@ Statement::Row rowOf(const JournalEntry& entry, const Session& session, const Jo
   const bool isImport = entry.why == journal_reasons::imported;
   return {{visibleText(timeText(entry.at)), visibleText(nameOf(entry)),
            shortened(reasonText(entry, session), longestText), shortened(entry.by, longestText),
-           shortened(entry.from, longestText), shortened(entry.to, isImport ? longestOrigin : longestText)}};
+           shortened(contentText(entry, entry.from), longestText),
+           shortened(contentText(entry, entry.to), isImport ? longestOrigin : longestText)}};
 }
 
 }  // namespace

@@ -5,8 +5,11 @@
 #include <cctype>
 #include <utility>
 
+#include "core/base/list_text.h"
 #include "core/base/phrase.h"
 #include "core/base/place.h"
+#include "core/effects/catalogue.h"
+#include "core/wording/effect_name.h"
 
 namespace alidade {
 
@@ -50,6 +53,27 @@ std::string statedOf(const JournalEntry& entry, const Session& session) {
   const auto own = std::ranges::find_if(journal, [&](const JournalEntry& one) { return &one == &entry; });
   return own == journal.end() ? std::string()
                               : explanationOf(journal, static_cast<std::size_t>(own - journal.begin()));
+}
+
+/// Of `trunnion_tilt: 12 ± 2 arcsec` or `vertical_axis_tilt tilt about x: 12 ± 2 arcsec`.
+std::string knownSizeText(const std::string& text) {
+  const std::size_t colon = text.find(':'), blank = std::min(text.find(' '), colon);
+  if (colon == std::string::npos || !effectById(text.substr(0, blank))) return text;
+  std::vector<std::string> names{effectName(text.substr(0, blank))};
+  if (blank < colon) names.push_back(parameterName(text.substr(blank + 1, colon - blank - 1)));
+  return listed(names) + text.substr(colon);
+}
+
+/// Of identifiers separated by ", ".
+std::string effectsText(const std::string& text) {
+  constexpr std::string_view separator = ", ";
+  std::vector<std::string> names;
+  for (std::size_t begin = 0; begin < text.size();) {
+    const std::size_t end = std::min(text.find(separator, begin), text.size());
+    names.push_back(effectName(text.substr(begin, end - begin)));
+    begin = std::min(end + separator.size(), text.size());
+  }
+  return listed(names);
 }
 
 std::string sealName(const Seal& seal) {
@@ -105,6 +129,13 @@ std::string reasonText(const JournalEntry& entry, const Session& session) {
   const std::string text = Phrase::of(found->second);
   const std::string stated = statedOf(entry, session);
   return stated.empty() ? text : Phrase::of("%1: %2", text, stated);
+}
+
+std::string contentText(const JournalEntry& entry, const std::string& text) {
+  if (entry.place == "model.effects") return effectsText(text);
+  const bool isKnown =
+      entry.place.starts_with("instrument.known[") || entry.place.starts_with("device.known[");
+  return isKnown ? knownSizeText(text) : text;
 }
 
 std::string sealState(const std::vector<JournalEntry>& journal) {

@@ -16,6 +16,10 @@ std::string timeText(const std::string& at);
 /// that was stated afterwards: "retyped: digits exchanged".
 std::string reasonText(const JournalEntry& entry, const Session& session);
 
+/// `text`, the entry's `from` or `to`, with the names of effects in place of their identifiers:
+/// "trunnion tilt: 12 ± 2 arcsec", "collimation, trunnion tilt". Texts of other entries are unchanged.
+std::string contentText(const JournalEntry& entry, const std::string& text);
+
 /// "Sealed 2026-03-14 15:09 UTC by R. Roe", or that it was changed since, without a check of the content;
 /// empty if the session was never sealed.
 std::string sealState(const std::vector<JournalEntry>& journal);

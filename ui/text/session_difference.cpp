@@ -7,8 +7,10 @@
 #include "core/session/session_file.h"
 #include "ui/document/field.h"
 #include "ui/text/accessible_place.h"
+#include "ui/text/effect_text.h"
 #include "ui/text/entry_text.h"
 #include "ui/text/known_text.h"
+#include "ui/text/list_text.h"
 
 namespace alidade::ui {
 
@@ -24,7 +26,8 @@ class Comparison {
 
   SessionDifference result() {
     compareFields();
-    compare({.field = "model.effects"}, effects(m_mine), effects(m_theirs));
+    if (m_mine.model.effects != m_theirs.model.effects)
+      add(m_mine, {.field = "model.effects"}, effects(m_mine), effects(m_theirs));
     for (const KnownOwner owner : {KnownOwner::Instrument, KnownOwner::Device}) compareKnown(owner);
     const std::size_t common = std::min(m_mine.positions.size(), m_theirs.positions.size());
     for (std::size_t i = 0; i < common; ++i) compareRows(i);
@@ -38,10 +41,10 @@ class Comparison {
   }
 
  private:
-  static std::string effects(const Session& session) {
-    std::string list;
-    for (const std::string& effect : session.model.effects) list += (list.empty() ? "" : ", ") + effect;
-    return list;
+  static QString effects(const Session& session) {
+    QStringList names;
+    for (const std::string& effect : session.model.effects) names.append(effectName(effect));
+    return listText(names);
   }
 
   static QString rows(const Position& position) { return Text::tr("%1 rows").arg(position.readings.size()); }

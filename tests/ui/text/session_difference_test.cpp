@@ -35,7 +35,7 @@ TEST(SessionDifference, NamesEachEntryThatDiffers) {
   ASSERT_EQ(told.size(), 5u);
   EXPECT_EQ(told[0], "distance L: " + mine.geometry.distanceMm + " | 2406");
   EXPECT_EQ(told[1], "180°, pointing zero β0: " + mine.positions[1].zero.vertical + " | 89°");
-  EXPECT_EQ(told[2], "model effects:  | collimation, trunnion_tilt");
+  EXPECT_EQ(told[2], "model effects:  | collimation, trunnion tilt");
   EXPECT_EQ(told[3],
             "180°, row 4 (point 4), vertical reading: " + mine.positions[1].readings[3].vertical + " | x");
   EXPECT_EQ(told[4], "180°, row 4 (point 4), excluded: no | yes");

@@ -42,23 +42,25 @@ const JournalEntry& JournalPanel::entry(int row) const {
 
 DataTable* JournalPanel::createTable() {
   const auto left = Qt::AlignLeft;
-  const auto text = [this](std::string JournalEntry::*member) {
-    return [this, member](int row) { return shortLine(entry(row).*member, longestCell); };
+  const auto content = [this](std::string JournalEntry::*member) {
+    return [this, member](int row) {
+      return shortLine(contentText(entry(row), entry(row).*member), longestCell);
+    };
   };
   return new DataTable({
       {tr("When (UTC)"), tr("Universal time"), QStringLiteral("2026-08-28 28:28"),
        [this](int row) { return visibleLine(timeText(entry(row).at)); }, left},
       {tr("What"), tr("As it was called then"), tr("180°, row 28 (point 28), vertical"),
        [this](int row) { return journalPlace(entry(row)); }, left},
-      {tr("From"), tr("Old content"), QStringLiteral("341°52′24.5″"), text(&JournalEntry::from), left},
-      {tr("To"), tr("New content"), QStringLiteral("341°52′24.5″"), text(&JournalEntry::to), left},
+      {tr("From"), tr("Old content"), QStringLiteral("341°52′24.5″"), content(&JournalEntry::from), left},
+      {tr("To"), tr("New content"), QStringLiteral("341°52′24.5″"), content(&JournalEntry::to), left},
       {tr("Why"),
        {},
        tr("suggestion accepted"),
        [this](int row) { return shortLine(reasonText(entry(row), m_evaluation->session), longestCell); },
        left},
       {tr("Who"), tr("Operator in the session at that time"), QStringLiteral("J. Doe-Weatherby"),
-       text(&JournalEntry::by), left},
+       [this](int row) { return shortLine(entry(row).by, longestCell); }, left},
   });
 }
 
