@@ -128,8 +128,8 @@ int Safekeeping::offer() {
       left.erase(chosen);
       continue;
     }
-    if (answer.choice == RecoveryAnswer::Choice::Recover) recover(*chosen);
-    break;
+    const bool isRefused = answer.choice == RecoveryAnswer::Choice::Recover && !recover(*chosen);
+    if (!isRefused) break;  // else the open session stays, and the user may choose again
   }
   return asked;
 }

@@ -145,6 +145,18 @@ TEST_F(SafekeepingTest, OffersASessionThatIsInNoFile) {
   EXPECT_EQ(records().size(), 2) << "the other stays";
 }
 
+TEST_F(SafekeepingTest, OffersAgainWhenTheOpenSessionIsNotLeft) {
+  crash({}, "left");
+  const auto open = openWindow();
+  edit(*open, "typed since");
+  open->dialogs->saveAnswer = Dialogs::SaveAnswer::Cancel;
+  open->dialogs->recoveries = {{Choice::Recover, 0}, {Choice::Discard, 0}};
+  EXPECT_TRUE((*open)->offerRecovery());
+  EXPECT_EQ(open->dialogs->saveQuestions, 1);
+  EXPECT_EQ(open->dialogs->offers.size(), 2u) << "the user may choose again";
+  EXPECT_EQ((*open)->document().session().title, "typed since");
+}
+
 TEST_F(SafekeepingTest, DiscardsOnlyWhenTold) {
   crash(file, "one");
   crash({}, "two");
