@@ -37,8 +37,8 @@ Verdict verdictOf(const std::optional<MeasuredIntersection>& measured, double mo
   return inPlane == Verdict::Reject ? inPlane : Verdict::Undecided;
 }
 
-/// With the distance as measurand, the fit knows a part only. That part may be short enough although the
-/// whole is not.
+/// If the distance is the measurand, the fit determines only a part of the distance. This part may be within
+/// the tolerance although the whole distance is not.
 bool contradict(const AcceptanceDecision& decision, Measurand measurand) {
   if (measurand == Measurand::Distance)
     return decision.asFound == Verdict::Accept && decision.asModelled != Verdict::Accept;

@@ -29,7 +29,7 @@ namespace alidade {
 //    undetectable jump is a condition of the verdict: stated if a jump of plausible size would have changed
 //    the verdict. The probability of conformity includes it, with its prior odds.
 
-/// A guard band of lower coverage gives no protection.
+/// Least coverage of U for a verdict: a guard band of lower coverage gives no protection.
 constexpr double leastCoverageOfVerdict = 0.9;
 
 /// A larger probability of an unexplained gap leaves the verdict open. In 1000 simulated sessions, half of
@@ -73,7 +73,7 @@ struct AcceptanceDecision {
 /// fit has no verdict: without a tolerance or an intersection.
 std::optional<AcceptanceDecision> decideAcceptance(const Measurement& measurement, const SessionFit& fit,
                                                    const Diagnosis* diagnosis);
-/// The same without `conditions` and `conformance`.
+/// Like `decideAcceptance`, but without `conditions` and `conformance`.
 std::optional<AcceptanceDecision> decideVerdict(const Measurement& measurement, const SessionFit& fit,
                                                 const Diagnosis* diagnosis);
 

@@ -13,7 +13,7 @@ namespace alidade {
 
 namespace {
 
-/// A row, and the first-order effect of its exclusion. The row is given by its arc and its index in it.
+/// A row, given by its arc and its index in this arc, and the first-order effect of its exclusion.
 struct Influence {
   std::size_t arc = 0, sighting = 0;  ///< indices in the measurement
   double shift = 0;                   ///< change of Δd, mm

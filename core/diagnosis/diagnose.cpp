@@ -51,8 +51,8 @@ std::vector<GapShare> whereOf(const Inquiry& inquiry, const Answer& answer) {
   return shares;
 }
 
-/// Returns the most likely pattern. Its share is its square over the sum of that and the rest's square: at
-/// most 1, even if the pattern was found at another noise and exceeds the gap.
+/// Returns the most likely pattern. Its share is p²/(p² + q²) with the lengths p of the pattern and q of the
+/// rest: at most 1, even if the pattern was found at another noise and exceeds the gap.
 std::optional<GapShape> shapeOf(const Inquiry& inquiry) {
   const auto shaped = std::ranges::find_if(inquiry.explanations, &Explanation::shaped);
   if (shaped == inquiry.explanations.end()) return std::nullopt;
@@ -96,7 +96,7 @@ std::optional<Closure> referenceIn(const std::vector<ClosureStep>& closures) {
   return std::nullopt;
 }
 
-/// Returns the first cause that has look-alikes, with those. Gross errors have none.
+/// Returns the first cause that has look-alikes, and these look-alikes. Gross errors have none.
 std::vector<PossibleCause> possibleCausesOf(const Inquiry& inquiry, const Answer& answer) {
   const auto possible = [&](const Part& part, double odds) {
     const Component& component = inquiry.of(part);

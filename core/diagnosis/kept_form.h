@@ -6,9 +6,9 @@
 
 namespace alidade {
 
-/// Returns a found form as an effect of the user's own. The formula keeps the found shape numbers; every
-/// amplitude has the rms of the found ones as its plausible size. The effect belongs, by serial number, to
-/// the instrument if it acts on circles, otherwise to the device. `from` names the session.
+/// Returns a found form as an effect of the user's own. The formula keeps the found shape numbers. The
+/// plausible size of every amplitude is the rms of the found amplitudes. The effect belongs, by serial
+/// number, to the instrument if it acts on circles, otherwise to the device. `from` names the session.
 OwnEffect ownEffectOf(const FoundForm& found, const Session& session);
 
 }  // namespace alidade

@@ -68,7 +68,7 @@ bool isEvident(const SessionSoFar& state) {
   return state.logEvidence >= state.logEvidenceNeeded;
 }
 
-/// False while there is evidence of an unnamed cause: it may be noise larger than stated.
+/// False while there is evidence of an unnamed cause: that cause may be noise larger than stated.
 bool isVerdictCertain(const Measurement& measurement, const SessionSoFar& state) {
   if (!measurement.tolerance || !state.intersection || isEvident(state)) return false;
   const double size = std::abs(*state.intersection);
@@ -76,8 +76,8 @@ bool isVerdictCertain(const Measurement& measurement, const SessionSoFar& state)
 }
 
 /// Fills in the group of the most probable cause if the evidence against no cause suffices, the group holds
-/// almost all of the probability, and the cause leaves no more than noise. The redundancy left must be enough
-/// to show that. Larger noise is never named: an uncatalogued effect looks like it.
+/// almost all of the probability, and the residuals with the cause are no more than noise. The redundancy
+/// must suffice for this test. Larger noise is never named: an uncatalogued effect may look the same.
 void name(SessionSoFar& state, const WeighedCauses& causes, const SightingEquations& equations) {
   constexpr double certain = 0.95, noMore = 1e-3, leastRedundancy = 12;
   const Weighed& first = causes.all().front();

@@ -39,8 +39,8 @@ struct SessionSoFar {
   double logEvidence = 0;            ///< ln of the Bayes factor against no cause
   double logEvidenceNeeded = 0;      ///< ln 1/α: from here on some cause is evident
   std::vector<WeighedCause> causes;  ///< the most probable first, no cause included
-  /// The most probable cause and those that no sighting of the plan separates from it, if named. `formId`
-  /// stands for an uncatalogued effect.
+  /// The most probable cause and the causes that no sighting of the plan separates from it. Empty until a
+  /// cause can be named. `formId` is an uncatalogued effect.
   std::vector<std::string> named;
   std::optional<double> intersection, sigma;  ///< of Δd with every effect possible, mm
   double halfWidth = 0;                       ///< of the range that contains Δd at all times, mm
@@ -54,9 +54,9 @@ inline bool isEnough(const SessionSoFar& state) {
 }
 
 /// Returns the state of a session with at least one sighting. Absent if its readings determine nothing. Jumps
-/// and gross errors are sought among the sightings so far. The probability of ever naming a cause without any
-/// is at most α = 1 %; a named group has a probability of at least 95 %. Without `ranks` no sighting is
-/// ranked, which is faster.
+/// and gross errors are sought among the sightings so far. If there is no cause, the probability of ever
+/// naming one is at most α = 1 %; a named group has a probability of at least 95 %. Without `ranks` no
+/// sighting is ranked, which is faster.
 std::optional<SessionSoFar> sessionSoFar(const Measurement& measurement, const SightingPlan& plan,
                                          bool ranks = true);
 

@@ -21,8 +21,8 @@ struct OwnVisibility {
 /// The check of a user's own effect on a session, before it is used.
 struct OwnEffectCheck {
   std::vector<OwnVisibility> parameters = {};
-  /// Id of the catalogued effect that it repeats: in these readings both differ by less than 3 σ, at
-  /// plausible sizes. Empty: none.
+  /// Identifier of the catalogued effect that the own effect repeats; empty: none. At some size it explains
+  /// the trace of the own effect at plausible size to less than 3 σ and 30 % of the visible length.
   std::string sameAs = {};
   std::size_t notFinite = 0;  ///< values of the formula on these readings that are not finite
   std::size_t values = 0;     ///< number of all values

@@ -24,8 +24,8 @@ struct PlannedEffect {
   double leastVisible = 0, mostVisible = 0;
   /// Its look-alikes in the most visible direction.
   std::vector<LookAlike> lookAlikes;
-  /// Influence on Δd, mm, ≥ 0, in the direction that changes it most, and the trace there, σ; as in a
-  /// diagnosis.
+  /// Influence on Δd, mm, ≥ 0, in the direction of its numbers that changes Δd most, and the length of the
+  /// trace in that direction, σ; as in a diagnosis.
   double influence = 0, visibleThere = 0;
   bool undetectable = false;
 };

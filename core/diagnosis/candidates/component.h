@@ -49,7 +49,7 @@ class Component {
   virtual bool isJump() const { return false; }
   /// The arc that a jump between its zero and its first visit moves as a whole.
   virtual std::optional<std::size_t> slippedArc() const { return std::nullopt; }
-  /// Whether this is a jump. A jump has a moment, which the terms of a model lack.
+  /// Whether this is a jump of either kind. A jump has a moment, which the terms of a model lack.
   bool stepsOrientation() const { return isJump() || slippedArc().has_value(); }
   /// The rows on which a jump acts.
   virtual std::optional<JumpMoment> jumpMoment() const { return std::nullopt; }
@@ -84,7 +84,7 @@ class Component {
   virtual double signatureLength(const Eigen::VectorXd& weights) const;
   double signatureSquare(const Eigen::VectorXd& weights) const;
 
-  /// Gain in evidence from the component. `columns` are its own columns, turned unless it is bent.
+  /// Gain in evidence from the component. `columns` are its own columns, rotated unless it is bent.
   virtual Gain gain(const TurnedColumns& columns, double variance) const;
   LinearPart linearPart(const TurnedColumns& columns, double variance) const;
 

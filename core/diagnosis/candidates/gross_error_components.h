@@ -37,8 +37,8 @@ class GrossErrorComponent final : public Component {
 
 const std::vector<Width>& grossErrorWidths();
 
-/// Returns one component for every reading, in order. That of a zero's reading has redundancy 0 and is never
-/// chosen: a misread zero is a jump of its position.
+/// Returns one component for every reading, in order. The component of a zero's reading has redundancy 0 and
+/// is never chosen: a misread zero is a jump of its position.
 std::vector<GrossErrorComponent> grossErrorComponents(const Leftover& leftover);
 
 }  // namespace alidade

@@ -215,7 +215,7 @@ std::vector<JumpComponent> jumpComponents(const Leftover& leftover) {
       const std::size_t end = endOf(arcs, arc);
       const bool mayEnd = isClosed && end != JumpMoment::never;
       if (mayEnd) ofOnePosition.push_back({row, end});
-      // Without a common mark, the zero of the next position absorbs a jump that lasts.
+      // Without a common zero mark, the zero of the next position absorbs a lasting jump.
       if (!mayEnd || areCommon || zeros.empty()) lasting.push_back({row});
     }
   }

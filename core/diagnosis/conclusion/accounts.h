@@ -27,7 +27,7 @@ struct Account {
   EffectScales scales;
   double logOdds = 0;   ///< prior and evidence, relative to no cause and no effect; natural logarithm
   double value = 0;     ///< of Δd, mm
-  double variance = 0;  ///< of Δd, mm²: from readings, scaled by the leftover, and widths; without zeros
+  double variance = 0;  ///< of Δd, mm²; includes readings (scaled by the leftover) and widths, not zeros
   /// The part of the variance due to the weights of explanation and effects, at the noise of the explanation.
   double ofWeights = 0;
   std::vector<double> ofEffects = {};  ///< variance from the prior of each effect, mm²
@@ -65,7 +65,7 @@ class Accounts {
   struct System;
 
   const Inquiry& m_inquiry;
-  std::optional<Leftover> m_own;         ///< at another fit; absent: the inquiry's
+  std::optional<Leftover> m_own;         ///< leftover at another fit; absent: use that of the inquiry
   std::shared_ptr<Accounts> m_at;        ///< the second linearisation; null: none
   std::vector<ErrorTerm> m_settled;      ///< all-or-nothing effects in that fit
   double m_start = 0;                    ///< Δd without causes and effects, mm

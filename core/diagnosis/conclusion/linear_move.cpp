@@ -38,7 +38,7 @@ std::optional<Move> LinearMoves::of(const Explanation& explanation) {
       ofPattern = m_perReading.dot(component.times(leftover, part.weights));
       continue;
     }
-    // For example, the other relation of the vertical circle is far from its linear equations at the fit.
+    // Linear equations do not hold for such an effect, e.g. for the other relation of the vertical circle.
     if (component.response() != Response::Linear) return std::nullopt;
     const bool isLeftOut = component.grossErrorAt().has_value();
     const double width = component.widthOfFit(part.width, part.weights);

@@ -18,7 +18,7 @@ namespace alidade {
 
 struct Move {
   double shift = 0;     ///< of the fit's Δd, mm
-  double variance = 0;  ///< of Δd, mm²: from readings, scaled by the leftover, and components; without zeros
+  double variance = 0;  ///< of Δd, mm²; includes readings (scaled by the leftover) and components, not zeros
 };
 
 class LinearMoves {

@@ -36,7 +36,7 @@ std::string nameOf(Division by) {
   return "";
 }
 
-/// A number that sorts positions by axis, then by repeat.
+/// Factor of the axis in `positionNumber`, which sorts positions by axis, then by repeat.
 constexpr int mostTimes = 1000;
 int positionNumber(const ArcMeasurement& arc) {
   return mostTimes * arc.axisDeg + arc.time % mostTimes;

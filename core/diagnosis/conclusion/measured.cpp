@@ -89,8 +89,8 @@ std::optional<FittedAccount> byFit(const GapModel& model, const EffectScales& sc
   return account;
 }
 
-/// The same from `model`, the fit with every effect at its plausible size. The measured part of the offset
-/// does not depend on the sizes of the other effects.
+/// The offset across the plane from `model`, the fit with every effect at its plausible size. The measured
+/// part of the offset does not depend on the sizes of the other effects.
 std::optional<Across> acrossOf(const GapModel& model) {
   if (!intersect(*model.measurement, *model.fit)) return std::nullopt;
   return acrossOf(

@@ -16,7 +16,7 @@ namespace {
 
 using Eigen::MatrixXd, Eigen::VectorXd;
 
-constexpr double hardlyMoves = 1e-4;  // mm, of a plausible size
+constexpr double hardlyMoves = 1e-4;  // change of Δd by a plausible size, mm
 
 /// The weights that change Δd by `move` (mm) and are the smallest in plausible sizes and σ of the readings
 /// together. They are not finite if no weight changes Δd.

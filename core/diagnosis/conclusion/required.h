@@ -7,8 +7,8 @@
 
 namespace alidade {
 
-/// The size of each effect, and of a jump between a zero and the first visit, that would explain the distance
-/// of Δd from the reference: of all such sizes, the most plausible and least visible one. Excluded are sizes
+/// For each effect, and for a jump between a zero and the first visit: the size that would explain the
+/// distance of Δd from the reference; of several, the most plausible and least visible. Excluded are sizes
 /// that the readings contradict, by `clearlyDifferent` σ relative to the best size, effects of known size,
 /// and all-or-nothing effects. The most plausible first; empty without a reference with its σ. `inquiry` must
 /// not use the reference.

@@ -43,7 +43,7 @@ class Comparison {
   }
 };
 
-/// Whether the odds against it are at most 33.
+/// Whether the odds against the rival are at most 33.
 bool isClose(const Rival& rival) {
   return rival.odds > 0.03;
 }

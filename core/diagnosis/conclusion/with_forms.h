@@ -20,8 +20,8 @@ bool hasForms(const Inquiry& inquiry, const Answer& answer);
 /// Δd afterwards with forms: the average over those in the inquiry, in the model linear at its base.
 std::optional<IntersectionEstimate> intersectionWithForms(const Inquiry& inquiry, const Answer& answer);
 
-/// The readings of the inquiry without a pattern. `taken`: the pattern in each reading of its leftover, σ. If
-/// the zeros are not among the sightings, the rows refer to zeros without the pattern.
+/// The readings of the inquiry without a pattern. `taken`: what the pattern adds to each reading of the
+/// inquiry's leftover, σ. If the zeros are not among the sightings, rows refer to zeros without the pattern.
 Measurement withoutPattern(Measurement measurement, const Inquiry& inquiry, const Eigen::VectorXd& taken);
 
 }  // namespace alidade

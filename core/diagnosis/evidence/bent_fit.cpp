@@ -90,7 +90,7 @@ class BentGrid {
 
  private:
   static constexpr double reach = 9, step = 0.4;
-  static constexpr double lost = 121;  // below e⁻⁴⁰ of the maximum even if the prior lowers that by e⁻⁸¹
+  static constexpr double lost = 121;  // below e⁻⁴⁰ of the maximum even if the prior lowers it by e⁻⁸¹
   static constexpr int places = static_cast<int>(2 * reach / step) + 1;
   using Places = Eigen::Array<double, places, 1>;
   using Grid = Eigen::Array<double, places, places>;

@@ -87,7 +87,7 @@ class SharedPart {
   Lane<Widths>& at(std::size_t a, std::size_t b) { return m_matrix[a * (a + 1) / 2 + b]; }
 };
 
-/// No column was eliminated before.
+/// The case in which no column was eliminated before.
 template <int Widths>
 class SharedPart<0, Widths> {
  public:

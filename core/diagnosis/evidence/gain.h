@@ -10,8 +10,8 @@
 namespace alidade {
 
 // The gain in evidence from one more component of the linear model. G is the Gram matrix of its visible
-// columns, c their inner products with the remaining leftover. Its weights are normal with mean 0 and width
-// w; the readings have the variance v. It multiplies the evidence by
+// columns, c their inner products with the remaining leftover. The weights are normal with mean 0 and width
+// w; the readings have the variance v. The component multiplies the evidence by
 //
 //   |1 + w² G/v|^(−1/2) exp(½ cᵀ (v/w² + G)⁻¹ c/v),        averaged over the widths.
 

@@ -31,8 +31,8 @@ FoundForms findForms(FormSystem& system, const FormReadings& readings,
                      const std::vector<FormFamily>& families, const FormChoice& choice,
                      const std::stop_token& stop);
 
-/// Whether all forms together have odds of 20 : 1 against no form, at the prior odds of a pattern, and the
-/// first has amplitudes.
+/// Whether the odds of all forms together against no form reach 20 : 1, and the first form has amplitudes.
+/// The prior odds are those of a pattern.
 bool beatNothing(const std::vector<WeighedForm>& all);
 
 }  // namespace alidade

@@ -8,7 +8,7 @@
 namespace alidade {
 
 /// Forms as one component: the columns of their amplitudes, then the change of the readings per standard
-/// uncertainty of each shape number. No term of the model corresponds to it.
+/// uncertainty of each shape number. No term of the model corresponds to this component.
 class FormComponent final : public Component {
  public:
   /// `readings`: those of `leftover`. `forms`: with amplitudes, in mm or arcseconds.

@@ -126,7 +126,7 @@ class FamilyMaker {
     return form;
   }
 
-  /// The prior has two bits for each word (`wordsOf`). An order k has the share 1/k.
+  /// The prior falls by two bits for each word of the form (`wordsOf`), and is divided by the order k.
   void add(const Form& form, std::vector<Form> grid = {}, double logVolume = 0) {
     if (!m_readings.has(form)) return;
     const bool hasOneFace = m_readings.face.maxCoeff() == m_readings.face.minCoeff();

@@ -25,7 +25,7 @@ MatrixXd FormSystem::visible(const MatrixXd& columns) const {
 }
 
 void FormSystem::takeUp(const MatrixXd& columns) {
-  constexpr double invisible = 1e-6;  // of a column
+  constexpr double invisible = 1e-6;  // relative to the length of a column
   for (Index c = 0; c < columns.cols(); ++c) {
     VectorXd own = m_outside(columns.col(c));
     const double whole = own.norm();

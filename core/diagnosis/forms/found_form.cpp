@@ -175,7 +175,7 @@ std::vector<Form> lookAlikesOfFirst(const FormSystem& system, const FormReadings
   const VectorXd own = trace(first);
   std::vector<Form> forms;
   for (std::size_t i = 1; i < all.size(); ++i) {
-    if (all[i].form.isFree() && !first.form.isFree()) continue;  // contains every function of its argument
+    if (all[i].form.isFree() && !first.form.isFree()) continue;  // a free form contains any function
     const bool isLikely = first.logPosterior() - all[i].logPosterior() < nearly;
     const bool isAlike = !isLikely && all[i].amplitudes.size() > 0 &&
                          (trace(all[i]) - own).norm() < alike * std::sqrt(system.variance());

@@ -33,13 +33,13 @@ double rmsOf(const Eigen::VectorXd& left, const Eigen::VectorXd& arcseconds);
 /// Adds the shrinkage by all forms together to each form: on all readings, and on held-out readings, with the
 /// exact test that the forms predict nothing there.
 ///
-/// For each fold, shape and amplitudes are found from the other readings. They predict one column g on the
-/// readings y of the fold, independent of their noise whatever was searched. With Q the projector that
-/// eliminates the model from these readings alone, F = (gᵀQy)²/(gᵀQg)/(rest/ν) follows F(1, ν) if there is no
-/// form; rest is that of yᵀQy. The least probability of all folds counts, times their number (Bonferroni).
+/// For each fold, shape and amplitudes are found from the other readings. They predict one column g for the
+/// readings y of the fold; g is independent of their noise, whatever was searched. With Q the projector that
+/// eliminates the model from y alone, F = (gᵀQy)²/(gᵀQg)/(rest/ν) follows F(1, ν) if there is no form; rest
+/// is the remainder of yᵀQy. The least probability of all folds counts, times their number (Bonferroni).
 ///
-/// `plain` contains the certain causes, `full` every effect; the forms were found in `full`. Before: `plain`
-/// without the forms. After: the better prediction of the two with the forms.
+/// `plain` contains the certain causes, `full` every effect; the forms were found in `full`. The rms
+/// before is that of `plain` without the forms. The rms after is the lesser of both models with the forms.
 void addShrinkage(FoundForms& found, const DividedModel& plain, const DividedModel& full,
                   const HeldOutReadings& held, const FormReadings& readings, double variance,
                   const std::stop_token& stop);

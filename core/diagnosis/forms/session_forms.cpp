@@ -117,7 +117,7 @@ class SessionForms {
   }
 
   /// Whether the forms are likelier than no form and than the likeliest patterns. A form after which only
-  /// noise is left may be a little less likely than the patterns, some of which resemble it.
+  /// noise is left may be a little less likely than the patterns, some of which resemble the form.
   bool isNamed(const std::vector<WeighedForm>& all) const {
     constexpr double nearly = 20;
     if (!beatNothing(all)) return false;
@@ -189,7 +189,7 @@ class SessionForms {
     return reading.takesPart && !reading.isZero && reading.kind != ReadingKind::Slider;
   }
 
-  /// Holds out whole rounds; or random visits, if there is only one round or the form needs all of them.
+  /// Holds out whole rounds, or random visits if there is only one round or the form needs all rounds.
   HeldOutReadings heldOut(const std::vector<FormFamily>& chosen) const {
     constexpr int most = 4;
     const bool needsRounds = std::ranges::any_of(chosen, [](const FormFamily& family) {
@@ -233,7 +233,7 @@ class SessionForms {
 
 FoundForms formsBeyond(const Inquiry& inquiry, const Explanation& certain, const EffectScales& scales,
                        const DiagnosisOptions& options, const std::stop_token& stop) {
-  constexpr Index mostReadings = 4000;  // beyond, the search takes seconds
+  constexpr Index mostReadings = 4000;  // with more readings the search takes seconds
   if (inquiry.leftover.readings() > mostReadings || stop.stop_requested()) return {};
   return SessionForms(inquiry, certain, scales, options, stop).find();
 }

@@ -116,8 +116,8 @@ class Folds {
     }
   }
 
-  /// Returns the squared errors of the prediction of a fold from the others. Absent if those do not determine
-  /// the unknowns.
+  /// Returns the squared errors of the prediction of a fold from the others. Absent if the others do not
+  /// determine the unknowns.
   std::optional<Squares> predicted(std::size_t fold) const {
     constexpr double determined = 1e-13;  // square of the part of a column that is orthogonal to the others
     Normal others = m_sums[folds];

@@ -11,7 +11,7 @@
 
 namespace alidade {
 
-/// Δd estimated together with the unknowns and every effect of plausible size, as its uncertainty requires.
+/// Δd, estimated with the unknowns and every effect, which has at most its plausible size as prior σ.
 class IntersectionSoFar {
  public:
   explicit IntersectionSoFar(const SightingEquations& equations);
@@ -20,7 +20,7 @@ class IntersectionSoFar {
   double sigma() const { return std::sqrt(m_variance); }
   /// `sigma()` if the size of this effect were known exactly, mm.
   double sigmaKnowing(const MayBe& effect) const;
-  /// −ln(U after/U before) of a possible sighting.
+  /// Returns −ln(U after/U before), where U is that of Δd, for a possible sighting.
   double tells(const SightingRows& rows) const;
 
  private:
@@ -32,8 +32,8 @@ class IntersectionSoFar {
   Eigen::Index m_effectColumns = 0;
 };
 
-/// The causes that all sightings, taken and possible, would not separate from `cause`, which comes first. Its
-/// trace at its estimated size is nearer than `hardlyDifferent` σ to one of theirs.
+/// Returns `cause`, then the causes that all sightings, taken and possible, would not separate from `cause`.
+/// The trace of `cause` at its estimated size differs from one of theirs by less than `hardlyDifferent` σ.
 std::vector<std::string> inseparableFrom(const Weighed& cause, const SightingEquations& equations);
 
 }  // namespace alidade

@@ -34,13 +34,13 @@ class FormList {
 
   std::vector<PossibleForm> m_list;
 
-  /// The prior has two bits for each word (`wordsOf`); `among` forms share it.
+  /// The prior falls by two bits for each word of the form (`wordsOf`), and is divided by `among`.
   void add(Form form, FormFunction function, double among = 1) {
     form.function = function;
     m_list.push_back({form, std::exp2(-2 * wordsOf(form)) / among});
   }
 
-  /// From the first order that no effect of the catalogue has.
+  /// `first` is the lowest order that no effect of the catalogue has.
   void addHarmonics(Form form, int first, int last) {
     for (form.order = first; form.order <= last; ++form.order) add(form, Harmonic, form.order);
   }
@@ -69,7 +69,7 @@ class FormList {
   }
 
   void addCourse(Form form) {
-    constexpr double constants[] = {0.05, 0.12, 0.3};  // of the session
+    constexpr double constants[] = {0.05, 0.12, 0.3};  // share of the session
     for (const double constant : constants) {
       form.numbers[0] = constant;
       add(form, Exponential, std::size(constants));
@@ -80,7 +80,7 @@ class FormList {
   }
 };
 
-/// What `formReadings` asks of a fit: the arc angles of all sightings.
+/// Returns a fit with the arc angles of all sightings only: `formReadings` uses nothing else of it.
 JointFit arcAnglesOn(const std::vector<Circle>& circles, const Measurement& measurement) {
   JointFit fit;
   for (std::size_t i = 0; i < measurement.arcs.size(); ++i) {

@@ -9,25 +9,25 @@
 
 namespace alidade {
 
-/// A form of no catalogue with its prior share of all of them; the shares sum to 1.
+/// A form of an uncatalogued effect, and its prior share among all possible forms; the shares sum to 1.
 struct PossibleForm {
   Form form;
   double share = 0;
 };
 
-/// The forms that are weighed while a session grows: a few of every kind that the diagnosis seeks. They are
-/// the same for all sessions, because evidence that may be looked at at any time needs prior shares that no
-/// reading changes.
+/// The forms that are weighed while a session grows: a few of every kind that the diagnosis seeks. The forms
+/// and their shares are the same for all sessions: evidence stays valid at any time only if no reading
+/// changes the prior.
 const std::vector<PossibleForm>& possibleForms();
 
-/// The columns of the possible forms over readings, side by side, for amplitudes of the plausible size
+/// The columns of the possible forms, side by side, over the readings. The amplitudes have the plausible size
 /// (`formUnit`).
 struct FormColumns {
   Eigen::MatrixXd columns;
   std::vector<Eigen::Index> counts;  ///< columns of each form; 0 if no reading shows it
 };
 
-/// `all` are the equations of `session` at these circles, one for each arc.
+/// `circles` has one circle for each arc; `all` are the equations of `session` linearised at these circles.
 FormColumns columnsOfForms(const PossibleSightings& session, const std::vector<Circle>& circles,
                            const Linearised& all);
 

@@ -68,7 +68,7 @@ std::vector<const EffectParameter*> parametersOfModel(const Measurement& measure
 class Assembly {
  public:
   /// `bent` are the second derivatives of every reading by the bent effect, `forms` the columns of the
-  /// possible forms; without them nothing but effects may be the case.
+  /// possible forms; if `forms` is null, the effects are the only hypotheses.
   Assembly(const PossibleSightings& session, const SightingPlan& plan, const Linearised& all,
            const std::vector<const Effect*>& effects = {}, const Eigen::MatrixX3d& bent = {},
            const FormColumns* forms = nullptr)
@@ -94,10 +94,10 @@ class Assembly {
   const FormColumns* m_forms;
   std::vector<std::size_t> m_unknowns;
   std::vector<const EffectParameter*> m_ofModel;      ///< unknown as well, in plausible sizes
-  std::vector<std::pair<ErrorTerm, double>> m_known;  ///< known values of effects, taken off the residuals
+  std::vector<std::pair<ErrorTerm, double>> m_known;  ///< known values, subtracted from the residuals
   SightingEquations m_result;
   Index m_columns = 0;
-  /// Columns of terms; in `m_jumps` of jumps by their first row, in `m_slips` of wrong zeros by their arc.
+  /// The column of a term. `m_jumps` has the columns of jumps by first row, `m_slips` of wrong zeros by arc.
   struct TermColumn {
     ErrorTerm term;
     double size;
@@ -140,8 +140,8 @@ class Assembly {
     return m_columns - count;
   }
 
-  /// Moments and readings that are still to come keep their share of the prior, so that the evidence of the
-  /// mixture stays a martingale.
+  /// Rows still to be read keep their share of the prior odds of jumps and gross errors. The evidence of the
+  /// mixture thus stays a martingale.
   void addCauses(const std::vector<const Effect*>& effects) {
     const PriorOdds odds;
     for (const Effect* effect : effects) {

@@ -15,7 +15,7 @@ struct MayBe {
   std::string_view cause;  ///< static text
   Eigen::Index first = 0, count = 0;
   const std::vector<Width>* widths = nullptr;  ///< of the normal prior; null: the weight is exactly 1
-  double priorOdds = 0;                        ///< against no cause; 0: counts for U only
+  double priorOdds = 0;                        ///< against no cause; 0: only U includes it
   bool isBent = false;  ///< two weights, whose second derivatives follow (`bentWeights`)
 };
 
@@ -41,8 +41,8 @@ struct SightingEquations {
   Eigen::Index effectColumns = 0;  ///< number of columns of effects, which come first
 };
 
-/// Linearises at the circles that fit the sightings taken. With `effectsOnly` nothing else may be the case,
-/// which suffices for U and is faster.
+/// Linearises at the circles that fit the sightings taken. With `effectsOnly` the effects are the only
+/// hypotheses, which suffices for U and is faster.
 SightingEquations sightingEquations(const Measurement& taken, const SightingPlan& plan,
                                     PossibleSightings& session, bool effectsOnly = false);
 
@@ -57,8 +57,8 @@ NormalEquations normalEquationsOf(const SightingEquations& equations);
 /// arc angle. Returns all rows if `along` is zero.
 Eigen::MatrixXd withoutArcAngle(const Eigen::MatrixXd& rows, const Eigen::VectorXd& along);
 
-/// The whitened equations that further rows of a visit add to those taken: the difference of the further rows
-/// from their prediction with the arc angle from the rows taken.
+/// Returns the whitened equations that further rows of a visit add to those taken. Each is the difference of
+/// a further row from its prediction; the prediction uses the arc angle from the rows taken.
 Eigen::MatrixXd givenTheVisit(const Eigen::MatrixXd& further, const Eigen::VectorXd& alongFurther,
                               const Eigen::MatrixXd& taken, const Eigen::VectorXd& alongTaken);
 

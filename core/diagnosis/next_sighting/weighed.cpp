@@ -87,7 +87,7 @@ WeighedCauses::WeighedCauses(const SightingEquations& equations) : m_equations(e
   for (const double scale : noiseScales)
     add({.cause = noiseId, .noise = scale}, logOfNoise(scale, m_chiSquare, m_degreesOfFreedom),
         noise_policy::odds / std::size(noiseScales));
-  // The share of what is still to come has a Bayes factor of 1.
+  // Hypotheses that no sighting taken can show have a Bayes factor of 1.
   const double toCome = std::max(0.0, equations.priorOdds - shares);
   if (toCome > 0) evidence = logSum(evidence, std::log(toCome));
   m_logEvidence = evidence - std::log(shares + toCome);

@@ -10,7 +10,7 @@
 
 namespace alidade {
 
-/// A hypothesis after the sightings taken. It has no weights if it is no cause or larger noise.
+/// A hypothesis after the sightings taken. The hypotheses "no cause" and "larger noise" have no weights.
 struct Weighed {
   std::string_view cause = {};  ///< empty: no cause
   double probability = 0;
@@ -29,11 +29,11 @@ class WeighedCauses {
  public:
   explicit WeighedCauses(const SightingEquations& equations);
 
-  /// For each cause its likeliest hypothesis, with the probability of all of them; the most probable first.
+  /// The likeliest hypothesis of each cause, with the total probability of the cause; likeliest cause first.
   const std::vector<Weighed>& all() const { return m_all; }
   /// ln of the Bayes factor of the mixture of all hypotheses, with fixed prior shares, against no cause.
   double logEvidence() const { return m_logEvidence; }
-  /// χ² after a cause, and its degrees of freedom.
+  /// χ² with a cause. `degreesOfFreedom` are those without a cause.
   double chiSquareAfter(const Weighed& cause) const;
   int degreesOfFreedom() const { return m_degreesOfFreedom; }
 

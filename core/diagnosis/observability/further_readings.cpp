@@ -172,7 +172,7 @@ std::optional<FurtherReadings> withPositionAgain(const Measurement& plan, int ax
   return readings;
 }
 
-/// Applies a further measure to a plan; absent if either is absent.
+/// Adds a measure to the plan `first`. Absent if `first` is absent or the measure cannot be added.
 template <typename Add>
 std::optional<FurtherReadings> together(std::optional<FurtherReadings> first, const Add& add) {
   if (!first) return std::nullopt;

@@ -9,7 +9,7 @@ namespace alidade {
 
 // Effects with the same trace in these readings.
 
-/// The trace of an effect in the readings: a visible vector. The leftover must outlive it.
+/// The trace of an effect in the readings: a visible vector. The leftover must outlive the trace.
 class Trace {
  public:
   Trace(const Leftover& leftover, Eigen::VectorXd visible);

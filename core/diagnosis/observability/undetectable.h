@@ -13,7 +13,7 @@ namespace alidade {
 inline constexpr double negligibleInfluence = 1e-3;
 
 /// The detectability of an effect of plausible size, or of its known uncertainty. Its numbers have the
-/// direction that changes Δd most, and of both signs the less visible one.
+/// direction that changes Δd most, with the less visible of both signs.
 struct Detectability {
   std::string_view effect;  ///< identifier; static text
   Eigen::VectorXd weights;  ///< in plausible sizes; zero if the effect does not change Δd

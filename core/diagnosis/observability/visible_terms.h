@@ -24,8 +24,8 @@ struct VisibleTerms {
 /// Sums up one set of readings, whose equations come in pieces of whole visits.
 class VisibleTermsOfSet {
  public:
-  /// In the sum only the entries of `terms` are nonzero. Those of the horizontal and vertical part of a jump
-  /// (rad) at each of `moments` follow. The set must contain the derivatives by both parts.
+  /// In the sum only the entries of `terms` are nonzero. Entries for the horizontal and vertical part of a
+  /// jump (rad) at each of `moments` follow. The set must contain the derivatives by both parts.
   explicit VisibleTermsOfSet(std::vector<ErrorTerm> terms, std::vector<JumpMoment> moments = {})
       : m_terms(std::move(terms)), m_moments(std::move(moments)) {}
 

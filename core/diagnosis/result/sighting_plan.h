@@ -48,8 +48,8 @@ struct NextSighting {
   double ofUncertainty = 0;          ///< −ln(U after/U before)
   std::string one = {}, other = {};  ///< the two causes that it separates most; empty: no cause
 
-  /// What it takes off U counts a tenth. With more, sightings are chosen for U, and causes stay unnamed for
-  /// longer.
+  /// The reduction of U counts a tenth. With a larger factor, sightings would be chosen for U, and causes
+  /// would stay unnamed for longer.
   double worth() const { return ofCauses + 0.1 * ofUncertainty; }
   double perMinute() const { return worth() / minutes; }
 };

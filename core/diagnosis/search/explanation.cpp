@@ -111,8 +111,8 @@ void addNoisy(std::vector<Explanation>& all, Search& search, const Leftover& lef
   Explanation noiseAlone;
   noiseAlone.chiSquare = chiSquare;
   weigh(noiseAlone, scaleOf(chiSquare));
-  // Larger noise gains most with the empty set, since an explanation leaves less for it to explain. Only a
-  // factor of the scale for each of the few weights may be added.
+  // Larger noise gains most with the empty set, since an explanation leaves less for it to explain. An
+  // explanation gains at most a further factor of the noise scale for each of its few weights.
   if (noiseAlone.logPosteriorOdds < all.front().logPosteriorOdds + std::log(outOfQuestion)) {
     all.push_back(std::move(noiseAlone));
     return;

@@ -24,7 +24,7 @@ struct LargeGrossError {
 /// The start model, its leftover, and the explanations found.
 struct Inquiry {
   GapModel own;       ///< the session's own model, whose gap is to be explained
-  GapModel expected;  ///< the same with known sizes; `own` if there are none
+  GapModel expected;  ///< `own` with known sizes; equal to `own` if there are none
   GapModel base;      ///< `expected` with closures, if possible
   Leftover leftover;
   Candidates candidates;

@@ -12,8 +12,8 @@ namespace alidade {
 // rows. In the model with the drift it keeps its prior uncertainty, as a jump of the orientation before the
 // next zero (`addPause`).
 
-/// Returns the pause in rows that fits best with the most likely explanation. Absent if that has no drift, or
-/// rows have times.
+/// Returns the pause in rows that fits best with the most likely explanation. Absent if that explanation
+/// has no drift, or if the rows have times.
 std::optional<double> likeliestPause(const Inquiry& inquiry);
 
 /// Adds the prior of the pause after the first position for each drift of the explanation.

@@ -13,7 +13,7 @@ using Eigen::ArrayXd, Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
 
 namespace {
 
-constexpr double rounding = 1e-12;  // of squared lengths, in variances of a reading
+constexpr double rounding = 1e-12;  // error of squared lengths, in variances of a reading
 
 /// Returns a hash whose sum identifies a set (splitmix64).
 std::uint64_t keyOf(std::size_t component) {

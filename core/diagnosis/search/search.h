@@ -39,8 +39,8 @@ class Search {
   /// Products of some columns with the remaining leftover and the eliminated directions of a state.
   struct SomeBeside {
     Eigen::Ref<const Eigen::VectorXd> right;   ///< their products with the remaining leftover
-    Eigen::Ref<const Eigen::MatrixXd> shared;  ///< with the eliminated directions; shared sharedᵀ is
-                                               ///< subtracted from their Gram matrix
+    Eigen::Ref<const Eigen::MatrixXd> shared;  ///< with the eliminated directions; the Gram matrix of
+                                               ///< these columns is reduced by shared sharedᵀ
   };
   struct Beside {
     Eigen::VectorXd right;
