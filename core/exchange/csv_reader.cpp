@@ -94,9 +94,10 @@ class CsvReader {
       return std::move(m_recording);
     }
     tell();
-    if (const auto line = table.tailLine())
-      m_recording.unused.push_back(
-          Phrase::of("%1 is not used: line %2", Phrase::of("content after the end of the file (^Z)"), *line));
+    if (const auto line = table.tailLine()) {
+      const std::string tail = Phrase::of("content after the end of the file (^Z)");
+      m_recording.unused.push_back(Phrase::of("%1 is not used: line %2", tail, *line));
+    }
     return std::move(m_recording);
   }
 
