@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/exchange/recording.h"
+#include "core/exchange/text_lines.h"
 
 namespace alidade {
 
@@ -36,9 +37,7 @@ class CsvTable {
  public:
   explicit CsvTable(std::string_view text);
   CsvTable(std::string_view text, char separator)
-      : m_text(text.substr(0, text.find('\x1A'))),
-        m_separator(separator),
-        m_hasTail(m_text.size() < text.size()) {}
+      : m_text(untilEndOfFile(text)), m_separator(separator), m_hasTail(m_text.size() < text.size()) {}
 
   std::optional<CsvRow> next();
   const std::optional<LineProblem>& problem() const { return m_problem; }

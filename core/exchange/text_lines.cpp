@@ -70,6 +70,10 @@ std::optional<TextLine> TextLines::next() {
   return line;
 }
 
+std::string_view untilEndOfFile(std::string_view text) {
+  return text.substr(0, text.find(endOfFile));
+}
+
 std::size_t characterCount(std::string_view text) {
   std::size_t count = 0;
   for (; !text.empty(); ++count) text.remove_prefix(firstCharacter(text).length);

@@ -32,6 +32,9 @@ class TextLines {
   std::optional<std::size_t> m_tailLine;
 };
 
+/// The text before ^Z; the whole text if it has none.
+std::string_view untilEndOfFile(std::string_view text);
+
 /// The number of characters in `text`; converts bytes to columns.
 std::size_t characterCount(std::string_view text);
 

@@ -9,6 +9,7 @@
 #include "core/base/phrase.h"
 #include "core/base/typed_text.h"
 #include "core/base/visible_text.h"
+#include "core/exchange/text_lines.h"
 #include "core/exchange/words.h"
 #include "core/session/face.h"
 
@@ -22,11 +23,6 @@ constexpr std::size_t mostMarks = 8'000'000;
 bool hasTooManyMarks(std::string_view text) {
   const auto marks = std::ranges::count_if(text, [](char c) { return c == '<' || c == '='; });
   return static_cast<std::size_t>(marks) > mostMarks;
-}
-
-/// The text up to ^Z, which ends a file as in `TextLines`.
-std::string_view untilEnd(std::string_view text) {
-  return text.substr(0, text.find('\x1A'));
 }
 
 /// The starts of lines, which end with LF, CR LF or CR as in `TextLines`.
@@ -81,8 +77,8 @@ constexpr double fullXmlCircle = 360, xmlRounding = 1e-9;
 }  // namespace
 
 XmlFile::XmlFile(std::string_view file)
-    : m_document(std::make_unique<pugi::xml_document>()), m_lineStarts(lineStartsOf(untilEnd(file))) {
-  const std::string_view text = untilEnd(file);
+    : m_document(std::make_unique<pugi::xml_document>()), m_lineStarts(lineStartsOf(untilEndOfFile(file))) {
+  const std::string_view text = untilEndOfFile(file);
   if (text.empty()) return;
   if (hasTooManyMarks(text)) {
     m_problem = {1, 0,

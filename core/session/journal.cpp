@@ -72,10 +72,14 @@ std::optional<std::size_t> firstBrokenEntry(const std::vector<JournalEntry>& jou
   return {};
 }
 
-std::string contentDigest(const Session& session) {
+std::string fileWithoutJournal(const Session& session) {
   Session content = session;
   content.journal.clear();
-  return sha256(writeSession(content));
+  return writeSession(content);
+}
+
+std::string contentDigest(const Session& session) {
+  return sha256(fileWithoutJournal(session));
 }
 
 std::size_t changedReadings(const Session& session) {
@@ -113,9 +117,7 @@ JournalEntry sealingEntry(const Session& session, const std::string& by, const s
   entry.at = at;
   entry.by = by;
   entry.from = std::to_string(sealed ? sealed->revision + 1 : 0);
-  Session content = session;
-  content.journal.clear();
-  const std::string text = writeSession(content);
+  const std::string text = fileWithoutJournal(session);
   entry.to = sha256(text);
   entry.why = journal_reasons::sealed;
   keepSealedContent(entry, text);

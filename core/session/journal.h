@@ -77,7 +77,10 @@ void enterInJournal(std::vector<JournalEntry>& journal, JournalEntry entry);
 /// the chain is intact.
 std::optional<std::size_t> firstBrokenEntry(const std::vector<JournalEntry>& journal);
 
-/// SHA-256 of the session without its journal, as written to a file, in hexadecimal digits.
+/// The session without its journal, as written to a file.
+std::string fileWithoutJournal(const Session& session);
+
+/// SHA-256 of `fileWithoutJournal`, in hexadecimal digits.
 std::string contentDigest(const Session& session);
 
 /// The number of reading cells that differ from their first entry.

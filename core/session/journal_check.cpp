@@ -45,15 +45,13 @@ void addUntoldFirstTexts(const Session& session, std::vector<JournalContradictio
   std::set<std::pair<std::string, std::string>> told;
   for (const JournalEntry& entry : session.journal) {
     const std::string field = entry.place.substr(entry.place.find_last_of('.') + 1);
-    const RowField* own = rowFieldNamed(field);
-    const ValueKind kind = own ? kindOf(*own) : ValueKind::Text;
     for (const std::string& text : {entry.from, entry.to})
-      told.insert({{field, text}, {field, filedText(text, kind)}});
+      told.emplace(field, filedText(text, kindOfCell(field)));
   }
   for (std::size_t p = 0; p < session.positions.size(); ++p)
     for (std::size_t r = 0; r < session.positions[p].readings.size(); ++r)
       for (const auto& [field, first] : session.positions[p].readings[r].asRead.all())
-        if (!told.contains({field, first}))
+        if (!told.contains({field, filedText(first, kindOfCell(field))}))
           contradictions.push_back(
               {Place{.position = p, .reading = r, .field = "as_read." + field}.path(), {}, first});
 }
@@ -68,13 +66,11 @@ CheckedSeal sealAt(const std::vector<JournalEntry>& journal, std::size_t index) 
           CheckedSeal::State::Unchecked};
 }
 
-JournalCheck takenBack(const Session& session, JournalReplay::RowOrder order) {
+/// `content` is `fileWithoutJournal(session)`.
+JournalCheck takenBack(const Session& session, const std::string& content, JournalReplay::RowOrder order) {
   const std::vector<JournalEntry>& journal = session.journal;
   const bool isSmall = rowCountOf(session) <= mostRowsTakenBack;
-  Session content = session;
-  content.journal.clear();
-  const std::string text = writeSession(content);
-  JournalReplay replay(journal, isSmall ? text : "{}", order);
+  JournalReplay replay(journal, isSmall ? content : "{}", order);
   JournalCheck taken;
   for (std::size_t i = journal.size(); i-- > 0;) {
     if (journal[i].why == journal_reasons::explained) continue;
@@ -86,19 +82,27 @@ JournalCheck takenBack(const Session& session, JournalReplay::RowOrder order) {
     if (isSmall)
       seal.state = replay.atSeal(i);
     else if (i + 1 == journal.size())
-      seal.state = sha256(text) == seal.seal.digest ? CheckedSeal::State::Held : CheckedSeal::State::Changed;
+      seal.state =
+          sha256(content) == seal.seal.digest ? CheckedSeal::State::Held : CheckedSeal::State::Changed;
     taken.seals.insert(taken.seals.begin(), seal);
   }
   taken.contradictions = replay.takeContradictions();
   return taken;
 }
 
-/// In the order of rows that journals have had since version 1, or in the earlier one where only that holds.
+std::size_t faults(const JournalCheck& check) {
+  return check.contradictions.size() + static_cast<std::size_t>(std::ranges::count(
+                                           check.seals, CheckedSeal::State::Changed, &CheckedSeal::state));
+}
+
+/// In the order of rows that journals have had since version 1, or in the earlier order if fewer faults
+/// remain in it.
 JournalCheck takenBack(const Session& session) {
-  JournalCheck taken = takenBack(session, JournalReplay::RowOrder::LastFirst);
+  const std::string content = fileWithoutJournal(session);
+  JournalCheck taken = takenBack(session, content, JournalReplay::RowOrder::LastFirst);
   if (taken.holds()) return taken;
-  JournalCheck together = takenBack(session, JournalReplay::RowOrder::TogetherOfEdit);
-  return together.holds() ? together : taken;
+  JournalCheck together = takenBack(session, content, JournalReplay::RowOrder::FirstFirst);
+  return faults(together) < faults(taken) ? together : taken;
 }
 
 }  // namespace

@@ -48,7 +48,8 @@ struct JournalCheck {
   bool holds() const;
 };
 
-/// Writes the session once, and again for each seal. With more than 20 000 rows, entries are not reverted.
+/// Writes the session once, and again for each seal; if a fault is found, a second time for each seal. With
+/// more than 20 000 rows, entries are not reverted.
 JournalCheck checkJournal(const Session& session);
 
 /// A seal's copy of the sealed content, as a session file; empty if it has none or the copy differs from what

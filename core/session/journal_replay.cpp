@@ -35,11 +35,7 @@ std::optional<std::size_t> takeIndex(std::string_view& text, std::string_view na
   return index;
 }
 
-ValueKind kindOfField(const std::string& field, bool isCell) {
-  if (isCell) {
-    const RowField* known = rowFieldNamed(field);
-    return known ? kindOf(*known) : ValueKind::Text;
-  }
+ValueKind kindOfField(const std::string& field) {
   if (field.ends_with(".return_code")) return ValueKind::Number;
   const bool isCircle = field.ends_with(".horizontal") || field.ends_with(".vertical");
   if (field.starts_with("pointing_zero.") && isCircle) return ValueKind::Angle;
@@ -67,22 +63,34 @@ std::string usedText(const Json& row) {
 }
 
 std::string cellTextOf(const Json& row, const std::string& field) {
-  return field == flagName ? usedText(row) : textIn(row, field, kindOfField(field, true));
+  return field == flagName ? usedText(row) : textIn(row, field, kindOfCell(field));
 }
 
-/// Is the row empty, be it excluded or not?
-bool isEmptyRow(const Json& row) {
-  return std::ranges::all_of(rowFields, [&](const RowField& field) {
-    return !field.text || cellTextOf(row, std::string(field.key)).empty();
-  });
-}
-
-std::string rowTextOf(const Json& row) {
+Reading readingOf(const Json& row) {
   Reading reading;
   for (const RowField& field : rowFields)
     if (field.text) reading.*field.text = textIn(row, std::string(field.key), kindOf(field));
   reading.excluded = usedText(row) == "excluded";
-  return rowText(reading);
+  return reading;
+}
+
+std::string rowTextOf(const Json& row) {
+  return rowText(readingOf(row));
+}
+
+/// Whether the row has every one of `texts`, but for a note.
+bool hasTexts(const Json& row, const Json& texts) {
+  for (const auto& [field, value] : texts.items())
+    if (field != "note" && cellTextOf(row, field) != cellTextOf(texts, field)) return false;
+  return true;
+}
+
+/// Index of the only row that is it; absent if there is none, or are several.
+template <typename IsIt>
+std::optional<std::size_t> onlyRow(const Json& rows, const IsIt& isIt) {
+  const auto found = std::find_if(rows.begin(), rows.end(), isIt);
+  const bool isOne = found != rows.end() && std::find_if(std::next(found), rows.end(), isIt) == rows.end();
+  return isOne ? std::optional(static_cast<std::size_t>(found - rows.begin())) : std::nullopt;
 }
 
 /// The inverse of `rowText`: fields have a fixed order, and a value ends at the next field.
@@ -158,7 +166,7 @@ void JournalReplay::contradict(const std::string& place, const std::string& told
 
 void JournalReplay::takeBack(std::size_t index) {
   if (index >= m_taken) return;
-  m_taken = m_order == RowOrder::TogetherOfEdit ? firstOfEdit(index) : index;
+  m_taken = m_order == RowOrder::FirstFirst ? firstOfEdit(index) : index;
   for (std::size_t i = m_taken; i <= index; ++i) takeBackOne(i);
 }
 
@@ -216,16 +224,15 @@ JournalReplay::Json* JournalReplay::rowOf(const Path& path, const JournalEntry& 
         {"point", entry.point}, {"round", entry.round}, {"face", entry.face}};
     return std::ranges::all_of(names, [&](const auto& name) {
       const std::string& text = path.field == name.first ? entry.to : name.second;
-      return cellTextOf(row, name.first) == filedText(text, kindOfField(name.first, true));
+      return cellTextOf(row, name.first) == filedText(text, kindOfCell(name.first));
     });
   };
-  const auto found = std::find_if(rows->begin(), rows->end(), isIt);
-  const bool isOne = found != rows->end() && std::find_if(std::next(found), rows->end(), isIt) == rows->end();
-  return isOne ? &*found : nullptr;
+  const auto only = onlyRow(*rows, isIt);
+  return only ? &(*rows)[*only] : nullptr;
 }
 
-/// Whether a row of any position has the text: rows move to another position before the first seal, where
-/// another row may have the same names.
+/// Whether a row of any position has the text. Rows move to another position without an entry there before
+/// the first seal; `rowOf` may then find a row with the same point, round and face instead.
 bool JournalReplay::isAnywhere(const std::string& field, const std::string& text) const {
   const auto positions = m_content->find("positions");
   if (positions == m_content->end() || !positions->is_array()) return false;
@@ -250,13 +257,13 @@ void JournalReplay::takeBackCell(const Path& path, std::size_t index) {
     return;
   }
   const std::string held = cellTextOf(*row, path.field);
-  const ValueKind kind = kindOfField(path.field, true);
+  const ValueKind kind = kindOfCell(path.field);
+  const std::string told = filedText(entry.to, kind);
   // Before the first seal, a cell may have been filled in or belong to another row: only a marked change
   // counts.
   const auto marks = row->find(firstTexts);
   const bool isMarked = marks != row->end() && marks->contains(path.field);
-  if (held != filedText(entry.to, kind) && (isSealed || (isMarked && !entry.to.empty()))) {
-    const std::string told = filedText(entry.to, kind);
+  if (held != told && (isSealed || (isMarked && !entry.to.empty()))) {
     if (!isSealed && (isAnywhere(path.field, told) || isLaterLeft(path.field, told, index))) {
       m_isExact = false;
       return;
@@ -279,38 +286,31 @@ void JournalReplay::takeBackCell(const Path& path, std::size_t index) {
   if (firsts.empty()) row->erase(firstTexts);
 }
 
-/// Whether a later entry changed this text of such a cell. Before the first seal that entry may not have been
-/// reverted, as its row was not found.
+/// Whether an entry after `index` changed this text in any row. Before the first seal, that entry may still
+/// be unreverted, since its row was not found.
 bool JournalReplay::isLaterLeft(const std::string& field, const std::string& text, std::size_t index) const {
-  const ValueKind kind = kindOfField(field, true);
-  return std::any_of(m_journal.begin() + static_cast<std::ptrdiff_t>(index) + 1, m_journal.end(),
-                     [&](const JournalEntry& later) {
-                       return later.place.ends_with("." + field) && filedText(later.from, kind) == text;
-                     });
+  const ValueKind kind = kindOfCell(field);
+  const std::string end = "." + field;
+  const auto first = m_journal.begin() + static_cast<std::ptrdiff_t>(index) + 1;
+  return std::any_of(first, m_journal.end(), [&](const JournalEntry& later) {
+    return later.place.ends_with(end) && filedText(later.from, kind) == text;
+  });
 }
 
-/// Before the first seal, texts are filled in, notes change, and empty rows come and go without an entry; so
-/// the row told of may stand elsewhere. Of a row without texts, only an empty one is the row told of.
+/// Before the first seal, texts are filled in, notes change, and empty rows are added and removed without an
+/// entry, so the row may have another index. An entry of a row without texts tells of an empty row.
 JournalReplay::ToldRow JournalReplay::openRow(const Json& rows, const Path& path, std::size_t index) const {
   const Json told = rowOfText(m_journal[index].to);
+  const bool isBlankRow = isBlank(readingOf(told));
+  const auto isIt = [&](const Json& row) {
+    return isBlankRow ? isBlank(readingOf(row)) : hasTexts(row, told);
+  };
+  if (*path.reading < rows.size() && isIt(rows[*path.reading])) return {path.reading, true};
+  if (isBlankRow || std::ranges::any_of(rows, isIt)) return {onlyRow(rows, isIt), true};
   Json lasting = told;  // without the texts that a later entry changed
   for (const auto& [field, value] : told.items())
     if (isLaterLeft(field, cellTextOf(told, field), index)) lasting.erase(field);
-  const auto holds = [](const Json& row, const Json& texts) {
-    for (const auto& [field, value] : texts.items())
-      if (field != "note" && cellTextOf(row, field) != cellTextOf(texts, field)) return false;
-    return true;
-  };
-  const bool isEmpty = isEmptyRow(told);
-  const auto isIt = [&](const Json& row) { return isEmpty ? isEmptyRow(row) : holds(row, told); };
-  if (*path.reading < rows.size() && isIt(rows[*path.reading])) return {path.reading, true};
-  const auto found = std::ranges::find_if(rows, isIt);
-  if (found == rows.end()) {
-    const auto mayBeIt = [&](const Json& row) { return holds(row, lasting); };
-    return {{}, isEmpty || std::ranges::any_of(rows, mayBeIt)};
-  }
-  const bool isOne = std::find_if(std::next(found), rows.end(), isIt) == rows.end();
-  return {isOne ? std::optional(static_cast<std::size_t>(found - rows.begin())) : std::nullopt, true};
+  return {{}, std::ranges::any_of(rows, [&](const Json& row) { return hasTexts(row, lasting); })};
 }
 
 /// The row that the entry tells of.
@@ -362,7 +362,7 @@ void JournalReplay::takeBackText(const Path& path, const JournalEntry& entry) {
     key.erase(0, dot + 1);
     if (!object->is_object() && !object->is_null()) return contradict(entry.place, entry.to, object->dump());
   }
-  const ValueKind kind = kindOfField(path.field, false);
+  const ValueKind kind = kindOfField(path.field);
   const std::string held = object->is_null() ? std::string() : textIn(*object, key, kind);
   const bool isFilledIn =
       entry.to.empty() && !isSealedBefore(static_cast<std::size_t>(&entry - m_journal.data()));

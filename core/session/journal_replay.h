@@ -16,10 +16,10 @@ class JournalReplay {
  public:
   using Json = nlohmann::ordered_json;
 
-  /// How the journal lists rows deleted in one edit.
+  /// The order in which the journal lists the rows of one deletion.
   enum class RowOrder {
-    LastFirst,       ///< each entry may be reverted alone
-    TogetherOfEdit,  ///< the first row first, as journals of version 0 do: an edit is reverted as a whole
+    LastFirst,   ///< each entry is reverted alone
+    FirstFirst,  ///< as journals of version 0 do; the entries of a deletion are reverted together
   };
 
   JournalReplay(const std::vector<JournalEntry>& journal, const std::string& content, RowOrder order);

@@ -104,6 +104,11 @@ constexpr ValueKind kindOf(const RowField& field) {
                         std::holds_alternative<NumberText>(field.rule);
   return isNumber ? ValueKind::Number : ValueKind::Text;
 }
+/// The same of a field by its name in the session file; text if the name is unknown.
+constexpr ValueKind kindOfCell(std::string_view key) {
+  const RowField* field = rowFieldNamed(key);
+  return field ? kindOf(*field) : ValueKind::Text;
+}
 
 /// The meaning of an empty text of the field, as it would be typed: "1" for a round. Empty: none.
 std::string usualText(const RowField& field);

@@ -24,7 +24,8 @@ bool saysNothing(const KnownSize& size) {
   return std::ranges::all_of(knownCells, [&](const KnownCell& cell) { return (size.*cell.text).empty(); });
 }
 
-/// `trunnion_tilt: 12 ± 2 arcsec, certificate K-7`.
+/// `trunnion_tilt: 12 ± 2 arcsec, certificate K-7`, which `contentText` (core/wording/journal.h) shows with
+/// names.
 std::string saidOf(const KnownSize& size) {
   std::string text = size.effect;
   if (!size.parameter.empty()) text += ' ' + size.parameter;

@@ -126,10 +126,9 @@ int Safekeeping::offer() {
     if (answer.choice == RecoveryAnswer::Choice::Discard) {
       chosen->slot->remove();
       left.erase(chosen);
-      continue;
+    } else if (answer.choice != RecoveryAnswer::Choice::Recover || recover(*chosen)) {
+      break;
     }
-    const bool isRefused = answer.choice == RecoveryAnswer::Choice::Recover && !recover(*chosen);
-    if (!isRefused) break;  // else the open session stays, and the user may choose again
   }
   return asked;
 }

@@ -81,7 +81,7 @@ std::vector<JournalEntry> entriesOf(const Session& session, std::size_t position
                                     const char* why, const Stands& stands) {
   PatchEntries entries(session, position, why, stands);
   for (const ReadingsPatch::Cell& cell : patch.cells()) entries.addCell(cell);
-  // The last first: each entry is then true of the rows that the one before it leaves.
+  // Listed from the last row to the first, each index is valid in the rows that the entry before leaves.
   const auto& gone = patch.gone();
   for (auto row = gone.rbegin(); row != gone.rend(); ++row) entries.addRow(row->reading, row->index, true);
   std::size_t index = patch.addedFirst();

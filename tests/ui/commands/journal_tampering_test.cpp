@@ -198,8 +198,8 @@ TEST(UnalteredJournalRows, MayBeDeletedInQuickSuccession) {
   EXPECT_EQ(document.session().journal[1].place, "positions[0].readings[4]");
 }
 
-// Journals before version 1.0.0 list the first row first.
-TEST(UnalteredJournalRows, HoldInTheEarlierOrder) {
+/// A sealed session with a deletion of rows that the journal lists in the order of version 0.
+Session inEarlierOrder() {
   SessionDocument document;
   document.startWithStanding(paperSession());
   document.push(new SealSession(document, "R. Roe"));
@@ -211,6 +211,11 @@ TEST(UnalteredJournalRows, HoldInTheEarlierOrder) {
     entry.at = entries.front().at;
     enterInJournal(session.journal, entry);
   }
+  return session;
+}
+
+TEST(UnalteredJournalRows, HoldInTheEarlierOrder) {
+  const Session session = inEarlierOrder();
   ASSERT_EQ(session.journal[1].place, "positions[0].readings[1]");
   EXPECT_TRUE(checkJournal(session).holds());
 }
@@ -224,6 +229,13 @@ TEST(UnalteredJournalRows, AreFoundBelowAnEmptyRowThatCameLater) {
   document.undoStack().undo();
   ReadingsEditor(document, 0).insertBlank(1);
   EXPECT_TRUE(checkJournal(document.session()).holds());
+}
+
+TEST(AlteredJournalRows, AreNamedAloneInTheEarlierOrder) {
+  Session session = inEarlierOrder();
+  session.title = "altered";
+  EXPECT_THAT(checkJournal(session).contradictions,
+              testing::ElementsAre(Field(&JournalContradiction::place, "title")));
 }
 
 TEST(AlteredJournalRows, AreNamedAfterASeal) {
