@@ -22,7 +22,7 @@ struct Axis {
   const char* unit;
   bool isMinutes;
 
-  /// Of a run, or of one of its looks.
+  /// The length of a run, or of one of its looks.
   template <typename Watched>
   double lengthOf(const Watched& watched) const {
     return isMinutes ? watched.minutes : static_cast<double>(watched.sightings);

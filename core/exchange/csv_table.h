@@ -41,7 +41,7 @@ class CsvTable {
 
   std::optional<CsvRow> next();
   const std::optional<LineProblem>& problem() const { return m_problem; }
-  /// After the last row: the line of the ^Z that ended the table; absent if there is none.
+  /// Valid after the last row: the line of the ^Z that ended the table; absent if there was none.
   std::optional<std::size_t> tailLine() const { return m_hasTail ? std::optional(m_line) : std::nullopt; }
 
  private:

@@ -85,7 +85,7 @@ bool hasTexts(const Json& row, const Json& texts) {
   return true;
 }
 
-/// Index of the only row that is it; absent if there is none, or are several.
+/// Index of the only row for which `isIt` is true; absent if no row or several rows fulfil it.
 template <typename IsIt>
 std::optional<std::size_t> onlyRow(const Json& rows, const IsIt& isIt) {
   const auto found = std::find_if(rows.begin(), rows.end(), isIt);

@@ -40,7 +40,7 @@ class JournalReplay {
 
   struct ToldRow {
     std::optional<std::size_t> row;  ///< absent: not found, or one of several
-    bool isTrue = false;             ///< no contradiction
+    bool isTrue = false;             ///< nothing in the rows contradicts the entry
   };
 
   static std::optional<Path> pathOf(const std::string& place);

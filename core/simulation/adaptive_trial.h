@@ -20,7 +20,7 @@ struct AdaptiveTrialOptions {
   std::size_t count = 100;         ///< truths with one cause
   std::size_t unknown = 0;         ///< truths with an effect of no catalogue
   std::size_t clean = 0;           ///< truths without any, watched after every sighting of a whole session
-  bool readsCleanInOrder = false;  ///< whether `WatchedRuns::ofProtocol` of these is wanted, too
+  bool readsCleanInOrder = false;  ///< whether these are also read in the protocol's order
   unsigned threads = 0;            ///< 0: as many as the machine has; the result is the same for any number
   std::function<void(std::size_t)> progress = {};
 };

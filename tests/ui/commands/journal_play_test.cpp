@@ -117,9 +117,9 @@ class Player {
   SessionDocument m_document;
 };
 
-// Quick deletions have one second in the journal, rows come empty and without an entry before the first seal,
-// and rows of one name move between positions. Each of these once let an honest session fail; the seeds
-// beyond 60 are those where one of them did.
+// Three things once made an honest session fail: two deletions within one second, empty rows without an entry
+// before the first seal, and rows with the same point, round and face in both positions. The sessions of
+// these seeds failed before all three were mended.
 constexpr unsigned hardSeeds[] = {82,  84,  102, 137, 185, 187, 198, 205, 225, 267, 271, 308,
                                   324, 417, 425, 562, 577, 586, 625, 629, 632, 635, 638};
 

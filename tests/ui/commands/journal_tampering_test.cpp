@@ -186,8 +186,8 @@ void remove(SessionDocument& document, const std::vector<std::size_t>& rows) {
   ReadingsEditor(document, 0).remove(rows);
 }
 
-// Both deletions fall into one second, and the second has the higher rows: nothing but the order of their
-// entries parts them.
+// Only the order of the entries separates the deletions: both fall into one second, and the second deletes
+// higher rows.
 TEST(UnalteredJournalRows, MayBeDeletedInQuickSuccession) {
   SessionDocument document;
   document.startWithStanding(paperSession());
