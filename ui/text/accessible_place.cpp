@@ -42,6 +42,16 @@ QString ownEffectName(std::string_view field) {
   return PlaceText::tr("own effect %1").arg(number);
 }
 
+/// The name of an entry of the known sizes, whatever its effect; empty for any other field.
+QString knownEntryName(const std::string& name) {
+  const auto known = knownAt({.field = name});
+  if (!known) return {};
+  return known->ref.owner == KnownOwner::Device ? PlaceText::tr("known size of the device")
+                                                : PlaceText::tr("known size of the instrument");
+}
+
+}  // namespace
+
 QString rowFieldName(const std::string& name) {
   const RowField* field = rowFieldNamed(name);
   if (!field) return visibleLine(qText(name));
@@ -53,12 +63,12 @@ QString sessionFieldName(const std::string& name) {
   const Field* field = fieldNamed(name.starts_with("protocol.") ? "protocol" : name);
   if (field) return QCoreApplication::translate("Field", field->noun);
   if (name == "model.effects") return PlaceText::tr("model effects");
+  if (name == "own_effects") return PlaceText::tr("own effects");
   if (name == "readings") return PlaceText::tr("readings");
-  const QString own = ownEffectName(name);
-  return own.isEmpty() ? visibleLine(qText(name)) : own;
+  for (const QString& entry : {ownEffectName(name), knownEntryName(name)})
+    if (!entry.isEmpty()) return entry;
+  return visibleLine(qText(name));
 }
-
-}  // namespace
 
 QString accessibleRow(std::size_t row, const std::string& point) {
   const QString name = shortLine(qText(point).trimmed(), longestName);

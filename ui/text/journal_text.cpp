@@ -1,14 +1,11 @@
 #include "ui/text/journal_text.h"
 
-#include <QCoreApplication>
 #include <QRegularExpression>
 #include <QStringList>
 #include <algorithm>
 
 #include "core/base/place.h"
 #include "core/wording/journal.h"
-#include "ui/document/field.h"
-#include "ui/document/reading_column.h"
 #include "ui/text/accessible_place.h"
 #include "ui/text/entry_text.h"
 #include "ui/text/list_text.h"
@@ -16,32 +13,16 @@
 
 namespace alidade::ui {
 
-namespace {
-
-QString fieldNoun(const QString& name, bool isOfRow) {
-  if (name.isEmpty()) return {};
-  const std::string plain = name.toStdString();
-  if (isOfRow) {
-    const RowField* field = rowFieldNamed(plain);
-    if (!field) return visibleLine(name);
-    const ReadingColumnInfo& info = infoOf(field->flag ? ReadingColumn::Used : readingColumn(plain));
-    return QCoreApplication::translate("ReadingColumn", info.noun);
-  }
-  const Field* field = fieldNamed(plain);
-  return field ? QCoreApplication::translate("Field", field->noun) : visibleLine(name);
-}
-
-}  // namespace
-
 QString journalPlace(const JournalEntry& entry) {
   static const QRegularExpression pattern(
       QStringLiteral("^positions\\[(\\d+)\\](?:\\.readings\\[(\\d+)\\])?(?:\\.(.+))?$"));
   const auto match = pattern.match(qText(entry.place));
-  if (!match.hasMatch()) return fieldNoun(qText(entry.place), false);
+  if (!match.hasMatch()) return sessionFieldName(entry.place);
   QStringList parts{visibleLine(entry.axis) + u'°'};
   const bool isOfRow = !match.captured(2).isEmpty();
   if (isOfRow) parts.append(accessibleRow(match.captured(2).toULongLong(), entry.point));
-  if (const QString noun = fieldNoun(match.captured(3), isOfRow); !noun.isEmpty()) parts.append(noun);
+  if (const std::string field = match.captured(3).toStdString(); !field.empty())
+    parts.append(isOfRow ? rowFieldName(field) : sessionFieldName(field));
   return listText(parts);
 }
 

@@ -45,7 +45,7 @@ QString knownName(const Session& session, const KnownRow& row) {
 }
 
 QString knownText(const KnownSize& size) {
-  QStringList parts{qText(size.effect + (size.parameter.empty() ? "" : ", " + size.parameter))};
+  QStringList parts{entryName(size)};
   if (!size.value.empty()) parts.append(qText(size.value));
   if (!size.sigma.empty()) parts.append(QStringLiteral("u ") + qText(size.sigma));
   if (!size.unit.empty()) parts.append(qText(size.unit));

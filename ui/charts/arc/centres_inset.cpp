@@ -9,6 +9,7 @@
 
 #include "core/base/round_numbers.h"
 #include "ui/charts/plotting/clipping.h"
+#include "ui/charts/plotting/two_lines.h"
 #include "ui/text/entry_text.h"
 #include "ui/text/quantity_text.h"
 
@@ -364,18 +365,20 @@ QList<CentresInset::TitleLine> CentresInset::headlineLines(bool isMarked) const 
 void CentresInset::layOutTitles() {
   const double line = QFontMetricsF(m_style.font).height();
   m_titles = headlineLines(false);
-  const double left = m_square.height() - titlesHeight() - 2.5 * line;
-  const QFontMetricsF metrics(m_style.font);
+  double left = m_square.height() - titlesHeight() - 2.5 * line;
   const auto warning = std::ranges::find(m_headline.lines, true, &Headline::Line::isWarning);
   if (warning != m_headline.lines.end()) {
-    if (left >= 6 * line)
-      m_titles.append({metrics.elidedText(qText(warning->text), Qt::ElideRight, titleRoom()), m_style.font,
-                       m_style.text});
-    else
+    if (left >= 6 * line) {
+      const QStringList lines =
+          inTwoLines(qText(warning->text), m_style.font, titleRoom(), left >= 7 * line ? 2 : 1);
+      for (const QString& part : lines) m_titles.append({part, m_style.font, m_style.text});
+      left -= (static_cast<double>(lines.size()) - 1) * line;
+    } else {
       m_titles = headlineLines(true);
+    }
   }
   const QString name = InsetText::tr("Centres of the fit, enlarged");
-  if (left >= 8 * line && metrics.horizontalAdvance(name) <= titleRoom())
+  if (left >= 8 * line && QFontMetricsF(m_style.font).horizontalAdvance(name) <= titleRoom())
     m_titles.append({name, m_style.font, m_style.mutedText});
 }
 

@@ -1,9 +1,9 @@
 #include "ui/charts/plotting/caption.h"
 
 #include <QEvent>
-#include <QTextLayout>
 #include <algorithm>
 
+#include "ui/charts/plotting/two_lines.h"
 #include "ui/settings/window_font.h"
 
 namespace alidade::ui {
@@ -56,17 +56,7 @@ int Caption::heightForWidth(int width) const {
 }
 
 QString Caption::fitted(int width) const {
-  const int wide = room(width);
-  const bool isOneLine = !m_maySpread || fontMetrics().horizontalAdvance(m_sentence) <= wide;
-  if (isOneLine) return fontMetrics().elidedText(m_sentence, Qt::ElideRight, wide);
-  QTextLayout layout(m_sentence, font());
-  layout.beginLayout();
-  QTextLine line = layout.createLine();
-  line.setLineWidth(wide);
-  layout.endLayout();
-  const int end = line.textLength();
-  return m_sentence.left(end).trimmed() + u'\n' +
-         fontMetrics().elidedText(m_sentence.mid(end), Qt::ElideRight, wide);
+  return inTwoLines(m_sentence, font(), room(width), m_maySpread ? 2 : 1).join(u'\n');
 }
 
 void Caption::fit() {

@@ -105,31 +105,31 @@ int DataTable::shownWidth(int column) const {
   return width;
 }
 
-/// Reduces each column to the width of its cells, then gives the remaining room to the columns from the first
-/// on.
-void DataTable::narrow(std::vector<int>& widths, int padding) const {
-  std::vector<int> least;
-  for (int i = 0; i < m_model.columnCount(); ++i)
-    least.push_back(std::min(widths[static_cast<std::size_t>(i)], padding + shownWidth(i)));
-  int room = viewport()->width() - std::accumulate(least.begin(), least.end(), 0);
-  for (std::size_t i = 0; i < widths.size(); ++i) {
-    const int more = std::clamp(room, 0, widths[i] - least[i]);
-    widths[i] = least[i] + more;
-    room -= more;
-  }
-}
-
 void DataTable::fitCells() {
-  constexpr int padding = 14;
+  constexpr int padding = 14, widest = 340;
   const QScopedValueRollback fitting(m_isFitting, true);
   verticalHeader()->setDefaultSectionSize(fontMetrics().height() + 5);
-  std::vector<int> widths;
-  for (const DataColumn& column : m_model.columns())
-    widths.push_back(padding + std::max(fontMetrics().horizontalAdvance(column.sample),
-                                        fontMetrics().horizontalAdvance(column.title)));
-  const int wanted = std::accumulate(widths.begin(), widths.end(), 0);
-  if (m_model.rowCount() > 0 && wanted > viewport()->width()) narrow(widths, padding);
+  std::vector<int> widths, samples, shown;
+  for (int i = 0; i < m_model.columnCount(); ++i) {
+    const DataColumn& column = m_model.columns()[static_cast<std::size_t>(i)];
+    const int sample = std::max(fontMetrics().horizontalAdvance(column.sample),
+                                fontMetrics().horizontalAdvance(column.title));
+    samples.push_back(padding + sample);
+    shown.push_back(m_model.rowCount() > 0 ? padding + shownWidth(i) : samples.back());
+    widths.push_back(std::min(shown.back(), column.sample.isEmpty() ? padding + widest : samples.back()));
+  }
+  for (const std::vector<int>& wanted : {shown, samples}) widen(widths, wanted);
   for (int i = 0; i < m_model.columnCount(); ++i) setColumnWidth(i, widths[static_cast<std::size_t>(i)]);
+}
+
+/// Gives what the table has left to the columns narrower than wanted, from the first on.
+void DataTable::widen(std::vector<int>& widths, const std::vector<int>& wanted) const {
+  int room = viewport()->width() - std::accumulate(widths.begin(), widths.end(), 0);
+  for (std::size_t i = 0; i < widths.size(); ++i) {
+    const int more = std::clamp(wanted[i] - widths[i], 0, std::max(room, 0));
+    widths[i] += more;
+    room -= more;
+  }
 }
 
 void DataTable::setPlaceholder(const QString& text) {

@@ -11,7 +11,7 @@ namespace alidade::ui {
 /// the rows in view.
 struct DataColumn {
   QString title, toolTip;
-  QString sample;  ///< a wide text that sets the width
+  QString sample;  ///< a wide text: the column has its width if there is room; empty: that of the cells
   std::function<QString(int row)> text;
   Qt::Alignment alignment = Qt::AlignRight;  ///< left for words
 };
@@ -53,9 +53,6 @@ class DataTable : public QTableView {
   void rowActivated(int row);  ///< by click or Enter
 
  protected:
-  /// Sets the widths of the columns by their samples or, where these are too wide for the table, by what the
-  /// cells show. Called again for another font or width, until the user sets a width.
-  virtual void fitCells();
   void resizeEvent(QResizeEvent* event) override;
   void showEvent(QShowEvent* event) override;
   void paintEvent(QPaintEvent* event) override;
@@ -64,7 +61,10 @@ class DataTable : public QTableView {
 
  private:
   int shownWidth(int column) const;
-  void narrow(std::vector<int>& widths, int padding) const;
+  /// Sets the width of each column: at least what its cells show, up to its sample; wider cells and samples
+  /// get the room that is left. Called again for another font or width, until the user sets a width.
+  void fitCells();
+  void widen(std::vector<int>& widths, const std::vector<int>& wanted) const;
   void fitAgain();
 
   DataModel m_model;

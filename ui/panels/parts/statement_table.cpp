@@ -1,6 +1,5 @@
 #include "ui/panels/parts/statement_table.h"
 
-#include <algorithm>
 #include <utility>
 
 #include "ui/text/entry_text.h"
@@ -32,19 +31,6 @@ StatementTable::StatementTable(const Statement& columns, QWidget* parent)
 void StatementTable::setStatement(Statement statement) {
   m_statement = std::move(statement);
   setRows(static_cast<int>(m_statement.rows.size()));
-  fitCells();
-}
-
-void StatementTable::fitCells() {
-  constexpr std::size_t rowsMeasured = 200;
-  constexpr int widest = 340, margin = 14;
-  DataTable::fitCells();
-  for (std::size_t i = 0; i < m_statement.columns.size(); ++i) {
-    int width = columnWidth(static_cast<int>(i)) - margin;
-    for (std::size_t row = 0; row < std::min(rowsMeasured, m_statement.rows.size()); ++row)
-      width = std::max(width, fontMetrics().horizontalAdvance(qText(m_statement.rows[row].cells[i])));
-    setColumnWidth(static_cast<int>(i), std::min(width, widest) + margin);
-  }
 }
 
 }  // namespace alidade::ui

@@ -6,7 +6,7 @@
 namespace alidade::ui {
 
 /// Shows the table of a statement with many rows or columns: selected by rows, copied for a spreadsheet, the
-/// remarks on its columns as tool tips. Each column is as wide as its widest cell, up to a limit.
+/// remarks on its columns as tool tips.
 class StatementTable : public DataTable {
   Q_OBJECT
 
@@ -15,9 +15,6 @@ class StatementTable : public DataTable {
   explicit StatementTable(const Statement& columns, QWidget* parent = nullptr);
 
   void setStatement(Statement statement);
-
- protected:
-  void fitCells() override;
 
  private:
   Statement m_statement;
