@@ -45,6 +45,7 @@ class MainWindow : public QMainWindow {
   InstrumentFlow& instrument() { return *m_instrument; }
   FitJob& job() { return m_jobs.fit(); }
   GapJob& gapJob() { return m_jobs.gap(); }
+  SessionJobs& jobs() { return m_jobs; }
   EntryColumn& entries() { return *m_entries; }
   EntryGuide& entry() { return *m_entry; }
   InstrumentDesk& instrumentDesk() { return *m_desk; }

@@ -13,7 +13,6 @@
 #include "ui/panels/readings/position_tabs.h"
 #include "ui/panels/readings/readings_table.h"
 #include "ui/panels/result/result_panel.h"
-#include "ui/panels/window/job_status.h"
 #include "ui/panels/window/page_tabs.h"
 #include "ui/text/session_difference.h"
 
@@ -96,15 +95,16 @@ void Monkey::openWindow() {
   m_window = std::make_unique<MainWindow>(std::move(dialogs));
   SessionDocument& document = m_window->document();
   m_first = sessionText();
+  m_gap.reset();
   QObject::connect(&document, &SessionDocument::identityChanged, m_window.get(), [this, &document] {
     if (document.undoStack().count() == 0) m_first = sessionText();
   });
   QObject::connect(&m_window->job(), &FitJob::evaluated, m_window.get(),
                    [this](const SharedEvaluation& evaluation) { m_evaluation = evaluation; });
-  QObject::connect(&m_window->gapJob(), &GapJob::assessed, m_window.get(),
-                   [this](const SharedGap& gap) { m_gap = gap; });
-  QObject::connect(m_window->findChild<JobStatus*>(), &JobStatus::stopWanted, m_window.get(),
-                   [this] { m_gap.reset(); });
+  const auto keep = [this](const SharedGap& gap) { m_gap = gap; };
+  QObject::connect(&m_window->jobs(), &SessionJobs::gapChanged, m_window.get(), keep);
+  QObject::connect(&m_window->gapJob(), &GapJob::completed, m_window.get(), keep);
+  QObject::connect(&m_window->jobs(), &SessionJobs::gapCleared, m_window.get(), [this] { m_gap.reset(); });
   m_window->show();
   QApplication::setActiveWindow(m_window.get());
   if (!path.isEmpty()) m_window->files().open(path);
