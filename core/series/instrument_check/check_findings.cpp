@@ -70,7 +70,7 @@ class StationFindings {
              PHRASE_LATER("Phrase", "Targets missing from most rounds are not used: %1."));
     tellKind(LeftOut::OneFace, PHRASE_LATER("Phrase", "Sighted in one face only and not used: %1."));
     tellKind(LeftOut::FarApart,
-             PHRASE_LATER("Phrase", "The faces differ by more than 1° (different targets, or misread): %1."));
+             PHRASE_LATER("Phrase", "The faces differ by more than 2° (different targets, or misread): %1."));
     tellKind(LeftOut::Repeated,
              PHRASE_LATER("Phrase", "Sighted several times in one face of a round, and averaged: %1."));
   }
