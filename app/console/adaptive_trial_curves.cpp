@@ -42,8 +42,10 @@ struct Shares {
 Shares sharesAt(const std::vector<const AdaptiveTrial*>& trials, const Axis& axis, double at) {
   std::size_t right = 0, wrong = 0;
   for (const AdaptiveTrial* trial : trials)
-    if (const WatchedRun& run = trial->*axis.run; !run.named.empty() && axis.lengthOf(run) <= at)
-      ++(run.isRight ? right : wrong);
+    if (const WatchedRun& run = trial->*axis.run; !run.named.empty() && axis.lengthOf(run) <= at) {
+      right += run.isRight ? 1 : 0;
+      wrong += run.isWrong ? 1 : 0;
+    }
   const double percent = 100 / static_cast<double>(trials.size());
   return {percent * static_cast<double>(right), percent * static_cast<double>(wrong)};
 }

@@ -21,7 +21,7 @@ struct OfOrder {
 
   void add(const WatchedRun& run) {
     right += run.isRight ? 1 : 0;
-    wrong += run.isRight || run.named.empty() ? 0 : 1;
+    wrong += run.isWrong ? 1 : 0;
     sightings += static_cast<double>(run.sightings);
     minutes += run.minutes;
   }
@@ -62,11 +62,8 @@ std::size_t namedIn(const std::vector<WatchedRuns>& runs) {
 }
 
 Json runJson(const WatchedRun& run) {
-  return {{"named", run.named},
-          {"right", run.isRight},
-          {"sightings", run.sightings},
-          {"minutes", run.minutes},
-          {"log_evidence", run.most}};
+  return {{"named", run.named},         {"also_named", run.alsoNamed}, {"right", run.isRight},
+          {"sightings", run.sightings}, {"minutes", run.minutes},      {"log_evidence", run.most}};
 }
 
 }  // namespace

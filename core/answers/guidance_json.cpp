@@ -82,13 +82,18 @@ const char* idOf(SightingChoice::Reason reason) {
   return "";
 }
 
+Json causesJson(const std::vector<WeighedCause>& causes) {
+  Json list = Json::array();
+  for (const WeighedCause& cause : causes)
+    list.push_back(
+        {{"cause", cause.cause.empty() ? Json() : Json(cause.cause)}, {"probability", cause.probability}});
+  return list;
+}
+
 Json choiceJson(const SightingChoice& choice, const ProtocolProgress& progress) {
-  Json alternatives = Json::array(), causes = Json::array();
+  Json alternatives = Json::array();
   for (const std::size_t index : choice.alternatives)
     alternatives.push_back(sightingJson(progress.sightings[index].planned));
-  for (const WeighedCause& cause : choice.soFar.causes)
-    causes.push_back(
-        {{"cause", cause.cause.empty() ? Json() : Json(cause.cause)}, {"probability", cause.probability}});
   Json json = {{"reason", idOf(choice.reason)}, {"minutes", choice.worth.minutes}};
   json["worth_of_causes"] = choice.worth.ofCauses;
   json["worth_of_uncertainty"] = choice.worth.ofUncertainty;
@@ -97,7 +102,9 @@ Json choiceJson(const SightingChoice& choice, const ProtocolProgress& progress) 
   json["is_enough"] = isEnough(choice.soFar);
   json["log_evidence"] = choice.soFar.logEvidence;
   json["named"] = choice.soFar.named;
-  json["causes"] = std::move(causes);
+  json["also_named"] = choice.soFar.alsoNamed;
+  json["causes"] = causesJson(choice.soFar.causes);
+  json["further_causes"] = causesJson(choice.soFar.further);
   json["sentence"] = enoughSentence(choice.soFar);
   return json;
 }

@@ -5,8 +5,10 @@
 #include <functional>
 
 #include "core/base/statistics.h"
+#include "core/diagnosis/evidence/gain.h"
 #include "core/diagnosis/next_sighting/all_possible.h"
 #include "core/diagnosis/next_sighting/weighed.h"
+#include "core/diagnosis/next_sighting/with_cause.h"
 #include "core/effects/cause_ids.h"
 
 namespace alidade {
@@ -41,15 +43,16 @@ void addCauses(NextSighting& next, const std::vector<Weighed>& causes,
     }
 }
 
-std::vector<NextSighting> ranked(const PossibleSightings& session, const SightingEquations& equations,
-                                 const WeighedCauses& causes, const IntersectionSoFar& every) {
+/// `rows` are the possible sightings in the equations of `causes`.
+std::vector<NextSighting> ranked(const PossibleSightings& session, const std::vector<SightingRows>& rows,
+                                 const SightingEquations& equations, const WeighedCauses& causes,
+                                 const IntersectionSoFar& every) {
   const std::vector<Weighed> some = likely(causes.all());
   std::vector<NextSighting> list;
   for (std::size_t i = 0; i < session.possible.size(); ++i) {
     NextSighting next = session.possible[i].next;
-    const SightingRows& rows = equations.possible[i];
-    addCauses(next, some, WeighedCauses::Predictor(causes, rows));
-    next.ofUncertainty = every.tells(rows);
+    addCauses(next, some, WeighedCauses::Predictor(causes, rows[i]));
+    next.ofUncertainty = every.tells(equations.possible[i]);
     list.push_back(std::move(next));
   }
   std::ranges::stable_sort(list, std::greater{}, &NextSighting::perMinute);
@@ -75,21 +78,87 @@ bool isVerdictCertain(const Measurement& measurement, const SessionSoFar& state)
   return size + state.halfWidth < *measurement.tolerance || size - state.halfWidth > *measurement.tolerance;
 }
 
-/// Fills in the group of the most probable cause if the evidence against no cause suffices, the group holds
-/// almost all of the probability, and the residuals with the cause are no more than noise. The redundancy
-/// must suffice for this test. Larger noise is never named: an uncatalogued effect may look the same.
-void name(SessionSoFar& state, const WeighedCauses& causes, const SightingEquations& equations) {
-  constexpr double certain = 0.95, noMore = 1e-3, leastRedundancy = 12;
-  const Weighed& first = causes.all().front();
-  if (first.cause.empty() || first.cause == noiseId || !isEvident(state)) return;
-  std::vector<std::string> group = inseparableFrom(first, equations);
+std::vector<WeighedCause> listOf(const WeighedCauses& causes) {
+  std::vector<WeighedCause> list;
+  for (const Weighed& cause : causes.all()) list.push_back({std::string(cause.cause), cause.probability});
+  return list;
+}
+
+bool isCause(const Weighed& weighed) {
+  return !weighed.cause.empty() && weighed.cause != noiseId;
+}
+
+/// The probabilities if each cause is there alone, or `first` with any of `further` beside it.
+std::vector<WeighedCause> listOf(const WeighedCauses& causes, const Weighed& first,
+                                 const WeighedCauses& further) {
+  double beside = impossible, whole = impossible;
+  for (const Weighed& cause : further.all()) beside = logSum(beside, cause.logOdds);
+  const auto logOddsOf = [&](const Weighed& cause) {
+    return cause.logOdds + (cause.cause == first.cause ? beside : 0);
+  };
+  for (const Weighed& cause : causes.all()) whole = logSum(whole, logOddsOf(cause));
+  std::vector<WeighedCause> list;
+  for (const Weighed& cause : causes.all())
+    list.push_back({std::string(cause.cause), std::exp(logOddsOf(cause) - whole)});
+  std::ranges::stable_sort(list, std::greater{}, &WeighedCause::probability);
+  return list;
+}
+
+bool isCertain(const std::vector<std::string>& group, const std::vector<WeighedCause>& causes) {
+  constexpr double certain = 0.95;
   double probability = 0;
-  for (const WeighedCause& cause : state.causes)
+  for (const WeighedCause& cause : causes)
     if (std::ranges::find(group, cause.cause) != group.end()) probability += cause.probability;
-  const double left = causes.degreesOfFreedom() - static_cast<double>(first.weights.size());
-  if (left < leastRedundancy) return;
-  const auto tail = chiSquareUpperTail(causes.chiSquareAfter(first), DegreesOfFreedom(left));
-  if (probability >= certain && tail.value_or(1) > noMore) state.named = std::move(group);
+  return probability >= certain;
+}
+
+/// Whether the residuals with the cause are no more than noise. The redundancy must suffice for this test.
+bool leavesOnlyNoise(const WeighedCauses& causes, const Weighed& cause) {
+  constexpr double noMore = 1e-3, leastRedundancy = 12;
+  const double left = causes.degreesOfFreedom() - static_cast<double>(cause.weights.size());
+  if (left < leastRedundancy) return false;
+  return chiSquareUpperTail(causes.chiSquareAfter(cause), DegreesOfFreedom(left)).value_or(1) > noMore;
+}
+
+/// The most probable hypothesis; in place of larger noise the most probable cause, if there is one.
+const Weighed& likeliestCause(const WeighedCauses& causes) {
+  const Weighed& first = causes.all().front();
+  if (first.cause != noiseId) return first;
+  const auto next = std::ranges::find_if(causes.all(), isCause);
+  return next == causes.all().end() ? first : *next;
+}
+
+/// Names the group of a cause that is certain, and that of a second one that is certain beside it. Larger
+/// noise is never named: an uncatalogued effect may look the same.
+void nameWith(SessionSoFar& state, std::vector<std::string> group, const WeighedCauses& causes,
+              const WeighedCauses& further, const SightingEquations& beside) {
+  // With less evidence left for a further cause, the sightings of one cause rise steeply.
+  constexpr double leastLeft = 0.6;
+  state.isAlone = further.logEvidence() <= std::log(leastLeft);
+  if (const Weighed& second = further.all().front();
+      isCause(second) && further.logEvidence() >= state.logEvidenceNeeded && leavesOnlyNoise(further, second))
+    state.alsoNamed = inseparableFrom(second, beside);
+  if (!isCertain(state.alsoNamed, state.further)) state.alsoNamed.clear();
+  if (!state.alsoNamed.empty() || leavesOnlyNoise(causes, likeliestCause(causes)))
+    state.named = std::move(group);
+}
+
+/// Weighs what may be beside the likeliest cause, if that one is certain and of the catalogue. Returns
+/// whether it did, with the sightings ranked.
+bool weighFurther(SessionSoFar& state, const WeighedCauses& causes, const SightingEquations& equations,
+                  const auto& rank) {
+  const Weighed& first = likeliestCause(causes);
+  if (!isCause(first) || first.cause == formId || !isEvident(state)) return false;
+  std::vector<std::string> group = inseparableFrom(first, equations);
+  const SightingEquations beside = withCause(equations, first, group);
+  const WeighedCauses further(beside);
+  std::vector<WeighedCause> extended = listOf(causes, first, further);
+  if (!isCertain(group, extended)) return false;
+  state.causes = std::move(extended);
+  state.further = listOf(further);
+  nameWith(state, std::move(group), causes, further, beside);
+  rank(beside.possible, further);
+  return true;
 }
 
 bool isAnyWorthIt(const std::vector<NextSighting>& ranked) {
@@ -98,9 +167,11 @@ bool isAnyWorthIt(const std::vector<NextSighting>& ranked) {
 }
 
 Enough enoughOf(const SessionSoFar& state, const Measurement& measurement, bool ranks) {
-  if (!state.named.empty()) return Enough::Named;
+  const bool isAnyWorth = !ranks || isAnyWorthIt(state.ranked);
+  const bool isComplete = state.isAlone || !state.alsoNamed.empty() || !isAnyWorth;
+  if (!state.named.empty() && isComplete) return Enough::Named;
   if (isVerdictCertain(measurement, state)) return Enough::VerdictCertain;
-  return !ranks || isAnyWorthIt(state.ranked) ? Enough::No : Enough::WillNotHelp;
+  return isAnyWorth ? Enough::No : Enough::WillNotHelp;
 }
 
 }  // namespace
@@ -116,16 +187,23 @@ std::optional<SessionSoFar> sessionSoFar(const Measurement& measurement, const S
   state.logEvidence = causes.logEvidence();
   constexpr double alpha = 0.01;
   state.logEvidenceNeeded = -std::log(alpha);
-  for (const Weighed& cause : causes.all())
-    state.causes.push_back({std::string(cause.cause), cause.probability});
+  state.causes = listOf(causes);
   if (hasBothAxes(measurement)) {
     state.intersection = every.value();
     state.sigma = every.sigma();
     state.halfWidth = halfWidthAtAllTimes(every.sigma(), 1 - measurement.coverage);
   }
   if (!std::isfinite(state.logEvidence)) return std::nullopt;
-  name(state, causes, equations);
-  if (ranks) state.ranked = ranked(session, equations, causes, every);
+  const auto rank = [&](const std::vector<SightingRows>& rows, const WeighedCauses& weighed) {
+    if (ranks) state.ranked = ranked(session, rows, equations, weighed, every);
+  };
+  if (!weighFurther(state, causes, equations, rank)) {
+    const Weighed& first = causes.all().front();
+    if (first.cause == formId && isEvident(state) && isCertain({formId}, state.causes) &&
+        leavesOnlyNoise(causes, first))
+      state.named = {formId};
+    rank(equations.possible, causes);
+  }
   state.enough = enoughOf(state, measurement, ranks);
   state.isWithin =
       measurement.tolerance && state.intersection && std::abs(*state.intersection) <= *measurement.tolerance;

@@ -13,7 +13,7 @@ namespace alidade {
 // Ranks the next sightings by their value per minute, and decides whether the sightings so far are enough.
 //
 // The hypotheses: no cause, one effect of the catalogue, a form of an uncatalogued effect, a jump, a wrong
-// zero, a gross error, larger noise.
+// zero, a gross error, larger noise. Once a cause of the catalogue is certain, they are the same beside it.
 // Each predicts the next reading by a normal distribution, given the readings so far and all unknowns. A
 // sighting is worth Σ √(wᵢ wⱼ) (1 − BCᵢⱼ) over pairs of hypotheses, plus −ln(U after/U before) of Δd. w are
 // the probabilities, BC is the Bhattacharyya coefficient of the two predictions.
@@ -36,12 +36,18 @@ enum class Enough { No, Named, VerdictCertain, WillNotHelp };
 /// The state of a session after its last sighting.
 struct SessionSoFar {
   Enough enough = Enough::No;
-  double logEvidence = 0;            ///< ln of the Bayes factor against no cause
-  double logEvidenceNeeded = 0;      ///< ln 1/α: from here on some cause is evident
-  std::vector<WeighedCause> causes;  ///< the most probable first, no cause included
+  double logEvidence = 0;        ///< ln of the Bayes factor against no cause
+  double logEvidenceNeeded = 0;  ///< ln 1/α: from here on some cause is evident
+  /// The most probable first, no cause included; each alone, or with a further one beside it.
+  std::vector<WeighedCause> causes;
   /// The most probable cause and the causes that no sighting of the plan separates from it. Empty until a
   /// cause can be named. `formId` is an uncatalogued effect.
   std::vector<std::string> named;
+  /// What may be the case beside a cause of the catalogue that is certain, the most probable first: an empty
+  /// cause if there is no further one. Empty before.
+  std::vector<WeighedCause> further;
+  std::vector<std::string> alsoNamed;         ///< a second cause, as `named`; empty unless it can be named
+  bool isAlone = true;                        ///< the readings speak against a further cause
   std::optional<double> intersection, sigma;  ///< of Δd with every effect possible, mm
   double halfWidth = 0;                       ///< of the range that contains Δd at all times, mm
   bool isWithin = false;                      ///< whether |intersection| is within the tolerance

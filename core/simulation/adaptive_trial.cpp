@@ -25,11 +25,21 @@ bool isAmong(const std::vector<std::string>& ids, const std::string& id) {
   return std::ranges::find(ids, id) != ids.end();
 }
 
-bool isNamedRightly(const std::vector<std::string>& named, const SealedTruth& truth) {
-  const TrialClass trialClass = classOf(truth);
-  if (trialClass == TrialClass::Unknown) return isAmong(named, formId);
-  if (named.empty() && trialClass == TrialClass::Faint) return true;
-  return !named.empty() && (isAmong(named, truth.kind) || isAmong(truth.lookAlikes, named.front()));
+/// Whether the group stands for a cause of the truth.
+bool isThere(const std::vector<std::string>& group, const SealedTruth& truth) {
+  if (classOf(truth) == TrialClass::Unknown) return isAmong(group, formId);
+  return std::ranges::any_of(truth.causes, [&](const auto& cause) { return isAmong(group, cause); }) ||
+         isAmong(truth.lookAlikes, group.front());
+}
+
+void score(WatchedRun& run, const SealedTruth& truth) {
+  std::size_t found = 0, absent = 0;
+  for (const auto* group : {&run.named, &run.alsoNamed})
+    if (!group->empty()) ++(isThere(*group, truth) ? found : absent);
+  run.isWrong = absent > 0;
+  const bool mayBeMissed = classOf(truth) == TrialClass::Faint;
+  const std::size_t sought = truth.kind == "two_causes" ? 2 : 1;
+  run.isRight = absent == 0 && (found == sought || (found == 0 && mayBeMissed));
 }
 
 std::vector<NextSighting> stepsOf(const Protocol& protocol) {
@@ -106,7 +116,10 @@ class Run {
     m_slowest = std::max(m_slowest, took.count());
     if (!m_state) return false;
     m_run.most = std::max(m_run.most, m_state->logEvidence);
-    if (!m_state->named.empty()) m_run.named = m_state->named;
+    if (!m_state->named.empty()) {
+      m_run.named = m_state->named;
+      m_run.alsoNamed = m_state->alsoNamed;
+    }
     if (m_state->sigma)
       m_run.looks.push_back(
           {m_run.sightings, m_run.minutes,
@@ -126,6 +139,7 @@ class Run {
     ++m_run.sightings;
     m_run.minutes += minutesOfPointing;
     m_run.named.clear();
+    m_run.alsoNamed.clear();
     return look() && m_state->enough == Enough::Named;
   }
 };
@@ -141,8 +155,7 @@ Result<AdaptiveTrial> trialOf(const BlindTrialOptions& draw, std::uint64_t seed,
   trial.ofProtocol = ordered.inOrder();
   trial.byWorth = chosen.byWorth();
   slowest = std::max(slowest, chosen.slowest());
-  for (WatchedRun* run : {&trial.ofProtocol, &trial.byWorth})
-    run->isRight = isNamedRightly(run->named, trial.truth);
+  for (WatchedRun* run : {&trial.ofProtocol, &trial.byWorth}) score(*run, trial.truth);
   if (const auto measurement = examine(drawn->session).measurement)
     if (const auto diagnosis = diagnose(*measurement))
       trial.isRightInFull = scoreTrial(drawn->seal, *diagnosis).right;
@@ -160,12 +173,14 @@ Result<AdaptiveTrials> adaptiveTrials(const AdaptiveTrialOptions& options, const
   const Protocol* protocol = protocolByName(draw.protocol);
   if (!protocol) return Problem{"give the protocol whose order is compared"};
   if (protocol->circleShift != Angle()) return Problem{"a protocol that turns the circle has a fixed order"};
-  BlindTrialOptions one = draw, unknown = draw, none = draw;
+  BlindTrialOptions one = draw, two = draw, unknown = draw, none = draw;
+  two.kinds = {"two_causes"};
   unknown.kinds = {"unknown"};
   none.kinds = {"none"};
   if (one.kinds.empty())
     for (const Effect* effect : soughtEffects()) one.kinds.emplace_back(effect->id);
-  const std::size_t sealed = options.count + options.unknown, all = sealed + options.clean;
+  const std::size_t named = options.count + options.two, sealed = named + options.unknown,
+                    all = sealed + options.clean;
   std::vector<std::optional<Result<AdaptiveTrial>>> withCause(sealed);
   AdaptiveTrials trials;
   trials.clean.resize(options.clean);
@@ -176,7 +191,7 @@ Result<AdaptiveTrials> adaptiveTrials(const AdaptiveTrialOptions& options, const
   doEach(std::clamp<std::size_t>(all, 1, threads), all, [&](std::size_t i) {
     double slowest = 0;
     if (i < sealed) {
-      withCause[i] = trialOf(i < options.count ? one : unknown, seed + i, slowest);
+      withCause[i] = trialOf(i < options.count ? one : i < named ? two : unknown, seed + i, slowest);
     } else if (const auto drawn = drawBlindTrial(none, seed + i)) {
       WatchedRuns& runs = trials.clean[i - sealed];
       if (options.readsCleanInOrder) runs.ofProtocol = Run(*protocol, drawn->truth, seed + i).inOrder(true);

@@ -18,6 +18,7 @@ namespace alidade {
 
 struct AdaptiveTrialOptions {
   std::size_t count = 100;         ///< truths with one cause
+  std::size_t two = 0;             ///< truths with two causes
   std::size_t unknown = 0;         ///< truths with an effect of no catalogue
   std::size_t clean = 0;           ///< truths without any, watched after every sighting of a whole session
   bool readsCleanInOrder = false;  ///< whether these are also read in the protocol's order
@@ -34,10 +35,11 @@ struct WatchedRun {
     double expanded = 0;  ///< mm
   };
 
-  std::vector<std::string> named;  ///< as `SessionSoFar::named`; empty: nothing
-  /// The truth is named, or its look-alike first; a form for an effect of no catalogue. A faint one may be
-  /// missed.
+  std::vector<std::string> named, alsoNamed;  ///< as in `SessionSoFar`; empty: nothing
+  /// The truth is named and nothing else; of two causes both. A look-alike may be named first, a form for an
+  /// effect of no catalogue. A faint cause may be missed.
   bool isRight = false;
+  bool isWrong = false;       ///< something is named that is not there
   std::size_t sightings = 0;  ///< of places and closing zeros
   double minutes = 0;
   double most = 0;               ///< the largest ln of the evidence against no cause
@@ -56,7 +58,7 @@ struct AdaptiveTrial : WatchedRuns {
 };
 
 struct AdaptiveTrials {
-  std::vector<AdaptiveTrial> withCause;  ///< then those with an effect of no catalogue
+  std::vector<AdaptiveTrial> withCause;  ///< of one cause, of two, then of an effect of no catalogue
   std::vector<WatchedRuns> clean;
   double slowest = 0;  ///< the longest time to weigh the readings and choose the next sighting, s
 };

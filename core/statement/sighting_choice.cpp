@@ -24,6 +24,11 @@ std::string nameOf(const std::string& cause) {
   return cause.empty() ? Phrase::of("no cause") : causeName(cause);
 }
 
+/// A further cause beside one that is certain; empty: none.
+std::string besideText(const std::string& cause) {
+  return cause.empty() ? Phrase::of("alone") : Phrase::of("with %1", nameOf(cause));
+}
+
 std::string sightingText(std::size_t index, const ProtocolProgress& progress) {
   return sightingNameInSession(progress.sightings[index].planned);
 }
@@ -44,7 +49,11 @@ std::string nextSentence(const SightingChoice& choice, const ProtocolProgress& p
   const std::string minutes = displayText(worth.minutes, 1);
   const auto& [cause, other] =
       worth.one.empty() ? std::tie(worth.other, worth.one) : std::tie(worth.one, worth.other);
-  if (2 * worth.ofCauses > worth.worth())
+  const bool isOfCauses = 2 * worth.ofCauses > worth.worth();
+  if (isOfCauses && other.empty() && !choice.soFar.further.empty())
+    return Phrase::of("%1 is most informative for its %2 min: it shows whether %3 is there, too.", next,
+                      minutes, nameOf(cause));
+  if (isOfCauses)
     return Phrase::of("%1 is most informative for its %2 min: it separates %3 from %4.", next, minutes,
                       nameOf(cause), nameOf(other));
   return Phrase::of("%1 is most informative for its %2 min: it reduces U by %3.", next, minutes,
@@ -66,6 +75,43 @@ std::string evidenceText(double logEvidence) {
   return displayText(evidence, evidence < 10 ? 1 : 0);
 }
 
+double probabilityOf(const std::vector<std::string>& group, const std::vector<WeighedCause>& causes) {
+  double sum = 0;
+  for (const WeighedCause& cause : causes)
+    if (std::ranges::find(group, cause.cause) != group.end()) sum += cause.probability;
+  return sum;
+}
+
+/// "trunnion tilt or vertical index (97 %)".
+std::string groupText(const std::vector<std::string>& group, const std::vector<WeighedCause>& causes) {
+  return Phrase::of("%1 (%2)", causeNames(group, Phrase::of(" or ")),
+                    probabilityText(probabilityOf(group, causes)));
+}
+
+std::string namedSentence(const SessionSoFar& state) {
+  const std::string first = groupText(state.named, state.causes);
+  if (state.named.front() == formId) {
+    const std::string probability = probabilityText(probabilityOf(state.named, state.causes));
+    return isEnough(state)
+               ? Phrase::of("Enough: there is an effect of no catalogue (%1); the diagnosis finds its form.",
+                            probability)
+               : Phrase::of(
+                     "There is an effect of no catalogue (%1), but Δd needs readings at both positions.",
+                     probability);
+  }
+  if (!state.alsoNamed.empty()) {
+    const std::string second = groupText(state.alsoNamed, state.further);
+    return isEnough(state)
+               ? Phrase::of("Enough: two causes are named, %1 and %2.", first, second)
+               : Phrase::of("Two causes are named, %1 and %2, but Δd needs readings at both positions.",
+                            first, second);
+  }
+  if (!isEnough(state))
+    return Phrase::of("The cause is named, %1, but Δd needs readings at both positions.", first);
+  return Phrase::of("Enough: the cause is named, %1; the evidence against no cause is %2 to 1.", first,
+                    evidenceText(state.logEvidence));
+}
+
 /// The effects sought that no sighting of this protocol would show.
 std::string notLookedForSentence(const SessionSoFar& state) {
   std::vector<std::string> names;
@@ -82,26 +128,8 @@ std::string notLookedForSentence(const SessionSoFar& state) {
 std::string enoughSentence(const SessionSoFar& state) {
   const std::string evidence = evidenceText(state.logEvidence);
   switch (state.enough) {
-    case Enough::Named: {
-      double probability = 0;
-      for (const WeighedCause& cause : state.causes)
-        if (std::ranges::find(state.named, cause.cause) != state.named.end())
-          probability += cause.probability;
-      if (state.named.front() == formId)
-        return isEnough(state)
-                   ? Phrase::of(
-                         "Enough: there is an effect of no catalogue (%1); the diagnosis finds its form.",
-                         probabilityText(probability))
-                   : Phrase::of(
-                         "There is an effect of no catalogue (%1), but Δd needs readings at both "
-                         "positions.",
-                         probabilityText(probability));
-      if (!isEnough(state))
-        return Phrase::of("The cause is named, %1 (%2), but Δd needs readings at both positions.",
-                          causeNames(state.named, Phrase::of(" or ")), probabilityText(probability));
-      return Phrase::of("Enough: the cause is named, %1 (%2); the evidence against no cause is %3 to 1.",
-                        causeNames(state.named, Phrase::of(" or ")), probabilityText(probability), evidence);
-    }
+    case Enough::Named:
+      return namedSentence(state);
     case Enough::VerdictCertain:
       return state.isWithin
                  ? Phrase::of("Enough for a verdict: whatever effect is there, Δd is within the tolerance.")
@@ -111,6 +139,12 @@ std::string enoughSentence(const SessionSoFar& state) {
     case Enough::No:
       break;
   }
+  if (!state.named.empty())
+    return Phrase::of("Not enough yet: %1 is named, but the readings do not exclude a further cause.",
+                      groupText(state.named, state.causes));
+  if (!state.further.empty())
+    return Phrase::of("Not enough yet: %1 is evident; further readings show whether it is the only cause.",
+                      groupText({state.causes.front().cause}, state.causes));
   if (state.logEvidence < state.logEvidenceNeeded)
     return Phrase::of("Not enough yet: the evidence against no cause is %1 to 1; %2 to 1 is needed.",
                       evidence, evidenceText(state.logEvidenceNeeded));
@@ -129,13 +163,23 @@ Statement sightingChoiceStatement(const SightingChoice& choice, const ProtocolPr
       .title = Phrase::of("What may be the case"),
       .columns = {{"cause", "", Role::Name}, {"probability", Phrase::of("probability"), Role::Figure}},
       .rows = {}};
-  constexpr std::size_t most = 4;
-  constexpr double least = 0.01;
-  for (const WeighedCause& cause : choice.soFar.causes)
-    if (statement.rows.size() < most && cause.probability >= least)
-      statement.rows.push_back(
-          {.cells = {withCapital(nameOf(cause.cause)), probabilityText(cause.probability)},
-           .id = cause.cause});
+  const auto add = [&](const std::vector<WeighedCause>& causes, std::size_t most, bool isPart) {
+    constexpr double least = 0.01;
+    for (std::size_t i = 0; i < std::min(most, causes.size()); ++i)
+      if (causes[i].probability >= least)
+        statement.rows.push_back(
+            {.cells = {isPart ? besideText(causes[i].cause) : withCapital(nameOf(causes[i].cause)),
+                       probabilityText(causes[i].probability)},
+             .isPart = isPart,
+             .id = causes[i].cause});
+  };
+  // What may be beside a certain cause stands below it.
+  if (choice.soFar.further.empty()) {
+    add(choice.soFar.causes, 4, false);
+  } else {
+    add(choice.soFar.causes, 1, false);
+    add(choice.soFar.further, 3, true);
+  }
   for (std::string sentence : {nextSentence(choice, progress), alternativesSentence(choice, progress),
                                enoughSentence(choice.soFar), notLookedForSentence(choice.soFar)})
     if (!sentence.empty()) statement.sentences.push_back(std::move(sentence));

@@ -3545,10 +3545,6 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
         <translation>只在一个盘位观测，无法使用：%1。</translation>
     </message>
     <message>
-        <source>The faces differ by more than 1° (different targets, or misread): %1.</source>
-        <translation>两个盘位相差超过 1°（不是同一目标，或误读）：%1。</translation>
-    </message>
-    <message>
         <source>Sighted several times in one face of a round, and averaged: %1.</source>
         <translation>一个测回的同一盘位内多次观测，取平均：%1。</translation>
     </message>
@@ -7211,10 +7207,6 @@ Includes every catalogued effect, limited by these readings or by its plausible 
         <translation>本测量方案无法显现、因而未作查找的：%1。</translation>
     </message>
     <message>
-        <source>Enough: the cause is named, %1 (%2); the evidence against no cause is %3 to 1.</source>
-        <translation>已足够：原因已判明，为%1（%2）；相对“无原因”的证据比为 %3 : 1。</translation>
-    </message>
-    <message>
         <source>Enough for a verdict: whatever effect is there, Δd is within the tolerance.</source>
         <translation>已足以判定：无论存在何种效应，Δd 都在允差之内。</translation>
     </message>
@@ -7245,10 +7237,6 @@ Includes every catalogued effect, limited by these readings or by its plausible 
     <message>
         <source>Before the end, sight %1: an effect of time shows only if the zero is sighted again.</source>
         <translation>结束前照准 %1，因为只有再次照准瞄准零位，随时间变化的效应才会显现。</translation>
-    </message>
-    <message>
-        <source>The cause is named, %1 (%2), but Δd needs readings at both positions.</source>
-        <translation>原因已判明，为%1（%2），但 Δd 需要两个轴位的读数。</translation>
     </message>
     <message>
         <source>%1 min is no time for a part of a sighting: 0 to 1000</source>
@@ -7931,6 +7919,46 @@ Includes every catalogued effect, limited by these readings or by its plausible 
         <source>There is an effect of no catalogue (%1), but Δd needs readings at both positions.</source>
         <translation>存在目录之外的效应（%1），但 Δd 需要两个位置的读数。</translation>
     </message>
+    <message>
+        <source>alone</source>
+        <translation>仅此一项</translation>
+    </message>
+    <message>
+        <source>with %1</source>
+        <translation>并有%1</translation>
+    </message>
+    <message>
+        <source>Enough: two causes are named, %1 and %2.</source>
+        <translation>已足够：已判明两个原因，%1和%2。</translation>
+    </message>
+    <message>
+        <source>Two causes are named, %1 and %2, but Δd needs readings at both positions.</source>
+        <translation>已判明两个原因，%1和%2，但 Δd 需要两个轴位的读数。</translation>
+    </message>
+    <message>
+        <source>The cause is named, %1, but Δd needs readings at both positions.</source>
+        <translation>原因已判明，为%1，但 Δd 需要两个轴位的读数。</translation>
+    </message>
+    <message>
+        <source>Enough: the cause is named, %1; the evidence against no cause is %2 to 1.</source>
+        <translation>已足够：原因已判明，为%1；相对“无原因”的证据比为 %2 : 1。</translation>
+    </message>
+    <message>
+        <source>The faces differ by more than 2° (different targets, or misread): %1.</source>
+        <translation>两个盘位相差超过 2°（不是同一目标，或误读）：%1。</translation>
+    </message>
+    <message>
+        <source>%1 is most informative for its %2 min: it shows whether %3 is there, too.</source>
+        <translation>%1 在所需的 %2 min 内给出的信息最多：可显示是否还有%3。</translation>
+    </message>
+    <message>
+        <source>Not enough yet: %1 is named, but the readings do not exclude a further cause.</source>
+        <translation>尚不足够：%1 已判明，但读数不能排除另有原因。</translation>
+    </message>
+    <message>
+        <source>Not enough yet: %1 is evident; further readings show whether it is the only cause.</source>
+        <translation>尚不足够：%1 已有明证；进一步的读数将显示它是否为唯一原因。</translation>
+    </message>
 </context>
 <context>
     <name>PlaceText</name>
@@ -7965,6 +7993,18 @@ Includes every catalogued effect, limited by these readings or by its plausible 
     <message>
         <source>own effect %1</source>
         <translation>自定义效应 %1</translation>
+    </message>
+    <message>
+        <source>known size of the device</source>
+        <translation>设备的已知量值</translation>
+    </message>
+    <message>
+        <source>known size of the instrument</source>
+        <translation>仪器的已知量值</translation>
+    </message>
+    <message>
+        <source>own effects</source>
+        <translation>自定义效应</translation>
     </message>
 </context>
 <context>

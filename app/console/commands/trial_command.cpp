@@ -22,6 +22,7 @@ void report(std::size_t done) {
 
 Result<std::string> adaptiveTrialsOf(const TrialRequest& request) {
   const AdaptiveTrialOptions options{.count = request.count,
+                                     .two = request.two,
                                      .unknown = request.unknown,
                                      .clean = request.clean,
                                      .readsCleanInOrder = request.csv,
@@ -103,16 +104,20 @@ void addTrialCommand(CLI::App& app, TrialRequest& request) {
       "--withheld", request.withheld,
       "Diagnose each effect a second time with itself taken from the catalogue: no wrong cause may "
       "be blamed");
-  CLI::Option* adaptive =
-      trial
-          ->add_flag(
-              "--adaptive", request.adaptive,
-              "Read each truth, one effect, twice until a cause is named: in the order of the protocol, and "
-              "each time the sighting that tells most for its minutes")
-          ->needs(protocol)
-          ->excludes(series)
-          ->excludes(effects)
-          ->excludes(withheld);
+  CLI::Option* adaptive = trial
+                              ->add_flag("--adaptive", request.adaptive,
+                                         "Read each truth, one effect, twice until its causes are named: in "
+                                         "the order of the protocol, and "
+                                         "each time the sighting that tells most for its minutes")
+                              ->needs(protocol)
+                              ->excludes(series)
+                              ->excludes(effects)
+                              ->excludes(withheld);
+  trial
+      ->add_option("--two", request.two,
+                   "With --adaptive also this many sessions with two effects, which are both to be named")
+      ->check(wholeFrom(1, mostTrials))
+      ->needs(adaptive);
   trial
       ->add_option(
           "--unknown", request.unknown,

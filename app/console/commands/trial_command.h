@@ -23,6 +23,7 @@ struct TrialRequest {
   std::vector<std::string> effects;  ///< files of own effects that are drawn, too
   bool withheld = false;
   bool adaptive = false;    ///< whether to compare an order by worth with that of the protocol
+  std::size_t two = 0;      ///< number of additional sessions with two effects; needs `adaptive`
   std::size_t unknown = 0;  ///< number of additional sessions with an uncatalogued effect; needs `adaptive`
   std::size_t clean = 0;    ///< number of additional sessions without an effect; needs `adaptive`
   unsigned threads = 0;
@@ -31,8 +32,8 @@ struct TrialRequest {
 };
 
 /// Adds `trial [--count N | --series N] [--seed N] [--protocol NAME] [--score DIR] [--effects FILE]…
-/// [--withheld] [--adaptive [--unknown N] [--clean N] [--csv]] [--threads N] [--json]`, which fills in
-/// `request`.
+/// [--withheld] [--adaptive [--two N] [--unknown N] [--clean N] [--csv]] [--threads N] [--json]`, which fills
+/// in `request`.
 void addTrialCommand(CLI::App& app, TrialRequest& request);
 
 /// The scores as text or JSON. Fails if a trial cannot be read or diagnosed.

@@ -43,9 +43,10 @@ class ByCause {
     std::vector<Weighed> list;
     for (auto& [cause, sum] : m_sums) {
       sum.likeliest.probability = std::exp(sum.log - whole);
+      sum.likeliest.logOdds = sum.log;
       list.push_back(std::move(sum.likeliest));
     }
-    std::ranges::stable_sort(list, std::greater{}, &Weighed::probability);
+    std::ranges::stable_sort(list, std::greater{}, &Weighed::logOdds);
     return list;
   }
 

@@ -14,6 +14,7 @@ namespace alidade {
 struct Weighed {
   std::string_view cause = {};  ///< empty: no cause
   double probability = 0;
+  double logOdds = 0;               ///< ln of the odds of all hypotheses of the cause against no cause
   Eigen::Index first = 0;           ///< its first column in the equations
   Eigen::VectorXd weights = {};     ///< mean, in plausible sizes, over all prior widths
   Eigen::MatrixXd covariance = {};  ///< of the weights

@@ -66,6 +66,43 @@ TEST(NextSighting, NamesTheCauseThatIsThere) {
   EXPECT_THAT(state->named, testing::Contains("vertical_index"));
 }
 
+TEST(NextSighting, NamesTwoCausesThatAreThere) {
+  Truth truth = drawTruth(7);
+  truth.effects = {{ErrorTerm::VerticalIndex, 15}, {ErrorTerm::Collimation, -12}};
+  WatchedSession session(twoFace(), truth, 7);
+  for (const int axisDeg : {0, 180})
+    for (int point = 1; point <= twoFace().points; ++point)
+      for (const int face : {1, 2}) session.sight(axisDeg, 1, point, face);
+  const auto state = sessionSoFar(*session.measurement(), sightingPlanOf(twoFace()));
+  ASSERT_TRUE(state);
+  EXPECT_EQ(state->enough, Enough::Named);
+  ASSERT_FALSE(state->alsoNamed.empty());
+  std::vector<std::string> both = state->named;
+  both.insert(both.end(), state->alsoNamed.begin(), state->alsoNamed.end());
+  EXPECT_THAT(both, testing::IsSupersetOf({"vertical_index", "collimation"}));
+  EXPECT_EQ(state->further.front().cause, state->alsoNamed.front());
+}
+
+/// Both faces at a few places show the index error, but hardly another effect.
+TEST(NextSighting, IsNotEnoughWhileAFurtherCauseMayHide) {
+  const Truth truth = withEffect(ErrorTerm::VerticalIndex, 25);
+  WatchedSession session(twoFace(), truth, 7);
+  bool wasNamedBefore = false;
+  for (int point = 1; point <= twoFace().points; ++point) {
+    for (const int face : {1, 2}) session.sight(0, 1, point, face);
+    const auto state = sessionSoFar(*session.measurement(), sightingPlanOf(twoFace()));
+    ASSERT_TRUE(state);
+    EXPECT_TRUE(state->alsoNamed.empty()) << point;
+    if (state->named.empty()) continue;
+    double sum = 0;
+    for (const WeighedCause& further : state->further) sum += further.probability;
+    EXPECT_NEAR(sum, 1, 1e-9);
+    wasNamedBefore = wasNamedBefore || state->enough == Enough::No;
+    EXPECT_EQ(state->enough == Enough::Named, state->isAlone) << point;
+  }
+  EXPECT_TRUE(wasNamedBefore) << "named, and yet more sightings are recommended";
+}
+
 TEST(NextSighting, IsCertainOfAVerdictOnlyBeyondTheRangeOfAllTimes) {
   const auto decided = [](double tolerance) {
     Measurement measurement = *readInFaceOne(drawTruth(7)).measurement();

@@ -105,11 +105,14 @@ TEST(SightingChoice, IsNotEnoughBeforeBothPositionsAreRead) {
   tilted.effects = {{ErrorTerm::VerticalIndex, 20}};
   const Chosen chosen(cut(readOf(bothFaces(), tilted), 0, 12), byWorth(bothFaces()));
   ASSERT_TRUE(chosen.choice);
-  EXPECT_EQ(chosen.choice->soFar.enough, Enough::Named);
+  EXPECT_THAT(chosen.choice->soFar.named, testing::Contains("vertical_index"));
   EXPECT_FALSE(isEnough(chosen.choice->soFar));
   EXPECT_EQ(chosen.choice->reason, SightingChoice::Reason::TellsMost);
   EXPECT_EQ(chosen.next().axisDeg, 180);
-  EXPECT_THAT(enoughSentence(chosen.choice->soFar), HasSubstr("needs readings at both positions"));
+  SessionSoFar alone = chosen.choice->soFar;
+  EXPECT_THAT(enoughSentence(alone), HasSubstr("do not exclude a further cause"));
+  alone.enough = Enough::Named;
+  EXPECT_THAT(enoughSentence(alone), HasSubstr("needs readings at both positions"));
 }
 
 /// Named by both faces of the first round; then an early place and the zero are still to be sighted, because
@@ -161,6 +164,21 @@ TEST(SightingChoice, IsToldWithWhatMayBeTheCase) {
   EXPECT_NEAR(sum, 1, 1e-9);
   for (const std::string& sentence : statement.sentences)
     EXPECT_THAT(sentence, testing::Not(HasSubstr("_"))) << "no identifier reaches a person";
+}
+
+/// An index error of face 2 and a collimation: both are named, and stand below each other.
+TEST(SightingChoice, IsToldWithASecondCause) {
+  Truth two = truth();
+  two.effects = {{ErrorTerm::VerticalIndex, 20}, {ErrorTerm::Collimation, 25}};
+  const Chosen chosen(readOf(bothFaces(), two), byWorth(bothFaces()));
+  ASSERT_TRUE(chosen.choice);
+  ASSERT_FALSE(chosen.choice->soFar.alsoNamed.empty());
+  EXPECT_THAT(enoughSentence(chosen.choice->soFar), HasSubstr("two causes are named"));
+  const Statement statement = sightingChoiceStatement(*chosen.choice, chosen.progress);
+  ASSERT_GE(statement.rows.size(), 2u);
+  EXPECT_FALSE(statement.rows[0].isPart);
+  EXPECT_TRUE(statement.rows[1].isPart);
+  EXPECT_THAT(statement.rows[1].cells.front(), testing::StartsWith("with "));
 }
 
 }  // namespace

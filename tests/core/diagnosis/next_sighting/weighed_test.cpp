@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "core/base/random_source.h"
+#include "core/diagnosis/next_sighting/with_cause.h"
 #include "core/diagnosis/result/noise_policy.h"
 
 namespace alidade {
@@ -69,6 +70,26 @@ TEST(WeighedCauses, HaveTheOddsOfTheDenseNormalDensities) {
               0.3 * std::exp(logDensity(y, one) - logDensity(y, nothing)), 1e-9);
   EXPECT_NEAR(of(causes, "other").probability / none,
               0.1 * std::exp(logDensity(y, other) - logDensity(y, nothing)), 1e-9);
+}
+
+/// The cause that is there has a size about its estimate, as wide as it is large.
+TEST(WeighedCauses, BesideACauseHaveTheOddsOfTheDenseNormalDensities) {
+  const Case toy(6);
+  const WeighedCauses causes(toy.equations);
+  const Weighed one = of(causes, "one");
+  const SightingEquations equations = withCause(toy.equations, one, {"one"});
+  const WeighedCauses beside(equations);
+  const MatrixXd& columns = toy.equations.taken.causes;
+  const double width = std::max(1.0, one.weights.norm());
+  const VectorXd y = toy.equations.residual - columns.leftCols(2) * one.weights;
+  const MatrixXd alone = toy.covariance(toy.equations.taken.unknowns) +
+                         width * width * columns.leftCols(2) * columns.leftCols(2).transpose();
+  const MatrixXd both = alone + 4 * columns.col(2) * columns.col(2).transpose();
+  EXPECT_NEAR(of(beside, "other").probability / of(beside, "").probability,
+              0.1 * std::exp(logDensity(y, both) - logDensity(y, alone)), 1e-9);
+  EXPECT_EQ(std::ranges::count(beside.all(), "one", &Weighed::cause), 0);
+  EXPECT_NEAR(equations.priorOdds, 0.1 + noise_policy::odds, 1e-12);
+  EXPECT_LE(beside.chiSquareAfter(of(beside, "")), causes.chiSquareAfter(one) + 1e-9);
 }
 
 /// The conditional distribution of the next readings, from the joint covariance of all readings.

@@ -1,0 +1,66 @@
+#include "core/diagnosis/next_sighting/with_cause.h"
+
+#include <algorithm>
+
+#include "core/diagnosis/evidence/bent_fit.h"
+#include "core/effects/cause_ids.h"
+
+namespace alidade {
+
+using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
+
+namespace {
+
+/// ∂(weights of the columns)/∂(unknown sizes): no column for a cause of fixed size.
+MatrixXd slopeOf(const MayBe& mayBe, const VectorXd& weights) {
+  if (!mayBe.widths) return MatrixXd::Zero(mayBe.count, 0);
+  if (mayBe.isBent) return bentDerivatives(weights.head<2>());
+  return MatrixXd::Identity(mayBe.count, mayBe.count);
+}
+
+MatrixXd beside(const MatrixXd& left, const MatrixXd& right) {
+  MatrixXd both(left.rows(), left.cols() + right.cols());
+  both << left, right;
+  return both;
+}
+
+VectorXd below(const VectorXd& top, const VectorXd& bottom) {
+  VectorXd both(top.size() + bottom.size());
+  both << top, bottom;
+  return both;
+}
+
+}  // namespace
+
+SightingEquations withCause(const SightingEquations& equations, const Weighed& cause,
+                            const std::vector<std::string>& group) {
+  SightingEquations result = equations;
+  const MayBe& present = *std::ranges::find(equations.mayBe, cause.first, &MayBe::first);
+  const auto columnsIn = [&](const SightingRows& rows) {
+    return rows.causes.middleCols(present.first, present.count);
+  };
+  const MatrixXd slope = slopeOf(present, cause.weights);
+  const auto extend = [&](SightingRows& rows) {
+    rows.unknowns = beside(rows.unknowns, columnsIn(rows) * slope);
+  };
+  result.residual -= columnsIn(result.taken) * cause.weights;
+  extend(result.taken);
+  for (SightingRows& rows : result.possible) extend(rows);
+  // About the estimate, as wide as the cause is large: the readings decide.
+  const VectorXd added = VectorXd::Zero(slope.cols());
+  const double width = std::max(1.0, cause.weights.norm());
+  result.priorWeights = below(result.priorWeights, added.array() + 1 / width);
+  result.priorResiduals = below(result.priorResiduals, added);
+  result.intersection = below(result.intersection, added);
+  std::erase_if(result.mayBe, [&](const MayBe& other) {
+    if (other.first == present.first) return true;
+    return other.cause != grossErrorId && std::ranges::find(group, other.cause) != group.end();
+  });
+  double gone = 0;
+  for (const MayBe& other : equations.mayBe) gone += other.priorOdds;
+  for (const MayBe& other : result.mayBe) gone -= other.priorOdds;
+  result.priorOdds -= gone;
+  return result;
+}
+
+}  // namespace alidade
