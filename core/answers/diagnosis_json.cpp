@@ -53,7 +53,7 @@ Json closureJson(const ClosureStep& step) {
   return json;
 }
 
-/// Rounds to 15 digits, the most that are typed: the conversion of 25″ to radians and back changes the last.
+/// Rounds to 15 digits: the conversion of 25″ to radians and back changes digits beyond these.
 double asTyped(double value) {
   std::array<char, 32> text{};
   const auto written = std::to_chars(text.begin(), text.end(), value, std::chars_format::general, 15);

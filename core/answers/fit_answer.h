@@ -31,7 +31,7 @@ struct FitAnswer {
   const Diagnosis* found() const { return diagnosis ? &*diagnosis : nullptr; }
 };
 
-/// The answer of a diagnosed evaluation, in the language of the thread. `gap` and `name` must outlive it.
+/// The result of a diagnosed evaluation, in the language of the thread. `gap` and `name` must outlive it.
 /// Fails with the first reason if an entry is unusable, a computation failed, or an arc was not fitted.
 Result<FitAnswer> fitAnswerOf(const Gap& gap, const std::string& name);
 

@@ -18,7 +18,7 @@ namespace alidade {
 
 namespace {
 
-/// The value after the first `key` of a system file; empty if there is none.
+/// The value after `mark` in the first line of a system file that begins with `key`; empty without one.
 std::string valueIn(const char* path, const std::string& key, char mark) {
   const Result<std::string> text = readFile(path);
   if (!text) return {};

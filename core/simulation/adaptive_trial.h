@@ -19,34 +19,34 @@ namespace alidade {
 struct AdaptiveTrialOptions {
   std::size_t count = 100;         ///< truths with one cause
   std::size_t two = 0;             ///< truths with two causes
-  std::size_t unknown = 0;         ///< truths with an effect of no catalogue
-  std::size_t clean = 0;           ///< truths without any, watched after every sighting of a whole session
-  bool readsCleanInOrder = false;  ///< whether these are also read in the protocol's order
+  std::size_t unknown = 0;         ///< truths with an uncatalogued effect
+  std::size_t clean = 0;           ///< truths without a cause, watched sighting by sighting to the end
+  bool readsCleanInOrder = false;  ///< also reads the truths without a cause in the protocol's order
   unsigned threads = 0;            ///< 0: as many as the machine has; the result is the same for any number
   std::function<void(std::size_t)> progress = {};
 };
 
 /// One session, read until its readings are enough, at most to the length of the protocol.
 struct WatchedRun {
-  /// U of Δd after one of its sightings, with every effect of plausible size.
+  /// U of Δd after one of the sightings, including every effect at its plausible size.
   struct Look {
     std::size_t sightings = 0;
     double minutes = 0;
     double expanded = 0;  ///< mm
   };
 
-  std::vector<std::string> named, alsoNamed;  ///< as in `SessionSoFar`; empty: nothing
-  /// The truth is named and nothing else; of two causes both. A look-alike may be named first, a form for an
-  /// effect of no catalogue. A faint cause may be missed.
+  std::vector<std::string> named, alsoNamed;  ///< ids of the causes, as in `SessionSoFar`; empty: none
+  /// Every true cause is named, or a look-alike of it, and nothing else. A form must be named for an
+  /// uncatalogued effect. A faint effect may be missed.
   bool isRight = false;
   bool isWrong = false;       ///< something is named that is not there
   std::size_t sightings = 0;  ///< of places and closing zeros
   double minutes = 0;
-  double most = 0;               ///< the largest ln of the evidence against no cause
+  double most = 0;               ///< the largest natural log of the evidence against no cause
   std::vector<Look> looks = {};  ///< from the first with both positions
 };
 
-/// The same truth in both ways.
+/// The same truth read in the protocol's order, and by the most informative sightings.
 struct WatchedRuns {
   WatchedRun ofProtocol = {}, byWorth = {};
 };
@@ -58,7 +58,8 @@ struct AdaptiveTrial : WatchedRuns {
 };
 
 struct AdaptiveTrials {
-  std::vector<AdaptiveTrial> withCause;  ///< of one cause, of two, then of an effect of no catalogue
+  /// Truths with one cause, then those with two, then those with an uncatalogued effect.
+  std::vector<AdaptiveTrial> withCause;
   std::vector<WatchedRuns> clean;
   double slowest = 0;  ///< the longest time to weigh the readings and choose the next sighting, s
 };

@@ -77,8 +77,8 @@ class Draw {
     return {*own, static_cast<int>(std::count(axes.begin(), own + 1, *own))};
   }
 
-  /// Misreads one or two readings by a detectable slip of the tens or the minutes; a slip along the arc may
-  /// be undetectable.
+  /// Misreads one or two readings by 30″ to 5′. Errors are drawn until each is detectable, since one along
+  /// the arc may be undetectable.
   void putGrossErrors() {
     constexpr int tries = 200;
     const std::vector<PlannedRow> rows = plannedRows(m_protocol);
@@ -117,7 +117,7 @@ class Draw {
     m_truth.jump = {.moment = m_random.uniform(0.15, 0.85), .horizontal = step(), .vertical = step()};
   }
 
-  /// Misreads a pointing zero in both circles. The closures show the horizontal error, hardly the other.
+  /// Misreads a pointing zero in both circles. The closures show the horizontal error, hardly the vertical.
   void putZeroSlip() {
     const NumberedPosition position = anyPosition();
     const double horizontal = sign() * m_random.uniform(20, 60), ratio = sign() * m_random.uniform(0.7, 1.4);
@@ -279,7 +279,7 @@ bool separatesCauses(const Protocol& protocol) {
   return protocol.slider || protocol.faces != FacePlan::FaceOne;
 }
 
-/// All kinds, own effects last, each with the weight of one of the catalogue.
+/// All kinds; the user's own effects are last, each with the weight of a catalogued effect.
 std::vector<TrialKind> kindsWith(const OwnEffects* own) {
   std::vector<TrialKind> kinds = trialKinds();
   const double weight = kinds.back().weight;

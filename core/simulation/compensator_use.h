@@ -19,8 +19,8 @@ enum class CompensatorUse {
 /// replaces the tilt.
 Truth leftByCompensator(Truth truth, Angle sigma, std::uint64_t seed);
 
-/// Enters the instrument's statements in each row. Tilts are those of `truth` plus an index of the
-/// compensator, for cross and length each, and an error of each reading. Index and error are drawn with this
+/// Enters the instrument's statements in each row. With `Measured`, each tilt (cross and length) is that of
+/// `truth` plus an index of the compensator and an error of the reading. Index and error are drawn with this
 /// σ; the tilts are written to 0.1″.
 void stateCompensator(Session& session, const Truth& truth, CompensatorUse use, Angle sigma,
                       std::uint64_t seed);

@@ -12,7 +12,7 @@ struct ForeignEffect {
   enum class Kind {
     LocalDent,  ///< radius + size·exp(−½((s − first)/second)²): size mm, place and width in degrees of s
     CirclePeriods,  ///< δα = size·sin(first·α + second): size arcsec, periods a turn, phase in degrees
-    Settling,       ///< azimuth and elevation grow by size·exp(−t/first), arcsec; t: elapsed share, 0…1
+    Settling,       ///< adds size·exp(−t/first), arcsec, to azimuth and elevation; t: elapsed share, 0…1
     DistanceRamp,   ///< the distance grows by size, mm, over the session
     Refraction,     ///< δe = size·sin 2e, arcsec, of opposite sign below the horizon
     Backlash,       ///< on the way back (even rounds) the horizontal circle reads size, arcsec, more
@@ -36,7 +36,7 @@ std::string_view nameOf(ForeignEffect::Kind kind);
 
 /// Added to the radius with the slider at `s`, mm.
 double radiusBy(const ForeignEffect& effect, Angle s);
-/// The target off the plane in the guideway's own frame with the slider at `s`, mm.
+/// Offset of the target from the plane in the guideway's own frame with the slider at `s`, mm.
 double offPlaneBy(const ForeignEffect& effect, Angle s);
 /// Added to the distance at the elapsed share `elapsed` of the session, mm.
 double distanceBy(const ForeignEffect& effect, double elapsed);

@@ -73,7 +73,7 @@ class EvenPlaces {
  private:
   std::vector<int> m_points;
 
-  /// A row without a point has its number as point.
+  /// The point of a row; if the row states none, the number of the row, from 1.
   static int pointOf(const Position& position, std::size_t row) {
     return wholeOf(pointRule, position.readings[row].point).value_or(static_cast<int>(row) + 1);
   }

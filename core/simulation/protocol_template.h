@@ -12,8 +12,8 @@ namespace alidade {
 /// zeros are sighted in face 1, and also in face 2 if both faces are read.
 SightingProtocol templateOf(const Protocol& protocol);
 
-/// The protocol of a new session, followed only as long as the rows of the session follow it. It has the
-/// places of `paper` by number alone, since their coordinates differ from device to device.
+/// The protocol of a new session. It applies only until a row of the session departs from it (`isYielding`).
+/// It has the points of `paper` without slider coordinates, since these differ from device to device.
 SightingProtocol usualProtocol();
 
 /// Finds a template by its name in `simulate --protocol`; absent if the name is unknown.

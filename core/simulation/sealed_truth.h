@@ -30,12 +30,12 @@ struct SealedTruth {
   bool statesOwn = false;                ///< the session states those causes that are the user's own effects
   std::string protocol = {};             ///< name of the plan of readings
   double intersection = 0;               ///< true Δd, mm
-  std::optional<double> visible = {};    ///< of the one catalogued effect, σ of the readings
-  std::vector<std::string> lookAlikes = {};      ///< ids that these readings cannot distinguish from it
+  std::optional<double> visible = {};    ///< visibility of the only effect, σ of the readings
+  std::vector<std::string> lookAlikes = {};      ///< ids that the readings cannot distinguish from it
   std::vector<GrossErrorCell> grossErrors = {};  ///< in order
 };
 
-/// Is it a deliberately uncatalogued kind, which the diagnosis cannot name?
+/// Is the kind uncatalogued, so that the diagnosis cannot name it?
 bool isOfNoCatalogue(const std::string& kind);
 
 /// Does the truth file's entry describe a series of sessions, with a Δd for each of them?
@@ -47,11 +47,11 @@ SealedTruth sealed(const std::string& id, const Truth& truth, const std::optiona
 /// The truth file of a set of trials: a JSON object {id: {kind, intersection_mm, protocol, causes, blunders:
 /// [[position, round, point, face, horizontal, vertical], …] with positions by `NumberedPosition`,
 /// visible_sigma, look_alikes: [[id, cosine, σ], …]}, …}. Kind and intersection_mm are required, other keys
-/// are ignored, `plan` is a synonym of protocol, and the keys of `there` in `all` are the causes. A kind that
-/// the diagnosis cannot name is uncatalogued. Truths of series are skipped. The result is in the order of the
-/// ids. Fails if there is no truth. Fails, with the id and the key, on a value of the wrong type, a kind
-/// within two letters of an effect, a cause that cannot be diagnosed, a gross_error without blunders, and
-/// two_causes without causes.
+/// are ignored, `plan` is a synonym of protocol; of the kind `all`, the keys of `there` are the causes. A
+/// kind that the diagnosis cannot name is uncatalogued. Truths of series are skipped. The result is in the
+/// order of the ids. Fails if there is no truth. Fails, with the id and the key, on a value of the wrong
+/// type, a kind within two letters of an effect, a cause that cannot be diagnosed, a gross_error without
+/// blunders, and two_causes without causes.
 Result<std::vector<SealedTruth>> readSealedTruths(const std::string& text);
 
 }  // namespace alidade

@@ -76,8 +76,8 @@ Result<Json> truthsOf(const std::string& folder) {
   return json;
 }
 
-/// The owner in a series that states none: that of the effect or, if it is uncatalogued, the owner that the
-/// scenario names.
+/// The owner that `shared` or `scenario` names. If none is named and `shared` is missing, the owner of
+/// effects of this kind; else `Time`.
 CauseOwner ownerIn(const Json& entry, const std::string& kind) {
   const auto says = [&](const char* key, std::string_view what) {
     return entry.contains(key) && entry[key].is_string() &&

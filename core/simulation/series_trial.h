@@ -34,16 +34,16 @@ struct SeriesTrial {
 
 /// 8 to 12 sessions with no shared effect, or one effect of an instrument or a guideway, visible by 6 to 10 σ
 /// in all of them together. A quarter of the series have an uncatalogued one, visible by 8 to 16 σ and by at
-/// least 6 σ beyond any catalogued effect. Either each session has another guideway (or instrument), or two
-/// instruments and three guideways are crossed. In a third of the series one session is spoiled. Half of
-/// these sessions have a large jump or scatter more as a whole. The others have a misread value, a jump or
-/// another effect. The same seed gives the same trial.
+/// least 6 σ beyond any catalogued effect. Either two instruments and three guideways are crossed, or each
+/// session has another guideway, or four instruments take turns at one guideway. In a third of the series one
+/// session is spoiled. Half of these sessions have a large jump or scatter more as a whole. The others have a
+/// misread value, a jump or another effect. The same seed gives the same trial.
 Result<SeriesTrial> drawSeriesTrial(std::uint64_t seed);
 
 struct ScoredSeries {
   SeriesSeal seal;
-  bool isNamed = false;  ///< the truth is the first shared cause or one of its look-alikes; or the diagnosis
-                         ///< says uncatalogued
+  bool isNamed = false;  ///< the truth is the first shared cause or one of its look-alikes; an uncatalogued
+                         ///< truth: the verdict is NotInCatalogue, without a shared cause
   bool isFirst = false;  ///< the truth is the first shared cause itself
   bool isOwnerRight = false;
   bool isAlarm = false;         ///< a shared cause is named, or a shared uncatalogued gap reported

@@ -154,7 +154,7 @@ class Simulator {
   const Protocol& m_protocol;
   const Truth& m_truth;
   RandomSource m_random;
-  double m_share;  ///< factor of the noise
+  double m_share;  ///< factor of the noise, 0 or 1
   Angle m_step;
   std::vector<PlannedRow> m_plan;
   std::size_t m_rows = 0, m_taken = 0;

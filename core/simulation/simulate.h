@@ -14,10 +14,10 @@ namespace alidade {
 
 // The situation: a theodolite reads a guideway, both with known errors (the truth), by a plan (the protocol).
 // Readings follow from the one forward model (observe.h), with white normal noise of the stated σ, and are
-// rounded to the truth's step. The pointing zero of each position is sighted just before its rows, in face 1,
-// and again just after them if the truth requires it.
+// rounded to the truth's step. The pointing zero of each position is sighted in face 1 just before its rows
+// or, if the truth requires it, in both faces just before and just after them.
 
-/// Circle readings of face `face`, unrounded, and not wrapped.
+/// Circle readings in one face, neither rounded nor wrapped.
 struct CircleReadings {
   Angle horizontal, vertical;
 };

@@ -24,7 +24,7 @@ bool isFirst(const Diagnosis& diagnosis, const std::string& id) {
   return first.effect == id || holds(first.indistinguishableFrom, id);
 }
 
-/// The members of the first cause's group that are outside the truth's own group.
+/// The number of look-alikes of the first cause that are neither the truth nor look-alikes of it.
 std::ptrdiff_t strangersIn(const Diagnosis& diagnosis, const SealedTruth& truth) {
   return std::ranges::count_if(diagnosis.causes.front().indistinguishableFrom, [&](const std::string& id) {
     return id != truth.kind && !holds(truth.lookAlikes, id);

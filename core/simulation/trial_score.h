@@ -11,16 +11,15 @@ namespace alidade {
 
 // The score of a diagnosis, with the seal open. The right answer depends on what the readings could show:
 //
-//   none the verdict is within-noise
-//   faint an effect that leaves less than `clearVisibility` σ: not reported, or named
-//   unique a visible effect without look-alikes: it is the first cause
-//   look-alikes a visible effect with look-alikes: it is the first cause or in the group of the first,
-//                     and that group contains at most one that is not a look-alike
-//   gross_error exactly the readings that are wrong, and nothing else
-//   two_causes both, whatever else
-//   unknown the verdict is not-in-catalogue; an effect of the user's own counts as unknown if the session
-//           does not state it
-//   others the relation of the vertical circle, a jump, larger noise: it is the first cause
+//   none: the verdict is within-noise
+//   faint (below `clearVisibility` σ): the verdict is within-noise, or the effect or a look-alike is first
+//   unique (a visible effect without look-alikes): the effect is the first cause
+//   look-alikes (a visible effect with look-alikes): the effect is the first cause or in the group of the
+//     first cause, and at most one other member of that group is not its look-alike
+//   gross_error: exactly the wrong readings are named, and nothing else
+//   two_causes: both causes are named; further ones may be
+//   unknown, and an own effect that the session does not state: the verdict is not-in-catalogue
+//   others (the relation of the vertical circle, a jump, larger noise): it is the first cause
 //
 // A truth file without the visibility of the effect is scored as `others`.
 
@@ -40,7 +39,7 @@ struct TrialScore {
   bool named = false;       ///< the truth, alone or in a group, is the first cause
   /// Is the true Δd within Δd ± U with the causes found? Absent without a named cause or without Δd.
   std::optional<bool> covered = {};
-  /// Is the true Δd within Δd ± U with the causes found, and measured, for any answer? Absent without Δd.
+  /// The same for any answer: with the causes found, and with Δd, measured. Absent without Δd.
   std::optional<bool> coveredAfter = {}, coveredMeasured = {};
   /// Is reduced χ² with the causes found at noise level (p above 0.1 %), if a cause is named?
   std::optional<bool> backToNoise = {};
@@ -50,8 +49,8 @@ TrialClass classOf(const SealedTruth& truth);
 
 TrialScore scoreTrial(const SealedTruth& truth, const Diagnosis& diagnosis);
 
-/// Checks a diagnosis made with the truth's effect removed from the catalogue. True if one cause, with or
-/// without look-alikes, is named that is not a look-alike of the truth.
+/// Checks a diagnosis made with the truth's effect removed from the catalogue. True if it names one
+/// cause, with or without look-alikes, and this cause is not a look-alike of the truth.
 bool blamesWrongCause(const SealedTruth& truth, const Diagnosis& diagnosis);
 
 }  // namespace alidade

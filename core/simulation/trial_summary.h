@@ -25,7 +25,7 @@ struct Tally {
   bool operator==(const Tally&) const = default;
 };
 
-/// Effects visible by `from` up to below `to` σ of the readings.
+/// Effects whose visibility is at least `from` and less than `to`, in σ of the readings.
 struct DetectionBin {
   double from = 0, to = 0;
   Tally detected = {};  ///< a gap was found
@@ -45,10 +45,10 @@ struct TrialSummary {
   std::map<TrialClass, Tally> right = {};                                    ///< of the classes that occur
   std::map<std::string, std::map<std::string, std::size_t>> confusion = {};  ///< kind → answer → how often
   std::map<std::string, KindTally> kinds = {};
-  Tally falseAlarms = {};  ///< a gap found without a cause
+  Tally falseAlarms = {};  ///< a gap was found though the truth has no cause
   std::vector<DetectionBin> detection = {};
   Tally covered = {};       ///< true Δd within Δd ± U after the cause is added
-  Tally backToNoise = {};   ///< reduced χ² after the cause is at noise level
+  Tally backToNoise = {};   ///< reduced χ² with the cause added is at noise level
   Tally wrongWithout = {};  ///< a wrong cause named, without the right one in the catalogue
 };
 

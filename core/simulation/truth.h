@@ -29,7 +29,7 @@ struct OrientationJump {
 /// position.
 struct TrueZeroSlip {
   int axisDeg = 0;
-  Angle horizontal, vertical;  ///< of the readings of the zero, converted to face 1
+  Angle horizontal, vertical;  ///< the zero reads this much too little; in face 1
   int time = 1;                ///< the repeat at this axis
 };
 
@@ -54,9 +54,9 @@ struct NumberedPosition {
   static NumberedPosition of(int number) { return {number % 2 == 0 ? 0 : 180, number / 2 + 1}; }
 };
 
-/// All properties of a simulated session that its fit does not know. Lengths in mm, o0.
+/// All properties of a simulated session that its fit does not know. Lengths in mm, in the frame o0.
 ///
-/// The guideway turns about an axis at (y = axisHeight). Its centre is off that axis by the intersection, so
+/// The guideway turns about an axis at y = axisHeight. Its centre is off that axis by the intersection Δd, so
 /// y(0°) = axisHeight + Δd and y(180°) = axisHeight − Δd.
 struct Truth {
   std::uint64_t seed = 0;
@@ -69,11 +69,11 @@ struct Truth {
   /// β0 of a perfect instrument at the height of the axis: 90° on a zenith circle and 0° on an elevation
   /// circle.
   Angle verticalZero = Angle::fromDegrees(90);
-  ArcPlane plane = ArcPlane::Vertical;  ///< matters if the instrument is at another height
+  ArcPlane plane = ArcPlane::Vertical;  ///< matters if the instrument is not at the axis height
   Angle sliderZero;                     ///< slider reading at s = 0
 
   std::vector<TrueSize> effects;               ///< each term at most once
-  std::shared_ptr<const OwnEffects> own = {};  ///< the user's own, also possible in `effects`; null: none
+  std::shared_ptr<const OwnEffects> own = {};  ///< the user's own, which `effects` may hold; null: none
   std::optional<OrientationJump> jump = {};
   std::optional<TrueZeroSlip> zeroSlip = {};
   std::optional<FormHarmonic> harmonic = {};

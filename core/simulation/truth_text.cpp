@@ -22,7 +22,7 @@ using Numbers = std::vector<double>;
 constexpr const char* harmonicId = "form_harmonic";
 constexpr const char* zeroSlipId = "zero_slip";
 
-/// "tilt about x" of plane_tilt is plane_tilt.x; an only parameter has its effect's id.
+/// plane_tilt.x for the parameter "tilt about x" of plane_tilt; the effect's id for an only parameter.
 std::string nameOf(const Effect& effect, const EffectParameter& parameter) {
   if (effect.parameters.size() == 1) return std::string(effect.id);
   return std::string(effect.id) + "." + std::string(parameter.name.substr(parameter.name.rfind(' ') + 1));

@@ -11,17 +11,17 @@ namespace alidade {
 
 /// Adds an effect to the truth. `text` is an argument of the command line:
 ///
-///   collimation=20 an effect of the catalogue with one parameter, in the catalogue's unit
-///   plane_tilt=0.3,0.1 with several, in their order
-///   plane_tilt.x=0.3 one of several, by the last word of its name; the others stay as they are
-///   orientation_jump=0.4,30,-20 moment (share of the rows), horizontal and vertical, arcsec
-///   underestimated_noise=2.5 true noise divided by the stated one
-///   gross_error=180,1,11,1,60,0 axis, round, point, face, horizontal and vertical, arcsec
-///   own:dent=0.2 an effect of the truth's own ones, in its unit
-///   form_harmonic=7,0.1,0.1 order, cosine and sine, mm; uncatalogued
-///   local_dent=0.1,60,8, settling=20,0.2, … other uncatalogued ones (foreign_effect.h)
+///   collimation=20: an effect of the catalogue with one parameter, in the catalogue's unit
+///   plane_tilt=0.3,0.1: an effect with several parameters, in their order
+///   plane_tilt.x=0.3: one of several parameters, by the last word of its name; the others stay as they are
+///   orientation_jump=0.4,30,-20: moment (share of the rows), horizontal and vertical, arcsec
+///   underestimated_noise=2.5: true noise divided by the stated one
+///   gross_error=180,1,11,1,60,0: axis, round, point, face, horizontal and vertical, arcsec
+///   own:dent=0.2: one of the user's own effects in `Truth::own`, in its unit
+///   form_harmonic=7,0.1,0.1: order, cosine and sine, mm; uncatalogued
+///   local_dent=0.1,60,8, settling=20,0.2, …: other uncatalogued ones (foreign_effect.h)
 ///
-/// Returns why it cannot be read.
+/// Returns the reason if `text` cannot be read.
 std::optional<Problem> addEffect(Truth& truth, const std::string& text);
 
 /// All names that `addEffect` accepts, with their units, a line each, for help texts.

@@ -19,7 +19,7 @@ class WatchedSession {
   /// `protocol` and `truth` must outlive this object.
   WatchedSession(const Protocol& protocol, const Truth& truth, std::uint64_t seed);
 
-  /// Sights a place in the position at this axis, which begins with its pointing zero if the axis was turned.
+  /// Sights a place at this axis. If the axis was turned, a new position begins, with its pointing zero.
   void sight(int axisDeg, int round, int point, int face);
   /// Sights the zero of the present position once more.
   void sightZero();

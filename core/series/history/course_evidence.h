@@ -13,7 +13,7 @@ namespace alidade {
 //
 // - Every course has the noise s u, with one s for all values: s = 1 with prior probability 0.7, else above
 //   it, with the density 1/s². So values that scatter more than stated do not pass for a series of steps. If
-//   a part of u may be absent, the 0.7 are uniform in log s from its smallest value to 1.
+//   a part of u may be absent, this 0.7 is spread uniformly in log s from its smallest value to 1.
 // - The size of a change (a step, a trend's change over all dates, an odd value's deviation, the wandering
 //   over all dates) has a Cauchy distribution of scale 3 s ū.
 // - The prior probability of constant is 1/2, of steps 1/4 (one 3/4 of it, two 3/16, …), of a trend 1/8, of

@@ -16,7 +16,7 @@ struct DeviceHistory {
   std::vector<Epoch> epochs = {};                ///< by date, like the values of the first quantity
   std::vector<QuantityHistory> quantities = {};  ///< the intersection is the first
   std::vector<Congruence> congruences = {};      ///< of `pairsOf`
-  bool hasOneInstrument = false;                 ///< all sessions have the same serial number
+  bool hasOneInstrument = false;                 ///< all sessions have the same instrument serial number
 };
 
 /// Epochs by device (its serial number, else its name), by date and, within a date, in the order given.

@@ -33,7 +33,7 @@ struct EpochLength {
   double value = 0;
 };
 
-/// The results of one session about its device, at its date.
+/// The results of one session on its device, with the date of the session.
 struct Epoch {
   std::string file = {}, title = {};
   std::string readings = {};  ///< `readingsDigest`

@@ -32,7 +32,7 @@ struct DatedValue {
   double u = 0;         ///< its standard uncertainty, > 0
   double apart = 0;     ///< the part of u that is not common to all values, used to compare them
   std::string of = {};  ///< session or source; may be empty
-  /// The part of `apart` that is certainly present; 0: all of it. In between, the observed scatter decides.
+  /// The part of `apart` that is certainly present; 0: all of it. The observed scatter decides on the rest.
   double least = 0;
   double expanded = 0;  ///< its U at the history's coverage, in pictures and tables; 0: `factor` u
   Judgement judgement = {};
@@ -74,8 +74,8 @@ struct CourseProbability {
 };
 
 /// Control chart of the values in order. Its centre line is the weighted mean of a baseline, the first
-/// values; later values are watched: their limits include the uncertainty u_c of the centre line, and their
-/// exponentially weighted average begins at it.
+/// values. Later values are watched: their limits include the uncertainty u_c of the centre line, and their
+/// exponentially weighted average begins at the centre line.
 struct ControlChart {
   std::size_t baseline = 0;        ///< number of values in the baseline; all if none was chosen
   double centre = 0, centreU = 0;  ///< the centre line, and its u_c from the parts of u that are not shared

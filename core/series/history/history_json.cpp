@@ -54,7 +54,7 @@ Json valueJson(const DatedValue& value) {
   return json;
 }
 
-/// The keys of the document and their values.
+/// One quantity over time: values, mean, χ², course and control chart.
 Json seriesJson(const History& history, const std::string& unit) {
   Json values = Json::array(), steps = Json::array(), courses = Json::array();
   for (const DatedValue& value : history.values) values.push_back(valueJson(value));

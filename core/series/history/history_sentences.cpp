@@ -110,7 +110,7 @@ std::string rivals(const History& history) {
   return listed(told);
 }
 
-/// How the values after the baseline lie.
+/// States whether the values after the baseline are within their limits.
 std::string watchSentence(const History& history, const HistoryNumbers& numbers) {
   const ControlChart& chart = history.chart;
   const auto& values = history.values;

@@ -35,8 +35,8 @@ class HistoryNumbers {
 /// "expanded uncertainty, 95 %": the meaning of each ± of a history.
 std::string plusMinusText(const History& history);
 
-/// The history in sentences: mean, χ², the course of the quantity, the probabilities of the courses, and how
-/// the values after the baseline lie.
+/// The history in sentences: mean, χ², the course of the quantity, the probabilities of the courses, and
+/// whether the values after the baseline are within their limits.
 std::vector<std::string> historySentences(const History& history, const std::string& unit);
 
 /// The uncertainty shared by all sessions of a device, which comparisons exclude.

@@ -11,7 +11,7 @@ namespace alidade {
 // Tables and sentences of a history; user texts are visible (`visibleText`). They are here because the folder
 // of statements must not depend on histories.
 
-/// Each value with U, its limit, the weighted average and its limit; below them the sentences.
+/// Each value with U and its Shewhart limits, and its weighted average with limits; below, the sentences.
 Statement valueTable(const History& history, const std::string& unit);
 /// Each session with Δd, measured, and its verdict; below each row, the condition of the verdict.
 Statement sessionTable(const DeviceHistory& device);
@@ -29,7 +29,7 @@ std::vector<std::string> quantitySentences(const DeviceHistory& device, const Qu
 
 /// "Guideway 7, serial number G-07".
 std::string deviceName(const DeviceHistory& device);
-/// The same of an instrument.
+/// Name and serial number of an instrument, in the same form.
 std::string instrumentName(const InstrumentHistory& instrument);
 /// "0.19 mm ± 0.23 mm": Δd, measured, and its expanded uncertainty.
 std::string intersectionText(const Epoch& epoch);

@@ -31,7 +31,7 @@ struct InstrumentHistories {
 };
 InstrumentHistories instrumentHistories(const std::vector<KeptRecord>& records);
 
-/// The first records set the limits of every constant's control chart; 0: all.
+/// Makes the first records the baseline of every constant's control chart; 0: all.
 void setBaseline(InstrumentHistory& instrument, std::size_t records);
 
 }  // namespace alidade

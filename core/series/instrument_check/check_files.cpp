@@ -26,7 +26,7 @@ namespace alidade {
 
 namespace {
 
-// Circles may read up to a full turn, and slightly below zero.
+// Both circles may read from −360° to 360°: some instruments read slightly below zero.
 constexpr AngleRule eitherCircle{.low = -360, .lowOfElevation = -360, .high = 360, .isHighIncluded = true};
 
 /// The file's name without its last suffix: the name of its station.
@@ -35,7 +35,7 @@ std::string stemOf(const std::string& name) {
   return name.substr(from, dot != std::string::npos && dot > from ? dot - from : std::string::npos);
 }
 
-/// The layout by the names of the columns; next to a round or a set, `series` means the station.
+/// The layout that follows from the column names. If the table has rounds or sets, `series` is the station.
 TableLayout layoutOf(const Recognised& recognised, AngleUnit unit) {
   TableLayout layout;
   layout.unit = unit;
@@ -183,7 +183,7 @@ class CheckFiles {
     return readTable(text, layout);
   }
 
-  /// Takes both circles, or the same single one in all files.
+  /// Requires the same circles in all files: both, or the same single one.
   std::optional<Problem> takeCircles(const std::vector<Recording>& recordings) {
     m_result.circles = circlesOf(recordings.front());
     const auto isOther = [this](const Recording& each) { return circlesOf(each) != m_result.circles; };
@@ -209,7 +209,7 @@ class CheckFiles {
            (circle == &Reading::horizontal) == (m_result.circles == CheckCircles::HorizontalOnly);
   }
 
-  /// Takes one kind of vertical circle for all; if nothing states it, the readings decide.
+  /// Requires one kind of vertical circle in all files; if none states the kind, the readings decide.
   std::optional<Problem> takeCircle(const std::vector<Recording>& recordings) {
     std::string kind = m_options.verticalCircle;
     for (const Recording& recording : recordings) {
@@ -349,7 +349,7 @@ class CheckFiles {
   const CheckFileOptions& m_options;
   std::size_t m_file = 0;
   std::size_t m_otherFaces = 0;
-  std::vector<std::size_t> m_firstStation;  ///< for each file
+  std::vector<std::size_t> m_firstStation;  ///< of each file: the index of its first station
   std::map<std::string, std::size_t> m_targets;
   CheckReadings m_result;
 };

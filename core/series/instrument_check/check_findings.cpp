@@ -146,7 +146,7 @@ class StationFindings {
           Phrase::of("Check whether one round was entered several times."));
   }
 
-  /// Reports on question c) of the standard.
+  /// Question c) of ISO 17123-3: does the index differ from zero?
   void tellIndex() {
     const PairMean& index = m_station.index;
     if (!(index.u > 0)) return;
@@ -158,7 +158,7 @@ class StationFindings {
   }
 
   void tellTilt() {
-    constexpr double spread = 0.5;  // degrees; the effect is sought from this spread on
+    constexpr double spread = 0.5;  // degrees of elevation: from this spread on, a tilt is sought
     if (m_station.causes.tilt) return tellStatedTilt(*m_station.causes.tilt);
     if (!(m_station.highestDeg - m_station.lowestDeg > spread))
       return add(Severity::Note,

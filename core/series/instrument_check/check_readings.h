@@ -22,7 +22,7 @@ struct CheckIdentity {
   bool operator==(const CheckIdentity&) const = default;
 };
 
-/// `read`, overridden by what `typed` states. Fails if a day is invalid or the next check not after this one.
+/// `read`, overridden by what `typed` states. Fails if a day is invalid or the next check is not later.
 Result<CheckIdentity> identityOf(const CheckIdentity& typed, const CheckIdentity& read);
 
 /// One sighting of a target in one face, as read from the circles.
@@ -44,7 +44,7 @@ struct CheckReadings {
   std::vector<std::string> files = {};  ///< names for sentences; empty for a single file
   VerticalCircle circle = VerticalCircle::Zenith;
   CheckCircles circles = CheckCircles::Both;
-  CheckIdentity identity = {};            ///< as the files have it
+  CheckIdentity identity = {};            ///< as the files state it
   std::vector<std::string> remarks = {};  ///< sentences on assumptions and on what was not used
 };
 

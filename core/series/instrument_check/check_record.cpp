@@ -10,7 +10,7 @@ namespace alidade {
 
 namespace {
 
-/// Rounds to about a thousandth of an arcsecond.
+/// Rounds to 1/`perUnit` of the unit, by default to a thousandth.
 double rounded(double value, double perUnit = 1000) {
   return std::round(value * perUnit) / perUnit;
 }

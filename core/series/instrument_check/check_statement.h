@@ -10,8 +10,8 @@
 
 namespace alidade {
 
-/// Is s no larger than the stated σ (question a of ISO 17123-3)? Absent if none is stated for the circles
-/// that were read, or if it is stated for only one of both and that one passes.
+/// Is s no larger than the stated σ (question a of ISO 17123-3)? Absent if no σ is stated for the circles
+/// that were read. Also absent if σ is stated for only one of two circles, and this one passes.
 std::optional<bool> hasPassed(const InstrumentCheck& check);
 
 /// The verdict: its title is the headline, "Passed: s of a direction 0.74″ (limit 1.23″), …"; its sentences

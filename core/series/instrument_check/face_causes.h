@@ -45,9 +45,9 @@ struct HalfDifference {
   double distanceM;  ///< D, along the line of sight
 };
 
-/// The model of the collimation: least squares of h with each stated cause.
+/// The stated causes of the difference of the faces, from least squares of h.
 struct FaceCauses {
-  std::optional<PairMean> collimation;         ///< absent if another cause is stated
+  std::optional<PairMean> collimation;         ///< from the fit with a stated cause; absent without one
   std::optional<TwoCauses> tilt, lineOfSight;  ///< absent: not stated
   /// The plausible size of a cause that is not stated, divided by its standard uncertainty; NaN if the cause
   /// cannot be fitted.

@@ -123,7 +123,7 @@ class StationPlausibility {
     return numbers;
   }
 
-  /// The pair that departs most from the other rounds in any of its numbers.
+  /// The pair with a number that departs from its median over the rounds by more than the bound.
   std::optional<std::string> departure() const {
     using Words = std::pair<PairNumbers, const char*>;
     std::array<Words, 4> kinds{

@@ -21,15 +21,15 @@ struct CheckBounds {
   double axisError = 1800;
   /// Offset of the line of sight from the vertical axis, mm. Mechanical tolerances are a few tenths at most.
   double lineOfSight = 5;
-  /// Share of the pairs whose faces differ by more than 1°: a smaller share is misread, a larger one means
-  /// mismatched pairs.
+  /// Share of the pairs whose faces differ by more than 2°: up to this share, such pairs count as misread; a
+  /// larger share means mismatched pairs.
   double farApart = 0.25;
 };
 
 /// Returns the reason if the figures of the check are implausible, with the lines of the file. The reason is
 /// a target at different places from round to round, a horizontal circle that counts in the opposite
 /// direction, a jump of the orientation or the index, or a figure beyond `bounds`. Absent if all figures are
-/// plausible. `stations` are the checked ones.
+/// plausible. `check` is the check of `stations`.
 std::optional<Problem> implausibility(const std::vector<StationRounds>& stations,
                                       const InstrumentCheck& check, const CheckBounds& bounds = {});
 

@@ -24,7 +24,7 @@ CommonPairs commonPairs(const ObservedRound& first, const ObservedRound& second)
   return common;
 }
 
-/// The value farthest from the median, and its deviation: degrees, relative to the first value.
+/// The index of the value farthest from the median, and its distance from the median, degrees, ≥ 0.
 std::pair<std::size_t, double> farthest(const std::vector<Angle>& values) {
   std::vector<double> degrees;
   degrees.reserve(values.size());

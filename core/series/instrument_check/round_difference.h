@@ -11,7 +11,7 @@ namespace alidade {
 /// A target at different places in two rounds.
 struct RoundDifference {
   std::size_t first = 0, second = 0;  ///< indices of its pairs in the two rounds
-  Angle by = {};                      ///< distance from its place in the first round, ≥ 0
+  Angle by = {};                      ///< angle from its place in the first round, ≥ 0
   bool isVertical = false;            ///< in the vertical circle, else in the horizontal one
   bool isReversed = false;            ///< the horizontal circles count in opposite directions
 };

@@ -99,8 +99,8 @@ class RoundBounds {
     return 2 * m_both > targets;
   }
 
-  /// Does this second sighting of the first target close the horizon, in the second half of a round? It does
-  /// unless the next sighting, in the other face, begins the next round.
+  /// Does this further sighting of the first target, in the second face, close the horizon? It does if no
+  /// sighting follows, or if the next one begins a round at the same target in the first face.
   bool closesHorizon(std::size_t i) const {
     const auto [target, face] = key(i);
     const auto [firstTarget, firstFace] = key(m_start);
@@ -127,7 +127,7 @@ void numberRounds(Numbered& numbered) {
       numbered.names.push_back(std::to_string(numbered.names.size() + 1));
 }
 
-/// Both circles converted to face 1: the mean of several sightings in one face.
+/// The mean of a target's sightings in one face, with both circles converted to face 1.
 struct FaceMean {
   int count = 0;
   FaceOneReading first = {};
@@ -171,7 +171,7 @@ FacePair pairOf(const FaceMean& one, const FaceMean& two, std::size_t target, Ve
 }
 
 bool areFarApart(const FacePair& pair) {
-  constexpr double most = 1;  // degree; axis errors of an instrument stay below it
+  constexpr double most = 1;  // degree, of half the difference of the faces; axis errors stay below
   return std::abs(pair.halfDirection.degrees()) > most || std::abs(pair.halfVertical.degrees()) > most;
 }
 

@@ -15,7 +15,7 @@ namespace alidade {
 struct FacePair {
   std::size_t target = 0;    ///< index among the station's targets
   Angle direction = {};      ///< mean of both faces, in face 1; wrapped into [0°, 360°)
-  Angle halfDirection = {};  ///< h of the horizontal circle: c/cos e + i tan e; 0 if it was not read
+  Angle halfDirection = {};  ///< h of the horizontal circle (`HalfDifference`); 0 if it was not read
   Angle vertical = {};       ///< mean of both faces, in face 1
   Angle halfVertical = {};   ///< h of the vertical circle: the index j; 0 if it was not read
   Angle elevation = {};      ///< e; 0 if it was not read
@@ -35,15 +35,15 @@ struct ObservedRound {
 enum class LeftOut {
   IncompleteRound,  ///< the round lacks a target that the others have, or one of its faces
   RareTarget,       ///< the target is missing in too many rounds
-  OneFace,          ///< the round lacks these sightings in the other face
-  FarApart,         ///< the faces differ by more than 1°: two targets under one name, or a misread one
+  OneFace,          ///< the round has sightings of the target in one face only
+  FarApart,         ///< |h| > 1°, so the faces differ by more than 2°: two targets of one name, or misread
   Repeated,         ///< averaged, not left out: sighted several times in one face of a round
 };
 
 struct LeftOutReadings {
   LeftOut why;
   std::string round, target;  ///< either may be empty
-  std::string lines = {};     ///< "lines 3 and 6"; empty if not of one target
+  std::string lines = {};     ///< "lines 3 and 6", with FarApart; else empty
 };
 
 /// The complete rounds of one station as the standard requires: each target in both faces in every round.
@@ -63,10 +63,10 @@ std::string linesOf(const FacePair& pair);
 /// Sorts the readings of each station into rounds and keeps the complete ones. Rounds stated in the file are
 /// used; a round that recurs with the same targets is a further one. Otherwise, if every target was sighted
 /// equally often in each face, the n-th sighting of a target belongs to round n. Else a round ends when a
-/// target recurs in a face after most targets have both; before that a recurring target, as in closing the
-/// horizon, is averaged. If rounds lack targets, those with most gaps are dropped first: a target that most
-/// rounds lack, or rounds that lack most targets. Rounds that show the same targets elsewhere form a separate
-/// station (`partedByGeometry`).
+/// target recurs in a face after most targets were sighted in both faces. A target that recurs earlier, as in
+/// closing the horizon, is averaged. Rounds or targets are then dropped until every round has every target;
+/// those with the largest share of missing pairs are dropped first. Rounds that show the same targets
+/// elsewhere form a separate station (`partedByGeometry`).
 std::vector<StationRounds> completeRounds(const CheckReadings& readings);
 
 }  // namespace alidade

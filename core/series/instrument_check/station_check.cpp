@@ -126,8 +126,8 @@ class StationEvaluation {
   }
 
   void evaluateDirections() {
-    // Relative to the first round and, as in the standard, the first target: small at any setting of the
-    // circle.
+    // Directions relative to the first round and, as in the standard, the first target are small at any
+    // setting of the circle.
     std::vector<double> rows;
     std::vector<double> turns;
     for (std::size_t j = 0; j < rounds(); ++j) {
@@ -256,7 +256,7 @@ class StationEvaluation {
       widenByTargets();
   }
 
-  /// If targets differ by more than scatter, they determine u, with t − 1 degrees of freedom.
+  /// Takes u from the differences between targets, with t − 1 degrees of freedom.
   void widenByTargets() {
     double squares = 0;
     for (const TargetMean& target : m_check.perTarget)
@@ -268,7 +268,7 @@ class StationEvaluation {
     mean.dof = count - 1;
   }
 
-  /// Takes distances only if those of all targets are known.
+  /// Finds the extreme elevations and, if all distances are known, the extreme distances.
   void measureSpread() {
     const auto& perTarget = m_check.perTarget;
     const auto [lowest, highest] = std::ranges::minmax_element(perTarget, {}, &TargetMean::elevationDeg);

@@ -18,11 +18,12 @@ namespace alidade {
 //   zenith angles r = x̄ₖ − xⱼₖ; ν = (n − 1) t
 //   s = √(Σ r²/ν), of a direction or zenith angle observed once in both faces
 //
-// Half the difference of the faces is h = c/cos e + i tan e on the horizontal circle and j on the vertical
-// one. The signs are those of face 1 (core/effects). Every pair gives a collimation c = h cos e and an index
-// j; their means are stated, with u = s/√N and N − 1 degrees of freedom, where s is their scatter. If a
-// trunnion tilt or an offset of the line of sight is stated, the collimation is from the same fit
-// (face_causes.h). Lengths in mm, angles in arcseconds.
+// Half the difference of the faces is h = c/cos e + i tan e + e_s/(D cos e) on the horizontal circle and j on
+// the vertical one. The signs are those of face 1 (core/effects). Every pair gives a collimation c = h cos e
+// and an index j; their means are stated, with u = s/√N and N − 1 degrees of freedom, where s is their
+// scatter. If c differs between targets, its u is from the t means of the targets. If a trunnion tilt or an
+// offset of the line of sight is stated, the collimation is from the same fit (face_causes.h). Lengths in mm,
+// angles in arcseconds.
 
 /// A standard deviation from its sum of squares; `s` is NaN without degrees of freedom.
 struct CheckScatter {
@@ -43,7 +44,7 @@ struct RoundTrend {
 struct RoundCourse {
   std::string name;
   double collimation, index;
-  double orientation;  ///< mean of the directions relative to all rounds; NaN if the circle was reset
+  double orientation;  ///< mean of its directions minus that of all rounds; NaN if the circle was reset
 };
 
 /// The results of a target over all rounds.
@@ -68,9 +69,9 @@ struct StationCheck {
   FaceCauses causes = {};
   double nearestM = 0, farthestM = 0;    ///< 0: not known for all targets
   double lowestDeg = 0, highestDeg = 0;  ///< elevations
-  bool isCircleSetAnew = false;          ///< the circle was reset between rounds
+  bool isCircleSetAnew = false;          ///< the circle turned by more than 180″ between rounds
   std::optional<RoundTrend> collimationSlope, indexSlope, orientationSlope;
-  double targetsDifferP = 1;  ///< probability that scatter alone causes such differences of c; NaN: unknown
+  double targetsDifferP = 1;  ///< probability that scatter alone makes c of targets differ so; NaN: unknown
   std::vector<RoundCourse> course;
   std::vector<TargetMean> perTarget;
   std::vector<PairResidual> residuals;

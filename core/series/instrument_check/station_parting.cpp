@@ -45,8 +45,8 @@ class StationParting {
            std::ranges::all_of(m_groups, [](const RoundGroup& group) { return group.size() > 1; });
   }
 
-  /// The last group that the round agrees with; the last of all if the round shares no target with any.
-  /// Absent if the round agrees with none.
+  /// The last group that agrees with the round; the last of all groups if none has a target of the round.
+  /// Absent if groups have its targets but none agrees.
   std::optional<std::size_t> groupOf(std::size_t round) {
     bool isCompared = false;
     for (std::size_t group = m_groups.size(); group-- > 0;)

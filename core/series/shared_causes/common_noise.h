@@ -12,10 +12,10 @@ namespace alidade {
 struct CommonNoise {
   std::string instrument;
   std::vector<std::size_t> sessions;
-  double scale = 1, sigma = 0;  ///< of the stated noise
+  double scale = 1, sigma = 0;  ///< factor of the stated noise, and its u
   bool isLarger = false;        ///< by more than the tenth to which the stated σ is known
   bool isOfOne = false;         ///< applies only to the one session in `sessions`
-  double probability = 0;       ///< that it scatters independently
+  double probability = 0;       ///< that the noise is larger; with `isOfOne`, that it is independent
 };
 
 /// The noise of each instrument, from the residuals that `set` leaves in its sessions: first all sessions

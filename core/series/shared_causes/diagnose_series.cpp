@@ -68,7 +68,7 @@ void noteCopy(SeriesOutcome& outcome, const std::vector<SeriesSession>& sessions
   outcome.diagnosis.copies.push_back({fileOf(copy), fileOf(first)});
 }
 
-/// The columns that count for these sessions. A session counts once.
+/// The columns of the effects in these sessions; of sessions with the same readings only the first counts.
 std::shared_ptr<const SharedColumns> columnsFor(const std::vector<SeriesSession>& sessions,
                                                 const std::vector<std::size_t>& firsts) {
   std::vector<std::shared_ptr<const OwnEffects>> own;

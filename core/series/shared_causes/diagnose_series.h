@@ -40,9 +40,9 @@ struct SeriesOptions {
 
 struct SeriesOutcome {
   SeriesDiagnosis diagnosis;
-  /// Sessions that could not be diagnosed, by index; the others are.
+  /// Indices of the sessions that could not be diagnosed, with the reasons.
   std::vector<std::pair<std::size_t, DiagnosisFault>> unusable = {};
-  /// Sessions with the same readings as an earlier one, each paired with it; the earlier one counts.
+  /// Pairs of indices: a session, and the earlier one with the same readings, which alone counts.
   std::vector<std::pair<std::size_t, std::size_t>> copies = {};
 };
 

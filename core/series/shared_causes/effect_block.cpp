@@ -28,8 +28,8 @@ CauseOwner ownerOf(const Effect& effect) {
 using Sessions = std::vector<std::size_t>;
 using Groups = std::vector<std::pair<std::string, Sessions>>;
 
-/// Those of `sessions` by owner, in the order of their first session. A session without a serial has an owner
-/// of its own.
+/// Groups `sessions` by owner, in the order of the first session of each. A session without a serial has an
+/// owner of its own.
 Groups groupsOf(const std::vector<SessionOwners>& owners, const Sessions& sessions, CauseOwner kind) {
   Groups groups;
   std::map<std::string, std::size_t> known;
@@ -63,8 +63,8 @@ MatrixXd membership(const Sessions& sessions, const Groups& groups) {
 /// Adds the blocks of an effect in `sessions`; `groups` are these sessions by owner.
 void addEffectBlocks(std::vector<EffectBlock>& blocks, const EffectColumns& columns, const Sessions& sessions,
                      const Groups& groups) {
-  constexpr double differing = 0.01;  // odds that an effect which an owner should share has a size of its own
-                                      // in each session
+  constexpr double differing = 0.01;  // odds that an effect of an instrument or a guideway has a size of its
+                                      // own in each session
   const CauseOwner owner = ownerOf(*columns.effect);
   const std::size_t numbers = columns.effect->parameters.size();
   if (owner != CauseOwner::Time)

@@ -23,7 +23,7 @@ enum class SizesKind {
   One,         ///< F = 1
   PerOwner,    ///< each instrument, or each guideway, has its own
   PerSession,  ///< each session has its own
-  Drifting,    ///< one size plus a random walk: its first sines (Karhunen and Loève)
+  Drifting,    ///< one size plus a random walk, as its first four sines (Karhunen and Loève)
 };
 
 /// An effect, or an uncatalogued pattern, in the sessions of an owner.
@@ -31,7 +31,7 @@ struct EffectBlock {
   const EffectColumns* effect = nullptr;
   CauseOwner owner = CauseOwner::Time;
   SizesKind sizes = SizesKind::One;
-  std::string serial = {};                 ///< with One
+  std::string serial = {};                 ///< of the owner, if there is only one
   std::vector<std::size_t> sessions = {};  ///< ascending
   Eigen::MatrixXd features = {};           ///< F, a row for each session; empty: one column of ones
   double logPrior = 0;                     ///< natural log of the odds against no effect
@@ -48,16 +48,16 @@ struct EffectBlock {
   }
 };
 
-/// Every effect with every possible owner, and with a size for each owner or session if these are few; then
-/// every pattern whose owner has several sessions. An effect of the user's own is only in sessions that have
-/// it. The columns must outlive the blocks.
+/// Every effect with every possible owner and, if owners or sessions are few, with a size for each of them;
+/// then every pattern of time and of owners with at least three sessions. An effect of the user's own is only
+/// in sessions that have it. The columns must outlive the blocks.
 std::vector<EffectBlock> effectBlocks(const SharedColumns& columns, const std::vector<SessionOwners>& owners,
                                       const std::vector<std::string>& leftOut);
 
-/// The block with a size that changes over time; without sessions if too few sessions would show it.
+/// The block with a drifting size; without sessions unless linear, of one size, and in four or more sessions.
 EffectBlock drifting(const EffectBlock& block, const std::vector<SessionOwners>& owners);
 
-/// Prior odds of an effect, divided among its owners.
+/// Prior odds of an effect; its owners share them equally.
 double effectOdds();
 
 }  // namespace alidade

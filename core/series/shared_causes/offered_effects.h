@@ -4,8 +4,8 @@
 
 namespace alidade {
 
-/// Offers each form that at least three sessions of a guideway found, or of an instrument if it acts on
-/// circles, as an effect of the user's own.
+/// Offers each form that at least three sessions of one owner found, as an effect of the user's own. The
+/// owner is the instrument if the form acts on circles, else the guideway.
 void addOfferedEffects(SeriesDiagnosis& diagnosis);
 
 }  // namespace alidade

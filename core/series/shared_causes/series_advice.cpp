@@ -8,7 +8,7 @@ namespace alidade {
 
 namespace {
 
-/// Number of sessions until a cause is clear that each session shows by `inOne` σ.
+/// Number of sessions that make a cause clear if its trace in each of them is `inOne` σ.
 int sessionsFor(double inOne) {
   constexpr double most = 99;
   return static_cast<int>(

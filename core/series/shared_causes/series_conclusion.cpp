@@ -47,7 +47,7 @@ bool isPartOf(const SharedSet& smaller, const SharedSet& larger) {
                              [&](const SharedPart& part) { return holds(larger, part.block); });
 }
 
-/// The parameters of an effect, in catalogue units, with the covariance of its weights.
+/// The parameters of an effect, in catalogue units, with u from the covariance of its weights.
 std::vector<CauseParameter> parametersOf(const EffectColumns& columns, const VectorXd& weights,
                                          const MatrixXd& covariance) {
   std::vector<CauseParameter> parameters;
@@ -170,7 +170,7 @@ class Conclusion {
   /// Chooses the likeliest set, or a smaller subset that is nearly as good; the empty set unless one is
   /// likely enough. An uncatalogued pattern is included if it is likelier than all catalogued effects.
   void choose() {
-    constexpr double nearlyAsGood = 2, certain = 0.95;  // natural logarithm; with a pattern
+    constexpr double nearlyAsGood = 2, certain = 0.95;  // natural log of odds; probability with a pattern
     const auto nothing = std::ranges::find_if(m_sets, [](const SharedSet& set) { return set.parts.empty(); });
     const double unknown = chanceOfPattern();
     const bool isUnknown = unknown > 1 - nothing->chance - unknown;
@@ -206,7 +206,7 @@ class Conclusion {
     }
   }
 
-  /// Determines which sessions lack a part, whether it drifts, then its look-alikes.
+  /// Determines for each part which sessions lack it, whether it drifts, and which its look-alikes are.
   void settle() {
     m_apart.assign(m_best.parts.size(), {});
     for (std::size_t p = 0; p < m_best.parts.size(); ++p)
@@ -291,7 +291,7 @@ class Conclusion {
       right -= m_sums[session].normal(m_best.accounts[session], block.columns(), other.columns()) *
                others.parts[q].weightsIn(static_cast<std::size_t>(found - other.sessions.begin()));
     }
-    // N⁻¹ right is the difference of the sizes; its covariance is N⁻¹ + covariance.
+    // N⁻¹ right is the difference of the sizes; its covariance is N⁻¹ plus that of the others' size.
     const MatrixXd spread = normal + normal * covarianceIn(others, p, index) * normal;
     const double square = right.dot(spread.completeOrthogonalDecomposition().solve(right));
     return chiSquareUpperTail(square, static_cast<double>(right.size())).value_or(1);
@@ -309,13 +309,12 @@ class Conclusion {
       if (m_stop.stop_requested()) break;
       const bool isOther = std::ranges::none_of(
           m_best.parts, [&](const SharedPart& any) { return any.block.effect == block.effect; });
-      // Sizes per session or per owner absorb much; the odds decide whether they exist.
       if (!isOther || (block.isPattern() && m_best.isShaped())) continue;
       if (2 * block.sessions.size() < part.block.sessions.size()) continue;
       const double difference = m_search.differenceFrom(part, block) / noise;
       if (difference > clearlyToldApart()) continue;
       blocks[p] = block;
-      // Weighed last, after all others, like the part itself.
+      // For a fair comparison, the block and the part are each added last to the other parts.
       std::vector<EffectBlock> own = blocksOf(m_best);
       std::swap(blocks[p], blocks.back());
       std::swap(own[p], own.back());
@@ -324,6 +323,7 @@ class Conclusion {
       std::swap(blocks[p], blocks.back());
       if (!(with.parts.back().logGain > supported)) continue;
       const double odds = std::exp(std::min(with.logPosteriorOdds - as.logPosteriorOdds, 10.0));
+      // A block with a size per session or owner fits almost any trace; only its odds count.
       const bool isAlike = block.sizes == SizesKind::One && difference < hardlyToldApart();
       if (isAlike || odds > close) rivals.emplace_back(block, odds);
     }
@@ -507,7 +507,7 @@ class Conclusion {
                                                               : DiagnosisVerdict::Ambiguous;
   }
 
-  /// Σ of the squared circle residuals, arcseconds, after subtracting the effects of a set.
+  /// Sum of the squared circle residuals, arcsec², after subtracting the effects of a set.
   double circleSquares(std::size_t s, const SharedSet& set) const {
     double squares = m_evidence[s].circleSquares;
     std::vector<std::pair<const EffectColumns*, VectorXd>> shares;
@@ -525,7 +525,7 @@ class Conclusion {
     return std::max(squares, 0.0);
   }
 
-  /// The set fitted without each fold's sessions; few sessions are a fold each.
+  /// For each fold, the set fitted without its sessions; each of up to 20 sessions is a fold.
   std::vector<SharedSet> foldsOf() const {
     std::vector<SharedSet> folds;
     for (std::size_t fold = 0; fold < foldCount(); ++fold)
@@ -573,7 +573,7 @@ class Conclusion {
                                                                : 1 - std::sqrt(heldOut / before);
   }
 
-  /// Returns the results of the sessions of other folds on each session's shared effects.
+  /// For each session, the sizes of its shared effects, fitted to the sessions of the other folds.
   std::vector<std::vector<KnownNumber>> known() const {
     std::vector<std::vector<KnownNumber>> known(sessions());
     const std::vector<SharedSet> folds = foldsOf();

@@ -12,8 +12,8 @@ namespace alidade {
 
 /// The combined result of a series, before each session is diagnosed again.
 struct SeriesConclusion {
-  SeriesDiagnosis diagnosis;  ///< `sessions` holds only their order
-  /// The results of the other sessions on the effects that a session shares.
+  SeriesDiagnosis diagnosis;  ///< `sessions` is empty
+  /// For each session: the sizes of the effects that it shares, from other sessions.
   std::vector<std::vector<KnownNumber>> known;
   std::vector<std::vector<std::string>> own;  ///< ids of the causes of each session alone
   std::vector<double> ownChance;

@@ -37,12 +37,12 @@ struct SharedRival {
 };
 
 struct SharedCause {
-  Cause cause;  ///< sizes for all sessions; for a drifting cause, for the last one
+  Cause cause;  ///< its size; if this differs between sessions, that in the last one
   CauseOwner owner = CauseOwner::Time;
   std::string serial = {};                 ///< of the owner; empty if it has none, or for effects of time
   std::vector<std::size_t> sessions = {};  ///< indices of the sessions in which it acts
   bool isDrifting = false;                 ///< its size changes from session to session
-  std::vector<SizeInSession> sizes = {};   ///< for drifting causes and effects of time
+  std::vector<SizeInSession> sizes = {};   ///< if the size differs between sessions
   std::vector<std::size_t> apart = {};     ///< sessions of its owner that do not share the cause
   std::vector<SharedRival> rivals = {};    ///< the likeliest first
   double visibleInOne = 0;                 ///< root mean square of its trace in a session, σ
@@ -54,7 +54,7 @@ struct SeriesAdvice {
   enum class What {
     OtherInstrument,  ///< the same guideway with another instrument
     OtherGuideway,    ///< another guideway with the same instrument
-    Again,            ///< the same two again: the cause is still too faint
+    Again,            ///< the same owner again: the cause is still too faint
   };
   What what = What::Again;
   std::string instrument = {}, guideway = {};  ///< serials; empty: any, or any not used so far
@@ -109,10 +109,9 @@ struct SeriesDiagnosis {
   GapSize gap, after;  ///< of all sessions, including the conditions between the positions of each
   Shrinkage shrink;    ///< cross-validated: each session predicted from the sizes of the others
   std::vector<SharedCause> causes;
-  std::optional<SharedPattern> pattern;  ///< with NotInCatalogue; `causes` are then certain
+  std::optional<SharedPattern> pattern;  ///< only with NotInCatalogue
   double unknownChance = 0;           ///< probability that the sessions share an uncatalogued pattern, 0…1
-  std::vector<Candidate> candidates;  ///< as shared by all sessions of an owner, with the best owner for
-                                      ///< each
+  std::vector<Candidate> candidates;  ///< each effect alone, with its likeliest owner
   std::vector<GapShare> where;        ///< by frame, session, instrument and guideway
   std::vector<UndetectableEffect> undetectable;
   std::vector<SeriesAdvice> advice;

@@ -8,7 +8,7 @@
 
 namespace alidade {
 
-/// Sizes for one effect or two: the matrices are numerous, so a largest size avoids the heap.
+/// The most columns of two effects together. The matrices are numerous: a fixed limit avoids the heap.
 inline constexpr int mostColumns = 12;
 using EffectMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, mostColumns, mostColumns>;
 using EffectVector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, mostColumns, 1>;

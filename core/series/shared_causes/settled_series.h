@@ -10,7 +10,7 @@
 
 namespace alidade {
 
-/// The final part of a conclusion, from which all statements except the causes are derived.
+/// The input and the results of the search, from which all statements except the causes are derived.
 struct SettledSeries {
   const std::vector<SessionEvidence>& evidence;
   const std::vector<SessionOwners>& owners;
@@ -29,11 +29,11 @@ struct SettledSeries {
 /// Adds how well each effect alone explains the sessions.
 void addCandidates(SeriesDiagnosis& diagnosis, const SettledSeries& series);
 
-/// Shares of the gap: by owner of the causes, by session, instrument and guideway.
+/// Adds the shares of the gap: by owner of the causes, by session, instrument and guideway.
 void addWhere(SeriesDiagnosis& diagnosis, const SettledSeries& series);
 
-/// Effects that would move Δd, the mean of the sessions, but are undetectable in each session and in all
-/// together.
+/// Adds the effects that at plausible size would move the mean Δd of the sessions, but are undetectable in
+/// all sessions together.
 void addUndetectable(SeriesDiagnosis& diagnosis, const SettledSeries& series);
 
 /// Adds advice on the next session: one that separates look-alikes of different owners, or clarifies a faint

@@ -14,7 +14,7 @@ namespace {
 
 using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
-/// Relative widths: a series can show sizes far below the plausible size in one session.
+/// Widths of the prior, in plausible sizes: a series can show far smaller sizes than one session.
 constexpr double widths[] = {0.03, 0.1, 0.3, 1, 3};
 
 std::span<const double> spanOf(const RowMajor& matrix) {
@@ -24,7 +24,7 @@ std::span<const double> spanOf(const VectorXd& vector) {
   return {vector.data(), static_cast<std::size_t>(vector.size())};
 }
 
-/// Calls `visit` with the indices of each session that both have.
+/// For each session of both blocks, calls `visit` with its index in `a` and in `b`.
 template <typename Visit>
 void forCommon(const EffectBlock& a, const EffectBlock& b, const Visit& visit) {
   std::size_t i = 0, j = 0;
@@ -259,7 +259,7 @@ SharedSet SharedSearch::madeOf(const std::vector<EffectBlock>& blocks,
     SharedSet set = fitted(blocks, own);
     set.logPosteriorOdds += accountsOf(set);
     std::vector<std::size_t> next = likeliestAccounts(set, true);
-    // An equal set is accepted: its accounts are those with which its sizes were found.
+    // Of equal sets the later one counts: it was fitted with the accounts that the earlier one prefers.
     if (round == 0 || set.logPosteriorOdds > best.logPosteriorOdds - rounding) best = std::move(set);
     if (next == own || m_stop.stop_requested()) break;
     own = std::move(next);
@@ -274,9 +274,9 @@ bool SharedSearch::mayTake(const SharedSet& set, const EffectBlock& block) const
   });
 }
 
-/// Returns the blocks with the largest gain in addition to the set. They are sought twice: with misread
-/// values and noise as the only own causes, and with all own causes, since an effect visible in each session
-/// is also an account of each. Patterns do not displace effects.
+/// Returns the effects, and separately the patterns, with the largest gain in addition to the set. They are
+/// sought with misread values and noise as the only own causes, and again with the set's accounts: an effect
+/// that is visible in each session may also be an account of each.
 std::vector<SharedSearch::Growth> SharedSearch::promising(const SharedSet& set) const {
   constexpr std::size_t most = 6, mostPatterns = 3;
   std::vector<Growth> all;

@@ -67,7 +67,7 @@ class SharedSearch {
   /// Visible length of a part's weights, σ, in all its sessions, or in the index-th.
   double visibleLength(const SharedPart& part) const;
   double visibleLengthIn(const SharedPart& part, std::size_t index) const;
-  /// The smallest difference between the block and a part's trace, σ.
+  /// The smallest difference between the part's trace and any trace of the block, σ.
   double differenceFrom(const SharedPart& part, const EffectBlock& block) const;
 
  private:
