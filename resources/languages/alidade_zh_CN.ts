@@ -91,7 +91,7 @@
         <translation>“%1”自上次在此读取或保存以来，已被其他程序或窗口写入。</translation>
     </message>
     <message>
-        <source>It is no longer a session: %1</source>
+        <source>The file is no longer a session: %1</source>
         <translation>该文件已不再是测量记录：%1</translation>
     </message>
     <message>
@@ -192,11 +192,11 @@
         <translation>“%1”也有未保存的更改。</translation>
     </message>
     <message>
-        <source>Redo restores it with all that was typed, so that it can be saved.</source>
-        <translation>重做可将其连同录入的全部内容恢复，以便保存。</translation>
+        <source>Redo restores this session with everything typed, so that you can save it.</source>
+        <translation>重做可恢复该测量记录及录入的全部内容，以便保存。</translation>
     </message>
     <message>
-        <source>Undo restores it with all that was typed, so that it can be saved.</source>
+        <source>Undo restores this session with everything typed, so that you can save it.</source>
         <translation>撤销可恢复该测量记录及录入的全部内容，以便保存。</translation>
     </message>
     <message>
@@ -8160,7 +8160,7 @@ as read</source>
         <translation>倾斜 ⟂ ″</translation>
     </message>
     <message>
-        <source>What the compensator read across the line of sight, in arcseconds; the axis leaning right is positive</source>
+        <source>Tilt that the compensator read across the line of sight, in arcseconds; positive if the axis leans right</source>
         <translation>补偿器在垂直于视线方向的读数，单位角秒；竖轴向右倾为正</translation>
     </message>
     <message>
@@ -8176,7 +8176,7 @@ as read</source>
         <translation>倾斜 ∥ ″</translation>
     </message>
     <message>
-        <source>What the compensator read along the line of sight, in arcseconds; the axis leaning forward is positive</source>
+        <source>Tilt that the compensator read along the line of sight, in arcseconds; positive if the axis leans forward</source>
         <translation>补偿器在视线方向的读数，单位角秒；竖轴向前倾为正</translation>
     </message>
     <message>
@@ -8192,8 +8192,8 @@ as read</source>
         <translation>改正</translation>
     </message>
     <message>
-        <source>What the instrument took off by itself: inclination, standing_axis, collimation, tilting_axis or none; empty means not known</source>
-        <translation>仪器自身扣除的误差：inclination、standing_axis、collimation、tilting_axis 或 none；留空表示未知</translation>
+        <source>Corrections that the instrument applied: inclination, standing_axis, collimation, tilting_axis or none; empty means not known</source>
+        <translation>仪器已施加的改正：inclination、standing_axis、collimation、tilting_axis 或 none；留空表示未知</translation>
     </message>
     <message>
         <source>corrections</source>
@@ -8259,7 +8259,7 @@ as read</source>
 <context>
     <name>ReadingDoubts</name>
     <message>
-        <source>The readings before belong to %1, this one to %2: has the axis been turned?</source>
+        <source>The previous readings belong to %1, this reading to %2: has the axis been turned?</source>
         <translation>此前的读数属于 %1，本读数将属于 %2：轴是否已转动？</translation>
     </message>
     <message>
@@ -9542,23 +9542,23 @@ a clause as a sentence</extracomment>
         <translation>噪声为给定值的 %1 倍</translation>
     </message>
     <message>
-        <source>Nothing was put in.</source>
-        <translation>没有加入任何效应。</translation>
+        <source>No error was simulated.</source>
+        <translation>没有模拟任何误差。</translation>
     </message>
     <message>
-        <source>It shows by %1 σ of the readings</source>
-        <translation>它的显著程度为读数的 %1 σ</translation>
+        <source>The error shows by %1 σ of the readings</source>
+        <translation>该误差的显著程度为读数的 %1 σ</translation>
     </message>
     <message>
-        <source>; there it looks like %1</source>
-        <translation>；此处它看起来像%1</translation>
+        <source>; in these readings it looks like %1</source>
+        <translation>；在这些读数中它看起来像%1</translation>
     </message>
     <message>
         <source>True Δd = %1 mm</source>
         <translation>真实 Δd = %1 mm</translation>
     </message>
     <message>
-        <source>It was %1; the answer was %2.</source>
+        <source>The truth was %1; the answer was %2.</source>
         <translation>真实情况是%1；回答是%2。</translation>
     </message>
     <message>
@@ -9570,19 +9570,19 @@ a clause as a sentence</extracomment>
         <translation>过于微弱，不能期望找出。</translation>
     </message>
     <message>
-        <source>It is in the named group, which is no larger than necessary.</source>
+        <source>The truth is in the named group, which is no larger than necessary.</source>
         <translation>它在所指出的组内，且该组没有超出必要的范围。</translation>
     </message>
     <message>
-        <source>It was %1, and so was the answer.</source>
+        <source>The truth was %1, and so was the answer.</source>
         <translation>真实情况是%1，回答相同。</translation>
     </message>
     <message>
-        <source> Δd with the causes covers the true one.</source>
+        <source> Δd with the causes covers the true Δd.</source>
         <translation>计入原因的 Δd 覆盖真值。</translation>
     </message>
     <message>
-        <source> Δd with the causes misses the true one.</source>
+        <source> Δd with the causes misses the true Δd.</source>
         <translation>计入原因的 Δd 未覆盖真值。</translation>
     </message>
     <message>
@@ -9803,8 +9803,8 @@ a clause as a sentence</extracomment>
         <translation>错误。</translation>
     </message>
     <message>
-        <source>Sealed. The diagnosis has answered: open the seal to see what was put in.</source>
-        <translation>已密封。诊断已作答：启封即可看到加入了什么。</translation>
+        <source>Sealed. The diagnosis has answered: open the seal to see what was simulated.</source>
+        <translation>已密封。诊断已作答：启封即可看到模拟了什么。</translation>
     </message>
     <message>
         <source>&amp;Stop</source>
@@ -10100,8 +10100,8 @@ a clause as a sentence</extracomment>
         <translation>应为：每个测回都在 0 附近均匀分布，没有总偏向一侧的目标。</translation>
     </message>
     <message>
-        <source>Should be: level. What rises towards short distances is a line of sight off the axis, e/D.</source>
-        <translation>应为：保持水平。向短距离方向升高的是偏离竖轴的视线，e/D。</translation>
+        <source>Should be: level. A rise towards short distances shows a line of sight off the axis, e/D.</source>
+        <translation>应为：保持水平。向短距离方向升高表明视线偏离竖轴，e/D。</translation>
     </message>
 </context>
 <context>
@@ -10373,11 +10373,11 @@ a clause as a sentence</extracomment>
         <translation>单独</translation>
     </message>
     <message>
-        <source>In the light of the series</source>
+        <source>Within the series</source>
         <translation>结合系列</translation>
     </message>
     <message>
-        <source>Each session alone and in the light of the series</source>
+        <source>Each session alone and within the series</source>
         <translation>各测量记录单独及结合系列的诊断</translation>
     </message>
     <message>
@@ -10606,8 +10606,8 @@ a clause as a sentence</extracomment>
         <translation>还原</translation>
     </message>
     <message>
-        <source>As in %1; Undo brings back what was changed.</source>
-        <translation>与 %1 中一致；撤销可恢复所做的更改。</translation>
+        <source>Reverted to %1; Undo restores the changes.</source>
+        <translation>已恢复为 %1 的内容；撤销可恢复所做的更改。</translation>
     </message>
     <message>
         <source>Save session</source>
@@ -10755,8 +10755,8 @@ a clause as a sentence</extracomment>
         <translation>存为效应…</translation>
     </message>
     <message>
-        <source>Makes an effect of your own of it, for this device or instrument</source>
-        <translation>将其作为此设备或仪器的自定义效应</translation>
+        <source>Makes the form an effect of your own, for this device or instrument</source>
+        <translation>将此形式作为此设备或仪器的自定义效应</translation>
     </message>
 </context>
 <context>
@@ -10980,8 +10980,8 @@ a clause as a sentence</extracomment>
         <translation>用参考值权衡原因</translation>
     </message>
     <message>
-        <source>Δd itself never depends on it.</source>
-        <translation>Δd 本身从不依赖于它。</translation>
+        <source>Δd itself never depends on the reference.</source>
+        <translation>Δd 本身从不依赖于参考值。</translation>
     </message>
     <message>
         <source>The difference of Δd from the reference then helps to distinguish the causes.
@@ -11014,16 +11014,16 @@ a clause as a sentence</extracomment>
         <translation>ln B</translation>
     </message>
     <message>
-        <source>Natural logarithm of the Bayes factor against no effect at all: above 0 it explains the readings better, above 5 far better, below 0 worse</source>
-        <translation>相对于没有任何效应的贝叶斯因子的自然对数：大于 0 说明它更能解释读数，大于 5 则好得多，小于 0 则更差</translation>
+        <source>Natural logarithm of the Bayes factor for the effect: above 0 the effect explains the readings better than no effect, above 5 far better, below 0 worse</source>
+        <translation>该效应的贝叶斯因子的自然对数：大于 0 说明它比没有效应更能解释读数，大于 5 则好得多，小于 0 则更差</translation>
     </message>
     <message>
         <source>Visible σ</source>
         <translation>可见 σ</translation>
     </message>
     <message>
-        <source>How much of the readings it explains, in σ of one reading</source>
-        <translation>它解释了多少读数，以单个读数的 σ 计</translation>
+        <source>How far the effect shows in the readings, in σ of one reading</source>
+        <translation>效应在读数中显现的程度，以单个读数的 σ 计</translation>
     </message>
     <message>
         <source>Role</source>
@@ -11094,7 +11094,7 @@ a clause as a sentence</extracomment>
         <translation>连同相似原因</translation>
     </message>
     <message>
-        <source>Estimates the ticked causes and their look-alikes, each within its plausible size: U then covers whichever it is</source>
+        <source>Estimates the ticked causes and their look-alikes, each within its plausible size: U then covers every one of them</source>
         <translation>一并估计所勾选的原因及在此无法区分的所有原因，各在其合理大小之内：无论是哪一个，U 都涵盖</translation>
     </message>
     <message>
@@ -11687,7 +11687,7 @@ a clause as a sentence</extracomment>
         <translation>%1 的竖直瞄准零位</translation>
     </message>
     <message>
-        <source>type it, or later</source>
+        <source>type it now or later</source>
         <translation>请录入，或稍后再录</translation>
     </message>
     <message>
@@ -12349,16 +12349,16 @@ a clause as a sentence</extracomment>
         <translation>水平</translation>
     </message>
     <message>
-        <source>What the horizontal circle will read, about</source>
-        <translation>水平度盘的大致读数</translation>
+        <source>Expected reading of the horizontal circle</source>
+        <translation>水平度盘的预期读数</translation>
     </message>
     <message>
         <source>Vertical</source>
         <translation>竖直</translation>
     </message>
     <message>
-        <source>What the vertical circle will read, about</source>
-        <translation>竖直度盘的大致读数</translation>
+        <source>Expected reading of the vertical circle</source>
+        <translation>竖直度盘的预期读数</translation>
     </message>
     <message>
         <source>Remark</source>
@@ -12926,8 +12926,8 @@ a clause as a sentence</extracomment>
         <translation>%1 次照准</translation>
     </message>
     <message>
-        <source>Restored as typed when the program ended.</source>
-        <translation>与程序结束时录入的内容相同。</translation>
+        <source>Entries restored as they were when the program ended.</source>
+        <translation>各项已恢复为程序结束时的内容。</translation>
     </message>
     <message>
         <source> min</source>
@@ -12988,7 +12988,7 @@ a clause as a sentence</extracomment>
 <context>
     <name>alidade::ui::ReadingFlow</name>
     <message>
-        <source>A reading was not taken, as you wished: %1 and %2, %3.</source>
+        <source>A reading was rejected as you wished: %1 and %2, %3.</source>
         <translation>已按您的选择不采用一个读数：%1 和 %2，%3。</translation>
     </message>
 </context>
@@ -13003,7 +13003,7 @@ a clause as a sentence</extracomment>
         <translation>不采用</translation>
     </message>
     <message>
-        <source>Reading of the instrument in question</source>
+        <source>Questionable reading of the instrument</source>
         <translation>有疑问的仪器读数</translation>
     </message>
     <message>
@@ -14243,7 +14243,7 @@ a clause as a sentence</extracomment>
         <translation>抽样次数越多，区间端点越准。为 0 时，抽样到足以判断传播的不确定度是否成立为止</translation>
     </message>
     <message>
-        <source>Draws every reading, pointing zero and length from its distribution and fits again, each time (JCGM 101)</source>
+        <source>Draws every reading, pointing zero and length from its distribution and repeats the fit for each draw (JCGM 101)</source>
         <translation>每次从各读数、瞄准零位和长度的分布中抽样并重新拟合（JCGM 101）</translation>
     </message>
     <message>
@@ -14330,7 +14330,7 @@ a clause as a sentence</extracomment>
         <translation>指南：十步</translation>
     </message>
     <message>
-        <source>Type to begin a session; Esc returns to it; F1 opens the guide.</source>
+        <source>Type to begin a session; Esc returns to the session; F1 opens the guide.</source>
         <translation>直接输入即开始新的测量记录；Esc 返回该记录；F1 打开指南。</translation>
     </message>
     <message>
@@ -14438,8 +14438,8 @@ a clause as a sentence</extracomment>
         <translation>真实情况</translation>
     </message>
     <message>
-        <source>What was put in</source>
-        <translation>所加入的效应</translation>
+        <source>What was simulated</source>
+        <translation>所模拟的内容</translation>
     </message>
     <message>
         <source>vertical circle eccentricity</source>
@@ -14545,8 +14545,8 @@ a clause as a sentence</extracomment>
         <translation>α1 − (α2 ± 180°)：照准差与横轴误差影响的两倍，c/cos e + i·tan e</translation>
     </message>
     <message>
-        <source>Off its course ″</source>
-        <translation>偏离走势 ″</translation>
+        <source>2c residual ″</source>
+        <translation>2c 残差 ″</translation>
     </message>
     <message>
         <source>2c as read minus that of the fitted collimation and trunnion tilt</source>

@@ -105,7 +105,7 @@ class Doubts {
     const auto last = positionBefore();
     if (!last || *last >= m_session.positions.size()) return;
     const QString here = positionText(m_session, m_landing.position());
-    say(ReadingDoubts::tr("The readings before belong to %1, this one to %2: has the axis been turned?")
+    say(ReadingDoubts::tr("The previous readings belong to %1, this reading to %2: has the axis been turned?")
             .arg(positionText(m_session, *last), here));
   }
 

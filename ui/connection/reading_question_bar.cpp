@@ -26,7 +26,7 @@ ReadingQuestionBar::ReadingQuestionBar(ReadingFlow& flow, QWidget* parent)
       m_take(new QPushButton(tr("Take It"))),
       m_discard(new QPushButton(tr("Do Not Take It"))) {
   setFrameShape(StyledPanel);
-  setAccessibleName(tr("Reading of the instrument in question"));
+  setAccessibleName(tr("Questionable reading of the instrument"));
   m_text->setTextFormat(Qt::PlainText);
   m_text->setWordWrap(true);
   m_text->setTextInteractionFlags(Qt::TextSelectableByMouse);

@@ -226,7 +226,7 @@ void BlindTrialDialog::showTruth() {
     m_score->setText((m_current->score.right ? tr("Right. ") : tr("Wrong. ")) +
                      scoreSentence(m_current->trial.seal, m_current->score));
   } else {
-    m_truth->setText(says ? tr("Sealed. The diagnosis has answered: open the seal to see what was put in.")
+    m_truth->setText(says ? tr("Sealed. The diagnosis has answered: open the seal to see what was simulated.")
                           : QString());
   }
   colorScore();

@@ -27,7 +27,7 @@ QString explanation(const ChangedFile& file) {
                            "saved here.")
                            .arg(file.name);
   if (!file.difference)
-    return said + u' ' + ChangedFileText::tr("It is no longer a session: %1").arg(file.problem);
+    return said + u' ' + ChangedFileText::tr("The file is no longer a session: %1").arg(file.problem);
   return said + u' ' + differenceCount(*file.difference) + u':';
 }
 

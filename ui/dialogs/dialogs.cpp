@@ -90,8 +90,8 @@ bool Dialogs::askDiscardOther(const QString& name, Way way) {
                   QMessageBox::Discard | QMessageBox::Cancel, m_parent);
   const QString lead =
       way == Way::Redo
-          ? DialogsText::tr("Redo restores it with all that was typed, so that it can be saved.")
-          : DialogsText::tr("Undo restores it with all that was typed, so that it can be saved.");
+          ? DialogsText::tr("Redo restores this session with everything typed, so that you can save it.")
+          : DialogsText::tr("Undo restores this session with everything typed, so that you can save it.");
   box.setInformativeText(lead + u' ' + DialogsText::tr("If discarded, it cannot be brought back."));
   box.setDefaultButton(QMessageBox::Cancel);
   makeSafeButton(*qobject_cast<QPushButton*>(box.button(QMessageBox::Cancel)));

@@ -205,7 +205,7 @@ bool FileFlow::revert() {
   }
   m_document.push(new ReplaceSession(m_document, (*file)->session, tr("Revert")));
   m_document.markSaved(path, (*file)->sha256);
-  emit remark(tr("As in %1; Undo brings back what was changed.").arg(QDir::toNativeSeparators(path)));
+  emit remark(tr("Reverted to %1; Undo restores the changes.").arg(QDir::toNativeSeparators(path)));
   return true;
 }
 

@@ -224,7 +224,7 @@ void ProtocolDialog::check() {
   const bool isTooMuch = count > mostSightings;
   m_buttons->button(QDialogButtonBox::Ok)->setEnabled(own && !isTooMuch);
   const QString lead =
-      m_draft->isRestored() ? tr("Restored as typed when the program ended.") + u' ' : QString();
+      m_draft->isRestored() ? tr("Entries restored as they were when the program ended.") + u' ' : QString();
   m_remark->setText(lead + (!own ? tr("Type the places as angles with blanks between them: 10 20 30.5 40")
                             : isTooMuch ? tr("%1 sightings are more than a protocol holds.").arg(count)
                                         : tr("%1 sightings").arg(count)));

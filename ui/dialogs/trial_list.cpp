@@ -47,7 +47,7 @@ DataTable* TrialList::createTable() {
         of([](const Drawn& d) { return qText(d.trial->trial.seal.id); })},
        {tr("Plan"), tr("Plan of readings"), QStringLiteral("there-and-back8"),
         of([](const Drawn& d) { return qText(d.trial->trial.truth.protocol); }), Qt::AlignLeft},
-       {tr("Truth"), tr("What was put in"), tr("vertical circle eccentricity"),
+       {tr("Truth"), tr("What was simulated"), tr("vertical circle eccentricity"),
         of([](const Drawn& d) { return d.isOpen ? trialKindName(d.trial->trial.seal.kind) : tr("sealed"); }),
         Qt::AlignLeft},
        {tr("Score"), tr("Whether the diagnosis was right"), tr("wrong"), of([](const Drawn& d) {

@@ -83,8 +83,8 @@ constexpr std::array columns{
                       .field = &rowField(&Reading::tiltCrossArcsec),
                       .title = QT_TRANSLATE_NOOP("ReadingColumn", "Tilt ⟂ ″"),
                       .toolTip = QT_TRANSLATE_NOOP("ReadingColumn",
-                                                   "What the compensator read across the line of sight, in "
-                                                   "arcseconds; the axis leaning right is positive"),
+                                                   "Tilt that the compensator read across the line of sight, "
+                                                   "in arcseconds; positive if the axis leans right"),
                       .noun = QT_TRANSLATE_NOOP("ReadingColumn", "cross tilt"),
                       .menuText = QT_TRANSLATE_NOOP("ReadingColumn", "Cross Tilt Column"),
                       .widest = "−188.88",
@@ -94,8 +94,8 @@ constexpr std::array columns{
                       .field = &rowField(&Reading::tiltLengthArcsec),
                       .title = QT_TRANSLATE_NOOP("ReadingColumn", "Tilt ∥ ″"),
                       .toolTip = QT_TRANSLATE_NOOP("ReadingColumn",
-                                                   "What the compensator read along the line of sight, in "
-                                                   "arcseconds; the axis leaning forward is positive"),
+                                                   "Tilt that the compensator read along the line of sight, "
+                                                   "in arcseconds; positive if the axis leans forward"),
                       .noun = QT_TRANSLATE_NOOP("ReadingColumn", "length tilt"),
                       .menuText = QT_TRANSLATE_NOOP("ReadingColumn", "Length Tilt Column"),
                       .widest = "−188.88",
@@ -106,7 +106,7 @@ constexpr std::array columns{
         .field = &rowField(&Reading::corrections),
         .title = QT_TRANSLATE_NOOP("ReadingColumn", "Corrections"),
         .toolTip = QT_TRANSLATE_NOOP("ReadingColumn",
-                                     "What the instrument took off by itself: inclination, standing_axis, "
+                                     "Corrections that the instrument applied: inclination, standing_axis, "
                                      "collimation, tilting_axis or none; empty means not known"),
         .noun = QT_TRANSLATE_NOOP("ReadingColumn", "corrections"),
         .menuText = QT_TRANSLATE_NOOP("ReadingColumn", "Corrections Column"),

@@ -72,7 +72,7 @@ void ImportZeros::show(const Import* import) {
       const QSignalBlocker quiet(line);
       if (isThere || !row.isTyped) line.setText(isThere ? visibleLine(shownAngle(text, m_unit)) : QString());
       line.setReadOnly(isThere);
-      line.setPlaceholderText(isThere ? QString() : tr("type it, or later"));
+      line.setPlaceholderText(isThere ? QString() : tr("type it now or later"));
       line.setToolTip(isThere ? tr("As in the files or the session") : QString());
     };
     fill(*row.horizontal, zero.horizontal);

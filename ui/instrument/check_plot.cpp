@@ -214,7 +214,7 @@ QString CheckPlot::standard() const {
     case View::Distance:
       break;
   }
-  return tr("Should be: level. What rises towards short distances is a line of sight off the axis, e/D.");
+  return tr("Should be: level. A rise towards short distances shows a line of sight off the axis, e/D.");
 }
 
 std::string CheckPlot::csv() const {

@@ -55,9 +55,9 @@ DiagnosisPanel::DiagnosisPanel(QWidget* parent)
       m_causes(table({tr("Cause"), tr("Owner"), tr("Size"), tr("Probability"), tr("In one session (σ)"),
                       tr("In all (σ)"), tr("Look-alikes")},
                      tr("What the sessions share"))),
-      m_sessions(table({tr("Session"), tr("Date"), tr("Instrument"), tr("Device"), tr("Alone"),
-                        tr("In the light of the series")},
-                       tr("Each session alone and in the light of the series"))) {
+      m_sessions(table(
+          {tr("Session"), tr("Date"), tr("Instrument"), tr("Device"), tr("Alone"), tr("Within the series")},
+          tr("Each session alone and within the series"))) {
   auto* text = new QWidget;
   auto* column = new QVBoxLayout(text);
   column->setContentsMargins(0, 0, 0, 0);

@@ -116,11 +116,12 @@ QStringList truthLines(const BlindTrial& trial) {
   if (truth.foreign) lines.append(foreignText(*truth.foreign));
   if (truth.noiseFactor != 1)
     lines.append(TrialText::tr("Noise %1 times the stated").arg(numberText(truth.noiseFactor, 2)));
-  if (lines.isEmpty()) lines.append(TrialText::tr("Nothing was put in."));
+  if (lines.isEmpty()) lines.append(TrialText::tr("No error was simulated."));
   if (trial.seal.visible) {
-    QString shows = TrialText::tr("It shows by %1 σ of the readings").arg(numberText(*trial.seal.visible, 1));
+    QString shows =
+        TrialText::tr("The error shows by %1 σ of the readings").arg(numberText(*trial.seal.visible, 1));
     if (!trial.seal.lookAlikes.empty())
-      shows += TrialText::tr("; there it looks like %1")
+      shows += TrialText::tr("; in these readings it looks like %1")
                    .arg(causeNames(trial.seal.lookAlikes, TrialText::tr(" or ")));
     lines.append(shows + u'.');
   }
@@ -132,17 +133,17 @@ QString scoreSentence(const SealedTruth& truth, const TrialScore& score) {
   const QString was = trialKindName(truth.kind), answer = trialKindName(score.answer);
   QString text;
   if (!score.right)
-    text = TrialText::tr("It was %1; the answer was %2.").arg(was, answer);
+    text = TrialText::tr("The truth was %1; the answer was %2.").arg(was, answer);
   else if (score.trialClass == TrialClass::Faint)
     text = score.named ? TrialText::tr("Named, although it is faint.")
                        : TrialText::tr("Too faint to be expected.");
   else if (score.trialClass == TrialClass::LookAlikes)
-    text = TrialText::tr("It is in the named group, which is no larger than necessary.");
+    text = TrialText::tr("The truth is in the named group, which is no larger than necessary.");
   else
-    text = TrialText::tr("It was %1, and so was the answer.").arg(was);
+    text = TrialText::tr("The truth was %1, and so was the answer.").arg(was);
   if (score.covered)
-    text += *score.covered ? TrialText::tr(" Δd with the causes covers the true one.")
-                           : TrialText::tr(" Δd with the causes misses the true one.");
+    text += *score.covered ? TrialText::tr(" Δd with the causes covers the true Δd.")
+                           : TrialText::tr(" Δd with the causes misses the true Δd.");
   return text;
 }
 

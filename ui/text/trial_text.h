@@ -10,7 +10,7 @@ namespace alidade::ui {
 /// The common name of a kind of truth: "collimation", "two effects", "nothing".
 QString trialKindName(const std::string& kind);
 
-/// The simulated errors of the session with sizes, a line for each; "Nothing was put in." if none.
+/// The simulated errors of the session with sizes, a line for each; "No error was simulated." if none.
 QStringList truthLines(const BlindTrial& trial);
 
 /// A sentence on why the diagnosis counts as right or wrong.

@@ -210,7 +210,7 @@ TEST_F(InstrumentSession, SeventyTwoSightingsByGeoComWithFaults) {
   expectSame(bench.session(), sent, 5.1e-4);  // half of the last written digit
   EXPECT_EQ(wrong, 2) << "of 12 faults in turn the 5th and 10th";
   for (const char* said :
-       {"was skipped", "Only part of a line came", "late or twice", "busy measuring", "was not taken"})
+       {"was skipped", "Only part of a line came", "late or twice", "busy measuring", "was rejected"})
     EXPECT_THAT(bench.log(), HasSubstr(said));
   // Each reading is one undo step, and all can be undone.
   while (bench.open->document().undoStack().canUndo()) bench.open->undo();

@@ -226,7 +226,7 @@ TEST(TrialText, NamesEveryKind) {
   for (const TrialKind& kind : trialKinds()) {
     const BlindTrial trial = *drawBlindTrial({.protocol = "full", .kinds = {kind.name}}, seed);
     const QStringList lines = truthLines(trial);
-    EXPECT_EQ(lines.front() == QStringLiteral("Nothing was put in."), kind.name == "none") << kind.name;
+    EXPECT_EQ(lines.front() == QStringLiteral("No error was simulated."), kind.name == "none") << kind.name;
   }
 }
 

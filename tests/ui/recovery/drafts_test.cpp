@@ -180,7 +180,7 @@ TEST_F(DraftsTest, HoldAProtocolBeingEdited) {
     EXPECT_EQ(entry(dialog, 0)->text(), QStringLiteral("Two gro"));
     EXPECT_EQ(dialog.findChild<QSpinBox*>()->value(), 7);
     EXPECT_THAT(dialog.findChild<QLabel*>(QStringLiteral("protocol remark"))->text().toStdString(),
-                testing::HasSubstr("Restored as typed when the program ended."));
+                testing::HasSubstr("Entries restored as they were when the program ended."));
     dialog.reject();
     killAndStart();
   }

@@ -19,7 +19,7 @@ FormList::FormList(QWidget* parent) : QWidget(parent), m_shrinkage(wrappedLabel(
   for (std::size_t i = 0; i < most; ++i) {
     const Row row{wrappedLabel(), wrappedLabel(), new FormChart, new QPushButton(tr("Keep as an Effect…"))};
     row.keep->hide();
-    row.keep->setToolTip(tr("Makes an effect of your own of it, for this device or instrument"));
+    row.keep->setToolTip(tr("Makes the form an effect of your own, for this device or instrument"));
     connect(row.keep, &QPushButton::clicked, this, [this, i] { emit keepWanted(i); });
     row.about->setForegroundRole(QPalette::PlaceholderText);
     for (QWidget* part : std::initializer_list<QWidget*>{row.sentence, row.about, row.chart})

@@ -71,7 +71,7 @@ GapPanel::GapPanel(QWidget* parent)
       m_closures(new ClosureBars),
       m_closuresNote(wrappedLabel()),
       m_withReference(new QCheckBox(tr("Weigh the causes with the reference"))),
-      m_withReferenceNote(standard(tr("Δd itself never depends on it."))),
+      m_withReferenceNote(standard(tr("Δd itself never depends on the reference."))),
       m_required(new StatementView),
       m_next(new StatementView),
       m_undetectable(new StatementView),
@@ -136,7 +136,7 @@ QWidget* GapPanel::createCauses() {
                           tr("Estimates the ticked causes along with the arcs; undone by Ctrl+Z"));
   m_addLookAlikes = addAction(tr("With Look-alikes"), QStringLiteral("add look-alikes"),
                               tr("Estimates the ticked causes and their look-alikes, each within its "
-                                 "plausible size: U then covers whichever it is"));
+                                 "plausible size: U then covers every one of them"));
   m_remove = addAction(tr("Take Out of the Model"), QStringLiteral("remove ticked"),
                        tr("Leaves the ticked effects of the model out"));
   m_actions->addStretch();
@@ -198,10 +198,10 @@ QWidget* GapPanel::createCandidates() {
       {tr("Effect"), tr("What may cause the gap"), tr("Vertical angle relation"),
        of([](const Candidate& c) { return causeTitle(c.effect); }), Qt::AlignLeft},
       {tr("ln B"),
-       tr("Natural logarithm of the Bayes factor against no effect at all: above 0 it explains the readings "
-          "better, above 5 far better, below 0 worse"),
+       tr("Natural logarithm of the Bayes factor for the effect: above 0 the effect explains the readings "
+          "better than no effect, above 5 far better, below 0 worse"),
        QStringLiteral("−8888.8"), of([](const Candidate& c) { return numberText(c.logBayesFactor, 1); })},
-      {tr("Visible σ"), tr("How much of the readings it explains, in σ of one reading"),
+      {tr("Visible σ"), tr("How far the effect shows in the readings, in σ of one reading"),
        QStringLiteral("888.8"), of([](const Candidate& c) {
          return c.visibleSigma > 0 ? numberText(c.visibleSigma, 1) : notStated();
        })},

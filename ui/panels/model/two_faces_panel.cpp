@@ -40,7 +40,7 @@ DataTable* TwoFacesPanel::createTable() {
        [this](int i) { return numberText(row(i).difference.elevation.degrees(), 3); }},
       {tr("2c ″"), tr("α1 − (α2 ± 180°): twice collimation and trunnion tilt, c/cos e + i·tan e"),
        QStringLiteral("−188.8"), seconds(&FaceDifference::doubleCollimation)},
-      {tr("Off its course ″"), tr("2c as read minus that of the fitted collimation and trunnion tilt"),
+      {tr("2c residual ″"), tr("2c as read minus that of the fitted collimation and trunnion tilt"),
        QStringLiteral("−88.8"), seconds(&FaceDifference::fromCourse)},
       {tr("Index ″"), tr("Index error of the vertical circle: half of β1 + β2 minus the nominal sum"),
        QStringLiteral("−188.8"), seconds(&FaceDifference::index)},

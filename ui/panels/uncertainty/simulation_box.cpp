@@ -63,8 +63,8 @@ void SimulationBox::createControls() {
          "decide whether the propagated uncertainty holds"));
   m_run->setObjectName(QStringLiteral("run simulation"));
   m_run->setToolTip(
-      tr("Draws every reading, pointing zero and length from its distribution and fits again, each time "
-         "(JCGM 101)"));
+      tr("Draws every reading, pointing zero and length from its distribution and repeats the fit for each "
+         "draw (JCGM 101)"));
   m_progress->setAccessibleName(tr("Draws made"));
   m_progress->setTextVisible(false);
   m_progress->setFixedHeight(8);
