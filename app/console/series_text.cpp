@@ -76,7 +76,7 @@ std::string causesOf(const std::vector<Cause>& causes) {
 }
 
 std::string sessionsText(const SeriesDiagnosis& series) {
-  Rows rows{{"  session", "date", "instrument", "guideway", "alone", "in the light of the series"}};
+  Rows rows{{"  session", "date", "instrument", "guideway", "alone", "within the series"}};
   for (const SeriesMember& member : series.sessions) {
     if (rows.size() > mostRows) break;
     rows.push_back({"  " + member.name, member.measuredOn, member.instrument, member.guideway,

@@ -29,7 +29,7 @@ Result<CalibrationCertificate> calibrationCertificate(const CertificateSource& s
   if (!stated) return stated.problem();
   if (!options.isDraft && !stated->notStated.empty())
     return Problem{
-        Phrase::of("no certificate is made: ISO/IEC 17025 and the schema require what is not stated: %1",
+        Phrase::of("no certificate is made: ISO/IEC 17025 and the schema require the missing entries: %1",
                    listedNouns(*stated))};
   std::vector<CertificateLanguage> languages = options.languages;
   if (languages.empty()) languages.push_back({"en"});

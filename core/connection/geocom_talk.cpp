@@ -127,7 +127,7 @@ void GeoComTalk::use(const GeoComAnswer& answer, Milliseconds now, TalkStep& ste
   const int code = answer.communicationCode != geocom::done ? answer.communicationCode : answer.returnCode;
   if (isBusy(code) && ++question.busy <= m_times.busyAttempts) {
     if (question.busy == 1)
-      step.remarks.push_back(geoComSentence(code) + " " + Phrase::of("It is asked again."));
+      step.remarks.push_back(geoComSentence(code) + " " + Phrase::of("The request is sent again."));
     question.attempts = 0;
     m_waitsFor.reset();
     m_askAt = now + m_times.busyPause;
@@ -185,8 +185,9 @@ bool GeoComTalk::takeAngles(const GeoComAnswer& answer, TalkStep& step) {
       m_reading.tiltLengthArcsec = arcsecondsText(*length);
     }
     if (const Result<int> face = parseWhole(values[8]); face && *face + 1 != m_reading.face)
-      step.remarks.push_back(Phrase::of("The instrument calls it %1, its circle says %2: the circle counts.",
-                                        faceName(*face + 1), faceName(m_reading.face)));
+      step.remarks.push_back(
+          Phrase::of("The instrument reports %1, but its vertical circle shows %2: the circle is used.",
+                     faceName(*face + 1), faceName(m_reading.face)));
   }
   if (answer.returnCode != geocom::done) step.remarks.push_back(geoComSentence(answer.returnCode));
   m_hasAngles = true;

@@ -59,8 +59,8 @@ Result<InstrumentReading> gsiReading(const std::string& block, VerticalCircle ci
   const GsiWord *horizontal = wordIn(words, horizontalWord), *vertical = wordIn(words, verticalWord);
   if (!horizontal || !vertical)
     return Problem{
-        Phrase::of("a block needs both circles, words 21 and 22: set the recording mask of the "
-                   "instrument so, and sight again")};
+        Phrase::of("a block needs both circles, words 21 and 22: put both into the recording mask of the "
+                   "instrument, and sight again")};
   InstrumentReading reading;
   const Result<Angle> alpha =
       circleOf(*horizontal, rowField(&Reading::horizontal), circle, reading.horizontal);

@@ -41,9 +41,10 @@ Result<Recording> readRecording(const ReadingsFile& file, const ImportOptions& o
 std::optional<Problem> turnedBehindTheEnd(const Recording& recording, const ReadingsFile& file) {
   const std::size_t last = std::ranges::max_element(recording.sightings, {}, &RecordedSighting::line)->line;
   if (!file.turnedAtLine || *file.turnedAtLine <= last) return std::nullopt;
-  return Problem{Phrase::of(
-      "has its last reading in line %1, so none is at 180° from line %2 on: give a line within the file",
-      last, *file.turnedAtLine)};
+  return Problem{
+      Phrase::of("has its last reading in line %1, so no reading at 180° can begin at line %2: give a line "
+                 "within the file",
+                 last, *file.turnedAtLine)};
 }
 
 Result<Recording> readFileOf(const ReadingsFile& file, const ImportOptions& options) {

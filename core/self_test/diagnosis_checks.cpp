@@ -13,8 +13,7 @@ namespace alidade {
 
 namespace {
 
-constexpr const char* byTruth = PHRASE_LATER(
-    "Phrase", "the session was simulated with this truth and no other cause; the answer is a word");
+constexpr const char* byTruth = PHRASE_LATER("Phrase", "the diagnosis must name exactly what was simulated");
 constexpr const char* threeSigma =
     PHRASE_LATER("Phrase", "3 σ of the estimate: the readings hold noise, which is the same every time");
 

@@ -25,7 +25,7 @@ constexpr CheckTolerance ofSum = {
     .absolute = 1e-8,
     .relative = 1e-8,
     .reason = PHRASE_LATER("Phrase",
-                           "1e-8: σ and χ² are smooth at the minimum, within 1e-9 σ of which the fit stops")};
+                           "1e-8: the fit stops within 1e-9 σ of the minimum, where σ and χ² are smooth")};
 
 SelfCheck against(const Json& object, const char* key, const std::string& name, double found,
                   const CheckTolerance& tolerance) {

@@ -354,8 +354,8 @@ constexpr SessionField allSessionFields[] = {
          .unit = mm,
          .help = PHRASE_LATER(
              "Forms",
-             "Standard uncertainty of the nominal radius. With a known radius it weights R0 in the fit; "
-             "empty means exact. Otherwise it makes R − R0 a closure; empty: no closure")}),
+             "Standard uncertainty of the nominal radius. Known radius: it weights R0 in the fit; empty "
+             "means exact. Free or common radius: R − R0 becomes a closure; empty means no closure")}),
     ofSession<&Session::geometry, &Geometry::verticalCircle>(
         {.key = "geometry.vertical_circle",
          .noun = PHRASE_LATER("Field", "vertical circle"),
@@ -381,18 +381,18 @@ constexpr SessionField allSessionFields[] = {
          .caption = PHRASE_LATER("Forms", "Arc's plane"),
          .help = PHRASE_LATER(
              "Forms",
-             "If the instrument is above or below the axis, its pointing zero is inclined. Vertical: the "
-             "plane of the arc is still plumb. Square: it is perpendicular to the zero"),
+             "For an instrument above or below the axis, whose pointing zero is inclined. Vertical: the "
+             "plane of the arc is plumb. Square: the plane is perpendicular to the pointing zero"),
          .choices = planeChoices}),
     ofSession<&Session::geometry, &Geometry::zeroIs>(
         {.key = "geometry.zero_is",
-         .noun = PHRASE_LATER("Field", "what the zeros sight"),
+         .noun = PHRASE_LATER("Field", "target of the pointing zeros"),
          .rule = &wordRule<zeroIsEntry>,
          .caption = PHRASE_LATER("Forms", "Zeros sight"),
          .help = PHRASE_LATER(
              "Forms",
-             "A mark: a fixed direction; zeros that differ show a drift or a knock. The normal: of the "
-             "guideway, set again in each position. Unstated: a mark if the zeros agree within 30″"),
+             "Mark: a fixed target; different zeros show a drift or a knock. Normal: the guideway's, set "
+             "again in each position. Unstated: taken as a mark if the zeros agree within 30″"),
          .choices = markChoices}),
     ofSession<&Session::geometry, &Geometry::distanceFrom>(
         {.key = "geometry.distance_from",

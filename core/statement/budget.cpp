@@ -180,8 +180,8 @@ Statement centreBudget(const SessionFit& fit) {
                        "Pointing zeros and distance enter as stated.",
                        displayText(fit.noise.factor, 2))};
   statement.note = Phrase::of(
-      "Correlation with R, −1 to 1: how far an error of the radius shifts the centre; on half an arc it "
-      "determines the height.");
+      "Correlation with R, −1 to 1: how far an error of the radius shifts the centre; on half an arc, R "
+      "determines the height of the centre.");
   return statement;
 }
 

@@ -40,7 +40,7 @@ const KnownCheck* checkOf(const Gap& gap, const Effect& effect, const EffectPara
 
 Statement gapKnown(const Gap& gap) {
   Statement statement{.id = "known",
-                      .title = Phrase::of("Known beforehand of instrument and device"),
+                      .title = Phrase::of("Known sizes of instrument and device"),
                       .columns = {{"number", Phrase::of("Number"), Statement::Column::Role::Name},
                                   {"known", Phrase::of("known")},
                                   {"readings", Phrase::of("these readings")},

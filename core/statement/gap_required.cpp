@@ -18,7 +18,7 @@ std::string plausibleSizesText(const Required& required) {
 
 Statement gapRequired(const Gap& gap) {
   Statement statement{.id = "required",
-                      .title = Phrase::of("What it would take to explain Δd − reference"),
+                      .title = Phrase::of("Sizes that would explain Δd − reference"),
                       .columns = {{"effect", Phrase::of("Effect"), Statement::Column::Role::Name},
                                   {"size", Phrase::of("size")},
                                   {"plausible_sizes", Phrase::of("plausible sizes")},

@@ -27,7 +27,7 @@ Statement gapUndetectable(const Gap& gap) {
          .id = effect.effect});
   if (statement.rows.empty())
     statement.sentences = {
-        Phrase::of("No effect of plausible size could move Δd noticeably without leaving a trace.")};
+        Phrase::of("An effect of plausible size that moved Δd noticeably would leave a trace.")};
   else
     statement.note = Phrase::of(
         "Each at its plausible size, which these readings are too weak to show: an effect shows if it leaves "

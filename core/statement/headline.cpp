@@ -110,7 +110,7 @@ void setVerdict(Headline& headline, const Measurement& measurement, const Sessio
                 const Diagnosis* diagnosis, const std::optional<AcceptanceDecision>& decision) {
   if (!decision) {
     headline.verdict = Phrase::of("No verdict");
-    headline.sentence = Phrase::of("No tolerance stated, so nothing to decide against.");
+    headline.sentence = Phrase::of("No tolerance is stated, so there is no verdict.");
     return;
   }
   headline.verdict = wordOf(decision->verdict);

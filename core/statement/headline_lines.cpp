@@ -131,10 +131,10 @@ std::string gapText(const Diagnosis& diagnosis, const AcceptanceDecision* decisi
     const std::string text =
         Phrase::of("Open whatever U is: model and readings disagree, and no catalogued effect explains it");
     //: a sentence, and the signs of what it says
-    return closures.empty() ? text : Phrase::of("%1 (signs of it: %2)", text, closures);
+    return closures.empty() ? text : Phrase::of("%1 (signs: %2)", text, closures);
   }
   if (causes.empty()) return withDetails(disagreementText(diagnosis), closures);
-  if (isFound(diagnosis, noiseId)) causes = Phrase::of("%1, beside noise larger than stated", causes);
+  if (isFound(diagnosis, noiseId)) causes = Phrase::of("%1, and noise larger than stated", causes);
   if (const auto alike = lookAlikes(diagnosis); !alike.empty())
     //: causes, and what looks like them
     causes =
@@ -143,15 +143,15 @@ std::string gapText(const Diagnosis& diagnosis, const AcceptanceDecision* decisi
     return withDetails(Phrase::of("Model and readings disagree, best explained by %1", causes), closures);
   return withDetails(
       decision->verdict == Verdict::Accept
-          ? Phrase::of("Model and readings disagree; accepted only if that comes from %1", causes)
-          : Phrase::of("Model and readings disagree; rejected only if that comes from %1", causes),
+          ? Phrase::of("Model and readings disagree; accepted only if the cause is %1", causes)
+          : Phrase::of("Model and readings disagree; rejected only if the cause is %1", causes),
       closures);
 }
 
 std::string knockText(const Diagnosis& diagnosis, const AcceptanceDecision& decision) {
   const auto [moments, influence] = knockOf(diagnosis, decision);
   return Phrase::of(
-      "Only if the tripod was not knocked %1: it would move Δd by ± %2 mm undetected, which U does not "
+      "Only if the tripod was not knocked %1: a knock would move Δd by ± %2 mm undetected, which U does not "
       "include",
       moments, influence);
 }

@@ -46,11 +46,12 @@ std::string chanceSentence(const MonteCarlo& check, int places) {
   const std::string end = lengthText(check.endpointSigma, places);
   const std::optional<std::size_t> draws = drawsToTell(check);
   return draws ? Phrase::of(
-                     "By chance, an end of the interval is uncertain by %1: about %2 draws would decide.",
+                     "With these draws, an end of the interval is uncertain by %1: about %2 draws would "
+                     "decide.",
                      end, *draws)
                : Phrase::of(
-                     "By chance, an end of the interval is uncertain by %1: a decision needs more draws than "
-                     "can be set here.",
+                     "With these draws, an end of the interval is uncertain by %1: a decision needs more "
+                     "draws than can be set here.",
                      end);
 }
 

@@ -77,8 +77,8 @@ std::string readingsSentence(const Measurement& measurement, const SessionFit& f
   };
   if (const auto unchecked = std::ranges::count_if(fit.joint.readings, isUnchecked); unchecked > 0)
     return Phrase::of(
-        "%1 of %2 readings are checked by no other, or hardly (redundancy below %3): an error in them would "
-        "not show.",
+        "%1 of %2 readings are hardly checked by others (redundancy below %3): an error in them would not "
+        "show.",
         unchecked, fit.joint.readings.size(), displayText(leastRedundancy, 2));
   if (!fit.intersection || !(std::abs(worst.front().reliability.influence) > 0))
     return Phrase::of("Every reading is checked.");

@@ -20,7 +20,7 @@ namespace alidade {
 namespace {
 
 std::string nameOf(const std::string& cause) {
-  if (cause == formId) return Phrase::of("an effect of no catalogue");
+  if (cause == formId) return Phrase::of("an uncatalogued effect");
   return cause.empty() ? Phrase::of("no cause") : causeName(cause);
 }
 
@@ -93,11 +93,10 @@ std::string namedSentence(const SessionSoFar& state) {
   if (state.named.front() == formId) {
     const std::string probability = probabilityText(probabilityOf(state.named, state.causes));
     return isEnough(state)
-               ? Phrase::of("Enough: there is an effect of no catalogue (%1); the diagnosis finds its form.",
+               ? Phrase::of("Enough: there is an uncatalogued effect (%1); the diagnosis finds its form.",
                             probability)
-               : Phrase::of(
-                     "There is an effect of no catalogue (%1), but Δd needs readings at both positions.",
-                     probability);
+               : Phrase::of("There is an uncatalogued effect (%1), but Δd needs readings at both positions.",
+                            probability);
   }
   if (!state.alsoNamed.empty()) {
     const std::string second = groupText(state.alsoNamed, state.further);
@@ -108,7 +107,7 @@ std::string namedSentence(const SessionSoFar& state) {
   }
   if (!isEnough(state))
     return Phrase::of("The cause is named, %1, but Δd needs readings at both positions.", first);
-  return Phrase::of("Enough: the cause is named, %1; the evidence against no cause is %2 to 1.", first,
+  return Phrase::of("Enough: the cause is named, %1; the Bayes factor for a cause is %2 to 1.", first,
                     evidenceText(state.logEvidence));
 }
 
@@ -146,13 +145,13 @@ std::string enoughSentence(const SessionSoFar& state) {
     return Phrase::of("Not enough yet: %1 is evident; further readings show whether it is the only cause.",
                       groupText({state.causes.front().cause}, state.causes));
   if (state.logEvidence < state.logEvidenceNeeded)
-    return Phrase::of("Not enough yet: the evidence against no cause is %1 to 1; %2 to 1 is needed.",
-                      evidence, evidenceText(state.logEvidenceNeeded));
+    return Phrase::of("Not enough yet: the Bayes factor for a cause is %1 to 1; %2 to 1 is needed.", evidence,
+                      evidenceText(state.logEvidenceNeeded));
   if (state.causes.front().cause == noiseId)
     return Phrase::of(
         "Not enough yet: the readings scatter more than stated, from noise or an uncatalogued effect; the "
         "diagnosis shows which.");
-  return Phrase::of("Not enough yet: the evidence against no cause is %1 to 1, but no cause stands out.",
+  return Phrase::of("Not enough yet: the Bayes factor for a cause is %1 to 1, but no cause stands out.",
                     evidence);
 }
 
@@ -160,7 +159,7 @@ Statement sightingChoiceStatement(const SightingChoice& choice, const ProtocolPr
   using Role = Statement::Column::Role;
   Statement statement{
       .id = "next_sighting",
-      .title = Phrase::of("What may be the case"),
+      .title = Phrase::of("Possible explanations"),
       .columns = {{"cause", "", Role::Name}, {"probability", Phrase::of("probability"), Role::Figure}},
       .rows = {}};
   const auto add = [&](const std::vector<WeighedCause>& causes, std::size_t most, bool isPart) {

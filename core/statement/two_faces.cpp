@@ -49,7 +49,7 @@ Statement faceDifferences(const Measurement& measurement, const TwoFaces& faces)
                                   {"point", Phrase::of("Point")},
                                   {"elevation", Phrase::of("Elevation °")},
                                   {"double_collimation", "2c ″"},
-                                  {"from_course", Phrase::of("Off its course ″")},
+                                  {"from_course", Phrase::of("2c residual ″")},
                                   {"index", Phrase::of("Index ″")}},
                       .rows = {}};
   const auto seconds = [](Angle angle) { return displayText(angle.arcseconds(), 1); };

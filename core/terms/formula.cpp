@@ -247,7 +247,7 @@ class FormulaMaker {
     if (!plain) return plain.problem();
     for (const auto* names : {&plain->variables, &plain->amplitudes})
       if (!names->empty())
-        return faultAt(names->front(), Phrase::of("%1 is given a number here: take %2 out of it.",
+        return faultAt(names->front(), Phrase::of("This line sets %1 to a number: remove %2.",
                                                   quotation(name), quotation(names->front().name)));
     Formula constant{.lines = {{.expression = plain->text, .amplitudes = {}}}, .amplitudes = {{"unused"}}};
     const double value = FormulaEvaluator(constant).value(0, 0, {});
@@ -289,9 +289,9 @@ class FormulaMaker {
       known = all.end() - 1;
     } else if (unitOf(known->carrier) != unitOf(line.carrier) ||
                isOfCircles(known->carrier) != isOfCircles(line.carrier)) {
-      return faultAt(name, Phrase::of("%1 belongs to the line %2 already, which is of another kind: take "
-                                      "another letter here.",
-                                      quotation(name.name), quotation(nameOf(known->carrier))));
+      return faultAt(
+          name, Phrase::of("The line %2, which is of another kind, already uses %1: use another letter here.",
+                           quotation(name.name), quotation(nameOf(known->carrier))));
     }
     const auto index = static_cast<std::size_t>(known - all.begin());
     if (std::ranges::find(line.amplitudes, index) == line.amplitudes.end()) line.amplitudes.push_back(index);
@@ -304,9 +304,9 @@ class FormulaMaker {
       const auto bent = check.bent(line);
       if (!bent) continue;
       if (!*bent)
-        return FormulaFault{m_statements[line].at, m_statements[line].expression.size(),
-                            Phrase::of("The line must be a sum of amplitudes times functions, without a part "
-                                       "that has none or two of them.")};
+        return FormulaFault{
+            m_statements[line].at, m_statements[line].expression.size(),
+            Phrase::of("The line must be a sum of terms, each with exactly one amplitude as a factor.")};
       const auto& name = m_formula.amplitudes[**bent].name;
       return faultAt(*std::ranges::find(m_names[line], name, &FormulaName::name),
                      Phrase::of("The line is not in proportion to %1: multiply by it, or set it to a number, "

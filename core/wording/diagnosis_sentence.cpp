@@ -61,8 +61,8 @@ std::string shrunk(const Diagnosis& diagnosis) {
                                                 : Phrase::of("the two positions close");
   if (first == grossErrorId && diagnosis.causes.size() == 1)
     return Phrase::of("Without the misread values, %1.", effect);
-  return diagnosis.causes.size() == 1 ? Phrase::of("With it in the model %1.", effect)
-                                      : Phrase::of("With them in the model %1.", effect);
+  return diagnosis.causes.size() == 1 ? Phrase::of("With the cause in the model, %1.", effect)
+                                      : Phrase::of("With the causes in the model, %1.", effect);
 }
 
 std::string causesNamed(const Diagnosis& diagnosis) {
@@ -114,8 +114,8 @@ std::string headlineOf(const Diagnosis& diagnosis) {
       break;
   }
   if (causes.empty()) return Phrase::of("A gap of no known cause");
-  return causes.size() == 1 ? Phrase::of("An unknown cause beside %1", causeName(causes.front().effect))
-                            : Phrase::of("An unknown cause beside %1 known ones", causes.size());
+  return causes.size() == 1 ? Phrase::of("An unknown cause and %1", causeName(causes.front().effect))
+                            : Phrase::of("An unknown cause and %1 known ones", causes.size());
 }
 
 std::string readingName(const ReadingDeviation& reading) {

@@ -183,8 +183,8 @@ std::string shrinkSentence(const FoundForm& found) {
   if (std::isnan(shrink.heldOut) || std::isnan(shrink.p)) return {};
   constexpr double least = 0.001;
   return Phrase::of(
-      "Predicted by the form fitted to the other readings, the gap of %1 readings shrinks by %2 %; by the "
-      "form fitted to all, the gap of all shrinks by %3 % (F test: p %4).",
+      "The form fitted to the other readings reduces the gap of %1 readings by %2 %; the form fitted to all "
+      "readings reduces the gap of all by %3 % (F test: p %4).",
       shrink.heldOutReadings, percentText(shrink.heldOut), percentText(shrink.inSample),
       shrink.p < least ? "< 0.001" : "= " + displayText(shrink.p, 3));
 }

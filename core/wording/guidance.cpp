@@ -96,7 +96,7 @@ std::string withoutNeed(const Outlook& outlook, const ProtocolProgress& progress
 
 std::string limitSentence(const Outlook& outlook, Account account, const Lengths& text) {
   if (!outlook.limit) return "";
-  return Phrase::of("Further rounds leave %1 mm of it unchanged: that part is the same in each.",
+  return Phrase::of("Further rounds do not reduce %1 mm of U: that part is the same in each round.",
                     text(account.of(*outlook.limit)));
 }
 
@@ -128,7 +128,7 @@ std::string whetherEnough(const Outlook& outlook, const ProtocolProgress& progre
   const std::string needed = text(account.of(*outlook.needed));
   const auto from = outlook.now ? std::optional(account.of(*outlook.now)) : std::nullopt;
   if (outlook.now && outlook.isEnough(*outlook.now))
-    return Phrase::of("It is enough: U = %1 mm, and the verdict, %2, needs %3 mm.", text(*from),
+    return Phrase::of("The readings are enough: U = %1 mm, and the verdict, %2, needs %3 mm.", text(*from),
                       verdictName(outlook.isWithin), needed);
   const auto rounds = outlook.roundsNeeded();
   if (!rounds) return notEnough(outlook, account, text);
@@ -219,7 +219,8 @@ std::string repeatSentence(const Repeat& repeat, const ProtocolProgress& progres
                         circleName(repeat), size);
     case Repeat::Reason::FacesDisagree:
       return Phrase::of(
-          "%1 again in both faces: on the %2 circle, their difference departs from the others by %3 (%4 σ).",
+          "%1 again in both faces: the difference of the faces on the %2 circle departs from the others by "
+          "%3 (%4 σ).",
           where, circleName(repeat), size, sigmas);
     case Repeat::Reason::WaysDisagree:
       return Phrase::of(
@@ -227,8 +228,8 @@ std::string repeatSentence(const Repeat& repeat, const ProtocolProgress& progres
           progress.sightings[repeat.sightings.back()].planned.round, size, sigmas);
     case Repeat::Reason::ZeroMoved:
       return Phrase::of(
-          "%1 again: its %2 reading differs from the earlier one by %3 (%4 σ). If it still does, the "
-          "instrument has moved: sight the whole position again.",
+          "%1 again: its %2 reading differs from the earlier one by %3 (%4 σ). If the new reading differs "
+          "too, the instrument has moved: sight the whole position again.",
           where, circleName(repeat), size, sigmas);
   }
   return "";
@@ -236,14 +237,14 @@ std::string repeatSentence(const Repeat& repeat, const ProtocolProgress& progres
 
 std::string repeatsFirst(const std::vector<Repeat>& repeats) {
   const bool isAny = std::ranges::find(repeats, Repeat::Reason::Misread, &Repeat::reason) != repeats.end();
-  return isAny ? Phrase::of("First repeat the sightings that need it: they make U too large.") : "";
+  return isAny ? Phrase::of("First repeat the sightings that look misread: they make U too large.") : "";
 }
 
 std::string outlookSentences(const Outlook& outlook, const ProtocolProgress& progress) {
   if (outlook.ahead.empty())
     return Phrase::of(
-        "When the readings are enough is shown once a pointing zero is read and the protocol has both "
-        "positions.");
+        "Once a pointing zero is read and the protocol has both positions, the rounds still needed are shown "
+        "here.");
   const Account account = rulingAccount(outlook);
   const Lengths text(outlook, account);
   std::vector<std::string> sentences;

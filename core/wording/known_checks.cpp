@@ -41,7 +41,8 @@ std::string sourceText(const KnownCheck& check) {
 std::string staleText(const KnownCheck& check, const std::string& probability) {
   return Phrase::of(
       //: where it is known from, effect, size known, size by the readings, probability: "more than 99.9 %"
-      "By %1, %2 is %3; these readings give %4: the known size is out of date with a probability of %5.",
+      "According to %1, %2 is %3; these readings give %4: the known size is out of date with a probability "
+      "of %5.",
       sourceText(check), numberText(check), sizeText(check.known, check.sigmaKnown, check.unit),
       sizeText(check.value, check.sigma, check.unit), probability);
 }
@@ -82,8 +83,9 @@ std::string staleSentence(const Diagnosis& diagnosis) {
     if (const KnownCheck* check = cause.isStale ? farthest(diagnosis, cause.effect) : nullptr)
       add(staleText(*check, probabilityText(cause.probability)));
     if (cause.isStale && isOtherWayRound(diagnosis, cause.effect))
-      add(Phrase::of(
-          "With the opposite sign they would agree: look up the sign convention of the instrument's tilts."));
+      add(
+          Phrase::of("With the opposite sign the tilts would agree: look up the sign convention of the "
+                     "instrument's tilts."));
     std::vector<std::string> others;
     for (const auto& ids : {cause.unlessStale, cause.indistinguishableFrom})
       for (const std::string& id : ids)
@@ -91,7 +93,7 @@ std::string staleSentence(const Diagnosis& diagnosis) {
     if (others.empty()) continue;
     add(Phrase::of(
         //: causes, and a cause: these readings show them alike
-        "Were the known size of %1 out of date, these readings could not tell it from %2.",
+        "If the known size of %1 were out of date, these readings could not distinguish this from %2.",
         listed(others, Phrase::of(" or ")), causeName(cause.effect)));
   }
   return sentences;

@@ -55,12 +55,12 @@ std::string unknownText(const SeriesDiagnosis& series, const std::vector<std::st
   std::string text = Phrase::of("The sessions (%1) share a gap that no effect of the catalogue explains.",
                                 pattern.sessions.size());
   if (pattern.isOfEach)
-    text = Phrase::of("No effect of the catalogue explains the gap of most sessions (%1), each by itself.",
+    text = Phrase::of("In most sessions (%1), each alone, no effect of the catalogue explains the gap.",
                       pattern.sessions.size());
   text = Phrase::of("%1 It follows a pattern: %2.", text, patternText(pattern));
   return shared.empty()
              ? text
-             : Phrase::of("%1 In addition they share %2.", text, listed(shared, Phrase::of(" and ")));
+             : Phrase::of("%1 In addition the sessions share %2.", text, listed(shared, Phrase::of(" and ")));
 }
 
 std::string together(const SeriesDiagnosis& series) {
@@ -86,9 +86,9 @@ std::string together(const SeriesDiagnosis& series) {
                                  causeNames(alike, Phrase::of(" or "))));
   }
   if (series.unknownChance >= 0.01)
-    text = Phrase::of("%1 %2", text,
-                      Phrase::of("Probability that it is in no catalogue: %1.",
-                                 shortProbabilityText(series.unknownChance)));
+    text = Phrase::of(
+        "%1 %2", text,
+        Phrase::of("Probability of an uncatalogued effect: %1.", shortProbabilityText(series.unknownChance)));
   return text;
 }
 
@@ -115,7 +115,7 @@ std::string sentenceOf(const SeriesDiagnosis& series) {
   for (const SharedCause& cause : series.causes) {
     if (!isOfOne(cause) || ++told > most) continue;
     text = Phrase::of("%1 %2", text,
-                      Phrase::of("By itself %1 holds %2.", series.sessions[cause.sessions.front()].name,
+                      Phrase::of("%1 alone shows %2.", series.sessions[cause.sessions.front()].name,
                                  causeName(cause.cause.effect)));
   }
   for (const OfferedEffect& offered : series.offered) text = inTurn(text, sentenceOf(offered, series));
@@ -186,7 +186,7 @@ std::vector<Finding> findingsOf(const SeriesDiagnosis& series) {
     std::vector<std::string> apart;
     for (const std::size_t s : cause.apart) apart.push_back(series.sessions[s].name);
     if (!apart.empty())
-      add(Phrase::of("%1 does not share %2 with the others: its size is different there.",
+      add(Phrase::of("%2 has another size in %1 than in the other sessions.",
                      listed(apart, Phrase::of(" and ")), ofOwner(cause)),
           Phrase::of("See what was different in that session."));
   }

@@ -90,8 +90,8 @@ Words wordsOf(const ZerosDiffer& finding) {
       Phrase::of("The pointing zeros differ by %1 horizontally and %2 vertically, more than two sightings of "
                  "one mark.",
                  arcseconds(finding.horizontal), arcseconds(finding.vertical)),
-      Phrase::of("State under “Zeros sight” what they sight: a mark, the guideway's own normal, set again in "
-                 "each position, or not known.")};
+      Phrase::of("State under “Zeros sight” the target of the zeros: a mark; the guideway's own normal, set "
+                 "again in each position; or unknown.")};
 }
 
 Words wordsOf(const ReadingsRounded& finding) {

@@ -94,7 +94,7 @@ std::string faultOf(const Suspect& suspect) {
 
 std::string intentionOf(const Suspect& suspect) {
   if (suspect.isMasked) return Phrase::of("More than one reading may be wrong here: read it again.");
-  return suspect.proposals.empty() ? Phrase::of("No single slip explains it: read it again.")
+  return suspect.proposals.empty() ? Phrase::of("No single gross error explains the value: read it again.")
                                    : sentenceOf(suspect.proposals.front());
 }
 

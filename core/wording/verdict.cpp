@@ -24,11 +24,10 @@ std::string withheldBy(const LengthsInDoubt& doubt) {
   const std::string lengths = lengthsToCheck(doubt.distance, doubt.nominalRadius);
   if (!doubt.radius)
     return Phrase::of(
-        "The verdict is withheld: no theodolite sights anything at a distance of %1 mm: check %2.",
+        "The verdict is withheld: no theodolite sights anything at a distance of %1 mm. Check %2.",
         shortestText(doubt.distance), lengths);
   return Phrase::of(
-      "The verdict is withheld: the radius fitted at %1 differs from the nominal one by %2 %, too much for "
-      "any verdict: check %3.",
+      "The verdict is withheld: the radius fitted at %1 differs from the nominal one by %2 %. Check %3.",
       positionName(doubt.radius->axisDeg, doubt.radius->time), displayText(doubt.radius->percentOff, 0),
       lengths);
 }
@@ -196,15 +195,15 @@ std::string verdictSentence(const Measurement& measurement, const SessionFit& fi
                             const AcceptanceDecision& decision) {
   if (fit.lengthsInDoubt) return withheldBy(*fit.lengthsInDoubt);
   if (decision.obstacle == AcceptanceDecision::Obstacle::Coverage)
-    return Phrase::of("There is no verdict at a coverage of %1 %: state acceptance.coverage as %2 or more.",
+    return Phrase::of("There is no verdict at a coverage of %1 %: state a coverage of %2 or more.",
                       displayShortest(measurement.coverage * 100), displayShortest(leastCoverageOfVerdict));
   const std::string rests =
       inTurn(accountsText(measurement, fit, diagnosis, decision), acrossText(measurement, diagnosis));
   if (decision.obstacle == AcceptanceDecision::Obstacle::AcrossUnknown)
     return Phrase::of(
         "The tolerance applies to the whole distance from the axis, and its part across the plane of the arc "
-        "was not measured: read both positions over more of the arc, or state it (device.known: "
-        "plane_offset). %1",
+        "was not measured: read both positions over more of the arc, or state the known plane offset of the "
+        "device. %1",
         rests);
   if (decision.obstacle == AcceptanceDecision::Obstacle::Unexplained)
     return inTurn(Phrase::of("The verdict is open. %1", unexplainedText(*diagnosis)),

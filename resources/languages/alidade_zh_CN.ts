@@ -744,7 +744,7 @@ Sealed by:</source>
         <translation>圆弧平面</translation>
     </message>
     <message>
-        <source>what the zeros sight</source>
+        <source>target of the pointing zeros</source>
         <translation>瞄准零位所照准的对象</translation>
     </message>
     <message>
@@ -846,7 +846,7 @@ Sealed by:</source>
         <translation>R0 的 σ</translation>
     </message>
     <message>
-        <source>Standard uncertainty of the nominal radius. With a known radius it weights R0 in the fit; empty means exact. Otherwise it makes R − R0 a closure; empty: no closure</source>
+        <source>Standard uncertainty of the nominal radius. Known radius: it weights R0 in the fit; empty means exact. Free or common radius: R − R0 becomes a closure; empty means no closure</source>
         <translation>名义半径的标准不确定度。半径为“已知”时，它决定 R0 在拟合中的权，空表示精确；其他情况下，填写后 R − R0 作为闭合差，空则不作闭合差</translation>
     </message>
     <message>
@@ -1186,7 +1186,7 @@ Sealed by:</source>
         <translation>圆弧平面</translation>
     </message>
     <message>
-        <source>If the instrument is above or below the axis, its pointing zero is inclined. Vertical: the plane of the arc is still plumb. Square: it is perpendicular to the zero</source>
+        <source>For an instrument above or below the axis, whose pointing zero is inclined. Vertical: the plane of the arc is plumb. Square: the plane is perpendicular to the pointing zero</source>
         <translation>仪器高于或低于回转轴时，其瞄准零位是倾斜的。铅垂：圆弧平面仍然铅垂。垂直于零位：圆弧平面与零位方向垂直</translation>
     </message>
     <message>
@@ -1206,7 +1206,7 @@ Sealed by:</source>
         <translation>零位照准</translation>
     </message>
     <message>
-        <source>A mark: a fixed direction; zeros that differ show a drift or a knock. The normal: of the guideway, set again in each position. Unstated: a mark if the zeros agree within 30″</source>
+        <source>Mark: a fixed target; different zeros show a drift or a knock. Normal: the guideway&apos;s, set again in each position. Unstated: taken as a mark if the zeros agree within 30″</source>
         <translation>标志：一个固定方向，因此零位之差反映漂移或碰动。法线：导轨自身的法线，在每个轴位重新设定。未说明：零位相差在 30″ 以内时视为标志</translation>
     </message>
     <message>
@@ -2237,7 +2237,7 @@ Sealed by:</source>
         <translation>字 %1</translation>
     </message>
     <message>
-        <source>has its last reading in line %1, so none is at 180° from line %2 on: give a line within the file</source>
+        <source>has its last reading in line %1, so no reading at 180° can begin at line %2: give a line within the file</source>
         <translation>最后一个读数在第 %1 行，因此从第 %2 行起没有 180° 的读数：请指定文件内的行</translation>
     </message>
     <message>
@@ -2972,11 +2972,11 @@ Sealed by:</source>
         <translation>去掉误读值后，%1。</translation>
     </message>
     <message>
-        <source>With it in the model %1.</source>
+        <source>With the cause in the model, %1.</source>
         <translation>计入模型后，%1。</translation>
     </message>
     <message>
-        <source>With them in the model %1.</source>
+        <source>With the causes in the model, %1.</source>
         <translation>一并计入模型后，%1。</translation>
     </message>
     <message>
@@ -3404,12 +3404,12 @@ Sealed by:</source>
         <translation>请对照手簿检查，然后改正或排除；在此之前所有可用读数都参与计算。</translation>
     </message>
     <message>
-        <source>The verdict is withheld: no theodolite sights anything at a distance of %1 mm: check %2.</source>
-        <translation>暂不判定：没有经纬仪能在 %1 mm 的距离上照准：请检查%2。</translation>
+        <source>The verdict is withheld: no theodolite sights anything at a distance of %1 mm. Check %2.</source>
+        <translation>暂不判定：没有经纬仪能在 %1 mm 的距离上照准。请检查%2。</translation>
     </message>
     <message>
-        <source>The verdict is withheld: the radius fitted at %1 differs from the nominal one by %2 %, too much for any verdict: check %3.</source>
-        <translation>暂不判定：%1 的拟合半径与名义值相差 %2 %，相差过大，不能作判定：请检查%3。</translation>
+        <source>The verdict is withheld: the radius fitted at %1 differs from the nominal one by %2 %. Check %3.</source>
+        <translation>暂不判定：%1 的拟合半径与名义值相差 %2 %。请检查%3。</translation>
     </message>
     <message>
         <source>the tolerance of ± %1 mm</source>
@@ -3448,8 +3448,8 @@ Sealed by:</source>
         <translation>小于 0.1 %</translation>
     </message>
     <message>
-        <source>There is no verdict at a coverage of %1 %: state acceptance.coverage as %2 or more.</source>
-        <translation>包含概率为 %1 % 时不作判定：请将 acceptance.coverage 设为 %2 或更大。</translation>
+        <source>There is no verdict at a coverage of %1 %: state a coverage of %2 or more.</source>
+        <translation>包含概率为 %1 % 时不作判定：请将包含概率设为 %2 或更大。</translation>
     </message>
     <message>
         <source>there are no readings to export; enter those of the axis positions</source>
@@ -3617,7 +3617,7 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
         <translation>横轴误差在此无法与照准差区分：高度角为 %2° 至 %3° 时，30″ 的横轴误差只相当于 %1 个标准不确定度。</translation>
     </message>
     <message>
-        <source>The trunnion axis is tilted by %1 (%2); with that the collimation is %3.</source>
+        <source>The trunnion axis is tilted by %1 (%2); corrected for this tilt, the collimation is %3.</source>
         <translation>横轴误差为 %1（%2）；计入后照准差为 %3。</translation>
     </message>
     <message>
@@ -3633,8 +3633,8 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
         <translation>请另外观测其他距离的目标。</translation>
     </message>
     <message>
-        <source>The faces differ in proportion to 1/D: the line of sight is %1 (%2) off the axis, which shows as %3 at %4 and looks like collimation; without it, that is %5.</source>
-        <translation>两个盘位之差随 1/D 变化：视线偏离竖轴 %1（%2），在 %4 处表现为 %3，看起来像照准差；除去后照准差为 %5。</translation>
+        <source>The difference of the faces is proportional to 1/D: the line of sight is %1 (%2) off the axis, which looks like a collimation of %3 at %4. Corrected for this offset, the collimation is %5.</source>
+        <translation>两个盘位之差与 1/D 成正比：视线偏离竖轴 %1（%2），在 %4 处看起来像 %3 的照准差。除去后照准差为 %5。</translation>
     </message>
     <message>
         <source>An offset e of the line of sight from the axis shows as e/D and looks like collimation. These distances (%1 to %2) cannot separate the two: half a millimetre, %3 at the nearest target, would show as %4 standard uncertainties.</source>
@@ -3677,7 +3677,7 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
         <translation>测站 %1 的天顶距 s 与其他测站不同（F，%2）。</translation>
     </message>
     <message>
-        <source>The collimation differs between stations by more than its scatter (%1): it changed, or something that looks like it did.</source>
+        <source>The collimation differs between stations by more than its scatter (%1): the collimation changed, or an effect that looks like it.</source>
         <translation>照准差在测站之间的差异超过其离散（%1）：它变动了，或有看起来像它的量变动了。</translation>
     </message>
     <message>
@@ -3773,7 +3773,7 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
         <translation>事先已知的内容</translation>
     </message>
     <message>
-        <source>Were the known size of %1 out of date, these readings could not tell it from %2.</source>
+        <source>If the known size of %1 were out of date, these readings could not distinguish this from %2.</source>
         <translation>假如关于%1的已知内容已过时，这些读数也无法将其与%2区分。</translation>
     </message>
     <message>
@@ -3797,7 +3797,7 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
         <translation>χ² = %1，自由度 %2，%3</translation>
     </message>
     <message>
-        <source>%1: the values agree within their uncertainties; against their own, smaller scatter they show a change.</source>
+        <source>%1: the values agree within their uncertainties, but change by more than their own, smaller scatter.</source>
         <translation>%1：各值在其不确定度内一致；但相对于其自身较小的离散，可看出变化。</translation>
     </message>
     <message>
@@ -3809,11 +3809,11 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
         <translation>%1：各值围绕同一均值的离散是其不确定度所示的 %2 倍。</translation>
     </message>
     <message>
-        <source>%1 It happened between %2 and %3.</source>
+        <source>%1 The change happened between %2 and %3.</source>
         <translation>%1变化发生在 %2 与 %3 之间。</translation>
     </message>
     <message>
-        <source>%1 Its first value is one of those from %2 to %3 (95 %).</source>
+        <source>%1 The first value after the change is one of those from %2 to %3 (95 %).</source>
         <translation>%1变化后的第一个值在 %2 至 %3 之间（95 %）。</translation>
     </message>
     <message>
@@ -4006,7 +4006,7 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
         <translation>各测量记录自身</translation>
     </message>
     <message>
-        <source>By itself %1 holds %2.</source>
+        <source>%1 alone shows %2.</source>
         <translation>%1自身含有%2。</translation>
     </message>
     <message>
@@ -4022,8 +4022,8 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
         <translation>%2 份测量记录中有 %1 份未注明导轨序列号：不视其共有任何导轨效应。</translation>
     </message>
     <message>
-        <source>%1 does not share %2 with the others: its size is different there.</source>
-        <translation>%1与其余测量记录不共有%2：其大小在该处不同。</translation>
+        <source>%2 has another size in %1 than in the other sessions.</source>
+        <translation>%2在%1中的大小与在其余测量记录中不同。</translation>
     </message>
     <message>
         <source>See what was different in that session.</source>
@@ -4078,7 +4078,7 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
         <translation>%1 不是改正项：请输入 inclination、standing_axis、collimation、tilting_axis 中的词，以空格分隔，或输入 none</translation>
     </message>
     <message>
-        <source>With the opposite sign they would agree: look up the sign convention of the instrument&apos;s tilts.</source>
+        <source>With the opposite sign the tilts would agree: look up the sign convention of the instrument&apos;s tilts.</source>
         <translation>符号相反时两者即一致：请查明仪器的倾斜量以哪个方向为正。</translation>
     </message>
     <message>
@@ -4178,7 +4178,7 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
         <translation>一个应答迟到或重复，已丢弃：%1</translation>
     </message>
     <message>
-        <source>It is asked again.</source>
+        <source>The request is sent again.</source>
         <translation>将再次询问。</translation>
     </message>
     <message>
@@ -4198,8 +4198,8 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
         <translation>%1 仪器是否已开机、设为 GeoCOM 及此波特率，端口是否正确？</translation>
     </message>
     <message>
-        <source>a block needs both circles, words 21 and 22: set the recording mask of the instrument so, and sight again</source>
-        <translation>数据块须含两个度盘，即字 21 和 22：请如此设置仪器的记录格式，并重新照准</translation>
+        <source>a block needs both circles, words 21 and 22: put both into the recording mask of the instrument, and sight again</source>
+        <translation>数据块须含两个度盘，即字 21 和 22：请将两者都设入仪器的记录格式，并重新照准</translation>
     </message>
     <message>
         <source>The instrument did not answer. No reading was taken; sight again, or record on the instrument. Is it set to GSI at this baud rate, and the right port?</source>
@@ -4630,8 +4630,8 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
         <translation>%1可使 U 达到 %2 mm。</translation>
     </message>
     <message>
-        <source>Further rounds leave %1 mm of it unchanged: that part is the same in each.</source>
-        <translation>无论再加多少测回，其中 %1 mm 不会消除：它在每个测回中都相同。</translation>
+        <source>Further rounds do not reduce %1 mm of U: that part is the same in each round.</source>
+        <translation>更多测回不会减小 U 中的 %1 mm：这部分在每个测回中都相同。</translation>
     </message>
     <message>
         <source>More rounds are not enough: U always stays above %1 mm, and the verdict needs %2 mm.</source>
@@ -4650,8 +4650,8 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
         <translation>超出允差</translation>
     </message>
     <message>
-        <source>It is enough: U = %1 mm, and the verdict, %2, needs %3 mm.</source>
-        <translation>已经足够：U = %1 mm，而判定（%2）需要 %3 mm。</translation>
+        <source>The readings are enough: U = %1 mm, and the verdict, %2, needs %3 mm.</source>
+        <translation>读数已经足够：U = %1 mm，而判定（%2）需要 %3 mm。</translation>
     </message>
     <message>
         <source>The rest of the protocol brings U from %1 to %2 mm; the verdict needs %3 mm.</source>
@@ -4750,7 +4750,7 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
         <translation>%1 重测：其%2读数与其他读数不符，相差 %3。</translation>
     </message>
     <message>
-        <source>%1 again in both faces: on the %2 circle, their difference departs from the others by %3 (%4 σ).</source>
+        <source>%1 again in both faces: the difference of the faces on the %2 circle departs from the others by %3 (%4 σ).</source>
         <translation>%1 双盘位重测：%2度盘上两盘位之差与别处不同，相差 %3（%4 σ）。</translation>
     </message>
     <message>
@@ -4758,20 +4758,20 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
         <translation>%1 及测回 %2 重测：返测比往测偏外 %3（%4 σ）。</translation>
     </message>
     <message>
-        <source>%1 again: its %2 reading differs from the earlier one by %3 (%4 σ). If it still does, the instrument has moved: sight the whole position again.</source>
+        <source>%1 again: its %2 reading differs from the earlier one by %3 (%4 σ). If the new reading differs too, the instrument has moved: sight the whole position again.</source>
         <translation>%1 重测：其%2读数与先前相差 %3（%4 σ）。若仍如此，则仪器已移动，该轴位须重新照准。</translation>
     </message>
     <message>
-        <source>First repeat the sightings that need it: they make U too large.</source>
-        <translation>请先重测需要重测的读数：它们使 U 偏大。</translation>
+        <source>First repeat the sightings that look misread: they make U too large.</source>
+        <translation>请先重测疑似误读的照准：它们使 U 偏大。</translation>
     </message>
     <message>
-        <source>When the readings are enough is shown once a pointing zero is read and the protocol has both positions.</source>
-        <translation>有了瞄准零位、且方案含两个轴位后，即可得知何时足够。</translation>
+        <source>Once a pointing zero is read and the protocol has both positions, the rounds still needed are shown here.</source>
+        <translation>有了瞄准零位、且方案含两个轴位后，此处即显示还需多少测回。</translation>
     </message>
     <message>
-        <source>the session was simulated with this truth and no other cause; the answer is a word</source>
-        <translation>测量记录按此真值模拟，没有其他原因；答案是一个词</translation>
+        <source>the diagnosis must name exactly what was simulated</source>
+        <translation>诊断必须准确指出所模拟的内容</translation>
     </message>
     <message>
         <source>3 σ of the estimate: the readings hold noise, which is the same every time</source>
@@ -4782,8 +4782,8 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
         <translation>1e-9 mm，最小不确定度的百万分之一：拟合在距最小值 1e-9 σ 以内停止，双精度舍入是其千分之一</translation>
     </message>
     <message>
-        <source>1e-8: σ and χ² are smooth at the minimum, within 1e-9 σ of which the fit stops</source>
-        <translation>1e-8：σ 和 χ² 在最小值处是光滑的，拟合在距其 1e-9 σ 以内停止</translation>
+        <source>1e-8: the fit stops within 1e-9 σ of the minimum, where σ and χ² are smooth</source>
+        <translation>1e-8：拟合在距最小值 1e-9 σ 以内停止，σ 和 χ² 在该处是光滑的</translation>
     </message>
     <message>
         <source>SHA-256 of the whole file</source>
@@ -4890,8 +4890,8 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
         <translation>报告和图表所用的字符</translation>
     </message>
     <message>
-        <source>only a window or report in Chinese needs one</source>
-        <translation>只有中文窗口或中文报告需要</translation>
+        <source>only a window or report in Chinese needs a Chinese font</source>
+        <translation>只有中文窗口或中文报告需要中文字体</translation>
     </message>
     <message>
         <source>it is another user&apos;s link in a folder that everyone may write to: choose another name</source>
@@ -5432,7 +5432,7 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
         <translation>这些测量记录（共 %1 份）有共同的差距，目录中没有效应可以解释。</translation>
     </message>
     <message>
-        <source>No effect of the catalogue explains the gap of most sessions (%1), each by itself.</source>
+        <source>In most sessions (%1), each alone, no effect of the catalogue explains the gap.</source>
         <translation>大多数测量记录（共 %1 份）各自的差距，目录中没有效应可以解释。</translation>
     </message>
     <message>
@@ -5440,19 +5440,19 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
         <translation>%1该差距遵循规律：%2。</translation>
     </message>
     <message>
-        <source>%1 In addition they share %2.</source>
+        <source>%1 In addition the sessions share %2.</source>
         <translation>%1此外它们共有%2。</translation>
     </message>
     <message>
-        <source>Probability that it is in no catalogue: %1.</source>
-        <translation>它不属于目录的概率：%1。</translation>
+        <source>Probability of an uncatalogued effect: %1.</source>
+        <translation>目录之外效应的概率：%1。</translation>
     </message>
     <message>
         <source>The pointing zeros differ by %1 horizontally and %2 vertically, more than two sightings of one mark.</source>
         <translation>各瞄准零位水平相差 %1、竖直相差 %2，超过对同一标志两次照准的差异。</translation>
     </message>
     <message>
-        <source>State under “Zeros sight” what they sight: a mark, the guideway&apos;s own normal, set again in each position, or not known.</source>
+        <source>State under “Zeros sight” the target of the zeros: a mark; the guideway&apos;s own normal, set again in each position; or unknown.</source>
         <translation>请在“零位照准”中说明照准的是什么：标志、在每个轴位重新设定的导轨自身法线，或未知。</translation>
     </message>
     <message>
@@ -5790,8 +5790,8 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
         <translation>不能给 %1 赋值：一行应以位移的对象（例如 radial）或新名称开头。</translation>
     </message>
     <message>
-        <source>%1 is given a number here: take %2 out of it.</source>
-        <translation>此处 %1 应为一个数：请去掉 %2。</translation>
+        <source>This line sets %1 to a number: remove %2.</source>
+        <translation>此行将 %1 设为一个数：请去掉 %2。</translation>
     </message>
     <message>
         <source>This is no finite number.</source>
@@ -5806,12 +5806,12 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
         <translation>%1 使幅值过多：最多 %2 个。</translation>
     </message>
     <message>
-        <source>%1 belongs to the line %2 already, which is of another kind: take another letter here.</source>
+        <source>The line %2, which is of another kind, already uses %1: use another letter here.</source>
         <translation>%1 已属于另一类的行 %2：请在此处使用另一个字母。</translation>
     </message>
     <message>
-        <source>The line must be a sum of amplitudes times functions, without a part that has none or two of them.</source>
-        <translation>该行必须是幅值乘以函数之和，任何一项不得没有幅值或含两个幅值。</translation>
+        <source>The line must be a sum of terms, each with exactly one amplitude as a factor.</source>
+        <translation>该行必须是各项之和，每项恰含一个幅值作为因子。</translation>
     </message>
     <message>
         <source>The line is not in proportion to %1: multiply by it, or set it to a number, such as %2 = 1.</source>
@@ -6006,7 +6006,7 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
         <translation>能以 %2 σ 或更高的程度两两区分%1</translation>
     </message>
     <message>
-        <source>%1; one answer is left with a probability of %2</source>
+        <source>%1; probability that one answer is left: %2</source>
         <translation>%1；只剩一个答案的概率为 %2</translation>
     </message>
     <message>
@@ -6161,8 +6161,8 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
         <translation>计入原因 ± U</translation>
     </message>
     <message>
-        <source>Known beforehand of instrument and device</source>
-        <translation>关于仪器和设备的事先已知内容</translation>
+        <source>Known sizes of instrument and device</source>
+        <translation>仪器和设备的已知值</translation>
     </message>
     <message>
         <source>Number</source>
@@ -6181,7 +6181,7 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
         <translation>每一值以其 u 参与不确定度及原因的寻找；其已过时的先验概率为五十分之一。短横表示这些读数没有显示它。</translation>
     </message>
     <message>
-        <source>What it would take to explain Δd − reference</source>
+        <source>Sizes that would explain Δd − reference</source>
         <translation>解释 Δd − 参考值所需的大小</translation>
     </message>
     <message>
@@ -6265,8 +6265,8 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
         <translation>使 Δd 改变 (mm)</translation>
     </message>
     <message>
-        <source>No effect of plausible size could move Δd noticeably without leaving a trace.</source>
-        <translation>没有合理大小的效应能明显改变 Δd 而不留痕迹。</translation>
+        <source>An effect of plausible size that moved Δd noticeably would leave a trace.</source>
+        <translation>合理大小的效应若明显改变 Δd，必会留下痕迹。</translation>
     </message>
     <message>
         <source>The diagnosis was stopped. The next edit starts it again.</source>
@@ -6301,11 +6301,11 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
         <translation>原因不明的差距</translation>
     </message>
     <message>
-        <source>An unknown cause beside %1</source>
+        <source>An unknown cause and %1</source>
         <translation>除%1外还有未知原因</translation>
     </message>
     <message>
-        <source>An unknown cause beside %1 known ones</source>
+        <source>An unknown cause and %1 known ones</source>
         <translation>除 %1 个已知原因外还有未知原因</translation>
     </message>
     <message>
@@ -6445,8 +6445,8 @@ Includes every catalogued effect, limited by these readings or by its plausible 
         <translation>不作判定</translation>
     </message>
     <message>
-        <source>No tolerance stated, so nothing to decide against.</source>
-        <translation>未给出允差，因此无从判定。</translation>
+        <source>No tolerance is stated, so there is no verdict.</source>
+        <translation>未给出允差，因此不作判定。</translation>
     </message>
     <message>
         <source>%1, fit only</source>
@@ -6701,7 +6701,7 @@ Includes every catalogued effect, limited by these readings or by its plausible 
         <translation>设备：T（m 个数）</translation>
     </message>
     <message>
-        <source>Each session with the next, and the first with the last. Δd, measured, with its expanded uncertainty; what both sessions share cancels. Device: (O1 − O2)/2 and the radii by the readings alone, T = dᵀC⁻¹d with the full covariance of both fits.</source>
+        <source>Each session is compared with the next, and the first with the last. Δd, measured, has its expanded uncertainty; effects common to both sessions cancel. Device: (O1 − O2)/2 and the radii by the readings alone, T = dᵀC⁻¹d with the full covariance of both fits.</source>
         <translation>每份测量记录与下一份、第一份与最后一份相比。实测 Δd 附其扩展不确定度；两份测量记录共有的部分相消。设备：仅由读数得出的 (O1 − O2)/2 和半径，T = dᵀC⁻¹d，采用两次拟合的完整协方差。</translation>
     </message>
     <message>
@@ -6922,8 +6922,8 @@ Includes every catalogued effect, limited by these readings or by its plausible 
         <translation>来自读数的部分按其离散放大，为给定噪声的 %1 倍。瞄准零位和距离按给定值计入。</translation>
     </message>
     <message>
-        <source>Correlation with R, −1 to 1: how far an error of the radius shifts the centre; on half an arc it determines the height.</source>
-        <translation>与 R 的相关系数：半径有误时圆心随之移动的程度，−1 至 1；在半个圆弧上它决定高度。</translation>
+        <source>Correlation with R, −1 to 1: how far an error of the radius shifts the centre; on half an arc, R determines the height of the centre.</source>
+        <translation>与 R 的相关系数：半径有误时圆心随之移动的程度，−1 至 1；在半个圆弧上，R 决定圆心的高度。</translation>
     </message>
     <message>
         <source>U: coverage %1.</source>
@@ -6966,12 +6966,12 @@ Includes every catalogued effect, limited by these readings or by its plausible 
         <translation>测量记录文件中还有 %1 条更早的更改。</translation>
     </message>
     <message>
-        <source>By chance, an end of the interval is uncertain by %1: about %2 draws would decide.</source>
-        <translation>仅凭偶然，一个端点的不确定度就有 %1：约需 %2 次抽样才能判断。</translation>
+        <source>With these draws, an end of the interval is uncertain by %1: about %2 draws would decide.</source>
+        <translation>以目前的抽样，一个端点的不确定度为 %1：约需 %2 次抽样才能判断。</translation>
     </message>
     <message>
-        <source>By chance, an end of the interval is uncertain by %1: a decision needs more draws than can be set here.</source>
-        <translation>仅凭偶然，一个端点的不确定度就有 %1；所需抽样次数超过此处可设的上限，无法判断。</translation>
+        <source>With these draws, an end of the interval is uncertain by %1: a decision needs more draws than can be set here.</source>
+        <translation>以目前的抽样，一个端点的不确定度为 %1；所需抽样次数超过此处可设的上限，无法判断。</translation>
     </message>
     <message>
         <source>Monte Carlo check of Δd, fit only</source>
@@ -7158,8 +7158,8 @@ Includes every catalogued effect, limited by these readings or by its plausible 
         <translation>高度角 °</translation>
     </message>
     <message>
-        <source>Off its course ″</source>
-        <translation>偏离走势 ″</translation>
+        <source>2c residual ″</source>
+        <translation>2c 残差 ″</translation>
     </message>
     <message>
         <source>Index ″</source>
@@ -7170,8 +7170,8 @@ Includes every catalogued effect, limited by these readings or by its plausible 
         <translation>此处可能不止一个读数有误：请重新读取。</translation>
     </message>
     <message>
-        <source>No single slip explains it: read it again.</source>
-        <translation>没有单一的笔误能解释：请重新读取。</translation>
+        <source>No single gross error explains the value: read it again.</source>
+        <translation>没有单一的粗差能解释该值：请重新读取。</translation>
     </message>
     <message>
         <source>%1: %2. %3</source>
@@ -7219,15 +7219,15 @@ Includes every catalogued effect, limited by these readings or by its plausible 
         <translation>继续这样照准已无帮助：既不能区分各种原因，也不能减小 U。</translation>
     </message>
     <message>
-        <source>Not enough yet: the evidence against no cause is %1 to 1; %2 to 1 is needed.</source>
-        <translation>尚不足够：相对“无原因”的证据比为 %1 : 1，需要 %2 : 1。</translation>
+        <source>Not enough yet: the Bayes factor for a cause is %1 to 1; %2 to 1 is needed.</source>
+        <translation>尚不足够：有原因相对“无原因”的贝叶斯因子为 %1 : 1，需要 %2 : 1。</translation>
     </message>
     <message>
-        <source>Not enough yet: the evidence against no cause is %1 to 1, but no cause stands out.</source>
-        <translation>尚不足够：相对“无原因”的证据比为 %1 : 1，但没有哪个原因突出。</translation>
+        <source>Not enough yet: the Bayes factor for a cause is %1 to 1, but no cause stands out.</source>
+        <translation>尚不足够：有原因相对“无原因”的贝叶斯因子为 %1 : 1，但没有哪个原因突出。</translation>
     </message>
     <message>
-        <source>What may be the case</source>
+        <source>Possible explanations</source>
         <translation>可能的情况</translation>
     </message>
     <message>
@@ -7237,10 +7237,6 @@ Includes every catalogued effect, limited by these readings or by its plausible 
     <message>
         <source>Before the end, sight %1: an effect of time shows only if the zero is sighted again.</source>
         <translation>结束前照准 %1，因为只有再次照准瞄准零位，随时间变化的效应才会显现。</translation>
-    </message>
-    <message>
-        <source>%1 min is no time for a part of a sighting: 0 to 1000</source>
-        <translation>%1 min 不是一次照准各步骤的时间：应为 0 至 1000</translation>
     </message>
     <message>
         <source>U of Δd, whatever effect is there, is below %1 mm already.</source>
@@ -7283,7 +7279,7 @@ Includes every catalogued effect, limited by these readings or by its plausible 
         <translation>仅拟合</translation>
     </message>
     <message>
-        <source>%1 of %2 readings are checked by no other, or hardly (redundancy below %3): an error in them would not show.</source>
+        <source>%1 of %2 readings are hardly checked by others (redundancy below %3): an error in them would not show.</source>
         <translation>%2 个读数中有 %1 个没有或几乎没有其他读数检核（多余观测分量低于 %3）：其中的错误不会显现。</translation>
     </message>
     <message>
@@ -7419,7 +7415,7 @@ Includes every catalogued effect, limited by these readings or by its plausible 
         <translation>标题</translation>
     </message>
     <message>
-        <source>no certificate is made: ISO/IEC 17025 and the schema require what is not stated: %1</source>
+        <source>no certificate is made: ISO/IEC 17025 and the schema require the missing entries: %1</source>
         <translation>未出具证书：缺少 ISO/IEC 17025 和证书格式要求说明的内容：%1</translation>
     </message>
     <message>
@@ -7427,16 +7423,16 @@ Includes every catalogued effect, limited by these readings or by its plausible 
         <translation>按录入的全部读数和完整结果作为文件附上。</translation>
     </message>
     <message>
-        <source>From %1 on it is larger by %2.</source>
-        <translation>自 %1 起增大 %2。</translation>
+        <source>From %1 on the value is larger by %2.</source>
+        <translation>自 %1 起该值增大 %2。</translation>
     </message>
     <message>
-        <source>From %1 on it is smaller by %2.</source>
-        <translation>自 %1 起减小 %2。</translation>
+        <source>From %1 on the value is smaller by %2.</source>
+        <translation>自 %1 起该值减小 %2。</translation>
     </message>
     <message>
-        <source>It changes all along, by %1.</source>
-        <translation>它持续变化，变化率 %1。</translation>
+        <source>The value changes steadily, by %1.</source>
+        <translation>该值持续变化，变化率 %1。</translation>
     </message>
     <message>
         <source>Baseline: the value of %1, %2.</source>
@@ -7451,7 +7447,7 @@ Includes every catalogued effect, limited by these readings or by its plausible 
         <translation>%1 其后超出控制限的值：%3 个中 %2 个，首次在 %4。</translation>
     </message>
     <message>
-        <source>%1 Later values outside their limits: 0 of %2, but their average leaves its own on %3.</source>
+        <source>%1 Later values outside their limits: 0 of %2, but their average leaves its limits on %3.</source>
         <translation>%1 其后超出控制限的值：%2 个中 0 个，但其平均在 %3 越出自身的控制限。</translation>
     </message>
     <message>
@@ -7471,7 +7467,7 @@ Includes every catalogued effect, limited by these readings or by its plausible 
         <translation>%1 个值的加权均值：%2（%3）。</translation>
     </message>
     <message>
-        <source>With the scatter that is seen the mean has an expanded uncertainty of %1.</source>
+        <source>From the observed scatter, the expanded uncertainty of the mean is %1.</source>
         <translation>按观测到的离散，均值的扩展不确定度为 %1。</translation>
     </message>
     <message>
@@ -7495,7 +7491,7 @@ Includes every catalogued effect, limited by these readings or by its plausible 
         <translation>± 其界限</translation>
     </message>
     <message>
-        <source>Each ± is an %1; all but that of Δd, measured, by the readings alone.</source>
+        <source>Each ± is an %1, from the readings alone except for Δd, measured.</source>
         <translation>各 ± 均为%1；除实测 Δd 外，均仅由读数得出。</translation>
     </message>
     <message>
@@ -7643,8 +7639,8 @@ Includes every catalogued effect, limited by these readings or by its plausible 
         <translation>地点 “other” 表示未说明。</translation>
     </message>
     <message>
-        <source>The instrument calls it %1, its circle says %2: the circle counts.</source>
-        <translation>仪器称为%1，其度盘为%2：以度盘为准。</translation>
+        <source>The instrument reports %1, but its vertical circle shows %2: the circle is used.</source>
+        <translation>仪器报告为%1，但其竖直度盘显示为%2：以度盘为准。</translation>
     </message>
     <message>
         <source>is of %1, yet its vertical reading %2 is of the other face, so the readings were reduced: export the circles as they were read</source>
@@ -7667,7 +7663,7 @@ Includes every catalogued effect, limited by these readings or by its plausible 
         <translation>%1 测点 %2（测回 %3、%4）</translation>
     </message>
     <message>
-        <source>Only if the tripod was not knocked %1: it would move Δd by ± %2 mm undetected, which U does not include</source>
+        <source>Only if the tripod was not knocked %1: a knock would move Δd by ± %2 mm undetected, which U does not include</source>
         <translation>前提是三脚架%1未被碰动：碰动会使 Δd 改变 ± %2 mm 而不被发现，U 不含此项</translation>
     </message>
     <message>
@@ -7695,7 +7691,7 @@ Includes every catalogued effect, limited by these readings or by its plausible 
         <translation>下列各行中任一行都可单独改变判定：%1</translation>
     </message>
     <message>
-        <source>Predicted by the form fitted to the other readings, the gap of %1 readings shrinks by %2 %; by the form fitted to all, the gap of all shrinks by %3 % (F test: p %4).</source>
+        <source>The form fitted to the other readings reduces the gap of %1 readings by %2 %; the form fitted to all readings reduces the gap of all by %3 % (F test: p %4).</source>
         <translation>在 %1 个读数上（各按其余读数所示的形式预测），差距缩小 %2 %；按全部读数所示的形式，在全部读数上缩小 %3 %（F 检验：p %4）。</translation>
     </message>
     <message>
@@ -7761,7 +7757,7 @@ Includes every catalogued effect, limited by these readings or by its plausible 
         <translation>所有测量记录均为同一设备和同一仪器：它们的误差每次对 Δd 的影响相同，因此计入 U 和均值，但不计入各值允许的离散。</translation>
     </message>
     <message>
-        <source>The sessions were not all taken with one instrument, or do not state its serial number: the change of Δd by its errors is assumed to differ between them.</source>
+        <source>The sessions were not all taken with one instrument, or do not state its serial number: instrument errors are assumed to change Δd differently in each session.</source>
         <translation>测量记录并非全部用同一仪器测得，或未写明其序列号：认为其误差对 Δd 的影响每次不同。</translation>
     </message>
     <message>
@@ -7809,7 +7805,7 @@ Includes every catalogued effect, limited by these readings or by its plausible 
         <translation>更改日志从第 %1 条起不再连贯：该条或其前一条曾在本程序之外被更改。</translation>
     </message>
     <message>
-        <source>By %1, %2 is %3; these readings give %4: the known size is out of date with a probability of %5.</source>
+        <source>According to %1, %2 is %3; these readings give %4: the known size is out of date with a probability of %5.</source>
         <translation>据%1，%2为 %3；这些读数显示为 %4：已知内容已过时（概率：%5）。</translation>
     </message>
     <message>
@@ -7829,8 +7825,8 @@ Includes every catalogued effect, limited by these readings or by its plausible 
         <translation>%1：读取该轴位期间，瞄准零位水平移动 %2，竖直移动 %3（1σ）；U 按零位离散为给定值的 %4 倍计算。</translation>
     </message>
     <message>
-        <source>The tolerance applies to the whole distance from the axis, and its part across the plane of the arc was not measured: read both positions over more of the arc, or state it (device.known: plane_offset). %1</source>
-        <translation>允差针对到回转轴的整个距离，而圆心在垂直于圆弧平面方向上的偏离未经测量：请在更长的弧段上读取两个轴位，或给定其值（device.known: plane_offset）。%1</translation>
+        <source>The tolerance applies to the whole distance from the axis, and its part across the plane of the arc was not measured: read both positions over more of the arc, or state the known plane offset of the device. %1</source>
+        <translation>允差针对到回转轴的整个距离，而圆心在垂直于圆弧平面方向上的偏离未经测量：请在更长的弧段上读取两个轴位，或给出设备的平面偏移已知值。%1</translation>
     </message>
     <message>
         <source>%1, which these readings cannot tell from %2</source>
@@ -7838,11 +7834,11 @@ Includes every catalogued effect, limited by these readings or by its plausible 
         <translation>%1（这些读数无法将其与%2区分）</translation>
     </message>
     <message>
-        <source>Model and readings disagree; accepted only if that comes from %1</source>
+        <source>Model and readings disagree; accepted only if the cause is %1</source>
         <translation>模型与读数不符；仅当原因为%1时合格</translation>
     </message>
     <message>
-        <source>Model and readings disagree; rejected only if that comes from %1</source>
+        <source>Model and readings disagree; rejected only if the cause is %1</source>
         <translation>模型与读数不符；仅当原因为%1时不合格</translation>
     </message>
     <message>
@@ -7899,24 +7895,20 @@ Includes every catalogued effect, limited by these readings or by its plausible 
         <translation>无论 U 多大均待定：模型与读数不符，且目录中没有效应能够解释</translation>
     </message>
     <message>
-        <source>%1 (signs of it: %2)</source>
+        <source>%1 (signs: %2)</source>
         <extracomment>a sentence, and the signs of what it says</extracomment>
-        <translation>%1（其迹象：%2）</translation>
+        <translation>%1（迹象：%2）</translation>
     </message>
     <message>
-        <source>%1, beside noise larger than stated</source>
+        <source>%1, and noise larger than stated</source>
         <translation>%1，另有大于给定的噪声</translation>
     </message>
     <message>
-        <source>an effect of no catalogue</source>
-        <translation>目录之外的效应</translation>
-    </message>
-    <message>
-        <source>Enough: there is an effect of no catalogue (%1); the diagnosis finds its form.</source>
+        <source>Enough: there is an uncatalogued effect (%1); the diagnosis finds its form.</source>
         <translation>足够：存在目录之外的效应（%1）；其形式由诊断给出。</translation>
     </message>
     <message>
-        <source>There is an effect of no catalogue (%1), but Δd needs readings at both positions.</source>
+        <source>There is an uncatalogued effect (%1), but Δd needs readings at both positions.</source>
         <translation>存在目录之外的效应（%1），但 Δd 需要两个位置的读数。</translation>
     </message>
     <message>
@@ -7940,10 +7932,6 @@ Includes every catalogued effect, limited by these readings or by its plausible 
         <translation>原因已判明，为%1，但 Δd 需要两个轴位的读数。</translation>
     </message>
     <message>
-        <source>Enough: the cause is named, %1; the evidence against no cause is %2 to 1.</source>
-        <translation>已足够：原因已判明，为%1；相对“无原因”的证据比为 %2 : 1。</translation>
-    </message>
-    <message>
         <source>The faces differ by more than 2° (different targets, or misread): %1.</source>
         <translation>两个盘位相差超过 2°（不是同一目标，或误读）：%1。</translation>
     </message>
@@ -7958,6 +7946,18 @@ Includes every catalogued effect, limited by these readings or by its plausible 
     <message>
         <source>Not enough yet: %1 is evident; further readings show whether it is the only cause.</source>
         <translation>尚不足够：%1 已有明证；进一步的读数将显示它是否为唯一原因。</translation>
+    </message>
+    <message>
+        <source>%1 min is no duration of a step of a sighting: type 0 to 1000</source>
+        <translation>%1 min 不是照准步骤的时间：请输入 0 至 1000</translation>
+    </message>
+    <message>
+        <source>an uncatalogued effect</source>
+        <translation>目录之外的效应</translation>
+    </message>
+    <message>
+        <source>Enough: the cause is named, %1; the Bayes factor for a cause is %2 to 1.</source>
+        <translation>已足够：原因已判明，为%1；有原因相对“无原因”的贝叶斯因子为 %2 : 1。</translation>
     </message>
 </context>
 <context>
@@ -9000,7 +9000,7 @@ a clause as a sentence</extracomment>
         <translation>垂直于视线的倾斜 %1″</translation>
     </message>
     <message>
-        <source>tilt along it %1″</source>
+        <source>tilt along the line of sight %1″</source>
         <translation>沿视线的倾斜 %1″</translation>
     </message>
     <message>
@@ -9067,8 +9067,8 @@ a clause as a sentence</extracomment>
         <translation>合格：实测 d + U ≤ %1 且仅拟合 |Δd| + U ≤ %1；不合格：d − U &gt; %1；否则待定。</translation>
     </message>
     <message>
-        <source>Accepted: |Δd| + U ≤ %1; rejected: |Δd| − U &gt; %1; both measured and fit only. Undecided else, and where the gap has no known cause.</source>
-        <translation>合格：|Δd| + U ≤ %1；不合格：|Δd| − U &gt; %1；实测与仅拟合均须满足。其他情况，以及差距原因不明时：待定。</translation>
+        <source>Accepted: |Δd| + U ≤ %1; rejected: |Δd| − U &gt; %1; both measured and fit only. Otherwise, or if the gap has no known cause: undecided.</source>
+        <translation>合格：|Δd| + U ≤ %1；不合格：|Δd| − U &gt; %1；实测与仅拟合均须满足。其他情况或差距原因不明时：待定。</translation>
     </message>
     <message>
         <source>Accepted: |Δd| + U ≤ %1; rejected: |Δd| − U &gt; %1; fit only; else undecided.</source>
@@ -9159,7 +9159,7 @@ a clause as a sentence</extracomment>
         <translation>读数之后，%1：%2，%3</translation>
     </message>
     <message>
-        <source>before them in %1: %2, %3</source>
+        <source>before the readings in %1: %2, %3</source>
         <translation>读数之前，%1：%2，%3</translation>
     </message>
     <message>
@@ -13386,15 +13386,15 @@ a clause as a sentence</extracomment>
 <context>
     <name>alidade::ui::RemedyList</name>
     <message>
-        <source>It happened between a pointing zero and the first place after it, or that zero was misread; these readings do not show in which position. A jump cannot be added to the model: sight both zeros again and repeat the positions.</source>
-        <translation>它发生在瞄准零位与其后第一个位置之间，或者是该零位被误读；这些读数不能说明是在哪个轴位。突跳不能加入模型：请重新照准两个零位并重新读取各轴位。</translation>
+        <source>The jump happened between a pointing zero and the first place after it, or that zero was misread; these readings do not show in which position. A jump cannot be added to the model: sight both zeros again and repeat the positions.</source>
+        <translation>突跳发生在瞄准零位与其后第一个位置之间，或者是该零位被误读；这些读数不能说明是在哪个轴位。突跳不能加入模型：请重新照准两个零位并重新读取各轴位。</translation>
     </message>
     <message>
-        <source>It happened before %1. A jump cannot be added to the model: check the stand, sight the pointing zero again and repeat this position.</source>
-        <translation>它发生在 %1 之前。突跳不能加入模型：请检查支架，重新照准瞄准零位并再次读取该轴位。</translation>
+        <source>The jump happened before %1. A jump cannot be added to the model: check the stand, sight the pointing zero again and repeat this position.</source>
+        <translation>突跳发生在 %1 之前。突跳不能加入模型：请检查支架，重新照准瞄准零位并再次读取该轴位。</translation>
     </message>
     <message>
-        <source> Or leave out the rows before the jump, if the pointing zero of the next position was not sighted after it.</source>
+        <source> Or leave out the rows before the jump, if the pointing zero of the next position was not sighted after the jump.</source>
         <translation>如果下一轴位的瞄准零位不是在突跳之后照准的，也可去掉突跳之前的行。</translation>
     </message>
     <message>
@@ -13402,11 +13402,11 @@ a clause as a sentence</extracomment>
         <translation>也可去掉从该处起的行。</translation>
     </message>
     <message>
-        <source> Or leave out the rows from there on, if that zero was sighted after it.</source>
+        <source> Or leave out the rows from there on, if that zero was sighted after the jump.</source>
         <translation>如果该零位是在突跳之后照准的，也可去掉从该处起的行。</translation>
     </message>
     <message>
-        <source> Or leave out the rows from there on, if the pointing zero of the next position was sighted after it.</source>
+        <source> Or leave out the rows from there on, if the pointing zero of the next position was sighted after the jump.</source>
         <translation>如果下一轴位的瞄准零位是在突跳之后照准的，也可去掉从该处起的行。</translation>
     </message>
     <message>

@@ -95,7 +95,7 @@ TEST(FitText, SaysThatNoVerdictIsDrawnWithoutATolerance) {
   const std::string text = textOf(
       folder.file("s.alidade",
                   changedPaperSession([](nlohmann::ordered_json& session) { session.erase("acceptance"); })));
-  EXPECT_THAT(text, HasSubstr("Verdict: none. No tolerance stated"));
+  EXPECT_THAT(text, HasSubstr("Verdict: none. No tolerance is stated"));
 }
 
 TEST(FitText, TellsOneArcWithoutAnIntersection) {

@@ -61,7 +61,7 @@ TEST(InstrumentOption, IsSaidInTextToo) {
   const TemporaryFolder folder;
   const std::string record = folder.file("t.alidade-instrument", recordOf(0).dump());
   const ProgramRun diagnosis = alidadeCli({"diagnose", tilted, "--instrument", record});
-  EXPECT_THAT(diagnosis.out, HasSubstr("Known beforehand of instrument and device"));
+  EXPECT_THAT(diagnosis.out, HasSubstr("Known sizes of instrument and device"));
   EXPECT_THAT(diagnosis.out, HasSubstr("the known size is out of date"));
   const ProgramRun fit = alidadeCli({"fit", tilted, "--instrument", record});
   EXPECT_EQ(fit.exitCode, 0) << fit.err;

@@ -50,7 +50,7 @@ TEST(InstrumentCommand, TellsPeople) {
   const ProgramRun run = alidadeCli({"instrument", sample});
   ASSERT_EQ(run.exitCode, 0) << run.err;
   for (const char* text : {"SIMULATED, 123456", "ISO 17123-3", "pooled", "P1, by round", "P1, by target",
-                           "in proportion to 1/D"})
+                           "is proportional to 1/D"})
     EXPECT_THAT(run.out, HasSubstr(text));
 }
 

@@ -51,7 +51,7 @@ TEST(ProtocolCommand, SaysWhatTheRestBrings) {
   EXPECT_NEAR(then, now / std::sqrt(2), 0.03 * now) << "and Student's factor is smaller";
   EXPECT_EQ(outlook.at("enough_now"), true);
   EXPECT_NEAR(outlook.at("needed").at("of_fit_mm").get<double>(), 2.5 - 1.30782, 1e-4);
-  EXPECT_THAT(outlook.at("sentence").get<std::string>(), HasSubstr("It is enough"));
+  EXPECT_THAT(outlook.at("sentence").get<std::string>(), HasSubstr("The readings are enough"));
 }
 
 TEST(ProtocolCommand, NamesWhatIsToBeTakenAgain) {

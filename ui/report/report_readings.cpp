@@ -94,7 +94,7 @@ QStringList ofCompensator(const Reading& reading) {
     if (!text.empty()) parts.append(says.arg(shortLine(text, longestCell)));
   };
   add(Report::tr("tilt across the line of sight %1″"), reading.tiltCrossArcsec);
-  add(Report::tr("tilt along it %1″"), reading.tiltLengthArcsec);
+  add(Report::tr("tilt along the line of sight %1″"), reading.tiltLengthArcsec);
   //: %1: words such as "inclination collimation", or "none"
   add(Report::tr("corrected by the instrument: %1"), reading.corrections);
   return parts;
@@ -222,7 +222,7 @@ void addPosition(ReportSheet& sheet, const Evaluation& evaluation, std::size_t i
     const ZeroSighting& sighting = position.zero.*slot.sighting;
     if (sighting.horizontal.empty() && sighting.vertical.empty()) continue;
     const QString says = slot.isAfter ? Report::tr("after the readings in %1: %2, %3")
-                                      : Report::tr("before them in %1: %2, %3");
+                                      : Report::tr("before the readings in %1: %2, %3");
     further.append(says.arg(qText(faceName(slot.face)), zero(sighting.horizontal), zero(sighting.vertical)) +
                    zeroArrival(sighting));
   }

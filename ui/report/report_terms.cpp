@@ -49,8 +49,8 @@ QString acceptanceRule(const Gap& gap, const QString& tolerance) {
         .arg(tolerance);
   if (gap.diagnosis)
     return Report::tr(
-               "Accepted: |Δd| + U ≤ %1; rejected: |Δd| − U > %1; both measured and fit only. Undecided "
-               "else, and where the gap has no known cause.")
+               "Accepted: |Δd| + U ≤ %1; rejected: |Δd| − U > %1; both measured and fit only. Otherwise, or "
+               "if the gap has no known cause: undecided.")
         .arg(tolerance);
   return Report::tr("Accepted: |Δd| + U ≤ %1; rejected: |Δd| − U > %1; fit only; else undecided.")
       .arg(tolerance);

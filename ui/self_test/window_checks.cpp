@@ -65,14 +65,15 @@ void addFonts(std::vector<SelfCheck>& checks) {
     checks.push_back(textCheck(inWindow, "font " + family.toStdString(), "all letters",
                                lacking(family, QStringLiteral("AZaz09ΔσχφαβλνΣ°′″±≤≥−·√²⁻")), ofReports));
   const QStringList chinese = QFontDatabase::families(QFontDatabase::SimplifiedChinese);
-  checks.push_back({.group = inWindow,
-                    .name = "font, Chinese",
-                    .expected = "one",
-                    .found = chinese.isEmpty() ? "none" : chinese.first().toStdString(),
-                    .reason = PHRASE_LATER("Phrase", "only a window or report in Chinese needs one"),
-                    .outcome = !chinese.isEmpty()                           ? SelfCheck::Outcome::Passed
-                               : shownLanguage() == QStringLiteral("zh_CN") ? SelfCheck::Outcome::Failed
-                                                                            : SelfCheck::Outcome::LeftOut});
+  checks.push_back(
+      {.group = inWindow,
+       .name = "font, Chinese",
+       .expected = "one",
+       .found = chinese.isEmpty() ? "none" : chinese.first().toStdString(),
+       .reason = PHRASE_LATER("Phrase", "only a window or report in Chinese needs a Chinese font"),
+       .outcome = !chinese.isEmpty()                           ? SelfCheck::Outcome::Passed
+                  : shownLanguage() == QStringLiteral("zh_CN") ? SelfCheck::Outcome::Failed
+                                                               : SelfCheck::Outcome::LeftOut});
 }
 
 }  // namespace

@@ -43,8 +43,8 @@ std::string agreement(const History& history) {
                        history.degreesOfFreedom, chanceText(*history.chance));
   if (*history.chance >= leastChance && history.course != Course::Constant)
     return Phrase::of(
-        "%1: the values agree within their uncertainties; against their own, smaller scatter they show a "
-        "change.",
+        "%1: the values agree within their uncertainties, but change by more than their own, smaller "
+        "scatter.",
         chi);
   if (*history.chance >= leastChance)
     return Phrase::of("%1: the values agree within their uncertainties.", chi);
@@ -54,12 +54,13 @@ std::string agreement(const History& history) {
 
 std::string stepSentence(const History& history, const HistoryStep& step, const HistoryNumbers& numbers) {
   const std::string size = numbers.withUncertainty(std::abs(step.size), step.u);
-  const std::string sized = step.size > 0 ? Phrase::of("From %1 on it is larger by %2.", step.date, size)
-                                          : Phrase::of("From %1 on it is smaller by %2.", step.date, size);
+  const std::string sized = step.size > 0
+                                ? Phrase::of("From %1 on the value is larger by %2.", step.date, size)
+                                : Phrase::of("From %1 on the value is smaller by %2.", step.date, size);
   if (step.earliest == step.latest)
-    return Phrase::of("%1 It happened between %2 and %3.", sized, history.values[step.first - 1].date,
+    return Phrase::of("%1 The change happened between %2 and %3.", sized, history.values[step.first - 1].date,
                       step.date);
-  return Phrase::of("%1 Its first value is one of those from %2 to %3 (95 %).", sized,
+  return Phrase::of("%1 The first value after the change is one of those from %2 to %3 (95 %).", sized,
                     history.values[step.earliest].date, history.values[step.latest].date);
 }
 
@@ -81,7 +82,7 @@ std::vector<std::string> courseSentences(const History& history, const HistoryNu
             "A level with only one value may be an outlier: measure once more before acting on it."));
       break;
     case Course::Trend:
-      sentences.push_back(Phrase::of("It changes all along, by %1.",
+      sentences.push_back(Phrase::of("The value changes steadily, by %1.",
                                      numbers.ratePerYear(history.trend->perYear, history.trend->u)));
       break;
     case Course::OddValue:
@@ -135,7 +136,7 @@ std::string watchSentence(const History& history, const HistoryNumbers& numbers)
                       count, dateOf(out));
   if (drifted != chart.points.end())
     return Phrase::of(
-        "%1 Later values outside their limits: 0 of %2, but their average leaves its own on %3.", baseline,
+        "%1 Later values outside their limits: 0 of %2, but their average leaves its limits on %3.", baseline,
         count, dateOf(drifted));
   return Phrase::of("%1 Later values outside their limits: 0 of %2.", baseline, count);
 }
@@ -218,9 +219,8 @@ std::vector<std::string> historySentences(const History& history, const std::str
   if (history.degreesOfFreedom > 0 && history.scatter > 1 && history.chance &&
       *history.chance < leastChance) {
     if (history.course == Course::Constant)
-      sentences.push_back(
-          Phrase::of("With the scatter that is seen the mean has an expanded uncertainty of %1.",
-                     numbers.withUnit(history.factor * history.mean.scattered)));
+      sentences.push_back(Phrase::of("From the observed scatter, the expanded uncertainty of the mean is %1.",
+                                     numbers.withUnit(history.factor * history.mean.scattered)));
   }
   if (const std::string others = rivals(history); !others.empty())
     sentences.push_back(Phrase::of("Probability of each explanation of the values: %1.", others));
@@ -238,8 +238,8 @@ std::string sharedSentence(const DeviceHistory& device) {
         "All sessions have one device and one instrument. Their errors change Δd by the same amount each "
         "time: this is in U and in the mean, but not in the expected scatter.");
   return Phrase::of(
-      "The sessions were not all taken with one instrument, or do not state its serial number: the change of "
-      "Δd by its errors is assumed to differ between them.");
+      "The sessions were not all taken with one instrument, or do not state its serial number: instrument "
+      "errors are assumed to change Δd differently in each session.");
 }
 
 std::vector<std::string> congruenceSentences(const std::vector<Epoch>& epochs, const Congruence& congruence) {

@@ -130,20 +130,19 @@ Statement sessionTable(const DeviceHistory& device) {
 }
 
 Statement quantityTable(const DeviceHistory& device) {
-  Statement statement{
-      .id = "quantities",
-      .title = Phrase::of("Quantities"),
-      .columns = {{"quantity", Phrase::of("Quantity"), Role::Name},
-                  {"values", Phrase::of("Values")},
-                  {"mean", Phrase::of("Weighted mean")},
-                  {"chi_square", "χ²"},
-                  {"p", "p"},
-                  {"trend", Phrase::of("Trend")},
-                  {"course", Phrase::of("Course"), Role::Word}},
-      .rows = {},
-      .sentences = {pillarSentence()},
-      .note = Phrase::of("Each ± is an %1; all but that of Δd, measured, by the readings alone.",
-                         plusMinusText(device.quantities.front().history))};
+  Statement statement{.id = "quantities",
+                      .title = Phrase::of("Quantities"),
+                      .columns = {{"quantity", Phrase::of("Quantity"), Role::Name},
+                                  {"values", Phrase::of("Values")},
+                                  {"mean", Phrase::of("Weighted mean")},
+                                  {"chi_square", "χ²"},
+                                  {"p", "p"},
+                                  {"trend", Phrase::of("Trend")},
+                                  {"course", Phrase::of("Course"), Role::Word}},
+                      .rows = {},
+                      .sentences = {pillarSentence()},
+                      .note = Phrase::of("Each ± is an %1, from the readings alone except for Δd, measured.",
+                                         plusMinusText(device.quantities.front().history))};
   for (const QuantityHistory& quantity : device.quantities) {
     const History& history = quantity.history;
     const HistoryNumbers numbers(history, quantity.unit);
@@ -170,10 +169,10 @@ Statement congruenceTable(const DeviceHistory& device) {
                   {"p_device", "p"},
                   {"change", "", Role::Word}},
       .rows = {},
-      .note =
-          Phrase::of("Each session with the next, and the first with the last. Δd, measured, with its "
-                     "expanded uncertainty; what both sessions share cancels. Device: (O1 − O2)/2 and the "
-                     "radii by the readings alone, T = dᵀC⁻¹d with the full covariance of both fits.")};
+      .note = Phrase::of(
+          "Each session is compared with the next, and the first with the last. Δd, measured, has its "
+          "expanded uncertainty; effects common to both sessions cancel. Device: (O1 − O2)/2 and the radii "
+          "by the readings alone, T = dᵀC⁻¹d with the full covariance of both fits.")};
   for (const Congruence& congruence : device.congruences) {
     const bool isNext = congruence.second == congruence.first + 1;
     if (!isNext && (congruence.first != 0 || congruence.second + 1 != device.epochs.size())) continue;

@@ -179,8 +179,9 @@ class StationFindings {
     if (m_station.causes.isEither) tellEither();
     if (tilt.pValue < levelOfTests)
       add(Severity::Warning,
-          Phrase::of("The trunnion axis is tilted by %1 (%2); with that the collimation is %3.",
-                     withU(tilt.other, tilt.uOther, "″"), probability(tilt.pValue), collimation()));
+          Phrase::of(
+              "The trunnion axis is tilted by %1 (%2); corrected for this tilt, the collimation is %3.",
+              withU(tilt.other, tilt.uOther, "″"), probability(tilt.pValue), collimation()));
   }
 
   void tellEither() {
@@ -224,13 +225,13 @@ class StationFindings {
   void tellStatedOffset(const TwoCauses& sight) {
     if (m_station.causes.isEither) tellEither();
     if (sight.pValue < levelOfTests)
-      return add(
-          Severity::Warning,
-          Phrase::of("The faces differ in proportion to 1/D: the line of sight is %1 (%2) off the axis, "
-                     "which shows as %3 at %4 and looks like collimation; without it, that is %5.",
-                     withU(sight.other, sight.uOther, " mm"), probability(sight.pValue),
-                     arcsec(shownAt(m_station.nearestM, sight.other)), metresText(m_station.nearestM),
-                     collimation()));
+      return add(Severity::Warning,
+                 Phrase::of("The difference of the faces is proportional to 1/D: the line of sight is %1 "
+                            "(%2) off the axis, which looks like a collimation of %3 at %4. Corrected for "
+                            "this offset, the collimation is %5.",
+                            withU(sight.other, sight.uOther, " mm"), probability(sight.pValue),
+                            arcsec(shownAt(m_station.nearestM, sight.other)), metresText(m_station.nearestM),
+                            collimation()));
     add(Severity::Note, Phrase::of("The difference of the faces does not depend on the distance: the line of "
                                    "sight is %1 off the axis.",
                                    withU(sight.other, sight.uOther, " mm")));
@@ -299,8 +300,8 @@ void tellStations(const InstrumentCheck& check, std::vector<Finding>& findings) 
   }
   tell(check.collimationsDifferP,
        PHRASE_LATER("Phrase",
-                    "The collimation differs between stations by more than its scatter (%1): it changed, or "
-                    "something that looks like it did."));
+                    "The collimation differs between stations by more than its scatter (%1): the collimation "
+                    "changed, or an effect that looks like it."));
   tell(check.indicesDifferP,
        PHRASE_LATER("Phrase",
                     "The index differs between stations by more than its scatter (%1): it changed."));

@@ -120,7 +120,7 @@ TEST(GeoComTalk, TheFaceIsReadFromTheCircle) {
   EXPECT_EQ(geocom.bench.readings[0].face, 2);
   // 4.8 rad of zenith angle: the elevation circle continues from 90° at the zenith, so 450° − 275.0198°.
   EXPECT_NEAR(parseAngle(geocom.bench.readings[0].vertical)->degrees(), 174.98026, 1e-4);
-  EXPECT_TRUE(geocom.bench.said("the circle counts")) << "the instrument said face 1";
+  EXPECT_TRUE(geocom.bench.said("the circle is used")) << "the instrument said face 1";
 }
 
 TEST(GeoComTalk, TiltsOfACompensatorThatIsOffAreNone) {

@@ -118,7 +118,7 @@ TEST(CompensatorUse, TheOtherSignIsFoundOut) {
   ASSERT_EQ(either.causes.size(), 1U);
   EXPECT_EQ(either.causes[0].effect, "arm_sag");
   EXPECT_THAT(either.causes[0].indistinguishableFrom, testing::Contains("vertical_axis_tilt"));
-  EXPECT_THAT(staleSentence(either), HasSubstr("Were the known size of vertical axis tilt out of date"));
+  EXPECT_THAT(staleSentence(either), HasSubstr("If the known size of vertical axis tilt were out of date"));
   const Diagnosis diagnosis = diagnosisOf(session, {.without = {"arm_sag"}});
   ASSERT_EQ(diagnosis.causes.size(), 1U);
   EXPECT_EQ(diagnosis.causes[0].effect, "vertical_axis_tilt");

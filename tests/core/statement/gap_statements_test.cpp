@@ -233,12 +233,12 @@ TEST(AdviceStatement, TellsTheRowsOfTheEffort) {
   EXPECT_EQ(cellOf(next, 0, "expanded"), "") << "it would not reduce U";
   EXPECT_EQ(
       cellOf(next, 0, "tells"),
-      "separates collimation and refraction by 5.0 σ or more; one answer is left with a probability of 90 %");
+      "separates collimation and refraction by 5.0 σ or more; probability that one answer is left: 90 %");
 }
 
 TEST(UndetectableStatement, SaysSoIfThereIsNone) {
   Gap gap = emptyGap();
-  EXPECT_THAT(gapUndetectable(gap).sentences.front(), StartsWith("No effect of plausible size"));
+  EXPECT_THAT(gapUndetectable(gap).sentences.front(), StartsWith("An effect of plausible size"));
   gap.diagnosis->before = IntersectionEstimate{.expanded = 1};
   gap.diagnosis->undetectable = {{"trunnion_tilt", 0.25, 0.5}, {"collimation", 0.001, 0.5}};
   const Statement undetectable = gapUndetectable(gap);

@@ -134,9 +134,8 @@ TEST(Headline, NamesLargerNoiseBesideACause) {
   gap.diagnosis->verdict = DiagnosisVerdict::SingleCause;
   gap.diagnosis->causes = {causeOf("plane_offset", 0.72), causeOf(noiseId, 0.9)};
   EXPECT_EQ(headlineOf(gap).line(LineKind::Gap),
-            "Model and readings disagree; accepted only if that comes from plane offset (72 %), beside noise "
-            "larger "
-            "than stated");
+            "Model and readings disagree; accepted only if the cause is plane offset (72 %), and noise "
+            "larger than stated");
 }
 
 TEST(Headline, SaysWhichReadingIsMisread) {
@@ -215,7 +214,7 @@ TEST(Headline, HasNoFigureWithoutAnIntersection) {
 }
 
 TEST(Headline, SaysWhyThereIsNoVerdict) {
-  EXPECT_THAT(headlineAt("").sentence, HasSubstr("No tolerance stated"));
+  EXPECT_THAT(headlineAt("").sentence, HasSubstr("No tolerance is stated"));
   EXPECT_EQ(headlineAt("two").verdict, "No verdict: 1 entry could not be used");
   EXPECT_EQ(headlineAt("two").decided, std::nullopt);
 }
@@ -287,7 +286,7 @@ TEST(Headline, NamesTheCausesAsConditionOfTheVerdict) {
   gap.diagnosis->closures = {{.before = radii, .after = closureOf(Closure::Of::Radius, 0.01, 0.15, 100)},
                              {.before = centres, .after = closureOf(Closure::Of::Centre, 0.01, 0.1, 100)}};
   EXPECT_EQ(headlineOf(gap).line(LineKind::Gap),
-            "Model and readings disagree; accepted only if that comes from plane offset (72 %) and axial "
+            "Model and readings disagree; accepted only if the cause is plane offset (72 %) and axial "
             "shift (17 %): the radii differ by 13 σ, "
             "Δx differs by 7.0 σ");
 }

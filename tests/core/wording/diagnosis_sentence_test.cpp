@@ -30,11 +30,13 @@ Diagnosis withOneCause(double before, double after) {
 }
 
 TEST(DiagnosisSentence, SaysShrinkOnlyOfWhatShrinks) {
-  EXPECT_EQ(sentenceOf(withOneCause(2.9, 2.1)),
-            "The gap is best explained by collimation. With it in the model the residuals shrink from 2.9″ "
-            "to 2.1″.");
+  EXPECT_EQ(
+      sentenceOf(withOneCause(2.9, 2.1)),
+      "The gap is best explained by collimation. With the cause in the model, the residuals shrink from 2.9″ "
+      "to 2.1″.");
   EXPECT_EQ(sentenceOf(withOneCause(2.9, 3)),
-            "The gap is best explained by collimation. With it in the model reduced χ² changes from 7.25 to "
+            "The gap is best explained by collimation. With the cause in the model, reduced χ² changes from "
+            "7.25 to "
             "1.02; the unweighted residuals grow from 2.9″ to 3.0″.");
   EXPECT_THAT(sentenceOf(withOneCause(2.94, 2.93)), HasSubstr("shrink from 2.94″ to 2.93″."));
   EXPECT_THAT(sentenceOf(withOneCause(2.941, 2.938)), HasSubstr("stay at 2.94″."));
@@ -52,13 +54,13 @@ TEST(DiagnosisSentence, SaysThatThePositionsCloseWhereTheyDidNotBefore) {
   };
   const char *closes = "the two positions close", *shrinks = "the residuals shrink from 2.9″ to 2.1″.";
   EXPECT_THAT(sentence(2.1, {.before = open, .after = closed}),
-              EndsWith(std::string("With it in the model ") + closes + ", and " + shrinks));
+              EndsWith(std::string("With the cause in the model, ") + closes + ", and " + shrinks));
   EXPECT_THAT(sentence(2.9, {.before = open, .after = closed}),
-              EndsWith(std::string("With it in the model ") + closes + "."));
-  EXPECT_THAT(sentence(2.1, {.before = open, .after = open}), EndsWith(std::string("model ") + shrinks));
-  EXPECT_THAT(sentence(2.1, {.before = open}), EndsWith(std::string("model ") + shrinks))
+              EndsWith(std::string("With the cause in the model, ") + closes + "."));
+  EXPECT_THAT(sentence(2.1, {.before = open, .after = open}), EndsWith(std::string("model, ") + shrinks));
+  EXPECT_THAT(sentence(2.1, {.before = open}), EndsWith(std::string("model, ") + shrinks))
       << "it is not known whether they do";
-  EXPECT_THAT(sentence(2.1, {.before = closed, .after = closed}), EndsWith(std::string("model ") + shrinks));
+  EXPECT_THAT(sentence(2.1, {.before = closed, .after = closed}), EndsWith(std::string("model, ") + shrinks));
 }
 
 TEST(DiagnosisSentence, CallsEachCauseByItsName) {

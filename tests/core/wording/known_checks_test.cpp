@@ -31,7 +31,8 @@ TEST(KnownChecks, SayWhatIsStale) {
   EXPECT_EQ(staleSentence(diagnosis), "") << "a cause like others";
   diagnosis.causes[0].isStale = true;
   EXPECT_EQ(staleSentence(diagnosis),
-            "By instrument record t-1 of 2026-03-01, collimation is 3.20 ± 0.50″; these readings give 41.0 ± "
+            "According to instrument record t-1 of 2026-03-01, collimation is 3.20 ± 0.50″; these readings "
+            "give 41.0 ± "
             "1.9″: the known size is out of date with a probability of more than 99.9 %.");
   diagnosis.known[0].isSeen = false;
   EXPECT_EQ(staleSentence(diagnosis), "");
@@ -49,9 +50,8 @@ TEST(KnownChecks, SayWhatOnlyTheRecordTellsApart) {
   diagnosis.causes[0].unlessStale = {"trunnion_tilt"};
   diagnosis.causes[0].indistinguishableFrom = {"collimation", "plane_warp"};
   EXPECT_EQ(staleSentence(diagnosis),
-            "Were the known size of trunnion tilt or collimation out of date, these readings could not tell "
-            "it from "
-            "vertical drift.");
+            "If the known size of trunnion tilt or collimation were out of date, these readings could not "
+            "distinguish this from vertical drift.");
 }
 
 TEST(KnownChecks, TellOfTheNumberThatDepartsFarthest) {

@@ -24,7 +24,7 @@ Suspect suspectAt(const char* field, Angle size) {
 
 TEST(SuspectInWords, SaysByHowMuch) {
   EXPECT_EQ(sentenceOf(suspectAt("vertical", Angle::fromArcseconds(29.04))),
-            "0°, point 5, vertical: off by +29.0″. No single slip explains it: read it again.");
+            "0°, point 5, vertical: off by +29.0″. No single gross error explains the value: read it again.");
   EXPECT_THAT(sentenceOf(suspectAt("vertical", Angle::fromArcseconds(-119.9))), HasSubstr("off by −119.9″."));
   EXPECT_THAT(sentenceOf(suspectAt("vertical", Angle::fromDegrees(1))), HasSubstr("off by +1°"));
   EXPECT_THAT(sentenceOf(suspectAt("face", Angle::fromDegrees(180))), HasSubstr("face: the other face."));

@@ -129,7 +129,7 @@ TEST(VerdictSentence, AsksForACoverage) {
   measurement.tolerance = 2.5;
   measurement.coverage = 0.5;
   EXPECT_EQ(sentenceOf(measurement, fitSession(measurement)),
-            "There is no verdict at a coverage of 50 %: state acceptance.coverage as 0.9 or more.");
+            "There is no verdict at a coverage of 50 %: state a coverage of 0.9 or more.");
 }
 
 TEST(VerdictSentence, SaysWhyItIsWithheld) {
@@ -138,7 +138,7 @@ TEST(VerdictSentence, SaysWhyItIsWithheld) {
   SessionFit fit = fitSession(measurement);
   fit.lengthsInDoubt = LengthsInDoubt{.distance = 2.405, .nominalRadius = 400};
   EXPECT_EQ(sentenceOf(measurement, fit),
-            "The verdict is withheld: no theodolite sights anything at a distance of 2.405 mm: check the "
+            "The verdict is withheld: no theodolite sights anything at a distance of 2.405 mm. Check the "
             "distance L (2.405) and the nominal radius R0 (400), both in mm.");
   fit.lengthsInDoubt =
       LengthsInDoubt{.distance = 2405, .nominalRadius = 200, .radius = LengthsInDoubt::Radius{180, 99.6}};

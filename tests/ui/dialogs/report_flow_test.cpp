@@ -69,13 +69,14 @@ TEST_F(ReportFlowTest, TellsTheHistoryOfTheDeviceWhereItsFolderIsChosen) {
   open.dialogs->reportChoice = choice;
   open.dialogs->reportPath = in("another device.pdf");
   ASSERT_TRUE(open->files().exportReport());
-  EXPECT_THAT(printedText(in("another device.pdf")).toStdString(), Not(HasSubstr("on it is larger by 0.2")));
+  EXPECT_THAT(printedText(in("another device.pdf")).toStdString(),
+              Not(HasSubstr("on the value is larger by 0.2")));
   ASSERT_TRUE(open->files().open(samplePath(QStringLiteral("history/2025-12-15.alidade"))));
   open.dialogs->reportPath = in("report.pdf");
   ASSERT_TRUE(open->files().exportReport());
   const std::string report = printedText(in("report.pdf")).toStdString();
   EXPECT_THAT(report, HasSubstr("Acceptance report"));
-  EXPECT_THAT(report, HasSubstr("on it is larger by 0.2"));
+  EXPECT_THAT(report, HasSubstr("on the value is larger by 0.2"));
   EXPECT_TRUE(open.dialogs->problems.isEmpty());
 }
 

@@ -61,7 +61,7 @@ TEST(InstrumentDialog, ShowsWhatAFileOfTwoStationsSays) {
   EXPECT_EQ(bench.cell(0, 0), QStringLiteral("P1"));
   EXPECT_EQ(bench.cell(0, 1), QStringLiteral("4 × 5"));
   EXPECT_TRUE(bench.cell(2, 2).endsWith(QStringLiteral("(24)"))) << bench.cell(2, 2).toStdString();
-  EXPECT_THAT(bench.said(), HasSubstr("in proportion to 1/D"));
+  EXPECT_THAT(bench.said(), HasSubstr("is proportional to 1/D"));
   EXPECT_EQ(bench.dialog.chart().plot()->markers().marks().size(), 16U) << "c and index of eight rounds";
   bench.dialog.chart().setView(CheckPlot::View::Residuals);
   EXPECT_EQ(bench.dialog.chart().plot()->markers().marks().size(), 80U);

@@ -118,7 +118,7 @@ void expectNothingLonely(const Session& session, const ReportOptions& options, c
   static const QRegularExpression heading(
       QStringLiteral("^(Findings|Notes|Method|Arcs.*|Readings with.*|Closures:.*|Gap between.*|Undetectable "
                      "here|What to measure.*|Before and after|Causes|Known.*|"
-                     "What it would.*|Standard uncertainty of.*|Arc centres.*|Model effects)$"));
+                     "Sizes that would.*|Standard uncertainty of.*|Arc centres.*|Model effects)$"));
   for (int page = 0; page < report.pageCount(); ++page) {
     const QStringList lines = report.page(page).split(u'\n', Qt::SkipEmptyParts);
     ASSERT_GE(lines.size(), 4);

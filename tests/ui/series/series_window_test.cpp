@@ -172,7 +172,7 @@ TEST(SeriesWindow, StatesTheConditionOfAVerdict) {
   session.measuredOn = "2024-05-01";
   const Headline headline = headlineOf(assessGap(std::make_shared<const Evaluation>(evaluateFit(session))));
   const std::string gap = headline.line(Headline::Line::Kind::Gap);
-  ASSERT_THAT(gap, HasSubstr("only if that comes from"));
+  ASSERT_THAT(gap, HasSubstr("only if the cause is"));
   const QTemporaryDir folder;
   const QString path = folder.filePath(QStringLiteral("paper.alidade"));
   QFile file(path);

@@ -20,27 +20,28 @@ namespace {
 QString jumpText(const Session& session, const Jump& jump) {
   if (jump.isAtZero)
     return RemedyList::tr(
-        "It happened between a pointing zero and the first place after it, or that zero was misread; these "
-        "readings do not show in which position. A jump cannot be added to the model: sight both zeros again "
-        "and repeat the positions.");
+        "The jump happened between a pointing zero and the first place after it, or that zero was misread; "
+        "these readings do not show in which position. A jump cannot be added to the model: sight both zeros "
+        "again and repeat the positions.");
   const QString row =
       accessiblePlace(session, {.position = jump.place.position, .reading = jump.place.reading});
   QString text = RemedyList::tr(
-                     "It happened before %1. A jump cannot be added to the model: check the stand, sight the "
-                     "pointing zero again and repeat this position.")
+                     "The jump happened before %1. A jump cannot be added to the model: check the stand, "
+                     "sight the pointing zero again and repeat this position.")
                      .arg(row);
   if (jump.before)
     text += RemedyList::tr(
         " Or leave out the rows before the jump, if the pointing zero of the next position was not sighted "
-        "after it.");
+        "after the jump.");
   if (jump.after && jump.isLast)
     text += RemedyList::tr(" Or leave out the rows from there on.");
   else if (jump.after)
-    text += jump.before
-                ? RemedyList::tr(" Or leave out the rows from there on, if that zero was sighted after it.")
-                : RemedyList::tr(
-                      " Or leave out the rows from there on, if the pointing zero of the next position "
-                      "was sighted after it.");
+    text +=
+        jump.before
+            ? RemedyList::tr(" Or leave out the rows from there on, if that zero was sighted after the jump.")
+            : RemedyList::tr(
+                  " Or leave out the rows from there on, if the pointing zero of the next position was "
+                  "sighted after the jump.");
   return text;
 }
 

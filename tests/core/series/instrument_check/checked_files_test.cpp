@@ -89,7 +89,7 @@ TEST(CheckedFile, HasOneCollimationInTableFindingAndRecord) {
   EXPECT_NEAR(check->collimation.value, station.collimation.value, 1e-9);
   std::string said;
   for (const Finding& finding : checkFindings(*check)) said += finding.text;
-  EXPECT_THAT(said, HasSubstr("without it, that is 8.00″ ± 0.15″"));
+  EXPECT_THAT(said, HasSubstr("Corrected for this offset, the collimation is 8.00″ ± 0.15″"));
   const InstrumentRecord record = checkedRecord(*check, {"T", "1", "2026-03-14", ""});
   EXPECT_EQ(record.known.front().value, "8.004");
   EXPECT_EQ(record.known.front().sigma, "0.15");

@@ -95,7 +95,7 @@ TEST(InstrumentCheck, SaysWhatItFinds) {
   EXPECT_NEAR(tilted.tilt->value, 60, 3 * tilted.tilt->u);
   EXPECT_THAT(sentences(tilted), HasSubstr("The trunnion axis is tilted by 59.30″ ± 0.81″"));
   EXPECT_THAT(sentences(checkInstrument({station("P", {.eccentricityMm = 1, .noise = 0.5}, 6, 1)})),
-              HasSubstr("in proportion to 1/D"));
+              HasSubstr("is proportional to 1/D"));
   EXPECT_THAT(sentences(checkInstrument({station("P", {.index = 30, .noise = 0.5}, 3, 1)})),
               HasSubstr("differs from zero by more than its scatter"));
   EXPECT_THAT(sentences(checkInstrument({station("P", {.noise = 0.5, .driftPerRound = 4}, 6, 1)})),

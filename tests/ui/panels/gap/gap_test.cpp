@@ -126,9 +126,9 @@ TEST(Gap, TellsAnUnknownCauseBesideKnownOnes) {
   const Cause drift{
       .effect = "vertical_drift", .parameters = {}, .indistinguishableFrom = {}, .readings = {}};
   diagnosis.causes = {drift};
-  EXPECT_EQ(gapHeadline(diagnosis).toStdString(), "An unknown cause beside vertical drift");
+  EXPECT_EQ(gapHeadline(diagnosis).toStdString(), "An unknown cause and vertical drift");
   diagnosis.causes.push_back(drift);
-  EXPECT_EQ(gapHeadline(diagnosis).toStdString(), "An unknown cause beside 2 known ones");
+  EXPECT_EQ(gapHeadline(diagnosis).toStdString(), "An unknown cause and 2 known ones");
 }
 
 TEST(Gap, ShowsWhatTheDiagnosisSays) {
@@ -211,11 +211,11 @@ TEST(Gap, WeighsTheCausesWithTheReferenceWhileItIsAskedTo) {
 TEST(Gap, OffersTheReferenceOnlyWithItsSigma) {
   GapBench bench(closurePath("640941"));
   const auto* box = bench.page()->findChild<QCheckBox*>(QStringLiteral("with reference"));
-  EXPECT_THAT(bench.shown(), HasSubstr("What it would take to explain Δd − reference\n"));
+  EXPECT_THAT(bench.shown(), HasSubstr("Sizes that would explain Δd − reference\n"));
   changeField(bench.open->document(), {.field = "acceptance.sigma_reference_mm"}, "");
   bench.settle();
   EXPECT_FALSE(box->isVisibleTo(bench.page()));
-  EXPECT_THAT(bench.shown(), Not(HasSubstr("What it would take")));
+  EXPECT_THAT(bench.shown(), Not(HasSubstr("Sizes that would explain")));
 }
 
 TEST(Gap, TellsWhatItWouldTakeToExplainTheReference) {
@@ -376,7 +376,7 @@ TEST(Gap, WarnsBeforeARowIsLeftOutForWhatMayBeAJump) {
 TEST(Gap, SaysWhatToDoWhereNothingCanBeAdded) {
   {
     GapBench bench(jumpTrial);
-    EXPECT_THAT(bench.shown(), HasSubstr("It happened before 0°, row 35"));
+    EXPECT_THAT(bench.shown(), HasSubstr("The jump happened before 0°, row 35"));
     bench.press("go to jump");
     EXPECT_EQ(bench.open->currentTable()->currentIndex().row(), 34);
   }
@@ -405,11 +405,11 @@ TEST(Gap, SaysWhenWhichRowsOfAJumpMayBeLeftOut) {
     return texts.toStdString();
   };
   const std::string goTo = "\nGo to the reading", after = "\nExclude the rows from there on";
-  EXPECT_THAT(told(35),
-              EndsWith("if the pointing zero of the next position was sighted after it." + goTo + after));
+  EXPECT_THAT(told(35), EndsWith("if the pointing zero of the next position was sighted after the jump." +
+                                 goTo + after));
   EXPECT_THAT(told(4), EndsWith("repeat this position." + goTo)) << "too few are left";
   EXPECT_THAT(told(67), EndsWith("position. Or leave out the rows from there on, if the pointing zero of the "
-                                 "next position was sighted after it." +
+                                 "next position was sighted after the jump." +
                                  goTo + after));
   EXPECT_THAT(told(68 + 35), EndsWith("position. Or leave out the rows from there on." + goTo + after));
 }
@@ -502,7 +502,7 @@ TEST(Gap, HasNoTableOfWhatGoesUnseenWhereNothingDoes) {
   EXPECT_THAT(shown({{.effect = "trunnion_tilt", .influence = 100, .visibleSigma = 0.5}}),
               HasSubstr("moves Δd (mm)"));
   EXPECT_THAT(shown({}), Not(HasSubstr("moves Δd (mm)")));
-  EXPECT_THAT(shown({}), HasSubstr("No effect of plausible size could move Δd noticeably"));
+  EXPECT_THAT(shown({}), HasSubstr("An effect of plausible size that moved Δd noticeably"));
 }
 
 TEST(Gap, OfThreeReadingsIsNone) {

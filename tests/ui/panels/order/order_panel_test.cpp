@@ -130,7 +130,7 @@ TEST(OrderPanel, LeadsTheKeyboardThroughAWholeProtocol) {
   EXPECT_EQ(progress.outOfTurn + progress.beside + progress.missed, 0u);
   EXPECT_THAT(bench.text("order state"), HasSubstr("28 of 28"));
   EXPECT_THAT(bench.text("next sighting"), HasSubstr("The protocol is complete"));
-  EXPECT_THAT(bench.text("order outlook"), HasSubstr("Further rounds leave"));
+  EXPECT_THAT(bench.text("order outlook"), HasSubstr("Further rounds do not reduce"));
 }
 
 TEST(OrderPanel, SaysWhatIsNextAndHowFarItIs) {

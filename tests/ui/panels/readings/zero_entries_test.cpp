@@ -82,7 +82,7 @@ TEST(ZeroEntries, AreShownWhereASessionHasThemAndWhereUndoLeads) {
 TEST(ZeroEntries, ArePrinted) {
   const Session session = sightedInFull();
   const QString printed = Printed(session).text();
-  EXPECT_TRUE(printed.contains(QStringLiteral("Sighted again before them in face 2: ")));
+  EXPECT_TRUE(printed.contains(QStringLiteral("Sighted again before the readings in face 2: ")));
   EXPECT_TRUE(printed.contains(QStringLiteral("Mean of 4 sightings: α0 ")));
 }
 
