@@ -180,8 +180,8 @@ constexpr std::vector<Effect> makeCatalogue() {
        Linear,
        //: how far something sags
        {{PHRASE_LATER("Phrase", "sag"), GravitySag, "mm", 0.05}}},
-      // A weight at the end of a radial arm bends it in proportion to its horizontal part, cos φ, and
-      // perpendicular to it: along the arc.
+      // A weight at the end of a radial arm bends the arm in proportion to its horizontal part, cos φ. The
+      // end moves perpendicular to the arm, along the arc.
       {"arm_sag",
        PHRASE_LATER("Phrase", "arm sag"),
        PHRASE_LATER("Phrase", "the slider's arm bends under its weight, most where it is horizontal"),

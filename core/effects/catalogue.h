@@ -21,7 +21,7 @@ std::vector<const Effect*> soughtEffects();
 /// Null if the id is unknown.
 const Effect* effectById(std::string_view id);
 
-/// The effect with this term; null for the terms of a jump.
+/// The effect of the catalogue with this term; null for the terms of a jump and the user's own.
 const Effect* effectOf(ErrorTerm term);
 
 /// The effects of the catalogue, then the user's own effects; `own` may be null.

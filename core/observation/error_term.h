@@ -10,7 +10,7 @@ namespace alidade {
 template <typename T>
 class ErrorTerms {
  public:
-  /// `zero` if T() is not a valid zero, as for a jet of dynamic size.
+  /// `zero` is needed only if T(0) is not a valid zero, as for a jet of dynamic size.
   ErrorTerms() : ErrorTerms(T(0)) {}
   explicit ErrorTerms(const T& zero) { m_sizes.fill(zero); }
 

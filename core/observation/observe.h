@@ -92,8 +92,8 @@ SpacePoint<T> targetAt(const ErrorTerms<T>& errors, const ArcPose<T>& arc, const
   const double turned = (1 - turn) / 2;
   const T radius = arc.radius + turned * errors[RadiusChange] + errors[EllipticityCosine] * cos2 +
                    errors[EllipticitySine] * sin2 + errors[LobingCosine] * cos3 + errors[LobingSine] * sin3;
-  // First in the guideway's plane, then the offsets from it. The plane's tilt rotates about the arc centre
-  // and, like the warp and the skew, turns with the guideway.
+  // x, y: the place in the guideway's plane; `off`: the offset from it, which turns with the guideway. The
+  // tilts rotate both about the arc centre, and are the same in o0 in both positions.
   const T x = radius * cos(phi), y = radius * sin(phi);
   const T off =
       turn * (errors[WarpCosine] * cos2 + errors[WarpSine] * sin2 + errors[PlaneSkew] * arc.radius * cos(s));
@@ -148,7 +148,7 @@ Direction<T> circleDirection(const ErrorTerms<T>& errors, SpacePoint<T> target, 
   const T cosE = sqrt(1 - sinE * sinE);
   T a = atan2(right, forward) + side * atan2(T(sc * ci + cc * sinE * si), T(cc * cosE));
 
-  // The other relation between y and e, weighted by its share.
+  // So far e follows the exact relation to y. Adds the planar one's difference from it, times its share.
   const T planar = atan2(target.y, T(-target.z));
   const T exact = atan2(target.y, T(sqrt(target.x * target.x + target.z * target.z)));
   const double isPlanar = pointing.relation == VerticalAngleRelation::Planar ? 1 : 0;

@@ -16,7 +16,7 @@ class OwnModel;
 /// The circumstances of a reading, as arguments for the formulas of the user's own effects.
 struct OwnPlace {
   const OwnModel* model;
-  /// All arguments except s, the directions and the circles.
+  /// All arguments except the directions and the circle readings, which `argumentsAt` adds.
   FormulaArguments row;
   double horizontalZero = 0;  ///< α0 as read, rad
   double zeroElevation = 0;   ///< e0, rad
@@ -43,7 +43,7 @@ class OwnModel {
   /// `effects` may be null: there are none.
   explicit OwnModel(std::shared_ptr<const OwnEffects> effects);
 
-  /// The displacements of the target or the slider reading at φ, for circles read without errors.
+  /// The displacements of the target or the slider reading at φ, from circle readings without errors.
   std::span<const OwnShare> ofGuideway(const OwnPlace& place, const PlanePoint<double>& centre, double radius,
                                        double distance, double phi, int axisDeg) const;
   /// The displacements of circle readings. `a`, `e`: face 1 equivalents without these effects, rad.

@@ -18,8 +18,8 @@ struct SliderPlace {
 };
 
 /// The arc begins after the widest gap between readings. Returns the first reading after the gap, rad: from
-/// it on a full turn is subtracted. Infinite if the arc begins at the smallest reading. A gap below 45° is
-/// ignored, as it may lie between two places.
+/// this reading on, a full turn is subtracted. Infinite if the arc begins at the smallest reading. A gap
+/// below 45° is ignored, as it may lie between two places.
 double turnoverOf(std::vector<SliderPlace>& places) {
   constexpr double smallest = std::numbers::pi / 4;
   std::ranges::sort(places, {}, &SliderPlace::reading);

@@ -57,9 +57,9 @@ class ZeroLine {
   /// zero: the result counts from the horizon. Exact for a vertical plane. A reading of a square plane is
   /// rotated with the zero, so the weights of the two circles are exact only at the centre.
   Direction<double> levelled(const Direction<double>& reduced) const;
-  /// The kernels' y minus y relative to the zero line, mm.
+  /// y from the horizon, as the kernels count it, minus y relative to the zero line, mm.
   double height() const;
-  /// Are the kernels exact?
+  /// Are the kernels exact for this plane and elevation?
   bool isLevelExact() const { return m_plane == ArcPlane::Vertical || m_elevation == 0; }
 
  private:
@@ -67,7 +67,7 @@ class ZeroLine {
   ArcPlane m_plane;
   VerticalAngleRelation m_relation;
 
-  /// Returns the line of sight of a reading from the horizon, with forward component 1 along the azimuth of
+  /// The line of sight of a reading whose e counts from the horizon, scaled to z = −1 along the azimuth of
   /// the zero.
   SpacePoint<double> lineOfSight(const Direction<double>& fromHorizon) const;
 };

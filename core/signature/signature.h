@@ -29,7 +29,7 @@ class Signer {
   static Result<Signer> load(const SigningFiles& files);
 
   Result<std::string> sign(std::string_view bytes) const;
-  /// The files that it was loaded from, which signed output must not replace.
+  /// The files from which the signer was loaded; signed output must not replace them.
   const std::vector<std::string>& paths() const;
 
  private:
@@ -39,7 +39,7 @@ class Signer {
   std::shared_ptr<const Identity> m_identity;
 };
 
-/// The path next to the signed file: "report.pdf.p7s".
+/// The path of the signature, next to the signed file: "report.pdf.p7s".
 std::string signaturePath(const std::string& path);
 
 }  // namespace alidade

@@ -13,7 +13,7 @@ enum class FormCarrier { Radial, Tangential, Across, X, Y, Z, Horizontal, Vertic
 
 std::string_view nameOf(FormCarrier carrier);
 std::optional<FormCarrier> carrierNamed(std::string_view name);
-/// Whether it acts on a circle, and not on the guideway or its slider.
+/// True for the readings of the circles; false for the target and the slider reading.
 bool isOfCircles(FormCarrier carrier);
 
 }  // namespace alidade

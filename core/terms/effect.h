@@ -13,7 +13,7 @@ struct ParameterTraits {
   /// The order of a wave over the slider coordinate that turns with the guideway, in the radius or across the
   /// plane of the arc; 0: none.
   int radialOrder = 0, acrossOrder = 0;
-  /// Turns a circle away from its pointing zero, which sighting the zero again shows.
+  /// Turns a circle away from its pointing zero, as a second sighting of the zero shows.
   bool turnsHorizontalZero = false, turnsVerticalZero = false;
   bool changesDistance = false;  ///< by opposite amounts in the two positions
 };
@@ -53,8 +53,8 @@ struct Effect {
   ErrorSource source;
   Response response;
   std::vector<EffectParameter> parameters;
-  /// Does the diagnosis consider it as a cause of a gap? Effects indistinguishable in any readings enter only
-  /// the uncertainty.
+  /// Does the diagnosis consider the effect as a cause of a gap between model and readings? An effect that no
+  /// readings can distinguish from others enters only the uncertainty.
   bool isSought = true;
 };
 

@@ -24,7 +24,7 @@ enum class ErrorTerm : std::size_t {
   HorizontalDrift,           ///< rotation of the orientation from the first reading of the session to the
                              ///< last
   VerticalDrift,             ///< the same for the vertical circle; zenith readings grow with positive drift
-  HorizontalJump,            ///< step of the orientation at the moment of the jump
+  HorizontalJump,            ///< change of the orientation at the jump
   VerticalJump,
   SetupShiftX,        ///< of the target relative to the instrument, +x, in every position after the first
   SetupShiftY,        ///< +y

@@ -101,7 +101,7 @@ struct FormulaEvaluator::Parsers {
   std::vector<double> sizes;  ///< of the amplitudes
   std::vector<mu::Parser> ofLines;
 
-  /// The value of a line; NaN if it is not a number or beyond 10⁶.
+  /// The value of a line; NaN if it is not a number or its size exceeds 10⁶.
   double evaluate(std::size_t line) {
     constexpr double largest = 1e6;
     try {

@@ -18,10 +18,10 @@ namespace alidade {
 //   radial = A*bump(s, 83°, w); w = 4°
 //
 // Lines end with a semicolon or a line break. A line is `carrier = expression` or `name = number`; the latter
-// fixes a number of the shape. Names that are neither variables nor fixed are amplitudes: the expressions are
-// linear in them, which is checked. Angles are radians inside; a number with ° or deg counts degrees.
-// Formulas come from files of strangers: their length is bounded, there are no loops, strings or assignments,
-// and the parser (muParser) sees only what was checked here before.
+// gives a number a name. Names that are neither variables nor names of numbers are amplitudes: the
+// expressions are linear in them, which is checked. Angles are radians inside; a number with ° or deg counts
+// degrees. Formulas come from files of strangers: their length is bounded, there are no loops, strings or
+// assignments, and the parser (muParser) sees only what was checked here before.
 
 /// "mm" or "arcsec".
 std::string_view unitOf(FormCarrier carrier);
@@ -31,20 +31,20 @@ struct FormulaArguments {
   double s = 0;                 ///< slider coordinate; 0 for a pointing zero
   double t = 0;                 ///< elapsed share of the session, 0…1
   double a = 0, e = 0;          ///< azimuth from the pointing zero, elevation over the horizon, in face 1
-  double horizontalCircle = 0;  ///< as read in either face, like the next
+  double horizontalCircle = 0;  ///< both circles: as read in the given face
   double verticalCircle = 0;
   double leg = 1;       ///< 1 in odd rounds, −1 in even ones
   double round = 1;     ///< from 1
-  double face = 1;      ///< 1 or −1
+  double face = 1;      ///< 1 in face 1, −1 in face 2
   double position = 1;  ///< 1 at axis 0°, −1 at 180°
 };
 
 /// The reason why a text is not a formula, and the place of the fault.
 struct FormulaFault {
-  std::size_t at = 0, length = 0;  ///< bytes of the text, UTF-8; length 0: at its end
+  std::size_t at = 0, length = 0;  ///< bytes of the UTF-8 text; length 0: a part is missing at `at`
   std::string what;                ///< a sentence, without the place
 
-  /// The sentence after line and column, both from 1, columns in characters.
+  /// The sentence, preceded by line and column. Both count from 1, columns in characters.
   std::string text(std::string_view formula) const;
 };
 
@@ -83,8 +83,8 @@ class FormulaEvaluator {
   FormulaEvaluator(FormulaEvaluator&&) noexcept;
   ~FormulaEvaluator();
 
-  /// The effect of one unit of an amplitude on the carrier of a line. NaN if the expression is not a number
-  /// there or beyond 10⁶.
+  /// The effect of one unit of an amplitude on the carrier of a line. NaN if the value is not a number or its
+  /// size exceeds 10⁶.
   double value(std::size_t line, std::size_t amplitude, const FormulaArguments& at) const;
 
  private:

@@ -60,14 +60,14 @@ struct FormulaName {
 struct FormulaStatement {
   FormulaName name;
   std::string_view expression;
-  std::size_t at = 0;  ///< of the expression in the text
+  std::size_t at = 0;  ///< place of the expression in the text
 };
 
 /// The lines of the text that are not blank.
 Result<std::vector<FormulaStatement>, FormulaFault> formulaStatements(std::string_view text);
 
-/// An expression for the parser: every sign was checked, degrees are converted to radians, and fixed names
-/// are replaced by their numbers.
+/// An expression for the parser: every character was checked, degrees are converted to radians, and fixed
+/// names are replaced by their numbers.
 struct PlainExpression {
   std::string text;
   std::vector<FormulaName> variables, amplitudes;  ///< each occurrence

@@ -16,7 +16,7 @@ namespace {
 
 using namespace arc_kernel;
 
-constexpr double unlike = 0.01;  // largest relative difference of the remainders of a part and of all
+constexpr double unlike = 0.01;  // largest relative difference between the remainders of a part and of all
 constexpr int mostSurveys = 2;   // if more are needed, residuals are too large for them
 constexpr std::size_t pilotPlaces = 16384;
 
@@ -103,7 +103,7 @@ Vector times(const Normals<double>& n, const Step<double>& q) {
           n.x * q.x + n.y * q.y + n.one * q.half};
 }
 
-/// Second derivatives of all places after the step.
+/// Estimates the second derivatives of all places after the step, from the change in the part.
 Information<double> atEnd(const Information<double>& all, const Information<double>& before,
                           const Information<double>& after) {
   const double ratio = all.one / before.one;
@@ -128,7 +128,7 @@ void mend(Progress<double>& progress, const CloseSums<double>& all, const CloseS
   for (std::size_t i = 0; i < 3; ++i)
     left[i] = whole[i] - wholeChange[i] + all.one / before.one * (second[i] - first[i] + partChange[i]);
   Step<double> rest = times(progress.inverse, left[0], left[1], left[2]);
-  rest.half += step.x * rest.x + step.y * rest.y;  // the remaining residual after the step
+  rest.half += step.x * rest.x + step.y * rest.y;  // in the frame of the circle after the step
   const double perSquare = 1 / progress.disc.square;
   progress.disc = moved(progress.disc, rest);
   progress.inverse = invert(atEnd(all, before, after), progress.disc.square);

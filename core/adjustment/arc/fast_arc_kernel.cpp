@@ -8,7 +8,7 @@ namespace {
 
 constexpr std::size_t share = 16;  // blocks of a sweep that are processed together
 
-/// tan x = x + x·z·P/Q, z = x², |x| ≤ π/4, to 2e-16 of it. From S. Moshier's Cephes library.
+/// tan x = x + x·z·P/Q, z = x², |x| ≤ π/4, to a relative error of 2e-16. From S. Moshier's Cephes library.
 [[gnu::always_inline]] inline Lanes tangentP(const Lanes& z) {
   return (-1.30936939181383777646E4 * z + 1.15351664838587416140E6) * z - 1.79565251976484875988E7;
 }
@@ -87,7 +87,7 @@ template <bool exact, bool weighted>
   const Slope slopes = slope<exact>(x, y, place.perRise, ux, uy);
   const Lanes va = variances.horizontal * slopes.a, ve = variances.vertical * slopes.e;
   const Lanes turned = va * slopes.a, p = 1 / (turned + ve * slopes.e);
-  // Per m the foot is at −(dx, dy), plus the change of these lengths along the way.
+  // Seen from the point, the foot is at −m (dx, dy), plus the change of dx and dy along the way.
   const Lanes dx = va + x * (x * va), rise = place.perRise * ve, tip = 2 * (place.tanE * ve) * rise;
   Lanes dy = rise, k;
   if constexpr (exact) {
@@ -137,8 +137,8 @@ template <bool weighted>
   sums.xyw += pwx * y;
 }
 
-/// Linearises the condition at the readings themselves, as seen from the circle: its distance is exact to
-/// second order.
+/// Linearises the condition at the readings themselves. The misclosure is R times the distance from the
+/// circle, exact to second order.
 template <bool exact>
 [[gnu::always_inline]] inline void approach(PlaceEquation& place, const Disc<Lanes>& disc,
                                             const Lanes& perSquare) {
@@ -194,7 +194,7 @@ template <bool exact>
   return sum;
 }
 
-// One arc in all lanes, or one in each: what is combined across lanes and what is not.
+// Combine the lanes if all hold one arc (T: double); keep them apart if each holds its own (T: Lanes).
 
 template <typename T>
 [[gnu::always_inline]] inline T gathered(const Lanes& sum) {
@@ -237,7 +237,7 @@ template <typename T>
   }
 }
 
-/// Relative to the optical axis: the digits lost here are not needed by the iteration.
+/// Adds the moments of a place about the optical axis; the iteration does not need the digits lost by this.
 template <bool weighted>
 [[gnu::always_inline]] inline void add(Moments<Lanes>& sums, const PlaceEquation& place) {
   const Lanes x = place.tanA, y = place.y, z = x * x + y * y;
@@ -337,9 +337,9 @@ template <bool exact, typename T>
   return gathered<T>(sums);
 }
 
-/// Iterates the fits of `sets` sets of `blocks` blocks each, from the circle in its outcome. A set holds the
-/// places of one arc (T double) or of four arcs (T Lanes). The equations of all sets are solved alternately,
-/// so that their latencies overlap.
+/// Iterates the fits of `sets` sets of `blocks` blocks, each fit from the circle in its outcome. A set holds
+/// the places of one arc (T double) or of four arcs (T Lanes). The equations of all sets are solved
+/// alternately, so that their latencies overlap.
 template <bool exact, std::size_t sets, typename T>
 [[gnu::always_inline]] inline void iterate(PlaceEquation* places, std::size_t blocks,
                                            const Variances& variances, Outcome<T>* outcomes) {
@@ -401,8 +401,8 @@ template <bool exact>
   for (std::size_t i = 0; i < readings.blocks(); ++i) writeResiduals(places[i], step, i * width, residuals);
 }
 
-/// Loads the `count` readings of `width` fits, one fit after the other; if there are fewer, the first fills
-/// the other lanes.
+/// Loads the `count` readings of `width` fits, one fit after the other; if there are fewer fits, the first
+/// fills the other lanes.
 template <bool exact>
 [[gnu::always_inline]] inline void sightFits(PlaceEquation* places, const double* a, const double* e,
                                              std::size_t count, std::size_t fits, Outcome<Lanes>& outcome) {
@@ -487,7 +487,7 @@ template <bool exact>
   result.largestResidual = root(greatest<double>(largest));
 }
 
-/// The sweep for the close sums.
+/// One pass over readings that computes the `CloseSums`, without storing their equations.
 template <bool exact>
 [[gnu::always_inline]] inline void surveyWith(const Readings& readings, const Variances& variances,
                                               const Disc<double>& at, Survey& result) {

@@ -6,8 +6,8 @@
 #include "core/adjustment/arc/fast_arc_fit.h"
 
 // The arithmetic of fast_arc_fit.cpp. Four lanes hold four places of one arc, or one place of four arcs.
-// fast_arc_kernel.cpp is compiled for every processor, and for those with vector units of four doubles. So
-// that no function is shared between the two, every function here is inlined where it is called.
+// fast_arc_kernel.cpp is compiled twice: for every processor, and for those with vector units of four
+// doubles. So that no function is shared between the two, every function here is inlined where it is called.
 
 namespace alidade::arc_kernel {
 
@@ -18,13 +18,13 @@ using Lanes = double __attribute__((vector_size(width * sizeof(double))));
 constexpr double largestAngle = std::numbers::pi / 4;
 constexpr double largestResidual = 0.002;  // rad; the series are exact to rounding up to this
 constexpr double untold = 6;               // bound on the remainder of an iteration, in units of its estimate
-constexpr double straight = 1e-10;         // variances across × along the chord, in R⁴; 6° of arc
+constexpr double straight = 1e-10;  // least product of variances across and along the chord, in R⁴; 6° of arc
 constexpr int mostIterations = 12;
 
 /// A pair of readings, and what the last iteration found for it.
 struct alignas(sizeof(Lanes)) PlaceEquation {
   Lanes tanA, tanE, secA;  ///< secA: with the exact relation only
-  Lanes y, perRise;        ///< of the plane point, and its derivative with respect to e
+  Lanes y, perRise;        ///< height of the plane point, and its derivative with respect to e
   Lanes weight;            ///< rows of the visit, 0 for unused lanes; used if all lanes are of one arc
   Lanes w, perA, perE;     ///< misclosure, and the residuals of a and e per unit of it
   Lanes ux, uy;            ///< the plane point minus the centre
@@ -77,7 +77,7 @@ struct Setup {
   double tolerance;
 };
 
-/// Inverse of the normal equations, and whether they are clearly nonsingular.
+/// Inverse of the normal equations. The fit is refused unless `determinacy` exceeds `straight`.
 template <typename T>
 struct Inverse {
   T xx, xy, yy, xh, yh, hh;
@@ -215,11 +215,11 @@ template <typename T>
   return root((q.xx * square + q.yy * square + q.hh) * one);
 }
 
-/// One step with these derivatives. They belong to the circle before the step, so it overshoots by the square
-/// of its length. A factor removes most of that, and the rest depends on how far places moved. The other
-/// remainder is the third order of the residuals, of either sign: it shrinks the less a place's error depends
-/// on direction and grows with shorter arcs. Coefficients: chosen so that none of the million arcs of
-/// tests/bench/fast_agreement.cpp is more than 1e-9 mm off.
+/// Takes a step with these derivatives. As they belong to the circle before the step, the step overshoots by
+/// the square of its length. A factor removes most of that; the rest depends on how far places moved. The
+/// other remainder, of either sign, is the third order of the residuals. It is smaller if a place's error
+/// depends less on direction, and larger on shorter arcs. The coefficients keep each of the million arcs of
+/// tests/bench/fast_agreement.cpp within 1e-9 mm.
 template <typename T>
 [[gnu::always_inline]] inline void advance(Progress<T>& progress, const CloseSums<T>& sums) {
   const T square = progress.disc.square, perSquare = 1 / square, perOne = 1 / sums.one;
@@ -282,7 +282,7 @@ template <typename T>
   return step;
 }
 
-/// Converts an outcome to units of the distance.
+/// Converts an outcome from units of L to mm, and decides whether the fit is refused.
 template <typename T>
 [[gnu::always_inline]] inline Conclusion<T> concluded(const Outcome<T>& outcome, double distance) {
   const auto& [disc, step, perRootPlaces, anisotropy, lag, chance, remaining, chiSquare, q] =

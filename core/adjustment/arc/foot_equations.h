@@ -73,8 +73,8 @@ template <typename T>
   return t * (1 - tt * (1.0 / 3 - tt * (1.0 / 5)));
 }
 
-/// Ground distance from the theodolite to the point, x mm to the right, at which the line of sight meets the
-/// arc plane.
+/// The horizontal distance, mm, by which tan e is multiplied: √`square` with `square` = x² + L²; L under the
+/// planar relation.
 template <typename T>
 [[gnu::always_inline]] inline T groundTo(const ArcView& view, const T& square) {
   return view.relation == VerticalAngleRelation::Exact ? squareRoot(square) : T{} + view.distance;
@@ -96,7 +96,7 @@ template <typename T>
   foot.sine = length > 0 ? y / length : T{};
 }
 
-/// The residuals of the circles at the foot, and their derivatives.
+/// Returns the residuals of the circles at the foot, as ratios, and fills the derivatives of `foot`.
 template <typename T>
 [[gnu::always_inline]] inline Direction<Ratio<T>> lookFrom(Foot<T>& foot, const ArcView& view,
                                                            const Circle& circle, const T& tanA,
@@ -114,7 +114,7 @@ template <typename T>
   return {{tanA * l - x, l + x * tanA}, {tanE * ground - y, ground + y * tanE}};
 }
 
-/// ∂(a, e)/∂φ, in σ.
+/// ∂(a, e)/∂φ, in σ per rad.
 template <typename T>
 [[gnu::always_inline]] inline Direction<T> alongArc(const ArcView& view, double radius, const Foot<T>& foot) {
   return {-view.whitening.horizontal * radius * foot.sine * foot.aX,

@@ -52,7 +52,7 @@ Points sample(const Points& points) {
   return some;
 }
 
-/// The circle through three points with the smallest distances to the majority.
+/// Of the circles through three points, the one nearest to the majority of all.
 std::optional<Circle> bestOfTriples(const Points& points) {
   std::optional<Circle> best;
   double least = std::numeric_limits<double>::infinity();

@@ -139,7 +139,7 @@ ALIDADE_WIDE void standInPlane(Block& block, const ArcView& view, const Circle& 
   turnTo<Eight>(block.foot, sightedAlong<Eight>(view, block.tanA, block.tanE), circle);
 }
 
-/// False if the block must be settled visit by visit; its visits are then unchanged.
+/// False if the block must be settled visit by visit; the directions of its feet are then unchanged.
 ALIDADE_WIDE bool settle(Block& block, const ArcView& view, const Circle& circle) {
   const Eight cosine = block.foot.cosine, sine = block.foot.sine;
   if (settleTogether(block, view, circle)) return true;

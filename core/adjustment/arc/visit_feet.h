@@ -11,8 +11,8 @@ namespace alidade {
 
 // All visits of an arc at their foot points (foot_point.h), eight at a time, and their normal equations. Both
 // faces of a visit read the same, so each kind of reading has one row, counted as often as it was read. The
-// component along the arc is subtracted, which eliminates the arc angle. Residuals are found by series; eight
-// visits of which one leaves more than 0.001 rad are processed one by one.
+// component along the arc is subtracted, which eliminates the arc angle. Residuals are found by series. If
+// one of eight exceeds 0.001 rad, the eight visits are processed one by one.
 
 /// Normal equations over the estimated quantities, (Δx, Δy, R) in mm and the slider's zero in rad, and the
 /// considered ones: the pointing zeros of a and e in rad, and L in mm. From the stated σ.
@@ -51,7 +51,7 @@ class VisitFeet {
   double sliderLeft(std::size_t visit) const;       ///< the same for the slider, if it was read
 
   /// Reliability of the eight visits from `eight` · `block` on, settled. `cofactor`: inverse of the normal
-  /// matrix of the estimated quantities; `asked`: its product with the gradient of the requested quantity.
+  /// matrix of the estimated quantities; `asked`: `cofactor` times the gradient of the requested quantity.
   using Cofactor = std::array<std::array<double, ArcEquations::estimated>, ArcEquations::estimated>;
   std::array<VisitReliability, eight> reliabilityOf(
       std::size_t block, const Cofactor& cofactor,
@@ -73,7 +73,7 @@ class VisitFeet {
   std::vector<Block> m_blocks;
   std::size_t m_size = 0;
   bool m_hasSlider = false;
-  ArcUnknowns m_unknowns;  ///< of the last call
+  ArcUnknowns m_unknowns;  ///< of the last `settle`
 };
 
 }  // namespace alidade

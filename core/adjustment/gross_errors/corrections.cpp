@@ -39,7 +39,7 @@ class ReadingCorrections {
   }
 
   void addMeantTexts(const Column& column) {
-    // A slip is equally likely in either circle; there are about as many slider readings as visits.
+    // A slip has the same prior in each of the three columns.
     for (const MeantText& meant : meantTexts(m_readings[m_row].*column.text)) {
       Correction correction{meant.slip, meant.prior, {}, {}};
       change(correction, m_row, column, meant.text);

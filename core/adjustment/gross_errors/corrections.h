@@ -22,7 +22,7 @@ struct CellChange {
   bool operator==(const CellChange&) const = default;
 };
 
-/// An intended reading of a row, one slip away from the typed text.
+/// A reading that may have been intended in a row, one slip away from the typed text.
 struct Correction {
   EntrySlip slip = EntrySlip::OneDigitWrong;
   double prior = 0;                          ///< frequency of such a slip, before any reading

@@ -86,7 +86,7 @@ std::string moved(std::string_view typed, const Parts& parts, int seconds) {
   return text;
 }
 
-/// A zero before other digits, which is a separate style.
+/// Does the text begin with a zero before another digit? Such texts have a style of their own.
 bool startsWithZero(std::string_view text) {
   return text.size() > 1 && text[0] == '0' && isDigit(text[1]);
 }

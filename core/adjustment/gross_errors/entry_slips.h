@@ -30,8 +30,8 @@ struct MeantText {
 };
 
 /// The possible intended texts of an angle, one slip away from the typed text; each once, without the typed
-/// one. Texts may be out of range. One degree, minute or ten seconds off needs degrees, minutes and seconds;
-/// other angles only have digits.
+/// one. Texts may be out of range. Errors of a degree, of minutes or of ten seconds need a text in degrees,
+/// minutes and seconds; other texts only have digits changed.
 std::vector<MeantText> meantTexts(std::string_view typed);
 
 }  // namespace alidade

@@ -256,7 +256,7 @@ class Search {
     return matrix;
   }
 
-  /// The share of an error of reading `k` that shows, with free shifts of `cells`.
+  /// The share of an error of reading `k` that its residual shows while the shifts of `cells` are free.
   double remainingRedundancy(const std::vector<std::size_t>& cells, const MatrixXd& inverse,
                              std::size_t k) const {
     VectorXd cross(static_cast<Index>(cells.size()));

@@ -16,7 +16,7 @@ namespace {
 
 constexpr double leastShare = 0.01;        ///< of a proposal worth showing
 constexpr double leastShareBeside = 0.95;  ///< of a proposal if there are other suspects
-/// Largest deviation of a corrected place, in the scatter of the others: beyond it there is another error.
+/// Largest deviation of a corrected place, in units of the others' scatter: beyond it there is another error.
 constexpr double mostOffSpacing = 12;
 constexpr std::size_t mostProposals = 5, mostUnusableRows = 12;
 
@@ -42,7 +42,7 @@ class SuspectSearch {
   }
 
  private:
-  /// Is a row of the visit among the suspects already? Then the slip that explains both was found.
+  /// Is a row of the visit already among the suspects? Then the errors of the visit were already explained.
   bool isNamed(const Visited& visit) const {
     return std::ranges::any_of(m_suspects, [&](const Suspect& suspect) {
       return suspect.where.position == m_trials.measurement().arcs[visit.arc].position &&
@@ -147,7 +147,7 @@ class SuspectSearch {
     m_suspects.push_back(std::move(suspect));
   }
 
-  /// Examines rows that `examine` left out, if a slip explains why.
+  /// Tests the rows that `examine` left out, and names those that a slip explains.
   void lookAtUnusableRows() {
     std::size_t looked = 0;
     for (std::size_t arc = 0; arc < m_trials.measurement().arcs.size(); ++arc) {
@@ -229,7 +229,7 @@ class SuspectSearch {
         if (areTogether(suspect, left)) mask(suspect);
   }
 
-  /// The visits that disagree once every suspect is corrected or, without a proposal, its row excluded.
+  /// The visits that still disagree once every suspect is corrected, or excluded if it has no proposal.
   std::vector<Suspect> leftOnceCorrected() const {
     Session mended = m_session;
     for (const Suspect& suspect : m_suspects) {

@@ -44,9 +44,9 @@ struct SuspectOptions {
 
 /// The readings of a fitted session that look misread, the most certain first; the session itself stays
 /// unchanged. Rows that could not be used are also examined, and named if a slip explains them. `measurement`
-/// is that of `session`, `fit` its fit. `searchGrossErrors` finds these readings; the slip that makes the
-/// visit agree with all others decides which cell is at fault, if there is one. If asked to stop, it returns
-/// early with the results so far.
+/// is that of `session`, `fit` its fit. `searchGrossErrors` finds these readings. If a slip makes the visit
+/// agree with all others, this slip decides which cell is at fault. If asked to stop, it returns early with
+/// the results so far.
 std::vector<Suspect> findSuspects(const Session& session, const Measurement& measurement,
                                   const SessionFit& fit, const SuspectOptions& options = {},
                                   const std::stop_token& stop = {});

@@ -142,7 +142,7 @@ struct VisitCheck::Content {
   }
 
   Prediction predictionFor(const JointProblem& problem) const {
-    constexpr double unknownZero = 100;  // rad²: the first slider reading of an arc adds no information
+    constexpr double unknownZero = 100;  // rad²: an arc's first slider reading only gives its zero
     const auto count = static_cast<Index>(problem.estimated().size());
     Prediction prediction{problem.start({circle}), MatrixXd::Zero(count, count)};
     std::vector<Index> indices;

@@ -14,7 +14,7 @@ struct VisitAgreement {
   int tests = 0;  ///< number of conditions on the visit: readings − 1
   /// Probability that sound readings misfit as much or more; 0 if the fit predicts too poorly to decide.
   double probability = 0;
-  /// Deviation of the place from the even spacing, in its scatter; 0 if the spacing is unknown.
+  /// Deviation of the place from the even spacing, in units of its scatter; 0 if the spacing is unknown.
   double offSpacing = 0;
   double logLikelihood = 0;  ///< of the misfit, by Student's distribution, and of the place, up to a constant
   std::vector<double> residuals;  ///< rad, reduced: horizontal and vertical of each row, then the slider

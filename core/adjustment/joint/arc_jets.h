@@ -23,10 +23,10 @@ enum class ArcTerms { None, OfGuideway, All, AlsoOwn };  // `All`: of the catalo
 
 template <ArcTerms which>
 struct ArcJets {
-  /// x, y, R, zero of the slider, L, φ, then the terms from `firstGuidewayTerm` on, the user's own last.
+  /// Slots: x, y, R, slider zero, L, φ, then the terms from `firstGuidewayTerm` on, the user's own last.
   static constexpr int xSlot = 0, ySlot = 1, radiusSlot = 2, sliderSlot = 3, farSlot = 4, angleSlot = 5,
                        guidewayTermSlot = 6;
-  /// The target's x, y, z, then the terms before `firstGuidewayTerm`, the user's own last.
+  /// Slots: the target's x, y, z, then the terms before `firstGuidewayTerm`, the user's own last.
   static constexpr int instrumentTermSlot = 3;
   static constexpr int ownSlots = which == ArcTerms::AlsoOwn ? static_cast<int>(mostOwnTerms) : 0;
   static constexpr int guidewaySlots =

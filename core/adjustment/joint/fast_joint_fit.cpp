@@ -54,7 +54,7 @@ class ArcApart {
   bool settle(const JointFitOptions& options) {
     readVisits();
     constexpr int mostIterations = 10;
-    constexpr double longest = 0.1;  // of R; limit of a first step
+    constexpr double longest = 0.1;  // of R; limit of each step
     constexpr double rounding = 1e-9;
     for (double before = std::numeric_limits<double>::infinity();; before = m_chiSquare) {
       evaluate();
@@ -97,8 +97,8 @@ class ArcApart {
     return {m_unknowns.circle.x, m_unknowns.circle.y - m_line.height(), m_unknowns.circle.radius, zero};
   }
 
-  /// Fills the arc's own values in `fit`, which has room for all; its readings from `next` on. `gradient`:
-  /// ∂Δd/∂ the centre's height.
+  /// Fills the arc's own values in `fit`, which has room for all, and its readings from `next` on.
+  /// `gradient`: ∂Δd/∂y of the centre.
   void fillReadings(JointFit& fit, AdjustedReading* next, double gradient) const {
     const auto sigmaOf = [&](ReadingKind kind) { return statedSigma(m_measurement, kind).radians(); };
     const std::array sigmas{sigmaOf(ReadingKind::Horizontal), sigmaOf(ReadingKind::Vertical),
@@ -229,7 +229,7 @@ void addConsidered(JointFit& fit, const Measurement& measurement) {
   fit.consideredSigmas.push_back(measurement.sigmaDistance);
 }
 
-/// Combines the matrices of the arcs; they share only the distance.
+/// Combines the matrices of the arcs; these share only the distance and, if it is common, the zero.
 void fillMatrices(JointFit& fit, const std::vector<ArcApart>& arcs) {
   const std::size_t size = fit.unknowns.size(), width = fit.considered.size();
   fit.cofactor = {size, std::vector<double>(size * size)};
@@ -281,7 +281,7 @@ std::optional<JointFit> fitJointlyFast(const Measurement& measurement, const std
   addUnknowns(fit, arcs);
   addConsidered(fit, measurement);
   fillMatrices(fit, arcs);
-  std::vector<std::size_t> firsts;  // reading of each arc
+  std::vector<std::size_t> firsts;  // index of the first reading of each arc
   std::size_t readings = 0;
   for (const ArcApart& arc : arcs) {
     firsts.push_back(readings);

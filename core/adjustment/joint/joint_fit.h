@@ -141,7 +141,7 @@ struct JointFit {
   /// ∂unknown/∂considered, unknowns × considered, row by row.
   std::vector<double> perConsidered;
 
-  /// The row of each reading of a pointing zero that is an observation: ∂reading/∂unknowns, divided by its σ.
+  /// For each reading of a pointing zero that is an observation: ∂reading/∂unknowns, divided by its σ.
   std::vector<std::vector<double>> zeroRows = {};
   /// φ of each sighting of each arc, rad in (−π, π]; unwrapped if the slider is read (`unwrapAlongSlider`).
   std::vector<std::vector<double>> arcAngles;
@@ -150,15 +150,15 @@ struct JointFit {
   double chiSquare = 0;                   ///< of circles, slider and priors
   int degreesOfFreedom = 0;
   int iterations = 0;
-  /// `Undetermined` if a number of the fit is not finite or a variance is negative. Also if it did not settle
-  /// and a circle is less certain than its size.
+  /// `Undetermined` if a number of the fit is not finite or a variance is negative. Also if the fit did not
+  /// converge and the σ of a centre or radius exceeds the smallest radius.
   FitStatus status = FitStatus::Undetermined;
 
   /// Index of an unknown; `unknowns.size()` if this fit lacks it. For a shared centre or radius any of its
   /// arcs may be given.
   std::size_t indexOf(const Unknown& unknown) const;
   bool converged() const { return status == FitStatus::Converged; }
-  /// If not, `chiSquare`, `values` and all results derived from them are meaningless.
+  /// If false, `chiSquare`, `values` and all results derived from them are meaningless.
   bool isDetermined() const { return status != FitStatus::Undetermined; }
   /// Returns the circle of an arc of the measurement.
   Circle circleOf(std::size_t arc) const;

@@ -109,7 +109,7 @@ void JointProblem::addArc(std::size_t arc) {
 }
 
 void JointProblem::addZero(const Unknown& zero, double sigma) {
-  constexpr double exact = 1e-15;  // rad: the weight of a smaller one would not be finite
+  constexpr double exact = 1e-15;  // rad; a smaller σ counts as exact
   if (m_estimatesZeros && sigma > exact)
     estimate(zero, {0, sigma});
   else
@@ -356,7 +356,7 @@ void JointProblem::eachVisit(const JointState& state,
 
 namespace {
 
-/// The displacement of a target in space per elevation of the zero line.
+/// The displacement of a target in space per change of the zero line's elevation.
 struct PerElevation {
   double y = 0, z = 0;  ///< mm per rad
 

@@ -12,8 +12,8 @@
 
 namespace alidade {
 
-// The equations behind `fitJointly`, visit by visit. Holds linear algebra types, so only this folder includes
-// it.
+// The equations behind `fitJointly`, visit by visit. Holds linear algebra types, so only .cpp files of
+// `core/adjustment` include it.
 
 /// The quantities on which one visit's readings depend: x, y, R, errors of both zeros, zero of the slider, L,
 /// then φ, then the error terms.
@@ -81,7 +81,7 @@ class JointProblem {
   VisitEquations equationsOf(const JointState& state, std::size_t visit) const;
   /// Returns the equations of every visit.
   std::vector<VisitEquations> equationsOf(const JointState& state) const;
-  /// Visits the equations one after the other, in memory for one.
+  /// Calls `take` with the equations of each visit in turn, in memory for one.
   void eachVisit(const JointState& state,
                  const std::function<void(std::size_t visit, const VisitEquations&)>& take) const;
   /// `used`: a discarded system whose memory the new one reuses.

@@ -17,7 +17,7 @@ using Eigen::Index;
 /// A σ below this counts as exact in any unit, as its squared weight would not be finite.
 constexpr double asGoodAsZero = 1e-100;
 
-/// The options of the fit with the missing `terms` added at zero and, without a jump, one before every row.
+/// The options of the fit with missing `terms` added at zero; a missing jump is added before every row.
 JointFitOptions withTerms(JointFitOptions options, const std::vector<ErrorTerm>& terms,
                           const Measurement& measurement) {
   for (const ErrorTerm term : terms)

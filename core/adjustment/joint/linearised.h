@@ -12,8 +12,8 @@
 
 namespace alidade {
 
-// The equations of a finished adjustment at its solution. They predict how the readings change without a new
-// fit: for small changes of the unknowns, of the pointing zeros, and of every error term of the forward
+// The equations of a finished adjustment at its solution. Without a new fit, they predict how the readings
+// change with small changes of the unknowns, of the pointing zeros, and of every error term of the forward
 // model, whether or not the fit estimated it.
 
 /// One circle or slider reading, as in `JointFit::readings`. Millions are stored: `limits::mostRows` rows fit

@@ -7,11 +7,11 @@
 namespace alidade {
 
 /// The test that names a misread reading (`searchGrossErrors`): t is the shift that would explain its misfit
-/// divided by the shift's σ, scaled by all other readings. For a sound reading t has Student's distribution.
+/// divided by the shift's σ, scaled by the others' scatter. For a sound reading t has Student's distribution.
 struct ReadingTest {
   static constexpr double usualRisk = 0.01;
-  /// Below this redundancy a reading is not tested: its shift is undetermined. A visit's other readings also
-  /// show its error.
+  /// Below this redundancy a reading is not tested: its shift is undetermined. Its error also shows in the
+  /// other readings of its visit.
   static constexpr double leastRedundancy = 1e-4;
 
   double risk = usualRisk;   ///< of naming any reading of a sound session, in (0, 1)
@@ -23,8 +23,8 @@ struct ReadingTest {
   double criticalValue() const;
   /// The shift, in its own σ, that is named with probability `power` in (0.5, 1): the δ at which a noncentral
   /// t exceeds the critical value c. After M. Abramowitz, I. A. Stegun, Handbook of Mathematical Functions
-  /// (1964), 26.7.10: δ = c (1 − 1/(4f)) + z √(1 + c²/(2f)), z the normal quantile. At 80 % power too large
-  /// by 5 % if f is 1, 2 % if it is 2, below 1 % from 4 on and 0.04 % at 27.
+  /// (1964), 26.7.10: δ = c (1 − 1/(4f)) + z √(1 + c²/(2f)), z the normal quantile. At 80 % power the result
+  /// is too large by 5 % if f is 1, 2 % if it is 2, below 1 % from 4 on and 0.04 % at 27.
   double detectableShift(double power) const;
 };
 

@@ -26,7 +26,7 @@ Differences differencesOf(const Measurement& measurement) {
   return greatest;
 }
 
-/// A zero of which only the direction is known is sighted once, just before its rows.
+/// A zero of which only the direction is known counts as sighted once, just before its rows.
 std::vector<SightedZero> sightingsOf(const Measurement& measurement, std::size_t index) {
   const ArcMeasurement& arc = measurement.arcs[index];
   const bool isElsewhere =

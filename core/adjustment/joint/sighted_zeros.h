@@ -15,13 +15,13 @@ namespace alidade {
 //
 // with M and e0 unknown: common to all positions, or one for each position if its zero is not a common mark.
 
-/// Do the zeros sight one mark? As stated; if unstated, yes, unless all zeros are written identically and may
-/// be a single sighting. Directions of circles that were reset, which differ by more than a degree, are
-/// unrelated.
+/// Do the zeros sight one mark? The session may state it. Otherwise they do, unless all are written
+/// identically and may be a single sighting. A circle whose zeros differ by more than 1° was reset,
+/// and has no common zero.
 CommonZeros commonZeros(const Measurement& measurement);
 
-/// Do zeros whose mark is unstated differ by more than 30″ in either circle? They may then be different
-/// marks.
+/// Do zeros whose mark is unstated differ by more than 30″, and at most 1°, in either circle? They may then
+/// be different marks.
 bool areZerosInDoubt(const Measurement& measurement);
 
 /// The measurement with every sighting of a zero after the rows of its arc (`Sighting::isZero`). If the zeros
@@ -32,8 +32,8 @@ Measurement withZerosSighted(Measurement measurement);
 void leaveOutZeros(Measurement& measurement);
 void putInZeros(Measurement& measurement);
 
-/// The stated σ of a reading of either circle, or of one sighting of a zero. That of a zero is never 0; the
-/// model must explain larger differences between its sightings.
+/// The stated σ of a reading of either circle, or of one sighting of a zero. That of a zero is at least 1e-9
+/// rad, as a smaller σ would outweigh all other observations.
 Angle sigmaOf(const Measurement& measurement, const Sighting& sighting, bool isVertical);
 /// The same for any reading, including the slider's.
 Angle sigmaOf(const Measurement& measurement, const ReadingRef& reading);

@@ -18,7 +18,7 @@
 //   δ ← δ + N⁻¹ [(J + H δ)ᵀ (r + w − J δ − ½ δᵀ H δ) − prior terms],
 //
 // with arc angles eliminated visit by visit. The first step is the linear propagation, the second includes
-// all of second order; further ones follow until nothing changes. Draws are processed together.
+// all of second order; further ones follow until they are negligible. Eight draws are processed together.
 
 namespace alidade {
 
@@ -80,7 +80,7 @@ class ExpandedModel {
   /// The estimated unknown of each slot of an arc; −1 for L and φ, and for an absent slider.
   const std::vector<int>& unknownsOf(std::size_t arc) const { return m_unknowns[arc]; }
   const double* numbers(std::size_t first) const { return &m_numbers[first]; }
-  /// 1/σ² of the prior of an unknown, and its distance from the fit.
+  /// 1/σ² of the prior of an unknown, and the fitted value minus the prior value.
   double priorWeight(std::size_t unknown) const { return m_priorWeights[unknown]; }
   double beyondPrior(std::size_t unknown) const { return m_state.unknowns[static_cast<Index>(unknown)]; }
 
@@ -219,8 +219,8 @@ class ExpandedModel {
 
 namespace {
 
-/// One visit's equations at δ: adds (J + Hδ)ᵀ v over its slots; the first time, for a δ that contains only L,
-/// without H.
+/// Adds (J + Hδ)ᵀ v of one visit over its slots, where v are its residuals at δ. The first time, δ contains
+/// only L and H is omitted.
 ALIDADE_WIDE void addGradient(const ExpandedModel& model, const VisitBlock& visit, const EightKept* normals,
                               const EightKept& scale, const EightKept* delta, bool isFirst,
                               EightKept* gradient) {

@@ -106,7 +106,7 @@ void inParallel(unsigned threads, std::size_t count, const MakeWork& makeWork) {
   inThreads(threads, run);
 }
 
-/// Makes draws `first` … `end` − 1 on all threads and appends them by number. False if it was stopped.
+/// Makes draws `first` … `end` − 1 on all threads and appends them in this order. False if it was stopped.
 bool drawAll(Columns& columns, std::size_t first, std::size_t end, const RefitTask& task,
              const Refits& refits, const MonteCarloOptions& options, const std::stop_token& stop) {
   constexpr std::size_t batch = 256;

@@ -19,10 +19,10 @@ namespace alidade {
 // thousandth of σ; else the general fits. The fast refits therefore agree with the general ones to that
 // accuracy.
 //
-// Zeros, distance and radius are normal with their stated σ. Readings, and the priors of estimated effects,
-// are normal with σ scaled by s0 as in the budget; if s0 has f degrees of freedom the whole draw is divided
-// by √(χ²_f/f), which makes them Student with f (JCGM 101, 6.4.9). So σ exceeds the budget's by up to √(f/(f
-// − 2)), for which k compensates in the budget.
+// Zeros, distance, radius and the priors of estimated effects are normal with their stated σ. Readings, and
+// zeros that scatter like them, are normal with σ scaled by s0 as in the budget. If s0 has f degrees of
+// freedom, each draw divides s0 by √(χ²_f/f), which makes them Student with f (JCGM 101, 6.4.9). So σ exceeds
+// the budget's by up to √(f/(f − 2)), for which k compensates in the budget.
 
 /// Maximum number of draws if their number is unspecified: some 200 MB of memory.
 inline constexpr std::size_t mostDrawsLeftOpen = 5'000'000;
@@ -45,7 +45,7 @@ struct Spread {
 
 /// Does the linear budget hold (clause 8)?
 enum class LinearPropagation {
-  Validated,  ///< both ends of y ± U lie within the numerical tolerance of the interval's
+  Validated,  ///< both ends of y ± U are within the numerical tolerance of the interval's ends
   Refuted,    ///< one of them deviates by more than chance in the draws explains
   Undecided,  ///< too few draws to decide; only if their number was specified
 };
@@ -57,7 +57,7 @@ struct CentreSpread {
 
 struct MonteCarlo {
   std::size_t draws = 0;   ///< with a result
-  std::size_t failed = 0;  ///< left out, as the fit did not settle or the readings determined no circle
+  std::size_t failed = 0;  ///< left out, as the fit did not converge or the readings determined no circle
   std::uint64_t seed = 0;
   double coverage = 0.95;             ///< of the intervals
   std::vector<CentreSpread> centres;  ///< one for each axis

@@ -23,7 +23,7 @@ struct RefitTask {
   std::size_t centres() const { return 2 * fitted.arcs.size(); }
 };
 
-/// Value of a centre whose fit did not settle or is undetermined.
+/// Value of a centre whose fit did not converge or is undetermined.
 inline constexpr double missingCentre = std::numeric_limits<double>::quiet_NaN();
 
 /// A refit for one thread: it owns its working memory.
@@ -35,15 +35,15 @@ class Refit {
   virtual void refit(std::span<const Draw> draws, std::span<double> centres) = 0;
 };
 
-/// Can each arc be fitted alone? One instrument without effects, free radii, no slider, each axis measured
-/// once.
+/// Can each arc be fitted alone? True if the model has no effects and free radii, no slider was read, no axis
+/// repeated, and the kernels are exact.
 bool haveNothingInCommon(const Measurement& fitted);
 
 /// Uses the fits of the session itself. Slow, and valid for any draw.
 std::unique_ptr<Refit> generalRefit(const RefitTask& task);
 
 /// Uses `fitArcsFast`, with a lane for each draw, if the arcs are independent (`haveNothingInCommon`) and
-/// every visit of an arc has equally many rows. Otherwise null. Draws that it refuses go to `generalRefit`.
+/// every visit of an arc has equally many rows. Otherwise null. Draws that are refused go to `generalRefit`.
 std::unique_ptr<Refit> arcsRefit(const RefitTask& task);
 
 /// The forward model to second order about the fit (expanded_refit.cpp). Null if there are so many readings

@@ -8,19 +8,19 @@
 
 namespace alidade {
 
-// Nonlinear least squares: minimise χ² = Σ (v/σ)² over some unknowns, from a start. Gauss-Newton steps with
-// the diagonal of the normal matrix N damped, times 1 + damping, so that units do not matter. A step that
-// does not raise χ² is taken and the next is damped ten times less; otherwise it is repeated, damped ten
-// times more.
+// Nonlinear least squares: minimise χ² = Σ (v/σ)² over some unknowns, from a start. A Gauss-Newton step is
+// damped: the diagonal of the normal matrix N is multiplied by 1 + damping, so that units do not matter. If
+// the step does not raise χ², it is taken and the next damping is ten times less; otherwise the step is
+// repeated with ten times the damping.
 //
 // One number measures the distance from the minimum, with g = −½ ∂χ²/∂unknowns the right side of the normal
 // equations:
 //
 //   λ = √(gᵀ N⁻¹ g)
 //
-// is the length of the undamped step in standard deviations of the result, and that of the gradient in the
-// same measure. λ² is the possible decrease of χ². Solvers that ignore the σ of their readings need three
-// tolerances instead, for step, gradient and cost.
+// is the length of the undamped step in standard deviations of the result, and so measures step and gradient.
+// λ² is the possible decrease of χ². Solvers that ignore the σ of their readings need three tolerances
+// instead, for step, gradient and cost.
 //
 // Source: D. W. Marquardt, "An algorithm for least-squares estimation of nonlinear parameters", J. SIAM 11
 // (1963).
@@ -28,9 +28,9 @@ namespace alidade {
 struct LeastSquaresOptions {
   int maximumIterations = 100;  ///< rejected steps counted
   double tolerance = 1e-9;      ///< converged if λ < tolerance
-  /// … and λ < confirmation one step before. For equations that defer a part to the next step, such as arc
-  /// angles that follow from their linear equations: their λ can be small by chance. Infinite: λ is reliable,
-  /// even at the start.
+  /// Converged only if also λ < confirmation one step before. If equations defer a part to the next step, as
+  /// linear equations of the arc angles do, λ can be small by chance. Infinite: λ is reliable, even at the
+  /// start.
   double confirmation = std::numeric_limits<double>::infinity();
   double firstDamping = 1e-6;    ///< > 0
   double largestDamping = 1e12;  ///< no descent once damping reaches it

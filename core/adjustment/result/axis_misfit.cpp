@@ -20,7 +20,7 @@ AxisMisfit misfitAt(const SessionFit& fit, int axisDeg) {
   }
   if (misfit.sightings > 0) misfit.residualRms = std::sqrt(squares / static_cast<double>(misfit.sightings));
   if (arcs < 2) return misfit;
-  // Unknowns shared by several arcs count for none of them.
+  // The arcs' own degrees of freedom do not yet subtract the unknowns that several arcs share.
   for (std::size_t i = 0; i < fit.joint.unknowns.size(); ++i) {
     const Unknown& unknown = fit.joint.unknowns[i];
     if (unknown.isOfAxis() && unknown.arc == first && std::isinf(fit.joint.priorSigmas[i]))

@@ -13,8 +13,8 @@ namespace alidade {
 
 // Conditions on the two positions that hold for any intersection: a rigid arc keeps its radius, and half a
 // turn about an axis along x keeps x. The fit leaves both free, so violations do not appear in residuals. If
-// R0 or the intersection itself is known with its σ, the fit must also agree with that, and positions of one
-// axis with each other.
+// R0 or Δd is known with its σ, the fit must also agree with the known value. Repeats must agree with the
+// first position at their axis.
 
 /// The misclosure of one such condition.
 struct Closure {
@@ -68,8 +68,8 @@ std::optional<JointFit> fitApart(const Measurement& measurement, const std::vect
 /// are free. `apart`: from `fitApart` of `measurement`.
 std::vector<Closure> repeatsOf(const Measurement& measurement, const JointFit& apart);
 
-/// Differences between zeros of one mark (`commonZeros`) beyond the effect of the error terms of `fit` on the
-/// orientation between them, in the order taken. `options`: of `fit`; σ is √2 σ of a zero, independent of the
+/// Differences between zeros of one mark (`commonZeros`), in the order taken, minus the change of the
+/// orientation by the error terms of `fit`. `options`: of `fit`; σ is √2 σ of a zero, independent of the
 /// scatter of readings.
 std::vector<Closure> zeroClosuresOf(const Measurement& measurement, const JointFit& fit,
                                     const JointFitOptions& options);

@@ -36,13 +36,13 @@ struct ExpectedReading {
 
 /// Absent if the place cannot be predicted or the position has no pointing zero. A place cannot be predicted
 /// if the point has no reading anywhere, and there are fewer than three points or coordinates not evenly
-/// spaced by number. Points beyond the known ones by more than half their length are not extrapolated.
+/// spaced by number. Points are extrapolated by at most half the range of the known point numbers.
 std::optional<ExpectedReading> expectedReading(const Measurement& measurement, const SessionFit& fit,
                                                const SightingToCome& sighting);
 
 /// Returns the expected reading of each sighting, with the places of the points computed once. A place in
 /// `nominal` has the coordinate of the slider's earlier visit. Without one it has the nominal coordinate,
-/// corrected for the scale error of the slider so far.
+/// corrected by the slider's mean offset so far.
 std::vector<std::optional<ExpectedReading>> expectedReadings(const Measurement& measurement,
                                                              const SessionFit& fit,
                                                              const std::vector<SightingToCome>& sightings,

@@ -79,7 +79,7 @@ struct SlidersDiffer {
 struct ZerosAlike {
   std::size_t positions = 2;
 };
-/// The zeros differ by more than two sightings of one mark; the session does not state what they sight.
+/// The zeros differ by more than two sightings of one mark would; the session does not state what they sight.
 struct ZerosDiffer {
   Angle horizontal, vertical;  ///< the greatest difference from the first
 };
@@ -138,7 +138,7 @@ struct KnownOfNothing {
 };
 /// Rows differ in the corrections of the instrument, or only some state them; so they are ignored.
 struct CorrectionsDiffer {
-  std::vector<std::string> switches;  ///< their switches in a row
+  std::vector<std::string> switches;  ///< keys of their switches in a row
 };
 /// There are tilts, but no row states whether the instrument has corrected for them.
 struct TiltsUnused {};

@@ -12,7 +12,7 @@ namespace alidade {
 struct InputReliability {
   Unknown input;          ///< `arc` of a zero is an index into the fitted arcs
   double sigma = 0;       ///< stated, rad or mm; may be 0
-  double redundancy = 0;  ///< share of its error that shows against its own σ, 0…1; 0: unchecked
+  double redundancy = 0;  ///< share of its error that the readings show, 0…1; 0: unchecked
   double perInput = 0;    ///< ∂Δd/∂value as entered, mm per rad or per mm; 0 without an intersection
 };
 

@@ -134,7 +134,7 @@ std::optional<std::size_t> arcAt(const Measurement& measurement, int axisDeg) {
 NoiseScale noiseScale(double chiSquare, int degreesOfFreedom) {
   constexpr double known = std::numeric_limits<double>::infinity();
   const NoiseScale asRead{std::sqrt(chiSquare / degreesOfFreedom), static_cast<double>(degreesOfFreedom)};
-  // The median of χ² is below its mean f: above that it is not improbably small.
+  // The median of χ² is below its mean f: above f it is not improbably small.
   if (degreesOfFreedom > 0 && chiSquare >= degreesOfFreedom) return asRead;
   const std::optional<double> tail = chiSquareUpperTail(chiSquare, degreesOfFreedom);
   if (!tail || 1 - *tail < improbablySmall) return {1, known};

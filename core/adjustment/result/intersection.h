@@ -18,8 +18,8 @@ struct NoiseScale {
   double degreesOfFreedom = 0;  ///< f of the factor; infinite if the stated noise is known
 };
 
-/// The stated noise counts as known, with factor 1, if there is no redundancy or χ² is unknown. So too if the
-/// scatter is below its 0.1 % point, which indicates dependent readings rather than precision.
+/// The stated noise counts as known, with factor 1, if there is no redundancy or χ² is unknown. The same
+/// holds if χ² is below its 0.1 % point, which indicates dependent readings rather than precision.
 NoiseScale noiseScale(const JointFit& fit);
 NoiseScale noiseScale(double chiSquare, int degreesOfFreedom);
 
@@ -64,8 +64,8 @@ double scaledPart(std::span<const BudgetEntry> budget);
 /// Standard uncertainties of one arc's quantities, mm, and how the centre depends on the radius.
 struct ArcSigma {
   double x = 0, y = 0, radius = 0;
-  /// Correlation of R with x and with y, −1…1. On half an arc a radius error of its σ shifts the centre's
-  /// height by this share of that height's σ. 0 if R is exact.
+  /// Correlation of R with x and with y, −1…1. If R is wrong by its σ, the coordinate is on average wrong by
+  /// this share of its own σ. 0 if R is exact.
   double radiusX = 0, radiusY = 0;
 };
 

@@ -137,7 +137,7 @@ std::vector<std::pair<std::size_t, std::size_t>> repeatedRows(const Measurement&
   const double chance = chanceOfBeingAlike(gridA, ratio * measurement.sigmaHorizontal.radians()) *
                         chanceOfBeingAlike(gridE, ratio * measurement.sigmaVertical.radians());
   const bool tellsOfOne = ofOnePlace > 0 && isTooMany(ofOnePlace, chance * pairsOfOnePlace(arc));
-  // Probability for two nearby places, which may be one place with two numbers.
+  // Probability that rows of two nearby places are equal; the two may be one place with two numbers.
   const double share = std::max(chance, 1 / ((2 * nearSteps + 1) * (2 * nearSteps + 1)));
   const bool tellsOfTwo =
       ofTwo > 0 && isTooMany(ofTwo, nearPairsOfTwoPlaces(arc, gridA, gridE) * share / (1 - share));

@@ -43,8 +43,8 @@ void judgeClosure(std::vector<FitFinding>& findings, const SessionFit& fit, Unkn
   findings.push_back({Severity::Warning, {}, Finding{difference, bound}});
 }
 
-/// The readings also determine the radius. Their value without R0 differs from the fitted radius as R0 does,
-/// in proportion to the weights: R0 − R has the variance σ0² − σ_R² if both agree with their σ.
+/// The readings alone also determine a radius. The fitted R is its weighted mean with R0, so R0 − R has the
+/// variance σ0² − σ_R² if both are right within their σ.
 void judgeKnownRadius(std::vector<FitFinding>& findings, const Measurement& measurement,
                       const SessionFit& fit) {
   if (measurement.radiusModel != RadiusModel::Known || fit.arcs.empty()) return;

@@ -153,7 +153,7 @@ SessionFit fitSession(const Measurement& measurement) {
     if (!part && fit.arcs.size() < measurement.arcs.size()) part = fittedPart(measurement, fit);
     return part ? *part : measurement;
   };
-  fit.lengthsInDoubt = doubtfulLengths(measurement, fit.arcs);  // while every radius is free
+  fit.lengthsInDoubt = doubtfulLengths(measurement, fit.arcs);  // every radius is still free
   if (!fit.arcs.empty() && !adjust(fit, fitted())) {
     fit.findings.push_back(
         {Severity::Error, {}, session_finding::Undetermined{!knownEffects(measurement).empty()}});

@@ -30,7 +30,7 @@ std::optional<FaceDifference> differenceOf(const Measurement& measurement, std::
   return difference;
 }
 
-/// w = c + i·s with the weights p.
+/// Sums for the straight line w = c + i·s with the weights p.
 struct LineSums {
   double p = 0, ps = 0, pss = 0, pw = 0, psw = 0;
 

@@ -17,7 +17,7 @@ namespace alidade {
 //   j = (β1 + β2 − 360°)/2, elevation circle (… − 180°)/2
 //
 // with the collimation c and the trunnion axis tilt i of face 1 (δα = +c/cos e + i·tan e, in face 2 the
-// opposite) and the index error j. The vertical circle reads j too much in both faces. So 2c·cos e/2 = c +
+// opposite) and the index error j. The vertical circle reads j too much in both faces. So 2c(e)·cos e/2 = c +
 // i·sin e is a straight line in sin e, fitted by least squares with the weights of the horizontal circle. The
 // index is a mean. Zeros, drift and a tilted vertical axis are equal in both faces and cancel. Terms that c
 // and i omit are of third order, below 1e-4″ up to 500″. Source: any textbook of surveying on the errors of
@@ -50,8 +50,8 @@ struct FaceScatter {
 struct TwoFaces {
   std::vector<FaceDifference> visits;  ///< in the order of arcs and visits
   InstrumentError collimation;         ///< c
-  /// i; absent, and c a mean, if there are fewer than three visits or too little spread of elevation (sin e
-  /// within 0.001 rms) to separate it from c.
+  /// i. Absent if there are fewer than three visits, or if elevations spread too little to separate i from c
+  /// (sin e within 0.001 rms); c is then a mean.
   std::optional<InstrumentError> trunnionTilt;
   InstrumentError index;  ///< j
   FaceScatter horizontal, vertical;

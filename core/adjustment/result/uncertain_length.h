@@ -2,7 +2,7 @@
 
 namespace alidade {
 
-/// A vector in a plane, mm, whose components are uncertain, mm².
+/// A vector in a plane, mm, with the variances and covariance of its components, mm².
 struct UncertainVector {
   double x = 0, y = 0;
   double varianceX = 0, varianceY = 0, covariance = 0;
