@@ -62,8 +62,9 @@ std::size_t namedIn(const std::vector<WatchedRuns>& runs) {
 }
 
 Json runJson(const WatchedRun& run) {
-  return {{"named", run.named},         {"also_named", run.alsoNamed}, {"right", run.isRight},
-          {"sightings", run.sightings}, {"minutes", run.minutes},      {"log_evidence", run.most}};
+  return {{"named", run.named},      {"also_named", run.alsoNamed}, {"right", run.isRight},
+          {"wrong", run.isWrong},    {"sightings", run.sightings},  {"minutes", run.minutes},
+          {"log_evidence", run.most}};
 }
 
 }  // namespace

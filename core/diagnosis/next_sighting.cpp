@@ -120,45 +120,60 @@ bool leavesOnlyNoise(const WeighedCauses& causes, const Weighed& cause) {
   return chiSquareUpperTail(causes.chiSquareAfter(cause), DegreesOfFreedom(left)).value_or(1) > noMore;
 }
 
-/// The most probable hypothesis; in place of larger noise the most probable cause, if there is one.
-const Weighed& likeliestCause(const WeighedCauses& causes) {
-  const Weighed& first = causes.all().front();
-  if (first.cause != noiseId) return first;
-  const auto next = std::ranges::find_if(causes.all(), isCause);
-  return next == causes.all().end() ? first : *next;
+/// The most probable cause that is no form; null without one.
+const Weighed* likeliestCause(const WeighedCauses& causes) {
+  const auto found = std::ranges::find_if(
+      causes.all(), [](const Weighed& cause) { return isCause(cause) && cause.cause != formId; });
+  return found == causes.all().end() ? nullptr : &*found;
 }
 
-/// Names the group of a cause that is certain, and that of a second one that is certain beside it. Larger
-/// noise is never named: an uncatalogued effect may look the same.
-void nameWith(SessionSoFar& state, std::vector<std::string> group, const WeighedCauses& causes,
-              const WeighedCauses& further, const SightingEquations& beside) {
-  // With less evidence left for a further cause, the sightings of one cause rise steeply.
-  constexpr double leastLeft = 0.6;
-  state.isAlone = further.logEvidence() <= std::log(leastLeft);
-  if (const Weighed& second = further.all().front();
-      isCause(second) && further.logEvidence() >= state.logEvidenceNeeded && leavesOnlyNoise(further, second))
-    state.alsoNamed = inseparableFrom(second, beside);
-  if (!isCertain(state.alsoNamed, state.further)) state.alsoNamed.clear();
-  if (!state.alsoNamed.empty() || leavesOnlyNoise(causes, likeliestCause(causes)))
-    state.named = std::move(group);
+/// The group of a second cause that is certain beside the first, if the first is certain beside it, too:
+/// otherwise it may only mimic two others. Empty without such a cause. A form is none: beside a form, what
+/// the grid of forms misses would be the first cause.
+std::vector<std::string> secondGroup(const SessionSoFar& state, const WeighedCauses& causes,
+                                     const WeighedCauses& further, const SightingEquations& beside,
+                                     const SightingEquations& equations) {
+  const Weighed& second = further.all().front();
+  if (!isCause(second) || second.cause == formId || further.logEvidence() < state.logEvidenceNeeded ||
+      !leavesOnlyNoise(further, second))
+    return {};
+  std::vector<std::string> group = inseparableFrom(second, beside);
+  if (!isCertain(group, state.further)) return {};
+  const auto alone = std::ranges::find(causes.all(), second.cause, &Weighed::cause);
+  if (alone == causes.all().end() || group == state.certain) return group;
+  const SightingEquations turned = withCause(equations, *alone, group);
+  if (!isCertain(state.certain, listOf(WeighedCauses(turned)))) group.clear();
+  return group;
 }
 
-/// Weighs what may be beside the likeliest cause, if that one is certain and of the catalogue. Returns
-/// whether it did, with the sightings ranked.
+/// Weighs what may be beside the likeliest cause, which is no form: what the grid of forms misses looks like
+/// a second cause. Names one or both if that cause is certain, and returns whether it is. Larger noise is
+/// never named: an uncatalogued effect may look the same.
 bool weighFurther(SessionSoFar& state, const WeighedCauses& causes, const SightingEquations& equations,
                   const auto& rank) {
-  const Weighed& first = likeliestCause(causes);
-  if (!isCause(first) || first.cause == formId || !isEvident(state)) return false;
-  std::vector<std::string> group = inseparableFrom(first, equations);
-  const SightingEquations beside = withCause(equations, first, group);
+  // With less evidence left for a further cause, the sightings of one cause rise steeply.
+  constexpr double leastLeft = 0.6;
+  const Weighed* first = likeliestCause(causes);
+  if (!first || !isEvident(state)) return false;
+  std::vector<std::string> group = inseparableFrom(*first, equations);
+  const SightingEquations beside = withCause(equations, *first, group);
   const WeighedCauses further(beside);
-  std::vector<WeighedCause> extended = listOf(causes, first, further);
-  if (!isCertain(group, extended)) return false;
-  state.causes = std::move(extended);
+  state.causes = listOf(causes, *first, further);
+  if (!isCertain(group, state.causes)) return false;
+  state.certain = std::move(group);
   state.further = listOf(further);
-  nameWith(state, std::move(group), causes, further, beside);
+  state.isAlone = further.logEvidence() <= std::log(leastLeft);
+  state.alsoNamed = secondGroup(state, causes, further, beside, equations);
+  if (!state.alsoNamed.empty() || leavesOnlyNoise(causes, *first)) state.named = state.certain;
   rank(beside.possible, further);
   return true;
+}
+
+/// Whether a form is certain, though a cause with a further one beside it was weighed, too.
+bool isFormCertain(const SessionSoFar& state, const WeighedCauses& causes) {
+  const auto form = std::ranges::find(causes.all(), formId, &Weighed::cause);
+  return form != causes.all().end() && isEvident(state) && isCertain({formId}, state.causes) &&
+         leavesOnlyNoise(causes, *form);
 }
 
 bool isAnyWorthIt(const std::vector<NextSighting>& ranked) {
@@ -198,10 +213,7 @@ std::optional<SessionSoFar> sessionSoFar(const Measurement& measurement, const S
     if (ranks) state.ranked = ranked(session, rows, equations, weighed, every);
   };
   if (!weighFurther(state, causes, equations, rank)) {
-    const Weighed& first = causes.all().front();
-    if (first.cause == formId && isEvident(state) && isCertain({formId}, state.causes) &&
-        leavesOnlyNoise(causes, first))
-      state.named = {formId};
+    if (isFormCertain(state, causes)) state.named = {formId};
     rank(equations.possible, causes);
   }
   state.enough = enoughOf(state, measurement, ranks);

@@ -13,7 +13,8 @@ namespace alidade {
 // Ranks the next sightings by their value per minute, and decides whether the sightings so far are enough.
 //
 // The hypotheses: no cause, one effect of the catalogue, a form of an uncatalogued effect, a jump, a wrong
-// zero, a gross error, larger noise. Once a cause of the catalogue is certain, they are the same beside it.
+// zero, a gross error, larger noise. Once one that is no form and not noise is certain, the others are
+// weighed beside it; of jumps and wrong zeros there is one at most.
 // Each predicts the next reading by a normal distribution, given the readings so far and all unknowns. A
 // sighting is worth Σ √(wᵢ wⱼ) (1 − BCᵢⱼ) over pairs of hypotheses, plus −ln(U after/U before) of Δd. w are
 // the probabilities, BC is the Bhattacharyya coefficient of the two predictions.
@@ -38,16 +39,17 @@ struct SessionSoFar {
   Enough enough = Enough::No;
   double logEvidence = 0;        ///< ln of the Bayes factor against no cause
   double logEvidenceNeeded = 0;  ///< ln 1/α: from here on some cause is evident
-  /// The most probable first, no cause included; each alone, or with a further one beside it.
+  /// The most probable first, no cause included: each alone, the first also with a further one beside it.
   std::vector<WeighedCause> causes;
-  /// The most probable cause and the causes that no sighting of the plan separates from it. Empty until a
-  /// cause can be named. `formId` is an uncatalogued effect.
+  /// The first cause and the causes that no sighting of the plan separates from it, once they are certain and
+  /// not of a form. Further causes are weighed only then.
+  std::vector<std::string> certain;
+  /// `certain`, once nothing contradicts that name; or `formId`, an uncatalogued effect.
   std::vector<std::string> named;
-  /// What may be the case beside a cause of the catalogue that is certain, the most probable first: an empty
-  /// cause if there is no further one. Empty before.
+  /// What may be beside the first of `certain`, the most probable first; an empty cause: no further one.
   std::vector<WeighedCause> further;
-  std::vector<std::string> alsoNamed;         ///< a second cause, as `named`; empty unless it can be named
-  bool isAlone = true;                        ///< the readings speak against a further cause
+  std::vector<std::string> alsoNamed;  ///< a second cause, as `named`; it has its probability given the first
+  bool isAlone = true;                 ///< the evidence for a further cause has fallen
   std::optional<double> intersection, sigma;  ///< of Δd with every effect possible, mm
   double halfWidth = 0;                       ///< of the range that contains Δd at all times, mm
   bool isWithin = false;                      ///< whether |intersection| is within the tolerance
@@ -61,8 +63,10 @@ inline bool isEnough(const SessionSoFar& state) {
 
 /// Returns the state of a session with at least one sighting. Absent if its readings determine nothing. Jumps
 /// and gross errors are sought among the sightings so far. If there is no cause, the probability of ever
-/// naming one is at most α = 1 %; a named group has a probability of at least 95 %. Without `ranks` no
-/// sighting is ranked, which is faster.
+/// naming one is at most α = 1 %; a named group has a probability of at least 95 %. The evidence for a
+/// further cause has no such α: its prior is centred at the estimate of the first. Without `ranks` no
+/// sighting is ranked, which is faster, and `enough` does not know whether a further sighting is worth its
+/// minutes.
 std::optional<SessionSoFar> sessionSoFar(const Measurement& measurement, const SightingPlan& plan,
                                          bool ranks = true);
 

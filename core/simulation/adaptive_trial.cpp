@@ -53,23 +53,26 @@ std::vector<NextSighting> stepsOf(const Protocol& protocol) {
 /// Reads one session.
 class Run {
  public:
-  Run(const Protocol& protocol, const Truth& truth, std::uint64_t seed)
-      : m_protocol(protocol), m_plan(sightingPlanOf(protocol)), m_session(protocol, truth, seed) {}
+  Run(const Protocol& protocol, const Truth& truth, std::uint64_t seed, bool isWatchedToTheEnd = false)
+      : m_protocol(protocol),
+        m_plan(sightingPlanOf(protocol)),
+        m_session(protocol, truth, seed),
+        m_isWatchedToTheEnd(isWatchedToTheEnd) {}
 
-  WatchedRun inOrder(bool isWatchedToTheEnd = false) {
+  WatchedRun inOrder() {
     for (const NextSighting& step : stepsOf(m_protocol)) {
       take(step, minutesOf(step));
-      if (look(false) && !isWatchedToTheEnd && m_state->enough == Enough::Named) break;
+      if (look(false) && !m_isWatchedToTheEnd && m_state->enough == Enough::Named) break;
     }
     return std::move(m_run);
   }
 
-  WatchedRun byWorth(bool isWatchedToTheEnd = false) {
+  WatchedRun byWorth() {
     const NextSighting first = stepsOf(m_protocol).front();
     take(first, minutesOf(first));
     while (look() && m_session.sightings() < m_plan.rows && !m_state->ranked.empty()) {
-      if (!isWatchedToTheEnd && m_state->enough == Enough::Named && close(first)) break;
-      if (!isWatchedToTheEnd && m_state->enough == Enough::WillNotHelp) break;
+      if (!m_isWatchedToTheEnd && m_state->enough == Enough::Named && close(first)) break;
+      if (!m_isWatchedToTheEnd && m_state->enough == Enough::WillNotHelp) break;
       const NextSighting& next = m_state->ranked.front();
       take(next, next.minutes);
     }
@@ -85,7 +88,7 @@ class Run {
   WatchedRun m_run;
   std::optional<SessionSoFar> m_state;
   std::optional<NextSighting> m_last;
-  bool m_isClosed = false;
+  bool m_isWatchedToTheEnd, m_isClosed = false;
   std::size_t m_turns = 0;
   double m_slowest = 0;
 
@@ -116,7 +119,8 @@ class Run {
     m_slowest = std::max(m_slowest, took.count());
     if (!m_state) return false;
     m_run.most = std::max(m_run.most, m_state->logEvidence);
-    if (!m_state->named.empty()) {
+    // A name may be withdrawn later; in a session with nothing to name, every name counts.
+    if (!m_state->named.empty() || !m_isWatchedToTheEnd) {
       m_run.named = m_state->named;
       m_run.alsoNamed = m_state->alsoNamed;
     }
@@ -138,8 +142,6 @@ class Run {
     m_session.sightZero();
     ++m_run.sightings;
     m_run.minutes += minutesOfPointing;
-    m_run.named.clear();
-    m_run.alsoNamed.clear();
     return look() && m_state->enough == Enough::Named;
   }
 };
@@ -194,9 +196,9 @@ Result<AdaptiveTrials> adaptiveTrials(const AdaptiveTrialOptions& options, const
       withCause[i] = trialOf(i < options.count ? one : i < named ? two : unknown, seed + i, slowest);
     } else if (const auto drawn = drawBlindTrial(none, seed + i)) {
       WatchedRuns& runs = trials.clean[i - sealed];
-      if (options.readsCleanInOrder) runs.ofProtocol = Run(*protocol, drawn->truth, seed + i).inOrder(true);
-      Run chosen(*protocol, drawn->truth, seed + i);
-      runs.byWorth = chosen.byWorth(true);
+      if (options.readsCleanInOrder) runs.ofProtocol = Run(*protocol, drawn->truth, seed + i, true).inOrder();
+      Run chosen(*protocol, drawn->truth, seed + i, true);
+      runs.byWorth = chosen.byWorth();
       slowest = chosen.slowest();
     }
     const std::scoped_lock lock(reporting);

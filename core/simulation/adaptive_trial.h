@@ -35,7 +35,9 @@ struct WatchedRun {
     double expanded = 0;  ///< mm
   };
 
-  std::vector<std::string> named, alsoNamed;  ///< ids of the causes, as in `SessionSoFar`; empty: none
+  /// Ids of the causes as in `SessionSoFar`, named at the end, whether the readings are enough or not. In a
+  /// session watched to its end, named at any time.
+  std::vector<std::string> named, alsoNamed;
   /// Every true cause is named, or a look-alike of it, and nothing else. A form must be named for an
   /// uncatalogued effect. A faint effect may be missed.
   bool isRight = false;

@@ -84,31 +84,47 @@ double probabilityOf(const std::vector<std::string>& group, const std::vector<We
 
 /// "trunnion tilt or vertical index (97 %)".
 std::string groupText(const std::vector<std::string>& group, const std::vector<WeighedCause>& causes) {
-  return Phrase::of("%1 (%2)", causeNames(group, Phrase::of(" or ")),
+  std::vector<std::string> names;
+  for (const std::string& cause : group) names.push_back(nameOf(cause));
+  return Phrase::of("%1 (%2)", listed(names, Phrase::of(" or ")),
                     probabilityText(probabilityOf(group, causes)));
+}
+
+std::string secondSentence(const SessionSoFar& state) {
+  const std::string second = groupText(state.alsoNamed, state.further);
+  if (!isEnough(state))
+    return Phrase::of("Two causes are named, %1 and %2, but Δd needs readings at both positions.",
+                      groupText(state.named, state.causes), second);
+  return state.alsoNamed == state.named ? Phrase::of("Enough: the cause is there twice, %1.", second)
+                                        : Phrase::of("Enough: two causes are named, %1 and %2.",
+                                                     groupText(state.named, state.causes), second);
 }
 
 std::string namedSentence(const SessionSoFar& state) {
   const std::string first = groupText(state.named, state.causes);
-  if (state.named.front() == formId) {
-    const std::string probability = probabilityText(probabilityOf(state.named, state.causes));
-    return isEnough(state)
-               ? Phrase::of("Enough: there is an uncatalogued effect (%1); the diagnosis finds its form.",
-                            probability)
-               : Phrase::of("There is an uncatalogued effect (%1), but Δd needs readings at both positions.",
-                            probability);
-  }
-  if (!state.alsoNamed.empty()) {
-    const std::string second = groupText(state.alsoNamed, state.further);
-    return isEnough(state)
-               ? Phrase::of("Enough: two causes are named, %1 and %2.", first, second)
-               : Phrase::of("Two causes are named, %1 and %2, but Δd needs readings at both positions.",
-                            first, second);
-  }
+  if (state.named.front() == formId)
+    return isEnough(state) ? Phrase::of("Enough: there is %1; the diagnosis finds its form.", first)
+                           : Phrase::of("There is %1, but Δd needs readings at both positions.", first);
+  if (!state.alsoNamed.empty()) return secondSentence(state);
   if (!isEnough(state))
     return Phrase::of("The cause is named, %1, but Δd needs readings at both positions.", first);
+  if (!state.isAlone)
+    return Phrase::of("Enough: the cause is named, %1; these sightings cannot show a further one.", first);
   return Phrase::of("Enough: the cause is named, %1; the Bayes factor for a cause is %2 to 1.", first,
                     evidenceText(state.logEvidence));
+}
+
+/// Of a cause that is certain, but not enough yet.
+std::string evidentSentence(const SessionSoFar& state) {
+  const std::string first = groupText(state.certain, state.causes);
+  if (!state.named.empty())
+    return Phrase::of("Not enough yet: %1 is named, but the readings do not exclude a further cause.", first);
+  constexpr double unlikely = 0.05;
+  return probabilityOf({""}, state.further) < unlikely
+             ? Phrase::of("Not enough yet: %1 is evident, but not alone; no second cause stands out.", first)
+             : Phrase::of(
+                   "Not enough yet: %1 is evident; further readings show whether it is the only cause.",
+                   first);
 }
 
 /// The effects sought that no sighting of this protocol would show.
@@ -138,12 +154,7 @@ std::string enoughSentence(const SessionSoFar& state) {
     case Enough::No:
       break;
   }
-  if (!state.named.empty())
-    return Phrase::of("Not enough yet: %1 is named, but the readings do not exclude a further cause.",
-                      groupText(state.named, state.causes));
-  if (!state.further.empty())
-    return Phrase::of("Not enough yet: %1 is evident; further readings show whether it is the only cause.",
-                      groupText({state.causes.front().cause}, state.causes));
+  if (!state.certain.empty()) return evidentSentence(state);
   if (state.logEvidence < state.logEvidenceNeeded)
     return Phrase::of("Not enough yet: the Bayes factor for a cause is %1 to 1; %2 to 1 is needed.", evidence,
                       evidenceText(state.logEvidenceNeeded));
@@ -162,6 +173,7 @@ Statement sightingChoiceStatement(const SightingChoice& choice, const ProtocolPr
       .title = Phrase::of("Possible explanations"),
       .columns = {{"cause", "", Role::Name}, {"probability", Phrase::of("probability"), Role::Figure}},
       .rows = {}};
+  const SessionSoFar& soFar = choice.soFar;
   const auto add = [&](const std::vector<WeighedCause>& causes, std::size_t most, bool isPart) {
     constexpr double least = 0.01;
     for (std::size_t i = 0; i < std::min(most, causes.size()); ++i)
@@ -172,13 +184,9 @@ Statement sightingChoiceStatement(const SightingChoice& choice, const ProtocolPr
              .isPart = isPart,
              .id = causes[i].cause});
   };
-  // What may be beside a certain cause stands below it.
-  if (choice.soFar.further.empty()) {
-    add(choice.soFar.causes, 4, false);
-  } else {
-    add(choice.soFar.causes, 1, false);
-    add(choice.soFar.further, 3, true);
-  }
+  // What may be beside a certain cause stands below it and its look-alikes.
+  add(soFar.causes, soFar.certain.empty() ? 4 : soFar.certain.size(), false);
+  add(soFar.further, 3, true);
   for (std::string sentence : {nextSentence(choice, progress), alternativesSentence(choice, progress),
                                enoughSentence(choice.soFar), notLookedForSentence(choice.soFar)})
     if (!sentence.empty()) statement.sentences.push_back(std::move(sentence));

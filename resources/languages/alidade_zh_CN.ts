@@ -7203,22 +7203,6 @@ Includes every catalogued effect, limited by these readings or by its plausible 
         <translation>1 000 000 以上</translation>
     </message>
     <message>
-        <source>Not looked for, as this protocol cannot show it: %1.</source>
-        <translation>本测量方案无法显现、因而未作查找的：%1。</translation>
-    </message>
-    <message>
-        <source>Enough for a verdict: whatever effect is there, Δd is within the tolerance.</source>
-        <translation>已足以判定：无论存在何种效应，Δd 都在允差之内。</translation>
-    </message>
-    <message>
-        <source>Enough for a verdict: whatever effect is there, Δd is beyond the tolerance.</source>
-        <translation>已足以判定：无论存在何种效应，Δd 都超出允差。</translation>
-    </message>
-    <message>
-        <source>More of these sightings will not help: none tells causes apart or reduces U.</source>
-        <translation>继续这样照准已无帮助：既不能区分各种原因，也不能减小 U。</translation>
-    </message>
-    <message>
         <source>Not enough yet: the Bayes factor for a cause is %1 to 1; %2 to 1 is needed.</source>
         <translation>尚不足够：有原因相对“无原因”的贝叶斯因子为 %1 : 1，需要 %2 : 1。</translation>
     </message>
@@ -7904,14 +7888,6 @@ Includes every catalogued effect, limited by these readings or by its plausible 
         <translation>%1，另有大于给定的噪声</translation>
     </message>
     <message>
-        <source>Enough: there is an uncatalogued effect (%1); the diagnosis finds its form.</source>
-        <translation>足够：存在目录之外的效应（%1）；其形式由诊断给出。</translation>
-    </message>
-    <message>
-        <source>There is an uncatalogued effect (%1), but Δd needs readings at both positions.</source>
-        <translation>存在目录之外的效应（%1），但 Δd 需要两个位置的读数。</translation>
-    </message>
-    <message>
         <source>alone</source>
         <translation>仅此一项</translation>
     </message>
@@ -7940,14 +7916,6 @@ Includes every catalogued effect, limited by these readings or by its plausible 
         <translation>%1 在所需的 %2 min 内给出的信息最多：可显示是否还有%3。</translation>
     </message>
     <message>
-        <source>Not enough yet: %1 is named, but the readings do not exclude a further cause.</source>
-        <translation>尚不足够：%1 已判明，但读数不能排除另有原因。</translation>
-    </message>
-    <message>
-        <source>Not enough yet: %1 is evident; further readings show whether it is the only cause.</source>
-        <translation>尚不足够：%1 已有明证；进一步的读数将显示它是否为唯一原因。</translation>
-    </message>
-    <message>
         <source>%1 min is no duration of a step of a sighting: type 0 to 1000</source>
         <translation>%1 min 不是照准步骤的时间：请输入 0 至 1000</translation>
     </message>
@@ -7958,6 +7926,50 @@ Includes every catalogued effect, limited by these readings or by its plausible 
     <message>
         <source>Enough: the cause is named, %1; the Bayes factor for a cause is %2 to 1.</source>
         <translation>已足够：原因已判明，为%1；有原因相对“无原因”的贝叶斯因子为 %2 : 1。</translation>
+    </message>
+    <message>
+        <source>Enough: the cause is there twice, %1.</source>
+        <translation>已足够：该原因出现两次，%1。</translation>
+    </message>
+    <message>
+        <source>Enough: there is %1; the diagnosis finds its form.</source>
+        <translation>已足够：存在%1；诊断将求出其形式。</translation>
+    </message>
+    <message>
+        <source>There is %1, but Δd needs readings at both positions.</source>
+        <translation>存在%1，但 Δd 需要两个轴位的读数。</translation>
+    </message>
+    <message>
+        <source>Enough: the cause is named, %1; these sightings cannot show a further one.</source>
+        <translation>已足够：原因已判明，为%1；这些照准不能显示是否另有原因。</translation>
+    </message>
+    <message>
+        <source>Not enough yet: %1 is named, but the readings do not exclude a further cause.</source>
+        <translation>尚不足够：%1 已判明，但读数不能排除另有原因。</translation>
+    </message>
+    <message>
+        <source>Not enough yet: %1 is evident, but not alone; no second cause stands out.</source>
+        <translation>尚不足够：%1 已有明证，但并非唯一原因；没有哪个第二原因突出。</translation>
+    </message>
+    <message>
+        <source>Not enough yet: %1 is evident; further readings show whether it is the only cause.</source>
+        <translation>尚不足够：%1 已有明证；进一步的读数将显示它是否为唯一原因。</translation>
+    </message>
+    <message>
+        <source>Not looked for, as this protocol cannot show it: %1.</source>
+        <translation>本测量方案无法显现、因而未作查找的：%1。</translation>
+    </message>
+    <message>
+        <source>Enough for a verdict: whatever effect is there, Δd is within the tolerance.</source>
+        <translation>已足以判定：无论存在何种效应，Δd 都在允差之内。</translation>
+    </message>
+    <message>
+        <source>Enough for a verdict: whatever effect is there, Δd is beyond the tolerance.</source>
+        <translation>已足以判定：无论存在何种效应，Δd 都超出允差。</translation>
+    </message>
+    <message>
+        <source>More of these sightings will not help: none tells causes apart or reduces U.</source>
+        <translation>继续这样照准已无帮助：既不能区分各种原因，也不能减小 U。</translation>
     </message>
 </context>
 <context>

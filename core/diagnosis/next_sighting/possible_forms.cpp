@@ -34,10 +34,11 @@ class FormList {
 
   std::vector<PossibleForm> m_list;
 
-  /// The prior falls by two bits for each word of the form (`wordsOf`), and is divided by `among`.
+  /// The prior falls by two bits for each word of the form (`wordsOf`), and is divided by `among`. Shape
+  /// numbers are no words here: the forms of a family share its prior.
   void add(Form form, FormFunction function, double among = 1) {
     form.function = function;
-    m_list.push_back({form, std::exp2(-2 * wordsOf(form)) / among});
+    m_list.push_back({form, std::exp2(-2 * (wordsOf(form) - form.count())) / among});
   }
 
   /// `first` is the lowest order that no effect of the catalogue has.

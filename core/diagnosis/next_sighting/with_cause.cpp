@@ -48,7 +48,7 @@ SightingEquations withCause(const SightingEquations& equations, const Weighed& c
   for (SightingRows& rows : result.possible) extend(rows);
   // About the estimate, as wide as the cause is large: the readings decide.
   const VectorXd added = VectorXd::Zero(slope.cols());
-  const double width = std::max(1.0, cause.weights.norm());
+  const double width = std::max(1.0, cause.weights.head(slope.cols()).norm());
   result.priorWeights = below(result.priorWeights, added.array() + 1 / width);
   result.priorResiduals = below(result.priorResiduals, added);
   result.intersection = below(result.intersection, added);

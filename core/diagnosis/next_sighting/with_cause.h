@@ -8,9 +8,10 @@
 
 namespace alidade {
 
-/// The equations if `cause` is present for certain: its size is one more unknown, and the hypotheses are the
-/// further causes beside it. `group` has the causes that no sighting separates from it: they are none.
-/// Another gross error is one.
+/// The equations if `cause` is present for certain: its size is one more unknown, with a prior about its
+/// estimate as wide as that is large, and the hypotheses are further causes beside it. `group` has the causes
+/// that no sighting separates from it: they are left out, as are other jumps and wrong zeros beside one of
+/// them. Another gross error stays.
 SightingEquations withCause(const SightingEquations& equations, const Weighed& cause,
                             const std::vector<std::string>& group);
 

@@ -76,11 +76,12 @@ TEST(NextSighting, NamesTwoCausesThatAreThere) {
   const auto state = sessionSoFar(*session.measurement(), sightingPlanOf(twoFace()));
   ASSERT_TRUE(state);
   EXPECT_EQ(state->enough, Enough::Named);
-  ASSERT_FALSE(state->alsoNamed.empty());
-  std::vector<std::string> both = state->named;
-  both.insert(both.end(), state->alsoNamed.begin(), state->alsoNamed.end());
-  EXPECT_THAT(both, testing::IsSupersetOf({"vertical_index", "collimation"}));
-  EXPECT_EQ(state->further.front().cause, state->alsoNamed.front());
+  const auto holds = [](const std::vector<std::string>& group, const std::string& cause) {
+    return std::ranges::find(group, cause) != group.end();
+  };
+  const std::vector<std::string>&one = state->named, &other = state->alsoNamed;
+  EXPECT_TRUE((holds(one, "vertical_index") && holds(other, "collimation")) ||
+              (holds(one, "collimation") && holds(other, "vertical_index")));
 }
 
 /// Both faces at a few places show the index error, but hardly another effect.
@@ -94,11 +95,8 @@ TEST(NextSighting, IsNotEnoughWhileAFurtherCauseMayHide) {
     ASSERT_TRUE(state);
     EXPECT_TRUE(state->alsoNamed.empty()) << point;
     if (state->named.empty()) continue;
-    double sum = 0;
-    for (const WeighedCause& further : state->further) sum += further.probability;
-    EXPECT_NEAR(sum, 1, 1e-9);
-    wasNamedBefore = wasNamedBefore || state->enough == Enough::No;
-    EXPECT_EQ(state->enough == Enough::Named, state->isAlone) << point;
+    EXPECT_TRUE(state->further.front().cause.empty()) << "most probably there is no further cause";
+    wasNamedBefore = wasNamedBefore || (state->enough == Enough::No && !state->isAlone);
   }
   EXPECT_TRUE(wasNamedBefore) << "named, and yet more sightings are recommended";
 }

@@ -5,9 +5,8 @@
 namespace alidade {
 namespace {
 
-/// Of 120 such truths (seeds from 5000) 5 were named wrongly in the order of the protocol and 1 by worth,
-/// where 112 and 59 were before forms were weighed. Of 24 with these rates, more than 4 are less likely than
-/// 1 %.
+/// Of 120 such truths (seeds from 5120) none was named wrongly in the order of the protocol and 3 by worth,
+/// where 112 and 59 were before forms were weighed. Of 24 at 3 of 120, more than 2 are less likely than 3 %.
 TEST(AdaptiveTrials, SeldomNameAnEffectOfTheCatalogueWhereAnotherIs) {
   const auto trials = adaptiveTrials({.count = 0, .unknown = 24, .clean = 2}, {.protocol = "two-face"}, 5240);
   ASSERT_TRUE(trials);
@@ -19,13 +18,13 @@ TEST(AdaptiveTrials, SeldomNameAnEffectOfTheCatalogueWhereAnotherIs) {
     wrongByWorth += trial.byWorth.isWrong ? 1 : 0;
     rightByWorth += trial.byWorth.isRight ? 1 : 0;
   }
-  EXPECT_LE(wrongInOrder, 4);
+  EXPECT_LE(wrongInOrder, 2);
   EXPECT_LE(wrongByWorth, 2);
   EXPECT_GE(rightByWorth, 20);
 }
 
-/// Of 60 truths of two effects (seeds from 5060) by worth 27 were named rightly, where 2 of 60 were while
-/// only one cause could be named. Of 60 of one effect none got a second name, in either way.
+/// Of 60 truths of two effects (seeds from 5060) 27 were named in full by worth, and none of 120 of one
+/// effect got a second name, in either way.
 TEST(AdaptiveTrials, NameTwoEffectsAndNoSecondWhereThereIsOne) {
   const auto trials = adaptiveTrials({.count = 10, .two = 12}, {.protocol = "two-face"}, 5400);
   ASSERT_TRUE(trials);
@@ -37,10 +36,10 @@ TEST(AdaptiveTrials, NameTwoEffectsAndNoSecondWhereThereIsOne) {
     both += isOfTwo && trial.byWorth.isRight ? 1 : 0;
     for (const WatchedRun* run : {&trial.ofProtocol, &trial.byWorth}) {
       EXPECT_TRUE(isOfTwo || run->alsoNamed.empty()) << trial.truth.id;
-      EXPECT_FALSE(run->isRight && run->isWrong) << trial.truth.id;
+      EXPECT_TRUE(isOfTwo || !run->isWrong) << trial.truth.id;
     }
   }
-  EXPECT_GE(both, 2) << "less likely than 2 % at a rate of 45 %";
+  EXPECT_GE(both, 2) << "fewer are less likely than 1 % at a rate of 45 %";
 }
 
 TEST(AdaptiveTrials, LookAtBothWaysOfACleanSessionToItsEnd) {

@@ -15,7 +15,8 @@ QStringList inTwoLines(const QString& text, const QFont& font, double width, int
   line.setLineWidth(width);
   layout.endLayout();
   const int end = line.textLength();
-  return {text.left(end).trimmed(), shortened(text.mid(end))};
+  const QString first = shortened(text.left(end).trimmed());
+  return end < text.size() ? QStringList{first, shortened(text.mid(end))} : QStringList{first};
 }
 
 }  // namespace alidade::ui

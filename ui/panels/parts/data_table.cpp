@@ -109,16 +109,15 @@ void DataTable::fitCells() {
   constexpr int padding = 14, widest = 340;
   const QScopedValueRollback fitting(m_isFitting, true);
   verticalHeader()->setDefaultSectionSize(fontMetrics().height() + 5);
-  std::vector<int> widths, samples, shown;
+  std::vector<int> widths, titles, samples, shown;
   for (int i = 0; i < m_model.columnCount(); ++i) {
     const DataColumn& column = m_model.columns()[static_cast<std::size_t>(i)];
-    const int sample = std::max(fontMetrics().horizontalAdvance(column.sample),
-                                fontMetrics().horizontalAdvance(column.title));
-    samples.push_back(padding + sample);
+    titles.push_back(padding + fontMetrics().horizontalAdvance(column.title));
+    samples.push_back(std::max(titles.back(), padding + fontMetrics().horizontalAdvance(column.sample)));
     shown.push_back(m_model.rowCount() > 0 ? padding + shownWidth(i) : samples.back());
     widths.push_back(std::min(shown.back(), column.sample.isEmpty() ? padding + widest : samples.back()));
   }
-  for (const std::vector<int>& wanted : {shown, samples}) widen(widths, wanted);
+  for (const std::vector<int>& wanted : {titles, shown, samples}) widen(widths, wanted);
   for (int i = 0; i < m_model.columnCount(); ++i) setColumnWidth(i, widths[static_cast<std::size_t>(i)]);
 }
 

@@ -7,8 +7,8 @@
 
 namespace alidade::ui {
 
-/// One column of computed figures. Texts are made as cells are painted, so a long table costs no more than
-/// the rows in view.
+/// One column of computed figures. Texts are made as cells are painted or the first 200 rows are measured, so
+/// a long table costs no more than a short one.
 struct DataColumn {
   QString title, toolTip;
   QString sample;  ///< a wide text: the column has its width if there is room; empty: that of the cells
@@ -61,8 +61,9 @@ class DataTable : public QTableView {
 
  private:
   int shownWidth(int column) const;
-  /// Sets the width of each column: at least what its cells show, up to its sample; wider cells and samples
-  /// get the room that is left. Called again for another font or width, until the user sets a width.
+  /// Sets the width of each column: at least what its cells show, up to its sample. The room that is left
+  /// goes to titles, then to wider cells, then to samples. Called again for another font or width, until the
+  /// user sets a width.
   void fitCells();
   void widen(std::vector<int>& widths, const std::vector<int>& wanted) const;
   void fitAgain();

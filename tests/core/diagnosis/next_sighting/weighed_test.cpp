@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "core/base/random_source.h"
+#include "core/diagnosis/evidence/bent_fit.h"
 #include "core/diagnosis/next_sighting/with_cause.h"
 #include "core/diagnosis/result/noise_policy.h"
 
@@ -72,15 +73,19 @@ TEST(WeighedCauses, HaveTheOddsOfTheDenseNormalDensities) {
               0.1 * std::exp(logDensity(y, other) - logDensity(y, nothing)), 1e-9);
 }
 
-/// The cause that is there has a size about its estimate, as wide as it is large.
+/// The cause that is there, of 4 and −3 plausible sizes, has a prior about its estimate, as wide as it is
+/// large.
 TEST(WeighedCauses, BesideACauseHaveTheOddsOfTheDenseNormalDensities) {
-  const Case toy(6);
+  Case toy(6);
+  const MatrixXd& columns = toy.equations.taken.causes;
+  toy.equations.residual += columns.leftCols(2) * Eigen::Vector2d(4, -3);
+  toy.one = evenly({4});
   const WeighedCauses causes(toy.equations);
   const Weighed one = of(causes, "one");
+  const double width = one.weights.norm();
+  ASSERT_GT(width, 2);
   const SightingEquations equations = withCause(toy.equations, one, {"one"});
   const WeighedCauses beside(equations);
-  const MatrixXd& columns = toy.equations.taken.causes;
-  const double width = std::max(1.0, one.weights.norm());
   const VectorXd y = toy.equations.residual - columns.leftCols(2) * one.weights;
   const MatrixXd alone = toy.covariance(toy.equations.taken.unknowns) +
                          width * width * columns.leftCols(2) * columns.leftCols(2).transpose();
@@ -90,6 +95,35 @@ TEST(WeighedCauses, BesideACauseHaveTheOddsOfTheDenseNormalDensities) {
   EXPECT_EQ(std::ranges::count(beside.all(), "one", &Weighed::cause), 0);
   EXPECT_NEAR(equations.priorOdds, 0.1 + noise_policy::odds, 1e-12);
   EXPECT_LE(beside.chiSquareAfter(of(beside, "")), causes.chiSquareAfter(one) + 1e-9);
+}
+
+TEST(WeighedCauses, BesideACauseOfFixedSizeHaveNoFurtherUnknown) {
+  Case toy(7);
+  toy.equations.mayBe[1].widths = nullptr;
+  const Weighed fixed = of(WeighedCauses(toy.equations), "other");
+  const SightingEquations beside = withCause(toy.equations, fixed, {"other"});
+  EXPECT_EQ(beside.taken.unknowns.cols(), 2);
+  EXPECT_LT((beside.residual - (toy.equations.residual - toy.equations.taken.causes.col(2))).norm(), 1e-12);
+}
+
+/// The unknowns of a bent cause are its two sizes: their columns are derivatives of its trace.
+TEST(WeighedCauses, BesideABentCauseHaveItsTwoSizesAsUnknowns) {
+  Case toy(8);
+  toy.other = evenly({0.3, 2});
+  RandomSource random(8);
+  toy.equations.taken.causes = drawn(random, 9, 5);
+  toy.equations.possible[0].causes = drawn(random, 2, 5);
+  toy.equations.mayBe = {{"bent", 0, 5, &toy.other, 0.1, true}};
+  const Weighed bent = of(WeighedCauses(toy.equations), "bent");
+  const SightingEquations beside = withCause(toy.equations, bent, {"bent"});
+  ASSERT_EQ(beside.taken.unknowns.cols(), 4);
+  for (const int i : {0, 1}) {
+    constexpr double step = 1e-6;
+    const Eigen::Vector2d at = bent.weights.head<2>(), by = step * Eigen::Vector2d::Unit(i);
+    const VectorXd change =
+        toy.equations.taken.causes * (bentWeights(at + by) - bentWeights(at - by)) / (2 * step);
+    EXPECT_LT((beside.taken.unknowns.col(2 + i) - change).norm(), 1e-8) << i;
+  }
 }
 
 /// The conditional distribution of the next readings, from the joint covariance of all readings.
