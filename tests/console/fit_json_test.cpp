@@ -232,7 +232,7 @@ TEST(FitJson, WithholdsTheVerdictWhereTheLengthsAreOfAnotherUnit) {
                                        session["geometry"]["sigma_distance_mm"] = 0.001;
                                      })));
   EXPECT_EQ(fit["decision"]["verdict"], "undecided");
-  EXPECT_THAT(fit["decision"]["reason"].get<std::string>(), HasSubstr("check the distance L"));
+  EXPECT_THAT(fit["decision"]["reason"].get<std::string>(), HasSubstr("Check the distance L"));
 }
 
 // Two iterations have not converged if the radius still changes by 0.03 mm, as at 180°; a method without

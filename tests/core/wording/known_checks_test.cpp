@@ -73,8 +73,9 @@ TEST(KnownChecks, TellOfTheNumberThatDepartsFarthest) {
                                .value = name[11] == 'y' ? 0.2 : 0.01,
                                .sigma = 0.01,
                                .isSeen = true});
-  EXPECT_NE(staleSentence(diagnosis).find("By what is known beforehand, plane tilt, tilt about y is"),
-            std::string::npos)
+  EXPECT_NE(
+      staleSentence(diagnosis).find("According to what is known beforehand, plane tilt, tilt about y is"),
+      std::string::npos)
       << staleSentence(diagnosis);
 }
 

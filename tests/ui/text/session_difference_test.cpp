@@ -49,7 +49,7 @@ TEST(SessionDifference, NamesWhatIsKnownOtherwise) {
   EXPECT_THAT(toldOf(mine, theirs),
               ElementsAre("known size of collimation: collimation 3.2 u 0.5 arcsec | collimation u 0.5 "
                           "arcsec, check",
-                          "known size of trunnion tilt:  | trunnion_tilt u 1 arcsec"));
+                          "known size of trunnion tilt:  | trunnion tilt u 1 arcsec"));
 }
 
 // An inserted row shifts all following rows; only the inserted one is a difference.
