@@ -1,17 +1,30 @@
 #include "ui/text/journal_text.h"
 
+#include <QCoreApplication>
 #include <QRegularExpression>
 #include <QStringList>
 #include <algorithm>
 
 #include "core/base/place.h"
 #include "core/wording/journal.h"
+#include "ui/document/reading_column.h"
 #include "ui/text/accessible_place.h"
 #include "ui/text/entry_text.h"
 #include "ui/text/list_text.h"
 #include "ui/text/visible_text.h"
 
 namespace alidade::ui {
+
+namespace {
+
+/// The journal says “used” or “excluded” of the use of a row.
+QString rowNoun(const std::string& name) {
+  const RowField* field = rowFieldNamed(name);
+  return field && field->flag ? QCoreApplication::translate("ReadingColumn", infoOf(ReadingColumn::Used).noun)
+                              : rowFieldName(name);
+}
+
+}  // namespace
 
 QString journalPlace(const JournalEntry& entry) {
   static const QRegularExpression pattern(
@@ -22,7 +35,7 @@ QString journalPlace(const JournalEntry& entry) {
   const bool isOfRow = !match.captured(2).isEmpty();
   if (isOfRow) parts.append(accessibleRow(match.captured(2).toULongLong(), entry.point));
   if (const std::string field = match.captured(3).toStdString(); !field.empty())
-    parts.append(isOfRow ? rowFieldName(field) : sessionFieldName(field));
+    parts.append(isOfRow ? rowNoun(field) : sessionFieldName(field));
   return listText(parts);
 }
 
