@@ -84,8 +84,10 @@ std::vector<WeighedCause> listOf(const WeighedCauses& causes) {
   return list;
 }
 
-bool isCause(const Weighed& weighed) {
-  return !weighed.cause.empty() && weighed.cause != noiseId;
+/// Whether it is an effect, a jump or a gross error. A form is weighed alone: beside another cause it takes
+/// up what the grid of forms misses.
+bool mayBeOfTwo(const Weighed& weighed) {
+  return !weighed.cause.empty() && weighed.cause != noiseId && weighed.cause != formId;
 }
 
 /// The probabilities if each cause is there alone, or `first` with any of `further` beside it.
@@ -106,10 +108,7 @@ std::vector<WeighedCause> listOf(const WeighedCauses& causes, const Weighed& fir
 
 bool isCertain(const std::vector<std::string>& group, const std::vector<WeighedCause>& causes) {
   constexpr double certain = 0.95;
-  double probability = 0;
-  for (const WeighedCause& cause : causes)
-    if (std::ranges::find(group, cause.cause) != group.end()) probability += cause.probability;
-  return probability >= certain;
+  return probabilityOf(group, causes) >= certain;
 }
 
 /// Whether the residuals with the cause are no more than noise. The redundancy must suffice for this test.
@@ -120,21 +119,19 @@ bool leavesOnlyNoise(const WeighedCauses& causes, const Weighed& cause) {
   return chiSquareUpperTail(causes.chiSquareAfter(cause), DegreesOfFreedom(left)).value_or(1) > noMore;
 }
 
-/// The most probable cause that is no form; null without one.
-const Weighed* likeliestCause(const WeighedCauses& causes) {
-  const auto found = std::ranges::find_if(
-      causes.all(), [](const Weighed& cause) { return isCause(cause) && cause.cause != formId; });
+/// The most probable cause that may be one of two; null without one.
+const Weighed* likeliestOfTwo(const WeighedCauses& causes) {
+  const auto found = std::ranges::find_if(causes.all(), mayBeOfTwo);
   return found == causes.all().end() ? nullptr : &*found;
 }
 
 /// The group of a second cause that is certain beside the first, if the first is certain beside it, too:
-/// otherwise it may only mimic two others. Empty without such a cause. A form is none: beside a form, what
-/// the grid of forms misses would be the first cause.
+/// otherwise it may only mimic two others. Empty without such a cause.
 std::vector<std::string> secondGroup(const SessionSoFar& state, const WeighedCauses& causes,
                                      const WeighedCauses& further, const SightingEquations& beside,
                                      const SightingEquations& equations) {
   const Weighed& second = further.all().front();
-  if (!isCause(second) || second.cause == formId || further.logEvidence() < state.logEvidenceNeeded ||
+  if (!mayBeOfTwo(second) || further.logEvidence() < state.logEvidenceNeeded ||
       !leavesOnlyNoise(further, second))
     return {};
   std::vector<std::string> group = inseparableFrom(second, beside);
@@ -146,14 +143,13 @@ std::vector<std::string> secondGroup(const SessionSoFar& state, const WeighedCau
   return group;
 }
 
-/// Weighs what may be beside the likeliest cause, which is no form: what the grid of forms misses looks like
-/// a second cause. Names one or both if that cause is certain, and returns whether it is. Larger noise is
-/// never named: an uncatalogued effect may look the same.
+/// Weighs what may be beside the likeliest cause. Names one or both if that cause is certain, and returns
+/// whether it is. Larger noise is never named: an uncatalogued effect may look the same.
 bool weighFurther(SessionSoFar& state, const WeighedCauses& causes, const SightingEquations& equations,
                   const auto& rank) {
   // With less evidence left for a further cause, the sightings of one cause rise steeply.
   constexpr double leastLeft = 0.6;
-  const Weighed* first = likeliestCause(causes);
+  const Weighed* first = likeliestOfTwo(causes);
   if (!first || !isEvident(state)) return false;
   std::vector<std::string> group = inseparableFrom(*first, equations);
   const SightingEquations beside = withCause(equations, *first, group);
@@ -190,6 +186,13 @@ Enough enoughOf(const SessionSoFar& state, const Measurement& measurement, bool 
 }
 
 }  // namespace
+
+double probabilityOf(const std::vector<std::string>& group, const std::vector<WeighedCause>& causes) {
+  double sum = 0;
+  for (const WeighedCause& cause : causes)
+    if (std::ranges::find(group, cause.cause) != group.end()) sum += cause.probability;
+  return sum;
+}
 
 std::optional<SessionSoFar> sessionSoFar(const Measurement& measurement, const SightingPlan& plan,
                                          bool ranks) {

@@ -31,6 +31,9 @@ struct WeighedCause {
   double probability = 0;
 };
 
+/// The probability that one cause of `group` is there.
+double probabilityOf(const std::vector<std::string>& group, const std::vector<WeighedCause>& causes);
+
 /// Why no further sighting is needed.
 enum class Enough { No, Named, VerdictCertain, WillNotHelp };
 

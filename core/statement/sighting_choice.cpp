@@ -75,13 +75,6 @@ std::string evidenceText(double logEvidence) {
   return displayText(evidence, evidence < 10 ? 1 : 0);
 }
 
-double probabilityOf(const std::vector<std::string>& group, const std::vector<WeighedCause>& causes) {
-  double sum = 0;
-  for (const WeighedCause& cause : causes)
-    if (std::ranges::find(group, cause.cause) != group.end()) sum += cause.probability;
-  return sum;
-}
-
 /// "trunnion tilt or vertical index (97 %)".
 std::string groupText(const std::vector<std::string>& group, const std::vector<WeighedCause>& causes) {
   std::vector<std::string> names;

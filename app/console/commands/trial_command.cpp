@@ -107,8 +107,8 @@ void addTrialCommand(CLI::App& app, TrialRequest& request) {
   CLI::Option* adaptive = trial
                               ->add_flag("--adaptive", request.adaptive,
                                          "Read each truth, one effect, twice until its causes are named: in "
-                                         "the order of the protocol, and "
-                                         "each time the sighting that tells most for its minutes")
+                                         "the order of the protocol, and each time the sighting that tells "
+                                         "most for its minutes")
                               ->needs(protocol)
                               ->excludes(series)
                               ->excludes(effects)

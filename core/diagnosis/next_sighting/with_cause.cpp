@@ -47,19 +47,18 @@ SightingEquations withCause(const SightingEquations& equations, const Weighed& c
   extend(result.taken);
   for (SightingRows& rows : result.possible) extend(rows);
   // About the estimate, as wide as the cause is large: the readings decide.
-  const VectorXd added = VectorXd::Zero(slope.cols());
-  const double width = std::max(1.0, cause.weights.head(slope.cols()).norm());
-  result.priorWeights = below(result.priorWeights, added.array() + 1 / width);
-  result.priorResiduals = below(result.priorResiduals, added);
-  result.intersection = below(result.intersection, added);
-  std::erase_if(result.mayBe, [&](const MayBe& other) {
+  const Index added = slope.cols();
+  const double width = std::max(1.0, cause.weights.head(added).norm());
+  result.priorWeights = below(result.priorWeights, VectorXd::Constant(added, 1 / width));
+  result.priorResiduals = below(result.priorResiduals, VectorXd::Zero(added));
+  result.intersection = below(result.intersection, VectorXd::Zero(added));
+  const auto isLeftOut = [&](const MayBe& other) {
     if (other.first == present.first) return true;
     return other.cause != grossErrorId && std::ranges::find(group, other.cause) != group.end();
-  });
-  double gone = 0;
-  for (const MayBe& other : equations.mayBe) gone += other.priorOdds;
-  for (const MayBe& other : result.mayBe) gone -= other.priorOdds;
-  result.priorOdds -= gone;
+  };
+  for (const MayBe& other : equations.mayBe)
+    if (isLeftOut(other)) result.priorOdds -= other.priorOdds;
+  std::erase_if(result.mayBe, isLeftOut);
   return result;
 }
 
