@@ -84,19 +84,19 @@ std::vector<WeighedCause> listOf(const WeighedCauses& causes) {
   return list;
 }
 
-/// Whether it is an effect, a jump or a gross error. A form is weighed alone: beside another cause it takes
-/// up what the grid of forms misses.
+/// Whether it is an effect, a jump or a gross error. A form is weighed alone: together with another cause it
+/// takes up what the grid of forms misses.
 bool mayBeOfTwo(const Weighed& weighed) {
   return !weighed.cause.empty() && weighed.cause != noiseId && weighed.cause != formId;
 }
 
-/// The probabilities if each cause is there alone, or `first` with any of `further` beside it.
+/// The probabilities if each cause is there alone, or `first` together with any of `further`.
 std::vector<WeighedCause> listOf(const WeighedCauses& causes, const Weighed& first,
                                  const WeighedCauses& further) {
-  double beside = impossible, whole = impossible;
-  for (const Weighed& cause : further.all()) beside = logSum(beside, cause.logOdds);
+  double together = impossible, whole = impossible;
+  for (const Weighed& cause : further.all()) together = logSum(together, cause.logOdds);
   const auto logOddsOf = [&](const Weighed& cause) {
-    return cause.logOdds + (cause.cause == first.cause ? beside : 0);
+    return cause.logOdds + (cause.cause == first.cause ? together : 0);
   };
   for (const Weighed& cause : causes.all()) whole = logSum(whole, logOddsOf(cause));
   std::vector<WeighedCause> list;
@@ -125,26 +125,26 @@ const Weighed* likeliestOfTwo(const WeighedCauses& causes) {
   return found == causes.all().end() ? nullptr : &*found;
 }
 
-/// The group of a second cause that is certain beside the first, if the first is certain beside it, too:
-/// otherwise it may only mimic two others. Empty without such a cause.
+/// The group of a second cause that is certain given the first, if the first is in turn certain given the
+/// second: otherwise it may only mimic two others. Empty without such a cause.
 std::vector<std::string> secondGroup(const SessionSoFar& state, const WeighedCauses& causes,
-                                     const WeighedCauses& further, const SightingEquations& beside,
+                                     const WeighedCauses& further, const SightingEquations& extended,
                                      const SightingEquations& equations) {
   const Weighed& second = further.all().front();
   if (!mayBeOfTwo(second) || further.logEvidence() < state.logEvidenceNeeded ||
       !leavesOnlyNoise(further, second))
     return {};
-  std::vector<std::string> group = inseparableFrom(second, beside);
+  std::vector<std::string> group = inseparableFrom(second, extended);
   if (!isCertain(group, state.further)) return {};
   const auto alone = std::ranges::find(causes.all(), second.cause, &Weighed::cause);
   if (alone == causes.all().end() || group == state.certain) return group;
-  const SightingEquations turned = withCause(equations, *alone, group);
-  if (!isCertain(state.certain, listOf(WeighedCauses(turned)))) group.clear();
+  const SightingEquations given = withCause(equations, *alone, group);
+  if (!isCertain(state.certain, listOf(WeighedCauses(given)))) group.clear();
   return group;
 }
 
-/// Weighs what may be beside the likeliest cause. Names one or both if that cause is certain, and returns
-/// whether it is. Larger noise is never named: an uncatalogued effect may look the same.
+/// Weighs what there may be in addition to the likeliest cause. Names one or both if that cause is certain,
+/// and returns whether it is. Larger noise is never named: an uncatalogued effect may look the same.
 bool weighFurther(SessionSoFar& state, const WeighedCauses& causes, const SightingEquations& equations,
                   const auto& rank) {
   // With less evidence left for a further cause, the sightings of one cause rise steeply.
@@ -152,20 +152,20 @@ bool weighFurther(SessionSoFar& state, const WeighedCauses& causes, const Sighti
   const Weighed* first = likeliestOfTwo(causes);
   if (!first || !isEvident(state)) return false;
   std::vector<std::string> group = inseparableFrom(*first, equations);
-  const SightingEquations beside = withCause(equations, *first, group);
-  const WeighedCauses further(beside);
+  const SightingEquations extended = withCause(equations, *first, group);
+  const WeighedCauses further(extended);
   state.causes = listOf(causes, *first, further);
   if (!isCertain(group, state.causes)) return false;
   state.certain = std::move(group);
   state.further = listOf(further);
   state.isAlone = further.logEvidence() <= std::log(leastLeft);
-  state.alsoNamed = secondGroup(state, causes, further, beside, equations);
+  state.alsoNamed = secondGroup(state, causes, further, extended, equations);
   if (!state.alsoNamed.empty() || leavesOnlyNoise(causes, *first)) state.named = state.certain;
-  rank(beside.possible, further);
+  rank(extended.possible, further);
   return true;
 }
 
-/// Whether a form is certain, though a cause with a further one beside it was weighed, too.
+/// Whether a form is certain, though the likeliest pair of other causes was weighed, too.
 bool isFormCertain(const SessionSoFar& state, const WeighedCauses& causes) {
   const auto form = std::ranges::find(causes.all(), formId, &Weighed::cause);
   return form != causes.all().end() && isEvident(state) && isCertain({formId}, state.causes) &&

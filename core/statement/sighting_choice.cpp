@@ -24,8 +24,8 @@ std::string nameOf(const std::string& cause) {
   return cause.empty() ? Phrase::of("no cause") : causeName(cause);
 }
 
-/// A further cause beside one that is certain; empty: none.
-std::string besideText(const std::string& cause) {
+/// A cause in addition to one that is certain; empty: none.
+std::string additionText(const std::string& cause) {
   return cause.empty() ? Phrase::of("alone") : Phrase::of("with %1", nameOf(cause));
 }
 
@@ -172,12 +172,12 @@ Statement sightingChoiceStatement(const SightingChoice& choice, const ProtocolPr
     for (std::size_t i = 0; i < std::min(most, causes.size()); ++i)
       if (causes[i].probability >= least)
         statement.rows.push_back(
-            {.cells = {isPart ? besideText(causes[i].cause) : withCapital(nameOf(causes[i].cause)),
+            {.cells = {isPart ? additionText(causes[i].cause) : withCapital(nameOf(causes[i].cause)),
                        probabilityText(causes[i].probability)},
              .isPart = isPart,
              .id = causes[i].cause});
   };
-  // What may be beside a certain cause stands below it and its look-alikes.
+  // The rows of further causes follow those of the certain one and its look-alikes.
   add(soFar.causes, soFar.certain.empty() ? 4 : soFar.certain.size(), false);
   add(soFar.further, 3, true);
   for (std::string sentence : {nextSentence(choice, progress), alternativesSentence(choice, progress),

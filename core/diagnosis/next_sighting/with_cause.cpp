@@ -18,13 +18,13 @@ MatrixXd slopeOf(const MayBe& mayBe, const VectorXd& weights) {
   return MatrixXd::Identity(mayBe.count, mayBe.count);
 }
 
-MatrixXd beside(const MatrixXd& left, const MatrixXd& right) {
+MatrixXd joined(const MatrixXd& left, const MatrixXd& right) {
   MatrixXd both(left.rows(), left.cols() + right.cols());
   both << left, right;
   return both;
 }
 
-VectorXd below(const VectorXd& top, const VectorXd& bottom) {
+VectorXd stacked(const VectorXd& top, const VectorXd& bottom) {
   VectorXd both(top.size() + bottom.size());
   both << top, bottom;
   return both;
@@ -41,7 +41,7 @@ SightingEquations withCause(const SightingEquations& equations, const Weighed& c
   };
   const MatrixXd slope = slopeOf(present, cause.weights);
   const auto extend = [&](SightingRows& rows) {
-    rows.unknowns = beside(rows.unknowns, columnsIn(rows) * slope);
+    rows.unknowns = joined(rows.unknowns, columnsIn(rows) * slope);
   };
   result.residual -= columnsIn(result.taken) * cause.weights;
   extend(result.taken);
@@ -49,9 +49,9 @@ SightingEquations withCause(const SightingEquations& equations, const Weighed& c
   // About the estimate, as wide as the cause is large: the readings decide.
   const Index added = slope.cols();
   const double width = std::max(1.0, cause.weights.head(added).norm());
-  result.priorWeights = below(result.priorWeights, VectorXd::Constant(added, 1 / width));
-  result.priorResiduals = below(result.priorResiduals, VectorXd::Zero(added));
-  result.intersection = below(result.intersection, VectorXd::Zero(added));
+  result.priorWeights = stacked(result.priorWeights, VectorXd::Constant(added, 1 / width));
+  result.priorResiduals = stacked(result.priorResiduals, VectorXd::Zero(added));
+  result.intersection = stacked(result.intersection, VectorXd::Zero(added));
   const auto isLeftOut = [&](const MayBe& other) {
     if (other.first == present.first) return true;
     return other.cause != grossErrorId && std::ranges::find(group, other.cause) != group.end();

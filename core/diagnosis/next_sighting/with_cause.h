@@ -9,9 +9,9 @@
 namespace alidade {
 
 /// The equations if `cause` is present for certain: its size is one more unknown, with a prior about its
-/// estimate as wide as that is large, and the hypotheses are further causes beside it. `group` has the causes
-/// that no sighting separates from it: they are left out, as are other jumps and wrong zeros beside one of
-/// them. Another gross error stays.
+/// estimate as wide as that is large, and the hypotheses are further causes. `group` has the causes that no
+/// sighting separates from it: they are left out. If the cause is a jump or a wrong zero, the other ones are
+/// left out, too. Another gross error stays.
 SightingEquations withCause(const SightingEquations& equations, const Weighed& cause,
                             const std::vector<std::string>& group);
 

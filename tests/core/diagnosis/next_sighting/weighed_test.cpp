@@ -75,7 +75,7 @@ TEST(WeighedCauses, HaveTheOddsOfTheDenseNormalDensities) {
 
 /// The cause that is there, of 4 and −3 plausible sizes, has a prior about its estimate, as wide as it is
 /// large.
-TEST(WeighedCauses, BesideACauseHaveTheOddsOfTheDenseNormalDensities) {
+TEST(WeighedCauses, WithACauseHaveTheOddsOfTheDenseNormalDensities) {
   Case toy(6);
   const MatrixXd& columns = toy.equations.taken.causes;
   toy.equations.residual += columns.leftCols(2) * Eigen::Vector2d(4, -3);
@@ -85,29 +85,29 @@ TEST(WeighedCauses, BesideACauseHaveTheOddsOfTheDenseNormalDensities) {
   const double width = one.weights.norm();
   ASSERT_GT(width, 2);
   const SightingEquations equations = withCause(toy.equations, one, {"one"});
-  const WeighedCauses beside(equations);
+  const WeighedCauses extended(equations);
   const VectorXd y = toy.equations.residual - columns.leftCols(2) * one.weights;
   const MatrixXd alone = toy.covariance(toy.equations.taken.unknowns) +
                          width * width * columns.leftCols(2) * columns.leftCols(2).transpose();
   const MatrixXd both = alone + 4 * columns.col(2) * columns.col(2).transpose();
-  EXPECT_NEAR(of(beside, "other").probability / of(beside, "").probability,
+  EXPECT_NEAR(of(extended, "other").probability / of(extended, "").probability,
               0.1 * std::exp(logDensity(y, both) - logDensity(y, alone)), 1e-9);
-  EXPECT_EQ(std::ranges::count(beside.all(), "one", &Weighed::cause), 0);
+  EXPECT_EQ(std::ranges::count(extended.all(), "one", &Weighed::cause), 0);
   EXPECT_NEAR(equations.priorOdds, 0.1 + noise_policy::odds, 1e-12);
-  EXPECT_LE(beside.chiSquareAfter(of(beside, "")), causes.chiSquareAfter(one) + 1e-9);
+  EXPECT_LE(extended.chiSquareAfter(of(extended, "")), causes.chiSquareAfter(one) + 1e-9);
 }
 
-TEST(WeighedCauses, BesideACauseOfFixedSizeHaveNoFurtherUnknown) {
+TEST(WeighedCauses, WithACauseOfFixedSizeHaveNoFurtherUnknown) {
   Case toy(7);
   toy.equations.mayBe[1].widths = nullptr;
   const Weighed fixed = of(WeighedCauses(toy.equations), "other");
-  const SightingEquations beside = withCause(toy.equations, fixed, {"other"});
-  EXPECT_EQ(beside.taken.unknowns.cols(), 2);
-  EXPECT_LT((beside.residual - (toy.equations.residual - toy.equations.taken.causes.col(2))).norm(), 1e-12);
+  const SightingEquations extended = withCause(toy.equations, fixed, {"other"});
+  EXPECT_EQ(extended.taken.unknowns.cols(), 2);
+  EXPECT_LT((extended.residual - (toy.equations.residual - toy.equations.taken.causes.col(2))).norm(), 1e-12);
 }
 
 /// The unknowns of a bent cause are its two sizes: their columns are derivatives of its trace.
-TEST(WeighedCauses, BesideABentCauseHaveItsTwoSizesAsUnknowns) {
+TEST(WeighedCauses, WithABentCauseHaveItsTwoSizesAsUnknowns) {
   Case toy(8);
   toy.other = evenly({0.3, 2});
   RandomSource random(8);
@@ -115,14 +115,14 @@ TEST(WeighedCauses, BesideABentCauseHaveItsTwoSizesAsUnknowns) {
   toy.equations.possible[0].causes = drawn(random, 2, 5);
   toy.equations.mayBe = {{"bent", 0, 5, &toy.other, 0.1, true}};
   const Weighed bent = of(WeighedCauses(toy.equations), "bent");
-  const SightingEquations beside = withCause(toy.equations, bent, {"bent"});
-  ASSERT_EQ(beside.taken.unknowns.cols(), 4);
+  const SightingEquations extended = withCause(toy.equations, bent, {"bent"});
+  ASSERT_EQ(extended.taken.unknowns.cols(), 4);
   for (const int i : {0, 1}) {
     constexpr double step = 1e-6;
     const Eigen::Vector2d at = bent.weights.head<2>(), by = step * Eigen::Vector2d::Unit(i);
     const VectorXd change =
         toy.equations.taken.causes * (bentWeights(at + by) - bentWeights(at - by)) / (2 * step);
-    EXPECT_LT((beside.taken.unknowns.col(2 + i) - change).norm(), 1e-8) << i;
+    EXPECT_LT((extended.taken.unknowns.col(2 + i) - change).norm(), 1e-8) << i;
   }
 }
 
