@@ -185,8 +185,9 @@ void addStatements(const Element& to, const CertificateSource& source, const Sta
       list, "not_stated", [] { return Phrase::of("Not stated"); },
       [&] {
         std::string text = Phrase::of("The laboratory did not state: %1.", listedNouns(stated));
-        if (stated.country == noCountry) text = inTurn(text, Phrase::of("Country ZZ stands for none."));
-        if (isNotStated(stated, placeNoun)) text = inTurn(text, Phrase::of("Place “other” stands for none."));
+        if (stated.country == noCountry) text = inTurn(text, Phrase::of("Country ZZ means “not stated”."));
+        if (isNotStated(stated, placeNoun))
+          text = inTurn(text, Phrase::of("Place “other” means “not stated”."));
         return text;
       });
 }

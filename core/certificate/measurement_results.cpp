@@ -118,8 +118,8 @@ void addAcross(const Element& results, const FitAnswer& answer) {
   add(
       "across_plane", [] { return Phrase::of("Δz, across the plane of the arc"); }, measured.across, false);
   add(
-      "distance_from_axis", [] { return Phrase::of("d = √(Δd² + Δz²), as a whole"); }, measured.distance,
-      true);
+      "distance_from_axis", [] { return Phrase::of("d = √(Δd² + Δz²), whole distance from the axis"); },
+      measured.distance, true);
 }
 
 /// "arc_180", and "arc_180_2" for a repeated axis.

@@ -110,7 +110,7 @@ void GeoComTalk::onLine(const std::string& line, Milliseconds now, TalkStep& ste
         Phrase::of("An answer came late or twice and was dropped: %1", shownLine(line.substr(0, 60))));
   if (!answer->isSound)
     return askAgainAsSpoiled(
-        Phrase::of("The check sum of an answer is not that of its text, and it is requested again: %1",
+        Phrase::of("The check sum of an answer does not match its text; the answer is requested again: %1",
                    shownLine(line.substr(0, 60))),
         now, step);
   use(*answer, now, step);

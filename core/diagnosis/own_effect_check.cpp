@@ -83,8 +83,9 @@ std::vector<std::string> OwnEffectCheck::sentences() const {
                    "as 0 there.",
                    notFinite, values));
   if (leavesNothing())
-    told.push_back(Phrase::of("This effect is undetectable here, as the fit absorbs it: %1 σ per %2.",
-                              fixedText(parameters.front().perUnit, 1), parameters.front().unit));
+    told.push_back(
+        Phrase::of("This effect is undetectable here, as the fit absorbs it: its trace is %1 σ per %2.",
+                   fixedText(parameters.front().perUnit, 1), parameters.front().unit));
   if (!sameAs.empty())
     told.push_back(Phrase::of("This equals %1 of the catalogue: these readings cannot distinguish the two.",
                               quotation(Phrase::of(effectById(sameAs)->name))));

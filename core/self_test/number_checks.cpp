@@ -23,7 +23,7 @@ constexpr CheckTolerance tenDigits = {
                            "1e-10: probabilities and coverage factors are shown with five digits at most")};
 constexpr CheckTolerance ofAngle = {
     .relative = 1e-15,
-    .reason = PHRASE_LATER("Phrase", "1e-15: some roundings of a number in double precision, 2e-16 each")};
+    .reason = PHRASE_LATER("Phrase", "1e-15: a few rounding errors in double precision, 2e-16 each")};
 
 constexpr const char* tableDigit =
     PHRASE_LATER("Phrase", "half of the last printed digit (JCGM 100:2008, table G.2)");

@@ -156,7 +156,7 @@ class ProtocolReader {
     const auto once = [&](const char* key, std::vector<int> fallback) {
       std::vector<int> faces = this->faces(reader, key, std::move(fallback));
       if (faces.size() > 2 || (faces.size() == 2 && faces[0] == faces[1]))
-        reader.report(Phrase::of("names a face twice: a pointing zero is sighted once in each"),
+        reader.report(Phrase::of("names a face twice: a pointing zero is sighted once in each face"),
                       reader.placeOf(key));
       return faces;
     };

@@ -15,13 +15,14 @@ std::string noteOf(const Measurement& measurement) {
   const std::string coverage = displayShortest(100 * measurement.coverage);
   return hasRepeats(measurement)
              ? Phrase::of(
-                   "Half a turn of a rigid arc about an axis along x changes neither its radius nor the x of "
-                   "its centre; an arc measured again has not moved; R0 and the reference count if their σ "
-                   "is stated. U at %1 %.",
+                   "If the arc is rigid, half a turn about an axis along x changes neither its radius nor "
+                   "the x of its centre, and an arc measured again has not moved. R0 and the reference are "
+                   "compared if their σ is stated. U at a coverage of %1 %.",
                    coverage)
              : Phrase::of(
-                   "Half a turn of a rigid arc about an axis along x changes neither its radius nor the x of "
-                   "its centre; R0 and the reference count if their σ is stated. U at %1 %.",
+                   "If the arc is rigid, half a turn about an axis along x changes neither its radius nor "
+                   "the x of its centre. R0 and the reference are compared if their σ is stated. U at a "
+                   "coverage of %1 %.",
                    coverage);
 }
 

@@ -51,14 +51,14 @@ void add(Entry& entry, std::string tells, double ofCauses, double ofUncertainty)
   entry.ofUncertainty = std::max(entry.ofUncertainty, ofUncertainty);
 }
 
-/// "shows a and b", "separates every two of a, b and c; one answer is left with a probability of 90 %".
+/// "shows a and b", "separates any two of a, b and c; one answer is left with a probability of 90 %".
 std::string whatItTells(const Advice& advice) {
   const std::string names = causeNames(advice.separates, Phrase::of(" and ")),
                     sigmas = displayText(advice.bySigma, 1);
   if (advice.ofUndetectable) return Phrase::of("would show %1 by %2 σ or more", names, sigmas);
   const std::string text = advice.separates.size() == 2
                                ? Phrase::of("separates %1 by %2 σ or more", names, sigmas)
-                               : Phrase::of("separates every two of %1 by %2 σ or more", names, sigmas);
+                               : Phrase::of("separates any two of %1 by %2 σ or more", names, sigmas);
   if (!(advice.oneLeft > 0)) return text;
   return Phrase::of("%1; probability that one answer is left: %2", text,
                     shortProbabilityText(advice.oneLeft));

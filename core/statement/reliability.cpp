@@ -129,8 +129,8 @@ Statement reliabilityTable(const Measurement& measurement, const SessionFit& fit
   statement.sentences = {readingsSentence(measurement, fit, detection, worst), inputsSentence(inputs)};
   statement.note = Phrase::of(
       "w: standardised residual; redundancy: share of an error that shows in the residual; detectable: the "
-      "smallest error that the search for misread readings finds with 80 % chance; moves Δd by: the effect "
-      "of such an error.");
+      "smallest error that the search for misread readings finds with a probability of 80 %; moves Δd by: "
+      "the effect of such an error.");
   return statement;
 }
 

@@ -14,7 +14,7 @@ bool liesOff(const MeasuredIntersection& measured) {
 std::string acrossSentence(const MeasuredIntersection& measured) {
   if (!measured.across)
     return Phrase::of(
-        "The offset of the arc's centre from the axis across the plane of the arc was not measured.");
+        "The offset Δz of the arc's centre from the axis, across the plane of the arc, was not measured.");
   const auto& [value, sigma, expanded] = *measured.across;
   return Phrase::of("The arc's centre is Δz = %1 off the axis, across the plane of the arc.",
                     lengthWithUncertainty(value, expanded, decimalsFor(expanded)));

@@ -196,8 +196,8 @@ std::string progressSentences(const ProtocolProgress& progress) {
        PHRASE_LATER("Phrase", "%1 were skipped."));
   tell(progress.excluded, PHRASE_LATER("Phrase", "One is excluded."),
        PHRASE_LATER("Phrase", "%1 are excluded."));
-  tell(progress.outOfTurn, PHRASE_LATER("Phrase", "One was taken out of turn."),
-       PHRASE_LATER("Phrase", "%1 were taken out of turn."));
+  tell(progress.outOfTurn, PHRASE_LATER("Phrase", "One was taken out of order."),
+       PHRASE_LATER("Phrase", "%1 were taken out of order."));
   if (progress.beside > 0) sentences.push_back(besideSentence(progress));
   return joined(sentences);
 }

@@ -92,8 +92,8 @@ std::string sealSentence(const CheckedSeal& checked, std::size_t since) {
                             "the change.",
                             text)
                       : Phrase::of(
-                            "%1; its content was changed outside this program since: the journal does not "
-                            "lead back to the sealed content.",
+                            "%1; its content was changed outside this program since: the sealed content "
+                            "cannot be rebuilt from the journal.",
                             text);
   if (checked.state == State::Unchecked)
     return Phrase::of("%1; the sealed content cannot be rebuilt from the journal and is not checked.", text);
@@ -178,9 +178,10 @@ std::string journalSummary(const Session& session, const JournalCheck& check) {
   if (check.contradictions.size() > mostTold)
     say(Phrase::of("Further places: %1.", check.contradictions.size() - mostTold));
   if (check.backwards)
-    say(Phrase::of(
-        "Entry %1 is earlier than the one before it: the clock was set back, or its time was changed.",
-        *check.backwards + 1));
+    say(
+        Phrase::of("Entry %1 is earlier than the entry before it: the clock was set back, or one of the two "
+                   "times was changed.",
+                   *check.backwards + 1));
   for (const std::string& sentence : sealSentences(check.seals, session.journal)) say(sentence);
   return text;
 }

@@ -99,7 +99,7 @@ std::string deviationSentences(const ProtocolProgress& progress) {
       Phrase::of("%1 of %2 sightings are taken.", progress.taken, progress.sightings.size());
   for (const std::string& sentence :
        {sightingsText(progress, PHRASE_LATER("Phrase", "Skipped: %1."), is(SightingState::Missed)),
-        sightingsText(progress, PHRASE_LATER("Phrase", "Taken out of turn: %1."),
+        sightingsText(progress, PHRASE_LATER("Phrase", "Taken out of order: %1."),
                       [](const FollowedSighting& followed) { return followed.isOutOfTurn; }),
         sightingsText(progress, PHRASE_LATER("Phrase", "Taken again: %1."),
                       [](const FollowedSighting& followed) { return followed.isRepeated; }),

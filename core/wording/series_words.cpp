@@ -97,10 +97,10 @@ std::string together(const SeriesDiagnosis& series) {
 std::string ownerText(const SharedCause& cause) {
   switch (cause.owner) {
     case CauseOwner::Instrument:
-      return cause.serial.empty() ? Phrase::of("an instrument without serial")
+      return cause.serial.empty() ? Phrase::of("an instrument without serial number")
                                   : Phrase::of("instrument %1", cause.serial);
     case CauseOwner::Guideway:
-      return cause.serial.empty() ? Phrase::of("a guideway without serial")
+      return cause.serial.empty() ? Phrase::of("a guideway without serial number")
                                   : Phrase::of("guideway %1", cause.serial);
     case CauseOwner::Time:
       break;

@@ -59,8 +59,8 @@ Words wordsOf(const CentresDiffer& finding) {
 }
 
 Words wordsOf(const KnownRadiusContradicted& finding) {
-  return {Phrase::of("The readings disagree with the known radius of %1 mm: they shift it by %2 mm; their "
-                     "noise and its σ allow at most %3 mm at 0.1 % risk.",
+  return {Phrase::of("The readings disagree with the known radius of %1 mm: they shift it by %2 mm; the "
+                     "noise of the readings and the σ of the radius allow at most %3 mm at 0.1 % risk.",
                      displayShortest(finding.nominal), displayText(finding.pulledBy, 4),
                      displayText(finding.bound, 4)),
           Phrase::of("Check R0, its σ and the distance, or let the radius be free.")};

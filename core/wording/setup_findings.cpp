@@ -88,7 +88,7 @@ Words wordsOf(const ZerosDiffer& finding) {
   const auto arcseconds = [](Angle angle) { return displayText(angle.arcseconds(), 1) + "″"; };
   return {
       Phrase::of("The pointing zeros differ by %1 horizontally and %2 vertically, more than two sightings of "
-                 "one mark.",
+                 "one mark would.",
                  arcseconds(finding.horizontal), arcseconds(finding.vertical)),
       Phrase::of("State under “Zeros sight” the target of the zeros: a mark; the guideway's own normal, set "
                  "again in each position; or unknown.")};

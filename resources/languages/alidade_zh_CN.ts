@@ -1463,7 +1463,7 @@ Sealed by:</source>
     </message>
     <message>
         <source>a fault in the program (cause not reported)</source>
-        <translation>程序故障（类型不明）</translation>
+        <translation>程序故障（原因未报告）</translation>
     </message>
     <message>
         <source>is a folder: choose a file in it</source>
@@ -3184,8 +3184,8 @@ Sealed by:</source>
         <translation>请查找照准零位以来的碰动或漂移，或沿轴的间隙。</translation>
     </message>
     <message>
-        <source>The readings disagree with the known radius of %1 mm: they shift it by %2 mm; their noise and its σ allow at most %3 mm at 0.1 % risk.</source>
-        <translation>读数与已知半径 %1 mm 不符：读数使其偏移 %2 mm，而在 0.1 % 风险下其噪声和 σ 最多允许 %3 mm。</translation>
+        <source>The readings disagree with the known radius of %1 mm: they shift it by %2 mm; the noise of the readings and the σ of the radius allow at most %3 mm at 0.1 % risk.</source>
+        <translation>读数与已知半径 %1 mm 不符：读数使其偏移 %2 mm，而在 0.1 % 风险下读数的噪声和半径的 σ 最多允许 %3 mm。</translation>
     </message>
     <message>
         <source>Check R0, its σ and the distance, or let the radius be free.</source>
@@ -3774,7 +3774,7 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
     </message>
     <message>
         <source>If the known size of %1 were out of date, these readings could not distinguish this from %2.</source>
-        <translation>假如关于%1的已知内容已过时，这些读数也无法将其与%2区分。</translation>
+        <translation>假如%1的已知值已过时，这些读数也无法将其与%2区分。</translation>
     </message>
     <message>
         <source>%1 is no date: write year-month-day, year-month, a year or a decimal year</source>
@@ -3982,7 +3982,7 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
         <translation>这些测量记录无法区分%1与%2。</translation>
     </message>
     <message>
-        <source>an instrument without serial</source>
+        <source>an instrument without serial number</source>
         <translation>无序列号的仪器</translation>
     </message>
     <message>
@@ -3990,7 +3990,7 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
         <translation>仪器 %1</translation>
     </message>
     <message>
-        <source>a guideway without serial</source>
+        <source>a guideway without serial number</source>
         <translation>无序列号的导轨</translation>
     </message>
     <message>
@@ -4083,7 +4083,7 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
     </message>
     <message>
         <source>The rows differ in what the instrument corrected by itself (%1), so none of these corrections is used as known.</source>
-        <translation>各读数所述的仪器自身改正（%1）不一致，因此不由此取任何已知量。</translation>
+        <translation>各行中仪器自身所作的改正（%1）不一致，因此这些改正均不作为已知量采用。</translation>
     </message>
     <message>
         <source>Measure with the same corrections throughout, and state them with every reading.</source>
@@ -4394,8 +4394,8 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
         <translation>Δz，垂直于圆弧平面</translation>
     </message>
     <message>
-        <source>d = √(Δd² + Δz²), as a whole</source>
-        <translation>d = √(Δd² + Δz²)，总距离</translation>
+        <source>d = √(Δd² + Δz²), whole distance from the axis</source>
+        <translation>d = √(Δd² + Δz²)，到回转轴的整个距离</translation>
     </message>
     <message>
         <source>Arc in the position %1 of the axis</source>
@@ -4582,7 +4582,7 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
         <translation>为空：请加入测回，至少一个</translation>
     </message>
     <message>
-        <source>names a face twice: a pointing zero is sighted once in each</source>
+        <source>names a face twice: a pointing zero is sighted once in each face</source>
         <translation>同一盘位出现两次：瞄准零位在每个盘位只照准一次</translation>
     </message>
     <message>
@@ -4726,11 +4726,11 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
         <translation>有 %1 次已排除。</translation>
     </message>
     <message>
-        <source>One was taken out of turn.</source>
+        <source>One was taken out of order.</source>
         <translation>有一次未按顺序测。</translation>
     </message>
     <message>
-        <source>%1 were taken out of turn.</source>
+        <source>%1 were taken out of order.</source>
         <translation>有 %1 次未按顺序测。</translation>
     </message>
     <message>
@@ -4798,8 +4798,8 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
         <translation>1e-10：概率和包含因子最多显示五位数字</translation>
     </message>
     <message>
-        <source>1e-15: some roundings of a number in double precision, 2e-16 each</source>
-        <translation>1e-15：双精度数的若干次舍入，每次 2e-16</translation>
+        <source>1e-15: a few rounding errors in double precision, 2e-16 each</source>
+        <translation>1e-15：双精度下的若干次舍入误差，每次 2e-16</translation>
     </message>
     <message>
         <source>half of the last printed digit (JCGM 100:2008, table G.2)</source>
@@ -4910,7 +4910,7 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
         <translation>%1 与 %2 的读数相同：只计一次。</translation>
     </message>
     <message>
-        <source>%1; its content was changed outside this program since: the journal does not lead back to the sealed content.</source>
+        <source>%1; its content was changed outside this program since: the sealed content cannot be rebuilt from the journal.</source>
         <translation>%1；其内容此后在本程序之外被更改：按更改日志无法还原到封存时的内容。</translation>
     </message>
     <message>
@@ -4938,8 +4938,8 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
         <translation>其他位置：%1 处。</translation>
     </message>
     <message>
-        <source>Entry %1 is earlier than the one before it: the clock was set back, or its time was changed.</source>
-        <translation>第 %1 条早于其前一条：时钟曾被回拨，或其时间被更改。</translation>
+        <source>Entry %1 is earlier than the entry before it: the clock was set back, or one of the two times was changed.</source>
+        <translation>第 %1 条早于其前一条：时钟曾被回拨，或其中一条的时间被更改。</translation>
     </message>
     <message>
         <source>is no record of unfinished entries</source>
@@ -4954,7 +4954,7 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
         <translation>%1 含有其他文字的数字：请输入数字 0 到 9</translation>
     </message>
     <message>
-        <source>The check sum of an answer is not that of its text, and it is requested again: %1</source>
+        <source>The check sum of an answer does not match its text; the answer is requested again: %1</source>
         <translation>应答的校验和与其内容不符，重新询问：%1</translation>
     </message>
     <message>
@@ -5226,8 +5226,8 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
         <translation>只有天顶距读数：照准差和方向不作评定。</translation>
     </message>
     <message>
-        <source>With these targets, a tilt of the trunnion axis is indistinguishable from an offset of the line of sight: the one of the more usual size is stated.</source>
-        <translation>这些目标无法区分横轴误差与视线偏离竖轴：给出的是大小更常见的一个。</translation>
+        <source>With these targets, a tilt of the trunnion axis is indistinguishable from an offset of the line of sight: the result states the one whose size is more usual.</source>
+        <translation>这些目标无法区分横轴误差与视线偏离竖轴：结果给出其中大小更常见的一个。</translation>
     </message>
     <message>
         <source>Sight near and far targets at the same elevation as well.</source>
@@ -5448,7 +5448,7 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
         <translation>目录之外效应的概率：%1。</translation>
     </message>
     <message>
-        <source>The pointing zeros differ by %1 horizontally and %2 vertically, more than two sightings of one mark.</source>
+        <source>The pointing zeros differ by %1 horizontally and %2 vertically, more than two sightings of one mark would.</source>
         <translation>各瞄准零位水平相差 %1、竖直相差 %2，超过对同一标志两次照准的差异。</translation>
     </message>
     <message>
@@ -5725,8 +5725,8 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
         <translation>对这些读数，公式在 %2 个值中有 %1 个不是有限值：该处按 0 计。</translation>
     </message>
     <message>
-        <source>This effect is undetectable here, as the fit absorbs it: %1 σ per %2.</source>
-        <translation>此效应在此无法检出，因为拟合将其吸收：每 %2 为 %1 σ。</translation>
+        <source>This effect is undetectable here, as the fit absorbs it: its trace is %1 σ per %2.</source>
+        <translation>此效应在此无法检出，因为拟合将其吸收：每 %2 的痕迹为 %1 σ。</translation>
     </message>
     <message>
         <source>This equals %1 of the catalogue: these readings cannot distinguish the two.</source>
@@ -5999,11 +5999,11 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
     </message>
     <message>
         <source>separates %1 by %2 σ or more</source>
-        <translation>能以 %2 σ 或更高的程度区分%1</translation>
+        <translation>能以不小于 %2 σ 的差异区分%1</translation>
     </message>
     <message>
-        <source>separates every two of %1 by %2 σ or more</source>
-        <translation>能以 %2 σ 或更高的程度两两区分%1</translation>
+        <source>separates any two of %1 by %2 σ or more</source>
+        <translation>能以不小于 %2 σ 的差异两两区分%1</translation>
     </message>
     <message>
         <source>%1; probability that one answer is left: %2</source>
@@ -6125,12 +6125,12 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
         <translation>形式说明读数怎样变化，并不指明其原因。</translation>
     </message>
     <message>
-        <source>Half a turn of a rigid arc about an axis along x changes neither its radius nor the x of its centre; an arc measured again has not moved; R0 and the reference count if their σ is stated. U at %1 %.</source>
-        <translation>同一刚性圆弧绕 x 方向的轴转半圈，其半径不变，圆心的 x 不动；复测的圆弧仍在原处；给定 σ 时，R0 和参考值也计入。U 的包含概率为 %1 %。</translation>
+        <source>If the arc is rigid, half a turn about an axis along x changes neither its radius nor the x of its centre, and an arc measured again has not moved. R0 and the reference are compared if their σ is stated. U at a coverage of %1 %.</source>
+        <translation>若圆弧为刚性，绕 x 方向的轴转半圈时其半径和圆心的 x 均不变，复测的圆弧仍在原处。给定 σ 时，R0 和参考值也参与比较。U 的包含概率为 %1 %。</translation>
     </message>
     <message>
-        <source>Half a turn of a rigid arc about an axis along x changes neither its radius nor the x of its centre; R0 and the reference count if their σ is stated. U at %1 %.</source>
-        <translation>同一刚性圆弧绕 x 方向的轴转半圈，其半径不变，圆心的 x 不动；给定 σ 时，R0 和参考值也计入。U 的包含概率为 %1 %。</translation>
+        <source>If the arc is rigid, half a turn about an axis along x changes neither its radius nor the x of its centre. R0 and the reference are compared if their σ is stated. U at a coverage of %1 %.</source>
+        <translation>若圆弧为刚性，绕 x 方向的轴转半圈时其半径和圆心的 x 均不变。给定 σ 时，R0 和参考值也参与比较。U 的包含概率为 %1 %。</translation>
     </message>
     <message>
         <source>Both positions are needed to compare them.</source>
@@ -6813,7 +6813,7 @@ Includes every catalogued effect, limited by these readings or by its plausible 
         <translation>视线</translation>
     </message>
     <message>
-        <source>Offset e from the axis, from targets at several distances</source>
+        <source>Offset e of the line of sight from the vertical axis, determined from targets at several distances</source>
         <translation>视线偏离竖轴的量 e，由不同距离的目标得出</translation>
     </message>
     <message>
@@ -6878,8 +6878,8 @@ Includes every catalogued effect, limited by these readings or by its plausible 
         <translation>多余观测分量</translation>
     </message>
     <message>
-        <source>Centres apart in the plane: |O1 − O2|/2 = %1.</source>
-        <translation>平面内两圆心距离的一半：|O1 − O2|/2 = %1。</translation>
+        <source>Half the distance of the centres in the plane of the arc: |O1 − O2|/2 = %1.</source>
+        <translation>圆弧平面内两圆心距离的一半：|O1 − O2|/2 = %1。</translation>
     </message>
     <message>
         <source>x right, y up; u: standard, scaled by s0 = %1; rms: of all residuals.</source>
@@ -6887,7 +6887,7 @@ Includes every catalogued effect, limited by these readings or by its plausible 
     </message>
     <message>
         <source>Positions at the same axis angle share one centre and one radius.</source>
-        <translation>轴角相同的位置共用一个圆心和一个半径。</translation>
+        <translation>轴角相同的轴位共用一个圆心和一个半径。</translation>
     </message>
     <message>
         <source>Published method, as printed</source>
@@ -6991,7 +6991,7 @@ Includes every catalogued effect, limited by these readings or by its plausible 
     </message>
     <message>
         <source>Δd, propagated</source>
-        <translation>Δd，传播</translation>
+        <translation>Δd，传播律</translation>
     </message>
     <message>
         <source>Δd, simulated</source>
@@ -7082,7 +7082,7 @@ Includes every catalogued effect, limited by these readings or by its plausible 
         <translation>无</translation>
     </message>
     <message>
-        <source>w: standardised residual; redundancy: share of an error that shows in the residual; detectable: the smallest error that the search for misread readings finds with 80 % chance; moves Δd by: the effect of such an error.</source>
+        <source>w: standardised residual; redundancy: share of an error that shows in the residual; detectable: the smallest error that the search for misread readings finds with a probability of 80 %; moves Δd by: the effect of such an error.</source>
         <translation>w：标准化残差；多余观测分量：误差显现于残差的份额；可检测：查找误读时以 80 % 的概率能发现的最小误差；Δd 的改变由此误差引起。</translation>
     </message>
     <message>
@@ -7375,7 +7375,7 @@ Includes every catalogued effect, limited by these readings or by its plausible 
         <translation>跳过：%1。</translation>
     </message>
     <message>
-        <source>Taken out of turn: %1.</source>
+        <source>Taken out of order: %1.</source>
         <translation>未按顺序：%1。</translation>
     </message>
     <message>
@@ -7615,11 +7615,11 @@ Includes every catalogued effect, limited by these readings or by its plausible 
         <translation>实验室未说明：%1。</translation>
     </message>
     <message>
-        <source>Country ZZ stands for none.</source>
+        <source>Country ZZ means “not stated”.</source>
         <translation>国家 ZZ 表示未说明。</translation>
     </message>
     <message>
-        <source>Place “other” stands for none.</source>
+        <source>Place “other” means “not stated”.</source>
         <translation>地点 “other” 表示未说明。</translation>
     </message>
     <message>
@@ -7746,7 +7746,7 @@ Includes every catalogued effect, limited by these readings or by its plausible 
     </message>
     <message>
         <source>one outlier</source>
-        <translation>个别值偏离</translation>
+        <translation>一个离群值</translation>
     </message>
     <message>
         <source>line %1 has no value and is skipped</source>
@@ -7781,12 +7781,12 @@ Includes every catalogued effect, limited by these readings or by its plausible 
         <translation>没有结果而略去的抽样：%1。</translation>
     </message>
     <message>
-        <source>The offset of the arc&apos;s centre from the axis across the plane of the arc was not measured.</source>
-        <translation>圆心在垂直于圆弧平面方向上偏离回转轴多少未经测量。</translation>
+        <source>The offset Δz of the arc&apos;s centre from the axis, across the plane of the arc, was not measured.</source>
+        <translation>圆心相对回转轴在垂直于圆弧平面方向上的偏移量 Δz 未经测量。</translation>
     </message>
     <message>
         <source>The journal is broken from entry %1 on: this entry or an earlier one was changed outside this program.</source>
-        <translation>更改日志从第 %1 条起不再连贯：该条或其前一条曾在本程序之外被更改。</translation>
+        <translation>更改日志从第 %1 条起不再连贯：该条或更早的一条曾在本程序之外被更改。</translation>
     </message>
     <message>
         <source>According to %1, %2 is %3; these readings give %4: the known size is out of date with a probability of %5.</source>
@@ -7802,7 +7802,7 @@ Includes every catalogued effect, limited by these readings or by its plausible 
     </message>
     <message>
         <source>The compensator&apos;s tilts in the two faces contradict each other by %1″; they are not used.</source>
-        <translation>更改日志从第 %1 条起不再连贯：该条或更早的一条曾在本程序之外被更改。</translation>
+        <translation>补偿器在两个盘位的倾斜量相差 %1″，相互矛盾；不予采用。</translation>
     </message>
     <message>
         <source>%1: the pointing zero moved by %2 horizontally and %3 vertically (1σ) while the position was read; U assumes that the zeros scatter %4 times their stated σ.</source>
@@ -8347,7 +8347,7 @@ as read</source>
     </message>
     <message>
         <source>The instrument points at the pointing zero: if accepted, the reading becomes the %1.</source>
-        <translation>它照准瞄准零位：采用后即为%1。</translation>
+        <translation>仪器照准了瞄准零位：若采用，该读数即为%1。</translation>
     </message>
 </context>
 <context>
@@ -9327,8 +9327,8 @@ a clause as a sentence</extracomment>
         <translation>同样的故障，单盘位</translation>
     </message>
     <message>
-        <source>Ambiguous: what leaves the same trace, and what to read next</source>
-        <translation>无法区分：留下同样痕迹的原因，以及接下来该读什么</translation>
+        <source>Ambiguous: indistinguishable causes, and the readings to take next</source>
+        <translation>不能唯一确定：彼此无法区分的原因，以及接下来应测的读数</translation>
     </message>
     <message>
         <source>Two causes at once</source>
@@ -9803,8 +9803,8 @@ a clause as a sentence</extracomment>
         <translation>尚未抽取盲测</translation>
     </message>
     <message>
-        <source>A session is simulated by the plan from a hidden truth. The diagnosis knows only the readings; then you open the seal.</source>
-        <translation>按读数计划，由无人可见的真值模拟出一份测量记录。诊断只知道读数；然后由您启封。</translation>
+        <source>A session is simulated from hidden true values, following the plan. The diagnosis knows only the readings; then you open the seal.</source>
+        <translation>按读数计划，由隐藏的真值模拟出一份测量记录。诊断只知道读数；然后由您启封。</translation>
     </message>
     <message>
         <source>Right. </source>
@@ -10167,8 +10167,8 @@ a clause as a sentence</extracomment>
         <translation>341°52′24″、341 52 24、379.859gon，或按给定单位的数</translation>
     </message>
     <message>
-        <source>Zenith angle, likewise</source>
-        <translation>天顶距，格式相同</translation>
+        <source>Zenith angle, in the same formats as the horizontal reading</source>
+        <translation>天顶距，格式同水平读数</translation>
     </message>
     <message>
         <source>Along the line of sight; may be empty</source>
@@ -10778,8 +10778,8 @@ a clause as a sentence</extracomment>
         <translation>滑块坐标 s (°)</translation>
     </message>
     <message>
-        <source>t, share of the session</source>
-        <translation>t，测量过程的时间份额</translation>
+        <source>t, elapsed share of the session</source>
+        <translation>t，测量过程已经过的比例</translation>
     </message>
     <message>
         <source>azimuth a (°), right positive</source>
@@ -11118,8 +11118,8 @@ a clause as a sentence</extracomment>
         <translation>把所勾选的模型效应去掉</translation>
     </message>
     <message>
-        <source>Should be: no part stands out; look where one does.</source>
-        <translation>应为：没有突出的部分；突出之处即应检查之处。</translation>
+        <source>Should be: no part of a bar is far larger than the others; such a part shows where the gap lies.</source>
+        <translation>应为：条中没有哪一部分远大于其余部分；若有，差距即在该处。</translation>
     </message>
     <message>
         <source>Should be: every bar ends inside the grey band of ± U.</source>
@@ -11213,8 +11213,8 @@ a clause as a sentence</extracomment>
         <translation>尚无内容：设备的历史从第二份测量记录开始。</translation>
     </message>
     <message>
-        <source>These two sessions are not both of the device shown.</source>
-        <translation>这两份测量记录不都属于所示设备。</translation>
+        <source>At least one of these two sessions does not belong to the device shown.</source>
+        <translation>这两份测量记录中至少有一份不属于所示设备。</translation>
     </message>
     <message>
         <source>Select two sessions in the table (with Ctrl) to see whether the device has changed between them.</source>
@@ -11226,7 +11226,7 @@ a clause as a sentence</extracomment>
     </message>
     <message>
         <source>all sessions</source>
-        <translation>全部测量</translation>
+        <translation>全部测量记录</translation>
     </message>
     <message>
         <source>The first sessions define centre line and limits for the later ones: choose those measured before any change</source>
@@ -11883,10 +11883,10 @@ a clause as a sentence</extracomment>
         <translation>取自仪器档案</translation>
     </message>
     <message>
-        <source>“%1” cannot be taken.
+        <source>“%1” cannot be used.
 
 %2</source>
-        <translation>无法取用“%1”。
+        <translation>“%1”无法使用。
 
 %2</translation>
     </message>
@@ -11926,7 +11926,7 @@ a clause as a sentence</extracomment>
         <translation>端口 %1 无法打开：%2。可能被另一程序占用，或您不属于可使用端口的组（在 Debian 上为 dialout）。</translation>
     </message>
     <message>
-        <source>The port %1 could not be opened: %2. Is the cable in, and this the right port?</source>
+        <source>The port %1 could not be opened: %2. Is the cable plugged in, and is this the right port?</source>
         <translation>端口 %1 无法打开：%2。电缆是否插好，端口是否正确？</translation>
     </message>
     <message>
@@ -12385,7 +12385,7 @@ a clause as a sentence</extracomment>
         <translation>重测</translation>
     </message>
     <message>
-        <source>out of turn</source>
+        <source>out of order</source>
         <translation>未按顺序</translation>
     </message>
     <message>
@@ -12890,8 +12890,8 @@ a clause as a sentence</extracomment>
         <translation>0°、180°、两者再测</translation>
     </message>
     <message>
-        <source>10 20 30 …, as the slider&apos;s coordinates</source>
-        <translation>10 20 30 …，滑块坐标</translation>
+        <source>slider coordinates, such as 10 20 30 …</source>
+        <translation>滑块坐标，如 10 20 30 …</translation>
     </message>
     <message>
         <source>not turned</source>
@@ -13019,12 +13019,12 @@ a clause as a sentence</extracomment>
         <translation>有疑问的仪器读数</translation>
     </message>
     <message>
-        <source>Enters the reading unchanged; the cell keeps a mark with what was expected</source>
-        <translation>照所读填入；单元格保留与预期不符的标记</translation>
+        <source>Enters the reading unchanged; the cell stays marked with the expected value</source>
+        <translation>照所读填入；单元格保留标记，注明预期值</translation>
     </message>
     <message>
         <source>The reading stays in the connection log. Point at the right target and read again</source>
-        <translation>它保留在连接日志中。请照准正确的目标后重读</translation>
+        <translation>该读数保留在连接日志中。请照准正确的目标后重读</translation>
     </message>
     <message>
         <source>%1 Further readings waiting: %2.</source>
@@ -13307,7 +13307,7 @@ a clause as a sentence</extracomment>
         <translation>每个读数的可靠性</translation>
     </message>
     <message>
-        <source>No fit yet: the readings are listed here once they fix an arc.</source>
+        <source>No fit yet: the readings are listed here once they determine an arc.</source>
         <translation>尚无拟合：一旦读数确定圆弧，即列于此处。</translation>
     </message>
     <message>
@@ -13363,8 +13363,8 @@ a clause as a sentence</extracomment>
         <translation>w</translation>
     </message>
     <message>
-        <source>Standardised residual v/(s0 σ √r): of a good reading, its standard deviation is 1</source>
-        <translation>标准化残差 v/(s0 σ √r)：正常读数的离散为 1</translation>
+        <source>Standardised residual v/(s0 σ √r): for correct readings, its standard deviation is 1</source>
+        <translation>标准化残差 v/(s0 σ √r)：正常读数的标准偏差为 1</translation>
     </message>
     <message>
         <source>Redundancy</source>
@@ -13379,8 +13379,8 @@ a clause as a sentence</extracomment>
         <translation>可检测 ″</translation>
     </message>
     <message>
-        <source>Minimal detectable bias: the smallest error that the search for misread readings finds with 80 % chance, at 1 % risk of naming any sound reading of the session, in the noise s0 σ</source>
-        <translation>最小可检测偏差：查找误读时以 80 % 的概率能发现的最小误差，误指测量记录中任一正常读数的风险为 1 %，噪声为 s0 σ</translation>
+        <source>Minimal detectable bias: the smallest error of this reading that the search for misread readings finds with a probability of 80 %; the risk of naming a correct reading anywhere in the session is 1 %; noise: s0 σ</source>
+        <translation>最小可检测偏差：查找误读时能以 80 % 的概率发现的该读数的最小误差；误指测量记录中任一正确读数的风险为 1 %；噪声取 s0 σ</translation>
     </message>
     <message>
         <source>none</source>
@@ -13826,8 +13826,8 @@ a clause as a sentence</extracomment>
         <translation>尚未拟合圆弧：没有残差。</translation>
     </message>
     <message>
-        <source>There are no readings of the kind chosen to be drawn.</source>
-        <translation>所选绘制的内容没有读数。</translation>
+        <source>There are no readings of the kind selected for the chart.</source>
+        <translation>没有图中所选类型的读数。</translation>
     </message>
     <message>
         <source>not drawn: %1 without a check</source>

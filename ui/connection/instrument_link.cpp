@@ -47,12 +47,13 @@ bool InstrumentLink::open(const ConnectionSettings& settings, const TalkCircles&
   if (!m_port.open(QIODevice::ReadWrite)) {
     const bool isForbidden = m_port.error() == QSerialPort::PermissionError;
     const QString why = visibleLine(m_port.errorString()), name = visibleLine(settings.port);
-    emit remark(isForbidden
-                    ? tr("The port %1 could not be opened: %2. Another program may be using it, or you are "
-                         "not in the group that may use ports (on Debian: dialout).")
-                          .arg(name, why)
-                    : tr("The port %1 could not be opened: %2. Is the cable in, and this the right port?")
-                          .arg(name, why));
+    emit remark(
+        isForbidden
+            ? tr("The port %1 could not be opened: %2. Another program may be using it, or you are "
+                 "not in the group that may use ports (on Debian: dialout).")
+                  .arg(name, why)
+            : tr("The port %1 could not be opened: %2. Is the cable plugged in, and is this the right port?")
+                  .arg(name, why));
     return false;
   }
   emit succeeded();

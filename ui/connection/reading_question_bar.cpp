@@ -31,7 +31,7 @@ ReadingQuestionBar::ReadingQuestionBar(ReadingFlow& flow, QWidget* parent)
   m_text->setWordWrap(true);
   m_text->setTextInteractionFlags(Qt::TextSelectableByMouse);
   m_take->setObjectName(QStringLiteral("take questioned reading"));
-  m_take->setToolTip(tr("Enters the reading unchanged; the cell keeps a mark with what was expected"));
+  m_take->setToolTip(tr("Enters the reading unchanged; the cell stays marked with the expected value"));
   m_discard->setObjectName(QStringLiteral("discard questioned reading"));
   m_discard->setToolTip(
       tr("The reading stays in the connection log. Point at the right target and read again"));

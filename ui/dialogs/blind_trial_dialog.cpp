@@ -211,8 +211,8 @@ void BlindTrialDialog::showTrial(const SharedTrial& trial) {
   else
     m_answer->setText(tr("No trial drawn yet"),
                       trial ? qText(trial->problem)
-                            : tr("A session is simulated by the plan from a hidden truth. The diagnosis "
-                                 "knows only the readings; then you open the seal."));
+                            : tr("A session is simulated from hidden true values, following the plan. The "
+                                 "diagnosis knows only the readings; then you open the seal."));
   m_stages->setStatement(says ? std::optional(gapStages(trial->gap)) : std::nullopt);
   showTruth();
   showWork();

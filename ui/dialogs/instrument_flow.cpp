@@ -24,7 +24,7 @@ bool InstrumentFlow::take() {
   const auto refuse = [&](const Problem& problem) {
     m_dialogs.showProblem(
         tr("Take from the instrument record"),
-        tr("“%1” cannot be taken.\n\n%2").arg(visibleLine(name), visibleLine(problem.text())));
+        tr("“%1” cannot be used.\n\n%2").arg(visibleLine(name), visibleLine(problem.text())));
     return false;
   };
   const Result<InstrumentRecord> record = loadInstrumentRecord(encodedPath(path));

@@ -79,7 +79,7 @@ ProtocolDialog::ProtocolDialog(const SightingProtocol& protocol, CircleUnit unit
   m_positions->addItems(
       {tr("0°, 180°"), tr("0°"), tr("180°"), tr("0°, 180°, 0° again"), tr("0°, 180°, both again")});
   m_rounds->setRange(1, 50);
-  m_places->setPlaceholderText(tr("10 20 30 …, as the slider's coordinates"));
+  m_places->setPlaceholderText(tr("slider coordinates, such as 10 20 30 …"));
   m_turn->setPlaceholderText(tr("not turned"));
   m_remark->setWordWrap(true);
   m_remark->setObjectName(QStringLiteral("protocol remark"));

@@ -147,7 +147,7 @@ QVariant CheckRowsModel::headerData(int section, Qt::Orientation orientation, in
                                  tr("Any name, the same in both faces and all rounds"),
                                  tr("Empty: from the vertical circle"),
                                  tr("341°52′24″, 341 52 24, 379.859gon, or numbers in the unit stated"),
-                                 tr("Zenith angle, likewise"),
+                                 tr("Zenith angle, in the same formats as the horizontal reading"),
                                  tr("Along the line of sight; may be empty")};
   if (role == Qt::DisplayRole) return titles[section];
   return role == Qt::ToolTipRole ? QVariant(tips[section]) : QVariant();

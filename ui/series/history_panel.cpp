@@ -132,7 +132,7 @@ void HistoryPanel::compare(const std::vector<std::string>& files) {
       if (std::ranges::find(files, shown->epochs[i].file) != files.end()) epochs.push_back(i);
   if (files.size() != 2 || epochs.size() != 2) {
     m_congruence->setText(files.size() == 2 && shown
-                              ? tr("These two sessions are not both of the device shown.")
+                              ? tr("At least one of these two sessions does not belong to the device shown.")
                               : tr("Select two sessions in the table (with Ctrl) to see whether the device "
                                    "has changed between them."));
     return;

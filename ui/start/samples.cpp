@@ -20,7 +20,7 @@ const std::vector<Sample>& allSamples() {
       {"trunnion-tilt", QT_TRANSLATE_NOOP("Sample", "A tilted trunnion axis"),
        QT_TRANSLATE_NOOP("Sample", "One cause, found with its size")},
       {"look-alikes", QT_TRANSLATE_NOOP("Sample", "The same fault, one face"),
-       QT_TRANSLATE_NOOP("Sample", "Ambiguous: what leaves the same trace, and what to read next")},
+       QT_TRANSLATE_NOOP("Sample", "Ambiguous: indistinguishable causes, and the readings to take next")},
       {"two-causes", QT_TRANSLATE_NOOP("Sample", "Two causes at once"),
        QT_TRANSLATE_NOOP("Sample", "A trunnion tilt and a vertical circle that drifts")},
       {"knocked-tripod", QT_TRANSLATE_NOOP("Sample", "A knocked tripod"),

@@ -187,7 +187,7 @@ class StationFindings {
   void tellEither() {
     add(Severity::Warning,
         Phrase::of("With these targets, a tilt of the trunnion axis is indistinguishable from an offset of "
-                   "the line of sight: the one of the more usual size is stated."),
+                   "the line of sight: the result states the one whose size is more usual."),
         Phrase::of("Sight near and far targets at the same elevation as well."));
   }
 

@@ -187,7 +187,8 @@ Statement stationsTable(const InstrumentCheck& check) {
                    Phrase::of(
                        "i, estimated together with the collimation, from targets at several elevations")},
                   {"line_of_sight", Phrase::of("Line of sight"), Role::Figure,
-                   Phrase::of("Offset e from the axis, from targets at several distances")}},
+                   Phrase::of("Offset e of the line of sight from the vertical axis, determined from targets "
+                              "at several distances")}},
       .rows = {},
       .note = Phrase::of(
           "Rounds × targets; s: of a direction or a zenith angle observed once in both faces, ν: degrees of "

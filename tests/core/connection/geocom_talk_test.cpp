@@ -191,7 +191,7 @@ TEST(GeoComTalk, AWrongChecksumIsAskedAgainAndARightOnePasses) {
   };
   answer(1);
   EXPECT_TRUE(geocom.bench.readings.empty());
-  EXPECT_TRUE(geocom.bench.said("The check sum of an answer is not that of its text"));
+  EXPECT_TRUE(geocom.bench.said("The check sum of an answer does not match its text"));
   answer(0);
   EXPECT_EQ(geocom.bench.readings.size(), 1U);
 }

@@ -65,9 +65,10 @@ TEST_F(Deviations, NameWhatWasPassedOverOutOfTurnAndTakenAgain) {
   read(4);
   read(3);
   read(4, true);
-  EXPECT_EQ(told(),
-            "5 of 36 sightings are taken. Skipped: 0°: point 2. Taken out of turn: 0°: point 3. Taken again: "
-            "0°: point 4.");
+  EXPECT_EQ(
+      told(),
+      "5 of 36 sightings are taken. Skipped: 0°: point 2. Taken out of order: 0°: point 3. Taken again: "
+      "0°: point 4.");
 }
 
 TEST_F(Deviations, CountTheSightingsBeyondSixAndThoseOfNoProtocol) {

@@ -18,8 +18,8 @@ TEST(SessionFindingsInWords, StateTheirNumbers) {
             "The radii of the one rigid arc at 0° and 180° differ by 1.959 mm, more than their noise allows "
             "(0.200 mm at 0.1 % risk).");
   EXPECT_EQ(wordsOf(KnownRadiusContradicted{400, -0.0312, 0.0201}).text,
-            "The readings disagree with the known radius of 400 mm: they shift it by −0.0312 mm; their noise "
-            "and its σ allow at most 0.0201 mm at 0.1 % risk.");
+            "The readings disagree with the known radius of 400 mm: they shift it by −0.0312 mm; the noise "
+            "of the readings and the σ of the radius allow at most 0.0201 mm at 0.1 % risk.");
 }
 
 TEST(SessionFindingsInWords, NameTheArcOrThePosition) {

@@ -30,7 +30,7 @@ QString argumentTitle(FormArgument of) {
     case FormArgument::S:
       return FormPlot::tr("slider coordinate s (°)");
     case FormArgument::T:
-      return FormPlot::tr("t, share of the session");
+      return FormPlot::tr("t, elapsed share of the session");
     case FormArgument::Azimuth:
       return FormPlot::tr("azimuth a (°), right positive");
     case FormArgument::Elevation:

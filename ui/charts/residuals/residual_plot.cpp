@@ -101,7 +101,7 @@ void ResidualPlot::draw() {
   m_unchecked = m_drawn.showsStandardised() ? countUnchecked() : 0;
   m_envelope = isOver(Over::Normal) ? normalEnvelope(m_points.size()) : NormalEnvelope();
   setMessage(m_picture->isEmpty() ? tr("No arc fitted yet: no residuals.")
-             : m_points.empty()   ? tr("There are no readings of the kind chosen to be drawn.")
+             : m_points.empty()   ? tr("There are no readings of the kind selected for the chart.")
                                   : QString());
   reckonNoise();
   const double reach = reckonReach();

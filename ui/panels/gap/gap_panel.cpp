@@ -89,9 +89,9 @@ GapPanel::GapPanel(QWidget* parent)
           [this](std::size_t form) { emit formWanted(m_gap->diagnosis->forms[form]); });
   m_causesBlock = createCauses();
   m_formsBlock = block(tr("Form"), {m_forms});
-  m_whereBlock =
-      block(tr("Where it lies"),
-            {m_map, standard(tr("Should be: no part stands out; look where one does.")), m_leftOver});
+  auto* noLargePart = standard(
+      tr("Should be: no part of a bar is far larger than the others; such a part shows where the gap lies."));
+  m_whereBlock = block(tr("Where it lies"), {m_map, noLargePart, m_leftOver});
   m_blocks = {m_headline,
               m_causesBlock,
               m_formsBlock,

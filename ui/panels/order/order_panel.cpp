@@ -207,7 +207,7 @@ QString OrderPanel::remarkText(int row) const {
   const auto index = static_cast<std::size_t>(row);
   for (const Repeat& repeat : m_evaluation->guide->repeats)
     if (std::ranges::find(repeat.sightings, index) != repeat.sightings.end()) return tr("take again");
-  return sighting(row).isOutOfTurn ? tr("out of turn") : QString();
+  return sighting(row).isOutOfTurn ? tr("out of order") : QString();
 }
 
 void OrderPanel::activate(int row) {

@@ -60,7 +60,7 @@ ReliabilityPanel::ReliabilityPanel(QWidget* parent)
   m_summary->setWordWrap(true);
   m_summary->setTextInteractionFlags(Qt::TextSelectableByMouse);
   m_table->setAccessibleName(tr("Reliability of every reading"));
-  m_table->setPlaceholder(tr("No fit yet: the readings are listed here once they fix an arc."));
+  m_table->setPlaceholder(tr("No fit yet: the readings are listed here once they determine an arc."));
   setFocusProxy(m_table);
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(6, 6, 6, 6);
@@ -96,7 +96,7 @@ DataTable* ReliabilityPanel::createTable() {
        ofReading([](const Row& row) {
          return numberText(Angle::fromRadians(row.adjusted.residual).arcseconds(), 1);
        })},
-      {tr("w"), tr("Standardised residual v/(s0 σ √r): of a good reading, its standard deviation is 1"),
+      {tr("w"), tr("Standardised residual v/(s0 σ √r): for correct readings, its standard deviation is 1"),
        QStringLiteral("−18.88"), ofReading([this](const Row& row) {
          return numberText(row.adjusted.standardised(m_detection.scale), 2);
        })},
@@ -105,8 +105,9 @@ DataTable* ReliabilityPanel::createTable() {
        {},
        [this](int i) { return numberText(input(i) ? input(i)->redundancy : row(i).adjusted.redundancy, 2); }},
       {tr("Detectable ″"),
-       tr("Minimal detectable bias: the smallest error that the search for misread readings finds with 80 % "
-          "chance, at 1 % risk of naming any sound reading of the session, in the noise s0 σ"),
+       tr("Minimal detectable bias: the smallest error of this reading that the search for misread readings "
+          "finds with a probability of 80 %; the risk of naming a correct reading anywhere in the session is "
+          "1 %; noise: s0 σ"),
        QStringLiteral("1888.8"),
        [this](int i) {
          const double bias = input(i) ? INFINITY : row(i).reliability.minimalDetectableBias.arcseconds();
