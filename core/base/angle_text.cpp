@@ -290,4 +290,9 @@ std::string formatDms(Angle angle, int decimals, AngleSigns signs) {
   return text + (typewriter ? "\"" : "″");
 }
 
+bool areEqualAsTyped(Angle a, Angle b) {
+  constexpr double rounding = 1e-6;  // arcsec
+  return std::abs(wrapped(a - b).arcseconds()) < rounding;
+}
+
 }  // namespace alidade

@@ -36,4 +36,7 @@ enum class AngleSigns {
 /// leading − (a hyphen with Typewriter). Not wrapped: wrap circle readings first.
 std::string formatDms(Angle angle, int decimals = 0, AngleSigns signs = AngleSigns::Primes);
 
+/// Whether the angles are equal up to the rounding of their texts, and to whole turns.
+bool areEqualAsTyped(Angle a, Angle b);
+
 }  // namespace alidade

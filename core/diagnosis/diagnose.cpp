@@ -244,8 +244,6 @@ Result<Diagnosis, DiagnosisFault> diagnose(const Measurement& measurement, const
   diagnosis.shape = conclusion.shape;
   diagnosis.forms = std::move(conclusion.forms);
   diagnosis.whatItWouldTake = std::move(required);
-  diagnosis.leftBefore = inSigma(own);
-  diagnosis.leftAfter = inSigma(answer.opened);
   diagnosis.readings = readingsOf(own);
   if (stop.stop_requested()) return stopped;
   diagnosis.advice = adviceFor(inquiry, possibleCausesOf(inquiry, answer), diagnosis.causes, undetectable);

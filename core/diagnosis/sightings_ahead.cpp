@@ -9,12 +9,11 @@
 #include "core/diagnosis/next_sighting/all_possible.h"
 #include "core/diagnosis/next_sighting/possible_sightings.h"
 #include "core/diagnosis/next_sighting/sighting_equations.h"
+#include "core/diagnosis/observability/attainable.h"
 
 namespace alidade {
 
 namespace {
-
-constexpr double worthIt = 0.9;  ///< largest factor of U at which an alternative is listed
 
 /// Returns the measurement with the sighting `chosen` added; its reading follows from the arcs fitted so far.
 Measurement after(const PossibleSighting& chosen, const Measurement& measurement,
@@ -95,7 +94,7 @@ class Path {
     for (const MayBe& mayBe : equations.mayBe) {
       if (mayBe.first >= equations.effectColumns || !mayBe.widths) continue;
       const double share = every.sigmaKnowing(mayBe) / every.sigma();
-      if (share <= worthIt)
+      if (share <= worthwhileShare)
         list.push_back(
             {.measures = {}, .known = std::string(mayBe.cause), .expanded = share * *m_ahead.expanded});
     }
@@ -142,7 +141,7 @@ std::vector<AttainableUncertainty> insteadOf(const Path& best, const Measurement
     Path path(0, measurement, withMeasure(plan, measure), stop);
     path.goOnLike(best.ahead());
     if (const auto expanded = path.ahead().expanded;
-        expanded && *expanded <= worthIt * *best.ahead().expanded)
+        expanded && *expanded <= worthwhileShare * *best.ahead().expanded)
       instead.push_back({{measure}, {}, *expanded});
   }
   std::ranges::move(best.withKnownEffects(), std::back_inserter(instead));

@@ -7,6 +7,7 @@
 #include <map>
 #include <utility>
 
+#include "core/base/angle_text.h"
 #include "core/base/number_text.h"
 #include "core/base/phrase.h"
 #include "core/base/threads.h"
@@ -419,11 +420,9 @@ std::vector<std::size_t> firstAtTheirAxes(const Measurement& measurement) {
 
 namespace {
 
-/// Are the zeros equal up to the rounding of their texts?
 bool haveSameZero(const ArcMeasurement& one, const ArcMeasurement& other) {
-  constexpr double rounding = 1e-6;  // arcsec
-  const auto areAlike = [](Angle a, Angle b) { return std::abs(wrapped(a - b).arcseconds()) < rounding; };
-  return areAlike(one.zeroHorizontal, other.zeroHorizontal) && areAlike(one.zeroVertical, other.zeroVertical);
+  return areEqualAsTyped(one.zeroHorizontal, other.zeroHorizontal) &&
+         areEqualAsTyped(one.zeroVertical, other.zeroVertical);
 }
 
 auto arcsAt(const Measurement& measurement, int axisDeg) {

@@ -6,6 +6,7 @@
 #include <string>
 #include <utility>
 
+#include "core/base/angle_text.h"
 #include "core/base/number_text.h"
 #include "core/base/phrase.h"
 #include "core/base/square.h"
@@ -38,12 +39,6 @@ struct PositionZero {
   std::optional<FaceOneReading> first;
   std::vector<FromFirst> sightings;  ///< including the first
 };
-
-/// Equal up to the rounding of the texts.
-bool areAlike(Angle a, Angle b) {
-  constexpr double rounding = 1e-6;  // arcsec
-  return std::abs(wrapped(a - b).arcseconds()) < rounding;
-}
 
 class ZeroExaminer : private ProblemReporter {
  public:
@@ -210,13 +205,13 @@ bool poolSightings(std::vector<PositionZero>& zeros) {
   for (const PositionZero& zero : zeros) {
     if (!zero.first) continue;
     if (!first) first = &*zero.first;
-    if (!areAlike(first->horizontal, zero.first->horizontal) ||
-        !areAlike(first->vertical, zero.first->vertical))
+    if (!areEqualAsTyped(first->horizontal, zero.first->horizontal) ||
+        !areEqualAsTyped(first->vertical, zero.first->vertical))
       return false;
     for (const FromFirst& one : zero.sightings) {
       const auto [found, isNew] = pooled.emplace(std::pair(one.face, one.isAfter), one);
-      if (!areAlike(found->second.horizontal, one.horizontal) ||
-          !areAlike(found->second.vertical, one.vertical))
+      if (!areEqualAsTyped(found->second.horizontal, one.horizontal) ||
+          !areEqualAsTyped(found->second.vertical, one.vertical))
         return false;
     }
   }

@@ -4,6 +4,9 @@
 
 namespace alidade {
 
+/// Most amplitudes of the user's own effects in one session.
+inline constexpr std::size_t mostOwnTerms = 6;
+
 /// The errors of instrument and guideway: parameters of the forward model that are zero for perfect ones.
 /// Angles in radians, lengths in mm. `s` is the slider coordinate, α and β are circle readings of face 1.
 enum class ErrorTerm : std::size_t {
@@ -46,14 +49,11 @@ enum class ErrorTerm : std::size_t {
   SliderSine,   ///< … + A sin s
   OwnGuideway,  ///< the first of `mostOwnTerms` amplitudes of the user's own effects that move the target or
                 ///< the slider reading
-  OwnInstrument = OwnGuideway + 6,  ///< the first of as many that act on the circles
-  Count = OwnInstrument + 6,
+  OwnInstrument = OwnGuideway + mostOwnTerms,  ///< the first of as many that act on the circles
+  Count = OwnInstrument + mostOwnTerms,
 };
 
 inline constexpr std::size_t errorTermCount = static_cast<std::size_t>(ErrorTerm::Count);
-
-/// Most amplitudes of the user's own effects in one session.
-inline constexpr std::size_t mostOwnTerms = 6;
 
 /// The first term of the guideway.
 inline constexpr auto firstGuidewayTerm = static_cast<std::size_t>(ErrorTerm::PlaneTiltX);

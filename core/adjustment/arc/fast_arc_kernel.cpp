@@ -20,7 +20,6 @@ constexpr std::size_t share = 16;  // blocks of a sweep that are processed toget
 }
 
 /// The point of the arc plane sighted by the readings.
-template <bool exact>
 [[gnu::always_inline]] inline void sight(PlaceEquation& place, const Lanes& a, const Lanes& e,
                                          Lanes& largest) {
   const Lanes aa = a * a, ee = e * e;
@@ -380,7 +379,7 @@ template <bool exact>
   for (std::size_t i = 0; i < readings.blocks(); ++i) {
     Lanes a, e;
     load(readings, i, a, e, places[i].weight);
-    sight<exact>(places[i], a, e, largest);
+    sight(places[i], a, e, largest);
   }
   for (std::size_t i = 0; i < readings.blocks(); ++i) {
     raise<exact>(places[i]);
@@ -403,7 +402,6 @@ template <bool exact>
 
 /// Loads the `count` readings of `width` fits, one fit after the other; if there are fewer fits, the first
 /// fills the other lanes.
-template <bool exact>
 [[gnu::always_inline]] inline void sightFits(PlaceEquation* places, const double* a, const double* e,
                                              std::size_t count, std::size_t fits, Outcome<Lanes>& outcome) {
   std::size_t from[width];
@@ -415,7 +413,7 @@ template <bool exact>
       laneA[lane] = a[from[lane] + i];
       laneE[lane] = e[from[lane] + i];
     }
-    sight<exact>(places[i], laneA, laneE, largest);
+    sight(places[i], laneA, laneE, largest);
   }
   outcome.largestReading = root(largest);
 }
@@ -429,8 +427,7 @@ template <bool exact>
   const Lanes perPlaces = broadcast(1 / static_cast<double>(count));
   for (std::size_t k = 0; k < sideBySide; ++k) {
     const std::size_t first = k * width < fits ? k * width : 0;
-    sightFits<exact>(places + k * count, a + first * count, e + first * count, count, fits - first,
-                     outcomes[k]);
+    sightFits(places + k * count, a + first * count, e + first * count, count, fits - first, outcomes[k]);
     for (std::size_t i = k * count; i < (k + 1) * count; ++i) {
       raise<exact>(places[i]);
       add<false>(moments[k], places[i]);
@@ -454,7 +451,7 @@ template <bool exact>
   for (std::size_t i = 0; i < blocks; ++i) {
     Lanes a, e;
     load(readings, first + i, a, e, places[i].weight);
-    sight<exact>(places[i], a, e, largest);
+    sight(places[i], a, e, largest);
   }
   for (std::size_t i = 0; i < blocks; ++i) raise<exact>(places[i]);
 }

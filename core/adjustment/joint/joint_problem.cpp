@@ -290,9 +290,8 @@ Pointing JointProblem::pointingOf(const ArcMeasurement& arc, const Sighting& sig
   Pointing pointing = zeroPointing(arc);
   pointing.face = sighting.face;
   pointing.elapsed = sighting.elapsed;
-  pointing.isSetUpAgain = &arc != m_measurement.arcs.data();
+  pointing.isSetUpAgain = &arc != m_measurement.arcs.data() && !sighting.isZero;
   pointing.jumpShare = hasJumped(sighting.order) ? 1 : 0;
-  pointing.isSetUpAgain = pointing.isSetUpAgain && !sighting.isZero;
   return pointing;
 }
 

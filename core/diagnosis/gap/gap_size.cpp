@@ -31,13 +31,6 @@ double excessOf(const GapModel& model) {
   return std::max(0.0, model.fit->chiSquare - model.fit->degreesOfFreedom);
 }
 
-std::vector<double> inSigma(const GapModel& model) {
-  std::vector<double> list;
-  for (const AdjustedReading& reading : model.fit->readings)
-    list.push_back(reading.residual / reading.sigma * model.noise);
-  return list;
-}
-
 std::optional<IntersectionEstimate> estimateOf(const GapModel& model) {
   const std::optional<Intersection> found = intersect(*model.measurement, *model.fit);
   if (!found) return std::nullopt;

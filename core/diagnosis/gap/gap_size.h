@@ -1,7 +1,6 @@
 #pragma once
 
 #include <optional>
-#include <vector>
 
 #include "core/diagnosis/gap/gap_model.h"
 #include "core/diagnosis/result/diagnosis.h"
@@ -17,9 +16,6 @@ GapSize sizeOf(const GapModel& model);
 
 /// Excess of χ² over the degrees of freedom at the model's noise, ≥ 0.
 double excessOf(const GapModel& model);
-
-/// Residuals divided by their stated σ, in the order of `JointFit::readings`.
-std::vector<double> inSigma(const GapModel& model);
 
 /// Δd, if both positions are present.
 std::optional<IntersectionEstimate> estimateOf(const GapModel& model);

@@ -17,9 +17,6 @@ namespace alidade {
 
 namespace {
 
-/// Factor of U: a smaller reduction is not worth the effort.
-constexpr double worthIt = 0.9;
-
 /// Returns the model of an error-free set of readings with every effect as an unknown. It excludes past
 /// jumps.
 GapModel plannedModel(const GapModel& model, const Measurement& set, double noise,
@@ -71,7 +68,7 @@ std::vector<AttainableUncertainty> withKnownEffects(const GapModel& planned, con
   for (const Effect* effect : effectsOf(*planned.measurement)) {
     const double left = 1 - varianceUpTo(planned, *effect) / square(found.sigma);
     const double expanded = found.expanded * std::sqrt(std::max(left, 0.0));
-    if (expanded <= worthIt * found.expanded)
+    if (expanded <= worthwhileShare * found.expanded)
       list.push_back({.measures = {}, .known = std::string(effect->id), .expanded = expanded});
   }
   return list;
@@ -87,7 +84,7 @@ bool isOneMoreOf(const std::vector<Measure>& some, const std::vector<Measure>& m
 bool isWorthIt(const AttainableUncertainty& attainable, const std::vector<AttainableUncertainty>& all) {
   return std::ranges::all_of(all, [&](const AttainableUncertainty& other) {
     return !isOneMoreOf(other.measures, attainable.measures) ||
-           attainable.expanded <= worthIt * other.expanded;
+           attainable.expanded <= worthwhileShare * other.expanded;
   });
 }
 

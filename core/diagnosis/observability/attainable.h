@@ -8,13 +8,16 @@
 
 namespace alidade {
 
+/// The largest share of U that remains after a measure worth its effort.
+inline constexpr double worthwhileShare = 0.9;
+
 /// Returns the U that sessions like that of `model` attain. The noise is `noise` times that of the model.
 /// Every catalogue effect has its known size or `scales` times its plausible size; estimated effects have
 /// their prior uncertainty.
 ///
 /// The first entry is for the readings as they are. The others, in ascending order, are for more readings or
-/// a known effect that reduce U to nine tenths or less. A combination must also do so relative to each part
-/// of it. Empty without both positions, or for too many rows (`isLarge`).
+/// a known effect that reduce U to `worthwhileShare` or less. A combination must also do so relative to each
+/// part of it. Empty without both positions, or for too many rows (`isLarge`).
 std::vector<AttainableUncertainty> attainableUncertainties(const GapModel& model, double noise,
                                                            const EffectScales& scales = {});
 

@@ -272,10 +272,9 @@ struct Diagnosis {
   /// Present on request; the first entry is without further measures (`attainableUncertainties`). Empty with
   /// NotInCatalogue.
   std::vector<AttainableUncertainty> attainable;
-  std::optional<GapShape> shape;  ///< with NotInCatalogue
-  std::vector<FoundForm> forms;   ///< with NotInCatalogue; empty if none is better than the pattern
-  std::vector<double> leftBefore, leftAfter;  ///< residuals/σ before and after, in the order of `readings`
-  std::vector<ReadingDeviation> readings;     ///< all readings of the fit; `size` is the residual before
+  std::optional<GapShape> shape;           ///< with NotInCatalogue
+  std::vector<FoundForm> forms;            ///< with NotInCatalogue; empty if none is better than the pattern
+  std::vector<ReadingDeviation> readings;  ///< all readings of the fit; `size` is the residual before
 };
 
 /// Whether a closure fails even with the causes found.

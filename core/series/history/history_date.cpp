@@ -179,8 +179,4 @@ HistoryDate asDecimalYear(const HistoryDate& year) {
   return decimal;
 }
 
-double decimalYearOf(double day) {
-  return 2000 + std::round(1000 * day / daysPerYear) / 1000;
-}
-
 }  // namespace alidade

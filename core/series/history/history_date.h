@@ -38,7 +38,4 @@ std::vector<DateTick> dateTicks(double from, double to, std::size_t most);
 /// The year read as a decimal one: 2019 is its beginning, like 2019.0.
 HistoryDate asDecimalYear(const HistoryDate& year);
 
-/// The decimal year to three places; labels dates on an axis.
-double decimalYearOf(double day);
-
 }  // namespace alidade

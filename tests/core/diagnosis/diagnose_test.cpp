@@ -303,7 +303,7 @@ TEST(Diagnosis, TakesTheFitThatThereIs) {
   ASSERT_TRUE(own && given);
   EXPECT_EQ(own->verdict, given->verdict);
   EXPECT_EQ(own->gap.rms, given->gap.rms);
-  EXPECT_EQ(own->leftAfter, given->leftAfter);
+  EXPECT_EQ(own->after.rms, given->after.rms);
 }
 
 // The ray tracer's own tools computed the trace of an effect in the readings, σ. Effects that our fit absorbs
