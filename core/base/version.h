@@ -4,7 +4,7 @@
 
 namespace alidade {
 
-// Written into the build folder by version.cmake.
+// version.cmake defines these constants in a source file in the build folder.
 
 /// The version in project() of the topmost CMakeLists.txt: "1.0.0".
 extern const char* const programVersion;

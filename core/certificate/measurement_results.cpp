@@ -45,7 +45,7 @@ StatedQuantity asMeasured(const IntersectionEstimate& estimate, double coverage)
               }};
 }
 
-/// Adds, in place of Δd, measured, the reason why there is none.
+/// Adds the quantity “Δd, measured” with the reason why it has no value.
 void addNoneMeasured(const Element& data, bool isDiagnosed) {
   const Element quantity = data.add("quantity");
   quantity.attribute("id", "intersection_as_measured");

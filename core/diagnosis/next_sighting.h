@@ -13,8 +13,8 @@ namespace alidade {
 // Ranks the next sightings by their value per minute, and decides whether the sightings so far are enough.
 //
 // The hypotheses: no cause, one effect of the catalogue, a form of an uncatalogued effect, a jump, a wrong
-// zero, a gross error, larger noise. Once one that is no form and not noise is certain, the others are
-// weighed in addition to it; of jumps and wrong zeros there is one at most.
+// zero, a gross error, larger noise. Once a cause other than a form or noise is certain, further causes are
+// weighed in addition to it. At most one jump or wrong zero is assumed.
 // Each predicts the next reading by a normal distribution, given the readings so far and all unknowns. A
 // sighting is worth Σ √(wᵢ wⱼ) (1 − BCᵢⱼ) over pairs of hypotheses, plus −ln(U after/U before) of Δd. w are
 // the probabilities, BC is the Bhattacharyya coefficient of the two predictions.
@@ -42,15 +42,15 @@ struct SessionSoFar {
   Enough enough = Enough::No;
   double logEvidence = 0;        ///< ln of the Bayes factor against no cause
   double logEvidenceNeeded = 0;  ///< ln 1/α: from here on some cause is evident
-  /// The most probable first, no cause included: each alone, the first also together with a further one.
+  /// All hypotheses, the most probable first, each weighed alone; the first also with one further cause.
   std::vector<WeighedCause> causes;
   /// The first cause and the causes that no sighting of the plan separates from it, once they are certain and
   /// not of a form. Further causes are weighed only then.
   std::vector<std::string> certain;
   /// `certain`, once nothing contradicts that name; or `formId`, an uncatalogued effect.
   std::vector<std::string> named;
-  /// What there may be in addition to the first of `certain`, the most probable first; an empty cause: no
-  /// further one.
+  /// The hypotheses for a further cause in addition to the first of `certain`, the most probable first; an
+  /// empty cause: no further one.
   std::vector<WeighedCause> further;
   std::vector<std::string> alsoNamed;  ///< a second cause, as `named`; it has its probability given the first
   bool isAlone = true;                 ///< the evidence for a further cause has fallen

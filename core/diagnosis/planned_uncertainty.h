@@ -9,9 +9,9 @@
 
 namespace alidade {
 
-// U of Δd, mm, for a planned measurement: error-free readings of the planned visits. `noise` is the ratio of
-// expected to stated scatter. Results are absent or empty without both positions, or if the plan does not
-// determine Δd.
+// U of Δd, mm, for a planned measurement. `plan` holds error-free readings of the planned visits, `noise` is
+// the ratio of expected to stated scatter. Results are absent or empty without both positions, or if the plan
+// does not determine Δd.
 
 /// U from the fit only. If the scatter is estimated, it has the degrees of freedom of the plan.
 std::optional<double> plannedUncertaintyOfFit(const Measurement& plan, const NoiseScale& noise);

@@ -72,8 +72,8 @@ struct ColumnGain {
 ColumnGain columnGain(Response response, std::span<const double> gram, std::span<const double> right,
                       std::span<const double> sigmas);
 
-/// Returns the distance of an effect from a trace of squared length `square`, σ. `right` are the products of
-/// its columns with the trace.
+/// Returns the distance, in σ, of an effect with its best weights from a trace of squared length `square`.
+/// `right` are the products of the effect's columns with the trace.
 double leastDifference(Response response, std::span<const double> gram, std::span<const double> right,
                        double square);
 

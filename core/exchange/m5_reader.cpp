@@ -141,8 +141,8 @@ class M5Reader {
     m_book.setAsideLine(line.text, line.number);
   }
 
-  /// A text that is not a mark is the heading of what follows, such as the name of a program of the
-  /// instrument: the angles of an adjustment are not sightings.
+  /// Reads a text line: a mark, or a heading of the lines that follow, such as the name of a program of the
+  /// instrument. Angles in a text line, such as those of an adjustment, are not sightings.
   void readText(const Block& block, const std::vector<Value>& values, std::size_t line) {
     const std::string text = trimmed(block.text.substr(std::min<std::size_t>(block.text.size(), 3)));
     Recording& recording = m_book.recording();

@@ -36,7 +36,7 @@ struct RecordedSighting {
   std::size_t line = 0;
   RecordedEntry axis;
   Reading row;  ///< angles in a notation of `parseAngle`
-  /// The columns of the row's fields in the line, in the order of `rowFields`, as in LineProblem.
+  /// The column in the line of each field of `rowFields`, in that order; counted as in LineProblem.
   std::array<std::size_t, rowFields.size()> columns{};
   bool isZero = false;                ///< of the pointing zero instead of the slider
   int time = 1;                       ///< the repeat at its axis if `tellsTurns`; else yet to be determined
@@ -59,11 +59,11 @@ struct Recording {
   std::string measuredOn;             ///< year-month-day
   std::string verticalCircle;         ///< "zenith", "elevation", or empty if the file does not state it
   std::string circleRemark;           ///< how the kind of vertical circle was inferred, if no name states it
-  bool tellsTurns = false;            ///< the file states the turn of each row
+  bool tellsTurns = false;            ///< the file states the repeat of each row
   std::vector<LineProblem> problems;  ///< unreadable lines, which `sightings` leaves out
   /// A sentence for each kind of data that a session cannot hold or that was interpreted.
   std::vector<std::string> unused;
-  /// The same for stations and distances, which the instrument check uses.
+  /// A sentence for each kind of data that only the instrument check uses: stations and distances.
   std::vector<std::string> unusedBySession;
   std::vector<LineProblem> distanceProblems;  ///< unreadable distances; the rest of their lines is used
   std::map<std::string, std::size_t> stationIndices;  ///< of `stations`

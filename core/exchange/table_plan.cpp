@@ -113,7 +113,7 @@ class TablePlanner {
     }
   }
 
-  /// Joins columns without a name, or that repeat the circle's, if their numbers are degrees, minutes and
+  /// Joins columns that have no name or repeat the circle's name, if their numbers are degrees, minutes and
   /// seconds.
   void joinByNumbers(std::size_t at) {
     Columns& columns = m_plan.columns;

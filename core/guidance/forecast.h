@@ -21,8 +21,8 @@ std::vector<std::optional<ExpectedReading>> forecast(const Measurement& measurem
                                                      const SightingProtocol& protocol,
                                                      const ProtocolProgress& progress);
 
-/// The planned places of the slider, for `expectedReadings`, by the protocol's position numbers in this
-/// session.
+/// The planned places of the slider, for `expectedReadings`. `positions`: the index in the session of each
+/// position of the protocol.
 NominalPlaces nominalPlaces(const SightingProtocol& protocol, const std::vector<std::size_t>& positions);
 
 /// The measurement with an arc for each position of the protocol: existing arcs, and empty arcs with the

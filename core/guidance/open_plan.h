@@ -5,8 +5,8 @@
 
 namespace alidade {
 
-/// All places of a protocol with all faces of its rounds. Its `rows`, for whose duration a drift is stated,
-/// exclude the sightings that `openOrder` added.
+/// The plan of all places of a protocol with all faces of its rounds. `SightingPlan::rows`, to whose duration
+/// a stated drift refers, excludes the sightings that `openOrder` added.
 SightingPlan openPlan(const SightingProtocol& protocol);
 
 }  // namespace alidade

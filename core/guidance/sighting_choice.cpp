@@ -30,7 +30,8 @@ class Remaining {
     if (m_isTurned && !isOtherAxis(*begun)) m_here.reset();
   }
 
-  /// False if the last reading's position is not in the protocol, or another one at its axis was begun since.
+  /// False if the protocol lacks the position of the last reading, or another position at the same axis was
+  /// begun after it.
   bool isKnown() const { return m_here.has_value(); }
   std::size_t here() const { return *m_here; }  ///< index into the protocol's positions
   bool isTurned() const { return m_isTurned; }  ///< the other position has a zero, and no reading yet

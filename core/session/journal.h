@@ -59,8 +59,8 @@ inline constexpr const char* sealed = "sealed";        ///< `from`: the revision
 inline constexpr const char* explained = "explained";  ///< `to`: why the entries numbered `from` were made
 }  // namespace journal_reasons
 
-/// The hash of `entry`, with `before` that of the previous entry, empty for the first: SHA-256 over the
-/// compact JSON list of `before` and the entry's texts in the order of `journalFields`.
+/// The hash of `entry`: SHA-256 over the compact JSON list of `before` and the entry's texts in the order of
+/// `journalFields`. `before`: the hash of the previous entry; empty for the first entry.
 std::string journalHash(const std::string& before, const JournalEntry& entry);
 
 /// The entry that states why `count` entries from the index `first` on were made.

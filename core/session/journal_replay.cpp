@@ -298,7 +298,7 @@ bool JournalReplay::isLaterLeft(const std::string& field, const std::string& tex
 }
 
 /// Before the first seal, texts are filled in, notes change, and empty rows are added and removed without an
-/// entry, so the row may have another index. An entry of a row without texts tells of an empty row.
+/// entry, so the row may have another index. An entry without texts describes an empty row.
 JournalReplay::ToldRow JournalReplay::openRow(const Json& rows, const Path& path, std::size_t index) const {
   const Json told = rowOfText(m_journal[index].to);
   const bool isBlankRow = isBlank(readingOf(told));
@@ -313,7 +313,7 @@ JournalReplay::ToldRow JournalReplay::openRow(const Json& rows, const Path& path
   return {{}, std::ranges::any_of(rows, [&](const Json& row) { return hasTexts(row, lasting); })};
 }
 
-/// The row that the entry tells of.
+/// The row that the entry at `index` describes.
 JournalReplay::ToldRow JournalReplay::toldRow(const Json& rows, const Path& path, std::size_t index) const {
   if (!isSealedBefore(index)) return openRow(rows, path, index);
   const bool isThere = *path.reading < rows.size();

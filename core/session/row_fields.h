@@ -33,9 +33,9 @@ inline constexpr AngleRule sliderRule{
 
 /// Any number; it is kept as typed, as no calculation uses it.
 struct NumberText {};
-/// Arcseconds, by `tiltEntry`.
+/// Arcseconds that `tiltEntry` accepts.
 struct TiltRule {};
-/// Words, by `correctionsEntry`.
+/// Words that `correctionsEntry` accepts.
 struct CorrectionsRule {};
 
 /// The rule for a text of a row.

@@ -159,8 +159,8 @@ struct Geometry {
   std::string verticalCircle;   ///< "zenith" or "elevation"; empty: zenith
   std::string pointingZeros;    ///< "each": sighted in each position; "one": once for all; empty: each
   std::string plane = {};       ///< of the arc: "vertical", or "square" to the pointing zero; empty: vertical
-  /// What the pointing zeros sight: "mark", one fixed direction; "normal", that of the guideway, set again in
-  /// each position; "unknown"; empty: a mark if they agree.
+  /// What the pointing zeros sight: "mark", one fixed direction; "normal", the guideway's normal, set again
+  /// in each position; "unknown"; empty: a mark if the zeros agree.
   std::string zeroIs = {};
   std::string distanceFrom;              ///< how L was measured, and its traceability
   std::string distanceExpansionPpmPerK;  ///< of L, as stated for 20 °C; empty: 0, L holds at the session's
@@ -211,7 +211,7 @@ struct Session {
   Geometry geometry;
   Acceptance acceptance;
   Model model;
-  std::vector<OwnEffect> ownEffects;  ///< of the user's own, candidates like those of the catalogue
+  std::vector<OwnEffect> ownEffects;  ///< the user's, candidates like the effects of the catalogue
   std::vector<Position> positions;
   /// The protocol of sightings in use, as its JSON; empty: none. See `protocolOf`.
   std::string protocol;

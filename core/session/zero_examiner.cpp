@@ -139,7 +139,7 @@ std::optional<ZeroSightings::Move> moveOf(const std::vector<FromFirst>& sighting
                              std::sqrt(move.factor) / faces};
 }
 
-/// The sightings relative to their mean, which in face 1 reads `horizontal` and `vertical`.
+/// The sightings relative to their mean. `horizontal`, `vertical`: the mean minus the first sighting.
 std::vector<SightedZero> apartFrom(const std::vector<FromFirst>& sightings, Angle horizontal, Angle vertical,
                                    double up) {
   std::vector<SightedZero> apart;

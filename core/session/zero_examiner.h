@@ -30,12 +30,12 @@ struct ExaminedZeros {
   bool isOneOfSeveral = false;  ///< stated as one, but the sightings of positions differ
 };
 
-/// Examines the zeros of every position. An unusable sighting is left out and reported; without the first, in
-/// face 1 before the readings, a position has no zero. Only faces in which all zeros were sighted count. The
-/// reason is that the effect of collimation and index in face 1 is constant over an arc; zeros in different
-/// faces would not cancel it. If all positions have one zero (`PointingZeros::One`), each sighting may be
-/// entered in any of them. `circle` absent: its kind is unknown, and there are no directions. σ: of single
-/// sightings, ≥ 0.
+/// Examines the zeros of every position. An unusable sighting is left out and reported. A position has no
+/// zero if its first sighting, in face 1 before the readings, is unusable. Face 2 counts only if the zeros of
+/// all positions were sighted in it: zeros in different faces would not cancel the effect of collimation and
+/// index, which is constant over an arc in face 1. If all positions have one zero (`PointingZeros::One`),
+/// each sighting may be entered in any position. If `circle` is absent, the kind of the vertical circle is
+/// unknown and there are no directions. The σ are those of single sightings, ≥ 0.
 ExaminedZeros examineZeros(const Session& session, const std::optional<VerticalCircle>& circle,
                            PointingZeros kind, Angle sigmaHorizontal, Angle sigmaVertical);
 

@@ -13,7 +13,7 @@ namespace alidade {
 
 namespace {
 
-/// A stream of its own: the session's noise is drawn from the seed itself.
+/// A random stream independent of the session's noise, which is drawn from `seed` itself.
 RandomSource randomOf(std::uint64_t seed) {
   return RandomSource(seed ^ 0x636F6D70ULL);
 }

@@ -39,9 +39,9 @@ struct TrialScore {
   bool named = false;       ///< the truth, alone or in a group, is the first cause
   /// Is the true Δd within Δd ± U with the causes found? Absent without a named cause or without Δd.
   std::optional<bool> covered = {};
-  /// The same for any answer: with the causes found, and with Δd, measured. Absent without Δd.
+  /// The same whether a cause is named or not: with the causes found; for Δd, measured. Absent without Δd.
   std::optional<bool> coveredAfter = {}, coveredMeasured = {};
-  /// Is reduced χ² with the causes found at noise level (p above 0.1 %), if a cause is named?
+  /// With the causes found, is reduced χ² at noise level (p above 0.1 %)? Absent without a named cause.
   std::optional<bool> backToNoise = {};
 };
 

@@ -46,9 +46,9 @@ Result<std::vector<ScoredTrial>> scoreTrials(const TrialSeriesOptions& options,
 Result<std::vector<ScoredTrial>> scoreDrawnTrials(const TrialSeriesOptions& options,
                                                   const BlindTrialOptions& draw, std::uint64_t seed);
 
-/// Stored trials: `folder`/truth.json and `folder`/sessions/ID.alidade for each id in it, or
-/// `folder`/ID.alidade if there is no such folder; the count of the options is ignored. Problems name the
-/// file.
+/// Trials stored in `folder`: truth.json, and the session ID.alidade for each id in truth.json. Sessions are
+/// in the subfolder `sessions`, or in `folder` itself if there is no subfolder. The count of the options is
+/// ignored. Problems name the file.
 Result<std::vector<ScoredTrial>> scoreStoredTrials(const TrialSeriesOptions& options,
                                                    const std::string& folder);
 

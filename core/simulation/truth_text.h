@@ -31,12 +31,12 @@ std::string effectNames();
 /// `unknown_`. Effects of size 0 do not count.
 std::vector<std::string> trueCauses(const Truth& truth);
 
-/// `none`, the only cause, `two_causes` or `several_causes`.
+/// `none`, the id of the only cause, `two_causes` or `several_causes`.
 std::string kindOf(const Truth& truth);
 
 /// The truth as a JSON document, {id: {…}}: seed, effects by name, intersection_mm, radius_mm, centre_x_mm,
-/// axis_height_mm, blunders ([position, round, point, face, horizontal, vertical], arcsec), kind (the only
-/// effect, none, gross_error, two_causes, …) and protocol.
+/// axis_height_mm, distance_mm, blunders ([position, round, point, face, horizontal, vertical], arcsec), kind
+/// (`kindOf`), protocol and reference; causes if there are several; true_sigma_arcsec if it is not as stated.
 std::string truthJson(const std::string& id, const Truth& truth);
 
 }  // namespace alidade

@@ -101,7 +101,7 @@ void addAttainable(std::vector<Entry>& entries, const Attainable& attainable) {
   }
 }
 
-/// Adds the entries that only reduce U. Keeps that of most worth and those of most worth per effort.
+/// Adds the entries that only reduce U. Keeps the entry of most worth and those of most worth per effort.
 std::vector<Entry> fewOf(std::vector<Entry> all, const Attainable& attainable) {
   constexpr std::size_t most = 3;
   addAttainable(all, attainable);

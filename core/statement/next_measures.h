@@ -12,10 +12,10 @@
 namespace alidade {
 
 // What to measure next, as one statement (`gapAdvice`): each measure with its rows and minutes, U afterwards,
-// and what it separates or reveals. At most three measures, the most worth per minute first, then the two
-// known effects that reduce U most. No other measure beats one of them in effort and in both parts of worth,
-// those of a `NextSighting`. For causes: half the probability that one look-alike is left, and the worth of
-// showing undetectable effects. For U: −ln(U after/U before).
+// and what it separates or reveals. Lists at most three measures, the most worth per effort first, then the
+// two known effects that reduce U most. Omits a measure if another one is no worse in effort and in both
+// parts of worth. The worth for causes is half the probability that one look-alike is left, plus the worth of
+// showing undetectable effects. The worth for U is −ln(U after/U before).
 
 /// The measures that `gapAdvice` names, in its order. `gap` has a diagnosis.
 std::vector<std::vector<Measure>> measuresNext(const Gap& gap);

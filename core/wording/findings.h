@@ -13,7 +13,7 @@ namespace alidade {
 Finding inWords(const FitFinding& finding);
 std::vector<Finding> inWords(const std::vector<FitFinding>& findings);
 
-/// The same, after a finding on the suspects if there are any.
+/// Also converts the suspects, if there are any, to one finding, which comes first.
 std::vector<Finding> inWords(const std::vector<FitFinding>& findings, const std::vector<Suspect>& suspects);
 
 /// Joins two sentences; either may be empty.

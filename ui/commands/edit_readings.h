@@ -30,7 +30,7 @@ class ReadingsEditor {
   void insertBlank(std::size_t row);
   void remove(const std::vector<std::size_t>& rows);
   void setExcluded(const std::vector<std::size_t>& rows, bool excluded);
-  /// Adds why these rows are excluded to their notes; ignores rows in use.
+  /// Adds the reason for the exclusion of these rows to their notes; ignores rows in use.
   void addReason(const std::vector<std::size_t>& rows, const std::string& reason);
   void clear(const std::vector<ReadingCell>& cells, bool cut = false);
 

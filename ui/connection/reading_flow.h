@@ -41,7 +41,7 @@ class ReadingFlow : public QObject {
 
   QString question() const { return m_question; }  ///< empty: no question
   std::size_t waiting() const { return m_waiting.size(); }
-  /// True if readings wait for an open entry of a position, which they never touch.
+  /// True if readings wait because an entry of a position is open: a reading never changes an open entry.
   bool isHeld() const;
 
  signals:

@@ -14,7 +14,7 @@ namespace alidade::ui {
 
 namespace {
 
-/// The text without its Alt mnemonic and without the shortcut after a tab.
+/// The text without its Alt mnemonic, the shortcut after a tab, and an ellipsis at the end.
 QString plainText(const QString& menuText) {
   QString plain;
   static const QRegularExpression inBrackets(QStringLiteral("\\(&.\\)"));  // as Chinese menus have it

@@ -29,7 +29,7 @@ class SessionFiles {
   /// The path of a session that redo leads to from `index` and that differs from its file, with `count`
   /// commands on the stack. Absent: there is none.
   std::optional<QString> unsavedAhead(int index, int count) const;
-  /// The same for a session that undo leads back to. Ignores those the user has given up.
+  /// As `unsavedAhead`, for sessions that undo leads back to, except those that the user left unsaved.
   std::optional<QString> unsavedBehind(int index, int count) const;
 
  private:

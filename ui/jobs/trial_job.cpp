@@ -28,7 +28,7 @@ DiagnosedTrial diagnoseTrial(const BlindTrialOptions& options, std::uint64_t see
 TrialJob::TrialJob(QObject* parent)
     : QObject(parent), m_work([this](const SharedTrial& trial) { finish(trial); }) {}
 
-/// Work in progress belongs to an earlier start; the first trial of this start follows it.
+/// Stops a trial of an earlier start; the first trial of this start then follows.
 void TrialJob::start(const BlindTrialOptions& options, std::uint64_t seed, int count) {
   m_options = options;
   m_seed = seed;

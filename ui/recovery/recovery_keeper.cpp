@@ -107,7 +107,8 @@ RecoveryKeeper::Due RecoveryKeeper::takeDue() {
   return due;
 }
 
-/// A new record includes or supersedes earlier unfinished entries, whose file refers to the record's id.
+/// Writes the record first. The file of unfinished entries names the id of its record: with a new record, the
+/// entries of an earlier one no longer count.
 RecoveryKeeper::Written RecoveryKeeper::write(const Due& due) {
   if (due.record)
     if (Written problem = writePrivately(due.path, recoveryText(*due.record))) return problem;

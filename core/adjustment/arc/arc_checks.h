@@ -18,7 +18,7 @@ class DifferentPlaces {
 
   explicit DifferentPlaces(const Measurement& measurement);
 
-  /// Counts this place; true once there are enough.
+  /// Counts the place if it differs from those counted before. True once `needed` places are counted.
   bool areEnoughWith(const PlanePoint<double>& place);
   std::size_t count() const { return m_places.size(); }
 

@@ -32,7 +32,7 @@ struct ArcUnknowns {
   double sliderZero = 0;
 };
 
-/// A point of the arc, and its readings.
+/// A point of the arc, with the residuals and the derivatives of the readings there.
 template <typename T>
 struct alignas(sizeof(T)) Foot {
   T cosine{}, sine{};   ///< of the arc angle φ

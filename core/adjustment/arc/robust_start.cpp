@@ -73,7 +73,7 @@ std::optional<Circle> bestOfTriples(const Points& points) {
   return best;
 }
 
-/// 1σ of a normal scatter whose majority lies within `bound`.
+/// The σ of a normal scatter of which half lies within ± `bound`, with a correction for few rows.
 double scatterOf(double bound, std::size_t rows) {
   return 1.4826 * (1 + 5 / static_cast<double>(rows - 3)) * bound;
 }

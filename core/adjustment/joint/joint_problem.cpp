@@ -421,7 +421,7 @@ void fillSliderRow(VisitEquations::Jacobian::RowXpr row, const typename Jets::Gu
       row[static_cast<Index>(firstTermSlot + t)] = by[Jets::slotOf(terms[t].term)];
 }
 
-/// ∂reading/∂φ that the user's own effects on the circles add as functions of s.
+/// The part of ∂(a, e)/∂φ from the user's own effects on the circles, through the slider coordinate s.
 struct OwnSlopes {
   double a = 0, e = 0;
 };

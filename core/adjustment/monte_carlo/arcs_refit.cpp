@@ -109,7 +109,7 @@ class ArcsRefit : public Refit {
       // Angles determine only the shape; all lengths are proportional to L.
       const double longer = 1 + read.sigmaDistance / read.distance * draws[i].normals[DrawPlan::distance];
       own[0] = isFound ? fit->circle.x * longer : missingCentre;
-      // An e that is drawn larger means a lower zero.
+      // A positive draw increases every e, which means a lower zero.
       const double zeroE = sigmaZeroE * draws[i].zeroScale * draws[i].normals[m_task.plan.zeros(arc) + 1];
       const double overZero = fit ? fit->circle.y - read.distance * std::tan(elevation - zeroE) : 0;
       own[1] = isFound ? overZero * longer : missingCentre;

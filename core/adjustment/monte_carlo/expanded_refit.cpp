@@ -127,8 +127,8 @@ class ExpandedModel {
         ReadingRow reading;
         reading.noise = task.plan.readings(arc, cell.sighting) + kind;
         if (cell.kind != ReadingKind::Slider) {
-          // A zero read too large on the horizontal circle decreases the readings, and an e that is drawn
-          // larger means a lower zero.
+          // A zero read too large on the horizontal circle decreases the readings. A positive draw for
+          // the vertical circle increases e, which means a lower zero.
           const bool isHorizontal = cell.kind == ReadingKind::Horizontal;
           const auto slot =
               static_cast<Index>(isHorizontal ? Unknown::Kind::HorizontalZero : Unknown::Kind::VerticalZero);
@@ -272,7 +272,7 @@ class ExpandedRefit : public Refit {
   }
 
  private:
-  /// If there are fewer draws than lanes, the first fills the others.
+  /// If there are fewer draws than lanes, the first draw fills the remaining lanes.
   void take(std::span<const Draw> draws) {
     m_normals.resize(draws.front().normals.size());
     for (std::size_t l = 0; l < eight; ++l) {

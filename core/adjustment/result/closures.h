@@ -12,9 +12,9 @@
 namespace alidade {
 
 // Conditions on the two positions that hold for any intersection: a rigid arc keeps its radius, and half a
-// turn about an axis along x keeps x. The fit leaves both free, so violations do not appear in residuals. If
-// R0 or Δd is known with its σ, the fit must also agree with the known value. Repeats must agree with the
-// first position at their axis.
+// turn about an axis along x keeps x. The fit leaves x free, and also the radius unless the model shares it,
+// so violations do not appear in residuals. If R0 or Δd is known with its σ, the fit must also agree with the
+// known value. Repeats must agree with the first position at their axis, zeros of one mark with each other.
 
 /// The misclosure of one such condition.
 struct Closure {

@@ -56,7 +56,7 @@ namespace setup_finding {
 struct DistanceTooShort {
   double distance = 0, nominalRadius = 0;
 };
-/// Most places of these arcs are on the wrong side of their centre.
+/// Most places of these arcs are below their centre at 0°, or above it at 180°.
 struct PlacesOnTheWrongSide {
   std::vector<int> axesDeg;
 };

@@ -7,10 +7,10 @@
 
 namespace alidade {
 
-/// Δd afterwards: the average over every explanation found and over the look-alikes of each cause, weighted
-/// by probability. If the answer is larger noise, explanations that add a cause to it do not count. σ
-/// includes the differences of Δd. U is kσ, or larger if ± U would not reach the coverage in the averaged
-/// distribution. The result is Δd of the answer alone if the alternatives do not matter. With an unknown
+/// Averages Δd over the explanations found and the look-alikes of each cause, weighted by probability. If the
+/// answer is larger noise, explanations that add a cause to it do not count. σ includes the differences of Δd
+/// between the explanations. U is kσ, or larger if ± U would not reach the coverage in the averaged
+/// distribution. Returns Δd of the answer unchanged if the alternatives hardly change it. With an unknown
 /// cause, the average is over look-alikes only, and σ includes the change of Δd by the pattern.
 std::optional<IntersectionEstimate> modelAveragedIntersection(const Inquiry& inquiry, const Answer& answer);
 

@@ -6,7 +6,7 @@
 
 namespace alidade {
 
-// The alternatives to parts of an explanation that these readings leave.
+// The alternatives that these readings leave for each part of an explanation.
 
 /// A component that explains the readings nearly as well as the part that it replaces.
 struct Rival {

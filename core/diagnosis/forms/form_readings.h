@@ -43,8 +43,8 @@ Eigen::MatrixXd formColumns(const FormReadings& readings, const Form& form,
                             const std::vector<double>& places);
 /// The number of columns of a form.
 Eigen::Index columnsOf(const FormReadings& readings, const Form& form);
-/// The places of a `PerPlace` form, where places within 0.1° count as one, or the moments of the steps of a
-/// walk. In the unit of the argument.
+/// The places of a `PerPlace` form, or the moments of the steps of a walk, in the unit of the argument.
+/// Places within 0.1° count as one.
 std::vector<double> placesOf(const FormReadings& readings, const Form& form);
 /// The functions at `x` of a free form, one for each of `places`. Those of a walk are scaled so that its
 /// amplitudes have the size of its final displacement.

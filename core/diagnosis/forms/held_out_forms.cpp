@@ -55,8 +55,8 @@ class Fold {
     return model.left(m_out) - all(m_out, Eigen::all) * solution;
   }
 
-  /// Columns and values over all readings of forms found in the other readings. Absent if those do not show
-  /// the forms.
+  /// Finds a form of each family in the readings outside the fold. Returns the columns and the sum of the
+  /// forms over all readings. Absent if a family has no form outside the fold.
   std::optional<std::pair<MatrixXd, VectorXd>> learnt(const DividedModel& full, const FormReadings& readings,
                                                       const std::vector<FormFamily>& families,
                                                       double variance, const std::stop_token& stop) const {

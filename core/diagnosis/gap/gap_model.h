@@ -26,8 +26,8 @@ struct GapModel {
   void refit();
 };
 
-/// Returns `measurement` with the σ of all readings multiplied by `factor`, including zeros that are
-/// readings.
+/// Returns `measurement` with the σ of all readings multiplied by `factor`. The σ of the pointing zeros are
+/// multiplied only if `zerosAreReadings`.
 Measurement withNoise(Measurement measurement, double factor);
 
 /// Returns the session's own model with its fit. Both arguments must outlive the model. Fails if no arc can

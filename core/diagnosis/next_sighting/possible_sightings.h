@@ -14,8 +14,8 @@ struct PossibleSighting {
   NextSighting next;
 };
 
-/// The session with every candidate for the next sighting. In its arc each follows the sightings taken and
-/// has the moment of the next row. The last arc is the one that a turn of the axis would begin.
+/// The session with every candidate for the next sighting. Each candidate follows the sightings taken in its
+/// arc and has the moment of the next row. The last arc is the one that a turn of the axis would begin.
 struct PossibleSightings {
   Measurement measurement;
   std::vector<std::size_t> taken;          ///< for each arc the number of sightings taken

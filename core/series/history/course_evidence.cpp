@@ -243,8 +243,8 @@ class Evidence {
     return moved;
   }
 
-  /// Log evidence of the dates in sequence (Kalman), the first level unknown; minus that of a constant level
-  /// at s = 1 with zero residuals, as for the other courses.
+  /// Log evidence of wandering, by a Kalman filter with an unknown first level. It is relative to a constant
+  /// level at s = 1 with zero residuals, as for the other courses.
   double ofWander() const {
     constexpr double finest = 0.3, ratio = 1.5;
     const double coarsest = std::max(30.0, 3 * std::sqrt(m_chiSquare / m_all.w));

@@ -39,7 +39,7 @@ std::string plusMinusText(const History& history);
 /// whether the values after the baseline are within their limits.
 std::vector<std::string> historySentences(const History& history, const std::string& unit);
 
-/// The uncertainty shared by all sessions of a device, which comparisons exclude.
+/// States which errors the sessions of a device have in common, so that comparisons exclude them.
 std::string sharedSentence(const DeviceHistory& device);
 
 /// Has Δd changed between two epochs, and has the rest of the device?

@@ -33,9 +33,9 @@ class FoundQuantities {
   std::vector<Quantity> m_found;
 };
 
-/// Makes the first sessions or records the baseline of every quantity's control chart; 0: all. `days`: the
-/// day of each session or record, ascending. If some of them lack a quantity, its baseline is its values
-/// until the last day of the baseline.
+/// Sets the baseline of every quantity's control chart: the first `baseline` sessions or records; 0: all.
+/// `days`: the day of each session or record, ascending. If some of these lack a quantity, its baseline is
+/// its values until the last day of the baseline.
 void setBaseline(std::vector<QuantityHistory>& quantities, std::size_t baseline,
                  const std::vector<double>& days);
 

@@ -16,7 +16,7 @@ inline constexpr double roundingArcsec = 1e-6;
 inline constexpr double plausibleTilt = 30, plausibleOffset = 0.5;
 
 /// A mean of N values, or a result of a fit to them: u = scatter √cofactor, where the cofactor of a mean is
-/// 1/N. NaN if there are too few values.
+/// 1/N. Members that too few values leave undetermined are NaN.
 struct PairMean {
   double value, u, scatter;
   double dof;

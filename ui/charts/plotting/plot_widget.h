@@ -25,10 +25,10 @@ struct Mark;
 
 /// A plot on the screen: follows the widget's size, palette and font, describes the point under the mouse,
 /// and reports clicks on points.
-/// Zoom: wheel, rubber band, + and −. Move: middle button, Shift with left button or arrows. Whole again:
-/// double click or Home. Digits are passed on to the readings.
-/// Arrows move from point to point, reported to screen readers; Enter activates the point. A menu offers all
-/// this, pictures and numbers; a caption says what a good plot looks like.
+/// Zoom: wheel, rubber band, + and −. Move: drag with the middle button, or Shift with the left button or the
+/// arrow keys. Whole plot: double click or Home. Arrow keys alone move from point to point, which screen
+/// readers announce; Enter activates the point. Digits are passed on to the table of readings.
+/// A menu offers all this, and pictures and numbers; a caption says what a good plot looks like.
 class PlotWidget : public QWidget, public ChartSource {
   Q_OBJECT
 

@@ -64,7 +64,7 @@ void EntryTable::keyPressEvent(QKeyEvent* event) {
   }
 }
 
-/// True for a digit typed in a cell that takes none.
+/// True for a digit typed in a cell that is not editable.
 bool EntryTable::isLost(const QKeyEvent& event) const {
   const bool isDigit = event.text().size() == 1 && event.text().front().isDigit();
   return isDigit && currentIndex().isValid() && !currentIndex().flags().testFlag(Qt::ItemIsEditable);

@@ -12,7 +12,7 @@ class QToolButton;
 
 namespace alidade::ui {
 
-/// Shows one misread-looking reading at a time: what is wrong, the probable intention, and the possible
+/// Shows one probably misread reading at a time: what is wrong, the probable intention, and the possible
 /// actions, each with one click or key. Hidden without suspects. Only emits signals.
 class SuspectBar : public QFrame {
   Q_OBJECT

@@ -28,7 +28,7 @@ bool hasResult(const Headline& headline) {
   return !headline.fitOnly.empty();
 }
 
-/// The fold has the reason of an accepted or rejected result; that of an open result is always shown.
+/// True if the reason can be folded away: that of an open result is always shown.
 bool isReasonFolded(const Headline& headline) {
   return headline.decided && *headline.decided != Verdict::Undecided;
 }
