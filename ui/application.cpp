@@ -11,7 +11,7 @@ bool Application::notify(QObject* receiver, QEvent* event) {
     return QApplication::notify(receiver, event);
   } catch (...) {
     const std::string reason = thrownReason();
-    failureOf([&] { tell(qText(reason)); });
+    failureOf([&] { report(qText(reason)); });
     return false;
   }
 }
@@ -23,9 +23,9 @@ bool Application::event(QEvent* event) {
 }
 
 /// Queued, since a dialog must not open inside the failed handler. Each reason opens one dialog.
-void Application::tell(const QString& reason) {
-  if (m_told.contains(reason)) return;
-  m_told.insert(reason);
+void Application::report(const QString& reason) {
+  if (m_reported.contains(reason)) return;
+  m_reported.insert(reason);
   QMetaObject::invokeMethod(
       this, [this, reason] { emit failed(reason); }, Qt::QueuedConnection);
 }

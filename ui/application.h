@@ -22,9 +22,9 @@ class Application : public QApplication {
   bool event(QEvent* event) override;
 
  private:
-  void tell(const QString& reason);
+  void report(const QString& reason);
 
-  QSet<QString> m_told;
+  QSet<QString> m_reported;
 };
 
 }  // namespace alidade::ui

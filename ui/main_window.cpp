@@ -175,9 +175,9 @@ void MainWindow::connectFile() {
   connect(&m_document, &SessionDocument::identityChanged, this, &MainWindow::showTitle);
   connect(&m_document.halfTyped(), &HalfTyped::changed, this, &MainWindow::showTitle);
   connect(&m_watch, &FileWatch::changedElsewhere, this,
-          [this](bool is) { is ? m_changedFile->tellOf(m_document.displayName()) : m_changedFile->hide(); });
+          [this](bool is) { is ? m_changedFile->showFor(m_document.displayName()) : m_changedFile->hide(); });
   connect(&m_files, &FileFlow::writing, &m_watch, &FileWatch::setHeld);
-  connect(m_changedFile, &ChangedFileBar::comparisonWanted, &m_files, &FileFlow::settleChange);
+  connect(m_changedFile, &ChangedFileBar::comparisonWanted, &m_files, &FileFlow::resolveChange);
 }
 
 void MainWindow::createStart() {
@@ -237,11 +237,11 @@ bool MainWindow::offerRecovery() {
   return m_safekeeping && m_safekeeping->offer() > 0;
 }
 
-void MainWindow::tellFailure(const QString& reason) {
-  const std::string told = ui::tellFailure({.job = PHRASE_LATER("Phrase", "window"),
-                                            .reason = reason.toStdString(),
-                                            .session = m_document.session()});
-  m_dialogs->showProblem(tr("Something went wrong"), qText(told));
+void MainWindow::reportFailure(const QString& reason) {
+  const std::string text = ui::reportFailure({.job = PHRASE_LATER("Phrase", "window"),
+                                              .reason = reason.toStdString(),
+                                              .session = m_document.session()});
+  m_dialogs->showProblem(tr("Something went wrong"), qText(text));
 }
 
 void MainWindow::showTitle() {

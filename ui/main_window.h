@@ -74,7 +74,7 @@ class MainWindow : public QMainWindow {
   void showStart();
   void hideStart();
   /// Reports an exception of an event handler, and records it with the session.
-  void tellFailure(const QString& reason);
+  void reportFailure(const QString& reason);
 
  protected:
   void changeEvent(QEvent* event) override;

@@ -234,7 +234,7 @@ void WindowActions::addSuspectActions(QMenu& menu) {
         reason->start();
       });
   state->setEnabled(false);
-  connect(reason, &ChangeReasonBar::askedChanged, state, &QAction::setEnabled);
+  connect(reason, &ChangeReasonBar::askingChanged, state, &QAction::setEnabled);
 }
 
 /// Adds rows in the order of sighting, and shortcuts to the entries.

@@ -64,10 +64,10 @@ class Progress {
  public:
   Progress(std::size_t count, bool wanted) : m_count(count), m_shown(wanted || isatty(STDERR_FILENO) != 0) {}
 
-  void tell(std::size_t done, std::size_t unusable, bool atOnce = false) {
+  void report(std::size_t done, std::size_t unusable, bool atOnce = false) {
     constexpr auto pause = std::chrono::seconds(1);
-    if (!m_shown || (!atOnce && Clock::now() - m_told < pause)) return;
-    m_told = Clock::now();
+    if (!m_shown || (!atOnce && Clock::now() - m_lastReport < pause)) return;
+    m_lastReport = Clock::now();
     std::string line = std::to_string(done) + " of " + std::to_string(m_count) + " files done";
     if (unusable > 0) line += ", " + std::to_string(unusable) + " of them without a result";
     notify("alidade-cli", line);
@@ -76,7 +76,7 @@ class Progress {
  private:
   std::size_t m_count;
   bool m_shown;
-  Clock::time_point m_told = Clock::now();
+  Clock::time_point m_lastReport = Clock::now();
 };
 
 /// Receives results in any order and writes them in input order.
@@ -100,12 +100,12 @@ class OrderedOutput {
       next->reset();
       ++m_written;
     }
-    m_progress.tell(m_written, m_unusable);
+    m_progress.report(m_written, m_unusable);
     m_moved.notify_all();
   }
 
   int finish() {
-    if (!m_broken) m_progress.tell(m_written, m_unusable, true);
+    if (!m_broken) m_progress.report(m_written, m_unusable, true);
     return m_broken || m_failed ? Failed : m_unusable > 0 ? BadInput : Done;
   }
 

@@ -48,7 +48,7 @@ std::string journalJson(const std::string& name, const Session& session, const J
   }
   Json contradictions = Json::array();
   for (const JournalContradiction& one : check.contradictions)
-    contradictions.push_back({{"place", one.place}, {"journal", one.told}, {"file", one.held}});
+    contradictions.push_back({{"place", one.place}, {"journal", one.recorded}, {"file", one.held}});
   Json seals = Json::array();
   for (const CheckedSeal& one : check.seals)
     seals.push_back({{"at", one.seal.at},

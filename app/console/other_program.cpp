@@ -41,13 +41,13 @@ int exitCodeOf(pid_t process) {
 
 }  // namespace
 
-Result<std::string> programBeside(const std::string& name) {
+Result<std::string> installedProgram(const std::string& name) {
   std::error_code problem;
   const std::filesystem::path own = std::filesystem::read_symlink("/proc/self/exe", problem);
-  const std::filesystem::path beside = own.parent_path() / name;
-  if (problem || access(beside.c_str(), X_OK) != 0)
+  const std::filesystem::path program = own.parent_path() / name;
+  if (problem || access(program.c_str(), X_OK) != 0)
     return Problem{"this needs the program " + name + " beside alidade-cli: install it there"};
-  return beside.string();
+  return program.string();
 }
 
 Result<ProgramEnd> runToEnd(const std::string& program, const std::vector<std::string>& arguments) {

@@ -14,7 +14,7 @@ struct ProgramEnd {
 };
 
 /// The path of a program that is installed beside this one. Fails if there is none.
-Result<std::string> programBeside(const std::string& name);
+Result<std::string> installedProgram(const std::string& name);
 
 /// Runs a program to its end without input; its stdout is dropped. Fails if it cannot be started.
 Result<ProgramEnd> runToEnd(const std::string& program, const std::vector<std::string>& arguments);

@@ -61,7 +61,7 @@ std::optional<Problem> addOwnEffects(Session& session, const std::vector<std::st
   return std::nullopt;
 }
 
-void tellOwnEffects(const std::string& name, const Measurement& measurement) {
+void reportOwnEffects(const std::string& name, const Measurement& measurement) {
   if (!measurement.own) return;
   for (const OwnEntry& entry : measurement.own->entries())
     if (const auto check = checkOwnEffect(measurement, entry.id))

@@ -24,6 +24,6 @@ Result<std::vector<OwnEffect>> ownEffectsIn(const std::vector<std::string>& path
 std::optional<Problem> addOwnEffects(Session& session, const std::vector<std::string>& paths);
 
 /// Writes the problems of the session's own effects to stderr, under the session's name.
-void tellOwnEffects(const std::string& name, const Measurement& measurement);
+void reportOwnEffects(const std::string& name, const Measurement& measurement);
 
 }  // namespace alidade::console

@@ -21,7 +21,7 @@ Result<SessionInput> sessionInput(Session session, const std::string& file) {
   if (auto problem = firstHindrance(session, examined.problems)) return *std::move(problem);
   for (const Problem& problem : examined.problems) notify(inputName(file), problem.text());
   const std::string name = nameOf(session, file);
-  tellOwnEffects(inputName(file), *examined.measurement);
+  reportOwnEffects(inputName(file), *examined.measurement);
   return SessionInput{name, std::move(session), std::move(examined.measurement).value()};
 }
 

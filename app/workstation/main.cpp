@@ -116,13 +116,13 @@ QString languageIds() {
 /// or the end of the desktop session, the window keeps unsaved and unfinished entries.
 int runWindow(ui::Application& application, const QString& path, const ui::Termination& termination) {
   ui::MainWindow window;
-  QObject::connect(&termination, &ui::Termination::asked, &window, [&] {
+  QObject::connect(&termination, &ui::Termination::requested, &window, [&] {
     window.keepNow();
     QApplication::exit();
   });
   QObject::connect(&application, &QGuiApplication::commitDataRequest, &window,
                    [&window](QSessionManager&) { window.keepNow(); });
-  QObject::connect(&application, &ui::Application::failed, &window, &ui::MainWindow::tellFailure);
+  QObject::connect(&application, &ui::Application::failed, &window, &ui::MainWindow::reportFailure);
   window.keepIn(QStandardPaths::writableLocation(QStandardPaths::AppDataLocation) +
                 QStringLiteral("/unsaved"));
   if (path.isEmpty()) window.showStart();

@@ -33,7 +33,7 @@ QDateTime dateOfReport() {
 }
 
 /// Writes `sentence`, a pattern for `Phrase::of`, with the lacks to stderr. Returns exit code 0.
-int tellLacks(const QString& path, const char* sentence, const QStringList& lacks) {
+int reportLacks(const QString& path, const char* sentence, const QStringList& lacks) {
   std::vector<std::string> nouns;
   for (const QString& noun : lacks) nouns.push_back(noun.toStdString());
   if (!lacks.isEmpty())
@@ -60,14 +60,14 @@ int write(const ReportCommand& command) {
   if (command.certificate.isEmpty()) {
     const auto written = ui::writeAcceptanceReport(evaluation, source, command.report, options);
     if (!written) return refuse(path, written.problem());
-    return tellLacks(path, PHRASE_LATER("Phrase", "The report names as not stated: %1."),
-                     ui::emptyReportFields(document.session()));
+    return reportLacks(path, PHRASE_LATER("Phrase", "The report names as not stated: %1."),
+                       ui::emptyReportFields(document.session()));
   }
   options.gap =
       std::make_shared<const Gap>(withDependences(assessGap(std::make_shared<const Evaluation>(evaluation))));
   const auto written = ui::writeCertificate(source, command.certificate, options, command.entries);
   if (!written) return refuse(path, written.problem());
-  return tellLacks(
+  return reportLacks(
       path, PHRASE_LATER("Phrase", "A draft: the certificate says “not stated” for what is missing: %1."),
       *written);
 }

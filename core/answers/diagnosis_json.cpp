@@ -162,7 +162,7 @@ Json diagnosisDocument(const std::string& session, const Diagnosis& diagnosis,
             {"separates", advice.separates},
             {"by_sigma", advice.bySigma},
             {"one_left", advice.ofUndetectable ? Json() : Json(advice.oneLeft)},
-            {"anew", isReadAnew(advice.measures)}};
+            {"anew", isNewSessionNeeded(advice.measures)}};
   });
   json["attainable"] = attainableJson(diagnosis.attainable);
   if (diagnosis.shape)

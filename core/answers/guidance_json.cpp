@@ -72,7 +72,7 @@ const char* idOf(Enough enough) {
 
 const char* idOf(SightingChoice::Reason reason) {
   switch (reason) {
-    case SightingChoice::Reason::TellsMost:
+    case SightingChoice::Reason::MostInformative:
       return "tells-most";
     case SightingChoice::Reason::EarlyPlace:
       return "early-place";
@@ -191,7 +191,7 @@ std::string guidanceJson(const std::string& session, const Guidance& guidance) {
   json["passed_over"] = progress.missed;
   json["excluded"] = progress.excluded;
   json["out_of_turn"] = progress.outOfTurn;
-  json["beside"] = progress.beside;
+  json["beside"] = progress.unplanned;
   json["next"] = progress.next ? withExpected(sightingJson(progress.sightings[*progress.next].planned),
                                               guidance.expected[*progress.next])
                                : Json();

@@ -208,7 +208,8 @@ std::optional<Problem> takePlaces(std::list<Passage>& replaced) {
         replaced, [](const Passage&) { return true; }, &Passage::syncFolder);
   }
   for (Passage& passage : replaced)
-    if (const std::string stands = passage.putBack(); !stands.empty()) problem->what += "; " + stands;
+    if (const std::string remaining = passage.putBack(); !remaining.empty())
+      problem->what += "; " + remaining;
   return problem;
 }
 

@@ -43,7 +43,7 @@ bool isForbiddenLink(const fs::path& link) {
 }
 
 /// The target at this path, which is not a link.
-Result<FileTarget> standing(const fs::path& path, const struct stat& status) {
+Result<FileTarget> existingTarget(const fs::path& path, const struct stat& status) {
   FileTarget target{path.string(), FileTarget::Kind::File, status.st_mode & mode_t{07777}, status.st_uid,
                     status.st_gid};
   if (S_ISDIR(status.st_mode)) return Problem{whyUnwritable(EISDIR)};
@@ -79,7 +79,7 @@ Result<FileTarget> fileTarget(const std::string& path) {
       if (!fs::is_directory(folderOf(place), error)) return Problem{whyUnwritable(ENOENT)};
       return FileTarget{.path = place.string()};
     }
-    if (!S_ISLNK(status.st_mode)) return standing(place, status);
+    if (!S_ISLNK(status.st_mode)) return existingTarget(place, status);
     if (isForbiddenLink(place))
       return Problem{Phrase::of(
           "it is another user's link in a folder that everyone may write to: choose another name")};

@@ -29,19 +29,19 @@ std::optional<double> known(double probability) {
 }  // namespace
 
 std::optional<double> chiSquareUpperTail(Misfit chiSquare, DegreesOfFreedom degreesOfFreedom) {
-  if (!chiSquare.isKnown() || !degreesOfFreedom.areThere()) return std::nullopt;
+  if (!chiSquare.isKnown() || !degreesOfFreedom.isPositive()) return std::nullopt;
   const double f = degreesOfFreedom.count(), ratio = chiSquare.squared() / f;
   if (std::isinf(chiSquare.squared())) return 0;
   // Chernoff's bound, P(χ² ≤ x) ≤ (r e^(1−r))^(f/2) with r = x/f < 1: if it is negligible compared with 1 the
   // tail is 1, which avoids an overflow in the series of the gamma function.
-  constexpr double lostBesideOne = -40;  // e^−40 is below half of the spacing of doubles at 1
-  if (ratio < 1 && f / 2 * (1 - ratio + std::log(ratio)) < lostBesideOne) return 1;
+  constexpr double negligibleLog = -40;  // e^−40 is below half of the spacing of doubles at 1
+  if (ratio < 1 && f / 2 * (1 - ratio + std::log(ratio)) < negligibleLog) return 1;
   return known(boost::math::cdf(
       complement(boost::math::chi_squared_distribution<double, QuietAndQuick>(f), chiSquare.squared())));
 }
 
 std::optional<double> fUpperTail(Misfit misfit, DegreesOfFreedom numerator, DegreesOfFreedom denominator) {
-  if (!misfit.isKnown() || !numerator.areThere() || !denominator.areThere()) return std::nullopt;
+  if (!misfit.isKnown() || !numerator.isPositive() || !denominator.isPositive()) return std::nullopt;
   if (denominator.areInfinite()) return chiSquareUpperTail(misfit, numerator);
   if (std::isinf(misfit.squared())) return 0;
   return known(boost::math::cdf(
@@ -51,7 +51,7 @@ std::optional<double> fUpperTail(Misfit misfit, DegreesOfFreedom numerator, Degr
 
 double coverageFactor(double coverage, DegreesOfFreedom degreesOfFreedom) {
   assert(coverage > 0 && coverage < 1);
-  if (!degreesOfFreedom.areThere()) return std::numeric_limits<double>::infinity();
+  if (!degreesOfFreedom.isPositive()) return std::numeric_limits<double>::infinity();
   const double outside = (1 - coverage) / 2;
   if (degreesOfFreedom.areInfinite())
     return boost::math::quantile(complement(boost::math::normal_distribution<double, Quiet>(), outside));
@@ -60,7 +60,7 @@ double coverageFactor(double coverage, DegreesOfFreedom degreesOfFreedom) {
 }
 
 std::optional<double> studentLowerTail(double t, DegreesOfFreedom degreesOfFreedom) {
-  if (!degreesOfFreedom.areThere() || std::isnan(t)) return std::nullopt;
+  if (!degreesOfFreedom.isPositive() || std::isnan(t)) return std::nullopt;
   if (std::isinf(t)) return t < 0 ? 0 : 1;
   if (degreesOfFreedom.areInfinite())
     return known(boost::math::cdf(boost::math::normal_distribution<double, Quiet>(), t));

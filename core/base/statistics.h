@@ -33,7 +33,7 @@ class DegreesOfFreedom {
 
   static DegreesOfFreedom infinite() { return std::numeric_limits<double>::infinity(); }
 
-  bool areThere() const { return m_count > 0; }
+  bool isPositive() const { return m_count > 0; }
   bool areInfinite() const { return m_count == std::numeric_limits<double>::infinity(); }
   double count() const { return m_count; }  ///< 0 if there are none
 

@@ -146,7 +146,7 @@ bool hasAngles(int returnCode) {
   return std::find(good.begin(), good.end(), returnCode) != good.end();
 }
 
-bool isVouchedFor(int returnCode) {
+bool isGuaranteed(int returnCode) {
   return returnCode == geocom::done || returnCode == geocom::anglesOnly;
 }
 

@@ -57,7 +57,7 @@ int geoComChecksum(std::string_view text);
 /// Are the angles of an answer with this return code usable?
 bool hasAngles(int returnCode);
 /// Does this return code guarantee the angles? A missing distance does not matter.
-bool isVouchedFor(int returnCode);
+bool isGuaranteed(int returnCode);
 /// Will the same question be answered a moment later?
 bool isBusy(int returnCode);
 

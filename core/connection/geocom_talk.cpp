@@ -174,7 +174,7 @@ bool GeoComTalk::takeAngles(const GeoComAnswer& answer, TalkStep& step) {
   m_reading.vertical = circleText(m_reading.verticalAngle, m_circles.unit);
   m_reading.face = isFaceTwo(zenith, VerticalCircle::Zenith) ? 2 : 1;
   m_reading.returnCode = std::to_string(answer.returnCode);
-  m_reading.reservation = isVouchedFor(answer.returnCode) ? "" : geoComSentence(answer.returnCode);
+  m_reading.reservation = isGuaranteed(answer.returnCode) ? "" : geoComSentence(answer.returnCode);
   m_reading.isCompensated = m_isCompensated;
   if (values.size() == anglesCount) {
     const auto accuracy = radiansOf(values[2]), cross = radiansOf(values[4]), length = radiansOf(values[5]);

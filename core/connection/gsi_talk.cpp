@@ -82,22 +82,22 @@ void GsiTalk::onBegin(Milliseconds now, TalkStep& step) {
 }
 
 void GsiTalk::onTake(Milliseconds now, TalkStep& step) {
-  if (m_askedUntil)
+  if (m_readingUntil)
     return step.remarks.push_back(
         Phrase::of("A reading is already being taken: no second one is requested."));
-  m_askedUntil = now + m_times.answerWithin;
+  m_readingUntil = now + m_times.answerWithin;
   send(measureBoth, step);
 }
 
 std::optional<Milliseconds> GsiTalk::onWakeAt() const {
-  if (m_askedUntil && m_serialUntil) return std::min(*m_askedUntil, *m_serialUntil);
-  return m_askedUntil ? m_askedUntil : m_serialUntil;
+  if (m_readingUntil && m_serialUntil) return std::min(*m_readingUntil, *m_serialUntil);
+  return m_readingUntil ? m_readingUntil : m_serialUntil;
 }
 
 void GsiTalk::onTick(Milliseconds now, TalkStep& step) {
   if (m_serialUntil && now >= *m_serialUntil) m_serialUntil.reset();
-  if (!m_askedUntil || now < *m_askedUntil) return;
-  m_askedUntil.reset();
+  if (!m_readingUntil || now < *m_readingUntil) return;
+  m_readingUntil.reset();
   step.remarks.push_back(
       Phrase::of("The instrument did not answer. No reading was taken; sight again, or record on the "
                  "instrument. Is it set to GSI at this baud rate, and the right port?"));
@@ -130,12 +130,12 @@ void GsiTalk::takeCode(const std::string& code, TalkStep& step) {
   if (std::exchange(m_serialUntil, std::nullopt)) return;
   const std::string shown = shownLine(code.substr(0, 40));
   const bool isError = code.size() > 1 && code[1] == 'E';
-  const std::string told =
+  const std::string report =
       isError ? Phrase::of("The instrument reports an error: %1. Look at its display.", shown)
               : Phrase::of("The instrument warns: %1. Look at its display.", shown);
-  const bool wasAsked = m_askedUntil.has_value();
-  m_askedUntil.reset();
-  step.remarks.push_back(wasAsked ? Phrase::of("%1 No reading was taken; sight again.", told) : told);
+  const bool wasRequested = m_readingUntil.has_value();
+  m_readingUntil.reset();
+  step.remarks.push_back(wasRequested ? Phrase::of("%1 No reading was taken; sight again.", report) : report);
 }
 
 bool GsiTalk::wasTaken(const std::string& line, Milliseconds now) const {
@@ -152,10 +152,10 @@ void GsiTalk::takeBlock(const std::string& line, Milliseconds now, TalkStep& ste
     return step.remarks.push_back(
         Phrase::of("A block was not accepted: %1. The instrument sends it again, or reports an error.",
                    reading.problem().what));
-  const bool isAnswer = m_askedUntil.has_value();
+  const bool isAnswer = m_readingUntil.has_value();
   const bool isAgain = !isAnswer && wasTaken(line, now);
   if (!isAnswer) send(acknowledgement, step);
-  m_askedUntil.reset();
+  m_readingUntil.reset();
   m_lastBlock = line;
   m_lastAt = now;
   if (isAgain)

@@ -19,7 +19,7 @@ class GsiTalk : public InstrumentTalk {
   explicit GsiTalk(const TalkCircles& circles, const TalkTimes& times = {})
       : InstrumentTalk(circles, times) {}
 
-  bool isTaking() const override { return m_askedUntil.has_value(); }
+  bool isTaking() const override { return m_readingUntil.has_value(); }
 
  protected:
   void onBegin(Milliseconds now, TalkStep& step) override;
@@ -34,10 +34,10 @@ class GsiTalk : public InstrumentTalk {
   bool takeSerial(const std::string& line, TalkStep& step);
   bool wasTaken(const std::string& line, Milliseconds now) const;
 
-  std::optional<Milliseconds> m_askedUntil = {};   ///< time limit of a requested reading
-  std::optional<Milliseconds> m_serialUntil = {};  ///< time limit of the requested serial number
-  std::string m_lastBlock;                         ///< last block taken
-  Milliseconds m_lastAt = 0;                       ///< time of its last arrival
+  std::optional<Milliseconds> m_readingUntil = {};  ///< time limit of a requested reading
+  std::optional<Milliseconds> m_serialUntil = {};   ///< time limit of the requested serial number
+  std::string m_lastBlock;                          ///< last block taken
+  Milliseconds m_lastAt = 0;                        ///< time of its last arrival
 };
 
 /// The reading of a block, or a sentence on its problem.

@@ -18,11 +18,11 @@ constexpr const char* lineEnd = "\r\n";
 constexpr const char* noise = "\x01\xf3~0{\r";
 constexpr double wrongBy = 20;  // degrees: another target
 constexpr double accuracyArcsec = 0.5;
-constexpr std::array notVouchedFor = {geocom::notFullyCorrected, geocom::accuracyUncertain,
+constexpr std::array notGuaranteed = {geocom::notFullyCorrected, geocom::accuracyUncertain,
                                       geocom::anglesNotFullyCorrected, geocom::anglesUncertain};
 
 /// Is the sighting delivered despite the fault, so that the telescope moves on?
-bool isTold(std::optional<InstrumentFault> fault) {
+bool isDelivered(std::optional<InstrumentFault> fault) {
   using enum InstrumentFault;
   return !fault || *fault == Garbage || *fault == Twice;
 }
@@ -97,10 +97,10 @@ std::string SimulatedInstrument::answerGsi(const std::string& line) {
     const auto fault = faultNow();
     if (fault == InstrumentFault::Busy) return std::string("@W100") + lineEnd;
     if (fault == InstrumentFault::Silent) return {};
-    const std::string told = block(fault, true);
-    if (fault == InstrumentFault::Cut) return told.substr(0, told.size() / 2);
-    if (isTold(fault)) ++m_at;
-    return withFault(told + lineEnd, fault);
+    const std::string reply = block(fault, true);
+    if (fault == InstrumentFault::Cut) return reply.substr(0, reply.size() / 2);
+    if (isDelivered(fault)) ++m_at;
+    return withFault(reply + lineEnd, fault);
   }
   const bool isSet = line.starts_with("SET/") || line.starts_with("PUT/") || line.starts_with("CONF/");
   return std::string(isSet ? "?" : "@W127") + lineEnd;
@@ -111,8 +111,8 @@ std::string SimulatedInstrument::record(Milliseconds now) {
   const auto fault = faultNow();
   if (fault == InstrumentFault::Silent) return {};
   if (fault == InstrumentFault::Busy) return std::string("@W100") + lineEnd;
-  const bool isToldNow = isTold(fault) || fault == InstrumentFault::Cut;
-  m_waiting = Waiting{block(fault, false) + lineEnd, now, isToldNow, fault == InstrumentFault::Twice};
+  const bool isDeliveredNow = isDelivered(fault) || fault == InstrumentFault::Cut;
+  m_waiting = Waiting{block(fault, false) + lineEnd, now, isDeliveredNow, fault == InstrumentFault::Twice};
   if (fault == InstrumentFault::Cut) return m_waiting->block.substr(0, m_waiting->block.size() / 2);
   return withFault(m_waiting->block, fault == InstrumentFault::Twice ? std::nullopt : fault);
 }
@@ -179,7 +179,7 @@ std::string SimulatedInstrument::answerAngles(const GeoComQuestion& question) {
   std::string line = geoComText(codeNow(fault), values, question);
   if (fault == InstrumentFault::Cut) return line.substr(0, line.size() / 2);
   if (fault == InstrumentFault::WrongChecksum) line = withOtherChecksum(line);
-  if (isTold(fault)) ++m_at;
+  if (isDelivered(fault)) ++m_at;
   return withFault(line + lineEnd, fault);
 }
 
@@ -191,8 +191,8 @@ std::string SimulatedInstrument::serialNow() {
 }
 
 int SimulatedInstrument::codeNow(std::optional<InstrumentFault> fault) {
-  if (fault != InstrumentFault::NotVouchedFor) return geocom::done;
-  return notVouchedFor.at(m_codes++ % notVouchedFor.size());
+  if (fault != InstrumentFault::NotGuaranteed) return geocom::done;
+  return notGuaranteed.at(m_codes++ % notGuaranteed.size());
 }
 
 std::string SimulatedInstrument::geoComText(int returnCode, std::vector<std::string> parameters,
@@ -208,7 +208,7 @@ std::string SimulatedInstrument::block(std::optional<InstrumentFault> fault, boo
   const std::size_t width = m_options.isWide ? 16 : 8;
   const auto number = static_cast<long long>(pointedAtIndex(fault)) + 1;
   const std::string info =
-      (fault == InstrumentFault::NotVouchedFor ? ".01" : ".32") + std::string(1, m_options.gsiUnit);
+      (fault == InstrumentFault::NotGuaranteed ? ".01" : ".32") + std::string(1, m_options.gsiUnit);
   std::string text = m_options.isWide ? "*" : "";
   if (!isAnswer) text += "11" + padded(number % 10000, 4) + "+" + padded(number, width) + " ";
   if (fault == InstrumentFault::OtherSerial) text += serialWordOf(m_options.otherSerial, m_options.isWide);

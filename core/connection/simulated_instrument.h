@@ -28,7 +28,7 @@ enum class InstrumentFault {
   OtherFace,      ///< the same target in the other face
   Turned,         ///< the axis was turned too early: the same place in the other position
   Again,          ///< the sighting before the last one is sent again, long after its acknowledgement
-  NotVouchedFor,  ///< not guaranteed: with GeoCOM by a return code; with GSI keyed in, the compensator off
+  NotGuaranteed,  ///< not guaranteed: with GeoCOM by a return code; with GSI keyed in, the compensator off
   OtherSerial,    ///< another instrument is on the cable
   WrongChecksum,  ///< GeoCOM: the check sum of an answer is wrong
 };
@@ -47,7 +47,7 @@ inline constexpr std::array instrumentFaults = {
     InstrumentFaultName{"other-face", InstrumentFault::OtherFace},
     InstrumentFaultName{"turned", InstrumentFault::Turned},
     InstrumentFaultName{"again", InstrumentFault::Again},
-    InstrumentFaultName{"not-vouched-for", InstrumentFault::NotVouchedFor},
+    InstrumentFaultName{"not-vouched-for", InstrumentFault::NotGuaranteed},
     InstrumentFaultName{"other-serial", InstrumentFault::OtherSerial},
     InstrumentFaultName{"wrong-checksum", InstrumentFault::WrongChecksum}};
 
@@ -83,7 +83,7 @@ class SimulatedInstrument {
   std::string tick(Milliseconds now);
 
   /// The number of sightings delivered completely.
-  std::size_t told() const { return m_at; }
+  std::size_t delivered() const { return m_at; }
   bool isDone() const { return m_at >= m_options.sightings.size(); }
   bool isWaiting() const { return m_waiting.has_value(); }
 

@@ -85,7 +85,7 @@ Verdict verdictWithout(Measurement measurement, const Influence& row, bool withD
 }
 
 /// Returns the rows to exclude: half of them change Δd most, the others contribute most to χ².
-std::vector<Influence> telling(std::vector<Influence> rows) {
+std::vector<Influence> mostInfluential(std::vector<Influence> rows) {
   const auto take = [&](std::size_t first, auto size) {
     const auto from = rows.begin() + static_cast<std::ptrdiff_t>(std::min(first, rows.size()));
     std::ranges::sort(from, rows.end(), std::greater{}, size);
@@ -105,7 +105,7 @@ std::vector<Dependence> dependencesOf(const Measurement& measurement, const Sess
   if (decision.obstacle == Lengths || decision.obstacle == Coverage) return {};
   std::vector<Influence> rows = influencesOf(measurement, fit);
   const bool isExact = rows.size() <= mostRowsForLeavingOut;
-  if (isExact) rows = telling(std::move(rows));
+  if (isExact) rows = mostInfluential(std::move(rows));
   const Verdict linear = shifted(measurement, fit, diagnosis, 0);
   std::vector<Dependence> dependences;
   for (const Influence& row : rows) {

@@ -52,7 +52,7 @@ std::vector<NextSighting> ranked(const PossibleSightings& session, const std::ve
   for (std::size_t i = 0; i < session.possible.size(); ++i) {
     NextSighting next = session.possible[i].next;
     addCauses(next, some, WeighedCauses::Predictor(causes, rows[i]));
-    next.ofUncertainty = every.tells(equations.possible[i]);
+    next.ofUncertainty = every.logReductionBy(equations.possible[i]);
     list.push_back(std::move(next));
   }
   std::ranges::stable_sort(list, std::greater{}, &NextSighting::perMinute);

@@ -76,20 +76,20 @@ bool OwnEffectCheck::leavesNothing() const {
 }
 
 std::vector<std::string> OwnEffectCheck::sentences() const {
-  std::vector<std::string> told;
+  std::vector<std::string> texts;
   if (notFinite > 0)
-    told.push_back(
+    texts.push_back(
         Phrase::of("The formula has no finite value on these readings in %1 of %2 cases: it counts "
                    "as 0 there.",
                    notFinite, values));
   if (leavesNothing())
-    told.push_back(
+    texts.push_back(
         Phrase::of("This effect is undetectable here, as the fit absorbs it: its trace is %1 σ per %2.",
                    fixedText(parameters.front().perUnit, 1), parameters.front().unit));
   if (!sameAs.empty())
-    told.push_back(Phrase::of("This equals %1 of the catalogue: these readings cannot distinguish the two.",
-                              quotation(Phrase::of(effectById(sameAs)->name))));
-  return told;
+    texts.push_back(Phrase::of("This equals %1 of the catalogue: these readings cannot distinguish the two.",
+                               quotation(Phrase::of(effectById(sameAs)->name))));
+  return texts;
 }
 
 std::optional<OwnEffectCheck> checkOwnEffect(const Measurement& measurement, const std::string& id) {

@@ -150,11 +150,11 @@ PlanAdvice adviceOf(const std::vector<Measure>& measures, const VisibleTerms& sh
 /// Sorts by the number of effects clarified, then by the number of measures. A combination remains only as
 /// the first entry, where it clarifies more than every single measure.
 void rank(std::vector<PlanAdvice>& list) {
-  const auto told = [](const PlanAdvice& advice) {
+  const auto clarified = [](const PlanAdvice& advice) {
     return std::pair(advice.reveals.size(), advice.separates.size());
   };
   std::ranges::stable_sort(list, {}, [](const PlanAdvice& advice) { return advice.measures.size(); });
-  std::ranges::stable_sort(list, std::greater{}, told);
+  std::ranges::stable_sort(list, std::greater{}, clarified);
   bool isFirst = true;
   std::erase_if(list, [&](const PlanAdvice& advice) {
     const bool isUseless = advice.measures.size() > 1 && !isFirst;
@@ -191,9 +191,9 @@ Result<PlanReview, NoModel> reviewPlan(const Measurement& measurement, const Ses
   review.attainable = attainableUncertainties(model, 1);
   const std::vector<Planned> inQuestion = effectsInQuestion(effects);
   if (inQuestion.empty()) return review;
-  std::vector<const Effect*> asked;
-  for (const Planned& planned : inQuestion) asked.push_back(planned.effect);
-  FurtherTerms further(model, leftover.equations(), asked);
+  std::vector<const Effect*> candidates;
+  for (const Planned& planned : inQuestion) candidates.push_back(planned.effect);
+  FurtherTerms further(model, leftover.equations(), candidates);
   const auto tryOut = [&](const FurtherReadings& plan) {
     PlanAdvice advice = adviceOf(plan.measures, further.shownBy(plan), inQuestion);
     if (!advice.reveals.empty() || !advice.separates.empty()) review.advice.push_back(std::move(advice));

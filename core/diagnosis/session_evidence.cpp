@@ -268,11 +268,11 @@ double leastDifference(Response response, std::span<const double> gram, std::spa
   return std::sqrt(std::clamp(square - weights.dot(2 * vector - matrix * weights), 0.0, square));
 }
 
-double hardlyToldApart() {
+double hardlySeparated() {
   return hardlyDifferent;
 }
 
-double clearlyToldApart() {
+double clearlySeparated() {
   return clearlyDifferent;
 }
 

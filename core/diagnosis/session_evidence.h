@@ -78,8 +78,8 @@ double leastDifference(Response response, std::span<const double> gram, std::spa
                        double square);
 
 /// Distances in σ at which two effects are hardly and clearly separated (`Trace`).
-double hardlyToldApart();
-double clearlyToldApart();
+double hardlySeparated();
+double clearlySeparated();
 
 /// Prior odds of an effect, or of a jump at any moment, against "no gap at all" (`PriorOdds`).
 double priorOddsOfEffect();

@@ -24,7 +24,7 @@ std::span<const FormNumber> shapeOf(const FoundForm& found) {
 }
 
 /// Whether every shape number has a finite standard uncertainty.
-bool isSettled(const FoundForm& found) {
+bool isDetermined(const FoundForm& found) {
   return std::ranges::all_of(shapeOf(found),
                              [](const FormNumber& number) { return std::isfinite(number.sigma); });
 }
@@ -66,8 +66,8 @@ bool isOfOneKind(const Form& a, const Form& b) {
 
 bool agrees(const FoundForm& form, const FoundForm& other) {
   constexpr double mostSigmas = 3, ofGrid = 0.2;
-  if (!isSettled(form)) return false;
-  if (isOfOneKind(form.form, other.form) && isSettled(other)) {
+  if (!isDetermined(form)) return false;
+  if (isOfOneKind(form.form, other.form) && isDetermined(other)) {
     const auto isNear = [](const FormNumber& a, const FormNumber& b) {
       return std::abs(a.value - b.value) <= mostSigmas * std::hypot(a.sigma, b.sigma);
     };

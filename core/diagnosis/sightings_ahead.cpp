@@ -91,12 +91,12 @@ class Path {
     const SightingEquations equations = sightingEquations(m_measurement, m_plan, possible, true);
     const IntersectionSoFar every(equations);
     std::vector<AttainableUncertainty> list;
-    for (const MayBe& mayBe : equations.mayBe) {
-      if (mayBe.first >= equations.effectColumns || !mayBe.widths) continue;
-      const double share = every.sigmaKnowing(mayBe) / every.sigma();
+    for (const Hypothesis& hypothesis : equations.hypotheses) {
+      if (hypothesis.first >= equations.effectColumns || !hypothesis.widths) continue;
+      const double share = every.sigmaKnowing(hypothesis) / every.sigma();
       if (share <= worthwhileShare)
         list.push_back(
-            {.measures = {}, .known = std::string(mayBe.cause), .expanded = share * *m_ahead.expanded});
+            {.measures = {}, .known = std::string(hypothesis.cause), .expanded = share * *m_ahead.expanded});
     }
     return list;
   }
@@ -113,7 +113,7 @@ class Path {
     const SightingEquations equations = sightingEquations(m_measurement, m_plan, m_possible, true);
     const IntersectionSoFar every(equations);
     for (std::size_t i = 0; i < m_possible.possible.size(); ++i)
-      m_possible.possible[i].next.ofUncertainty = every.tells(equations.possible[i]);
+      m_possible.possible[i].next.ofUncertainty = every.logReductionBy(equations.possible[i]);
     if (!hasBothAxes(m_measurement)) return;
     m_ahead.expanded = coverageFactor(m_measurement.coverage, DegreesOfFreedom::infinite()) * every.sigma();
     m_ahead.isReached = *m_ahead.expanded <= m_uncertainty;

@@ -14,24 +14,24 @@ namespace {
 const EffectParameter* parameterOf(const Effect* of, std::string_view parameter, std::string_view unit) {
   if (!of || !hasSizes(*of)) return nullptr;
   const bool isOnly = of->parameters.size() == 1 && parameter.empty();
-  const auto meant = std::ranges::find_if(of->parameters, [&](const EffectParameter& each) {
+  const auto found = std::ranges::find_if(of->parameters, [&](const EffectParameter& each) {
     return (isOnly || each.name == parameter) && each.unit == unit;
   });
-  return meant == of->parameters.end() ? nullptr : &*meant;
+  return found == of->parameters.end() ? nullptr : &*found;
 }
 
 }  // namespace
 
-const EffectParameter* parameterMeant(std::string_view effect, std::string_view parameter,
-                                      std::string_view unit) {
+const EffectParameter* findParameter(std::string_view effect, std::string_view parameter,
+                                     std::string_view unit) {
   return parameterOf(effectById(effect), parameter, unit);
 }
 
-const EffectParameter* parameterMeant(const KnownNumber& known) {
-  return parameterMeant(known.effect, known.parameter, known.unit);
+const EffectParameter* findParameter(const KnownNumber& known) {
+  return findParameter(known.effect, known.parameter, known.unit);
 }
 
-const EffectParameter* parameterMeant(const Measurement& measurement, const KnownNumber& known) {
+const EffectParameter* findParameter(const Measurement& measurement, const KnownNumber& known) {
   return parameterOf(effectById(known.effect, measurement), known.parameter, known.unit);
 }
 
@@ -40,8 +40,8 @@ std::optional<KnownPrior> knownOf(const Measurement& measurement, const EffectPa
   KnownPrior prior;
   double weights = 0;
   for (const KnownNumber& known : measurement.known) {
-    const EffectParameter* meant = parameterMeant(measurement, known);
-    if (!meant || meant->term != parameter.term) continue;
+    const EffectParameter* found = findParameter(measurement, known);
+    if (!found || found->term != parameter.term) continue;
     const double weight = std::pow(known.sigma * unit, -2);
     weights += weight;
     prior.value += (known.value * unit - prior.value) * weight / weights;
@@ -73,7 +73,7 @@ double staleChanceOf(const Measurement& measurement, const Effect& effect) {
 
 bool isAnythingKnown(const Measurement& measurement) {
   return std::ranges::any_of(measurement.known, [&](const KnownNumber& known) {
-    return parameterMeant(measurement, known) != nullptr;
+    return findParameter(measurement, known) != nullptr;
   });
 }
 

@@ -14,11 +14,11 @@ bool hasSizes(const Effect& effect);
 
 /// The parameter of the catalogue identified by effect, parameter name (may be empty if the effect has only
 /// one) and unit. Null if there is none.
-const EffectParameter* parameterMeant(std::string_view effect, std::string_view parameter,
-                                      std::string_view unit);
-const EffectParameter* parameterMeant(const KnownNumber& known);
+const EffectParameter* findParameter(std::string_view effect, std::string_view parameter,
+                                     std::string_view unit);
+const EffectParameter* findParameter(const KnownNumber& known);
 /// The parameter in the catalogue or in the user's own effects of the measurement.
-const EffectParameter* parameterMeant(const Measurement& measurement, const KnownNumber& known);
+const EffectParameter* findParameter(const Measurement& measurement, const KnownNumber& known);
 
 /// Prior knowledge of a parameter of the catalogue, in the unit of its term: rad, mm or 1. With probability 1
 /// − p it is normal about the value with this σ. With probability p the value is outdated and has changed by

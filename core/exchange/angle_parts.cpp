@@ -77,7 +77,7 @@ class PartsJoiner {
   }
 
  private:
-  std::string told() const {
+  std::string quoted() const {
     std::string text(m_cells[0]);
     for (std::size_t i = 1; i < m_count; ++i) text.append(" ").append(m_cells[i]);
     return quotation(text);
@@ -87,15 +87,16 @@ class PartsJoiner {
     for (std::size_t i = 0; i < m_count; ++i) {
       const auto part = partOf(m_cells[i], partMarks[i]);
       if (m_cells[i].empty())
-        return Problem{Phrase::of("%1 lacks one of its parts: fill in 0 where there are none", told())};
-      if (!part) return Problem{Phrase::of("%1 is not an angle: type an angle such as 341°52'24\"", told())};
+        return Problem{Phrase::of("%1 lacks one of its parts: fill in 0 where there are none", quoted())};
+      if (!part)
+        return Problem{Phrase::of("%1 is not an angle: type an angle such as 341°52'24\"", quoted())};
       m_parts[i] = *part;
       if (i == 1 && m_count == 3 && m_cells[2].empty() && !part->isWhole())
         m_count = 2;  // minutes have decimals
       if (i + 1 < m_count) dropNoughts(m_parts[i].digits);
       if (i + 1 < m_count && !m_parts[i].isWhole())
-        return Problem{
-            Phrase::of("%1 has decimals before its last part: only the last part may have decimals", told())};
+        return Problem{Phrase::of(
+            "%1 has decimals before its last part: only the last part may have decimals", quoted())};
     }
     return std::nullopt;
   }
@@ -106,7 +107,7 @@ class PartsJoiner {
     bool isDecided = m_isNegative || !m_parts[0].isZero();
     for (std::size_t i = 1; i < m_count; ++i) {
       if (m_parts[i].isNegative && isDecided && !m_isNegative)
-        return Problem{Phrase::of("%1 has a sign within: put it before the degrees", told())};
+        return Problem{Phrase::of("%1 has a sign within: put it before the degrees", quoted())};
       m_isNegative = m_isNegative || m_parts[i].isNegative;
       isDecided = isDecided || !m_parts[i].isZero();
     }
@@ -120,9 +121,9 @@ class PartsJoiner {
       const double value = *parseNumber(m_parts[i].digits);
       if (value < most) continue;
       if (value > most)
-        return Problem{i == 1 ? Phrase::of("%1 has %2 minutes: minutes go from 0 to %3", told(), m_cells[i],
+        return Problem{i == 1 ? Phrase::of("%1 has %2 minutes: minutes go from 0 to %3", quoted(), m_cells[i],
                                            static_cast<int>(most) - 1)
-                              : Phrase::of("%1 has %2 seconds: seconds stay below %3", told(), m_cells[i],
+                              : Phrase::of("%1 has %2 seconds: seconds stay below %3", quoted(), m_cells[i],
                                            static_cast<int>(most))};
       m_parts[i].digits.replace(0, std::min(m_parts[i].digits.find('.'), m_parts[i].digits.size()), "0");
       m_parts[i - 1].digits = std::to_string(m_parts[i - 1].whole() + 1);

@@ -41,7 +41,7 @@ class Assembly {
   Import assemble() {
     takeHeadings();
     takeFaces();
-    if (m_tellsTurns && !m_isAdded)
+    if (m_hasTurns && !m_isAdded)
       countTurns();
     else
       takePositions(m_sightings, m_options.base);
@@ -57,7 +57,7 @@ class Assembly {
       dropEmptyPositions();
       orderPositions();
     }
-    tellOrigins();
+    addOrigins();
     std::stable_sort(m_problems.begin(), m_problems.end(), [](const auto& a, const auto& b) {
       return std::tie(a.first, a.second.line, a.second.column) <
              std::tie(b.first, b.second.line, b.second.column);
@@ -75,7 +75,7 @@ class Assembly {
     for (const RecordedSighting& sighting : m_sightings) numbers[sighting.axis.text][sighting.time];
     for (auto& [axis, turns] : numbers) {
       int count = 0;
-      for (auto& [told, number] : turns) number = ++count;
+      for (auto& [stated, number] : turns) number = ++count;
     }
     for (RecordedSighting& sighting : m_sightings)
       sighting.time = numbers.at(sighting.axis.text).at(sighting.time);
@@ -100,7 +100,7 @@ class Assembly {
     }
     for (const auto* sentences : {&recording.unused, &recording.unusedBySession})
       for (const std::string& sentence : *sentences) remark(ofFile(file) + sentence);
-    m_tellsTurns = m_tellsTurns || recording.tellsTurns;
+    m_hasTurns = m_hasTurns || recording.hasTurns;
     takeAxes(recording, file);
     const std::string& round = m_files[file].round;
     for (RecordedSighting& sighting : recording.sightings) {
@@ -144,23 +144,23 @@ class Assembly {
   void takeAxes(Recording& recording, std::size_t file) {
     std::vector<RecordedSighting>& sightings = recording.sightings;
     const ReadingsFile& wanted = m_files[file];
-    const bool told = std::any_of(sightings.begin(), sightings.end(), [](const RecordedSighting& sighting) {
+    const bool stated = std::any_of(sightings.begin(), sightings.end(), [](const RecordedSighting& sighting) {
       return !sighting.axis.text.empty();
     });
     std::string last = "0";
     for (RecordedSighting& sighting : sightings) {
       if (!wanted.axis.empty()) sighting.axis = {wanted.axis, 0};
-      if (!told && wanted.turnedAtLine) last = sighting.line < *wanted.turnedAtLine ? "0" : "180";
+      if (!stated && wanted.turnedAtLine) last = sighting.line < *wanted.turnedAtLine ? "0" : "180";
       if (sighting.axis.text.empty()) sighting.axis.text = last;
       last = sighting.axis.text;
       if (const Result<int> axis = axisEntry(last)) sighting.axis.text = std::to_string(*axis);
     }
     if (!wanted.axis.empty()) return;
-    if (!told && !wanted.turnedAtLine) {
+    if (!stated && !wanted.turnedAtLine) {
       m_import.unplaced.push_back(file);
       remark(ofFile(file) + Phrase::of(putAtZero));
     }
-    if (told && wanted.turnedAtLine)
+    if (stated && wanted.turnedAtLine)
       remark(ofFile(file) + Phrase::of("the file states the position of the axis: its statement is used"));
   }
 
@@ -361,7 +361,7 @@ class Assembly {
     positions = std::move(ordered);
   }
 
-  void tellOrigins() {
+  void addOrigins() {
     for (const auto& [key, lines] : m_lines) {
       const Position& position = positionAt(key);
       const auto index = static_cast<std::size_t>(&position - m_import.session.positions.data());
@@ -391,8 +391,8 @@ class Assembly {
 
   const std::vector<ReadingsFile>& m_files;
   const ImportOptions& m_options;
-  bool m_tellsTurns = false;  ///< a file states the turn of its rows
-  bool m_isAdded;             ///< readings are added to those of a session
+  bool m_hasTurns = false;  ///< a file states the turn of its rows
+  bool m_isAdded;           ///< readings are added to those of a session
   std::vector<Recording> m_recordings;
   std::vector<RecordedSighting> m_sightings;                    ///< of all files, in file order
   std::vector<std::pair<std::size_t, LineProblem>> m_problems;  ///< with the index of the file

@@ -38,10 +38,10 @@ std::optional<ColumnName> tiltName(const std::vector<std::string>& words) {
 
 /// Fields that a single word names, apart from the circles.
 std::optional<TableColumn> plainColumn(std::string_view word) {
-  using Beside = TableColumn::Beside;
-  for (const auto& [role, beside] : {std::pair(Role::Axis, Beside::Axis), std::pair(Role::Turn, Beside::Turn),
-                                     std::pair(Role::Station, Beside::Station)})
-    if (means(role, word)) return TableColumn{nullptr, beside};
+  using Other = TableColumn::Other;
+  for (const auto& [role, other] : {std::pair(Role::Axis, Other::Axis), std::pair(Role::Turn, Other::Turn),
+                                    std::pair(Role::Station, Other::Station)})
+    if (means(role, word)) return TableColumn{nullptr, other};
   for (const auto& [role, text] :
        {std::pair(Role::Point, &Reading::point), std::pair(Role::Round, &Reading::round),
         std::pair(Role::Face, &Reading::face), std::pair(Role::Slider, &Reading::slider),
@@ -132,7 +132,7 @@ class NameReader {
     for (const std::string& word : m_words) {
       const bool isLetter = m_isHorizontal && (word == "s" || word == "d");  // in Hz s, s means seconds
       if (!isLetter && (means(Role::Distance, word) || means(Role::HorizontalDistance, word))) {
-        name.column = TableColumn{nullptr, TableColumn::Beside::Distance};
+        name.column = TableColumn{nullptr, TableColumn::Other::Distance};
         name.isHorizontal = name.isHorizontal || means(Role::HorizontalDistance, word);
       } else if (means(Role::Horizontal, word)) {
         name.isHorizontal = true;

@@ -93,7 +93,7 @@ class CsvReader {
       m_recording.problems = {*problem};
       return std::move(m_recording);
     }
-    tell();
+    listRemarks();
     if (const auto line = table.tailLine()) {
       const std::string tail = Phrase::of("content after the end of the file (^Z)");
       m_recording.unused.push_back(Phrase::of("%1 is not used: line %2", tail, *line));
@@ -133,7 +133,7 @@ class CsvReader {
   }
 
   /// Lists what was not used and which assumptions were made.
-  void tell() {
+  void listRemarks() {
     std::vector<std::string>& unused = m_recording.unused;
     unused = unusedSentences(false);
     m_recording.unusedBySession = unusedSentences(true);
@@ -253,9 +253,9 @@ class CsvReader {
     const int faces = m_plan.hasBothFaces ? 2 : 1;
     for (int face = 1; face <= faces; ++face) {
       RecordedSighting sighting = common;
-      const int told = m_plan.hasBothFaces ? face : m_plan.face;
-      if (told > 0 && (m_plan.hasBothFaces || sighting.row.face.empty()))
-        sighting.row.face = std::to_string(told);
+      const int stated = m_plan.hasBothFaces ? face : m_plan.face;
+      if (stated > 0 && (m_plan.hasBothFaces || sighting.row.face.empty()))
+        sighting.row.face = std::to_string(stated);
       bool isAny = !m_plan.hasBothFaces;
       for (const PlannedAngle& angle : m_plan.angles) {
         if (m_plan.hasBothFaces && angle.field->remedy && angle.isFaceTwo != (face == 2)) continue;
@@ -319,13 +319,13 @@ class CsvReader {
                                       RecordedSighting& sighting) {
     const RowField* field = column.column->field;
     if (!column.column->isOfSession()) {
-      takeBeside(column, cell, sighting);
-    } else if (!field && column.column->beside == TableColumn::Beside::Turn) {
+      takeOther(column, cell, sighting);
+    } else if (!field && column.column->other == TableColumn::Other::Turn) {
       const Result<int> turn = parseWhole(cell.text);
       if (!turn || *turn < 1)
         return Phrase::of("%1 is no turn: turns of the axis count from 1", quotation(cell.text));
       sighting.time = *turn;
-      m_recording.tellsTurns = true;
+      m_recording.hasTurns = true;
     } else if (!field) {
       sighting.axis = {axisTextOf(fromPlainCell(cell.text)), cell.column};
     } else if (field->text) {
@@ -340,8 +340,8 @@ class CsvReader {
   }
 
   /// Takes the station or the distance.
-  void takeBeside(const ColumnName& column, const CsvCell& cell, RecordedSighting& sighting) {
-    if (column.column->beside == TableColumn::Beside::Station) {
+  void takeOther(const ColumnName& column, const CsvCell& cell, RecordedSighting& sighting) {
+    if (column.column->other == TableColumn::Other::Station) {
       sighting.station = m_recording.stationNamed(fromPlainCell(cell.text));
       return;
     }

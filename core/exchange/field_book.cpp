@@ -81,7 +81,7 @@ void FieldBook::setAsidePart(std::string_view text, std::size_t line) {
 }
 
 void FieldBook::beginStation(const std::string& name, std::size_t line) {
-  setBeside(Phrase::of("the station %1", quotation(name)), line);
+  setAsideForCheck(Phrase::of("the station %1", quotation(name)), line);
   m_station = m_recording.stationNamed(name);
   m_isStationUsed = false;
 }
@@ -118,7 +118,7 @@ Recording FieldBook::finish(const std::string& format) {
   for (const auto& [what, use] : m_notes)
     m_recording.unused.push_back(Phrase::of(what, use.count, use.firstLine));
   for (const auto& [what, use] : m_unused) m_recording.unused.push_back(sentence(what, use));
-  for (const auto& [what, use] : m_beside) m_recording.unusedBySession.push_back(sentence(what, use));
+  for (const auto& [what, use] : m_forCheck) m_recording.unusedBySession.push_back(sentence(what, use));
   return std::move(m_recording);
 }
 

@@ -37,7 +37,7 @@ class FieldBook {
   /// Lists a part of a line in the same way.
   void setAsidePart(std::string_view text, std::size_t line);
   /// Lists data that a session cannot hold but an instrument check can.
-  void setBeside(const std::string& what, std::size_t line) { count(m_beside, what, line); }
+  void setAsideForCheck(const std::string& what, std::size_t line) { count(m_forCheck, what, line); }
   /// The sightings that follow belong to this station.
   void beginStation(const std::string& name, std::size_t line);
   /// Keeps the first value; a different later one is listed as unused under `name`.
@@ -66,7 +66,7 @@ class FieldBook {
   std::size_t m_quotedLines = 0, m_quotedParts = 0;
   std::string m_axis, m_round;
   bool m_zeroComes = false;
-  Uses m_unused, m_beside;
+  Uses m_unused, m_forCheck;
   std::map<const char*, Unused> m_notes;
   std::size_t m_station = 0;
   bool m_isStationUsed = false;

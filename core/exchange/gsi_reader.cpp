@@ -118,7 +118,7 @@ class GsiReader {
     if (wordOf(words, codeIndex)) readCode(words, line, isSighting);
     if (isSighting) return readSighting(words, line);
     if (wordOf(words, codeIndex)) return;
-    const GsiWord* point = tellsStation(words) ? wordOf(words, pointIndex) : nullptr;
+    const GsiWord* point = hasStation(words) ? wordOf(words, pointIndex) : nullptr;
     if (point) m_book.beginStation(gsiText(*point), line);
     for (const GsiWord& word : words)
       if (&word != point) readHeading(word, line);
@@ -136,7 +136,7 @@ class GsiReader {
   }
 
   /// Does the block hold coordinates of a station or the height of the instrument?
-  static bool tellsStation(const std::vector<GsiWord>& words) {
+  static bool hasStation(const std::vector<GsiWord>& words) {
     return std::any_of(words.begin(), words.end(), [](const GsiWord& word) {
       return (word.index >= 84 && word.index <= 86) || word.index == 88;
     });
@@ -247,7 +247,7 @@ class GsiReader {
   /// Takes the distance; the slope distance if both are given.
   void takeDistance(const GsiWord& word, std::size_t line, RecordedSighting& sighting) {
     if (!word.isWhole) return m_book.setAside(gsiWordName(word.index), line);
-    m_book.setBeside(gsiWordName(word.index), line);
+    m_book.setAsideForCheck(gsiWordName(word.index), line);
     const auto metres = gsiMetres(word);
     const bool isSlope = word.index == slopeIndex;
     if (!metres || !(*metres > 0) || (!isSlope && sighting.distanceM > 0)) return;

@@ -95,7 +95,7 @@ class JobXmlReader {
     const Result<double> distance = parseNumber(metres);
     if (!distance || !(*distance > 0)) return;
     sighting.distanceM = *distance;
-    m_book.setBeside(Phrase::of("slope distance"), m_line);
+    m_book.setAsideForCheck(Phrase::of("slope distance"), m_line);
   }
 
   XmlBook m_book;

@@ -108,7 +108,7 @@ class TableJoiner {
 
 std::optional<Result<JoinedTable>> joinedTable(const std::vector<TableCells>& rows) {
   if (rows.size() < 2 || !areColumnNames(rows.front())) return std::nullopt;
-  const bool isAbove = rows.size() > 2 && standsAboveNames(rows[0], rows[1]);
+  const bool isAbove = rows.size() > 2 && isHeadingAboveNames(rows[0], rows[1]);
   const auto names = rows.begin() + (isAbove ? 2 : 1);
   TableLayout layout;
   layout.needsVertical = false;

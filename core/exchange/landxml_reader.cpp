@@ -172,8 +172,8 @@ class LandXmlReader {
       if (!distance || !(*distance * m_metres > 0)) continue;
       sighting.distanceM = *distance * m_metres;
       sighting.isDistanceHorizontal = isHorizontal;
-      return m_book.setBeside(isHorizontal ? Phrase::of("horizontal distance") : Phrase::of("slope distance"),
-                              m_line);
+      return m_book.setAsideForCheck(
+          isHorizontal ? Phrase::of("horizontal distance") : Phrase::of("slope distance"), m_line);
     }
   }
 

@@ -29,8 +29,8 @@ class ReadingsTable {
       : m_session(session),
         m_turns(turnsOf(session)),
         m_hasTurns(std::ranges::any_of(m_turns, [](int turn) { return turn > 1; })),
-        m_hasCompensator(tellsOfCompensator(session)),
-        m_hasArrival(tellsOfArrival(session)),
+        m_hasCompensator(hasCompensatorTexts(session)),
+        m_hasArrival(hasArrivalTexts(session)),
         m_csv(titles()) {}
 
   std::string written() {

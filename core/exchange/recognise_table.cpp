@@ -151,7 +151,7 @@ class TableRecognition {
     while (first < std::min(m_rows.size(), mostTitleRows) && !holdsReading(m_rows[first]))
       if (nameCircles(m_rows[first++])) break;
     const bool areBelow =
-        first > 0 && first < m_rows.size() && standsAboveNames(m_rows[first - 1], m_rows[first]);
+        first > 0 && first < m_rows.size() && isHeadingAboveNames(m_rows[first - 1], m_rows[first]);
     if (areBelow) ++first;  // the row of circles is above the row of their parts
     if (first == mostTitleRows || first == m_rows.size()) {
       const bool isNamed = !m_rows.empty() && first > 0 && areColumnNames(m_rows[first - 1]);

@@ -38,9 +38,9 @@ std::size_t indexOf(const RowField& field) {
 }  // namespace
 
 std::string LineProblem::text() const {
-  const std::string told = column > 0 ? Phrase::of("line %1, column %2: %3", line, column, what)
-                                      : Phrase::of("line %1: %2", line, what);
-  return file.empty() ? told : listed({quotation(file), told});
+  const std::string sentence = column > 0 ? Phrase::of("line %1, column %2: %3", line, column, what)
+                                          : Phrase::of("line %1: %2", line, what);
+  return file.empty() ? sentence : listed({quotation(file), sentence});
 }
 
 void RecordedSighting::enter(const RowField& field, std::string text, std::size_t column) {

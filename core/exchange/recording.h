@@ -39,7 +39,7 @@ struct RecordedSighting {
   /// The column in the line of each field of `rowFields`, in that order; counted as in LineProblem.
   std::array<std::size_t, rowFields.size()> columns{};
   bool isZero = false;                ///< of the pointing zero instead of the slider
-  int time = 1;                       ///< the repeat at its axis if `tellsTurns`; else yet to be determined
+  int time = 1;                       ///< the repeat at its axis if `hasTurns`; else yet to be determined
   std::size_t file = 0;               ///< index of its file; readers of a file do not set it
   std::size_t station = 0;            ///< index among the recording's `stations`
   double distanceM = 0;               ///< 0: not in the file
@@ -59,7 +59,7 @@ struct Recording {
   std::string measuredOn;             ///< year-month-day
   std::string verticalCircle;         ///< "zenith", "elevation", or empty if the file does not state it
   std::string circleRemark;           ///< how the kind of vertical circle was inferred, if no name states it
-  bool tellsTurns = false;            ///< the file states the repeat of each row
+  bool hasTurns = false;              ///< the file states the repeat of each row
   std::vector<LineProblem> problems;  ///< unreadable lines, which `sightings` leaves out
   /// A sentence for each kind of data that a session cannot hold or that was interpreted.
   std::vector<std::string> unused;

@@ -18,16 +18,16 @@ bool takeEnding(std::string_view& text, std::string_view ending) {
 }  // namespace
 
 std::string TableColumn::key() const {
-  if (!field) return std::string(besideKeys[static_cast<std::size_t>(beside)]);
+  if (!field) return std::string(otherKeys[static_cast<std::size_t>(other)]);
   std::string name(field->key);
   if (isFaceTwo) name += faceTwoEnding;
   return name.append(partEndings[static_cast<std::size_t>(part)]);
 }
 
 std::optional<TableColumn> tableColumn(std::string_view key) {
-  const auto* const beside = std::find(TableColumn::besideKeys.begin(), TableColumn::besideKeys.end(), key);
-  if (beside != TableColumn::besideKeys.end())
-    return TableColumn{nullptr, static_cast<TableColumn::Beside>(beside - TableColumn::besideKeys.begin())};
+  const auto* const found = std::find(TableColumn::otherKeys.begin(), TableColumn::otherKeys.end(), key);
+  if (found != TableColumn::otherKeys.end())
+    return TableColumn{nullptr, static_cast<TableColumn::Other>(found - TableColumn::otherKeys.begin())};
   TableColumn column;
   for (const AnglePart part : {AnglePart::Minutes, AnglePart::Seconds})
     if (takeEnding(key, partEndings[static_cast<std::size_t>(part)])) column.part = part;

@@ -19,26 +19,26 @@ enum class AnglePart {
 
 /// The content of a table's column: a field of a row, or data about it.
 struct TableColumn {
-  enum class Beside {
+  enum class Other {
     Axis,      ///< the axis angle
     Turn,      ///< the repeat at that axis
     Station,   ///< the instrument's station, which a session does not use
     Distance,  ///< to the target, in m unless stated otherwise; a session does not use it
   };
-  const RowField* field = nullptr;  ///< null: see `beside`
-  Beside beside = Beside::Axis;
+  const RowField* field = nullptr;  ///< null: see `other`
+  Other other = Other::Axis;
   AnglePart part = AnglePart::Degrees;  ///< of an angle
   bool isFaceTwo = false;               ///< of face 2, if its circles have columns of their own in the row
 
   /// As in `TableLayout::columns`: `horizontal`, `horizontal_minutes`, `vertical_2`, `vertical_2_seconds`.
   std::string key() const;
   /// Does a session hold it?
-  bool isOfSession() const { return field || beside == Beside::Axis || beside == Beside::Turn; }
+  bool isOfSession() const { return field || other == Other::Axis || other == Other::Turn; }
   bool isOf(std::string Reading::*text) const { return field && field->text == text; }
   /// Is it one of the two circles?
   bool isCircle() const { return field && field->remedy; }
 
-  static constexpr std::array<std::string_view, 4> besideKeys{"axis", "turn", "station", "distance"};
+  static constexpr std::array<std::string_view, 4> otherKeys{"axis", "turn", "station", "distance"};
   bool operator==(const TableColumn&) const = default;
 };
 

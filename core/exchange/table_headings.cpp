@@ -73,7 +73,7 @@ bool isRowBelowNames(const TableCells& cells) {
   return isAny;
 }
 
-bool standsAboveNames(const TableCells& above, const TableCells& below) {
+bool isHeadingAboveNames(const TableCells& above, const TableCells& below) {
   return nameCircles(above) && !isRowBelowNames(below) && areColumnNames(below);
 }
 
@@ -150,7 +150,7 @@ std::string TableHeadings::spanned(std::size_t level, std::size_t column) const 
   return {};
 }
 
-std::string TableHeadings::told(std::size_t column) const {
+std::string TableHeadings::writtenName(std::size_t column) const {
   std::string text;
   for (std::size_t level = 0; level < m_levels.size(); ++level) {
     const std::string own = spanned(level, column);

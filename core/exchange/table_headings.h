@@ -18,7 +18,7 @@ class TableHeadings {
   std::size_t rowsBelow() const { return m_rowsBelow; }
   const std::vector<TableCells>& rows() const { return m_levels; }
   /// The name of the column in the file, for sentences.
-  std::string told(std::size_t column) const;
+  std::string writtenName(std::size_t column) const;
   /// The meaning of the heading, with all rows combined.
   ColumnName nameOf(std::size_t column) const;
   std::size_t width() const { return m_width; }

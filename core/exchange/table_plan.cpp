@@ -47,7 +47,7 @@ class TablePlanner {
       dropWeak();
       takeSeries();
     }
-    tellFaces();
+    determineFaces();
     if (!m_plan.problem) findTwice();
     if (!m_plan.problem) makeAngles();
     if (!m_plan.problem) findMissing();
@@ -74,7 +74,7 @@ class TablePlanner {
         name.column = i < m_layout.columns.size() ? tableColumn(m_layout.columns[i]) : std::nullopt;
         if (name.column && statesFaceTwo()) name.face = name.column->isFaceTwo ? 2 : 1;
       }
-      m_plan.names.push_back(m_headings.told(i));
+      m_plan.names.push_back(m_headings.writtenName(i));
       m_plan.columns.push_back(std::move(name));
     }
   }
@@ -150,22 +150,22 @@ class TablePlanner {
           name.isWeak && name.column && std::ranges::find(strong, wholeOf(*name.column)) != strong.end();
       if (isTaken) name.column.reset();
     }
-    std::set<std::string> beside;
+    std::set<std::string> keys;
     for (ColumnName& name : m_plan.columns)
-      if (name.column && !name.column->isOfSession() && !beside.insert(name.column->key()).second)
+      if (name.column && !name.column->isOfSession() && !keys.insert(name.column->key()).second)
         name.column.reset();
   }
 
   /// Decides what `series` means next to a round or a set.
   void takeSeries() {
-    if (!m_layout.seriesIsStation || has({nullptr, TableColumn::Beside::Station}, 0)) return;
+    if (!m_layout.seriesIsStation || has({nullptr, TableColumn::Other::Station}, 0)) return;
     std::vector<std::size_t> rounds;
     for (std::size_t i = 0; i < m_plan.columns.size(); ++i)
       if (m_plan.columns[i].column && m_plan.columns[i].column->isOf(&Reading::round)) rounds.push_back(i);
     if (rounds.size() != 2) return;
     for (const std::size_t i : rounds)
       if (lowerCase(m_plan.names[i]) == "series")
-        m_plan.columns[i].column = TableColumn{nullptr, TableColumn::Beside::Station};
+        m_plan.columns[i].column = TableColumn{nullptr, TableColumn::Other::Station};
   }
 
   std::set<int> facesOf(std::string Reading::*circle) const {
@@ -177,7 +177,7 @@ class TablePlanner {
 
   /// Headings state faces only if both circles do so alike; else they mean something else, such as V1 of an
   /// M5 file.
-  void tellFaces() {
+  void determineFaces() {
     std::set<int> horizontal = facesOf(&Reading::horizontal), vertical = facesOf(&Reading::vertical);
     for (std::set<int>* faces : {&horizontal, &vertical})
       if (faces->contains(2) && faces->contains(0) && !faces->contains(1)) {

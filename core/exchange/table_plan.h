@@ -52,7 +52,7 @@ TablePlan planTable(const std::vector<TableCells>& head, const std::vector<Table
                     const TableLayout& layout);
 
 /// Do both rows name columns, the upper one circles, and the lower one more than units, parts and faces?
-bool standsAboveNames(const TableCells& above, const TableCells& below);
+bool isHeadingAboveNames(const TableCells& above, const TableCells& below);
 
 /// Is this a row below names with units, parts of angles or faces: `;[gon];[gon]`, `;deg;min;sec`?
 bool isRowBelowNames(const TableCells& cells);

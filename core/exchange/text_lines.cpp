@@ -19,7 +19,7 @@ bool isControl(char c) {
   return (byte < firstPrinting && byte != escape && c != '\t' && c != '\r' && c != '\n') || byte == deletion;
 }
 
-bool isBesideText(char c) {
+bool isOutsideText(char c) {
   return isControl(c) || c == ' ' || c == '\t' || c == '\r' || c == '\n';
 }
 
@@ -28,7 +28,7 @@ bool isFilling(std::string_view text) {
   for (std::size_t at = text.find('\0'); at != std::string_view::npos; at = text.find('\0', at)) {
     const std::size_t end = std::min(text.find_first_not_of('\0', at), text.size());
     const bool isInside =
-        at > 0 && end < text.size() && !isBesideText(text[at - 1]) && !isBesideText(text[end]);
+        at > 0 && end < text.size() && !isOutsideText(text[at - 1]) && !isOutsideText(text[end]);
     if (isInside) return false;
     at = end;
   }
@@ -87,10 +87,10 @@ Result<std::string> utf8Text(std::string_view bytes) {
   if (!decoded) return decoded;
   std::string text = *std::move(decoded);
   const std::size_t endOfText = std::min(text.find(endOfFile), text.size());
-  const auto tells = [](std::string_view tail) {
-    return !std::all_of(tail.begin(), tail.end(), isBesideText);
+  const auto hasText = [](std::string_view tail) {
+    return !std::all_of(tail.begin(), tail.end(), isOutsideText);
   };
-  const bool hasTail = tells(bytes.substr(end)) || tells(std::string_view(text).substr(endOfText));
+  const bool hasTail = hasText(bytes.substr(end)) || hasText(std::string_view(text).substr(endOfText));
   text.resize(endOfText);
   if (!isFilling(text)) return Problem{Phrase::of("is no text: choose a GSI file, or a table saved as CSV")};
   if (hasControls(text)) text = withoutControls(text);

@@ -52,7 +52,7 @@ std::vector<Turn> turnsOf(std::vector<RecordedSighting>& sightings) {
 }
 
 /// The last position at each axis and its sightings; `last` becomes the last axis with rows.
-std::map<std::string, AtAxis> standing(const Session& base, std::string& last) {
+std::map<std::string, AtAxis> lastPositions(const Session& base, std::string& last) {
   std::map<std::string, AtAxis> axes;
   std::map<std::string, int> count;
   bool hasRows = false;
@@ -96,7 +96,7 @@ const Position* positionIn(const Session& session, const PositionKey& key) {
 
 void takePositions(std::vector<RecordedSighting>& sightings, const Session& base) {
   std::string last;
-  std::map<std::string, AtAxis> axes = standing(base, last);
+  std::map<std::string, AtAxis> axes = lastPositions(base, last);
   for (Turn& turn : turnsOf(sightings)) {
     AtAxis& at = axes[turn.axis];
     std::set<Visited> places = placesOf(turn);

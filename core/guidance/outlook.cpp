@@ -114,7 +114,7 @@ class Expectation {
     if (*stated.asMeasured < *planned.asMeasured)
       m_asMeasured = *stated.asMeasured / *planned.asMeasured;
     else
-      m_beside = std::sqrt(square(*stated.asMeasured) - square(*planned.asMeasured));
+      m_inQuadrature = std::sqrt(square(*stated.asMeasured) - square(*planned.asMeasured));
   }
 
   std::optional<ExpandedPair> of(const Measurement& plan) const {
@@ -122,7 +122,7 @@ class Expectation {
     if (!ofFit) return std::nullopt;
     ExpandedPair pair{m_ofFit * *ofFit};
     if (const auto measured = plannedUncertainty(plan, noise()))
-      pair.asMeasured = std::hypot(m_asMeasured * *measured, m_beside);
+      pair.asMeasured = std::hypot(m_asMeasured * *measured, m_inQuadrature);
     return pair;
   }
 
@@ -132,7 +132,7 @@ class Expectation {
  private:
   NoiseScale m_noise;
   double m_ofFit = 1, m_asMeasured = 1;  ///< of U, stated over planned
-  double m_beside = 0;                   ///< part of U, measured, that is added in quadrature, mm
+  double m_inQuadrature = 0;             ///< part of U, measured, that is added in quadrature, mm
 };
 
 /// Further rounds that are always considered: effects of time average out over both directions.

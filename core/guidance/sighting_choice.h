@@ -15,14 +15,14 @@ namespace alidade {
 /// The sighting of a protocol by worth that is to be taken next, and whether those taken are enough.
 struct SightingChoice {
   enum class Reason {
-    TellsMost,
+    MostInformative,
     EarlyPlace,   ///< the first place of the position once more, so that an effect of time shows
     ClosingZero,  ///< the pointing zero after the readings, for the same purpose
   };
 
   std::size_t next = 0;  ///< index into the progress; for a turn of the axis, its first zero
-  Reason reason = Reason::TellsMost;
-  NextSighting worth;                          ///< of the next one; meaningful only for `TellsMost`
+  Reason reason = Reason::MostInformative;
+  NextSighting worth;                          ///< of the next one; meaningful only for `MostInformative`
   std::vector<std::size_t> alternatives = {};  ///< of nearly the same worth, at most two
   SessionSoFar soFar;
 };

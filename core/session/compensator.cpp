@@ -204,7 +204,7 @@ class Knowledge {
   CompensatorKnowledge m_answer;
 };
 
-bool tells(const Sighting& sighting) {
+bool hasCompensatorData(const Sighting& sighting) {
   return sighting.tiltCross || sighting.tiltLength || sighting.corrections;
 }
 
@@ -217,8 +217,9 @@ TiltsRead tiltsRead(const AxisTilt& tilt, Angle a, int face) {
 }
 
 CompensatorKnowledge compensatorKnowledge(const Measurement& measurement) {
-  const bool isAny = std::ranges::any_of(
-      measurement.arcs, [](const ArcMeasurement& arc) { return std::ranges::any_of(arc.sightings, tells); });
+  const bool isAny = std::ranges::any_of(measurement.arcs, [](const ArcMeasurement& arc) {
+    return std::ranges::any_of(arc.sightings, hasCompensatorData);
+  });
   return isAny ? Knowledge(measurement).of() : CompensatorKnowledge();
 }
 

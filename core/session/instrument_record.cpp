@@ -51,12 +51,12 @@ class RecordExaminer {
     number("sigma_line_of_sight_mm", record.lineOfSight.sigmaMm);
     number("line_of_sight_correlation", record.lineOfSight.correlation);
     if (record.date.empty())
-      tell(Problem{Phrase::of("is empty: enter the day it was determined, as year-month-day")}, "date");
+      report(Problem{Phrase::of("is empty: enter the day it was determined, as year-month-day")}, "date");
     date("date", record.date);
     date("next_check_due", record.due);
     if (!record.due.empty() && record.due <= record.date)
-      tell(Problem{Phrase::of("is not after the day of the check: correct one of the two")},
-           "next_check_due");
+      report(Problem{Phrase::of("is not after the day of the check: correct one of the two")},
+             "next_check_due");
     for (std::size_t i = 0; i < record.known.size(); ++i)
       known("known[" + std::to_string(i) + "]", record.known[i]);
     return std::move(m_problem);
@@ -65,8 +65,8 @@ class RecordExaminer {
  private:
   void known(const std::string& entry, const KnownSize& size) {
     if (size.effect.empty())
-      tell(Problem{Phrase::of("is empty: say which effect is known, such as collimation")},
-           entry + ".effect");
+      report(Problem{Phrase::of("is empty: say which effect is known, such as collimation")},
+             entry + ".effect");
     check(knownValueEntry(size.value), entry + ".value");
     check(knownSigmaEntry(size.sigma), entry + ".sigma");
     date(entry + ".date", size.date);
@@ -75,13 +75,13 @@ class RecordExaminer {
     check(numberEntry("instrument." + key, text), key);
   }
   void date(const std::string& key, const std::string& text) {
-    if (const auto problem = dateProblem(text)) tell(*problem, key);
+    if (const auto problem = dateProblem(text)) report(*problem, key);
   }
   template <typename Value>
   void check(const Result<Value>& entry, const std::string& key) {
-    if (!entry) tell(entry.problem(), key);
+    if (!entry) report(entry.problem(), key);
   }
-  void tell(const Problem& problem, const std::string& key) {
+  void report(const Problem& problem, const std::string& key) {
     if (!m_problem) m_problem = Problem{problem.what, {.field = key}};
   }
 

@@ -40,18 +40,18 @@ bool countsCells(const JournalEntry& entry) {
 }
 
 /// Adds rows that keep first texts without an entry for the change.
-void addUntoldFirstTexts(const Session& session, std::vector<JournalContradiction>& contradictions) {
+void addUnrecordedFirstTexts(const Session& session, std::vector<JournalContradiction>& contradictions) {
   if (std::ranges::any_of(session.journal, countsCells)) return;
-  std::set<std::pair<std::string, std::string>> told;
+  std::set<std::pair<std::string, std::string>> recorded;
   for (const JournalEntry& entry : session.journal) {
     const std::string field = entry.place.substr(entry.place.find_last_of('.') + 1);
     for (const std::string& text : {entry.from, entry.to})
-      told.emplace(field, filedText(text, kindOfCell(field)));
+      recorded.emplace(field, filedText(text, kindOfCell(field)));
   }
   for (std::size_t p = 0; p < session.positions.size(); ++p)
     for (std::size_t r = 0; r < session.positions[p].readings.size(); ++r)
       for (const auto& [field, first] : session.positions[p].readings[r].asRead.all())
-        if (!told.contains({field, filedText(first, kindOfCell(field))}))
+        if (!recorded.contains({field, filedText(first, kindOfCell(field))}))
           contradictions.push_back(
               {Place{.position = p, .reading = r, .field = "as_read." + field}.path(), {}, first});
 }
@@ -117,7 +117,7 @@ JournalCheck checkJournal(const Session& session) {
   JournalCheck check = session.journal.empty() ? JournalCheck() : takenBack(session);
   check.broken = firstBrokenEntry(session.journal);
   check.backwards = firstBackwards(session.journal);
-  addUntoldFirstTexts(session, check.contradictions);
+  addUnrecordedFirstTexts(session, check.contradictions);
   return check;
 }
 

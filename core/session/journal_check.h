@@ -22,8 +22,8 @@ struct Reading;
 /// A place that contradicts the journal.
 struct JournalContradiction {
   std::string place;  ///< in the session file, as named in the journal: "positions[0].readings[3].vertical"
-  std::string told;   ///< value according to the journal or the seal; empty: nothing
-  std::string held;   ///< value in the file; empty: nothing
+  std::string recorded;  ///< value according to the journal or the seal; empty: nothing
+  std::string held;      ///< value in the file; empty: nothing
 
   bool operator==(const JournalContradiction&) const = default;
 };

@@ -19,8 +19,8 @@ using Json = nlohmann::ordered_json;
 
 constexpr const char* firstTexts = "as_read";
 constexpr const char* flagName = "excluded";
-constexpr std::string_view toldInWords[] = {"instrument.known", "device.known",  "instrument.record",
-                                            "protocol",         "model.effects", "own_effects"};
+constexpr std::string_view describedInWords[] = {"instrument.known", "device.known",  "instrument.record",
+                                                 "protocol",         "model.effects", "own_effects"};
 
 /// Removes `name`, a number and `]` from the start of `text`; returns the number, absent if they are missing.
 std::optional<std::size_t> takeIndex(std::string_view& text, std::string_view name) {
@@ -158,10 +158,11 @@ bool JournalReplay::isSealedBefore(std::size_t entry) const {
                      [](const JournalEntry& one) { return one.why == journal_reasons::sealed; });
 }
 
-void JournalReplay::contradict(const std::string& place, const std::string& told, const std::string& held) {
+void JournalReplay::contradict(const std::string& place, const std::string& recorded,
+                               const std::string& held) {
   m_isExact = false;
   const auto isOfPlace = [&](const JournalContradiction& one) { return one.place == place; };
-  if (std::ranges::none_of(m_contradictions, isOfPlace)) m_contradictions.push_back({place, told, held});
+  if (std::ranges::none_of(m_contradictions, isOfPlace)) m_contradictions.push_back({place, recorded, held});
 }
 
 void JournalReplay::takeBack(std::size_t index) {
@@ -192,10 +193,10 @@ void JournalReplay::takeBackOne(std::size_t index) {
   const auto path = pathOf(entry.place);
   if (!path || entry.why == journal_reasons::imported) {
     m_isOpaque = true;
-  } else if (const auto told = std::ranges::find_if(
-                 toldInWords, [&](std::string_view name) { return path->field.starts_with(name); });
-             told != std::end(toldInWords)) {
-    m_told.emplace(*told);
+  } else if (const auto described = std::ranges::find_if(
+                 describedInWords, [&](std::string_view name) { return path->field.starts_with(name); });
+             described != std::end(describedInWords)) {
+    m_describedPlaces.emplace(*described);
     m_isExact = false;
   } else if (path->reading) {
     path->field.empty() ? takeBackRow(*path, index) : takeBackCell(*path, index);
@@ -258,13 +259,13 @@ void JournalReplay::takeBackCell(const Path& path, std::size_t index) {
   }
   const std::string held = cellTextOf(*row, path.field);
   const ValueKind kind = kindOfCell(path.field);
-  const std::string told = filedText(entry.to, kind);
+  const std::string recorded = filedText(entry.to, kind);
   // Before the first seal, a cell may have been filled in or belong to another row: only a marked change
   // counts.
   const auto marks = row->find(firstTexts);
   const bool isMarked = marks != row->end() && marks->contains(path.field);
-  if (held != told && (isSealed || (isMarked && !entry.to.empty()))) {
-    if (!isSealed && (isAnywhere(path.field, told) || isLaterLeft(path.field, told, index))) {
+  if (held != recorded && (isSealed || (isMarked && !entry.to.empty()))) {
+    if (!isSealed && (isAnywhere(path.field, recorded) || isLaterLeft(path.field, recorded, index))) {
       m_isExact = false;
       return;
     }
@@ -299,22 +300,23 @@ bool JournalReplay::isLaterLeft(const std::string& field, const std::string& tex
 
 /// Before the first seal, texts are filled in, notes change, and empty rows are added and removed without an
 /// entry, so the row may have another index. An entry without texts describes an empty row.
-JournalReplay::ToldRow JournalReplay::openRow(const Json& rows, const Path& path, std::size_t index) const {
-  const Json told = rowOfText(m_journal[index].to);
-  const bool isBlankRow = isBlank(readingOf(told));
+JournalReplay::EntryRow JournalReplay::openRow(const Json& rows, const Path& path, std::size_t index) const {
+  const Json recorded = rowOfText(m_journal[index].to);
+  const bool isBlankRow = isBlank(readingOf(recorded));
   const auto isIt = [&](const Json& row) {
-    return isBlankRow ? isBlank(readingOf(row)) : hasTexts(row, told);
+    return isBlankRow ? isBlank(readingOf(row)) : hasTexts(row, recorded);
   };
   if (*path.reading < rows.size() && isIt(rows[*path.reading])) return {path.reading, true};
   if (isBlankRow || std::ranges::any_of(rows, isIt)) return {onlyRow(rows, isIt), true};
-  Json lasting = told;  // without the texts that a later entry changed
-  for (const auto& [field, value] : told.items())
-    if (isLaterLeft(field, cellTextOf(told, field), index)) lasting.erase(field);
+  Json lasting = recorded;  // without the texts that a later entry changed
+  for (const auto& [field, value] : recorded.items())
+    if (isLaterLeft(field, cellTextOf(recorded, field), index)) lasting.erase(field);
   return {{}, std::ranges::any_of(rows, [&](const Json& row) { return hasTexts(row, lasting); })};
 }
 
 /// The row that the entry at `index` describes.
-JournalReplay::ToldRow JournalReplay::toldRow(const Json& rows, const Path& path, std::size_t index) const {
+JournalReplay::EntryRow JournalReplay::rowOfEntry(const Json& rows, const Path& path,
+                                                  std::size_t index) const {
   if (!isSealedBefore(index)) return openRow(rows, path, index);
   const bool isThere = *path.reading < rows.size();
   const bool isTrue = isThere && rowTextOf(rows[*path.reading]) == rowTextOf(rowOfText(m_journal[index].to));
@@ -327,14 +329,14 @@ void JournalReplay::takeBackRow(const Path& path, std::size_t index) {
   if (!rows) return contradict(entry.place, entry.to, {});
   const auto at = [&](std::size_t row) { return rows->begin() + static_cast<std::ptrdiff_t>(row); };
   if (!entry.to.empty()) {
-    const ToldRow told = toldRow(*rows, path, index);
+    const EntryRow found = rowOfEntry(*rows, path, index);
     const bool isThere = *path.reading < rows->size();
-    if (!told.isTrue)
+    if (!found.isTrue)
       contradict(entry.place, entry.to, isThere ? rowTextOf((*rows)[*path.reading]) : std::string());
-    m_isExact = m_isExact && told.row;
-    if (!told.row) return;
-    m_gone.push_back((*rows)[*told.row]);
-    rows->erase(at(*told.row));
+    m_isExact = m_isExact && found.row;
+    if (!found.row) return;
+    m_gone.push_back((*rows)[*found.row]);
+    rows->erase(at(*found.row));
     return;
   }
   const auto moved = std::ranges::find_if(
@@ -395,21 +397,22 @@ std::vector<std::string> JournalReplay::digestsOfAllForms() const {
   return digests;
 }
 
-bool JournalReplay::isTold(const std::string& place) const {
-  return std::ranges::any_of(m_told, [&](const std::string& name) { return place.starts_with(name); });
+bool JournalReplay::isDescribed(const std::string& place) const {
+  return std::ranges::any_of(m_describedPlaces,
+                             [&](const std::string& name) { return place.starts_with(name); });
 }
 
 void JournalReplay::compareWith(const Json& sealed) {
-  std::map<std::string, std::string> told, held;
-  flatten(sealed, {}, told);
+  std::map<std::string, std::string> recorded, held;
+  flatten(sealed, {}, recorded);
   flatten(*m_content, {}, held);
-  for (const auto& [place, text] : told) {
+  for (const auto& [place, text] : recorded) {
     const auto found = held.find(place);
-    if (!isTold(place) && (found == held.end() || found->second != text))
+    if (!isDescribed(place) && (found == held.end() || found->second != text))
       contradict(place, text, found == held.end() ? std::string() : found->second);
   }
   for (const auto& [place, text] : held)
-    if (!isTold(place) && !told.contains(place)) contradict(place, {}, text);
+    if (!isDescribed(place) && !recorded.contains(place)) contradict(place, {}, text);
 }
 
 CheckedSeal::State JournalReplay::atSeal(std::size_t index) {
@@ -436,7 +439,7 @@ CheckedSeal::State JournalReplay::atSeal(std::size_t index) {
     *m_content = std::move(sealed);
     m_isOpaque = false;
     m_isExact = true;
-    m_told.clear();
+    m_describedPlaces.clear();
     m_absent.clear();
     m_gone.clear();
   }

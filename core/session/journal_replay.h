@@ -38,7 +38,7 @@ class JournalReplay {
     std::string field;  ///< "pointing_zero.vertical"; empty: the row or position itself
   };
 
-  struct ToldRow {
+  struct EntryRow {
     std::optional<std::size_t> row;  ///< absent: not found, or one of several
     bool isTrue = false;             ///< nothing in the rows contradicts the entry
   };
@@ -47,18 +47,18 @@ class JournalReplay {
   void takeBackOne(std::size_t entry);
   std::size_t firstOfEdit(std::size_t last) const;
   void takeBackRow(const Path& path, std::size_t index);
-  ToldRow toldRow(const Json& rows, const Path& path, std::size_t index) const;
-  ToldRow openRow(const Json& rows, const Path& path, std::size_t index) const;
+  EntryRow rowOfEntry(const Json& rows, const Path& path, std::size_t index) const;
+  EntryRow openRow(const Json& rows, const Path& path, std::size_t index) const;
   bool isLaterLeft(const std::string& field, const std::string& text, std::size_t index) const;
   void takeBackCell(const Path& path, std::size_t index);
   void takeBackText(const Path& path, const JournalEntry& entry);
   bool isAnywhere(const std::string& field, const std::string& text) const;
   Json* rowsOf(const Path& path);
   Json* rowOf(const Path& path, const JournalEntry& entry);
-  void contradict(const std::string& place, const std::string& told, const std::string& held);
+  void contradict(const std::string& place, const std::string& recorded, const std::string& held);
   std::vector<std::string> digestsOfAllForms() const;
   void compareWith(const Json& sealed);
-  bool isTold(const std::string& place) const;
+  bool isDescribed(const std::string& place) const;
   bool isSealedBefore(std::size_t entry) const;
 
   const std::vector<JournalEntry>& m_journal;
@@ -67,8 +67,8 @@ class JournalReplay {
   std::vector<JournalContradiction> m_contradictions;
   std::size_t m_taken = static_cast<std::size_t>(-1);  ///< entries from this one on are reverted
   bool m_isOpaque = false;                             ///< an entry was met that cannot be reverted
-  bool m_isExact = true;              ///< reverted content is as originally written, except for `m_absent`
-  std::set<std::string> m_told;       ///< places that entries describe in words instead of texts
+  bool m_isExact = true;  ///< reverted content is as originally written, except for `m_absent`
+  std::set<std::string> m_describedPlaces;  ///< places that entries describe in words instead of texts
   std::vector<std::string> m_absent;  ///< JSON pointers of empty or false members that may have been absent
   std::vector<Json> m_gone;           ///< reverted rows, for entries that move them
 };

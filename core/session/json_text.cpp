@@ -57,7 +57,7 @@ class DocumentBuilder : public Json::json_sax_t {
     Level& level = m_levels.back();
     level.key = std::move(name);
     if (isTooLong(level.key)) return false;
-    if (!stoodBefore(level)) return true;
+    if (!isDuplicate(level)) return true;
     problem = Problem{Phrase::of("is a duplicate key: delete one of the two"), place()};
     return false;
   }
@@ -78,7 +78,7 @@ class DocumentBuilder : public Json::json_sax_t {
   };
 
   /// A linear search is faster than a set for a few keys.
-  static bool stoodBefore(Level& level) {
+  static bool isDuplicate(Level& level) {
     constexpr std::size_t few = 16;
     const auto& members = level.value->get_ref<const Json::object_t&>();
     if (members.size() < few)
@@ -165,13 +165,13 @@ class DocumentBuilder : public Json::json_sax_t {
     m_takeRow(where, rows.back());
     rows.pop_back();
     ++level.taken;
-    m_values = m_valuesBesideRows;
+    m_values = m_valuesOutsideRows;
     return true;
   }
 
   bool hasTooMany() {
     const bool isInRow = m_levels.size() > 3 && m_levels[3].holdsRows;
-    if (!isInRow) m_valuesBesideRows = m_values + 1;
+    if (!isInRow) m_valuesOutsideRows = m_values + 1;
     if (++m_values <= limits::mostValues) return false;
     problem = Problem{
         Phrase::of("holds more than %1 values besides its rows of readings: this is no file of this program",
@@ -221,7 +221,7 @@ class DocumentBuilder : public Json::json_sax_t {
   Json& m_document;
   const TakeRow& m_takeRow;
   std::vector<Level> m_levels;
-  std::size_t m_rows = 0, m_values = 0, m_valuesBesideRows = 0;
+  std::size_t m_rows = 0, m_values = 0, m_valuesOutsideRows = 0;
   bool m_isWhole = false;  // the document is complete: any further text is an error
 };
 

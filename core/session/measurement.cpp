@@ -32,7 +32,7 @@ struct KnownOffset {
 /// The offset if none is stated. Manufacturing keeps the line of sight within 0.1 mm of the axis (1σ). An
 /// instrument check is made at other distances, where such an offset acts differently. Any other source is
 /// assumed to state the collimation at the distance of the session.
-KnownOffset offsetBeside(const KnownNumber& collimation) {
+KnownOffset defaultOffset(const KnownNumber& collimation) {
   constexpr double plausible = 0.1;
   const bool isChecked = collimation.from.find(fromInstrumentCheck) != std::string::npos;
   return {0, isChecked ? plausible : 0, 0};
@@ -231,7 +231,7 @@ class Examiner : private ProblemReporter {
     for (KnownNumber& known : m_measurement.known)
       if (known.effect == "collimation" && known.unit == "arcsec")
         known = atDistance(
-            known, *offset ? KnownOffset{**offset, **sigma, **correlation} : offsetBeside(known), distance);
+            known, *offset ? KnownOffset{**offset, **sigma, **correlation} : defaultOffset(known), distance);
   }
 
   /// Long positions are examined in parallel; problems are reported in file order.
@@ -324,8 +324,8 @@ class Clock {
     const double since = static_cast<double>(sighting.sequence) + m_pause * static_cast<double>(arc);
     return m_length > 0 ? since / m_length : 0;
   }
-  double at(const SightedZero& zero, double besideRow) const {
-    return m_isTimed && zero.minutes ? share(*zero.minutes) : besideRow;
+  double at(const SightedZero& zero, double momentOfRow) const {
+    return m_isTimed && zero.minutes ? share(*zero.minutes) : momentOfRow;
   }
 
  private:
@@ -357,7 +357,7 @@ double meanMoment(const std::vector<SightedZero>& sightings) {
 
 /// The sightings of a zero common to all: those before the readings belong to the first arc, those after to
 /// the last.
-std::vector<std::vector<SightedZero>> sightingsBesideTheirRows(const Measurement& measurement) {
+std::vector<std::vector<SightedZero>> zeroSightingsByArc(const Measurement& measurement) {
   std::vector<std::vector<SightedZero>> zeros;
   for (const ArcMeasurement& arc : measurement.arcs) zeros.push_back(arc.zeroSightings);
   if (!measurement.hasOneZero() || zeros.size() < 2) return zeros;
@@ -377,7 +377,7 @@ bool hasTimes(const Measurement& measurement) {
 
 void setMoments(Measurement& measurement) {
   const Clock clock(measurement);
-  std::vector<std::vector<SightedZero>> zeros = sightingsBesideTheirRows(measurement);
+  std::vector<std::vector<SightedZero>> zeros = zeroSightingsByArc(measurement);
   std::vector<double> beginnings;  // of the positions
   std::size_t zerosBefore = 0;
   for (std::size_t i = 0; i < zeros.size(); ++i) {

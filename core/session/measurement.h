@@ -128,7 +128,7 @@ struct ArcMeasurement {
   Angle zeroElevation = {};
 };
 
-/// Prior knowledge of one parameter of an effect, entered at `where`. `parameterMeant` (known_sizes.h) finds
+/// Prior knowledge of one parameter of an effect, entered at `where`. `findParameter` (known_sizes.h) finds
 /// the catalogue's parameter, if there is one.
 struct KnownNumber {
   Place where = {};

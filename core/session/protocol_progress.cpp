@@ -133,7 +133,7 @@ class Follower {
     m_progress.next = next();
     if (m_progress.next) m_progress.sightings[*m_progress.next].state = SightingState::Next;
     if (!m_isByWorth) markMissed();
-    countBeside();
+    countUnplanned();
     return std::move(m_progress);
   }
 
@@ -272,14 +272,14 @@ class Follower {
     }
   }
 
-  void countBeside() {
+  void countUnplanned() {
     std::set<std::pair<std::size_t, RowKey>> planned;
     for (const FollowedSighting& followed : m_progress.sightings)
       if (followed.position && !followed.planned.isZero)
         planned.emplace(*followed.position, keyOf(followed.planned));
     for (std::size_t position = 0; position < m_rows.size(); ++position)
       for (const auto& [key, row] : m_rows[position])
-        if (row.isRead && !row.isExcluded && !planned.contains({position, key})) ++m_progress.beside;
+        if (row.isRead && !row.isExcluded && !planned.contains({position, key})) ++m_progress.unplanned;
   }
 
   const Session& m_session;

@@ -63,7 +63,7 @@ inline bool isThere(const FollowedSighting& followed) {
 struct ProtocolProgress {
   std::vector<FollowedSighting> sightings;  ///< in the order of the protocol
   std::size_t taken = 0, excluded = 0, missed = 0, outOfTurn = 0;
-  std::size_t beside = 0;                ///< rows with readings that are not in the protocol
+  std::size_t unplanned = 0;             ///< rows with readings that are not in the protocol
   std::optional<std::size_t> next = {};  ///< index into `sightings`; absent if the protocol is complete
 
   std::size_t left() const { return sightings.size() - taken - excluded; }

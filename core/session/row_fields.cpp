@@ -71,14 +71,14 @@ std::optional<Problem> entryProblem(const RowField& field, const std::string& te
   return std::visit([&](const auto& rule) { return ruleProblem(rule, text, circle); }, field.rule);
 }
 
-bool tellsOfCompensator(const Session& session) {
+bool hasCompensatorTexts(const Session& session) {
   for (const Position& position : session.positions)
     for (const Reading& row : position.readings)
       if (hasAny(row, compensatorTexts)) return true;
   return false;
 }
 
-bool tellsOfArrival(const Session& session) {
+bool hasArrivalTexts(const Session& session) {
   for (const Position& position : session.positions) {
     if (hasAny(firstSighting(position.zero), zeroArrivalTexts)) return true;
     for (const ZeroSlot& slot : furtherZeros)

@@ -120,7 +120,7 @@ std::optional<Problem> entryProblem(const RowField& field, const std::string& te
 inline constexpr std::string Reading::*compensatorTexts[] = {
     &Reading::tiltCrossArcsec, &Reading::tiltLengthArcsec, &Reading::corrections};
 /// Does any row of the session have such a text?
-bool tellsOfCompensator(const Session& session);
+bool hasCompensatorTexts(const Session& session);
 
 /// The data from the instrument with a row: time, return code, serial number.
 inline constexpr std::string Reading::*arrivalTexts[] = {&Reading::takenAt, &Reading::returnCode,
@@ -129,7 +129,7 @@ inline constexpr std::string Reading::*arrivalTexts[] = {&Reading::takenAt, &Rea
 inline constexpr std::string ZeroSighting::*zeroArrivalTexts[] = {
     &ZeroSighting::takenAt, &ZeroSighting::returnCode, &ZeroSighting::instrumentSerial};
 /// Does any row or pointing zero of the session have such data?
-bool tellsOfArrival(const Session& session);
+bool hasArrivalTexts(const Session& session);
 
 /// The first sighting of a pointing zero in the form of the further ones.
 ZeroSighting firstSighting(const PointingZero& zero);

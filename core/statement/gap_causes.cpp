@@ -145,8 +145,9 @@ class Rows {
   Change changeBy(const Cause& cause) {
     const auto& steps = m_gap.diagnosis->steps;
     for (std::size_t i = 0; i < steps.size(); ++i) {
-      if (steps[i].effect != cause.effect || std::ranges::find(m_told, i) != m_told.end()) continue;
-      m_told.push_back(i);
+      if (steps[i].effect != cause.effect || std::ranges::find(m_listedSteps, i) != m_listedSteps.end())
+        continue;
+      m_listedSteps.push_back(i);
       return changeByStep(*m_gap.diagnosis, i);
     }
     return {};
@@ -204,7 +205,7 @@ class Rows {
 
   const Gap& m_gap;
   double m_coverage;
-  std::vector<std::size_t> m_told = {};  ///< steps that belong to a row
+  std::vector<std::size_t> m_listedSteps = {};  ///< steps that belong to a row
 };
 
 /// The assumptions of the probabilities.

@@ -34,7 +34,7 @@ Statement gapUndetectable(const Gap& gap) {
         "more than %1 σ. U of Δd, fit only, does not include them; U of Δd, measured, includes what its "
         "budget "
         "lists.",
-        displayText(clearlyToldApart(), 1));
+        displayText(clearlySeparated(), 1));
   return statement;
 }
 

@@ -78,7 +78,7 @@ Line acrossLine(const Measurement& measurement, const MeasuredIntersection& meas
                   ? Phrase::of("Across the plane of the arc: Δz = %1, not judged (the tolerance is of Δd)",
                                across)
                   : Phrase::of("Across the plane of the arc: Δz = %1", across),
-      .isWarning = liesOff(measured)};
+      .isWarning = isAcrossSignificant(measured)};
 }
 
 /// Whether the verdict was reached, so that the causes are its condition.

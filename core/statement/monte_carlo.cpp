@@ -32,7 +32,7 @@ double worstDifference(const MonteCarlo& check) {
 /// Draws needed to decide, rounded up to one digit. The uncertainty of an end is proportional to one over the
 /// square root of the draws. Three times this uncertainty must fit within the tolerance and, if an end
 /// differs by more than the tolerance, also within the excess. Empty if more than `mostDrawsLeftOpen`.
-std::optional<std::size_t> drawsToTell(const MonteCarlo& check) {
+std::optional<std::size_t> drawsToDecide(const MonteCarlo& check) {
   const double excess = worstDifference(check) - check.tolerance;
   const double room = excess > 0 ? std::min(check.tolerance, excess) : check.tolerance;
   const double ratio = 3 * check.endpointSigma / room;
@@ -44,7 +44,7 @@ std::optional<std::size_t> drawsToTell(const MonteCarlo& check) {
 
 std::string chanceSentence(const MonteCarlo& check, int places) {
   const std::string end = lengthText(check.endpointSigma, places);
-  const std::optional<std::size_t> draws = drawsToTell(check);
+  const std::optional<std::size_t> draws = drawsToDecide(check);
   return draws ? Phrase::of(
                      "With these draws, an end of the interval is uncertain by %1: about %2 draws would "
                      "decide.",

@@ -26,7 +26,7 @@ using Attainable = std::vector<AttainableUncertainty>;
 
 struct Entry {
   std::vector<Measure> measures = {};
-  std::string tells = {};
+  std::string shows = {};
   double ofCauses = 0, ofUncertainty = 0;  ///< worth, as of a `NextSighting`
   std::optional<double> expanded = {};     ///< U afterwards, mm; absent if hardly smaller
 
@@ -45,14 +45,14 @@ Entry& entryOf(std::vector<Entry>& entries, const std::vector<Measure>& measures
   return own == entries.end() ? entries.emplace_back(Entry{.measures = measures}) : *own;
 }
 
-void add(Entry& entry, std::string tells, double ofCauses, double ofUncertainty) {
-  entry.tells = entry.tells.empty() ? std::move(tells) : Phrase::of("%1; %2", entry.tells, tells);
+void add(Entry& entry, std::string shows, double ofCauses, double ofUncertainty) {
+  entry.shows = entry.shows.empty() ? std::move(shows) : Phrase::of("%1; %2", entry.shows, shows);
   entry.ofCauses += ofCauses;
   entry.ofUncertainty = std::max(entry.ofUncertainty, ofUncertainty);
 }
 
 /// "shows a and b", "separates any two of a, b and c; one answer is left with a probability of 90 %".
-std::string whatItTells(const Advice& advice) {
+std::string whatItShows(const Advice& advice) {
   const std::string names = causeNames(advice.separates, Phrase::of(" and ")),
                     sigmas = displayText(advice.bySigma, 1);
   if (advice.ofUndetectable) return Phrase::of("would show %1 by %2 σ or more", names, sigmas);
@@ -64,7 +64,7 @@ std::string whatItTells(const Advice& advice) {
                     shortProbabilityText(advice.oneLeft));
 }
 
-std::string whatItTells(const PlanAdvice& advice) {
+std::string whatItShows(const PlanAdvice& advice) {
   std::vector<std::string> texts;
   if (!advice.reveals.empty())
     texts.push_back(Phrase::of("would show %1", causeNames(advice.reveals, Phrase::of(" and "))));
@@ -156,7 +156,7 @@ Statement statementOf(std::vector<Entry> entries, const Attainable& attainable,
     };
     statement.rows.push_back(
         {.cells = {withCapital(howTo(entry.measures)), effort(session.rows), effort(session.minutes),
-                   entry.expanded ? displayText(*entry.expanded, decimals) : "", entry.tells}});
+                   entry.expanded ? displayText(*entry.expanded, decimals) : "", entry.shows}});
   }
   if (statement.rows.empty())
     statement.sentences.push_back(
@@ -175,10 +175,10 @@ std::vector<Entry> entriesOf(const Diagnosis& diagnosis) {
   for (const Advice& advice : diagnosis.advice) {
     Entry& entry = entryOf(entries, advice.measures);
     if (advice.ofUndetectable)
-      add(entry, whatItTells(advice), worthOfShowing(advice),
+      add(entry, whatItShows(advice), worthOfShowing(advice),
           diagnosis.measured ? reductionByShowing(*diagnosis.measured, advice) : 0);
     else
-      add(entry, whatItTells(advice), std::round(steps * advice.oneLeft) / steps / 2, 0);
+      add(entry, whatItShows(advice), std::round(steps * advice.oneLeft) / steps / 2, 0);
   }
   return entries;
 }
@@ -201,7 +201,7 @@ std::vector<std::vector<Measure>> measuresNext(const Gap& gap) {
 Statement planAdvice(const PlanReview& review, const SessionEffort& session) {
   std::vector<Entry> entries;
   for (const PlanAdvice& advice : review.advice)
-    add(entryOf(entries, advice.measures), whatItTells(advice),
+    add(entryOf(entries, advice.measures), whatItShows(advice),
         static_cast<double>(advice.separates.size()) / static_cast<double>(review.effects.size() + 1), 0);
   return statementOf(std::move(entries), review.attainable, session);
 }

@@ -42,7 +42,7 @@ std::string nextSentence(const SightingChoice& choice, const ProtocolProgress& p
     case SightingChoice::Reason::ClosingZero:
       return Phrase::of(
           "Before the end, sight %1: an effect of time shows only if the zero is sighted again.", next);
-    case SightingChoice::Reason::TellsMost:
+    case SightingChoice::Reason::MostInformative:
       break;
   }
   const NextSighting& worth = choice.worth;

@@ -7,7 +7,7 @@
 
 namespace alidade {
 
-bool liesOff(const MeasuredIntersection& measured) {
+bool isAcrossSignificant(const MeasuredIntersection& measured) {
   return measured.across && std::abs(measured.across->value) > measured.across->expanded;
 }
 

@@ -7,7 +7,7 @@
 namespace alidade {
 
 /// Whether the centre's offset Δz across the plane of the arc exceeds its U.
-bool liesOff(const MeasuredIntersection& measured);
+bool isAcrossSignificant(const MeasuredIntersection& measured);
 
 /// Returns "Across the plane of the arc its centre lies Δz = 3.01 mm ± 0.42 mm off the axis.", or that Δz was
 /// not measured.

@@ -45,7 +45,7 @@ std::string kindText(const ArcTooShort& fault) {
       displayText(fault.span.degrees(), 2));
 }
 
-std::string kindText(const NothingTold&) {
+std::string kindText(const RadiusUndetermined&) {
   return Phrase::of(
       "has readings that determine neither radius nor centre: look for misread values, the degrees first, "
       "and check the stated σ of the circles");

@@ -19,7 +19,7 @@ std::string scatterText(double reducedChiSquare, int degreesOfFreedom) {
                     degreesOfFreedom);
 }
 
-Words wordsOf(const NotSettled& finding) {
+Words wordsOf(const NotConverged& finding) {
   return {Phrase::of("the fit did not converge within %1 iterations; its result is provisional.",
                      finding.iterations),
           Phrase::of("Check the readings for large errors.")};

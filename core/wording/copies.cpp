@@ -10,7 +10,7 @@ namespace alidade {
 namespace {
 
 /// Returns a name for `file` that differs from that of `other`.
-std::string toldApart(const std::string& file, const std::string& other) {
+std::string distinctName(const std::string& file, const std::string& other) {
   const std::filesystem::path name = std::filesystem::path(file).filename();
   return wellFormed(name == std::filesystem::path(other).filename() ? file : name.string());
 }
@@ -18,12 +18,12 @@ std::string toldApart(const std::string& file, const std::string& other) {
 }  // namespace
 
 std::string copyReason(const std::string& copy, const std::string& first) {
-  return Phrase::of("holds the same readings as %1: counted once", toldApart(first, copy));
+  return Phrase::of("holds the same readings as %1: counted once", distinctName(first, copy));
 }
 
 std::string copySentence(const std::string& copy, const std::string& first) {
-  return Phrase::of("%1 holds the same readings as %2: counted once.", toldApart(copy, first),
-                    toldApart(first, copy));
+  return Phrase::of("%1 holds the same readings as %2: counted once.", distinctName(copy, first),
+                    distinctName(first, copy));
 }
 
 }  // namespace alidade

@@ -189,23 +189,23 @@ std::string stateName(SightingState state) {
 std::string progressSentences(const ProtocolProgress& progress) {
   std::vector<std::string> sentences{
       Phrase::of("%1 of %2 sightings are taken.", progress.taken, progress.sightings.size())};
-  const auto tell = [&](std::size_t count, const char* one, const char* several) {
+  const auto addCount = [&](std::size_t count, const char* one, const char* several) {
     if (count > 0) sentences.push_back(count == 1 ? Phrase::of(one) : Phrase::of(several, count));
   };
-  tell(progress.missed, PHRASE_LATER("Phrase", "One was skipped."),
-       PHRASE_LATER("Phrase", "%1 were skipped."));
-  tell(progress.excluded, PHRASE_LATER("Phrase", "One is excluded."),
-       PHRASE_LATER("Phrase", "%1 are excluded."));
-  tell(progress.outOfTurn, PHRASE_LATER("Phrase", "One was taken out of order."),
-       PHRASE_LATER("Phrase", "%1 were taken out of order."));
-  if (progress.beside > 0) sentences.push_back(besideSentence(progress));
+  addCount(progress.missed, PHRASE_LATER("Phrase", "One was skipped."),
+           PHRASE_LATER("Phrase", "%1 were skipped."));
+  addCount(progress.excluded, PHRASE_LATER("Phrase", "One is excluded."),
+           PHRASE_LATER("Phrase", "%1 are excluded."));
+  addCount(progress.outOfTurn, PHRASE_LATER("Phrase", "One was taken out of order."),
+           PHRASE_LATER("Phrase", "%1 were taken out of order."));
+  if (progress.unplanned > 0) sentences.push_back(unplannedSentence(progress));
   return joined(sentences);
 }
 
-std::string besideSentence(const ProtocolProgress& progress) {
-  if (progress.beside == 0) return "";
-  return progress.beside == 1 ? Phrase::of("One reading is not in the protocol.")
-                              : Phrase::of("%1 readings are not in the protocol.", progress.beside);
+std::string unplannedSentence(const ProtocolProgress& progress) {
+  if (progress.unplanned == 0) return "";
+  return progress.unplanned == 1 ? Phrase::of("One reading is not in the protocol.")
+                                 : Phrase::of("%1 readings are not in the protocol.", progress.unplanned);
 }
 
 std::string repeatSentence(const Repeat& repeat, const ProtocolProgress& progress) {

@@ -24,7 +24,7 @@ std::string stateName(SightingState state);
 std::string progressSentences(const ProtocolProgress& progress);
 
 /// "2 readings are none of the protocol."; empty without any.
-std::string besideSentence(const ProtocolProgress& progress);
+std::string unplannedSentence(const ProtocolProgress& progress);
 
 /// Which sightings to repeat, and why.
 std::string repeatSentence(const Repeat& repeat, const ProtocolProgress& progress);

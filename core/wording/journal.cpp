@@ -149,11 +149,11 @@ std::string sealState(const std::vector<JournalEntry>& journal) {
 }
 
 std::string contradictionText(const JournalContradiction& one) {
-  if (one.told.empty())
+  if (one.recorded.empty())
     return Phrase::of("%1: the file holds “%2”, but the journal records no change.", one.place, one.held);
   if (one.held.empty())
-    return Phrase::of("%1: the journal says “%2”, and the file holds nothing.", one.place, one.told);
-  return Phrase::of("%1: the journal says “%2”, and the file holds “%3”.", one.place, one.told, one.held);
+    return Phrase::of("%1: the journal says “%2”, and the file holds nothing.", one.place, one.recorded);
+  return Phrase::of("%1: the journal says “%2”, and the file holds “%3”.", one.place, one.recorded, one.held);
 }
 
 std::string journalSummary(const Session& session) {
@@ -161,7 +161,7 @@ std::string journalSummary(const Session& session) {
 }
 
 std::string journalSummary(const Session& session, const JournalCheck& check) {
-  constexpr std::size_t mostTold = 5;
+  constexpr std::size_t mostListed = 5;
   std::string text;
   const auto say = [&](const std::string& sentence) { text += (text.empty() ? "" : " ") + sentence; };
   if (const std::size_t changed = changedReadings(session); changed > 0)
@@ -173,10 +173,10 @@ std::string journalSummary(const Session& session, const JournalCheck& check) {
                    "this program.",
                    *check.broken + 1));
   if (!check.contradictions.empty()) say(Phrase::of("Changed outside this program:"));
-  for (std::size_t i = 0; i < std::min(mostTold, check.contradictions.size()); ++i)
+  for (std::size_t i = 0; i < std::min(mostListed, check.contradictions.size()); ++i)
     say(contradictionText(check.contradictions[i]));
-  if (check.contradictions.size() > mostTold)
-    say(Phrase::of("Further places: %1.", check.contradictions.size() - mostTold));
+  if (check.contradictions.size() > mostListed)
+    say(Phrase::of("Further places: %1.", check.contradictions.size() - mostListed));
   if (check.backwards)
     say(
         Phrase::of("Entry %1 is earlier than the entry before it: the clock was set back, or one of the two "

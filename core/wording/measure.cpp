@@ -38,8 +38,8 @@ std::string textOf(const std::vector<Measure>& measures) {
 }
 
 std::string howTo(const std::vector<Measure>& measures) {
-  return isReadAnew(measures) ? Phrase::of("%1 (in a new session)", textOf(measures))
-                              : Phrase::of("%1 (in addition)", textOf(measures));
+  return isNewSessionNeeded(measures) ? Phrase::of("%1 (in a new session)", textOf(measures))
+                                      : Phrase::of("%1 (in addition)", textOf(measures));
 }
 
 }  // namespace alidade

@@ -105,7 +105,7 @@ std::string deviationSentences(const ProtocolProgress& progress) {
                       [](const FollowedSighting& followed) { return followed.isRepeated; }),
         sightingsText(progress, PHRASE_LATER("Phrase", "Excluded: %1."), is(SightingState::Excluded))})
     sentences = inTurn(sentences, sentence);
-  return inTurn(sentences, besideSentence(progress));
+  return inTurn(sentences, unplannedSentence(progress));
 }
 
 }  // namespace alidade

@@ -111,9 +111,9 @@ std::string ownerText(const SharedCause& cause) {
 std::string sentenceOf(const SeriesDiagnosis& series) {
   constexpr std::size_t most = 5;
   std::string text = together(series);
-  std::size_t told = 0;
+  std::size_t shown = 0;
   for (const SharedCause& cause : series.causes) {
-    if (!isOfOne(cause) || ++told > most) continue;
+    if (!isOfOne(cause) || ++shown > most) continue;
     text = Phrase::of("%1 %2", text,
                       Phrase::of("%1 alone shows %2.", series.sessions[cause.sessions.front()].name,
                                  causeName(cause.cause.effect)));

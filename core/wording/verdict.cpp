@@ -46,7 +46,7 @@ std::string withCoverage(const std::string& length, double coverage) {
 }
 
 /// Where a value with its interval lies relative to the limit.
-std::string standing(Verdict verdict, const std::string& limit) {
+std::string conformityText(Verdict verdict, const std::string& limit) {
   switch (verdict) {
     case Verdict::Accept:
       return Phrase::of("within %1", limit);
@@ -66,7 +66,7 @@ std::string agreement(const std::string& first, const std::string& second, Verdi
         "outside %3.",
         first, second, limit);
   return Phrase::of("Δd = %2, all effects considered; %1 from the fit only. Both intervals are %3.", first,
-                    second, standing(verdict, limit));
+                    second, conformityText(verdict, limit));
 }
 
 /// The largest contribution to U, and what to do about it.
@@ -92,14 +92,14 @@ std::string bothAccounts(const Measurement& measurement, const Intersection& mod
     return Phrase::of(
         "Δd = %1 from the fit only, %2. With the causes of the diagnosis, these readings do not determine "
         "Δd.",
-        first, standing(decision.asModelled, limit));
+        first, conformityText(decision.asModelled, limit));
   const IntersectionEstimate& measured = diagnosis.measured->estimate;
   const std::string second =
       withCoverage(lengthText(measured.value, measured.expanded, tolerance), measurement.coverage);
   if (decision.asModelled == decision.asFound) return agreement(first, second, decision.asModelled, limit);
   return Phrase::of("Δd = %1, all effects considered, is %2; Δd from the fit only, %3, is %4. %5", second,
-                    standing(*decision.asFound, limit), first,
-                    standing(decision.asModelled, Phrase::of("it")), wayOut(diagnosis));
+                    conformityText(*decision.asFound, limit), first,
+                    conformityText(decision.asModelled, Phrase::of("it")), wayOut(diagnosis));
 }
 
 /// The distance from the axis as a whole, if both its parts are known.
@@ -111,13 +111,14 @@ std::string distanceText(const Measurement& measurement, const MeasuredIntersect
       "The arc's centre is %1 from the axis, all effects considered: %2 in the plane of the arc (Δd), %3 "
       "across it (Δz). The interval is %4.",
       withCoverage(part(*measured.distance), measurement.coverage), part(measured.estimate),
-      part(*measured.across), standing(decision.asFound.value_or(Verdict::Undecided), limitText(tolerance)));
+      part(*measured.across),
+      conformityText(decision.asFound.value_or(Verdict::Undecided), limitText(tolerance)));
 }
 
 /// States what a tolerance of Δd does not cover.
 std::string acrossText(const Measurement& measurement, const Diagnosis* diagnosis) {
   if (measurement.measurand != Measurand::Intersection || !diagnosis || !diagnosis->measured ||
-      !liesOff(*diagnosis->measured))
+      !isAcrossSignificant(*diagnosis->measured))
     return "";
   const MeasuredLength& across = *diagnosis->measured->across;
   return Phrase::of(

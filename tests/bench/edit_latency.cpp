@@ -141,9 +141,9 @@ int main(int argc, char** argv) {
   }
   for (std::size_t edit = 0; edit < edits; ++edit) {
     const std::size_t row = edit % rows.size();
-    const std::string meant = rows[row].vertical;
-    slips.push_back(editOnce(window, arcs, residuals, row, slipped(meant)));
-    repairs.push_back(editOnce(window, arcs, residuals, row, meant));
+    const std::string intended = rows[row].vertical;
+    slips.push_back(editOnce(window, arcs, residuals, row, slipped(intended)));
+    repairs.push_back(editOnce(window, arcs, residuals, row, intended));
   }
   print("correct a last digit", readings, corrections);
   print("slip by degrees", readings, slips);

@@ -90,12 +90,12 @@ int main(int argc, char** argv) {
       QTimer::singleShot(500, &application, &QApplication::quit);
   });
   application.exec();
-  const auto tell = [](const char* what, const Moment& moment) {
+  const auto print = [](const char* what, const Moment& moment) {
     std::printf("%s %5.0f ms (%4.0f)", what, moment.at, moment.work);
   };
-  tell("main", entered);
-  tell(", first paint", first.painted);
-  tell(", answers keys", first.answering);
-  if (shown.at > 0) tell(", result", shown);
+  print("main", entered);
+  print(", first paint", first.painted);
+  print(", answers keys", first.answering);
+  if (shown.at > 0) print(", result", shown);
   std::printf("\n");
 }

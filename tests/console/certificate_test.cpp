@@ -287,10 +287,10 @@ TEST_F(CertificateTest, StatesConformityAsTheVerdictHasIt) {
       const std::string word = conformity(read()), verdict = fitted(session)["decision"]["verdict"];
       seen.insert(word);
       // A conditional verdict needs a conditional statement.
-      const std::string told =
+      const std::string declaration =
           byId(read(), "conformity").select_node("dcc:declaration/dcc:content").node().text().get();
-      const bool isConditional =
-          told.find("only if the cause is") != std::string::npos || told.find("Only if") != std::string::npos;
+      const bool isConditional = declaration.find("only if the cause is") != std::string::npos ||
+                                 declaration.find("Only if") != std::string::npos;
       if (verdict == "accept") {
         EXPECT_EQ(word, isConditional ? "conditionalPass" : "pass");
       }

@@ -444,10 +444,10 @@ TEST(FitJson, ChecksTheUncertaintyByDraws) {
 // Point 5 at 0° reads 82°48'…: typed with swapped digits of the minutes.
 TEST(FitJson, NamesSuspectsWithWhatWasProbablyMeant) {
   const TemporaryFolder folder;
-  std::string meant, typed;
+  std::string intended, typed;
   const std::string file = folder.file("slip.alidade", changedPaperSession([&](Json& session) {
                                          Json& vertical = session["positions"][0]["readings"][4]["vertical"];
-                                         meant = typed = vertical.get<std::string>();
+                                         intended = typed = vertical.get<std::string>();
                                          const std::size_t minutes = typed.find("°") + 2;
                                          std::swap(typed[minutes], typed[minutes + 1]);
                                          vertical = typed;
@@ -462,8 +462,8 @@ TEST(FitJson, NamesSuspectsWithWhatWasProbablyMeant) {
   EXPECT_EQ(suspect["point"], 5);
   EXPECT_EQ(suspect["circle"], "vertical");
   EXPECT_EQ(suspect["where"], "positions[0].readings[4].vertical");
-  EXPECT_EQ(suspect["proposals"][0]["changes"][0]["text"], meant);
-  EXPECT_THAT(suspect["suggestion"].get<std::string>(), HasSubstr(typed + " → " + meant));
+  EXPECT_EQ(suspect["proposals"][0]["changes"][0]["text"], intended);
+  EXPECT_THAT(suspect["suggestion"].get<std::string>(), HasSubstr(typed + " → " + intended));
   EXPECT_EQ(fit["findings"][0]["severity"], "warning");
   EXPECT_THAT(fit["findings"][0]["text"].get<std::string>(), HasSubstr("misread"));
 }

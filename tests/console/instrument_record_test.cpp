@@ -70,16 +70,16 @@ TEST(InstrumentOption, IsSaidInTextToo) {
 
 TEST(InstrumentOption, SaysThatTheNextCheckIsOverdue) {
   const TemporaryFolder folder;
-  const auto told = [&](const std::string& due) {
+  const auto errorsIfDueOn = [&](const std::string& due) {
     const std::string record = folder.file(
         "r.alidade-instrument", R"({"format": "alidade-instrument", "version": 1, "date": "2024-01-01", )"
                                 R"("next_check_due": ")" +
                                     due + R"(", "known": []})");
     return alidadeCli({"fit", paperSession, "--no-diagnosis", "--instrument", record}).err;
   };
-  EXPECT_THAT(told("2025-01-01"), HasSubstr("was due on 2025-01-01"));
-  EXPECT_EQ(told("2100-01-01").find("due"), std::string::npos);
-  EXPECT_THAT(told("2023-01-01"), HasSubstr("next_check_due"));
+  EXPECT_THAT(errorsIfDueOn("2025-01-01"), HasSubstr("was due on 2025-01-01"));
+  EXPECT_EQ(errorsIfDueOn("2100-01-01").find("due"), std::string::npos);
+  EXPECT_THAT(errorsIfDueOn("2023-01-01"), HasSubstr("next_check_due"));
 }
 
 TEST(InstrumentOption, IsRefusedInOneSentence) {

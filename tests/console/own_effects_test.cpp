@@ -141,16 +141,17 @@ TEST(OwnEffects, AreKeptFromAForm) {
 
 TEST(OwnEffects, ThatAreOfNoUseAreTold) {
   const WavySession wavy;
-  const auto told = [&](const std::string& from, const std::string& to) {
+  const auto runWithChange = [&](const std::string& from, const std::string& to) {
     std::string changed = wave;
     changed.replace(changed.find(from), from.size(), to);
     const std::string file = wavy.folder.file("changed.alidade-effect", changed);
     return alidadeCli({"diagnose", wavy.session, "--effects", file});
   };
-  const ProgramRun wrong = told("sin(7*s)", "sine(7*s)");
+  const ProgramRun wrong = runWithChange("sin(7*s)", "sine(7*s)");
   EXPECT_EQ(wrong.exitCode, 2);
   EXPECT_THAT(wrong.err, HasSubstr("formula: Line 1, column 25: “sine”"));
-  EXPECT_THAT(told("cos(7*s) + B*sin(7*s)", "cos(2*s) + B*sin(2*s)").err, HasSubstr("“arc ellipticity”"));
+  EXPECT_THAT(runWithChange("cos(7*s) + B*sin(7*s)", "cos(2*s) + B*sin(2*s)").err,
+              HasSubstr("“arc ellipticity”"));
   EXPECT_EQ(alidadeCli({"fit", wavy.session, "--effects", wavy.path("none")}).exitCode, 2);
 }
 

@@ -106,23 +106,24 @@ TEST(Samples, AnOwnEffectIsFoundWithItsSizeOrAsAForm) {
 
 // The truth is in make.sh, and that of the settling tripod in samples/README.md.
 TEST(Samples, FormsAreThoseOfTheTruth) {
-  struct Told {
+  struct Expected {
     const char *sample, *carrier, *form, *of, *number;
     double truth;
   };
-  for (const Told& told : {Told{"unknown-form", "radial", "harmonic", "s", "order", 5},
-                           Told{"dented-guideway", "radial", "bump", "s", "at_deg", 40},
-                           Told{"settling-tripod", "orientation", "exponential", "t", "tau", 0.1762}}) {
-    const Json forms = diagnosisOf(told.sample)["forms"];
-    ASSERT_EQ(forms.size(), 1u) << told.sample;
-    EXPECT_EQ(forms[0]["carrier"], told.carrier);
-    EXPECT_EQ(forms[0]["form"], told.form);
-    EXPECT_EQ(forms[0]["of"], told.of);
+  for (const Expected& expected :
+       {Expected{"unknown-form", "radial", "harmonic", "s", "order", 5},
+        Expected{"dented-guideway", "radial", "bump", "s", "at_deg", 40},
+        Expected{"settling-tripod", "orientation", "exponential", "t", "tau", 0.1762}}) {
+    const Json forms = diagnosisOf(expected.sample)["forms"];
+    ASSERT_EQ(forms.size(), 1u) << expected.sample;
+    EXPECT_EQ(forms[0]["carrier"], expected.carrier);
+    EXPECT_EQ(forms[0]["form"], expected.form);
+    EXPECT_EQ(forms[0]["of"], expected.of);
     const Json& numbers = forms[0]["parameters"];
-    EXPECT_NEAR(numbers[told.number].get<double>(), told.truth,
-                3 * numbers[std::string("standard_uncertainty_") + told.number].get<double>() + 1e-9)
-        << told.sample;
-    EXPECT_EQ(forms[0]["clean_range"].empty(), told.form == std::string("harmonic")) << told.sample;
+    EXPECT_NEAR(numbers[expected.number].get<double>(), expected.truth,
+                3 * numbers[std::string("standard_uncertainty_") + expected.number].get<double>() + 1e-9)
+        << expected.sample;
+    EXPECT_EQ(forms[0]["clean_range"].empty(), expected.form == std::string("harmonic")) << expected.sample;
   }
   // The dent is 8° wide and 0.3 mm deep; σ is 0.024 mm. At 2.25 widths, 22° and 58°, it falls below σ.
   const Json clean = diagnosisOf("dented-guideway")["forms"][0]["clean_range"];

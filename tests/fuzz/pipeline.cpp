@@ -39,7 +39,7 @@ void requireJson(const std::string& text) {
   require(nlohmann::json::accept(text), "JSON that is none");
 }
 
-void tellFit(const Session& session, const FitAnswer& answer) {
+void reportFit(const Session& session, const FitAnswer& answer) {
   test::expectFit(answer.measurement, answer.fit);
   test::expectSuspects(session, answer.suspects);
   requireText(console::fitText(answer));
@@ -121,7 +121,7 @@ void workThrough(const Session& session) {
   const Measurement& measurement = *examined.measurement;
   const SessionFit fit = fitSession(measurement);
   FitAnswer answer{name, measurement, fit, findSuspects(session, measurement, fit)};
-  tellFit(session, answer);
+  reportFit(session, answer);
   diagnoseIt(session, answer);
   certify(session, answer);
   review(session);

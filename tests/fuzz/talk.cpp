@@ -64,7 +64,7 @@ void throwTalk(std::string_view bytes) {
     SimulatedInstrument instrument(options);
     instrument.record(0);
     instrument.receive(bytes);
-    require(instrument.told() <= options.sightings.size(), "told more than there is");
+    require(instrument.delivered() <= options.sightings.size(), "told more than there is");
   }
 }
 

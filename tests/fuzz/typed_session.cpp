@@ -53,8 +53,8 @@ Truth truthFrom(Steering& steering) {
 /// Types a session row by row.
 class Typist {
  public:
-  Typist(Steering& steering, Session meant)
-      : m_steering(steering), m_meant(std::move(meant)), m_session(m_meant) {
+  Typist(Steering& steering, Session intended)
+      : m_steering(steering), m_intended(std::move(intended)), m_session(m_intended) {
     for (Position& position : m_session.positions) position.readings.clear();
     for (std::size_t i = m_steering.below(6); i > 0; --i) changeOption();
   }
@@ -101,7 +101,7 @@ class Typist {
   }
 
   std::vector<Reading>& rows() { return m_session.positions[m_at].readings; }
-  const std::vector<Reading>& meantRows() const { return m_meant.positions[m_at].readings; }
+  const std::vector<Reading>& intendedRows() const { return m_intended.positions[m_at].readings; }
   Reading* lastRow() { return rows().empty() ? nullptr : &rows().back(); }
   Reading* anyRow() { return rows().empty() ? nullptr : &rows()[m_steering.below(rows().size())]; }
 
@@ -114,9 +114,9 @@ class Typist {
   /// Types the next rows of the plan, continuing with the next position once this one is complete.
   void typeRows(std::size_t count) {
     for (; count > 0 && allRows() < mostRows; --count) {
-      if (rows().size() >= meantRows().size()) m_at = (m_at + 1) % m_session.positions.size();
-      if (rows().size() >= meantRows().size()) return;
-      rows().push_back(meantRows()[rows().size()]);
+      if (rows().size() >= intendedRows().size()) m_at = (m_at + 1) % m_session.positions.size();
+      if (rows().size() >= intendedRows().size()) return;
+      rows().push_back(intendedRows()[rows().size()]);
     }
   }
 
@@ -235,7 +235,7 @@ class Typist {
   }
 
   Steering& m_steering;
-  const Session m_meant;
+  const Session m_intended;
   Session m_session;
   std::size_t m_at = 0;  // position now being typed
 };
@@ -246,9 +246,9 @@ Session typedSession(std::string_view bytes) {
   Steering steering(bytes);
   const Protocol plan = planFrom(steering);
   const Truth truth = truthFrom(steering);
-  Result<Session> meant = simulate(plan, truth, steering.below(256));
-  if (!meant) return {};
-  return Typist(steering, *std::move(meant)).typed();
+  Result<Session> intended = simulate(plan, truth, steering.below(256));
+  if (!intended) return {};
+  return Typist(steering, *std::move(intended)).typed();
 }
 
 }  // namespace alidade::fuzz

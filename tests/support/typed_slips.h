@@ -66,10 +66,10 @@ inline std::string typedWrongly(const std::string& text, Slip slip, std::mt19937
                          : slip == Slip::MinuteOff     ? 60
                                                        : 10;
   const double sign = pick(2) == 0 ? 1 : -1;
-  const Angle meant = *parseAngle(text);
+  const Angle intended = *parseAngle(text);
   const int decimals = text.find('.') == std::string::npos ? 0 : 1;
-  return formatDms(wrapped(meant + Angle::fromArcseconds(sign * seconds), Angle::fromDegrees(180)), decimals,
-                   AngleSigns::Typewriter);
+  return formatDms(wrapped(intended + Angle::fromArcseconds(sign * seconds), Angle::fromDegrees(180)),
+                   decimals, AngleSigns::Typewriter);
 }
 
 /// How far the slip shows in the fit of the clean session, in σ; infinite if a text is unusable.
@@ -174,16 +174,16 @@ inline SlippedSession neighbouringSlips(const Protocol& protocol, std::size_t co
                       .reading = std::min(first + at / 2, readings.size() - 1),
                       .field = at % 2 == 0 ? "horizontal" : "vertical"};
     std::string& text = cell(result.session, where);
-    const std::string meant = text;
+    const std::string intended = text;
     if (std::ranges::find(result.cure, where, &CellChange::where) != result.cure.end()) continue;
     constexpr Slip slips[] = {Slip::DigitsSwapped, Slip::DigitWrong, Slip::DegreeOff, Slip::TenMinutesOff,
                               Slip::MinuteOff};
     for (int attempt = 0; attempt < 1000; ++attempt) {
-      text = typedWrongly(meant, slips[pick(std::size(slips))], random);
-      const auto wrong = parseAngle(text), right = parseAngle(meant);
+      text = typedWrongly(intended, slips[pick(std::size(slips))], random);
+      const auto wrong = parseAngle(text), right = parseAngle(intended);
       if (wrong && std::abs(wrapped(*wrong - *right).arcseconds()) > 25) break;
     }
-    result.cure.push_back({where, meant});
+    result.cure.push_back({where, intended});
   }
   return result;
 }
@@ -217,9 +217,10 @@ inline Found judge(const SlippedSession& slipped, const std::vector<Suspect>& su
     if (suspect != suspects.end() && !suspect->proposals.empty())
       for (const CellChange& proposed : suspect->proposals.front().changes)
         cell(cured, proposed.where) = proposed.text;
-    const std::string &is = cell(cured, change.where), &meant = change.text;
-    found.rightCorrection = found.rightCorrection &&
-                            (is == meant || (change.where.field == "face" && meant.empty() && is == "1"));
+    const std::string &is = cell(cured, change.where), &intended = change.text;
+    found.rightCorrection =
+        found.rightCorrection &&
+        (is == intended || (change.where.field == "face" && intended.empty() && is == "1"));
   }
   for (const Suspect& suspect : suspects) found.others += isCured(suspect.where) ? 0 : 1;
   return found;

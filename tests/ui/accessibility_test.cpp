@@ -34,7 +34,7 @@ void gatherNameless(const QWidget& window, std::set<std::string>& nameless) {
 TEST(Accessibility, EveryControlOfEveryPageHasANameAndARole) {
   OpenWindow open;
   ASSERT_TRUE(open->files().open(samplePath(QStringLiteral("two-faces.alidade"))));
-  open.settle();
+  open.waitUntilIdle();
   ASSERT_TRUE(waitFor([&] { return open->gapJob().isIdle(); }));
   std::set<std::string> nameless;
   for (QTabWidget* tabs : open->findChildren<QTabWidget*>())
@@ -50,7 +50,7 @@ TEST(Accessibility, EveryControlOfEveryPageHasANameAndARole) {
 TEST(Accessibility, CellsOfTheReadingsAreSpokenWithWhatTheyMean) {
   OpenWindow open;
   open->document().startWith(paperSession());
-  open.settle();
+  open.waitUntilIdle();
   QWidget* table = open->findChild<QWidget*>(QStringLiteral("readings0"));
   QAccessibleInterface* accessible = QAccessible::queryAccessibleInterface(table);
   ASSERT_TRUE(accessible && accessible->tableInterface());

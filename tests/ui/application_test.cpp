@@ -18,32 +18,32 @@ using testing::HasSubstr;
 TEST(Application, OutlivesWhatIsThrownInAnEventAndTellsOfItOnce) {
   auto* application = qobject_cast<Application*>(QCoreApplication::instance());
   ASSERT_TRUE(application);
-  QStringList told;
+  QStringList reported;
   QObject context;
   QObject::connect(application, &Application::failed, &context,
-                   [&](const QString& reason) { told.append(reason); });
+                   [&](const QString& reason) { reported.append(reason); });
   int thrown = 0;
   for (const char* reason : {"one", "another", "one", "one", "another"})
     QTimer::singleShot(0, &context, [&thrown, reason] {
       ++thrown;
       throw std::runtime_error(reason);
     });
-  ASSERT_TRUE(waitFor([&] { return thrown == 5 && told.size() == 2; }));
+  ASSERT_TRUE(waitFor([&] { return thrown == 5 && reported.size() == 2; }));
   QCoreApplication::processEvents();
-  EXPECT_EQ(told, (QStringList{QStringLiteral("a fault in the program (one)"),
-                               QStringLiteral("a fault in the program (another)")}));
+  EXPECT_EQ(reported, (QStringList{QStringLiteral("a fault in the program (one)"),
+                                   QStringLiteral("a fault in the program (another)")}));
 }
 
 TEST(Application, LeavesTheWindowAndWhatWasTyped) {
   OpenWindow open;
   QObject::connect(qobject_cast<Application*>(QCoreApplication::instance()), &Application::failed,
-                   open.window.get(), &MainWindow::tellFailure);
+                   open.window.get(), &MainWindow::reportFailure);
   QTimer::singleShot(0, open.window.get(), [] { throw std::runtime_error("in the window"); });
   ASSERT_TRUE(waitFor([&] { return !open.dialogs->problems.isEmpty(); }));
   EXPECT_THAT(open.dialogs->problems.join(u'\n').toStdString(),
               HasSubstr("The window failed: a fault in the program (in the window)."));
   open->files().open(samplePath(QStringLiteral("paper-table-1.alidade")));
-  open.settle();
+  open.waitUntilIdle();
   EXPECT_EQ(open->document().session(), paperSession());
 }
 

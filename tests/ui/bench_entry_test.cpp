@@ -53,7 +53,7 @@ struct EntryBench {
   int currentColumn() { return table().currentIndex().column(); }
   void start(const Session& session) {
     open->document().startWith(session);
-    open.settle();
+    open.waitUntilIdle();
     QCoreApplication::processEvents();
   }
 };
@@ -81,7 +81,7 @@ TEST(BenchEntry, APaperSessionIsTypedWithoutTheMouse) {
       type(qText(row.vertical));
     }
   }
-  bench.open.settle();
+  bench.open.waitUntilIdle();
   for (const std::size_t position : {0U, 1U}) {
     const Position &typed = bench.session().positions[position], &read = paper.positions[position];
     EXPECT_EQ(typed.zero.horizontal, read.zero.horizontal);
@@ -205,7 +205,7 @@ TEST(BenchEntry, AReadingFarFromWhatIsExpectedIsMarkedAtOnce) {
   const auto* next = bench.open->findChild<QLabel*>(QStringLiteral("next reading"));
   EXPECT_THAT(next->text().toStdString(), HasSubstr("point 7, about 335°4"));
   type(qText(paperSession().positions[1].readings[6].horizontal));
-  bench.open.settle();
+  bench.open.waitUntilIdle();
   type(QStringLiteral("88 57 26"));  // the paper has 98 57 26
   QCoreApplication::processEvents();
   const auto doubt = [&] {
@@ -216,9 +216,9 @@ TEST(BenchEntry, AReadingFarFromWhatIsExpectedIsMarkedAtOnce) {
   };
   EXPECT_THAT(doubt().toString().toStdString(), HasSubstr("was read where about 99°"));
   EXPECT_THAT(bench.open->statusBar()->currentMessage().toStdString(), HasSubstr("Look again"));
-  bench.open.settle();
+  bench.open.waitUntilIdle();
   ReadingsEditor(bench.open->document(), 1).setCell({6, ReadingColumn::Vertical}, right);
-  bench.open.settle();
+  bench.open.waitUntilIdle();
   EXPECT_EQ(doubt().toString(), QString());
 }
 
@@ -231,7 +231,7 @@ TEST(BenchEntry, TheWayBackIsLaidOutInOneStep) {
   EXPECT_EQ(rows[17].point, "17");
   EXPECT_EQ(rows[17].face, "2");
   EXPECT_EQ(bench.table().currentIndex().row(), 17);
-  bench.open.settle();
+  bench.open.waitUntilIdle();
   const auto* next = bench.open->findChild<QLabel*>(QStringLiteral("next reading"));
   EXPECT_THAT(next->text().toStdString(), HasSubstr("point 17, round 2, face 2, about 143°"));
   bench.open->undo();
@@ -294,10 +294,10 @@ TEST(BenchEntry, GonIsTypedAndShownWhereTheInstrumentHasIt) {
   press(*bench.open.window, Qt::Key_0, Qt::AltModifier);
   type(QStringLiteral("358.1234"));
   EXPECT_EQ(bench.session().positions[0].readings.back().horizontal, "358.1234gon");
-  bench.open.settle();
+  bench.open.waitUntilIdle();
   EXPECT_EQ(shown(17), "358.12340 gon") << "as finely as the others";
   changeField(bench.open->document(), {.field = "instrument.angle_unit"}, "degrees");
-  bench.open.settle();
+  bench.open.waitUntilIdle();
   EXPECT_EQ(shown(0), "341.87333°");
 }
 

@@ -64,14 +64,14 @@ TEST(RemovePosition, TakesAllOfItAndUndoBringsItBack) {
     const Session before = sessionTakenAt({0, 180, 0});
     open->document().startWith(before);
     removePosition(open->document(), position);
-    open.settle();
+    open.waitUntilIdle();
     Session after = before;
     after.positions.erase(after.positions.begin() + static_cast<std::ptrdiff_t>(position));
     EXPECT_EQ(open->document().session().positions, after.positions);
     EXPECT_THAT(open->document().session().journal, Each(Field(&JournalEntry::why, "deleted")));
     EXPECT_FALSE(open->document().session().journal.empty()) << "readings that stood are gone";
     open->undo();
-    open.settle();
+    open.waitUntilIdle();
     EXPECT_EQ(open->document().session(), before) << "never saved, so without a trace";
   }
 }
@@ -83,10 +83,10 @@ TEST(RemovePosition, ThatWasSavedIsToldWhenItComesBack) {
   removePosition(open->document(), 1);
   open.dialogs->savePath = folder.filePath(QStringLiteral("a.alidade"));
   ASSERT_TRUE(open->files().save());
-  const std::size_t told = open->document().session().journal.size();
+  const std::size_t recorded = open->document().session().journal.size();
   open->undo();
   EXPECT_EQ(open->document().session().positions, paperSession().positions);
-  EXPECT_GE(open->document().session().journal.size(), 2 * told);
+  EXPECT_GE(open->document().session().journal.size(), 2 * recorded);
 }
 
 TEST(MoveRows, TakesThemToTheOtherPositionInOneStep) {
@@ -137,7 +137,7 @@ TEST(FindInReadings, FindsNotesWhateverTheirCase) {
 TEST(FindBar, LeadsToWhatIsTypedAndBackToTheTable) {
   OpenWindow open;
   open->document().startWith(paperSession());
-  open.settle();
+  open.waitUntilIdle();
   open->entries().finder().find();
   auto* line = open->findChild<QLineEdit*>(QStringLiteral("find"));
   ASSERT_TRUE(line->isVisible());

@@ -84,7 +84,7 @@ class HostileTextsTest : public testing::Test {
 
   static void load(OpenWindow& open, const QString& path) {
     ASSERT_TRUE(open->files().open(path)) << open.dialogs->problems.join(u'\n').toStdString();
-    open.settle();
+    open.waitUntilIdle();
     ASSERT_TRUE(waitFor([&] { return open->gapJob().isIdle(); }));
     QCoreApplication::processEvents();
   }
@@ -162,7 +162,7 @@ TEST_F(HostileTextsTest, OfRecentFilesShowTheirAmpersandsAndStillOpen) {
   QAction* entry = recent->actions().first();
   EXPECT_THAT(entry->text().toStdString(), HasSubstr("a && b\\u202e\\u000a<b>.alidade"));
   entry->trigger();
-  open.settle();
+  open.waitUntilIdle();
   EXPECT_EQ(open->document().session().title, "found again");
 }
 
@@ -172,7 +172,7 @@ TEST_F(HostileTextsTest, OfAPointAreTextInTheMenuOfUndo) {
   json["positions"][0]["readings"][0]["point"] = "a & \u202E\t" + std::string(1000, 'x');
   load(open, file("points.alidade", json.dump()));
   ReadingsEditor(open->document(), 0).setCell({0, ReadingColumn::Note}, "n");
-  open.settle();
+  open.waitUntilIdle();
   QString undo;
   for (const QAction* action : open->menuBar()->actions()[1]->menu()->actions())
     if (action->text().startsWith(QStringLiteral("&Undo"))) undo = action->text();

@@ -45,10 +45,10 @@ class CountingModel : public ReadingsModel {
  public:
   using ReadingsModel::ReadingsModel;
 
-  mutable int asked = 0;
+  mutable int requests = 0;
 
   QVariant data(const QModelIndex& index, int role) const override {
-    if (role == Qt::DisplayRole) ++asked;
+    if (role == Qt::DisplayRole) ++requests;
     return ReadingsModel::data(index, role);
   }
 };
@@ -64,19 +64,19 @@ TEST(Load, ANewFitAsksForTheCellsInSight) {
   view.resize(600, 400);
   view.show();
   QCoreApplication::processEvents();
-  model.asked = 0;
-  QStringList told;
+  model.requests = 0;
+  QStringList changes;
   QObject::connect(&model, &QAbstractItemModel::dataChanged,
                    [&](const QModelIndex& from, const QModelIndex& to) {
-                     told.append(QStringLiteral("%1-%2").arg(from.column()).arg(to.column()));
+                     changes.append(QStringLiteral("%1-%2").arg(from.column()).arg(to.column()));
                    });
   model.setEvaluation(largeEvaluation());
-  EXPECT_EQ(told, QStringList{QStringLiteral("%1-%2")
-                                  .arg(residualColumn)
-                                  .arg(static_cast<int>(ReadingColumn::VerticalResidual))});
-  EXPECT_EQ(model.asked, 0) << "until it is painted";
+  EXPECT_EQ(changes, QStringList{QStringLiteral("%1-%2")
+                                     .arg(residualColumn)
+                                     .arg(static_cast<int>(ReadingColumn::VerticalResidual))});
+  EXPECT_EQ(model.requests, 0) << "until it is painted";
   QCoreApplication::processEvents();
-  EXPECT_LT(model.asked, 1000);
+  EXPECT_LT(model.requests, 1000);
   EXPECT_FALSE(model.index(4000, residualColumn).data().toString().isEmpty());
 }
 
@@ -86,14 +86,14 @@ TEST(Load, AnEditTellsOfItsOwnRow) {
   ReadingsModel model(document, 0);
   model.setEvaluation(largeEvaluation());
   const QString before = model.index(2000, residualColumn).data().toString();
-  std::vector<std::pair<int, int>> told;
+  std::vector<std::pair<int, int>> changes;
   QObject::connect(
       &model, &QAbstractItemModel::dataChanged,
-      [&](const QModelIndex& from, const QModelIndex& to) { told.emplace_back(from.row(), to.row()); });
+      [&](const QModelIndex& from, const QModelIndex& to) { changes.emplace_back(from.row(), to.row()); });
   ReadingsEditor(document, 0).setCell({2000, ReadingColumn::Vertical}, "85 00 00");
-  ASSERT_EQ(told.size(), 1u);
-  EXPECT_GE(told[0].first, 2000);
-  EXPECT_LE(told[0].second, 2001);
+  ASSERT_EQ(changes.size(), 1u);
+  EXPECT_GE(changes[0].first, 2000);
+  EXPECT_LE(changes[0].second, 2001);
   EXPECT_EQ(model.index(2000, residualColumn).data().toString(), before) << "until the fit is there";
   ReadingsEditor(document, 0).remove({10});
   EXPECT_EQ(model.index(1999, residualColumn).data().toString(), before) << "the row has moved up";
@@ -275,7 +275,7 @@ TEST(Load, WhatFollowsAFitStopsWhenTold) {
     emit stop->clicked();
   });
   open->document().startWith(paperSession());
-  open.settle();
+  open.waitUntilIdle();
   EXPECT_TRUE(wasSearching);
   EXPECT_TRUE(open->gapJob().isIdle());
   EXPECT_TRUE(open->statusBar()->currentMessage().startsWith(QStringLiteral("Stopped")));

@@ -67,7 +67,7 @@ std::string printedText(const QString& path) {
 
 void loadPaper(OpenWindow& open) {
   ASSERT_TRUE(open->files().open(samplePath(paper)));
-  open.settle();
+  open.waitUntilIdle();
 }
 
 TEST(MainWindow, FitsAMeasurementTypedByKeyboardAlone) {
@@ -91,7 +91,7 @@ TEST(MainWindow, FitsAMeasurementTypedByKeyboardAlone) {
       typeInto(table, QString::fromStdString(reading.vertical));
     }
   }
-  open.settle();
+  open.waitUntilIdle();
   const Session& typed = open->document().session();
   for (std::size_t position = 0; position < 2; ++position) {
     const auto& readings = typed.positions[position].readings;
@@ -104,7 +104,7 @@ TEST(MainWindow, FitsAMeasurementTypedByKeyboardAlone) {
   }
   EXPECT_THAT(resultOf(open), HasSubstr("Δd, fit only = 1.31 ±"));
   typeInto(field(open, "acceptance.tolerance_mm"), QStringLiteral("2.5"));
-  open.settle();
+  open.waitUntilIdle();
   EXPECT_THAT(resultOf(open), HasSubstr("Provisional: the diagnosis is running.\n"));
   ASSERT_TRUE(waitFor([&] { return open->gapJob().isIdle(); }));
   EXPECT_THAT(resultOf(open),
@@ -118,7 +118,7 @@ TEST(MainWindow, ShowsNoVerdictThatTheDiagnosisContradicts) {
   ASSERT_TRUE(open->files().open(samplePath(QStringLiteral("two-causes.alidade"))));
   field(open, "acceptance.tolerance_mm").selectAll();
   typeInto(field(open, "acceptance.tolerance_mm"), QStringLiteral("0.43"));
-  open.settle();
+  open.waitUntilIdle();
   EXPECT_THAT(resultOf(open), HasSubstr("Provisional: the diagnosis is running.\n"));
   EXPECT_THAT(resultOf(open), Not(HasSubstr("Accepted\n")));
   ASSERT_TRUE(waitFor([&] { return open->gapJob().isIdle(); }));
@@ -138,7 +138,7 @@ TEST(MainWindow, ShowsTheVerdictOfADiagnosisThatEndedBehindAnotherPage) {
   ASSERT_TRUE(pages);
   pages->setCurrentIndex(1);
   typeInto(field(open, "acceptance.tolerance_mm"), QStringLiteral("3"));
-  open.settle();
+  open.waitUntilIdle();
   ASSERT_TRUE(waitFor([&] { return open->gapJob().isIdle(); }));
   pages->setCurrentIndex(0);
   EXPECT_THAT(resultOf(open), HasSubstr("Accepted\n"));
@@ -158,10 +158,10 @@ TEST(MainWindow, MarksTheFormOfAnEntryThatCannotBeUsed) {
   };
   EXPECT_FALSE(isMarked());
   changeField(open->document(), {.field = "geometry.distance_mm"}, "far");
-  open.settle();
+  open.waitUntilIdle();
   EXPECT_TRUE(isMarked());
   open->undo();
-  open.settle();
+  open.waitUntilIdle();
   EXPECT_FALSE(isMarked());
 }
 
@@ -172,7 +172,7 @@ TEST(MainWindow, GivesNoVerdictWithAnEntryThatCannotBeUsed) {
   ReadingsTable& table = *open->currentTable();
   table.selectCell(3, ReadingColumn::Vertical);
   typeInto(table, QStringLiteral("86 71 00"));
-  open.settle();
+  open.waitUntilIdle();
   ASSERT_TRUE(waitFor([&] { return open->gapJob().isIdle(); }));
   EXPECT_THAT(resultOf(open), HasSubstr("No verdict: 1 entry could not be used"));
   EXPECT_THAT(resultOf(open), Not(HasSubstr("Accepted")));
@@ -185,7 +185,7 @@ TEST(MainWindow, KeepsAWrongAngleOutOfTheFitAndFindsItBack) {
   ReadingsTable& table = *open->currentTable();
   table.selectCell(4, ReadingColumn::Vertical);
   typeInto(table, QStringLiteral("82 99 39"));
-  open.settle();
+  open.waitUntilIdle();
   EXPECT_EQ(open->document().session().positions[0].readings[4].vertical, "82 99 39");
   EXPECT_THAT(resultOf(open), HasSubstr("16"));
   const QModelIndex residual = table.model()->index(4, static_cast<int>(ReadingColumn::VerticalResidual));
@@ -197,7 +197,7 @@ TEST(MainWindow, KeepsAWrongAngleOutOfTheFitAndFindsItBack) {
   EXPECT_EQ(table.currentIndex().row(), 4);
   EXPECT_EQ(table.currentIndex().column(), static_cast<int>(ReadingColumn::Vertical));
   open->undo();
-  open.settle();
+  open.waitUntilIdle();
   EXPECT_FALSE(residual.data().toString().isEmpty());
   EXPECT_FALSE(open->isWindowModified());
 }
@@ -207,7 +207,7 @@ TEST(MainWindow, ListsWhatIsWrongBeforeWhatIsMissing) {
   ReadingsTable& table = *open->currentTable();
   table.selectCell(0, ReadingColumn::Horizontal);
   typeInto(table, QStringLiteral("341 99 24"));
-  open.settle();
+  open.waitUntilIdle();
   const auto* findings = open->findChild<FindingsPanel*>();
   ASSERT_GT(findings->count(), 1);
   EXPECT_THAT(findings->item(0)->text().toStdString(), HasSubstr("99 minutes"));
@@ -223,7 +223,7 @@ TEST(MainWindow, ShowsEveryProblemUntilAPersonSetsTheHeight) {
     table.selectCell(row, ReadingColumn::Vertical);
     typeInto(table, QStringLiteral("82 99 39"));
   }
-  open.settle();
+  open.waitUntilIdle();
   ASSERT_GE(findings->count(), 4);
   EXPECT_GE(findings->height(), findings->wholeHeight());
   for (const int line : {0, findings->count() - 1})
@@ -238,7 +238,7 @@ TEST(MainWindow, ShowsEveryProblemUntilAPersonSetsTheHeight) {
   EXPECT_LT(height, findings->wholeHeight());
   table.selectCell(11, ReadingColumn::Vertical);
   typeInto(table, QStringLiteral("82 99 39"));
-  open.settle();
+  open.waitUntilIdle();
   EXPECT_EQ(findings->height(), height);
 }
 
@@ -384,10 +384,10 @@ TEST(MainWindow, FollowsAnExclusion) {
   const std::string before = resultOf(open);
   open->currentTable()->selectCell(0, ReadingColumn::Horizontal);
   open->currentTable()->toggleExcluded();
-  open.settle();
+  open.waitUntilIdle();
   EXPECT_NE(resultOf(open), before);
   open->undo();
-  open.settle();
+  open.waitUntilIdle();
   EXPECT_EQ(resultOf(open), before);
 }
 
@@ -468,8 +468,8 @@ TEST(Workstation, WritesAReportWithoutADisplay) {
     return program.exitCode();
   };
   EXPECT_EQ(run({QStringLiteral("--report"), out, samplePath(paper)}), 0);
-  const QString told = QString::fromUtf8(program.readAllStandardError());
-  EXPECT_EQ(told.toStdString(),
+  const QString errors = QString::fromUtf8(program.readAllStandardError());
+  EXPECT_EQ(errors.toStdString(),
             QStringLiteral("%1: The report names as not stated: %2.\n")
                 .arg(samplePath(paper), emptyReportFields(paperSession()).join(QStringLiteral(", ")))
                 .toStdString());

@@ -48,7 +48,7 @@ std::string textsOf(const QWidget& page) {
 
 void measureAgain(OpenWindow& open, int axisDeg) {
   open->findChild<QAction*>(QStringLiteral("add position %1").arg(axisDeg))->trigger();
-  open.settle();
+  open.waitUntilIdle();
 }
 
 /// Types the readings of another session into a position of the window, row by row.
@@ -75,7 +75,7 @@ TEST(MeasuredAgain, IsTypedFittedSavedAndOpened) {
     const QTemporaryDir folder;
     OpenWindow open;
     open->document().startWith(two);
-    open.settle();
+    open.waitUntilIdle();
     EXPECT_THAT(tabsOf(open), ElementsAre("Axis at 0°", "Axis at 180°"));
     measureAgain(open, axisDeg);
     const std::string name = std::to_string(axisDeg) + "° again";
@@ -85,7 +85,7 @@ TEST(MeasuredAgain, IsTypedFittedSavedAndOpened) {
     EXPECT_TRUE(open->document().session().positions[2].zero.horizontal.empty());
     expectAllVisible(*open.window, QStringLiteral("with a position added"));
     typePosition(open, 2, whole.positions[2], 17);
-    open.settle();
+    open.waitUntilIdle();
     const auto& positions = open->document().session().positions;
     ASSERT_EQ(positions[2].readings.size(), 17u);
     for (std::size_t row = 0; row < 17; ++row)
@@ -99,7 +99,7 @@ TEST(MeasuredAgain, IsTypedFittedSavedAndOpened) {
     ASSERT_TRUE(open->files().saveAs());
     OpenWindow other;
     ASSERT_TRUE(other->files().open(open.dialogs->savePath));
-    other.settle();
+    other.waitUntilIdle();
     EXPECT_EQ(other->document().session(), open->document().session());
     EXPECT_THAT(tabsOf(other), ElementsAre("Axis at 0°", "Axis at 180°", name));
     for (OpenWindow* window : {&open, &other})
@@ -117,12 +117,12 @@ TEST(MeasuredAgain, IsNoTroubleHalfTyped) {
   two.positions.pop_back();
   OpenWindow open;
   open->document().startWith(two);
-  open.settle();
+  open.waitUntilIdle();
   measureAgain(open, 0);
   const std::string result = textsOf(*open->findChild<ResultPanel*>());
   EXPECT_THAT(result, HasSubstr("Δd, fit only = ")) << "the new position is still empty";
   typePosition(open, 2, whole.positions[2], 1);
-  open.settle();
+  open.waitUntilIdle();
   EXPECT_THAT(textsOf(*open->findChild<ResultPanel*>()), HasSubstr("Sightings\n17\n17\n"));
   auto& table = *open->findChild<PositionTabs*>()->table(2);
   table.selectCell(1, ReadingColumn::Horizontal);
@@ -133,18 +133,18 @@ TEST(MeasuredAgain, IsNoTroubleHalfTyped) {
   EXPECT_EQ(open->document().session().positions[2].readings.at(1).horizontal, "34") << "is handed in";
   EXPECT_THAT(tabsOf(open), ElementsAre("Axis at 0°", "Axis at 180°", "0° again", "0° again (3)"));
   for (int steps = open->document().undoStack().count(); steps > 0; --steps) open->undo();
-  open.settle();
+  open.waitUntilIdle();
   EXPECT_EQ(open->document().session(), two);
   EXPECT_THAT(tabsOf(open), ElementsAre("Axis at 0°", "Axis at 180°"));
   for (int steps = open->document().undoStack().count(); steps > 0; --steps) open->redo();
-  open.settle();
+  open.waitUntilIdle();
   EXPECT_EQ(tabsOf(open).size(), 4u);
 }
 
 TEST(MeasuredAgain, IsCountedAmongTheFiguresOfItsAxis) {
   OpenWindow open;
   open->document().startWith(sessionTakenAt({0, 180, 0, 0}));
-  open.settle();
+  open.waitUntilIdle();
   const auto* page = open->findChild<ResultPanel*>();
   EXPECT_THAT(textsOf(*page), HasSubstr("Sightings\n51\n17\n"));
   QStringList tips;
@@ -156,7 +156,7 @@ TEST(MeasuredAgain, IsCountedAmongTheFiguresOfItsAxis) {
 TEST(MeasuredAgain, HasTheMeanOfWhatThePublishedMethodFinds) {
   OpenWindow open;
   open->document().startWith(sessionTakenAt({0, 180, 0}));
-  open.settle();
+  open.waitUntilIdle();
   auto* page = open->findChild<ResultPanel*>();
   page->setComparisonShown(true);
   const PublishedSessionFit published =
@@ -175,11 +175,11 @@ TEST(MeasuredAgain, FitsTheWidthOfTheResult) {
   OpenWindow open;
   open->resize(1280, 800);
   open->document().startWith(*simulate(*protocolByName("full-again"), drawTruth(5), 5));
-  open.settle();
+  open.waitUntilIdle();
   measureAgain(open, 180);
   const std::size_t last = open->document().session().positions.size() - 1;
   changeField(open->document(), {.position = last, .field = "pointing_zero.horizontal"}, "90");
-  open.settle();
+  open.waitUntilIdle();
   const auto* page = open->findChild<ResultPanel*>();
   ASSERT_THAT(textsOf(*page), HasSubstr("No verdict: 1 entry could not be used"));
   EXPECT_LE(page->widget()->minimumSizeHint().width(), page->viewport()->width());
@@ -190,7 +190,7 @@ TEST(MeasuredAgain, IsNamedOnThePages) {
   Session session = sessionTakenAt({0, 180, 0, 180});
   session.positions[2].readings[4].vertical = "x";
   open->document().startWith(session);
-  open.settle();
+  open.waitUntilIdle();
   for (PageTabs* tabs : open->pageTabs())
     for (int page = 0; page < tabs->count(); ++page) {
       tabs->showPage(page);

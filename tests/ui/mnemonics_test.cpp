@@ -57,7 +57,7 @@ class Mnemonics {
 TEST(Mnemonics, LeadToOneThingWhateverIsInFront) {
   OpenWindow open;
   ASSERT_TRUE(open->files().open(samplePath(QStringLiteral("two-faces.alidade"))));
-  open.settle();
+  open.waitUntilIdle();
   ASSERT_TRUE(waitFor([&] { return open->gapJob().isIdle(); }));
   auto* forms = open->findChild<QTabWidget*>(QStringLiteral("forms"));
   ASSERT_TRUE(forms);

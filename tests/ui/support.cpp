@@ -41,7 +41,7 @@ OpenWindow::OpenWindow() {
   window = std::make_unique<MainWindow>(std::move(scripted));
   window->show();
   QApplication::setActiveWindow(window.get());
-  settle();
+  waitUntilIdle();
 }
 
 OpenWindow::~OpenWindow() {
@@ -49,7 +49,7 @@ OpenWindow::~OpenWindow() {
   QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
 }
 
-void OpenWindow::settle() {
+void OpenWindow::waitUntilIdle() {
   if (!waitFor([this] { return window->job().isIdle(); })) throw std::runtime_error("the fit does not end");
   QCoreApplication::processEvents();
 }
@@ -129,10 +129,10 @@ std::optional<ImportDecision> ScriptedDialogs::askImport(ImportRequest request) 
     if (before) before->activateWindow();
   });
   page.show();
-  const auto settle = [&page] { return waitFor([&page] { return page.isSettled(); }); };
-  if (!settle()) return std::nullopt;
+  const auto waitUntilIdle = [&page] { return waitFor([&page] { return page.isUpToDate(); }); };
+  if (!waitUntilIdle()) return std::nullopt;
   if (onImport) onImport(page);
-  if (!settle() || !page.obstacle().isEmpty()) return std::nullopt;
+  if (!waitUntilIdle() || !page.obstacle().isEmpty()) return std::nullopt;
   page.accept();
   return page.decision();
 }

@@ -140,7 +140,7 @@ struct OpenWindow {
 
   MainWindow* operator->() { return window.get(); }
   /// Waits until the newest session is evaluated and shown.
-  void settle();
+  void waitUntilIdle();
 };
 
 /// The paper's table, and the file it is in.

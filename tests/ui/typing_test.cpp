@@ -29,14 +29,14 @@ class Typing : public ::testing::Test {
 
   void start(const Session& session) {
     open->document().startWith(session);
-    open.settle();
+    open.waitUntilIdle();
     QCoreApplication::processEvents();
   }
 
   /// Evaluates the current session, and waits until all views show the result.
   void news() {
     open->job().request(open->document().session());
-    open.settle();
+    open.waitUntilIdle();
   }
 
   /// Types by keyboard into the focused widget, with an event after every `every`-th key.

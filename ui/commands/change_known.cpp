@@ -60,7 +60,7 @@ void typeKnown(SessionDocument& document, const KnownRow& row, const KnownCell& 
   const QString undoText = QCoreApplication::translate("ChangeKnown", "Change known size of %1");
   PartChange change = changeAt(placeOf(ref), before ? saidOf(*before) : std::string(),
                                isGone ? std::string() : saidOf(after));
-  change.told.place = placeOf(ref, cell.member);
+  change.forViews.place = placeOf(ref, cell.member);
   document.push(new ChangePart<std::vector<KnownSize>>(
       document, undoText.arg(knownName(session, row)),
       [owner = ref.owner](Session& any) -> std::vector<KnownSize>& { return knownBy(any, owner); },

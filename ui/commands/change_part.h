@@ -13,9 +13,9 @@ namespace alidade::ui {
 
 /// A changed part as reported to the views and to the journal.
 struct PartChange {
-  SessionChange told;    ///< to the views
-  Place place;           ///< in the journal
-  std::string from, to;  ///< in the journal
+  SessionChange forViews;  ///< to the views
+  Place place;             ///< in the journal
+  std::string from, to;    ///< in the journal
 };
 
 /// The change of the part at `place`, with the same place for views and journal.
@@ -39,10 +39,10 @@ class ChangePart : public JournalledCommand {
 
  private:
   void apply() override {
-    edit(m_change.told, [this](Session& session) { std::swap(m_partOf(session), m_other); });
+    edit(m_change.forViews, [this](Session& session) { std::swap(m_partOf(session), m_other); });
   }
   std::vector<JournalEntry> allEntries() const override {
-    return journal().asStanding(m_change.place, m_change.from, m_change.to);
+    return journal().asRecorded(m_change.place, m_change.from, m_change.to);
   }
 
   PartOf m_partOf;

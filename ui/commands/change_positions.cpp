@@ -50,7 +50,7 @@ Place AddPosition::place() const {
 }
 
 std::vector<JournalEntry> AddPosition::allEntries() const {
-  return journal().asStanding(place(), {}, m_position.axisDeg);
+  return journal().asRecorded(place(), {}, m_position.axisDeg);
 }
 
 bool hasPosition(const Session& session, int axisDeg) {
@@ -103,7 +103,7 @@ RemovePosition::RemovePosition(SessionDocument& document, std::size_t index)
       {"axis_deg", m_position.axisDeg}};
   for (const auto& [field, text] : texts) {
     const Place place{.position = index, .field = field};
-    append(m_all, journal().asStanding(place, text, {}));
+    append(m_all, journal().asRecorded(place, text, {}));
     append(entries, journal().judge(place, text, {}));
   }
   setEntries(std::move(entries));

@@ -59,7 +59,7 @@ void handIn(SessionDocument& document, const std::vector<HalfTypedText>& texts) 
 Session withHandedIn(const Session& session, const std::vector<HalfTypedText>& texts) {
   if (texts.empty()) return session;
   SessionDocument document;
-  document.startWithStanding(session);
+  document.startWithRecorded(session);
   handIn(document, texts);
   return document.session();
 }

@@ -35,19 +35,19 @@ void JournalledCommand::erasePosition(std::size_t index) {
 void JournalledCommand::undo() {
   if (journal().isFiled(m_index)) {
     std::vector<JournalEntry> undone = reversed(allEntries());
-    m_toldUndone = undone.size();
+    m_enteredByUndo = undone.size();
     journal().enter(std::move(undone));
   } else {
-    m_entries = journal().takeBack(std::exchange(m_told, 0));
+    m_entries = journal().takeBack(std::exchange(m_entered, 0));
   }
   revert();
 }
 
 void JournalledCommand::redo() {
-  if (m_toldUndone > 0) {
-    journal().takeBack(std::exchange(m_toldUndone, 0));
+  if (m_enteredByUndo > 0) {
+    journal().takeBack(std::exchange(m_enteredByUndo, 0));
   } else {
-    m_told = m_entries.size();
+    m_entered = m_entries.size();
     journal().enter(std::exchange(m_entries, {}));
   }
   apply();

@@ -49,9 +49,9 @@ class JournalledCommand : public SessionCommand {
   void setEntries(std::vector<JournalEntry> entries) { m_entries = std::move(entries); }
 
  private:
-  int m_index;                               ///< index on the undo stack
-  std::vector<JournalEntry> m_entries;       ///< while undone; else they are only in the journal
-  std::size_t m_told = 0, m_toldUndone = 0;  ///< numbers of journal entries: of the edit, of its undo
+  int m_index;                                     ///< index on the undo stack
+  std::vector<JournalEntry> m_entries;             ///< while undone; else they are only in the journal
+  std::size_t m_entered = 0, m_enteredByUndo = 0;  ///< numbers of journal entries: of the edit, of its undo
 };
 
 }  // namespace alidade::ui

@@ -110,8 +110,8 @@ void ConnectionDialog::showEvent(QShowEvent* event) {
 bool ConnectionDialog::saveLog() {
   const QString stamp = QDateTime::currentDateTime().toString(QStringLiteral("yyyy-MM-dd-HHmm"));
   const QString suggestion = QDir::home().filePath(QStringLiteral("instrument-%1.log").arg(stamp));
-  return writeWhereAsked(m_dialogs, tr("Save log of the connection"), suggestion, QStringLiteral("log"),
-                         m_log->bytes())
+  return writeToChosenPath(m_dialogs, tr("Save log of the connection"), suggestion, QStringLiteral("log"),
+                           m_log->bytes())
       .has_value();
 }
 

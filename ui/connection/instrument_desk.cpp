@@ -39,10 +39,10 @@ InstrumentDesk::InstrumentDesk(SessionDocument& document, Dialogs& dialogs, cons
   m_status->hide();
   m_flow.setFront([this] { return front(); });
   connect(&m_flow, &ReadingFlow::heldChanged, this, &InstrumentDesk::showState);
-  connect(&m_flow, &ReadingFlow::remark, this, &InstrumentDesk::tell);
+  connect(&m_flow, &ReadingFlow::remark, this, &InstrumentDesk::report);
   connect(&m_flow, &ReadingFlow::landed, this, &InstrumentDesk::goOn);
   connect(&m_link, &InstrumentLink::readingTaken, &m_flow, &ReadingFlow::add);
-  connect(&m_link, &InstrumentLink::remark, this, &InstrumentDesk::tell);
+  connect(&m_link, &InstrumentLink::remark, this, &InstrumentDesk::report);
   connect(&m_link, &InstrumentLink::succeeded, this, &InstrumentDesk::forgetRemark);
   connect(&m_link, &InstrumentLink::identified, this, &InstrumentDesk::noteIdentity);
   connect(&m_link, &InstrumentLink::stateChanged, this, &InstrumentDesk::showState);
@@ -100,8 +100,8 @@ void InstrumentDesk::showDialog() {
 void InstrumentDesk::toggle() {
   if (m_link.isOpen()) return m_link.close();
   const ConnectionSettings settings = dialog().form().settings();
-  if (settings.port.isEmpty()) return tell(tr("No port is chosen: choose the one that the cable is in."));
-  if (settings.baudRate <= 0) return tell(tr("No baud rate is chosen: choose that of the instrument."));
+  if (settings.port.isEmpty()) return report(tr("No port is chosen: choose the one that the cable is in."));
+  if (settings.baudRate <= 0) return report(tr("No baud rate is chosen: choose that of the instrument."));
   rememberConnection(settings);
   m_link.open(settings, circles());
 }
@@ -122,12 +122,12 @@ void InstrumentDesk::noteIdentity() {
     changeField(m_document, {.field = "instrument.serial"}, wellFormed(identity.serial));
     m_document.endTogether();
   } else if (!identity.serial.empty() && !stated.serial.empty() && identity.serial != stated.serial) {
-    tell(tr("The session names an instrument with serial number %1, and this one has %2.")
-             .arg(shortLine(stated.serial, longestShown), shortLine(identity.serial, longestShown)));
+    report(tr("The session names an instrument with serial number %1, and this one has %2.")
+               .arg(shortLine(stated.serial, longestShown), shortLine(identity.serial, longestShown)));
   }
 }
 
-void InstrumentDesk::tell(const QString& sentence) {
+void InstrumentDesk::report(const QString& sentence) {
   dialog().showRemark(sentence);
   m_hasRemark = true;
   emit remark(sentence);

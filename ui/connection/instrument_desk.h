@@ -47,7 +47,7 @@ class InstrumentDesk : public QObject {
  private:
   TalkCircles circles() const;
   ReadingFlow::Front front() const;
-  void tell(const QString& sentence);
+  void report(const QString& sentence);
   void forgetRemark();
   void showState();
   void noteIdentity();

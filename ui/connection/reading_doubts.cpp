@@ -32,9 +32,9 @@ constexpr double sameWithin = 1e-4;  // arcsec
 constexpr std::size_t mostCompared = 10'000;
 constexpr int longestSerial = 40;
 
-int askedFace(const EntryToCome& asked) {
-  if (!asked.zero.empty()) return asked.zeroFace;
-  const auto face = wholeEntry(faceRule, asked.sighting.face);
+int expectedFace(const EntryToCome& entry) {
+  if (!entry.zero.empty()) return entry.zeroFace;
+  const auto face = wholeEntry(faceRule, entry.sighting.face);
   return face && *face ? **face : 1;
 }
 
@@ -75,12 +75,12 @@ class Doubts {
     doubtCorrections();
     doubtRepeat();
     doubtFace();
-    doubtWhatStands();
+    doubtReplacement();
     doubtTarget();
     if (m_said.isEmpty()) return {};
     //: where a reading would go, and what was read: "0°: point 3", two angles and a face
     m_said.prepend(ReadingDoubts::tr("%1: %2 and %3 in %4 was read.")
-                       .arg(entryText(m_session, m_landing.asked), shownAngle(m_reading.horizontal, m_unit),
+                       .arg(entryText(m_session, m_landing.entry), shownAngle(m_reading.horizontal, m_unit),
                             shownAngle(m_reading.vertical, m_unit))
                        .arg(qText(faceName(m_reading.face))));
     return m_said.join(u' ');
@@ -197,14 +197,14 @@ class Doubts {
 
   void doubtFace() {
     if (m_landing.isProposed) return;
-    const int asked = askedFace(m_landing.asked);
-    if (asked != m_reading.face)
+    const int face = expectedFace(m_landing.entry);
+    if (face != m_reading.face)
       say(ReadingDoubts::tr("The circle reads %1, and %2 is asked for.")
-              .arg(qText(faceName(m_reading.face)), qText(faceName(asked))));
+              .arg(qText(faceName(m_reading.face)), qText(faceName(face))));
   }
 
   /// The entry that would be overwritten: a reading, or a sighting of the zero.
-  QString standing() const {
+  QString overwritten() const {
     if (!m_landing.row) {
       const ZeroSighting zero = zeroAt(m_session, m_landing.position(), m_landing.zero);
       return zero.horizontal.empty() && zero.vertical.empty()
@@ -221,8 +221,8 @@ class Doubts {
         .arg(shownAngle(row.horizontal, m_unit), shownAngle(row.vertical, m_unit));
   }
 
-  void doubtWhatStands() {
-    if (const QString there = standing(); !there.isEmpty())
+  void doubtReplacement() {
+    if (const QString there = overwritten(); !there.isEmpty())
       say(m_landing.row ? ReadingDoubts::tr("%1 is already there and would be replaced.").arg(there)
                         : ReadingDoubts::tr("The %1 is already there, %2, and would be replaced.")
                               .arg(zeroName(m_landing.zero), there));
@@ -230,23 +230,23 @@ class Doubts {
 
   /// The reading expected from the protocol, else from the rows.
   std::optional<ExpectedReading> expected() const {
-    const EntryToCome& asked = m_landing.asked;
+    const EntryToCome& entry = m_landing.entry;
     const Guide* guide = m_evaluation.guide.get();
     if (guide && guide->problem.empty())
       for (std::size_t i = 0; i < guide->progress.sightings.size() && i < guide->expected.size(); ++i)
-        if (isAsked(guide->progress.sightings[i])) return guide->expected[i];
-    return asked.position < m_evaluation.next.size() ? expectedOf(m_evaluation, asked) : std::nullopt;
+        if (isExpected(guide->progress.sightings[i])) return guide->expected[i];
+    return entry.position < m_evaluation.next.size() ? expectedOf(m_evaluation, entry) : std::nullopt;
   }
 
-  bool isAsked(const FollowedSighting& followed) const {
-    const EntryToCome& asked = m_landing.asked;
+  bool isExpected(const FollowedSighting& followed) const {
+    const EntryToCome& entry = m_landing.entry;
     const PlannedSighting& planned = followed.planned;
-    if (followed.position != asked.position || planned.isZero == asked.zero.empty()) return false;
-    if (planned.isZero) return planned.face == asked.zeroFace && planned.isAfter == asked.isAfter;
-    const auto point = wholeEntry(pointRule, asked.sighting.point);
-    const auto round = wholeEntry(roundRule, asked.sighting.round);
+    if (followed.position != entry.position || planned.isZero == entry.zero.empty()) return false;
+    if (planned.isZero) return planned.face == entry.zeroFace && planned.isAfter == entry.isAfter;
+    const auto point = wholeEntry(pointRule, entry.sighting.point);
+    const auto round = wholeEntry(roundRule, entry.sighting.round);
     return point && round && *point == planned.point && *round == planned.round &&
-           askedFace(asked) == planned.face;
+           expectedFace(entry) == planned.face;
   }
 
   void doubtTarget() {
@@ -256,8 +256,9 @@ class Doubts {
                      .arg(zeroName(m_landing.zero)));
     if (const auto there = expected()) {
       const auto kind = verticalCircleEntry(m_session.geometry.verticalCircle);
-      const FaceOneReading wanted = inFaceOne(there->horizontal, there->vertical, askedFace(m_landing.asked),
-                                              kind ? *kind : VerticalCircle::Zenith);
+      const FaceOneReading wanted =
+          inFaceOne(there->horizontal, there->vertical, expectedFace(m_landing.entry),
+                    kind ? *kind : VerticalCircle::Zenith);
       if (isFar(inFaceOne(m_reading, m_session), wanted, there->tolerance))
         say(ReadingDoubts::tr("About %1 and %2 was expected: is it the right target?")
                 .arg(coarseAngleText(there->horizontal, m_unit), coarseAngleText(there->vertical, m_unit)));

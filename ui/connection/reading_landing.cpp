@@ -62,20 +62,20 @@ bool isEmptyZero(const ZeroSighting& zero) {
 
 /// The open row with the expected point and round in the face of the reading, if there is one; else the
 /// expected row.
-std::size_t rowInItsFace(const Session& session, const EntryToCome& asked, int face) {
-  const std::vector<Reading>& rows = session.positions[asked.position].readings;
-  const Reading& wanted = asked.sighting;
+std::size_t rowInItsFace(const Session& session, const EntryToCome& entry, int face) {
+  const std::vector<Reading>& rows = session.positions[entry.position].readings;
+  const Reading& wanted = entry.sighting;
   const auto isIt = [&](const Reading& row) {
     return isOpenRow(row) && row.point == wanted.point && row.round == wanted.round && faceOf(row) == face;
   };
-  if (faceOf(wanted) == face) return asked.row;
+  if (faceOf(wanted) == face) return entry.row;
   const auto found = std::ranges::find_if(rows, isIt);
-  return found == rows.end() ? asked.row : static_cast<std::size_t>(found - rows.begin());
+  return found == rows.end() ? entry.row : static_cast<std::size_t>(found - rows.begin());
 }
 
-Landing landingOf(const Session& session, const EntryToCome& asked, int face) {
-  if (!asked.zero.empty()) return {.asked = asked, .zero = zeroOf(face, asked.isAfter)};
-  return {.asked = asked, .row = rowInItsFace(session, asked, face)};
+Landing landingOf(const Session& session, const EntryToCome& entry, int face) {
+  if (!entry.zero.empty()) return {.entry = entry, .zero = zeroOf(face, entry.isAfter)};
+  return {.entry = entry, .row = rowInItsFace(session, entry, face)};
 }
 
 /// The zero sighting, if the reading points at the position's zero and that sighting is still missing.
@@ -85,7 +85,7 @@ std::optional<Landing> furtherZero(const Session& session, std::size_t position,
   const std::vector<Reading>& rows = session.positions[position].readings;
   const bool isAfter = std::ranges::any_of(rows, [](const Reading& row) { return !row.horizontal.empty(); });
   Landing landing{.zero = zeroOf(reading.face, isAfter), .isProposed = true};
-  landing.asked = {.position = position, .zero = landing.zero, .zeroFace = reading.face, .isAfter = isAfter};
+  landing.entry = {.position = position, .zero = landing.zero, .zeroFace = reading.face, .isAfter = isAfter};
   if (!isEmptyZero(zeroAt(session, position, landing.zero))) return std::nullopt;
   return landing;
 }
@@ -132,22 +132,22 @@ std::optional<Landing> nextLanding(const Evaluation& evaluation, std::size_t her
   const Session& session = evaluation.session;
   if (here >= session.positions.size() || isBeyondSession(evaluation)) return std::nullopt;
   const bool isTyped = !evaluation.next.empty();  // else the session has more rows than anyone types
-  const auto asked = isTyped ? entryToCome(evaluation, here) : entryToComeOf(session, here);
-  const bool isRow = !asked || asked->zero.empty();
+  const auto entry = isTyped ? entryToCome(evaluation, here) : entryToComeOf(session, here);
+  const bool isRow = !entry || entry->zero.empty();
   if (isRow && !isLed(evaluation))
-    if (auto zero = furtherZero(session, asked ? asked->position : here, reading)) {
-      if (asked) zero->asked = *asked;
+    if (auto zero = furtherZero(session, entry ? entry->position : here, reading)) {
+      if (entry) zero->entry = *entry;
       return zero;
     }
-  return asked ? std::optional(landingOf(session, *asked, reading.face)) : std::nullopt;
+  return entry ? std::optional(landingOf(session, *entry, reading.face)) : std::nullopt;
 }
 
 Landing landingInRow(const Session& session, std::size_t position, std::size_t row) {
   const std::vector<Reading>& rows = session.positions.at(position).readings;
   Landing landing;
-  landing.asked.position = position;
-  landing.asked.row = row;
-  landing.asked.sighting = row < rows.size() ? rows[row] : followingReading(session, position);
+  landing.entry.position = position;
+  landing.entry.row = row;
+  landing.entry.sighting = row < rows.size() ? rows[row] : followingReading(session, position);
   landing.row = row;
   landing.isChosen = true;
   return landing;

@@ -16,13 +16,13 @@ class SessionDocument;
 
 /// The target of a reading of an instrument, and the expected entry there.
 struct Landing {
-  EntryToCome asked = {};               ///< the next entry of the protocol, or of the rows
+  EntryToCome entry = {};               ///< the next entry of the protocol, or of the rows
   std::optional<std::size_t> row = {};  ///< the one after the last is new; absent: a pointing zero
   std::string zero = {};                ///< "pointing_zero", "pointing_zero.face_2", …; empty: a row
   bool isProposed = false;              ///< not expected, but the reading points at this zero
   bool isChosen = false;                ///< by selecting the row, regardless of the next entry
 
-  std::size_t position() const { return asked.position; }
+  std::size_t position() const { return entry.position; }
   Place place() const;  ///< place of its horizontal reading
 };
 

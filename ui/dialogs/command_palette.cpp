@@ -27,7 +27,7 @@ QString plainText(const QString& menuText) {
 }
 
 /// Each typed word is the beginning of a word of the path.
-bool isMeant(const QString& path, const QString& typed) {
+bool isMatch(const QString& path, const QString& typed) {
   const QStringList words = typed.split(u' ', Qt::SkipEmptyParts);
   const QString searched = u' ' + path;
   return std::ranges::all_of(
@@ -75,7 +75,7 @@ void CommandPalette::narrow(const QString& typed) {
   m_list->clear();
   for (std::size_t i = 0; i < m_commands.size(); ++i) {
     const Command& command = m_commands[i];
-    if (!isMeant(command.path, typed)) continue;
+    if (!isMatch(command.path, typed)) continue;
     const QString keys = command.keys.isEmpty() ? QString() : QStringLiteral("   (%1)").arg(command.keys);
     auto* item = new QListWidgetItem(command.path + keys, m_list);
     item->setData(Qt::UserRole, static_cast<qulonglong>(i));

@@ -75,7 +75,7 @@ bool ExportFlow::exportAnswer(const QString& title, const QString& what, const Q
         [session, name, answer](const std::stop_token&) { return answer(session, name); });
   });
   if (failure) {
-    m_dialogs.showProblem(title, qText(tellFailure({PHRASE_LATER("Phrase", "export"), *failure, session})));
+    m_dialogs.showProblem(title, qText(reportFailure({PHRASE_LATER("Phrase", "export"), *failure, session})));
     return false;
   }
   if (!made) return false;
@@ -94,7 +94,7 @@ bool ExportFlow::writeTo(const QString& title, const QString& what, const QStrin
                           visibleLine(Phrase::of("the picture cannot be made: make the window smaller")));
     return false;
   }
-  const auto path = writeWhereAsked(m_dialogs, title, suggestedPath(what, suffix), suffix, bytes);
+  const auto path = writeToChosenPath(m_dialogs, title, suggestedPath(what, suffix), suffix, bytes);
   if (path) emit remark(tr("Written to %1").arg(QDir::toNativeSeparators(*path)));
   return path.has_value();
 }

@@ -89,7 +89,7 @@ bool FileFlow::importReadings() {
 
 bool FileFlow::importReadings(const QStringList& paths) {
   for (const QString& path : paths)
-    if (tellWhereNoFile(tr("Import readings"), path)) return false;
+    if (isRefusedAsNonFile(tr("Import readings"), path)) return false;
   const QString name =
       paths.size() == 1 ? visibleLine(QFileInfo(paths.first()).fileName()) : tr("%1 files").arg(paths.size());
   const auto sources = inBackground<Result<std::vector<ImportSource>>>(
@@ -134,7 +134,7 @@ bool FileFlow::importFrom(const Result<std::vector<ImportSource>>& sources, cons
 
 /// True if the path is not a regular file, which is reported. Reading a pipe or a device may never end and
 /// would block the window. A missing file is reported when it is opened or written.
-bool FileFlow::tellWhereNoFile(const QString& title, const QString& path) {
+bool FileFlow::isRefusedAsNonFile(const QString& title, const QString& path) {
   const QFileInfo file(path);
   if (!file.exists() || file.isFile()) return false;
   const QString kind = file.isDir() ? tr("a folder") : tr("a pipe or a device");
@@ -143,7 +143,7 @@ bool FileFlow::tellWhereNoFile(const QString& title, const QString& path) {
 }
 
 bool FileFlow::load(const QString& path) {
-  if (tellWhereNoFile(tr("Open session"), path)) return false;
+  if (isRefusedAsNonFile(tr("Open session"), path)) return false;
   if (isPdfFile(path)) return loadAttached(path);
   if (!mayShare(path)) return false;
   const QString name = visibleLine(QFileInfo(path).fileName());
@@ -174,7 +174,7 @@ bool FileFlow::loadAttached(const QString& path) {
         tr("“%1” cannot be opened.\n\n%2").arg(name, visibleLine(session->problem().text())));
     return false;
   }
-  m_document.startWithStanding(**session);
+  m_document.startWithRecorded(**session);
   emit remark(tr("The session attached to %1; it is in no file of its own yet").arg(name));
   return true;
 }
@@ -193,7 +193,7 @@ bool FileFlow::saveAs() {
 bool FileFlow::revert() {
   emit commitWanted();
   const QString path = m_document.path();
-  if (path.isEmpty() || !m_document.isModified() || tellWhereNoFile(tr("Revert"), path)) return false;
+  if (path.isEmpty() || !m_document.isModified() || isRefusedAsNonFile(tr("Revert"), path)) return false;
   const QString name = visibleLine(m_document.displayName());
   auto file = inBackground<Result<FiledSession>>(*m_dialogs.busy(tr("Opening “%1”…").arg(name)),
                                                  [path](const std::stop_token&) { return readFiled(path); });
@@ -210,7 +210,7 @@ bool FileFlow::revert() {
 }
 
 bool FileFlow::saveTo(const QString& path) {
-  if (tellWhereNoFile(tr("Save session"), path)) return false;
+  if (isRefusedAsNonFile(tr("Save session"), path)) return false;
   if (!isSameFile(encodedPath(path), encodedPath(m_document.path()))) return mayShare(path) && write(path);
   const auto answer = askAboutChange();
   if (answer == ChangedFileAnswer::SaveAs) return saveAs();
@@ -248,7 +248,7 @@ bool FileFlow::mayShare(const QString& path) {
   return holder.isEmpty() || m_dialogs.askOpenElsewhere(visibleLine(QFileInfo(path).fileName()), holder);
 }
 
-void FileFlow::settleChange() {
+void FileFlow::resolveChange() {
   emit commitWanted();
   const auto answer = askAboutChange();
   if (answer == ChangedFileAnswer::SaveAs) saveAs();

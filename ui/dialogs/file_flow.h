@@ -48,7 +48,7 @@ class FileFlow : public QObject {
   bool printReport();
   bool previewReport();
   /// Shows the differences after another program changed the session's file, and does what the user chooses.
-  void settleChange();
+  void resolveChange();
   /// The folder in which windows register their open files for each other.
   void setLockFolder(const QString& folder);
   /// Stores a check of the uncertainty, for reports of its session.
@@ -72,7 +72,7 @@ class FileFlow : public QObject {
   QStringList otherInputs() const;
   bool mayShare(const QString& path);
   std::optional<ChangedFileAnswer> askAboutChange();
-  bool tellWhereNoFile(const QString& title, const QString& path);
+  bool isRefusedAsNonFile(const QString& title, const QString& path);
   bool mayLeaveChanges();
   bool mayDropRedo();
   bool mayDropUndo();

@@ -52,7 +52,7 @@ bool InstrumentFlow::save() {
   }
   const QString name = record.serial.empty() ? tr("instrument") : QString::fromStdString(record.serial);
   const auto path =
-      writeBeside(m_document, m_dialogs, title, name, QStringLiteral("alidade-instrument"), bytes);
+      writeForSession(m_document, m_dialogs, title, name, QStringLiteral("alidade-instrument"), bytes);
   if (!path) return false;
   emit remark(tr("Saved “%1”").arg(visibleLine(QFileInfo(*path).fileName())));
   return true;

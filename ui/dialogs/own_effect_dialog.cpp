@@ -200,8 +200,9 @@ void OwnEffectDialog::markFault(const FormulaFault* fault) {
 }
 
 void OwnEffectDialog::saveAsFile() {
-  writeWhereAsked(m_dialogs, tr("Save Effect"), m_name->text().trimmed() + QStringLiteral(".alidade-effect"),
-                  QStringLiteral("alidade-effect"), writeOwnEffect(effect()));
+  writeToChosenPath(m_dialogs, tr("Save Effect"),
+                    m_name->text().trimmed() + QStringLiteral(".alidade-effect"),
+                    QStringLiteral("alidade-effect"), writeOwnEffect(effect()));
 }
 
 }  // namespace alidade::ui

@@ -29,7 +29,7 @@ PrintPreview::PrintPreview(QPrinter& printer, const std::function<void(QPrinter&
   layout->addWidget(bar);
   layout->addWidget(m_view, 1);
   connect(m_view, &QPrintPreviewWidget::paintRequested, this, [paint](QPrinter* on) { paint(*on); });
-  connect(m_view, &QPrintPreviewWidget::previewChanged, this, &PrintPreview::tellPage);
+  connect(m_view, &QPrintPreviewWidget::previewChanged, this, &PrintPreview::showPage);
 }
 
 void PrintPreview::addActions(QToolBar& bar) {
@@ -72,10 +72,10 @@ void PrintPreview::addActions(QToolBar& bar) {
 
 void PrintPreview::turn(int pages) {
   m_view->setCurrentPage(std::clamp(m_view->currentPage() + pages, 1, std::max(1, m_view->pageCount())));
-  tellPage();
+  showPage();
 }
 
-void PrintPreview::tellPage() {
+void PrintPreview::showPage() {
   m_page->setText(tr("Page %1 of %2").arg(m_view->currentPage()).arg(m_view->pageCount()));
 }
 

@@ -32,7 +32,7 @@ class PrintPreview : public QDialog {
  private:
   void addActions(QToolBar& bar);
   void turn(int pages);
-  void tellPage();
+  void showPage();
 
   PreviewChange m_change;
   QPrintPreviewWidget* m_view;

@@ -47,8 +47,8 @@ bool ProtocolFlow::save() {
   }
   QString fileName = QString::fromStdString((*protocol)->name).simplified();
   if (fileName.isEmpty()) fileName = tr("protocol");
-  const auto path = writeBeside(m_document, m_dialogs, title, fileName, QStringLiteral("alidade-protocol"),
-                                writeProtocol(**protocol));
+  const auto path = writeForSession(m_document, m_dialogs, title, fileName,
+                                    QStringLiteral("alidade-protocol"), writeProtocol(**protocol));
   if (!path) return false;
   emit remark(tr("Saved “%1”").arg(visibleLine(QFileInfo(*path).fileName())));
   return true;

@@ -41,7 +41,7 @@ void RecoveryDialog::addOffer(const RecoveryOffer& offer) {
   auto* page = new QWidget;
   auto* layout = new QVBoxLayout(page);
   layout->setContentsMargins(0, 0, 0, 0);
-  layout->addWidget(createPlainLabel(offer.name + QStringLiteral(": ") + offer.told));
+  layout->addWidget(createPlainLabel(offer.name + QStringLiteral(": ") + offer.details));
   layout->addWidget(createPlainLabel(differenceCount(offer.difference) + u':'));
   layout->addWidget(createDifferenceTable(offer.difference, tr("Kept, unsaved"), tr("In the file")), 1);
   m_offers->addWidget(page);
@@ -53,7 +53,7 @@ QWidget* RecoveryDialog::createButtons() {
                          RecoveryAnswer::Choice choice) {
     QPushButton* button = buttons->addButton(text, role);
     connect(button, &QPushButton::clicked, this, [this, choice] {
-      if (choice == RecoveryAnswer::Choice::Discard && !isDiscardMeant()) return;
+      if (choice == RecoveryAnswer::Choice::Discard && !isDiscardConfirmed()) return;
       m_answer = {choice, m_names->currentRow()};
       accept();
     });
@@ -67,7 +67,7 @@ QWidget* RecoveryDialog::createButtons() {
   return buttons;
 }
 
-bool RecoveryDialog::isDiscardMeant() {
+bool RecoveryDialog::isDiscardConfirmed() {
   QMessageBox box(QMessageBox::Warning, tr("Discard unsaved changes"),
                   tr("The kept changes of “%1” cannot be brought back.").arg(m_names->currentItem()->text()),
                   QMessageBox::Discard | QMessageBox::Cancel, this);

@@ -13,8 +13,8 @@ namespace alidade::ui {
 
 /// Unsaved changes that a window left behind.
 struct RecoveryOffer {
-  QString name;  ///< of the file, or a substitute for an unsaved session
-  QString told;  ///< folder, time of the changes, state of the file
+  QString name;     ///< of the file, or a substitute for an unsaved session
+  QString details;  ///< folder, time of the changes, state of the file
   SessionDifference difference;
 };
 
@@ -37,7 +37,7 @@ class RecoveryDialog : public QDialog {
  private:
   void addOffer(const RecoveryOffer& offer);
   QWidget* createButtons();
-  bool isDiscardMeant();
+  bool isDiscardConfirmed();
 
   QListWidget* m_names;
   QStackedWidget* m_offers;

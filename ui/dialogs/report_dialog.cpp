@@ -130,7 +130,7 @@ QWidget* ReportDialog::createContents() {
     if (!holds(m_question.there, info.part)) continue;
     auto* box = new QCheckBox(QCoreApplication::translate("ReportPart", info.title));
     box->setObjectName(QString::fromLatin1(info.id));
-    const bool must = holds(m_question.mustStand, info.part);
+    const bool must = holds(m_question.mandatory, info.part);
     box->setChecked(must || !m_question.choice.contents.leftOut.contains(info.part));
     box->setEnabled(!must);
     if (must) box->setText(tr("%1 (model and readings disagree)").arg(box->text()));

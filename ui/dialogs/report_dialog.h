@@ -24,7 +24,7 @@ struct ReportQuestion {
   Way way = Way::Export;
   ReportChoice choice = {};                ///< the last choice
   std::vector<ReportPart> there = {};      ///< parts available in this session's report
-  std::vector<ReportPart> mustStand = {};  ///< parts that cannot be left out
+  std::vector<ReportPart> mandatory = {};  ///< parts that cannot be left out
   QStringList emptyFields = {};            ///< fields a laboratory would state, empty in this session
   bool isCertificate = false;              ///< asks for what only a certificate states
   int unusable = 0;                        ///< number of unusable entries; any of them prevents a verdict

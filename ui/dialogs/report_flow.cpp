@@ -44,11 +44,11 @@ bool ReportFlow::guarded(const QString& title, const std::function<bool()>& work
   bool isDone = false;
   const auto failure = failureOf([&] { isDone = work(); });
   m_translated = {};
-  m_told = {};
+  m_lastHistory = {};
   if (failure)
     m_dialogs.showProblem(
         title,
-        qText(tellFailure({PHRASE_LATER("Phrase", "acceptance report"), *failure, m_document.session()})));
+        qText(reportFailure({PHRASE_LATER("Phrase", "acceptance report"), *failure, m_document.session()})));
   return isDone;
 }
 
@@ -98,7 +98,7 @@ std::optional<ReportChoice> ReportFlow::ask(const Gap& gap, ReportQuestion::Way 
       .unusable = static_cast<int>(hindrances(evaluation.session, evaluation.examined.problems).size())};
   for (const ReportPartInfo& info : allReportParts()) {
     if (isThere(info.part, gap)) question.there.push_back(info.part);
-    if (mustStand(info.part, gap)) question.mustStand.push_back(info.part);
+    if (isMandatory(info.part, gap)) question.mandatory.push_back(info.part);
   }
   const std::optional<ReportChoice> choice = m_dialogs.askReport(question);
   if (choice) rememberReportChoice(*choice);
@@ -127,13 +127,13 @@ std::optional<ReportOptions> ReportFlow::optionsFor(const SharedGap& gap, const 
 }
 
 std::shared_ptr<const DeviceHistory> ReportFlow::historyIn(const QString& folder) {
-  if (m_told.folder == folder) return m_told.history;
+  if (m_lastHistory.folder == folder) return m_lastHistory.history;
   const auto busy = m_dialogs.busy(tr("Reading the history of the device…"));
   const auto series =
       inBackground<Series>(*busy, [paths = sessionPathsIn({folder})](const std::stop_token& stop) {
         return readSeries({}, paths, stop);
       });
-  m_told = {folder, nullptr};
+  m_lastHistory = {folder, nullptr};
   if (!series) return nullptr;
   const Device& device = m_document.session().device;
   const auto found = std::ranges::find_if(series->devices, [&](const DeviceHistory& one) {
@@ -143,8 +143,8 @@ std::shared_ptr<const DeviceHistory> ReportFlow::historyIn(const QString& folder
   if (found == series->devices.end())
     emit remark(tr("The folder of the history holds no session of this device: the report has no history."));
   else
-    m_told.history = std::make_shared<const DeviceHistory>(*found);
-  return m_told.history;
+    m_lastHistory.history = std::make_shared<const DeviceHistory>(*found);
+  return m_lastHistory.history;
 }
 
 bool ReportFlow::exportOf(const SharedGap& gap, const QString& suggestion) {

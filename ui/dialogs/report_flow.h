@@ -62,10 +62,10 @@ class ReportFlow : public QObject {
   std::shared_ptr<const DeviceHistory> historyIn(const QString& folder);
 
   SharedBudgetCheck m_check;
-  struct Told {
+  struct LastHistory {
     QString folder;
     std::shared_ptr<const DeviceHistory> history;
-  } m_told;  ///< last result of `historyIn`, kept while a report is being made
+  } m_lastHistory;  ///< last result of `historyIn`, kept while a report is being made
   struct Translated {
     QString language;
     SharedGap of, gap;

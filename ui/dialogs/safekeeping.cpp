@@ -32,23 +32,24 @@ Result<std::string> bytesOf(const QString& path) {
 }
 
 /// The session that a record is compared with: its file, or a new session if it has none.
-struct Beside {
+struct ComparedFile {
   Session session = templateSession();
-  QString told;  ///< state of the file
+  QString state;  ///< of the file
 };
 
-Beside beside(const RecoveryRecord& record) {
-  if (record.path.isEmpty()) return {.told = Safekeeping::tr("in no file yet")};
+ComparedFile comparedFile(const RecoveryRecord& record) {
+  if (record.path.isEmpty()) return {.state = Safekeeping::tr("in no file yet")};
   const QString place = Safekeeping::tr("in %1").arg(visibleLine(QDir::toNativeSeparators(record.path)));
-  const auto told = [&place](const QString& more) { return listText({place, more}); };
-  if (!QFileInfo(record.path).isFile()) return {.told = told(Safekeeping::tr("which is no longer there"))};
+  const auto inPlace = [&place](const QString& more) { return listText({place, more}); };
+  if (!QFileInfo(record.path).isFile())
+    return {.state = inPlace(Safekeeping::tr("which is no longer there"))};
   const Result<std::string> bytes = bytesOf(record.path);
   Result<Session> session = bytes ? readSession(*bytes) : bytes.problem();
-  if (!session) return {.told = told(Safekeeping::tr("which cannot be read any more"))};
+  if (!session) return {.state = inPlace(Safekeeping::tr("which cannot be read any more"))};
   const QByteArray hash =
       QCryptographicHash::hash(QByteArray::fromStdString(*bytes), QCryptographicHash::Sha256);
   return {*std::move(session),
-          hash == record.sha256 ? place : told(Safekeeping::tr("which was changed since"))};
+          hash == record.sha256 ? place : inPlace(Safekeeping::tr("which was changed since"))};
 }
 
 /// The unfinished entries of the record's session when it was last kept.
@@ -60,12 +61,12 @@ std::vector<HalfTypedText> typedInto(const RecoveryRecord& record, const QString
 }
 
 RecoveryOffer offerOf(const RecoveryRecord& record, const std::vector<HalfTypedText>& typed) {
-  const Beside file = beside(record);
+  const ComparedFile file = comparedFile(record);
   const QString title = qText(record.session.title).trimmed();
   const QString untitled = title.isEmpty() ? Safekeeping::tr("Untitled") : title;
   return {.name = visibleLine(record.path.isEmpty() ? untitled : QFileInfo(record.path).fileName()),
-          .told = Safekeeping::tr("%1; kept on %2")
-                      .arg(file.told, QLocale().toString(record.keptAt, QLocale::ShortFormat)),
+          .details = Safekeeping::tr("%1; kept on %2")
+                         .arg(file.state, QLocale().toString(record.keptAt, QLocale::ShortFormat)),
           .difference = differenceOf(withHandedIn(record.session, typed), file.session)};
 }
 
@@ -116,12 +117,12 @@ void Safekeeping::showTrouble() {
 
 int Safekeeping::offer() {
   std::vector<Left> left = leftBehind();
-  int asked = 0;
+  int questions = 0;
   while (!left.empty()) {
     QList<RecoveryOffer> offers;
     for (const Left& one : left) offers.append(one.offer);
     const RecoveryAnswer answer = m_dialogs.askRecovery(offers);
-    ++asked;
+    ++questions;
     const auto chosen = left.begin() + answer.index;
     if (answer.choice == RecoveryAnswer::Choice::Discard) {
       chosen->slot->remove();
@@ -130,7 +131,7 @@ int Safekeeping::offer() {
       break;
     }
   }
-  return asked;
+  return questions;
 }
 
 std::vector<Safekeeping::Left> Safekeeping::leftBehind() {

@@ -12,9 +12,9 @@
 
 namespace alidade::ui {
 
-std::optional<QString> writeWhereAsked(Dialogs& dialogs, const QString& title, const QString& suggested,
-                                       const QString& suffix, const std::string& bytes,
-                                       const QStringList& inputs) {
+std::optional<QString> writeToChosenPath(Dialogs& dialogs, const QString& title, const QString& suggested,
+                                         const QString& suffix, const std::string& bytes,
+                                         const QStringList& inputs) {
   const QString path = dialogs.askExportPath(title, suggested, suffix);
   if (path.isEmpty()) return std::nullopt;
   if (const auto problem = writeFile(encodedPath(path), bytes, encodedPaths(dialogs.readFiles() + inputs))) {
@@ -28,13 +28,14 @@ QString folderOf(const SessionDocument& document) {
   return document.path().isEmpty() ? QDir::homePath() : QFileInfo(document.path()).absolutePath();
 }
 
-std::optional<QString> writeBeside(const SessionDocument& document, Dialogs& dialogs, const QString& title,
-                                   const QString& name, const QString& suffix, const std::string& bytes) {
+std::optional<QString> writeForSession(const SessionDocument& document, Dialogs& dialogs,
+                                       const QString& title, const QString& name, const QString& suffix,
+                                       const std::string& bytes) {
   QString fileName = name.simplified();
   static const QRegularExpression refused(QStringLiteral("[/\\\\:*?\"<>|]"));  // by some file system
   fileName.replace(refused, QStringLiteral("-"));
-  return writeWhereAsked(dialogs, title, QDir(folderOf(document)).filePath(fileName + u'.' + suffix), suffix,
-                         bytes);
+  return writeToChosenPath(dialogs, title, QDir(folderOf(document)).filePath(fileName + u'.' + suffix),
+                           suffix, bytes);
 }
 
 }  // namespace alidade::ui

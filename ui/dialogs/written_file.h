@@ -12,16 +12,17 @@ class SessionDocument;
 
 /// Asks for a path, starting with `suggested`, and writes `bytes` there. Refuses files read for the window
 /// and those in `inputs`. Returns the path; absent if cancelled or failed, which is reported.
-std::optional<QString> writeWhereAsked(Dialogs& dialogs, const QString& title, const QString& suggested,
-                                       const QString& suffix, const std::string& bytes,
-                                       const QStringList& inputs = {});
+std::optional<QString> writeToChosenPath(Dialogs& dialogs, const QString& title, const QString& suggested,
+                                         const QString& suffix, const std::string& bytes,
+                                         const QStringList& inputs = {});
 
 /// The folder of the session's file; the home folder if it has none.
 QString folderOf(const SessionDocument& document);
 
 /// Asks for a path and writes output of a session. Suggests the session's folder and `name`, without
 /// characters that file names cannot have.
-std::optional<QString> writeBeside(const SessionDocument& document, Dialogs& dialogs, const QString& title,
-                                   const QString& name, const QString& suffix, const std::string& bytes);
+std::optional<QString> writeForSession(const SessionDocument& document, Dialogs& dialogs,
+                                       const QString& title, const QString& name, const QString& suffix,
+                                       const std::string& bytes);
 
 }  // namespace alidade::ui

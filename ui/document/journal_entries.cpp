@@ -17,11 +17,11 @@ constexpr std::size_t mostEntries = 1000;
 
 class PatchEntries {
  public:
-  PatchEntries(const Session& session, std::size_t position, const char* why, const Stands& stands)
-      : m_session(session), m_position(position), m_why(why), m_stands(stands) {}
+  PatchEntries(const Session& session, std::size_t position, const char* why, const IsRecorded& isRecorded)
+      : m_session(session), m_position(position), m_why(why), m_isRecorded(isRecorded) {}
 
   void addCell(const ReadingsPatch::Cell& cell) {
-    if (!m_stands(cell.row, cell.column) || ++m_count > mostEntries) return;
+    if (!m_isRecorded(cell.row, cell.column) || ++m_count > mostEntries) return;
     const auto& rows = m_session.positions.at(m_position).readings;
     JournalEntry entry = of(rows.at(cell.row), cell.row, infoOf(cell.column).field->key);
     const bool isFlag = !readingText(cell.column);
@@ -31,7 +31,7 @@ class PatchEntries {
   }
 
   void addRow(const Reading& row, std::size_t index, bool isGone) {
-    if (!hasStanding(row, isGone ? index : asAdded) || ++m_count > mostEntries) return;
+    if (!isRowRecorded(row, isGone ? index : asAdded) || ++m_count > mostEntries) return;
     JournalEntry entry = of(row, index, {});
     (isGone ? entry.from : entry.to) = rowText(row);
     m_entries.push_back(std::move(entry));
@@ -46,11 +46,11 @@ class PatchEntries {
 
  private:
   /// Only a sealed session records that an empty row was added or removed, which renumbers the rows below.
-  bool hasStanding(const Reading& row, std::size_t index) const {
+  bool isRowRecorded(const Reading& row, std::size_t index) const {
     const auto isTyped = [&](const RowField& field) { return field.text && !(row.*field.text).empty(); };
-    if (std::ranges::none_of(rowFields, isTyped)) return m_stands(asAdded, ReadingColumn::Used);
+    if (std::ranges::none_of(rowFields, isTyped)) return m_isRecorded(asAdded, ReadingColumn::Used);
     return std::ranges::any_of(rowFields, [&](const RowField& field) {
-      return isTyped(field) && m_stands(index, readingColumn(std::string(field.key)));
+      return isTyped(field) && m_isRecorded(index, readingColumn(std::string(field.key)));
     });
   }
 
@@ -70,7 +70,7 @@ class PatchEntries {
   const Session& m_session;
   std::size_t m_position;
   const char* m_why;
-  const Stands& m_stands;
+  const IsRecorded& m_isRecorded;
   std::size_t m_count = 0;              ///< number of journal entries
   std::vector<JournalEntry> m_entries;  ///< the first `mostEntries` of them
 };
@@ -78,8 +78,8 @@ class PatchEntries {
 }  // namespace
 
 std::vector<JournalEntry> entriesOf(const Session& session, std::size_t position, const ReadingsPatch& patch,
-                                    const char* why, const Stands& stands) {
-  PatchEntries entries(session, position, why, stands);
+                                    const char* why, const IsRecorded& isRecorded) {
+  PatchEntries entries(session, position, why, isRecorded);
   for (const ReadingsPatch::Cell& cell : patch.cells()) entries.addCell(cell);
   // Listed from the last row to the first, each index is valid in the rows that the entry before leaves.
   const auto& gone = patch.gone();

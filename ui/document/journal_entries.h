@@ -13,17 +13,17 @@
 
 namespace alidade::ui {
 
-/// The row number passed to `Stands` for an added row.
+/// The row number passed to `IsRecorded` for an added row.
 inline constexpr std::size_t asAdded = std::numeric_limits<std::size_t>::max();
 
 /// True if the entry is recorded, so that its change enters the journal.
-using Stands = std::function<bool(std::size_t row, ReadingColumn column)>;
+using IsRecorded = std::function<bool(std::size_t row, ReadingColumn column)>;
 
 /// The journal entries for a patch of the rows of one position, in the order of cells and rows, without time,
 /// operator and hash. An edit of more than a thousand cells or rows gets one entry with the count: each
 /// changed row keeps its first texts itself.
 std::vector<JournalEntry> entriesOf(const Session& session, std::size_t position, const ReadingsPatch& patch,
-                                    const char* why, const Stands& stands);
+                                    const char* why, const IsRecorded& isRecorded);
 
 /// Returns the entry for the text of a field, or of anything else named in the session file.
 JournalEntry entryOf(const Session& session, const Place& field, std::string from, std::string to);

@@ -34,27 +34,27 @@ void JournalKeeper::dropFrom(int undoIndex) {
 
 std::vector<JournalEntry> JournalKeeper::judge(std::size_t position, ReadingsPatch& patch, const char* why) {
   const std::vector<Reading>& rows = m_session.positions.at(position).readings;
-  const auto stands = [&, sealed = isSealed()](std::size_t row, ReadingColumn column) {
+  const auto isRecorded = [&, sealed = isSealed()](std::size_t row, ReadingColumn column) {
     if (sealed) return true;
     if (row >= rows.size() || m_state.open.isOpen(position, row, column)) return false;
     if (column == ReadingColumn::Note) return false;
     const auto text = readingText(column);
     return !text || !(rows[row].*text).empty();
   };
-  auto entries = entriesOf(m_session, position, patch, why, stands);
-  patch.keepFirstTexts(rows, stands);
+  auto entries = entriesOf(m_session, position, patch, why, isRecorded);
+  patch.keepFirstTexts(rows, isRecorded);
   m_state.open.enter(position, rows, patch);
   return entries;
 }
 
 std::vector<JournalEntry> JournalKeeper::judge(const Place& field, const std::string& from,
                                                const std::string& to) {
-  const bool stands = isSealed() || (!from.empty() && !m_state.open.isOpen(field));
+  const bool isRecorded = isSealed() || (!from.empty() && !m_state.open.isOpen(field));
   m_state.open.enter(field, from.empty());
-  return stands ? asStanding(field, from, to) : std::vector<JournalEntry>();
+  return isRecorded ? asRecorded(field, from, to) : std::vector<JournalEntry>();
 }
 
-std::vector<JournalEntry> JournalKeeper::asStanding(const Place& field, const std::string& from,
+std::vector<JournalEntry> JournalKeeper::asRecorded(const Place& field, const std::string& from,
                                                     const std::string& to) const {
   if (!isSealed() && !isOfMeasurement(field)) return {};
   return {entryOf(m_session, field, from, to)};

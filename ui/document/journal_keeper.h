@@ -38,7 +38,7 @@ class JournalKeeper {
   std::vector<JournalEntry> judge(std::size_t position, ReadingsPatch& patch, const char* why);
   std::vector<JournalEntry> judge(const Place& field, const std::string& from, const std::string& to);
   /// The journal entries of an edit of this field if `from` had been recorded.
-  std::vector<JournalEntry> asStanding(const Place& field, const std::string& from,
+  std::vector<JournalEntry> asRecorded(const Place& field, const std::string& from,
                                        const std::string& to) const;
 
   /// Adds the entries with time and operator.

@@ -18,7 +18,7 @@ std::map<const EffectParameter*, std::vector<KnownRef>> entriesByNumber(const Se
   for (const KnownOwner owner : {KnownOwner::Instrument, KnownOwner::Device}) {
     const std::vector<KnownSize>& list = knownBy(session, owner);
     for (std::size_t i = 0; i < list.size(); ++i)
-      entries[parameterMeant(list[i].effect, list[i].parameter, list[i].unit)].push_back({owner, i});
+      entries[findParameter(list[i].effect, list[i].parameter, list[i].unit)].push_back({owner, i});
   }
   return entries;
 }

@@ -82,12 +82,13 @@ std::optional<std::size_t> ReadingsPatch::onlyRow() const {
   return isOne ? std::optional(changed.first) : std::nullopt;
 }
 
-void ReadingsPatch::keepFirstTexts(const std::vector<Reading>& rows,
-                                   const std::function<bool(std::size_t row, ReadingColumn column)>& stands) {
+void ReadingsPatch::keepFirstTexts(
+    const std::vector<Reading>& rows,
+    const std::function<bool(std::size_t row, ReadingColumn column)>& isRecorded) {
   for (Cell& cell : m_cells) {
     if (!readingText(cell.column) || isFreeText(cell.column)) continue;
     const auto first = rows[cell.row].asRead.of(infoOf(cell.column).field->key);
-    if (!first && !cell.before.empty() && stands(cell.row, cell.column))
+    if (!first && !cell.before.empty() && isRecorded(cell.row, cell.column))
       cell.first = First::Kept;
     else if (first == cell.after)
       cell.first = First::Dropped;

@@ -73,7 +73,7 @@ class ReadingsPatch {
   /// Keeps the text of a recorded cell as the row's first text at its first change; restoring that text
   /// removes it again. Call before `apply`, with the same rows.
   void keepFirstTexts(const std::vector<Reading>& rows,
-                      const std::function<bool(std::size_t row, ReadingColumn column)>& stands);
+                      const std::function<bool(std::size_t row, ReadingColumn column)>& isRecorded);
 
   void apply(std::vector<Reading>& rows) const;
   void revert(std::vector<Reading>& rows) const;

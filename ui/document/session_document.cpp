@@ -21,7 +21,7 @@ void SessionDocument::push(QUndoCommand* command) {
   m_journal.dropFrom(m_undoStack.index());
   const std::size_t before = m_session.journal.size();
   m_undoStack.push(command);
-  if (!m_journalBefore) tellRecorded(before);
+  if (!m_journalBefore) emitRecorded(before);
 }
 
 void SessionDocument::pushAnother(QUndoCommand* command) {
@@ -40,10 +40,10 @@ void SessionDocument::beginTogether(const QString& undoText) {
 
 void SessionDocument::endTogether() {
   m_undoStack.endMacro();
-  if (m_journalBefore) tellRecorded(*std::exchange(m_journalBefore, std::nullopt));
+  if (m_journalBefore) emitRecorded(*std::exchange(m_journalBefore, std::nullopt));
 }
 
-void SessionDocument::tellRecorded(std::size_t first) {
+void SessionDocument::emitRecorded(std::size_t first) {
   if (m_session.journal.size() > first) emit recorded(first);
 }
 
@@ -55,7 +55,7 @@ void SessionDocument::startWith(Session session) {
   replaceAll(std::move(session), {}, true);
 }
 
-void SessionDocument::startWithStanding(Session session) {
+void SessionDocument::startWithRecorded(Session session) {
   replaceAll(std::move(session), {}, false);
 }
 

@@ -74,7 +74,7 @@ class SessionDocument : public QObject {
   void startWith(Session session);
   /// Starts with an unsaved session that was in a file before: its entries count as recorded, so changes
   /// enter the journal.
-  void startWithStanding(Session session);
+  void startWithRecorded(Session session);
   /// Absent: loaded. A session with invalid entries loads; if the file is not a session, the document stays
   /// unchanged.
   [[nodiscard]] std::optional<Problem> load(const QString& path);
@@ -95,7 +95,7 @@ class SessionDocument : public QObject {
   void recorded(std::size_t first);
 
  private:
-  void tellRecorded(std::size_t first);
+  void emitRecorded(std::size_t first);
   void replaceAll(Session session, const QString& path, bool isNew);
 
   Session m_session;

@@ -21,7 +21,7 @@ EntryGuide::EntryGuide(SessionDocument& document, PositionTabs& positions, QWidg
     : QObject(&window), m_document(document), m_positions(positions), m_window(window) {
   connect(new StrayDigits(window), &StrayDigits::typed, this,
           [this](QKeyEvent* event) { takeDigit(*event); });
-  connect(&positions, &PositionTabs::entered, this, &EntryGuide::tellOfEntry);
+  connect(&positions, &PositionTabs::entered, this, &EntryGuide::reportEntry);
   connect(&positions, &QTabWidget::currentChanged, this, &EntryGuide::showNext);
 }
 
@@ -111,7 +111,7 @@ void EntryGuide::takeDigit(QKeyEvent& event) {
   QCoreApplication::sendEvent(entry, &again);
 }
 
-void EntryGuide::tellOfEntry(const QString& doubt) {
+void EntryGuide::reportEntry(const QString& doubt) {
   if (m_bench) m_bench->setDoubt(doubt);
   QTimer::singleShot(0, this, &EntryGuide::goOn);  // after the key that ended the entry
   if (doubt.isEmpty()) return;

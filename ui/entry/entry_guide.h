@@ -48,7 +48,7 @@ class EntryGuide : public QObject {
   void goToMissingOf(std::size_t position, const std::string& zero);
   void goOn();
   void takeDigit(QKeyEvent& event);
-  void tellOfEntry(const QString& doubt);
+  void reportEntry(const QString& doubt);
   void showNext();
 
   SessionDocument& m_document;

@@ -38,7 +38,7 @@ void ReadingsFinder::findText(const QString& text, bool forward) {
     if (field) from.field = std::string(field->key);
   }
   const auto place = findInReadings(m_document.session(), from, text, forward);
-  m_bar.tell(place ? QString() : tr("Not found"));
+  m_bar.showMessage(place ? QString() : tr("Not found"));
   if (place) emit found(*place, !m_bar.isVisible());
 }
 

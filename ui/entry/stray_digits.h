@@ -23,7 +23,7 @@ class StrayDigits : public QObject {
 
  private:
   QWidget& m_window;
-  bool m_isTold = false;  ///< a digit is being forwarded
+  bool m_isForwarding = false;  ///< a digit is being forwarded
 };
 
 }  // namespace alidade::ui

@@ -254,7 +254,7 @@ void ImportPage::read() {
       },
       [](const std::string& reason) {
         return ImportReading{.import = {},
-                             .problem = tellFailure(
+                             .problem = reportFailure(
                                  {.job = PHRASE_LATER("Phrase", "reading of the files"), .reason = reason})};
       });
 }
@@ -272,26 +272,26 @@ void ImportPage::showReading() {
   for (int column = 0; column < ImportPreview::columns; ++column)
     m_table->setColumnHidden(column, !m_preview->isShown(static_cast<ImportPreview::Column>(column)));
   m_table->horizontalHeader()->setStretchLastSection(m_preview->isShown(ImportPreview::Column::Note));
-  tellTroubles();
+  showProblems();
   showState();
 }
 
-void ImportPage::tellTroubles() {
-  QStringList told;
+void ImportPage::showProblems() {
+  QStringList sentences;
   bool isUnitOpen = false;  // the unit of the numbers is then the only question
   for (std::size_t i = 0; i < m_request.sources.size(); ++i) isUnitOpen = isUnitOpen || asksUnit(i);
   for (const ProblemGroup& kind : m_shown->kinds)
-    if (!isUnitOpen || !kind.first.asksUnit) told.append(capitalised(visibleLine(kind.text())) + u'.');
-  if (m_shown->import) told += remarks();
+    if (!isUnitOpen || !kind.first.asksUnit) sentences.append(capitalised(visibleLine(kind.text())) + u'.');
+  if (m_shown->import) sentences += remarks();
   constexpr qsizetype most = 200, mostLines = 4;
-  if (told.size() > most) {
-    const qsizetype more = told.size() - most;
-    told = told.mid(0, most);
-    told.append(tr("And %1 more.").arg(more));
+  if (sentences.size() > most) {
+    const qsizetype more = sentences.size() - most;
+    sentences = sentences.mid(0, most);
+    sentences.append(tr("And %1 more.").arg(more));
   }
-  m_problems->setPlainText(told.join(u'\n'));
-  m_problems->setVisible(!told.isEmpty());
-  const int lines = static_cast<int>(std::min(told.size(), mostLines));
+  m_problems->setPlainText(sentences.join(u'\n'));
+  m_problems->setVisible(!sentences.isEmpty());
+  const int lines = static_cast<int>(std::min(sentences.size(), mostLines));
   m_problems->setFixedHeight(lines * m_problems->fontMetrics().lineSpacing() + 14);
 }
 
@@ -376,7 +376,7 @@ ImportDecision ImportPage::decision() const {
 }
 
 void ImportPage::accept() {
-  if (!isSettled() || !obstacle().isEmpty()) return;
+  if (!isUpToDate() || !obstacle().isEmpty()) return;
   for (const ImportSource& source : m_request.sources)
     if (const auto layout = m_choice.layouts.find(source.recognised.signature());
         layout != m_choice.layouts.end())

@@ -50,7 +50,7 @@ class ImportPage : public QDialog {
   /// Absent: cancelled.
   std::optional<ImportDecision> ask();
   /// True if the page shows the result of the current choices.
-  bool isSettled() const { return m_isCurrent && !m_reading->isAtWork(); }
+  bool isUpToDate() const { return m_isCurrent && !m_reading->isAtWork(); }
   /// Returns the reason why these choices cannot be imported; empty if they can.
   QString obstacle() const;
   /// The result of the current choices.
@@ -72,7 +72,7 @@ class ImportPage : public QDialog {
   void read();
   void take(std::shared_ptr<const ImportReading> reading);
   void showReading();
-  void tellTroubles();
+  void showProblems();
   QStringList remarks() const;
   void showState();
   QString summary() const;

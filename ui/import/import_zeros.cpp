@@ -28,9 +28,9 @@ ImportZeros::Row& ImportZeros::rowOf(const QString& name) {
   if (const auto found = m_rows.find(name); found != m_rows.end()) return found->second;
   const int at = m_grid->rowCount();
   auto* label = new QLabel(m_rows.empty() ? tr("&Zero at %1:").arg(name) : tr("Zero at %1:").arg(name));
-  const auto edit = [&](const QString& told, int column) {
+  const auto edit = [&](const QString& pattern, int column) {
     auto* line = new QLineEdit;
-    line->setAccessibleName(told.arg(name));
+    line->setAccessibleName(pattern.arg(name));
     line->setMinimumWidth(fontMetrics().horizontalAdvance(QStringLiteral("359°59′59.999″ ")) + 12);
     line->setObjectName(QStringLiteral("import zero %1 %2").arg(name, column == 1 ? u"h" : u"v"));
     m_grid->addWidget(line, at, column);

@@ -8,17 +8,17 @@ CheckChart::CheckChart(CheckPlot* plot, QWidget* parent)
     : PlotWidget(std::unique_ptr<Plot>(plot), parent), m_plot(plot) {
   setAccessibleName(tr("Course of the check"));
   setMinimumSize(minimumSizeHint());
-  tell();
+  updateDescriptions();
 }
 
 void CheckChart::setCheck(const SharedInstrument& check) {
   m_plot->setCheck(check);
-  tell();
+  updateDescriptions();
 }
 
 void CheckChart::setView(CheckPlot::View view) {
   m_plot->setView(view);
-  tell();
+  updateDescriptions();
 }
 
 }  // namespace alidade::ui

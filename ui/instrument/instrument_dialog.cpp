@@ -206,7 +206,7 @@ bool InstrumentDialog::write(const QString& title, const QString& name, const QS
                              const std::string& bytes) {
   const QStringList paths = m_input->paths();
   const QDir folder = paths.isEmpty() ? QDir::home() : QFileInfo(paths.first()).absoluteDir();
-  return writeWhereAsked(m_dialogs, title, folder.filePath(name + u'.' + suffix), suffix, bytes, paths)
+  return writeToChosenPath(m_dialogs, title, folder.filePath(name + u'.' + suffix), suffix, bytes, paths)
       .has_value();
 }
 

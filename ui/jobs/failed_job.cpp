@@ -93,10 +93,10 @@ FailedWork recorded(const FailedJob& failed) {
   return work;
 }
 
-std::string tellFailure(const FailedJob& failed) {
-  std::string told = "The " + failed.job + " failed: " + failed.reason + ".";
-  failureOf([&] { told = sentencesOf(recorded(failed)); });
-  return told;
+std::string reportFailure(const FailedJob& failed) {
+  std::string text = "The " + failed.job + " failed: " + failed.reason + ".";
+  failureOf([&] { text = sentencesOf(recorded(failed)); });
+  return text;
 }
 
 }  // namespace alidade::ui

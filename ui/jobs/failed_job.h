@@ -24,6 +24,6 @@ QString problemsFolder();
 /// Writes a record: one per job and reason while the program runs, the newest 50 in all. Never throws.
 FailedWork recorded(const FailedJob& failed);
 /// The same in sentences for the user. Never throws.
-std::string tellFailure(const FailedJob& failed);
+std::string reportFailure(const FailedJob& failed);
 
 }  // namespace alidade::ui

@@ -59,7 +59,7 @@ void InstrumentJob::start(InstrumentQuestion question) {
   m_work.start([question = std::move(question)](const std::stop_token&) { return checkInstrument(question); },
                [](const std::string& reason) {
                  CheckedInstrument failed;
-                 failed.problem = tellFailure({PHRASE_LATER("Phrase", "instrument check"), reason});
+                 failed.problem = reportFailure({PHRASE_LATER("Phrase", "instrument check"), reason});
                  return failed;
                });
 }

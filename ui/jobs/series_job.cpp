@@ -39,7 +39,7 @@ SeriesSession loaded(const std::string& path) {
 }
 
 /// Computes the histories of the usable sessions, and says why other sessions are left out.
-void tellHistories(Series& series) {
+void addHistories(Series& series) {
   std::vector<Epoch> epochs;
   std::vector<std::size_t> sessions;
   for (SeriesSession& session : series.sessions)
@@ -87,7 +87,7 @@ std::vector<std::string> sessionPathsIn(const QStringList& filesAndFolders) {
 }
 
 SeriesJob::SeriesJob(QObject* parent)
-    : QObject(parent), m_work([this](const SharedSeries& series) { emit told(series); }) {}
+    : QObject(parent), m_work([this](const SharedSeries& series) { emit finished(series); }) {}
 
 Series readSeries(std::vector<SeriesSession> known, const std::vector<std::string>& added,
                   const std::stop_token& stop, const std::function<void(int done, int total)>& progressed) {
@@ -101,7 +101,7 @@ Series readSeries(std::vector<SeriesSession> known, const std::vector<std::strin
   });
   for (std::optional<SeriesSession>& session : fresh)
     if (session) series.sessions.push_back(*std::move(session));
-  tellHistories(series);
+  addHistories(series);
   return series;
 }
 
@@ -114,7 +114,7 @@ void SeriesJob::start(const SharedSeries& known, const std::vector<std::string>&
       [known](const std::string& reason) {
         Series series = known ? *known : Series();
         series.sessions.push_back(
-            {{}, {}, tellFailure({PHRASE_LATER("Phrase", "series"), reason, std::nullopt, {}})});
+            {{}, {}, reportFailure({PHRASE_LATER("Phrase", "series"), reason, std::nullopt, {}})});
         return series;
       });
 }

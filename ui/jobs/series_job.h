@@ -55,7 +55,7 @@ class SeriesJob : public QObject {
  signals:
   void progressed(int done, int total);
   /// Lacks the sessions still unread when it was stopped.
-  void told(const alidade::ui::SharedSeries& series);
+  void finished(const alidade::ui::SharedSeries& series);
 
  private:
   Background<Series> m_work;

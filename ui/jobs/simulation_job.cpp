@@ -36,7 +36,7 @@ void SimulationJob::start(const SharedEvaluation& evaluation, std::size_t draws)
       [evaluation, seed = options.seed](const std::string& reason) {
         return BudgetCheck{
             evaluation, std::nullopt,
-            tellFailure({PHRASE_LATER("Phrase", "simulation"), reason, evaluation->session, seed})};
+            reportFailure({PHRASE_LATER("Phrase", "simulation"), reason, evaluation->session, seed})};
       });
 }
 

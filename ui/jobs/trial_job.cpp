@@ -48,7 +48,7 @@ void TrialJob::next() {
       },
       [seed = m_seed](const std::string& reason) {
         DiagnosedTrial failed;
-        failed.problem = tellFailure({PHRASE_LATER("Phrase", "blind trial"), reason, std::nullopt, seed});
+        failed.problem = reportFailure({PHRASE_LATER("Phrase", "blind trial"), reason, std::nullopt, seed});
         return failed;
       });
 }

@@ -229,8 +229,8 @@ QString KnownSizesModel::about(const QModelIndex& index) const {
   if (index.data(IncompleteRole).toBool())
     return tr("Type the standard uncertainty of the known size; until then the default is used.");
   for (const Column other : {Column::Value, Column::Sigma})
-    if (const QString beside = problem(row, other); !beside.isEmpty())
-      return QStringLiteral("%1: %2").arg(titleOf(other), beside);
+    if (const QString otherTrouble = problem(row, other); !otherTrouble.isEmpty())
+      return QStringLiteral("%1: %2").arg(titleOf(other), otherTrouble);
   if (column == Column::From && !typed(row, *typedInto(column)).empty())
     return tipText(qText(typed(row, *typedInto(column))));
   if (!row.effect) return problem(row, Column::Number);

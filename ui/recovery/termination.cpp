@@ -52,7 +52,7 @@ void Termination::take() {
   unsigned char number = 0;
   if (read(terminationPipe[0], &number, 1) != 1) return;
   if (m_signal == 0) m_signal = number;
-  emit asked();
+  emit requested();
 }
 
 void endBySignal(int signal) {

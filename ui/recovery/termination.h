@@ -17,7 +17,7 @@ class Termination : public QObject {
   int signal() const { return m_signal; }
 
  signals:
-  void asked();
+  void requested();
 
  private:
   void take();

@@ -108,8 +108,8 @@ std::string nameInResults(const Session& session, const ReportSource& source) {
 }
 
 /// Computes the results on another thread, since many readings take long. Absent if nothing is attached.
-std::future<std::optional<std::string>> resultsBeside(const ReportOptions& options,
-                                                      const ReportSource& source) {
+std::future<std::optional<std::string>> resultsInBackground(const ReportOptions& options,
+                                                            const ReportSource& source) {
   return std::async(std::launch::async, [gap = options.gap, isWanted = options.hasSession,
                                          name = nameInResults(options.gap->evaluation->session, source)] {
     return isWanted ? resultsJson(*gap, name) : std::nullopt;
@@ -169,7 +169,7 @@ bool paintPages(QPagedPaintDevice& device, const Evaluation& evaluation, const R
 /// `name`: the output named in an error.
 Result<std::string> pdfOf(const Evaluation& evaluation, const ReportSource& source, const QString& name,
                           const ReportOptions& options) {
-  auto results = resultsBeside(options, source);
+  auto results = resultsInBackground(options, source);
   const auto painted = paintedPdf(options.paper, [&](QPagedPaintDevice& device) {
     return paintPages(device, evaluation, source, options);
   });

@@ -37,12 +37,12 @@ bool isThere(ReportPart part, const Gap& gap) {
   }
 }
 
-bool mustStand(ReportPart part, const Gap& gap) {
+bool isMandatory(ReportPart part, const Gap& gap) {
   return part == ReportPart::Gap && gap.isOpen() && isThere(part, gap);
 }
 
 bool isPrinted(ReportPart part, const ReportContents& contents, const Gap& gap) {
-  return isThere(part, gap) && (!contents.leftOut.contains(part) || mustStand(part, gap));
+  return isThere(part, gap) && (!contents.leftOut.contains(part) || isMandatory(part, gap));
 }
 
 QStringList leftOutTitles(const ReportContents& contents, const Gap& gap) {

@@ -44,7 +44,7 @@ struct ReportContents {
 bool isThere(ReportPart part, const Gap& gap);
 
 /// True if the report must include the part: the gap is mandatory if model and readings disagree.
-bool mustStand(ReportPart part, const Gap& gap);
+bool isMandatory(ReportPart part, const Gap& gap);
 
 /// True if the part is printed.
 bool isPrinted(ReportPart part, const ReportContents& contents, const Gap& gap);

@@ -112,7 +112,7 @@ std::vector<LabelledText> instrumentFacts(const Evaluation& evaluation) {
   if (readsSlider(evaluation))
     facts.push_back({Report::tr("σ of the slider"),
                      Provenance(instrument.sigmaSliderArcsec, arcsec, QStringLiteral("5″")).text()});
-  if (tellsOfCompensator(session))
+  if (hasCompensatorTexts(session))
     facts.push_back({Report::tr("σ compensator"),
                      Provenance(instrument.sigmaCompensatorArcsec, arcsec, QStringLiteral("1″")).text()});
   if (const LineOfSight& sight = instrument.lineOfSight; !sight.offsetMm.empty())

@@ -57,7 +57,7 @@ class VerdictFrame {
                        }});
   }
   /// On one line, the second at the right, if both fit there.
-  void addBeside(const QString& first, const QString& second, const TextStyle& style) {
+  void addOnOneLine(const QString& first, const QString& second, const TextStyle& style) {
     constexpr double apart = 6;
     if (first.isEmpty() ||
         m_sheet.textWidth(first, style) + apart + m_sheet.textWidth(second, style) > inner) {
@@ -132,7 +132,7 @@ void addVerdict(ReportSheet& sheet, const Gap& gap) {
     frame.add(qText(headline.verdict), large);
     frame.add(qText(headline.tolerance), large);
   } else {
-    frame.addBeside(hasResult ? qText(headline.nameAndFigure()) : QString(), verdict, large);
+    frame.addOnOneLine(hasResult ? qText(headline.nameAndFigure()) : QString(), verdict, large);
   }
   if (headline.scale) frame.add(*headline.scale);
   for (const Headline::Line& line : headline.lines)

@@ -196,13 +196,13 @@ QString temperatureText(const Evaluation& evaluation) {
     text += QStringLiteral(" (σ %1 K)").arg(sigma);
   const auto& measurement = evaluation.examined.measurement;
   QStringList changes;
-  const auto tell = [&](const QString& length, double change) {
+  const auto addChange = [&](const QString& length, double change) {
     if (change == 0) return;
     changes.append(QStringLiteral("%1 %2 mm").arg(length, signedNumberText(change, 3)));
   };
   if (measurement) {
-    tell(QStringLiteral("L"), measurement->distanceExpansion);
-    tell(QStringLiteral("R0"), measurement->radiusExpansion);
+    addChange(QStringLiteral("L"), measurement->distanceExpansion);
+    addChange(QStringLiteral("R0"), measurement->radiusExpansion);
   }
   //: %1: the temperature
   if (changes.isEmpty()) return Report::tr("%1; no expansion of L and R0 is stated").arg(text);

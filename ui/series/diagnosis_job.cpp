@@ -41,7 +41,7 @@ SeriesAnswer diagnoseTogether(const std::vector<std::string>& files, const std::
 SeriesDiagnosisJob::SeriesDiagnosisJob(QObject* parent)
     : QObject(parent), m_work([this](const std::shared_ptr<const SeriesAnswer>& answer) {
         if (!m_next) {
-          emit told(answer);
+          emit finished(answer);
           return;
         }
         const std::vector<std::string> next = *std::move(m_next);
@@ -62,7 +62,7 @@ void SeriesDiagnosisJob::begin(const std::vector<std::string>& files) {
       },
       [](const std::string& reason) {
         return SeriesAnswer{
-            {}, {}, tellFailure({PHRASE_LATER("Phrase", "series"), reason, std::nullopt, {}})};
+            {}, {}, reportFailure({PHRASE_LATER("Phrase", "series"), reason, std::nullopt, {}})};
       });
 }
 

@@ -33,7 +33,7 @@ class SeriesDiagnosisJob : public QObject {
 
  signals:
   void progressed(int done, int total);
-  void told(const std::shared_ptr<const alidade::ui::SeriesAnswer>& answer);
+  void finished(const std::shared_ptr<const alidade::ui::SeriesAnswer>& answer);
 
  private:
   Background<SeriesAnswer> m_work;

@@ -9,12 +9,12 @@ HistoryChart::HistoryChart(QWidget* parent) : HistoryChart(new HistoryPlot, pare
 HistoryChart::HistoryChart(HistoryPlot* plot, QWidget* parent)
     : PlotWidget(std::unique_ptr<Plot>(plot), parent), m_plot(plot) {
   setAccessibleName(tr("Control chart"));
-  tell();
+  updateDescriptions();
 }
 
 void HistoryChart::setHistory(const History& history, const QString& quantity, const std::string& unit) {
   m_plot->setHistory(history, quantity, unit);
-  tell();
+  updateDescriptions();
 }
 
 }  // namespace alidade::ui

@@ -190,7 +190,7 @@ bool RecordHistoryDialog::exportCsv() {
 bool RecordHistoryDialog::write(const QString& title, const QString& suffix, const std::string& bytes) {
   const QDir folder = m_paths.isEmpty() ? QDir::home() : QFileInfo(m_paths.first()).absoluteDir();
   const QString name = QStringLiteral("record-history.") + suffix;
-  return writeWhereAsked(m_dialogs, title, folder.filePath(name), suffix, bytes, m_paths).has_value();
+  return writeToChosenPath(m_dialogs, title, folder.filePath(name), suffix, bytes, m_paths).has_value();
 }
 
 }  // namespace alidade::ui

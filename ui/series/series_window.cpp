@@ -88,7 +88,7 @@ SeriesWindow::SeriesWindow(Dialogs& dialogs, QWidget* parent)
   layout->addWidget(createFoot());
   const QSize frame(24, 64), usual(1080, 760);
   resize(usual.boundedTo(screen()->availableSize() - frame));
-  connect(&m_job, &SeriesJob::told, this, &SeriesWindow::take);
+  connect(&m_job, &SeriesJob::finished, this, &SeriesWindow::take);
   connect(&m_job, &SeriesJob::progressed, this, [this](int done, int total) {
     m_progress->setRange(0, total);
     m_progress->setValue(std::max(done, m_progress->value()));
@@ -99,7 +99,7 @@ SeriesWindow::SeriesWindow(Dialogs& dialogs, QWidget* parent)
     select(file);
     emit sessionWanted(decoded(file));
   });
-  connect(&m_diagnosisJob, &SeriesDiagnosisJob::told, this,
+  connect(&m_diagnosisJob, &SeriesDiagnosisJob::finished, this,
           [this](const std::shared_ptr<const SeriesAnswer>& answer) {
             if (m_diagnosisJob.isAtWork()) return;
             m_diagnosed = answer->files;
@@ -408,7 +408,7 @@ bool SeriesWindow::write(const QString& title, const QString& what, const QStrin
   if (m_series)
     for (const SeriesSession& session : m_series->sessions)
       inputs.append(QFile::decodeName(QByteArray::fromStdString(session.path)));
-  const auto path = writeWhereAsked(m_dialogs, title, suggestedPath(what, suffix), suffix, bytes, inputs);
+  const auto path = writeToChosenPath(m_dialogs, title, suggestedPath(what, suffix), suffix, bytes, inputs);
   if (path) m_status->setText(tr("Written to %1").arg(QDir::toNativeSeparators(*path)));
   return path.has_value();
 }

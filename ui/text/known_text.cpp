@@ -20,8 +20,8 @@ struct Known {
 constexpr int longestOfKnown = 40;  // characters
 
 QString entryName(const KnownSize& size) {
-  if (const EffectParameter* meant = parameterMeant(size.effect, size.parameter, size.unit))
-    return numberName(*effectById(size.effect), *meant);
+  if (const EffectParameter* parameter = findParameter(size.effect, size.parameter, size.unit))
+    return numberName(*effectById(size.effect), *parameter);
   QStringList parts;
   for (const std::string& part : {size.effect, size.parameter, size.unit})
     if (!part.empty()) parts.append(shortLine(part, longestOfKnown));

@@ -82,10 +82,10 @@ CLI::Validator effectCheck() {
 std::function<void(std::size_t, std::size_t)> progressLine(bool wanted) {
   using Clock = std::chrono::steady_clock;
   if (!wanted) return {};
-  return [told = Clock::now()](std::size_t done, std::size_t all) mutable {
+  return [lastReport = Clock::now()](std::size_t done, std::size_t all) mutable {
     constexpr auto pause = std::chrono::seconds(1);
-    if (Clock::now() - told < pause) return;
-    told = Clock::now();
+    if (Clock::now() - lastReport < pause) return;
+    lastReport = Clock::now();
     notify("alidade-cli", std::to_string(100 * done / std::max<std::size_t>(all, 1)) + " % done");
   };
 }

@@ -104,7 +104,7 @@ class RecordKey {
 void speak(const PseudoTerminal& line, SimulatedInstrument& instrument, const SimulatorRequest& request) {
   RecordKey key(request.every);
   int presses = 0;  ///< presses waiting for the acknowledgement of the previous block
-  while (isStopped == 0 && !(request.endsWhenTold && instrument.isDone())) {
+  while (isStopped == 0 && !(request.endsWhenDone && instrument.isDone())) {
     std::array<pollfd, 2> ends = {pollfd{line.descriptor(), POLLIN, 0}, pollfd{STDIN_FILENO, POLLIN, 0}};
     poll(ends.data(), key.isTyped() ? 2 : 1, turnMs);
     const bool hasInput = key.isTyped() && (ends[1].revents & (POLLIN | POLLHUP)) != 0;
@@ -167,7 +167,7 @@ void addSimulatorCommand(CLI::App& app, SimulatorRequest& request) {
       ->take_all()
       ->expected(1);
   simulator->add_flag("--checksums", request.hasChecksums, "geocom: answers have a check sum");
-  simulator->add_flag("--until-told", request.endsWhenTold, "End once every reading was told");
+  simulator->add_flag("--until-told", request.endsWhenDone, "End once every reading was told");
 }
 
 Result<std::string> runSimulator(const SimulatorRequest& request) {
@@ -181,7 +181,7 @@ Result<std::string> runSimulator(const SimulatorRequest& request) {
   std::signal(SIGINT, stopSpeaking);
   std::signal(SIGTERM, stopSpeaking);
   speak(*line, instrument, request);
-  return "told " + std::to_string(instrument.told()) + " sightings\n";
+  return "told " + std::to_string(instrument.delivered()) + " sightings\n";
 }
 
 }  // namespace alidade::console

@@ -26,7 +26,7 @@ struct SimulatorRequest {
   std::string unit = "dms";
   std::vector<std::string> uncorrected;
   bool hasChecksums = false;
-  bool endsWhenTold = false;
+  bool endsWhenDone = false;
 };
 
 void addSimulatorCommand(CLI::App& app, SimulatorRequest& request);

@@ -89,7 +89,7 @@ void addReportCommand(CLI::App& app, ReportRequest& request) {
 }
 
 int giveReports(const ReportRequest& request) {
-  const Result<std::string> program = programBeside("alidade");
+  const Result<std::string> program = installedProgram("alidade");
   if (!program) {
     notify("alidade-cli report", program.problem().text());
     return Failed;

@@ -31,26 +31,27 @@ struct NumberOption {
   const char* help;
 };
 
-using Asked = SimulateRequest;
+using Request = SimulateRequest;
 
 constexpr NumberOption numberOptions[] = {
-    {"--intersection", &Asked::intersection, -longestMm, longestMm, "True Δd, mm; drawn if not given"},
-    {"--centre-x", &Asked::centreX, -longestMm, longestMm, "True Δx of both positions, mm"},
-    {"--axis-height", &Asked::axisHeight, -longestMm, longestMm, "True height of the axis, mm"},
-    {"--radius", &Asked::radius, shortestMm, longestMm, "True radius, mm"},
-    {"--nominal-radius", &Asked::nominalRadius, shortestMm, longestMm,
+    {"--intersection", &Request::intersection, -longestMm, longestMm, "True Δd, mm; drawn if not given"},
+    {"--centre-x", &Request::centreX, -longestMm, longestMm, "True Δx of both positions, mm"},
+    {"--axis-height", &Request::axisHeight, -longestMm, longestMm, "True height of the axis, mm"},
+    {"--radius", &Request::radius, shortestMm, longestMm, "True radius, mm"},
+    {"--nominal-radius", &Request::nominalRadius, shortestMm, longestMm,
      "Nominal radius, mm; 400 if not given"},
-    {"--distance", &Asked::distance, shortestMm, longestMm, "True distance to the arc plane, mm; else 2405"},
-    {"--sigma-distance", &Asked::sigmaDistance, 0, longestMm - 1, "σ of the distance stated, mm; else 0"},
-    {"--tolerance", &Asked::tolerance, shortestMm, longestMm, "Tolerance of the intersection stated, mm"},
-    {"--sigma", &Asked::sigma, leastArcsec, largestArcsec - 1, "Stated σ of both circles, arcsec; else 2"},
-    {"--sigma-zero", &Asked::sigmaZero, 0, largestArcsec - 1,
+    {"--distance", &Request::distance, shortestMm, longestMm,
+     "True distance to the arc plane, mm; else 2405"},
+    {"--sigma-distance", &Request::sigmaDistance, 0, longestMm - 1, "σ of the distance stated, mm; else 0"},
+    {"--tolerance", &Request::tolerance, shortestMm, longestMm, "Tolerance of the intersection stated, mm"},
+    {"--sigma", &Request::sigma, leastArcsec, largestArcsec - 1, "Stated σ of both circles, arcsec; else 2"},
+    {"--sigma-zero", &Request::sigmaZero, 0, largestArcsec - 1,
      "σ of the pointing zeros, arcsec; else as --sigma"},
-    {"--sigma-slider", &Asked::sigmaSlider, leastArcsec, largestArcsec - 1,
+    {"--sigma-slider", &Request::sigmaSlider, leastArcsec, largestArcsec - 1,
      "σ of the slider, arcsec; else 5"},
-    {"--sigma-compensator", &Asked::sigmaCompensator, leastArcsec, largestArcsec - 1,
+    {"--sigma-compensator", &Request::sigmaCompensator, leastArcsec, largestArcsec - 1,
      "Setting accuracy of the compensator, arcsec; else 1"},
-    {"--typing-step", &Asked::typingStep, leastArcsec, largestArcsec,
+    {"--typing-step", &Request::typingStep, leastArcsec, largestArcsec,
      "Readings are rounded to this, arcsec; else 0.1"},
 };
 
@@ -82,8 +83,8 @@ void addPlanOptions(CLI::App& simulate, SimulateRequest& request) {
       ->check(wholeFrom(1, mostRounds));
 }
 
-void setIf(double& value, const std::optional<double>& asked) {
-  if (asked) value = *asked;
+void setIf(double& value, const std::optional<double>& given) {
+  if (given) value = *given;
 }
 
 void setIf(Angle& value, const std::optional<double>& arcseconds) {

@@ -43,7 +43,7 @@ std::optional<ArcFault> radiusUndetermined(const ArcFit& fit) {
   constexpr double wide = 60;  // the sagitta is a seventh of the radius, far above a theodolite's noise
   const Angle span = arcSpan(fit);
   if (span.degrees() < wide) return arc_fault::ArcTooShort{span};
-  return arc_fault::NothingTold{};
+  return arc_fault::RadiusUndetermined{};
 }
 
 Angle arcSpan(const ArcFit& fit) {

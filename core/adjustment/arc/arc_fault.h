@@ -24,7 +24,7 @@ struct ArcTooShort {
   Angle span;  ///< below 60°
 };
 /// The noise hides the radius although the arc is not short.
-struct NothingTold {};
+struct RadiusUndetermined {};
 
 /// The published method needs five places.
 struct TooFewForPublished {
@@ -35,8 +35,9 @@ struct NoPublishedCircle {};
 
 }  // namespace arc_fault
 
-using ArcFault = std::variant<arc_fault::TooFewPlaces, arc_fault::PlacesRepeat, arc_fault::PlacesOnALine,
-                              arc_fault::ArcTooShort, arc_fault::NothingTold, arc_fault::TooFewForPublished,
-                              arc_fault::NoUniqueSolution, arc_fault::NoPublishedCircle>;
+using ArcFault =
+    std::variant<arc_fault::TooFewPlaces, arc_fault::PlacesRepeat, arc_fault::PlacesOnALine,
+                 arc_fault::ArcTooShort, arc_fault::RadiusUndetermined, arc_fault::TooFewForPublished,
+                 arc_fault::NoUniqueSolution, arc_fault::NoPublishedCircle>;
 
 }  // namespace alidade

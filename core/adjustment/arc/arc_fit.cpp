@@ -56,7 +56,7 @@ class ArcProblem {
 
   NormalEquations system(const Circle& circle, NormalEquations used = {}) const {
     NormalEquations equations{.feet = used.feet ? std::move(used.feet) : m_feet};
-    const ArcEquations own = equations.feet->settle({circle}, VisitFeet::From::Plane);
+    const ArcEquations own = equations.feet->converge({circle}, VisitFeet::From::Plane);
     using Whole = Eigen::Matrix<double, ArcEquations::estimated, ArcEquations::columns, Eigen::RowMajor>;
     equations.matrix = Eigen::Map<const Whole>(own.normal.front().data()).topLeftCorner<3, 3>();
     equations.rightSide = Eigen::Map<const Vector3d>(own.rightSide.data());

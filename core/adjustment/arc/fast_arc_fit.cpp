@@ -135,7 +135,7 @@ void mend(Progress<double>& progress, const CloseSums<double>& all, const CloseS
   progress.remaining = progress.chance + unlike * extent(rest, std::sqrt(perSquare), perSquare);
 }
 
-bool isSettled(const Progress<double>& progress) {
+bool isConverged(const Progress<double>& progress) {
   return progress.remaining < usualTolerance;
 }
 
@@ -153,7 +153,7 @@ std::optional<FastArcFit> fitStreamed(const ArcSetup& setup, const Readings& rea
   progress.perRootPlaces = 1 / std::sqrt(static_cast<double>(readings.count));
   progress.disc = {pilot->circle.x / l, pilot->circle.y / l, pilotRadius * pilotRadius};
   outcome.iterations = pilot->iterations;
-  for (int surveys = 0; surveys < mostSurveys && !isSettled(progress) && progress.chance < usualTolerance;
+  for (int surveys = 0; surveys < mostSurveys && !isConverged(progress) && progress.chance < usualTolerance;
        ++surveys, ++outcome.iterations) {
     Survey all, before, after;
     kernel().survey(readings, inner, progress.disc, all);
@@ -166,7 +166,7 @@ std::optional<FastArcFit> fitStreamed(const ArcSetup& setup, const Readings& rea
     outcome.largestReading = all.largestReading;
     outcome.largestResidual = all.largestResidual;
   }
-  for (Sweep sweep; !isSettled(progress) && outcome.iterations < mostIterations; ++outcome.iterations) {
+  for (Sweep sweep; !isConverged(progress) && outcome.iterations < mostIterations; ++outcome.iterations) {
     kernel().sweep(readings, inner, progress.disc, {}, sweep);
     const double residual = scatter(sweep.sums, 1 / progress.disc.square);
     progress.lag = 0.5 * residual * residual * residual;  // distance of linearisation points after two steps

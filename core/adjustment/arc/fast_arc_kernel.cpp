@@ -284,11 +284,11 @@ template <typename T>
   }
 }
 
-[[gnu::always_inline]] inline bool settled(const Outcome<double>& outcome) {
+[[gnu::always_inline]] inline bool isConverged(const Outcome<double>& outcome) {
   return outcome.progress.remaining < outcome.tolerance;
 }
 
-[[gnu::always_inline]] inline bool settled(const Outcome<Lanes>& outcome) {
+[[gnu::always_inline]] inline bool isConverged(const Outcome<Lanes>& outcome) {
   for (std::size_t lane = 0; lane < width; ++lane)
     if (!(outcome.progress.remaining[lane] < outcome.tolerance)) return false;
   return true;
@@ -353,10 +353,10 @@ template <bool exact, std::size_t sets, typename T>
   for (std::size_t k = 0; k < sets; ++k) {
     Outcome<T>& outcome = outcomes[k];
     outcome.iterations = 1;
-    if (settled(outcome)) continue;
+    if (isConverged(outcome)) continue;
     approached<exact>(places + k * blocks, blocks, variances, outcome.progress);
     do advance(outcome.progress, linearised<exact>(places + k * blocks, blocks, variances, outcome));
-    while (++outcome.iterations < mostIterations && !settled(outcome));
+    while (++outcome.iterations < mostIterations && !isConverged(outcome));
   }
 }
 

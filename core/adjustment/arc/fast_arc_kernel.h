@@ -17,7 +17,7 @@ using Lanes = double __attribute__((vector_size(width * sizeof(double))));
 
 constexpr double largestAngle = std::numbers::pi / 4;
 constexpr double largestResidual = 0.002;  // rad; the series are exact to rounding up to this
-constexpr double untold = 6;               // bound on the remainder of an iteration, in units of its estimate
+constexpr double remainderFactor = 6;      // bound on the remainder of an iteration, in units of its estimate
 constexpr double straight = 1e-10;  // least product of variances across and along the chord, in R⁴; 6° of arc
 constexpr int mostIterations = 12;
 
@@ -258,7 +258,8 @@ template <typename T>
   const T stepLength = extent(step, perRadius, perSquare), off = stepLength + progress.lag;
   const T nonlinear = gain * residual;  // 3e-4 for 2″ on the usual arc
   const T chance = nonlinear * (stepLength + progress.lag) * (progress.perRootPlaces + 100 * nonlinear);
-  progress.remaining = untold * (extent(turn, perRadius, perSquare) + chance + gain * 0.5 * off * off);
+  progress.remaining =
+      remainderFactor * (extent(turn, perRadius, perSquare) + chance + gain * 0.5 * off * off);
   progress.lag = (0.5 * off + residual) * off;
   step = {step.x - turn.x, step.y - turn.y, step.half - turn.half};
   progress.step = step;

@@ -31,7 +31,7 @@ template <typename Mask>
 
 /// `footPoint` for a block, from the current feet; false if series do not suffice or a slider's residual may
 /// have to be wrapped.
-[[gnu::always_inline]] inline bool settleTogether(Block& b, const ArcView& view, const Circle& circle) {
+[[gnu::always_inline]] inline bool convergeTogether(Block& b, const ArcView& view, const Circle& circle) {
   if (!areAll(magnitude<Eight>(b.foot.sliderLeft) < nearlyHalf) || !look(b, view, circle)) return false;
   Eight before{};
   for (int i = 0; i < mostFootSteps; ++i) {
@@ -135,14 +135,14 @@ template <bool hasSlider>
 
 // The entry points.
 
-ALIDADE_WIDE void standInPlane(Block& block, const ArcView& view, const Circle& circle) {
+ALIDADE_WIDE void startInPlane(Block& block, const ArcView& view, const Circle& circle) {
   turnTo<Eight>(block.foot, sightedAlong<Eight>(view, block.tanA, block.tanE), circle);
 }
 
-/// False if the block must be settled visit by visit; the directions of its feet are then unchanged.
-ALIDADE_WIDE bool settle(Block& block, const ArcView& view, const Circle& circle) {
+/// False if the block must converge visit by visit; the directions of its feet are then unchanged.
+ALIDADE_WIDE bool converge(Block& block, const ArcView& view, const Circle& circle) {
   const Eight cosine = block.foot.cosine, sine = block.foot.sine;
-  if (settleTogether(block, view, circle)) return true;
+  if (convergeTogether(block, view, circle)) return true;
   block.foot.cosine = cosine;
   block.foot.sine = sine;
   return false;
@@ -159,7 +159,8 @@ struct alignas(sizeof(Eight)) ReliabilityOfEight {
 
 ALIDADE_WIDE void rely(const Block& block, const ArcView& view, double radius,
                        const VisitFeet::Cofactor& cofactor,
-                       const std::array<double, ArcEquations::estimated>& asked, ReliabilityOfEight& result) {
+                       const std::array<double, ArcEquations::estimated>& requested,
+                       ReliabilityOfEight& result) {
   Rows rows;
   fill<true>(rows, block, view, radius);
   for (std::size_t k = 0; k < 3; ++k) {
@@ -168,7 +169,7 @@ ALIDADE_WIDE void rely(const Block& block, const ArcView& view, double radius,
       Eight turned{};
       for (std::size_t j = 0; j < ArcEquations::estimated; ++j) turned += cofactor[i][j] * rows.reduced[k][j];
       redundancy -= rows.reduced[k][i] * turned;
-      rate += rows.reduced[k][i] * asked[i];
+      rate += rows.reduced[k][i] * requested[i];
     }
     result.redundancy[k] = redundancy;
     result.rate[k] = rate;
@@ -216,16 +217,16 @@ void VisitFeet::lookAtSliders(Block& block, const ArcUnknowns& unknowns) const {
   }
 }
 
-ArcEquations VisitFeet::settle(const ArcUnknowns& unknowns, From from) {
+ArcEquations VisitFeet::converge(const ArcUnknowns& unknowns, From from) {
   const double zeroMoved = unknowns.sliderZero - m_unknowns.sliderZero;
   for (Block& block : m_blocks) {
     if (from == From::Plane) {
-      standInPlane(block, m_view, unknowns.circle);
+      startInPlane(block, m_view, unknowns.circle);
       if (m_hasSlider) lookAtSliders(block, unknowns);
     } else if (m_hasSlider) {
       for (std::size_t i = 0; i < eight; ++i) block.foot.sliderLeft[i] -= zeroMoved * block.sliderRows[i];
     }
-    if (!alidade::settle(block, m_view, unknowns.circle)) settleApart(block, unknowns, from);
+    if (!alidade::converge(block, m_view, unknowns.circle)) convergeSeparately(block, unknowns, from);
   }
   m_unknowns = unknowns;
   ArcEquations equations;
@@ -233,7 +234,7 @@ ArcEquations VisitFeet::settle(const ArcUnknowns& unknowns, From from) {
   return equations;
 }
 
-void VisitFeet::settleApart(Block& block, const ArcUnknowns& unknowns, From from) const {
+void VisitFeet::convergeSeparately(Block& block, const ArcUnknowns& unknowns, From from) const {
   Foot<Eight>& all = block.foot;
   for (std::size_t i = 0; i < eight; ++i) {
     const VisitReading visit = readingIn(block, i);
@@ -272,9 +273,9 @@ double VisitFeet::sliderLeft(std::size_t visit) const {
 
 std::array<VisitReliability, eight> VisitFeet::reliabilityOf(
     std::size_t block, const Cofactor& cofactor,
-    const std::array<double, ArcEquations::estimated>& asked) const {
+    const std::array<double, ArcEquations::estimated>& requested) const {
   ReliabilityOfEight together;
-  rely(m_blocks[block], m_view, m_unknowns.circle.radius, cofactor, asked, together);
+  rely(m_blocks[block], m_view, m_unknowns.circle.radius, cofactor, requested, together);
   std::array<VisitReliability, eight> apart;
   for (std::size_t i = 0; i < eight; ++i)
     for (std::size_t k = 0; k < 3; ++k) {

@@ -42,20 +42,21 @@ class VisitFeet {
 
   enum class From { Plane, Before };
   /// Moves every visit to its foot: from the nearest point in the plane, or from the last foot. Needs R > 0.
-  ArcEquations settle(const ArcUnknowns& unknowns, From from);
+  ArcEquations converge(const ArcUnknowns& unknowns, From from);
 
-  // Results of a settled visit, in radians.
+  // Results of a converged visit, in radians.
   double arcAngle(std::size_t visit) const;         ///< in (−π, π]
   Direction<double> left(std::size_t visit) const;  ///< mean of the readings minus that of a perfect
                                                     ///< instrument
   double sliderLeft(std::size_t visit) const;       ///< the same for the slider, if it was read
 
-  /// Reliability of the eight visits from `eight` · `block` on, settled. `cofactor`: inverse of the normal
-  /// matrix of the estimated quantities; `asked`: `cofactor` times the gradient of the requested quantity.
+  /// Reliability of the eight visits from `eight` · `block` on, converged. `cofactor`: inverse of the normal
+  /// matrix of the estimated quantities; `requested`: `cofactor` times the gradient of the requested
+  /// quantity.
   using Cofactor = std::array<std::array<double, ArcEquations::estimated>, ArcEquations::estimated>;
   std::array<VisitReliability, eight> reliabilityOf(
       std::size_t block, const Cofactor& cofactor,
-      const std::array<double, ArcEquations::estimated>& asked) const;
+      const std::array<double, ArcEquations::estimated>& requested) const;
 
   /// Eight visits; in the last block the last visit fills empty lanes and counts once.
   struct alignas(sizeof(Eight)) Block {
@@ -66,14 +67,14 @@ class VisitFeet {
   };
 
  private:
-  void settleApart(Block& block, const ArcUnknowns& unknowns, From from) const;
+  void convergeSeparately(Block& block, const ArcUnknowns& unknowns, From from) const;
   void lookAtSliders(Block& block, const ArcUnknowns& unknowns) const;
 
   ArcView m_view;
   std::vector<Block> m_blocks;
   std::size_t m_size = 0;
   bool m_hasSlider = false;
-  ArcUnknowns m_unknowns;  ///< of the last `settle`
+  ArcUnknowns m_unknowns;  ///< of the last `converge`
 };
 
 }  // namespace alidade

@@ -23,7 +23,7 @@ class ReadingCorrections {
       : m_readings(session.positions[position].readings), m_position(position), m_row(row) {}
 
   std::vector<Correction> all() {
-    for (const Column& column : {horizontal, vertical, slider}) addMeantTexts(column);
+    for (const Column& column : {horizontal, vertical, slider}) addIntendedTexts(column);
     addCirclesSwapped();
     addOtherFace();
     for (const std::size_t other : neighbours()) addExchanges(other);
@@ -38,11 +38,11 @@ class ReadingCorrections {
     changed->second.*column.text = text;
   }
 
-  void addMeantTexts(const Column& column) {
+  void addIntendedTexts(const Column& column) {
     // A slip has the same prior in each of the three columns.
-    for (const MeantText& meant : meantTexts(m_readings[m_row].*column.text)) {
-      Correction correction{meant.slip, meant.prior, {}, {}};
-      change(correction, m_row, column, meant.text);
+    for (const IntendedText& intended : intendedTexts(m_readings[m_row].*column.text)) {
+      Correction correction{intended.slip, intended.prior, {}, {}};
+      change(correction, m_row, column, intended.text);
       m_corrections.push_back(std::move(correction));
     }
   }

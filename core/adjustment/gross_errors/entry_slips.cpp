@@ -99,9 +99,9 @@ class Collector {
     for (const std::string& text : texts) {
       if (text == m_typed || (startsWithZero(text) && !startsWithZero(m_typed))) continue;
       const double prior = slipShare(slip) / static_cast<double>(texts.size());
-      const auto found = std::ranges::find(m_meant, text, &MeantText::text);
-      if (found == m_meant.end()) {
-        m_meant.push_back({slip, text, prior});
+      const auto found = std::ranges::find(m_intended, text, &IntendedText::text);
+      if (found == m_intended.end()) {
+        m_intended.push_back({slip, text, prior});
         continue;
       }
       if (prior > found->prior) found->slip = slip;
@@ -109,11 +109,11 @@ class Collector {
     }
   }
 
-  std::vector<MeantText> take() { return std::move(m_meant); }
+  std::vector<IntendedText> take() { return std::move(m_intended); }
 
  private:
   std::string_view m_typed;
-  std::vector<MeantText> m_meant;
+  std::vector<IntendedText> m_intended;
 };
 
 std::vector<std::string> withDigitsSwapped(std::string_view typed) {
@@ -149,7 +149,7 @@ double slipShare(EntrySlip slip) {
   return std::ranges::find(slips, slip, &KnownSlip::slip)->share;
 }
 
-std::vector<MeantText> meantTexts(std::string_view typed) {
+std::vector<IntendedText> intendedTexts(std::string_view typed) {
   Collector collector(typed);
   if (const auto parts = partsOf(typed); parts && parseAngle(typed)) {
     const auto off = [&](EntrySlip slip, int seconds) {

@@ -23,7 +23,7 @@ enum class EntrySlip {
 double slipShare(EntrySlip slip);
 
 /// A text that may have been intended.
-struct MeantText {
+struct IntendedText {
   EntrySlip slip = EntrySlip::OneDigitWrong;  ///< the more probable one if two lead to the same text
   std::string text;                           ///< in the style of the typed one
   double prior = 0;                           ///< the kind's share divided by the number of its texts
@@ -32,6 +32,6 @@ struct MeantText {
 /// The possible intended texts of an angle, one slip away from the typed text; each once, without the typed
 /// one. Texts may be out of range. Errors of a degree, of minutes or of ten seconds need a text in degrees,
 /// minutes and seconds; other texts only have digits changed.
-std::vector<MeantText> meantTexts(std::string_view typed);
+std::vector<IntendedText> intendedTexts(std::string_view typed);
 
 }  // namespace alidade

@@ -118,7 +118,7 @@ class Search {
     for (std::size_t step = 0; step < 3 * m_options.most + 3; ++step) {
       takeBackInsignificant();
       if (isStopped()) return {};
-      if (calls() >= m_options.most || !addMostSignificant()) break;
+      if (errorCount() >= m_options.most || !addMostSignificant()) break;
     }
     return isStopped() ? GrossErrorSearch{} : result();
   }
@@ -210,7 +210,7 @@ class Search {
                            {cell.arc, cell.sighting, ReadingKind::Vertical}});
   }
 
-  std::size_t calls() const { return m_shifts.size() + m_leftOut.size(); }
+  std::size_t errorCount() const { return m_shifts.size() + m_leftOut.size(); }
 
   /// Measures how far each omitted sighting is from the arc of the others, and chooses the circle to name.
   void measureLeftOut() {
@@ -242,13 +242,13 @@ class Search {
     }
   }
 
-  std::vector<std::size_t> called() const {
+  std::vector<std::size_t> foundCells() const {
     std::vector<std::size_t> indices;
     for (const Shift& shift : m_shifts) indices.push_back(m_projector->indexOf(shift.cell));
     return indices;
   }
 
-  MatrixXd calledProjector(const std::vector<std::size_t>& cells) const {
+  MatrixXd foundProjector(const std::vector<std::size_t>& cells) const {
     MatrixXd matrix(static_cast<Index>(cells.size()), static_cast<Index>(cells.size()));
     for (std::size_t i = 0; i < cells.size(); ++i)
       for (std::size_t j = 0; j < cells.size(); ++j)
@@ -267,10 +267,10 @@ class Search {
   void addIfTestable(const ReadingRef& cell) {
     const std::size_t k = m_projector->indexOf(cell);
     if (k == m_projector->readings().size()) return;
-    if (static_cast<int>(calls()) + 2 > m_fit.degreesOfFreedom || m_shifts.size() >= m_options.most) return;
-    const std::vector<std::size_t> cells = called();
-    if (remainingRedundancy(cells, calledProjector(cells).inverse(), k) < ReadingTest::leastRedundancy)
+    if (static_cast<int>(errorCount()) + 2 > m_fit.degreesOfFreedom || m_shifts.size() >= m_options.most)
       return;
+    const std::vector<std::size_t> cells = foundCells();
+    if (remainingRedundancy(cells, foundProjector(cells).inverse(), k) < ReadingTest::leastRedundancy) return;
     take(cell);
   }
 
@@ -297,8 +297,8 @@ class Search {
       std::erase_if(m_shifts, [&](const Shift& shift) {
         return m_projector->indexOf(shift.cell) == m_projector->readings().size();
       });
-      const std::vector<std::size_t> cells = called();
-      m_inverse = calledProjector(cells).inverse();
+      const std::vector<std::size_t> cells = foundCells();
+      m_inverse = foundProjector(cells).inverse();
       VectorXd residual(static_cast<Index>(cells.size()));
       for (std::size_t i = 0; i < cells.size(); ++i)
         residual[static_cast<Index>(i)] = m_projector->readings()[cells[i]].residual;
@@ -326,9 +326,9 @@ class Search {
   }
 
   void takeBackInsignificant() {
-    while (calls() > 0 && !isStopped()) {
+    while (errorCount() > 0 && !isStopped()) {
       std::size_t weakest = 0;
-      for (std::size_t i = 1; i < calls(); ++i)
+      for (std::size_t i = 1; i < errorCount(); ++i)
         if (std::abs(studentised(i)) < std::abs(studentised(weakest))) weakest = i;
       if (freedom() >= 1 && std::abs(studentised(weakest)) >= critical(freedom())) return;
       if (weakest < m_shifts.size())
@@ -356,7 +356,7 @@ class Search {
   bool addMostSignificant() {
     const int left = freedom() - 1;
     if (left < 1) return false;
-    const std::vector<std::size_t> cells = called();
+    const std::vector<std::size_t> cells = foundCells();
     const auto& readings = m_projector->readings();
     double most = 0;
     std::size_t best = readings.size();
@@ -379,10 +379,10 @@ class Search {
 
   /// Readings of the visit whose shift reduces χ² nearly as much as shift `i`.
   std::vector<ReadingRef> rivalsOf(std::size_t i) const {
-    std::vector<std::size_t> others = called();
+    std::vector<std::size_t> others = foundCells();
     const std::size_t self = others[i];
     others.erase(others.begin() + static_cast<std::ptrdiff_t>(i));
-    const MatrixXd inverse = calledProjector(others).inverse();
+    const MatrixXd inverse = foundProjector(others).inverse();
     const auto& readings = m_projector->readings();
     const double own = remainingRedundancy(others, inverse, self);
     const double size = m_shifts[i].size / readings[self].sigma;

@@ -14,8 +14,8 @@ namespace alidade {
 
 namespace {
 
-constexpr double leastShare = 0.01;        ///< of a proposal worth showing
-constexpr double leastShareBeside = 0.95;  ///< of a proposal if there are other suspects
+constexpr double leastShare = 0.01;              ///< of a proposal worth showing
+constexpr double leastShareAmongSeveral = 0.95;  ///< of a proposal if there are other suspects
 /// Largest deviation of a corrected place, in units of the others' scatter: beyond it there is another error.
 constexpr double mostOffSpacing = 12;
 constexpr std::size_t mostProposals = 5, mostUnusableRows = 12;
@@ -124,10 +124,10 @@ class SuspectSearch {
 
   static Angle sizeOf(const CellChange& change, const AgreeingCorrection& best) {
     if (change.where.field == "face") return Angle::fromDegrees(180);
-    const auto typed = parseAngle(change.typed), meant = parseAngle(change.text);
-    if (!typed || !meant) return Angle::fromRadians(std::numeric_limits<double>::quiet_NaN());
+    const auto typed = parseAngle(change.typed), intended = parseAngle(change.text);
+    if (!typed || !intended) return Angle::fromRadians(std::numeric_limits<double>::quiet_NaN());
     const bool isFirst = change.where == best.correction.changes.front().where;
-    return wrapped(*typed - *meant) + (isFirst ? best.residual : Angle());
+    return wrapped(*typed - *intended) + (isFirst ? best.residual : Angle());
   }
 
   /// Names the cell that the search found.
@@ -215,7 +215,8 @@ class SuspectSearch {
   void keepWhatHoldsTogether() {
     std::vector<bool> isDoubtful;
     for (const Suspect& suspect : m_suspects) {
-      const bool isUnsure = !suspect.proposals.empty() && suspect.proposals.front().share < leastShareBeside;
+      const bool isUnsure =
+          !suspect.proposals.empty() && suspect.proposals.front().share < leastShareAmongSeveral;
       const bool hasUnexplained = std::ranges::any_of(m_suspects, [&](const Suspect& other) {
         return other.proposals.empty() && areTogether(suspect, other);
       });

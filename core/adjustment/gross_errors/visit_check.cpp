@@ -82,7 +82,7 @@ struct Prediction {
 };
 
 /// Keeps the unknowns; the arc angle of the only visit is adjusted.
-JointState settled(const JointProblem& problem, JointState state) {
+JointState withArcAngleAdjusted(const JointProblem& problem, JointState state) {
   const VectorXd noStep = VectorXd::Zero(static_cast<Index>(problem.estimated().size()));
   for (int iteration = 0; iteration < 12; ++iteration) {
     const double before = state.arcAngles[0];
@@ -201,7 +201,7 @@ VisitAgreement VisitCheck::agreement(const std::vector<Sighting>& rows) const {
   probe.arcs[0].sightings = rows;
   const JointProblem problem(probe, m_content->options);
   const Prediction prediction = m_content->predictionFor(problem);
-  const JointState state = settled(problem, prediction.state);
+  const JointState state = withArcAngleAdjusted(problem, prediction.state);
   const VisitEquations equations = problem.equationsOf(state, 0);
   const VectorXd residual = equations.residual;
 

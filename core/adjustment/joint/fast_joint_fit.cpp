@@ -51,7 +51,7 @@ class ArcApart {
   }
 
   /// Returns false if the fit is refused. Must be called once, before all other methods.
-  bool settle(const JointFitOptions& options) {
+  bool converge(const JointFitOptions& options) {
     readVisits();
     constexpr int mostIterations = 10;
     constexpr double longest = 0.1;  // of R; limit of each step
@@ -172,7 +172,7 @@ class ArcApart {
   void evaluate() {
     const bool isFirst = m_iterations == 0;
     const ArcEquations equations =
-        m_feet.settle(m_unknowns, isFirst ? VisitFeet::From::Plane : VisitFeet::From::Before);
+        m_feet.converge(m_unknowns, isFirst ? VisitFeet::From::Plane : VisitFeet::From::Before);
     m_normal = Eigen::Map<const NormalMatrix>(equations.normal.front().data());
     m_right = Eigen::Map<const Vector4d>(equations.rightSide.data());
     m_chiSquare = equations.chiSquare;
@@ -273,10 +273,10 @@ std::optional<JointFit> fitJointlyFast(const Measurement& measurement, const std
   const std::size_t threads = threadsFor(measurement.rows);
   std::vector<ArcApart> arcs;
   arcs.reserve(starts.size());
-  std::vector<char> settled(starts.size());
+  std::vector<char> converged(starts.size());
   for (std::size_t i = 0; i < starts.size(); ++i) arcs.emplace_back(measurement, i, starts[i]);
-  doEach(threads, arcs.size(), [&](std::size_t i) { settled[i] = arcs[i].settle(options) ? 1 : 0; });
-  if (std::ranges::find(settled, 0) != settled.end()) return std::nullopt;
+  doEach(threads, arcs.size(), [&](std::size_t i) { converged[i] = arcs[i].converge(options) ? 1 : 0; });
+  if (std::ranges::find(converged, 0) != converged.end()) return std::nullopt;
   JointFit fit;
   addUnknowns(fit, arcs);
   addConsidered(fit, measurement);

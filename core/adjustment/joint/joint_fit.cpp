@@ -194,11 +194,11 @@ bool hasRunAway(const JointFit& fit) {
 }  // namespace
 
 std::size_t JointFit::indexOf(const Unknown& unknown) const {
-  Unknown asked = unknown;
-  if (asked.isOfAxis() && asked.arc < firsts.size()) asked.arc = firsts[asked.arc];
-  auto found = std::ranges::find(unknowns, asked);
-  if (found == unknowns.end() && asked.isOfAxis() && asked.kind != Unknown::Kind::CentreY)
-    found = std::ranges::find(unknowns, Unknown{.kind = asked.kind, .arc = Unknown::everyArc});
+  Unknown requested = unknown;
+  if (requested.isOfAxis() && requested.arc < firsts.size()) requested.arc = firsts[requested.arc];
+  auto found = std::ranges::find(unknowns, requested);
+  if (found == unknowns.end() && requested.isOfAxis() && requested.kind != Unknown::Kind::CentreY)
+    found = std::ranges::find(unknowns, Unknown{.kind = requested.kind, .arc = Unknown::everyArc});
   return static_cast<std::size_t>(found - unknowns.begin());
 }
 

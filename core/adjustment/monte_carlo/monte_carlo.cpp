@@ -224,7 +224,7 @@ bool isAnswered(const MonteCarlo& result) {
 /// The number of draws needed for a decision. Chance must then be smaller than the tolerance and, if an end
 /// differs by more than the tolerance, than the excess. At least twice as many as before, as the first
 /// attempt may not suffice.
-std::size_t drawsToTell(const MonteCarlo& result, std::size_t drawn) {
+std::size_t drawsToDecide(const MonteCarlo& result, std::size_t drawn) {
   const double excess = worstOf(result) - result.tolerance;
   const double room = excess > 0 ? std::min(result.tolerance, excess) : result.tolerance;
   const double ratio = chanceSigmas * result.endpointSigma / room;
@@ -256,7 +256,7 @@ std::optional<MonteCarlo> propagateDistributions(const Measurement& measurement,
           worstOf(result) <= result.tolerance ? LinearPropagation::Validated : LinearPropagation::Refuted;
       return result;
     }
-    wanted = drawsToTell(result, drawn);
+    wanted = drawsToDecide(result, drawn);
   }
 }
 

@@ -48,7 +48,7 @@ void judgeRadius(std::vector<FitFinding>& findings, const Measurement& measureme
 std::vector<FitFinding> arcFindings(const Measurement& measurement, const ArcMeasurement& arc,
                                     const ArcFit& fit) {
   std::vector<FitFinding> findings;
-  if (!fit.converged()) add(findings, fit, Severity::Warning, NotSettled{fit.iterations});
+  if (!fit.converged()) add(findings, fit, Severity::Warning, NotConverged{fit.iterations});
   judgeRedundancyAndNoise(findings, fit);
   judgeRadius(findings, measurement, fit);
   if (ReadingsRepeat repeat{repeatedRows(measurement, arc, fit)}; !repeat.rows.empty())

@@ -19,7 +19,7 @@ namespace alidade {
 /// Findings on one fitted arc.
 namespace arc_finding {
 
-struct NotSettled {
+struct NotConverged {
   int iterations = 0;
 };
 /// The fit has no redundancy.
@@ -44,7 +44,7 @@ struct ReadingsRepeat {
   std::vector<std::pair<std::size_t, std::size_t>> rows;
 };
 
-using What = std::variant<NotSettled, NothingChecks, ScattersMore, ScattersLess, RadiusPoorlyKnown,
+using What = std::variant<NotConverged, NothingChecks, ScattersMore, ScattersLess, RadiusPoorlyKnown,
                           RadiusFarFromNominal, ReadingsRepeat>;
 
 }  // namespace arc_finding

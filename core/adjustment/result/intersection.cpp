@@ -81,12 +81,13 @@ double consideredVariance(const JointFit& fit, const Weights& weights, bool dist
 }
 
 /// The variance due to unknowns of a kind with prior knowledge, such as a known radius.
-template <typename Meant>
+template <typename Kind>
 double varianceOfKnown(const JointFit& fit, const SquareMatrix& cofactor, const Weights& weights,
-                       const Meant& isMeant) {
+                       const Kind& isOfKind) {
   double variance = 0;
   for (std::size_t known = 0; known < fit.unknowns.size(); ++known)
-    if (std::invoke(isMeant, fit.unknowns[known])) variance += varianceOfPrior(fit, cofactor, weights, known);
+    if (std::invoke(isOfKind, fit.unknowns[known]))
+      variance += varianceOfPrior(fit, cofactor, weights, known);
   return variance;
 }
 

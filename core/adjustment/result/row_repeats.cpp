@@ -136,16 +136,16 @@ std::vector<std::pair<std::size_t, std::size_t>> repeatedRows(const Measurement&
   const double ratio = fit.degreesOfFreedom > 0 ? std::min(1.0, std::sqrt(fit.reducedChiSquare())) : 1;
   const double chance = chanceOfBeingAlike(gridA, ratio * measurement.sigmaHorizontal.radians()) *
                         chanceOfBeingAlike(gridE, ratio * measurement.sigmaVertical.radians());
-  const bool tellsOfOne = ofOnePlace > 0 && isTooMany(ofOnePlace, chance * pairsOfOnePlace(arc));
+  const bool isOfOneSignificant = ofOnePlace > 0 && isTooMany(ofOnePlace, chance * pairsOfOnePlace(arc));
   // Probability that rows of two nearby places are equal; the two may be one place with two numbers.
   const double share = std::max(chance, 1 / ((2 * nearSteps + 1) * (2 * nearSteps + 1)));
-  const bool tellsOfTwo =
+  const bool isOfTwoSignificant =
       ofTwo > 0 && isTooMany(ofTwo, nearPairsOfTwoPlaces(arc, gridA, gridE) * share / (1 - share));
-  std::vector<IndexPair> told;
+  std::vector<IndexPair> repeated;
   for (const IndexPair& pair : alike)
-    if (isOfOnePlace(pair) ? tellsOfOne : tellsOfTwo)
-      told.emplace_back(arc.sightings[pair.first].row, arc.sightings[pair.second].row);
-  return told;
+    if (isOfOnePlace(pair) ? isOfOneSignificant : isOfTwoSignificant)
+      repeated.emplace_back(arc.sightings[pair.first].row, arc.sightings[pair.second].row);
+  return repeated;
 }
 
 }  // namespace alidade

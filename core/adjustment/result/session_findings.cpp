@@ -98,7 +98,7 @@ std::vector<FitFinding> modelFindings(const Measurement& measurement) {
     if (!effectById(id, measurement))
       findings.push_back({Severity::Warning, fieldOf("model.effects"), UnknownEffect{id}});
   for (const KnownNumber& known : measurement.known)
-    if (!parameterMeant(measurement, known))
+    if (!findParameter(measurement, known))
       findings.push_back(
           {Severity::Warning, known.where, KnownOfNothing{known.effect, known.parameter, known.unit}});
   judgeCompensator(findings, measurement);

@@ -232,8 +232,8 @@ VectorXd toUnit(const VectorXd& values) {
 }
 
 /// The orders from `first` to `last` that no effect of the catalogue has. Effects in `leftOut` do not count.
-std::vector<int> ordersBeside(int ParameterTraits::*order, int first, int last,
-                              const std::vector<std::string>& leftOut) {
+std::vector<int> ordersOutsideCatalogue(int ParameterTraits::*order, int first, int last,
+                                        const std::vector<std::string>& leftOut) {
   std::vector<int> orders(static_cast<std::size_t>(last - first + 1));
   std::iota(orders.begin(), orders.end(), first);
   for (const Effect& effect : effectCatalogue())
@@ -286,8 +286,8 @@ std::vector<ShapeComponent> shapeComponents(const Leftover& leftover, const Meas
   const SharedCarrier horizontal = all.ofInstrument(ofHorizontal), vertical = all.ofInstrument(ofVertical);
   ShapeMaker maker(leftover);
   const CellFunctions harmonics = harmonicsOf(all.s, 12);
-  const std::vector<int> radialOrders = ordersBeside(&ParameterTraits::radialOrder, 2, 12, leftOut),
-                         planeOrders = ordersBeside(&ParameterTraits::acrossOrder, 1, 8, leftOut);
+  const std::vector<int> radialOrders = ordersOutsideCatalogue(&ParameterTraits::radialOrder, 2, 12, leftOut),
+                         planeOrders = ordersOutsideCatalogue(&ParameterTraits::acrossOrder, 1, 8, leftOut);
   maker.addHarmonics(PHRASE_LATER("Phrase", "radius along the guideway"), radial, harmonics, radialOrders);
   maker.addHarmonics(PHRASE_LATER("Phrase", "guideway out of its plane"), offPlane, harmonics, planeOrders);
   maker.addHarmonics(PHRASE_LATER("Phrase", "slider readings along the scale"), slider, harmonics,

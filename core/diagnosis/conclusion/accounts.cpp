@@ -30,7 +30,7 @@ std::vector<EstimatedTerm> effectsBeyond(const GapModel& base) {
 }
 
 /// The all-or-nothing terms in the model.
-std::vector<EstimatedTerm> settledTerms(const GapModel& at) {
+std::vector<EstimatedTerm> allOrNothingTerms(const GapModel& at) {
   std::vector<EstimatedTerm> terms;
   for (const EstimatedTerm& term : at.options.terms)
     if (const Effect* effect = effectOf(term.term, *at.measurement);
@@ -47,7 +47,7 @@ Leftover leftoverAt(const GapModel& base, const GapModel& at, const std::vector<
   };
   JointFit fit = *at.fit;
   JointFitOptions options = base.options;
-  for (const EstimatedTerm& term : settledTerms(at))
+  for (const EstimatedTerm& term : allOrNothingTerms(at))
     if (!isAmong(options.terms, term.term)) options.terms.push_back(term);
   const std::vector<EstimatedTerm> inModel = options.terms;
   for (const EstimatedTerm& term : at.options.terms)
@@ -99,7 +99,7 @@ void Accounts::alsoAt(const GapModel& at, const Explanation& explanation, const 
   if (!estimate || !at.fit->converged() || at.noise != 1 || isLarge(*m_inquiry.base.measurement)) return;
   auto own = std::make_shared<Accounts>(m_inquiry);
   own->m_own.emplace(leftoverAt(m_inquiry.base, at, m_terms));
-  for (const EstimatedTerm& term : settledTerms(at)) own->m_settled.push_back(term.term);
+  for (const EstimatedTerm& term : allOrNothingTerms(at)) own->m_allOrNothing.push_back(term.term);
   own->m_start = 0;
   own->addEffects();
   const std::optional<System> system = own->systemOf(explanation);
@@ -175,16 +175,16 @@ std::optional<Accounts::System> Accounts::systemOf(const Explanation& explanatio
                 .leastWidths = VectorXd::Zero(effects),
                 .ofNoise = explanation.noisy ? square(explanation.noise) : 1};
   std::vector<double> narrow;
-  std::size_t settled = 0;
-  const auto isSettled = [&](const Component& component) {
-    return std::ranges::any_of(m_settled,
+  std::size_t matched = 0;
+  const auto isInFit = [&](const Component& component) {
+    return std::ranges::any_of(m_allOrNothing,
                                [&](ErrorTerm term) { return effectOf(term)->id == component.id(); });
   };
   for (const Part& part : explanation.parts) {
     const Component& component = m_inquiry.of(part);
     if (component.response() == Response::AllOrNothing) {
-      if (isSettled(component))
-        ++settled;
+      if (isInFit(component))
+        ++matched;
       else
         return std::nullopt;
       continue;
@@ -205,7 +205,7 @@ std::optional<Accounts::System> Accounts::systemOf(const Explanation& explanatio
     narrow.insert(narrow.end(), static_cast<std::size_t>(system.own.back()->whole.cols()),
                   isLeftOut ? 0 : 1 / square(width));
   }
-  if (settled != m_settled.size()) return std::nullopt;
+  if (matched != m_allOrNothing.size()) return std::nullopt;
   const auto own = std::ssize(narrow);
   system.narrow = Eigen::Map<const VectorXd>(narrow.data(), own);
   system.right.resize(own);

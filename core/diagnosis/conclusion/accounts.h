@@ -65,15 +65,15 @@ class Accounts {
   struct System;
 
   const Inquiry& m_inquiry;
-  std::optional<Leftover> m_own;         ///< leftover at another fit; absent: use that of the inquiry
-  std::shared_ptr<Accounts> m_at;        ///< the second linearisation; null: none
-  std::vector<ErrorTerm> m_settled;      ///< all-or-nothing effects in that fit
-  double m_start = 0;                    ///< Δd without causes and effects, mm
-  Eigen::VectorXd m_perReading;          ///< ∂Δd/∂reading, mm per σ
-  double m_ofReadings = 0;               ///< variance of Δd by the readings alone, mm²
-  std::vector<EstimatedTerm> m_terms;    ///< of the effects, at their plausible sizes
-  std::vector<const Effect*> m_effects;  ///< of each term
-  Eigen::MatrixXd m_gram;                ///< of their visible columns for plausible sizes
+  std::optional<Leftover> m_own;          ///< leftover at another fit; absent: use that of the inquiry
+  std::shared_ptr<Accounts> m_at;         ///< the second linearisation; null: none
+  std::vector<ErrorTerm> m_allOrNothing;  ///< all-or-nothing effects in that fit
+  double m_start = 0;                     ///< Δd without causes and effects, mm
+  Eigen::VectorXd m_perReading;           ///< ∂Δd/∂reading, mm per σ
+  double m_ofReadings = 0;                ///< variance of Δd by the readings alone, mm²
+  std::vector<EstimatedTerm> m_terms;     ///< of the effects, at their plausible sizes
+  std::vector<const Effect*> m_effects;   ///< of each term
+  Eigen::MatrixXd m_gram;                 ///< of their visible columns for plausible sizes
   Eigen::VectorXd m_right, m_influence;
   std::map<std::size_t, Columns> m_columns;
 

@@ -38,8 +38,8 @@ Chances chancesOf(const Inquiry& inquiry) {
 
 /// The likeliest explanation of a kind; null if there is none.
 template <typename Kind>
-const Explanation* likeliest(const Inquiry& inquiry, const Kind& isMeant) {
-  const auto found = std::ranges::find_if(inquiry.explanations, isMeant);
+const Explanation* likeliest(const Inquiry& inquiry, const Kind& isOfKind) {
+  const auto found = std::ranges::find_if(inquiry.explanations, isOfKind);
   return found == inquiry.explanations.end() ? nullptr : &*found;
 }
 

@@ -62,8 +62,8 @@ std::vector<Required> whatItWouldTake(const Inquiry& inquiry) {
   const double noise = inquiry.explanations.front().noise;
   for (std::size_t i = 0; i < inquiry.candidates.size(); ++i) {
     const Component& component = inquiry.candidates[i];
-    const bool isMeant = component.isEffect() || component.slippedArc();
-    if (!isMeant || component.isKnown() || component.response() == Response::AllOrNothing) continue;
+    const bool isEligible = component.isEffect() || component.slippedArc();
+    if (!isEligible || component.isKnown() || component.response() == Response::AllOrNothing) continue;
     const VectorXd influence = component.wholeProducts(influences);
     if (influence.norm() < hardlyMoves) continue;
     const VectorXd weights = leastThatMoves(component, influence, move);

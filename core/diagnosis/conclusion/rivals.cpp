@@ -66,16 +66,16 @@ std::vector<Rival> jumps(const Inquiry& inquiry, const Explanation& explanation,
 }
 
 /// Candidates of the wanted kind that look like the part and explain something in its place.
-template <typename Meant>
+template <typename Kind>
 std::vector<Rival> nearlyLike(const Inquiry& inquiry, const Explanation& explanation, std::size_t index,
-                              Comparison& comparison, const Meant& isMeant) {
+                              Comparison& comparison, const Kind& isOfKind) {
   const Part& part = explanation.parts[index];
   const Trace trace(inquiry.leftover, inquiry.of(part).signature(inquiry.leftover, part.weights));
   std::vector<Rival> rivals;
   for (std::size_t i = 0; i < inquiry.candidates.size(); ++i) {
     const auto isOther = [&](const Part& any) { return any.component != i; };
     const Component& candidate = inquiry.candidates[i];
-    if (!isMeant(candidate) || !std::ranges::all_of(explanation.parts, isOther)) continue;
+    if (!isOfKind(candidate) || !std::ranges::all_of(explanation.parts, isOther)) continue;
     const double difference = trace.differenceFrom(candidate) / explanation.noise;
     if (difference > clearlyDifferent) continue;
     Rival rival = comparison.with(index, i);
@@ -117,7 +117,7 @@ std::vector<std::vector<Rival>> rivalsOf(const Inquiry& inquiry, const Explanati
 }
 
 double chanceOf(const Inquiry& inquiry, const Part& part, const std::vector<Rival>& rivals) {
-  const auto isMeant = [&](const Part& other) {
+  const auto isCounted = [&](const Part& other) {
     const bool isJump = inquiry.of(part).isJump();  // at any moment
     return other.component == part.component || (isJump && inquiry.of(other).isJump()) ||
            std::ranges::any_of(rivals, [&](const Rival& rival) {
@@ -125,7 +125,7 @@ double chanceOf(const Inquiry& inquiry, const Part& part, const std::vector<Riva
            });
   };
   return inquiry.chanceOf(
-      [&](const Explanation& explanation) { return std::ranges::any_of(explanation.parts, isMeant); });
+      [&](const Explanation& explanation) { return std::ranges::any_of(explanation.parts, isCounted); });
 }
 
 }  // namespace alidade

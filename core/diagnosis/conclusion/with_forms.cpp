@@ -50,9 +50,11 @@ std::vector<Explanation> restsOf(const Inquiry& inquiry, const Explanation& cert
 }
 
 /// Log odds (natural), up to a constant, of an explanation together with every effect at its plausible size.
-double logOddsBesideEffects(Accounts& accounts, const Explanation& explanation) {
-  const auto alone = accounts.of(explanation, noEffect), beside = accounts.of(explanation, EffectScales{});
-  return alone && beside ? explanation.logPosteriorOdds - alone->logOdds + beside->logOdds : impossible;
+double logOddsWithEffects(Accounts& accounts, const Explanation& explanation) {
+  const auto alone = accounts.of(explanation, noEffect),
+             withEffects = accounts.of(explanation, EffectScales{});
+  return alone && withEffects ? explanation.logPosteriorOdds - alone->logOdds + withEffects->logOdds
+                              : impossible;
 }
 
 /// An explanation with forms, and its log odds together with every effect.
@@ -78,7 +80,7 @@ std::vector<Weighed> weighedWith(Accounts& accounts, const Inquiry& inquiry, con
       with.logPosteriorOdds = logPrior + alone->logOdds - nothing->logOdds;
       for (const Part& part : rest.parts)
         with.logPosteriorOdds += inquiry.candidates.groupOf(part.component).logPrior;
-      const double logOdds = logOddsBesideEffects(accounts, with);
+      const double logOdds = logOddsWithEffects(accounts, with);
       if (std::isfinite(logOdds)) all.push_back({std::move(with), logOdds});
     }
   std::ranges::stable_sort(all, {}, [](const Weighed& one) { return -one.logOdds; });
@@ -176,11 +178,11 @@ std::optional<IntersectionEstimate> intersectionWithForms(const Inquiry& inquiry
   const auto likeliest = accounts.of(inquiry.explanations.front(), noEffect),
              rest = accounts.of(answer.explanation, noEffect);
   if (!own || !likeliest || !rest || !(own->sigma > 0)) return own;
-  const double logOdds = logOddsBesideEffects(accounts, inquiry.explanations.front());
+  const double logOdds = logOddsWithEffects(accounts, inquiry.explanations.front());
   std::vector<Possible> all;
   for (const Explanation& explanation : inquiry.explanations)
     if (const auto account = accounts.of(explanation, noEffect); account && explanation.shaped)
-      all.push_back({std::exp(logOddsBesideEffects(accounts, explanation) - logOdds),
+      all.push_back({std::exp(logOddsWithEffects(accounts, explanation) - logOdds),
                      account->value - likeliest->value, account->variance - likeliest->variance});
   return averagedOver(widerBy(*own, likeliest->ofWeights - rest->ofWeights), all,
                       inquiry.base.measurement->coverage);

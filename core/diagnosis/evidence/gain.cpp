@@ -110,10 +110,10 @@ Gain gainWith(const std::vector<Width>& widths, const TurnedColumns& columns, do
   const Lane w2 = sigmas.square() / variance, narrow = w2.inverse();
   const Index count = columns.diagonal.size();
   Lane determinant = Lane::Ones(), quadratic = Lane::Zero(), step = Lane::Zero(), right = Lane::Zero();
-  double beside = 0;  // coupling with the previous column
+  double coupling = 0;  // with the previous column
   SharedPart<Taken, Widths> part(columns.shared.cols());
   for (Index i = 0; i < count; ++i) {
-    const Lane pivot = narrow + columns.diagonal[i] - beside * step;
+    const Lane pivot = narrow + columns.diagonal[i] - coupling * step;
     const Lane inverse = pivot.inverse();
     determinant *= w2 * pivot;
     if (determinant.maxCoeff() > 1e200) {
@@ -124,8 +124,8 @@ Gain gainWith(const std::vector<Width>& widths, const TurnedColumns& columns, do
     const Lane scaled = inverse * right;
     quadratic += scaled * right;
     part.add(columns.shared, i, step, inverse, scaled);
-    beside = i + 1 < count ? columns.subdiagonal[i] : 0;
-    step = beside * inverse;
+    coupling = i + 1 < count ? columns.subdiagonal[i] : 0;
+    step = coupling * inverse;
   }
   const auto [determinantOfShared, along] = part.solve();
   exponents += (quadratic + along) / (2 * variance);

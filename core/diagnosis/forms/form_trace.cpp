@@ -37,7 +37,7 @@ double valueAt(const FoundForm& found, const Channel& channel, double x) {
 }
 
 /// The argument as reported: in degrees, for the horizontal circle within a turn.
-double toldArgument(const Form& form, double x) {
+double displayedArgument(const Form& form, double x) {
   if (!form.isOfAngle()) return x;
   const double degrees = x / radiansOfDegree;
   return form.of == FormArgument::HorizontalCircle ? degrees - 360 * std::floor(degrees / 360) : degrees;
@@ -114,7 +114,7 @@ class Tracer {
     return {.position = arc.position,
             .row = arc.sightings[m_leftover.reading(i).sighting].row,
             .isVertical = channel.isVertical,
-            .at = toldArgument(found.form, x),
+            .at = displayedArgument(found.form, x),
             .before = valueAt(found, channel, x) + after,
             .after = after,
             .heldOut = m_found.heldOutErrors.size() > 0 ? heldOut : std::numeric_limits<double>::quiet_NaN()};
@@ -126,9 +126,10 @@ class Tracer {
     Span span;
     for (const FormPoint& point : trace.points) span.include(point.at);
     for (int i = 0; i <= steps && !trace.points.empty(); ++i) {
-      const double told = span.at(static_cast<double>(i) / steps);
-      const double x = found.form.isOfAngle() ? told * radiansOfDegree : told;
-      trace.curve.push_back({told, valueAt(found, channels.front(), x), valueAt(found, channels.back(), x)});
+      const double displayed = span.at(static_cast<double>(i) / steps);
+      const double x = found.form.isOfAngle() ? displayed * radiansOfDegree : displayed;
+      trace.curve.push_back(
+          {displayed, valueAt(found, channels.front(), x), valueAt(found, channels.back(), x)});
     }
   }
 };
@@ -159,8 +160,8 @@ void addCleanRange(FoundForm& found, const FormReadings& readings) {
   for (int i = 0, first = 0; i <= steps + 1; ++i) {
     if (i <= steps && isClean(span.at(static_cast<double>(i) / steps))) continue;
     if (i - 1 - first >= least * steps)
-      found.cleanRange.push_back({toldArgument(form, span.at(static_cast<double>(first) / steps)),
-                                  toldArgument(form, span.at(static_cast<double>(i - 1) / steps))});
+      found.cleanRange.push_back({displayedArgument(form, span.at(static_cast<double>(first) / steps)),
+                                  displayedArgument(form, span.at(static_cast<double>(i - 1) / steps))});
     first = i + 1;
   }
 }

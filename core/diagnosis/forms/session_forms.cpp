@@ -74,7 +74,7 @@ class SessionForms {
   FormReadings m_readings;
   std::vector<FormFamily> m_families;
   FormSystem m_system;
-  MatrixXd m_beside;  ///< columns of the jumps, over the readings
+  MatrixXd m_jumpColumns;  ///< columns of the jumps, over the readings
 
   static GapModel plainModel(const Inquiry& inquiry, Explanation certain) {
     std::erase_if(certain.parts, [&](const Part& part) { return inquiry.of(part).stepsOrientation(); });
@@ -98,21 +98,21 @@ class SessionForms {
     const double ofJump =
         gainOf(jump.widths(), products.gram(0, columns.cols()), products.right, m_system.variance()).log +
         m_inquiry.candidates.groupOf(part.component).logPrior;
-    FormSystem beside = m_system;
-    beside.takeUp(columns);
+    FormSystem withJump = m_system;
+    withJump.takeUp(columns);
     const double without = logSumOf(weighForms(m_system, m_readings, m_families, m_stop)),
-                 with = ofJump + logSumOf(weighForms(beside, m_readings, m_families, m_stop));
+                 with = ofJump + logSumOf(weighForms(withJump, m_readings, m_families, m_stop));
     if (without > with) return;
-    m_system = std::move(beside);
-    const Index before = m_beside.cols();
-    m_beside.conservativeResize(columns.rows(), before + columns.cols());
-    m_beside.rightCols(columns.cols()) = columns;
+    m_system = std::move(withJump);
+    const Index before = m_jumpColumns.cols();
+    m_jumpColumns.conservativeResize(columns.rows(), before + columns.cols());
+    m_jumpColumns.rightCols(columns.cols()) = columns;
   }
 
   /// Whether the leftover is larger than noise alone leaves in four of five sessions.
   bool isAnythingLeft(const FormSystem& system, int numbers) const {
     constexpr double usual = 0.2;
-    const double freedom = static_cast<double>(m_full.degreesOfFreedom() - numbers - m_beside.cols());
+    const double freedom = static_cast<double>(m_full.degreesOfFreedom() - numbers - m_jumpColumns.cols());
     return chiSquareUpperTail(system.left().squaredNorm() / system.variance(), freedom).value_or(0) < usual;
   }
 
@@ -174,7 +174,7 @@ class SessionForms {
 
   DividedModel divided(const Leftover& leftover) const {
     FormSystem system = systemOf(leftover);
-    system.takeUp(m_beside);
+    system.takeUp(m_jumpColumns);
     return {[&leftover](const MatrixXd& columns) { return leftover.outsideArcAngles(columns); },
             system.basis(), system.left()};
   }

@@ -23,10 +23,10 @@ IntersectionSoFar::IntersectionSoFar(const SightingEquations& equations)
            right = rows.transpose() * equations.residual;
   weights.head(unknowns) = equations.priorWeights;
   constexpr double held = 1e6;  // weight that leaves a column at 0
-  for (const MayBe& mayBe : equations.mayBe) {
-    const Index sized = !mayBe.widths ? 0 : mayBe.isBent ? 2 : mayBe.count;
-    if (mayBe.first < m_effectColumns)
-      weights.segment(unknowns + mayBe.first + sized, mayBe.count - sized).setConstant(held);
+  for (const Hypothesis& hypothesis : equations.hypotheses) {
+    const Index sized = !hypothesis.widths ? 0 : hypothesis.isBent ? 2 : hypothesis.count;
+    if (hypothesis.first < m_effectColumns)
+      weights.segment(unknowns + hypothesis.first + sized, hypothesis.count - sized).setConstant(held);
   }
   intersection.head(unknowns) = equations.intersection;
   right.head(unknowns) += equations.priorWeights.cwiseProduct(equations.priorResiduals);
@@ -38,7 +38,7 @@ IntersectionSoFar::IntersectionSoFar(const SightingEquations& equations)
   m_variance = m_gain.dot(intersection);
 }
 
-double IntersectionSoFar::sigmaKnowing(const MayBe& effect) const {
+double IntersectionSoFar::sigmaKnowing(const Hypothesis& effect) const {
   const Index size = m_gain.size(), first = size - m_effectColumns + effect.first;
   const MatrixXd covariance = m_normal.solve(MatrixXd::Identity(size, size).middleCols(first, effect.count))
                                   .middleRows(first, effect.count);
@@ -46,7 +46,7 @@ double IntersectionSoFar::sigmaKnowing(const MayBe& effect) const {
   return std::sqrt(std::max(m_variance - own.dot(covariance.ldlt().solve(own)), 0.0));
 }
 
-double IntersectionSoFar::tells(const SightingRows& rows) const {
+double IntersectionSoFar::logReductionBy(const SightingRows& rows) const {
   const MatrixXd all = sideBySide(rows, m_effectColumns);
   const MatrixXd half = m_normal.matrixL().solve(all.transpose());
   MatrixXd covariance = half.transpose() * half;
@@ -83,7 +83,7 @@ std::vector<std::string> inseparableFrom(const Weighed& cause, const SightingEqu
   const MatrixXd gram = gramOfAll(equations);
   const VectorXd trace = gram.middleCols(cause.first, count) * cause.weights;
   const double square = cause.weights.dot(trace.segment(cause.first, count));
-  for (const MayBe& other : equations.mayBe) {
+  for (const Hypothesis& other : equations.hypotheses) {
     if (other.first == cause.first || other.first >= equations.effectColumns || other.priorOdds == 0)
       continue;
     MatrixXd own = gram.block(other.first, other.first, other.count, other.count);

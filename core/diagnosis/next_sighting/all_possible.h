@@ -19,9 +19,9 @@ class IntersectionSoFar {
   double value() const { return m_value; }  ///< mm
   double sigma() const { return std::sqrt(m_variance); }
   /// `sigma()` if the size of this effect were known exactly, mm.
-  double sigmaKnowing(const MayBe& effect) const;
+  double sigmaKnowing(const Hypothesis& effect) const;
   /// Returns −ln(U after/U before), where U is that of Δd, for a possible sighting.
-  double tells(const SightingRows& rows) const;
+  double logReductionBy(const SightingRows& rows) const;
 
  private:
   Eigen::LLT<Eigen::MatrixXd> m_normal;

@@ -135,7 +135,7 @@ class Assembly {
   }
 
   Index add(std::string_view cause, Index count, const std::vector<Width>* widths, double odds) {
-    m_result.mayBe.push_back({cause, m_columns, count, widths, odds});
+    m_result.hypotheses.push_back({cause, m_columns, count, widths, odds});
     m_columns += count;
     return m_columns - count;
   }
@@ -148,10 +148,10 @@ class Assembly {
       const bool isWhole = effect->response == Response::AllOrNothing;
       Index column = add(effect->id, std::ssize(effect->parameters) + (isBent(*effect) ? 3 : 0),
                          isWhole ? nullptr : &effectWidths(), effect->isSought ? odds.effect : 0);
-      m_result.priorOdds += m_result.mayBe.back().priorOdds;
+      m_result.priorOdds += m_result.hypotheses.back().priorOdds;
       for (const EffectParameter& parameter : effect->parameters)
         m_terms.push_back({parameter.term, sizeOf(parameter), column++});
-      m_result.mayBe.back().isBent = isBent(*effect);
+      m_result.hypotheses.back().isBent = isBent(*effect);
       if (isBent(*effect)) m_bent = column;
     }
     m_result.effectColumns = m_columns;
@@ -379,13 +379,13 @@ MatrixXd givenTheVisit(const MatrixXd& further, const VectorXd& alongFurther, co
 SightingEquations sightingEquations(const Measurement& taken, const SightingPlan& plan,
                                     PossibleSightings& session, bool effectsOnly) {
   constexpr int mostRounds = 4;
-  constexpr double settled = 2e-3;  // mm
+  constexpr double tolerance = 2e-3;  // mm
   session = possibleSightings(taken, plan);
   std::vector<Circle> circles(session.measurement.arcs.size(), {0, 0, taken.nominalRadius});
   for (int round = 0; round < mostRounds; ++round) {
     sightPossible(session, plan, circles);
     const Linearised all = linearisedAt(session, circles, {});
-    if (improve(circles, all, Assembly(session, plan, all).equations()) < settled) break;
+    if (improve(circles, all, Assembly(session, plan, all).equations()) < tolerance) break;
   }
   sightPossible(session, plan, circles);
   const Linearised all = linearisedAt(session, circles, everyTerm());

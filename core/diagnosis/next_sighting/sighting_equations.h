@@ -11,7 +11,7 @@
 namespace alidade {
 
 /// A hypothesis as columns of the equations. A weight of 1 is the plausible size.
-struct MayBe {
+struct Hypothesis {
   std::string_view cause;  ///< static text
   Eigen::Index first = 0, count = 0;
   const std::vector<Width>* widths = nullptr;  ///< of the normal prior; null: the weight is exactly 1
@@ -36,7 +36,7 @@ struct SightingEquations {
   Eigen::VectorXd priorWeights, priorResiduals;
   Eigen::VectorXd intersection;  ///< ∂Δd/∂unknown
   double intersectionAt = 0;     ///< Δd at the point of linearisation, mm
-  std::vector<MayBe> mayBe;
+  std::vector<Hypothesis> hypotheses;
   double priorOdds = 0;            ///< sum over all hypotheses, at any moment of the session
   Eigen::Index effectColumns = 0;  ///< number of columns of effects, which come first
 };

@@ -79,11 +79,11 @@ WeighedCauses::WeighedCauses(const SightingEquations& equations) : m_equations(e
     shares += odds;
     causes.add(std::move(weighed), log + std::log(odds));
   };
-  for (const MayBe& mayBe : equations.mayBe) {
-    if (mayBe.priorOdds == 0) continue;
-    Weighed weighed{.cause = mayBe.cause, .first = mayBe.first};
-    const double log = weigh(mayBe, weighed);
-    add(std::move(weighed), log, mayBe.priorOdds);
+  for (const Hypothesis& hypothesis : equations.hypotheses) {
+    if (hypothesis.priorOdds == 0) continue;
+    Weighed weighed{.cause = hypothesis.cause, .first = hypothesis.first};
+    const double log = weigh(hypothesis, weighed);
+    add(std::move(weighed), log, hypothesis.priorOdds);
   }
   for (const double scale : noiseScales)
     add({.cause = noiseId, .noise = scale}, logOfNoise(scale, m_chiSquare, m_degreesOfFreedom),
@@ -115,18 +115,18 @@ VectorXd WeighedCauses::productsOf(Index first, Index count) const {
 
 /// Returns ln of the evidence of one cause against nothing, and fills in its weights: the mean over its
 /// widths, with their spread in the covariance.
-double WeighedCauses::weigh(const MayBe& mayBe, Weighed& weighed) const {
-  const MatrixXd gram = gramOf(mayBe.first, mayBe.count);
-  VectorXd right = productsOf(mayBe.first, mayBe.count);
-  for (Index i = 0; i < mayBe.count; ++i)
+double WeighedCauses::weigh(const Hypothesis& hypothesis, Weighed& weighed) const {
+  const MatrixXd gram = gramOf(hypothesis.first, hypothesis.count);
+  VectorXd right = productsOf(hypothesis.first, hypothesis.count);
+  for (Index i = 0; i < hypothesis.count; ++i)
     if (gram(i, i) == 0) right[i] = 0;
-  if (!mayBe.widths) {
+  if (!hypothesis.widths) {
     weighed.weights = VectorXd::Ones(1);
     weighed.covariance = MatrixXd::Zero(1, 1);
     return right[0] - gram(0, 0) / 2;
   }
-  if (mayBe.isBent) {
-    const BentFit fit = fitBent(*mayBe.widths, gram, right, 1);
+  if (hypothesis.isBent) {
+    const BentFit fit = fitBent(*hypothesis.widths, gram, right, 1);
     const auto slope = bentDerivatives(fit.weights);
     Eigen::Matrix2d precision = slope.transpose() * gram * slope;
     precision.diagonal().array() += 1 / (fit.gain.width * fit.gain.width);
@@ -141,20 +141,21 @@ double WeighedCauses::weigh(const MayBe& mayBe, Weighed& weighed) const {
   };
   std::vector<OfWidth> ofWidths;
   double all = impossible;
-  for (const Width& width : *mayBe.widths) {
+  for (const Width& width : *hypothesis.widths) {
     const double weight = 1 / (width.sigma * width.sigma);
     MatrixXd precision = gram;
     precision.diagonal().array() += weight;
     const Eigen::LLT<MatrixXd> factor(precision);
-    const MatrixXd covariance = factor.solve(MatrixXd::Identity(mayBe.count, mayBe.count));
+    const MatrixXd covariance = factor.solve(MatrixXd::Identity(hypothesis.count, hypothesis.count));
     const VectorXd mean = covariance * right;
     double log = width.logChance + right.dot(mean) / 2;
-    for (Index i = 0; i < mayBe.count; ++i) log += std::log(weight) / 2 - std::log(factor.matrixLLT()(i, i));
+    for (Index i = 0; i < hypothesis.count; ++i)
+      log += std::log(weight) / 2 - std::log(factor.matrixLLT()(i, i));
     all = logSum(all, log);
     ofWidths.push_back({log, mean, covariance});
   }
-  weighed.weights = VectorXd::Zero(mayBe.count);
-  weighed.covariance = MatrixXd::Zero(mayBe.count, mayBe.count);
+  weighed.weights = VectorXd::Zero(hypothesis.count);
+  weighed.covariance = MatrixXd::Zero(hypothesis.count, hypothesis.count);
   for (const OfWidth& own : ofWidths) weighed.weights += std::exp(own.log - all) * own.mean;
   for (const OfWidth& own : ofWidths) {
     const VectorXd apart = own.mean - weighed.weights;

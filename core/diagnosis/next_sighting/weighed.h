@@ -59,7 +59,7 @@ class WeighedCauses {
 
   Eigen::MatrixXd gramOf(Eigen::Index first, Eigen::Index count) const;
   Eigen::VectorXd productsOf(Eigen::Index first, Eigen::Index count) const;
-  double weigh(const MayBe& mayBe, Weighed& weighed) const;
+  double weigh(const Hypothesis& hypothesis, Weighed& weighed) const;
 };
 
 }  // namespace alidade

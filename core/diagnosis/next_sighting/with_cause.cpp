@@ -12,10 +12,10 @@ using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
 namespace {
 
 /// ∂(weights of the columns)/∂(unknown sizes): no column for a cause of fixed size.
-MatrixXd slopeOf(const MayBe& mayBe, const VectorXd& weights) {
-  if (!mayBe.widths) return MatrixXd::Zero(mayBe.count, 0);
-  if (mayBe.isBent) return bentDerivatives(weights.head<2>());
-  return MatrixXd::Identity(mayBe.count, mayBe.count);
+MatrixXd slopeOf(const Hypothesis& hypothesis, const VectorXd& weights) {
+  if (!hypothesis.widths) return MatrixXd::Zero(hypothesis.count, 0);
+  if (hypothesis.isBent) return bentDerivatives(weights.head<2>());
+  return MatrixXd::Identity(hypothesis.count, hypothesis.count);
 }
 
 MatrixXd joined(const MatrixXd& left, const MatrixXd& right) {
@@ -35,7 +35,7 @@ VectorXd stacked(const VectorXd& top, const VectorXd& bottom) {
 SightingEquations withCause(const SightingEquations& equations, const Weighed& cause,
                             const std::vector<std::string>& group) {
   SightingEquations result = equations;
-  const MayBe& present = *std::ranges::find(equations.mayBe, cause.first, &MayBe::first);
+  const Hypothesis& present = *std::ranges::find(equations.hypotheses, cause.first, &Hypothesis::first);
   const auto columnsIn = [&](const SightingRows& rows) {
     return rows.causes.middleCols(present.first, present.count);
   };
@@ -52,13 +52,13 @@ SightingEquations withCause(const SightingEquations& equations, const Weighed& c
   result.priorWeights = stacked(result.priorWeights, VectorXd::Constant(added, 1 / width));
   result.priorResiduals = stacked(result.priorResiduals, VectorXd::Zero(added));
   result.intersection = stacked(result.intersection, VectorXd::Zero(added));
-  const auto isLeftOut = [&](const MayBe& other) {
+  const auto isLeftOut = [&](const Hypothesis& other) {
     if (other.first == present.first) return true;
     return other.cause != grossErrorId && std::ranges::find(group, other.cause) != group.end();
   };
-  for (const MayBe& other : equations.mayBe)
+  for (const Hypothesis& other : equations.hypotheses)
     if (isLeftOut(other)) result.priorOdds -= other.priorOdds;
-  std::erase_if(result.mayBe, isLeftOut);
+  std::erase_if(result.hypotheses, isLeftOut);
   return result;
 }
 

@@ -225,7 +225,7 @@ std::optional<Advice> revealing(const std::vector<Detectability>& undetectable, 
 
 /// Returns the new sighting of the zero that distinguishes a gross error from a look-alike jump: only a jump
 /// moves the zero. Both sightings have noise.
-std::optional<Advice> tellingFromJump(const Inquiry& inquiry, const std::vector<Cause>& causes) {
+std::optional<Advice> separatingFromJump(const Inquiry& inquiry, const std::vector<Cause>& causes) {
   for (const Cause& cause : causes) {
     if (cause.readings.size() != 1 || cause.indistinguishableFrom.empty()) continue;
     const ReadingDeviation& reading = cause.readings.front();
@@ -314,7 +314,7 @@ std::vector<Advice> adviceFor(const Inquiry& inquiry, const std::vector<Possible
   const auto isZero = [](const Advice& advice) {
     return advice.measures == std::vector{Measure::ZeroSightedAgain};
   };
-  if (const std::optional<Advice> zero = tellingFromJump(inquiry, causes)) {
+  if (const std::optional<Advice> zero = separatingFromJump(inquiry, causes)) {
     list.insert(list.begin(), *zero);
   } else if (const std::optional<Advice> jump = revealingJump(inquiry, undetectable);
              jump && std::ranges::none_of(list, isZero)) {

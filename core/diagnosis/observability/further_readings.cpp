@@ -44,16 +44,16 @@ FurtherReadings further(Measure measure, Measurement more) {
 }
 
 /// Returns the session together with a further set-up.
-FurtherReadings besides(const Measurement& session, Measure measure, Measurement more) {
+FurtherReadings withFurtherSetUp(const Measurement& session, Measure measure, Measurement more) {
   FurtherReadings readings = further(measure, session);
   if (more.sightedZeros) putInZeros(more);
   readings.sets.push_back(std::move(more));
-  readings.besideSession = true;
+  readings.includesSession = true;
   return readings;
 }
 
 /// Marks the rows of visits with sightings in both faces.
-std::vector<bool> rowsWithTwin(const ArcMeasurement& arc) {
+std::vector<bool> rowsInBothFaces(const ArcMeasurement& arc) {
   std::vector<bool> rows(arc.sightings.size());
   for (const Visit& visit : visitsOf(arc))
     if (visit.sightings.size() > 1)
@@ -64,12 +64,12 @@ std::vector<bool> rowsWithTwin(const ArcMeasurement& arc) {
 std::optional<FurtherReadings> withBothFaces(Measurement more) {
   bool added = false;
   for (ArcMeasurement& arc : more.arcs) {
-    const std::vector<bool> hasTwin = rowsWithTwin(arc);
+    const std::vector<bool> inBothFaces = rowsInBothFaces(arc);
     std::vector<Sighting> rows;
     rows.reserve(2 * arc.sightings.size());
     for (std::size_t i = 0; i < arc.sightings.size(); ++i) {
       rows.push_back(arc.sightings[i]);
-      if (hasTwin[i]) continue;
+      if (inBothFaces[i]) continue;
       rows.push_back(arc.sightings[i]);
       rows.back().face = 3 - rows.back().face;
       added = true;
@@ -111,7 +111,7 @@ std::optional<FurtherReadings> withSlider(const GapModel& model, Measurement mor
 std::optional<FurtherReadings> withShiftedCircle(const Measurement& plan) {
   Measurement more = plan;
   for (ArcMeasurement& arc : more.arcs) arc.zeroHorizontal = arc.zeroHorizontal + Angle::fromDegrees(60);
-  return besides(plan, Measure::ShiftedCircle, std::move(more));
+  return withFurtherSetUp(plan, Measure::ShiftedCircle, std::move(more));
 }
 
 std::optional<FurtherReadings> withSecondStandOff(const GapModel& model, const Measurement& plan) {
@@ -122,7 +122,7 @@ std::optional<FurtherReadings> withSecondStandOff(const GapModel& model, const M
     for (std::size_t i = 0; i < more.arcs[arc].sightings.size(); ++i)
       sightPerfectly(more.arcs[arc].sightings[i], ZeroLine(more, more.arcs[arc]), model.fit->circleOf(arc),
                      arcAngle(model, arc, i));
-  return besides(plan, Measure::SecondStandOff, std::move(more));
+  return withFurtherSetUp(plan, Measure::SecondStandOff, std::move(more));
 }
 
 std::optional<FurtherReadings> withMoreArc(const GapModel& model, Measurement more) {

@@ -14,7 +14,7 @@ namespace alidade {
 struct FurtherReadings {
   std::vector<Measure> measures;
   std::vector<Measurement> sets;
-  bool besideSession = false;  ///< the first set is the session itself, with error-free readings
+  bool includesSession = false;  ///< the first set is the session itself, with error-free readings
   bool goesOn = false;  ///< the only set is the session with more readings at its end; its row numbers are
                         ///< kept
 };

@@ -19,7 +19,7 @@ FurtherTerms::FurtherTerms(const GapModel& model, const Linearised& ofSession,
 VisibleTerms FurtherTerms::shownBy(const FurtherReadings& plan) {
   if (plan.goesOn) return withEstimated(goingOn(plan.sets.back()), m_model.options.terms);
   VisibleTerms terms = ofSet(plan.sets.back());
-  if (plan.besideSession) {
+  if (plan.includesSession) {
     if (!m_ofSession) m_ofSession = ofSession(plan.sets.front());
     terms = terms + *m_ofSession;
   }

@@ -6,7 +6,7 @@ namespace alidade {
 
 namespace {
 
-bool isReadAnewFor(Measure measure) {
+bool isNewSessionNeededFor(Measure measure) {
   switch (measure) {
     case Measure::BothFaces:
     case Measure::WayBack:
@@ -42,8 +42,8 @@ std::string_view nameOf(DiagnosisVerdict verdict) {
   return "";
 }
 
-bool isReadAnew(const std::vector<Measure>& measures) {
-  return std::ranges::any_of(measures, isReadAnewFor);
+bool isNewSessionNeeded(const std::vector<Measure>& measures) {
+  return std::ranges::any_of(measures, isNewSessionNeededFor);
 }
 
 double effortOf(const std::vector<Measure>& measures) {

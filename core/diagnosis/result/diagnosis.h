@@ -218,7 +218,7 @@ struct Advice {
 };
 
 /// Whether one of the measures requires a new session; otherwise the readings are added to this one.
-bool isReadAnew(const std::vector<Measure>& measures);
+bool isNewSessionNeeded(const std::vector<Measure>& measures);
 /// The effort of the measures, in sessions like this one.
 double effortOf(const std::vector<Measure>& measures);
 

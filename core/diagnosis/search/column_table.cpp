@@ -13,7 +13,7 @@ ColumnTable::ColumnTable(const Leftover& leftover, const Candidates& candidates)
   for (std::size_t i = 0; i < candidates.size(); ++i)
     m_first.push_back(m_first.back() + static_cast<std::uint32_t>(candidates[i].columns()));
   m_squares.resize(size());
-  m_beside.setZero(size());
+  m_subdiagonal.setZero(size());
   for (std::size_t i = 0; i < candidates.size(); ++i) turn(i);
 }
 
@@ -23,20 +23,20 @@ void ColumnTable::turn(std::size_t component) {
   const bool bends = m_candidates[component].response() == Response::Bent;
   if (bends || gram.cols() <= 2) {  // already tridiagonal, or not to be turned
     squares = gram.diagonal();
-    if (gram.cols() == 2) m_beside[first(component)] = gram(0, 1);
+    if (gram.cols() == 2) m_subdiagonal[first(component)] = gram(0, 1);
     return;
   }
   Tridiagonal turn = tridiagonalOf(gram);
   squares = turn.diagonal;
-  m_beside.segment(first(component), turn.subdiagonal.size()) = turn.subdiagonal;
+  m_subdiagonal.segment(first(component), turn.subdiagonal.size()) = turn.subdiagonal;
   m_turns[component] = std::move(turn.matrix);
 }
 
 MatrixXd ColumnTable::gram(std::size_t component) const {
   if (m_candidates[component].response() == Response::Bent) return m_candidates[component].gram();
   MatrixXd gram = m_squares.segment(first(component), count(component)).asDiagonal();
-  const auto beside = m_beside.segment(first(component), count(component) - 1);
-  gram.diagonal(1) = gram.diagonal(-1) = beside;
+  const auto next = m_subdiagonal.segment(first(component), count(component) - 1);
+  gram.diagonal(1) = gram.diagonal(-1) = next;
   return gram;
 }
 

@@ -22,7 +22,7 @@ class ColumnTable {
   /// Squared length of every column.
   const Eigen::VectorXd& squares() const { return m_squares; }
   /// Inner product of every column with the next one of its component.
-  const Eigen::VectorXd& beside() const { return m_beside; }
+  const Eigen::VectorXd& subdiagonal() const { return m_subdiagonal; }
   /// Gram matrix of a component's columns.
   Eigen::MatrixXd gram(std::size_t component) const;
   /// Inner products of all columns with a visible vector, `rows()` long.
@@ -38,7 +38,7 @@ class ColumnTable {
   // 32 bits suffice: `limits::mostRows` bounds the number of rows.
   std::vector<std::uint32_t> m_first;              ///< first column of each component, and the end
   std::map<std::size_t, Eigen::MatrixXd> m_turns;  ///< rotations of the turned components
-  Eigen::VectorXd m_squares, m_beside;
+  Eigen::VectorXd m_squares, m_subdiagonal;
 
   void turn(std::size_t component);
 };

@@ -12,11 +12,11 @@ namespace {
 /// changes χ².
 void findNoise(GapModel& model, const GapModel& base) {
   constexpr int mostRounds = 20;
-  constexpr double settled = 1e-9;
+  constexpr double tolerance = 1e-9;
   for (int round = 0; round < mostRounds; ++round) {
     if (!model.fit->isDetermined() || model.fit->degreesOfFreedom <= 0) return;
     const double more = std::sqrt(model.fit->chiSquare / model.fit->degreesOfFreedom);
-    if (!(more > 0) || std::abs(more - 1) < settled) return;
+    if (!(more > 0) || std::abs(more - 1) < tolerance) return;
     model.noise *= more;
     model.measurement =
         std::make_shared<const Measurement>(withNoise(*base.measurement, model.noise / base.noise));

@@ -245,10 +245,10 @@ std::vector<LargeGrossError> farOff(GapModel& own, const std::stop_token& stop) 
 
 }  // namespace
 
-double Inquiry::chanceOf(const std::function<bool(const Explanation&)>& isMeant) const {
+double Inquiry::chanceOf(const std::function<bool(const Explanation&)>& isIncluded) const {
   double sum = 0;
   for (const Explanation& explanation : explanations)
-    if (isMeant(explanation)) sum += explanation.chance;
+    if (isIncluded(explanation)) sum += explanation.chance;
   return std::min(sum, 1.0);  // removes rounding errors
 }
 

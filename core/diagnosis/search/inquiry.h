@@ -36,8 +36,8 @@ struct Inquiry {
   const Inquiry& ofAll() const { return before ? *before : *this; }
 
   const Component& of(const Part& part) const { return candidates[part.component]; }
-  /// Probability of the explanations for which `isMeant` returns true.
-  double chanceOf(const std::function<bool(const Explanation&)>& isMeant) const;
+  /// Probability of the explanations for which `isIncluded` returns true.
+  double chanceOf(const std::function<bool(const Explanation&)>& isIncluded) const;
   /// Probability that this identifier is among the causes.
   double probabilityOf(std::string_view id) const;
 };

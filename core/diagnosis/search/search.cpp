@@ -70,7 +70,8 @@ Explanation Search::madeOf(const std::vector<std::size_t>& components, double va
   m_variance = variance;
   State state = nothing();
   for (std::size_t i = 0; i < components.size(); ++i) {
-    const Beside own = beside(state, m_table.first(components[i]), m_table.count(components[i]));
+    const ColumnProducts own =
+        productsGiven(state, m_table.first(components[i]), m_table.count(components[i]));
     const Gain gain = gainFor(components[i], own.some(0, own.right.size()));
     const double logPosteriorOdds =
         state.found.logPosteriorOdds + gain.log + m_candidates.groupOf(components[i]).logPrior;
@@ -87,17 +88,17 @@ Search::State Search::nothing() const {
   return nothing;
 }
 
-Search::Beside Search::beside(const State& state, Index first, Index count) const {
+Search::ColumnProducts Search::productsGiven(const State& state, Index first, Index count) const {
   if (state.found.logPosteriorOdds == impossible) return {VectorXd::Zero(count), MatrixXd(count, 0)};
-  Beside beside{m_right.segment(first, count), MatrixXd::Zero(count, state.taken.cols())};
+  ColumnProducts given{m_right.segment(first, count), MatrixXd::Zero(count, state.taken.cols())};
   Index row = 0;
   for (const Part& part : state.found.parts) {
     const auto products = m_products.at(part.component).middleRows(first, count);
-    beside.right -= products.lazyProduct(state.off.segment(row, products.cols()));
-    beside.shared += products.lazyProduct(state.taken.middleRows(row, products.cols()));
+    given.right -= products.lazyProduct(state.off.segment(row, products.cols()));
+    given.shared += products.lazyProduct(state.taken.middleRows(row, products.cols()));
     row += products.cols();
   }
-  return beside;
+  return given;
 }
 
 std::vector<Search::State> Search::next(const std::vector<State>& level) {
@@ -149,7 +150,7 @@ void Search::offer(const State& state, std::size_t index, std::vector<Growth>& g
     growth.key = state.key + keyOf(growth.component);
     growths.push_back(growth);
   };
-  const Beside all = beside(state, 0, m_table.size());
+  const ColumnProducts all = productsGiven(state, 0, m_table.size());
   const auto isTheOne = [&](const Part& part) { return m_candidates.groupOf(part.component).oneAtMost; };
   const bool hasOne = std::ranges::any_of(state.found.parts, isTheOne);
   for (const Candidates::Group& group : m_candidates.groups()) {
@@ -164,7 +165,7 @@ void Search::offer(const State& state, std::size_t index, std::vector<Growth>& g
   }
 }
 
-std::vector<Search::Growth> Search::bestOf(const Candidates::Group& group, const Beside& all) const {
+std::vector<Search::Growth> Search::bestOf(const Candidates::Group& group, const ColumnProducts& all) const {
   ArrayXd most = m_table.count(group.first) == 1 ? mostOfSingles(group, all) : mostOfPairs(group, all);
   for (const std::size_t component : m_notSought)
     if (group.has(component)) most[static_cast<Index>(component - group.first)] = impossible;
@@ -184,7 +185,7 @@ std::vector<Search::Growth> Search::bestOf(const Candidates::Group& group, const
   return best;
 }
 
-ArrayXd Search::mostOfSingles(const Candidates::Group& group, const Beside& all) const {
+ArrayXd Search::mostOfSingles(const Candidates::Group& group, const ColumnProducts& all) const {
   constexpr double determined = 1e-6;  // squared length below which a column is numerically zero
   const Index first = m_table.first(group.first), count = static_cast<Index>(group.count);
   ArrayXd left = m_table.squares().segment(first, count);
@@ -196,7 +197,7 @@ ArrayXd Search::mostOfSingles(const Candidates::Group& group, const Beside& all)
 }
 
 /// Upper bound: each of the two directions of a pair of columns has its optimal width.
-ArrayXd Search::mostOfPairs(const Candidates::Group& group, const Beside& all) const {
+ArrayXd Search::mostOfPairs(const Candidates::Group& group, const ColumnProducts& all) const {
   assert(m_table.count(group.first) == 2);
   const Index first = m_table.first(group.first), count = static_cast<Index>(group.count);
   const auto ofPairs = [&](const auto& vector, Index number) {
@@ -204,7 +205,7 @@ ArrayXd Search::mostOfPairs(const Candidates::Group& group, const Beside& all) c
   };
   // The Gram matrix of both columns, and their products with the remaining leftover.
   ArrayXd one = ofPairs(m_table.squares(), 0), other = ofPairs(m_table.squares(), 1),
-          both = ofPairs(m_table.beside(), 0);
+          both = ofPairs(m_table.subdiagonal(), 0);
   for (Index taken = 0; taken < all.shared.cols(); ++taken) {
     const auto ofOne = ofPairs(all.shared.col(taken), 0), ofOther = ofPairs(all.shared.col(taken), 1);
     one -= ofOne.square();
@@ -222,13 +223,13 @@ ArrayXd Search::mostOfPairs(const Candidates::Group& group, const Beside& all) c
          mostGain(middle - apart, right - along, narrowest, m_variance);
 }
 
-TurnedColumns Search::turnedColumns(std::size_t component, const SomeBeside& own) const {
+TurnedColumns Search::turnedColumns(std::size_t component, const ColumnProductsView& own) const {
   const Index first = m_table.first(component), count = m_table.count(component);
-  return {m_table.squares().segment(first, count), m_table.beside().segment(first, count - 1), own.right,
+  return {m_table.squares().segment(first, count), m_table.subdiagonal().segment(first, count - 1), own.right,
           own.shared};
 }
 
-Gain Search::gainFor(std::size_t component, const SomeBeside& own) const {
+Gain Search::gainFor(std::size_t component, const ColumnProductsView& own) const {
   return m_candidates[component].gain(turnedColumns(component, own), m_variance);
 }
 
@@ -246,7 +247,7 @@ Search::State Search::with(const State& state, const Growth& growth, bool inAnyC
 
   if (state.found.logPosteriorOdds == impossible) return makeImpossible(std::move(next));
 
-  const auto [right, before] = beside(state, m_table.first(component), count);
+  const auto [right, before] = productsGiven(state, m_table.first(component), count);
   const MatrixXd gram = m_table.gram(component) - before * before.transpose();
   const LinearPart linear =
       m_candidates[component].linearPart(turnedColumns(component, {right, before}), m_variance);

@@ -37,15 +37,15 @@ class Search {
     std::uint64_t key = 0;  ///< of the set, independent of the order
   };
   /// Products of some columns with the remaining leftover and the eliminated directions of a state.
-  struct SomeBeside {
+  struct ColumnProductsView {
     Eigen::Ref<const Eigen::VectorXd> right;   ///< their products with the remaining leftover
     Eigen::Ref<const Eigen::MatrixXd> shared;  ///< with the eliminated directions; the Gram matrix of
                                                ///< these columns is reduced by shared sharedᵀ
   };
-  struct Beside {
+  struct ColumnProducts {
     Eigen::VectorXd right;
     Eigen::MatrixXd shared;
-    SomeBeside some(Eigen::Index first, Eigen::Index count) const {
+    ColumnProductsView some(Eigen::Index first, Eigen::Index count) const {
       // A matrix without columns has no valid data pointer.
       if (shared.cols() == 0)
         return {right.segment(first, count), Eigen::Map<const Eigen::MatrixXd>(nullptr, count, 0)};
@@ -71,15 +71,15 @@ class Search {
 
   std::vector<State> next(const std::vector<State>& level);
   void offer(const State& state, std::size_t index, std::vector<Growth>& growths) const;
-  Beside beside(const State& state, Eigen::Index first, Eigen::Index count) const;
+  ColumnProducts productsGiven(const State& state, Eigen::Index first, Eigen::Index count) const;
   /// Returns the growths with the largest gain by one component of a group.
-  std::vector<Growth> bestOf(const Candidates::Group& group, const Beside& all) const;
+  std::vector<Growth> bestOf(const Candidates::Group& group, const ColumnProducts& all) const;
   /// Upper bounds of the gain of each component in a group of one-column or two-column components.
-  Eigen::ArrayXd mostOfSingles(const Candidates::Group& group, const Beside& all) const;
-  Eigen::ArrayXd mostOfPairs(const Candidates::Group& group, const Beside& all) const;
-  TurnedColumns turnedColumns(std::size_t component, const SomeBeside& own) const;
+  Eigen::ArrayXd mostOfSingles(const Candidates::Group& group, const ColumnProducts& all) const;
+  Eigen::ArrayXd mostOfPairs(const Candidates::Group& group, const ColumnProducts& all) const;
+  TurnedColumns turnedColumns(std::size_t component, const ColumnProductsView& own) const;
   /// Gain of a component from its columns.
-  Gain gainFor(std::size_t component, const SomeBeside& own) const;
+  Gain gainFor(std::size_t component, const ColumnProductsView& own) const;
   State nothing() const;
   /// With `inAnyCase` the state is prepared for growth even if the search would add nothing.
   State with(const State& state, const Growth& growth, bool inAnyCase = false);

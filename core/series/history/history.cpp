@@ -125,7 +125,7 @@ struct Level {
   std::size_t count = 0;
 };
 
-void tellSteps(History& history, const SteppingEvidence& found, const std::vector<std::size_t>& dates) {
+void addSteps(History& history, const SteppingEvidence& found, const std::vector<std::size_t>& dates) {
   std::vector<std::size_t> firstOfDate;  // with the end appended
   for (std::size_t i = 0; i < dates.size(); ++i)
     if (firstOfDate.size() == dates[i]) firstOfDate.push_back(i);
@@ -163,9 +163,9 @@ void judge(History& history) {
   const CourseEvidence evidence = courseEvidence(scaled(history, dates), history.leastScatter);
   history.courses = evidence.courses;
   const CourseProbability& best = evidence.courses.front();
-  if (best.probability < oddsToTell * evidence.of(Course::Constant)) return;
+  if (best.probability < oddsForChange * evidence.of(Course::Constant)) return;
   history.course = best.course;
-  if (best.course == Course::Steps) tellSteps(history, *evidence.stepping, dates);
+  if (best.course == Course::Steps) addSteps(history, *evidence.stepping, dates);
   if (best.course == Course::OddValue) history.oddValue = evidence.oddValue;
   if (best.course == Course::Trend) history.scatter = history.trend->u / history.trend->stated;
 }

@@ -16,7 +16,7 @@ namespace alidade {
 // values compete: constant, changed in steps, with a trend, with one odd value, wandering (Brownian motion).
 // The evidence of each covers all dates of the steps, sizes of the changes and noise s u, s ≥ 1 (less if a
 // part of u may be absent); `course_evidence.h` has the prior odds. A change is reported if its course is
-// `oddsToTell` times as probable as the constant one.
+// `oddsForChange` times as probable as the constant one.
 
 /// How a session was judged, in the words of its headline.
 struct Judgement {
@@ -94,7 +94,7 @@ inline constexpr double ewmaWeight = 0.2;
 /// Half the width of all limits in σ.
 inline constexpr double limitSigmas = 3;
 /// A change is reported if it is this many times as probable as none.
-inline constexpr double oddsToTell = 5;
+inline constexpr double oddsForChange = 5;
 
 struct History {
   std::vector<DatedValue> values;        ///< by date; within a date in the order given

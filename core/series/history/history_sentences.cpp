@@ -103,12 +103,12 @@ std::vector<std::string> courseSentences(const History& history, const HistoryNu
 /// The courses with a probability of at least 1 %, the most probable first.
 std::string rivals(const History& history) {
   constexpr double least = 0.01;
-  std::vector<std::string> told;
+  std::vector<std::string> texts;
   for (const CourseProbability& course : history.courses)
     if (course.probability >= least)
-      told.push_back(
+      texts.push_back(
           Phrase::of("%1 %2", courseName(course.course), shortProbabilityText(course.probability)));
-  return listed(told);
+  return listed(texts);
 }
 
 /// States whether the values after the baseline are within their limits.
@@ -253,18 +253,19 @@ std::vector<std::string> congruenceSentences(const std::vector<Epoch>& epochs, c
                                        chanceText(congruence.chance))
                           : Phrase::of("No change of Δd shows from %1 to %2: it is %3, %4.", first, second,
                                        difference, chanceText(congruence.chance)));
-  const auto told = [&](const CongruenceTest& test, const std::string& agree, const std::string& differ) {
+  const auto addTest = [&](const CongruenceTest& test, const std::string& agree, const std::string& differ) {
     sentences.push_back(Phrase::of("%1 (T = %2 of %3 numbers, %4)",
                                    test.chance >= leastChance ? agree : differ,
                                    displayText(test.statistic, 1), test.ids.size(), chanceText(test.chance)));
   };
   if (congruence.device)
-    told(*congruence.device,
-         Phrase::of("By the readings alone the device is congruent: (O1 − O2)/2 and the radii agree."),
-         Phrase::of("By the readings alone the device is not congruent: (O1 − O2)/2 or the radii differ."));
+    addTest(
+        *congruence.device,
+        Phrase::of("By the readings alone the device is congruent: (O1 − O2)/2 and the radii agree."),
+        Phrase::of("By the readings alone the device is not congruent: (O1 − O2)/2 or the radii differ."));
   if (congruence.setUp)
-    told(*congruence.setUp, Phrase::of("O1 and O2 have not moved, seen from the theodolite."),
-         Phrase::of("O1 and O2 have moved, seen from the theodolite, as they do after every new set-up."));
+    addTest(*congruence.setUp, Phrase::of("O1 and O2 have not moved, seen from the theodolite."),
+            Phrase::of("O1 and O2 have moved, seen from the theodolite, as they do after every new set-up."));
   return sentences;
 }
 

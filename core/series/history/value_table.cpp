@@ -118,7 +118,7 @@ class Reader {
     if (m_content.values.empty())
       return Problem{
           Phrase::of("holds no value: each line has a date, a value and its standard uncertainty")};
-    settleYears();
+    unifyYears();
     return std::move(m_content);
   }
 
@@ -177,7 +177,7 @@ class Reader {
   }
 
   /// Assigns columns that no name identifies, by the first row of values.
-  void settleColumns(const CsvRow& row) {
+  void assignColumns(const CsvRow& row) {
     m_hasColumns = true;
     const auto firstFree = [&](const auto& fits) -> std::optional<std::size_t> {
       for (std::size_t i = 0; i < row.cells.size(); ++i)
@@ -216,7 +216,7 @@ class Reader {
     if (hasCommasInNumbers(row))
       return at(row, nullptr,
                 Phrase::of("has commas between and within its numbers: separate the numbers by semicolons"));
-    if (!m_hasColumns) settleColumns(row);
+    if (!m_hasColumns) assignColumns(row);
     if (!m_columns.date)
       return at(row, nullptr,
                 Phrase::of("has no date: write year-month-day, year-month, a year or a decimal year"));
@@ -271,7 +271,7 @@ class Reader {
                        [](const CsvCell& cell) { return static_cast<bool>(parseWhole(cell.text)); });
   }
 
-  void settleYears() {
+  void unifyYears() {
     using Form = HistoryDate::Form;
     const auto isDecimal = [](const HistoryDate& date) { return date.form == Form::DecimalYear; };
     if (std::ranges::none_of(m_dates, isDecimal)) return;

@@ -122,7 +122,7 @@ class CheckFiles {
     nameStations(recordings);
     for (m_file = 0; m_file < m_files.size(); ++m_file)
       if (auto problem = take(recordings[m_file])) return *std::move(problem);
-    tellOfFaces();
+    reportFaces();
     return std::move(m_result);
   }
 
@@ -339,7 +339,7 @@ class CheckFiles {
     return cosine > 0 ? sighting.distanceM / cosine : 0;
   }
 
-  void tellOfFaces() {
+  void reportFaces() {
     if (m_otherFaces > 0)
       m_result.remarks.push_back(Phrase::of(
           "rows whose stated face contradicts their vertical circle: %1; the circle is used", m_otherFaces));

@@ -41,20 +41,20 @@ class StationFindings {
   StationFindings(const StationCheck& station, bool isNamed, std::vector<Finding>& findings)
       : m_station(station), m_isNamed(isNamed), m_findings(findings) {}
 
-  void tell() {
+  void report() {
     if (!m_station.parted.empty()) add(Severity::Warning, m_station.parted);
-    tellLeftOut();
-    tellExtent();
+    reportLeftOut();
+    reportExtent();
     if (m_station.pairs() == 0) return;
-    tellIdentical();
-    tellIndex();
+    reportIdentical();
+    reportIndex();
     if (m_station.circles == CheckCircles::Both) {
-      tellTilt();
-      tellDistance();
+      reportTilt();
+      reportDistance();
     }
-    tellCircles();
-    tellTargets();
-    tellCourse();
+    reportCircles();
+    reportTargets();
+    reportCourse();
   }
 
  private:
@@ -64,18 +64,19 @@ class StationFindings {
                           remedy});
   }
 
-  void tellLeftOut() {
-    tellRounds();
-    tellKind(LeftOut::RareTarget,
-             PHRASE_LATER("Phrase", "Targets missing from most rounds are not used: %1."));
-    tellKind(LeftOut::OneFace, PHRASE_LATER("Phrase", "Sighted in one face only and not used: %1."));
-    tellKind(LeftOut::FarApart,
-             PHRASE_LATER("Phrase", "The faces differ by more than 2° (different targets, or misread): %1."));
-    tellKind(LeftOut::Repeated,
-             PHRASE_LATER("Phrase", "Sighted several times in one face of a round, and averaged: %1."));
+  void reportLeftOut() {
+    reportRounds();
+    reportKind(LeftOut::RareTarget,
+               PHRASE_LATER("Phrase", "Targets missing from most rounds are not used: %1."));
+    reportKind(LeftOut::OneFace, PHRASE_LATER("Phrase", "Sighted in one face only and not used: %1."));
+    reportKind(
+        LeftOut::FarApart,
+        PHRASE_LATER("Phrase", "The faces differ by more than 2° (different targets, or misread): %1."));
+    reportKind(LeftOut::Repeated,
+               PHRASE_LATER("Phrase", "Sighted several times in one face of a round, and averaged: %1."));
   }
 
-  void tellRounds() {
+  void reportRounds() {
     std::vector<std::string> rounds;
     for (const LeftOutReadings& left : m_station.leftOut)
       if (left.why == LeftOut::IncompleteRound)
@@ -85,7 +86,7 @@ class StationFindings {
           Phrase::of("Rounds without both faces of every target are not used: %1.", firstOf(rounds)));
   }
 
-  void tellKind(LeftOut why, const char* sentence) {
+  void reportKind(LeftOut why, const char* sentence) {
     std::vector<std::string> places;
     for (const LeftOutReadings& left : m_station.leftOut)
       if (left.why == why)
@@ -103,7 +104,7 @@ class StationFindings {
     return Phrase::of("%1 and %2 more", listed(entries), more);
   }
 
-  void tellExtent() {
+  void reportExtent() {
     if (m_station.pairs() == 0) {
       return add(
           Severity::Warning, Phrase::of("There is no complete round, with each target in both faces."),
@@ -130,7 +131,7 @@ class StationFindings {
               displayText(m_station.direction.dof, 0)));
   }
 
-  void tellCircles() {
+  void reportCircles() {
     if (m_station.circles == CheckCircles::HorizontalOnly)
       add(Severity::Note, Phrase::of("Only directions were read: the collimation applies to targets near the "
                                      "horizon; index and zenith angles are not evaluated."));
@@ -139,7 +140,7 @@ class StationFindings {
           Phrase::of("Only zenith angles were read: collimation and directions are not evaluated."));
   }
 
-  void tellIdentical() {
+  void reportIdentical() {
     if (m_station.vertical.dof + m_station.direction.dof > 0 && m_station.direction.sumOfSquares == 0 &&
         m_station.vertical.sumOfSquares == 0)
       add(Severity::Warning, Phrase::of("All rounds are identical: s is 0."),
@@ -147,7 +148,7 @@ class StationFindings {
   }
 
   /// Question c) of ISO 17123-3: does the index differ from zero?
-  void tellIndex() {
+  void reportIndex() {
     const PairMean& index = m_station.index;
     if (!(index.u > 0)) return;
     const double p = twoSidedStudent(index.value, index.u, index.dof);
@@ -157,9 +158,9 @@ class StationFindings {
                                      withU(index.value, index.u, "″"), probability(p)));
   }
 
-  void tellTilt() {
+  void reportTilt() {
     constexpr double spread = 0.5;  // degrees of elevation: from this spread on, a tilt is sought
-    if (m_station.causes.tilt) return tellStatedTilt(*m_station.causes.tilt);
+    if (m_station.causes.tilt) return reportStatedTilt(*m_station.causes.tilt);
     if (!(m_station.highestDeg - m_station.lowestDeg > spread))
       return add(Severity::Note,
                  Phrase::of("All targets lie at about the same elevation (%1° to %2°): a tilt of the "
@@ -175,8 +176,8 @@ class StationFindings {
         Phrase::of("Sight a steep target as well."));
   }
 
-  void tellStatedTilt(const TwoCauses& tilt) {
-    if (m_station.causes.isEither) tellEither();
+  void reportStatedTilt(const TwoCauses& tilt) {
+    if (m_station.causes.isEither) reportEither();
     if (tilt.pValue < levelOfTests)
       add(Severity::Warning,
           Phrase::of(
@@ -184,7 +185,7 @@ class StationFindings {
               withU(tilt.other, tilt.uOther, "″"), probability(tilt.pValue), collimation()));
   }
 
-  void tellEither() {
+  void reportEither() {
     add(Severity::Warning,
         Phrase::of("With these targets, a tilt of the trunnion axis is indistinguishable from an offset of "
                    "the line of sight: the result states the one whose size is more usual."),
@@ -193,17 +194,17 @@ class StationFindings {
 
   std::string collimation() const { return withU(m_station.collimation.value, m_station.collimation.u, "″"); }
 
-  void tellDistance() {
+  void reportDistance() {
     const double nearest = m_station.nearestM;
     if (!(nearest > 0))
       return add(Severity::Note,
                  Phrase::of("Not all distances are known. An offset e of the line of sight from the axis "
                             "shows as e/D, which at short distances looks like collimation: half a "
                             "millimetre is 43″ at 2.4 m and 2″ at 50 m."));
-    if (m_station.causes.lineOfSight) return tellStatedOffset(*m_station.causes.lineOfSight);
+    if (m_station.causes.lineOfSight) return reportStatedOffset(*m_station.causes.lineOfSight);
     if (m_station.causes.isEither) return;
     const std::string half = arcsec(shownAt(nearest, halfMillimetre));
-    if (!std::isfinite(m_station.causes.offsetShows)) return tellSameDistance(half);
+    if (!std::isfinite(m_station.causes.offsetShows)) return reportSameDistance(half);
     add(Severity::Note,
         Phrase::of("An offset e of the line of sight from the axis shows as e/D and looks like collimation. "
                    "These distances (%1 to %2) cannot separate the two: half a millimetre, %3 at the nearest "
@@ -212,7 +213,7 @@ class StationFindings {
                    displayText(m_station.causes.offsetShows, 1)));
   }
 
-  void tellSameDistance(const std::string& half) {
+  void reportSameDistance(const std::string& half) {
     constexpr double farAway = 200;  // m; half a millimetre is then half an arcsecond
     if (m_station.nearestM < farAway)
       add(Severity::Note,
@@ -222,8 +223,8 @@ class StationFindings {
           Phrase::of("Sight targets at other distances as well."));
   }
 
-  void tellStatedOffset(const TwoCauses& sight) {
-    if (m_station.causes.isEither) tellEither();
+  void reportStatedOffset(const TwoCauses& sight) {
+    if (m_station.causes.isEither) reportEither();
     if (sight.pValue < levelOfTests)
       return add(Severity::Warning,
                  Phrase::of("The difference of the faces is proportional to 1/D: the line of sight is %1 "
@@ -237,7 +238,7 @@ class StationFindings {
                                    withU(sight.other, sight.uOther, " mm")));
   }
 
-  void tellTargets() {
+  void reportTargets() {
     if (m_station.targetsDifferP < levelOfTests && !m_station.causes.collimation)
       add(Severity::Note,
           Phrase::of("The collimation differs between targets by more than its scatter (%1): tilt of the "
@@ -245,18 +246,18 @@ class StationFindings {
                      probability(m_station.targetsDifferP)));
   }
 
-  void tellCourse() {
-    if (m_station.isCircleSetAnew)
+  void reportCourse() {
+    if (m_station.isCircleReset)
       add(Severity::Note, Phrase::of("The circle was reset between rounds, so a drift of the orientation "
                                      "between them does not show."));
-    tellSlope(m_station.orientationSlope,
-              PHRASE_LATER("Phrase", "The orientation drifts by %1 a round (%2)."));
-    tellSlope(m_station.collimationSlope,
-              PHRASE_LATER("Phrase", "The collimation drifts by %1 a round (%2)."));
-    tellSlope(m_station.indexSlope, PHRASE_LATER("Phrase", "The index drifts by %1 a round (%2)."));
+    reportSlope(m_station.orientationSlope,
+                PHRASE_LATER("Phrase", "The orientation drifts by %1 a round (%2)."));
+    reportSlope(m_station.collimationSlope,
+                PHRASE_LATER("Phrase", "The collimation drifts by %1 a round (%2)."));
+    reportSlope(m_station.indexSlope, PHRASE_LATER("Phrase", "The index drifts by %1 a round (%2)."));
   }
 
-  void tellSlope(const std::optional<RoundTrend>& slope, const char* sentence) {
+  void reportSlope(const std::optional<RoundTrend>& slope, const char* sentence) {
     if (slope && slope->pValue < levelOfTests)
       add(Severity::Warning,
           Phrase::of(sentence, withU(slope->perRound, slope->u, "″"), probability(slope->pValue)));
@@ -267,8 +268,8 @@ class StationFindings {
   std::vector<Finding>& m_findings;
 };
 
-void tellTest(const std::optional<SigmaTest>& test, const CheckScatter& scatter, const char* within,
-              const char* beyond, std::vector<Finding>& findings) {
+void reportTest(const std::optional<SigmaTest>& test, const CheckScatter& scatter, const char* within,
+                const char* beyond, std::vector<Finding>& findings) {
   if (!test) return;
   const std::string s = displayText(scatter.s(), 2) + "″", limit = displayText(test->limit, 2) + "″",
                     sigma = displayShortest(test->sigma) + "″", nu = displayText(scatter.dof, 0);
@@ -276,12 +277,12 @@ void tellTest(const std::optional<SigmaTest>& test, const CheckScatter& scatter,
                       Phrase::of(test->isWithin() ? within : beyond, s, sigma, limit, nu)});
 }
 
-void tellStations(const InstrumentCheck& check, std::vector<Finding>& findings) {
-  const auto tell = [&](double p, const char* sentence) {
+void reportStations(const InstrumentCheck& check, std::vector<Finding>& findings) {
+  const auto report = [&](double p, const char* sentence) {
     if (p < levelOfTests) findings.push_back({Severity::Warning, Phrase::of(sentence, probability(p))});
   };
   for (const TwoSamples& sample : check.samples) {
-    const auto tellSample = [&](double p, const char* ofTwo, const char* ofSeveral) {
+    const auto reportSample = [&](double p, const char* ofTwo, const char* ofSeveral) {
       if (!(p < levelOfTests)) return;
       findings.push_back(
           {Severity::Warning,
@@ -289,22 +290,23 @@ void tellStations(const InstrumentCheck& check, std::vector<Finding>& findings) 
                ? Phrase::of(ofSeveral, quotation(sample.first), probability(p))
                : Phrase::of(ofTwo, quotation(sample.first), quotation(sample.second), probability(p))});
     };
-    tellSample(
+    reportSample(
         sample.directionP,
         PHRASE_LATER("Phrase", "s of a direction is not the same at stations %1 and %2 (F, %3)."),
         PHRASE_LATER("Phrase", "s of a direction at station %1 differs from that of the others (F, %2)."));
-    tellSample(
+    reportSample(
         sample.verticalP,
         PHRASE_LATER("Phrase", "s of a zenith angle is not the same at stations %1 and %2 (F, %3)."),
         PHRASE_LATER("Phrase", "s of a zenith angle at station %1 differs from that of the others (F, %2)."));
   }
-  tell(check.collimationsDifferP,
-       PHRASE_LATER("Phrase",
-                    "The collimation differs between stations by more than its scatter (%1): the collimation "
-                    "changed, or an effect that looks like it."));
-  tell(check.indicesDifferP,
-       PHRASE_LATER("Phrase",
-                    "The index differs between stations by more than its scatter (%1): it changed."));
+  report(
+      check.collimationsDifferP,
+      PHRASE_LATER("Phrase",
+                   "The collimation differs between stations by more than its scatter (%1): the collimation "
+                   "changed, or an effect that looks like it."));
+  report(check.indicesDifferP,
+         PHRASE_LATER("Phrase",
+                      "The index differs between stations by more than its scatter (%1): it changed."));
 }
 
 }  // namespace
@@ -319,25 +321,27 @@ std::string withU(double value, double u, const std::string& unit) {
 
 std::vector<Finding> checkFindings(const InstrumentCheck& check) {
   std::vector<Finding> findings;
-  tellTest(check.directionTest, check.direction,
-           PHRASE_LATER("Phrase",
-                        "s of a direction, %1, is no larger than the stated %2 (χ², 95 %: s up to %3 with %4 "
-                        "degrees of freedom)."),
-           PHRASE_LATER("Phrase",
-                        "s of a direction, %1, is larger than the stated %2 (χ², 95 %: s up to %3 with %4 "
-                        "degrees of freedom)."),
-           findings);
-  tellTest(check.verticalTest, check.vertical,
-           PHRASE_LATER("Phrase",
-                        "s of a zenith angle, %1, is no larger than the stated %2 (χ², 95 %: s up to %3 with "
-                        "%4 degrees of freedom)."),
-           PHRASE_LATER("Phrase",
-                        "s of a zenith angle, %1, is larger than the stated %2 (χ², 95 %: s up to %3 with %4 "
-                        "degrees of freedom)."),
-           findings);
-  tellStations(check, findings);
+  reportTest(
+      check.directionTest, check.direction,
+      PHRASE_LATER("Phrase",
+                   "s of a direction, %1, is no larger than the stated %2 (χ², 95 %: s up to %3 with %4 "
+                   "degrees of freedom)."),
+      PHRASE_LATER("Phrase",
+                   "s of a direction, %1, is larger than the stated %2 (χ², 95 %: s up to %3 with %4 "
+                   "degrees of freedom)."),
+      findings);
+  reportTest(
+      check.verticalTest, check.vertical,
+      PHRASE_LATER("Phrase",
+                   "s of a zenith angle, %1, is no larger than the stated %2 (χ², 95 %: s up to %3 with "
+                   "%4 degrees of freedom)."),
+      PHRASE_LATER("Phrase",
+                   "s of a zenith angle, %1, is larger than the stated %2 (χ², 95 %: s up to %3 with %4 "
+                   "degrees of freedom)."),
+      findings);
+  reportStations(check, findings);
   for (const StationCheck& station : check.stations)
-    StationFindings(station, check.stations.size() > 1, findings).tell();
+    StationFindings(station, check.stations.size() > 1, findings).report();
   return findings;
 }
 

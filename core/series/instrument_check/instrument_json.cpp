@@ -101,7 +101,7 @@ Json stationJson(const StationCheck& station) {
   json["drift"] = {{"collimation", slopeJson(station.collimationSlope)},
                    {"index", slopeJson(station.indexSlope)},
                    {"orientation", slopeJson(station.orientationSlope)}};
-  json["circle_set_anew"] = station.isCircleSetAnew;
+  json["circle_set_anew"] = station.isCircleReset;
   json["course"] = courseJson(station);
   json["by_target"] = targetsJson(station);
   json["left_out"] = Json::array();

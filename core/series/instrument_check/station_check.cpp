@@ -81,7 +81,7 @@ class StationEvaluation {
     m_check.causes = {};
     m_check.collimationSlope = m_check.orientationSlope = std::nullopt;
     m_check.targetsDifferP = unknown;
-    m_check.isCircleSetAnew = false;
+    m_check.isCircleReset = false;
     for (RoundCourse& round : m_check.course) round.collimation = round.orientation = unknown;
     for (TargetMean& target : m_check.perTarget) target.collimation = unknown;
     for (PairResidual& residual : m_check.residuals) residual.direction = unknown;
@@ -148,11 +148,11 @@ class StationEvaluation {
       for (std::size_t k = 0; k < targets(); ++k) sum += rows[j * targets() + k];
       turns[j] += sum / static_cast<double>(targets());
     }
-    constexpr double setAnew = 180;  // arcsec: a larger turn means a knocked tripod or a reset circle
+    constexpr double largestTurn = 180;  // arcsec: a larger turn means a knocked tripod or a reset circle
     const auto [least, most] = std::minmax_element(turns.begin(), turns.end());
-    m_check.isCircleSetAnew = *most - *least > setAnew;
+    m_check.isCircleReset = *most - *least > largestTurn;
     const double mean = meanOf(turns).value;
-    for (const double turn : turns) m_orientations.push_back(m_check.isCircleSetAnew ? unknown : turn - mean);
+    for (const double turn : turns) m_orientations.push_back(m_check.isCircleReset ? unknown : turn - mean);
   }
 
   void evaluateVerticals() {

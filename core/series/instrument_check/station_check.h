@@ -69,7 +69,7 @@ struct StationCheck {
   FaceCauses causes = {};
   double nearestM = 0, farthestM = 0;    ///< 0: not known for all targets
   double lowestDeg = 0, highestDeg = 0;  ///< elevations
-  bool isCircleSetAnew = false;          ///< the circle turned by more than 180″ between rounds
+  bool isCircleReset = false;            ///< the circle turned by more than 180″ between rounds
   std::optional<RoundTrend> collimationSlope, indexSlope, orientationSlope;
   double targetsDifferP = 1;  ///< probability that scatter alone makes c of targets differ so; NaN: unknown
   std::vector<RoundCourse> course;

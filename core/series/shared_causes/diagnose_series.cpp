@@ -91,15 +91,15 @@ DiagnosisOptions optionsFor(DiagnosisOptions options, const SeriesSession& sessi
 /// Reports progress, one call at a time.
 class Progress {
  public:
-  Progress(const SeriesOptions& options, std::size_t all) : m_tell(options.progress), m_all(all) {}
+  Progress(const SeriesOptions& options, std::size_t all) : m_report(options.progress), m_all(all) {}
   void step() {
-    if (!m_tell) return;
+    if (!m_report) return;
     const std::scoped_lock lock(m_mutex);
-    m_tell(++m_done, m_all);
+    m_report(++m_done, m_all);
   }
 
  private:
-  const std::function<void(std::size_t, std::size_t)>& m_tell;
+  const std::function<void(std::size_t, std::size_t)>& m_report;
   std::mutex m_mutex;
   std::size_t m_all, m_done = 0;
 };

@@ -12,11 +12,11 @@ namespace {
 int sessionsFor(double inOne) {
   constexpr double most = 99;
   return static_cast<int>(
-      std::clamp(std::ceil(std::pow(clearlyToldApart() / std::max(inOne, 1e-9), 2)), 1.0, most));
+      std::clamp(std::ceil(std::pow(clearlySeparated() / std::max(inOne, 1e-9), 2)), 1.0, most));
 }
 
 /// Advises further sessions if a cause is possible but still too faint.
-void addMore(SeriesDiagnosis& diagnosis, const SettledSeries& series) {
+void addMore(SeriesDiagnosis& diagnosis, const SearchedSeries& series) {
   constexpr double likely = 0.2, clear = 6;  // probability; combined σ from which a cause is named
   const auto best = std::ranges::find_if(
       series.sets, [](const SharedSet& set) { return !set.parts.empty() && !set.isShaped(); });
@@ -37,7 +37,7 @@ void addMore(SeriesDiagnosis& diagnosis, const SettledSeries& series) {
 
 }  // namespace
 
-void addAdvice(SeriesDiagnosis& diagnosis, const SettledSeries& series) {
+void addAdvice(SeriesDiagnosis& diagnosis, const SearchedSeries& series) {
   const auto serialsOf = [&](CauseOwner kind) {
     std::vector<std::string> serials;
     for (const SessionOwners& owner : series.owners) {

@@ -5,7 +5,7 @@
 
 namespace alidade {
 
-void addCandidates(SeriesDiagnosis& diagnosis, const SettledSeries& series) {
+void addCandidates(SeriesDiagnosis& diagnosis, const SearchedSeries& series) {
   for (const EffectBlock& block : series.blocks) {
     if (series.stop.stop_requested()) return;
     if (block.isPattern()) continue;

@@ -93,7 +93,7 @@ class Conclusion {
     search();
     m_best = m_sets.front();
     if (!m_stop.stop_requested()) choose();
-    if (!m_stop.stop_requested()) settle();
+    if (!m_stop.stop_requested()) refine();
     SeriesConclusion conclusion;
     SeriesDiagnosis& diagnosis = conclusion.diagnosis;
     for (std::size_t p = 0; p < m_best.parts.size(); ++p) {
@@ -108,12 +108,12 @@ class Conclusion {
     if (!diagnosis.pattern) diagnosis.pattern = patternOfMost();
     diagnosis.verdict = diagnosis.pattern ? DiagnosisVerdict::NotInCatalogue : verdictOf(diagnosis.causes);
     addSizes(diagnosis);
-    const SettledSeries settled{m_evidence, m_owners, m_names,  m_leftOut, m_stop,
-                                m_sums,     m_blocks, m_search, m_sets,    m_best};
-    addCandidates(diagnosis, settled);
-    addWhere(diagnosis, settled);
-    addUndetectable(diagnosis, settled);
-    addAdvice(diagnosis, settled);
+    const SearchedSeries searched{m_evidence, m_owners, m_names,  m_leftOut, m_stop,
+                                  m_sums,     m_blocks, m_search, m_sets,    m_best};
+    addCandidates(diagnosis, searched);
+    addWhere(diagnosis, searched);
+    addUndetectable(diagnosis, searched);
+    addAdvice(diagnosis, searched);
     conclusion.known = known();
     return conclusion;
   }
@@ -207,10 +207,10 @@ class Conclusion {
   }
 
   /// Determines for each part which sessions lack it, whether it drifts, and which its look-alikes are.
-  void settle() {
+  void refine() {
     m_apart.assign(m_best.parts.size(), {});
     for (std::size_t p = 0; p < m_best.parts.size(); ++p)
-      if (!m_best.parts[p].block.isPattern()) settle(p);
+      if (!m_best.parts[p].block.isPattern()) refine(p);
     for (std::size_t p = 0; p < m_best.parts.size(); ++p) {
       m_rivals.emplace_back();
       if (m_best.parts[p].block.isPattern()) continue;
@@ -222,7 +222,7 @@ class Conclusion {
   }
 
   /// Chooses between one size with some sessions excluded and a drifting size.
-  void settle(std::size_t p) {
+  void refine(std::size_t p) {
     const double better = std::log(3), eachApart = std::log(effectOdds());
     const EffectBlock drift = drifting(ofOneOwner(m_best.parts[p].block), m_owners);
     std::optional<SharedSet> moved;
@@ -312,7 +312,7 @@ class Conclusion {
       if (!isOther || (block.isPattern() && m_best.isShaped())) continue;
       if (2 * block.sessions.size() < part.block.sessions.size()) continue;
       const double difference = m_search.differenceFrom(part, block) / noise;
-      if (difference > clearlyToldApart()) continue;
+      if (difference > clearlySeparated()) continue;
       blocks[p] = block;
       // For a fair comparison, the block and the part are each added last to the other parts.
       std::vector<EffectBlock> own = blocksOf(m_best);
@@ -324,7 +324,7 @@ class Conclusion {
       if (!(with.parts.back().logGain > supported)) continue;
       const double odds = std::exp(std::min(with.logPosteriorOdds - as.logPosteriorOdds, 10.0));
       // A block with a size per session or owner fits almost any trace; only its odds count.
-      const bool isAlike = block.sizes == SizesKind::One && difference < hardlyToldApart();
+      const bool isAlike = block.sizes == SizesKind::One && difference < hardlySeparated();
       if (isAlike || odds > close) rivals.emplace_back(block, odds);
     }
     std::ranges::sort(rivals, [](const auto& a, const auto& b) { return a.second > b.second; });

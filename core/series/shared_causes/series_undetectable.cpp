@@ -6,7 +6,7 @@
 
 namespace alidade {
 
-void addUndetectable(SeriesDiagnosis& diagnosis, const SettledSeries& series) {
+void addUndetectable(SeriesDiagnosis& diagnosis, const SearchedSeries& series) {
   constexpr double negligible = 1e-3;  // mm
   for (const EffectColumns& columns : series.evidence.front().columns->effects()) {
     if (columns.effect->response == Response::AllOrNothing) continue;
@@ -28,7 +28,7 @@ void addUndetectable(SeriesDiagnosis& diagnosis, const SettledSeries& series) {
     if (columns.effect->response == Response::Bent)
       weights.tail(3) << along[0] * along[0] / 2, along[0] * along[1], along[1] * along[1] / 2;
     const double visible = std::sqrt(std::max(weights.dot(normal * weights), 0.0));
-    if (visible < clearlyToldApart())
+    if (visible < clearlySeparated())
       diagnosis.undetectable.push_back({std::string(columns.effect->id), moves, visible});
   }
   std::ranges::sort(diagnosis.undetectable, std::greater{}, &UndetectableEffect::influence);

@@ -9,7 +9,7 @@
 
 namespace alidade {
 
-void addWhere(SeriesDiagnosis& diagnosis, const SettledSeries& series) {
+void addWhere(SeriesDiagnosis& diagnosis, const SearchedSeries& series) {
   double left = 0, own = 0;
   std::map<std::string, double> ofInstruments, ofGuideways;
   std::vector<double> excess;

@@ -11,7 +11,7 @@
 namespace alidade {
 
 /// The input and the results of the search, from which all statements except the causes are derived.
-struct SettledSeries {
+struct SearchedSeries {
   const std::vector<SessionEvidence>& evidence;
   const std::vector<SessionOwners>& owners;
   const std::vector<std::string>& names;    ///< of the sessions
@@ -27,17 +27,17 @@ struct SettledSeries {
 };
 
 /// Adds how well each effect alone explains the sessions.
-void addCandidates(SeriesDiagnosis& diagnosis, const SettledSeries& series);
+void addCandidates(SeriesDiagnosis& diagnosis, const SearchedSeries& series);
 
 /// Adds the shares of the gap: by owner of the causes, by session, instrument and guideway.
-void addWhere(SeriesDiagnosis& diagnosis, const SettledSeries& series);
+void addWhere(SeriesDiagnosis& diagnosis, const SearchedSeries& series);
 
 /// Adds the effects that at plausible size would move the mean Δd of the sessions, but are undetectable in
 /// all sessions together.
-void addUndetectable(SeriesDiagnosis& diagnosis, const SettledSeries& series);
+void addUndetectable(SeriesDiagnosis& diagnosis, const SearchedSeries& series);
 
 /// Adds advice on the next session: one that separates look-alikes of different owners, or clarifies a faint
 /// cause.
-void addAdvice(SeriesDiagnosis& diagnosis, const SettledSeries& series);
+void addAdvice(SeriesDiagnosis& diagnosis, const SearchedSeries& series);
 
 }  // namespace alidade

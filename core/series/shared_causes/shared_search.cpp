@@ -77,7 +77,7 @@ EffectVector SharedPart::weightsIn(std::size_t index) const {
 }
 
 /// A block relative to a set: what the set leaves of its normal equations, and its products with the set's z.
-struct SharedSearch::Beside {
+struct SharedSearch::GivenSet {
   MatrixXd products, gram;
   VectorXd right;
 };
@@ -115,27 +115,27 @@ MatrixXd SharedSearch::across(const EffectBlock& a, const EffectBlock& b,
   return sum;
 }
 
-SharedSearch::Beside SharedSearch::beside(const SharedSet& set, const MatrixXd& posterior,
-                                          const EffectBlock& block, const std::vector<std::size_t>& accounts,
-                                          const Counts& counts) const {
+SharedSearch::GivenSet SharedSearch::given(const SharedSet& set, const MatrixXd& posterior,
+                                           const EffectBlock& block, const std::vector<std::size_t>& accounts,
+                                           const Counts& counts) const {
   Sums sums = sumsOf(block, accounts, counts);
-  Beside beside{MatrixXd::Zero(sums.right.size(), posterior.cols()), std::move(sums.normal),
-                std::move(sums.right)};
+  GivenSet result{MatrixXd::Zero(sums.right.size(), posterior.cols()), std::move(sums.normal),
+                  std::move(sums.right)};
   Index first = 0;
   for (const SharedPart& part : set.parts) {
     const MatrixXd products = across(block, part.block, accounts, counts);
-    beside.right -= products * part.weights;
-    beside.products.middleCols(first, part.slope.cols()) = products * part.slope;
+    result.right -= products * part.weights;
+    result.products.middleCols(first, part.slope.cols()) = products * part.slope;
     first += part.slope.cols();
   }
-  beside.gram -= beside.products * posterior * beside.products.transpose();
-  return beside;
+  result.gram -= result.products * posterior * result.products.transpose();
+  return result;
 }
 
 /// Extends the set's posterior by the block's weights (block matrix inversion).
 void SharedSearch::take(SharedSet& set, const EffectBlock& block, const Counts& counts) const {
   const Response response = block.columns().effect->response;
-  const Beside own = beside(set, set.covariance, block, set.accounts, counts);
+  const GivenSet own = given(set, set.covariance, block, set.accounts, counts);
   const RowMajor gram = own.gram;
   const ColumnGain gain = columnGain(response, spanOf(gram), spanOf(own.right), widths);
   SharedPart part{
@@ -287,7 +287,7 @@ std::vector<SharedSearch::Growth> SharedSearch::promising(const SharedSet& set) 
     std::vector<Growth> effects, patterns;
     for (std::size_t i = 0; i < m_blocks.size() && !m_stop.stop_requested(); ++i) {
       if (!mayTake(set, m_blocks[i])) continue;
-      const Beside own = beside(from, from.covariance, m_blocks[i], accounts, {});
+      const GivenSet own = given(from, from.covariance, m_blocks[i], accounts, {});
       const RowMajor gram = own.gram;
       const ColumnGain gain =
           columnGain(m_blocks[i].columns().effect->response, spanOf(gram), spanOf(own.right), widths);

@@ -87,9 +87,9 @@ class SharedSearch {
   Sums sumsOf(const EffectBlock& block, const std::vector<std::size_t>& accounts, const Counts& counts) const;
   Eigen::MatrixXd across(const EffectBlock& a, const EffectBlock& b, const std::vector<std::size_t>& accounts,
                          const Counts& counts) const;
-  struct Beside;
-  Beside beside(const SharedSet& set, const Eigen::MatrixXd& posterior, const EffectBlock& block,
-                const std::vector<std::size_t>& accounts, const Counts& counts) const;
+  struct GivenSet;
+  GivenSet given(const SharedSet& set, const Eigen::MatrixXd& posterior, const EffectBlock& block,
+                 const std::vector<std::size_t>& accounts, const Counts& counts) const;
   void take(SharedSet& set, const EffectBlock& block, const Counts& counts) const;
   std::vector<std::size_t> likeliestAccounts(const SharedSet& set, bool withPatterns) const;
   std::vector<Growth> promising(const SharedSet& set) const;

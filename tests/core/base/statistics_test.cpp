@@ -73,7 +73,7 @@ TEST(Statistics, TakesRoundingBelowZeroForZeroAndWhatIsNoSquareForUnknown) {
 }
 
 TEST(Statistics, HasDegreesOfFreedomOrNone) {
-  for (const double none : {0.0, -3.0, std::nan("")}) EXPECT_FALSE(DegreesOfFreedom(none).areThere());
+  for (const double none : {0.0, -3.0, std::nan("")}) EXPECT_FALSE(DegreesOfFreedom(none).isPositive());
   EXPECT_EQ(DegreesOfFreedom(14).count(), 14);
   EXPECT_TRUE(DegreesOfFreedom::infinite().areInfinite());
 }

@@ -36,8 +36,8 @@ TEST(GeoComMessage, ChecksItsChecksum) {
 }
 
 TEST(GeoComMessage, KnowsWhichCodesAreVouchedFor) {
-  for (const int code : {0, 1285}) EXPECT_TRUE(isVouchedFor(code)) << code;
-  for (const int code : {1283, 1284, 1288, 1289, 1290}) EXPECT_FALSE(isVouchedFor(code)) << code;
+  for (const int code : {0, 1285}) EXPECT_TRUE(isGuaranteed(code)) << code;
+  for (const int code : {1283, 1284, 1288, 1289, 1290}) EXPECT_FALSE(isGuaranteed(code)) << code;
 }
 
 TEST(GeoComMessage, PassesOverNoiseBeforeAnAnswerAndHalfAnAnswer) {

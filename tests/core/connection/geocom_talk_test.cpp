@@ -21,7 +21,7 @@ struct GeoComBench {
   explicit GeoComBench(const TalkCircles& circles = {}) : talk(circles) {}
 
   void answerLast(const std::string& rest) {
-    const auto question = geoComQuestion(bench.told());
+    const auto question = geoComQuestion(bench.takeSent());
     ASSERT_TRUE(question);
     bench.receive("%R1P,0," + std::to_string(*question->transaction) + ":" + rest + "\r\n");
   }
@@ -54,7 +54,7 @@ TEST(GeoComTalk, WakesTheInstrumentAndKnowsIt) {
   EXPECT_EQ(geocom.talk.identity().serial, "123456");
   EXPECT_EQ(geocom.talk.identity().software, "9.10.1");
   EXPECT_EQ(geocom.talk.identity().temperatureC, "24");
-  EXPECT_TRUE(geocom.bench.told().empty());
+  EXPECT_TRUE(geocom.bench.takeSent().empty());
   EXPECT_TRUE(geocom.bench.remarks.empty());
   EXPECT_FALSE(geocom.talk.wakeAt());
 }
@@ -62,7 +62,7 @@ TEST(GeoComTalk, WakesTheInstrumentAndKnowsIt) {
 TEST(GeoComTalk, TheFirstQuestionMayBeLost) {
   GeoComBench geocom;
   geocom.bench.keep(geocom.talk.begin(0));
-  EXPECT_EQ(geocom.bench.told(), "%R1Q,0,1:\r\n");
+  EXPECT_EQ(geocom.bench.takeSent(), "%R1Q,0,1:\r\n");
   geocom.bench.wait(*geocom.talk.wakeAt());
   EXPECT_EQ(geocom.bench.sent, "%R1Q,0,2:\r\n");
   geocom.answerLast("0");
@@ -101,7 +101,7 @@ TEST(GeoComTalk, TakesItWhereverTheBytesAreSplit) {
     GeoComBench geocom;
     geocom.wake();
     geocom.askForAngles();
-    const auto question = geoComQuestion(geocom.bench.told());
+    const auto question = geoComQuestion(geocom.bench.takeSent());
     std::string bytes = answer;
     bytes[7] = std::to_string(*question->transaction)[0];
     geocom.bench.receive(bytes.substr(0, split));
@@ -153,13 +153,13 @@ TEST(GeoComTalk, ALateOrDoubleAnswerIsNoSecondReading) {
   GeoComBench geocom;
   geocom.wake();
   geocom.askForAngles();
-  const std::string late =
-      "%R1P,0," + std::to_string(*geoComQuestion(geocom.bench.told())->transaction) + ":" + angles + "\r\n";
+  const std::string late = "%R1P,0," + std::to_string(*geoComQuestion(geocom.bench.takeSent())->transaction) +
+                           ":" + angles + "\r\n";
   geocom.bench.wait(6000);
   geocom.bench.receive(late);
   EXPECT_TRUE(geocom.bench.readings.empty()) << "nobody waits for it any more";
-  const std::string good =
-      "%R1P,0," + std::to_string(*geoComQuestion(geocom.bench.told())->transaction) + ":" + angles + "\r\n";
+  const std::string good = "%R1P,0," + std::to_string(*geoComQuestion(geocom.bench.takeSent())->transaction) +
+                           ":" + angles + "\r\n";
   geocom.bench.receive(good + good);
   geocom.bench.receive(late);
   EXPECT_EQ(geocom.bench.readings.size(), 1U);
@@ -185,9 +185,10 @@ TEST(GeoComTalk, AWrongChecksumIsAskedAgainAndARightOnePasses) {
   geocom.wake();
   geocom.askForAngles();
   const auto answer = [&](int change) {
-    const std::string told = "%R1P,0," + std::to_string(*geoComQuestion(geocom.bench.told())->transaction);
-    const int sum = geoComChecksum(told + ":" + angles) ^ change;
-    geocom.bench.receive(told + "," + std::to_string(sum) + ":" + angles + "\r\n");
+    const std::string reply =
+        "%R1P,0," + std::to_string(*geoComQuestion(geocom.bench.takeSent())->transaction);
+    const int sum = geoComChecksum(reply + ":" + angles) ^ change;
+    geocom.bench.receive(reply + "," + std::to_string(sum) + ":" + angles + "\r\n");
   };
   answer(1);
   EXPECT_TRUE(geocom.bench.readings.empty());
@@ -201,7 +202,7 @@ TEST(GeoComTalk, ChecksumsThatNeverFitEndInASentence) {
   geocom.wake();
   geocom.askForAngles();
   for (int i = 0; i < 3; ++i)
-    geocom.bench.receive("%R1P,0," + std::to_string(*geoComQuestion(geocom.bench.told())->transaction) +
+    geocom.bench.receive("%R1P,0," + std::to_string(*geoComQuestion(geocom.bench.takeSent())->transaction) +
                          ",7:" + angles + "\r\n");
   EXPECT_TRUE(geocom.bench.readings.empty());
   EXPECT_TRUE(geocom.bench.said("The answers of the instrument were corrupted 3 times."));
@@ -217,8 +218,8 @@ TEST(GeoComTalk, AReadingSaysItsCodeAndWhetherTheInstrumentVouchesForIt) {
     ASSERT_EQ(geocom.bench.readings.size(), 1U) << code;
     const InstrumentReading& reading = geocom.bench.readings[0];
     EXPECT_EQ(reading.returnCode, code);
-    const bool isVouchedFor = code == std::string("0") || code == std::string("1285");
-    EXPECT_EQ(reading.reservation.empty(), isVouchedFor) << code;
+    const bool isGuaranteed = code == std::string("0") || code == std::string("1285");
+    EXPECT_EQ(reading.reservation.empty(), isGuaranteed) << code;
     EXPECT_EQ(reading.serial, "123456");
   }
 }

@@ -22,7 +22,7 @@ struct GsiBench {
 TEST(GsiTalk, TakesAPushedBlockAndAcknowledgesIt) {
   GsiBench gsi;
   gsi.bench.receive(wide + "\r\n");
-  EXPECT_EQ(gsi.bench.told(), "?\r\n");
+  EXPECT_EQ(gsi.bench.takeSent(), "?\r\n");
   ASSERT_EQ(gsi.bench.readings.size(), 1U);
   EXPECT_EQ(gsi.bench.readings[0].horizontal, "249°43'03.0\"");
   EXPECT_EQ(gsi.bench.readings[0].vertical, "83°36'23.7\"");
@@ -40,7 +40,7 @@ TEST(GsiTalk, TakesBlocksOfEitherWidthWithEitherEndWhereverTheyAreSplit) {
       ASSERT_EQ(gsi.bench.readings.size(), 2U) << "split at " << split;
       EXPECT_EQ(gsi.bench.readings[1].horizontal, "179.20860gon");
       EXPECT_EQ(gsi.bench.readings[1].vertical, "100.12345gon");
-      EXPECT_EQ(gsi.bench.told(), "?\r\n?\r\n");
+      EXPECT_EQ(gsi.bench.takeSent(), "?\r\n?\r\n");
       EXPECT_TRUE(gsi.bench.remarks.empty());
     }
   }
@@ -52,7 +52,7 @@ TEST(GsiTalk, ABlockThatComesAgainIsAcknowledgedAgainAndTakenOnce) {
     gsi.bench.receive(wide + "\r\n");
     gsi.bench.wait(3000);
   }
-  EXPECT_EQ(gsi.bench.told(), "?\r\n?\r\n?\r\n");
+  EXPECT_EQ(gsi.bench.takeSent(), "?\r\n?\r\n?\r\n");
   EXPECT_EQ(gsi.bench.readings.size(), 1U);
   EXPECT_TRUE(gsi.bench.said("used once"));
   gsi.bench.wait(30000);
@@ -68,7 +68,7 @@ TEST(GsiTalk, ASpoiledBlockIsNotAcknowledgedSoThatItComesAgain) {
         std::string("11....+00000001 81..00+00000001")}) {
     GsiBench gsi;
     gsi.bench.receive(spoiled + "\r\n");
-    EXPECT_TRUE(gsi.bench.told().empty()) << spoiled;
+    EXPECT_TRUE(gsi.bench.takeSent().empty()) << spoiled;
     EXPECT_TRUE(gsi.bench.readings.empty()) << spoiled;
     EXPECT_EQ(gsi.bench.remarks.size(), 1U) << spoiled;
     gsi.bench.receive(wide + "\r\n");
@@ -87,9 +87,9 @@ TEST(GsiTalk, AsksForAReadingAndDoesNotAcknowledgeTheAnswer) {
   GsiBench gsi;
   for (int i = 1; i <= 2; ++i) {
     gsi.bench.keep(gsi.talk.take(gsi.bench.now));
-    EXPECT_EQ(gsi.bench.told(), "GET/M/WI21/WI22\r\n");
+    EXPECT_EQ(gsi.bench.takeSent(), "GET/M/WI21/WI22\r\n");
     gsi.bench.receive("21.324+24943030 22.324+27623370 \r\n");
-    EXPECT_TRUE(gsi.bench.told().empty());
+    EXPECT_TRUE(gsi.bench.takeSent().empty());
     EXPECT_EQ(gsi.bench.readings.size(), static_cast<std::size_t>(i)) << "asked for twice, taken twice";
   }
   EXPECT_EQ(gsi.bench.readings[0].face, 2);
@@ -99,10 +99,10 @@ TEST(GsiTalk, AsksForTheSerialNumberOnce) {
   for (const char* answer : {"12....+00640054 \r\n", "*12....+0000000000640054 \r\n"}) {
     GsiBench gsi;
     gsi.bench.keep(gsi.talk.begin(0));
-    EXPECT_EQ(gsi.bench.told(), "GET/I/WI12\r\n");
+    EXPECT_EQ(gsi.bench.takeSent(), "GET/I/WI12\r\n");
     gsi.bench.receive(answer);
     EXPECT_EQ(gsi.talk.identity().serial, "640054");
-    EXPECT_TRUE(gsi.bench.told().empty()) << "an answer is not acknowledged";
+    EXPECT_TRUE(gsi.bench.takeSent().empty()) << "an answer is not acknowledged";
     gsi.bench.receive(wide + "\r\n");
     ASSERT_EQ(gsi.bench.readings.size(), 1U);
     EXPECT_EQ(gsi.bench.readings[0].serial, "640054");
@@ -132,7 +132,7 @@ TEST(GsiTalk, ReadsWhatTheDigitsSayOfCompensatorAndCorrections) {
   struct Case {
     const char *horizontal, *vertical, *corrections;
     std::optional<bool> isCompensated;
-    bool isVouchedFor;
+    bool isGuaranteed;
   };
   const Case cases[] = {
       {"21.324", "22.324", "inclination standing_axis collimation tilting_axis", true, true},
@@ -151,7 +151,7 @@ TEST(GsiTalk, ReadsWhatTheDigitsSayOfCompensatorAndCorrections) {
     ASSERT_TRUE(reading) << block;
     EXPECT_EQ(reading->corrections, one.corrections) << block;
     EXPECT_EQ(reading->isCompensated, one.isCompensated) << block;
-    EXPECT_EQ(reading->reservation.empty(), one.isVouchedFor) << block;
+    EXPECT_EQ(reading->reservation.empty(), one.isGuaranteed) << block;
     EXPECT_EQ(reading->returnCode, "") << block;
   }
 }

@@ -27,7 +27,7 @@ struct TalkBench {
     keep(talk.tick(now));
   }
   /// The bytes sent since the last call.
-  std::string told() { return std::exchange(sent, {}); }
+  std::string takeSent() { return std::exchange(sent, {}); }
   bool said(const std::string& part) const {
     for (const std::string& remark : remarks)
       if (remark.find(part) != std::string::npos) return true;
@@ -37,7 +37,7 @@ struct TalkBench {
 
 /// Runs both sides until neither sends anything more at this time.
 inline void exchange(TalkBench& bench, SimulatedInstrument& instrument) {
-  for (std::string said = bench.told(); !said.empty(); said = bench.told())
+  for (std::string said = bench.takeSent(); !said.empty(); said = bench.takeSent())
     bench.receive(instrument.receive(said));
 }
 

@@ -11,11 +11,11 @@ namespace {
 constexpr double arcsec = std::numbers::pi / 180 / 3600;
 
 TEST(KnownSizes, AreOfTheNumberTheyName) {
-  const EffectParameter* collimation = parameterMeant({.effect = "collimation", .unit = "arcsec"});
+  const EffectParameter* collimation = findParameter({.effect = "collimation", .unit = "arcsec"});
   ASSERT_TRUE(collimation);
   EXPECT_EQ(collimation->term, ErrorTerm::Collimation);
   const EffectParameter* tilt =
-      parameterMeant({.effect = "plane_tilt", .parameter = "tilt about y", .unit = "deg"});
+      findParameter({.effect = "plane_tilt", .parameter = "tilt about y", .unit = "deg"});
   ASSERT_TRUE(tilt);
   EXPECT_EQ(tilt->term, ErrorTerm::PlaneTiltY);
 }
@@ -27,7 +27,7 @@ TEST(KnownSizes, AreOfNothingElse) {
         KnownNumber{.effect = "collimation", .parameter = "tilt", .unit = "arcsec"},
         KnownNumber{.effect = "plane_tilt", .unit = "deg"},  // which of two?
         KnownNumber{.effect = "vertical_angle_relation", .unit = "-"}})
-    EXPECT_FALSE(parameterMeant(known)) << known.effect << known.parameter;
+    EXPECT_FALSE(findParameter(known)) << known.effect << known.parameter;
 }
 
 TEST(KnownSizes, AreOfEffectsThatHaveASize) {

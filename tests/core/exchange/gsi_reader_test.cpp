@@ -127,11 +127,11 @@ TEST(GsiReader, TellsOfWordsAndLinesThatNobodyNeeds) {
               "22.322+0000000009820000\n-- page 2 --\n21 March\n");
   EXPECT_THAT(recording.problems, IsEmpty());
   EXPECT_THAT(verticalsOf(recording), ElementsAre("88°16'49.0\"", "98.20000gon"));
-  for (const std::string told :
+  for (const std::string expected :
        {"the line “Job ARC7, 22.05.2026” is not used: line 1", "the text “86..+00300000”, no GSI word",
         "reflector height is not used: line 2", "the text “84.+0000”", "word 331", "the line “-- page 2 --”",
         "the line “21 March”", "neither 8 nor 16 characters, used unchanged: 1, first in line 2"})
-    EXPECT_THAT(recording.unused, Contains(HasSubstr(told)));
+    EXPECT_THAT(recording.unused, Contains(HasSubstr(expected)));
 }
 
 TEST(GsiReader, QuotesTheFirstLinesOfNoUseAndCountsTheOthers) {

@@ -154,10 +154,10 @@ TEST(SdrReader, TellsOfRecordsThatNobodyNeeds) {
   EXPECT_THAT(recording.problems, IsEmpty());
   ASSERT_EQ(recording.sightings.size(), 1u);
   EXPECT_EQ(recording.sightings[0].row.horizontal, "0.00000000°") << "a full turn";
-  for (const std::string told :
+  for (const std::string expected :
        {"the line “Job ARC7”", "a deleted record is not used: line 3", "collimation of the instrument (04)",
         "unknown type “66”", "the line “what”", "not raw (09ZZ)", "a set (12)", "(09MC)"})
-    EXPECT_THAT(recording.unused, Contains(HasSubstr(told)));
+    EXPECT_THAT(recording.unused, Contains(HasSubstr(expected)));
 }
 
 // Columns after names beyond ASCII: characters of Latin-1, bytes of GB 18030 (two for a character), bytes of

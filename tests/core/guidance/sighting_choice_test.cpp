@@ -107,7 +107,7 @@ TEST(SightingChoice, IsNotEnoughBeforeBothPositionsAreRead) {
   ASSERT_TRUE(chosen.choice);
   EXPECT_THAT(chosen.choice->soFar.named, testing::Contains("vertical_index"));
   EXPECT_FALSE(isEnough(chosen.choice->soFar));
-  EXPECT_EQ(chosen.choice->reason, SightingChoice::Reason::TellsMost);
+  EXPECT_EQ(chosen.choice->reason, SightingChoice::Reason::MostInformative);
   EXPECT_EQ(chosen.next().axisDeg, 180);
   SessionSoFar alone = chosen.choice->soFar;
   EXPECT_THAT(enoughSentence(alone), HasSubstr("do not exclude a further cause"));
@@ -147,7 +147,7 @@ TEST(SightingChoice, ReturnsToAnEarlyPlaceAndTheZeroBeforeTheEnd) {
   session.positions[1].zero.after.vertical = session.positions[1].zero.vertical;
   const Chosen third(session, protocol);
   ASSERT_TRUE(third.choice);
-  EXPECT_EQ(third.choice->reason, SightingChoice::Reason::TellsMost);
+  EXPECT_EQ(third.choice->reason, SightingChoice::Reason::MostInformative);
 }
 
 TEST(SightingChoice, IsToldWithWhatMayBeTheCase) {

@@ -58,10 +58,10 @@ TEST(InstrumentRecord, IsWrittenFromScratch) {
   EXPECT_EQ(Json::parse(writeInstrumentRecord(record)).dump(),
             R"({"format":"alidade-instrument","version":1,"serial":"1","date":"2026-03-01"})");
   const InstrumentRecord whole = *readInstrumentRecord(completeRecord().dump());
-  InstrumentRecord anew = whole;
-  anew.origin = {};
-  for (KnownSize& size : anew.known) size.origin = {};
-  EXPECT_EQ(*readInstrumentRecord(writeInstrumentRecord(anew)), whole);
+  InstrumentRecord copy = whole;
+  copy.origin = {};
+  for (KnownSize& size : copy.known) size.origin = {};
+  EXPECT_EQ(*readInstrumentRecord(writeInstrumentRecord(copy)), whole);
 }
 
 TEST(InstrumentRecord, NamesWhatIsNoRecordAtAll) {

@@ -13,7 +13,7 @@ namespace alidade {
 namespace {
 
 /// "0: z1 z2 1.1.1 1.1.2 | 180: …", point.round.face; zeros after the readings as Z.
-std::string told(const PlannedSighting& planned) {
+std::string shortText(const PlannedSighting& planned) {
   if (planned.isZero) return (planned.isAfter ? "Z" : "z") + std::to_string(planned.face);
   return std::to_string(planned.point) + "." + std::to_string(planned.round) + "." +
          std::to_string(planned.face);
@@ -27,7 +27,7 @@ std::string orderOf(const SightingProtocol& protocol) {
     if (planned.protocolPosition != position)
       text += (text.empty() ? "" : "| ") + std::to_string(planned.axisDeg) + ": ";
     position = planned.protocolPosition;
-    text += told(planned) + " ";
+    text += shortText(planned) + " ";
   }
   return text;
 }
@@ -175,9 +175,9 @@ TEST(SightingsInOrder, AreThoseOfTwentyFourPlaces) {
   protocol.positions = {{.axisDeg = 180, .rounds = {{false, {1, 2}}, {true, {1, 2}}}}};
   const auto sightings = sightingsInOrder(protocol);
   ASSERT_EQ(sightings.size(), 1u + 24 * 2 * 2);
-  EXPECT_EQ(told(sightings[48]), "24.1.2");
-  EXPECT_EQ(told(sightings[49]), "24.2.1");
-  EXPECT_EQ(told(sightings.back()), "1.2.2");
+  EXPECT_EQ(shortText(sightings[48]), "24.1.2");
+  EXPECT_EQ(shortText(sightings[49]), "24.2.1");
+  EXPECT_EQ(shortText(sightings.back()), "1.2.2");
 }
 
 /// A session with the given readings: "z1" a zero, else point.round.face, with x if it is excluded.
@@ -205,7 +205,7 @@ class Led {
   ProtocolProgress progress() const { return progressOf(m_session, m_protocol); }
   std::string next() const {
     const auto next = nextSighting(m_session);
-    return next ? std::to_string(next->planned.axisDeg) + ":" + told(next->planned) : "none";
+    return next ? std::to_string(next->planned.axisDeg) + ":" + shortText(next->planned) : "none";
   }
   Session& session() { return m_session; }
 
@@ -249,7 +249,7 @@ TEST(ProtocolProgress, CountsExcludedOnesAndWhatIsBesideTheProtocol) {
   led.zero(0).row(0, 1, 1, 1, true).row(0, 2).row(0, 2, 1, 2).row(0, 7);
   const ProtocolProgress progress = led.progress();
   EXPECT_EQ(progress.excluded, 1u);
-  EXPECT_EQ(progress.beside, 2u) << "point 2 in face 2, and point 7";
+  EXPECT_EQ(progress.unplanned, 2u) << "point 2 in face 2, and point 7";
   EXPECT_EQ(progress.taken, 2u) << "the zero and point 2";
   EXPECT_EQ(progress.left(), 5u);
   led.row(0, 1);

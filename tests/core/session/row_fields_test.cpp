@@ -55,14 +55,14 @@ TEST(RowFields, SurviveTheFile) {
 // A text that its rule refuses is reported at its place by both the session check and the single entry check.
 TEST(RowFields, AreCheckedByTheirRules) {
   const Session session = sessionOfOneRow(nonsense);
-  std::set<std::string> told;
+  std::set<std::string> reported;
   for (const Problem& problem : examine(session).problems)
-    if (problem.where.reading) told.insert(problem.where.field);
+    if (problem.where.reading) reported.insert(problem.where.field);
   for (const RowField& field : rowFields) {
     if (!field.text) continue;
     const bool isRefused = entryProblem(field, nonsense, VerticalCircle::Zenith).has_value();
     EXPECT_NE(isRefused, isFreeText(field)) << field.key;
-    EXPECT_EQ(told.contains(std::string(field.key)), isRefused) << field.key;
+    EXPECT_EQ(reported.contains(std::string(field.key)), isRefused) << field.key;
     const std::string name = "readings." + std::string(field.key);
     EXPECT_EQ(entryProblem(session, name, nonsense).has_value(), isRefused) << field.key;
   }
@@ -135,12 +135,12 @@ TEST(RowFields, OfTheCompensatorAreWrittenWhereTheyAre) {
   session.positions[0].readings[0].horizontal = "1°";
   session.positions[0].readings[0].vertical = "90°";
   EXPECT_THAT(writeSession(session), testing::Not(testing::HasSubstr("tilt")));
-  EXPECT_FALSE(tellsOfCompensator(session));
+  EXPECT_FALSE(hasCompensatorTexts(session));
   Reading& row = session.positions[0].readings[0];
   row.tiltCrossArcsec = "-12.50";
   row.tiltLengthArcsec = "4";
   row.corrections = "none";
-  EXPECT_TRUE(tellsOfCompensator(session));
+  EXPECT_TRUE(hasCompensatorTexts(session));
   const std::string file = writeSession(session);
   EXPECT_THAT(file, testing::HasSubstr(
                         R"("tilt_cross_arcsec": -12.5, "tilt_length_arcsec": 4, "corrections": "none")"));

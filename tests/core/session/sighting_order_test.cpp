@@ -14,14 +14,14 @@ Reading row(int point, int round = 1, int face = 1) {
   return reading;
 }
 
-std::string told(const Reading& reading) {
+std::string shortText(const Reading& reading) {
   return reading.point + "/" + (reading.round.empty() ? "1" : reading.round) + "/" +
          (reading.face.empty() ? "1" : reading.face);
 }
 
-std::string told(const std::vector<Reading>& rows) {
+std::string shortText(const std::vector<Reading>& rows) {
   std::string text;
-  for (const Reading& reading : rows) text += told(reading) + " ";
+  for (const Reading& reading : rows) text += shortText(reading) + " ";
   return text;
 }
 
@@ -29,7 +29,7 @@ std::string after(std::vector<Reading> rows, std::vector<Reading> other = {}) {
   Session session = blankSession();
   session.positions[0].readings = std::move(other);
   session.positions[1].readings = std::move(rows);
-  return told(followingReading(session, 1));
+  return shortText(followingReading(session, 1));
 }
 
 TEST(FollowingReading, CountsOnInTheDirectionOfTheLastTwo) {
@@ -50,7 +50,7 @@ TEST(FollowingReading, GoesBackAsItCame) {
     Session session = blankSession();
     session.positions[0].readings = rows;
     rows.push_back(followingReading(session, 0));
-    order += told(rows.back()) + " ";
+    order += shortText(rows.back()) + " ";
   }
   EXPECT_EQ(order, "4/2/1 2/2/1 1/2/1 ");
 }
@@ -86,14 +86,14 @@ TEST(FollowingReading, TakesAnEmptyEntryForItsDefault) {
 
 TEST(FurtherRows, LieOutTheWayBackAndTheOtherFace) {
   const std::vector<Reading> rows{row(1), row(2), row(3)};
-  EXPECT_EQ(told(furtherRows(rows, FurtherRows::WayBack)), "3/2/1 2/2/1 1/2/1 ");
-  EXPECT_EQ(told(furtherRows(rows, FurtherRows::WayBackInTwo)), "3/2/2 2/2/2 1/2/2 ");
-  EXPECT_EQ(told(furtherRows(rows, FurtherRows::AnotherRound)), "1/2/1 2/2/1 3/2/1 ");
+  EXPECT_EQ(shortText(furtherRows(rows, FurtherRows::WayBack)), "3/2/1 2/2/1 1/2/1 ");
+  EXPECT_EQ(shortText(furtherRows(rows, FurtherRows::WayBackInTwo)), "3/2/2 2/2/2 1/2/2 ");
+  EXPECT_EQ(shortText(furtherRows(rows, FurtherRows::AnotherRound)), "1/2/1 2/2/1 3/2/1 ");
 }
 
 TEST(FurtherRows, AreOfTheLastStretchAlone) {
   const std::vector<Reading> rows{row(1), row(2), row(2, 2, 2), row(1, 2, 2)};
-  EXPECT_EQ(told(furtherRows(rows, FurtherRows::WayBack)), "1/3/2 2/3/2 ");
+  EXPECT_EQ(shortText(furtherRows(rows, FurtherRows::WayBack)), "1/3/2 2/3/2 ");
 }
 
 TEST(FurtherRows, AreNoneWhereThereIsNothingToRepeat) {

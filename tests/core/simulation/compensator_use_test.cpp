@@ -83,7 +83,7 @@ TEST(CompensatorUse, TiltsAreKnownAsWellAsStated) {
     const auto known = examine(session).measurement->known;
     ASSERT_EQ(known.size(), 2U);
     for (const KnownNumber& number : known) {
-      const bool isAboutX = parameterMeant(number)->term == ErrorTerm::VerticalAxisTiltX;
+      const bool isAboutX = findParameter(number)->term == ErrorTerm::VerticalAxisTiltX;
       squares += std::pow((number.value - (isAboutX ? 200 : -200)) / number.sigma, 2);
       ++count;
     }

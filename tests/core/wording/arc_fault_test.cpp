@@ -19,7 +19,7 @@ TEST(ArcFaultInWords, CountsPlaces) {
 
 TEST(ArcFaultInWords, BlamesTheArcOrTheReadings) {
   EXPECT_THAT(textOf(ArcTooShort{Angle::fromDegrees(1.5)}), StartsWith("spans only 1.50° of arc"));
-  EXPECT_THAT(textOf(NothingTold{}), HasSubstr("misread"));
+  EXPECT_THAT(textOf(RadiusUndetermined{}), HasSubstr("misread"));
   EXPECT_THAT(textOf(PlacesOnALine{}), HasSubstr("straight line"));
 }
 
@@ -27,7 +27,7 @@ TEST(ArcFaultInWords, BlamesTheArcOrTheReadings) {
 TEST(ArcFaultInWords, IsTheEndOfASentenceWithoutItsStop) {
   for (const ArcFault& fault :
        {ArcFault(TooFewPlaces{}), ArcFault(PlacesRepeat{}), ArcFault(PlacesOnALine{}),
-        ArcFault(ArcTooShort{}), ArcFault(NothingTold{}), ArcFault(TooFewForPublished{}),
+        ArcFault(ArcTooShort{}), ArcFault(RadiusUndetermined{}), ArcFault(TooFewForPublished{}),
         ArcFault(NoUniqueSolution{}), ArcFault(NoPublishedCircle{})}) {
     EXPECT_THAT(textOf(fault), testing::AnyOf(StartsWith("has "), StartsWith("spans ")));
     EXPECT_THAT(textOf(fault), Not(testing::EndsWith(".")));

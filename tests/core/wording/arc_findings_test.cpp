@@ -12,7 +12,7 @@ std::string textOf(int axisDeg, What what) {
 }
 
 TEST(ArcFindingsInWords, NameTheirArc) {
-  EXPECT_EQ(textOf(180, NotSettled{60}),
+  EXPECT_EQ(textOf(180, NotConverged{60}),
             "180°: the fit did not converge within 60 iterations; its result is provisional.");
 }
 
@@ -41,7 +41,7 @@ TEST(ArcFindingsInWords, NameThreePairsOfRowsAtMost) {
 
 TEST(ArcFindingsInWords, AllSayWhatToDo) {
   for (const What& what :
-       {What(NotSettled{}), What(NothingChecks{}), What(ScattersMore{}), What(ScattersLess{}),
+       {What(NotConverged{}), What(NothingChecks{}), What(ScattersMore{}), What(ScattersLess{}),
         What(RadiusPoorlyKnown{}), What(RadiusFarFromNominal{}), What(ReadingsRepeat{{{0, 1}}})})
     EXPECT_FALSE(wordsOf(ArcFinding{0, what}).remedy.empty()) << what.index();
 }

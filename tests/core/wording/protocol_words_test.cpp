@@ -48,7 +48,7 @@ class Deviations : public ::testing::Test {
     row.horizontal = row.vertical = "90";
     row.excluded = isExcluded;
   }
-  std::string told() const { return deviationSentences(progressOf(session, protocol)); }
+  std::string sentences() const { return deviationSentences(progressOf(session, protocol)); }
 
   SightingProtocol protocol;
   Session session;
@@ -57,7 +57,7 @@ class Deviations : public ::testing::Test {
 TEST_F(Deviations, AreNoneWhileTheOrderIsKept) {
   read(1);
   read(2);
-  EXPECT_EQ(told(), "4 of 36 sightings are taken.");
+  EXPECT_EQ(sentences(), "4 of 36 sightings are taken.");
 }
 
 TEST_F(Deviations, NameWhatWasPassedOverOutOfTurnAndTakenAgain) {
@@ -66,7 +66,7 @@ TEST_F(Deviations, NameWhatWasPassedOverOutOfTurnAndTakenAgain) {
   read(3);
   read(4, true);
   EXPECT_EQ(
-      told(),
+      sentences(),
       "5 of 36 sightings are taken. Skipped: 0°: point 2. Taken out of order: 0°: point 3. Taken again: "
       "0°: point 4.");
 }
@@ -75,14 +75,14 @@ TEST_F(Deviations, CountTheSightingsBeyondSixAndThoseOfNoProtocol) {
   read(1);
   read(10);
   read(99);
-  EXPECT_EQ(told(),
+  EXPECT_EQ(sentences(),
             "4 of 36 sightings are taken. Skipped: 0°: point 2; 0°: point 3; 0°: point 4; 0°: point 5; 0°: "
             "point 6; 0°: point 7 and 2 more. One reading is not in the protocol.");
 }
 
 TEST_F(Deviations, NameAnExcludedSighting) {
   read(1, true);
-  EXPECT_EQ(told(), "2 of 36 sightings are taken. Excluded: 0°: point 1.");
+  EXPECT_EQ(sentences(), "2 of 36 sightings are taken. Excluded: 0°: point 1.");
 }
 
 }  // namespace

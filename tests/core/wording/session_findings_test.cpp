@@ -25,7 +25,7 @@ TEST(SessionFindingsInWords, StateTheirNumbers) {
 TEST(SessionFindingsInWords, NameTheArcOrThePosition) {
   EXPECT_THAT(wordsOf(ArcMissing{0, arc_fault::TooFewPlaces{2}}).text,
               StartsWith("The arc at 0° has readings of 2 places; "));
-  EXPECT_EQ(wordsOf(ArcMissing{180, arc_fault::NothingTold{}}).text.back(), '.');
+  EXPECT_EQ(wordsOf(ArcMissing{180, arc_fault::RadiusUndetermined{}}).text.back(), '.');
   EXPECT_THAT(wordsOf(PositionMissing{180}).text, HasSubstr("no usable position at 180°"));
 }
 

@@ -152,7 +152,7 @@ TEST(AddPosition, IsOfferedWhereOneIsMissing) {
   EXPECT_EQ(offers(open),
             QStringList({QStringLiteral("Measure 0° Again"), QStringLiteral("Measure 180° Again")}));
   ASSERT_TRUE(open->files().open(file.path()));
-  open.settle();
+  open.waitUntilIdle();
   EXPECT_EQ(shownTabs(tabs), QStringList({QStringLiteral("Axis at 0°"), QStringLiteral("180° missing")}));
   EXPECT_EQ(offers(open),
             QStringList({QStringLiteral("(Measure 0° Again)"), QStringLiteral("Add Position at 180°")}));
@@ -162,15 +162,15 @@ TEST(AddPosition, FollowsAnAxisThatIsTypedOver) {
   OpenWindow open;
   const auto& tabs = *open->findChild<PositionTabs*>();
   changeField(open->document(), {.position = 1, .field = "axis_deg"}, "90");
-  open.settle();
+  open.waitUntilIdle();
   EXPECT_EQ(shownTabs(tabs).last(), QStringLiteral("180° missing"));
   EXPECT_EQ(offers(open).last(), QStringLiteral("Add Position at 180°"));
   open->undo();
-  open.settle();
+  open.waitUntilIdle();
   EXPECT_EQ(shownTabs(tabs).last(), QStringLiteral("Axis at 180°"));
   EXPECT_EQ(offers(open).last(), QStringLiteral("Measure 180° Again"));
   changeField(open->document(), {.position = 1, .field = "axis_deg"}, "0");
-  open.settle();
+  open.waitUntilIdle();
   EXPECT_EQ(shownTabs(tabs), QStringList({QStringLiteral("Axis at 0°"), QStringLiteral("0° again"),
                                           QStringLiteral("180° missing")}));
 }
@@ -183,7 +183,7 @@ TEST(AddPosition, LeadsFromTheButtonToThePointingZeroAndBack) {
   tabs.showPosition(1);
   ASSERT_TRUE(addButton(open, 180).isVisible());
   addButton(open, 180).click();
-  open.settle();
+  open.waitUntilIdle();
   EXPECT_EQ(axesOf(open->document().session()), Axes({"0", "180"}));
   EXPECT_EQ(tabs.currentIndex(), 1);
   EXPECT_TRUE(open->findChild<QLineEdit*>(QStringLiteral("pointing_zero.horizontal 1"))->hasFocus());
@@ -192,13 +192,13 @@ TEST(AddPosition, LeadsFromTheButtonToThePointingZeroAndBack) {
   ASSERT_EQ(open->document().undoStack().count(), 2);
   open->undo();
   open->undo();
-  open.settle();
+  open.waitUntilIdle();
   EXPECT_EQ(axesOf(open->document().session()), Axes({"0"}));
   EXPECT_TRUE(addButton(open, 180).isVisible());
   EXPECT_EQ(open->currentTable(), nullptr);
   open->redo();
   open->redo();
-  open.settle();
+  open.waitUntilIdle();
   EXPECT_EQ(open->document().session().positions.at(1).readings.size(), 1u);
   EXPECT_EQ(open->currentTable(), tabs.table(1));
   EXPECT_FALSE(open->currentTable()->actions().isEmpty()) << "has its menu";
@@ -209,13 +209,13 @@ TEST(AddPosition, FillsASessionThatHasNone) {
   const QTemporaryDir folder;
   OpenWindow open;
   ASSERT_TRUE(open->files().open(file.path()));
-  open.settle();
+  open.waitUntilIdle();
   const auto& tabs = *open->findChild<PositionTabs*>();
   EXPECT_EQ(shownTabs(tabs), QStringList({QStringLiteral("0° missing"), QStringLiteral("180° missing")}));
   EXPECT_TRUE(addButton(open, 0).isVisible());
   addAction(open, 180)->trigger();
   addAction(open, 0)->trigger();
-  open.settle();
+  open.waitUntilIdle();
   EXPECT_EQ(axesOf(open->document().session()), Axes({"0", "180"}));
   EXPECT_EQ(tabs.currentIndex(), 0);
   open.dialogs->savePath = folder.filePath(QStringLiteral("filled.alidade"));
@@ -224,7 +224,7 @@ TEST(AddPosition, FillsASessionThatHasNone) {
   ASSERT_TRUE(saved);
   EXPECT_EQ(*saved, open->document().session());
   open->document().undoStack().setIndex(0);
-  open.settle();
+  open.waitUntilIdle();
   EXPECT_EQ(shownTabs(tabs).size(), 2);
   EXPECT_EQ(open->currentTable(), nullptr);
 }

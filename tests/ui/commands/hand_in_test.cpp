@@ -48,7 +48,7 @@ TEST(HandIn, PassesOverWhatTheSessionDoesNotHave) {
 /// The journal lists the old value, as for an entry committed by key.
 TEST(HandIn, TellsTheJournalOfWhatStood) {
   SessionDocument document;
-  document.startWithStanding(paperSession());
+  document.startWithRecorded(paperSession());
   handIn(document, {{.place = {.position = 0, .reading = 4, .field = "vertical"}, .text = "88 1"}});
   ASSERT_EQ(document.session().journal.size(), 1u);
   EXPECT_EQ(document.session().journal[0].to, "88 1");

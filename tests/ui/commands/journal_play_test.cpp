@@ -83,7 +83,7 @@ class Player {
 
   JournalCheck checked() const { return checkJournal(*readSession(writeSession(m_document.session()))); }
   /// Opens the session as the next window does.
-  void reopen() { m_document.startWithStanding(*readSession(writeSession(m_document.session()))); }
+  void reopen() { m_document.startWithRecorded(*readSession(writeSession(m_document.session()))); }
   const Session& session() const { return m_document.session(); }
 
  private:
@@ -140,7 +140,7 @@ TEST(JournalOfPlay, HoldsAfterAnyEdits) {
       const JournalCheck check = player.checked();
       if (check.holds()) continue;
       for (const JournalContradiction& one : check.contradictions)
-        ADD_FAILURE() << "seed " << seed << ", step " << i << ": " << one.place << ": told " << one.told
+        ADD_FAILURE() << "seed " << seed << ", step " << i << ": " << one.place << ": told " << one.recorded
                       << ", held " << one.held;
       for (const CheckedSeal& seal : check.seals)
         EXPECT_NE(seal.state, CheckedSeal::State::Changed) << "seed " << seed << ", step " << i;

@@ -33,7 +33,7 @@ enum class Stage { Edited, Sealed, EditedOnce, EditedManyWays, SealedAgain };
 class Recorded {
  public:
   explicit Recorded(Stage stage) {
-    m_document.startWithStanding(paperSession());
+    m_document.startWithRecorded(paperSession());
     type(2, ReadingColumn::Vertical, "88 00 00");
     type(2, ReadingColumn::Vertical, "88 00 01");
     changeField(m_document, {.field = "geometry.distance_mm"}, "2406");
@@ -68,7 +68,7 @@ class Recorded {
     moveRows(m_document, 0, {8}, 1);
     changeField(m_document, {.position = 1, .field = "pointing_zero.vertical"}, "89 59 59");
     typeKnown(m_document, knownRows(m_document.session()).at(0), knownCells[1], "1.5");
-    m_document.startWithStanding(*readSession(writeSession(m_document.session())));
+    m_document.startWithRecorded(*readSession(writeSession(m_document.session())));
     type(9, ReadingColumn::Note, "gust");
     editor.setExcluded({1}, false);
   }
@@ -90,7 +90,7 @@ TEST_P(UnalteredJournal, Holds) {
   EXPECT_FALSE(check.broken);
   EXPECT_FALSE(check.backwards);
   for (const JournalContradiction& one : check.contradictions)
-    ADD_FAILURE() << one.place << ": told " << one.told << ", held " << one.held;
+    ADD_FAILURE() << one.place << ": told " << one.recorded << ", held " << one.held;
   for (const CheckedSeal& seal : check.seals) EXPECT_EQ(seal.state, State::Held) << seal.seal.revision;
 }
 
@@ -190,7 +190,7 @@ void remove(SessionDocument& document, const std::vector<std::size_t>& rows) {
 // higher rows.
 TEST(UnalteredJournalRows, MayBeDeletedInQuickSuccession) {
   SessionDocument document;
-  document.startWithStanding(paperSession());
+  document.startWithRecorded(paperSession());
   document.push(new SealSession(document, "R. Roe"));
   remove(document, {1, 2, 4});
   remove(document, {8, 9, 11});
@@ -201,7 +201,7 @@ TEST(UnalteredJournalRows, MayBeDeletedInQuickSuccession) {
 /// A sealed session with a deletion of rows that the journal lists in the order of version 0.
 Session inEarlierOrder() {
   SessionDocument document;
-  document.startWithStanding(paperSession());
+  document.startWithRecorded(paperSession());
   document.push(new SealSession(document, "R. Roe"));
   remove(document, {1, 2, 4});
   Session session = document.session();
@@ -222,7 +222,7 @@ TEST(UnalteredJournalRows, HoldInTheEarlierOrder) {
 
 TEST(UnalteredJournalRows, AreFoundBelowAnEmptyRowThatCameLater) {
   SessionDocument document;
-  document.startWithStanding(paperSession());
+  document.startWithRecorded(paperSession());
   remove(document, {8, 15});
   QTemporaryDir folder;
   ASSERT_FALSE(document.save(folder.filePath(QStringLiteral("s.alidade"))));
@@ -256,7 +256,7 @@ TEST(AlteredJournalRows, StayNamedWhenSealedAgain) {
   Json json = Recorded(Stage::EditedOnce).json();
   row(json, 1, 7)["horizontal"] = "1 00 00";
   SessionDocument document;
-  document.startWithStanding(*readSession(json.dump()));
+  document.startWithRecorded(*readSession(json.dump()));
   document.push(new SealSession(document, "S. Soe"));
   const JournalCheck check = checkJournal(*readSession(writeSession(document.session())));
   ASSERT_EQ(check.seals.size(), 2u);

@@ -43,7 +43,7 @@ QAction* deletion(OpenWindow& open) {
 TEST(RemovePosition, AsksBeforeTypedSightingsAreLost) {
   OpenWindow open;
   open->document().startWith(paperSession());
-  open.settle();
+  open.waitUntilIdle();
   open->hideStart();
   open->findChild<PositionTabs*>()->setCurrentIndex(1);
   ASSERT_TRUE(deletion(open));

@@ -73,11 +73,11 @@ TEST(Undo, BringsAnySequenceOfEditsBackAndForth) {
     const Session start = document.session();
     const std::string startText = writeSession(start);
     ReadingsModel model(document, 0);
-    int rowsTold = model.rowCount();
+    int rowsReported = model.rowCount();
     QObject::connect(&model, &ReadingsModel::rowsInserted,
-                     [&](const QModelIndex&, int first, int last) { rowsTold += last - first + 1; });
+                     [&](const QModelIndex&, int first, int last) { rowsReported += last - first + 1; });
     QObject::connect(&model, &ReadingsModel::rowsRemoved,
-                     [&](const QModelIndex&, int first, int last) { rowsTold -= last - first + 1; });
+                     [&](const QModelIndex&, int first, int last) { rowsReported -= last - first + 1; });
     RandomEdits edits(document, seed);
     for (int i = 0; i < 30; ++i) edits.make();
     const Session end = document.session();
@@ -88,7 +88,7 @@ TEST(Undo, BringsAnySequenceOfEditsBackAndForth) {
     document.undoStack().setIndex(steps);
     EXPECT_EQ(document.session(), end) << "seed " << seed;
     EXPECT_EQ(model.readingCount(), static_cast<int>(end.positions[0].readings.size()));
-    EXPECT_EQ(model.rowCount(), rowsTold);
+    EXPECT_EQ(model.rowCount(), rowsReported);
   }
 }
 

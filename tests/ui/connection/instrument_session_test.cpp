@@ -110,7 +110,7 @@ struct Bench {
 
   void start(const Session& session) {
     open->document().startWith(session);
-    open.settle();
+    open.waitUntilIdle();
   }
   void connectTo(const QString& path, Protocol protocol) {
     ConnectionSettings settings = usualConnection(protocol);

@@ -41,7 +41,7 @@ struct LandingWindow {
 
   explicit LandingWindow(const Session& session) {
     open->document().startWith(session);
-    open.settle();
+    open.waitUntilIdle();
   }
   /// Selects a tab as a user would, since an opened session starts with its first missing entry.
   void putInFront(std::size_t position) {

@@ -42,7 +42,7 @@ Session sightedInFull() {
 }
 
 /// The same session without readings, and a protocol for all of them.
-Session askedInFull(Session session) {
+Session plannedInFull(Session session) {
   SightingProtocol protocol = templateOf(planInFull());
   for (ProtocolPosition& position : protocol.positions) position.zeros.before = position.zeros.after = {1, 2};
   session.protocol = protocolText(protocol);
@@ -136,12 +136,12 @@ CableRun readByGeoCom(LandingWindow& window, Cable& cable) {
   CableRun run;
   cable.follow(cable.talk.begin(cable.now));
   for (int turn = 0; turn < 400 && !cable.instrument.isDone(); ++turn) {
-    const std::size_t told = cable.instrument.told();
+    const std::size_t before = cable.instrument.delivered();
     cable.readings.clear();
     cable.follow(cable.talk.take(cable.now));
     for (int i = 0; i < 200 && cable.talk.isTaking(); ++i) cable.wait(100);
     for (const InstrumentReading& reading : cable.readings)
-      answer(window, reading, cable.instrument.told() > told, run);
+      answer(window, reading, cable.instrument.delivered() > before, run);
   }
   return run;
 }
@@ -150,13 +150,13 @@ CableRun readByGsi(LandingWindow& window, Cable& cable) {
   CableRun run;
   cable.follow(cable.talk.begin(cable.now));
   for (int turn = 0; turn < 400 && !cable.instrument.isDone(); ++turn) {
-    const std::size_t told = cable.instrument.told();
+    const std::size_t before = cable.instrument.delivered();
     cable.readings.clear();
     const std::string sent = cable.instrument.record(cable.now);
     if (!sent.empty()) cable.follow(cable.talk.receive(sent, cable.now));
     for (int i = 0; i < 60; ++i) cable.wait(500);  // half a minute: no block counts as repeated
     for (const InstrumentReading& reading : cable.readings)
-      answer(window, reading, cable.instrument.told() > told, run);
+      answer(window, reading, cable.instrument.delivered() > before, run);
   }
   return run;
 }
@@ -165,9 +165,9 @@ const std::vector<InstrumentFault> everyInstrumentFault = {
     InstrumentFault::Garbage,       InstrumentFault::Cut,         InstrumentFault::Silent,
     InstrumentFault::Twice,         InstrumentFault::Busy,        InstrumentFault::Wrong,
     InstrumentFault::OtherFace,     InstrumentFault::Turned,      InstrumentFault::Again,
-    InstrumentFault::NotVouchedFor, InstrumentFault::OtherSerial, InstrumentFault::WrongChecksum};
+    InstrumentFault::NotGuaranteed, InstrumentFault::OtherSerial, InstrumentFault::WrongChecksum};
 
-std::size_t askedAbout(const std::vector<std::string>& questions, const char* part) {
+std::size_t questionsAbout(const std::vector<std::string>& questions, const char* part) {
   return static_cast<std::size_t>(std::ranges::count_if(
       questions, [part](const std::string& one) { return one.find(part) != std::string::npos; }));
 }
@@ -184,7 +184,7 @@ SimulatedOptions optionsOf(const Session& sent, InstrumentProtocol protocol) {
 TEST(ProtocolLanding, EverySightingByGeoComLandsWhereTheProtocolAsksForItWithEveryFault) {
   const Session sent = sightedInFull();
   ASSERT_EQ(sightingsOf(sent).size(), 80U);
-  LandingWindow window(askedInFull(sent));
+  LandingWindow window(plannedInFull(sent));
   GeoComTalk talk({});
   Cable cable{SimulatedInstrument(optionsOf(sent, InstrumentProtocol::GeoCom)), talk};
   const CableRun run = readByGeoCom(window, cable);
@@ -195,7 +195,7 @@ TEST(ProtocolLanding, EverySightingByGeoComLandsWhereTheProtocolAsksForItWithEve
               AllOf(HasSubstr("180°: pointing zero"), HasSubstr("has the axis been turned?")));
   for (const char* part : {"is asked for", "did the instrument send them again?", "Return code 128",
                            "serial number 2000002", "is it the right target?"})
-    EXPECT_GE(askedAbout(run.ofFaults, part), 2U) << part;
+    EXPECT_GE(questionsAbout(run.ofFaults, part), 2U) << part;
   for (const Position& position : window.session().positions) {
     EXPECT_EQ(position.zero.returnCode, "0");
     EXPECT_EQ(position.zero.afterInTwo.instrumentSerial, "1000001");
@@ -205,7 +205,7 @@ TEST(ProtocolLanding, EverySightingByGeoComLandsWhereTheProtocolAsksForItWithEve
 
 TEST(ProtocolLanding, EverySightingByGsiLandsWhereTheProtocolAsksForItWithEveryFault) {
   const Session sent = sightedInFull();
-  LandingWindow window(askedInFull(sent));
+  LandingWindow window(plannedInFull(sent));
   GsiTalk talk({});
   Cable cable{SimulatedInstrument(optionsOf(sent, InstrumentProtocol::Gsi)), talk};
   const CableRun run = readByGsi(window, cable);
@@ -214,7 +214,7 @@ TEST(ProtocolLanding, EverySightingByGsiLandsWhereTheProtocolAsksForItWithEveryF
   EXPECT_EQ(run.ofSound.size(), 1U);
   for (const char* part : {"is asked for", "did the instrument send them again?", "was keyed in",
                            "serial number 2000002", "is it the right target?"})
-    EXPECT_GE(askedAbout(run.ofFaults, part), 2U) << part;
+    EXPECT_GE(questionsAbout(run.ofFaults, part), 2U) << part;
   for (const Position& position : window.session().positions)
     for (const Reading& row : position.readings) {
       EXPECT_EQ(row.returnCode, "") << "GSI has none";
@@ -251,7 +251,7 @@ TEST(ProtocolLanding, AZeroAfterTheReadingsIsNotThatOfTheNextPosition) {
   EXPECT_GT(std::abs(intersectionOf(misplaced) - before), 0.1);
   RecordProperty("intersection_um", static_cast<int>(1000 * before));
   RecordProperty("misplaced_um", static_cast<int>(1000 * intersectionOf(misplaced)));
-  LandingWindow window(askedInFull(sent));
+  LandingWindow window(plannedInFull(sent));
   SimulatedOptions options{.sightings = sightingsOf(sent)};
   GeoComTalk talk({});
   Cable cable{SimulatedInstrument(options), talk};

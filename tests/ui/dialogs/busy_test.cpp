@@ -58,17 +58,17 @@ TEST(Busy, LetsTheWindowLiveWhileItWaits) {
 }
 
 TEST(Busy, LeavesTheWorkWhenTold) {
-  const auto told = std::make_shared<std::atomic<bool>>(false);
+  const auto stopped = std::make_shared<std::atomic<bool>>(false);
   Stopper stopper;
   Busy busy(nullptr, QStringLiteral("Reading…"));
-  const auto made = inBackground<int>(busy, [told](const std::stop_token& stop) {
+  const auto made = inBackground<int>(busy, [stopped](const std::stop_token& stop) {
     while (!stop.stop_requested()) std::this_thread::sleep_for(1ms);
-    *told = true;
+    *stopped = true;
     return 7;
   });
   EXPECT_FALSE(made);
   EXPECT_EQ(stopper.said, QStringLiteral("Reading…"));
-  EXPECT_TRUE(waitFor([&] { return told->load(); })) << "the work is told, too";
+  EXPECT_TRUE(waitFor([&] { return stopped->load(); })) << "the work is told, too";
 }
 
 TEST(Busy, LeavesNoFileHalfWritten) {

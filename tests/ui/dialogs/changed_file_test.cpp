@@ -111,7 +111,7 @@ TEST(SafeAnswers, AKeyDiscardsNothing) {
 
 TEST(SafeAnswers, AKeyDiscardsNothingThatIsToBeRecovered) {
   for (const Qt::Key key : answeringKeys) {
-    const QList<RecoveryOffer> offers{{.name = QStringLiteral("s"), .told = {}, .difference = {}}};
+    const QList<RecoveryOffer> offers{{.name = QStringLiteral("s"), .details = {}, .difference = {}}};
     EXPECT_NE(answerTo([&] { return RecoveryDialog(offers, nullptr).ask(); }, key).choice,
               RecoveryAnswer::Choice::Discard);
   }
@@ -125,13 +125,13 @@ TEST_F(ChangedFileTest, AsksBeforeItOverwritesWhatOthersWrote) {
   EXPECT_EQ(bytes(), theirs) << "cancelled";
   EXPECT_TRUE(window->document().isModified());
   ASSERT_EQ(window.dialogs->changedFiles.size(), 1);
-  const ChangedFile& asked = window.dialogs->changedFiles[0];
-  EXPECT_EQ(asked.name, QStringLiteral("s.alidade"));
-  ASSERT_TRUE(asked.difference);
-  ASSERT_EQ(asked.difference->count, 2u);
-  EXPECT_EQ(asked.difference->entries[0].where, QStringLiteral("title"));
-  EXPECT_EQ(asked.difference->entries[0].mine, QStringLiteral("mine"));
-  EXPECT_EQ(asked.difference->entries[1].theirs, QStringLiteral("theirs"));
+  const ChangedFile& shown = window.dialogs->changedFiles[0];
+  EXPECT_EQ(shown.name, QStringLiteral("s.alidade"));
+  ASSERT_TRUE(shown.difference);
+  ASSERT_EQ(shown.difference->count, 2u);
+  EXPECT_EQ(shown.difference->entries[0].where, QStringLiteral("title"));
+  EXPECT_EQ(shown.difference->entries[0].mine, QStringLiteral("mine"));
+  EXPECT_EQ(shown.difference->entries[1].theirs, QStringLiteral("theirs"));
   window.dialogs->changedFileAnswer = ChangedFileAnswer::Overwrite;
   EXPECT_TRUE(window->files().save());
   EXPECT_EQ(readSession(bytes())->title, "mine");

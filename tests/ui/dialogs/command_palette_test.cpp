@@ -37,7 +37,7 @@ void countCommands(const QMenu& menu, int& count) {
 TEST(CommandPalette, HoldsEveryCommandOfTheMenusThatCanBeGiven) {
   OpenWindow open;
   open->document().startWith(paperSession());
-  open.settle();
+  open.waitUntilIdle();
   const CommandPalette palette(*open->menuBar(), open.window.get());
   int count = 0;
   for (const QAction* action : open->menuBar()->actions()) {
@@ -67,7 +67,7 @@ TEST(CommandPalette, IsNarrowedDownByTheBeginningsOfWords) {
 TEST(CommandPalette, DoesWhatIsChosenWithTheKeyboard) {
   OpenWindow open;
   open->document().startWith(paperSession());
-  open.settle();
+  open.waitUntilIdle();
   CommandPalette palette(*open->menuBar(), open.window.get());
   QTimer::singleShot(0, &palette, [&] {
     auto* line = palette.findChild<QLineEdit*>();

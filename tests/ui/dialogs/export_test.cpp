@@ -34,7 +34,7 @@ class Export : public ::testing::Test {
   }
   void openSample(const QString& name) {
     ASSERT_TRUE(open->files().open(samplePath(name)));
-    open.settle();
+    open.waitUntilIdle();
   }
   /// Exports by the menu File › Export.
   void exportAs(const QString& entry, const QString& name) {
@@ -134,7 +134,7 @@ TEST_F(Export, NeverReplacesTheSession) {
   ASSERT_TRUE(QFile::copy(samplePath(QStringLiteral("paper-table-1.alidade")), own));
   QFile::setPermissions(own, QFile::ReadOwner | QFile::WriteOwner);
   ASSERT_TRUE(open->files().open(own));
-  open.settle();
+  open.waitUntilIdle();
   const QByteArray before = bytesOf(QStringLiteral("own.alidade"));
   exportAs(QStringLiteral("Readings (CSV)…"), QStringLiteral("own.alidade"));
   EXPECT_EQ(open.dialogs->problems.size(), 1);

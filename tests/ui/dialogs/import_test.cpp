@@ -66,7 +66,7 @@ TEST_F(ImportFlow, PutsReadingsIntoASessionWithoutAny) {
   typeInto(*open->findChild<QLineEdit*>(QStringLiteral("geometry.distance_mm")), QStringLiteral("2405"));
   open.dialogs->importPath = file(QStringLiteral("arc.csv"), table);
   EXPECT_TRUE(open->files().importReadings());
-  open.settle();
+  open.waitUntilIdle();
   const Session& session = open->document().session();
   EXPECT_EQ(session.geometry.distanceMm, "2405") << "what was typed stays";
   ASSERT_EQ(session.positions.size(), 1u);
@@ -113,7 +113,7 @@ TEST_F(ImportFlow, UndoneLeadsBackToTheSessionBefore) {
   ASSERT_TRUE(QTest::qWaitForWindowActive(open.window.get()));
   const auto undo = [&] { QTest::keyClick(open.window.get(), Qt::Key_Z, Qt::ControlModifier); };
   undo();
-  open.settle();
+  open.waitUntilIdle();
   EXPECT_EQ(open->document().session(), edited) << "what was put aside unsaved is back";
   EXPECT_EQ(open->document().path(), QFileInfo(paper).absoluteFilePath());
   EXPECT_TRUE(open->windowTitle().startsWith(QStringLiteral("paper-table-1.alidade")));

@@ -121,7 +121,7 @@ TEST(OwnEffectDialog, PutsAFoundFormIntoTheSession) {
   open.dialogs->effectAnswer = open.dialogs->effectAsked;
   keep->click();
   ASSERT_EQ(open->document().session().ownEffects.size(), 1U);
-  open.settle();
+  open.waitUntilIdle();
   EXPECT_EQ(open->document().session().ownEffects[0].formula, open.dialogs->effectAsked->formula);
   open->document().undoStack().undo();
   EXPECT_TRUE(open->document().session().ownEffects.empty());

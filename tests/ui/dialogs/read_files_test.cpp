@@ -43,7 +43,7 @@ class ReadFiles : public ::testing::Test {
     rememberReportChoice(choice);
     open->sideWindows().showInstrumentCheck();
     open->findChild<InstrumentDialog*>()->input().addFiles({in("check.gsi")});
-    open.settle();
+    open.waitUntilIdle();
   }
 
   ~ReadFiles() override { rememberReportChoice({}); }
@@ -98,7 +98,7 @@ TEST_F(ReadFiles, StayWhereTheyAre) {
 
 TEST_F(ReadFiles, OfAnotherSessionAreFree) {
   open->document().startWith(paperSession());
-  open.settle();
+  open.waitUntilIdle();
   open.dialogs->exportPath = in("rows.csv");
   EXPECT_TRUE(open->exports().exportReadings());
 }

@@ -31,27 +31,27 @@ QString shownBy(const QDialog& dialog) {
 }
 
 /// True if the dialog closed by `key` leads to writing.
-bool answerBy(Qt::Key key, const ReportQuestion& asked) {
+bool answerBy(Qt::Key key, const ReportQuestion& request) {
   QTimer::singleShot(0, [&] { QTest::keyClick(QApplication::activeModalWidget(), key); });
-  return Dialogs().askReport(asked).has_value();
+  return Dialogs().askReport(request).has_value();
 }
 
 TEST(ReportDialog, ListsWhatIsEmptyAndWritesTheReportByDefault) {
-  ReportQuestion asked = question();
-  asked.emptyFields = QStringList{QStringLiteral("report number"), QStringLiteral("customer")};
-  const ReportDialog dialog(asked);
+  ReportQuestion request = question();
+  request.emptyFields = QStringList{QStringLiteral("report number"), QStringLiteral("customer")};
+  const ReportDialog dialog(request);
   EXPECT_TRUE(shownBy(dialog).contains(QStringLiteral("report number, customer")));
-  EXPECT_TRUE(answerBy(Qt::Key_Return, asked));
-  EXPECT_FALSE(answerBy(Qt::Key_Escape, asked));
+  EXPECT_TRUE(answerBy(Qt::Key_Return, request));
+  EXPECT_FALSE(answerBy(Qt::Key_Escape, request));
 }
 
 TEST(ReportDialog, OpensHighEnoughForEverySentence) {
-  ReportQuestion asked = question();
-  for (const ReportPartInfo& info : allReportParts()) asked.there.push_back(info.part);
-  asked.emptyFields = {
+  ReportQuestion request = question();
+  for (const ReportPartInfo& info : allReportParts()) request.there.push_back(info.part);
+  request.emptyFields = {
       QStringLiteral("operator, place, date, report number, laboratory, customer, authorised by, "
                      "decision rule agreed by, device serial number, temperature")};
-  ReportDialog dialog(asked);
+  ReportDialog dialog(request);
   dialog.show();
   QCoreApplication::processEvents();
   for (const QLabel* label : dialog.findChildren<QLabel*>()) {
@@ -61,18 +61,18 @@ TEST(ReportDialog, OpensHighEnoughForEverySentence) {
 }
 
 TEST(ReportDialog, CancelsByDefaultWhereThereWillBeNoVerdict) {
-  ReportQuestion asked = question();
-  EXPECT_FALSE(shownBy(ReportDialog(asked)).contains(QStringLiteral("cannot be used")));
-  asked.unusable = 2;
-  EXPECT_TRUE(shownBy(ReportDialog(asked)).contains(QStringLiteral("2 entries cannot be used.")));
-  EXPECT_FALSE(answerBy(Qt::Key_Return, asked));
+  ReportQuestion request = question();
+  EXPECT_FALSE(shownBy(ReportDialog(request)).contains(QStringLiteral("cannot be used")));
+  request.unusable = 2;
+  EXPECT_TRUE(shownBy(ReportDialog(request)).contains(QStringLiteral("2 entries cannot be used.")));
+  EXPECT_FALSE(answerBy(Qt::Key_Return, request));
 }
 
 TEST(ReportDialog, AnswersWithWhatIsChosen) {
-  ReportQuestion asked = question();
-  asked.choice.contents.leftOut = {ReportPart::Arcs, ReportPart::Journal};
-  ReportDialog dialog(asked);
-  EXPECT_EQ(dialog.choice(), asked.choice);
+  ReportQuestion request = question();
+  request.choice.contents.leftOut = {ReportPart::Arcs, ReportPart::Journal};
+  ReportDialog dialog(request);
+  EXPECT_EQ(dialog.choice(), request.choice);
   const auto box = [&](const char* id) { return dialog.findChild<QCheckBox*>(QString::fromLatin1(id)); };
   EXPECT_FALSE(box("arcs")->isChecked());
   EXPECT_FALSE(box("journal")) << "there is none in this report";
@@ -92,12 +92,12 @@ TEST(ReportDialog, AnswersWithWhatIsChosen) {
 }
 
 TEST(ReportDialog, OffersTheLanguagesUnderTheirOwnNames) {
-  ReportQuestion asked = question();
-  asked.choice.language = QStringLiteral("zh_CN");
-  ReportDialog dialog(asked);
+  ReportQuestion request = question();
+  request.choice.language = QStringLiteral("zh_CN");
+  ReportDialog dialog(request);
   auto* language = dialog.findChild<QComboBox*>(QStringLiteral("language"));
   EXPECT_EQ(language->currentText(), QStringLiteral("简体中文"));
-  EXPECT_EQ(dialog.choice(), asked.choice);
+  EXPECT_EQ(dialog.choice(), request.choice);
   language->setCurrentText(QStringLiteral("English"));
   EXPECT_EQ(dialog.choice().language, QStringLiteral("en"));
   language->setCurrentText(QStringLiteral("Like the window"));
@@ -107,10 +107,10 @@ TEST(ReportDialog, OffersTheLanguagesUnderTheirOwnNames) {
 }
 
 TEST(ReportDialog, HoldsOnToWhatMayNotBeLeftOut) {
-  ReportQuestion asked = question();
-  asked.choice.contents.leftOut = {ReportPart::Gap};
-  asked.mustStand = {ReportPart::Gap};
-  ReportDialog dialog(asked);
+  ReportQuestion request = question();
+  request.choice.contents.leftOut = {ReportPart::Gap};
+  request.mandatory = {ReportPart::Gap};
+  ReportDialog dialog(request);
   const auto* gap = dialog.findChild<QCheckBox*>(QStringLiteral("gap"));
   EXPECT_TRUE(gap->isChecked());
   EXPECT_FALSE(gap->isEnabled());
@@ -119,15 +119,15 @@ TEST(ReportDialog, HoldsOnToWhatMayNotBeLeftOut) {
 
 TEST(ReportDialog, ShowsTheLogoOrWhyItCannotBeUsed) {
   const QTemporaryDir folder;
-  ReportQuestion asked = question();
-  asked.choice.logoPath = folder.filePath(QStringLiteral("logo\u202e<b>.png"));
-  QImage(30, 20, QImage::Format_ARGB32).save(asked.choice.logoPath);
-  ReportDialog dialog(asked);
+  ReportQuestion request = question();
+  request.choice.logoPath = folder.filePath(QStringLiteral("logo\u202e<b>.png"));
+  QImage(30, 20, QImage::Format_ARGB32).save(request.choice.logoPath);
+  ReportDialog dialog(request);
   dialog.show();
   EXPECT_TRUE(shownBy(dialog).contains(QStringLiteral("logo\\u202e<b>.png")));
   expectAllVisible(dialog, QStringLiteral("report dialog"));
-  asked.choice.logoPath = folder.filePath(QStringLiteral("none.png"));
-  ReportDialog without(asked);
+  request.choice.logoPath = folder.filePath(QStringLiteral("none.png"));
+  ReportDialog without(request);
   EXPECT_TRUE(shownBy(without).contains(QStringLiteral("there is no such file")));
   without.findChild<QPushButton*>(QStringLiteral("no logo"))->click();
   EXPECT_EQ(without.choice().logoPath, QString());

@@ -109,7 +109,7 @@ TEST_F(SafekeepingTest, OffersWhatACrashLeftBehindBesideTheFile) {
   ASSERT_EQ(open->dialogs->offers.size(), 1u);
   const RecoveryOffer& offer = open->dialogs->offers[0].at(0);
   EXPECT_EQ(offer.name, QStringLiteral("s.alidade"));
-  EXPECT_THAT(offer.told.toStdString(), HasSubstr("in " + file.toStdString() + "; kept on "));
+  EXPECT_THAT(offer.details.toStdString(), HasSubstr("in " + file.toStdString() + "; kept on "));
   ASSERT_EQ(offer.difference.count, 1u);
   EXPECT_EQ(offer.difference.entries[0].where, QStringLiteral("title"));
   EXPECT_EQ(offer.difference.entries[0].mine, QStringLiteral("unsaved"));
@@ -136,7 +136,7 @@ TEST_F(SafekeepingTest, OffersASessionThatIsInNoFile) {
   const QString wanted = QStringLiteral("second");
   const int index = open->dialogs->offers[0][0].name == wanted ? 0 : 1;
   EXPECT_EQ(open->dialogs->offers[0][index].name, wanted);
-  EXPECT_THAT(open->dialogs->offers[0][index].told.toStdString(), HasSubstr("in no file yet"));
+  EXPECT_THAT(open->dialogs->offers[0][index].details.toStdString(), HasSubstr("in no file yet"));
   open->dialogs->recoveries = {{}, {Choice::Recover, index}};
   EXPECT_TRUE((*open)->offerRecovery());
   EXPECT_EQ((*open)->document().session().title, "second");
@@ -185,18 +185,18 @@ TEST_F(SafekeepingTest, TellsWhatBecameOfTheFileMeanwhile) {
   Session changed = sessionIn(file);
   changed.notes = "by another";
   QFile(file).remove();
-  const auto told = [&] {
+  const auto offered = [&] {
     const auto open = openWindow();
     (*open)->offerRecovery();
     return open->dialogs->offers.at(0).at(0);
   };
-  EXPECT_THAT(told().told.toStdString(), HasSubstr("which is no longer there"));
+  EXPECT_THAT(offered().details.toStdString(), HasSubstr("which is no longer there"));
   QFile again(file);
   ASSERT_TRUE(again.open(QIODevice::WriteOnly));
   again.write(QByteArray::fromStdString(writeSession(changed)));
   again.close();
-  EXPECT_THAT(told().told.toStdString(), HasSubstr("which was changed since"));
-  EXPECT_EQ(told().difference.count, 2u) << "title and notes";
+  EXPECT_THAT(offered().details.toStdString(), HasSubstr("which was changed since"));
+  EXPECT_EQ(offered().difference.count, 2u) << "title and notes";
 }
 
 // A record that equals the file is cleared whatever its age, since there is no choice to make.
@@ -281,7 +281,7 @@ class HalfTypedKept : public SafekeepingTest, public ::testing::WithParamInterfa
   bool typeAndCrash(const HalfTypedCase& typed) const {
     const auto open = openWindow(file);
     QApplication::setActiveWindow(open->window.get());
-    open->settle();
+    open->waitUntilIdle();
     (*open)->reveal(typed.place);
     QTest::keyClick(QApplication::focusWidget(), Qt::Key_A, Qt::ControlModifier);
     for (const char* key = typed.keys; *key; ++key) QTest::keyClick(QApplication::focusWidget(), *key);
@@ -345,7 +345,7 @@ INSTANTIATE_TEST_SUITE_P(
 TEST_F(SafekeepingTest, HalfTypedIsKeptOnlyAsLongAsItIs) {
   const auto open = openWindow(file);
   QApplication::setActiveWindow(open->window.get());
-  open->settle();
+  open->waitUntilIdle();
   const auto typedRecords = [&] { return QDir(kept).entryList({QStringLiteral("*.typed")}).size(); };
   (*open)->reveal({.field = "operator"});
   QTest::keyClick(QApplication::focusWidget(), 'A');

@@ -21,7 +21,7 @@ struct RadiusBench {
   RadiusBench() {
     if (!open->files().open(samplePath(QStringLiteral("paper-table-1.alidade"))))
       throw std::runtime_error("sample");
-    open.settle();
+    open.waitUntilIdle();
     model = open->findChild<QComboBox*>(QStringLiteral("model.radius"));
     sigma = open->findChild<FieldEdit*>(QStringLiteral("geometry.sigma_radius_mm"));
   }
@@ -47,10 +47,10 @@ TEST(RadiusFields, ChooseHowTheRadiusIsTakenWithTheKeyboard) {
   EXPECT_EQ(bench.session().model.radius, "known");
   typeInto(*bench.sigma, QStringLiteral("0.05"));
   EXPECT_EQ(bench.session().geometry.sigmaRadiusMm, "0.05");
-  const Examined meant = examine(bench.session());
-  ASSERT_TRUE(meant.measurement);
-  EXPECT_EQ(meant.measurement->radiusModel, RadiusModel::Known);
-  EXPECT_EQ(meant.measurement->sigmaRadius, 0.05);
+  const Examined examined = examine(bench.session());
+  ASSERT_TRUE(examined.measurement);
+  EXPECT_EQ(examined.measurement->radiusModel, RadiusModel::Known);
+  EXPECT_EQ(examined.measurement->sigmaRadius, 0.05);
 }
 
 TEST(RadiusFields, AreUndoneAndSaved) {

@@ -61,7 +61,7 @@ TEST_P(HelpTopics, EachTopicOfAPanelIsWritten) {
 TEST(HelpWindow, OpensWhereOneStands) {
   OpenWindow open;
   open->document().startWith(paperSession());
-  open.settle();
+  open.waitUntilIdle();
   open->currentTable()->setFocus();
   QTest::keyClick(open.window.get(), Qt::Key_F1);
   auto* help = open->findChild<HelpWindow*>();

@@ -58,8 +58,8 @@ class ImportPageTest : public ::testing::Test {
   /// Acts on the page once it shows the proposals; `act` may also inspect it.
   void choose(std::function<void(ImportPage&)> act) { open.dialogs->onImport = std::move(act); }
 
-  static void settle(ImportPage& page) {
-    ASSERT_TRUE(waitFor([&page] { return page.isSettled(); }));
+  static void waitUntilIdle(ImportPage& page) {
+    ASSERT_TRUE(waitFor([&page] { return page.isUpToDate(); }));
   }
   static QString textOf(const ImportPage& page, const char* name) {
     if (const auto* text = page.findChild<QPlainTextEdit*>(QString::fromLatin1(name)))
@@ -103,7 +103,7 @@ TEST_F(ImportPageTest, AsksForThePositionThatTheFileDoesNotSay) {
 
   choose([](ImportPage& page) {
     pick(whereOf(page, 0), QStringLiteral("All at 180°"));
-    settle(page);
+    waitUntilIdle(page);
     EXPECT_TRUE(mayImport(page));
     EXPECT_THAT(textOf(page, "import summary").toStdString(), HasSubstr("2 rows of readings"));
     EXPECT_EQ(preview(page).index(1, 0).data().toString(), QStringLiteral("180°"));
@@ -156,7 +156,7 @@ TEST_F(ImportPageTest, AsksOnceForTheUnitOfATable) {
     EXPECT_THAT(page.obstacle().toStdString(), HasSubstr("does not state the unit of its angles"));
     EXPECT_EQ(textOf(page, "import problems"), QString()) << "one question, no advice for each line";
     pick(box(page, "import unit"), QStringLiteral("Degrees.minutes seconds"));
-    settle(page);
+    waitUntilIdle(page);
     EXPECT_EQ(textOf(page, "import problems"), QString());
     EXPECT_TRUE(mayImport(page));
   });
@@ -170,7 +170,7 @@ TEST_F(ImportPageTest, ProposesTheUnitOfTheInstrument) {
   changeField(open->document(), {.field = "instrument.angle_unit"}, "degrees");
   choose([](ImportPage& page) {
     EXPECT_EQ(box(page, "import unit")->currentText(), QStringLiteral("Decimal degrees"));
-    settle(page);
+    waitUntilIdle(page);
     EXPECT_EQ(preview(page).index(0, 6).data().toString(), QStringLiteral("341.5224°"));
     page.findChild<QLineEdit*>(QStringLiteral("import zero 0° h"))->setText(QStringLiteral("332.5"));
     page.findChild<QLineEdit*>(QStringLiteral("import zero 0° v"))->setText(QStringLiteral("89.9"));
@@ -239,7 +239,7 @@ TEST_F(ImportPageTest, MovesAColumnThatIsChosenForSomethingElse) {
     EXPECT_EQ(box(page, "import horizontal")->currentText(), QStringLiteral("2: Hz"));
     pick(box(page, "import horizontal"), QStringLiteral("3: V"));
     EXPECT_EQ(box(page, "import vertical")->currentText(), QStringLiteral("none"));
-    settle(page);
+    waitUntilIdle(page);
     EXPECT_FALSE(mayImport(page));
     pick(box(page, "import vertical"), QStringLiteral("2: Hz"));
   });
@@ -265,7 +265,7 @@ TEST_F(ImportPageTest, AddsToTheReadingsThereAndIsUndoneInOneStep) {
   EXPECT_THAT(session().journal.back().to, HasSubstr("2 rows from row 18 on"));
   EXPECT_TRUE(open->document().isModified());
   const Session after = session();
-  open.settle();
+  open.waitUntilIdle();
   open->undo();
   EXPECT_EQ(session(), before);
   EXPECT_FALSE(open->document().isModified());
@@ -290,7 +290,7 @@ TEST_F(ImportPageTest, LeavesEverythingWhereItIsCancelled) {
   ImportPage page({.sources = *readSources({file(QStringLiteral("arc 0.gsi"), gsi)}),
                    .session = std::make_shared<const Session>(before)});
   page.show();
-  settle(page);
+  waitUntilIdle(page);
   EXPECT_TRUE(mayImport(page));
   QTest::keyClick(&page, Qt::Key_Escape);
   EXPECT_EQ(page.result(), QDialog::Rejected);
@@ -302,7 +302,7 @@ TEST_F(ImportPageTest, LeavesEverythingWhereItIsCancelled) {
 TEST_F(ImportPageTest, TakesTypedZerosWhereTheFileHasNone) {
   choose([](ImportPage& page) {
     pick(whereOf(page, 0), QStringLiteral("All at 0°"));
-    settle(page);
+    waitUntilIdle(page);
     auto* horizontal = page.findChild<QLineEdit*>(QStringLiteral("import zero 0° h"));
     auto* vertical = page.findChild<QLineEdit*>(QStringLiteral("import zero 0° v"));
     ASSERT_TRUE(horizontal && vertical);
@@ -325,7 +325,7 @@ TEST_F(ImportPageTest, ShowsTheZerosOfTheFile) {
     EXPECT_TRUE(horizontal->isReadOnly());
     EXPECT_EQ(horizontal->text(), QStringLiteral("332°32′54″"));
     page.findChild<QLineEdit*>(QStringLiteral("import zero point"))->setText(QStringLiteral("ref"));
-    settle(page);
+    waitUntilIdle(page);
     EXPECT_FALSE(horizontal->isReadOnly()) << "the zero is another point now";
   });
   EXPECT_TRUE(open->files().open(
@@ -339,11 +339,11 @@ TEST_F(ImportPageTest, TellsWhatCannotBeReadByItsKinds) {
   for (int i = 0; i < 50; ++i) odd += "21.3o4+" + QByteArray::number(i) + "\n";
   choose([](ImportPage& page) {
     pick(whereOf(page, 0), QStringLiteral("All at 0°"));
-    settle(page);
-    const std::string told = textOf(page, "import problems").toStdString();
-    EXPECT_THAT(told, HasSubstr("Line 4, column 1: “21.3o4+0” is no GSI word"));
-    EXPECT_THAT(told, HasSubstr("(and 49 more of this kind)"));
-    EXPECT_THAT(told, HasSubstr("has 71 minutes"));
+    waitUntilIdle(page);
+    const std::string shownProblems = textOf(page, "import problems").toStdString();
+    EXPECT_THAT(shownProblems, HasSubstr("Line 4, column 1: “21.3o4+0” is no GSI word"));
+    EXPECT_THAT(shownProblems, HasSubstr("(and 49 more of this kind)"));
+    EXPECT_THAT(shownProblems, HasSubstr("has 71 minutes"));
     EXPECT_LE(textOf(page, "import problems").count(u'\n'), 4);
     EXPECT_THAT(textOf(page, "import summary").toStdString(),
                 HasSubstr("3 rows of readings; 51 entries or lines"));
@@ -405,7 +405,7 @@ TEST_F(ImportPageTest, ShowsHostileNamesAsText) {
                        {file(name, "Hz\u202E;V;<i>x</i>\n1\u2066;2;3\n341°52'24\";88°16'49\";<b>\n")}),
                    .session = std::make_shared<const Session>(blankSession())});
   page.show();
-  settle(page);
+  waitUntilIdle(page);
   expectAllVisible(page, QStringLiteral("import page"));
 }
 
@@ -414,7 +414,7 @@ TEST_F(ImportPageTest, NamesEveryFieldAndGivesEachALetter) {
                                             file(QStringLiteral("b.gsi"), gsi)}),
                    .session = std::make_shared<const Session>(paperSession())});
   page.show();
-  settle(page);
+  waitUntilIdle(page);
   QStringList letters;
   for (const QLabel* label : page.findChildren<QLabel*>())
     if (label->buddy() && label->isVisible())

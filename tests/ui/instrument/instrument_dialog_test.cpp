@@ -35,13 +35,13 @@ const QString sample = QStringLiteral("instrument-check.gsi");
 struct CheckBench {
   CheckBench() { dialog.show(); }
 
-  void settle() {
+  void waitUntilIdle() {
     ASSERT_TRUE(waitFor([this] { return !dialog.job().isAtWork(); }));
   }
   void open(const QString& path) {
     dialogs.importPath = path;
     QTest::mouseClick(dialog.findChild<QPushButton*>(QStringLiteral("open check files")), Qt::LeftButton);
-    settle();
+    waitUntilIdle();
   }
   QString cell(int row, int column) {
     return dialog.findChild<DataTable*>()->model()->index(row, column).data().toString();
@@ -100,18 +100,18 @@ TEST(InstrumentDialog, ChecksRowsAsTheyArePasted) {
                      "A\t10.0010\t98\nB\t60.0000\t99\nB\t260.0010\t301.0010\nA\t210.0020\t302.0020\n"
                      "A\t10.0020\t98.0010\nB\t60.0020\t99\nB\t260.0030\t301.0020\nA\t210.0020\t302.0020\n"));
   bench.dialog.input().table().paste();
-  bench.settle();
+  bench.waitUntilIdle();
   ASSERT_EQ(bench.rows(), 1);
   EXPECT_EQ(bench.cell(0, 1), QStringLiteral("2 × 2"));
   EXPECT_TRUE(bench.cell(0, 2).endsWith(QStringLiteral("(1)")));
   CheckRowsModel& rows = bench.dialog.input().table().rows();
   EXPECT_EQ(rows.rowCount(), 9) << "and the empty one";
   rows.setData(rows.index(2, 5), QStringLiteral("88°71'"), Qt::EditRole);
-  bench.settle();
+  bench.waitUntilIdle();
   EXPECT_EQ(bench.rows(), 0);
   EXPECT_THAT(bench.said(), HasSubstr("line 3: "));
   rows.setData(rows.index(2, 5), QStringLiteral("301.0010gon"), Qt::EditRole);
-  bench.settle();
+  bench.waitUntilIdle();
   EXPECT_EQ(bench.rows(), 1);
 }
 
@@ -119,11 +119,11 @@ TEST(InstrumentDialog, WaitsForTheRowThatIsBeingTyped) {
   CheckBench bench;
   CheckRowsModel& rows = bench.dialog.input().table().rows();
   rows.setData(rows.index(0, 2), QStringLiteral("A"), Qt::EditRole);
-  bench.settle();
+  bench.waitUntilIdle();
   EXPECT_THAT(bench.said(), HasSubstr("Allow half an hour"));
   rows.setData(rows.index(0, 4), QStringLiteral("10°"), Qt::EditRole);
   rows.setData(rows.index(0, 5), QStringLiteral("88°"), Qt::EditRole);
-  bench.settle();
+  bench.waitUntilIdle();
   EXPECT_EQ(rows.rowCount(), 2);
   EXPECT_THAT(bench.said(), HasSubstr("There is no complete round"));
 }
@@ -132,7 +132,7 @@ TEST(InstrumentDialog, TestsAgainstWhatIsStated) {
   CheckBench bench;
   bench.open(samplePath(sample));
   bench.dialog.findChild<QDoubleSpinBox*>()->setValue(0.2);
-  bench.settle();
+  bench.waitUntilIdle();
   EXPECT_THAT(bench.said(), HasSubstr("is larger than the stated 0.2″"));
 }
 
@@ -156,7 +156,7 @@ void type(CheckBench& bench, const char* field, const char* text) {
   auto* line = bench.dialog.findChild<QLineEdit*>(QString::fromLatin1(field));
   line->setText(QString::fromLatin1(text));
   emit line->editingFinished();
-  bench.settle();
+  bench.waitUntilIdle();
 }
 
 TEST(InstrumentDialog, HasItsVerdictAtTheTop) {
@@ -172,10 +172,10 @@ TEST(InstrumentDialog, HasItsVerdictAtTheTop) {
   EXPECT_FALSE(bench.dialog.findChild<GapHeadline*>()->isHidden());
   EXPECT_THAT(verdict(), HasSubstr("Not judged: "));
   for (QDoubleSpinBox* box : bench.dialog.findChildren<QDoubleSpinBox*>()) box->setValue(1);
-  bench.settle();
+  bench.waitUntilIdle();
   EXPECT_THAT(verdict(), HasSubstr("Passed: "));
   for (QDoubleSpinBox* box : bench.dialog.findChildren<QDoubleSpinBox*>()) box->setValue(0.3);
-  bench.settle();
+  bench.waitUntilIdle();
   EXPECT_THAT(verdict(), HasSubstr("Failed: "));
 }
 

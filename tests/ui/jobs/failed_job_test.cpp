@@ -68,10 +68,10 @@ std::string findingsOf(const OpenWindow& open) {
 TEST(FailedJob, IsToldWithItsReasonAndItsRecord) {
   Session session = paperSession();
   session.title = "Tisch “7” 1.250";
-  const QString told = QString::fromStdString(tellFailure({"fit", "a reason of its own", session, 7}));
-  EXPECT_THAT(told.toStdString(), HasSubstr("The fit failed: a reason of its own."));
+  const QString reported = QString::fromStdString(reportFailure({"fit", "a reason of its own", session, 7}));
+  EXPECT_THAT(reported.toStdString(), HasSubstr("The fit failed: a reason of its own."));
   const QString path = QDir(problemsFolder()).filePath(records().last());
-  EXPECT_TRUE(told.contains(path)) << told.toStdString();
+  EXPECT_TRUE(reported.contains(path)) << reported.toStdString();
   const QJsonObject record = newestRecord();
   EXPECT_EQ(record[QStringLiteral("job")].toString(), QStringLiteral("fit"));
   EXPECT_EQ(record[QStringLiteral("reason")].toString(), QStringLiteral("a reason of its own"));
@@ -86,11 +86,11 @@ TEST(FailedJob, IsToldWithItsReasonAndItsRecord) {
 }
 
 TEST(FailedJob, IsRecordedOnceAndNotWithEveryEdit) {
-  tellFailure({"fit", "once", paperSession()});
+  reportFailure({"fit", "once", paperSession()});
   const QStringList before = records();
-  for (int i = 0; i < 20; ++i) tellFailure({"fit", "once", paperSession()});
+  for (int i = 0; i < 20; ++i) reportFailure({"fit", "once", paperSession()});
   EXPECT_EQ(records(), before);
-  for (int i = 0; i < 60; ++i) tellFailure({"fit", std::to_string(i), paperSession()});
+  for (int i = 0; i < 60; ++i) reportFailure({"fit", std::to_string(i), paperSession()});
   EXPECT_EQ(records().size(), 50);
 }
 
@@ -99,22 +99,22 @@ TEST(FailedJob, IsToldWhereNoRecordCanBeWritten) {
   ASSERT_TRUE(QDir().mkpath(QFileInfo(problemsFolder()).path()));
   QFile inTheWay(problemsFolder());
   ASSERT_TRUE(inTheWay.open(QIODevice::WriteOnly));
-  const std::string told = tellFailure({"fit", "unrecorded", paperSession()});
+  const std::string reported = reportFailure({"fit", "unrecorded", paperSession()});
   inTheWay.remove();
-  EXPECT_THAT(told, HasSubstr("The fit failed: unrecorded."));
-  EXPECT_THAT(told, HasSubstr("could not be written to " + problemsFolder().toStdString()));
+  EXPECT_THAT(reported, HasSubstr("The fit failed: unrecorded."));
+  EXPECT_THAT(reported, HasSubstr("could not be written to " + problemsFolder().toStdString()));
 }
 
 TEST_F(FailedJobTest, OfTheFitStandsInTheResultAndTheNextEditIsFitted) {
   OpenWindow open;
   open->files().open(samplePath(QStringLiteral("paper-table-1.alidade")));
-  open.settle();
+  open.waitUntilIdle();
   const auto* result = open->findChild<ResultPanel*>();
   const Place distance{.field = "geometry.distance_mm"};
   {
     const FailingMemory scarce;
     changeField(open->document(), distance, "2406");
-    open.settle();
+    open.waitUntilIdle();
   }
   EXPECT_THAT(textsOf(*result), HasSubstr("The fit failed: out of memory."));
   EXPECT_THAT(textsOf(*result), HasSubstr("Δd: —"));
@@ -123,7 +123,7 @@ TEST_F(FailedJobTest, OfTheFitStandsInTheResultAndTheNextEditIsFitted) {
   EXPECT_TRUE(waitFor([&] { return open->gapJob().isIdle(); }))
       << "there is nothing to diagnose, which is said";
   changeField(open->document(), distance, "2405");
-  open.settle();
+  open.waitUntilIdle();
   EXPECT_THAT(textsOf(*result), HasSubstr("Δd, fit only = 1.31 ± 0.21 mm"));
   EXPECT_THAT(findingsOf(open), Not(HasSubstr("failed")));
 }
@@ -200,23 +200,23 @@ TEST_F(FailedJobTest, OfATrialIsItsProblem) {
 
 class ThrowingDialogs : public ScriptedDialogs {
  public:
-  explicit ThrowingDialogs(QStringList& told) : m_told(told) {}
+  explicit ThrowingDialogs(QStringList& reported) : m_reported(reported) {}
   QString askReportPath(const QString&) override { throw std::runtime_error("no paper"); }
-  void showProblem(const QString&, const QString& text) override { m_told.append(text); }
+  void showProblem(const QString&, const QString& text) override { m_reported.append(text); }
 
  private:
-  QStringList& m_told;
+  QStringList& m_reported;
 };
 
 TEST(FailedJob, OfTheReportIsToldInADialog) {
-  QStringList told;
-  MainWindow window(std::make_unique<ThrowingDialogs>(told));
+  QStringList reported;
+  MainWindow window(std::make_unique<ThrowingDialogs>(reported));
   EXPECT_FALSE(window.files().open(QStringLiteral("none.alidade")));
-  told.clear();
+  reported.clear();
   window.files().startWith(paperSession());
   EXPECT_FALSE(window.files().exportReport());
-  ASSERT_EQ(told.size(), 1);
-  EXPECT_THAT(told.front().toStdString(),
+  ASSERT_EQ(reported.size(), 1);
+  EXPECT_THAT(reported.front().toStdString(),
               HasSubstr("The acceptance report failed: a fault in the program (no paper)."));
 }
 

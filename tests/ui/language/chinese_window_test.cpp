@@ -32,7 +32,7 @@ Session wordless(Session session) {
 /// Words of two or more letters, except symbols and names.
 QStringList englishIn(const QString& text) {
   static const QRegularExpression word(QStringLiteral("[A-Za-z]{2,}"));
-  static const QSet<QString> meant{
+  static const QSet<QString> intended{
       // units, symbols, functions
       u"mm"_s, u"ppm"_s, u"gon"_s, u"ln"_s, u"sin"_s, u"cos"_s, u"tan"_s, u"atan"_s, u"exp"_s, u"DMS"_s,
       u"dms"_s, u"deg"_s, u"mgon"_s, u"mrad"_s, u"rad"_s,
@@ -50,7 +50,7 @@ QStringList englishIn(const QString& text) {
       u"Alidade"_s, u"Leica"_s, u"Trimble"_s, u"Sokkia"_s, u"English"_s, u"DejaVu"_s, u"Sans"_s, u"Letter"_s};
   QStringList words;
   for (const auto& match : word.globalMatch(text))
-    if (!meant.contains(match.captured())) words.append(match.captured());
+    if (!intended.contains(match.captured())) words.append(match.captured());
   return words;
 }
 
@@ -77,7 +77,7 @@ TEST_P(ChineseWindow, SaysNothingInEnglish) {
   SessionDocument sample;
   ASSERT_FALSE(sample.load(samplePath(QStringLiteral("%1.alidade").arg(QString::fromLatin1(GetParam())))));
   open->document().startWith(wordless(sample.session()));
-  open.settle();
+  open.waitUntilIdle();
   ASSERT_TRUE(waitFor([&] { return open->gapJob().isIdle(); }));
   for (PageTabs* tabs : open->pageTabs())
     for (int page = 0; page < tabs->count(); ++page) tabs->setCurrentIndex(page);

@@ -89,9 +89,9 @@ TEST(Translations, AreThereForEveryText) {
   const std::vector<Entry> entries = entriesOfList();
   EXPECT_GT(entries.size(), 1500u);
   for (const Entry& entry : entries) {
-    const std::string told = entry.context.toStdString() + ": " + entry.source.toStdString();
-    EXPECT_EQ(entry.state, QString()) << told;
-    EXPECT_FALSE(entry.translation.isEmpty()) << told;
+    const std::string message = entry.context.toStdString() + ": " + entry.source.toStdString();
+    EXPECT_EQ(entry.state, QString()) << message;
+    EXPECT_FALSE(entry.translation.isEmpty()) << message;
   }
 }
 

@@ -66,9 +66,9 @@ void foldAs(const ResultPanel& other, ResultPanel& panel) {
 
 }  // namespace
 
-Monkey::Monkey(unsigned seed, Tell tell)
+Monkey::Monkey(unsigned seed, Report report)
     : m_chance(seed),
-      m_tell(std::move(tell)),
+      m_report(std::move(report)),
       m_housekeeper(seed),
       m_hands(m_chance, QDir(m_folder.path()), [this](const QString& deed) { say(deed); }) {
   warning.clear();
@@ -122,7 +122,7 @@ void Monkey::say(const QString& deed) {
   const QString line = QStringLiteral("%1  %2").arg(m_events).arg(deed);
   m_log.append(line);
   if (m_log.size() > longestLog) m_log.removeFirst();
-  if (m_tell) m_tell(line);
+  if (m_report) m_report(line);
 }
 
 void Monkey::complain(const QString& what) {

@@ -20,10 +20,10 @@ class MainWindow;
 /// tables and result show the session, and Qt gave no warnings.
 class Monkey {
  public:
-  using Tell = std::function<void(const QString& line)>;
+  using Report = std::function<void(const QString& line)>;
 
-  /// `tell` receives each action before it is done.
-  explicit Monkey(unsigned seed, Tell tell = {});
+  /// `report` receives each action before it is done.
+  explicit Monkey(unsigned seed, Report report = {});
   ~Monkey();
 
   /// Stops at the first complaint.
@@ -48,7 +48,7 @@ class Monkey {
   void lookAtUndo();
 
   Chance m_chance;
-  Tell m_tell;
+  Report m_report;
   QTemporaryDir m_folder;
   QStringList m_log;
   QString m_complaint;

@@ -121,16 +121,16 @@ TEST_F(DraftsTest, OfOneFormInTwoProcessesWaitForEachOther) {
 }
 
 TEST_F(DraftsTest, ThatCannotBeWrittenAreToldUntilTheyCan) {
-  QStringList told;
+  QStringList reported;
   QObject context;
   QObject::connect(&drafts(), &Drafts::troubled, &context,
-                   [&told](const QString& sentence) { told.append(sentence); });
+                   [&reported](const QString& sentence) { reported.append(sentence); });
   ASSERT_TRUE(QDir(at).removeRecursively());
   drafts().set(anyForm, textDraft(QStringLiteral("341 5")));
-  ASSERT_TRUE(waitFor([&told] { return !told.isEmpty(); }));
-  EXPECT_THAT(told.first().toStdString(), testing::HasSubstr("would be lost in a crash"));
+  ASSERT_TRUE(waitFor([&reported] { return !reported.isEmpty(); }));
+  EXPECT_THAT(reported.first().toStdString(), testing::HasSubstr("would be lost in a crash"));
   ASSERT_TRUE(QDir().mkpath(at));
-  ASSERT_TRUE(waitFor([&told] { return told.last().isEmpty(); }));
+  ASSERT_TRUE(waitFor([&reported] { return reported.last().isEmpty(); }));
   EXPECT_EQ(files(at).size(), 1);
 }
 
@@ -201,17 +201,17 @@ TEST_F(DraftsTest, HoldThePointingZerosOfAnImportOfTheSameFile) {
   };
   {
     const auto open = page(table);
-    ASSERT_TRUE(waitFor([&] { return open->isSettled() && zero(*open); }));
+    ASSERT_TRUE(waitFor([&] { return open->isUpToDate() && zero(*open); }));
     QTest::keyClicks(zero(*open), QStringLiteral("341 5"));
     killAndStart();
   }
   {
     const auto other = page("axis,point,horizontal,vertical\n0,1,341 52 24,88 16 50\n");
-    ASSERT_TRUE(waitFor([&] { return other->isSettled() && zero(*other); }));
+    ASSERT_TRUE(waitFor([&] { return other->isUpToDate() && zero(*other); }));
     EXPECT_EQ(zero(*other)->text(), QString()) << "of another file";
   }
   const auto again = page(table);
-  ASSERT_TRUE(waitFor([&] { return again->isSettled() && zero(*again); }));
+  ASSERT_TRUE(waitFor([&] { return again->isUpToDate() && zero(*again); }));
   EXPECT_EQ(zero(*again)->text(), QStringLiteral("341 5"));
 }
 

@@ -37,7 +37,7 @@ class WrittenCertificateTest : public testing::Test {
     return file.readAll();
   }
 
-  /// Returns the exit code; stderr goes to `told`.
+  /// Returns the exit code; stderr goes to `errors`.
   int run(const QString& name, const QStringList& arguments) {
     QProcess program;
     QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
@@ -48,7 +48,7 @@ class WrittenCertificateTest : public testing::Test {
     program.setProcessEnvironment(environment);
     program.start(name, arguments);
     EXPECT_TRUE(program.waitForFinished(120000));
-    told = QString::fromUtf8(program.readAllStandardError());
+    errors = QString::fromUtf8(program.readAllStandardError());
     out = program.readAllStandardOutput();
     return program.exitCode();
   }
@@ -60,7 +60,7 @@ class WrittenCertificateTest : public testing::Test {
                    QStringLiteral("--schema"), QStringLiteral(ALIDADE_REFERENCE_DIR "/dcc/dcc_3_2_0.xsd"),
                    certificate}),
               0)
-        << told.toStdString();
+        << errors.toStdString();
   }
   /// The text found by an XPath.
   QByteArray found(const QString& certificate, const QString& where) {
@@ -72,7 +72,7 @@ class WrittenCertificateTest : public testing::Test {
   }
 
   QTemporaryDir folder;
-  QString path = in("session.alidade"), told;
+  QString path = in("session.alidade"), errors;
   QByteArray out;
 };
 
@@ -83,9 +83,9 @@ TEST_F(WrittenCertificateTest, HoldsTheReportOfThatDayByteForByte) {
   ASSERT_EQ(alidade({QStringLiteral("--certificate"), certificate, QStringLiteral("--draft"),
                      QStringLiteral("--country"), QStringLiteral("DE"), path}),
             0)
-      << told.toStdString();
-  EXPECT_EQ(told.count(u'\n'), 1);
-  EXPECT_THAT(told.toStdString(), HasSubstr("“not stated”"));
+      << errors.toStdString();
+  EXPECT_EQ(errors.count(u'\n'), 1);
+  EXPECT_THAT(errors.toStdString(), HasSubstr("“not stated”"));
   ASSERT_EQ(alidade({QStringLiteral("--report"), report, path}), 0);
   expectConforms(certificate);
   EXPECT_EQ(QByteArray::fromBase64(found(certificate, pdfWithin)), bytesOf(report));
@@ -106,7 +106,7 @@ TEST_F(WrittenCertificateTest, SpeaksTheLanguageOfTheReportBesideEnglish) {
   ASSERT_EQ(alidade({QStringLiteral("--language"), QStringLiteral("zh_CN"), QStringLiteral("--certificate"),
                      certificate, QStringLiteral("--draft"), path}),
             0)
-      << told.toStdString();
+      << errors.toStdString();
   expectConforms(certificate);
   const auto name = [&](const char* language) {
     return found(certificate, QStringLiteral("//*[@id='conformity']/*[local-name()='name']/*[@lang='%1']")
@@ -138,8 +138,8 @@ TEST_F(WrittenCertificateTest, IsSignedAsTheReportIs) {
     const QString file = in(kind);
     QStringList call{QString::fromLatin1(kind), file};
     if (call[0] == QStringLiteral("--certificate")) call.append(QStringLiteral("--draft"));
-    ASSERT_EQ(alidade(call + signedBy), 0) << told.toStdString();
-    EXPECT_TRUE(verifies(file)) << told.toStdString();
+    ASSERT_EQ(alidade(call + signedBy), 0) << errors.toStdString();
+    EXPECT_TRUE(verifies(file)) << errors.toStdString();
     QFile changed(file);
     ASSERT_TRUE(changed.open(QIODevice::ReadWrite) && changed.seek(1000));
     const char byte = changed.peek(1)[0];
@@ -162,7 +162,7 @@ TEST_F(WrittenCertificateTest, IsSignedAsTheReportIs) {
   EXPECT_EQ(alidade({QStringLiteral("--report"), never, QStringLiteral("--sign-key"), holder,
                      QStringLiteral("--sign-certificate"), holder, path}),
             2);
-  EXPECT_EQ(told.count(u'\n'), 1);
+  EXPECT_EQ(errors.count(u'\n'), 1);
   EXPECT_FALSE(QFile::exists(never));
 }
 
@@ -177,7 +177,7 @@ TEST_F(WrittenCertificateTest, RefusesCallsThatDoNotGoTogether) {
         {certificate, to, QStringLiteral("--country"), QStringLiteral("Germany"), path},
         {certificate, to, samplePath(QStringLiteral("paper-table-1.alidade"))}}) {
     EXPECT_EQ(alidade(call), 2) << call.join(u' ').toStdString();
-    EXPECT_EQ(told.count(u'\n'), 1) << told.toStdString();
+    EXPECT_EQ(errors.count(u'\n'), 1) << errors.toStdString();
     EXPECT_FALSE(QFile::exists(to));
   }
 }

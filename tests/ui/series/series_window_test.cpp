@@ -45,12 +45,12 @@ struct SeriesBench {
     dialogs.seriesFolder = samplePath(QStringLiteral("history"));
   }
 
-  void settle() {
+  void waitUntilIdle() {
     ASSERT_TRUE(waitFor([this] { return !window.job().isAtWork() && !window.diagnosisJob().isAtWork(); }));
   }
   void addYear() {
     window.addFolder();
-    settle();
+    waitUntilIdle();
   }
   QString cell(int row, int column) { return window.table()->item(row, column)->text(); }
   std::string text(const char* name) {
@@ -104,7 +104,7 @@ TEST(SeriesWindow, KeepsASeriesAsAFile) {
   }
   SeriesBench bench;
   bench.window.add({path});
-  bench.settle();
+  bench.waitUntilIdle();
   EXPECT_EQ(bench.window.table()->rowCount(), 12);
   EXPECT_EQ(bench.window.history()->baseline(), 4);
   EXPECT_EQ(bench.window.history()->device()->quantities.front().history.chart.baseline, 4U);
@@ -113,7 +113,7 @@ TEST(SeriesWindow, KeepsASeriesAsAFile) {
 TEST(SeriesWindow, TellsWhatTheSessionsShare) {
   SeriesBench bench;
   bench.window.add({samplePath(QStringLiteral("series"))});
-  bench.settle();
+  bench.waitUntilIdle();
   DiagnosisPanel& panel = *bench.window.diagnosis();
   ASSERT_GE(panel.causes()->rowCount(), 1);
   ASSERT_EQ(panel.sessions()->rowCount(), bench.window.table()->rowCount());
@@ -159,7 +159,7 @@ TEST(SeriesWindow, NamesTheTroubleOfASession) {
   file.close();
   SeriesBench bench;
   bench.window.add({bench.dialogs.seriesFolder, broken});
-  bench.settle();
+  bench.waitUntilIdle();
   ASSERT_EQ(bench.window.table()->rowCount(), 13);
   EXPECT_EQ(bench.cell(12, 1), QStringLiteral("broken.alidade"));
   EXPECT_THAT(bench.cell(12, trouble).toStdString(), HasSubstr("line 1"));
@@ -181,7 +181,7 @@ TEST(SeriesWindow, StatesTheConditionOfAVerdict) {
   file.close();
   SeriesBench bench;
   bench.window.add({path});
-  bench.settle();
+  bench.waitUntilIdle();
   EXPECT_EQ(bench.cell(0, verdict).toStdString(), headline.verdictAndTolerance());
   EXPECT_THAT(headline.verdictAndTolerance(), HasSubstr("tolerance ± 2.5 mm"));
   EXPECT_THAT(bench.cell(0, condition).toStdString(), HasSubstr(gap));
@@ -204,7 +204,7 @@ TEST(SeriesWindow, ReadsNoPipe) {
   EXPECT_TRUE(sessionPathsIn({folder.path()}).empty());
   SeriesBench bench;
   bench.window.add({pipe});
-  bench.settle();
+  bench.waitUntilIdle();
   ASSERT_EQ(bench.window.table()->rowCount(), 1);
   EXPECT_EQ(bench.cell(0, trouble).toStdString(), "is a pipe or a device: choose a file");
 }
@@ -222,7 +222,7 @@ TEST(SeriesWindow, CountsACopyOnceAndInThePlaceOfWhatWasTakenOut) {
   ASSERT_TRUE(QFile::copy(samplePath(QStringLiteral("history/2025-01-04.alidade")), copy));
   SeriesBench bench;
   bench.window.add({bench.dialogs.seriesFolder, copy});
-  bench.settle();
+  bench.waitUntilIdle();
   ASSERT_EQ(bench.window.table()->rowCount(), 13);
   EXPECT_EQ(bench.cell(0, trouble), QString());
   EXPECT_EQ(bench.cell(1, trouble).toStdString(),
@@ -231,7 +231,7 @@ TEST(SeriesWindow, CountsACopyOnceAndInThePlaceOfWhatWasTakenOut) {
   EXPECT_EQ(bench.window.diagnosis()->sessions()->rowCount(), 12);
   bench.window.table()->selectRow(0);
   bench.window.removeSelected();
-  bench.settle();
+  bench.waitUntilIdle();
   ASSERT_EQ(bench.window.table()->rowCount(), 12);
   EXPECT_EQ(bench.cell(0, trouble), QString()) << "it counts now";
   EXPECT_THAT(bench.text("history says"), HasSubstr("Weighted mean of 12 values"));
@@ -244,7 +244,7 @@ TEST(SeriesWindow, TakesSessionsOut) {
     bench.window.table()->selectionModel()->select(bench.window.table()->model()->index(row, 0),
                                                    QItemSelectionModel::Select | QItemSelectionModel::Rows);
   bench.window.removeSelected();
-  bench.settle();
+  bench.waitUntilIdle();
   EXPECT_EQ(bench.window.table()->rowCount(), 7);
   EXPECT_THAT(bench.text("history says"), HasSubstr("Weighted mean of 7 values"));
 }

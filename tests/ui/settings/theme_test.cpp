@@ -42,7 +42,7 @@ TEST(Theme, ChangedAtRunTimeDimsIconsAsAfterARestart) {
 TEST(Forms, GiveNamesAFullRowAndStillFitASmallScreen) {
   OpenWindow open;
   open->resize(1024, 700);
-  open.settle();
+  open.waitUntilIdle();
   EXPECT_EQ(open->size(), QSize(1024, 700)) << "no part needs more";
   const auto* name = open->findChild<QLineEdit*>(QStringLiteral("device.name"));
   const auto* serial = open->findChild<QLineEdit*>(QStringLiteral("device.serial"));

@@ -71,7 +71,7 @@ TEST_F(WindowFontTest, IsResizedInTheMenu) {
 TEST_F(WindowFontTest, ChangesEveryPartOfAnOpenWindowAtOnce) {
   OpenWindow open;
   open->document().startWith(paperSession());
-  open.settle();
+  open.waitUntilIdle();
   const auto* table = open->findChild<QTableView*>(QStringLiteral("readings0"));
   const auto* caption = open->findChild<Caption*>();
   const auto letters = [&] {

@@ -20,7 +20,7 @@ TEST(StartPage, LeadsToASampleAndIsGone) {
   auto* start = open->findChild<StartPage*>();
   ASSERT_TRUE(start && start->isVisible());
   emit start->sampleWanted(QString::fromLatin1(allSamples().front().name));
-  open.settle();
+  open.waitUntilIdle();
   EXPECT_FALSE(start->isVisible());
   EXPECT_FALSE(open->document().session().positions[0].readings.empty());
   EXPECT_TRUE(open->document().path().isEmpty()) << "the sample itself is never written over";
@@ -35,7 +35,7 @@ QAction* actionOf(OpenWindow& open, const QKeySequence& keys) {
 TEST(StartPage, IsThereAgainOnceASessionIsClosed) {
   OpenWindow open;
   ASSERT_TRUE(open->files().open(samplePath(QStringLiteral("two-causes.alidade"))));
-  open.settle();
+  open.waitUntilIdle();
   ASSERT_TRUE(actionOf(open, QKeySequence(QStringLiteral("Ctrl+W"))));
   actionOf(open, QKeySequence(QStringLiteral("Ctrl+W")))->trigger();
   const auto* start = open->findChild<StartPage*>();

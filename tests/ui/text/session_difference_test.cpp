@@ -12,33 +12,33 @@ using ::testing::ElementsAre;
 using ::testing::IsEmpty;
 
 /// "where: mine | theirs".
-std::vector<std::string> toldOf(const Session& mine, const Session& theirs) {
-  std::vector<std::string> told;
+std::vector<std::string> linesOf(const Session& mine, const Session& theirs) {
+  std::vector<std::string> lines;
   const SessionDifference difference = differenceOf(mine, theirs);
   EXPECT_EQ(difference.count, difference.entries.size());
   for (const EntryDifference& entry : difference.entries)
-    told.push_back((entry.where + QStringLiteral(": ") + entry.mine + QStringLiteral(" | ") + entry.theirs)
-                       .toStdString());
-  return told;
+    lines.push_back((entry.where + QStringLiteral(": ") + entry.mine + QStringLiteral(" | ") + entry.theirs)
+                        .toStdString());
+  return lines;
 }
 
 TEST(SessionDifference, NamesEachEntryThatDiffers) {
   const Session mine = paperSession();
-  EXPECT_THAT(toldOf(mine, mine), IsEmpty());
+  EXPECT_THAT(linesOf(mine, mine), IsEmpty());
   Session theirs = mine;
   theirs.geometry.distanceMm = "2406";
   theirs.model.effects = {"collimation", "trunnion_tilt"};
   theirs.positions[1].zero.vertical = "89°";
   theirs.positions[1].readings[3].vertical = "x";
   theirs.positions[1].readings[3].excluded = true;
-  const auto told = toldOf(mine, theirs);
-  ASSERT_EQ(told.size(), 5u);
-  EXPECT_EQ(told[0], "distance L: " + mine.geometry.distanceMm + " | 2406");
-  EXPECT_EQ(told[1], "180°, pointing zero β0: " + mine.positions[1].zero.vertical + " | 89°");
-  EXPECT_EQ(told[2], "model effects:  | collimation, trunnion tilt");
-  EXPECT_EQ(told[3],
+  const auto lines = linesOf(mine, theirs);
+  ASSERT_EQ(lines.size(), 5u);
+  EXPECT_EQ(lines[0], "distance L: " + mine.geometry.distanceMm + " | 2406");
+  EXPECT_EQ(lines[1], "180°, pointing zero β0: " + mine.positions[1].zero.vertical + " | 89°");
+  EXPECT_EQ(lines[2], "model effects:  | collimation, trunnion tilt");
+  EXPECT_EQ(lines[3],
             "180°, row 4 (point 4), vertical reading: " + mine.positions[1].readings[3].vertical + " | x");
-  EXPECT_EQ(told[4], "180°, row 4 (point 4), excluded: no | yes");
+  EXPECT_EQ(lines[4], "180°, row 4 (point 4), excluded: no | yes");
 }
 
 TEST(SessionDifference, NamesWhatIsKnownOtherwise) {
@@ -46,7 +46,7 @@ TEST(SessionDifference, NamesWhatIsKnownOtherwise) {
   mine.instrument.known = {{.effect = "collimation", .value = "3.2", .sigma = "0.5", .unit = "arcsec"}};
   theirs.instrument.known = {{.effect = "collimation", .sigma = "0.5", .unit = "arcsec", .from = "check"},
                              {.effect = "trunnion_tilt", .sigma = "1", .unit = "arcsec"}};
-  EXPECT_THAT(toldOf(mine, theirs),
+  EXPECT_THAT(linesOf(mine, theirs),
               ElementsAre("known size of collimation: collimation 3.2 u 0.5 arcsec | collimation u 0.5 "
                           "arcsec, check",
                           "known size of trunnion tilt:  | trunnion tilt u 1 arcsec"));
@@ -60,24 +60,25 @@ TEST(SessionDifference, TellsOfRowsPutInAndTakenOut) {
   row.horizontal = "1°";
   row.vertical = "2°";
   more.positions[0].readings.insert(more.positions[0].readings.begin() + 5, row);
-  EXPECT_THAT(toldOf(mine, more), ElementsAre("0°, row 6:  | 1°  2°"));
-  EXPECT_THAT(toldOf(more, mine), ElementsAre("0°, row 6: 1°  2° | "));
+  EXPECT_THAT(linesOf(mine, more), ElementsAre("0°, row 6:  | 1°  2°"));
+  EXPECT_THAT(linesOf(more, mine), ElementsAre("0°, row 6: 1°  2° | "));
   more.positions[0].readings[5] = Reading();
-  EXPECT_THAT(toldOf(mine, more), ElementsAre("0°, row 6:  | a row"));
+  EXPECT_THAT(linesOf(mine, more), ElementsAre("0°, row 6:  | a row"));
   Session one = mine;
   one.positions.pop_back();
-  EXPECT_THAT(toldOf(mine, one), ElementsAre("180°: 17 rows | "));
-  EXPECT_THAT(toldOf(one, mine), ElementsAre("180°:  | 17 rows"));
+  EXPECT_THAT(linesOf(mine, one), ElementsAre("180°: 17 rows | "));
+  EXPECT_THAT(linesOf(one, mine), ElementsAre("180°:  | 17 rows"));
   Session again = mine;
   again.positions.emplace_back().axisDeg = "0";
-  EXPECT_THAT(toldOf(mine, again), ElementsAre("0° again:  | 0 rows"));
+  EXPECT_THAT(linesOf(mine, again), ElementsAre("0° again:  | 0 rows"));
 }
 
 TEST(SessionDifference, KnowsThatEntriesDifferThatAreNotShown) {
   const std::string text = writeSession(paperSession());
   std::string more = text;
   more.insert(1, "\"weather\": \"fog\",");
-  EXPECT_THAT(toldOf(*readSession(text), *readSession(more)), ElementsAre("entries that are not shown:  | "));
+  EXPECT_THAT(linesOf(*readSession(text), *readSession(more)),
+              ElementsAre("entries that are not shown:  | "));
 }
 
 TEST(SessionDifference, CountsMoreThanItLists) {

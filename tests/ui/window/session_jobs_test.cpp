@@ -12,7 +12,7 @@ namespace {
 class SessionJobsTest : public ::testing::Test {
  protected:
   SessionJobsTest() {
-    document.startWithStanding(paperSession());
+    document.startWithRecorded(paperSession());
     QObject::connect(&jobs, &SessionJobs::headlineChanged,
                      [this](const Headline& headline) { shown.push_back(headline); });
     QObject::connect(&jobs.gap(), &GapJob::completed, [this] { ++diagnoses; });

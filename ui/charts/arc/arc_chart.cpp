@@ -18,7 +18,7 @@ ArcChart::ArcChart(ArcPlot* plot, QWidget* parent)
 
 void ArcChart::choose(const RowChoice& choice) {
   m_plot->setChoice(choice);
-  tell();
+  updateDescriptions();
 }
 
 void ArcChart::addChoices(QMenu& menu) {

@@ -15,7 +15,7 @@ FormChart::FormChart(FormPlot* plot, QWidget* parent)
 
 void FormChart::setForm(const Gap& gap, std::size_t index) {
   m_plot->setForm(gap, index);
-  tell();
+  updateDescriptions();
 }
 
 bool FormChart::eventFilter(QObject* watched, QEvent* event) {

@@ -72,10 +72,10 @@ PlotWidget::~PlotWidget() {
 
 void PlotWidget::setEvaluation(const Evaluation& evaluation) {
   m_plot->setEvaluation(evaluation);
-  tell();
+  updateDescriptions();
 }
 
-void PlotWidget::tell() {
+void PlotWidget::updateDescriptions() {
   m_caption->setSentence(m_plot->message().isEmpty() ? m_plot->standard() : QString());
   setAccessibleDescription(m_plot->summary());
 }
@@ -322,15 +322,15 @@ bool PlotWidget::steppedBy(int key) {
   QToolTip::showText(m_view->viewport()->mapToGlobal(at + QPoint(8, 8)), m_plot->describe(*mark),
                      m_view->viewport());
   const SightingRef ref = mark->ref;
-  QAccessibleValueChangeEvent told(this, currentPoint());
-  QAccessible::updateAccessibility(&told);
-  tellFocus();
+  QAccessibleValueChangeEvent announcement(this, currentPoint());
+  QAccessible::updateAccessibility(&announcement);
+  announceFocus();
   emit sightingStepped(ref.position, ref.row);
   return true;
 }
 
 /// A screen reader reads the current point, not the plot as a whole.
-void PlotWidget::tellFocus() {
+void PlotWidget::announceFocus() {
   if (!QAccessible::isActive()) return;
   QAccessibleInterface* plot = QAccessible::queryAccessibleInterface(this);
   QAccessibleInterface* point = plot ? plot->focusChild() : nullptr;

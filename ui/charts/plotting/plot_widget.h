@@ -81,7 +81,7 @@ class PlotWidget : public QWidget, public ChartSource {
   /// Adds choices of what is drawn.
   virtual void addChoices(QMenu& menu);
   /// The drawn contents changed: updates caption and descriptions.
-  void tell();
+  void updateDescriptions();
 
  private:
   enum class Drag { None, Press, Band, Move };
@@ -96,7 +96,7 @@ class PlotWidget : public QWidget, public ChartSource {
   void zoomAtCurrent(double factor);
   bool movedBy(int key);
   bool steppedBy(int key);
-  void tellFocus();
+  void announceFocus();
   void showMenu(const QPoint& globalPlace);
 
   std::unique_ptr<Plot> m_plot;

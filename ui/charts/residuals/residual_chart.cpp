@@ -20,7 +20,7 @@ ResidualChart::ResidualChart(ResidualPlot* plot, QWidget* parent)
 void ResidualChart::choose(const ResidualChoice& choice) {
   keep(choice);
   m_plot->setChoice(choice);
-  tell();
+  updateDescriptions();
   emit chosen();
 }
 

@@ -19,11 +19,11 @@ namespace alidade::ui {
 namespace {
 
 /// True if the journal lacks a reason: an exclusion has a note, an accepted proposal or an import its origin.
-bool isAskedOf(const JournalEntry& entry) {
+bool isReasonMissing(const JournalEntry& entry) {
   namespace why = journal_reasons;
-  const std::string_view asked[] = {why::retyped, why::cleared,  why::pasted, why::usedAgain,
-                                    why::deleted, why::inserted, why::moved};
-  return std::ranges::find(asked, entry.why) != std::end(asked);
+  const std::string_view unexplained[] = {why::retyped, why::cleared,  why::pasted, why::usedAgain,
+                                          why::deleted, why::inserted, why::moved};
+  return std::ranges::find(unexplained, entry.why) != std::end(unexplained);
 }
 
 }  // namespace
@@ -51,14 +51,14 @@ ChangeReasonBar::ChangeReasonBar(SessionDocument& document, QWidget* parent)
 void ChangeReasonBar::ask(std::size_t first) {
   const std::vector<JournalEntry>& journal = m_document.session().journal;
   if (!m_reason->text().isEmpty() ||
-      !std::all_of(journal.begin() + static_cast<std::ptrdiff_t>(first), journal.end(), isAskedOf))
+      !std::all_of(journal.begin() + static_cast<std::ptrdiff_t>(first), journal.end(), isReasonMissing))
     return;
   m_first = first;
   m_count = journal.size() - first;
   m_question->setText(m_count == 1 ? tr("Why was it changed? %1").arg(journalPlace(journal[first]))
                                    : tr("Why were these %1 entries changed?").arg(m_count));
   show();
-  emit askedChanged(true);
+  emit askingChanged(true);
 }
 
 void ChangeReasonBar::start() {
@@ -81,7 +81,7 @@ void ChangeReasonBar::end() {
   if (m_back && m_reason->hasFocus()) m_back->setFocus(Qt::OtherFocusReason);
   m_reason->clear();
   hide();
-  emit askedChanged(false);
+  emit askingChanged(false);
 }
 
 /// Return, or the focus going elsewhere in the window, states the reason; Escape drops it.

@@ -28,7 +28,7 @@ class ChangeReasonBar : public QFrame {
   void finish();
 
  signals:
-  void askedChanged(bool isAsking);
+  void askingChanged(bool isAsking);
 
  protected:
   bool eventFilter(QObject* watched, QEvent* event) override;

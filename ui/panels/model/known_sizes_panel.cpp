@@ -26,7 +26,7 @@ KnownSizesPanel::KnownSizesPanel(SessionDocument& document, QWidget* parent)
   });
   m_about->setAlignment(Qt::AlignTop | Qt::AlignLeft);
   m_about->setTextFormat(Qt::PlainText);
-  connect(m_table, &KnownSizesTable::currentTold, m_about, &QLabel::setText);
+  connect(m_table, &KnownSizesTable::explanationChanged, m_about, &QLabel::setText);
   m_about->setText(m_table->currentIndex().data(Qt::ToolTipRole).toString());
   setFocusProxy(m_table);
   auto* take = new QPushButton(tr("Take from Instrument Record…"));

@@ -84,13 +84,13 @@ void KnownSizesTable::keepCurrentOverResets() {
 
 void KnownSizesTable::currentChanged(const QModelIndex& current, const QModelIndex& previous) {
   EntryTable::currentChanged(current, previous);
-  emit currentTold(current.data(Qt::ToolTipRole).toString());
+  emit explanationChanged(current.data(Qt::ToolTipRole).toString());
 }
 
 void KnownSizesTable::dataChanged(const QModelIndex& topLeft, const QModelIndex& bottomRight,
                                   const QList<int>& roles) {
   EntryTable::dataChanged(topLeft, bottomRight, roles);
-  emit currentTold(currentIndex().data(Qt::ToolTipRole).toString());
+  emit explanationChanged(currentIndex().data(Qt::ToolTipRole).toString());
 }
 
 QModelIndex KnownSizesTable::onward(const QModelIndex& from, int key) const {

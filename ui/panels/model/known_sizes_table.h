@@ -27,7 +27,7 @@ class KnownSizesTable : public EntryTable {
   void clearCells() override;
 
  signals:
-  void currentTold(const QString& about);  ///< an explanation of the current cell
+  void explanationChanged(const QString& about);  ///< an explanation of the current cell
 
  protected:
   QModelIndex onward(const QModelIndex& from, int key) const override;

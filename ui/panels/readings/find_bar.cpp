@@ -63,7 +63,7 @@ QToolButton* arrow(Qt::ArrowType type, const QString& name) {
 
 }  // namespace
 
-FindBar::FindBar(QWidget* parent) : QFrame(parent), m_text(new QLineEdit), m_told(new QLabel) {
+FindBar::FindBar(QWidget* parent) : QFrame(parent), m_text(new QLineEdit), m_message(new QLabel) {
   m_text->setObjectName(QStringLiteral("find"));
   m_text->setAccessibleName(tr("Find in the readings"));
   m_text->setPlaceholderText(tr("Find in the readings"));
@@ -76,7 +76,7 @@ FindBar::FindBar(QWidget* parent) : QFrame(parent), m_text(new QLineEdit), m_tol
   layout->addWidget(m_text, 1);
   layout->addWidget(previous);
   layout->addWidget(next);
-  layout->addWidget(m_told);
+  layout->addWidget(m_message);
   connect(previous, &QToolButton::clicked, this, [this] { ask(false); });
   connect(next, &QToolButton::clicked, this, [this] { ask(true); });
   hide();
@@ -88,8 +88,8 @@ void FindBar::start() {
   m_text->selectAll();
 }
 
-void FindBar::tell(const QString& text) {
-  m_told->setText(text);
+void FindBar::showMessage(const QString& text) {
+  m_message->setText(text);
 }
 
 void FindBar::ask(bool forward) {

@@ -19,7 +19,7 @@ class FindBar : public QFrame {
   explicit FindBar(QWidget* parent = nullptr);
 
   void start();  ///< shows the bar and takes the keyboard
-  void tell(const QString& text);
+  void showMessage(const QString& text);
 
  signals:
   void wanted(const QString& text, bool forward);
@@ -32,7 +32,7 @@ class FindBar : public QFrame {
   void ask(bool forward);
 
   QLineEdit* m_text;
-  QLabel* m_told;
+  QLabel* m_message;
 };
 
 /// The next or previous reading entry that contains `text`, starting after the one at `from` (position, row,

@@ -130,13 +130,13 @@ QString FindingsPanel::countText() const {
     return static_cast<int>(std::ranges::count(m_entries, QString::fromLatin1(icon), &Entry::icon));
   };
   QStringList parts;
-  const auto tell = [&parts](int number, const QString& one, const QString& many) {
+  const auto append = [&parts](int number, const QString& one, const QString& many) {
     if (number > 0) parts.append(number == 1 ? one : many.arg(number));
   };
-  tell(count("problem"), tr("1 problem"), tr("%1 problems"));
-  tell(count("incomplete"), tr("1 missing entry"), tr("%1 missing entries"));
-  tell(count("warning"), tr("1 warning"), tr("%1 warnings"));
-  tell(count("note") + count("none"), tr("1 note"), tr("%1 notes"));
+  append(count("problem"), tr("1 problem"), tr("%1 problems"));
+  append(count("incomplete"), tr("1 missing entry"), tr("%1 missing entries"));
+  append(count("warning"), tr("1 warning"), tr("%1 warnings"));
+  append(count("note") + count("none"), tr("1 note"), tr("%1 notes"));
   return listText(parts);
 }
 

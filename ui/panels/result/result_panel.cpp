@@ -77,7 +77,7 @@ ResultPanel::ResultPanel(QWidget* parent)
   m_comparison->hide();
   connect(m_lines, &HeadlineLines::gapActivated, this, &ResultPanel::gapActivated);
   connect(m_compare, &QCheckBox::toggled, m_comparison, &QWidget::setVisible);
-  layOutByFont(*this, [this] { settleWidth(); });
+  layOutByFont(*this, [this] { fixWidth(); });
   setHeadline(headlineOf(Evaluation()));
   setEvaluation({});
 }
@@ -145,7 +145,7 @@ void ResultPanel::setSearched(const Evaluation& evaluation) {
 
 /// Wide enough for figures of usual size and for the longest with wrapped captions. Set once, so that edits
 /// do not resize the window.
-void ResultPanel::settleWidth() {
+void ResultPanel::fixWidth() {
   const auto widthOf = [](FigureGrid& grid, const QString& caption, const QString& figure) {
     grid.setRows({tr("0°"), tr("180°")}, {{caption, {figure, figure}}});
     return grid.minimumSizeHint().width();

@@ -48,7 +48,7 @@ class ResultPanel : public ScrollPage {
   void showVerdict(const Headline& headline);
   void showDetails(const Headline& headline);
   void colorHeadline();
-  void settleWidth();
+  void fixWidth();
   static QString whatIsMissing(const Evaluation& evaluation);
 
   State m_state = State::Quiet;  ///< state of the verdict

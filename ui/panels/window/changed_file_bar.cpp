@@ -32,7 +32,7 @@ ChangedFileBar::ChangedFileBar(QWidget* parent) : QFrame(parent), m_text(new QLa
   setVisible(false);
 }
 
-void ChangedFileBar::tellOf(const QString& name) {
+void ChangedFileBar::showFor(const QString& name) {
   m_text->setText(tr("“%1” was written by another program or window.").arg(visibleLine(name)));
   show();
 }

@@ -13,7 +13,7 @@ class ChangedFileBar : public QFrame {
  public:
   explicit ChangedFileBar(QWidget* parent = nullptr);
 
-  void tellOf(const QString& name);  ///< `name` of the file
+  void showFor(const QString& name);  ///< `name` of the file
 
  signals:
   void comparisonWanted();

@@ -37,8 +37,8 @@ TEST(ArcChecks, BlameTheShortArcOnlyWhereItIsShort) {
     return radiusUndetermined(fit).value();
   };
   EXPECT_NEAR(std::get<ArcTooShort>(spanning(0.1)).span.radians(), 0.1, 1e-12);
-  EXPECT_TRUE(std::holds_alternative<NothingTold>(spanning(3)));
-  EXPECT_TRUE(std::holds_alternative<NothingTold>(spanning(NAN)));
+  EXPECT_TRUE(std::holds_alternative<RadiusUndetermined>(spanning(3)));
+  EXPECT_TRUE(std::holds_alternative<RadiusUndetermined>(spanning(NAN)));
 }
 
 // The unsighted part of the circle is the widest gap, wherever φ = ±180° is.

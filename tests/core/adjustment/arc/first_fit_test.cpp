@@ -121,7 +121,7 @@ TEST(FirstFit, RefusesWhatFixesNoCircle) {
   Measurement measurement = test::usualMeasurement();
   const auto faultOf = [&](const std::vector<double>& angles) {
     const auto fit = firstFit(measurement, test::perfectArc(measurement, circleSighted, angles));
-    return fit ? ArcFault(arc_fault::NothingTold()) : fit.problem();
+    return fit ? ArcFault(arc_fault::RadiusUndetermined()) : fit.problem();
   };
   EXPECT_TRUE(std::holds_alternative<arc_fault::TooFewPlaces>(faultOf({1, 2})));
   EXPECT_TRUE(std::holds_alternative<arc_fault::PlacesRepeat>(faultOf({1, 1, 1, 2, 2, 2, 2})));

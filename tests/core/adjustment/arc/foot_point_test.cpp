@@ -72,14 +72,15 @@ TEST_P(FootPointTest, IsFoundToRoundingFarFromTheArcToo) {
   Direction<double> off = sighted(GetParam());
   off.a -= Angle::fromDegrees(1).radians();
   const VisitReading visit(off);
-  FootPoint settled = footPoint(viewOf(GetParam()), {circle}, visit);
-  for (int again = 0; again < 20; ++again) settled = footPoint(viewOf(GetParam()), {circle}, visit, settled);
+  FootPoint converged = footPoint(viewOf(GetParam()), {circle}, visit);
+  for (int again = 0; again < 20; ++again)
+    converged = footPoint(viewOf(GetParam()), {circle}, visit, converged);
   for (const double away : {-0.5, -0.1, -1e-3, -1e-4, 1e-5, 0.02, 0.2}) {
     FootPoint start;
-    start.phi = settled.phi + away;
+    start.phi = converged.phi + away;
     start.cosine = std::cos(start.phi);
     start.sine = std::sin(start.phi);
-    EXPECT_NEAR(footPoint(viewOf(GetParam()), {circle}, visit, start).phi, settled.phi, 1e-13) << away;
+    EXPECT_NEAR(footPoint(viewOf(GetParam()), {circle}, visit, start).phi, converged.phi, 1e-13) << away;
   }
 }
 

@@ -64,7 +64,7 @@ ArcUnknowns moved(const Eigen::Vector4d& by) {
 
 double chiSquareAt(const Situation& situation, const std::vector<VisitReading>& visits,
                    const Eigen::Vector4d& by) {
-  return feetOf(situation, visits).settle(moved(by), VisitFeet::From::Plane).chiSquare;
+  return feetOf(situation, visits).converge(moved(by), VisitFeet::From::Plane).chiSquare;
 }
 
 class VisitFeetTest : public testing::TestWithParam<Situation> {};
@@ -100,15 +100,15 @@ TEST_P(VisitFeetTest, AreTheFootPointsOfEachVisit) {
         }
         return chiSquare;
       };
-      const auto settle = [&](const ArcUnknowns& unknowns, VisitFeet::From from, const char* said) {
-        const ArcEquations equations = feet.settle(unknowns, from);
+      const auto converge = [&](const ArcUnknowns& unknowns, VisitFeet::From from, const char* said) {
+        const ArcEquations equations = feet.converge(unknowns, from);
         const double chiSquare = expectFeet(unknowns, said);
         EXPECT_NEAR(equations.chiSquare, chiSquare, 1e-9 * (1 + chiSquare)) << said << count;
       };
-      settle(moved({0, 0, 0, 0}), VisitFeet::From::Plane, "from the plane");
-      settle(moved({0.01, -0.02, 0.03, 1e-5}), VisitFeet::From::Before, "from beside it");
-      settle(moved({-3, 5, 8, 0.1}), VisitFeet::From::Before, "from afar");
-      settle(moved({0, 0, 0, 6}), VisitFeet::From::Before, "with the slider round the circle");
+      converge(moved({0, 0, 0, 0}), VisitFeet::From::Plane, "from the plane");
+      converge(moved({0.01, -0.02, 0.03, 1e-5}), VisitFeet::From::Before, "from beside it");
+      converge(moved({-3, 5, 8, 0.1}), VisitFeet::From::Before, "from afar");
+      converge(moved({0, 0, 0, 6}), VisitFeet::From::Before, "with the slider round the circle");
     }
 }
 
@@ -126,7 +126,8 @@ TEST_P(VisitFeetTest, GradientMeetsTheChangeOfTheDistance) {
   const auto distanceFor = [&](const Eigen::Vector4d& by) {
     return std::sqrt(chiSquareAt(situation, visit, by));
   };
-  const ArcEquations equations = feetOf(situation, visit).settle(moved({0, 0, 0, 0}), VisitFeet::From::Plane);
+  const ArcEquations equations =
+      feetOf(situation, visit).converge(moved({0, 0, 0, 0}), VisitFeet::From::Plane);
   const double fromArc = distanceFor({0, 0, 0, 0});
   constexpr double h = 1e-3, tolerance = 1e-6;
   for (int i = 0; i < 3; ++i) {
@@ -144,7 +145,7 @@ TEST_P(VisitFeetTest, GradientMeetsTheChangeOfTheDistance) {
 TEST_P(VisitFeetTest, RightSideIsTheGradientOfTheMisfit) {
   const auto visits = visitsAlong(GetParam(), 17, Angle::fromArcseconds(20));
   const ArcEquations equations =
-      feetOf(GetParam(), visits).settle(moved({0, 0, 0, 0}), VisitFeet::From::Plane);
+      feetOf(GetParam(), visits).converge(moved({0, 0, 0, 0}), VisitFeet::From::Plane);
   const Eigen::Vector4d steps(1e-3, 1e-3, 1e-3, 1e-7);
   for (int i = 0; i < (GetParam().hasSlider ? 4 : 3); ++i) {
     const Eigen::Vector4d by = steps[i] * Eigen::Vector4d::Unit(i);
@@ -160,7 +161,7 @@ TEST_P(VisitFeetTest, RightSideIsTheGradientOfTheMisfit) {
 TEST_P(VisitFeetTest, NormalMatrixIsTheCurvatureOfTheMisfit) {
   const auto visits = visitsAlong(GetParam(), 17, {});
   const ArcEquations equations =
-      feetOf(GetParam(), visits).settle(moved({0, 0, 0, 0}), VisitFeet::From::Plane);
+      feetOf(GetParam(), visits).converge(moved({0, 0, 0, 0}), VisitFeet::From::Plane);
   const Eigen::Vector4d steps(1e-3, 1e-3, 1e-3, 1e-6);
   const int unknowns = GetParam().hasSlider ? 4 : 3;
   for (int i = 0; i < unknowns; ++i)
@@ -181,7 +182,7 @@ TEST_P(VisitFeetTest, RedundanciesAddUpToTheDegreesOfFreedom) {
   for (const std::size_t count : {5, 8, 17, 30}) {
     const auto visits = visitsAlong(GetParam(), count, Angle::fromArcseconds(2));
     VisitFeet feet = feetOf(GetParam(), visits);
-    ArcEquations equations = feet.settle(moved({0, 0, 0, 0}), VisitFeet::From::Plane);
+    ArcEquations equations = feet.converge(moved({0, 0, 0, 0}), VisitFeet::From::Plane);
     if (!GetParam().hasSlider) equations.normal[3][3] = 1;
     Eigen::Matrix4d normal;
     for (int i = 0; i < 4; ++i)

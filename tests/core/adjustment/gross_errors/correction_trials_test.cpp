@@ -44,9 +44,9 @@ bool restores(const Correction& correction, const std::vector<CellChange>& cure)
 /// Types a wrong reading; returns its correction.
 CellChange spoil(Session& session, const Place& where, Slip slip) {
   std::mt19937_64 random(1);
-  const std::string meant = cell(session, where);
-  cell(session, where) = typedWrongly(meant, slip, random);
-  return {where, meant};
+  const std::string intended = cell(session, where);
+  cell(session, where) = typedWrongly(intended, slip, random);
+  return {where, intended};
 }
 
 TEST(CorrectionTrials, KnowWhatACellHolds) {
@@ -186,8 +186,8 @@ TEST(CorrectionTrials, CheckByOtherVisitsAlone) {
   const Session session = sound("paper");
   Session changed = session;
   spoil(changed, {.position = 0, .reading = 5, .field = "vertical"}, Slip::DegreeOff);
-  std::string& beside = changed.positions[0].readings[9].vertical;
-  beside = formatDms(*parseAngle(beside) + Angle::fromArcseconds(6), 1, AngleSigns::Typewriter);
+  std::string& neighbour = changed.positions[0].readings[9].vertical;
+  neighbour = formatDms(*parseAngle(neighbour) + Angle::fromArcseconds(6), 1, AngleSigns::Typewriter);
   const CorrectionTrials trials = trialsOf(session), ofChanged = trialsOf(changed);
   ASSERT_EQ(ofChanged.grossErrors().size(), 1u);
   const Visited visit = trials.visitOf(0, 1, 6), other = trials.visitOf(0, 1, 10);
@@ -233,19 +233,19 @@ TEST(CorrectionTrials, HoldTheSliderOfTwoRowsAgainstEachOther) {
   Session session = sound("full");
   std::vector<Reading>& readings = session.positions[0].readings;
   const Place where{.position = 0, .reading = 21, .field = "slider"};
-  const std::string meant = readings[21].slider;
-  std::string digit = meant;
+  const std::string intended = readings[21].slider;
+  std::string digit = intended;
   const std::size_t tens = digit.find('\'') + 1;
   digit[tens] = digit[tens] < '3' ? static_cast<char>(digit[tens] + 3) : static_cast<char>(digit[tens] - 3);
   std::mt19937_64 random(1);
-  for (const std::string& typed : {digit, typedWrongly(meant, Slip::DegreeOff, random)}) {
+  for (const std::string& typed : {digit, typedWrongly(intended, Slip::DegreeOff, random)}) {
     readings[21].slider = typed;
     CorrectionTrials trials = trialsOf(session);
     EXPECT_TRUE(trials.grossErrors().empty());
     const Visited visit = visitAt(trials, session, where);
     const std::vector<AgreeingCorrection> tried = trials.agreeing(visit, trials.checkOf(visit));
     ASSERT_EQ(tried.size() > 1, typed == digit);
-    EXPECT_TRUE(restores(tried[0].correction, {{where, meant}})) << typed << " " << meant;
+    EXPECT_TRUE(restores(tried[0].correction, {{where, intended}})) << typed << " " << intended;
     for (const AgreeingCorrection& one : tried) EXPECT_EQ(one.correction.changes[0].where.field, "slider");
   }
 }
@@ -253,8 +253,8 @@ TEST(CorrectionTrials, HoldTheSliderOfTwoRowsAgainstEachOther) {
 TEST(CorrectionTrials, MendRowsThatCouldNotBeUsed) {
   Session session = sound("paper");
   const Place where{.position = 1, .reading = 7, .field = "horizontal"};
-  const std::string meant = cell(session, where);
-  const std::size_t minutes = meant.find("°") + std::string("°").size();
+  const std::string intended = cell(session, where);
+  const std::size_t minutes = intended.find("°") + std::string("°").size();
   cell(session, where)[minutes] = '8';
   CorrectionTrials trials = trialsOf(session);
   const Visited usable = visitAt(trials, session, where), visit = usable.with(7);
@@ -263,7 +263,7 @@ TEST(CorrectionTrials, MendRowsThatCouldNotBeUsed) {
   EXPECT_FALSE(trials.agreesAsTyped(visit, check));
   const std::vector<AgreeingCorrection> tried = trials.agreeing(visit, check);
   ASSERT_FALSE(tried.empty());
-  EXPECT_TRUE(restores(tried[0].correction, {{where, meant}}));
+  EXPECT_TRUE(restores(tried[0].correction, {{where, intended}}));
 }
 
 // A row that was typed twice occurs in its visit twice, in one face: each copy is sound, but the visit is

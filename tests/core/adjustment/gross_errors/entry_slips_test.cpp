@@ -14,14 +14,14 @@ using ::testing::Not;
 
 std::vector<std::string> textsOf(std::string_view typed) {
   std::vector<std::string> texts;
-  for (const MeantText& meant : meantTexts(typed)) texts.push_back(meant.text);
+  for (const IntendedText& intended : intendedTexts(typed)) texts.push_back(intended.text);
   return texts;
 }
 
-EntrySlip slipTo(std::string_view typed, std::string_view meant) {
-  const auto texts = meantTexts(typed);
-  const auto found = std::ranges::find(texts, meant, &MeantText::text);
-  if (found == texts.end()) throw std::runtime_error("not among the texts meant: " + std::string(meant));
+EntrySlip slipTo(std::string_view typed, std::string_view intended) {
+  const auto texts = intendedTexts(typed);
+  const auto found = std::ranges::find(texts, intended, &IntendedText::text);
+  if (found == texts.end()) throw std::runtime_error("not among the texts meant: " + std::string(intended));
   return found->slip;
 }
 
@@ -60,10 +60,10 @@ TEST(EntrySlips, ListEachTextOnceAndNeverTheTypedOne) {
 
 // Ten seconds off may also be one wrong digit. Each of the five neighbours in 81°48'23" differs.
 TEST(EntrySlips, AddUpTheWaysToOneText) {
-  const auto texts = meantTexts("81°48'23\"");
-  const auto both = std::ranges::find(texts, "81°48'32\"", &MeantText::text);
-  const auto single = std::ranges::find(texts, "81°48'29\"", &MeantText::text);
-  const auto tens = std::ranges::find(texts, "81°48'33\"", &MeantText::text);
+  const auto texts = intendedTexts("81°48'23\"");
+  const auto both = std::ranges::find(texts, "81°48'32\"", &IntendedText::text);
+  const auto single = std::ranges::find(texts, "81°48'29\"", &IntendedText::text);
+  const auto tens = std::ranges::find(texts, "81°48'33\"", &IntendedText::text);
   ASSERT_TRUE(both != texts.end() && single != texts.end() && tens != texts.end());
   EXPECT_NEAR(tens->prior, slipShare(EntrySlip::TenSecondsOff) / 2 + single->prior, 1e-12);
   EXPECT_NEAR(both->prior, slipShare(EntrySlip::DigitsSwapped) / 5, 1e-12);

@@ -94,10 +94,10 @@ TEST(Suspects, AreNotGivenACorrectionThatAnotherSlipFeigns) {
 TEST(Suspects, SayWhatWasProbablyMeant) {
   Session session = paperSession();
   std::string& typed = session.positions[0].readings[4].vertical;
-  const std::string meant = typed;
+  const std::string intended = typed;
   const std::size_t minutes = typed.find("°") + std::string("°").size();
   std::swap(typed[minutes], typed[minutes + 1]);
-  ASSERT_NE(typed, meant);
+  ASSERT_NE(typed, intended);
   const std::vector<Suspect> suspects = suspectsOf(session);
   ASSERT_THAT(suspects, SizeIs(1));
   EXPECT_EQ(suspects[0].where, (Place{.position = 0, .reading = 4, .field = "vertical"}));
@@ -105,15 +105,16 @@ TEST(Suspects, SayWhatWasProbablyMeant) {
   EXPECT_EQ(suspects[0].point, 5);
   ASSERT_FALSE(suspects[0].proposals.empty());
   EXPECT_EQ(suspects[0].proposals[0].slip, EntrySlip::DigitsSwapped);
-  EXPECT_EQ(suspects[0].proposals[0].changes, (std::vector<CellChange>{{suspects[0].where, meant, typed}}));
+  EXPECT_EQ(suspects[0].proposals[0].changes,
+            (std::vector<CellChange>{{suspects[0].where, intended, typed}}));
 }
 
 // The minutes are out of range: the row is excluded from the fit, but the others predict its reading.
 TEST(Suspects, IncludeRowsThatCouldNotBeUsed) {
   Session session = paperSession();
   std::string& typed = session.positions[1].readings[7].horizontal;
-  const std::string meant = typed;
-  typed = meant.substr(0, meant.find("°")) + "°" + "9" + meant.substr(meant.find("°") + 3);
+  const std::string intended = typed;
+  typed = intended.substr(0, intended.find("°")) + "°" + "9" + intended.substr(intended.find("°") + 3);
   const std::vector<Suspect> suspects = suspectsOf(session);
   ASSERT_THAT(suspects, SizeIs(1));
   EXPECT_EQ(suspects[0].where, (Place{.position = 1, .reading = 7, .field = "horizontal"}));

@@ -68,16 +68,16 @@ TEST(JointProblem, PerfectReadingsLeaveNothing) {
     const std::vector<Circle> circles{{1, -2, 398}, {-3, 4, 403}};
     const std::vector<double> angles = test::spread(7, 300, 20);
     const Angle horizontal = Angle::fromArcseconds(40), vertical = Angle::fromArcseconds(70);
-    ArcMeasurement asItStands = {};
-    asItStands.zeroElevation = vertical;
+    ArcMeasurement asGiven = {};
+    asGiven.zeroElevation = vertical;
     for (std::size_t i = 0; i < 2; ++i) {
       ArcMeasurement& arc =
           measurement.arcs.emplace_back(test::perfectArc(measurement, circles[i], angles, i == 0 ? 0 : 180));
       for (std::size_t k = 0; k < angles.size(); ++k) {
         arc.sightings[k].slider = Angle::fromRadians(i == 0 ? angles[k] : -angles[k]);
         if (i == 0) continue;
-        const Direction<double> seen = ZeroLine(measurement, asItStands)
-                                           .observe(ZeroLine(measurement, {}).sightedPoint(arc.sightings[k]));
+        const Direction<double> seen =
+            ZeroLine(measurement, asGiven).observe(ZeroLine(measurement, {}).sightedPoint(arc.sightings[k]));
         arc.sightings[k].a = Angle::fromRadians(seen.a) - horizontal;
         arc.sightings[k].e = Angle::fromRadians(seen.e) + vertical;
       }

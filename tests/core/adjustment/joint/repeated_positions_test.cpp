@@ -78,10 +78,10 @@ TEST(RepeatedPositions, MeetHalfWay) {
   EXPECT_NEAR(Angle::fromRadians(first + again).arcseconds(), 0, 1e-3);
   // The estimated difference is a weighted mean of the zeros, which show no difference, and of the arcs
   // alone.
-  const double told = std::abs(Angle::fromRadians(again - first).arcseconds());
+  const double difference = std::abs(Angle::fromRadians(again - first).arcseconds());
   const double ofZero = measurement.distance * measurement.sigmaZeroHorizontal.radians(),
                ofArc = std::sqrt(fitArc(measurement, measurement.arcs[0])->cofactor[0][0]);
-  EXPECT_NEAR(told, moved * ofZero * ofZero / (ofZero * ofZero + ofArc * ofArc), 0.03 * moved);
+  EXPECT_NEAR(difference, moved * ofZero * ofZero / (ofZero * ofZero + ofArc * ofArc), 0.03 * moved);
 }
 
 // The axis with two zeros has half the variance due to a single zero, so σ is ½ √(2″²/2 + 2″²) L.

@@ -121,8 +121,8 @@ TEST(ArcFindings, SayThatAFitDidNotSettle) {
   fit.status = FitStatus::TooManyIterations;
   fit.iterations = 60;
   const auto findings = arcFindings(measurement, arc, fit);
-  ASSERT_TRUE(found<NotSettled>(findings));
-  EXPECT_EQ(found<NotSettled>(findings)->iterations, 60);
+  ASSERT_TRUE(found<NotConverged>(findings));
+  EXPECT_EQ(found<NotConverged>(findings)->iterations, 60);
 }
 
 }  // namespace

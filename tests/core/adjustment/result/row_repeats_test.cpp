@@ -18,7 +18,7 @@ using testing::ElementsAre, testing::IsEmpty, testing::Pair;
 struct Reader {
   int places = 17, rounds = 1;
   double gridArcseconds = 1, noiseArcseconds = 2;
-  bool isNumberedAnew = false;  ///< every row has a different number
+  bool isRenumbered = false;  ///< every row has a different number
 
   ArcMeasurement read(const Measurement& measurement, RandomSource& random) const {
     const ArcMeasurement places160 =
@@ -33,9 +33,9 @@ struct Reader {
       for (Sighting row : places160.sightings) {
         row.a = shown(row.a);
         row.e = shown(row.e);
-        row.round = isNumberedAnew ? 1 : round;
+        row.round = isRenumbered ? 1 : round;
         row.row = arc.sightings.size();
-        if (isNumberedAnew) row.point = static_cast<int>(row.row) + 1;
+        if (isRenumbered) row.point = static_cast<int>(row.row) + 1;
         arc.sightings.push_back(row);
       }
     return arc;
@@ -72,7 +72,7 @@ TEST(RowRepeats, AreNotMadeOfChance) {
       EXPECT_LE(falseAlarms({.rounds = rounds, .gridArcseconds = grid}), 12)
           << rounds << " rounds on a grid of " << grid << " arcsec";
   EXPECT_LE(falseAlarms({.rounds = 4, .noiseArcseconds = 0.3}), 12) << "as good as always alike";
-  EXPECT_LE(falseAlarms({.rounds = 2, .isNumberedAnew = true}), 12) << "there and back, numbers of their own";
+  EXPECT_LE(falseAlarms({.rounds = 2, .isRenumbered = true}), 12) << "there and back, numbers of their own";
 }
 
 // Sixty thousand places are 1.6″ apart: rows of neighbours are then equal by chance.

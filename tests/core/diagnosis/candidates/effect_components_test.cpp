@@ -177,10 +177,10 @@ TEST(EffectComponents, BendWithTheSquareOfTheirWeights) {
 // thousandth of a plausible size decides almost alone: 2 % of its σ and 4 % of the size are from the
 // readings.
 TEST(EffectComponents, TellTheirNumbersInTheUnitOfTheCatalogue) {
-  const std::set<std::string> told{"collimation", "trunnion_tilt",  "slider_scale",
-                                   "gravity_sag", "vertical_drift", "arc_ellipticity"};
+  const std::set<std::string> kinds{"collimation", "trunnion_tilt",  "slider_scale",
+                                    "gravity_sag", "vertical_drift", "arc_ellipticity"};
   for (const test::Trial& trial : test::trials()) {
-    if (!told.contains(trial.kind)) continue;
+    if (!kinds.contains(trial.kind)) continue;
     SCOPED_TRACE(trial.id + " " + trial.kind);
     const GapModel model = *modelOf(trial.measurement);
     const Leftover leftover = leftoverOf(model);

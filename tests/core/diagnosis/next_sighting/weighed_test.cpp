@@ -35,7 +35,7 @@ struct Case {
     equations.possible = {{drawn(random, 2, 2), drawn(random, 2, 3)}};
     equations.priorWeights = Eigen::Vector2d(0.2, 0.5);
     equations.priorResiduals = VectorXd::Zero(2);
-    equations.mayBe = {{"one", 0, 2, &one, 0.3}, {"other", 2, 1, &other, 0.1}};
+    equations.hypotheses = {{"one", 0, 2, &one, 0.3}, {"other", 2, 1, &other, 0.1}};
     equations.priorOdds = 0.4 + noise_policy::odds;
     // Readings of nothing: unknowns by their prior, and noise.
     equations.residual = drawn(random, 9, 1) +
@@ -99,7 +99,7 @@ TEST(WeighedCauses, WithACauseHaveTheOddsOfTheDenseNormalDensities) {
 
 TEST(WeighedCauses, WithACauseOfFixedSizeHaveNoFurtherUnknown) {
   Case toy(7);
-  toy.equations.mayBe[1].widths = nullptr;
+  toy.equations.hypotheses[1].widths = nullptr;
   const Weighed fixed = of(WeighedCauses(toy.equations), "other");
   const SightingEquations extended = withCause(toy.equations, fixed, {"other"});
   EXPECT_EQ(extended.taken.unknowns.cols(), 2);
@@ -113,7 +113,7 @@ TEST(WeighedCauses, WithABentCauseHaveItsTwoSizesAsUnknowns) {
   RandomSource random(8);
   toy.equations.taken.causes = drawn(random, 9, 5);
   toy.equations.possible[0].causes = drawn(random, 2, 5);
-  toy.equations.mayBe = {{"bent", 0, 5, &toy.other, 0.1, true}};
+  toy.equations.hypotheses = {{"bent", 0, 5, &toy.other, 0.1, true}};
   const Weighed bent = of(WeighedCauses(toy.equations), "bent");
   const SightingEquations extended = withCause(toy.equations, bent, {"bent"});
   ASSERT_EQ(extended.taken.unknowns.cols(), 4);

@@ -126,7 +126,7 @@ TEST(Advice, PromisesOfEveryTwoWhatSessionsWithTheFurtherReadingsShow) {
   const Inquiry inquiry = inquiryInto(*closedModelOf(own));
   const std::vector<Advice> list = adviceFor(inquiry, suspects, {}, {});
   expectInOrder(list);
-  int told = 0;
+  int checked = 0;
   for (const auto& [measure, protocol] : moreThanThePaper()) {
     SCOPED_TRACE(static_cast<int>(measure));
     const Advice* advice = adviceTo(measure, list);
@@ -143,9 +143,9 @@ TEST(Advice, PromisesOfEveryTwoWhatSessionsWithTheFurtherReadingsShow) {
       }
     EXPECT_NEAR(advice->bySigma, least, 0.02 * least);
     EXPECT_FALSE(advice->ofUndetectable);
-    ++told;
+    ++checked;
   }
-  EXPECT_GE(told, 2);
+  EXPECT_GE(checked, 2);
 }
 
 // A drift of 60″ has turned the zero by 29″ when 17 of 34 rows are read, in each position. A slip of 30″
@@ -268,19 +268,19 @@ TEST(Advice, SightsTheZeroAgainWhereAJumpGoesUnseen) {
                                         undetectable(jumpId, Vector2d(0.6, -0.8))};
   const double expected = std::hypot(36.0 / 2, 48.0 / 5) / std::numbers::sqrt2;
   const std::vector<Advice> alone = adviceFor(inquiry, {}, {}, list),
-                            beside = adviceFor(
+                            amongOthers = adviceFor(
                                 inquiry,
                                 {possibleCauseOf("gravity_sag", 0.4), possibleCauseOf("trunnion_tilt", 200)},
                                 {}, list);
   ASSERT_GT(alone.size(), 1u);
-  ASSERT_GT(beside.size(), 1u);
-  for (const Advice& zero : {alone.front(), beside.back()}) {
+  ASSERT_GT(amongOthers.size(), 1u);
+  for (const Advice& zero : {alone.front(), amongOthers.back()}) {
     EXPECT_THAT(zero.measures, ElementsAre(Measure::ZeroSightedAgain));
     EXPECT_THAT(zero.separates, ElementsAre(jumpId));
     EXPECT_NEAR(zero.bySigma, expected, 1e-9);
     EXPECT_TRUE(zero.ofUndetectable);
   }
-  for (const Advice& other : beside)
+  for (const Advice& other : amongOthers)
     EXPECT_EQ(other.ofUndetectable, other.measures.front() == Measure::ZeroSightedAgain);
 }
 

@@ -142,7 +142,7 @@ TEST(FurtherReadings, MeasureAPositionAgain) {
     ASSERT_EQ(again.sightings.size(), first.sightings.size());
     EXPECT_EQ(again.sightings.front().sequence, model.measurement->rows);
     EXPECT_EQ(again.sightings.back().a, first.sightings.back().a);
-    EXPECT_FALSE(isReadAnew({measure}));
+    EXPECT_FALSE(isNewSessionNeeded({measure}));
   }
   std::vector<std::vector<Measure>> combinations;
   eachCombination(model, [&](const FurtherReadings& plan) {
@@ -190,7 +190,7 @@ TEST(FurtherReadings, OfASetUpOfItsOwnComeBesideTheSession) {
   const GapModel model = *modelOf(test::trialMeasurement("paper"));
   for (const FurtherReadings& plan : plansOf(model)) {
     const bool isOwn = plan.measures.front() == ShiftedCircle || plan.measures.front() == SecondStandOff;
-    EXPECT_EQ(plan.besideSession, isOwn) << static_cast<int>(plan.measures.front());
+    EXPECT_EQ(plan.includesSession, isOwn) << static_cast<int>(plan.measures.front());
     ASSERT_EQ(plan.sets.size(), isOwn ? 2u : 1u);
     const Measurement &first = plan.sets.front(), &last = plan.sets.back();
     EXPECT_EQ(first.distance, model.measurement->distance);

@@ -39,7 +39,7 @@ MatrixXd below(const MatrixXd& one, const MatrixXd& other) {
 }
 
 /// The same with the estimated terms of the model eliminated, including their prior knowledge.
-MatrixXd besideEstimated(const MatrixXd& columns, const std::vector<EstimatedTerm>& estimated) {
+MatrixXd withoutEstimated(const MatrixXd& columns, const std::vector<EstimatedTerm>& estimated) {
   const Index count = std::ssize(estimated), rows = columns.rows();
   if (count == 0) return columns;
   MatrixXd all = below(columns, MatrixXd::Zero(count, columns.cols()));
@@ -79,8 +79,8 @@ GapModel modelWith(const std::vector<EstimatedTerm>& terms, const std::vector<Re
 // circles and zeros. A session as read uses its own equations, otherwise those of its plan.
 TEST(FurtherTerms, AreThoseOfAllSetsTogether) {
   const std::vector<EstimatedTerm> some{{ErrorTerm::TrunnionTilt, 1e-5}, {ErrorTerm::LobingSine, 0.05}};
-  const std::vector<ErrorTerm> asked{ErrorTerm::VerticalDrift, ErrorTerm::WarpCosine, ErrorTerm::WarpSine,
-                                     ErrorTerm::Collimation};
+  const std::vector<ErrorTerm> requested{ErrorTerm::VerticalDrift, ErrorTerm::WarpCosine, ErrorTerm::WarpSine,
+                                         ErrorTerm::Collimation};
   for (const auto& [terms, without] :
        {std::pair<std::vector<EstimatedTerm>, std::vector<ReadingRef>>{{}, {}},
         {some, {}},
@@ -88,22 +88,22 @@ TEST(FurtherTerms, AreThoseOfAllSetsTogether) {
     const GapModel model = modelWith(terms, without);
     const Linearised ofSession = linearise(*model.measurement, *model.fit, model.options);
     const bool asRead = terms.empty() && without.empty();
-    std::vector<ErrorTerm> known = asked;
+    std::vector<ErrorTerm> known = requested;
     for (const EstimatedTerm& term : terms) known.push_back(term.term);
     FurtherTerms further(model, ofSession, someEffects());
-    int besides = 0;
+    int withSession = 0;
     eachFurtherReadings(model, [&, &terms = terms](const FurtherReadings& plan) {
       SCOPED_TRACE(static_cast<int>(plan.measures.front()));
       MatrixXd columns = shownBy(test::linearisedPlan(model, plan.sets.back()));
-      if (plan.besideSession)
+      if (plan.includesSession)
         columns =
             below(columns, shownBy(asRead ? ofSession : test::linearisedPlan(model, plan.sets.front())));
-      besides += plan.besideSession;
+      withSession += plan.includesSession;
       const VisibleTerms shown = further.shownBy(plan);
-      expectShown(shown, besideEstimated(columns, terms), known);
+      expectShown(shown, withoutEstimated(columns, terms), known);
       EXPECT_EQ(further.shownBy(plan).gram, shown.gram);  // a repeated call
     });
-    EXPECT_EQ(besides, 2);
+    EXPECT_EQ(withSession, 2);
   }
 }
 

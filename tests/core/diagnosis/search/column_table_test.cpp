@@ -84,7 +84,7 @@ TEST_P(ColumnTableTest, KnowsTheInnerProductsOfTurnedColumns) {
     if (bends) expectNear(columns, candidates[i].visibleColumns(leftover), 0);
     for (Index c = 0; c < table.count(i) && !bends; ++c) {
       const double next = c + 1 < table.count(i) ? gram(c, c + 1) : 0;
-      EXPECT_NEAR(table.beside()[table.first(i) + c], next, 1e-9 * (1 + square));
+      EXPECT_NEAR(table.subdiagonal()[table.first(i) + c], next, 1e-9 * (1 + square));
       for (Index other = 0; other + 1 < c; ++other) EXPECT_NEAR(gram(other, c), 0, 1e-9 * (1 + square));
     }
   });

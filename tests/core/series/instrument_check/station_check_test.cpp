@@ -121,13 +121,13 @@ TEST(StationCheck, TellsALineOfSightOffTheAxisFromCollimation) {
 
 TEST(StationCheck, FollowsTheCourseOverTheRounds) {
   const StationCheck check = checkOf(simulatedRounds({.noise = 0.5, .driftPerRound = 3}, fourTargets, 8, 3));
-  EXPECT_FALSE(check.isCircleSetAnew);
+  EXPECT_FALSE(check.isCircleReset);
   ASSERT_TRUE(check.orientationSlope);
   EXPECT_NEAR(check.orientationSlope->perRound, 3, 3 * check.orientationSlope->u);
   EXPECT_LT(check.orientationSlope->pValue, 0.001);
   EXPECT_EQ(check.course.size(), 8U);
   const StationCheck set = checkOf(simulatedRounds({.noise = 0.5, .circleStepDeg = 45}, fourTargets, 8, 3));
-  EXPECT_TRUE(set.isCircleSetAnew);
+  EXPECT_TRUE(set.isCircleReset);
   EXPECT_FALSE(set.orientationSlope);
 }
 

@@ -76,10 +76,10 @@ class PlotHands : public ::testing::Test {
   }
   QByteArray saved(const QString& text) {
     QByteArray bytes;
-    const auto told = QObject::connect(&chart.files(), &ChartFiles::fileWanted, &chart,
-                                       [&](const ChartFile& file) { bytes = file.bytes; });
+    const auto connection = QObject::connect(&chart.files(), &ChartFiles::fileWanted, &chart,
+                                             [&](const ChartFile& file) { bytes = file.bytes; });
     choose(text);
-    QObject::disconnect(told);
+    QObject::disconnect(connection);
     return bytes;
   }
 

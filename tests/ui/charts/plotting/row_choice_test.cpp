@@ -73,10 +73,10 @@ TEST(RowSlots, TellRoundsAndFacesApartWhereMarksShareAPlace) {
           EXPECT_GT(std::hypot(away.x(), away.y()), 3);
         }
       }
-    bool isTold = false;
+    bool isListed = false;
     for (const LegendEntry& entry : plot->legend().entries())
-      isTold = isTold || entry.text == QStringLiteral("rounds side by side");
-    EXPECT_TRUE(isTold);
+      isListed = isListed || entry.text == QStringLiteral("rounds side by side");
+    EXPECT_TRUE(isListed);
   }
 }
 

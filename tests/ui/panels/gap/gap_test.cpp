@@ -54,12 +54,12 @@ struct GapBench {
   explicit GapBench(const QString& path) {
     if (!open->files().open(path)) throw std::runtime_error("cannot open " + path.toStdString());
     QTest::keyClick(open.window.get(), Qt::Key_5, Qt::ControlModifier);
-    settle();
+    waitUntilIdle();
   }
   explicit GapBench(const char* trial) : GapBench(trialPath(trial)) {}
 
-  void settle() {
-    open.settle();
+  void waitUntilIdle() {
+    open.waitUntilIdle();
     if (!waitFor([this] { return open->gapJob().isIdle(); })) throw std::runtime_error("no diagnosis");
     QCoreApplication::processEvents();
   }
@@ -75,7 +75,7 @@ struct GapBench {
     ASSERT_TRUE(found->isEnabled()) << name;
     found->setFocus();
     QTest::keyClick(found, Qt::Key_Space);
-    settle();
+    waitUntilIdle();
   }
   std::string shown() {
     QString texts;
@@ -95,12 +95,12 @@ struct GapBench {
   OpenWindow open;
 };
 
-struct Told {
+struct Expected {
   const char* trial;
   const char* headline;
 };
 
-class GapVerdict : public testing::TestWithParam<Told> {};
+class GapVerdict : public testing::TestWithParam<Expected> {};
 
 TEST_P(GapVerdict, IsTheTruthOfTheTrial) {
   GapBench bench(GetParam().trial);
@@ -109,16 +109,16 @@ TEST_P(GapVerdict, IsTheTruthOfTheTrial) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Trials, GapVerdict,
-                         testing::Values(Told{sagTrial, "One cause: gravity sag"},
-                                         Told{collimationTrial, "One of 2 causes that look alike here"},
-                                         Told{slipTrial, "One cause: misread values"},
-                                         Told{jumpTrial, "One cause: a jump of the orientation"},
-                                         Told{noiseTrial, "One cause: noise larger than stated"},
-                                         Told{harmonicTrial, "A gap of no known cause"},
-                                         Told{lobingAndDriftTrial, "2 causes"},
-                                         Told{cleanTrial, "No gap: within the noise"},
-                                         Told{relationTrial, "One cause: the vertical angle relation"}),
-                         [](const auto& told) { return "Of" + std::string(told.param.trial); });
+                         testing::Values(Expected{sagTrial, "One cause: gravity sag"},
+                                         Expected{collimationTrial, "One of 2 causes that look alike here"},
+                                         Expected{slipTrial, "One cause: misread values"},
+                                         Expected{jumpTrial, "One cause: a jump of the orientation"},
+                                         Expected{noiseTrial, "One cause: noise larger than stated"},
+                                         Expected{harmonicTrial, "A gap of no known cause"},
+                                         Expected{lobingAndDriftTrial, "2 causes"},
+                                         Expected{cleanTrial, "No gap: within the noise"},
+                                         Expected{relationTrial, "One cause: the vertical angle relation"}),
+                         [](const auto& info) { return "Of" + std::string(info.param.trial); });
 
 TEST(Gap, TellsAnUnknownCauseBesideKnownOnes) {
   Diagnosis diagnosis;
@@ -185,7 +185,7 @@ TEST(Gap, WeighsTheCausesWithTheReferenceWhileItIsAskedTo) {
   const auto toggle = [&] {
     box()->setFocus();
     QTest::keyClick(box(), Qt::Key_Space);
-    bench.settle();
+    bench.waitUntilIdle();
   };
   toggle();
   EXPECT_TRUE(box()->isChecked());
@@ -195,16 +195,16 @@ TEST(Gap, WeighsTheCausesWithTheReferenceWhileItIsAskedTo) {
   EXPECT_EQ(bench.open->document().undoStack().count(), 0) << "it is no part of the session";
 
   changeField(bench.open->document(), {.field = "geometry.sigma_distance_mm"}, "0.5");
-  bench.settle();
+  bench.waitUntilIdle();
   EXPECT_TRUE(box()->isChecked()) << "an edit leaves it on";
   bench.open->undo();
-  bench.settle();
+  bench.waitUntilIdle();
   toggle();
   EXPECT_THAT(bench.shown(), HasSubstr(without));
 
   toggle();
   ASSERT_TRUE(bench.open->files().open(closurePath("067998")));
-  bench.settle();
+  bench.waitUntilIdle();
   EXPECT_FALSE(box()->isChecked()) << "another session starts without it";
 }
 
@@ -213,7 +213,7 @@ TEST(Gap, OffersTheReferenceOnlyWithItsSigma) {
   const auto* box = bench.page()->findChild<QCheckBox*>(QStringLiteral("with reference"));
   EXPECT_THAT(bench.shown(), HasSubstr("Sizes that would explain Δd − reference\n"));
   changeField(bench.open->document(), {.field = "acceptance.sigma_reference_mm"}, "");
-  bench.settle();
+  bench.waitUntilIdle();
   EXPECT_FALSE(box->isVisibleTo(bench.page()));
   EXPECT_THAT(bench.shown(), Not(HasSubstr("Sizes that would explain")));
 }
@@ -270,14 +270,14 @@ TEST(Gap, WhatWasAddedIsUndoneRedoneAndSaved) {
   ASSERT_FALSE(bench.open->document().save(path));
   EXPECT_THAT(loadSession(path.toStdString())->model.effects, ElementsAre("gravity_sag"));
   bench.open->undo();
-  bench.settle();
+  bench.waitUntilIdle();
   Session undone = bench.open->document().session();
   EXPECT_EQ(undone.journal.size(), 1U) << "the file has it";
   undone.journal.clear();
   EXPECT_EQ(undone, original);
   EXPECT_THAT(bench.shown(), HasSubstr("One cause: gravity sag\n"));
   bench.open->redo();
-  bench.settle();
+  bench.waitUntilIdle();
   bench.tick("gravity_sag")->click();
   bench.press("remove ticked");
   EXPECT_THAT(bench.effects(), IsEmpty());
@@ -307,7 +307,7 @@ TEST(Gap, AddsOnlyWhatIsTicked) {
   ASSERT_EQ(bench.effects().size(), 1u);
   EXPECT_NE(bench.effects()[0], first);
   bench.open->undo();
-  bench.settle();
+  bench.waitUntilIdle();
   for (QCheckBox* tick : bench.page()->findChildren<QCheckBox*>())
     if (tick->isChecked() && tick->isVisibleTo(bench.page())) tick->click();
   EXPECT_FALSE(bench.button("add ticked")->isEnabled());
@@ -339,7 +339,7 @@ TEST(Gap, SetsTheVerticalAngleRelationRight) {
   EXPECT_EQ(bench.open->document().session().model.verticalAngle, "planar");
   EXPECT_THAT(bench.shown(), HasSubstr("No gap: within the noise\n"));
   bench.open->undo();
-  bench.settle();
+  bench.waitUntilIdle();
   bench.press("add ticked");
   EXPECT_THAT(bench.shown(), HasSubstr("No gap: within the noise\n"));
 }
@@ -391,7 +391,7 @@ TEST(Gap, SaysWhatToDoWhereNothingCanBeAdded) {
 TEST(Gap, SaysWhenWhichRowsOfAJumpMayBeLeftOut) {
   const auto evaluation =
       std::make_shared<const Evaluation>(evaluateFit(*loadSession(trialPath(jumpTrial).toStdString())));
-  const auto told = [&](double row) {
+  const auto adviceAt = [&](double row) {
     Gap gap{.evaluation = evaluation, .diagnosis = Diagnosis{}, .reason = {}, .stages = {}};
     gap.diagnosis->causes.push_back({.effect = "orientation_jump",
                                      .parameters = {{.name = "row", .value = row, .sigma = 0, .unit = "1"}},
@@ -405,13 +405,14 @@ TEST(Gap, SaysWhenWhichRowsOfAJumpMayBeLeftOut) {
     return texts.toStdString();
   };
   const std::string goTo = "\nGo to the reading", after = "\nExclude the rows from there on";
-  EXPECT_THAT(told(35), EndsWith("if the pointing zero of the next position was sighted after the jump." +
-                                 goTo + after));
-  EXPECT_THAT(told(4), EndsWith("repeat this position." + goTo)) << "too few are left";
-  EXPECT_THAT(told(67), EndsWith("position. Or leave out the rows from there on, if the pointing zero of the "
-                                 "next position was sighted after the jump." +
-                                 goTo + after));
-  EXPECT_THAT(told(68 + 35), EndsWith("position. Or leave out the rows from there on." + goTo + after));
+  EXPECT_THAT(adviceAt(35), EndsWith("if the pointing zero of the next position was sighted after the jump." +
+                                     goTo + after));
+  EXPECT_THAT(adviceAt(4), EndsWith("repeat this position." + goTo)) << "too few are left";
+  EXPECT_THAT(adviceAt(67),
+              EndsWith("position. Or leave out the rows from there on, if the pointing zero of the "
+                       "next position was sighted after the jump." +
+                       goTo + after));
+  EXPECT_THAT(adviceAt(68 + 35), EndsWith("position. Or leave out the rows from there on." + goTo + after));
 }
 
 /// Excluding the rows after the jump preserves Δd. The remaining rows and their zero were read before the
@@ -469,7 +470,7 @@ TEST(Gap, StatesTheNoiseThatTheReadingsShow) {
   EXPECT_NE(instrument, before);
   bench.open->undo();
   EXPECT_EQ(instrument, before);
-  bench.settle();
+  bench.waitUntilIdle();
   EXPECT_TRUE(bench.button("state noise"));
 }
 
@@ -517,7 +518,7 @@ TEST(Gap, OfThreeReadingsIsNone) {
 TEST(Gap, IsToldWhileThePageIsHidden) {
   OpenWindow open;
   ASSERT_TRUE(open->files().open(trialPath(sagTrial)));
-  open.settle();
+  open.waitUntilIdle();
   ASSERT_TRUE(waitFor([&] { return open->gapJob().isIdle(); }));
   const auto gapHint = [&] { return open->findChild<QLabel*>(QStringLiteral("gap hint")); };
   QLabel* hint = gapHint();
@@ -530,7 +531,7 @@ TEST(Gap, IsToldWhileThePageIsHidden) {
   EXPECT_EQ(tabs->currentWidget(), page);
 
   ASSERT_TRUE(open->files().open(trialPath(cleanTrial)));
-  open.settle();
+  open.waitUntilIdle();
   ASSERT_TRUE(waitFor([&] { return open->gapJob().isIdle(); }));
   EXPECT_FALSE(gapHint()) << "no line of the headline is of a gap";
   EXPECT_TRUE(tabs->tabIcon(tabs->indexOf(page)).isNull());
@@ -540,7 +541,7 @@ TEST(Gap, IsToldWhileThePageIsHidden) {
 TEST(Gap, IsLinkedToInTheColoursOfTheTheme) {
   OpenWindow open;
   ASSERT_TRUE(open->files().open(trialPath(sagTrial)));
-  open.settle();
+  open.waitUntilIdle();
   ASSERT_TRUE(waitFor([&] { return open->gapJob().isIdle(); }));
   auto* hint = open->findChild<QLabel*>(QStringLiteral("gap hint"));
   const QPalette before = QApplication::palette();
@@ -564,7 +565,7 @@ TEST(Gap, IsLinkedToInTheColoursOfTheTheme) {
 TEST(Gap, StandsAmongTheFindingsWhichLeadToItsPage) {
   OpenWindow open;
   ASSERT_TRUE(open->files().open(trialPath(collimationTrial)));
-  open.settle();
+  open.waitUntilIdle();
   ASSERT_TRUE(waitFor([&] { return open->gapJob().isIdle(); }));
   auto* findings = open->findChild<FindingsPanel*>();
   const auto texts = [&] {
@@ -582,7 +583,7 @@ TEST(Gap, StandsAmongTheFindingsWhichLeadToItsPage) {
 
   ASSERT_TRUE(open->files().open(trialPath(cleanTrial)));
   EXPECT_THAT(texts(), IsEmpty()) << "of another session nothing is known yet";
-  open.settle();
+  open.waitUntilIdle();
   ASSERT_TRUE(waitFor([&] { return open->gapJob().isIdle(); }));
   EXPECT_EQ(texts(), "No problems.");
 }
@@ -590,7 +591,7 @@ TEST(Gap, StandsAmongTheFindingsWhichLeadToItsPage) {
 TEST(Gap, IsToldAsOldFromTheEditToTheNextDiagnosis) {
   OpenWindow open;
   ASSERT_TRUE(open->files().open(trialPath(sagTrial)));
-  open.settle();
+  open.waitUntilIdle();
   ASSERT_TRUE(waitFor([&] { return open->gapJob().isIdle(); }));
   QCoreApplication::processEvents();
   const auto isHinted = [&] { return open->findChild<QLabel*>(QStringLiteral("gap hint")) != nullptr; };
@@ -600,7 +601,7 @@ TEST(Gap, IsToldAsOldFromTheEditToTheNextDiagnosis) {
   changeField(open->document(), {.field = "geometry.sigma_distance_mm"}, "0.5");
   EXPECT_FALSE(isHinted()) << "it belongs to the verdict of another state";
   EXPECT_THAT(finding(), HasSubstr("Before the latest changes: One cause: gravity sag."));
-  open.settle();
+  open.waitUntilIdle();
   EXPECT_THAT(finding(), HasSubstr("Before the latest changes: One cause: gravity sag."))
       << "the new fit knows no better";
   ASSERT_TRUE(waitFor([&] { return open->gapJob().isIdle(); }));

@@ -25,8 +25,8 @@ using testing::HasSubstr;
 class ChangeReasonBarTest : public ::testing::Test {
  protected:
   ChangeReasonBarTest() {
-    open->document().startWithStanding(paperSession());
-    open.settle();
+    open->document().startWithRecorded(paperSession());
+    open.waitUntilIdle();
     open->hideStart();
     bar = open->findChild<ChangeReasonBar*>();
     line = bar->findChild<QLineEdit*>();

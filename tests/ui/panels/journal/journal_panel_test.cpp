@@ -27,12 +27,12 @@ struct JournalBench {
 
   JournalBench() {
     open->document().startWith(paperSession());
-    open.settle();
+    open.waitUntilIdle();
   }
 
   void change() {
     ReadingsEditor(open->document(), 0).setCell({3, ReadingColumn::Vertical}, "83 50 35");
-    open.settle();
+    open.waitUntilIdle();
   }
   QString cell(int role) {
     return open->currentTable()
@@ -66,7 +66,7 @@ TEST(JournalPage, IsThereOnceAReadingThatStoodWasChanged) {
   EXPECT_EQ(bench.tableCell(0, 3).toStdString(), "83 50 35");
   EXPECT_EQ(bench.tableCell(0, 4).toStdString(), "retyped");
   bench.open->undo();
-  bench.open.settle();
+  bench.open.waitUntilIdle();
   EXPECT_FALSE(bench.hasPage());
 }
 
@@ -87,7 +87,7 @@ TEST(JournalPage, SealingSavesAndTellsOfLaterChanges) {
   EXPECT_TRUE(bench.open->document().session().journal.empty());
   bench.open.dialogs->sealedBy = QStringLiteral("R. Roe");
   EXPECT_TRUE(bench.open->files().seal());
-  bench.open.settle();
+  bench.open.waitUntilIdle();
   EXPECT_FALSE(bench.open->document().isModified());
   EXPECT_THAT(bench.summary(), HasSubstr(" UTC by R. Roe and unchanged since."));
   bench.change();

@@ -26,7 +26,7 @@ struct EffectsBench {
   EffectsBench() {
     if (!open->files().open(samplePath(QStringLiteral("paper-table-1.alidade"))))
       throw std::runtime_error("sample");
-    open.settle();
+    open.waitUntilIdle();
     open->pageTabs()[0]->showPage(2);
     list = open->findChild<EffectsPanel*>()->findChild<QTreeWidget*>();
   }
@@ -40,7 +40,7 @@ struct EffectsBench {
     list->setCurrentItem(item(name));
     QTest::keyClick(list, Qt::Key_Space);
     QCoreApplication::processEvents();
-    open.settle();
+    open.waitUntilIdle();
   }
 
   OpenWindow open;
@@ -71,7 +71,7 @@ TEST(Effects, AreUndoneAndSaved) {
               ElementsAre("collimation"));
   bench.open->pageTabs()[0]->showPage(0);
   bench.open->undo();
-  bench.open.settle();
+  bench.open.waitUntilIdle();
   EXPECT_TRUE(bench.effects().empty());
   EXPECT_EQ(bench.item("Collimation")->checkState(0), Qt::Unchecked);
   EXPECT_EQ(bench.open->pageTabs()[0]->currentIndex(), 2) << "undo leads to what it changed";
@@ -82,7 +82,7 @@ TEST(Effects, AreUndoneAndSaved) {
 TEST(Effects, KeepWhatTheCatalogueDoesNotKnowUntilItIsTakenAway) {
   EffectsBench bench;
   setEffect(bench.open->document(), "moonlight", true);
-  bench.open.settle();
+  bench.open.waitUntilIdle();
   ASSERT_TRUE(bench.item("moonlight"));
   EXPECT_EQ(bench.item("moonlight")->checkState(0), Qt::Checked);
   EXPECT_FALSE(bench.item("moonlight")->icon(0).isNull());

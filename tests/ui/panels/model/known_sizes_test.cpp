@@ -45,7 +45,7 @@ struct KnownBench {
     file.write(QByteArray::fromStdString(session.dump(2)));
     file.close();
     if (!open->files().open(file.fileName())) throw std::runtime_error("session");
-    open.settle();
+    open.waitUntilIdle();
     table = open->findChild<KnownSizesTable*>();
     show();
   }
@@ -77,7 +77,7 @@ struct KnownBench {
   /// Types into the current cell.
   void type(const char* text, Qt::Key key = Qt::Key_Return) {
     typeInto(*table, QString::fromUtf8(text), key);
-    open.settle();
+    open.waitUntilIdle();
   }
   const Session& session() { return open->document().session(); }
   std::string about() {
@@ -148,7 +148,7 @@ TEST(KnownSizes, AreTypedWithTheKeyboardAndUndone) {
             QStringLiteral("Change known size of collimation"));
   bench.open->pageTabs()[1]->showPage(0);
   for (int i = 0; i < 3; ++i) bench.open->undo();
-  bench.open.settle();
+  bench.open.waitUntilIdle();
   EXPECT_EQ(bench.session(), before);
   EXPECT_EQ(writeSession(bench.session()), writeSession(before));
   EXPECT_TRUE(bench.table->isVisible()) << "undo leads to what it changed";

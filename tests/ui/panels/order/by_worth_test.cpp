@@ -58,12 +58,12 @@ class ByWorth : public testing::Test {
     for (PageTabs* tabs : m_open->pageTabs())
       if (const int index = tabs->indexOf(m_open->findChild<OrderPanel*>()); index >= 0)
         tabs->showPage(index);
-    settle();
+    waitUntilIdle();
   }
 
   const Session& session() { return m_open->document().session(); }
-  void settle() {
-    m_open.settle();
+  void waitUntilIdle() {
+    m_open.waitUntilIdle();
     QCoreApplication::processEvents();
   }
   OrderPanel& panel() { return *m_open->findChild<OrderPanel*>(); }
@@ -106,7 +106,7 @@ class ByWorth : public testing::Test {
     QCoreApplication::processEvents();
     typeInto(*QApplication::focusWidget(), QString::fromStdString(horizontal), Qt::Key_Return);
     typeInto(*QApplication::focusWidget(), QString::fromStdString(vertical), Qt::Key_Return);
-    settle();
+    waitUntilIdle();
     return true;
   }
   QMenu* menu() {
@@ -132,7 +132,7 @@ TEST_F(ByWorth, EveryReadingTypedIsTheOneThatWasNext) {
   }
   const ProtocolProgress progress = progressOf(session(), **protocolOf(session()));
   EXPECT_EQ(progress.taken, 16u);
-  EXPECT_EQ(progress.beside + progress.missed + progress.outOfTurn, 0u);
+  EXPECT_EQ(progress.unplanned + progress.missed + progress.outOfTurn, 0u);
 }
 
 TEST_F(ByWorth, TheTableStatusBarAndPageSayTheSameNext) {
@@ -155,16 +155,16 @@ TEST_F(ByWorth, IsSwitchedOffAndOnInTheMenu) {
   };
   ASSERT_TRUE(action() && action()->isChecked());
   action()->trigger();
-  settle();
+  waitUntilIdle();
   EXPECT_FALSE((*protocolOf(session()))->isByWorth);
   EXPECT_EQ((*protocolOf(session()))->positions.size(), 2u);
   EXPECT_FALSE(m_open->document().chosenSighting());
   EXPECT_FALSE(action()->isChecked());
   action()->trigger();
-  settle();
+  waitUntilIdle();
   EXPECT_TRUE(m_open->document().chosenSighting());
   m_open->document().undoStack().undo();
-  settle();
+  waitUntilIdle();
   EXPECT_FALSE(m_open->document().chosenSighting());
 }
 
@@ -196,7 +196,7 @@ TEST_F(ByWorth, ReachesForAThirdOfTheToleranceUntilAnotherUIsTyped) {
   Session session = this->session();
   session.acceptance.toleranceMm = "0.6";
   m_open->document().startWith(session);
-  settle();
+  waitUntilIdle();
   for (int i = 0; i < 3; ++i) ASSERT_TRUE(typeNext());
   EXPECT_DOUBLE_EQ(wanted().value(), 0.2);
   EXPECT_THAT(shown(), HasSubstr("U = 0.2 mm"));
@@ -210,10 +210,10 @@ TEST_F(ByWorth, ReachesForAThirdOfTheToleranceUntilAnotherUIsTyped) {
 TEST_F(ByWorth, AsksForNoUncertaintyInAListedOrder) {
   EXPECT_TRUE(wanted().isVisible());
   followProtocol(m_open->document(), listedOrder(**protocolOf(session())));
-  settle();
+  waitUntilIdle();
   EXPECT_FALSE(wanted().isVisible());
   followProtocol(m_open->document(), std::nullopt);
-  settle();
+  waitUntilIdle();
   EXPECT_FALSE(wanted().isVisible());
 }
 

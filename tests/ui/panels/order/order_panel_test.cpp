@@ -45,8 +45,8 @@ struct OrderBench {
   std::string text(const char* name) {
     return panel().findChild<QLabel*>(QLatin1String(name))->text().toStdString();
   }
-  void settle() {
-    open.settle();
+  void waitUntilIdle() {
+    open.waitUntilIdle();
     while (!panel().job().isIdle()) QTest::qWait(5);
     QCoreApplication::processEvents();
   }
@@ -88,7 +88,7 @@ TEST(OrderPanel, LeadsTheKeyboardThroughAWholeProtocol) {
   OrderBench bench;
   bench.open->document().startWith(unread(whole));
   followProtocol(bench.open->document(), protocol);
-  bench.settle();
+  bench.waitUntilIdle();
   const std::size_t count = sightingsInOrder(protocol).size();
   ASSERT_EQ(count, 28u);
   for (std::size_t i = 0; i < count; ++i) {
@@ -123,11 +123,11 @@ TEST(OrderPanel, LeadsTheKeyboardThroughAWholeProtocol) {
     typeInto(*QApplication::focusWidget(), qText(vertical), Qt::Key_Return);
     QCoreApplication::processEvents();
   }
-  bench.settle();
+  bench.waitUntilIdle();
   EXPECT_FALSE(nextSighting(bench.session()));
   const ProtocolProgress progress = progressOf(bench.session(), protocol);
   EXPECT_TRUE(progress.isComplete());
-  EXPECT_EQ(progress.outOfTurn + progress.beside + progress.missed, 0u);
+  EXPECT_EQ(progress.outOfTurn + progress.unplanned + progress.missed, 0u);
   EXPECT_THAT(bench.text("order state"), HasSubstr("28 of 28"));
   EXPECT_THAT(bench.text("next sighting"), HasSubstr("The protocol is complete"));
   EXPECT_THAT(bench.text("order outlook"), HasSubstr("Further rounds do not reduce"));
@@ -137,7 +137,7 @@ TEST(OrderPanel, SaysWhatIsNextAndHowFarItIs) {
   OrderBench bench;
   bench.open->document().startWith(paperSession());
   bench.choose(QStringLiteral("there-and-back"));
-  bench.settle();
+  bench.waitUntilIdle();
   EXPECT_THAT(bench.text("order state"), HasSubstr("36 of 70"));
   EXPECT_THAT(bench.text("next sighting"), HasSubstr("point 17, round 2"));
   EXPECT_THAT(bench.text("expected reading"), HasSubstr("323°07′"));
@@ -155,7 +155,7 @@ TEST(OrderPanel, NamesWhatHelpsIfRoundsDoNot) {
   OrderBench bench;
   bench.open->document().startWith(session);
   followProtocol(bench.open->document(), templateOf(shortPlan()));
-  bench.settle();
+  bench.waitUntilIdle();
   EXPECT_THAT(bench.text("order outlook"), HasSubstr("More rounds are not enough"));
   std::string shown;
   for (const QLabel* label : bench.panel().findChildren<QLabel*>())
@@ -170,7 +170,7 @@ TEST(OrderPanel, ListsTheNextSightingInView) {
   bench.choose(QStringLiteral("there-and-back"));
   auto* table = bench.panel().findChild<DataTable*>();
   const auto expectListed = [&](int row) {
-    bench.settle();
+    bench.waitUntilIdle();
     EXPECT_EQ(bench.panel().findChild<QProgressBar*>()->format(),
               QStringLiteral("sighting %1 of 70").arg(row + 1));
     const QModelIndex next = table->model()->index(row, 0);
@@ -184,7 +184,7 @@ TEST(OrderPanel, ListsTheNextSightingInView) {
   const int looked = table->verticalScrollBar()->value();
   ASSERT_GT(looked, 0);
   ReadingsEditor(bench.open->document(), 0).setCell({0, ReadingColumn::Note}, "windy");
-  bench.settle();
+  bench.waitUntilIdle();
   EXPECT_EQ(table->verticalScrollBar()->value(), looked) << "the same is next";
 }
 
@@ -209,7 +209,7 @@ TEST(OrderPanel, GoesOnAfterAReadingOffTheOrder) {
   session.positions[0].readings.erase(session.positions[0].readings.begin() + 4);
   bench.open->document().startWith(session);
   bench.choose(QStringLiteral("paper"));
-  bench.settle();
+  bench.waitUntilIdle();
   EXPECT_THAT(bench.text("next sighting"), HasSubstr("point 5"));
 }
 
@@ -218,7 +218,7 @@ TEST(OrderPanel, TellsOfAProtocolThatMeansNothing) {
   Session session = paperSession();
   session.protocol = "{\"positions\": [{\"axis_deg\": 90}]}";
   bench.open->document().startWith(session);
-  bench.settle();
+  bench.waitUntilIdle();
   EXPECT_THAT(bench.text("order state"), HasSubstr("protocol.positions[0].axis_deg"));
 }
 

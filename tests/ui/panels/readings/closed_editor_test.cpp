@@ -20,7 +20,7 @@ void keepWarning(QtMsgType type, const QMessageLogContext&, const QString& text)
 TEST(ClosedEditor, IsNotHandedInByWhatUsesTheSessionAtOnce) {
   OpenWindow open;
   open->files().open(samplePath(QStringLiteral("paper-table-1.alidade")));
-  open.settle();
+  open.waitUntilIdle();
   open->currentTable()->selectCell(3, ReadingColumn::Vertical);
   typeInto(*open->currentTable(), QStringLiteral("12"), Qt::Key_Escape);
   warnings.clear();

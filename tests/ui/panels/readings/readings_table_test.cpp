@@ -332,10 +332,10 @@ TEST(ReadingsModel, TellsOnlyOfCellsThatSaySomethingElse) {
   SessionDocument document;
   document.startWith(paperSession());
   ReadingsModel model(document, 0);
-  QStringList told;
+  QStringList reported;
   QObject::connect(&model, &QAbstractItemModel::dataChanged,
                    [&](const QModelIndex& first, const QModelIndex& last) {
-                     told.append(QStringLiteral("%1 to %2").arg(first.column()).arg(last.column()));
+                     reported.append(QStringLiteral("%1 to %2").arg(first.column()).arg(last.column()));
                    });
   Evaluation evaluation = evaluateFit(paperSession());
   const auto show = [&] { model.setEvaluation(std::make_shared<const Evaluation>(evaluation)); };
@@ -343,13 +343,14 @@ TEST(ReadingsModel, TellsOnlyOfCellsThatSaySomethingElse) {
   const auto columns = [](ReadingColumn first, ReadingColumn last) {
     return QStringLiteral("%1 to %2").arg(static_cast<int>(first)).arg(static_cast<int>(last));
   };
-  EXPECT_EQ(told, QStringList{columns(ReadingColumn::HorizontalResidual, ReadingColumn::VerticalResidual)});
+  EXPECT_EQ(reported,
+            QStringList{columns(ReadingColumn::HorizontalResidual, ReadingColumn::VerticalResidual)});
   show();
-  EXPECT_EQ(told.size(), 1);
+  EXPECT_EQ(reported.size(), 1);
   evaluation.examined.problems.push_back(
       {.what = "is odd", .where = {.position = 0, .reading = 2, .field = "vertical"}});
   show();
-  EXPECT_EQ(told.last(), columns(allReadingColumns().front().column, allReadingColumns().back().column))
+  EXPECT_EQ(reported.last(), columns(allReadingColumns().front().column, allReadingColumns().back().column))
       << "a problem marks its row";
 }
 

@@ -19,8 +19,8 @@ namespace {
 class ReasonLineTest : public ::testing::Test {
  protected:
   ReasonLineTest() {
-    open->document().startWithStanding(paperSession());
-    open.settle();
+    open->document().startWithRecorded(paperSession());
+    open.waitUntilIdle();
     open->hideStart();
     table = open->findChild<PositionTabs*>()->table(0);
     table->setFocus();

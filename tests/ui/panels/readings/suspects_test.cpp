@@ -31,11 +31,11 @@ struct SuspectBench {
   SuspectBench() {
     if (!open->files().open(samplePath(QStringLiteral("clean-session.alidade"))))
       throw std::runtime_error("sample");
-    open.settle();
+    open.waitUntilIdle();
     typed = readings()[slippedRow].vertical;
     ReadingsEditor(open->document(), 0).setCell({slippedRow, ReadingColumn::Vertical}, slipped());
     open->document().undoStack().clear();
-    open.settle();
+    open.waitUntilIdle();
   }
 
   const std::vector<Reading>& readings() { return open->document().session().positions[0].readings; }
@@ -77,13 +77,13 @@ TEST(Suspects, AreLedToAndCorrectedByTheKeyboardInOneUndoStep) {
   EXPECT_TRUE(bench.open->currentTable()->hasFocus());
   ASSERT_TRUE(bench.bar().hasProposal());
   QTest::keyClick(bench.open.window.get(), Qt::Key_F8);
-  bench.open.settle();
+  bench.open.waitUntilIdle();
   EXPECT_EQ(shownAngle(bench.readings()[slippedRow].vertical, CircleUnit::Dms),
             shownAngle(bench.typed, CircleUnit::Dms));
   EXPECT_EQ(bench.open->document().undoStack().count(), 1);
   EXPECT_FALSE(bench.bar().isVisible()) << "nothing looks misread any more";
   bench.open->undo();
-  bench.open.settle();
+  bench.open.waitUntilIdle();
   EXPECT_EQ(bench.readings()[slippedRow].vertical, bench.slipped());
   EXPECT_TRUE(bench.bar().isVisible());
 }
@@ -94,7 +94,7 @@ TEST(Suspects, OfferTheReadingAndItsExclusionOneClickAway) {
   ASSERT_TRUE(use->isVisible());
   EXPECT_THAT(use->text().toStdString(), HasSubstr(shownAngle(bench.typed, CircleUnit::Dms).toStdString()));
   QTest::mouseClick(bench.bar().findChild<QPushButton*>(QStringLiteral("exclude suspect")), Qt::LeftButton);
-  bench.open.settle();
+  bench.open.waitUntilIdle();
   EXPECT_TRUE(bench.readings()[slippedRow].excluded);
   EXPECT_EQ(bench.readings()[slippedRow].vertical, bench.slipped()) << "what was typed stays";
   EXPECT_FALSE(bench.bar().isVisible());
@@ -138,7 +138,7 @@ TEST(Suspects, AreNotUsedOnceTheSessionHasChanged) {
   EXPECT_FALSE(bench.bar().current()) << "the rows may have moved";
   bench.bar().useProposal();
   EXPECT_EQ(bench.readings()[slippedRow].vertical, bench.slipped());
-  bench.open.settle();
+  bench.open.waitUntilIdle();
   EXPECT_TRUE(bench.bar().current());
 }
 
@@ -160,10 +160,10 @@ TEST(Suspects, AreNeverShownAgainstANewerSession) {
   EXPECT_TRUE(showsNone() || !bench.bar().isVisible()) << "with the new fit";
   EXPECT_TRUE(
       bench.cell(slippedRow, ReadingColumn::Vertical, ReadingsModel::SuspectRole).toString().isEmpty());
-  bench.open.settle();
+  bench.open.waitUntilIdle();
   EXPECT_FALSE(bench.bar().isVisible());
   bench.open->undo();
-  bench.open.settle();
+  bench.open.waitUntilIdle();
   EXPECT_TRUE(use->isVisible());
 }
 
@@ -180,7 +180,7 @@ TEST(Suspects, LeaveTheBarItsPlaceWhileTheyAreSought) {
 TEST(Suspects, AreGoneWithASoundSession) {
   OpenWindow open;
   ASSERT_TRUE(open->files().open(samplePath(QStringLiteral("clean-session.alidade"))));
-  open.settle();
+  open.waitUntilIdle();
   EXPECT_FALSE(open->findChild<SuspectBar*>()->isVisible());
 }
 

@@ -42,7 +42,7 @@ Session sightedInFull() {
 TEST(ZeroEntries, ShowFurtherSightingsOnDemand) {
   OpenWindow open;
   open->document().startWith(paperSession());
-  open.settle();
+  open.waitUntilIdle();
   EXPECT_FALSE(entry(open, "after.horizontal").isVisible());
   EXPECT_TRUE(mean(open).isHidden());
   QTest::mouseClick(&toggle(open), Qt::LeftButton);
@@ -51,10 +51,10 @@ TEST(ZeroEntries, ShowFurtherSightingsOnDemand) {
   expectAllVisible(*open.window, QStringLiteral("with further sightings"));
 
   typeInto(entry(open, "after.horizontal"), QStringLiteral("332 32 56"));
-  open.settle();
+  open.waitUntilIdle();
   EXPECT_TRUE(mean(open).isHidden()) << "half a sighting is none";
   typeInto(entry(open, "after.vertical"), QStringLiteral("89 59 58"));
-  open.settle();
+  open.waitUntilIdle();
   EXPECT_THAT(
       mean(open).text().toStdString(),
       HasSubstr("Mean of 2 sightings: α0 332°32′55.0″ ± 1.4″, β0 89°59′57.5″ ± 1.4″ (1σ); moved by 2.0″ "
@@ -65,13 +65,13 @@ TEST(ZeroEntries, ShowFurtherSightingsOnDemand) {
 TEST(ZeroEntries, AreShownWhereASessionHasThemAndWhereUndoLeads) {
   OpenWindow open;
   open->document().startWith(sightedInFull());
-  open.settle();
+  open.waitUntilIdle();
   EXPECT_TRUE(entry(open, "after_face_2.vertical").isVisible());
   EXPECT_THAT(mean(open, 1).text().toStdString(), HasSubstr("Mean of 4 sightings"));
   entry(open, "after.vertical").setFocus();
   entry(open, "after.vertical").selectAll();
   typeInto(entry(open, "after.vertical"), QStringLiteral("400 00 00"));
-  open.settle();
+  open.waitUntilIdle();
   EXPECT_THAT(entry(open, "after.vertical").toolTip().toStdString(), HasSubstr("lies outside"));
   QTest::mouseClick(&toggle(open), Qt::LeftButton);
   EXPECT_FALSE(entry(open, "after.vertical").isVisible());

@@ -84,7 +84,7 @@ TEST(BudgetOfTheMeasurement, IsGreyWhileItIsOldAndGoesWithTheSession) {
 TEST(BudgetOfTheMeasurement, FollowsTheDiagnosisInTheWindow) {
   OpenWindow open;
   ASSERT_TRUE(open->files().open(samplePath(QStringLiteral("paper-table-1.alidade"))));
-  open.settle();
+  open.waitUntilIdle();
   ASSERT_TRUE(waitFor([&] { return open->gapJob().isIdle(); }));
   const auto* page = open->findChild<BudgetPanel*>();
   EXPECT_THAT(shownBy(page), HasSubstr(asMeasured));

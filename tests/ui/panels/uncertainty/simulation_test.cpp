@@ -32,7 +32,7 @@ constexpr int draws = 2000;
 struct SimulationBench {
   SimulationBench() {
     open->files().open(samplePath(QStringLiteral("paper-table-1.alidade")));
-    open.settle();
+    open.waitUntilIdle();
     QTest::keyClick(open.window.get(), Qt::Key_2, Qt::ControlModifier);
     box = open->findChild<SimulationBox*>();
     box->findChild<QSpinBox*>()->setValue(draws);
@@ -99,7 +99,7 @@ TEST(Simulation, IsStoppedByItsButtonAndByAnEdit) {
   bench.press();
   changeField(bench.open->document(), {.field = "geometry.distance_mm"}, "2406");
   ASSERT_TRUE(bench.finish());
-  bench.open.settle();
+  bench.open.waitUntilIdle();
   EXPECT_THAT(bench.shown(), HasSubstr("Stopped, because the session has changed."));
   EXPECT_FALSE(bench.report().contains(QStringLiteral("JCGM 101: ")));
 }
@@ -110,7 +110,7 @@ TEST(Simulation, GoesOnUntilWhatItIsOfHasChanged) {
   count->setValue(count->maximum());
   bench.press();
   changeField(bench.open->document(), {.field = "operator"}, "M. Ruiz");
-  bench.open.settle();
+  bench.open.waitUntilIdle();
   EXPECT_TRUE(bench.box->job().isAtWork()) << "nothing that enters a fit has changed";
   bench.press();
   ASSERT_TRUE(bench.finish());
@@ -139,16 +139,16 @@ TEST(Simulation, DoesNotWaitWhereThereIsNothingToSimulateOrItIsStopped) {
   changeField(bench.open->document(), {.field = "geometry.distance_mm"}, "2406");
   bench.press();
   bench.press();
-  bench.open.settle();
+  bench.open.waitUntilIdle();
   EXPECT_FALSE(bench.box->isWanted()) << "pressed again is stopped";
   EXPECT_THAT(bench.shown(), HasSubstr("Stopped."));
 
   changeField(bench.open->document(), {.field = "geometry.distance_mm"}, "");
   bench.press();
-  bench.open.settle();
+  bench.open.waitUntilIdle();
   EXPECT_FALSE(bench.box->isWanted()) << "without a distance there is no intersection";
   changeField(bench.open->document(), {.field = "geometry.distance_mm"}, "2405");
-  bench.open.settle();
+  bench.open.waitUntilIdle();
   EXPECT_FALSE(bench.box->isWanted());
 }
 
@@ -157,16 +157,16 @@ TEST(Simulation, IsToldOnPaperOfTheSessionItIsOf) {
   EXPECT_FALSE(bench.report().contains(QStringLiteral("JCGM 101: ")));
   bench.run();
   changeField(bench.open->document(), {.field = "operator"}, "M. Ruiz");
-  bench.open.settle();
+  bench.open.waitUntilIdle();
   EXPECT_THAT(bench.shown(), HasSubstr("simulated")) << "nothing that enters a fit has changed";
   EXPECT_TRUE(bench.report().contains(QStringLiteral("JCGM 101: 2000 draws of all readings")));
 
   ReadingsEditor(bench.open->document(), 1).setExcluded({3}, true);
-  bench.open.settle();
+  bench.open.waitUntilIdle();
   EXPECT_THAT(bench.shown(), Not(HasSubstr("simulated")));
   EXPECT_FALSE(bench.report().contains(QStringLiteral("JCGM 101: ")));
   bench.open->undo();
-  bench.open.settle();
+  bench.open.waitUntilIdle();
   EXPECT_THAT(bench.shown(), HasSubstr("simulated")) << "back where it was run";
 }
 

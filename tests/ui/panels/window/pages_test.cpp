@@ -101,7 +101,7 @@ TEST(PageTabs, HideAPageThatHasNothingToShow) {
 TEST(Budget, AccountsForTheIntersectionAndEveryCoordinate) {
   OpenWindow open;
   ASSERT_TRUE(open->files().open(samplePath(QStringLiteral("paper-table-1.alidade"))));
-  open.settle();
+  open.waitUntilIdle();
   const auto* page = bringToFront<BudgetPanel>(open);
   const SessionFit fit = evaluate(paperSession()).fit;
   const std::string shown = shownBy(page);
@@ -126,7 +126,7 @@ TEST(Budget, SaysSoWhereThereIsNoFit) {
 TEST(Reliability, ListsEveryReadingAndFollowsTheTable) {
   OpenWindow open;
   ASSERT_TRUE(open->files().open(samplePath(QStringLiteral("paper-table-1.alidade"))));
-  open.settle();
+  open.waitUntilIdle();
   auto* page = bringToFront<ReliabilityPanel>(open);
   const auto* table = page->findChild<DataTable*>();
   const SessionFit fit = evaluate(paperSession()).fit;
@@ -153,7 +153,7 @@ TEST(Reliability, ListsEveryReadingAndFollowsTheTable) {
 TEST(Reliability, ShowsWhatNothingChecks) {
   OpenWindow open;
   ASSERT_TRUE(open->files().open(samplePath(QStringLiteral("paper-table-1.alidade"))));
-  open.settle();
+  open.waitUntilIdle();
   auto* page = bringToFront<ReliabilityPanel>(open);
   EXPECT_THAT(shownBy(page), HasSubstr("Nothing checks the pointing zeros and the distance"));
   auto* table = page->findChild<DataTable*>();
@@ -179,7 +179,7 @@ TEST(Reliability, ListsAZeroThatAllPositionsHaveOnce) {
   session.positions[1].zero = session.positions[0].zero;
   OpenWindow open;
   open->document().startWith(session);
-  open.settle();
+  open.waitUntilIdle();
   auto* table = bringToFront<ReliabilityPanel>(open)->findChild<DataTable*>();
   EXPECT_EQ(table->model()->rowCount(), 71);  // 68 readings, α0, β0 and L
   EXPECT_EQ(cell(table, 68, 0), QStringLiteral("all"));
@@ -194,7 +194,7 @@ TEST(Reliability, SaysWhereTooFewReadingsAreThereToTestOne) {
     position.readings = {position.readings[0], position.readings[8], position.readings[16]};
   OpenWindow open;
   open->document().startWith(session);
-  open.settle();
+  open.waitUntilIdle();
   auto* page = bringToFront<ReliabilityPanel>(open);
   EXPECT_THAT(shownBy(page), HasSubstr("Too few readings"));
   const auto* table = page->findChild<DataTable*>();
@@ -205,7 +205,7 @@ TEST(Reliability, SaysWhereTooFewReadingsAreThereToTestOne) {
 TEST(Reliability, LeadsBackToTheReading) {
   OpenWindow open;
   ASSERT_TRUE(open->files().open(samplePath(QStringLiteral("paper-table-1.alidade"))));
-  open.settle();
+  open.waitUntilIdle();
   auto* table = bringToFront<ReliabilityPanel>(open)->findChild<DataTable*>();
   table->setCurrentIndex(table->model()->index(6, 0));
   QTest::keyClick(table, Qt::Key_Return);
@@ -218,10 +218,10 @@ TEST(Reliability, LeadsBackToTheReading) {
 TEST(TwoFacesPage, IsThereWhereThereAreTwoFaces) {
   OpenWindow open;
   ASSERT_TRUE(open->files().open(samplePath(QStringLiteral("paper-table-1.alidade"))));
-  open.settle();
+  open.waitUntilIdle();
   EXPECT_FALSE(isOffered(open, open->findChild<TwoFacesPanel*>()));
   ASSERT_TRUE(open->files().open(twoFaceTrial));
-  open.settle();
+  open.waitUntilIdle();
   const auto* page = bringToFront<TwoFacesPanel>(open);
   EXPECT_TRUE(isOffered(open, open->findChild<TwoFacesPanel*>()));
   const auto faces = compareFaces(*examine(open->document().session()).measurement);
@@ -244,7 +244,7 @@ TEST(TwoFacesPage, IsThereWhereThereAreTwoFaces) {
 TEST(Pages, AreReachedByTheKeyboard) {
   OpenWindow open;
   ASSERT_TRUE(open->files().open(twoFaceTrial));
-  open.settle();
+  open.waitUntilIdle();
   const QList<PageTabs*> tabs = open->pageTabs();
   QTest::keyClick(open.window.get(), Qt::Key_2, Qt::ControlModifier);
   EXPECT_EQ(tabs[0]->currentIndex(), 1);
