@@ -34,7 +34,7 @@ awk '
     floor_of["core/series/shared_causes/shared_search.h"] = "series"
     floor_of["core/series/shared_causes/common_noise.h"] = "series"
     floor_of["core/series/shared_causes/series_conclusion.h"] = "series"
-    floor_of["core/series/shared_causes/settled_series.h"] = "series"
+    floor_of["core/series/shared_causes/searched_series.h"] = "series"
     split("gap evidence candidates search observability forms next_sighting conclusion", behind)
     for (i in behind) inner["core/diagnosis/" behind[i]]
   }

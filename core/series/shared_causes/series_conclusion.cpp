@@ -12,7 +12,7 @@
 #include "core/base/phrase.h"
 #include "core/base/statistics.h"
 #include "core/effects/cause_ids.h"
-#include "core/series/shared_causes/settled_series.h"
+#include "core/series/shared_causes/searched_series.h"
 #include "core/session/own_effects.h"
 
 namespace alidade {

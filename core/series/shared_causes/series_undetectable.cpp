@@ -1,4 +1,4 @@
-#include "core/series/shared_causes/settled_series.h"
+#include "core/series/shared_causes/searched_series.h"
 
 #include <algorithm>
 #include <cmath>
