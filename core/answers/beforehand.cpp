@@ -15,7 +15,7 @@ std::optional<Problem> absence(const Measurement& measurement, std::size_t fitte
   if (fitted > 0 && fitted == measurement.arcs.size()) return std::nullopt;
   const auto error = std::ranges::find(findings, Severity::Error, &FitFinding::severity);
   if (error == findings.end())
-    return Problem{Phrase::of("there are no readings to fit; enter those of the axis positions")};
+    return Problem{Phrase::of("there are no readings to fit; enter the readings of the axis positions")};
   const Finding finding = inWords(*error);
   return Problem{sentencesOf(finding), finding.where};
 }

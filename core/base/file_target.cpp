@@ -98,7 +98,7 @@ std::string whyUnwritable(int error) {
     case EDQUOT:
       return Phrase::of("your share of the disk is used up: make room there or choose another folder");
     case EFBIG:
-      return Phrase::of("the file exceeds the size limit there: choose another folder");
+      return Phrase::of("the file exceeds the size limit of the disk: choose another folder");
     case EACCES:
     case EPERM:
       return Phrase::of("you may not write there: choose another folder");

@@ -133,8 +133,9 @@ class Assembly {
       std::string& stated = session.geometry.verticalCircle;
       if (!recording.circleRemark.empty() && stated != named) remark(recording.circleRemark);
       if (!stated.empty() && stated != named)
-        remark(Phrase::of("the vertical circle is stated as %1, but the file says %2: the file is used",
-                          quotation(stated), plainKey(named)));
+        remark(Phrase::of(
+            "the vertical circle is stated as %1, but the file says %2: the circle is read as the file says",
+            quotation(stated), plainKey(named)));
       stated = named;
     }
     const Result<VerticalCircle> circle = verticalCircleEntry(session.geometry.verticalCircle);
@@ -161,7 +162,8 @@ class Assembly {
       remark(ofFile(file) + Phrase::of(putAtZero));
     }
     if (stated && wanted.turnedAtLine)
-      remark(ofFile(file) + Phrase::of("the file states the position of the axis: its statement is used"));
+      remark(ofFile(file) +
+             Phrase::of("the file states the axis positions: the line given for 180° is not used"));
   }
 
   /// The vertical circle decides between face 1 and face 2 if the file states no face.
@@ -303,8 +305,9 @@ class Assembly {
     }
     if (sightings.size() > 1 && !areSeveral()) lines = Phrase::of("lines %1", lines);
     if (!zero.horizontal.empty() || !zero.vertical.empty())
-      return remark(Phrase::of("the pointing zero at %1 keeps its given value; that of %2 is not used",
-                               nameOf(at), lines));
+      return remark(
+          Phrase::of("the pointing zero at %1 keeps its given value; the sighting in %2 is not used",
+                     nameOf(at), lines));
     const ZeroMean mean = zeroMean(sightings, m_circle);
     zero.horizontal = mean.horizontal;
     zero.vertical = mean.vertical;

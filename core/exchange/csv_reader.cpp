@@ -297,8 +297,9 @@ class CsvReader {
     const char other = m_layout.decimalSign == DecimalSign::Point ? ',' : '.';
     for (const std::size_t at : angle.at)
       if (at < row.cells.size() && row.cells[at].text.find(other) != std::string::npos)
-        return Problem{Phrase::of("%1 has a decimal sign other than the one stated: choose either of them",
-                                  quotation(row.cells[at].text))};
+        return Problem{Phrase::of(
+            "%1 has a decimal sign other than the one stated: state the right sign, or allow either",
+            quotation(row.cells[at].text))};
     return std::nullopt;
   }
 
@@ -323,7 +324,7 @@ class CsvReader {
     } else if (!field && column.column->other == TableColumn::Other::Turn) {
       const Result<int> turn = parseWhole(cell.text);
       if (!turn || *turn < 1)
-        return Phrase::of("%1 is no turn: turns of the axis count from 1", quotation(cell.text));
+        return Phrase::of("%1 is no turn: turns of the axis are numbered from 1", quotation(cell.text));
       sighting.time = *turn;
       m_recording.hasTurns = true;
     } else if (!field) {

@@ -122,7 +122,7 @@ std::variant<ExactAngle, LineProblem> gsiExactAngle(const GsiWord& word, std::si
   const std::size_t decimals = number->decimals.size();
   if (number->whole.size() + decimals > mostDigits ||
       (!isWritten && std::stoull(number->whole + number->decimals) >= mostUnits))
-    return refuse(Phrase::of("is larger than a circle: transfer the file again"));
+    return refuse(Phrase::of("is larger than a full circle: transfer the file again"));
   if (!isWritten)
     point = GsiPoint::BehindDegrees;
   else if (!point)

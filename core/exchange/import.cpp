@@ -42,8 +42,8 @@ std::optional<Problem> turnedBehindTheEnd(const Recording& recording, const Read
   const std::size_t last = std::ranges::max_element(recording.sightings, {}, &RecordedSighting::line)->line;
   if (!file.turnedAtLine || *file.turnedAtLine <= last) return std::nullopt;
   return Problem{
-      Phrase::of("has its last reading in line %1, so no reading at 180° can begin at line %2: give a line "
-                 "within the file",
+      Phrase::of("has its last reading in line %1, so the readings at 180° cannot begin at line %2: give a "
+                 "line within the file",
                  last, *file.turnedAtLine)};
 }
 
@@ -72,8 +72,8 @@ std::optional<Problem> twoKindsOfCircle(const std::vector<Recording>& recordings
     if (recording.verticalCircle.empty()) continue;
     if (!kind.empty() && kind != recording.verticalCircle)
       return Problem{
-          Phrase::of("has vertical readings of the kind %1, those before are of the kind %2: a session has "
-                     "one kind; import this file into a separate session",
+          Phrase::of("has vertical readings of the kind %1, but the earlier ones are of the kind %2: a "
+                     "session has one kind; import this file into a separate session",
                      plainKey(recording.verticalCircle), plainKey(kind))};
     kind = recording.verticalCircle;
   }

@@ -117,8 +117,9 @@ class M5Reader {
     for (std::size_t i = 2; i < std::min<std::size_t>(blocks.size(), 5); ++i)
       values.push_back(valueOf(blocks[i]));
     if (blocks.size() > 5 && trimmed(blocks[5].text) == "e" && std::ranges::any_of(values, isCircleValue))
-      return m_book.refuse(line.number, blocks[5].column,
-                           Phrase::of("is marked with e, an error of the instrument: measure it again"));
+      return m_book.refuse(
+          line.number, blocks[5].column,
+          Phrase::of("is marked with e, an error of the instrument: measure the point again"));
     if (blocks[1].text.starts_with("PI")) {
       readPoint(blocks[1], values, line.number);
     } else {
@@ -240,7 +241,8 @@ class M5Reader {
     const bool isHorizontal = value.type == "Hz";
     const RowField& circle = rowField(isHorizontal ? &Reading::horizontal : &Reading::vertical);
     if (sighting.columnOf(circle) > 0)
-      return refuse(Phrase::of("%1 is a second reading of its circle", quotation(value.type)));
+      return refuse(Phrase::of("%1 is a second reading of the same circle: delete one of the two",
+                               quotation(value.type)));
     if (!isHorizontal && value.type != "V1" && value.type != "V3")
       return refuse(
           Phrase::of("%1 is neither a zenith angle (V1) nor a height angle (V3): set the instrument to one "

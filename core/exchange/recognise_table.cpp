@@ -262,13 +262,13 @@ class TableRecognition {
     if (unit == AngleUnit::Unstated || (unit == AngleUnit::Degrees && mayBeDms)) return;
     m_found.table.unit = unit;
     if (largest >= turn)
-      reason(Phrase::of("gon, as %1 is more than 360", fixedText(largest, 4)));
+      reason(Phrase::of("gon, because %1 is more than 360", fixedText(largest, 4)));
     else if (unit == AngleUnit::Gon)
-      reason(Phrase::of("gon, as the vertical readings lie around 100 or 300: check it"));
+      reason(Phrase::of("gon, because the vertical readings are near 100 or 300: check the unit"));
     else
       reason(
-          Phrase::of("decimal degrees, as the vertical readings are around 90 or 270 and have more than 59 "
-                     "in the place of minutes: check it"));
+          Phrase::of("decimal degrees, because the vertical readings are near 90 or 270 and have more than "
+                     "59 in the place of minutes: check the unit"));
   }
 
   static bool isSexagesimal(double number) {

@@ -108,7 +108,7 @@ void ObjectReader::checkFormat(const JsonFormat& format) const {
     const std::string found = version.is_number() ? version.dump() : jsonTypeName(version);
     report(Phrase::of("must be the whole number %1, not %2", known, found), placeOf("version"));
   } else if (version > newestVersion) {
-    report(Phrase::of("%1 is newer than this program reads (%2): open it with a newer Alidade",
+    report(Phrase::of("%1 is newer than the version this program reads (%2): open it with a newer Alidade",
                       version.dump(), known),
            placeOf("version"));
   } else if (version != newestVersion) {

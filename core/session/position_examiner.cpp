@@ -138,7 +138,7 @@ class PositionExaminer : private ProblemReporter {
   void checkWidth(Angle reduced, const std::string& text, const Place& place, const char* field) {
     const double degrees = std::abs(reduced.degrees());
     if (degrees < widestDegrees) return;
-    report({Phrase::of("%1 lies %2° from the pointing zero, beyond the edge of the arc plane: check the "
+    report({Phrase::of("%1 lies %2° from the pointing zero, farther than the arc can be sighted: check the "
                        "degrees and the face",
                        quotation(text), fixedText(degrees, 0))},
            at(place, field));

@@ -18,10 +18,12 @@ namespace alidade {
 // The fields of a row, defined once for all uses: the session file, the checks of entries, the import of
 // tables, and the tables of window and report.
 
-inline constexpr WholeRule pointRule{
-    0, std::numeric_limits<int>::max(), {}, PHRASE_LATER("Phrase", "%1 is no point: points count from 0")};
+inline constexpr WholeRule pointRule{0,
+                                     std::numeric_limits<int>::max(),
+                                     {},
+                                     PHRASE_LATER("Phrase", "%1 is no point: points are numbered from 0")};
 inline constexpr WholeRule roundRule{1, std::numeric_limits<int>::max(), 1,
-                                     PHRASE_LATER("Phrase", "%1 is no round: rounds count from 1")};
+                                     PHRASE_LATER("Phrase", "%1 is no round: rounds are numbered from 1")};
 inline constexpr WholeRule faceRule{1, 2, 1, PHRASE_LATER("Phrase", "%1 is no face: type 1 or 2")};
 
 // Rules of the circles, for pointing zeros too.

@@ -125,14 +125,14 @@ constexpr SessionField allSessionFields[] = {
         {.key = "report.authorised_by",
          .noun = PHRASE_LATER("Field", "authorised by"),
          .caption = PHRASE_LATER("Forms", "Authorised b&y"),
-         .help = PHRASE_LATER("Forms", "Who answers for the report"),
+         .help = PHRASE_LATER("Forms", "Person responsible for the report"),
          .isOfMeasurement = false,
          .isWantedOnReport = true}),
     ofSession<&Session::report, &ReportEntries::ruleAgreedBy>(
         {.key = "report.rule_agreed_by",
          .noun = PHRASE_LATER("Field", "decision rule agreed by"),
          .caption = PHRASE_LATER("Forms", "Rule a&greed by"),
-         .whenEmpty = PHRASE_LATER("Forms", "who, and where it is written"),
+         .whenEmpty = PHRASE_LATER("Forms", "who, and in which document"),
          .help =
              PHRASE_LATER("Forms",
                           "With whom the decision rule was agreed: accept only where |Δd| + U is within the "
@@ -143,7 +143,7 @@ constexpr SessionField allSessionFields[] = {
     ofSession<&Session::device, &Device::name>({.key = "device.name",
                                                 .noun = PHRASE_LATER("Field", "device"),
                                                 .caption = PHRASE_LATER("Forms", "Dev&ice"),
-                                                .whenEmpty = PHRASE_LATER("Forms", "simulator measured"),
+                                                .whenEmpty = PHRASE_LATER("Forms", "simulator under test"),
                                                 .fillsRow = true,
                                                 .isWantedOnReport = true}),
     ofSession<&Session::device, &Device::serial>({.key = "device.serial",
@@ -223,7 +223,7 @@ constexpr SessionField allSessionFields[] = {
                                      "%1 is out of range: it must be 0 or more and below 3600 arcseconds")},
          .caption = PHRASE_LATER("Forms", "σ of &zeros"),
          .unit = arcseconds,
-         .whenEmpty = PHRASE_LATER("Forms", "as the circles"),
+         .whenEmpty = PHRASE_LATER("Forms", "same as circles"),
          .help =
              PHRASE_LATER("Forms", "Standard uncertainty of one sighting of the pointing zeros α0 and β0")}),
     ofSession<&Session::instrument, &Instrument::sigmaSliderArcsec>(
@@ -259,8 +259,8 @@ constexpr SessionField allSessionFields[] = {
          .whenEmpty = PHRASE_LATER("Forms", "not known"),
          .help =
              PHRASE_LATER("Forms",
-                          "Offset of the line of sight from the vertical axis, from the instrument check; "
-                          "e/D at the distance of this session is added to the known collimation")}),
+                          "Offset e of the line of sight from the vertical axis, from the instrument check; "
+                          "e/D, with the distance D of the slider, is added to the known collimation")}),
     ofSession<&Session::instrument, &Instrument::lineOfSight, &LineOfSight::sigmaMm>(
         {.key = "instrument.sigma_line_of_sight_mm",
          .noun = PHRASE_LATER("Field", "u of the offset of the line of sight"),
@@ -284,11 +284,13 @@ constexpr SessionField allSessionFields[] = {
     ofSession<&Session::environment, &Environment::temperatureC>(
         {.key = "environment.temperature_c",
          .noun = PHRASE_LATER("Field", "temperature"),
-         .rule = NumberRule{-273.15,
-                            Bound::Included,
-                            1000,
-                            {},
-                            PHRASE_LATER("Phrase", "%1 is out of range: it must be a temperature in °C")},
+         .rule =
+             NumberRule{
+                 -273.15,
+                 Bound::Included,
+                 1000,
+                 {},
+                 PHRASE_LATER("Phrase", "%1 is out of range: it must be at least -273.15 and below 1000 °C")},
          .caption = PHRASE_LATER("Forms", "&Temp."),
          .unit = PHRASE_LATER("Forms", "°C"),
          .help = PHRASE_LATER("Forms", "Temperature of the device and of the air"),
@@ -352,10 +354,10 @@ constexpr SessionField allSessionFields[] = {
          .rule = NumberRule{0, Bound::Included, longestMm, 0, noSigmaOfLength},
          .caption = PHRASE_LATER("Forms", "σ of R0"),
          .unit = mm,
-         .help = PHRASE_LATER(
-             "Forms",
-             "Standard uncertainty of the nominal radius. Known radius: it weights R0 in the fit; empty "
-             "means exact. Free or common radius: R − R0 becomes a closure; empty means no closure")}),
+         .help = PHRASE_LATER("Forms",
+                              "Standard uncertainty of the nominal radius. With a known radius, it weights "
+                              "R0 in the fit; empty means exact. With a free or common radius, it makes R − "
+                              "R0 a closure; empty means no closure")}),
     ofSession<&Session::geometry, &Geometry::verticalCircle>(
         {.key = "geometry.vertical_circle",
          .noun = PHRASE_LATER("Field", "vertical circle"),
@@ -371,8 +373,8 @@ constexpr SessionField allSessionFields[] = {
          .rule = &wordRule<pointingZerosEntry>,
          .caption = PHRASE_LATER("Forms", "Pointing zeros"),
          .help = PHRASE_LATER("Forms",
-                              "Each: sighted again in every position. One: sighted once for all positions, "
-                              "so that its error cancels in Δd"),
+                              "Each: sighted again in every position. One for all: sighted once, so that its "
+                              "error cancels in Δd"),
          .choices = zeroChoices}),
     ofSession<&Session::geometry, &Geometry::plane>(
         {.key = "geometry.plane",
@@ -389,14 +391,14 @@ constexpr SessionField allSessionFields[] = {
          .noun = PHRASE_LATER("Field", "target of the pointing zeros"),
          .rule = &wordRule<zeroIsEntry>,
          .caption = PHRASE_LATER("Forms", "Zeros sight"),
-         .help = PHRASE_LATER(
-             "Forms",
-             "Mark: a fixed target; different zeros show a drift or a knock. Normal: the guideway's, set "
-             "again in each position. Unstated: taken as a mark if the zeros agree within 30″"),
+         .help = PHRASE_LATER("Forms",
+                              "Mark: a fixed target; different zeros show a drift or a knocked tripod. "
+                              "Normal: the normal of the guideway, set again in each position. Unstated: "
+                              "treated as a mark if the zeros agree within 30″"),
          .choices = markChoices}),
     ofSession<&Session::geometry, &Geometry::distanceFrom>(
         {.key = "geometry.distance_from",
-         .noun = PHRASE_LATER("Field", "how the distance was measured"),
+         .noun = PHRASE_LATER("Field", "method of the distance measurement"),
          .caption = PHRASE_LATER("Forms", "L measured"),
          .whenEmpty = PHRASE_LATER("Forms", "how"),
          .help = PHRASE_LATER("Forms", "How the distance was measured, and its traceability; for the report"),
@@ -426,15 +428,18 @@ constexpr SessionField allSessionFields[] = {
          .caption = PHRASE_LATER("Forms", "&Tolerance"),
          .unit = mm,
          .whenEmpty = PHRASE_LATER("Forms", "none"),
-         .help = PHRASE_LATER("Forms", "Largest acceptable intersection; without it there is no verdict")}),
+         .help = PHRASE_LATER("Forms",
+                              "Largest acceptable value of the quantity under “Limits”; without a tolerance "
+                              "there is no verdict")}),
     ofSession<&Session::acceptance, &Acceptance::measurand>(
         {.key = "acceptance.measurand",
-         .noun = PHRASE_LATER("Field", "what the tolerance limits"),
+         .noun = PHRASE_LATER("Field", "quantity limited by the tolerance"),
          .rule = &wordRule<measurandEntry>,
          .caption = PHRASE_LATER("Forms", "Limits"),
-         .help = PHRASE_LATER("Forms",
-                              "The quantity with the tolerance: Δd, the distance of the arc's centre from "
-                              "the axis in the plane of the arc, or the whole distance"),
+         .help = PHRASE_LATER(
+             "Forms",
+             "The quantity that the tolerance limits. Δd: distance of the arc's centre from the axis in the "
+             "plane of the arc. Distance: the whole distance of the centre from the axis"),
          .choices = measurandChoices}),
     ofSession<&Session::acceptance, &Acceptance::coverage>(
         {.key = "acceptance.coverage",
@@ -467,9 +472,10 @@ constexpr SessionField allSessionFields[] = {
          .caption = PHRASE_LATER("Forms", "σ of ref."),
          .unit = mm,
          .whenEmpty = PHRASE_LATER("Forms", "none"),
-         .help = PHRASE_LATER("Forms",
-                              "Standard uncertainty of the reference. If stated, Δd − reference is a closure "
-                              "and may help the diagnosis to distinguish causes; Δd never depends on it"),
+         .help =
+             PHRASE_LATER("Forms",
+                          "Standard uncertainty of the reference. If stated, Δd − reference is a closure and "
+                          "may help the diagnosis to distinguish causes; Δd never depends on the reference"),
          .isOfOneMeasurement = true}),
     ofSession<&Session::model, &Model::verticalAngle>(
         {.key = "model.vertical_angle",

@@ -32,7 +32,9 @@ bool isKeptAsText(std::string_view key, const Json& value) {
 
 constexpr JsonFormat sessionFormat = {
     "alidade-session",
-    PHRASE_LATER("Phrase", "is missing: this is no session file, which says \"format\": \"alidade-session\""),
+    PHRASE_LATER(
+        "Phrase",
+        "is missing: this is no session file; a session file contains \"format\": \"alidade-session\""),
     PHRASE_LATER("Phrase", "choose a session file"),
     PHRASE_LATER("Phrase", "%1 is no version of a session file: it must be %2")};
 

@@ -33,9 +33,8 @@ std::string kindText(const PlacesRepeat& fault) {
 
 std::string kindText(const PlacesOnALine&) {
   return Phrase::of(
-      "has readings that lie on a straight line, which fixes no circle: check them, and sight places over a "
-      "longer "
-      "arc");
+      "has readings that lie on a straight line, which determines no circle: check them, and sight places "
+      "over a longer arc");
 }
 
 std::string kindText(const ArcTooShort& fault) {
@@ -58,8 +57,8 @@ std::string kindText(const TooFewForPublished& fault) {
 
 std::string kindText(const NoUniqueSolution&) {
   return Phrase::of(
-      "has readings that leave the published system without a unique solution: sight places over a longer "
-      "arc");
+      "has readings for which the equations of the published method have no unique solution: sight places "
+      "over a longer arc");
 }
 
 std::string kindText(const NoPublishedCircle&) {

@@ -20,9 +20,9 @@ std::string scatterText(double reducedChiSquare, int degreesOfFreedom) {
 }
 
 Words wordsOf(const NotConverged& finding) {
-  return {Phrase::of("the fit did not converge within %1 iterations; its result is provisional.",
+  return {Phrase::of("the fit did not converge within %1 iterations; its result is unreliable.",
                      finding.iterations),
-          Phrase::of("Check the readings for large errors.")};
+          Phrase::of("Check the readings for gross errors.")};
 }
 
 Words wordsOf(const NothingChecks&) {
@@ -46,7 +46,7 @@ Words wordsOf(const ScattersLess& finding) {
 }
 
 Words wordsOf(const RadiusPoorlyKnown& finding) {
-  return {Phrase::of("an arc of %1° fixes the radius only to u = %2 mm, and the centre hardly better.",
+  return {Phrase::of("an arc of %1° determines the radius only to u = %2 mm, and the centre hardly better.",
                      displayText(finding.span.degrees(), 1), displayText(finding.sigma, 1)),
           Phrase::of("Sight places over a longer arc.")};
 }

@@ -13,7 +13,7 @@ std::string textOf(Beyond beyond) {
     case Beyond::LookAlikes:
       return Phrase::of("averaged over the indistinguishable causes");
     case Beyond::Others:
-      return Phrase::of("averaged over the alternatives");
+      return Phrase::of("averaged over the possible explanations");
   }
   return "";
 }

@@ -10,7 +10,7 @@ namespace alidade {
 namespace {
 
 Problem kindProblem(const NoModel& fault) {
-  if (!fault.why) return {Phrase::of("there are no readings; enter those of the axis positions")};
+  if (!fault.why) return {Phrase::of("there are no readings; enter the readings of the axis positions")};
   Finding finding = inWords(*fault.why);
   return {std::move(finding.text), std::move(finding.where)};
 }

@@ -99,8 +99,8 @@
         <translation>文件已更改</translation>
     </message>
     <message>
-        <source>Here</source>
-        <translation>此处</translation>
+        <source>In this window</source>
+        <translation>本窗口中</translation>
     </message>
     <message>
         <source>In the file</source>
@@ -250,7 +250,7 @@ Sealed by:</source>
 封存人：</translation>
     </message>
     <message>
-        <source>Open elsewhere</source>
+        <source>Already open</source>
         <translation>已在别处打开</translation>
     </message>
     <message>
@@ -270,8 +270,8 @@ Sealed by:</source>
         <translation>关于 Alidade</translation>
     </message>
     <message>
-        <source>&lt;h3&gt;Alidade %1&lt;/h3&gt;&lt;p&gt;A measurement workstation for rotatable arc guideways: sightings in, intersection and verdict out.&lt;/p&gt;&lt;p&gt;Licence: GNU General Public License, version 3 or later. It comes without any warranty.&lt;/p&gt;&lt;p&gt;Built with Qt %2.&lt;/p&gt;</source>
-        <translation>&lt;h3&gt;Alidade %1&lt;/h3&gt;&lt;p&gt;可转动弧形导轨的测量工作站：输入照准读数，得出相交度和判定。&lt;/p&gt;&lt;p&gt;许可证：GNU 通用公共许可证第 3 版或更新版本。不提供任何担保。&lt;/p&gt;&lt;p&gt;使用 Qt %2 构建。&lt;/p&gt;</translation>
+        <source>&lt;h3&gt;Alidade %1&lt;/h3&gt;&lt;p&gt;A measurement workstation for rotatable arc guideways: it computes the intersection and the verdict from sightings.&lt;/p&gt;&lt;p&gt;Licence: GNU General Public License, version 3 or later. Alidade comes without any warranty.&lt;/p&gt;&lt;p&gt;Built with Qt %2.&lt;/p&gt;</source>
+        <translation>&lt;h3&gt;Alidade %1&lt;/h3&gt;&lt;p&gt;可转动弧形导轨的测量工作站：由照准读数计算相交度并作出判定。&lt;/p&gt;&lt;p&gt;许可证：GNU 通用公共许可证第 3 版或更新版本。Alidade 不提供任何担保。&lt;/p&gt;&lt;p&gt;使用 Qt %2 构建。&lt;/p&gt;</translation>
     </message>
     <message>
         <source>Type</source>
@@ -286,7 +286,7 @@ Sealed by:</source>
         <translation>Enter</translation>
     </message>
     <message>
-        <source>accepts; moves to vertical, then to the next row</source>
+        <source>accepts the entry; goes to vertical, then to the next row</source>
         <translation>提交；转到竖直读数，然后到下一行</translation>
     </message>
     <message>
@@ -294,7 +294,7 @@ Sealed by:</source>
         <translation>Tab, Shift+Tab</translation>
     </message>
     <message>
-        <source>accepts; next or previous shown column</source>
+        <source>accepts the entry; goes to the next or previous shown column</source>
         <translation>提交；转到下一个或上一个显示的列</translation>
     </message>
     <message>
@@ -318,8 +318,8 @@ Sealed by:</source>
         <translation>Space</translation>
     </message>
     <message>
-        <source>excludes or uses the selected rows</source>
-        <translation>排除或使用所选的行</translation>
+        <source>excludes or includes the selected rows</source>
+        <translation>排除或恢复使用所选的行</translation>
     </message>
     <message>
         <source>F7</source>
@@ -358,8 +358,8 @@ Sealed by:</source>
         <translation>Ctrl+C, Ctrl+X, Ctrl+V</translation>
     </message>
     <message>
-        <source>copies, cuts, pastes blocks, also with spreadsheets</source>
-        <translation>复制、剪切、粘贴区块，也可与电子表格交换</translation>
+        <source>copies, cuts, pastes blocks of cells, also from and to spreadsheets</source>
+        <translation>复制、剪切、粘贴单元格区域，也可与电子表格交换</translation>
     </message>
     <message>
         <source>Ctrl+Shift+V</source>
@@ -382,8 +382,8 @@ Sealed by:</source>
         <translation>3415224</translation>
     </message>
     <message>
-        <source>is 341°52′24″ on the number pad</source>
-        <translation>在数字键盘上即 341°52′24″</translation>
+        <source>means 341°52′24″; digits only, as on a number pad</source>
+        <translation>即 341°52′24″；只输数字，便于使用数字键盘</translation>
     </message>
     <message>
         <source>Keys of the table</source>
@@ -596,7 +596,7 @@ Sealed by:</source>
         <translation>瞄准零位</translation>
     </message>
     <message>
-        <source>how the distance was measured</source>
+        <source>method of the distance measurement</source>
         <translation>距离的测量方法</translation>
     </message>
     <message>
@@ -624,7 +624,7 @@ Sealed by:</source>
         <translation>参考值的 σ</translation>
     </message>
     <message>
-        <source>what the tolerance limits</source>
+        <source>quantity limited by the tolerance</source>
         <translation>允差所限制的量</translation>
     </message>
     <message>
@@ -846,7 +846,7 @@ Sealed by:</source>
         <translation>R0 的 σ</translation>
     </message>
     <message>
-        <source>Standard uncertainty of the nominal radius. Known radius: it weights R0 in the fit; empty means exact. Free or common radius: R − R0 becomes a closure; empty means no closure</source>
+        <source>Standard uncertainty of the nominal radius. With a known radius, it weights R0 in the fit; empty means exact. With a free or common radius, it makes R − R0 a closure; empty means no closure</source>
         <translation>名义半径的标准不确定度。半径为“已知”时，它决定 R0 在拟合中的权，空表示精确；其他情况下，填写后 R − R0 作为闭合差，空则不作闭合差</translation>
     </message>
     <message>
@@ -890,8 +890,8 @@ Sealed by:</source>
         <translation>允差(&amp;T)</translation>
     </message>
     <message>
-        <source>Largest acceptable intersection; without it there is no verdict</source>
-        <translation>可接受的最大相交度；没有允差则不作判定</translation>
+        <source>Largest acceptable value of the quantity under “Limits”; without a tolerance there is no verdict</source>
+        <translation>“限制”所选量的最大可接受值；没有允差则不作判定</translation>
     </message>
     <message>
         <source>Limits</source>
@@ -906,8 +906,8 @@ Sealed by:</source>
         <translation>参考值 σ</translation>
     </message>
     <message>
-        <source>Standard uncertainty of the reference. If stated, Δd − reference is a closure and may help the diagnosis to distinguish causes; Δd never depends on it</source>
-        <translation>参考值的标准不确定度。填写后，Δd 与参考值之差构成一个闭合差，可帮助诊断区分各原因；Δd 从不依赖于它</translation>
+        <source>Standard uncertainty of the reference. If stated, Δd − reference is a closure and may help the diagnosis to distinguish causes; Δd never depends on the reference</source>
+        <translation>参考值的标准不确定度。填写后，Δd 与参考值之差构成一个闭合差，可帮助诊断区分各原因；Δd 从不依赖于参考值</translation>
     </message>
     <message>
         <source>″</source>
@@ -938,7 +938,7 @@ Sealed by:</source>
         <translation>瞄准零位</translation>
     </message>
     <message>
-        <source>Each: sighted again in every position. One: sighted once for all positions, so that its error cancels in Δd</source>
+        <source>Each: sighted again in every position. One for all: sighted once, so that its error cancels in Δd</source>
         <translation>各自照准：在每个轴位重新照准。共用一个：为所有轴位只照准一次，其误差在 Δd 中抵消</translation>
     </message>
     <message>
@@ -966,7 +966,7 @@ Sealed by:</source>
         <translation>零位 σ(&amp;Z)</translation>
     </message>
     <message>
-        <source>as the circles</source>
+        <source>same as circles</source>
         <translation>同度盘</translation>
     </message>
     <message>
@@ -990,7 +990,7 @@ Sealed by:</source>
         <translation>设备(&amp;I)</translation>
     </message>
     <message>
-        <source>simulator measured</source>
+        <source>simulator under test</source>
         <translation>被测的模拟器</translation>
     </message>
     <message>
@@ -1014,7 +1014,7 @@ Sealed by:</source>
         <translation>报告的唯一编号，印在每一页上</translation>
     </message>
     <message>
-        <source>Who answers for the report</source>
+        <source>Person responsible for the report</source>
         <translation>对报告负责的人</translation>
     </message>
     <message>
@@ -1030,7 +1030,7 @@ Sealed by:</source>
         <translation>规则约定方(&amp;G)</translation>
     </message>
     <message>
-        <source>who, and where it is written</source>
+        <source>who, and in which document</source>
         <translation>何人，载于何处</translation>
     </message>
     <message>
@@ -1150,8 +1150,8 @@ Sealed by:</source>
         <translation>未知</translation>
     </message>
     <message>
-        <source>Offset of the line of sight from the vertical axis, from the instrument check; e/D at the distance of this session is added to the known collimation</source>
-        <translation>视线偏离竖轴的距离，由仪器检查得出：按本测量记录的距离，将 e/D 计入已知的照准差</translation>
+        <source>Offset e of the line of sight from the vertical axis, from the instrument check; e/D, with the distance D of the slider, is added to the known collimation</source>
+        <translation>视线偏离竖轴的距离 e，由仪器检查得出：将 e/D 计入已知的照准差，D 为到滑块的距离</translation>
     </message>
     <message>
         <source>u of e</source>
@@ -1206,8 +1206,8 @@ Sealed by:</source>
         <translation>零位照准</translation>
     </message>
     <message>
-        <source>Mark: a fixed target; different zeros show a drift or a knock. Normal: the guideway&apos;s, set again in each position. Unstated: taken as a mark if the zeros agree within 30″</source>
-        <translation>标志：一个固定方向，因此零位之差反映漂移或碰动。法线：导轨自身的法线，在每个轴位重新设定。未说明：零位相差在 30″ 以内时视为标志</translation>
+        <source>Mark: a fixed target; different zeros show a drift or a knocked tripod. Normal: the normal of the guideway, set again in each position. Unstated: treated as a mark if the zeros agree within 30″</source>
+        <translation>标志：一个固定目标，零位之差反映漂移或三脚架被碰动。法线：导轨自身的法线，在每个轴位重新设定。未说明：零位相差在 30″ 以内时视为标志</translation>
     </message>
     <message>
         <source>Authorised b&amp;y</source>
@@ -1234,8 +1234,8 @@ Sealed by:</source>
         <translation>仪器</translation>
     </message>
     <message>
-        <source>The quantity with the tolerance: Δd, the distance of the arc&apos;s centre from the axis in the plane of the arc, or the whole distance</source>
-        <translation>允差所限制的量：相交度 Δd，即圆心到回转轴的距离在圆弧平面内的部分，或整个距离</translation>
+        <source>The quantity that the tolerance limits. Δd: distance of the arc&apos;s centre from the axis in the plane of the arc. Distance: the whole distance of the centre from the axis</source>
+        <translation>允差所限制的量。Δd：圆心到回转轴的距离在圆弧平面内的部分。距离：圆心到回转轴的整个距离</translation>
     </message>
     <message>
         <source>Setting of the device, if known; shown with the result, not used in the fit</source>
@@ -1324,7 +1324,7 @@ Sealed by:</source>
         <translation>暂定</translation>
     </message>
     <message>
-        <source>Centres of the fit, enlarged</source>
+        <source>Fitted centres, enlarged</source>
         <translation>拟合的圆心，放大</translation>
     </message>
 </context>
@@ -1380,7 +1380,7 @@ Sealed by:</source>
 <context>
     <name>Phrase</name>
     <message>
-        <source>there are no readings to fit; enter those of the axis positions</source>
+        <source>there are no readings to fit; enter the readings of the axis positions</source>
         <translation>没有可拟合的读数；请录入各轴位的读数</translation>
     </message>
     <message>
@@ -1499,8 +1499,8 @@ Sealed by:</source>
         <translation>您的磁盘配额已用完：请腾出空间或选择其他文件夹</translation>
     </message>
     <message>
-        <source>the file exceeds the size limit there: choose another folder</source>
-        <translation>将超过该处允许的文件大小：请选择其他文件夹</translation>
+        <source>the file exceeds the size limit of the disk: choose another folder</source>
+        <translation>文件超过该磁盘允许的大小：请选择其他文件夹</translation>
     </message>
     <message>
         <source>you may not write there: choose another folder</source>
@@ -1598,19 +1598,19 @@ Sealed by:</source>
     </message>
     <message>
         <source>radius from place to place, turning with the guideway</source>
-        <translation>逐位置的半径，随导轨转动</translation>
+        <translation>半径随位置的变化，随导轨转动</translation>
     </message>
     <message>
         <source>guideway out of its plane from place to place</source>
-        <translation>逐位置偏离平面的导轨</translation>
+        <translation>导轨随位置偏离其平面</translation>
     </message>
     <message>
         <source>slider readings from place to place</source>
-        <translation>逐位置的滑块读数</translation>
+        <translation>滑块读数随位置的变化</translation>
     </message>
     <message>
         <source>radius from place to place in each position</source>
-        <translation>各轴位中逐位置的半径</translation>
+        <translation>各轴位中半径随位置的变化</translation>
     </message>
     <message>
         <source>horizontal orientation with time</source>
@@ -1862,7 +1862,7 @@ Sealed by:</source>
         <translation>各轴位的半径不同</translation>
     </message>
     <message>
-        <source>measure the distance in both positions, and check for play and temperature</source>
+        <source>measure the distance in both positions, and check play and temperature</source>
         <translation>在两个轴位都测量距离，并检查间隙和温度</translation>
     </message>
     <message>
@@ -1879,8 +1879,8 @@ Sealed by:</source>
         <translation>导轨呈椭圆形</translation>
     </message>
     <message>
-        <source>read the slider to map its form</source>
-        <translation>读取滑块以测绘其形状</translation>
+        <source>read the slider to map the form of the guideway</source>
+        <translation>读取滑块以测定导轨的形状</translation>
     </message>
     <message>
         <source>arc lobing</source>
@@ -1949,12 +1949,12 @@ Sealed by:</source>
         <translation>设站移动</translation>
     </message>
     <message>
-        <source>instrument or axis is displaced between the first position and those after it</source>
-        <translation>仪器或回转轴在第一轴位与其后轴位之间发生位移</translation>
+        <source>the instrument or the axis is displaced between the first position and the later ones</source>
+        <translation>仪器或回转轴在第一轴位与其后各轴位之间发生位移</translation>
     </message>
     <message>
-        <source>fasten instrument and machine to one foundation, and measure the first position again at the end</source>
-        <translation>将仪器和机器固定在同一基础上，并在最后复测第一轴位</translation>
+        <source>fasten instrument and device to one foundation, and measure the first position again at the end</source>
+        <translation>将仪器和设备固定在同一基础上，并在最后复测第一轴位</translation>
     </message>
     <message>
         <source>shift along x</source>
@@ -1977,12 +1977,12 @@ Sealed by:</source>
         <translation>第 %1 行</translation>
     </message>
     <message>
-        <source>the vertical circle is stated as %1, but the file says %2: the file is used</source>
-        <translation>竖直度盘原设为 %1，但文件中为%2：以文件为准</translation>
+        <source>the vertical circle is stated as %1, but the file says %2: the circle is read as the file says</source>
+        <translation>竖直度盘原设为 %1，但文件中为%2：按文件读取</translation>
     </message>
     <message>
-        <source>the file states the position of the axis: its statement is used</source>
-        <translation>文件本身说明了轴位：以此为准</translation>
+        <source>the file states the axis positions: the line given for 180° is not used</source>
+        <translation>文件本身说明了轴位：指定的 180° 起始行未使用</translation>
     </message>
     <message>
         <source>the %1 %2 of the pointing zero in %3 is not used</source>
@@ -1997,8 +1997,8 @@ Sealed by:</source>
         <translation>第 %1 行</translation>
     </message>
     <message>
-        <source>the pointing zero at %1 keeps its given value; that of %2 is not used</source>
-        <translation>%1 的瞄准零位保持原有值；%2的未使用</translation>
+        <source>the pointing zero at %1 keeps its given value; the sighting in %2 is not used</source>
+        <translation>%1 的瞄准零位保持原有值；%2的照准未使用</translation>
     </message>
     <message>
         <source>the pointing zero at %1 is the face 1 mean of %2</source>
@@ -2006,7 +2006,7 @@ Sealed by:</source>
     </message>
     <message>
         <source>180° was read before 0°, but a session assumes 0° first: a drift or a jump between the positions would get the wrong sign</source>
-        <translation>180° 先于 0° 读取，但测量记录以 0° 为先：两轴位之间的漂移或突跳的符号会反</translation>
+        <translation>180° 先于 0° 读取，但测量记录以 0° 为先：两轴位之间的漂移或突跳的符号会相反</translation>
     </message>
     <message>
         <source>the column %1 is not used: 1 value</source>
@@ -2037,12 +2037,12 @@ Sealed by:</source>
         <translation>%1 超出最后一个有名称的列：请为该列命名，或给含分隔符的内容加双引号</translation>
     </message>
     <message>
-        <source>%1 is no turn: turns of the axis count from 1</source>
+        <source>%1 is no turn: turns of the axis are numbered from 1</source>
         <translation>%1 不是转次：轴的转次从 1 开始</translation>
     </message>
     <message>
-        <source>%1 has a decimal sign other than the one stated: choose either of them</source>
-        <translation>%1 的小数点符号与给定的不同：请选择“任意”</translation>
+        <source>%1 has a decimal sign other than the one stated: state the right sign, or allow either</source>
+        <translation>%1 的小数点符号与给定的不同：请给定正确的符号，或选择“任意”</translation>
     </message>
     <message>
         <source>%1 is neither yes nor no: type one of them</source>
@@ -2213,7 +2213,7 @@ Sealed by:</source>
         <translation>不是由数字组成：请重新传输文件</translation>
     </message>
     <message>
-        <source>is larger than a circle: transfer the file again</source>
+        <source>is larger than a full circle: transfer the file again</source>
         <translation>大于一个整圆：请重新传输文件</translation>
     </message>
     <message>
@@ -2237,7 +2237,7 @@ Sealed by:</source>
         <translation>字 %1</translation>
     </message>
     <message>
-        <source>has its last reading in line %1, so no reading at 180° can begin at line %2: give a line within the file</source>
+        <source>has its last reading in line %1, so the readings at 180° cannot begin at line %2: give a line within the file</source>
         <translation>最后一个读数在第 %1 行，因此从第 %2 行起没有 180° 的读数：请指定文件内的行</translation>
     </message>
     <message>
@@ -2245,7 +2245,7 @@ Sealed by:</source>
         <translation>没有带水平度盘和竖直度盘的读数：请选择其他文件</translation>
     </message>
     <message>
-        <source>has vertical readings of the kind %1, those before are of the kind %2: a session has one kind; import this file into a separate session</source>
+        <source>has vertical readings of the kind %1, but the earlier ones are of the kind %2: a session has one kind; import this file into a separate session</source>
         <translation>含有%1类竖直度盘的读数，而之前的读数为%2类：一份测量记录只有一种，请导入到单独的测量记录</translation>
     </message>
     <message>
@@ -2261,8 +2261,8 @@ Sealed by:</source>
         <translation>%1 不是 For M5|Adr …|PI1 …|Hz … 那样的行：请重新传输文件，或改正、删除该行</translation>
     </message>
     <message>
-        <source>is marked with e, an error of the instrument: measure it again</source>
-        <translation>标有 e，即仪器错误：请重新测量</translation>
+        <source>is marked with e, an error of the instrument: measure the point again</source>
+        <translation>标有 e，即仪器错误：请重新测量该点</translation>
     </message>
     <message>
         <source>instrument</source>
@@ -2289,8 +2289,8 @@ Sealed by:</source>
         <translation>距离</translation>
     </message>
     <message>
-        <source>%1 is a second reading of its circle</source>
-        <translation>%1 是其度盘的第二个读数</translation>
+        <source>%1 is a second reading of the same circle: delete one of the two</source>
+        <translation>%1 是同一度盘的第二个读数：请删除其中之一</translation>
     </message>
     <message>
         <source>%1 is neither a zenith angle (V1) nor a height angle (V3): set the instrument to one of them and record again</source>
@@ -2357,16 +2357,16 @@ Sealed by:</source>
         <translation>小数分隔符为点</translation>
     </message>
     <message>
-        <source>gon, as %1 is more than 360</source>
+        <source>gon, because %1 is more than 360</source>
         <translation>gon，因为 %1 大于 360</translation>
     </message>
     <message>
-        <source>gon, as the vertical readings lie around 100 or 300: check it</source>
-        <translation>gon，因为竖直读数在 100 或 300 附近：请检查</translation>
+        <source>gon, because the vertical readings are near 100 or 300: check the unit</source>
+        <translation>gon，因为竖直读数在 100 或 300 附近：请检查单位</translation>
     </message>
     <message>
-        <source>decimal degrees, as the vertical readings are around 90 or 270 and have more than 59 in the place of minutes: check it</source>
-        <translation>十进制度，因为竖直读数在 90 或 270 附近，且分的位置上超过 59：请检查</translation>
+        <source>decimal degrees, because the vertical readings are near 90 or 270 and have more than 59 in the place of minutes: check the unit</source>
+        <translation>十进制度，因为竖直读数在 90 或 270 附近，且分的位置上超过 59：请检查单位</translation>
     </message>
     <message>
         <source>line %1, column %2: %3</source>
@@ -2492,8 +2492,8 @@ Sealed by:</source>
         <translation>%1 超出范围：必须不小于 0 且小于 3600 角秒</translation>
     </message>
     <message>
-        <source>%1 is out of range: it must be a temperature in °C</source>
-        <translation>%1 超出范围：必须是以 °C 表示的温度</translation>
+        <source>%1 is out of range: it must be at least -273.15 and below 1000 °C</source>
+        <translation>%1 超出范围：必须不小于 -273.15 °C 且小于 1000 °C</translation>
     </message>
     <message>
         <source>%1 is out of range: it must be 0 or more and below 1000 K</source>
@@ -2613,15 +2613,15 @@ Sealed by:</source>
         <translation>为空，整行也为空：请输入其读数或删除该行</translation>
     </message>
     <message>
-        <source>%1 lies %2° from the pointing zero, beyond the edge of the arc plane: check the degrees and the face</source>
-        <translation>%1 距瞄准零位 %2°，超出圆弧平面的边缘：请检查度数和盘位</translation>
+        <source>%1 lies %2° from the pointing zero, farther than the arc can be sighted: check the degrees and the face</source>
+        <translation>%1 距瞄准零位 %2°，超出可照准圆弧的范围：请检查度数和盘位</translation>
     </message>
     <message>
-        <source>%1 is no point: points count from 0</source>
+        <source>%1 is no point: points are numbered from 0</source>
         <translation>%1 不是测点：测点从 0 开始</translation>
     </message>
     <message>
-        <source>%1 is no round: rounds count from 1</source>
+        <source>%1 is no round: rounds are numbered from 1</source>
         <translation>%1 不是测回：测回从 1 开始</translation>
     </message>
     <message>
@@ -2675,8 +2675,8 @@ Sealed by:</source>
         <translation>缺失：%1</translation>
     </message>
     <message>
-        <source>is missing: this is no session file, which says &quot;format&quot;: &quot;alidade-session&quot;</source>
-        <translation>缺失：这不是测量记录文件，测量记录文件写有 &quot;format&quot;: &quot;alidade-session&quot;</translation>
+        <source>is missing: this is no session file; a session file contains &quot;format&quot;: &quot;alidade-session&quot;</source>
+        <translation>缺失：这不是测量记录文件，测量记录文件含有 &quot;format&quot;: &quot;alidade-session&quot;</translation>
     </message>
     <message>
         <source>add &quot;version&quot;: 1</source>
@@ -2687,7 +2687,7 @@ Sealed by:</source>
         <translation>必须是整数 %1，而不是 %2</translation>
     </message>
     <message>
-        <source>%1 is newer than this program reads (%2): open it with a newer Alidade</source>
+        <source>%1 is newer than the version this program reads (%2): open it with a newer Alidade</source>
         <translation>%1 比本程序可读的版本（%2）更新：请用更新的 Alidade 打开</translation>
     </message>
     <message>
@@ -2759,7 +2759,7 @@ Sealed by:</source>
         <translation>只有 %1 个不同位置的读数，其余为重复；圆需要三个：请在各测点之间移动滑块</translation>
     </message>
     <message>
-        <source>has readings that lie on a straight line, which fixes no circle: check them, and sight places over a longer arc</source>
+        <source>has readings that lie on a straight line, which determines no circle: check them, and sight places over a longer arc</source>
         <translation>的读数位于一条直线上，无法确定圆：请检查这些读数，并在更长的弧段上照准</translation>
     </message>
     <message>
@@ -2775,7 +2775,7 @@ Sealed by:</source>
         <translation>有 %1 个位置的读数；已发表的方法需要五个：请照准更多位置</translation>
     </message>
     <message>
-        <source>has readings that leave the published system without a unique solution: sight places over a longer arc</source>
+        <source>has readings for which the equations of the published method have no unique solution: sight places over a longer arc</source>
         <translation>的读数使已发表方法的方程组没有唯一解：请在更长的弧段上照准</translation>
     </message>
     <message>
@@ -2787,11 +2787,11 @@ Sealed by:</source>
         <translation>（约化 χ² 为 %1，自由度 %2）</translation>
     </message>
     <message>
-        <source>the fit did not converge within %1 iterations; its result is provisional.</source>
-        <translation>拟合在 %1 次迭代内未收敛；其结果是暂定的。</translation>
+        <source>the fit did not converge within %1 iterations; its result is unreliable.</source>
+        <translation>拟合在 %1 次迭代内未收敛；其结果不可靠。</translation>
     </message>
     <message>
-        <source>Check the readings for large errors.</source>
+        <source>Check the readings for gross errors.</source>
         <translation>请检查读数中是否有粗差。</translation>
     </message>
     <message>
@@ -2819,7 +2819,7 @@ Sealed by:</source>
         <translation>请检查给定的 σ，并确认读数不是互相抄录的。</translation>
     </message>
     <message>
-        <source>an arc of %1° fixes the radius only to u = %2 mm, and the centre hardly better.</source>
+        <source>an arc of %1° determines the radius only to u = %2 mm, and the centre hardly better.</source>
         <translation>%1° 的弧只能把半径确定到 u = %2 mm，圆心也好不了多少。</translation>
     </message>
     <message>
@@ -2860,8 +2860,8 @@ Sealed by:</source>
         <translation>计入该规律可能引起的改变</translation>
     </message>
     <message>
-        <source>averaged over the alternatives</source>
-        <translation>对其他可能取平均</translation>
+        <source>averaged over the possible explanations</source>
+        <translation>对各种可能的解释取平均</translation>
     </message>
     <message>
         <source>readings</source>
@@ -2924,7 +2924,7 @@ Sealed by:</source>
         <translation>结果与已知值不符：%1。请检查已知值，并找出两者差异的原因。</translation>
     </message>
     <message>
-        <source>there are no readings; enter those of the axis positions</source>
+        <source>there are no readings; enter the readings of the axis positions</source>
         <translation>没有读数；请录入各轴位的读数</translation>
     </message>
     <message>
@@ -3452,7 +3452,7 @@ Sealed by:</source>
         <translation>包含概率为 %1 % 时不作判定：请将包含概率设为 %2 或更大。</translation>
     </message>
     <message>
-        <source>there are no readings to export; enter those of the axis positions</source>
+        <source>there are no readings to export; enter the readings of the axis positions</source>
         <translation>没有可导出的读数；请录入各轴位的读数</translation>
     </message>
     <message>

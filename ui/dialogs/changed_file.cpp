@@ -49,7 +49,7 @@ ChangedFileAnswer askChangedFile(QWidget* parent, const ChangedFile& file) {
   auto* layout = new QVBoxLayout(&dialog);
   layout->addWidget(createPlainLabel(explanation(file)));
   if (file.difference)
-    layout->addWidget(createDifferenceTable(*file.difference, ChangedFileText::tr("Here"),
+    layout->addWidget(createDifferenceTable(*file.difference, ChangedFileText::tr("In this window"),
                                             ChangedFileText::tr("In the file")),
                       1);
   layout->addWidget(createPlainLabel(

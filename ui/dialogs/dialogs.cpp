@@ -230,7 +230,7 @@ QString Dialogs::askSeal(const QString& suggestion) {
 }
 
 bool Dialogs::askOpenElsewhere(const QString& name, const QString& holder) {
-  QMessageBox box(QMessageBox::Warning, DialogsText::tr("Open elsewhere"),
+  QMessageBox box(QMessageBox::Warning, DialogsText::tr("Already open"),
                   DialogsText::tr("“%1” is open in another window (%2).").arg(name, holder),
                   QMessageBox::Cancel, m_parent);
   box.setTextFormat(Qt::PlainText);
@@ -276,10 +276,10 @@ std::optional<QFont> Dialogs::askFont(const QFont& now) {
 void Dialogs::showAbout() {
   QMessageBox box(
       QMessageBox::NoIcon, DialogsText::tr("About Alidade"),
-      DialogsText::tr("<h3>Alidade %1</h3><p>A measurement workstation for rotatable arc guideways: "
-                      "sightings in, intersection and verdict out.</p>"
-                      "<p>Licence: GNU General Public License, version 3 or later. It comes without any "
-                      "warranty.</p><p>Built with Qt %2.</p>")
+      DialogsText::tr(
+          "<h3>Alidade %1</h3><p>A measurement workstation for rotatable arc guideways: it computes the "
+          "intersection and the verdict from sightings.</p><p>Licence: GNU General Public License, version 3 "
+          "or later. Alidade comes without any warranty.</p><p>Built with Qt %2.</p>")
           .arg(QCoreApplication::applicationVersion(), QString::fromLatin1(qVersion())),
       QMessageBox::Close, m_parent);
   box.setTextFormat(Qt::RichText);
@@ -290,20 +290,22 @@ void Dialogs::showAbout() {
 void Dialogs::showShortcuts() {
   const QString rows[][2] = {
       {DialogsText::tr("Type"), DialogsText::tr("overwrites the cell")},
-      {DialogsText::tr("Enter"), DialogsText::tr("accepts; moves to vertical, then to the next row")},
-      {DialogsText::tr("Tab, Shift+Tab"), DialogsText::tr("accepts; next or previous shown column")},
+      {DialogsText::tr("Enter"),
+       DialogsText::tr("accepts the entry; goes to vertical, then to the next row")},
+      {DialogsText::tr("Tab, Shift+Tab"),
+       DialogsText::tr("accepts the entry; goes to the next or previous shown column")},
       {DialogsText::tr("F2"), DialogsText::tr("edits what was typed")},
       {DialogsText::tr("Esc"), DialogsText::tr("discards the unfinished entry")},
-      {DialogsText::tr("Space"), DialogsText::tr("excludes or uses the selected rows")},
+      {DialogsText::tr("Space"), DialogsText::tr("excludes or includes the selected rows")},
       {DialogsText::tr("F7"), DialogsText::tr("goes to the next reading that looks misread")},
       {DialogsText::tr("F8"), DialogsText::tr("enters the reading that was probably meant")},
       {DialogsText::tr("Delete"), DialogsText::tr("clears the selected cells")},
       {DialogsText::tr("Ctrl+I, Ctrl+−"), DialogsText::tr("inserts a row above; deletes the selected rows")},
       {DialogsText::tr("Ctrl+C, Ctrl+X, Ctrl+V"),
-       DialogsText::tr("copies, cuts, pastes blocks, also with spreadsheets")},
+       DialogsText::tr("copies, cuts, pastes blocks of cells, also from and to spreadsheets")},
       {DialogsText::tr("Ctrl+Shift+V"), DialogsText::tr("imports the clipboard after asking for its layout")},
       {DialogsText::tr("Ctrl+Z, Ctrl+Shift+Z"), DialogsText::tr("undo, redo")},
-      {DialogsText::tr("3415224"), DialogsText::tr("is 341°52′24″ on the number pad")},
+      {DialogsText::tr("3415224"), DialogsText::tr("means 341°52′24″; digits only, as on a number pad")},
   };
   QString html = QStringLiteral("<table cellpadding='3'>");
   for (const auto& row : rows)

@@ -33,13 +33,13 @@ ExportFlow::ExportFlow(const SessionDocument& document, Dialogs& dialogs, QObjec
     : QObject(parent), m_document(document), m_dialogs(dialogs) {}
 
 bool ExportFlow::exportReadings() {
-  return exportAnswer(
-      tr("Export readings"), QStringLiteral("readings"), QStringLiteral("csv"),
-      [](const Session& session, const std::string&) -> Result<std::string> {
-        if (!hasRows(session))
-          return Problem{Phrase::of("there are no readings to export; enter those of the axis positions")};
-        return readingsCsv(session);
-      });
+  return exportAnswer(tr("Export readings"), QStringLiteral("readings"), QStringLiteral("csv"),
+                      [](const Session& session, const std::string&) -> Result<std::string> {
+                        if (!hasRows(session))
+                          return Problem{Phrase::of(
+                              "there are no readings to export; enter the readings of the axis positions")};
+                        return readingsCsv(session);
+                      });
 }
 
 bool ExportFlow::exportResiduals() {

@@ -89,7 +89,7 @@ TEST(GsiWord, RefusesWhatIsNoAngle) {
   EXPECT_THAT(refusalOf("21.100+17920860"), HasSubstr("character 6"));
   EXPECT_THAT(refusalOf("21.10.+17920860"), HasSubstr("character 6"));
   EXPECT_THAT(refusalOf("21.102+1792 860"), HasSubstr("digits"));
-  EXPECT_THAT(refusalOf("*21.102+1234567890123456"), HasSubstr("larger than a circle"));
+  EXPECT_THAT(refusalOf("*21.102+1234567890123456"), HasSubstr("larger than a full circle"));
 }
 
 // Minutes beyond 59 are passed on unchanged; the rules of entries report them.

@@ -182,7 +182,8 @@ TEST(ReadingsCsv, ATurnThatIsNoneIsRefused) {
                                      "axis,turn,point,horizontal,zenith\n0,zero,1,10 00 00,80 00 00\n"
                                      "0,1,2,11 00 00,80 00 00\n");
   ASSERT_EQ(import.problems.size(), 1u);
-  EXPECT_EQ(import.problems[0].text(), "line 2, column 3: “zero” is no turn: turns of the axis count from 1");
+  EXPECT_EQ(import.problems[0].text(),
+            "line 2, column 3: “zero” is no turn: turns of the axis are numbered from 1");
 }
 
 TEST(ReadingsCsv, TurnsCountWithoutGaps) {

@@ -51,7 +51,8 @@ TEST(Entry, UnusableTextsAreExplained) {
   EXPECT_THAT(sentence("geometry.radius_mm", "400 mm"), HasSubstr("leave out “mm”"));
   for (const char* sigma : {"0", "0.0009"})
     EXPECT_THAT(sentence("instrument.sigma_horizontal_arcsec", sigma), HasSubstr("must be at least 0.001"));
-  EXPECT_THAT(sentence("environment.temperature_c", "-300"), HasSubstr("must be a temperature in °C"));
+  EXPECT_THAT(sentence("environment.temperature_c", "-300"),
+              HasSubstr("must be at least -273.15 and below 1000 °C"));
   EXPECT_THAT(sentence("acceptance.coverage", "1"), HasSubstr("must be between 0 and 1"));
   EXPECT_THAT(sentence("readings.horizontal", ""), HasSubstr("is empty: type an angle"));
   EXPECT_THAT(sentence("readings.horizontal", "360"), HasSubstr("lies outside 0°…360°"));
@@ -59,8 +60,8 @@ TEST(Entry, UnusableTextsAreExplained) {
   EXPECT_THAT(sentence("instrument.known.sigma", "-1"), HasSubstr("“-1” is out of range"));
   EXPECT_THAT(sentence("instrument.known.sigma", ""), HasSubstr("type the standard uncertainty"));
   EXPECT_THAT(sentence("readings.face", "3"), HasSubstr("“3” is no face: type 1 or 2"));
-  EXPECT_THAT(sentence("readings.round", "0"), HasSubstr("rounds count from 1"));
-  EXPECT_THAT(sentence("readings.point", "-1"), HasSubstr("points count from 0"));
+  EXPECT_THAT(sentence("readings.round", "0"), HasSubstr("rounds are numbered from 1"));
+  EXPECT_THAT(sentence("readings.point", "-1"), HasSubstr("points are numbered from 0"));
   EXPECT_THAT(sentence("readings.point", "A"), HasSubstr("is not a whole number"));
   EXPECT_THAT(sentence("axis_deg", ""), HasSubstr("is empty: type the rotation of the axis, 0 or 180"));
   EXPECT_THAT(sentence("geometry.vertical_circle", "Zenith"), HasSubstr("choose zenith or elevation"));

@@ -184,7 +184,7 @@ TEST(SessionFile, NamesWhatIsNoSessionAtAll) {
 
 TEST(SessionFile, NamesTheVersionItCannotRead) {
   EXPECT_EQ(sentenceWith("/version", 3),
-            "version: 3 is newer than this program reads (1): open it with a newer Alidade");
+            "version: 3 is newer than the version this program reads (1): open it with a newer Alidade");
   EXPECT_THAT(sentenceWith("/version", 18446744073709551615ull), HasSubstr("is newer"));
   EXPECT_THAT(sentenceWith("/version", 0), HasSubstr("version: 0 is no version"));
   EXPECT_THAT(sentenceWith("/version", "1"), HasSubstr("version: must be the whole number 1, not a text"));

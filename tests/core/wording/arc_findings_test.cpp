@@ -13,7 +13,7 @@ std::string textOf(int axisDeg, What what) {
 
 TEST(ArcFindingsInWords, NameTheirArc) {
   EXPECT_EQ(textOf(180, NotConverged{60}),
-            "180°: the fit did not converge within 60 iterations; its result is provisional.");
+            "180°: the fit did not converge within 60 iterations; its result is unreliable.");
 }
 
 TEST(ArcFindingsInWords, StateTheirNumbers) {
@@ -24,7 +24,7 @@ TEST(ArcFindingsInWords, StateTheirNumbers) {
             "0°: the readings agree far better than their stated noise (reduced χ² 0.01 with 31 degrees of "
             "freedom).");
   EXPECT_EQ(textOf(0, RadiusPoorlyKnown{Angle::fromDegrees(4.96), 12.04}),
-            "0°: an arc of 5.0° fixes the radius only to u = 12.0 mm, and the centre hardly better.");
+            "0°: an arc of 5.0° determines the radius only to u = 12.0 mm, and the centre hardly better.");
   EXPECT_EQ(textOf(0, RadiusFarFromNominal{400, 300}),
             "0°: the fitted radius 400.0 mm is far from the nominal 300.0 mm.");
 }

@@ -490,7 +490,7 @@ TEST(AcceptanceReport, KnowsWhatALaboratoryWouldState) {
   session.report.customer = " ";
   session.geometry.distanceFrom.clear();
   EXPECT_EQ(emptyReportFields(session),
-            (QStringList{QStringLiteral("customer"), QStringLiteral("how the distance was measured")}));
+            (QStringList{QStringLiteral("customer"), QStringLiteral("method of the distance measurement")}));
   session = paperSession();
   EXPECT_EQ(emptyReportFields(session).size(), 15) << "all but the device's name and σ of the distance";
   session.acceptance.toleranceMm.clear();

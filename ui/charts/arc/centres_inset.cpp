@@ -377,7 +377,7 @@ void CentresInset::layOutTitles() {
       m_titles = headlineLines(true);
     }
   }
-  const QString name = InsetText::tr("Centres of the fit, enlarged");
+  const QString name = InsetText::tr("Fitted centres, enlarged");
   if (left >= 8 * line && QFontMetricsF(m_style.font).horizontalAdvance(name) <= titleRoom())
     m_titles.append({name, m_style.font, m_style.mutedText});
 }
