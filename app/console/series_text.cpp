@@ -127,7 +127,7 @@ std::string adviceText(const SeriesDiagnosis& series) {
 
 std::string undetectableText(const SeriesDiagnosis& series) {
   if (series.undetectable.empty()) return "";
-  Rows rows{{"  effect", "moves Δd by (mm)", "leaves (σ)"}};
+  Rows rows{{"  effect", "moves Δd by (mm)", "trace (σ)"}};
   for (const UndetectableEffect& effect : series.undetectable)
     rows.push_back(
         {"  " + causeName(effect.effect), fixedText(effect.influence, 4), fixedText(effect.visibleSigma, 1)});

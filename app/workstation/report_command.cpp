@@ -60,7 +60,7 @@ int write(const ReportCommand& command) {
   if (command.certificate.isEmpty()) {
     const auto written = ui::writeAcceptanceReport(evaluation, source, command.report, options);
     if (!written) return refuse(path, written.problem());
-    return reportLacks(path, PHRASE_LATER("Phrase", "The report names as not stated: %1."),
+    return reportLacks(path, PHRASE_LATER("Phrase", "The report says “not stated” for: %1."),
                        ui::emptyReportFields(document.session()));
   }
   options.gap =

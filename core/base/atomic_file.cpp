@@ -152,8 +152,8 @@ std::string Passage::putBack() {
   //: a file, one of two that belong together
   if (kept.empty()) return Phrase::of("%1 was already replaced: write both again", m_content.path);
   //: a file, one of two that belong together, and the file that its old bytes are in
-  return Phrase::of("%1 was already replaced, its old bytes are in %2: write both again", m_content.path,
-                    kept);
+  return Phrase::of("%1 was already replaced, its previous content is in %2: write both again",
+                    m_content.path, kept);
 }
 
 /// An unsupported synchronisation, as for folders on some disks, is not an error.

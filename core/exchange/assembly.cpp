@@ -336,7 +336,7 @@ class Assembly {
     if (turns.size() > different.size())
       remark(
           Phrase::of("the positions of the axis alternate in the file; a session keeps the order of readings "
-                     "only within each"));
+                     "only within each position"));
     else if (turns.size() == 2 && turns.front().first != "0" && !isAgain)
       remark(
           Phrase::of("180° was read before 0°, but a session assumes 0° first: a drift or a jump between the "

@@ -320,8 +320,8 @@ class TablePlanner {
         hasPlus = hasPlus || cell == "+";
       }
       if (areSigns && hasMinus && (hasPlus || isCalledSign))
-        return refuse(i,
-                      Phrase::of("%1 contains signs alone: put each before its degrees", m_plan.nameOf(i)));
+        return refuse(
+            i, Phrase::of("%1 contains signs only: put each sign before its degrees", m_plan.nameOf(i)));
     }
   }
 

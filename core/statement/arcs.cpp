@@ -136,8 +136,9 @@ Statement publishedTable(const PublishedSessionFit& fit) {
                                       displayText(*fit.intersectionAsPrinted, 4),
                                       displayText(*fit.intersection, 4), displayText(fit.inPlane, 4))};
   statement.note = Phrase::of(
-      "As printed: y points down for zenith angles, ΔR is the last increment, θ are no tilts. The method "
-      "states no uncertainty and takes tan e = y/L, which no theodolite reads; do not accept by it.");
+      "As printed: y points down for zenith angles, ΔR is the last increment, θ are not tilts. The method "
+      "states no uncertainty and assumes tan e = y/L, but no theodolite reads this angle e; do not accept a "
+      "guideway by this method.");
   return statement;
 }
 

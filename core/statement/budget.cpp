@@ -107,10 +107,9 @@ Statement measuredBudget(const Diagnosis& diagnosis, double coverage) {
                  "plausible size."),
       acrossSentence(measured)};
   statement.note = Phrase::of(
-      "1σ: how large each effect may plausibly be; c: sensitivity, how many mm one unit of it moves Δd in "
-      "these readings; ν: degrees of freedom; share: of the variance. A: by the scatter of these readings; "
-      "B: by "
-      "other knowledge.");
+      "1σ: plausible size of each effect; c: sensitivity, the change of Δd in mm per unit of the effect in "
+      "these readings; ν: degrees of freedom; share: of the variance. A: from the scatter of these readings; "
+      "B: from other knowledge.");
   return statement;
 }
 
@@ -176,11 +175,11 @@ Statement centreBudget(const SessionFit& fit) {
   statement.sentences = {
       std::isinf(fit.noise.degreesOfFreedom)
           ? Phrase::of("All contributions are based on the stated noise.")
-          : Phrase::of("What comes from the readings is scaled by their scatter, %1 times the stated noise. "
-                       "Pointing zeros and distance enter as stated.",
+          : Phrase::of("Contributions of the readings are scaled by their scatter, %1 times the stated "
+                       "noise. Pointing zeros and distance contribute with their stated σ.",
                        displayText(fit.noise.factor, 2))};
   statement.note = Phrase::of(
-      "Correlation with R, −1 to 1: how far an error of the radius shifts the centre; on half an arc, R "
+      "Correlation with R, −1 to 1: how strongly an error of the radius shifts the centre; on half an arc, R "
       "determines the height of the centre.");
   return statement;
 }

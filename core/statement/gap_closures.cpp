@@ -31,8 +31,8 @@ std::string outcomeOf(const Diagnosis& diagnosis) {
   if (std::string open = misclosureSentence(diagnosis); !open.empty()) return open;
   const bool failed =
       std::ranges::any_of(diagnosis.closures, [](const ClosureStep& step) { return fails(step.before); });
-  return failed ? Phrase::of("With the causes in the model they agree.")
-                : Phrase::of("One rigid arc turned about a level axis: they agree.");
+  return failed ? Phrase::of("With the causes in the model, these quantities agree.")
+                : Phrase::of("For one rigid arc turned about a level axis, these quantities agree.");
 }
 
 }  // namespace

@@ -41,7 +41,7 @@ const KnownCheck* checkOf(const Gap& gap, const Effect& effect, const EffectPara
 Statement gapKnown(const Gap& gap) {
   Statement statement{.id = "known",
                       .title = Phrase::of("Known sizes of instrument and device"),
-                      .columns = {{"number", Phrase::of("Number"), Statement::Column::Role::Name},
+                      .columns = {{"number", Phrase::of("Size"), Statement::Column::Role::Name},
                                   {"known", Phrase::of("known")},
                                   {"readings", Phrase::of("these readings")},
                                   {"from", Phrase::of("known from"), Statement::Column::Role::Text}},
@@ -63,7 +63,7 @@ Statement gapKnown(const Gap& gap) {
     }
   statement.note = Phrase::of(
       "Each value enters the uncertainty and the search for causes with its u; the prior probability that it "
-      "is out of date is one in fifty. A dash: these readings do not show it.");
+      "is out of date is one in fifty. A dash: these readings are too weak to check it.");
   return statement;
 }
 

@@ -22,7 +22,7 @@ Statement gapRequired(const Gap& gap) {
                       .columns = {{"effect", Phrase::of("Effect"), Statement::Column::Role::Name},
                                   {"size", Phrase::of("size")},
                                   {"plausible_sizes", Phrase::of("plausible sizes")},
-                                  {"visible", Phrase::of("leaves (σ)")}},
+                                  {"visible", Phrase::of("trace (σ)")}},
                       .rows = {}};
   for (const Required& required : gap.diagnosis->whatItWouldTake)
     statement.rows.push_back({.cells = {causeTitle(required.effect), sizeText(required.size, required.unit),
@@ -30,8 +30,8 @@ Statement gapRequired(const Gap& gap) {
                               .id = required.effect});
   if (!statement.rows.empty())
     statement.note = Phrase::of(
-        "Effects that these readings do not exclude at that size, each by itself, the most plausible first; "
-        "leaves: the trace it would leave in these readings.");
+        "Effects, each considered alone, that these readings do not exclude at that size, the most plausible "
+        "first; trace: what the effect would leave in these readings.");
   return statement;
 }
 

@@ -48,9 +48,11 @@ Statement::Row rowOf(std::string name, double rms, double reducedChiSquare,
 /// What Δd with the causes includes.
 std::string averagingSentence(const Diagnosis& diagnosis) {
   if (!diagnosis.forms.empty())
-    return Phrase::of("Δd with the form is averaged over the forms that look like it; its cause is unknown.");
+    return Phrase::of(
+        "Δd with the form is averaged over the indistinguishable forms; their cause is unknown.");
   if (diagnosis.shape)
-    return Phrase::of("U includes the possible effect of the pattern on Δd; its cause is unknown.");
+    return Phrase::of(
+        "U includes the possible effect of the pattern on Δd; the cause of the pattern is unknown.");
   if (beyondTheFit(diagnosis) == Beyond::Nothing) return "";
   return Phrase::of(
       "Δd with the causes is averaged over all possible explanations, weighted by their probabilities; the "
@@ -98,8 +100,8 @@ Statement gapStages(const Gap& gap) {
   for (std::string sentence : {shrinkageSentence(diagnosis), averagingSentence(diagnosis)})
     if (!sentence.empty()) statement.sentences.push_back(std::move(sentence));
   statement.note = Phrase::of(
-      "The stated noise leaves residuals of %1″. Δd, measured, includes every catalogued effect, limited by "
-      "these readings or by its plausible size.",
+      "The stated noise alone would leave residuals of %1″. Δd, measured, includes every catalogued effect, "
+      "limited by these readings or by its plausible size.",
       displayText(gap.noiseRms, 2));
   return statement;
 }

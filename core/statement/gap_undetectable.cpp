@@ -19,7 +19,7 @@ Statement gapUndetectable(const Gap& gap) {
                       .title = Phrase::of("Undetectable here"),
                       .columns = {{"effect", Phrase::of("Effect"), Statement::Column::Role::Name},
                                   {"influence", Phrase::of("moves Δd (mm)")},
-                                  {"visible", Phrase::of("leaves (σ)")}},
+                                  {"visible", Phrase::of("trace (σ)")}},
                       .rows = {}};
   for (const UndetectableEffect& effect : gap.noticeablyUndetectable())
     statement.rows.push_back(
@@ -30,10 +30,9 @@ Statement gapUndetectable(const Gap& gap) {
         Phrase::of("An effect of plausible size that moved Δd noticeably would leave a trace.")};
   else
     statement.note = Phrase::of(
-        "Each at its plausible size, which these readings are too weak to show: an effect shows if it leaves "
-        "more than %1 σ. U of Δd, fit only, does not include them; U of Δd, measured, includes what its "
-        "budget "
-        "lists.",
+        "Each effect has its plausible size, which these readings are too weak to show: only a trace of more "
+        "than %1 σ is detectable. U of Δd, fit only, does not include these effects; U of Δd, measured, "
+        "includes those in its budget.",
         displayText(clearlySeparated(), 1));
   return statement;
 }

@@ -125,7 +125,7 @@ std::string reasonForNoResult(const Evaluation& evaluation) {
   const std::vector<Finding> findings = findingsOf(evaluation);
   const auto error = std::ranges::find(findings, Severity::Error, &Finding::severity);
   if (error != findings.end()) return error->text;
-  return Phrase::of("The intersection needs an arc at 0° and an arc at 180°; not both are there.");
+  return Phrase::of("The intersection needs an arc at 0° and an arc at 180°; at least one is missing.");
 }
 
 /// The text in place of a verdict.
@@ -140,7 +140,7 @@ std::optional<NoVerdict> whyNoVerdict(const Evaluation& evaluation) {
     return NoVerdict{unusable == 1 ? Phrase::of("No verdict: 1 entry could not be used")
                                    : Phrase::of("No verdict: %1 entries could not be used", unusable),
                      Phrase::of("Entries that cannot be used are listed with their place. Correct each or "
-                                "exclude its reading: the result stated here uses only the others.")};
+                                "exclude its reading: the result stated here uses only the other entries.")};
   if (!evaluation.fit.intersection) return NoVerdict{Phrase::of("No result"), reasonForNoResult(evaluation)};
   return std::nullopt;
 }

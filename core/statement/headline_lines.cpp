@@ -98,7 +98,8 @@ std::string disagreementText(const Diagnosis& diagnosis) {
     case DiagnosisVerdict::NotInCatalogue:
       return Phrase::of("Model and readings disagree, and no catalogued effect explains it");
     case DiagnosisVerdict::SeveralCauses:
-      return Phrase::of("Model and readings disagree by more causes than these readings can separate");
+      return Phrase::of(
+          "Model and readings disagree because of more causes than these readings can separate");
     case DiagnosisVerdict::SingleCause:
     case DiagnosisVerdict::Ambiguous:
       break;
@@ -128,8 +129,8 @@ std::string gapText(const Diagnosis& diagnosis, const AcceptanceDecision* decisi
   const std::string closures = failedClosures(diagnosis);
   std::string causes = causesWithProbability(diagnosis);
   if (causes.empty() && decision && isUnexplained(diagnosis)) {
-    const std::string text =
-        Phrase::of("Open whatever U is: model and readings disagree, and no catalogued effect explains it");
+    const std::string text = Phrase::of(
+        "Undecided, whatever U is: model and readings disagree, and no catalogued effect explains it");
     //: a sentence, and the signs of what it says
     return closures.empty() ? text : Phrase::of("%1 (signs: %2)", text, closures);
   }
@@ -137,8 +138,7 @@ std::string gapText(const Diagnosis& diagnosis, const AcceptanceDecision* decisi
   if (isFound(diagnosis, noiseId)) causes = Phrase::of("%1, and noise larger than stated", causes);
   if (const auto alike = lookAlikes(diagnosis); !alike.empty())
     //: causes, and what looks like them
-    causes =
-        Phrase::of("%1, which these readings cannot tell from %2", causes, listed(alike, Phrase::of(" or ")));
+    causes = Phrase::of("%1, indistinguishable here from %2", causes, listed(alike, Phrase::of(" or ")));
   if (!isReached(decision))
     return withDetails(Phrase::of("Model and readings disagree, best explained by %1", causes), closures);
   return withDetails(
@@ -151,8 +151,8 @@ std::string gapText(const Diagnosis& diagnosis, const AcceptanceDecision* decisi
 std::string knockText(const Diagnosis& diagnosis, const AcceptanceDecision& decision) {
   const auto [moments, influence] = knockOf(diagnosis, decision);
   return Phrase::of(
-      "Only if the tripod was not knocked %1: a knock would move Δd by ± %2 mm undetected, which U does not "
-      "include",
+      "The verdict holds only if the tripod was not knocked %1: a knock would move Δd by ± %2 mm undetected, "
+      "which U does not include",
       moments, influence);
 }
 

@@ -46,8 +46,8 @@ std::string chanceSentence(const MonteCarlo& check, int places) {
   const std::string end = lengthText(check.endpointSigma, places);
   const std::optional<std::size_t> draws = drawsToDecide(check);
   return draws ? Phrase::of(
-                     "With these draws, an end of the interval is uncertain by %1: about %2 draws would "
-                     "decide.",
+                     "With these draws, an end of the interval is uncertain by %1: a decision needs about %2 "
+                     "draws.",
                      end, *draws)
                : Phrase::of(
                      "With these draws, an end of the interval is uncertain by %1: a decision needs more "
@@ -78,7 +78,7 @@ Statement monteCarloCheck(const MonteCarlo& check, const Intersection* linear) {
   }
   if (check.intersection)
     statement.sentences.push_back(inTurn(agreementWord(check), agreementSentence(check)));
-  statement.note = Phrase::of("JCGM 101: %1 draws of all readings, seed %2; the centres as simulated.",
+  statement.note = Phrase::of("JCGM 101: %1 draws of all readings, seed %2; the centres are those simulated.",
                               check.draws, check.seed);
   return statement;
 }
@@ -99,10 +99,10 @@ std::string agreementWord(const MonteCarlo& check) {
 
 std::string agreementSentence(const MonteCarlo& check) {
   const int places = decimalsFor(check.tolerance);
-  std::string text =
-      Phrase::of("The ends of Δd ± U differ from those simulated by %1 and %2; the tolerance is %3.",
-                 displayText(check.lowDifference, places), lengthText(check.highDifference, places),
-                 lengthText(check.tolerance, places));
+  std::string text = Phrase::of(
+      "The ends of Δd ± U differ by %1 and %2 from the simulated ends; the numerical tolerance is %3.",
+      displayText(check.lowDifference, places), lengthText(check.highDifference, places),
+      lengthText(check.tolerance, places));
   if (check.linear == LinearPropagation::Refuted)
     text = inTurn(text, Phrase::of("Rely on the simulated interval."));
   else if (check.linear == LinearPropagation::Undecided)

@@ -60,7 +60,7 @@ std::string whatItShows(const Advice& advice) {
                                ? Phrase::of("separates %1 by %2 σ or more", names, sigmas)
                                : Phrase::of("separates any two of %1 by %2 σ or more", names, sigmas);
   if (!(advice.oneLeft > 0)) return text;
-  return Phrase::of("%1; probability that one answer is left: %2", text,
+  return Phrase::of("%1; probability that only one cause remains: %2", text,
                     shortProbabilityText(advice.oneLeft));
 }
 

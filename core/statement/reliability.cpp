@@ -71,7 +71,7 @@ std::string readingsSentence(const Measurement& measurement, const SessionFit& f
                              const Detection& detection, const std::vector<Rated>& worst) {
   if (!std::isfinite(detection.shift))
     return Phrase::of(
-        "Too few readings: the others check none of them well enough to show that it is misread.");
+        "Too few readings: no reading is checked by the others well enough to show whether it is misread.");
   const auto isUnchecked = [](const AdjustedReading& adjusted) {
     return adjusted.redundancy < leastRedundancy;
   };
@@ -84,8 +84,8 @@ std::string readingsSentence(const Measurement& measurement, const SessionFit& f
     return Phrase::of("Every reading is checked.");
   const auto& [adjusted, reliability] = worst.front();
   return Phrase::of(
-      "Every reading is checked. The largest effect of an undetected error: %1, up to %2″, moves Δd by %3 "
-      "mm.",
+      "Every reading is checked. An undetected error has the largest effect in %1: an error of up to %2″ "
+      "moves Δd by up to %3 mm.",
       nameOf(measurement, fit, *adjusted), displayText(reliability.minimalDetectableBias.arcseconds(), 0),
       displayText(std::abs(reliability.influence), 3));
 }

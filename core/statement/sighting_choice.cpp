@@ -51,12 +51,12 @@ std::string nextSentence(const SightingChoice& choice, const ProtocolProgress& p
       worth.one.empty() ? std::tie(worth.other, worth.one) : std::tie(worth.one, worth.other);
   const bool isOfCauses = 2 * worth.ofCauses > worth.worth();
   if (isOfCauses && other.empty() && !choice.soFar.further.empty())
-    return Phrase::of("%1 is most informative for its %2 min: it shows whether %3 is there, too.", next,
-                      minutes, nameOf(cause));
+    return Phrase::of("%1 is most informative per minute (%2 min): it shows whether %3 is also present.",
+                      next, minutes, nameOf(cause));
   if (isOfCauses)
-    return Phrase::of("%1 is most informative for its %2 min: it separates %3 from %4.", next, minutes,
+    return Phrase::of("%1 is most informative per minute (%2 min): it separates %3 from %4.", next, minutes,
                       nameOf(cause), nameOf(other));
-  return Phrase::of("%1 is most informative for its %2 min: it reduces U by %3.", next, minutes,
+  return Phrase::of("%1 is most informative per minute (%2 min): it reduces U by %3.", next, minutes,
                     probabilityText(-std::expm1(-worth.ofUncertainty)));
 }
 
@@ -86,10 +86,10 @@ std::string groupText(const std::vector<std::string>& group, const std::vector<W
 std::string secondSentence(const SessionSoFar& state) {
   const std::string second = groupText(state.alsoNamed, state.further);
   if (!isEnough(state))
-    return Phrase::of("Two causes are named, %1 and %2, but Δd needs readings at both positions.",
+    return Phrase::of("Two causes are identified, %1 and %2, but Δd needs readings at both positions.",
                       groupText(state.named, state.causes), second);
-  return state.alsoNamed == state.named ? Phrase::of("Enough: the cause is there twice, %1.", second)
-                                        : Phrase::of("Enough: two causes are named, %1 and %2.",
+  return state.alsoNamed == state.named ? Phrase::of("Enough: the same cause occurs twice, %1.", second)
+                                        : Phrase::of("Enough: two causes are identified, %1 and %2.",
                                                      groupText(state.named, state.causes), second);
 }
 
@@ -100,10 +100,11 @@ std::string namedSentence(const SessionSoFar& state) {
                            : Phrase::of("There is %1, but Δd needs readings at both positions.", first);
   if (!state.alsoNamed.empty()) return secondSentence(state);
   if (!isEnough(state))
-    return Phrase::of("The cause is named, %1, but Δd needs readings at both positions.", first);
+    return Phrase::of("The cause is identified, %1, but Δd needs readings at both positions.", first);
   if (!state.isAlone)
-    return Phrase::of("Enough: the cause is named, %1; these sightings cannot show a further one.", first);
-  return Phrase::of("Enough: the cause is named, %1; the Bayes factor for a cause is %2 to 1.", first,
+    return Phrase::of("Enough: the cause is identified, %1; these sightings cannot show a further one.",
+                      first);
+  return Phrase::of("Enough: the cause is identified, %1; the Bayes factor for a cause is %2 to 1.", first,
                     evidenceText(state.logEvidence));
 }
 
@@ -111,10 +112,14 @@ std::string namedSentence(const SessionSoFar& state) {
 std::string evidentSentence(const SessionSoFar& state) {
   const std::string first = groupText(state.certain, state.causes);
   if (!state.named.empty())
-    return Phrase::of("Not enough yet: %1 is named, but the readings do not exclude a further cause.", first);
+    return Phrase::of("Not enough yet: %1 is identified, but the readings do not exclude a further cause.",
+                      first);
   constexpr double unlikely = 0.05;
   return probabilityOf({""}, state.further) < unlikely
-             ? Phrase::of("Not enough yet: %1 is evident, but not alone; no second cause stands out.", first)
+             ? Phrase::of(
+                   "Not enough yet: %1 is evident, but not the only cause; no second cause is probable "
+                   "enough.",
+                   first)
              : Phrase::of(
                    "Not enough yet: %1 is evident; further readings show whether it is the only cause.",
                    first);
@@ -127,7 +132,7 @@ std::string notLookedForSentence(const SessionSoFar& state) {
     if (std::ranges::find(state.causes, effect->id, &WeighedCause::cause) == state.causes.end())
       names.push_back(causeName(std::string(effect->id)));
   return names.empty() ? std::string()
-                       : Phrase::of("Not looked for, as this protocol cannot show it: %1.",
+                       : Phrase::of("Not looked for, because this protocol cannot show these effects: %1.",
                                     listed(names, Phrase::of(" and ")));
 }
 
@@ -140,10 +145,11 @@ std::string enoughSentence(const SessionSoFar& state) {
       return namedSentence(state);
     case Enough::VerdictCertain:
       return state.isWithin
-                 ? Phrase::of("Enough for a verdict: whatever effect is there, Δd is within the tolerance.")
-                 : Phrase::of("Enough for a verdict: whatever effect is there, Δd is beyond the tolerance.");
+                 ? Phrase::of("Enough for a verdict: whatever effect is present, Δd is within the tolerance.")
+                 : Phrase::of(
+                       "Enough for a verdict: whatever effect is present, Δd is beyond the tolerance.");
     case Enough::WillNotHelp:
-      return Phrase::of("More of these sightings will not help: none tells causes apart or reduces U.");
+      return Phrase::of("More of these sightings will not help: none separates causes or reduces U.");
     case Enough::No:
       break;
   }
@@ -155,8 +161,9 @@ std::string enoughSentence(const SessionSoFar& state) {
     return Phrase::of(
         "Not enough yet: the readings scatter more than stated, from noise or an uncatalogued effect; the "
         "diagnosis shows which.");
-  return Phrase::of("Not enough yet: the Bayes factor for a cause is %1 to 1, but no cause stands out.",
-                    evidence);
+  return Phrase::of(
+      "Not enough yet: the Bayes factor for a cause is %1 to 1, but no single cause is probable enough.",
+      evidence);
 }
 
 Statement sightingChoiceStatement(const SightingChoice& choice, const ProtocolProgress& progress) {

@@ -56,9 +56,9 @@ std::string placesText(Sightings sightings) {
 std::string sentenceOf(const SightingsAhead& ahead, double uncertainty) {
   const std::string wanted = displayShortest(uncertainty), minutes = displayText(ahead.minutes, 0);
   if (ahead.isReached && ahead.sightings.empty())
-    return Phrase::of("U of Δd, whatever effect is there, is below %1 mm already.", wanted);
+    return Phrase::of("U of Δd is already below %1 mm, whatever effect is present.", wanted);
   if (ahead.isReached)
-    return Phrase::of("For U = %1 mm of Δd, whatever effect is there: %2 more sightings in %3 min.", wanted,
+    return Phrase::of("For U = %1 mm of Δd, whatever effect is present: %2 more sightings in %3 min.", wanted,
                       ahead.sightings.size(), minutes);
   if (!ahead.expanded) return Phrase::of("These places do not determine Δd.");
   return Phrase::of("U = %1 mm of Δd is not reached: %2 more sightings give %3 mm.", wanted,

@@ -81,7 +81,7 @@ std::string failureText(const Closure& closure) {
     case Closure::Of::Repeat:
       break;
   }
-  return Phrase::of("%1 is off by %2 σ", nameInWords(closure), sigmas);
+  return Phrase::of("%1 differs from zero by %2 σ", nameInWords(closure), sigmas);
 }
 
 }  // namespace
@@ -107,8 +107,8 @@ std::string conditionSentence(const Diagnosis* diagnosis, const AcceptanceDecisi
   const auto [moments, influence] = knockOf(*diagnosis, decision);
   return Phrase::of(
       "The verdict holds on the condition that the tripod was not knocked %1. These readings cannot show "
-      "such a knock; one of plausible size moves Δd by ± %2 mm. The probability of conformity counts it "
-      "as rarely as it happens.",
+      "such a knock; one of plausible size moves Δd by ± %2 mm. The probability of conformity includes a "
+      "knock with its prior probability.",
       moments, influence);
 }
 

@@ -105,7 +105,7 @@ std::string headlineOf(const Diagnosis& diagnosis) {
     case DiagnosisVerdict::SingleCause:
       return Phrase::of("One cause: %1", causeName(causes.front().effect));
     case DiagnosisVerdict::Ambiguous:
-      return Phrase::of("One of %1 causes that look alike here",
+      return Phrase::of("One of %1 causes indistinguishable here",
                         causes.front().indistinguishableFrom.size() + 1);
     case DiagnosisVerdict::SeveralCauses:
       return diagnosis.hasMoreCausesThanSeparable ? Phrase::of("More causes than these readings can separate")

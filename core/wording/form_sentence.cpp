@@ -183,8 +183,8 @@ std::string shrinkSentence(const FoundForm& found) {
   if (std::isnan(shrink.heldOut) || std::isnan(shrink.p)) return {};
   constexpr double least = 0.001;
   return Phrase::of(
-      "The form fitted to the other readings reduces the gap of %1 readings by %2 %; the form fitted to all "
-      "readings reduces the gap of all by %3 % (F test: p %4).",
+      "On %1 readings held out of the fit, the form reduces the gap by %2 %; fitted to all readings, the "
+      "form reduces the whole gap by %3 % (F test: p %4).",
       shrink.heldOutReadings, percentText(shrink.heldOut), percentText(shrink.inSample),
       shrink.p < least ? "< 0.001" : "= " + displayText(shrink.p, 3));
 }

@@ -144,8 +144,8 @@ std::string sealState(const std::vector<JournalEntry>& journal) {
   const std::size_t since = changesSince(*seal, journal);
   const std::string name = sealName(*seal);
   if (since == 0) return name;
-  return since == 1 ? Phrase::of("%1, with one change since that nobody has sealed", name)
-                    : Phrase::of("%1, with %2 changes since that nobody has sealed", name, since);
+  return since == 1 ? Phrase::of("%1, with one unsealed change since", name)
+                    : Phrase::of("%1, with %2 unsealed changes since", name, since);
 }
 
 std::string contradictionText(const JournalContradiction& one) {

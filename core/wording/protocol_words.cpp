@@ -34,7 +34,7 @@ std::string facesText(const SightingProtocol& protocol) {
     }
   if (faces.size() < 2) return Phrase::of("one face");
   if (areBoth) return Phrase::of("both faces");
-  return isOne ? Phrase::of("a face for each round") : Phrase::of("both faces in some rounds");
+  return isOne ? Phrase::of("one face per round") : Phrase::of("both faces in some rounds");
 }
 
 std::string roundsText(const SightingProtocol& protocol) {
@@ -45,7 +45,7 @@ std::string roundsText(const SightingProtocol& protocol) {
     isBack = isBack || std::ranges::any_of(position.rounds, &ProtocolRound::isBack);
   }
   const std::size_t most = counts.empty() ? 1 : *counts.rbegin();
-  if (most == 1) return isBack ? Phrase::of("back") : Phrase::of("there");
+  if (most == 1) return isBack ? Phrase::of("back only") : Phrase::of("there only");
   if (counts.size() > 1) return Phrase::of("up to %1 rounds", most);
   if (!isBack) return Phrase::of("%1 rounds", most);
   return most == 2 ? Phrase::of("there and back") : Phrase::of("%1 rounds, there and back", most);
@@ -87,7 +87,7 @@ std::string protocolInWords(const SightingProtocol& protocol) {
   if (listed.readsSlider) parts.push_back(Phrase::of("with slider readings"));
   if (turnsCircle(listed)) parts.push_back(Phrase::of("the circle turned between positions"));
   if (std::string axes = axesText(listed); !axes.empty()) parts.push_back(std::move(axes));
-  if (protocol.isByWorth) parts.push_back(Phrase::of("each sighting by its information"));
+  if (protocol.isByWorth) parts.push_back(Phrase::of("each sighting chosen by its information"));
   return alidade::listed(parts);
 }
 

@@ -128,8 +128,8 @@ std::string sentenceOf(const OfferedEffect& offered, const SeriesDiagnosis& seri
                     owner = offered.effect.device.empty()
                                 ? Phrase::of("instrument %1", offered.effect.instrument)
                                 : Phrase::of("guideway %1", offered.effect.device);
-  return Phrase::of("Sessions of %1 show the same form, %2 (u %3): %4. It can be kept as an effect.", owner,
-                    textOf(offered.form), u, sessionsText(offered.sessions, series));
+  return Phrase::of("Sessions of %1 show the same form, %2 (u %3): %4. The form can be kept as an effect.",
+                    owner, textOf(offered.form), u, sessionsText(offered.sessions, series));
 }
 
 std::string sentenceOf(const SeriesAdvice& advice) {

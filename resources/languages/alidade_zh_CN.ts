@@ -5982,8 +5982,8 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
         <translation>另有 %1 份</translation>
     </message>
     <message>
-        <source>Sessions of %1 show the same form, %2 (u %3): %4. It can be kept as an effect.</source>
-        <translation>%1的多份测量记录显示同一形式，%2（u %3）：%4。可将其存为效应。</translation>
+        <source>Sessions of %1 show the same form, %2 (u %3): %4. The form can be kept as an effect.</source>
+        <translation>%1的多份测量记录显示同一形式，%2（u %3）：%4。可将该形式存为效应。</translation>
     </message>
     <message>
         <source>The %1 failed: %2. Nothing typed is lost; save the session and go on. A description of the fault is in %3.</source>
@@ -6006,8 +6006,8 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
         <translation>能以不小于 %2 σ 的差异两两区分%1</translation>
     </message>
     <message>
-        <source>%1; probability that one answer is left: %2</source>
-        <translation>%1；只剩一个答案的概率为 %2</translation>
+        <source>%1; probability that only one cause remains: %2</source>
+        <translation>%1；只剩一个原因的概率为 %2</translation>
     </message>
     <message>
         <source>What to measure next</source>
@@ -6027,7 +6027,7 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
     </message>
     <message>
         <source>Further readings of the usual kinds would add no information.</source>
-        <translation>常见种类的进一步读数不会说明更多。</translation>
+        <translation>常见种类的进一步读数不会提供更多信息。</translation>
     </message>
     <message>
         <source>closes %1: %2 σ → %3 σ</source>
@@ -6137,12 +6137,12 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
         <translation>需要两个轴位才能比较。</translation>
     </message>
     <message>
-        <source>With the causes in the model they agree.</source>
-        <translation>原因计入模型后，它们一致。</translation>
+        <source>With the causes in the model, these quantities agree.</source>
+        <translation>原因计入模型后，各量一致。</translation>
     </message>
     <message>
-        <source>One rigid arc turned about a level axis: they agree.</source>
-        <translation>同一刚性圆弧绕水平轴转动：它们一致。</translation>
+        <source>For one rigid arc turned about a level axis, these quantities agree.</source>
+        <translation>按同一刚性圆弧绕水平轴转动计，各量一致。</translation>
     </message>
     <message>
         <source>Closures: what must agree</source>
@@ -6165,8 +6165,8 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
         <translation>仪器和设备的已知值</translation>
     </message>
     <message>
-        <source>Number</source>
-        <translation>量</translation>
+        <source>Size</source>
+        <translation>已知量</translation>
     </message>
     <message>
         <source>these readings</source>
@@ -6177,8 +6177,8 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
         <translation>已知来源</translation>
     </message>
     <message>
-        <source>Each value enters the uncertainty and the search for causes with its u; the prior probability that it is out of date is one in fifty. A dash: these readings do not show it.</source>
-        <translation>每一值以其 u 参与不确定度及原因的寻找；其已过时的先验概率为五十分之一。短横表示这些读数没有显示它。</translation>
+        <source>Each value enters the uncertainty and the search for causes with its u; the prior probability that it is out of date is one in fifty. A dash: these readings are too weak to check it.</source>
+        <translation>每一值以其 u 参与不确定度及原因的寻找；其已过时的先验概率为五十分之一。短横表示这些读数不足以检核该值。</translation>
     </message>
     <message>
         <source>Sizes that would explain Δd − reference</source>
@@ -6189,11 +6189,11 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
         <translation>效应</translation>
     </message>
     <message>
-        <source>leaves (σ)</source>
+        <source>trace (σ)</source>
         <translation>留痕 (σ)</translation>
     </message>
     <message>
-        <source>Effects that these readings do not exclude at that size, each by itself, the most plausible first; leaves: the trace it would leave in these readings.</source>
+        <source>Effects, each considered alone, that these readings do not exclude at that size, the most plausible first; trace: what the effect would leave in these readings.</source>
         <translation>逐个考虑这些读数在该大小下未能排除的效应，最合理的在前；留痕：它会在这些读数中留下的痕迹。</translation>
     </message>
     <message>
@@ -6221,12 +6221,12 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
         <translation>已在模型中：%1</translation>
     </message>
     <message>
-        <source>Δd with the form is averaged over the forms that look like it; its cause is unknown.</source>
-        <translation>含此形式的 Δd 是对与其相似的形式取的平均；其原因未知。</translation>
+        <source>Δd with the form is averaged over the indistinguishable forms; their cause is unknown.</source>
+        <translation>含此形式的 Δd 是对无法区分的各形式取的平均；其原因未知。</translation>
     </message>
     <message>
-        <source>U includes the possible effect of the pattern on Δd; its cause is unknown.</source>
-        <translation>U 包含该规律可能使 Δd 改变的量；其原因不明。</translation>
+        <source>U includes the possible effect of the pattern on Δd; the cause of the pattern is unknown.</source>
+        <translation>U 包含该规律可能使 Δd 改变的量；该规律的原因不明。</translation>
     </message>
     <message>
         <source>Δd with the causes is averaged over all possible explanations, weighted by their probabilities; the first alone would give too small a U.</source>
@@ -6285,7 +6285,7 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
         <translation>一个原因：%1</translation>
     </message>
     <message>
-        <source>One of %1 causes that look alike here</source>
+        <source>One of %1 causes indistinguishable here</source>
         <translation>在此无法区分的 %1 个原因之一</translation>
     </message>
     <message>
@@ -6357,8 +6357,8 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
         <translation>仪器检查</translation>
     </message>
     <message>
-        <source>outlook</source>
-        <translation>预估</translation>
+        <source>forecast of U</source>
+        <translation>U 的预估</translation>
     </message>
     <message>
         <source>series</source>
@@ -6453,8 +6453,8 @@ Includes every catalogued effect, limited by these readings or by its plausible 
         <translation>%1，仅拟合</translation>
     </message>
     <message>
-        <source>The intersection needs an arc at 0° and an arc at 180°; not both are there.</source>
-        <translation>相交度需要 0° 和 180° 各一个圆弧；两者并不齐全。</translation>
+        <source>The intersection needs an arc at 0° and an arc at 180°; at least one is missing.</source>
+        <translation>相交度需要 0° 和 180° 各一个圆弧；至少缺少一个。</translation>
     </message>
     <message>
         <source>No result</source>
@@ -6469,7 +6469,7 @@ Includes every catalogued effect, limited by these readings or by its plausible 
         <translation>不作判定：有 %1 个输入项无法使用</translation>
     </message>
     <message>
-        <source>Entries that cannot be used are listed with their place. Correct each or exclude its reading: the result stated here uses only the others.</source>
+        <source>Entries that cannot be used are listed with their place. Correct each or exclude its reading: the result stated here uses only the other entries.</source>
         <translation>无法使用的项已连同位置列出。请改正，或排除其读数：此处的结果仅依据其余读数。</translation>
     </message>
     <message>
@@ -6501,7 +6501,7 @@ Includes every catalogued effect, limited by these readings or by its plausible 
         <translation>模型与读数不符，且没有目录中的效应可以解释</translation>
     </message>
     <message>
-        <source>Model and readings disagree by more causes than these readings can separate</source>
+        <source>Model and readings disagree because of more causes than these readings can separate</source>
         <translation>模型与读数不符，其原因多于这些读数所能区分的</translation>
     </message>
     <message>
@@ -6561,8 +6561,8 @@ Includes every catalogued effect, limited by these readings or by its plausible 
         <translation>瞄准零位竖直方向相差 %1 σ</translation>
     </message>
     <message>
-        <source>%1 is off by %2 σ</source>
-        <translation>%1 偏差 %2 σ</translation>
+        <source>%1 differs from zero by %2 σ</source>
+        <translation>%1 与零相差 %2 σ</translation>
     </message>
     <message>
         <source>an unknown cause</source>
@@ -6597,12 +6597,12 @@ Includes every catalogued effect, limited by these readings or by its plausible 
         <translation>阶跃</translation>
     </message>
     <message>
-        <source>stands apart</source>
-        <translation>离群</translation>
+        <source>outlier</source>
+        <translation>离群值</translation>
     </message>
     <message>
-        <source>average outside</source>
-        <translation>均值超出</translation>
+        <source>EWMA outside</source>
+        <translation>EWMA 超限</translation>
     </message>
     <message>
         <source>one value</source>
@@ -6698,11 +6698,11 @@ Includes every catalogued effect, limited by these readings or by its plausible 
     </message>
     <message>
         <source>Device: T of m</source>
-        <translation>设备：T（m 个数）</translation>
+        <translation>设备：T（共 m 个量）</translation>
     </message>
     <message>
-        <source>Each session is compared with the next, and the first with the last. Δd, measured, has its expanded uncertainty; effects common to both sessions cancel. Device: (O1 − O2)/2 and the radii by the readings alone, T = dᵀC⁻¹d with the full covariance of both fits.</source>
-        <translation>每份测量记录与下一份、第一份与最后一份相比。实测 Δd 附其扩展不确定度；两份测量记录共有的部分相消。设备：仅由读数得出的 (O1 − O2)/2 和半径，T = dᵀC⁻¹d，采用两次拟合的完整协方差。</translation>
+        <source>Each session is compared with the next, and the first with the last. Δd, measured, has its expanded uncertainty; effects common to both sessions cancel. Device: d holds the m changes of (O1 − O2)/2 and of the radii, from the readings alone; T = dᵀC⁻¹d with the full covariance C of both fits.</source>
+        <translation>每份测量记录与下一份、第一份与最后一份相比。实测 Δd 附其扩展不确定度；两份测量记录共有的部分相消。设备：d 为仅由读数得出的 (O1 − O2)/2 和半径的 m 个变化；T = dᵀC⁻¹d，C 为两次拟合的完整协方差。</translation>
     </message>
     <message>
         <source>device without a name</source>
@@ -6758,11 +6758,11 @@ Includes every catalogued effect, limited by these readings or by its plausible 
     </message>
     <message>
         <source>s of a direction observed once in both faces, with its degrees of freedom</source>
-        <translation>盘左、盘右各观测一次的方向，及其自由度</translation>
+        <translation>盘左、盘右各观测一次的方向的 s，及其自由度</translation>
     </message>
     <message>
         <source>s of a zenith angle observed once in both faces, with its degrees of freedom</source>
-        <translation>盘左、盘右各观测一次的天顶距，及其自由度</translation>
+        <translation>盘左、盘右各观测一次的天顶距的 s，及其自由度</translation>
     </message>
     <message>
         <source>Field check after ISO 17123-3</source>
@@ -6773,8 +6773,8 @@ Includes every catalogued effect, limited by these readings or by its plausible 
         <translation>测站</translation>
     </message>
     <message>
-        <source>Evaluated one by one; the last row holds all of them</source>
-        <translation>逐个评定；最后一行为全部</translation>
+        <source>Each station is evaluated separately; the last row pools all stations</source>
+        <translation>各测站分别评定；最后一行为全部测站合并</translation>
     </message>
     <message>
         <source>Rounds</source>
@@ -6898,8 +6898,8 @@ Includes every catalogued effect, limited by these readings or by its plausible 
         <translation>按原文 Δd = %1 mm；y 向上时为 %2 mm；|O1 − O2|/2 = %3 mm。</translation>
     </message>
     <message>
-        <source>As printed: y points down for zenith angles, ΔR is the last increment, θ are no tilts. The method states no uncertainty and takes tan e = y/L, which no theodolite reads; do not accept by it.</source>
-        <translation>按原文：对天顶距 y 向下，ΔR 为最后一次增量，θ 不是倾斜。该方法不给出不确定度，并采用 tan e = y/L，没有经纬仪如此读数；请勿据此验收。</translation>
+        <source>As printed: y points down for zenith angles, ΔR is the last increment, θ are not tilts. The method states no uncertainty and assumes tan e = y/L, but no theodolite reads this angle e; do not accept a guideway by this method.</source>
+        <translation>按原文：对天顶距 y 向下，ΔR 为最后一次增量，θ 不是倾斜。该方法不给出不确定度，并采用 tan e = y/L，而没有经纬仪读取这样的角 e；请勿据此方法验收。</translation>
     </message>
     <message>
         <source>Model effects</source>
@@ -6918,11 +6918,11 @@ Includes every catalogued effect, limited by these readings or by its plausible 
         <translation>与 R 的相关</translation>
     </message>
     <message>
-        <source>What comes from the readings is scaled by their scatter, %1 times the stated noise. Pointing zeros and distance enter as stated.</source>
-        <translation>来自读数的部分按其离散放大，为给定噪声的 %1 倍。瞄准零位和距离按给定值计入。</translation>
+        <source>Contributions of the readings are scaled by their scatter, %1 times the stated noise. Pointing zeros and distance contribute with their stated σ.</source>
+        <translation>来自读数的分量按其离散放大，为给定噪声的 %1 倍。瞄准零位和距离按给定的 σ 计入。</translation>
     </message>
     <message>
-        <source>Correlation with R, −1 to 1: how far an error of the radius shifts the centre; on half an arc, R determines the height of the centre.</source>
+        <source>Correlation with R, −1 to 1: how strongly an error of the radius shifts the centre; on half an arc, R determines the height of the centre.</source>
         <translation>与 R 的相关系数：半径有误时圆心随之移动的程度，−1 至 1；在半个圆弧上，R 决定圆心的高度。</translation>
     </message>
     <message>
@@ -6966,7 +6966,7 @@ Includes every catalogued effect, limited by these readings or by its plausible 
         <translation>测量记录文件中还有 %1 条更早的更改。</translation>
     </message>
     <message>
-        <source>With these draws, an end of the interval is uncertain by %1: about %2 draws would decide.</source>
+        <source>With these draws, an end of the interval is uncertain by %1: a decision needs about %2 draws.</source>
         <translation>以目前的抽样，一个端点的不确定度为 %1：约需 %2 次抽样才能判断。</translation>
     </message>
     <message>
@@ -6998,7 +6998,7 @@ Includes every catalogued effect, limited by these readings or by its plausible 
         <translation>Δd，模拟</translation>
     </message>
     <message>
-        <source>JCGM 101: %1 draws of all readings, seed %2; the centres as simulated.</source>
+        <source>JCGM 101: %1 draws of all readings, seed %2; the centres are those simulated.</source>
         <translation>JCGM 101：对全部读数抽样 %1 次，种子 %2；圆心为模拟值。</translation>
     </message>
     <message>
@@ -7014,7 +7014,7 @@ Includes every catalogued effect, limited by these readings or by its plausible 
         <translation>没有不一致，但抽样次数太少，不能确定。</translation>
     </message>
     <message>
-        <source>The ends of Δd ± U differ from those simulated by %1 and %2; the tolerance is %3.</source>
+        <source>The ends of Δd ± U differ by %1 and %2 from the simulated ends; the numerical tolerance is %3.</source>
         <translation>Δd ± U 的端点与模拟值相差 %1 和 %2；数值容差为 %3。</translation>
     </message>
     <message>
@@ -7038,7 +7038,7 @@ Includes every catalogued effect, limited by these readings or by its plausible 
         <translation>每 ″ %1</translation>
     </message>
     <message>
-        <source>Too few readings: the others check none of them well enough to show that it is misread.</source>
+        <source>Too few readings: no reading is checked by the others well enough to show whether it is misread.</source>
         <translation>读数太少：没有一个读数被其他读数充分检核到能判断误读。</translation>
     </message>
     <message>
@@ -7046,8 +7046,8 @@ Includes every catalogued effect, limited by these readings or by its plausible 
         <translation>每个读数都有检核。</translation>
     </message>
     <message>
-        <source>Every reading is checked. The largest effect of an undetected error: %1, up to %2″, moves Δd by %3 mm.</source>
-        <translation>每个读数都有检核。未被发现的误差影响最大者：%1，不超过 %2″，使 Δd 改变 %3 mm。</translation>
+        <source>Every reading is checked. An undetected error has the largest effect in %1: an error of up to %2″ moves Δd by up to %3 mm.</source>
+        <translation>每个读数都有检核。未被发现的误差在%1影响最大：该处不超过 %2″ 的误差使 Δd 改变至多 %3 mm。</translation>
     </message>
     <message>
         <source>Nothing checks the pointing zeros and the distance.</source>
@@ -7187,12 +7187,12 @@ Includes every catalogued effect, limited by these readings or by its plausible 
         <translation>无原因</translation>
     </message>
     <message>
-        <source>%1 is most informative for its %2 min: it separates %3 from %4.</source>
-        <translation>%1 在所需的 %2 min 内给出的信息最多：可区分%3与%4。</translation>
+        <source>%1 is most informative per minute (%2 min): it separates %3 from %4.</source>
+        <translation>按每分钟的信息量，%1 最佳（需 %2 min）：可区分%3与%4。</translation>
     </message>
     <message>
-        <source>%1 is most informative for its %2 min: it reduces U by %3.</source>
-        <translation>%1 在所需的 %2 min 内给出的信息最多：可使 U 减小 %3。</translation>
+        <source>%1 is most informative per minute (%2 min): it reduces U by %3.</source>
+        <translation>按每分钟的信息量，%1 最佳（需 %2 min）：可使 U 减小 %3。</translation>
     </message>
     <message>
         <source>Nearly as informative: %1.</source>
@@ -7207,8 +7207,8 @@ Includes every catalogued effect, limited by these readings or by its plausible 
         <translation>尚不足够：有原因相对“无原因”的贝叶斯因子为 %1 : 1，需要 %2 : 1。</translation>
     </message>
     <message>
-        <source>Not enough yet: the Bayes factor for a cause is %1 to 1, but no cause stands out.</source>
-        <translation>尚不足够：有原因相对“无原因”的贝叶斯因子为 %1 : 1，但没有哪个原因突出。</translation>
+        <source>Not enough yet: the Bayes factor for a cause is %1 to 1, but no single cause is probable enough.</source>
+        <translation>尚不足够：有原因相对“无原因”的贝叶斯因子为 %1 : 1，但没有哪一个原因的概率足够大。</translation>
     </message>
     <message>
         <source>Possible explanations</source>
@@ -7223,11 +7223,11 @@ Includes every catalogued effect, limited by these readings or by its plausible 
         <translation>结束前照准 %1，因为只有再次照准瞄准零位，随时间变化的效应才会显现。</translation>
     </message>
     <message>
-        <source>U of Δd, whatever effect is there, is below %1 mm already.</source>
+        <source>U of Δd is already below %1 mm, whatever effect is present.</source>
         <translation>无论存在何种效应，Δd 的 U 已低于 %1 mm。</translation>
     </message>
     <message>
-        <source>For U = %1 mm of Δd, whatever effect is there: %2 more sightings in %3 min.</source>
+        <source>For U = %1 mm of Δd, whatever effect is present: %2 more sightings in %3 min.</source>
         <translation>要使 Δd 的 U 在任何效应下达到 %1 mm：还需照准 %2 次，共 %3 min。</translation>
     </message>
     <message>
@@ -7283,11 +7283,11 @@ Includes every catalogued effect, limited by these readings or by its plausible 
         <translation>说明了原因</translation>
     </message>
     <message>
-        <source>%1, with one change since that nobody has sealed</source>
+        <source>%1, with one unsealed change since</source>
         <translation>%1；此后有 1 处更改尚未封存</translation>
     </message>
     <message>
-        <source>%1, with %2 changes since that nobody has sealed</source>
+        <source>%1, with %2 unsealed changes since</source>
         <translation>%1；此后有 %2 处更改尚未封存</translation>
     </message>
     <message>
@@ -7319,7 +7319,7 @@ Includes every catalogued effect, limited by these readings or by its plausible 
         <translation>单盘位</translation>
     </message>
     <message>
-        <source>a face for each round</source>
+        <source>one face per round</source>
         <translation>每测回一个盘位</translation>
     </message>
     <message>
@@ -7327,12 +7327,12 @@ Includes every catalogued effect, limited by these readings or by its plausible 
         <translation>部分测回为双盘位</translation>
     </message>
     <message>
-        <source>back</source>
-        <translation>返程</translation>
+        <source>back only</source>
+        <translation>仅返测</translation>
     </message>
     <message>
-        <source>there</source>
-        <translation>往测</translation>
+        <source>there only</source>
+        <translation>仅往测</translation>
     </message>
     <message>
         <source>up to %1 rounds</source>
@@ -7367,7 +7367,7 @@ Includes every catalogued effect, limited by these readings or by its plausible 
         <translation>轴位之间转动度盘</translation>
     </message>
     <message>
-        <source>each sighting by its information</source>
+        <source>each sighting chosen by its information</source>
         <translation>每次照准按信息量选定</translation>
     </message>
     <message>
@@ -7387,11 +7387,11 @@ Includes every catalogued effect, limited by these readings or by its plausible 
         <translation>排除：%1。</translation>
     </message>
     <message>
-        <source>The report names as not stated: %1.</source>
-        <translation>报告中标为未说明：%1。</translation>
+        <source>The report says “not stated” for: %1.</source>
+        <translation>报告中下列内容标为“未说明”：%1。</translation>
     </message>
     <message>
-        <source>1σ: how large each effect may plausibly be; c: sensitivity, how many mm one unit of it moves Δd in these readings; ν: degrees of freedom; share: of the variance. A: by the scatter of these readings; B: by other knowledge.</source>
+        <source>1σ: plausible size of each effect; c: sensitivity, the change of Δd in mm per unit of the effect in these readings; ν: degrees of freedom; share: of the variance. A: from the scatter of these readings; B: from other knowledge.</source>
         <translation>1σ：每项效应的合理大小；c：灵敏系数，即其一个单位在这些读数中使 Δd 改变多少毫米；ν：自由度；占比：占方差的比例。A：由这些读数的离散得出；B：由其他信息得出。</translation>
     </message>
     <message>
@@ -7404,7 +7404,7 @@ Includes every catalogued effect, limited by these readings or by its plausible 
     </message>
     <message>
         <source>Every reading as it was entered, and the results in full, are attached as files.</source>
-        <translation>按录入的全部读数和完整结果作为文件附上。</translation>
+        <translation>录入的全部读数和完整的结果均以文件形式附上。</translation>
     </message>
     <message>
         <source>From %1 on the value is larger by %2.</source>
@@ -7431,8 +7431,8 @@ Includes every catalogued effect, limited by these readings or by its plausible 
         <translation>%1 其后超出控制限的值：%3 个中 %2 个，首次在 %4。</translation>
     </message>
     <message>
-        <source>%1 Later values outside their limits: 0 of %2, but their average leaves its limits on %3.</source>
-        <translation>%1 其后超出控制限的值：%2 个中 0 个，但其平均在 %3 越出自身的控制限。</translation>
+        <source>%1 Later values outside their limits: 0 of %2, but their average (EWMA) leaves its limits on %3.</source>
+        <translation>%1 其后超出控制限的值：%2 个中 0 个，但其平均（EWMA）在 %3 越出自身的控制限。</translation>
     </message>
     <message>
         <source>%1 Later values outside their limits: 0 of %2.</source>
@@ -7443,8 +7443,8 @@ Includes every catalogued effect, limited by these readings or by its plausible 
         <translation>扩展不确定度，%1</translation>
     </message>
     <message>
-        <source>Its value: %1 (%2).</source>
-        <translation>其值：%1（%2）。</translation>
+        <source>Value: %1 (%2).</source>
+        <translation>值：%1（%2）。</translation>
     </message>
     <message>
         <source>Weighted mean of %1 values: %2 (%3).</source>
@@ -7463,16 +7463,16 @@ Includes every catalogued effect, limited by these readings or by its plausible 
         <translation>控制限：%1 ± 各值标准不确定度的三倍。</translation>
     </message>
     <message>
-        <source>Control limits: %1 ± three standard uncertainties of each value, without what all values share; by the moving range that is seen ± %2.</source>
-        <translation>控制限：%1 ± 各值标准不确定度（不含各值共有部分）的三倍；按观测到的移动极差为 ± %2。</translation>
+        <source>Control limits: %1 ± three standard uncertainties of each value, without the part common to all values; from the observed moving range: ± %2.</source>
+        <translation>控制限：%1 ± 各值标准不确定度（不含各值共有部分）的三倍；按观测到的移动极差：± %2。</translation>
     </message>
     <message>
         <source>Tolerance of the latest session: ± %1.</source>
         <translation>最近一次测量的允差：± %1。</translation>
     </message>
     <message>
-        <source>± its limit</source>
-        <translation>± 其界限</translation>
+        <source>± EWMA limit</source>
+        <translation>± EWMA 限值</translation>
     </message>
     <message>
         <source>Each ± is an %1, from the readings alone except for Δd, measured.</source>
@@ -7647,12 +7647,12 @@ Includes every catalogued effect, limited by these readings or by its plausible 
         <translation>%1 测点 %2（测回 %3、%4）</translation>
     </message>
     <message>
-        <source>Only if the tripod was not knocked %1: a knock would move Δd by ± %2 mm undetected, which U does not include</source>
+        <source>The verdict holds only if the tripod was not knocked %1: a knock would move Δd by ± %2 mm undetected, which U does not include</source>
         <translation>前提是三脚架%1未被碰动：碰动会使 Δd 改变 ± %2 mm 而不被发现，U 不含此项</translation>
     </message>
     <message>
-        <source>Each at its plausible size, which these readings are too weak to show: an effect shows if it leaves more than %1 σ. U of Δd, fit only, does not include them; U of Δd, measured, includes what its budget lists.</source>
-        <translation>各按其合理大小计，而这些读数不足以显示它们：留下超过 %1 σ 的效应才能显示。Δd，仅拟合的 U 不含它们；Δd，实测的 U 含其不确定度预算所列的各项。</translation>
+        <source>Each effect has its plausible size, which these readings are too weak to show: only a trace of more than %1 σ is detectable. U of Δd, fit only, does not include these effects; U of Δd, measured, includes those in its budget.</source>
+        <translation>各效应按其合理大小计，而这些读数不足以显示它们：留痕超过 %1 σ 才能检出。仅拟合 Δd 的 U 不含这些效应；实测 Δd 的 U 包含其不确定度预算所列的效应。</translation>
     </message>
     <message>
         <source>The interval from %1 to %2 mm crosses the limit of %3 mm</source>
@@ -7667,26 +7667,26 @@ Includes every catalogued effect, limited by these readings or by its plausible 
         <translation>另一次定向的突跳</translation>
     </message>
     <message>
-        <source>The verdict holds on the condition that the tripod was not knocked %1. These readings cannot show such a knock; one of plausible size moves Δd by ± %2 mm. The probability of conformity counts it as rarely as it happens.</source>
-        <translation>判定成立的条件是：三脚架%1未受碰动。这些读数无法检出此类碰动；合理大小的碰动使 Δd 改变 ± %2 mm。合格概率按其罕见程度计入。</translation>
+        <source>The verdict holds on the condition that the tripod was not knocked %1. These readings cannot show such a knock; one of plausible size moves Δd by ± %2 mm. The probability of conformity includes a knock with its prior probability.</source>
+        <translation>判定成立的条件是：三脚架%1未受碰动。这些读数无法检出此类碰动；合理大小的碰动使 Δd 改变 ± %2 mm。合格概率按碰动的先验概率将其计入。</translation>
     </message>
     <message>
         <source>The verdict depends on each of these rows alone: %1</source>
         <translation>下列各行中任一行都可单独改变判定：%1</translation>
     </message>
     <message>
-        <source>The form fitted to the other readings reduces the gap of %1 readings by %2 %; the form fitted to all readings reduces the gap of all by %3 % (F test: p %4).</source>
-        <translation>在 %1 个读数上（各按其余读数所示的形式预测），差距缩小 %2 %；按全部读数所示的形式，在全部读数上缩小 %3 %（F 检验：p %4）。</translation>
+        <source>On %1 readings held out of the fit, the form reduces the gap by %2 %; fitted to all readings, the form reduces the whole gap by %3 % (F test: p %4).</source>
+        <translation>在留出拟合之外的 %1 个读数上，该形式使差距缩小 %2 %；用全部读数拟合时，使全部差距缩小 %3 %（F 检验：p %4）。</translation>
     </message>
     <message>
         <source>%1 was already replaced: write both again</source>
         <extracomment>a file, one of two that belong together</extracomment>
-        <translation>%1 已是新文件：请将两个文件重新写入</translation>
+        <translation>%1 已被替换：请将两个文件重新写入</translation>
     </message>
     <message>
-        <source>%1 was already replaced, its old bytes are in %2: write both again</source>
+        <source>%1 was already replaced, its previous content is in %2: write both again</source>
         <extracomment>a file, one of two that belong together, and the file that its old bytes are in</extracomment>
-        <translation>%1 已是新文件，其原内容在 %2 中：请将两个文件重新写入</translation>
+        <translation>%1 已被替换，其原内容在 %2 中：请将两个文件重新写入</translation>
     </message>
     <message>
         <source>%1 contains more than a number: leave out %2 (the unit is fixed)</source>
@@ -7705,7 +7705,7 @@ Includes every catalogued effect, limited by these readings or by its plausible 
         <translation>有名称的测点已编号；其名称记在备注中</translation>
     </message>
     <message>
-        <source>the positions of the axis alternate in the file; a session keeps the order of readings only within each</source>
+        <source>the positions of the axis alternate in the file; a session keeps the order of readings only within each position</source>
         <translation>文件中轴位交替出现；测量记录只保留各轴位内的顺序</translation>
     </message>
     <message>
@@ -7725,23 +7725,23 @@ Includes every catalogued effect, limited by these readings or by its plausible 
         <translation>%1 与其分、秒各列的单位不一致：请命名为 deg、min、sec 或 g、c、cc</translation>
     </message>
     <message>
-        <source>%1 contains signs alone: put each before its degrees</source>
-        <translation>%1 只有正负号，而角度会因此失去符号：请将其放在度之前</translation>
+        <source>%1 contains signs only: put each sign before its degrees</source>
+        <translation>%1 只有正负号：请将各正负号放在其度数之前</translation>
     </message>
     <message>
         <source>has no Δd: it needs readings at 0° and at 180°</source>
         <translation>没有可报告的 Δd：需要 0° 和 180° 的读数</translation>
     </message>
     <message>
-        <source>The sessions state no serial number of the device. No errors are therefore assumed to be common to them, and only larger changes are detected. Enter it to detect smaller ones.</source>
-        <translation>测量记录没有写明设备的序列号：不认为它们之间有任何共有部分，因此变化须更大才会报告。请录入序列号，以便看到更小的变化。</translation>
+        <source>The sessions state no serial number of the device. No errors are therefore assumed to be common to them, and only larger changes are detected. Enter the number to detect smaller ones.</source>
+        <translation>测量记录没有写明设备的序列号：因此认为它们没有共同的误差，只能检出较大的变化。请录入序列号，以便检出较小的变化。</translation>
     </message>
     <message>
-        <source>All sessions have one device and one instrument. Their errors change Δd by the same amount each time: this is in U and in the mean, but not in the expected scatter.</source>
-        <translation>所有测量记录均为同一设备和同一仪器：它们的误差每次对 Δd 的影响相同，因此计入 U 和均值，但不计入各值允许的离散。</translation>
+        <source>All sessions have the same device and instrument. Their errors change Δd by the same amount each time: this amount is in U and in the mean, but not in the expected scatter.</source>
+        <translation>所有测量记录均为同一设备和同一仪器：它们的误差每次对 Δd 的影响相同，因此计入 U 和均值，但不计入预期的离散。</translation>
     </message>
     <message>
-        <source>The sessions were not all taken with one instrument, or do not state its serial number: instrument errors are assumed to change Δd differently in each session.</source>
+        <source>The sessions were not all taken with the same instrument, or do not state its serial number: instrument errors are assumed to change Δd differently in each session.</source>
         <translation>测量记录并非全部用同一仪器测得，或未写明其序列号：认为其误差对 Δd 的影响每次不同。</translation>
     </message>
     <message>
@@ -7754,7 +7754,7 @@ Includes every catalogued effect, limited by these readings or by its plausible 
     </message>
     <message>
         <source>the files have both %1 and %2 circles: check them separately</source>
-        <translation>%1类度盘与%2类度盘的竖直读数不能一起检查：请分别检查</translation>
+        <translation>这些文件既有%1类又有%2类竖直度盘：请分别检查</translation>
     </message>
     <message>
         <source>lack the amplitude %1: state its plausible size</source>
@@ -7762,11 +7762,11 @@ Includes every catalogued effect, limited by these readings or by its plausible 
     </message>
     <message>
         <source>All contributions are based on the stated noise.</source>
-        <translation>所有部分都基于给定噪声。</translation>
+        <translation>所有分量均基于给定噪声。</translation>
     </message>
     <message>
-        <source>The stated noise leaves residuals of %1″. Δd, measured, includes every catalogued effect, limited by these readings or by its plausible size.</source>
-        <translation>给定噪声所留下的残差为 %1″。实测：包含目录中的每个效应，其大小由这些读数或其合理大小限定。</translation>
+        <source>The stated noise alone would leave residuals of %1″. Δd, measured, includes every catalogued effect, limited by these readings or by its plausible size.</source>
+        <translation>仅有给定噪声时残差为 %1″。实测 Δd 包含目录中的每个效应，其大小由这些读数或其合理大小限定。</translation>
     </message>
     <message>
         <source>The model includes %1; without it, the residuals are %2 instead of %3.</source>
@@ -7790,7 +7790,7 @@ Includes every catalogued effect, limited by these readings or by its plausible 
     </message>
     <message>
         <source>According to %1, %2 is %3; these readings give %4: the known size is out of date with a probability of %5.</source>
-        <translation>据%1，%2为 %3；这些读数显示为 %4：已知内容已过时（概率：%5）。</translation>
+        <translation>据%1，%2为 %3；这些读数给出 %4：该已知值已过时的概率为 %5。</translation>
     </message>
     <message>
         <source>Measure with instrument %1 in %2 more sessions: %3 would then show by %4 σ.</source>
@@ -7813,9 +7813,9 @@ Includes every catalogued effect, limited by these readings or by its plausible 
         <translation>允差针对到回转轴的整个距离，而圆心在垂直于圆弧平面方向上的偏离未经测量：请在更长的弧段上读取两个轴位，或给出设备的平面偏移已知值。%1</translation>
     </message>
     <message>
-        <source>%1, which these readings cannot tell from %2</source>
+        <source>%1, indistinguishable here from %2</source>
         <extracomment>causes, and what looks like them</extracomment>
-        <translation>%1（这些读数无法将其与%2区分）</translation>
+        <translation>%1（在此无法与%2区分）</translation>
     </message>
     <message>
         <source>Model and readings disagree; accepted only if the cause is %1</source>
@@ -7875,7 +7875,7 @@ Includes every catalogued effect, limited by these readings or by its plausible 
         <translation>还可用什么减小 U</translation>
     </message>
     <message>
-        <source>Open whatever U is: model and readings disagree, and no catalogued effect explains it</source>
+        <source>Undecided, whatever U is: model and readings disagree, and no catalogued effect explains it</source>
         <translation>无论 U 多大均待定：模型与读数不符，且目录中没有效应能够解释</translation>
     </message>
     <message>
@@ -7896,15 +7896,15 @@ Includes every catalogued effect, limited by these readings or by its plausible 
         <translation>并有%1</translation>
     </message>
     <message>
-        <source>Enough: two causes are named, %1 and %2.</source>
+        <source>Enough: two causes are identified, %1 and %2.</source>
         <translation>已足够：已判明两个原因，%1和%2。</translation>
     </message>
     <message>
-        <source>Two causes are named, %1 and %2, but Δd needs readings at both positions.</source>
+        <source>Two causes are identified, %1 and %2, but Δd needs readings at both positions.</source>
         <translation>已判明两个原因，%1和%2，但 Δd 需要两个轴位的读数。</translation>
     </message>
     <message>
-        <source>The cause is named, %1, but Δd needs readings at both positions.</source>
+        <source>The cause is identified, %1, but Δd needs readings at both positions.</source>
         <translation>原因已判明，为%1，但 Δd 需要两个轴位的读数。</translation>
     </message>
     <message>
@@ -7912,8 +7912,8 @@ Includes every catalogued effect, limited by these readings or by its plausible 
         <translation>两个盘位相差超过 2°（不是同一目标，或误读）：%1。</translation>
     </message>
     <message>
-        <source>%1 is most informative for its %2 min: it shows whether %3 is there, too.</source>
-        <translation>%1 在所需的 %2 min 内给出的信息最多：可显示是否还有%3。</translation>
+        <source>%1 is most informative per minute (%2 min): it shows whether %3 is also present.</source>
+        <translation>按每分钟的信息量，%1 最佳（需 %2 min）：可显示是否还有%3。</translation>
     </message>
     <message>
         <source>%1 min is no duration of a step of a sighting: type 0 to 1000</source>
@@ -7924,12 +7924,12 @@ Includes every catalogued effect, limited by these readings or by its plausible 
         <translation>目录之外的效应</translation>
     </message>
     <message>
-        <source>Enough: the cause is named, %1; the Bayes factor for a cause is %2 to 1.</source>
+        <source>Enough: the cause is identified, %1; the Bayes factor for a cause is %2 to 1.</source>
         <translation>已足够：原因已判明，为%1；有原因相对“无原因”的贝叶斯因子为 %2 : 1。</translation>
     </message>
     <message>
-        <source>Enough: the cause is there twice, %1.</source>
-        <translation>已足够：该原因出现两次，%1。</translation>
+        <source>Enough: the same cause occurs twice, %1.</source>
+        <translation>已足够：同一原因出现两次，%1。</translation>
     </message>
     <message>
         <source>Enough: there is %1; the diagnosis finds its form.</source>
@@ -7940,35 +7940,35 @@ Includes every catalogued effect, limited by these readings or by its plausible 
         <translation>存在%1，但 Δd 需要两个轴位的读数。</translation>
     </message>
     <message>
-        <source>Enough: the cause is named, %1; these sightings cannot show a further one.</source>
+        <source>Enough: the cause is identified, %1; these sightings cannot show a further one.</source>
         <translation>已足够：原因已判明，为%1；这些照准不能显示是否另有原因。</translation>
     </message>
     <message>
-        <source>Not enough yet: %1 is named, but the readings do not exclude a further cause.</source>
+        <source>Not enough yet: %1 is identified, but the readings do not exclude a further cause.</source>
         <translation>尚不足够：%1 已判明，但读数不能排除另有原因。</translation>
     </message>
     <message>
-        <source>Not enough yet: %1 is evident, but not alone; no second cause stands out.</source>
-        <translation>尚不足够：%1 已有明证，但并非唯一原因；没有哪个第二原因突出。</translation>
+        <source>Not enough yet: %1 is evident, but not the only cause; no second cause is probable enough.</source>
+        <translation>尚不足够：%1 已有明证，但并非唯一原因；没有哪个第二原因的概率足够大。</translation>
     </message>
     <message>
         <source>Not enough yet: %1 is evident; further readings show whether it is the only cause.</source>
         <translation>尚不足够：%1 已有明证；进一步的读数将显示它是否为唯一原因。</translation>
     </message>
     <message>
-        <source>Not looked for, as this protocol cannot show it: %1.</source>
-        <translation>本测量方案无法显现、因而未作查找的：%1。</translation>
+        <source>Not looked for, because this protocol cannot show these effects: %1.</source>
+        <translation>未作查找的效应（本测量方案无法显现）：%1。</translation>
     </message>
     <message>
-        <source>Enough for a verdict: whatever effect is there, Δd is within the tolerance.</source>
+        <source>Enough for a verdict: whatever effect is present, Δd is within the tolerance.</source>
         <translation>已足以判定：无论存在何种效应，Δd 都在允差之内。</translation>
     </message>
     <message>
-        <source>Enough for a verdict: whatever effect is there, Δd is beyond the tolerance.</source>
+        <source>Enough for a verdict: whatever effect is present, Δd is beyond the tolerance.</source>
         <translation>已足以判定：无论存在何种效应，Δd 都超出允差。</translation>
     </message>
     <message>
-        <source>More of these sightings will not help: none tells causes apart or reduces U.</source>
+        <source>More of these sightings will not help: none separates causes or reduces U.</source>
         <translation>继续这样照准已无帮助：既不能区分各种原因，也不能减小 U。</translation>
     </message>
 </context>
@@ -8116,8 +8116,8 @@ Includes every catalogued effect, limited by these readings or by its plausible 
         <translation>滑块 s</translation>
     </message>
     <message>
-        <source>Slider coordinate where it was read, degrees minutes seconds</source>
-        <translation>所读处的滑块坐标，度分秒</translation>
+        <source>Slider coordinate at this sighting, degrees minutes seconds</source>
+        <translation>本次照准时的滑块坐标，度分秒</translation>
     </message>
     <message>
         <source>slider reading</source>
@@ -8272,14 +8272,14 @@ as read</source>
     <name>ReadingDoubts</name>
     <message>
         <source>The previous readings belong to %1, this reading to %2: has the axis been turned?</source>
-        <translation>此前的读数属于 %1，本读数将属于 %2：轴是否已转动？</translation>
+        <translation>此前的读数属于 %1，本读数属于 %2：轴是否已转动？</translation>
     </message>
     <message>
         <source>The session&apos;s instrument has serial number %1, but this reading comes from serial number %2.</source>
         <translation>测量记录所填仪器的序列号为 %1，而本读数来自序列号 %2。</translation>
     </message>
     <message>
-        <source>The readings before come from the instrument with serial number %1, but this one from serial number %2.</source>
+        <source>The previous readings come from the instrument with serial number %1, but this one from serial number %2.</source>
         <translation>此前的读数来自序列号为 %1 的仪器，而本读数来自序列号 %2。</translation>
     </message>
     <message>
@@ -8288,7 +8288,7 @@ as read</source>
     </message>
     <message>
         <source>The compensator is off: the readings contain the tilt of the instrument.</source>
-        <translation>补偿器已关闭：读数未消除仪器的倾斜。</translation>
+        <translation>补偿器已关闭：读数含有仪器的倾斜。</translation>
     </message>
     <message>
         <source>The instrument corrected “%1” before and corrects “%2” now.</source>
@@ -8309,20 +8309,20 @@ as read</source>
         <translation>%1 和 %2</translation>
     </message>
     <message>
-        <source>%1 is already there and would be replaced.</source>
+        <source>%1 is already entered there and would be replaced.</source>
         <translation>该处已有 %1，将被替换。</translation>
     </message>
     <message>
-        <source>The %1 is already there, %2, and would be replaced.</source>
-        <translation>%1已有 %2，将被替换。</translation>
+        <source>The %1 is already entered (%2) and would be replaced.</source>
+        <translation>%1已录入（%2），将被替换。</translation>
     </message>
     <message>
-        <source>About %1 and %2 was expected: is it the right target?</source>
+        <source>About %1 and %2 were expected: is it the right target?</source>
         <translation>预期约为 %1 和 %2：目标是否正确？</translation>
     </message>
     <message>
-        <source>The reading points at the pointing zero: is it the right target?</source>
-        <translation>该读数指向瞄准零位：目标是否正确？</translation>
+        <source>The instrument points at the pointing zero: is it the right target?</source>
+        <translation>仪器照准了瞄准零位：目标是否正确？</translation>
     </message>
     <message>
         <source>The pointing zero of %1 is %2 and %3: is it the right target?</source>
@@ -8330,20 +8330,20 @@ as read</source>
     </message>
     <message>
         <source>A reading came, %1 and %2, but the session lacks the position that the protocol asks for. Add the position, then take the reading.</source>
-        <translation>读数 %1 和 %2 已到来，而测量记录中没有方案要求的轴位。请添加该轴位，然后采用。</translation>
+        <translation>读数 %1 和 %2 已到来，而测量记录中没有方案要求的轴位。请添加该轴位，然后采用该读数。</translation>
     </message>
     <message>
-        <source>A reading came, %1 and %2, but all readings are already taken. Add a row, or choose one to be read again, then take the reading.</source>
-        <translation>读数 %1 和 %2 已到来，而所有读数均已读取。请添加一行，或选择要重读的一行，然后采用。</translation>
+        <source>A reading came, %1 and %2, but all readings are already taken. Add a row, or choose a row to be read again, then take the reading.</source>
+        <translation>读数 %1 和 %2 已到来，而所有读数均已读取。请添加一行，或选择要重读的一行，然后采用该读数。</translation>
     </message>
     <message>
-        <source>%1: %2 and %3 in %4 was read.</source>
+        <source>%1: %2 and %3 in %4 were read.</source>
         <extracomment>where a reading would go, and what was read: &quot;0°: point 3&quot;, two angles and a face</extracomment>
         <translation>%1：读到 %2 和 %3，%4。</translation>
     </message>
     <message>
-        <source>The circle reads %1, and %2 is asked for.</source>
-        <translation>度盘读得%1，而要求的是%2。</translation>
+        <source>The vertical circle shows %1, but %2 is asked for.</source>
+        <translation>竖直度盘显示为%1，而要求的是%2。</translation>
     </message>
     <message>
         <source>The instrument points at the pointing zero: if accepted, the reading becomes the %1.</source>
@@ -8482,7 +8482,7 @@ as read</source>
         <translation>无法读取该 PDF（所附测量记录已损坏）</translation>
     </message>
     <message>
-        <source>No session is attached to this PDF: a report of Alidade holds its session unless that was left out</source>
+        <source>No session is attached to this PDF: a report of Alidade contains its session unless the session was left out</source>
         <translation>该 PDF 未附测量记录：Alidade 的报告含有其测量记录，除非被略去</translation>
     </message>
     <message>
@@ -8499,7 +8499,7 @@ as read</source>
         <translation>%1（默认）</translation>
     </message>
     <message>
-        <source>serial %1</source>
+        <source>serial number %1</source>
         <translation>序列号 %1</translation>
     </message>
     <message>
@@ -8637,7 +8637,7 @@ a clause as a sentence</extracomment>
         <translation>灰色：允差 ± %1 mm 时圆心可在的范围。</translation>
     </message>
     <message>
-        <source>Δx leads from O2 to the cross, where O2 would be if the positions closed; no cross: they close.</source>
+        <source>Δx leads from O2 to the cross, where O2 would be if the positions closed; without a cross, they close.</source>
         <translation>Δx 由 O2 指向十字，即各轴位闭合时 O2 应在之处；没有十字则已闭合。</translation>
     </message>
     <message>
@@ -8649,9 +8649,9 @@ a clause as a sentence</extracomment>
         <translation>图 1：拟合圆弧和照准点，按真实比例，坐标系在经纬仪处，x 向右，y 向上。实心点和实线：轴在 0°；空心点和虚线：180°。</translation>
     </message>
     <message>
-        <source>The strokes are the residuals, from the adjusted point on the arc, drawn %1.</source>
+        <source>The strokes are the residuals, from the adjusted point on the arc, enlarged %1.</source>
         <extracomment>%1: how many times as long, &quot;× 500&quot;</extracomment>
-        <translation>短线为残差，自圆弧上的平差点起，绘制 %1。</translation>
+        <translation>短线为残差，自圆弧上的平差点起，放大 %1。</translation>
     </message>
     <message>
         <source>Figure %1. No residuals, since no arc was fitted.</source>
@@ -8808,7 +8808,7 @@ a clause as a sentence</extracomment>
         <translation>无：数据中没有对结果不利之处。</translation>
     </message>
     <message>
-        <source>None in the data, but see above what is undetectable.</source>
+        <source>None in the data, but see the undetectable effects above.</source>
         <translation>数据中没有；但请见上文所列这些读数无法检出的效应。</translation>
     </message>
     <message>

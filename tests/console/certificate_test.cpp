@@ -290,7 +290,7 @@ TEST_F(CertificateTest, StatesConformityAsTheVerdictHasIt) {
       const std::string declaration =
           byId(read(), "conformity").select_node("dcc:declaration/dcc:content").node().text().get();
       const bool isConditional = declaration.find("only if the cause is") != std::string::npos ||
-                                 declaration.find("Only if") != std::string::npos;
+                                 declaration.find("holds only if") != std::string::npos;
       if (verdict == "accept") {
         EXPECT_EQ(word, isConditional ? "conditionalPass" : "pass");
       }

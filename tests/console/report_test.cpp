@@ -37,7 +37,7 @@ TEST(ReportCall, WritesOneBesideItsSession) {
   const ProgramRun run = report({session});
   EXPECT_EQ(run.exitCode, 0) << run.err;
   EXPECT_EQ(run.out, "Report written to " + pdf + ".\n");
-  EXPECT_THAT(run.err, StartsWith(session + ": The report names as not stated: "));
+  EXPECT_THAT(run.err, StartsWith(session + ": The report says “not stated” for: "));
   EXPECT_THAT(contentOf(pdf), StartsWith("%PDF-"));
 }
 

@@ -470,7 +470,7 @@ TEST(Workstation, WritesAReportWithoutADisplay) {
   EXPECT_EQ(run({QStringLiteral("--report"), out, samplePath(paper)}), 0);
   const QString errors = QString::fromUtf8(program.readAllStandardError());
   EXPECT_EQ(errors.toStdString(),
-            QStringLiteral("%1: The report names as not stated: %2.\n")
+            QStringLiteral("%1: The report says “not stated” for: %2.\n")
                 .arg(samplePath(paper), emptyReportFields(paperSession()).join(QStringLiteral(", ")))
                 .toStdString());
   EXPECT_GT(QFile(out).size(), 10000);

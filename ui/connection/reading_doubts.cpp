@@ -79,7 +79,7 @@ class Doubts {
     doubtTarget();
     if (m_said.isEmpty()) return {};
     //: where a reading would go, and what was read: "0°: point 3", two angles and a face
-    m_said.prepend(ReadingDoubts::tr("%1: %2 and %3 in %4 was read.")
+    m_said.prepend(ReadingDoubts::tr("%1: %2 and %3 in %4 were read.")
                        .arg(entryText(m_session, m_landing.entry), shownAngle(m_reading.horizontal, m_unit),
                             shownAngle(m_reading.vertical, m_unit))
                        .arg(qText(faceName(m_reading.face))));
@@ -129,7 +129,7 @@ class Doubts {
     say(isStated ? ReadingDoubts::tr("The session's instrument has serial number %1, but this reading comes "
                                      "from serial number %2.")
                        .arg(was, is)
-                 : ReadingDoubts::tr("The readings before come from the instrument with serial number %1, "
+                 : ReadingDoubts::tr("The previous readings come from the instrument with serial number %1, "
                                      "but this one from serial number %2.")
                        .arg(was, is));
   }
@@ -199,7 +199,7 @@ class Doubts {
     if (m_landing.isProposed) return;
     const int face = expectedFace(m_landing.entry);
     if (face != m_reading.face)
-      say(ReadingDoubts::tr("The circle reads %1, and %2 is asked for.")
+      say(ReadingDoubts::tr("The vertical circle shows %1, but %2 is face for.")
               .arg(qText(faceName(m_reading.face)), qText(faceName(face))));
   }
 
@@ -223,8 +223,8 @@ class Doubts {
 
   void doubtReplacement() {
     if (const QString there = overwritten(); !there.isEmpty())
-      say(m_landing.row ? ReadingDoubts::tr("%1 is already there and would be replaced.").arg(there)
-                        : ReadingDoubts::tr("The %1 is already there, %2, and would be replaced.")
+      say(m_landing.row ? ReadingDoubts::tr("%1 is already entered there and would be replaced.").arg(there)
+                        : ReadingDoubts::tr("The %1 is already entered (%2) and would be replaced.")
                               .arg(zeroName(m_landing.zero), there));
   }
 
@@ -260,7 +260,7 @@ class Doubts {
           inFaceOne(there->horizontal, there->vertical, expectedFace(m_landing.entry),
                     kind ? *kind : VerticalCircle::Zenith);
       if (isFar(inFaceOne(m_reading, m_session), wanted, there->tolerance))
-        say(ReadingDoubts::tr("About %1 and %2 was expected: is it the right target?")
+        say(ReadingDoubts::tr("About %1 and %2 were expected: is it the right target?")
                 .arg(coarseAngleText(there->horizontal, m_unit), coarseAngleText(there->vertical, m_unit)));
       return;
     }
@@ -270,7 +270,7 @@ class Doubts {
   /// Without an expected reading, still recognises a sighting of the pointing zero.
   void doubtZeroInRow() {
     if (looksAt(m_reading, m_session, m_landing.position(), zeroTolerance))
-      say(ReadingDoubts::tr("The reading points at the pointing zero: is it the right target?"));
+      say(ReadingDoubts::tr("The instrument points at the pointing zero: is it the right target?"));
   }
 
   void doubtZero() {
@@ -322,8 +322,8 @@ QString placelessQuestion(const Evaluation& evaluation, const InstrumentReading&
                "Add the position, then take the reading.")
         .arg(horizontal, vertical);
   return ReadingDoubts::tr(
-             "A reading came, %1 and %2, but all readings are already taken. Add a row, or choose one to be "
-             "read again, then take the reading.")
+             "A reading came, %1 and %2, but all readings are already taken. Add a row, or choose a row to "
+             "be read again, then take the reading.")
       .arg(horizontal, vertical);
 }
 

@@ -73,7 +73,7 @@ constexpr std::array columns{
                       .field = &rowField(&Reading::slider),
                       .title = QT_TRANSLATE_NOOP("ReadingColumn", "Slider s"),
                       .toolTip = QT_TRANSLATE_NOOP(
-                          "ReadingColumn", "Slider coordinate where it was read, degrees minutes seconds"),
+                          "ReadingColumn", "Slider coordinate at this sighting, degrees minutes seconds"),
                       .noun = QT_TRANSLATE_NOOP("ReadingColumn", "slider reading"),
                       .menuText = QT_TRANSLATE_NOOP("ReadingColumn", "&Slider Column"),
                       .widest = nullptr,

@@ -49,7 +49,7 @@ void OutlookJob::start() {
       [evaluation](const std::string& reason) {
         return OutlookOfSession{
             .evaluation = evaluation,
-            .failure = reportFailure({PHRASE_LATER("Phrase", "outlook"), reason, evaluation->session})};
+            .failure = reportFailure({PHRASE_LATER("Phrase", "forecast of U"), reason, evaluation->session})};
       });
 }
 

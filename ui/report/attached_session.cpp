@@ -38,8 +38,8 @@ Result<std::string> attachedSessionText(std::string_view pdf) {
       return std::move(file.bytes);
     case AttachedFile::Outcome::NotThere:
       return problemOf(
-          Report::tr("No session is attached to this PDF: a report of Alidade holds its session unless that "
-                     "was left out"));
+          Report::tr("No session is attached to this PDF: a report of Alidade contains its session unless "
+                     "the session was left out"));
     case AttachedFile::Outcome::Missing:
       return problemOf(Report::tr("The PDF cannot be read (the session attached to it is missing)"));
     case AttachedFile::Outcome::TooLarge:

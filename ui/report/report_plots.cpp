@@ -32,8 +32,9 @@ QStringList insetSentences(const DrawnIntersection& intersection) {
   if (intersection.tolerance)
     sentences.append(Report::tr("Grey: permitted places of the centres, tolerance ± %1 mm.")
                          .arg(plainNumberText(*intersection.tolerance)));
-  sentences.append(Report::tr(
-      "Δx leads from O2 to the cross, where O2 would be if the positions closed; no cross: they close."));
+  sentences.append(
+      Report::tr("Δx leads from O2 to the cross, where O2 would be if the positions closed; without a cross, "
+                 "they close."));
   return sentences;
 }
 
@@ -48,7 +49,7 @@ QString arcCaption(const ArcPlot& plot) {
   sentences += markSentences(picture.sightings, picture.kinds);
   sentences.append(
       //: %1: how many times as long, "× 500"
-      Report::tr("The strokes are the residuals, from the adjusted point on the arc, drawn %1.")
+      Report::tr("The strokes are the residuals, from the adjusted point on the arc, enlarged %1.")
           .arg(exaggerationText(picture.exaggeration)));
   if (picture.intersection) sentences += insetSentences(*picture.intersection);
   if (plot.sideView().scale() > 0)

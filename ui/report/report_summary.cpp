@@ -94,7 +94,7 @@ void addFindings(ReportSheet& sheet, const Gap& gap) {
     const bool isSound = gap.diagnosis && gap.undetectableBeyondU().empty();
     sheet.paragraph(!evaluation.fit.intersection ? Report::tr("None.")
                     : isSound ? Report::tr("None: nothing in the data speaks against the result.")
-                              : Report::tr("None in the data, but see above what is undetectable."));
+                              : Report::tr("None in the data, but see the undetectable effects above."));
   }
   const double indent = findingsIndent(sheet);
   const auto say = [&](Severity severity, const QString& text) {

@@ -136,8 +136,8 @@ std::string watchSentence(const History& history, const HistoryNumbers& numbers)
                       count, dateOf(out));
   if (drifted != chart.points.end())
     return Phrase::of(
-        "%1 Later values outside their limits: 0 of %2, but their average leaves its limits on %3.", baseline,
-        count, dateOf(drifted));
+        "%1 Later values outside their limits: 0 of %2, but their average (EWMA) leaves its limits on %3.",
+        baseline, count, dateOf(drifted));
   return Phrase::of("%1 Later values outside their limits: 0 of %2.", baseline, count);
 }
 
@@ -211,7 +211,7 @@ std::vector<std::string> historySentences(const History& history, const std::str
   if (history.chart.baseline < history.values.size()) sentences.push_back(watchSentence(history, numbers));
   const std::string mean = numbers.withUncertainty(history.mean.value, history.mean.u);
   sentences.push_back(history.values.size() == 1
-                          ? Phrase::of("Its value: %1 (%2).", mean, plusMinusText(history))
+                          ? Phrase::of("Value: %1 (%2).", mean, plusMinusText(history))
                           : Phrase::of("Weighted mean of %1 values: %2 (%3).", history.values.size(), mean,
                                        plusMinusText(history)));
   sentences.push_back(agreement(history));
@@ -232,14 +232,14 @@ std::string sharedSentence(const DeviceHistory& device) {
   if (device.serial.empty())
     return Phrase::of(
         "The sessions state no serial number of the device. No errors are therefore assumed to be common to "
-        "them, and only larger changes are detected. Enter it to detect smaller ones.");
+        "them, and only larger changes are detected. Enter the number to detect smaller ones.");
   if (device.hasOneInstrument)
     return Phrase::of(
-        "All sessions have one device and one instrument. Their errors change Δd by the same amount each "
-        "time: this is in U and in the mean, but not in the expected scatter.");
+        "All sessions have the same device and instrument. Their errors change Δd by the same amount each "
+        "time: this amount is in U and in the mean, but not in the expected scatter.");
   return Phrase::of(
-      "The sessions were not all taken with one instrument, or do not state its serial number: instrument "
-      "errors are assumed to change Δd differently in each session.");
+      "The sessions were not all taken with the same instrument, or do not state its serial number: "
+      "instrument errors are assumed to change Δd differently in each session.");
 }
 
 std::vector<std::string> congruenceSentences(const std::vector<Epoch>& epochs, const Congruence& congruence) {

@@ -30,9 +30,9 @@ std::string marksOf(const History& history, std::size_t index) {
   const ControlChart::Point& point = history.chart.points[index];
   if (std::ranges::any_of(history.steps, [&](const HistoryStep& step) { return step.first == index; }))
     marks.push_back(Phrase::of("step"));
-  if (history.oddValue == index) marks.push_back(Phrase::of("stands apart"));
+  if (history.oddValue == index) marks.push_back(Phrase::of("outlier"));
   if (point.isOut) marks.push_back(Phrase::of("outside"));
-  if (point.isEwmaOut) marks.push_back(Phrase::of("average outside"));
+  if (point.isEwmaOut) marks.push_back(Phrase::of("EWMA outside"));
   return listed(marks);
 }
 
@@ -42,9 +42,8 @@ std::string limitsSentence(const History& history, const HistoryNumbers& numbers
   if (!std::isfinite(chart.seenSigma))
     return Phrase::of("Control limits: %1 ± three standard uncertainties of each value.", centre);
   return Phrase::of(
-      "Control limits: %1 ± three standard uncertainties of each value, without what all values share; by "
-      "the "
-      "moving range that is seen ± %2.",
+      "Control limits: %1 ± three standard uncertainties of each value, without the part common to all "
+      "values; from the observed moving range: ± %2.",
       centre, numbers.withUnit(limitSigmas * chart.seenSigma));
 }
 
@@ -89,7 +88,7 @@ Statement valueTable(const History& history, const std::string& unit) {
                                   {"expanded", "± U"},
                                   {"shewhart", Phrase::of("± limit")},
                                   {"ewma", "EWMA"},
-                                  {"limit", Phrase::of("± its limit")},
+                                  {"limit", Phrase::of("± EWMA limit")},
                                   {"remark", "", Role::Remark}},
                       .rows = {},
                       .sentences = historySentences(history, unit)};
@@ -169,10 +168,10 @@ Statement congruenceTable(const DeviceHistory& device) {
                   {"p_device", "p"},
                   {"change", "", Role::Word}},
       .rows = {},
-      .note = Phrase::of(
-          "Each session is compared with the next, and the first with the last. Δd, measured, has its "
-          "expanded uncertainty; effects common to both sessions cancel. Device: (O1 − O2)/2 and the radii "
-          "by the readings alone, T = dᵀC⁻¹d with the full covariance of both fits.")};
+      .note = Phrase::of("Each session is compared with the next, and the first with the last. Δd, measured, "
+                         "has its expanded uncertainty; effects common to both sessions cancel. Device: d "
+                         "holds the m changes of (O1 − O2)/2 and of the radii, from the readings alone; T = "
+                         "dᵀC⁻¹d with the full covariance C of both fits.")};
   for (const Congruence& congruence : device.congruences) {
     const bool isNext = congruence.second == congruence.first + 1;
     if (!isNext && (congruence.first != 0 || congruence.second + 1 != device.epochs.size())) continue;

@@ -175,7 +175,7 @@ Statement stationsTable(const InstrumentCheck& check) {
       .id = "instrument_check",
       .title = Phrase::of("Field check after ISO 17123-3"),
       .columns = {{"station", Phrase::of("Station"), Role::Name,
-                   Phrase::of("Evaluated one by one; the last row holds all of them")},
+                   Phrase::of("Each station is evaluated separately; the last row pools all stations")},
                   {"rounds", Phrase::of("Rounds"), Role::Figure, Phrase::of("Complete rounds × targets")},
                   {"s_direction", Phrase::of("s direction (ν)"), Role::Figure, ofDirection},
                   {"s_zenith", Phrase::of("s zenith (ν)"), Role::Figure, ofZenith},

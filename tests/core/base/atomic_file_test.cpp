@@ -269,7 +269,7 @@ TEST_F(AtomicFile, SaysWhatStandsWhereItCannotBePutBack) {
   const auto problem = writeFiles({{path("a"), "new"}, {path("b"), "new"}}, {}, calls);
   ASSERT_TRUE(problem);
   EXPECT_THAT(problem->what, StartsWith(path("b") + " cannot be written: "));
-  EXPECT_THAT(problem->what, HasSubstr(path("a") + " was already replaced, its old bytes are in "));
+  EXPECT_THAT(problem->what, HasSubstr(path("a") + " was already replaced, its previous content is in "));
   ASSERT_EQ(names().size(), 3U);
   EXPECT_EQ(*readFile(path(names().front())), "old") << "by its other name";
   EXPECT_THAT(problem->what, HasSubstr(names().front()));

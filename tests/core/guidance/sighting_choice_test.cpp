@@ -156,7 +156,7 @@ TEST(SightingChoice, IsToldWithWhatMayBeTheCase) {
   ASSERT_TRUE(chosen.choice);
   const Statement statement = sightingChoiceStatement(*chosen.choice, chosen.progress);
   ASSERT_GE(statement.sentences.size(), 2u);
-  EXPECT_THAT(statement.sentences.front(), HasSubstr("is most informative for its"));
+  EXPECT_THAT(statement.sentences.front(), HasSubstr("is most informative per minute"));
   EXPECT_THAT(enoughSentence(chosen.choice->soFar), HasSubstr("Not enough yet"));
   EXPECT_EQ(statement.rows.front().cells.front(), "No cause");
   double sum = 0;
@@ -173,7 +173,7 @@ TEST(SightingChoice, IsToldWithASecondCause) {
   const Chosen chosen(readOf(bothFaces(), two), byWorth(bothFaces()));
   ASSERT_TRUE(chosen.choice);
   ASSERT_FALSE(chosen.choice->soFar.alsoNamed.empty());
-  EXPECT_THAT(enoughSentence(chosen.choice->soFar), HasSubstr("two causes are named"));
+  EXPECT_THAT(enoughSentence(chosen.choice->soFar), HasSubstr("two causes are identified"));
   const Statement statement = sightingChoiceStatement(*chosen.choice, chosen.progress);
   ASSERT_GE(statement.rows.size(), 2u);
   EXPECT_FALSE(statement.rows[0].isPart);

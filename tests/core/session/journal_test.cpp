@@ -79,7 +79,7 @@ TEST(Journal, AReasonIsNoChangeSinceASeal) {
   enterInJournal(session.journal, explainingEntry(session.journal, 2, 1, "tape read anew"));
   EXPECT_EQ(changesSince(*sealOf(session.journal), session.journal), 1u);
   EXPECT_EQ(sealState(session.journal),
-            "Sealed 2026-03-15 08:00 UTC by R. Roe, with one change since that nobody has sealed");
+            "Sealed 2026-03-15 08:00 UTC by R. Roe, with one unsealed change since");
   const JournalCheck check = checkJournal(session);
   ASSERT_EQ(check.seals.size(), 1u);
   EXPECT_EQ(check.seals[0].state, CheckedSeal::State::Held) << "the reason hides no change";

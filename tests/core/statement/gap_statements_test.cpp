@@ -233,7 +233,7 @@ TEST(AdviceStatement, TellsTheRowsOfTheEffort) {
   EXPECT_EQ(cellOf(next, 0, "expanded"), "") << "it would not reduce U";
   EXPECT_EQ(
       cellOf(next, 0, "tells"),
-      "separates collimation and refraction by 5.0 σ or more; probability that one answer is left: 90 %");
+      "separates collimation and refraction by 5.0 σ or more; probability that only one cause remains: 90 %");
 }
 
 TEST(UndetectableStatement, SaysSoIfThereIsNone) {

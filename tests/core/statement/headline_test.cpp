@@ -65,7 +65,7 @@ TEST(Headline, NamesTheSealAndWarnsOfChangesSince) {
   EXPECT_FALSE(sealed.lines.back().isWarning);
   enterInJournal(session.journal, {.place = "notes", .to = "more", .why = journal_reasons::retyped});
   const Headline changed = headlineOf(gapWith(evaluationOf(session), 1.3));
-  EXPECT_THAT(changed.line(LineKind::Seal), HasSubstr("one change since that nobody has sealed"));
+  EXPECT_THAT(changed.line(LineKind::Seal), HasSubstr("one unsealed change since"));
   EXPECT_TRUE(changed.lines.back().isWarning);
 }
 
@@ -123,7 +123,7 @@ TEST(Headline, SaysThatAGapOfNoKnownCauseAloneKeepsTheVerdictOpen) {
   gap.diagnosis->unexplained.chance = 0.99;
   const Headline open = headlineOf(gap);
   EXPECT_EQ(open.decided, Verdict::Undecided);
-  EXPECT_THAT(open.line(LineKind::Gap), StartsWith("Open whatever U is: model and readings disagree"));
+  EXPECT_THAT(open.line(LineKind::Gap), StartsWith("Undecided, whatever U is: model and readings disagree"));
   gap.diagnosis->unexplained.chance = 0.5;
   EXPECT_THAT(headlineOf(gap).line(LineKind::Gap),
               StartsWith("Model and readings disagree, and no catalogued"));

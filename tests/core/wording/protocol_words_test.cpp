@@ -12,26 +12,26 @@ std::string namedInWords(const char* name) {
 }
 
 TEST(ProtocolWords, SayWhatIsSighted) {
-  EXPECT_EQ(namedInWords("paper"), "17 places, one face, there");
-  EXPECT_EQ(namedInWords("paper-slider"), "17 places, one face, there, with slider readings");
+  EXPECT_EQ(namedInWords("paper"), "17 places, one face, there only");
+  EXPECT_EQ(namedInWords("paper-slider"), "17 places, one face, there only, with slider readings");
   EXPECT_EQ(namedInWords("two-face"), "17 places, both faces, there and back");
   EXPECT_EQ(
       namedInWords("shifted-circle"),
       "17 places, both faces, there and back, with slider readings, the circle turned between positions");
-  EXPECT_EQ(namedInWords("again"), "17 places, one face, there, 0° again");
+  EXPECT_EQ(namedInWords("again"), "17 places, one face, there only, 0° again");
   EXPECT_EQ(protocolInWords(openOrder(*templateNamed("paper"))),
-            "17 places, one face, there, each sighting by its information")
+            "17 places, one face, there only, each sighting chosen by its information")
       << "without the positions that may be measured again";
 }
 
 TEST(ProtocolWords, SayWhatAProtocolOfOnesOwnSights) {
   SightingProtocol protocol;
-  EXPECT_EQ(protocolInWords(protocol), "no places, one face, there");
+  EXPECT_EQ(protocolInWords(protocol), "no places, one face, there only");
   protocol.places = {{.point = 1}};
   protocol.positions = {{.axisDeg = 180, .rounds = {{false, {1}}, {false, {2}}, {false, {1}}}}};
-  EXPECT_EQ(protocolInWords(protocol), "1 place, a face for each round, 3 rounds, only at 180°");
+  EXPECT_EQ(protocolInWords(protocol), "1 place, one face per round, 3 rounds, only at 180°");
   protocol.positions.push_back({.axisDeg = 0, .places = {{.point = 1}, {.point = 2}}, .rounds = {{true}}});
-  EXPECT_EQ(protocolInWords(protocol), "1 to 2 places, a face for each round, up to 3 rounds");
+  EXPECT_EQ(protocolInWords(protocol), "1 to 2 places, one face per round, up to 3 rounds");
 }
 
 class Deviations : public ::testing::Test {

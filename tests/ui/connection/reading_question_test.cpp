@@ -84,7 +84,7 @@ TEST(ReadingQuestion, AnotherSerialNumberIsAskedOnce) {
   window.take();
   EXPECT_EQ(window.session().positions[0].readings[4].instrumentSerial, "222");
   EXPECT_THAT(window.add(from(5, "222")), IsEmpty()) << "it was taken";
-  EXPECT_THAT(window.add(from(6, "111")), HasSubstr("The readings before come from the instrument"));
+  EXPECT_THAT(window.add(from(6, "111")), HasSubstr("The previous readings come from the instrument"));
 }
 
 TEST(ReadingQuestion, WhatTheInstrumentDoesNotVouchForIsAskedAndKeepsItsCode) {

@@ -137,7 +137,7 @@ TEST_F(PreferencesTest, NewSessionsFollowAProtocolUntilNoneIsChosen) {
   Session usual = templateSession();
   const auto protocol = protocolOf(usual);
   ASSERT_TRUE(protocol && *protocol);
-  EXPECT_EQ(protocolInWords(**protocol), "17 places, one face, there");
+  EXPECT_EQ(protocolInWords(**protocol), "17 places, one face, there only");
   for (const ProtocolPlace& place : (*protocol)->places)
     EXPECT_FALSE(nominalPlace(place)) << "where the places of another device lie is not known";
   usual.protocol.clear();

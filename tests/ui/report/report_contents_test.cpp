@@ -81,7 +81,7 @@ TEST(ReportContents, TellsTheFormOfAGap) {
   };
   const std::string text = textOf("dented-guideway");
   for (const char* said : {"Form of the gap", "The form: radius − 0.2", "The model holds where s is within",
-                           "slider coordinate s (°)", "The form fitted"})
+                           "slider coordinate s (°)", "On 272 readings held out"})
     EXPECT_THAT(text, HasSubstr(said));
   EXPECT_THAT(textOf("trunnion-tilt"), Not(HasSubstr("Form of the gap")));
 }

@@ -59,7 +59,7 @@ TEST(FormList, TellsAndDrawsTheForm) {
   Page page("dented-guideway");
   EXPECT_THAT(page.shown(), HasSubstr("Form\nThe form: radius − 0.2"));
   EXPECT_THAT(page.shown(), HasSubstr("The model holds where s is within"));
-  EXPECT_THAT(page.shown(), HasSubstr("reduces the gap of 272 readings by"));
+  EXPECT_THAT(page.shown(), HasSubstr("On 272 readings held out of the fit, the form reduces the gap by"));
   FormChart* chart = page.chart();
   ASSERT_TRUE(chart);
   EXPECT_GT(chart->plot()->curvePoints(), 100u);

@@ -110,7 +110,7 @@ TEST_P(GapVerdict, IsTheTruthOfTheTrial) {
 
 INSTANTIATE_TEST_SUITE_P(Trials, GapVerdict,
                          testing::Values(Expected{sagTrial, "One cause: gravity sag"},
-                                         Expected{collimationTrial, "One of 2 causes that look alike here"},
+                                         Expected{collimationTrial, "One of 2 causes indistinguishable here"},
                                          Expected{slipTrial, "One cause: misread values"},
                                          Expected{jumpTrial, "One cause: a jump of the orientation"},
                                          Expected{noiseTrial, "One cause: noise larger than stated"},
@@ -158,9 +158,9 @@ TEST(Gap, DrawsWhatMustAgreeBeforeAndWithTheCauses) {
   const std::string says = bench.closures();
   EXPECT_THAT(says, HasSubstr("R(180°) − R(0°) = 1.96 ± 0.29 mm, 13.2 σ; with the causes "));
   EXPECT_THAT(says, HasSubstr("Δx(180°) − Δx(0°) = −0.65 ± 0.18 mm, 7.3 σ; with the causes "));
-  EXPECT_THAT(bench.shown(), HasSubstr("With the causes in the model they agree.\n"));
+  EXPECT_THAT(bench.shown(), HasSubstr("With the causes in the model, these quantities agree.\n"));
   EXPECT_THAT(GapBench(cleanTrial).shown(),
-              HasSubstr("One rigid arc turned about a level axis: they agree.\n"));
+              HasSubstr("For one rigid arc turned about a level axis, these quantities agree.\n"));
 }
 
 QString closurePath(const char* name) {
@@ -574,7 +574,7 @@ TEST(Gap, StandsAmongTheFindingsWhichLeadToItsPage) {
     return all.join(u'\n').toStdString();
   };
   EXPECT_THAT(texts(),
-              HasSubstr("Model and readings disagree, see “Gap”. One of 2 causes that look alike here."));
+              HasSubstr("Model and readings disagree, see “Gap”. One of 2 causes indistinguishable here."));
   EXPECT_THAT(texts(), Not(HasSubstr("No problems.")));
   findings->setFocus();
   findings->setCurrentRow(0);
