@@ -54,11 +54,11 @@ sample noisy-readings --seed 6 --protocol two-face --points 9 --rounds 1 --inter
   --notes "Simulated: the readings scatter by 6 arcseconds where 2 are stated, and nothing else is wrong."
 sample known-instrument --seed 7 --protocol two-face --points 9 --rounds 1 --intersection 0.4 \
   --effect collimation=3 --effect trunnion_tilt=25 --effect vertical_index=-4 --instrument "$here/t-1.alidade-instrument" \
-  --title "As the record says" \
+  --title "A known trunnion tilt" \
   --notes "Simulated: the trunnion axis is tilted by 25 arcseconds, which the instrument's record says. With what is known nothing is left to explain."
 sample stale-record --seed 8 --protocol two-face --points 9 --rounds 1 --intersection 0.4 \
   --effect collimation=3 --effect trunnion_tilt=-30 --effect vertical_index=-4 --instrument "$here/t-1.alidade-instrument" \
-  --title "Knocked since the record" \
+  --title "An outdated record" \
   --notes "Simulated: the record says that the trunnion axis is tilted by 25 arcseconds; the instrument was knocked since, and it is -30 arcseconds."
 
 # A device over a year, read with one instrument; between July and August its guideway was knocked.

@@ -23,7 +23,7 @@ std::string partText(const GapShare& share) {
 /// A line for each division of the readings into two or more parts, in order; parts below one percent are
 /// left out.
 std::string whereText(const Diagnosis& diagnosis) {
-  std::string text = "\nWhere it lies\n";
+  std::string text = "\nWhere the gap lies\n";
   for (auto first = diagnosis.where.begin(); first != diagnosis.where.end();) {
     const auto end = std::find_if(first, diagnosis.where.end(),
                                   [&](const GapShare& share) { return share.by != first->by; });

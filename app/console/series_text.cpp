@@ -90,7 +90,7 @@ std::string sessionsText(const SeriesDiagnosis& series) {
 }
 
 std::string whereText(const SeriesDiagnosis& series) {
-  std::string text = "\nWhere it lies\n";
+  std::string text = "\nWhere the gap lies\n";
   for (auto first = series.where.begin(); first != series.where.end();) {
     const auto end =
         std::find_if(first, series.where.end(), [&](const GapShare& share) { return share.by != first->by; });

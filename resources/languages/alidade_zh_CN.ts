@@ -6590,7 +6590,7 @@ Includes every catalogued effect, limited by these readings or by its plausible 
     </message>
     <message>
         <source>At most</source>
-        <translation>最多</translation>
+        <translation>最大允许</translation>
     </message>
     <message>
         <source>step</source>
@@ -8921,9 +8921,9 @@ a clause as a sentence</extracomment>
         <translation>测量记录的更改日志中有 %1 条更改，此处略去</translation>
     </message>
     <message>
-        <source>%1; no expansion of L and R0 is stated</source>
+        <source>%1; L and R0 are not corrected for thermal expansion</source>
         <extracomment>%1: the temperature</extracomment>
-        <translation>%1；未给出 L 和 R0 的膨胀系数</translation>
+        <translation>%1；L 和 R0 未作热膨胀改正</translation>
     </message>
     <message>
         <source>%1 and %2</source>
@@ -9000,8 +9000,8 @@ a clause as a sentence</extracomment>
         <translation>设备历史：%1</translation>
     </message>
     <message>
-        <source>The history of this document, to be read by programs</source>
-        <translation>本文档的历史，供程序读取</translation>
+        <source>The results of this device history, to be read by programs</source>
+        <translation>本设备历史的结果，供程序读取</translation>
     </message>
     <message>
         <source>σ compensator</source>
@@ -9037,8 +9037,8 @@ a clause as a sentence</extracomment>
         <translation>%1 · 本安装的检查</translation>
     </message>
     <message>
-        <source>The check of this document, to be read by programs</source>
-        <translation>本文档的检查结果，供程序读取</translation>
+        <source>The results of this check, to be read by programs</source>
+        <translation>本次检查的结果，供程序读取</translation>
     </message>
     <message>
         <source>The PDF cannot be read (it takes more memory or time than a report does): choose another file</source>
@@ -9049,8 +9049,8 @@ a clause as a sentence</extracomment>
         <translation>记录后没有任何条目被更改</translation>
     </message>
     <message>
-        <source>Line of sight off the axis</source>
-        <translation>视线偏离竖轴</translation>
+        <source>Line of sight offset</source>
+        <translation>视线偏距</translation>
     </message>
     <message>
         <source>taken at %1</source>
@@ -9067,44 +9067,44 @@ a clause as a sentence</extracomment>
         <translation>仪器 %1</translation>
     </message>
     <message>
-        <source>Inset: the arc centres O1 and O2 of the fit with the axis midway between them; the heavy line is Δd, fit only, the bar at its end its expanded uncertainty U, the ellipses hold the centres at %1 %.</source>
-        <translation>插图：拟合的圆心 O1 和 O2，轴在其正中；粗线为仅拟合 Δd，其端部的误差棒为其扩展不确定度 U，椭圆以 %1 % 包含圆心。</translation>
+        <source>Inset: the arc centres O1 and O2 of the fit, with the axis midway between them. The heavy line is Δd, fit only; the bar at its end is the expanded uncertainty U. Each ellipse contains its centre with a probability of %1 %.</source>
+        <translation>插图：拟合的圆心 O1 和 O2，轴在其正中。粗线为仅拟合 Δd，其端部的误差棒为扩展不确定度 U。每个椭圆以 %1 % 的概率包含其圆心。</translation>
     </message>
     <message>
-        <source>The intersection Δd = (y(O1) − y(O2))/2 is half the distance of the arc centres at 0° (O1) and 180° (O2) across the axis. The share of the readings in its uncertainty is scaled by their scatter (s0), pointing zeros and distance enter as stated; the expanded uncertainty U of Δd, fit only, is k times the combined standard uncertainty, k from Student&apos;s distribution with ν effective degrees of freedom. Δd, measured, includes every effect of the catalogue, known beforehand to 1σ of its plausible size, and its U also holds what else may explain the readings.</source>
-        <translation>相交度 Δd = (y(O1) − y(O2))/2 是 0°（O1）和 180°（O2）两圆心在垂直于轴方向上距离的一半。读数对其不确定度的贡献按离散（s0）放大，瞄准零位和距离按给定值计入；仅拟合 Δd 的扩展不确定度 U 为合成标准不确定度的 k 倍，k 取自有效自由度为 ν 的 t 分布。实测 Δd 包含目录中的每个效应，其大小事先按合理大小的 1σ 计，其 U 还包含其他可能解释读数的原因。</translation>
+        <source>The intersection Δd = (y(O1) − y(O2))/2 is half the difference of the heights of the arc centres at 0° (O1) and 180° (O2). The share of the readings in its uncertainty is scaled by their scatter (s0); pointing zeros and distance enter with their stated uncertainty. The expanded uncertainty U of Δd, fit only, is k times the combined standard uncertainty, with k from Student&apos;s distribution with ν effective degrees of freedom. Δd, measured, includes every effect of the catalogue, with its plausible size (1σ) as prior knowledge; its U also covers other explanations of the readings.</source>
+        <translation>相交度 Δd = (y(O1) − y(O2))/2 是 0°（O1）和 180°（O2）两圆心高度之差的一半。读数对其不确定度的贡献按离散（s0）放大；瞄准零位和距离按其给定的不确定度计入。仅拟合 Δd 的扩展不确定度 U 为合成标准不确定度的 k 倍，k 取自有效自由度为 ν 的 t 分布。实测 Δd 包含目录中的每个效应，以其合理大小（1σ）作为先验信息；其 U 还涵盖对读数的其他解释。</translation>
     </message>
     <message>
-        <source>Accepted: d + U ≤ %1, measured, and |Δd| + U ≤ %1, fit only; rejected: d − U &gt; %1; else undecided.</source>
-        <translation>合格：实测 d + U ≤ %1 且仅拟合 |Δd| + U ≤ %1；不合格：d − U &gt; %1；否则待定。</translation>
+        <source>Accepted: d + U ≤ %1, measured, and |Δd| + U ≤ %1, fit only; rejected: d − U &gt; %1, measured. Otherwise, or if the gap has no known cause: undecided.</source>
+        <translation>合格：实测 d + U ≤ %1 且仅拟合 |Δd| + U ≤ %1；不合格：实测 d − U &gt; %1。其他情况或差距原因不明时：待定。</translation>
     </message>
     <message>
-        <source>Accepted: |Δd| + U ≤ %1; rejected: |Δd| − U &gt; %1; both measured and fit only. Otherwise, or if the gap has no known cause: undecided.</source>
-        <translation>合格：|Δd| + U ≤ %1；不合格：|Δd| − U &gt; %1；实测与仅拟合均须满足。其他情况或差距原因不明时：待定。</translation>
+        <source>Accepted: |Δd| + U ≤ %1; rejected: |Δd| − U &gt; %1; each for both Δd, measured, and Δd, fit only. Otherwise, or if the gap has no known cause: undecided.</source>
+        <translation>合格：|Δd| + U ≤ %1；不合格：|Δd| − U &gt; %1；实测 Δd 与仅拟合 Δd 均须满足。其他情况或差距原因不明时：待定。</translation>
     </message>
     <message>
-        <source>Accepted: |Δd| + U ≤ %1; rejected: |Δd| − U &gt; %1; fit only; else undecided.</source>
-        <translation>合格：|Δd| + U ≤ %1；不合格：|Δd| − U &gt; %1；仅拟合；否则待定。</translation>
+        <source>Accepted: |Δd| + U ≤ %1; rejected: |Δd| − U &gt; %1; each for Δd, fit only. Otherwise: undecided.</source>
+        <translation>合格：|Δd| + U ≤ %1；不合格：|Δd| − U &gt; %1；均针对仅拟合 Δd。其他情况：待定。</translation>
     </message>
     <message>
         <source>known sizes in Δd, measured: %1</source>
         <translation>实测 Δd 采用的已知量值：%1</translation>
     </message>
     <message>
-        <source>The curve is the form; hollow marks are the value of each sighting with everything but this form in the model.</source>
-        <translation>曲线是形式；空心标记是除此形式外其余均列入模型时每次照准所反映的量。</translation>
+        <source>The curve is the form. Hollow marks are the value that each sighting gives for the form, with everything else in the model.</source>
+        <translation>曲线是形式。空心标记是各次照准给出的形式值，此时其余一切均列入模型。</translation>
     </message>
     <message>
-        <source>Filled marks: the same minus the form fitted without that sighting.</source>
-        <translation>实心标记是减去形式后的同一量，形式由不含该次照准的读数求得。</translation>
+        <source>Filled marks: these values minus the form, fitted without the sighting itself.</source>
+        <translation>实心标记：这些值减去不含该次照准拟合的形式。</translation>
     </message>
     <message>
-        <source>Filled marks: the same minus the form.</source>
-        <translation>实心标记是减去形式后的同一量。</translation>
+        <source>Filled marks: these values minus the form.</source>
+        <translation>实心标记：这些值减去形式。</translation>
     </message>
     <message>
-        <source>Broken lines: ±1σ of a sighting by the stated noise.</source>
-        <translation>虚线：按给定噪声一次照准的 ±1σ。</translation>
+        <source>Broken lines: ±1σ of the most sensitive sighting, from the stated noise.</source>
+        <translation>虚线：按给定噪声，最灵敏的一次照准的 ±1σ。</translation>
     </message>
     <message>
         <source>Grey: where the model holds.</source>
@@ -9119,8 +9119,8 @@ a clause as a sentence</extracomment>
         <translation>结果仅与被测物有关。除完整复制外，不得复制本报告。</translation>
     </message>
     <message>
-        <source>View along the axis: the arc&apos;s centre, Δd up and Δz towards the theodolite, at 0° with U, at 180° opposite.</source>
-        <translation>沿回转轴的视图：圆心，Δd 向上，Δz 朝向经纬仪，0° 处附 U，180° 处在对侧。</translation>
+        <source>View along the axis: the arc centre at 0° with its U, Δd upwards and Δz towards the theodolite; at 180° the centre is on the opposite side.</source>
+        <translation>沿回转轴的视图：0° 时的圆心及其 U，Δd 向上，Δz 朝向经纬仪；180° 时圆心位于对侧。</translation>
     </message>
     <message>
         <source>Condition</source>
@@ -9155,7 +9155,7 @@ a clause as a sentence</extracomment>
         <translation>仪器检查</translation>
     </message>
     <message>
-        <source>Course over the rounds</source>
+        <source>Values over the rounds</source>
         <translation>各测回的变化</translation>
     </message>
     <message>
@@ -9183,13 +9183,13 @@ a clause as a sentence</extracomment>
         <translation>各测回并列。</translation>
     </message>
     <message>
-        <source>The tolerance applies to the distance d = √(Δd² + Δz²) of the centre from the axis, Δz across the plane of the arc.</source>
+        <source>The tolerance applies to the distance d = √(Δd² + Δz²) of the centre from the axis, with Δz perpendicular to the plane of the arc.</source>
         <translation>允差针对圆心到轴的距离 d = √(Δd² + Δz²)，Δz 垂直于圆弧平面。</translation>
     </message>
     <message>
         <source>%1; relative to the stated values at 20 °C: %2</source>
         <extracomment>%1: the temperature, %2: what L and R0 change by</extracomment>
-        <translation>%1；相对于其标注温度 20 °C，%2</translation>
+        <translation>%1；与 20 °C 时的给定值相比：%2</translation>
     </message>
 </context>
 <context>
@@ -9215,7 +9215,7 @@ a clause as a sentence</extracomment>
         <translation>方法</translation>
     </message>
     <message>
-        <source>Budget of the uncertainty</source>
+        <source>Uncertainty budget</source>
         <translation>不确定度预算</translation>
     </message>
     <message>
@@ -9231,7 +9231,7 @@ a clause as a sentence</extracomment>
         <translation>这些读数无法检出的效应</translation>
     </message>
     <message>
-        <source>Lines to sign</source>
+        <source>Signature lines</source>
         <translation>签字栏</translation>
     </message>
 </context>
@@ -9303,15 +9303,15 @@ a clause as a sentence</extracomment>
         <translation>一个误读的读数</translation>
     </message>
     <message>
-        <source>One point is wrong by ten minutes: found, with the intended reading</source>
-        <translation>一个测点错了十分：指出它，并给出应有的读数</translation>
+        <source>One reading is 10′ wrong: it is found, and the intended reading is suggested</source>
+        <translation>一个读数错了 10′：找出该读数，并给出应有的读数</translation>
     </message>
     <message>
         <source>Both faces</source>
         <translation>双盘位</translation>
     </message>
     <message>
-        <source>Collimation and trunnion tilt found, and Δd free of them</source>
+        <source>Collimation and trunnion tilt are found, and Δd is free of them</source>
         <translation>找出照准差和横轴误差，Δd 不受其影响</translation>
     </message>
     <message>
@@ -9359,24 +9359,24 @@ a clause as a sentence</extracomment>
         <translation>导轨变形</translation>
     </message>
     <message>
-        <source>As the record says</source>
-        <translation>与仪器档案相符</translation>
+        <source>A known trunnion tilt</source>
+        <translation>已知的横轴误差</translation>
     </message>
     <message>
-        <source>A trunnion tilt that the instrument&apos;s record knows: nothing is left to explain</source>
-        <translation>仪器档案已知的横轴误差：没有什么需要解释</translation>
+        <source>The instrument record states the trunnion tilt: nothing is left to explain</source>
+        <translation>仪器档案已载有该横轴误差：没有什么需要解释</translation>
     </message>
     <message>
-        <source>Knocked since the record</source>
-        <translation>建档之后受过碰撞</translation>
+        <source>An outdated record</source>
+        <translation>过时的仪器档案</translation>
     </message>
     <message>
-        <source>An outdated instrument record, detected</source>
-        <translation>已过时的仪器档案，被检出</translation>
+        <source>The instrument was knocked after its check: the outdated value is detected</source>
+        <translation>仪器在检查之后受过碰撞：检出已过时的值</translation>
     </message>
     <message>
-        <source>A radius that changes five times in a turn: the form found, with its size</source>
-        <translation>半径每转变化五次：求得形式及其大小</translation>
+        <source>A radius with five periods in a turn: the form is found, with its size</source>
+        <translation>半径每转变化五个周期：求得形式及其大小</translation>
     </message>
     <message>
         <source>A dented guideway</source>
@@ -9486,8 +9486,8 @@ a clause as a sentence</extracomment>
         <translation>半径凹陷，在 s = %2° 处为 %1</translation>
     </message>
     <message>
-        <source>A horizontal circle with %2 periods a turn, %1</source>
-        <translation>水平度盘每圈 %2 个周期，%1</translation>
+        <source>A horizontal circle error with %2 periods a turn, %1</source>
+        <translation>水平度盘误差，每圈 %2 个周期，%1</translation>
     </message>
     <message>
         <source>An instrument that settles, %1</source>
@@ -9550,7 +9550,7 @@ a clause as a sentence</extracomment>
         <translation>半径 + A cos %1s + B sin %1s，A = %2 mm，B = %3 mm</translation>
     </message>
     <message>
-        <source>Noise %1 times the stated</source>
+        <source>Noise: %1 times the stated noise</source>
         <translation>噪声为给定值的 %1 倍</translation>
     </message>
     <message>
@@ -9558,8 +9558,8 @@ a clause as a sentence</extracomment>
         <translation>没有模拟任何误差。</translation>
     </message>
     <message>
-        <source>The error shows by %1 σ of the readings</source>
-        <translation>该误差的显著程度为读数的 %1 σ</translation>
+        <source>The trace of the error in the readings is %1 σ</source>
+        <translation>该误差在读数中的痕迹为 %1 σ</translation>
     </message>
     <message>
         <source>; in these readings it looks like %1</source>
@@ -9570,24 +9570,24 @@ a clause as a sentence</extracomment>
         <translation>真实 Δd = %1 mm</translation>
     </message>
     <message>
-        <source>The truth was %1; the answer was %2.</source>
-        <translation>真实情况是%1；回答是%2。</translation>
+        <source>The truth was %1; the diagnosis was %2.</source>
+        <translation>真实情况是%1；诊断是%2。</translation>
     </message>
     <message>
-        <source>Named, although it is faint.</source>
-        <translation>虽微弱但仍被指出。</translation>
+        <source>The error was found, although its trace is faint.</source>
+        <translation>误差虽痕迹微弱，仍被找出。</translation>
     </message>
     <message>
-        <source>Too faint to be expected.</source>
-        <translation>过于微弱，不能期望找出。</translation>
+        <source>The trace of the error is too faint to be found.</source>
+        <translation>误差的痕迹过于微弱，无法找出。</translation>
     </message>
     <message>
-        <source>The truth is in the named group, which is no larger than necessary.</source>
+        <source>The truth is in the group that the diagnosis names, which is no larger than necessary.</source>
         <translation>它在所指出的组内，且该组没有超出必要的范围。</translation>
     </message>
     <message>
-        <source>The truth was %1, and so was the answer.</source>
-        <translation>真实情况是%1，回答相同。</translation>
+        <source>The truth was %1; the diagnosis agrees.</source>
+        <translation>真实情况是%1，诊断与之一致。</translation>
     </message>
     <message>
         <source> Δd with the causes covers the true Δd.</source>
@@ -9623,11 +9623,11 @@ a clause as a sentence</extracomment>
         <translation>%1 次照准的平均值：α0 %2 ± %3，β0 %4 ± %5（1σ）</translation>
     </message>
     <message>
-        <source>; moved by %1 and %2 meanwhile</source>
-        <translation>；期间移动 %1 和 %2</translation>
+        <source>; the zero moved by %1 (α0) and %2 (β0)</source>
+        <translation>；其间零位移动 %1（α0）和 %2（β0）</translation>
     </message>
     <message>
-        <source>; without face 2, which not every position has</source>
+        <source>; without face 2, since not every position has it</source>
         <translation>；不含盘右，因为并非每个轴位都有</translation>
     </message>
 </context>
@@ -9669,11 +9669,11 @@ a clause as a sentence</extracomment>
         <translation>%1 个照准点，%2 个拟合圆弧，残差绘制 %3</translation>
     </message>
     <message>
-        <source>Should be: strokes point every way, O1 and O2 lie within the tolerance.</source>
+        <source>Should be: strokes point in all directions, O1 and O2 lie within the tolerance.</source>
         <translation>应为：短线指向各个方向，O1 和 O2 在允差之内。</translation>
     </message>
     <message>
-        <source>Should be: strokes point every way, O1 and O2 lie close to the axis.</source>
+        <source>Should be: strokes point in all directions, O1 and O2 lie close to the axis.</source>
         <translation>应为：短线指向各个方向，O1 和 O2 靠近轴。</translation>
     </message>
 </context>
@@ -9684,8 +9684,8 @@ a clause as a sentence</extracomment>
         <translation>大字显示</translation>
     </message>
     <message>
-        <source>Next place</source>
-        <translation>下一位置</translation>
+        <source>Next entry</source>
+        <translation>下一个输入项</translation>
     </message>
     <message>
         <source>Expected reading</source>
@@ -9712,8 +9712,8 @@ a clause as a sentence</extracomment>
         <translation>允差和判定</translation>
     </message>
     <message>
-        <source>What to read with the verdict</source>
-        <translation>与判定一并阅读的内容</translation>
+        <source>Notes on the verdict</source>
+        <translation>判定的说明</translation>
     </message>
 </context>
 <context>
@@ -9727,8 +9727,8 @@ a clause as a sentence</extracomment>
         <translation>任意计划</translation>
     </message>
     <message>
-        <source>anything, or nothing</source>
-        <translation>任意效应，或无</translation>
+        <source>any error, or none</source>
+        <translation>任意误差，或无误差</translation>
     </message>
     <message>
         <source>clearly, by 6 to 25 σ</source>
@@ -9743,8 +9743,8 @@ a clause as a sentence</extracomment>
         <translation>相同的编号和选择给出相同的盲测；每抽取一次编号加一</translation>
     </message>
     <message>
-        <source>What is drawn</source>
-        <translation>抽取内容</translation>
+        <source>Trial to draw</source>
+        <translation>要抽取的盲测</translation>
     </message>
     <message>
         <source>&amp;Plan</source>
@@ -9775,12 +9775,12 @@ a clause as a sentence</extracomment>
         <translation>启封(&amp;O)</translation>
     </message>
     <message>
-        <source>Sho&amp;w in the window</source>
-        <translation>在窗口中显示(&amp;W)</translation>
+        <source>Sho&amp;w in main window</source>
+        <translation>在主窗口中显示(&amp;W)</translation>
     </message>
     <message>
-        <source>Opens the session of the trial as a new one, its truth still sealed</source>
-        <translation>将该盲测的测量记录作为新测量记录打开，其真值仍然密封</translation>
+        <source>Opens the session of the trial as a new session; its truth stays sealed</source>
+        <translation>将该盲测的测量记录作为新测量记录打开；其真实情况仍然密封</translation>
     </message>
     <message>
         <source>Number of trials in one run</source>
@@ -9815,8 +9815,8 @@ a clause as a sentence</extracomment>
         <translation>错误。</translation>
     </message>
     <message>
-        <source>Sealed. The diagnosis has answered: open the seal to see what was simulated.</source>
-        <translation>已密封。诊断已作答：启封即可看到模拟了什么。</translation>
+        <source>Sealed. The diagnosis is complete: open the seal to see what was simulated.</source>
+        <translation>已密封。诊断已完成：启封即可看到模拟了什么。</translation>
     </message>
     <message>
         <source>&amp;Stop</source>
@@ -9845,12 +9845,12 @@ a clause as a sentence</extracomment>
         <translation>更改的原因</translation>
     </message>
     <message>
-        <source>Ctrl+R, type, Enter; or go on without</source>
-        <translation>按 Ctrl+R 录入后按 Enter；或直接继续</translation>
+        <source>Optional: Ctrl+R, type, Enter</source>
+        <translation>可不填：按 Ctrl+R，录入，按 Enter</translation>
     </message>
     <message>
-        <source>Why was it changed? %1</source>
-        <translation>为何更改？%1</translation>
+        <source>Why was this entry changed? %1</source>
+        <translation>为何更改此项？%1</translation>
     </message>
     <message>
         <source>Why were these %1 entries changed?</source>
@@ -9906,8 +9906,8 @@ a clause as a sentence</extracomment>
 <context>
     <name>alidade::ui::CheckChart</name>
     <message>
-        <source>Course of the check</source>
-        <translation>检查的过程</translation>
+        <source>Chart of the check</source>
+        <translation>检查的图表</translation>
     </message>
 </context>
 <context>
@@ -9917,7 +9917,7 @@ a clause as a sentence</extracomment>
         <translation>未给出</translation>
     </message>
     <message>
-        <source>σ of a value observed once in both faces, as in a data sheet after ISO 17123-3</source>
+        <source>σ of a value observed once in both faces, as in a data sheet according to ISO 17123-3</source>
         <translation>盘左、盘右各观测一次所得的值，如按 ISO 17123-3 的说明书所载</translation>
     </message>
     <message>
@@ -9953,7 +9953,7 @@ a clause as a sentence</extracomment>
         <translation>度.分秒</translation>
     </message>
     <message>
-        <source>as read</source>
+        <source>from the readings</source>
         <translation>按读数判断</translation>
     </message>
     <message>
@@ -10044,12 +10044,12 @@ a clause as a sentence</extracomment>
 <context>
     <name>alidade::ui::CheckPlot</name>
     <message>
-        <source>round, of all stations in turn</source>
+        <source>round, one station after another</source>
         <translation>测回，各测站依次</translation>
     </message>
     <message>
-        <source>off its mean (″)</source>
-        <translation>与平均值之差 (″)</translation>
+        <source>minus its mean (″)</source>
+        <translation>减去平均值 (″)</translation>
     </message>
     <message>
         <source>residual (″)</source>
@@ -10104,16 +10104,16 @@ a clause as a sentence</extracomment>
         <translation>%1 个点，最大 %2</translation>
     </message>
     <message>
-        <source>Should be: level from round to round; a slope is a drift, a step something that moved.</source>
+        <source>Should be: level from round to round. A slope shows a drift; a step shows that something moved.</source>
         <translation>应为：各测回之间保持水平；倾斜表示漂移，阶跃表示有变动。</translation>
     </message>
     <message>
-        <source>Should be: an even band about 0 in every round, and no target that keeps to one side.</source>
-        <translation>应为：每个测回都在 0 附近均匀分布，没有总偏向一侧的目标。</translation>
+        <source>Should be: an even band about 0 in every round, and no target with residuals of one sign only.</source>
+        <translation>应为：每个测回都在 0 附近均匀分布，没有残差总为同一符号的目标。</translation>
     </message>
     <message>
-        <source>Should be: level. A rise towards short distances shows a line of sight off the axis, e/D.</source>
-        <translation>应为：保持水平。向短距离方向升高表明视线偏离竖轴，e/D。</translation>
+        <source>Should be: level. A rise towards short distances shows an offset e of the line of sight from the axis: it grows as e/D.</source>
+        <translation>应为：保持水平。向短距离方向升高表明视线偏离竖轴的偏距 e：其影响按 e/D 增大。</translation>
     </message>
 </context>
 <context>
@@ -10147,11 +10147,11 @@ a clause as a sentence</extracomment>
         <translation>距离 (m)</translation>
     </message>
     <message>
-        <source>Empty: one station</source>
+        <source>Empty: only one station</source>
         <translation>留空：只有一个测站</translation>
     </message>
     <message>
-        <source>Empty: from the repeated targets</source>
+        <source>Empty: determined from the repeated targets</source>
         <translation>留空：由目标再次出现得出</translation>
     </message>
     <message>
@@ -10159,20 +10159,20 @@ a clause as a sentence</extracomment>
         <translation>任意名称，两个盘位和所有测回相同</translation>
     </message>
     <message>
-        <source>Empty: from the vertical circle</source>
+        <source>Empty: determined from the vertical circle</source>
         <translation>留空：由竖直度盘得出</translation>
     </message>
     <message>
-        <source>341°52′24″, 341 52 24, 379.859gon, or numbers in the unit stated</source>
-        <translation>341°52′24″、341 52 24、379.859gon，或按给定单位的数</translation>
+        <source>341°52′24″, 341 52 24, 379.859gon, or plain numbers in the chosen unit</source>
+        <translation>341°52′24″、341 52 24、379.859gon，或按所选单位的纯数字</translation>
     </message>
     <message>
         <source>Zenith angle, in the same formats as the horizontal reading</source>
         <translation>天顶距，格式同水平读数</translation>
     </message>
     <message>
-        <source>Along the line of sight; may be empty</source>
-        <translation>沿视线；可留空</translation>
+        <source>Slope distance; may be empty</source>
+        <translation>斜距；可留空</translation>
     </message>
 </context>
 <context>
@@ -10247,7 +10247,7 @@ a clause as a sentence</extracomment>
         <translation>关闭</translation>
     </message>
     <message>
-        <source>The connection goes on</source>
+        <source>The connection stays open</source>
         <translation>连接继续保持</translation>
     </message>
     <message>
@@ -10286,7 +10286,7 @@ a clause as a sentence</extracomment>
         <translation>奇</translation>
     </message>
     <message>
-        <source>Next entry asked for</source>
+        <source>Next expected entry</source>
         <translation>下一个待读的输入项</translation>
     </message>
     <message>
@@ -10298,7 +10298,7 @@ a clause as a sentence</extracomment>
         <translation>ttyUSB0 或路径</translation>
     </message>
     <message>
-        <source>The port that the cable is in: chosen, or typed as a path such as /dev/pts/3</source>
+        <source>Port of the cable: choose it, or type a path such as /dev/pts/3</source>
         <translation>电缆所插的端口：可选择，或输入路径，如 /dev/pts/3</translation>
     </message>
     <message>
@@ -10401,8 +10401,8 @@ a clause as a sentence</extracomment>
         <translation>全部测量记录的约化 χ² 由 %1 变为 %2；留出的测量记录的残差缩小 %3 %。</translation>
     </message>
     <message>
-        <source>%1, changing</source>
-        <translation>%1，变化中</translation>
+        <source>%1, changing between sessions</source>
+        <translation>%1，各测量记录间变化</translation>
     </message>
     <message>
         <source> or </source>
@@ -10427,11 +10427,11 @@ a clause as a sentence</extracomment>
 <context>
     <name>alidade::ui::EffectsPanel</name>
     <message>
-        <source>Effects estimated along</source>
-        <translation>一并估计的效应</translation>
+        <source>Effects estimated with the arcs</source>
+        <translation>与圆弧一并估计的效应</translation>
     </message>
     <message>
-        <source>Estimate along</source>
+        <source>Also estimate</source>
         <translation>一并估计</translation>
     </message>
     <message>
@@ -10463,15 +10463,15 @@ a clause as a sentence</extracomment>
         <translation>%1。合理大小（1σ）%2。措施：%3。</translation>
     </message>
     <message>
-        <source>no size of its own</source>
-        <translation>没有自己的大小</translation>
+        <source>no size in this row</source>
+        <translation>本行没有大小</translation>
     </message>
     <message>
         <source>Effect of Your Own…</source>
         <translation>自定义效应…</translation>
     </message>
     <message>
-        <source>Types an effect by its formula, or changes the selected one</source>
+        <source>Defines an effect by its formula, or changes the selected one</source>
         <translation>用公式输入效应，或修改所选的效应</translation>
     </message>
 </context>
@@ -10610,8 +10610,8 @@ a clause as a sentence</extracomment>
         <translation>打开报告</translation>
     </message>
     <message>
-        <source>The session attached to %1; it is in no file of its own yet</source>
-        <translation>%1 中所附的测量记录；它尚未保存在单独的文件中</translation>
+        <source>Opened the session attached to %1; it is not saved in a file of its own yet</source>
+        <translation>已打开 %1 中所附的测量记录；它尚未保存在单独的文件中</translation>
     </message>
     <message>
         <source>Revert</source>
@@ -10634,8 +10634,8 @@ a clause as a sentence</extracomment>
         <translation>已保存 %1</translation>
     </message>
     <message>
-        <source>Looking at “%1”…</source>
-        <translation>正在查看“%1”…</translation>
+        <source>Checking “%1” for changes…</source>
+        <translation>正在检查“%1”是否有更改…</translation>
     </message>
     <message>
         <source>Reload</source>
@@ -10664,8 +10664,8 @@ a clause as a sentence</extracomment>
         <translation>问题与提示</translation>
     </message>
     <message>
-        <source>Sound</source>
-        <translation>良好</translation>
+        <source>In order</source>
+        <translation>正常</translation>
     </message>
     <message>
         <source>No problems.</source>
@@ -10798,8 +10798,8 @@ a clause as a sentence</extracomment>
         <translation>竖直度盘 β (°)</translation>
     </message>
     <message>
-        <source>1: there, −1: back</source>
-        <translation>1：往，−1：返</translation>
+        <source>1: way there, −1: way back</source>
+        <translation>1：往测，−1：返测</translation>
     </message>
     <message>
         <source>1: face 1, −1: face 2</source>
@@ -10815,8 +10815,8 @@ a clause as a sentence</extracomment>
         <translation>%1 (%2)</translation>
     </message>
     <message>
-        <source>No sighting shows this form by itself.</source>
-        <translation>没有单次照准能单独显示此形式。</translation>
+        <source>No single sighting shows this form clearly.</source>
+        <translation>没有任何一次照准能清楚显示此形式。</translation>
     </message>
     <message>
         <source>after, held out</source>
@@ -10864,7 +10864,7 @@ a clause as a sentence</extracomment>
     </message>
     <message>
         <source>, held out %1</source>
-        <translation>，寻找时不计入它：%1</translation>
+        <translation>，该照准留出时 %1</translation>
     </message>
 </context>
 <context>
@@ -10877,8 +10877,8 @@ a clause as a sentence</extracomment>
 <context>
     <name>alidade::ui::GapMap</name>
     <message>
-        <source>stays with</source>
-        <translation>固定于</translation>
+        <source>belongs to</source>
+        <translation>归属</translation>
     </message>
     <message>
         <source>axis at</source>
@@ -11002,8 +11002,8 @@ a clause as a sentence</extracomment>
 计入原因的 Δd 只依据读数，报告也是如此。</translation>
     </message>
     <message>
-        <source>Where it lies</source>
-        <translation>所在之处</translation>
+        <source>Where the gap lies</source>
+        <translation>差距所在</translation>
     </message>
     <message>
         <source>What must agree</source>
@@ -11042,8 +11042,8 @@ a clause as a sentence</extracomment>
         <translation>作用</translation>
     </message>
     <message>
-        <source>Its part in the diagnosis</source>
-        <translation>诊断对它的判断</translation>
+        <source>Role of the effect in the diagnosis</source>
+        <translation>该效应在诊断中的作用</translation>
     </message>
     <message>
         <source>look-alike</source>
@@ -11114,7 +11114,7 @@ a clause as a sentence</extracomment>
         <translation>从模型中去掉</translation>
     </message>
     <message>
-        <source>Leaves the ticked effects of the model out</source>
+        <source>Removes the ticked effects from the model</source>
         <translation>把所勾选的模型效应去掉</translation>
     </message>
     <message>
@@ -11256,7 +11256,7 @@ a clause as a sentence</extracomment>
         <translation>均值</translation>
     </message>
     <message>
-        <source>± 3 σ as seen</source>
+        <source>± 3 σ, observed</source>
         <translation>± 3 σ（观测到的）</translation>
     </message>
     <message>
@@ -11264,8 +11264,8 @@ a clause as a sentence</extracomment>
         <translation>平均 (EWMA)</translation>
     </message>
     <message>
-        <source>its limits</source>
-        <translation>其界限</translation>
+        <source>EWMA limits</source>
+        <translation>EWMA 界限</translation>
     </message>
     <message>
         <source>%1: %2</source>
@@ -11280,8 +11280,8 @@ a clause as a sentence</extracomment>
         <translation>阶跃 %1 之后的第一个值</translation>
     </message>
     <message>
-        <source>stands apart from all others</source>
-        <translation>与其他所有值不符</translation>
+        <source>an outlier</source>
+        <translation>离群值</translation>
     </message>
     <message>
         <source>%1, %2 values, from %3 to %4: %5</source>
@@ -11335,7 +11335,7 @@ a clause as a sentence</extracomment>
         <translation>文件</translation>
     </message>
     <message>
-        <source>Taken as</source>
+        <source>Read as</source>
         <translation>识别为</translation>
     </message>
     <message>
@@ -11446,7 +11446,7 @@ a clause as a sentence</extracomment>
         <translation>度.分秒</translation>
     </message>
     <message>
-        <source>Unit of numbers in columns without one. With degrees.minutes seconds 341.5224 is 341°52′24″</source>
+        <source>Unit of the numbers in columns that state no unit. In degrees.minutes seconds, 341.5224 is 341°52′24″</source>
         <translation>用于列名未注明单位的纯数字。按度.分秒，341.5224 即 341°52′24″</translation>
     </message>
     <message>
@@ -11498,8 +11498,8 @@ a clause as a sentence</extracomment>
         <translation>第 %1 列</translation>
     </message>
     <message>
-        <source>The settings below are those you last used for such a file.</source>
-        <translation>以下按您上次导入此类文件的方式给出。</translation>
+        <source>The settings below are those you last used for this layout.</source>
+        <translation>以下为您上次导入此类格式时所用的设置。</translation>
     </message>
 </context>
 <context>
@@ -11735,7 +11735,7 @@ a clause as a sentence</extracomment>
     </message>
     <message>
         <source>At most</source>
-        <translation>最多</translation>
+        <translation>最大允许</translation>
     </message>
     <message>
         <source>Lines of the check</source>
@@ -11785,8 +11785,8 @@ a clause as a sentence</extracomment>
         <translation>填写仪器</translation>
     </message>
     <message>
-        <source>The session names an instrument with serial number %1, and this one has %2.</source>
-        <translation>测量记录所填仪器的序列号为 %1，而此仪器为 %2。</translation>
+        <source>The session names an instrument with serial number %1, but the connected one has %2.</source>
+        <translation>测量记录所填仪器的序列号为 %1，而所连接的仪器为 %2。</translation>
     </message>
     <message>
         <source>%1 readings wait until the open entry is accepted (Enter) or cancelled (Esc)</source>
@@ -11804,8 +11804,8 @@ a clause as a sentence</extracomment>
         <translation>检查的说明</translation>
     </message>
     <message>
-        <source>Course over the rounds</source>
-        <translation>随测回的过程</translation>
+        <source>Values over the rounds</source>
+        <translation>各测回的变化</translation>
     </message>
     <message>
         <source>Residuals</source>
@@ -11816,8 +11816,8 @@ a clause as a sentence</extracomment>
         <translation>照准差随距离</translation>
     </message>
     <message>
-        <source>What is drawn</source>
-        <translation>绘制的内容</translation>
+        <source>What the chart shows</source>
+        <translation>图中所示内容</translation>
     </message>
     <message>
         <source>Export &amp;JSON…</source>
@@ -11953,8 +11953,8 @@ a clause as a sentence</extracomment>
         <translation>停止</translation>
     </message>
     <message>
-        <source>Stops after the fit; the next edit starts all again</source>
-        <translation>停在拟合结果；下次编辑会重新开始全部计算</translation>
+        <source>Stops and keeps the result of the fit; the next edit restarts all calculations</source>
+        <translation>停止计算并保留拟合结果；下次编辑会重新开始全部计算</translation>
     </message>
     <message>
         <source>Fitting…</source>
@@ -11988,8 +11988,8 @@ a clause as a sentence</extracomment>
         <translation>内容</translation>
     </message>
     <message>
-        <source>As it was called then</source>
-        <translation>当时的名称</translation>
+        <source>Name of the entry at that time</source>
+        <translation>该项当时的名称</translation>
     </message>
     <message>
         <source>180°, row 28 (point 28), vertical</source>

@@ -78,7 +78,7 @@ QWidget* ConnectionDialog::createButtons() {
   row->addRoom();
   m_save = row->add(tr("&Save Log…"), "save connection log");
   auto* close = row->add(tr("Close"), "close connection dialog");
-  close->setToolTip(tr("The connection goes on"));
+  close->setToolTip(tr("The connection stays open"));
   connect(m_connect, &QPushButton::clicked, this, &ConnectionDialog::connectWanted);
   connect(m_take, &QPushButton::clicked, this, &ConnectionDialog::takeWanted);
   connect(m_save, &QPushButton::clicked, this, &ConnectionDialog::saveLog);

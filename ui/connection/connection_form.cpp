@@ -41,11 +41,11 @@ ConnectionForm::ConnectionForm(QWidget* parent)
                          {tr("Even"), static_cast<int>(Parity::Even)},
                          {tr("Odd"), static_cast<int>(Parity::Odd)}})),
       m_stopBits(choiceOf({{QStringLiteral("1"), 1}, {QStringLiteral("2"), 2}})),
-      m_target(choiceOf({{tr("Next entry asked for"), 0}, {tr("Selected row"), 1}})) {
+      m_target(choiceOf({{tr("Next expected entry"), 0}, {tr("Selected row"), 1}})) {
   m_port->setEditable(true);
   m_port->setInsertPolicy(QComboBox::NoInsert);
   m_port->lineEdit()->setPlaceholderText(tr("ttyUSB0 or a path"));
-  m_port->setToolTip(tr("The port that the cable is in: chosen, or typed as a path such as /dev/pts/3"));
+  m_port->setToolTip(tr("Port of the cable: choose it, or type a path such as /dev/pts/3"));
   m_baudRate->setEditable(true);
   m_baudRate->setInsertPolicy(QComboBox::NoInsert);
   m_baudRate->setValidator(new QIntValidator(1, fastestBaud, m_baudRate));

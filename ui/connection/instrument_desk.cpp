@@ -122,7 +122,7 @@ void InstrumentDesk::noteIdentity() {
     changeField(m_document, {.field = "instrument.serial"}, wellFormed(identity.serial));
     m_document.endTogether();
   } else if (!identity.serial.empty() && !stated.serial.empty() && identity.serial != stated.serial) {
-    report(tr("The session names an instrument with serial number %1, and this one has %2.")
+    report(tr("The session names an instrument with serial number %1, but the connected one has %2.")
                .arg(shortLine(stated.serial, longestShown), shortLine(identity.serial, longestShown)));
   }
 }

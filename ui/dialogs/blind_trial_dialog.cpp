@@ -62,7 +62,7 @@ QWidget* BlindTrialDialog::createChoices() {
     m_plan->addItem(qText(protocolInWords(templateOf(protocol))), qText(protocol.name));
   }
   m_kind = new QComboBox;
-  m_kind->addItem(tr("anything, or nothing"), QString());
+  m_kind->addItem(tr("any error, or none"), QString());
   for (const TrialKind& kind : trialKinds()) m_kind->addItem(trialKindName(kind.name), qText(kind.name));
   m_visible = new QComboBox;
   m_visible->addItem(tr("clearly, by 6 to 25 σ"), QPointF(6, 25));
@@ -75,7 +75,7 @@ QWidget* BlindTrialDialog::createChoices() {
   m_choices = new QWidget;
   auto* form = new QFormLayout(m_choices);
   form->setContentsMargins(0, 0, 12, 0);
-  form->addRow(panelHeading(tr("What is drawn")));
+  form->addRow(panelHeading(tr("Trial to draw")));
   form->addRow(tr("&Plan"), m_plan);
   form->addRow(tr("&Truth"), m_kind);
   form->addRow(tr("S&hows"), m_visible);
@@ -132,8 +132,8 @@ QWidget* BlindTrialDialog::createButtons() {
   };
   m_draw = add(tr("&Draw a trial"), "draw");
   m_open = add(tr("&Open the seal"), "open seal");
-  m_inWindow = add(tr("Sho&w in the window"), "in window");
-  m_inWindow->setToolTip(tr("Opens the session of the trial as a new one, its truth still sealed"));
+  m_inWindow = add(tr("Sho&w in main window"), "in window");
+  m_inWindow->setToolTip(tr("Opens the session of the trial as a new session; its truth stays sealed"));
   layout->addStretch();
   m_count = new QSpinBox;
   m_count->setRange(2, 10000);
@@ -226,7 +226,7 @@ void BlindTrialDialog::showTruth() {
     m_score->setText((m_current->score.right ? tr("Right. ") : tr("Wrong. ")) +
                      scoreSentence(m_current->trial.seal, m_current->score));
   } else {
-    m_truth->setText(says ? tr("Sealed. The diagnosis has answered: open the seal to see what was simulated.")
+    m_truth->setText(says ? tr("Sealed. The diagnosis is complete: open the seal to see what was simulated.")
                           : QString());
   }
   colorScore();

@@ -175,7 +175,7 @@ bool FileFlow::loadAttached(const QString& path) {
     return false;
   }
   m_document.startWithRecorded(**session);
-  emit remark(tr("The session attached to %1; it is in no file of its own yet").arg(name));
+  emit remark(tr("Opened the session attached to %1; it is not saved in a file of its own yet").arg(name));
   return true;
 }
 
@@ -258,7 +258,8 @@ void FileFlow::resolveChange() {
 /// Absent if saving overwrites no changes of others. A reload is already done here.
 std::optional<ChangedFileAnswer> FileFlow::askAboutChange() {
   auto looked = inBackground<std::optional<FileContent>>(
-      *m_dialogs.busy(tr("Looking at “%1”…").arg(visibleLine(m_document.displayName())), Busy::Way::ToItsEnd),
+      *m_dialogs.busy(tr("Checking “%1” for changes…").arg(visibleLine(m_document.displayName())),
+                      Busy::Way::ToItsEnd),
       [known = m_document.knownSha256(), path = m_document.path()](const std::stop_token&) {
         return contentOtherThan(known, path);
       });

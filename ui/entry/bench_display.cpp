@@ -63,12 +63,12 @@ BenchDisplay::BenchDisplay(QWidget* parent)
     layout->addWidget(label, label == m_angles ? 2 : 1);
     if (label == m_verdict) layout->addWidget(m_bar);
   }
-  m_place->setAccessibleName(tr("Next place"));
+  m_place->setAccessibleName(tr("Next entry"));
   m_angles->setAccessibleName(tr("Expected reading"));
   m_last->setAccessibleName(tr("Reading entered last"));
   m_result->setAccessibleName(tr("Result so far"));
   m_verdict->setAccessibleName(tr("Tolerance and verdict"));
-  m_below->setAccessibleName(tr("What to read with the verdict"));
+  m_below->setAccessibleName(tr("Notes on the verdict"));
   for (QLabel* sentence : {m_last, m_below}) sentence->setWordWrap(true);
   QFont bold = m_angles->font();
   bold.setBold(true);

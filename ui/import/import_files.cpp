@@ -34,7 +34,7 @@ constexpr int axisRole = Qt::UserRole + 1;
 
 ImportFiles::ImportFiles(const std::vector<ImportSource>& sources, const std::vector<FileChoice>& choices) {
   setColumnCount(columnTotal);
-  setHorizontalHeaderLabels({tr("File"), tr("Taken as"), tr("Position"), tr("180° from line"), tr("Round")});
+  setHorizontalHeaderLabels({tr("File"), tr("Read as"), tr("Position"), tr("180° from line"), tr("Round")});
   setObjectName(QStringLiteral("import files"));
   setAccessibleName(tr("Files to import"));
   setSelectionBehavior(SelectRows);

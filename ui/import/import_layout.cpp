@@ -111,7 +111,8 @@ QWidget* ImportLayout::createForm() {
   m_unit->addItem(tr("Gon"), static_cast<int>(AngleUnit::Gon));
   m_unit->addItem(tr("Degrees.minutes seconds"), static_cast<int>(AngleUnit::Dms));
   m_unit->setToolTip(
-      tr("Unit of numbers in columns without one. With degrees.minutes seconds 341.5224 is 341°52′24″"));
+      tr("Unit of the numbers in columns that state no unit. In degrees.minutes seconds, 341.5224 is "
+         "341°52′24″"));
   m_decimalSign->addItem(tr("Either"), static_cast<int>(DecimalSign::Either));
   m_decimalSign->addItem(tr("Point"), static_cast<int>(DecimalSign::Point));
   m_decimalSign->addItem(tr("Comma"), static_cast<int>(DecimalSign::Comma));
@@ -198,7 +199,7 @@ void ImportLayout::show(const ImportSource& source, const TableLayout& layout, b
   QStringList reasons;
   for (const std::string& reason : source.recognised.reasons) reasons.append(visibleLine(reason));
   QString text = capitalised(reasons.join(QStringLiteral("; "))) + u'.';
-  if (isRemembered) text += u' ' + tr("The settings below are those you last used for such a file.");
+  if (isRemembered) text += u' ' + tr("The settings below are those you last used for this layout.");
   m_reasons->setText(text);
   const bool isTable = source.recognised.isTable();
   m_table->setVisible(isTable);

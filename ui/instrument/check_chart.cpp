@@ -6,7 +6,7 @@ CheckChart::CheckChart(QWidget* parent) : CheckChart(new CheckPlot, parent) {}
 
 CheckChart::CheckChart(CheckPlot* plot, QWidget* parent)
     : PlotWidget(std::unique_ptr<Plot>(plot), parent), m_plot(plot) {
-  setAccessibleName(tr("Course of the check"));
+  setAccessibleName(tr("Chart of the check"));
   setMinimumSize(minimumSizeHint());
   updateDescriptions();
 }

@@ -31,8 +31,8 @@ QDoubleSpinBox* sigmaBox() {
   box->setSuffix(QStringLiteral("″"));
   box->setSpecialValueText(CheckInput::tr("not stated"));
   box->setKeyboardTracking(false);
-  box->setToolTip(
-      CheckInput::tr("σ of a value observed once in both faces, as in a data sheet after ISO 17123-3"));
+  box->setToolTip(CheckInput::tr(
+      "σ of a value observed once in both faces, as in a data sheet according to ISO 17123-3"));
   return box;
 }
 
@@ -107,7 +107,7 @@ QWidget* CheckInput::createForm() {
   m_unit->addItem(tr("gon"), static_cast<int>(AngleUnit::Gon));
   m_unit->addItem(tr("degrees.minutes seconds"), static_cast<int>(AngleUnit::Dms));
   m_circle = new QComboBox;
-  m_circle->addItem(tr("as read"), QString());
+  m_circle->addItem(tr("from the readings"), QString());
   m_circle->addItem(tr("zenith angles"), QStringLiteral("zenith"));
   m_circle->addItem(tr("elevations"), QStringLiteral("elevation"));
   for (QComboBox* box : {m_unit, m_circle}) {

@@ -41,9 +41,9 @@ void CheckPlot::setView(View view) {
 void CheckPlot::showTitles() {
   switch (m_view) {
     case View::Course:
-      return setTitles(tr("round, of all stations in turn"), tr("off its mean (″)"));
+      return setTitles(tr("round, one station after another"), tr("minus its mean (″)"));
     case View::Residuals:
-      return setTitles(tr("round, of all stations in turn"), tr("residual (″)"));
+      return setTitles(tr("round, one station after another"), tr("residual (″)"));
     case View::Distance:
       return setTitles(tr("distance (m)"), tr("collimation (″)"));
   }
@@ -208,13 +208,17 @@ QString CheckPlot::summary() const {
 QString CheckPlot::standard() const {
   switch (m_view) {
     case View::Course:
-      return tr("Should be: level from round to round; a slope is a drift, a step something that moved.");
+      return tr(
+          "Should be: level from round to round. A slope shows a drift; a step shows that something moved.");
     case View::Residuals:
-      return tr("Should be: an even band about 0 in every round, and no target that keeps to one side.");
+      return tr(
+          "Should be: an even band about 0 in every round, and no target with residuals of one sign only.");
     case View::Distance:
       break;
   }
-  return tr("Should be: level. A rise towards short distances shows a line of sight off the axis, e/D.");
+  return tr(
+      "Should be: level. A rise towards short distances shows an offset e of the line of sight from the "
+      "axis: it grows as e/D.");
 }
 
 std::string CheckPlot::csv() const {

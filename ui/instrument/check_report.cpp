@@ -66,7 +66,7 @@ void layOut(ReportSheet& sheet, const SharedInstrument& answer) {
   addStations(sheet, check);
   constexpr double chartHeight = 70;
   sheet.keepTogether(chartHeight + 12);
-  sheet.heading(Report::tr("Course over the rounds"));
+  sheet.heading(Report::tr("Values over the rounds"));
   const auto plot = std::make_shared<CheckPlot>();
   plot->setCheck(answer);
   addPlot(sheet, plot, chartHeight);
@@ -102,7 +102,7 @@ std::optional<std::string> checkPdf(const CheckedInstrument& answer, const Repor
        .creator = qText("Alidade " + versionAndBuild()),
        .date = date},
       {{.fileName = QStringLiteral("instrument-check.json"),
-        .description = Report::tr("The check of this document, to be read by programs"),
+        .description = Report::tr("The results of this check, to be read by programs"),
         .bytes = instrumentJson(answer.identity, *answer.check, answer.findings, answer.remarks)}});
 }
 

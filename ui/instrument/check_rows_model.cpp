@@ -142,13 +142,13 @@ QVariant CheckRowsModel::headerData(int section, Qt::Orientation orientation, in
   if (orientation == Qt::Vertical) return role == Qt::DisplayRole ? QVariant(section + 1) : QVariant();
   const QString titles[columns] = {tr("Station"),    tr("Round"),    tr("Target"),      tr("Face"),
                                    tr("Horizontal"), tr("Vertical"), tr("Distance (m)")};
-  const QString tips[columns] = {tr("Empty: one station"),
-                                 tr("Empty: from the repeated targets"),
+  const QString tips[columns] = {tr("Empty: only one station"),
+                                 tr("Empty: determined from the repeated targets"),
                                  tr("Any name, the same in both faces and all rounds"),
-                                 tr("Empty: from the vertical circle"),
-                                 tr("341°52′24″, 341 52 24, 379.859gon, or numbers in the unit stated"),
+                                 tr("Empty: determined from the vertical circle"),
+                                 tr("341°52′24″, 341 52 24, 379.859gon, or plain numbers in the chosen unit"),
                                  tr("Zenith angle, in the same formats as the horizontal reading"),
-                                 tr("Along the line of sight; may be empty")};
+                                 tr("Slope distance; may be empty")};
   if (role == Qt::DisplayRole) return titles[section];
   return role == Qt::ToolTipRole ? QVariant(tips[section]) : QVariant();
 }

@@ -65,10 +65,10 @@ QWidget* InstrumentDialog::createResult() {
   says->setAccessibleName(tr("What the check says"));
   m_chart = new CheckChart;
   m_view = new QComboBox;
-  m_view->addItem(tr("Course over the rounds"), static_cast<int>(CheckPlot::View::Course));
+  m_view->addItem(tr("Values over the rounds"), static_cast<int>(CheckPlot::View::Course));
   m_view->addItem(tr("Residuals"), static_cast<int>(CheckPlot::View::Residuals));
   m_view->addItem(tr("Collimation over the distance"), static_cast<int>(CheckPlot::View::Distance));
-  m_view->setAccessibleName(tr("What is drawn"));
+  m_view->setAccessibleName(tr("What the chart shows"));
   connect(m_view, &QComboBox::currentIndexChanged, this,
           [this] { m_chart->setView(static_cast<CheckPlot::View>(m_view->currentData().toInt())); });
   auto* drawn = new QWidget;

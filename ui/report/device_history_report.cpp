@@ -90,7 +90,7 @@ Result<QString> writeDeviceHistory(const DeviceHistory& device, const QString& o
                    .creator = qText("Alidade " + versionAndBuild()),
                    .date = date},
                   {{.fileName = QStringLiteral("history.json"),
-                    .description = Report::tr("The history of this document, to be read by programs"),
+                    .description = Report::tr("The results of this device history, to be read by programs"),
                     .bytes = jsonOf(device)}});
   std::vector<std::string> read = encodedPaths(inputs);
   for (const Epoch& epoch : device.epochs) read.push_back(epoch.file);

@@ -11,11 +11,11 @@ const std::vector<ReportPartInfo>& allReportParts() {
       {ReportPart::Readings, "readings", QT_TRANSLATE_NOOP("ReportPart", "Readings")},
       {ReportPart::Journal, "journal", QT_TRANSLATE_NOOP("ReportPart", "Journal of changes")},
       {ReportPart::Method, "method", QT_TRANSLATE_NOOP("ReportPart", "Method")},
-      {ReportPart::Budget, "budget", QT_TRANSLATE_NOOP("ReportPart", "Budget of the uncertainty")},
+      {ReportPart::Budget, "budget", QT_TRANSLATE_NOOP("ReportPart", "Uncertainty budget")},
       {ReportPart::Gap, "gap", QT_TRANSLATE_NOOP("ReportPart", "Gap between model and readings")},
       {ReportPart::Closures, "closures", QT_TRANSLATE_NOOP("ReportPart", "Closures")},
       {ReportPart::Undetectable, "unseen", QT_TRANSLATE_NOOP("ReportPart", "Effects undetectable here")},
-      {ReportPart::Signatures, "signatures", QT_TRANSLATE_NOOP("ReportPart", "Lines to sign")}};
+      {ReportPart::Signatures, "signatures", QT_TRANSLATE_NOOP("ReportPart", "Signature lines")}};
   return parts;
 }
 

@@ -117,8 +117,7 @@ std::vector<LabelledText> instrumentFacts(const Evaluation& evaluation) {
     facts.push_back({Report::tr("σ compensator"),
                      Provenance(instrument.sigmaCompensatorArcsec, arcsec, QStringLiteral("1″")).text()});
   if (const LineOfSight& sight = instrument.lineOfSight; !sight.offsetMm.empty())
-    facts.push_back(
-        {Report::tr("Line of sight off the axis"), lengthWithSigma(sight.offsetMm, sight.sigmaMm)});
+    facts.push_back({Report::tr("Line of sight offset"), lengthWithSigma(sight.offsetMm, sight.sigmaMm)});
   facts.push_back({Report::tr("Distance L"), lengthWithSigma(geometry.distanceMm, geometry.sigmaDistanceMm)});
   facts.push_back({Report::tr("L measured"), given(geometry.distanceFrom)});
   facts.push_back({Report::tr("Nominal radius R0"), nominalRadius(session)});

@@ -16,11 +16,12 @@ constexpr double plotHeight = 62;  // mm
 
 QString formCaption(const FormPlot& plot) {
   QStringList sentences{
-      Report::tr("The curve is the form; hollow marks are the value of each sighting with everything but "
-                 "this form in the model."),
-      plot.isHeldOut() ? Report::tr("Filled marks: the same minus the form fitted without that sighting.")
-                       : Report::tr("Filled marks: the same minus the form."),
-      Report::tr("Broken lines: ±1σ of a sighting by the stated noise.")};
+      Report::tr("The curve is the form. Hollow marks are the value that each sighting gives for the form, "
+                 "with everything else in the model."),
+      plot.isHeldOut()
+          ? Report::tr("Filled marks: these values minus the form, fitted without the sighting itself.")
+          : Report::tr("Filled marks: these values minus the form."),
+      Report::tr("Broken lines: ±1σ of the most sensitive sighting, from the stated noise.")};
   if (!plot.form().cleanRange.empty()) sentences.append(Report::tr("Grey: where the model holds."));
   return Report::sentences(sentences);
 }

@@ -25,9 +25,9 @@ QStringList markSentences(const std::vector<Drawn>& drawn, const RowKinds& kinds
 
 QStringList insetSentences(const DrawnIntersection& intersection) {
   QStringList sentences{
-      Report::tr("Inset: the arc centres O1 and O2 of the fit with the axis midway between them; the heavy "
-                 "line is Δd, fit only, the bar at its end its expanded uncertainty U, the ellipses hold the "
-                 "centres at %1 %.")
+      Report::tr("Inset: the arc centres O1 and O2 of the fit, with the axis midway between them. The heavy "
+                 "line is Δd, fit only; the bar at its end is the expanded uncertainty U. Each ellipse "
+                 "contains its centre with a probability of %1 %.")
           .arg(plainNumberText(100 * intersection.coverage))};
   if (intersection.tolerance)
     sentences.append(Report::tr("Grey: permitted places of the centres, tolerance ± %1 mm.")
@@ -54,8 +54,8 @@ QString arcCaption(const ArcPlot& plot) {
   if (picture.intersection) sentences += insetSentences(*picture.intersection);
   if (plot.sideView().scale() > 0)
     sentences.append(
-        Report::tr("View along the axis: the arc's centre, Δd up and Δz towards the "
-                   "theodolite, at 0° with U, at 180° opposite."));
+        Report::tr("View along the axis: the arc centre at 0° with its U, Δd upwards and Δz towards the "
+                   "theodolite; at 180° the centre is on the opposite side."));
   return Report::sentences(sentences);
 }
 

@@ -136,13 +136,12 @@ QString methodText(const Evaluation& evaluation) {
         Report::tr("Positions at the same axis angle share one centre and one radius; all pointing zeros are "
                    "estimated too, with their stated uncertainty."));
   sentences.append(Report::tr(
-      "The intersection Δd = (y(O1) − y(O2))/2 is half the distance of the arc centres at 0° (O1) "
-      "and 180° (O2) across the axis. The share of the readings in its uncertainty is scaled by "
-      "their scatter (s0), pointing zeros and distance enter as stated; the expanded uncertainty U "
-      "of Δd, fit only, is k times the combined standard uncertainty, k from Student's "
-      "distribution with ν effective degrees of freedom. Δd, measured, includes every effect of the "
-      "catalogue, known beforehand to 1σ of its plausible size, and its U also holds what "
-      "else may explain the readings."));
+      "The intersection Δd = (y(O1) − y(O2))/2 is half the difference of the heights of the arc centres at "
+      "0° (O1) and 180° (O2). The share of the readings in its uncertainty is scaled by their scatter (s0); "
+      "pointing zeros and distance enter with their stated uncertainty. The expanded uncertainty U of Δd, "
+      "fit only, is k times the combined standard uncertainty, with k from Student's distribution with ν "
+      "effective degrees of freedom. Δd, measured, includes every effect of the catalogue, with its "
+      "plausible size (1σ) as prior knowledge; its U also covers other explanations of the readings."));
   return Report::sentences(sentences);
 }
 

@@ -35,8 +35,8 @@ QString measurandText(const Gap& gap) {
                  "at 0° (O1) and at 180° (O2), y up; positive where the centre is the higher one at 0°.")};
   if (isOfDistance(gap))
     sentences.append(
-        Report::tr("The tolerance applies to the distance d = √(Δd² + Δz²) of the centre from the axis, Δz "
-                   "across the plane of the arc."));
+        Report::tr("The tolerance applies to the distance d = √(Δd² + Δz²) of the centre from the axis, with "
+                   "Δz perpendicular to the plane of the arc."));
   return Report::sentences(sentences);
 }
 
@@ -44,15 +44,16 @@ QString measurandText(const Gap& gap) {
 QString acceptanceRule(const Gap& gap, const QString& tolerance) {
   if (isOfDistance(gap))
     return Report::tr(
-               "Accepted: d + U ≤ %1, measured, and |Δd| + U ≤ %1, fit only; rejected: d − U > %1; else "
-               "undecided.")
+               "Accepted: d + U ≤ %1, measured, and |Δd| + U ≤ %1, fit only; rejected: d − U > %1, measured. "
+               "Otherwise, or if the gap has no known cause: undecided.")
         .arg(tolerance);
   if (gap.diagnosis)
     return Report::tr(
-               "Accepted: |Δd| + U ≤ %1; rejected: |Δd| − U > %1; both measured and fit only. Otherwise, or "
-               "if the gap has no known cause: undecided.")
+               "Accepted: |Δd| + U ≤ %1; rejected: |Δd| − U > %1; each for both Δd, measured, and Δd, fit "
+               "only. Otherwise, or if the gap has no known cause: undecided.")
         .arg(tolerance);
-  return Report::tr("Accepted: |Δd| + U ≤ %1; rejected: |Δd| − U > %1; fit only; else undecided.")
+  return Report::tr(
+             "Accepted: |Δd| + U ≤ %1; rejected: |Δd| − U > %1; each for Δd, fit only. Otherwise: undecided.")
       .arg(tolerance);
 }
 
@@ -205,7 +206,7 @@ QString temperatureText(const Evaluation& evaluation) {
     addChange(QStringLiteral("R0"), measurement->radiusExpansion);
   }
   //: %1: the temperature
-  if (changes.isEmpty()) return Report::tr("%1; no expansion of L and R0 is stated").arg(text);
+  if (changes.isEmpty()) return Report::tr("%1; L and R0 are not corrected for thermal expansion").arg(text);
   //: the changes of two lengths: "L 0.101 mm" and "R0 0.032 mm"
   const QString both = changes.size() == 1 ? changes[0] : Report::tr("%1 and %2").arg(changes[0], changes[1]);
   //: %1: the temperature, %2: what L and R0 change by

@@ -80,7 +80,7 @@ Result<QString> writeInstallationCheck(const InstallationCheck& check, const QSt
                    .creator = check.product(),
                    .date = check.at},
                   {{.fileName = QStringLiteral("self-test.json"),
-                    .description = Report::tr("The check of this document, to be read by programs"),
+                    .description = Report::tr("The results of this check, to be read by programs"),
                     .bytes = selfTestJson(check.test, at)}});
   if (auto problem = writeFile(encodedPath(path), pdf, encodedPaths(inputs))) return *std::move(problem);
   return path;

@@ -133,7 +133,8 @@ void DiagnosisPanel::showCauses() {
     m_causes->setItem(row, 1, textCell(owner));
     m_causes->setItem(
         row, 2,
-        textCell(cause.isDrifting ? tr("%1, changing").arg(sizesText(cause.cause)) : sizesText(cause.cause)));
+        textCell(cause.isDrifting ? tr("%1, changing between sessions").arg(sizesText(cause.cause))
+                                  : sizesText(cause.cause)));
     m_causes->setItem(row, 3, textCell(qText(shortProbabilityText(cause.cause.probability)), true));
     m_causes->setItem(row, 4, textCell(shows ? qText(displayText(cause.visibleInOne, 1)) : none, true));
     m_causes->setItem(row, 5, textCell(shows ? qText(displayText(cause.visibleTogether, 1)) : none, true));

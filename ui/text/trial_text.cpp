@@ -54,7 +54,7 @@ QString foreignText(const ForeignEffect& effect) {
     case Kind::LocalDent:
       return TrialText::tr("A dent of the radius, %1 at s = %2°").arg(length, numberText(effect.first, 0));
     case Kind::CirclePeriods:
-      return TrialText::tr("A horizontal circle with %2 periods a turn, %1")
+      return TrialText::tr("A horizontal circle error with %2 periods a turn, %1")
           .arg(angle, numberText(effect.first, 0));
     case Kind::Settling:
       return TrialText::tr("An instrument that settles, %1").arg(angle);
@@ -115,11 +115,11 @@ QStringList truthLines(const BlindTrial& trial) {
                      .arg(numberText(truth.harmonic->cosine, 3), numberText(truth.harmonic->sine, 3)));
   if (truth.foreign) lines.append(foreignText(*truth.foreign));
   if (truth.noiseFactor != 1)
-    lines.append(TrialText::tr("Noise %1 times the stated").arg(numberText(truth.noiseFactor, 2)));
+    lines.append(TrialText::tr("Noise: %1 times the stated noise").arg(numberText(truth.noiseFactor, 2)));
   if (lines.isEmpty()) lines.append(TrialText::tr("No error was simulated."));
   if (trial.seal.visible) {
-    QString shows =
-        TrialText::tr("The error shows by %1 σ of the readings").arg(numberText(*trial.seal.visible, 1));
+    QString shows = TrialText::tr("The trace of the error in the readings is %1 σ")
+                        .arg(numberText(*trial.seal.visible, 1));
     if (!trial.seal.lookAlikes.empty())
       shows += TrialText::tr("; in these readings it looks like %1")
                    .arg(causeNames(trial.seal.lookAlikes, TrialText::tr(" or ")));
@@ -133,14 +133,15 @@ QString scoreSentence(const SealedTruth& truth, const TrialScore& score) {
   const QString was = trialKindName(truth.kind), answer = trialKindName(score.answer);
   QString text;
   if (!score.right)
-    text = TrialText::tr("The truth was %1; the answer was %2.").arg(was, answer);
+    text = TrialText::tr("The truth was %1; the diagnosis was %2.").arg(was, answer);
   else if (score.trialClass == TrialClass::Faint)
-    text = score.named ? TrialText::tr("Named, although it is faint.")
-                       : TrialText::tr("Too faint to be expected.");
+    text = score.named ? TrialText::tr("The error was found, although its trace is faint.")
+                       : TrialText::tr("The trace of the error is too faint to be found.");
   else if (score.trialClass == TrialClass::LookAlikes)
-    text = TrialText::tr("The truth is in the named group, which is no larger than necessary.");
+    text = TrialText::tr(
+        "The truth is in the group that the diagnosis names, which is no larger than necessary.");
   else
-    text = TrialText::tr("The truth was %1, and so was the answer.").arg(was);
+    text = TrialText::tr("The truth was %1; the diagnosis agrees.").arg(was);
   if (score.covered)
     text += *score.covered ? TrialText::tr(" Δd with the causes covers the true Δd.")
                            : TrialText::tr(" Δd with the causes misses the true Δd.");

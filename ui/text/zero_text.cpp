@@ -26,9 +26,9 @@ QString textOf(const Measurement& measurement, const ArcMeasurement& arc) {
                           angleText(arc.zeroVertical, measurement.angleUnit, 1),
                           arcsecondsText(measurement.sigmaOfZeroVertical(arc)));
   if (zero.moved)
-    text += ZeroText::tr("; moved by %1 and %2 meanwhile")
+    text += ZeroText::tr("; the zero moved by %1 (α0) and %2 (β0)")
                 .arg(arcsecondsText(zero.moved->horizontal), arcsecondsText(zero.moved->vertical));
-  if (zero.hasLeftOutFace) text += ZeroText::tr("; without face 2, which not every position has");
+  if (zero.hasLeftOutFace) text += ZeroText::tr("; without face 2, since not every position has it");
   return text;
 }
 

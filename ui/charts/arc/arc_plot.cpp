@@ -299,8 +299,8 @@ QString ArcPlot::summary() const {
 
 QString ArcPlot::standard() const {
   return m_picture->intersection && m_picture->intersection->tolerance
-             ? tr("Should be: strokes point every way, O1 and O2 lie within the tolerance.")
-             : tr("Should be: strokes point every way, O1 and O2 lie close to the axis.");
+             ? tr("Should be: strokes point in all directions, O1 and O2 lie within the tolerance.")
+             : tr("Should be: strokes point in all directions, O1 and O2 lie close to the axis.");
 }
 
 std::string ArcPlot::csv() const {

@@ -40,7 +40,7 @@ QString argumentTitle(FormArgument of) {
     case FormArgument::VerticalCircle:
       return FormPlot::tr("vertical circle β (°)");
     case FormArgument::Leg:
-      return FormPlot::tr("1: there, −1: back");
+      return FormPlot::tr("1: way there, −1: way back");
     case FormArgument::Face:
       return FormPlot::tr("1: face 1, −1: face 2");
     case FormArgument::Round:
@@ -106,7 +106,7 @@ void FormPlot::draw() {
     add(point.before, point.isVertical ? BeforeVertical : Before);
     add(isHeldOut ? point.heldOut : point.after, point.isVertical ? AfterVertical : After);
   }
-  setMessage(marks.empty() ? tr("No sighting shows this form by itself.") : QString());
+  setMessage(marks.empty() ? tr("No single sighting shows this form clearly.") : QString());
   showMarks(std::move(marks));
   reckonExtent();
   applyStyle();

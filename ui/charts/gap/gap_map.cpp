@@ -38,7 +38,7 @@ QString inWords(const std::string& text) {
 }
 
 QString divisionName(const std::string& by) {
-  if (by == "frame") return GapMap::tr("stays with");
+  if (by == "frame") return GapMap::tr("belongs to");
   if (by == "position") return GapMap::tr("axis at");
   if (by == "time") return GapMap::tr("in time");
   if (by == "closure") return GapMap::tr("shows in");

@@ -206,9 +206,9 @@ void HistoryPlot::showLegend() {
     if (m_history.values.size() > 1) {
       entries.push_back({pen(style().limit, 1.2, Qt::DashLine), tr("limits (3 u)")});
       if (std::isfinite(m_history.chart.seenSigma))
-        entries.push_back({pen(style().limit, 1.2, Qt::DotLine), tr("± 3 σ as seen")});
+        entries.push_back({pen(style().limit, 1.2, Qt::DotLine), tr("± 3 σ, observed")});
       entries.push_back({pen(style().lower, 1.2, Qt::SolidLine), tr("average (EWMA)")});
-      entries.push_back({pen(style().lower, 1.0, Qt::DotLine), tr("its limits")});
+      entries.push_back({pen(style().lower, 1.0, Qt::DotLine), tr("EWMA limits")});
     }
     if (m_history.tolerance)
       entries.push_back(
@@ -273,7 +273,7 @@ QString HistoryPlot::describe(const Mark& mark) const {
     if (step.first == mark.index)
       lines.append(
           tr("the first value after a step of %1").arg(qText(numbers.withUncertainty(step.size, step.u))));
-  if (m_history.oddValue == mark.index) lines.append(tr("stands apart from all others"));
+  if (m_history.oddValue == mark.index) lines.append(tr("an outlier"));
   for (const std::string* judged : {&value.judgement.verdict, &value.judgement.condition})
     if (!judged->empty()) lines.append(qText(*judged));
   return lines.join(u'\n');

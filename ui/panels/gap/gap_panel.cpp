@@ -91,7 +91,7 @@ GapPanel::GapPanel(QWidget* parent)
   m_formsBlock = block(tr("Form"), {m_forms});
   auto* noLargePart = standard(
       tr("Should be: no part of a bar is far larger than the others; such a part shows where the gap lies."));
-  m_whereBlock = block(tr("Where it lies"), {m_map, noLargePart, m_leftOver});
+  m_whereBlock = block(tr("Where the gap lies"), {m_map, noLargePart, m_leftOver});
   m_blocks = {m_headline,
               m_causesBlock,
               m_formsBlock,
@@ -138,7 +138,7 @@ QWidget* GapPanel::createCauses() {
                               tr("Estimates the ticked causes and their look-alikes, each within its "
                                  "plausible size: U then covers every one of them"));
   m_remove = addAction(tr("Take Out of the Model"), QStringLiteral("remove ticked"),
-                       tr("Leaves the ticked effects of the model out"));
+                       tr("Removes the ticked effects from the model"));
   m_actions->addStretch();
   connect(m_causes, &StatementView::ticksChanged, this, &GapPanel::showActions);
   connect(m_addTicked, &QPushButton::clicked, this, [this] { emit effectsWanted(ticked(false)); });
@@ -205,7 +205,8 @@ QWidget* GapPanel::createCandidates() {
        QStringLiteral("888.8"), of([](const Candidate& c) {
          return c.visibleSigma > 0 ? numberText(c.visibleSigma, 1) : notStated();
        })},
-      {tr("Role"), tr("Its part in the diagnosis"), tr("look-alike"), of([this](const Candidate& c) {
+      {tr("Role"), tr("Role of the effect in the diagnosis"), tr("look-alike"),
+       of([this](const Candidate& c) {
          for (const Cause& cause : m_gap->diagnosis->causes) {
            if (cause.effect == c.effect) return tr("cause");
            const auto& alike = cause.indistinguishableFrom;

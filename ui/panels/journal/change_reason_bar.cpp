@@ -34,7 +34,7 @@ ChangeReasonBar::ChangeReasonBar(SessionDocument& document, QWidget* parent)
   m_question->setTextFormat(Qt::PlainText);
   m_question->setWordWrap(true);
   m_reason->setAccessibleName(tr("Reason for the change"));
-  m_reason->setPlaceholderText(tr("Ctrl+R, type, Enter; or go on without"));
+  m_reason->setPlaceholderText(tr("Optional: Ctrl+R, type, Enter"));
   m_reason->installEventFilter(this);
   auto* layout = new QHBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
@@ -55,7 +55,7 @@ void ChangeReasonBar::ask(std::size_t first) {
     return;
   m_first = first;
   m_count = journal.size() - first;
-  m_question->setText(m_count == 1 ? tr("Why was it changed? %1").arg(journalPlace(journal[first]))
+  m_question->setText(m_count == 1 ? tr("Why was this entry changed? %1").arg(journalPlace(journal[first]))
                                    : tr("Why were these %1 entries changed?").arg(m_count));
   show();
   emit askingChanged(true);

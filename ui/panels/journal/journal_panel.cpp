@@ -50,7 +50,7 @@ DataTable* JournalPanel::createTable() {
   return new DataTable({
       {tr("When (UTC)"), tr("Universal time"), QStringLiteral("2026-08-28 28:28"),
        [this](int row) { return visibleLine(timeText(entry(row).at)); }, left},
-      {tr("What"), tr("As it was called then"), tr("180°, row 28 (point 28), vertical"),
+      {tr("What"), tr("Name of the entry at that time"), tr("180°, row 28 (point 28), vertical"),
        [this](int row) { return journalPlace(entry(row)); }, left},
       {tr("From"), tr("Old content"), QStringLiteral("341°52′24.5″"), content(&JournalEntry::from), left},
       {tr("To"), tr("New content"), QStringLiteral("341°52′24.5″"), content(&JournalEntry::to), left},

@@ -49,7 +49,7 @@ QString aboutText(const Effect& effect) {
 /// Sets what a screen reader says in the cell of the size.
 void speakSize(QTreeWidgetItem& item) {
   const QString size = item.text(1);
-  item.setData(1, Qt::AccessibleTextRole, size.isEmpty() ? EffectsPanel::tr("no size of its own") : size);
+  item.setData(1, Qt::AccessibleTextRole, size.isEmpty() ? EffectsPanel::tr("no size in this row") : size);
 }
 
 QString sizeText(const EffectEstimate& estimate) {
@@ -60,8 +60,8 @@ QString sizeText(const EffectEstimate& estimate) {
 
 EffectsPanel::EffectsPanel(SessionDocument& document, QWidget* parent)
     : QWidget(parent), m_document(document), m_list(new QTreeWidget), m_about(new QLabel) {
-  m_list->setAccessibleName(tr("Effects estimated along"));
-  m_list->setHeaderLabels({tr("Estimate along"), tr("Size")});
+  m_list->setAccessibleName(tr("Effects estimated with the arcs"));
+  m_list->setHeaderLabels({tr("Also estimate"), tr("Size")});
   m_list->headerItem()->setTextAlignment(1, Qt::AlignRight | Qt::AlignVCenter);
   m_list->header()->setStretchLastSection(false);
   m_list->header()->setSectionResizeMode(0, QHeaderView::Stretch);
@@ -82,7 +82,7 @@ EffectsPanel::EffectsPanel(SessionDocument& document, QWidget* parent)
   known->setToolTip(tr("Type the size of the effect from a certificate or a check"));
   connect(known, &QPushButton::clicked, this, &EffectsPanel::askForKnown);
   auto* own = new QPushButton(tr("Effect of Your Own…"));
-  own->setToolTip(tr("Types an effect by its formula, or changes the selected one"));
+  own->setToolTip(tr("Defines an effect by its formula, or changes the selected one"));
   connect(own, &QPushButton::clicked, this, [this] {
     const QTreeWidgetItem* item = m_list->currentItem();
     emit ownWanted(item && idOf(*item).starts_with(ownPrefix) ? idOf(*item) : std::string());

@@ -115,7 +115,7 @@ void FindingsPanel::refresh() {
   });
   const bool isAllKnown = m_isSearched && m_gapState == GapState::Known;
   if (isAllKnown && entries.empty() && !m_hasSuspects)
-    entries.push_back({QStringLiteral("accept"), tr("Sound"), tr("No problems.")});
+    entries.push_back({QStringLiteral("accept"), tr("In order"), tr("No problems.")});
   if (entries == m_entries || (entries.empty() && saysSound() && !isAllKnown && !m_hasSuspects)) return;
   clear();
   m_entries = std::move(entries);

@@ -26,7 +26,7 @@ JobStatus::JobStatus(const FitJob& fit, const GapJob& gap, QWidget* parent)
   bar->setFixedSize(80, 10);
   m_stop->setText(tr("Stop"));
   m_stop->setObjectName(QStringLiteral("stop jobs"));
-  m_stop->setToolTip(tr("Stops after the fit; the next edit starts all again"));
+  m_stop->setToolTip(tr("Stops and keeps the result of the fit; the next edit restarts all calculations"));
   m_stop->setAutoRaise(true);
   auto* layout = new QHBoxLayout(this);
   layout->setContentsMargins(0, 0, 6, 0);

@@ -149,7 +149,7 @@ TEST(Gap, ShowsWhatTheDiagnosisSays) {
   ASSERT_EQ(bench.candidates()->model()->rowCount(), static_cast<int>(diagnosis.candidates.size()));
   EXPECT_EQ(bench.candidate(0, 0), causeTitle(diagnosis.candidates[0].effect));
   EXPECT_EQ(bench.candidate(0, 1), numberText(diagnosis.candidates[0].logBayesFactor, 1));
-  EXPECT_THAT(bench.map(), HasSubstr("stays with: "));
+  EXPECT_THAT(bench.map(), HasSubstr("belongs to: "));
   EXPECT_THAT(bench.map(), HasSubstr("along the arc: 0…30° "));
 }
 

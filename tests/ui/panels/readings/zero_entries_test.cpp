@@ -57,8 +57,8 @@ TEST(ZeroEntries, ShowFurtherSightingsOnDemand) {
   open.waitUntilIdle();
   EXPECT_THAT(
       mean(open).text().toStdString(),
-      HasSubstr("Mean of 2 sightings: α0 332°32′55.0″ ± 1.4″, β0 89°59′57.5″ ± 1.4″ (1σ); moved by 2.0″ "
-                "and 1.0″ meanwhile"));
+      HasSubstr("Mean of 2 sightings: α0 332°32′55.0″ ± 1.4″, β0 89°59′57.5″ ± 1.4″ (1σ); the zero moved "
+                "by 2.0″ (α0) and 1.0″ (β0)"));
   EXPECT_EQ(open->document().session().positions[0].zero.after.vertical, "89 59 58");
 }
 
